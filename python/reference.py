@@ -1,4 +1,4 @@
-"""Writes docs/python.md from the docstrings of the package: `python python/reference.py`."""
+"""Write docs/python.md from the docstrings of the package: `python python/reference.py`."""
 
 import inspect
 import re
@@ -12,16 +12,19 @@ HEAD = """# lcplab for Python
 $ pip install ./python        # needs a Rust toolchain; brings the command lcplab too
 ```
 
-The package needs NumPy alone; SciPy's sparse arrays are taken where they are. A function `f(A, b, lo, hi, **settings)` is a
-solver wherever a solver is named: it returns x, or yields its iterates, or returns None where it found nothing; `settings`
-are `tolerance`, `max_iterations`, with friction `friction_index` and `mu`, and in scenes `start`. A function that has a
-parameter named `model` also gets friction cones: `model` is then `"coupled-box"`, `"associated-cone"` or `"coulomb-cone"`.
-It may raise NotImplementedError for a problem that it is not made for. Any other exception is a failed row with its
-message, but for those that end more than a function, such as KeyboardInterrupt and SystemExit: they end the call that
-asked it. [Examples](../python/examples) and a [notebook](../notebooks/python/quickstart.ipynb) show
-it at work.
+The package needs only NumPy; it also accepts SciPy's sparse arrays. The [glossary](glossary.md) explains the symbols A, b, x, w,
+lo and hi. [Examples](../python/examples) and a [notebook](../notebooks/python/quickstart.ipynb) show the package in use.
 
-This page is written by `python python/reference.py` from the docstrings.
+**Your own solver.** Every argument `solver` accepts a function `f(A, b, lo, hi, **settings)`:
+
+- It returns x, or yields its iterates, or returns None if it found no solution.
+- `settings` has `tolerance` and `max_iterations`; for problems with friction also `friction_index` and `mu`; in scenes also `start`.
+- A function with a parameter named `model` is also given friction cones; `model` is then `"coupled-box"`, `"associated-cone"` or
+  `"coulomb-cone"`.
+- It may raise NotImplementedError for a problem that it does not support. Any other exception counts as a failure, with its
+  message. KeyboardInterrupt and SystemExit end the call of lcplab.
+
+This page is generated from the docstrings by `python python/reference.py`.
 """
 
 #: The order of the page.
@@ -42,7 +45,7 @@ def entry(name):
             function = value.fget if isinstance(value, property) else getattr(value, "__func__", value)
             if not key.startswith("_") and inspect.isfunction(function):
                 call = "" if isinstance(value, property) else signature(function)
-                text += f"- `{key}{call}`: {inspect.getdoc(function).splitlines()[0]}\n"
+                text += f"- `{key}{call}`: {first_line(function)}\n"
     return text
 
 
@@ -55,10 +58,18 @@ def signature(function):
     return str(inspect.Signature(parameters))
 
 
+def first_line(function):
+    return markdown(inspect.getdoc(function).splitlines()[0])
+
+
+def markdown(text):
+    """The text with the marks of reStructuredText as code in Markdown."""
+    return re.sub(r":(?:class|func):`([\w.]+)`", r"`\1`", text).replace("``", "`")
+
+
 def block(doc):
     """A docstring in NumPy's style as Markdown: headings bold, examples as code."""
-    doc = re.sub(r":(?:class|func):`(\w+)`", r"`\1`", doc).replace("``", "`")
-    lines, out, is_code = doc.splitlines(), [], False
+    lines, out, is_code = markdown(doc).splitlines(), [], False
     for k, line in enumerate(lines):
         if set(line) == {"-"}:
             continue
@@ -84,11 +95,11 @@ def others():
     text = "\n## `lcplab.testing`\n\n" + inspect.getdoc(testing).splitlines()[0] + "\n\n"
     for name in ("assert_solves", "assert_honest"):
         function = getattr(testing, name)
-        text += f"- `{name}{signature(function)}`: {inspect.getdoc(function).splitlines()[0]}\n"
+        text += f"- `{name}{signature(function)}`: {first_line(function)}\n"
     text += "\n## `lcplab.textbook`\n\n" + inspect.getdoc(lcplab.textbook) + "\n\n"
     for name in ("jacobi", "gauss_seidel", "murty", "dantzig", "lemke", "interior_point"):
         function = getattr(lcplab.textbook, name)
-        text += f"- `{name}{signature(function)}`: {inspect.getdoc(function).splitlines()[0]}\n"
+        text += f"- `{name}{signature(function)}`: {first_line(function)}\n"
     return text
 
 

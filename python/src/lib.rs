@@ -20,7 +20,7 @@ create_exception!(
     lcplab,
     InputError,
     PyValueError,
-    "Input that cannot be used, with every defect of it."
+    "Invalid input; the message lists every defect."
 );
 
 /// An error of lcplab as one of Python's.

@@ -170,7 +170,7 @@ def test_a_function_for_boxes_never_gets_a_cone_and_a_row_says_so():
 
     rows = lcplab.compare(C, [boxes, "cone-pgs"]).rows
     assert [row["solver"] for row in rows] == ["boxes", "cone-pgs"]
-    assert rows[0]["trouble"] == "not asked: it does not say that it takes coulomb-cone" and rows[0]["outside"] == 1
+    assert rows[0]["trouble"] == "not run: it does not declare support for coulomb-cone" and rows[0]["outside"] == 1
     with pytest.raises(lcplab.InputError, match="a parameter named model"):
         lcplab.solve(C, solver=boxes)
     with pytest.raises(lcplab.InputError, match="a parameter named model"):

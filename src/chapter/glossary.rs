@@ -1,44 +1,84 @@
-//! The chapter's key terms, each with the function that computes it.
+//! The glossary: terms, symbols and units, each with the code that computes it. The page
+//! `docs/glossary.md` is its only source.
 
 use std::sync::LazyLock;
 
-use serde::Deserialize;
-
-use super::data::{self, one_line};
 use crate::document::{Document, Section};
 
-/// A term, as `glossary.toml` has it.
-#[derive(Debug, Clone, Deserialize)]
-#[serde(deny_unknown_fields)]
+/// A row of the glossary.
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Term {
     /// The term.
     pub name: String,
-    /// What it means, in our own words.
-    #[serde(deserialize_with = "one_line")]
+    /// Its symbol; may be empty.
+    pub symbol: String,
+    /// The unit, or two: for forces and lengths, and for torques and angles. May be empty.
+    pub unit: String,
+    /// The definition, one sentence.
     pub means: String,
-    /// Where the library computes it.
+    /// The chapter's word, where it differs.
+    pub chapter: String,
+    /// The modules or items that compute it.
     pub code: Vec<String>,
 }
 
-/// The terms in the chapter's order, and the one of its title.
+/// All terms in alphabetical order.
 pub fn terms() -> &'static [Term] {
     static TERMS: LazyLock<Vec<Term>> =
-        LazyLock::new(|| data::list("glossary.toml", include_str!("glossary.toml")));
+        LazyLock::new(|| table(include_str!("../../docs/glossary.md")));
     &TERMS
+}
+
+/// The rows of the page's table.
+fn table(page: &str) -> Vec<Term> {
+    let rows = page.lines().filter(|line| line.starts_with("| "));
+    rows.skip(2).map(|row| term(&cells(row))).collect() // the head and the line below it
+}
+
+fn term(cells: &[String]) -> Term {
+    let [name, symbol, unit, means, chapter, code] = cells else {
+        panic!("glossary.md: six cells are needed: {cells:?}");
+    };
+    let code = code.split(", ").map(|place| place.trim_matches('`').to_string());
+    Term {
+        name: name.clone(),
+        symbol: symbol.clone(),
+        unit: unit.clone(),
+        means: means.clone(),
+        chapter: chapter.clone(),
+        code: code.filter(|place| !place.is_empty()).collect(),
+    }
+}
+
+/// The cells of a row of a Markdown table, in which `\|` stands for a vertical bar.
+fn cells(row: &str) -> Vec<String> {
+    let (bar, mut cells) = ("\u{0}", Vec::new());
+    for cell in row.trim_matches('|').replace("\\|", bar).split('|') {
+        cells.push(cell.trim().replace(bar, "|"));
+    }
+    cells
 }
 
 /// The glossary.
 pub fn document() -> Document {
     let mut document = Document {
-        title: "Key terms".into(),
-        lead: "What the chapter defines at its end, and where the library computes it.".into(),
+        title: "Glossary".into(),
+        lead: "Terms and symbols, their units, and the code that computes them.".into(),
         is_accepted: true,
         ..Document::default()
     };
-    for Term { name, means, code } in terms() {
-        let mut section = Section::new(name);
-        section.say(means);
-        section.say(format!("In the library: {}.", code.join(", ")));
+    for term in terms() {
+        let mut section = Section::new(&term.name);
+        let facts = [("Symbol", &term.symbol), ("Unit", &term.unit), ("K&M", &term.chapter)];
+        let facts = facts.into_iter().filter(|(_, fact)| !fact.is_empty());
+        let facts: Vec<String> = facts.map(|(name, fact)| format!("{name}: {fact}.")).collect();
+        section.say(&term.means);
+        if !facts.is_empty() {
+            section.say(facts.join(" "));
+        }
+        if !term.code.is_empty() {
+            section.say(format!("In the library: {}.", term.code.join(", ")));
+        }
         document.add("", section);
     }
     document

@@ -187,7 +187,7 @@ impl Diagnose {
             let scheme = scene.step.scheme;
             if !scheme.solves_lcps() {
                 let reason =
-                    format!("{name} is not asked: the scheme {} solves no LCP", scheme.name());
+                    format!("{name} is not run: the scheme {} solves no LCP", scheme.name());
                 return Err(Error::invalid(&self.input, "solver", reason));
             }
             scene.solver.name = methods::entry(name)?.name.into();

@@ -148,7 +148,7 @@ impl Collect {
         let collection = collect(&grid, &folder)?;
         let (done, missing) = (collection.done.len(), collection.missing.len());
         print(&format!(
-            "{done} of {} tasks collected, {} impossible, {} claims refuted\n{}\n",
+            "{done} of {} tasks collected, {} impossible, {} false claims\n{}\n",
             done + missing,
             collection.impossible(),
             collection.refuted(),

@@ -151,7 +151,7 @@ impl Challenge {
             words += &format!(", and {} contacts with a cone", record.contacts);
         }
         let lied: usize = record.tallies.iter().map(|tally| tally.lied).sum();
-        words += &format!(": {lied} untrue claims\n");
+        words += &format!(": {lied} false claims\n");
         for tally in &record.tallies {
             for (number, kind, what) in &tally.lies {
                 words += &format!("  {} on problem {number} ({kind}): {what}\n", tally.solver);
@@ -184,8 +184,16 @@ fn table(record: &Record) -> Table {
         title: "Claims".into(),
         columns: std::iter::once(Column::words("solver"))
             .chain(
-                ["proved", "within", "refused", "impossible", "unsolved", "outside", "untrue"]
-                    .map(|name| Column::numbers(name, "")),
+                [
+                    "proved",
+                    "within tolerance",
+                    "rejected",
+                    "no solution",
+                    "unsolved",
+                    "outside class",
+                    "false claims",
+                ]
+                .map(|name| Column::numbers(name, "")),
             )
             .collect(),
         rows: record.tallies.iter().map(row).collect(),

@@ -48,8 +48,8 @@ pub const KINDS: &[Kind] = &[
 /// Kinds of studies that only show something, and why nothing in them can come out wrong. Their
 /// sections count as good unless a task fails; all other kinds decide by what was measured.
 pub const UNDECIDED: [(&str, &str); 2] = [
-    ("film", "some films show motions that end early or go wrong"),
-    ("sparsity", "a picture of the places where matrices have entries"),
+    ("film", "some animations show motions that end early or go wrong"),
+    ("sparsity", "a picture of the nonzero entries of matrices"),
 ];
 
 /// Reads the settings of a study from a file.

@@ -136,9 +136,9 @@ impl Proofs {
     }
 }
 
-const WORDS: &str = "Proofs of what these rows say of single problems, in exact arithmetic. The buttons run a checker \
-                     of this page's own, which shares no code with lcplab; \
-                     `python3 proofs/lcpcheck.py` of lcplab's repository checks the folder `proofs` beside this page.";
+const WORDS: &str = "Proofs of the verdicts on single problems in these rows, in exact arithmetic. The buttons \
+ run a checker that is part of this page and shares no code with lcplab. `python3 proofs/lcpcheck.py` in \
+ lcplab's repository checks the folder `proofs` next to this page.";
 
 fn proved(section: String, judged: Judged, progress: &ProgressBar) -> Result<Proved> {
     let Judged { problem, answers } = judged;

@@ -172,7 +172,8 @@ impl Results {
     pub(super) fn progress(&self) -> Option<String> {
         let (over, all) =
             (self.tasks().filter(|task| task.is_over()).count(), self.tasks().count());
-        (over < all).then(|| format!("{over} of {all} tasks done; the same command goes on"))
+        (over < all)
+            .then(|| format!("{over} of {all} tasks done; run the same command again to continue"))
     }
 
     /// Takes over what an earlier run of the same version found out for the same settings, with the same plug-ins.

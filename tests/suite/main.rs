@@ -11,3 +11,4 @@ mod messages;
 mod own_constraint;
 mod report;
 mod storage;
+mod words;

@@ -49,7 +49,7 @@ pub const FORMAT: Format = Format {
     beside: &["H", "M", "E", "f", "b", "fric"],
     carries: "contacts with friction and equations",
     law: Some(Model::AssociatedCone),
-    trap: "dump_fric.dat says which rows are contacts, and today's Chrono does not write it",
+    trap: "dump_fric.dat states which rows are contacts; current versions of Chrono do not write it",
     read,
     write: None,
 };

@@ -95,7 +95,7 @@ impl Motion {
         let is_above = |&(i, j, value): &Entry| i < j && value != 0.0;
         if !self.mass.iter().any(is_below) || !self.mass.iter().any(is_above) {
             return Err(
-                "has entries on one side of its diagonal alone: all of M is needed, not one triangle",
+                "has entries on one side of its diagonal only: all of M is required, not one triangle",
             );
         }
         let factor = mass.sp_lu().map_err(|_| "is singular")?;
@@ -118,7 +118,7 @@ impl Motion {
         let change = once(&rest);
         let is_finite = y.iter().chain(&change).all(|y| y.is_finite());
         if !is_finite || size(&change) > INACCURATE * size(&y) {
-            return Err("is singular, or so badly conditioned that few digits of A would be right");
+            return Err("is singular, or so ill-conditioned that A would have few correct digits");
         }
         y.iter_mut().zip(change).for_each(|(y, change)| *y += change);
         Ok(y)

@@ -61,8 +61,8 @@ pub fn inside(folder: &Path, name: impl AsRef<Path>) -> Result<PathBuf> {
         let reason = match part {
             Component::Normal(_) if !is_link => continue,
             Component::Normal(_) => {
-                "is a symbolic link, and may lead to any file, so that nothing is written through it; delete the link or \
-                 take another folder"
+                "is a symbolic link, which may lead to any file, so lcplab does not write through it; delete the \
+                 link or use another folder"
             }
             _ => "leads out of its folder",
         };

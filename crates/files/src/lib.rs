@@ -186,7 +186,7 @@ pub fn write(problem: &Problem, path: &Path, format: Option<&Format>) -> Result<
     for part in format.beside.iter().filter(|part| output.parts.iter().all(|(p, _)| p != *part)) {
         let path = input::beside(&main, MATRIX, part);
         if path.exists() {
-            let reason = "is in the way: it would be read as part of the problem";
+            let reason = "already exists and would be read as part of the problem; delete it or use another name";
             return Err(Error::invalid(path.display().to_string(), "file", reason));
         }
     }
@@ -200,7 +200,7 @@ pub fn write(problem: &Problem, path: &Path, format: Option<&Format>) -> Result<
 /// If the format cannot carry the problem or is only read.
 pub fn encode(problem: &Problem, format: &Format) -> Result<Output> {
     let Some(write) = format.write else {
-        return Err(Error::invalid(format.name, "format", "is only read, not written"));
+        return Err(Error::invalid(format.name, "format", "can be read but not written"));
     };
     let mut output = write(problem)?;
     if format.name != JSON.name {
@@ -252,7 +252,7 @@ fn main_file(path: &Path) -> Option<PathBuf> {
 fn unknown_ending() -> String {
     let of = |format: &Format| format!("{} {}", format.name, format.endings.join(" "));
     let known: Vec<String> = ALL.iter().map(of).collect();
-    format!("says no format; there are {}", known.join(", "))
+    format!("unknown file extension; known are {}", known.join(", "))
 }
 
 #[cfg(doctest)]

@@ -33,7 +33,7 @@ use lcplab_problem::file::{Entries, Problem};
 /// Matrix Market.
 pub const FORMAT: Format = Format {
     name: "matrix-market",
-    about: "Matrix Market: one file for A, more beside it for b, lo, hi",
+    about: "Matrix Market: one file for A, and files next to it for b, lo, hi",
     endings: &[".mtx"],
     in_folder: Some("A.mtx"),
     beside: &["b", "lo", "hi", "friction_index", "mu"],
@@ -52,7 +52,8 @@ fn read(input: &Input) -> Result<Problem> {
     };
     let (name, matrix, b) = (input.name(), table(input)?, input.companion(MATRIX, "b"));
     if !b.exists() {
-        let reason = "is missing: a Matrix Market file holds one matrix, so b stands beside it";
+        let reason =
+            "is missing: a Matrix Market file has one matrix, so b must be in a file next to it";
         return Err(Error::invalid(b.name(), "file", reason));
     }
     let lcp = parts(matrix, vector, &name)?.into_lcp().map_err(|e| e.within(&name))?;
@@ -82,7 +83,7 @@ fn parse(text: &str, input: &str) -> Result<Table> {
     };
     match words.next() {
         Some(word) => {
-            Err(words.fault(format!("more entries than the sizes say: {:?}", brief(word))))
+            Err(words.fault(format!("more entries than stated in the sizes: {:?}", brief(word))))
         }
         None => Ok(table),
     }

@@ -1,8 +1,8 @@
-//! The judge's word on an x, and how its bounds are printed.
+//! The verdict on an x, and how its bounds are printed.
 
 use lcplab_problem::number::{readable, superscript};
 
-/// The judge's word.
+/// The judge's decision about x.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Verdict {
     /// An exact solution was shown to exist this far from x (max norm, in the unit of x), at most 1e-6
@@ -11,8 +11,8 @@ pub enum Verdict {
         /// max_i |x_i − x*_i|, rounded up.
         distance: f64,
     },
-    /// The scaled residual is at most the tolerance, x is worth something, and nothing was found that
-    /// speaks against a solution.
+    /// The scaled residual is at most the tolerance, x is at least ten times closer to a solution than
+    /// x = 0, and no proof was found that there is no solution.
     WithinTolerance,
     /// x is not a solution.
     NotASolution {
@@ -20,18 +20,18 @@ pub enum Verdict {
         row: usize,
         /// That residual.
         amount: f64,
-        /// Why x is refused.
+        /// Why x is rejected.
         why: Refusal,
     },
 }
 
-/// Why x is no solution.
+/// Why x is rejected.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Refusal {
     /// The residual is above the tolerance.
     Residual,
-    /// The residual is small compared with the terms of x, but the longest step that the rows ask
-    /// of x is more than a tenth of that at Π(0).
+    /// The residual is small compared with the terms of x, but the longest step |x_i − Π(x_i − w_i/s_i)| √s_i
+    /// is more than a tenth of that at Π(0).
     NoBetterThanZero,
     /// The problem has no solution.
     Impossible,
@@ -43,7 +43,7 @@ impl Verdict {
         !matches!(self, Verdict::NotASolution { .. })
     }
 
-    /// How far an exact solution lies from x at most, where one was proved.
+    /// The largest possible distance of an exact solution from x, if one was proved.
     pub fn distance(&self) -> Option<f64> {
         match self {
             Verdict::Proved { distance } => Some(*distance),
@@ -64,8 +64,8 @@ impl Verdict {
         }
     }
 
-    /// The verdict once it is known that the problem has no solution: an x that misses already is
-    /// refused for that.
+    /// The verdict once it is known that the problem has no solution. An x with a residual above the
+    /// tolerance is rejected for its residual.
     pub(crate) fn refused(self, row: usize, amount: f64) -> Verdict {
         let why = match self {
             Verdict::NotASolution { why: Refusal::Residual, .. } => Refusal::Residual,
@@ -90,24 +90,21 @@ impl std::fmt::Display for Verdict {
             Verdict::Proved { distance: 0.0 } => write!(f, "proved: x is an exact solution"),
             Verdict::Proved { distance } => {
                 let distance = upper_bound(*distance);
-                write!(f, "proved: an exact solution lies within {distance} of x")
+                write!(f, "proved: an exact solution exists within {distance} of x")
             }
             Verdict::WithinTolerance => write!(f, "within tolerance"),
             Verdict::NotASolution { row, amount, why: Refusal::Residual } => {
-                write!(
-                    f,
-                    "not a solution: row {row} misses by {} of its terms",
-                    readable(*amount, 2)
-                )
+                write!(f, "not a solution: scaled residual {} in row {row}", readable(*amount, 2))
             }
             Verdict::NotASolution { why: Refusal::NoBetterThanZero, .. } => {
                 write!(
                     f,
-                    "not a solution: the residual is small only because the terms of x are large; x is not ten times closer to a solution than x = 0"
+                    "not a solution: the residual is small only because x is large; x is not ten times closer to \
+                     a solution than x = 0"
                 )
             }
             Verdict::NotASolution { why: Refusal::Impossible, .. } => {
-                write!(f, "not a solution: the problem has none")
+                write!(f, "not a solution: no solution exists")
             }
         }
     }

@@ -102,9 +102,9 @@ impl Plugin {
         let mut defects = Defects::default();
         let words = shlex::split(command).unwrap_or_default();
         if words.is_empty() {
-            defects.add("command", format!("{command:?} is no command"));
+            defects.add("command", format!("{command:?} is not a command"));
         } else if !is_name(name) {
-            let reason = "has something else than letters, digits, _ and -, or none of them";
+            let reason = "must have at least one character, only letters, digits, _ and -";
             defects.add("name", format!("{name:?} {reason}; write NAME=COMMAND"));
         }
         let limit = Duration::try_from_secs_f64(*time_limit).unwrap_or_default();

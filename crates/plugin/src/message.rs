@@ -78,7 +78,7 @@ impl Answer {
         let text = str::from_utf8(line).map_err(|_| "its answer is not UTF-8")?;
         let object = match strict::parse(text) {
             Ok(Value::Object(object)) => object,
-            Ok(_) => return Err(format!("its answer is no JSON object: {}", brief(text))),
+            Ok(_) => return Err(format!("its answer is not a JSON object: {}", brief(text))),
             Err(cause) => return Err(format!("its answer is not JSON ({cause}): {}", brief(text))),
         };
         let x = object.get("x").map(|x| numbers(x, "x", n)).transpose()?;
@@ -87,7 +87,7 @@ impl Answer {
             None => "solved",
             Some(Value::String(word)) => word,
             Some(other) => {
-                return Err(format!("its status is no word: {}", brief(&other.to_string())));
+                return Err(format!("its status is not a string: {}", brief(&other.to_string())));
             }
         };
         let status = match word {
@@ -95,7 +95,7 @@ impl Answer {
             "solved" => Status::Solved,
             "iteration_limit" => Status::IterationLimit,
             "outside_class" => {
-                Status::OutsideClass { reason: "the plug-in is not made for this problem" }
+                Status::OutsideClass { reason: "the plug-in does not support this problem" }
             }
             "infeasible" => {
                 let vector = object.get("vector").ok_or("\"infeasible\" needs a \"vector\"")?;
@@ -111,7 +111,7 @@ impl Answer {
             Some(Value::Array(list)) if list.len() <= ITERATES => {
                 list.iter().map(|x| numbers(x, "an iterate", n)).collect::<Result<_, _>>()?
             }
-            Some(_) => return Err(format!("its iterates are no list of at most {ITERATES}")),
+            Some(_) => return Err(format!("its iterates are not a list of at most {ITERATES}")),
         };
         let iterates = match (iterates.is_empty(), &x) {
             (true, Some(x)) => vec![x.clone()], // one step to the answer
@@ -121,7 +121,7 @@ impl Answer {
             None | Some(Value::Null) => iterates.len(),
             Some(count) => whole(count).ok_or_else(|| {
                 let shown = brief(&count.to_string());
-                format!("its iterations are {shown}, no whole number of at most 2⁵³")
+                format!("its iterations are {shown}, not an integer of at most 2⁵³")
             })?,
         };
         let laws = object.get("models").map_or(Ok(Vec::new()), laws)?;
@@ -132,17 +132,18 @@ impl Answer {
 
 /// The laws of the cones among these models of friction. A plug-in gets boxes whatever it says.
 fn laws(models: &Value) -> Result<Vec<Law>, String> {
-    let list = models.as_array().ok_or("\"models\" is no list of words")?;
+    let list = models.as_array().ok_or("\"models\" is not a list of strings")?;
     let mut laws = Vec::new();
     for word in list {
-        let model = word.as_str().ok_or("\"models\" is no list of words")?;
+        let model = word.as_str().ok_or("\"models\" is not a list of strings")?;
         match model.parse().map_err(|error| format!("its \"models\": {error}"))? {
             Model::FrozenBox | Model::CoupledBox => {}
             Model::AssociatedCone => laws.push(Law::Associated),
             Model::CoulombCone => laws.push(Law::Coulomb),
             Model::Polyhedral { .. } => {
                 return Err(format!(
-                    "its \"models\" name {model}: a plug-in gets boxes, associated-cone and coulomb-cone"
+                    "its \"models\" name {model}, but plug-ins are sent only boxes, associated-cone and \
+                     coulomb-cone"
                 ));
             }
         }
@@ -159,13 +160,13 @@ fn whole(value: &Value) -> Option<usize> {
 
 /// n finite numbers.
 fn numbers(value: &Value, what: &str, n: usize) -> Result<Vec<f64>, String> {
-    let list = value.as_array().ok_or(format!("{what} is no list of numbers"))?;
+    let list = value.as_array().ok_or(format!("{what} is not a list of numbers"))?;
     if list.len() != n {
         return Err(format!("{what} has {} entries, the problem has {n} rows", list.len()));
     }
     let number = |(i, value): (usize, &Value)| {
         as_number(value).filter(|number| number.is_finite()).ok_or_else(|| {
-            format!("{what}[{i}] is {}, no finite number", brief(&value.to_string()))
+            format!("{what}[{i}] is {}, not a finite number", brief(&value.to_string()))
         })
     };
     list.iter().enumerate().map(number).collect()

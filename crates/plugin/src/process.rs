@@ -108,7 +108,7 @@ impl Process {
                 Err(Trouble::Ended(self.ended()))
             }
             Err(RecvTimeoutError::Timeout) => {
-                other(format!("none within {} s, its time limit", limit.as_secs_f64()))
+                other(format!("no answer within its time limit of {} s", limit.as_secs_f64()))
             }
         }
     }

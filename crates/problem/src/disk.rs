@@ -30,9 +30,7 @@ pub fn is_name(name: &str) -> bool {
 pub fn check_name(name: &str) -> std::result::Result<(), String> {
     match is_name(name) {
         true => Ok(()),
-        false => {
-            Err(format!("{name:?} becomes a file: only letters, digits, - and _ may be in it"))
-        }
+        false => Err(format!("{name:?} becomes a file name: use only letters, digits, - and _")),
     }
 }
 
@@ -59,7 +57,7 @@ pub fn read_bytes(path: &Path, most: Memory) -> Result<Vec<u8>> {
         Some(bytes) => Ok(bytes),
         None => Err(Error::File {
             path: path.display().to_string(),
-            reason: format!("has more than {most}, the most that is read"),
+            reason: format!("is larger than {most}, the limit for reading"),
         }),
     }
 }

@@ -44,8 +44,8 @@ impl Found {
                 format!("is {model}, and proofs of the kind {kind} are about boxes")
             }
             _ => format!(
-                "is {model}: of it only that no solution exists can be proved, and no vector was found that shows \
-                 it; other proofs are about boxes"
+                "is {model}: of it only that no solution exists can be proved, and no vector was found \
+                 that shows it; other proofs are about boxes"
             ),
         })
     }

@@ -72,7 +72,7 @@ impl Method {
     /// assert_eq!(pgs.refusal(Some(Model::CoupledBox)), None);
     /// assert_eq!(
     ///     pgs.refusal(Some(Model::CoulombCone)).unwrap(),
-    ///     "it is made for boxes, not for coulomb-cone"
+    ///     "it supports boxes, not coulomb-cone"
     /// );
     /// # Ok::<(), lcplab_problem::error::Error>(())
     /// ```
@@ -80,26 +80,27 @@ impl Method {
         match (self, model) {
             (Method::Boxed(entry), Some(model @ (Model::AssociatedCone | Model::CoulombCone))) => {
                 Some(match entry.group {
-                    Group::Plugin => format!("it does not say that it takes {model}"),
-                    _ => format!("it is made for boxes, not for {model}"),
+                    Group::Plugin => format!("it does not declare support for {model}"),
+                    _ => format!("it supports boxes, not {model}"),
                 })
             }
             (Method::Boxed(entry), Some(model @ Model::Polyhedral { .. })) => {
                 let Class { matrix, divides_by_diagonal, .. } = entry.class;
                 if divides_by_diagonal {
                     Some(match entry.group {
-                        Group::Plugin => format!("plug-ins and functions do not take {model}"),
-                        _ => format!("it divides by the diagonal, and {model} has zeros there"),
+                        Group::Plugin => format!("plug-ins and functions do not support {model}"),
+                        _ => {
+                            format!("it divides by the diagonal of A, which has zeros for {model}")
+                        }
                     })
                 } else if !matches!(matrix, MatrixClass::CopositivePlus | MatrixClass::General) {
-                    Some(format!("it is made for A {matrix}, and {model} makes A unsymmetric"))
+                    Some(format!("it needs A {matrix}, but {model} makes A unsymmetric"))
                 } else {
                     None
                 }
             }
             (Method::Boxed(entry), Some(Model::CoupledBox)) => {
-                let reason =
-                    "it takes no bounds that depend on another row's x, as coupled-box has";
+                let reason = "it does not support bounds that depend on the x of another row, as in coupled-box";
                 (!entry.class.coupling).then(|| reason.into())
             }
             (Method::Boxed(_), None | Some(Model::FrozenBox)) => None,
@@ -108,13 +109,13 @@ impl Method {
                     Model::AssociatedCone => Law::Associated,
                     _ => Law::Coulomb,
                 };
-                (!entry.laws.contains(&law)).then(|| format!("it is not made for {model}"))
+                (!entry.laws.contains(&law)).then(|| format!("it does not support {model}"))
             }
             (Method::Cone(_), Some(model)) => {
-                Some(format!("it is made for friction cones, not for {model}"))
+                Some(format!("it supports only friction cones, not {model}"))
             }
             (Method::Cone(_), None) => {
-                Some("it is made for friction cones, and the problem has none".into())
+                Some("it supports only friction cones, and the problem has none".into())
             }
         }
     }

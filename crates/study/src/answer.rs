@@ -113,8 +113,8 @@ pub fn first_answer(lcp: &Lcp) -> Vec<f64> {
     solve_boxed_by_sequence(lcp, &Start::default(), &Options::default(), &mut ()).solution.x
 }
 
-/// A verdict with what its row is and what its w means, if the problem says so: `normal ground box1 0: 0.017 m/s of
-/// approach, 0.17 mm a step`.
+/// A verdict with the name of its row and the physical value of its w, if the problem states them: `normal ground
+/// box1 0: approach velocity 0.017 m/s, 0.17 mm per step`.
 pub fn labelled(verdict: &Verdict, w: &[f64], problem: &Problem) -> String {
     let Verdict::NotASolution { row, .. } = *verdict else { return verdict.to_string() };
     let known = |key: &str| problem.extra.get("rows")?.get(row)?.get(key)?.as_str();
@@ -127,12 +127,12 @@ pub fn labelled(verdict: &Verdict, w: &[f64], problem: &Problem) -> String {
         _ => return format!("{verdict} ({label})"),
     };
     let mut meaning = match known("kind") {
-        Some("normal") if w < 0.0 => format!("{} {unit} of approach", readable(-w, 2)),
+        Some("normal") if w < 0.0 => format!("approach velocity {} {unit}", readable(-w, 2)),
         _ => format!("w = {} {unit}", readable(w, 2)),
     };
     let step = problem.extra.get("dt").and_then(Value::as_f64);
     if let ("m/s", Some(dt)) = (unit, step) {
-        meaning += &format!(", {} mm a step", readable(1e3 * w.abs() * dt, 2));
+        meaning += &format!(", {} mm per step", readable(1e3 * w.abs() * dt, 2));
     }
     format!("{verdict} ({label}: {meaning})")
 }
@@ -163,7 +163,7 @@ pub fn claim(
         }
         (Status::Solved, Some(refutation)) => {
             let how = how(refutation);
-            ("solved", format!("solved within the tolerance, though no solution exists, {how}"))
+            ("solved", format!("solved within the tolerance, but no solution exists, {how}"))
         }
         _ => {
             let message = stopped.map_or_else(|| status.to_string(), |by| by.to_string());
@@ -175,9 +175,9 @@ pub fn claim(
 /// How it was shown that there is no solution.
 fn how(refutation: &Refutation) -> String {
     match refutation {
-        Refutation::Vector(_) => "proved by a vector that was checked exactly".to_string(),
+        Refutation::Vector(_) => "proved by an exactly checked vector".to_string(),
         Refutation::CaseSplit { pieces } => {
-            format!("shown in exact arithmetic in each of {pieces} cases of active rows")
+            format!("proved in exact arithmetic for each of {pieces} active sets")
         }
     }
 }
@@ -243,7 +243,7 @@ pub fn rounding_json(rounded_by: Option<f64>) -> Option<(String, Value)> {
 pub(crate) fn rounding_text(rounded_by: Option<f64>) -> String {
     let line = |by| {
         format!(
-            "  rounding         {:>10}  x differs by this much from the point that is accepted: rounding error\n",
+            "  rounding         {:>10}  distance of x from the accepted point, a rounding error\n",
             upper_bound(by)
         )
     };
@@ -289,14 +289,26 @@ fn fractions(vector: &[RBig]) -> Vec<String> {
 /// The residuals and the verdict as lines of text.
 pub fn certificate_text(certificate: &Certificate, problem: &Problem) -> String {
     let lines = [
-        ("scaled residual", certificate.scaled_residual, "of the terms of the worst row"),
+        (
+            "scaled residual",
+            certificate.scaled_residual,
+            "error of the worst row relative to its terms",
+        ),
         ("natural residual", certificate.natural_residual, "max |x − Π(x − w)|"),
-        ("bound violation", certificate.bound_violation, "how far x lies outside its bounds"),
-        ("complementarity", certificate.complementarity_gap, "largest w times distance to bound"),
+        (
+            "bound violation",
+            certificate.bound_violation,
+            "largest distance of x outside its bounds",
+        ),
+        (
+            "complementarity",
+            certificate.complementarity_gap,
+            "largest product of w and distance to bound",
+        ),
         (
             "duality gap",
             certificate.duality_gap,
-            "objective minus lower bound; – where there is no such bound",
+            "objective minus lower bound; – if there is no such bound",
         ),
     ];
     let mut text =
@@ -307,7 +319,7 @@ pub fn certificate_text(certificate: &Certificate, problem: &Problem) -> String 
     }
     if certificate.scale > 0.0 {
         text += &format!(
-            "  scale            {:>10}  rows with smaller terms than this x has count as at rest\n",
+            "  scale            {:>10}  rows count as at rest if their terms are smaller than those of this x\n",
             readable(certificate.scale, 3)
         );
     }
@@ -324,14 +336,16 @@ pub(crate) fn evidence_text(evidence: &Evidence) -> String {
     };
     match evidence {
         Evidence::NotUnique(direction) => {
-            format!("  not unique: x can move along ({}), and no w moves\n", listed(direction))
+            format!("  not unique: moving x along ({}) does not change w\n", listed(direction))
         }
         Evidence::FarSolution { distance } => {
             let distance = upper_bound(*distance);
-            format!("  one exact solution is {distance} away from x; others may be nearer\n")
+            format!(
+                "  an exact solution exists at the distance {distance} from x; others may be closer\n"
+            )
         }
         Evidence::NoSolution(Refutation::Vector(farkas)) => {
-            format!("  no solution exists: d = ({}) proves it\n", listed(&farkas.vector))
+            format!("  no solution exists: proved by d = ({})\n", listed(&farkas.vector))
         }
         Evidence::NoSolution(refutation) => format!("  no solution exists, {}\n", how(refutation)),
     }

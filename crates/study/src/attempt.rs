@@ -67,7 +67,7 @@ impl Outcome {
             Outcome::Proved => "proved",
             Outcome::Accepted => "within tolerance",
             Outcome::Refuted => "claimed, refuted",
-            Outcome::Withdrawn => "within tolerance, yet hardly better than x = 0: no claim",
+            Outcome::Withdrawn => "within tolerance, but hardly better than x = 0: no claim",
             Outcome::Failed(reason) | Outcome::Outside(reason) => reason,
         }
     }

@@ -77,7 +77,7 @@ impl Card {
         }
         match self.class.as_deref() {
             None => {}
-            Some("any") => words += "; A is of no class that a theorem is about",
+            Some("any") => words += "; A belongs to no class with a theorem about solutions",
             Some(class) => words += &format!("; A is {class}"),
         }
         if let (Some(rank), Some(condition)) = (self.rank, self.condition) {

@@ -21,7 +21,7 @@ const SOURCE: &str = "Goulart & Chen 2024";
 /// Clarabel on ½ xᵀAx + bᵀx over a box.
 pub(crate) const BOX_QP: Entry = Entry {
     name: NAME,
-    method: "the reference: clarabel's interior point for the box QP, iterative",
+    method: "reference: clarabel's interior-point method for the box QP, iterative",
     class: Class { coupling: false, ..Class::of(MatrixClass::Semidefinite) },
     group: Group::Newton,
     cost: Cost::each("n³/6 + 2 n² + s", |i| i.n.powi(3) / 6.0 + 2.0 * i.n * i.n + i.stored),
@@ -33,7 +33,7 @@ pub(crate) const BOX_QP: Entry = Entry {
 /// Clarabel on the same over friction cones.
 pub(crate) const CONE_QP: ConeEntry = ConeEntry {
     name: NAME,
-    method: "the reference: clarabel's interior point for the cone QP, iterative",
+    method: "reference: clarabel's interior-point method for the cone QP, iterative",
     class: Class::of(MatrixClass::Semidefinite),
     laws: &[Law::Associated],
     group: Group::Newton,
@@ -90,7 +90,7 @@ impl Clarabel {
             return outside("the matrix is not positive semidefinite");
         }
         if !problem.is_frozen() {
-            return outside("bounds or w depend on x: no quadratic program");
+            return outside("bounds or w depend on x, so the problem is not a quadratic program");
         }
         if lcp.is_empty() {
             return nothing(Status::Solved, 0); // clarabel knows no empty problem

@@ -71,7 +71,7 @@ pub struct Row {
 /// Failures that mathematics explains, beside those on problems without solution: (solver, family,
 /// why). They must stay failures.
 pub const KNOWN_FAILURES: &[(&str, &str, &str)] = &[
-    ("lemke", "cps-3", "A is not copositive-plus: a ray at once, though solutions exist"),
+    ("lemke", "cps-3", "A is not copositive-plus: the path ends on a ray although solutions exist"),
     ("murty", "cps-2", "the diagonal is 0: least-index pivoting needs positive principal minors"),
     ("murty", "cps-3", "the diagonal is 0: least-index pivoting needs positive principal minors"),
     ("pgs", "cps-2", "the diagonal is 0: a sweep divides by it"),
@@ -142,7 +142,10 @@ pub fn useless(rows: &[Row], contenders: &[Contender]) -> Vec<String> {
             return None;
         }
         let why = own().find_map(|row| row.trouble.as_deref()).unwrap_or("it claims nothing");
-        Some(format!("{name} solves none of {}; the first: {why}", counted(problems)))
+        Some(format!(
+            "{name} solves none of {}; reason for the first one: {why}",
+            counted(problems)
+        ))
     };
     contenders.iter().filter(|contender| contender.is_named).filter_map(sentence).collect()
 }
@@ -165,7 +168,7 @@ impl std::str::FromStr for Requirement {
             return Ok(Requirement { solver: text.into(), at_least: None });
         };
         let count = count.parse().map_err(|_| {
-            Error::invalid(text, "count", format!("{count:?} is no whole number of problems"))
+            Error::invalid(text, "count", format!("{count:?} is not a whole number of problems"))
         })?;
         Ok(Requirement { solver: solver.into(), at_least: Some(count) })
     }
@@ -183,12 +186,12 @@ impl Requirement {
         }
         let missing = own().find(|row| row.accepted < row.problems);
         let example = missing.map_or(String::new(), |row| {
-            let why = row.trouble.as_deref().unwrap_or("its answer is not accepted");
+            let why = row.trouble.as_deref().unwrap_or("its answer is rejected");
             format!("; {}: {why}", row.family)
         });
         let solver = &self.solver;
         Some(format!(
-            "{accepted} of {} by {solver} are accepted, {demanded} are required{example}",
+            "{accepted} of {} answers of {solver} are accepted, {demanded} are required{example}",
             match problems {
                 1 => "1 answer".into(),
                 count => format!("{count} answers"),
@@ -393,7 +396,7 @@ impl Posing<'_> {
             outside: self.problems.len(),
             multiplications: None,
             fingerprint: format!("{NO_ITERATES:016x}"),
-            trouble: Some(format!("not asked: {reason}")),
+            trouble: Some(format!("not run: {reason}")),
             ..self.row(solver)
         }
     }
@@ -431,7 +434,7 @@ fn attempt(
         row.seconds += start.elapsed().as_secs_f64();
         if solution.status == Status::Stopped {
             let Some(Reason::TimeLimit(limit)) = each.reason() else { return None };
-            let reason = format!("none within {} s, its time limit", limit.as_secs_f64());
+            let reason = format!("no answer within its time limit of {} s", limit.as_secs_f64());
             solution.status = Status::NoAnswer { reason };
         }
         if row.fingerprint.is_empty() {
@@ -449,7 +452,7 @@ fn attempt(
     if unsolvable && row.proved > 0 {
         // A file may say what is not so; a proof outranks it.
         (row.known_failure, row.false_claims) = (None, 0);
-        row.trouble = Some("the file says that no solution exists, and one was proved".into());
+        row.trouble = Some("the file states that no solution exists, but one was proved".into());
     }
     (limits.tick)();
     Some(row)

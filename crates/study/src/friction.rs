@@ -159,7 +159,7 @@ impl Judged {
         let FrictionCertificate { scaled_residual, verdict, .. } = &self.certificate;
         let mut text = format!(
             "verdict    {verdict}\n  scaled residual   {:>10}  under this model\n  \
-             coulomb residual  {:>10}  under Coulomb's law: the error of the model\n",
+             coulomb residual  {:>10}  under Coulomb's law: the model error\n",
             readable(*scaled_residual, 3),
             readable(self.coulomb_residual, 3)
         );

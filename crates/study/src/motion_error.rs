@@ -33,7 +33,7 @@ impl MotionError {
         let gauss = question.problem().motion.as_ref()?;
         let Some(lcp) = question.boxed() else {
             let model = question.model().map(|model| model.to_string()).unwrap_or_default();
-            return Some(Err(format!("no bound is known for {model}")));
+            return Some(Err(format!("no bound is available for {model}")));
         };
         let (lo, hi) = (0..x.len()).map(|i| lcp.bounds(i, x)).unzip();
         let gauss = Gauss { lo, hi, ..gauss.clone() };

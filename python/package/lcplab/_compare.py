@@ -1,4 +1,4 @@
-"""Solvers beside each other."""
+"""Comparison of solvers."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from lcplab._solve import Solver, settings
 
 
 class Comparison:
-    """Solvers beside each other on problems: a row for each pair.
+    """A comparison of solvers, with one row for each pair of problem and solver.
 
     Attributes
     ----------
     rows : list of dict
-        With the keys ``family`` (the problem), ``model``, ``solver``, ``claimed``, ``accepted``, ``proved``,
+        Rows with the keys ``family`` (the problem), ``model``, ``solver``, ``claimed``, ``accepted``, ``proved``,
         ``refuted_claims``, ``iterations``, ``multiplications``, ``worst_residual``, ``seconds``, ``trouble`` and others.
     """
 
@@ -41,7 +41,7 @@ class Comparison:
     __repr__ = __str__
 
     def to_csv(self, path: str | os.PathLike[str] | None = None) -> str:
-        """All rows as CSV, written to a file if one is named."""
+        """Return all rows as CSV, and write them to ``path`` if it is given."""
         out = io.StringIO()
         writer = csv.DictWriter(out, list(self.rows[0]) if self.rows else [], lineterminator="\n")
         writer.writeheader()
@@ -52,7 +52,7 @@ class Comparison:
         return out.getvalue()
 
     def profile(self) -> dict[str, tuple[Array, Array]]:
-        """Dolan & Moré's performance profile of the times: by solver, (tau, share of the problems solved)."""
+        """Performance profile (Dolan & Moré) of the times: for each solver, arrays of tau and of the share solved."""
         problems: dict[tuple[Any, Any], dict[str, float]] = {}
         names: list[str] = []
         for row in self.rows:
@@ -71,7 +71,7 @@ class Comparison:
         return curves
 
     def plot(self, ax: Any = None) -> Any:
-        """Draw the performance profile with matplotlib; returns the axes."""
+        """Draw the performance profile with matplotlib, and return the axes."""
         import matplotlib.pyplot as plt
 
         if ax is None:
@@ -81,7 +81,7 @@ class Comparison:
         for name, (ratios, share) in curves.items():
             tau, rho = np.append(ratios, end), np.append(share, share[-1] if len(share) else 0.0)
             ax.step(tau, rho, where="post", label=name)
-        ax.set(xscale="log", ylim=(0, 1.02), xlabel="τ: at most so many times the fastest", ylabel="share solved")
+        ax.set(xscale="log", ylim=(0, 1.02), xlabel="τ: time relative to the fastest solver", ylabel="share solved")
         ax.legend()
         return ax
 
@@ -106,17 +106,17 @@ def compare(
     max_iterations: int = 10_000,
     omega: float | None = None,
 ) -> Comparison:
-    """Solve every problem by every solver, each answer judged.
+    """Solve every problem with every solver, and judge every answer.
 
     Parameters
     ----------
     problems : Problem, str, tuple, or an iterable or mapping of them
-        Problems, names of files, ``(A, b)`` or ``(A, b, lo, hi)``.
+        Problems, file names, ``(A, b)`` or ``(A, b, lo, hi)``.
     solvers : iterable of str or callable
-        As in :func:`solve`; without it one of each kind. An exception in a function is a row with its message, and a
-        solver that does not take the friction model of a problem is a row with the reason, under ``trouble``.
+        Solvers as in :func:`solve`. The default is one solver of each kind. If a function raises an exception, or a solver
+        does not support the friction model of a problem, its row has the reason under ``trouble``.
     models : sequence of str
-        Under which models of friction the problems with friction are solved; without it under their own.
+        The friction models for problems with friction. The default is the model of each problem.
 
     Examples
     --------

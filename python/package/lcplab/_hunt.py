@@ -1,4 +1,4 @@
-"""The smallest problem on which a solver is wrong."""
+"""Search for the smallest problem on which a solver is wrong."""
 
 from __future__ import annotations
 
@@ -11,22 +11,22 @@ from lcplab._solve import Solver, settings
 
 
 class Finding:
-    """The smallest problem that was found.
+    """The smallest problem that :func:`hunt` found.
 
     Attributes
     ----------
     problem : Problem
-        Under its friction model, with its exact solutions where they can be found.
+        The problem with its friction model, and its exact solutions if they could be found.
     words : str
-        What happens on it.
+        What the solver does on this problem.
     x : (n,) ndarray or None
-        The solver's own answer; None where it gave none.
+        The solver's answer, or None if it gave none.
     right_x : (n,) ndarray or None
-        A right answer, the exact one nearest to ``x`` where that can be found; None where no solution exists.
+        A correct answer: the exact solution nearest to ``x`` if it could be found. None if no solution exists.
     value : float
-        The measure.
+        The value of the measure.
     evaluation : int
-        The number of the problem that showed it first.
+        The number of the first problem with which the search found the fault.
     """
 
     def __init__(self, told: dict[str, Any]) -> None:
@@ -62,43 +62,49 @@ def hunt(
     tolerance: float = 1e-8,
     max_iterations: int = 2000,
 ) -> Finding | None:
-    """Search for a problem on which a solver is wrong, and make it as small as it can be.
+    """Search for a problem on which a solver is wrong, and shrink it as far as possible.
 
     Parameters
     ----------
     solver : str or callable
-        As in :func:`solve`.
+        A solver as in :func:`solve`.
     measure : str
-        ``"lie"``, ``"failure"``, ``"iterations"``, ``"error"`` or, with a rival, ``"ratio"``.
+        What to search for: ``"lie"`` (a false claim), ``"failure"``, ``"iterations"``, ``"error"`` or, with a rival,
+        ``"ratio"``. ``docs/hunt.md`` defines them.
     n : int or (int, int)
-        How many rows.
+        The number of rows, or its smallest and largest value.
+    rival : str or callable, optional
+        The solver to compare with, for the measure ``"ratio"``.
     evaluations : int
-        How many problems are tried. The same seed and number find the same.
+        The number of problems to try. The same seed and number find the same problem.
     seconds : float, optional
-        Stop sooner, after so much time.
+        A time limit; the search may end earlier.
+    at_least : float, optional
+        Keep searching until the measure reaches this value.
     within : str, optional
-        The class of the matrices: ``"definite"``, ``"semidefinite"``, ``"p"``, ``"general"`` and others. Every problem
-        that is found is in it, in exact arithmetic. Without it ``"definite"``, where each problem has a solution; with
-        ``start`` the narrowest class that those problems are in.
+        The class of the matrices: ``"definite"``, ``"semidefinite"``, ``"p"``, ``"general"`` and others. The problem that
+        is found belongs to it exactly. The default is ``"definite"``, for which every problem has a solution; with
+        ``start``, it is the narrowest class that contains those problems.
     friction : bool
-        Only problems with friction: contacts with a normal and two tangents each.
+        Whether to try only problems with friction: contacts with a normal and two tangents each.
     model : str, optional
-        The friction model under which problems are solved and answers judged, as :func:`solve` takes it; without it the one
-        that the problems of ``start`` state.
+        The friction model for solving and judging, as in :func:`solve`. The default is the model of the problems in
+        ``start``.
     start : optional, as the problems of :func:`compare`
-        Problems to begin with, of any size: what they show is made smaller. A matrix that is semidefinite only up to
+        Problems to start from, of any size; the search shrinks them. A matrix that is semidefinite only up to
         rounding is made exactly definite, with a warning.
 
     Returns
     -------
     Finding or None
-        None also if the solver solved nothing: then a warning says so.
+        None if nothing was found. If this is because the solver solved no problem at all, a warning says so.
 
     Notes
     -----
-    A function has no status. An x that the judge rejects counts as a false claim only if it is worse than what plain
-    projected Gauss-Seidel leaves, in several orders of the rows, from half as many sweeps on: an x that merely did not
-    converge is no lie. The number of sweeps is the number of iterates that the function yields; four if it only returns x.
+    A function returns no status, so its x may be the last iterate of a solver that ran out of sweeps. Therefore an x that
+    the judge rejects counts as a false claim only if it is worse than the iterates of plain projected Gauss-Seidel, in
+    several orders of the rows, from half the number of sweeps on. The number of sweeps is the number of iterates that the
+    function yields, or four if it only returns x.
 
     Examples
     --------

@@ -17,27 +17,33 @@ Array = NDArray[np.float64]
 
 
 class Problem:
-    """A boxed linear complementarity problem.
+    """A linear complementarity problem with bounds: find x with ``lo <= x <= hi`` for ``w = A x + b``.
+
+    At a solution ``w[i] > 0`` only if ``x[i] == lo[i]``, and ``w[i] < 0`` only if ``x[i] == hi[i]``.
 
     Parameters
     ----------
     A : (n, n) array_like or SciPy sparse array
-        The matrix.
+        The matrix; inverse masses (1/kg) if x are impulses.
     b : (n,) array_like
-        The offset of ``w = A x + b``.
+        The value of w at ``x = 0``; relative velocities (m/s) if x are impulses (N s).
     lo, hi : (n,) array_like or float, optional
-        Bounds; 0 and infinity without them, and none for rows of friction.
+        Bounds of x. The defaults are 0 and infinity, and no bounds for friction rows.
     friction_index : (n,) array_like of int, optional
-        Row ``i`` with ``k = friction_index[i] >= 0`` is bounded by ``±mu[i] * max(x[k], 0)``; -1 for the others.
+        Row ``i`` with ``k = friction_index[i] >= 0`` has the bounds ``±mu[i] * max(x[k], 0)``; -1 marks all other rows.
     mu : (n,) array_like, optional
         Coefficients of friction.
+    model : str, optional
+        The friction model, as in :func:`solve`.
+    scale : float, optional
+        Rows whose terms are smaller than what this x causes count as at rest.
     name : str, optional
-        What it is called.
+        A name for tables and messages.
 
     Raises
     ------
     InputError
-        With every defect.
+        If the input is invalid; the message lists every defect.
 
     Examples
     --------
@@ -82,12 +88,12 @@ class Problem:
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Problem:
-        """Read a file of any format that ``lcplab convert --list`` names."""
+        """Read a problem file in any format that ``lcplab convert --list`` names."""
         return cls._of(_lcplab.Problem.read(path))
 
     @classmethod
     def generate(cls, family: str, **values: float) -> Problem:
-        """Make a problem of the library.
+        """Generate a problem of the library.
 
         Examples
         --------
@@ -97,67 +103,67 @@ class Problem:
         return cls._of(_lcplab.Problem.generate(family, [(k, float(v)) for k, v in values.items()]))
 
     def write(self, path: str | os.PathLike[str]) -> list[str]:
-        """Write a file in the format of its ending; what its reader should know is returned."""
+        """Write the problem to a file in the format of its extension; returns warnings for its readers."""
         return self._inner.write(path)
 
     def to_json(self) -> dict[str, Any]:
-        """The problem as the object of a problem file."""
+        """The contents of a problem file as a dictionary."""
         told: dict[str, Any] = json.loads(self._inner.json())
         return told
 
     @property
     def A(self) -> Array:
-        """The matrix, dense."""
+        """The matrix A as a dense array, (n, n)."""
         return self._inner.a
 
     def triplets(self) -> tuple[NDArray[np.int64], NDArray[np.int64], Array]:
-        """Rows, columns and values of the stored entries of A."""
+        """Row indices, column indices and values of the stored entries of A."""
         return self._inner.triplets()
 
     @property
     def b(self) -> Array:
-        """The offset."""
+        """The value of w at ``x = 0``, (n,)."""
         return self._inner.b
 
     @property
     def lo(self) -> Array:
-        """The lower bounds."""
+        """The lower bounds, (n,)."""
         return self._inner.lo
 
     @property
     def hi(self) -> Array:
-        """The upper bounds."""
+        """The upper bounds, (n,)."""
         return self._inner.hi
 
     @property
     def friction_index(self) -> NDArray[np.int64] | None:
-        """The row that bounds each row, -1 for none."""
+        """For each row, the normal row that its friction bounds depend on, or -1."""
         return self._inner.friction_index
 
     @property
     def mu(self) -> Array | None:
-        """The coefficients of friction."""
+        """The coefficients of friction, (n,)."""
         return self._inner.mu
 
     @property
     def model(self) -> str | None:
-        """The model of friction that it states, such as ``"coulomb-cone"``."""
+        """The friction model of the problem, such as ``"coulomb-cone"``, or None."""
         return self._inner.model
 
     @property
     def name(self) -> str:
-        """What it is called."""
+        """The name of the problem."""
         return self._inner.name
 
     @property
     def card(self) -> dict[str, Any]:
-        """Size, class, rank and condition."""
+        """Size, class of the matrix, rank and condition number."""
         told: dict[str, Any] = json.loads(self._inner.card())
         return told
 
     @property
     def solutions(self) -> list[list[Fraction]] | None:
-        """The exact solutions that are known, if any; an empty list says that there is none."""
+        """The known exact solutions; None if unknown, an empty list if no solution exists."""
         text = self._inner.expected()
         if text is None:
             return None
@@ -184,10 +190,10 @@ def problem_of(
 ) -> Problem:
     if isinstance(A, Problem):
         if any(value is not None for value in (b, lo, hi, friction_index, mu)):
-            raise TypeError("a Problem has its b, bounds and friction")
+            raise TypeError("A is a Problem, so b, bounds and friction must not be given")
         return A
     if b is None:
-        raise TypeError("b is missing")
+        raise TypeError("b is missing: give A and b, or a Problem")
     return Problem(A, b, lo, hi, friction_index=friction_index, mu=mu)
 
 
@@ -213,7 +219,7 @@ def _single(given: Any) -> Problem:
 
 
 def read_only(array: Array) -> Array:
-    """The array, which raises a ValueError where it is written to."""
+    """The same array, made read-only: writing raises a ValueError."""
     array.flags.writeable = False
     return array
 

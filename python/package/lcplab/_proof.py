@@ -13,18 +13,18 @@ from lcplab._problem import Problem, vector
 
 
 class Proof:
-    """What is proved of a problem, in exact arithmetic; true if there is a proof.
+    """A statement about a problem, proved in exact arithmetic; true if there is a proof.
 
     Attributes
     ----------
     kind : str or None
         ``"no-solution"``, ``"unique"``, ``"not-unique"``, ``"solution"``, ``"motion"``, ``"within"`` or ``"frozen-motion"``.
     claim : str
-        The same in a sentence.
+        The statement as a sentence.
     missing : dict
-        The stronger kinds, and why there is no proof of them.
+        For each stronger kind, the reason why there is no proof of it.
     data : dict or None
-        The object of a proof file, as ``docs/proofs.md`` describes it.
+        The contents of the proof file, as ``docs/proofs.md`` specifies them.
     """
 
     def __init__(self, text: str | None, claim: str, missing: dict[str, str]) -> None:
@@ -35,7 +35,7 @@ class Proof:
         self.missing = missing
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """Write the proof file."""
+        """Write the proof to a file."""
         if self._text is None:
             raise ValueError("there is no proof")
         with open(path, "w", encoding="utf-8") as file:
@@ -51,10 +51,11 @@ class Proof:
 def prove(
     problem: Problem, x: ArrayLike | None = None, *, kind: str | None = None, model: str | None = None
 ) -> Proof:
-    """Prove the strongest that can be proved of a problem, or a ``kind``; an answer ``x`` is where the search begins.
+    """Prove the strongest possible statement about a problem, or the given ``kind``.
 
-    ``model`` is the friction model instead of the problem's own. Proofs are about boxes: of a polygon or a cone only that
-    no solution exists can be proved, and :class:`InputError` is raised where it is not.
+    The search starts from the answer ``x``, if it is given. ``model`` replaces the friction model of the problem. Proofs are
+    about boxes. For polygons and cones lcplab can only prove that no solution exists; otherwise it raises
+    :class:`InputError`.
 
     Examples
     --------
@@ -68,9 +69,9 @@ def prove(
 
 
 def check(problem: Problem, proof: Proof | str | os.PathLike[str], *, model: str | None = None) -> str | None:
-    """Check a proof, or a proof file, of a problem: None if it is valid, else the reason why it is not.
+    """Check a proof or a proof file: None if it is valid for the problem, otherwise the reason why it is not.
 
-    ``model`` is the friction model that it must be about, instead of the problem's own.
+    ``model`` replaces the friction model of the problem.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Scenes on their way through time."""
+"""Scenes and their simulation."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from lcplab._solve import Solver
 
 
 class Step:
-    """A step that a scene has taken; true if the judge accepts all that was solved in it."""
+    """A simulated step; true if the judge accepts the answers to all problems of the step."""
 
     def __init__(self, taken: _lcplab.Taken) -> None:
         self._taken = taken
@@ -29,7 +29,7 @@ class Step:
 
     @property
     def verdicts(self) -> list[str]:
-        """The judge's word on each problem of the step; it is asked at the first look, since proofs take time."""
+        """The verdict on each problem of the step. They are computed when first read, because proofs take time."""
         return [verdict for verdict, _ in self._judged]
 
     def __bool__(self) -> bool:
@@ -40,7 +40,7 @@ class Step:
 
 
 class Scene:
-    """A scene on its way through time.
+    """A scene and its state at the current time.
 
     Examples
     --------
@@ -61,22 +61,22 @@ class Scene:
         solver: str | None = None,
         set: Mapping[str, Any] | None = None,
     ) -> Scene:
-        """Load a shipped scene or a file; ``set={"mu": 0.3}`` changes fields as ``--set`` does."""
+        """Load a shipped scene or a scene file; ``set={"mu": 0.3}`` changes fields, like ``--set`` of the command line."""
         changes = [(key, json.dumps(value)) for key, value in (set or {}).items()]
         return cls(_lcplab.Scene.load(os.fspath(name), changes, scheme, solver))
 
     def step(self, solver: Solver | None = None) -> Step:
-        """Take one step; with a solver, it and all that follow are solved by that."""
+        """Simulate one step. A solver that is given here is used for this step and all later ones."""
         return Step(self._inner.step(solver))
 
     def problem(self) -> Problem | None:
-        """The last problem of the last step, with what its rows are."""
+        """The last problem of the last step, with the names of its rows."""
         inner = self._inner.problem()
         return None if inner is None else Problem._of(inner)
 
     @classmethod
     def of(cls, description: Mapping[str, Any]) -> Scene:
-        """Make a scene of a dictionary with the fields of a scene file.
+        """Make a scene from a dictionary with the fields of a scene file.
 
         >>> ball = {"name": "ball", "shape": {"sphere": 0.5}, "mass": 2.0}
         >>> Scene.of({"bodies": [ball]}).bodies
@@ -88,11 +88,11 @@ class Scene:
     def described(
         scene: str | os.PathLike[str] | Mapping[str, Any], *, set: Mapping[str, Any] | None = None
     ) -> dict[str, Any]:
-        """Write a scene out for another program: nothing is left to look up or to work out.
+        """Describe a scene completely, for another program.
 
-        Structures are written out as bodies, a tilt is turned into gravity, and each body has its mass,
-        moments, quaternion, coefficients and velocities. ``scene`` is a file, a shipped scene, or a dictionary
-        with the fields of a file; ``set`` changes fields of the first two.
+        Structures are expanded into bodies, a tilt becomes a direction of gravity, and each body has its mass,
+        moments of inertia, quaternion, coefficients and velocities. ``scene`` is a file, a shipped scene, or a dictionary
+        with the fields of a scene file; ``set`` changes fields of the first two.
 
         >>> [body["name"] for body in Scene.described("stack")["bodies"]][:3]
         ['ground', 'box1', 'box2']
@@ -113,18 +113,18 @@ class Scene:
     def forces(self) -> Array | None:
         """The mean force (N, world axes) of contacts and joints on each body in the last step.
 
-        ``None`` before a step, and where an integrator with stages does not write it down.
+        ``None`` before the first step, and for integrators with stages, which do not record it.
         """
         return self._inner.forces()
 
     @property
     def poses(self) -> Array:
-        """Position (m) and unit quaternion (w, x, y, z) of each body, (bodies, 7)."""
+        """Position (m) and unit quaternion (w, x, y, z) of each body, shape (bodies, 7)."""
         return self._inner.poses
 
     @property
     def velocities(self) -> Array:
-        """Velocity (m/s) and angular velocity (rad/s) of each body, world axes, (bodies, 6)."""
+        """Velocity (m/s) and angular velocity (rad/s) of each body in world axes, shape (bodies, 6)."""
         return self._inner.velocities
 
     @property
@@ -134,32 +134,32 @@ class Scene:
 
     @property
     def time(self) -> float:
-        """The time now (s)."""
+        """The current time (s)."""
         return self._inner.time
 
     @property
     def energy(self) -> float:
-        """Kinetic and potential energy (J)."""
+        """The sum of kinetic and potential energy (J)."""
         return self._inner.energy
 
     @property
     def penetration(self) -> float:
-        """The deepest overlap of two bodies (m)."""
+        """The largest overlap of two bodies (m)."""
         return self._inner.penetration
 
     @property
     def drift(self) -> float:
-        """The largest error of a joint (m)."""
+        """The largest position error of a joint (m)."""
         return self._inner.drift
 
     @property
     def name(self) -> str:
-        """What it is called."""
+        """The name of the scene."""
         return self._inner.name
 
     @property
     def title(self) -> str:
-        """What it shows."""
+        """The title of the scene."""
         return self._inner.title
 
     def __repr__(self) -> str:

@@ -17,18 +17,18 @@ Solver = Union[str, Callable[..., Any]]
 
 
 class Verdict:
-    """The judge's word on an x; true if x is a solution.
+    """The judge's decision about x; true if x is a solution.
 
     Attributes
     ----------
     verdict : str
         ``"proved"``, ``"within_tolerance"`` or ``"not_a_solution"``.
     row, amount : int and float, or None
-        The worst row of an x that is refused, and by how much of its terms it misses.
+        If x is rejected, the row with the largest scaled residual, and that residual.
     proof : dict or None
-        What else was shown in exact arithmetic.
+        Further statements proved in exact arithmetic, such as that no solution exists.
     contacts : list of dict or None
-        Of a problem under a model of friction: ``impulse``, ``velocity``, ``strength`` (``|x_t| / (mu x_n)``) and
+        For problems with a friction model: ``impulse``, ``velocity``, ``strength`` (``|x_t| / (mu x_n)``) and
         ``misalignment`` (degrees) of each contact.
     """
 
@@ -47,23 +47,25 @@ class Verdict:
         return self._is_solution
 
     def __repr__(self) -> str:
-        where = "" if self.row is None else f", row {self.row} misses by {self.amount:.1e} of its terms"
+        where = "" if self.row is None else f", scaled residual {self.amount:.1e} in row {self.row}"
         return f"<lcplab.Verdict {self.verdict}{where}>"
 
 
 class Result(Verdict):
-    """A solver's answer and the judge's word on it; true if x is a solution.
+    """A solver's answer and the judge's verdict on it; true if x is a solution.
 
     Attributes
     ----------
     status : str
-        What the solver says: ``"solved"``, ``"infeasible"``, ``"iteration_limit"`` or ``"failed"``.
+        The solver's own claim: ``"solved"``, ``"infeasible"``, ``"iteration_limit"`` or ``"failed"``.
     message : str
-        The same in words.
+        The status as a sentence.
     solver : str
+        The name of the solver that returned x.
     iterations : int
+        The number of its iterations.
     trace : dict of arrays or None
-        By iteration, the residuals and the objective, if they were asked for.
+        With ``trace=True``, the residuals and the objective after each iteration.
     """
 
     def __init__(self, told: dict[str, Any]) -> None:
@@ -78,12 +80,12 @@ class Result(Verdict):
 
     @property
     def x(self) -> Array:
-        """The answer, read-only, since the verdict is about it; ``x.copy()`` can be changed."""
+        """The answer; read-only, because the verdict is about it. Use ``x.copy()`` for an array that you can change."""
         return self._x
 
     @property
     def w(self) -> Array:
-        """``A x + b``, read-only."""
+        """``A x + b``; read-only."""
         return self._w
 
     def __repr__(self) -> str:
@@ -109,28 +111,30 @@ def solve(
     prove: bool | None = None,
     trace: bool = False,
 ) -> Result:
-    """Solve a problem and have the answer judged.
+    """Solve a problem and judge the answer.
 
     Parameters
     ----------
     A, b, lo, hi, friction_index, mu
-        The problem, as :class:`Problem` takes it; or ``A`` is a :class:`Problem`.
+        The problem, with the arguments of :class:`Problem`; or ``A`` is a :class:`Problem`.
     solver : str or callable, optional
         A name that :func:`solvers` lists, or a function ``f(A, b, lo, hi, **settings)`` that returns x, yields
-        iterates, or returns None; without it the methods of ``docs/solvers.md`` in turn, until one solves the problem.
-        Under a friction cone the function needs a parameter named ``model``.
+        iterates, or returns None. By default, lcplab tries the methods of ``docs/solvers.md`` in turn until one solves the
+        problem. For friction cones the function needs a parameter named ``model``.
     tolerance : float
         The largest scaled residual that counts as solved.
+    max_iterations : int
+        The largest number of sweeps, pivots or other iterations.
     omega : float, optional
-        The relaxation of ``"sor"`` and its kin.
+        The relaxation factor of ``"sor"`` and ``"ssor"``.
     model : str, optional
-        The model of friction: ``"coupled-box"``, ``"frozen-box"``, ``"polygon-4"``, ``"polygon-8"``, ``"polygon-16"``,
-        ``"associated-cone"`` or ``"coulomb-cone"``; without it the problem's own, or bounds ``±mu * x[k]`` on each row.
+        The friction model: ``"coupled-box"``, ``"frozen-box"``, ``"polygon-4"``, ``"polygon-8"``, ``"polygon-16"``,
+        ``"associated-cone"`` or ``"coulomb-cone"``. The default is the model of the problem, or else bounds ``±mu * x[k]`` on
+        each friction row.
     prove : bool, optional
-        Whether the judge looks for a proof in exact arithmetic: of up to 150 rows if true, of none if false, of up to
-        50 without it.
+        Whether the judge searches for a proof in exact arithmetic. True: up to 150 rows; None: up to 50; False: never.
     trace : bool
-        Keep the residuals of every iterate.
+        Whether to record the residuals of every iterate.
 
     Returns
     -------
@@ -139,7 +143,7 @@ def solve(
     Raises
     ------
     InputError
-        With every defect of the input.
+        If the input is invalid; the message lists every defect.
 
     Examples
     --------
@@ -164,14 +168,16 @@ def judge(
     model: str | None = None,
     tolerance: float = 1e-8,
 ) -> Verdict:
-    """Whether x is a solution, whoever found it; of a problem with friction under a model, as :func:`solve` takes it.
+    """Decide whether x is a solution, without knowing which program found it.
+
+    ``model`` is the friction model, as in :func:`solve`.
 
     Examples
     --------
     >>> bool(judge([[2, -1], [-1, 2]], [-1, 2], [0.5, 0]))
     True
     >>> judge([[2, -1], [-1, 2]], [-1, 2], [0.4, 0])
-    <lcplab.Verdict not_a_solution, row 0 misses by 1.1e-01 of its terms>
+    <lcplab.Verdict not_a_solution, scaled residual 1.1e-01 in row 0>
     """
     if x is None:
         raise TypeError("judge needs x")
@@ -181,11 +187,12 @@ def judge(
 
 
 class Document:
-    """A derivation: text when it is printed, a page in a notebook.
+    """A derivation. ``print`` shows it as text, a notebook as a page.
 
     Attributes
     ----------
     text, markdown, html : str
+        The same document in three formats.
     """
 
     def __init__(self, text: str, markdown: str, html: str) -> None:
@@ -212,10 +219,10 @@ def explain(
     omega: float | None = None,
     model: str | None = None,
 ) -> Document:
-    """The way from A and b to x, line by line, by ``"pgs"``, ``"sor"``, ``"dantzig"`` or ``"lemke"``.
+    """Derive x from A and b line by line, by ``"pgs"``, ``"sor"``, ``"dantzig"`` or ``"lemke"``.
 
-    ``model`` is the friction model, as :func:`solve` takes it; of cones the answer is judged, and the solver followed on
-    the coupled box beside them.
+    ``model`` is the friction model, as in :func:`solve`. For friction cones, the document has the judged answer and the
+    steps of the solver on the coupled box with the same coefficients.
 
     Examples
     --------
@@ -227,7 +234,7 @@ def explain(
 
 
 def solvers() -> list[str]:
-    """The names of the solvers.
+    """Return the names of the built-in solvers.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""For the tests of other projects: is this a solver?
+"""Assertions about solvers, for the tests of other projects.
 
 >>> import lcplab
 >>> from lcplab.testing import assert_solves
@@ -14,12 +14,12 @@ if TYPE_CHECKING:
     from lcplab._problem import Problem
     from lcplab._solve import Solver
 
-#: Families of definite or semidefinite problems that a solver of contacts should solve, without friction.
+#: Families of definite or semidefinite problems without friction that a contact solver should solve.
 FAMILIES = ("pd", "fathi", "stack", "table", "near-duplicate", "manufactured", "deudeu", "trivial")
 
 
 def problems() -> list[Problem]:
-    """The problems that :func:`assert_solves` tries without others."""
+    """The default problems of :func:`assert_solves`."""
     from lcplab import Problem
 
     return [Problem.generate(family) for family in FAMILIES]
@@ -32,14 +32,14 @@ def assert_solves(
     tolerance: float = 1e-8,
     max_iterations: int = 100_000,
 ) -> None:
-    """Raise an AssertionError that names every problem which a solver does not solve.
+    """Assert that a solver solves every problem; the AssertionError names the problems that it does not solve.
 
     Parameters
     ----------
     solver : str or callable
-        As in :func:`lcplab.solve`.
+        A solver as in :func:`lcplab.solve`.
     on : iterable of Problem, optional
-        The problems; those of :func:`problems` without it.
+        The problems. The default is those of :func:`problems`.
     """
     from lcplab import solve
 
@@ -47,7 +47,7 @@ def assert_solves(
     for problem in problems() if on is None else on:
         result = solve(problem, solver=solver, tolerance=tolerance, max_iterations=max_iterations)
         if result.status != "solved" or not result:
-            where = "" if result.row is None else f", row {result.row} misses by {result.amount:.1e} of its terms"
+            where = "" if result.row is None else f", scaled residual {result.amount:.1e} in row {result.row}"
             failures.append(f"{problem.name or 'problem'}: {result.message}; {result.verdict}{where}")
     if failures:
         raise AssertionError("\n".join(failures))
@@ -63,22 +63,22 @@ def assert_honest(
     friction: bool = False,
     model: str | None = None,
 ) -> None:
-    """Raise an AssertionError with the smallest problem on which a solver claims what is not true, if one is found.
+    """Assert that :func:`lcplab.hunt` finds no false claim; the AssertionError shows the smallest problem with one.
 
-    A solver that solves none of the problems fails too: one that always raises makes no false claim either.
+    The assertion also fails if the solver solves none of the problems.
 
     Parameters
     ----------
     solver : str or callable
-        As in :func:`lcplab.solve`.
+        A solver as in :func:`lcplab.solve`.
     evaluations : int
-        How many problems are tried. The same seed and number try the same.
+        The number of problems to try. The same seed and number try the same problems.
     tolerance : float
-        The largest scaled residual that counts as solved; 1e-5 suits single precision.
+        The largest scaled residual that counts as solved; use 1e-5 for single precision.
     friction : bool
-        Problems with friction as well, as many again: contacts with a normal and two tangents each.
+        Whether to try the same number of problems with friction as well: contacts with a normal and two tangents each.
     model : str, optional
-        The friction model of those problems, such as ``"coulomb-cone"``; then all of them have friction.
+        The friction model, such as ``"coulomb-cone"``. If it is given, all problems have friction.
 
     Examples
     --------

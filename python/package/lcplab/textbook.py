@@ -1,7 +1,8 @@
-"""The methods as a student writes them down, in NumPy and in the letters of the lessons.
+"""The methods in their shortest form, in NumPy, with the symbols of the lessons.
 
-There are no tolerances, no limits and no friction here; a matrix that a method is not made for gives a wrong answer
-or none. The solvers of the same names are the ones to use: on problems without ties both give the same x.
+These functions are for reading. They have no tolerances, no limits and no friction, and they return a wrong answer or none
+for a matrix outside their class. To solve problems, use the solvers of the same names; on problems without ties both give
+the same x.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ Array = NDArray[np.float64]
 
 
 def jacobi(A: Array, b: Array, lo: Array, hi: Array, damping: float, sweeps: int) -> Array:
-    """x after so many sweeps from 0: all rows at once make their own w zero, or part of the way there."""
+    """Return x after a number of damped Jacobi sweeps from 0: each sweep updates all rows at once."""
     x = np.zeros(len(b))
     for _ in range(sweeps):
         w = A @ x + b  # with the x of the sweep before
@@ -22,7 +23,7 @@ def jacobi(A: Array, b: Array, lo: Array, hi: Array, damping: float, sweeps: int
 
 
 def gauss_seidel(A: Array, b: Array, lo: Array, hi: Array, sweeps: int) -> Array:
-    """x after so many sweeps from 0: each row in turn makes its own w zero, as far as its bounds let it."""
+    """Return x after a number of sweeps from 0: each row in turn sets its w to 0, as far as its bounds allow."""
     x = np.zeros(len(b))
     for _ in range(sweeps):
         for i in range(len(b)):
@@ -39,7 +40,7 @@ def point(A: Array, b: Array, F: NDArray[np.bool_]) -> Array:
 
 
 def murty(A: Array, b: Array) -> Array:
-    """The x of 0 <= x, w = A x + b >= 0, x_i w_i = 0, A a P-matrix."""
+    """Solve 0 <= x, w = A x + b >= 0, x_i w_i = 0 for a P-matrix A."""
     F = np.zeros(len(b), dtype=bool)
     while True:
         x = point(A, b, F)
@@ -51,7 +52,7 @@ def murty(A: Array, b: Array) -> Array:
 
 
 def lemke(A: Array, b: Array) -> Array | None:
-    """The x of 0 <= x, w = A x + b >= 0, x_i w_i = 0; None where the path ends on a ray.
+    """Solve 0 <= x, w = A x + b >= 0, x_i w_i = 0; returns None if the path ends on a ray.
 
     The tableau says w = A x + z0 e + b. Variable i is w_i, n + i is x_i, 2n is the cover z0.
     """
@@ -82,7 +83,7 @@ def lemke(A: Array, b: Array) -> Array | None:
 
 
 def dantzig(A: Array, b: Array, lo: Array, hi: Array) -> Array:
-    """The x of lo <= x <= hi with w > 0 only where x = lo and w < 0 only where x = hi; A symmetric and definite.
+    """Solve lo <= x <= hi, with w > 0 only if x = lo and w < 0 only if x = hi, for a symmetric definite A.
 
     Rows 0 .. k - 1 are satisfied and stay so while row k moves: free rows keep w = 0, the others keep x.
     """
@@ -119,7 +120,7 @@ def dantzig(A: Array, b: Array, lo: Array, hi: Array) -> Array:
 
 
 def interior_point(A: Array, b: Array, steps: int) -> Array:
-    """x after so many steps towards 0 <= x, w = A x + b >= 0, x_i w_i = 0, A symmetric and semidefinite."""
+    """Return x after a number of steps toward 0 <= x, w = A x + b >= 0, x_i w_i = 0; A symmetric semidefinite."""
     n = len(b)
     x, w = np.ones(n), np.ones(n)
 

@@ -99,7 +99,7 @@ fn word(verdict: &Verdict) -> String {
         Verdict::Proved { .. } => "proved".into(),
         Verdict::WithinTolerance => verdict.to_string(),
         Verdict::NotASolution { amount, .. } => {
-            format!("refuted: misses by {} of its terms", readable(*amount, 2))
+            format!("rejected: scaled residual {}", readable(*amount, 2))
         }
     }
 }

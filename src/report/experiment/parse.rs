@@ -131,7 +131,7 @@ impl Reader<'_> {
     fn words(&mut self, head: Head, rest: &Spanned<DeValue<'_>>) -> Option<Section> {
         let key = rest.get_ref().as_table().and_then(|table| table.keys().next());
         if let Some(key) = key {
-            let reason = format!("has {:?} but no study that it could belong to", key.get_ref());
+            let reason = format!("has {:?}, but no study with that setting", key.get_ref());
             return self.fault(key.span().start, &reason);
         }
         let Some(title) = head.title else {

@@ -145,8 +145,11 @@ impl<'a> Reader<'a> {
     fn grid(&mut self, path: &str) -> Grid {
         for (key, _) in self.root.iter().filter(|(key, _)| !KEYS.contains(&key.get_ref().as_ref()))
         {
-            let reason =
-                format!("{:?} is no key of a grid; there are {}", key.get_ref(), KEYS.join(", "));
+            let reason = format!(
+                "{:?} is not a key of a grid file; the keys are {}",
+                key.get_ref(),
+                KEYS.join(", ")
+            );
             self.add(key.span().start, reason);
         }
         let name = Path::new(path).file_stem();

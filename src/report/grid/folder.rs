@@ -185,7 +185,7 @@ fn check(path: &Path, found: &str, wanted: &str) -> Result<()> {
 }
 
 fn unreadable(path: &Path, cause: &serde_json::Error) -> Error {
-    Error::File { path: path.display().to_string(), reason: format!("is no result: {cause}") }
+    Error::File { path: path.display().to_string(), reason: format!("is not a result: {cause}") }
 }
 
 /// Indented JSON with a line feed at the end.

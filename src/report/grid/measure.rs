@@ -38,7 +38,7 @@ const fn measure(name: &'static str, unit: &'static str, about: &'static str) ->
 }
 
 /// Sweeps or pivots, which closed forms are about.
-pub const ITERATIONS: Measure = measure("iterations", "", "sweeps or pivots in all");
+pub const ITERATIONS: Measure = measure("iterations", "", "total sweeps or pivots");
 
 /// All measures, in the order of tables.
 pub const MEASURES: [Measure; 16] = [
@@ -46,14 +46,14 @@ pub const MEASURES: [Measure; 16] = [
     measure("rows", "", "rows of the largest LCP"),
     measure("steps", "", "steps taken"),
     measure("solves", "", "LCPs solved"),
-    measure("claimed", "", "LCPs that the solver claims to have solved"),
+    measure("claimed", "", "LCPs that the solver reports as solved"),
     measure("accepted", "", "answers that the judge accepts"),
-    measure("refuted", "", "claims that the judge refutes"),
-    measure("work", "", "multiplications, counted by formulas; for families only"),
+    measure("refuted", "", "false claims, rejected by the judge"),
+    measure("work", "", "multiplications, leading-order count; only for families"),
     measure(
         "rate",
         "",
-        "what is left of the natural residual from one iteration to the next, in the last half of those before rounding",
+        "contraction of the natural residual per iteration, over the second half of the run before rounding",
     ),
     measure(
         "eigenvalue",
@@ -61,19 +61,16 @@ pub const MEASURES: [Measure; 16] = [
         "the largest modulus below 1 of an eigenvalue of the iteration matrix, on the rows inside their bounds",
     ),
     measure("scaled_residual", "", "the worst scaled residual of all answers"),
-    measure("error", "", "max |x − x*| / max |x*|, where x* is known"),
-    measure("energy_change", "J", "the largest departure of the energy from its start"),
+    measure("error", "", "max |x − x*| / max |x*|, if x* is known"),
+    measure("energy_change", "J", "the largest deviation of the energy from its initial value"),
     measure("drift", "m", "the largest error of a joint"),
     measure("penetration", "m", "the deepest overlap"),
-    measure("optimum", "", "where the closed form has its least rate"),
+    measure("optimum", "", "the value at which the closed form has its smallest rate"),
 ];
 
 /// The wall time of stepping and solving, which is recorded apart from what is the same on every machine.
-pub static SECONDS: Measure = measure(
-    "seconds",
-    "s",
-    "the wall time of stepping and solving, on a machine that does other things too",
-);
+pub static SECONDS: Measure =
+    measure("seconds", "s", "the wall time of stepping and solving, on a shared machine");
 
 /// What was found at a point; the same on every machine.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]

@@ -94,7 +94,7 @@ impl Form {
                 }
                 _ => None,
             };
-            at = inner.ok_or_else(|| Error::invalid(&self.name, path, "has no place there"))?;
+            at = inner.ok_or_else(|| Error::invalid(&self.name, path, "is not allowed there"))?;
         }
         *at = value;
         self.check_types().map_err(|reason| Error::invalid(&self.name, path, reason))
@@ -177,11 +177,12 @@ impl Form {
         }
         let steps = match task.settings.get("steps") {
             None => scene.step.count,
-            Some(steps) => {
-                steps.as_integer().and_then(|steps| usize::try_from(steps).ok()).ok_or_else(
-                    || Error::invalid(&self.name, "steps", format!("{steps} is no count")),
-                )?
-            }
+            Some(steps) => steps
+                .as_integer()
+                .and_then(|steps| usize::try_from(steps).ok())
+                .ok_or_else(|| {
+                    Error::invalid(&self.name, "steps", format!("{steps} is not a number of steps"))
+                })?,
         };
         Ok(Subject::Scene(Box::new(scene), steps))
     }
@@ -268,7 +269,7 @@ pub(super) fn check(grid: &Grid, mut fault: impl FnMut(&str, String)) -> Result<
         }
     }
     for (path, names) in unused(grid, &forms) {
-        fault(path, format!("would vary nothing: {names} does not use it"));
+        fault(path, format!("has no effect: {names} does not use it"));
     }
     let tasks = grid.axes.iter().try_fold(1_usize, |n, axis| n.checked_mul(axis.points.len()));
     if tasks.is_none_or(|tasks| tasks > MOST_TASKS) {

@@ -36,8 +36,8 @@ impl Books {
 
     pub(super) fn text(&self) -> String {
         let mut text = match self.missed {
-            0.0 => format!("closes to {} J a step:", readable(self.remainder, 2)),
-            missed => format!("does not close: {} J are missing in a step:", readable(missed, 2)),
+            0.0 => format!("balances to {} J per step:", readable(self.remainder, 2)),
+            missed => format!("does not balance: error of {} J in one step:", readable(missed, 2)),
         };
         let accounts = self.work.accounts();
         let largest = accounts.iter().fold(0.0f64, |most, (_, work)| most.max(work.abs()));

@@ -33,10 +33,10 @@ impl Record {
              problems     {}\n\
              residual     {}\n\
              energy       {start} J at the start, {end} J at the end\n\
-             drift        {} m at worst{}\n\
-             penetration  {} m at worst\n\
+             drift        at most {} m{}\n\
+             penetration  at most {} m\n\
              weight       {}\n\
-             laws         attraction {}, beyond the cone {} %, friction gain {}\n\
+             laws         tensile contact force {}, friction excess {} %, friction gain {}\n\
              ledger       {}",
             self.solver().map_or_else(String::new, |solver| format!(", solver {solver}")),
             self.scene.step.dt,
@@ -117,18 +117,20 @@ impl Record {
         let askew = self.laws.askew.to_degrees();
         let is_askew =
             askew > ASKEW && !matches!(model, Model::CoulombCone | Model::AssociatedCone);
-        let angle = format!("acted up to {askew:.0}° beside the line of the slip");
+        let angle = format!("acted up to {askew:.0}° away from the direction of the slip");
         let how = match (is_askew, excess > MUCH) {
             (true, true) => {
-                format!("{angle} and was up to {excess:.0} % beyond Coulomb's cone")
+                format!("{angle} and was up to {excess:.0} % outside Coulomb's cone")
             }
             (true, false) => angle,
-            (false, true) => format!("was up to {excess:.0} % beyond Coulomb's cone"),
+            (false, true) => format!("was up to {excess:.0} % outside Coulomb's cone"),
             (false, false) => return None,
         };
         let remedy = match model {
-            Model::Polyhedral { .. } => "more directions, or the model coulomb-cone, come nearer",
-            _ => "the model coulomb-cone keeps to the cone and to the line",
+            Model::Polyhedral { .. } => {
+                "more directions, or the model coulomb-cone, are more accurate"
+            }
+            _ => "the model coulomb-cone has the correct strength and direction",
         };
         Some(format!("friction of the model {model} {how}; {remedy}"))
     }
@@ -183,7 +185,7 @@ impl Record {
         };
         let [mean, least] = [mean, least].map(|part| readable((1e4 * part).round() / 100.0, 4));
         format!(
-            "contacts, joints and springs carry {mean} % of it, at least {least} % (step {step})"
+            "contacts, joints and springs support {mean} % of it, at least {least} % (step {step})"
         )
     }
 }

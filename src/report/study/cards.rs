@@ -238,7 +238,7 @@ impl Record {
             serde_json::from_str(&text).map_err(|error| fault(error.to_string()))?;
         match record.format {
             FORMAT => Ok(record),
-            other => Err(fault(format!("has the format {other}, this version reads {FORMAT}"))),
+            other => Err(fault(format!("has the format {other}; this version reads {FORMAT}"))),
         }
     }
 

@@ -29,7 +29,7 @@ impl Actor {
     pub fn named(text: &str, scene: &Scene) -> crate::error::Result<Self> {
         let (name, most) = text.split_once(':').map_or((text, None), |(n, m)| (n, Some(m)));
         let number = |most: &str| {
-            let reason = || format!("{most:?} is no number of sweeps");
+            let reason = || format!("{most:?} is not a number of sweeps");
             most.parse().ok().filter(|n| *n > 0).ok_or_else(reason)
         };
         let most = most.map(number).transpose();

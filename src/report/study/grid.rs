@@ -64,7 +64,7 @@ impl TryFrom<Settings> for Plan {
             None => Grid::load(&name)?,
         };
         if !grid.plugins.is_empty() {
-            let reason = "of a grid in a report stand in the report file";
+            let reason = "of a grid in a report must be declared in the report file";
             return Err(Error::invalid(name, "plugins", reason));
         }
         Ok(Plan { plan: grid.plan()?, grid, timed, name })

@@ -15,7 +15,7 @@ pub fn outcome(outcome: &Outcome) -> Cell {
         Outcome::Outside(_) => Mark::Plain,
     };
     let text = match outcome {
-        Outcome::Outside(reason) => format!("not for it: {reason}"),
+        Outcome::Outside(reason) => format!("outside its class: {reason}"),
         outcome => outcome.words().to_string(),
     };
     Cell::text(text).marked(mark)

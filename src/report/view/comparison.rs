@@ -17,7 +17,7 @@ const STEPS: usize = 20;
 const ERROR: f64 = 1e-6;
 
 impl View for Plan {
-    const TITLE: &'static str = "Solvers, velocity level and acceleration level on the same scenes";
+    const TITLE: &'static str = "Comparison of solvers at velocity and acceleration level";
 
     fn show(&self, findings: &[Comparison], document: &mut Document) {
         let runs = || findings.iter().flat_map(|comparison| &comparison.runs);
@@ -27,9 +27,9 @@ impl View for Plan {
         );
         let refuted = runs().map(|run| run.refuted_claims).sum::<usize>();
         document.text(format!(
-            "Each scene is stepped by each solver with {}, and every solve starts from the answer of \
-             the previous step. Of {solves} problems the solvers claim to have solved {claimed}; the \
-             judge rejects {refuted} of these claims.",
+            "Each solver simulates each scene with {}, and every solve starts from the answer of the previous \
+             step. The solvers report {claimed} of {solves} problems as solved; the judge rejects {refuted} of \
+             these answers.",
             listed(&self.schemes.iter().map(|&scheme| in_words(scheme)).collect::<Vec<_>>())
         ));
         document.table("comparison_schemes", by_scheme(findings));
@@ -58,8 +58,8 @@ impl View for Plan {
             given_up => format!(" and give up {}", count(given_up)),
         };
         Some(format!(
-            "In the steps of {} scenes solvers claim to have solved {} of {} problems{gave_up}; a judge who never saw \
-             the solvers refutes {} of the claims.",
+            "In {} scenes the solvers report {} of {} problems as solved{gave_up}; an independent judge \
+             rejects {} of these answers.",
             findings.len(),
             count(claimed),
             count(solves),
@@ -76,7 +76,7 @@ impl View for Plan {
         };
         let refuted = sum(|run| run.refuted_claims);
         let says = format!(
-            "{} problems, {} claimed solved, {} accepted by the judge, {refuted} claims refuted",
+            "{} problems: {} reported as solved, {} answers accepted by the judge, {refuted} false claims",
             sum(|run| run.solves),
             sum(|run| run.claimed),
             sum(|run| run.accepted),
@@ -85,7 +85,10 @@ impl View for Plan {
     }
 
     fn show_times(&self, times: &[Vec<Timing>], document: &mut Document) {
-        document.text("Times are of whole simulations: contacts, assembly, solves and motion; judging is left out.");
+        document.text(
+            "Times are those of whole simulations: contacts, assembly, solves and motion, without \
+         the judge.",
+        );
         document.table("timings", timings(&times.concat()));
     }
 }
@@ -134,7 +137,7 @@ fn by_scheme(findings: &[Comparison]) -> Table {
     };
     Table {
         title: "Velocity level, acceleration level and other schemes".into(),
-        how_to_read: "One row per scene and scheme, by the solver with the most accepted answers. \
+        how_to_read: "One row per scene and scheme, for the solver with the most accepted answers. \
                       *energy change*: the largest change since the start; *drift* and *penetration* \
                       are the largest errors."
             .into(),
@@ -184,15 +187,15 @@ pub fn table(comparison: &Comparison) -> Table {
     for LeftOut { solver, reason } in left_out {
         let mut row = vec![Cell::text("–"); columns.len()];
         row[1] = Cell::text(solver);
-        *row.last_mut().expect("columns") = Cell::text(format!("not asked: {reason}"));
+        *row.last_mut().expect("columns") = Cell::text(format!("not run: {reason}"));
         rows.push(row);
     }
     Table {
         title: format!("{scene}: {steps} steps of {dt} s"),
-        how_to_read: "*claims* are problems that the solver calls solved, *accepted* those where \
-                      the judge agrees; the *worst residual* is the judge's, over all problems, \
-                      claimed or not; – where none was solved. *carried* is the part of the weight that \
-                      contacts, joints and springs carry over the run: all of it at rest, none in free fall."
+        how_to_read: "*claims*: problems that the solver reports as solved. *accepted*: answers that the judge \
+         accepts. *worst residual*: the largest scaled residual over all problems, claimed or not; – if there \
+         was none. *carried*: the fraction of the weight that contacts, joints and springs support during the \
+         run; 100 % at rest, 0 in free fall."
             .into(),
         columns,
         rows,
@@ -204,7 +207,7 @@ pub fn table(comparison: &Comparison) -> Table {
 pub fn answer(comparison: &Comparison) -> String {
     let Comparison { runs, steps, thinnest, .. } = comparison;
     if runs.is_empty() {
-        return "None of the solvers that were named is made for this scene.".into();
+        return "None of the named solvers supports this scene.".into();
     }
     let of_scheme = runs.chunk_by(|a, b| a.scheme == b.scheme);
     let holds = |run: &&Run| run.holds(*steps, *thinnest);
@@ -212,8 +215,8 @@ pub fn answer(comparison: &Comparison) -> String {
         let (held, all) = (runs.iter().filter(holds).count(), runs.len());
         let by = match (held, all) {
             (1, 1) => "holds it".to_string(),
-            (0, 1) => "does not hold it".to_string(),
-            (held, all) => format!("holds it by {held} of {all} solvers"),
+            (0, 1) => "does not keep it".to_string(),
+            (held, all) => format!("keeps it with {held} of {all} solvers"),
         };
         let worst = |measure: fn(&Sample) -> f64| {
             runs.iter().filter(holds).map(|run| run.worst(measure)).fold(0.0, f64::max)
@@ -221,7 +224,7 @@ pub fn answer(comparison: &Comparison) -> String {
         let error = worst(|sample| sample.drift.max(sample.penetration));
         let carried = runs.iter().filter(holds).filter_map(|run| run.carried).reduce(f64::min);
         let carried = carried.map_or(String::new(), |part| {
-            format!(", {} % of the weight carried", readable(100.0 * part, 3))
+            format!(", {} % of the weight supported", readable(100.0 * part, 3))
         });
         let errors = match held {
             0 => String::new(),
@@ -231,7 +234,8 @@ pub fn answer(comparison: &Comparison) -> String {
     };
     let said: Vec<String> = of_scheme.map(counted).collect();
     format!(
-        "Which formulation holds this scene for {steps} steps, every answer accepted, errors below {} m? {}.",
+        "Which formulation keeps this scene within errors of {} m for {steps} steps, with every answer \
+         accepted? {}.",
         readable(HELD * thinnest, 2),
         said.join("; ")
     )
@@ -271,7 +275,7 @@ fn timings(times: &[Timing]) -> Table {
     };
     Table {
         title: "Wall time of a step".into(),
-        how_to_read: "Mean over the run; runs share the processor with each other.".into(),
+        how_to_read: "Mean over the run. Several runs share the processor.".into(),
         columns: vec![
             Column::words("scene"),
             Column::words("level"),

@@ -15,14 +15,13 @@ impl View for Plan {
     fn show(&self, findings: &[Vec<CrossCheck>], document: &mut Document) {
         let checks = &findings.concat();
         document.text(
-            "Dantzig's answer is compared with two that share no code with it, both by the interior-\
-             point solver clarabel. The *box QP* is the same problem read as a minimisation over \
-             impulses:",
+            "Dantzig's answer is compared with two independent answers of the interior-point solver clarabel. \
+             The *box QP* is the same problem as a minimization over impulses:",
         );
         document.equation("\\min_{lo \\le x \\le hi}\\; \\tfrac12 x^T A x + b^T x", "dual");
         document.text(
-            "*Gauss's principle* is the same motion read as a minimisation over velocities, in which \
-             $A$ is never formed, so that it checks the assembly of $A$ as well:",
+            "*Gauss's principle* determines the same motion as a minimization over velocities. It never forms \
+             $A$, so it also checks the assembly of $A$:",
         );
         document.equation(
             "\\min_u\\; \\tfrac12 (u - u^*)^T M (u - u^*) \\quad \\text{subject to} \\quad J u + \
@@ -30,18 +29,18 @@ impl View for Plan {
             "primal",
         );
         document.text(
-            "The two optimal values must be opposite. Where contacts are redundant, $x$ is not unique: \
-             the rank of $A$ on the free rows is then less than their number, and $x$ may differ while \
-             $w$ and the motion $u$ agree. There the distance to the exact motion $\\hat u$ is bounded \
-             instead of that to $x$: for any feasible $u$ and $x$",
+            "The two optimal values must have the same size and opposite signs. If contacts are redundant, $x$ \
+             is not unique: the rank of $A$ on the free rows is less than their number, and $x$ may differ \
+             while $w$ and the motion $u$ agree. Then the distance to the exact motion $\\hat u$ is bounded \
+             instead of the distance to $x$. For any feasible $u$ and $x$",
         );
         document.equation("|u - \\hat u|_M \\le \\sqrt{2\\,(P(u) + D(x))}", "motion-bound");
         document.table("cross_checks", table(checks));
         document.table("objectives", objectives(checks));
         if checks.iter().any(|check| !check.wrenches.is_empty()) {
             document.text(
-                "Where a load is shared in more than one way, single forces mean nothing; what the \
-                 contacts do together to each body is unique, and both answers must agree on it:",
+                "If the load distribution is not unique, single forces have no meaning. The resulting force \
+                 and torque on each body are unique, and both answers must agree on them:",
             );
             document.table("wrenches", wrenches(checks));
         }
@@ -73,8 +72,7 @@ impl View for Plan {
         let apart = checks().map(|check| check.u_difference).fold(0.0, f64::max);
         let all = checks().count();
         let apart = significant(apart, 2);
-        let says =
-            format!("{accepted} of {all} answers accepted, motions {apart} from the reference's");
+        let says = format!("{accepted} of {all} answers accepted, motions agree to {apart}");
         Outcome { good: accepted == all, says }
     }
 }
@@ -82,12 +80,10 @@ impl View for Plan {
 fn table(checks: &[CrossCheck]) -> Table {
     Table {
         title: "Differences from the reference solutions".into(),
-        how_to_read: "Largest difference of any entry. “shared” in the column *x* means that \
-                      the rows between their bounds depend on each other, so that a difference in x is no \
-                      fault. “u − û at most” is \
-                      bounded by duality and interval arithmetic: no entry of our motion is farther \
-                      from the exact one. Where rows have friction that is the frozen motion, with \
-                      their bounds as at our x, and no proof of the motion itself."
+        how_to_read: "Largest difference of any entry. *shared* in the column *x* means that the free rows are \
+         dependent, so a difference in x is not an error. *u − û at most* is a bound from duality and interval \
+         arithmetic on the largest error of our motion. For rows with friction it applies to the frozen \
+         motion, with the friction limits of our x, and is not a proof for the motion itself."
             .into(),
         columns: vec![
             Column::words("scene"),
@@ -152,7 +148,7 @@ fn objectives(checks: &[CrossCheck]) -> Table {
         ]
     };
     Table {
-        title: "The optimal value, three times".into(),
+        title: "The optimal value, computed in three ways".into(),
         how_to_read: "½ xᵀAx + bᵀx at our x, the box QP's optimum, and minus the optimum of \
                       Gauss's principle: all three should agree. Joules for impulses."
             .into(),
@@ -189,8 +185,8 @@ fn wrenches(checks: &[CrossCheck]) -> Table {
         .flat_map(|check| check.wrenches.iter().map(move |wrench| cells(check, wrench)));
     Table {
         title: "Resulting force and torque on each body".into(),
-        how_to_read: "Sum over all rows, about the centre of mass; the last column is the largest \
-                      difference from the box QP's answer."
+        how_to_read: "Sum over all rows, about the center of mass; the last column is the largest difference \
+         from the answer of the box QP."
             .into(),
         columns: vec![
             Column::words("scene"),

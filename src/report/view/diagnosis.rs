@@ -18,8 +18,8 @@ use crate::simulation::{Simulation, Step};
 const SWING: f64 = 0.5;
 
 /// What the film shows.
-const FILM: &str = "Left as it is solved, right exactly. A body is the redder the more of its weight nothing carries: red, \
-                    it falls freely.";
+const FILM: &str = "Left: with this solver; right: with exact answers. The redder a body, the less of its \
+ weight is supported; a fully red body falls freely.";
 
 /// The page of a scene's diagnosis.
 ///
@@ -162,14 +162,14 @@ fn pattern(scene: &Scene, frame: &Problem, forces: &[f64], place: usize) -> Resu
     };
     let frames = vec![rest.clone(), swung(1.0), swung(-1.0)];
     let mut strip = Strip::new(scene, frames).named("pattern").labelled([
-        "where they are",
-        "the slowest pattern",
-        "the other way",
+        "actual positions",
+        "slowest pattern",
+        "opposite sign",
     ]);
-    strip.title = "The slowest pattern of Gauss-Seidel".into();
+    strip.title = "The error pattern of Gauss-Seidel that decays most slowly".into();
     Ok(strip.with_caption(
-        "What sweeps leave longest: bodies move together as in the second picture, much enlarged, and sweeps take away a \
-         small part of it each. The redder a body, the more it moves.",
+        "In this error pattern the bodies move together as in the second picture (much enlarged), and each \
+         sweep removes only a small part of it. The redder a body, the more it moves.",
     ))
 }
 
@@ -190,10 +190,11 @@ pub(super) fn convergence(courses: &[Course]) -> Lines {
     }
     Lines {
         id: "convergence".into(),
-        title: "What is missing after each sweep".into(),
-        caption: "From nothing known. Theory counts on rows that do not change, and is silent where many would."
+        title: "Error after each sweep".into(),
+        caption: "Cold start. The theory assumes a fixed active set and is not drawn where the active set \
+         would change."
             .into(),
         x: Axis::linear("sweeps", ""),
-        panels: vec![Panel { y: Axis::log("missing", "%"), series }],
+        panels: vec![Panel { y: Axis::log("error", "%"), series }],
     }
 }

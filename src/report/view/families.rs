@@ -9,14 +9,12 @@ pub fn table(rows: &[Row]) -> Table {
     Table {
         title: "Problem families and solvers".into(),
         how_to_read:
-            "*friction*: the model that x is solved and judged under. *outside*: the solver says \
-                      the problem is not in its class. *claims* are its own, *proved* and \
-                      *accepted* the judge's; *refuted* and *false* claims must be 0. *worst \
-                      residual*: of the answers that it claims; – where it claims none. \
-                      *multiplications*: by the method's formula; – where nobody knows. *iterates*: a \
-                      fingerprint of their path; – where none were told. *fallback*: what else than \
-                      the method itself had a part, and how often. *must fail*: a \
-                      failure that mathematics explains, and that must stay one."
+            "*friction*: the friction model for solving and judging. *outside*: the solver reports that the \
+             problem is outside its class. *claims*: the solver's own; *proved* and *accepted*: the judge's \
+             verdicts; *refuted* and *false* claims must be 0. *worst residual*: over the claimed answers; – \
+             if there are none. *multiplications*: by the formula of the method; – if unknown. *iterates*: a \
+             hash of their sequence; – if none were reported. *fallback*: other methods that contributed, and \
+             how often. *must fail*: a failure that theory predicts."
                 .into(),
         columns: vec![
             Column::words("family"),

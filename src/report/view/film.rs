@@ -6,8 +6,7 @@ use crate::report::page::{Block, Page, Player, markup};
 use crate::report::recording::Record;
 
 /// What the buttons do, for the caption.
-const HOW: &str = "Arrows are forces on the moving body; the curves are of all instants shown, and \
-                   pressing on them goes there.";
+const HOW: &str = "Arrows are forces on the moving body. Click a curve to jump to that time.";
 
 impl Document {
     /// Adds a film with a section of its own.
@@ -32,7 +31,7 @@ pub fn simulation_page(film: Film, record: &Record) -> Page {
         ..Page::default()
     };
     let mut document = Document { page, figures: Vec::new(), tables: Vec::new() };
-    document.film(&film, "What was simulated, instant by instant.");
+    document.film(&film, "The simulated motion over time.");
     if let Some(Block::Player(player)) =
         document.page.sections.iter_mut().flat_map(|section| &mut section.blocks).next()
     {

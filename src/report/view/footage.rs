@@ -17,7 +17,7 @@ impl Document {
                     origin: None,
                 })));
             }
-            Err(error) => self.text(format!("The film cannot be shown: {error}.")),
+            Err(error) => self.text(format!("The animation cannot be shown: {error}.")),
         }
     }
 }

@@ -6,7 +6,7 @@ use crate::report::page::markup::literal;
 use crate::report::study::frames::{Finding, Plan};
 
 impl View for Plan {
-    const TITLE: &'static str = "What is missing, and why";
+    const TITLE: &'static str = "Remaining error and its causes";
 
     fn show(&self, found: &[Finding], document: &mut Document) {
         for Finding { words, courses, .. } in found {
@@ -23,7 +23,7 @@ impl View for Plan {
     fn answer(&self, found: &[Finding]) -> Option<String> {
         let Finding { words, .. } = found.first()?;
         let who = format!(
-            "**What does {} leave after {} iterations?**",
+            "**What error does {} leave after {} iterations?**",
             self.solver, self.max_iterations
         );
         Some(format!("{who} {}", literal(words.lead.trim())))

@@ -26,11 +26,11 @@ impl View for Plan {
         let held = claims.iter().filter(|held| **held).count();
         let theory = match claims.len() {
             0 => String::new(),
-            all => format!(", {held} of {all} numbers as the closed form says"),
+            all => format!(", {held} of {all} numbers match the closed form"),
         };
         let (points, all) = (found.len(), self.plan.tasks.len());
         let says =
-            format!("{points} of {all} points measured{theory}, claims refuted at {refuted}");
+            format!("{points} of {all} points measured{theory}, {refuted} with false claims");
         Outcome { good: refuted == 0 && held == claims.len(), says }
     }
 }

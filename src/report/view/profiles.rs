@@ -25,10 +25,10 @@ impl View for Plan {
             return;
         }
         document.text(
-            "Every solver has a try at every problem, at each precision, from $x = 0$. What it says is \
-             not for it is no attempt. *Solved* means: it claims a solution and the judge accepts it. A performance \
-             profile compares problem by problem: with the cost $t_{ps}$ of solver s on problem p, ∞ if \
-             it did not solve it,",
+            "Every solver is run on every problem, at each precision, from $x = 0$. Problems that a solver \
+             declines are not counted as attempts. *Solved* means that the solver reports a solution and the \
+             judge accepts it. A performance profile compares the solvers problem by problem. Let $t_{ps}$ be \
+             the cost of solver s on problem p, or ∞ if it did not solve it. Then",
         );
         document.equation(
             "r_{ps} = \\frac{t_{ps}}{\\min_s t_{ps}}, \\qquad \\rho_s(\\tau) = \\frac{|\\{p \\in P : \
@@ -36,10 +36,10 @@ impl View for Plan {
             "Dolan & Moré 2002",
         );
         document.text(
-            "The share is of all problems $P$ that have a solution; beside it, of those alone that the solver took on. The \
-             first asks for one solver that does everything, the second is fair to those that are made for a kind of \
-             problem. What costs depends on who asks: multiplications are the same on every machine, iterations are what is \
-             talked about but are dearer for one method than for another, and the clock is in the section of times.",
+            "One profile uses all problems $P$ that have a solution, the other only those that the solver \
+             attempted. The first one favors general solvers, the second one is fair to specialized solvers. \
+             The cost is measured in three ways: multiplications are the same on every machine, iterations are \
+             familiar but differ in cost between methods, and times are in the section on times.",
         );
         document.figure(self.by_work(tried, &solvers));
         document.text(self.words(tried, &solvers));
@@ -71,9 +71,9 @@ impl View for Plan {
             .map(|solver| format!("*{}*", solvers[solver]))
             .collect();
         let unsolved = costs.iter().filter(|row| !row.iter().any(is_solved)).count();
-        let nobody = match unsolved {
+        let others = match unsolved {
             0 => String::new(),
-            count => format!("; {count} nobody"),
+            count => format!("; no solver solves {count} of them"),
         };
         let verb = if named.len() == 1 { "solves" } else { "solve" };
         let of_contacts = solvers.iter().map(|solver| (solver, semidefinite(tried, solver, last)));
@@ -86,12 +86,13 @@ impl View for Plan {
             .map(|(solver, _)| format!("*{solver}*"))
             .collect();
         Some(format!(
-            "**Who solves most?** To {}, of {all} problems whose A is symmetric and semidefinite, as that of contacts \
-             and joints is, {most}: {}. Of all {} problems that have a solution {} {verb} {best}{nobody}.",
+            "**Which solver solves most problems?** At the tolerance {}, of {all} problems with symmetric \
+             semidefinite A, as contacts and joints have, {most} are solved by {}. {} {verb} {best} of all \
+             {} problems that have a solution{others}.",
             tolerance(self.tolerances[last]),
             listed(&best_of_contacts),
-            costs.len(),
-            listed(&named)
+            listed(&named),
+            costs.len()
         ))
     }
 
@@ -99,7 +100,7 @@ impl View for Plan {
         let all = |of| count(tried, None, None, of);
         let refuted = all(|attempt| attempt.outcome == Outcome::Refuted);
         let says = format!(
-            "{} attempts, {} claimed solved, {} accepted by the judge, {refuted} claims refuted",
+            "{} attempts: {} reported as solved, {} answers accepted by the judge, {refuted} false claims",
             all(|attempt| attempt.outcome.is_attempt()),
             all(|attempt| attempt.outcome.is_claim()),
             all(|attempt| attempt.outcome.is_solved()),
@@ -117,15 +118,15 @@ impl Plan {
             let title = format!("{}, of all problems", tolerance(*precision));
             columns.push((title, profiles(&of_all(&costs))));
             if k + 1 == self.tolerances.len() {
-                let title = format!("{}, of those it took on", tolerance(*precision));
+                let title = format!("{}, of attempted problems", tolerance(*precision));
                 columns.push((title, profiles(&costs)));
             }
         }
-        let caption = "A curve is the share of the problems (how many: in brackets, one number a column where they differ) that \
-                       a solver solves within τ times the cheapest solver's multiplications. Far left: how often it is the \
-                       cheapest. Far right: how often it succeeds at all. Steep and high is good. The other groups are pale \
-                       behind. Sweeps and Newton's method do not look whether A is symmetric: they attempt problems that \
-                       they are not made for, and lose them.";
+        let caption = "A curve is the share of the problems (how many: in brackets, one number a column \
+         where they differ) that a solver solves within τ times the cheapest solver's multiplications. Far \
+         left: how often it is the cheapest. Far right: how often it succeeds at all. Steep and high is \
+         good. The other groups are pale behind. Sweeps and Newton's method do not look whether A is \
+         symmetric: they attempt problems that they are not made for, and lose them.";
         drawn("performance_profiles", "multiplications", caption, solvers, columns)
     }
 
@@ -133,8 +134,8 @@ impl Plan {
     fn by_iterations(&self, tried: &[Tried], solvers: &[String]) -> Profiles {
         let costs = costs(tried, self.tolerances.len().saturating_sub(1), iterations);
         let columns = both(&costs);
-        let caption = "The same by sweeps, steps or pivots. A pivot of Dantzig's method is cheap, a step of Newton's method \
-                       solves a linear system: compare within a group.";
+        let caption = "The same by sweeps, steps or pivots. A pivot of Dantzig's method is cheap, a step \
+         of Newton's method solves a linear system: compare within a group.";
         drawn("performance_profiles_iterations", "iterations", caption, solvers, columns)
     }
 
@@ -156,7 +157,7 @@ impl Plan {
             return None;
         }
         let caption =
-            "The same by the clock. A family counts as solved if all of its problems are.";
+            "The same for wall-clock times. A family counts as solved if all of its problems are.";
         Some(drawn("performance_profiles_time", "wall time", caption, &solvers, both(&costs)))
     }
 
@@ -179,10 +180,10 @@ impl Plan {
         let unsolved = costs.iter().filter(|row| !row.iter().any(is_solved)).count();
         let mut text = format!("At {} ", tolerance(self.tolerances[last]));
         text += &match all.is_empty() {
-            true => "no solver solved all problems with a solution that it attempted. ".to_string(),
+            true => "No solver solved all solvable problems that it attempted. ".to_string(),
             false => {
                 format!(
-                    "{} solved all problems with a solution that they attempted (so many). ",
+                    "{} solved all solvable problems that they attempted (number in brackets). ",
                     listed(&all)
                 )
             }
@@ -190,8 +191,8 @@ impl Plan {
         if let (Some((most, profile)), Some((cheapest, best))) = (most, cheapest) {
             let solved = (share(profile) * profile.attempted as f64).round();
             text += &format!(
-                "Most problems were solved by *{most}*: {solved} of the {} with a solution that it attempted. The cheapest \
-                 most often, on {:.0} % of its problems, was *{cheapest}*. ",
+                "*{most}* solved most problems: {solved} of the {} solvable ones that it attempted. \
+                 *{cheapest}* was most often the cheapest, on {:.0} % of its problems. ",
                 profile.attempted,
                 100.0 * at_one(best)
             );
@@ -202,13 +203,12 @@ impl Plan {
             .collect();
         if !uncounted.is_empty() {
             text += &format!(
-                "Not in the figure, as nobody counts their multiplications, or as they took nothing on: {}. ",
+                "Not in the figure, because their multiplications are unknown or they attempted nothing: {}. ",
                 listed(&uncounted)
             );
         }
         text + &format!(
-            "Problems that nobody solved: {unsolved} of {}. Claims that the judge refutes, at all \
-             precisions: {refuted}.",
+            "No solver solved {unsolved} of {} problems. False claims at all precisions: {refuted}.",
             costs.len()
         )
     }
@@ -244,14 +244,13 @@ impl Plan {
         }
         Table {
             title: "Solvers on all problems of the families".into(),
-            how_to_read: "*attempted*: the solver took the problem on; *outside*: it says that the \
-                          problem is not for it. *claimed* is its own word, *accepted* and *proved* the \
-                          judge's on these claims; *refuted* must be 0. *failed*: attempted, not claimed; \
-                          the table of failures has the reasons. *semidefinite*: accepted, of the \
-                          problems that Dantzig's method takes on, which are the symmetric semidefinite \
-                          ones, as those of contacts are. *no solution*: accepted answers to \
-                          problems that have none, possible only where the precision cannot tell them \
-                          from ones that do."
+            how_to_read: "*attempted*: the solver attempted the problem. *outside*: the solver reports that \
+             the problem is outside its class. *claimed*: the solver reports a solution; *accepted* and \
+             *proved*: the judge's verdicts on these claims; *refuted* must be 0. *failed*: attempted but not \
+             claimed; the table of failures has the reasons. *semidefinite*: accepted answers to the problems \
+             that Dantzig's method supports, those with symmetric semidefinite A, such as contact problems. \
+             *no solution*: accepted answers to problems without a solution, which are possible only if they \
+             cannot be distinguished from solvable ones at this precision."
                 .into(),
             columns: vec![
                 Column::words("solver"),
@@ -284,8 +283,8 @@ impl Plan {
         };
         Table {
             title: "Failures, with their reasons".into(),
-            how_to_read: "Each attempt that ended without an accepted claim, by solver and reason. A \
-                          family stands in brackets where no solution exists: failing there is right."
+            how_to_read: "Each attempt without an accepted claim, by solver and reason. Families in brackets \
+             have no solution, so failing is correct there."
                 .into(),
             columns: vec![
                 Column::words("solver"),
@@ -311,7 +310,7 @@ fn solvers(tried: &[Tried]) -> Vec<String> {
 fn both(costs: &[Vec<Cost>]) -> Vec<(String, Vec<Profile>)> {
     vec![
         ("of all problems".into(), profiles(&of_all(costs))),
-        ("of those it took on".into(), profiles(costs)),
+        ("of attempted problems".into(), profiles(costs)),
     ]
 }
 
@@ -344,7 +343,7 @@ fn drawn(
         id: id.into(),
         title: format!("Performance profiles, {cost}"),
         caption: caption.into(),
-        x: Axis::log("τ: at most so many times the least", ""),
+        x: Axis::log("τ: cost relative to the cheapest solver", ""),
         y: Axis::linear("share solved", ""),
         columns: columns.iter().map(|(title, _)| title.clone()).collect(),
         groups: groups.filter(|group| !group.curves.is_empty()).collect(),
@@ -456,10 +455,10 @@ fn matrix(tried: &[Tried], solvers: &[String], k: usize, value: f64) -> Table {
     let solvers_heads = solvers.iter().map(Column::words);
     Table {
         title: format!("Families and solvers at {}", tolerance(value)),
-        how_to_read: "*proved*: every problem of the family claimed, accepted, and proved to have an exact \
-                      solution with this active set; *yes*: claimed and accepted; a fraction: so many of \
-                      those attempted; ·: not for this solver; *none*: no solution exists and none was \
-                      claimed."
+        how_to_read: "*proved*: every problem of the family was claimed, accepted, and proved to have an exact \
+         solution with this active set. *yes*: all were claimed and accepted. A fraction: the accepted part of \
+         the attempted problems. ·: outside the class of the solver. *none*: no solution exists and none was \
+         claimed."
             .into(),
         columns: heads.into_iter().chain(solvers_heads).collect(),
         rows: tried.iter().map(row).collect(),
@@ -482,10 +481,10 @@ fn iteration_costs() -> Table {
         vec![Cell::text(names.join(", ")), Cell::text(iteration), Cell::text(entry.cost.formula)]
     };
     Table {
-        title: "What an iteration is taken to cost".into(),
-        how_to_read: "Multiplications, the leading term of each method: n rows, s stored entries of A, f \
-                      rows between their bounds. Stop tests, line searches and additions are left out, \
-                      and that a factorisation might use the zeros of A."
+        title: "Cost model of an iteration".into(),
+        how_to_read: "Multiplications, leading term of each method; n rows, s stored entries of A, f rows \
+         between their bounds. The model ignores stop tests, line searches, additions, and zeros of A that a \
+         factorization could use."
             .into(),
         columns: vec![
             Column::words("solver"),

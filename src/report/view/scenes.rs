@@ -18,7 +18,7 @@ impl View for Plan {
         let comes_to_its_end =
             |finding: &&Finding| finding.footage.reels.iter().all(|reel| reel.ending.is_none());
         let whole = findings.iter().filter(comes_to_its_end).count();
-        let says = format!("{whole} of {} scenes come to their end", findings.len());
+        let says = format!("{whole} of {} scenes run to the end", findings.len());
         Outcome { good: whole == findings.len(), says }
     }
 }

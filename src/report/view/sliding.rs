@@ -14,29 +14,25 @@ const AGREES: f64 = 1e-3;
 const TABLE: f64 = 30.0;
 
 impl View for Plan {
-    const TITLE: &'static str = "Four models of friction, pushed from all sides";
+    const TITLE: &'static str = "Four friction models, pushed in all directions";
 
     fn show(&self, findings: &[Finding], document: &mut Document) {
         for study in findings {
             document.text(
-                "Coulomb's law says: a contact that sticks holds with any force up to $\\mu x_n$; one that \
-                 slides rubs with exactly $\\mu x_n$, straight against the slip $w_t$.",
+                "Coulomb's law: the friction of a sticking contact has any strength up to $\\mu x_n$; that of \
+                 a sliding contact has exactly the strength $\\mu x_n$ and points against the slip $w_t$.",
             );
             document.equation(
                 "|x_t| \\le \\mu x_n, \\qquad w_t \\ne 0 \\Rightarrow x_t = -\\mu x_n \\frac{w_t}{|w_t|}",
                 "Coulomb",
             );
             document.text(
-                "That is a disc in the plane of the two tangents $t_1$, $t_2$, and a disc is not linear. \
-                 Solvers replace it:\n\n\
-                 - **Frozen box**: each tangent has bounds of its own, $\\pm\\mu$ times the normal impulse \
-                 that there would be *without* friction. A square of fixed size.\n\
-                 - **Coupled box**: the same square, with the present $x_n$. The scenes of this report do \
-                 this, and so does Open Dynamics Engine.\n\
-                 - **Polygon** of 4, 8 or 16 corners on the circle, one at $t_1$: an LCP with one unknown \
-                 more for each corner, solved by Lemke's method.\n\
-                 - **Cone**: the disc itself. *Associated*, as a convex problem, whose price is that it \
-                 lifts what slides; or *Coulomb*, with nothing given up.\n\n\
+                "This is a disc in the plane of the two tangents $t_1$, $t_2$, and a disc is not linear. \
+                 Solvers approximate it:\n\n\
+                 - **Frozen box**: each tangent has its own bounds, $\\pm\\mu$ times the normal impulse of a solve *without* friction. A square of fixed size.\n\
+                 - **Coupled box**: the same square, with the current $x_n$. The scenes of this report and Open Dynamics Engine use it.\n\
+                 - **Polygon** of 4, 8 or 16 corners on the circle, one at $t_1$: an LCP with one additional unknown for each corner, solved by Lemke's method.\n\
+                 - **Cone**: the disc itself. *Associated*: a convex problem, in which sliding bodies lift off. *Coulomb*: the exact law.\n\n\
                  A block of 1 kg lies on the floor and is pushed along it. It is pressed so that \
                  $\\mu x_n = 1$ N s. Its rows do not feel each other ($A$ is the identity), and so friction is \
                  the point of the model's square, polygon or disc that is nearest to the push, drawn from the \
@@ -45,33 +41,35 @@ impl View for Plan {
             );
             document.figure(direction_figure(study));
             document.text(
-                "Friction that should point straight against the slip snaps to a corner of the box or of \
-                 the polygon instead. A crate that is dragged at 30° to the tangents veers off to one side; \
-                 dragged along a tangent it does not. And a floor has no tangents: the program chose them.",
+                "Friction should point against the slip, but in the box and the polygon it points to a corner \
+                 instead. A crate that is dragged at 30° to the tangents drifts to one side; dragged along a \
+                 tangent it does not. A real floor has no tangents: the program chooses them.",
             );
             document.figure(grip_figure(study));
             document.text(
-                "How far the square or polygon reaches in a direction is how hard one may push before the block moves: too hard across \
-                 the corners of the box, by $\\sqrt{2} - 1$ = 41 %, and too softly across the edges of a \
-                 polygon, by $1 - \\cos(\\pi/k)$: 29 %, 8 % and 2 % for $k$ = 4, 8, 16.",
+                "The extent of the square or polygon in a direction is the largest push that does not move the \
+                 block. It is too large toward the corners of the box, by $\\sqrt{2} - 1$ = 41 %, and too \
+                 small across the edges of a polygon, by $1 - \\cos(\\pi/k)$: 29 %, 8 % and 2 % for $k$ = 4, \
+                 8, 16.",
             );
             document.table("friction_block", block_table(study));
             document.text(
-                "On the block the two boxes do the same, as do the two cones but for the lifting. A rod on \
-                 two feet tells them apart by their impulses: its middle is above the ground, so friction at the \
-                 feet tips it, and one foot is pressed harder than without friction, the other more lightly. The \
-                 frozen box knows nothing of that: its *strength* is too small at the one and too large at the \
-                 other, where it may exceed the $\\sqrt{2}$ of a square of the right size. The rod moves alike under \
-                 both boxes, whose friction adds up to the same. With more corners the polygons come near \
-                 Coulomb's law; the boxes do not.",
+                "For the block the two box models agree; so do the two cones, except that the associated one \
+                 lifts the block. A rod on two feet distinguishes the boxes by their impulses. Its center is \
+                 above the ground, so friction at the feet tips it: one foot is pressed harder than without \
+                 friction, the other less. The frozen box ignores this: its *strength* is too small at one \
+                 foot and too large at the other, where it may exceed the $\\sqrt{2}$ of a square of the \
+                 correct size. The motion of the rod is the same under both boxes, because the sum of their \
+                 friction is the same. With more corners the polygons approach Coulomb's law; the boxes do \
+                 not.",
             );
             document.table("friction_rod", rod_table(study));
             document.text(
-                "What a model does to one problem, it does in every step. A block of the scene *sliding* starts \
-                 at 30° to $t_1$ with 3 m/s. Coulomb's law stops it on the straight line, after \
-                 $v^2 / (2 \\mu g)$. Under a model with corners, friction is the corner that points most against the slip, and so \
-                 turns the slip towards the direction halfway between two corners: towards $t_1$ on the box, \
-                 towards the diagonal on the polygon with four corners.",
+                "The error of a model repeats in every step. The block of the scene *sliding* starts at 30° to \
+                 $t_1$ with 3 m/s. By Coulomb's law it stops on the straight line, after $v^2 / (2 \\mu g)$. \
+                 In a model with corners, friction is the corner that points most against the slip. It turns \
+                 the slip toward the direction halfway between two corners: toward $t_1$ for the box, toward \
+                 the diagonal for the polygon with four corners.",
             );
             document.figure(path_figure(study));
             document.table("friction_paths", path_table(study));
@@ -82,8 +80,8 @@ impl View for Plan {
         let study = findings.first()?;
         let said: Vec<String> = SHOWN.iter().filter_map(|model| bias(study, *model)).collect();
         Some(format!(
-            "**What does a model of friction get wrong?** How much of Coulomb's limit it holds, and where it points, when a \
-             block is pushed in directions a few degrees apart: {}.",
+            "**What is the error of a friction model?** Strength of friction relative to Coulomb's limit, and \
+             deviation of its direction, for a block that is pushed in directions a few degrees apart: {}.",
             said.join("; ")
         ))
     }
@@ -96,8 +94,8 @@ impl View for Plan {
         let paths = checked(findings.iter().flat_map(|study| &study.paths), stops_as_expected);
         let rods = checked(findings.iter().flat_map(|study| &study.rod), is_accepted);
         let says = format!(
-            "{} of {} pushes, {} of {} grips and {} of {} paths as geometry says; {} of {} answers \
-             on the rod accepted",
+            "{} of {} pushes, {} of {} sticking limits and {} of {} paths match geometry; {} of {} \
+             answers for the rod accepted",
             slides[0], slides[1], grips[0], grips[1], paths[0], paths[1], rods[0], rods[1]
         );
         Outcome { good: [slides, grips, paths, rods].iter().all(|[good, all]| good == all), says }
@@ -127,7 +125,7 @@ fn bias(study: &Finding, model: Model) -> Option<String> {
     };
     let aside = match aside.round() {
         0.0 => "straight".to_string(),
-        degrees => format!("up to {}° aside", readable(degrees, 2)),
+        degrees => format!("up to {}° off direction", readable(degrees, 2)),
     };
     least.is_finite().then(|| format!("*{}* {held} %, {aside}", short(model)))
 }
@@ -159,12 +157,11 @@ fn path_figure(study: &Finding) -> Lines {
 fn path_table(study: &Finding) -> Table {
     Table {
         title: "Where the block stops".into(),
-        how_to_read: "Places along $t_1$ and $t_2$; the expected ones come from the figure alone, for \
-                      infinitely short steps. A row agrees if the block stops within two steps' travel \
-                      of it (two, because the frozen box knows no load in the first step) and floats as \
-                      expected to 1 µm. *gap* is the height at which it slides after 0.1 s: \
-                      $\\Delta t\\, \\mu |v|$ under the associated cone, whose block starts at that \
-                      height; one that starts on the floor is thrown up by it."
+        how_to_read: "Positions along $t_1$ and $t_2$; the expected ones follow from the geometry of the \
+         model, for infinitely short steps. A row agrees if the block stops within the distance of two steps \
+         of the expected position (two, because the frozen box has no load in the first step), and its gap \
+         agrees to 1 µm. *gap*: the height at which the block slides after 0.1 s, $\\Delta t\\, \\mu |v|$ for \
+         the associated cone. There the block starts at that height; from the floor the cone would throw it up."
             .into(),
         columns: vec![
             Column::words("model"),
@@ -239,8 +236,8 @@ fn direction_figure(study: &Finding) -> Lines {
         title: "Where friction points, and where it should".into(),
         caption: format!(
             "The block is pushed {} times as hard as friction can hold, from 0 to 90° to t₁ in steps \
-             of 5°. Coulomb's law is the diagonal. For the box all slip but that along a tangent \
-             meets the same friction, at 45°.",
+             of 5°. Coulomb's law is the diagonal. With the box model, any slip that is not along a tangent \
+             meets friction at 45°.",
             readable(study.push, 3)
         ),
         x: Axis::linear("direction opposite to the slip", "degrees from t₁"),
@@ -294,11 +291,11 @@ fn block_table(study: &Finding) -> Table {
     Table {
         title: format!("The block, pushed with {} N s at 30°", readable(study.push, 3)),
         how_to_read: format!(
-            "*strength* is $|x_t| / (\\mu x_n)$, *off* the angle between friction and the direction \
-             opposite to the slip, *rise* the speed $w_n$ at which the block leaves the floor; the \
-             expected numbers come from the figure alone, and a row agrees if they differ by at most \
-             {}. *verdict* judges the model's own problem; the *Coulomb residual* is the scaled \
-             residual of the same answer in Coulomb's law.",
+            "*strength*: $|x_t| / (\\mu x_n)$. *off*: the angle between friction and the direction opposite to \
+             the slip. *rise*: the speed $w_n$ at which the block leaves the floor. The expected numbers \
+             follow from the geometry of the model, and a row agrees if they differ by at most {}. *verdict*: \
+             on the problem of the model. *Coulomb residual*: the scaled residual of the same answer under \
+             Coulomb's law.",
             readable(AGREES, 1)
         ),
         columns: vec![
@@ -347,10 +344,9 @@ fn rod_table(study: &Finding) -> Table {
     let exact = study.rod.iter().find(|answer| answer.model == Model::CoulombCone);
     Table {
         title: "The rod on two feet".into(),
-        how_to_read: "Strength and angle as above, foot by foot; a dash is a foot that sticks. \
-                      Along the rod the feet share a row of $A$, so single impulses may be one \
-                      choice of several; velocities are not. \
-                      *velocity error* is the largest difference of $w$ to that of Coulomb's cone."
+        how_to_read: "Strength and angle as above, for each foot; a dash means that the foot sticks. Along the \
+         rod the rows of the feet are dependent, so single impulses may not be unique; velocities are. \
+         *velocity error*: the largest difference of $w$ from that of Coulomb's cone."
             .into(),
         columns: vec![
             Column::words("model"),

@@ -16,17 +16,16 @@ pub(super) fn show(results: &Results, document: &mut Document) -> Result<()> {
             _ => format!("{} {failed} of {} tasks failed.", outcome.says, part.tasks.len()),
         };
         let verdict = match outcome.good && failed == 0 {
-            true => Cell::text("as it should").marked(Mark::Good),
-            false => Cell::text("NOT as it should").marked(Mark::Bad),
+            true => Cell::text("passed").marked(Mark::Good),
+            false => Cell::text("FAILED").marked(Mark::Bad),
         };
         let row = vec![Cell::text(&part.title), Cell::text(says.trim()), verdict];
         (!says.is_empty()).then_some(row)
     });
     let table = Table {
         title: "The checks, section by section".into(),
-        how_to_read:
-            "A row for each section that checks something; the section says what its numbers mean."
-                .into(),
+        how_to_read: "One row for each section with checks; the section explains its numbers."
+            .into(),
         columns: vec![Column::words("section"), Column::words("result"), Column::words("outcome")],
         rows: rows.collect(),
         ..Table::default()

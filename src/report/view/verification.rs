@@ -6,29 +6,29 @@ use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::verification::{Criterion, ORDER_SLACK, Plan, Row};
 
 impl View for Plan {
-    const TITLE: &'static str = "Numbers that are known without a computer";
+    const TITLE: &'static str = "Verification against closed-form solutions";
 
     fn show(&self, findings: &[Vec<Row>], document: &mut Document) {
         let rows = &findings.concat();
         let failed = rows.iter().filter(|row| !row.passes()).count();
         document.text(format!(
-            "Before any solver is compared: does the simulation get right what can be worked out by \
-             hand? {} of {} numbers do what they must. A number that the step length spoils must come \
-             right at the order that theory gives: each time the step is halved its error shrinks to \
-             $2^{{-p}}$ of what it was, and the observed order may be off by {ORDER_SLACK} at most. A number \
-             that the step does not spoil must be *exact* at every step length, to rounding. What is neither \
-             must stay *within a bound* that is stated, with its reason below the table.",
+            "Does the simulation reproduce numbers with a closed form? {} of {} numbers pass. If a number \
+             depends on the time step, its error must decrease at the theoretical order p: each halving of the \
+             step multiplies the error by $2^{{-p}}$, and the observed order may differ from p by at most \
+             {ORDER_SLACK}. If a number does not depend on the time step, it must be *exact* at every step, up \
+             to rounding. All other numbers must stay *within a bound*, which is stated with its reason below \
+             the table.",
             rows.len() - failed,
             rows.len()
         ));
-        document.aside("The closed forms, typeset", formulas(rows));
+        document.aside("The closed forms", formulas(rows));
         document.table("closed_forms", table(rows));
         document.text(tolerances(rows));
     }
 
     fn answer(&self, findings: &[Vec<Row>]) -> Option<String> {
         let says = self.outcome(findings).says;
-        Some(format!("**Can the numbers be trusted?** {says}."))
+        Some(format!("**Are the results correct?** {says}."))
     }
 
     fn outcome(&self, findings: &[Vec<Row>]) -> Outcome {
@@ -38,8 +38,8 @@ impl View for Plan {
             |kind: &str| rows().filter(|row| row.passes() && self::kind(row) == kind).count();
         let by_order = rows().filter(|row| row.passes() && row.derived_order().is_some()).count();
         let says = format!(
-            "{passed} of {all} numbers agree with their closed forms: {by_order} by the derived order, {} to \
-             rounding, {} within a stated bound",
+            "{passed} of {all} numbers agree with their closed forms: {} to machine precision, {by_order} \
+             converging at the predicted order, {} within a bound fixed beforehand",
             of_kind(EXACT),
             of_kind(BOUNDED)
         );
@@ -83,7 +83,7 @@ fn tolerances(rows: &[Row]) -> String {
             lines.push(line);
         }
     }
-    format!("Why errors may be as large as allowed:\n\n{}", lines.join("\n"))
+    format!("Reasons for the allowed errors:\n\n{}", lines.join("\n"))
 }
 
 /// Where 0 is expected, digits of a smaller number say nothing.
@@ -112,10 +112,10 @@ pub fn table(rows: &[Row]) -> Table {
     let tail = [Column::words("formula").on_screen()];
     Table {
         title: "Closed forms and measured values".into(),
-        how_to_read: "*error*: of the shortest step, relative unless 0 is expected. A row with a \
-                      *derived* order passes if the *observed* one, of the two shortest steps, is \
-                      within 0.1 of it; any other row passes if no step has an error above \
-                      *allowed*: *exact* means rounding, *within a bound* more than that, for the reason below."
+        how_to_read: "*error*: the error with the shortest step, relative unless 0 is expected. A row with a \
+         *derived* order passes if the *observed* order, from the two shortest steps, is within 0.1 of it. Any \
+         other row passes if no error exceeds *allowed*: *exact* allows only rounding, *within a bound* allows \
+         more, for the reason given below."
             .into(),
         columns: head.into_iter().chain(measured).chain(tail).collect(),
         rows: rows.iter().map(|row| cells(row, levels)).collect(),

@@ -68,6 +68,16 @@ fn texts_are_plain() {
 }
 
 #[test]
+fn the_glossary_is_sorted_and_each_definition_is_one_sentence() {
+    let terms = glossary::terms();
+    assert!(terms.is_sorted_by_key(|term| term.name.to_lowercase()));
+    for term in terms {
+        let dots = term.means.matches(". ").count();
+        assert!(term.means.ends_with('.') && dots == 0, "{}: {}", term.name, term.means);
+    }
+}
+
+#[test]
 fn what_is_named_exists() {
     let entries = all().flat_map(|entry| entry.code.iter().map(|place| (&entry.id, place)));
     let terms = glossary::terms().iter().flat_map(|t| t.code.iter().map(|place| (&t.name, place)));

@@ -68,7 +68,7 @@ fn a_named_solver_that_is_not_made_for_the_problem_is_a_row_with_the_reason() {
         (table["rows"].as_array().unwrap().clone(), output.status.code(), err(&output))
     };
     let (rows, code, told) = compare(&["family:stack", "--solver", "cone-pgs"]);
-    let reason = "not asked: it is made for friction cones, and the problem has none";
+    let reason = "not run: it supports only friction cones, and the problem has none";
     let row = &rows[0];
     assert_eq!(
         (rows.len(), &row["solver"], &row["trouble"]),
@@ -86,7 +86,7 @@ fn a_named_solver_that_is_not_made_for_the_problem_is_a_row_with_the_reason() {
     let named = ["--solver", "pgs", "--solver", "cone-pgs"];
     let (rows, code, _) = compare(&[&cones[..], &named[..]].concat());
     let left_out = rows.iter().find(|row| row["solver"] == "pgs").unwrap();
-    assert_eq!(left_out["trouble"], "not asked: it is made for boxes, not for coulomb-cone");
+    assert_eq!(left_out["trouble"], "not run: it supports boxes, not coulomb-cone");
     assert_eq!(code, Some(1));
     let (rows, code, _) = compare(&[&["pushed-mass"], &named[..]].concat());
     let models: Vec<&Value> =

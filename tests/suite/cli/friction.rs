@@ -98,7 +98,7 @@ fn models_that_do_not_fit_are_bad_usage_with_one_message() {
     let arguments = ["solve", "-", "--model", "coulomb-cone", "--solver", "pgs"];
     assert_eq!(
         err(&run_with(&pushed(), &arguments)),
-        "error: solver pgs: model: it is made for boxes, not for coulomb-cone; these solve it: cone-pgs, apgd\n"
+        "error: solver pgs: model: it supports boxes, not coulomb-cone; these solve it: cone-pgs, apgd\n"
     );
     let mut unfrozen: Value = serde_json::from_str(&pushed()).unwrap();
     unfrozen.as_object_mut().unwrap().remove("frozen_at");
@@ -135,11 +135,11 @@ fn a_model_goes_with_solvers_and_families_that_take_it() {
     for (arguments, message) in [
         (
             vec!["simulate", "sliding", "--model", "coulomb-cone", "--solver", "pgs"],
-            "error: solver pgs: model: it is made for boxes, not for coulomb-cone; these solve it: cone-pgs, apgd",
+            "error: solver pgs: model: it supports boxes, not coulomb-cone; these solve it: cone-pgs, apgd",
         ),
         (
             vec!["simulate", "sliding", "--model", "polygon-8", "--scheme", "soft"],
-            "error: sliding: contact.model: the scheme soft rubs row by row and knows \"coupled-box\" only",
+            "error: sliding: contact.model: the scheme soft treats friction row by row and supports only \"coupled-box\"",
         ),
     ] {
         let output = run(&arguments);

@@ -69,7 +69,7 @@ fn a_solve_that_takes_too_long_is_none_and_an_unfinished_comparison_has_no_profi
     let output = run(&[&slow[..], &["--json", "--solve-time-limit", "0.2"]].concat());
     let told: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
     let row = &told["rows"][0];
-    assert_eq!(row["trouble"], "no answer: none within 0.2 s, its time limit");
+    assert_eq!(row["trouble"], "no answer: no answer within its time limit of 0.2 s");
     assert_eq!((&row["claimed"], output.status.code()), (&0.into(), Some(1))); // it solved nothing
     let name = folder.path().join("profile");
     let profile = ["--profile", name.to_str().unwrap(), "--time-limit", "0.2"];

@@ -36,14 +36,14 @@ fn the_examples_of_the_readme_are_those_of_a_run() {
 }
 
 #[test]
-fn the_summary_in_the_readme_is_that_of_the_committed_report() {
-    let readme = include_str!("../../../README.md");
+fn the_summary_on_the_page_of_reports_is_that_of_the_committed_report() {
+    let page = include_str!("../../../docs/reports.md");
     let results = include_str!("../../../reports/reference/results.json");
     let results: Results = serde_json::from_str(results).unwrap();
     let document = view::document(&results).unwrap();
     let (_, table) = document.tables.iter().find(|(id, _)| id == "summary").unwrap();
     let table = table.csv();
-    let (_, rest) = readme.split_once("cargo run --release -- report\n").unwrap();
+    let (_, rest) = page.split_once("$ lcplab report\n").unwrap();
     let shown = rest.lines().take_while(|line| !line.starts_with("reports/"));
     let shown: Vec<&str> = shown.map(|line| line.split_at(15).1).collect(); // after the section's id
     assert_eq!(shown.len(), table.lines().count() - 1);

@@ -69,7 +69,7 @@ fn compare_shows_the_solvers_asked_for_side_by_side() {
         .map(|rest| rest.split('<').next().unwrap())
         .collect();
     assert_eq!(names, ["pgs, velocity, 1 sweep", "dantzig, velocity"]);
-    for (name, reason) in [("pgs:0", "is no number of sweeps"), ("magic", "magic")] {
+    for (name, reason) in [("pgs:0", "is not a number of sweeps"), ("magic", "magic")] {
         let output = run(&[&all[..], &["--show", name]].concat());
         assert_eq!(output.status.code(), Some(2));
         assert!(err(&output).contains(reason), "{}", err(&output));
@@ -140,7 +140,7 @@ fn simulate_says_where_the_energy_is_not_accounted_for() {
     assert!(lines[2..].iter().all(|line| line[at("energy (J)")].parse::<f64>().is_ok()));
     assert!(out(&run(&named)).contains("ledger       not accounted"));
     let penalty = out(&run(&["simulate", "pendulum", "--steps", "3", "--scheme", "penalty"]));
-    assert!(penalty.contains("ledger       closes to"), "{penalty}");
+    assert!(penalty.contains("ledger       balances to"), "{penalty}");
 }
 
 #[test]

@@ -204,9 +204,9 @@ fn a_verdict_says_what_its_row_is_and_does() {
     for (row, said) in [
         (
             r#""kind": "normal", "unit": "N s""#,
-            "(foot on ground: 0.5 m/s of approach, 5 mm a step)",
+            "(foot on ground: approach velocity 0.5 m/s, 5 mm per step)",
         ),
-        (r#""kind": "normal", "unit": "N""#, "(foot on ground: 0.5 m/s² of approach)"),
+        (r#""kind": "normal", "unit": "N""#, "(foot on ground: approach velocity 0.5 m/s²)"),
         (r#""kind": "joint", "unit": "N m s""#, "(foot on ground: w = −0.5 rad/s)"),
         (r#""kind": "joint""#, "(foot on ground)"),
     ] {

@@ -147,7 +147,7 @@ fn a_folder_is_no_file_and_says_so() {
 
 #[test]
 fn an_endless_input_is_refused_at_the_limit() {
-    let more = "has more than 1 MB, the most that is read";
+    let more = "is larger than 1 MB, the limit for reading";
     let zeros = run(&["solve", "/dev/zero", "--max-memory", "1MB"]);
     assert_refused(&zeros, &format!("/dev/zero: {more}"));
     let yes = sh("yes | lcplab solve - --max-memory 1MB");
@@ -157,6 +157,6 @@ fn an_endless_input_is_refused_at_the_limit() {
     for command in
         [&["simulate", "/dev/zero"][..], &["report", "/dev/zero"], &["grid", "plan", "/dev/zero"]]
     {
-        assert_refused(&run(command), "/dev/zero: has more than 100 MB, the most that is read");
+        assert_refused(&run(command), "/dev/zero: is larger than 100 MB, the limit for reading");
     }
 }

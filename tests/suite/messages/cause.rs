@@ -43,22 +43,22 @@ fn every_end_of_a_motion_is_reached_and_told_with_its_row_or_body() {
             "constraints[0]: the two points coincide, so their distance has no direction";
         Cause::Problem(_) => // J'u = |v|²: beyond the largest number
             cause("pendulum", Scheme::Acceleration, |scene| scene.states[0].v.z = 1e200),
-            "pendulum: distance world bob 0: its entries of A and b are too large for numbers of 64 bits: masses, sizes, \
-             speeds, forces and dt do not fit each other";
+            "pendulum: distance world bob 0: its entries of A and b are too large for 64-bit numbers; check masses, \
+             sizes, speeds, forces and dt";
         Cause::NoSolution { .. } => cause("painleve", Scheme::Acceleration, |_| ()),
             "no forces satisfy the sliding contact \"normal ground rod 0 at face 0 on vertex 1\": no solution exists";
         Cause::Unsettled { change } => cause("pendulum", Scheme::Acceleration, midpoint),
-            format!("the implicit midpoint does not settle, its rates change by {}", readable(*change, 2));
+            format!("the implicit midpoint iteration does not converge; its rates change by {}", readable(*change, 2));
         Cause::Stopped(Some(_)) => stopped(), "interrupted";
         Cause::Stopped(None) => interrupted(), "stopped by the observer";
         Cause::Diverged { row: Some(_), .. } => // 1000/s is far beyond what steps of 0.01 s can follow
             cause("pendulum", Scheme::Acceleration, |scene| scene.step.alpha = 1000.0),
-            "\"bob\" diverged; the strongest row on it is \"distance world bob 0\"";
+            "\"bob\" diverged; the row with the largest impulse on it is \"distance world bob 0\"";
         Cause::Diverged { row: None, .. } =>
             cause("sphere_plane", Scheme::Velocity, |scene| {
                 scene.contact.margin = Some(0.05); // so that the ground is not seen
                 (scene.states[1].pose.p.z, scene.states[1].v.z) = (1e3, 1e9);
             }),
-            "\"ball\" diverged; no row is known to act on it";
+            "\"ball\" diverged; no row acts on it";
     }
 }

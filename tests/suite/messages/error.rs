@@ -13,7 +13,7 @@ fn every_error_is_made_and_says_what_is_wrong_where() {
     let manifest = Path::new("Cargo.toml"); // tests run beside it
     each_variant! { Error:
         Error::File { .. } => file::read(manifest, Memory::bytes(3)).unwrap_err(),
-            "Cargo.toml: has more than 3 B, the most that is read";
+            "Cargo.toml: is larger than 3 B, the limit for reading";
         Error::Unknown { .. } => cone_by_name("magic", &Settings::default()).err().unwrap(),
             "there is no cone solver named \"magic\"; there are cone-pgs, apgd";
         Error::Invalid { .. } =>

@@ -48,7 +48,7 @@ fn a_family_that_does_not_write_down_what_acts_is_not_accounted() {
     let outcome = outcome(&plan, &found);
     assert_eq!(
         (outcome.good, outcome.says.as_str()),
-        (true, "0 of 0 books balance, 1 not accounted")
+        (true, "0 of 0 energy ledgers balance, 1 without a ledger")
     );
     let table = Document::of(&plan, &[Finding::Ledger(found)]).tables[0].1.clone();
     let last = table.rows[0].last().unwrap();
@@ -60,9 +60,9 @@ fn books_in_which_a_percent_is_missing_do_not_balance() {
     for scheme in ["velocity", "penalty", "soft", "split-impulse"] {
         let (plan, mut found) = swung(scheme);
         let says = |found: &Account| outcome(&plan, found).says;
-        assert_eq!(says(&found), "1 of 1 books balance");
+        assert_eq!(says(&found), "1 of 1 energy ledgers balance");
         found.remainder = Some(0.01 * found.turnover);
-        assert_eq!(says(&found), "0 of 1 books balance", "{scheme}");
+        assert_eq!(says(&found), "0 of 1 energy ledgers balance", "{scheme}");
     }
 }
 

@@ -326,7 +326,9 @@ fn the_documentation_lists_every_method_and_the_models_it_takes() {
         let row = row.find(|line| line.starts_with(&format!("| `{name}`"))).expect("a row");
         let solvers = match names(model) {
             names if names == boxed => "all solvers above".to_string(),
-            names if names == boxed[..ALL.len()] => "all solvers above but `clarabel`".to_string(),
+            names if names == boxed[..ALL.len()] => {
+                "all solvers above except `clarabel`".to_string()
+            }
             names => names.join(", "),
         };
         assert!(row.ends_with(&format!("| {solvers} |")), "{model}: {solvers}\n{row}");

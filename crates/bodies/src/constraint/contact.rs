@@ -261,7 +261,7 @@ fn rim(arms: &Arms, states: [&State; 2], of: &Rim) -> Result<Frame, Degenerate> 
 const FLAT: f64 = 1e-9;
 
 const PARALLEL: Degenerate =
-    Degenerate { reason: "the two edges are parallel, so nothing is across both" };
+    Degenerate { reason: "the two edges are parallel, so no direction is perpendicular to both" };
 
 impl Position for Contact {
     fn c<T: RealField + Copy>(&self, poses: [&Pose<T>; 2]) -> Vec<T> {

@@ -120,7 +120,7 @@ fn twist(n: &Vector3<f64>, relative: &Orientation, states: [&State; 2]) -> Resul
     let square = e_w * e_w + s * s;
     if square < TURNED_OVER {
         return Err(Degenerate {
-            reason: "the axis is turned over, so the angle about it is not defined",
+            reason: "the axis has turned by 180°, so the angle about it is not defined",
         });
     }
     let a = s0.pose.q.inverse() * (s1.omega - s0.omega);

@@ -171,7 +171,9 @@ impl Placement {
         let ends = match (self.points, self.bodies[0]) {
             (Some(points), _) => points,
             (None, Some(_)) => [self.poses[0].p, self.poses[1].p],
-            (None, None) => return Err(Field::Points.fault("is missing: where in the world?")),
+            (None, None) => {
+                return Err(Field::Points.fault("is missing: give the position in the world"));
+            }
         };
         Ok(([0, 1].map(|k| self.poses[k].local(&ends[k])), (ends[1] - ends[0]).norm()))
     }

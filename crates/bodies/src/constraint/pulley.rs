@@ -33,7 +33,7 @@ pub struct Pulley {
 /// A pulley.
 pub(super) const PULLEY: Joint = Joint {
     name: "pulley",
-    title: "a rope from the centre of one body over two points of the world to another's",
+    title: "a rope from the center of one body over two points of the world to the center of another",
     bodies: (2, 2),
     turns: 0,
     needs: &[Field::Points],

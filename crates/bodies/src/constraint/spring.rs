@@ -56,7 +56,8 @@ fn spring(at: &Placement) -> Result<Spring, Fault> {
     if stiffness > 0.0 || damping > 0.0 {
         return Ok(Spring { stiffness, damping });
     }
-    Err(Field::Stiffness.fault("is 0 and so is the damping: nothing would hold"))
+    Err(Field::Stiffness
+        .fault("is 0, and the damping is 0 too, so the spring would have no effect"))
 }
 
 impl<C: Constraint> Constraint for Elastic<C> {

@@ -52,7 +52,7 @@ pub const FORMAT: Format = Format {
     beside: &[],
     carries: "contacts under Coulomb's law and equations; sparse",
     law: Some(Model::CoulombCone),
-    trap: "W may be unsymmetric in its last digits, and contacts in the plane are refused",
+    trap: "W may be unsymmetric in its last digits; contacts in the plane are rejected",
     #[cfg(feature = "fclib")]
     read: reader::read,
     #[cfg(feature = "fclib")]
@@ -65,6 +65,6 @@ pub const FORMAT: Format = Format {
 
 #[cfg(not(feature = "fclib"))]
 fn left_out(input: String) -> lcplab_problem::error::Error {
-    let reason = "HDF5 is left out of this build: its feature is fclib";
+    let reason = "this build has no HDF5; build with the feature fclib";
     lcplab_problem::error::Error::invalid(input, "format", reason)
 }

@@ -41,10 +41,10 @@ pub(super) fn read(input: &Input) -> Result<Problem> {
             return Err(file.fault(KINDS[2], reason));
         }
         [false, false, false] => {
-            let reason = "is missing, and so is fclib_global: no file of FCLIB";
+            let reason = "is missing, and so is fclib_global, so this is not an FCLIB file";
             return Err(Error::invalid(&name, "fclib_local", reason));
         }
-        _ => return Err(file.fault("file", "holds several problems, of which one must be chosen")),
+        _ => return Err(file.fault("file", "contains several problems; select one of them")),
     };
     let beside = leftover::check(file.file, &file.read.borrow(), kind, &name)?;
     let Contents { entries, b, mu } = contents;
@@ -140,7 +140,7 @@ impl File<'_> {
     fn check_contacts(&self, path: &str, rows: usize) -> Result<()> {
         match rows.is_multiple_of(3) {
             true => Ok(()),
-            false => Err(self.fault(path, format!("has {rows} rows, not three a contact"))),
+            false => Err(self.fault(path, format!("has {rows} rows, not three per contact"))),
         }
     }
 
@@ -157,7 +157,9 @@ impl File<'_> {
         let part = |part: &str| format!("{path}/{part}");
         let group = self.file.group(path).map_err(|cause| self.fault(path, cause.to_string()))?;
         if group.attribute("symmetric_packed").is_ok() {
-            return Err(self.fault(path, "is packed, half of a matrix: not FCLIB's format"));
+            return Err(
+                self.fault(path, "is packed (half of a matrix), which is not FCLIB's format")
+            );
         }
         let (rows, cols) = (self.whole(&part("m"))?, self.whole(&part("n"))?);
         let fault = |reason: &str| self.fault(path, format!("{rows} × {cols}: {reason}"));
@@ -177,7 +179,7 @@ impl File<'_> {
             _ => (wholes(&i), wholes(&p)), // as CSparse has them
         };
         let (Some(i), Some(j)) = (i, j) else {
-            return Err(fault("p and i do not tell where the numbers are"));
+            return Err(fault("p and i do not determine the positions of the numbers"));
         };
         let fits = i.iter().all(|i| *i < rows) && j.iter().all(|j| *j < cols);
         if i.len() != x.len() || j.len() != x.len() || !fits {

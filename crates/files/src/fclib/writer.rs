@@ -74,7 +74,7 @@ impl File {
             starts.push(starts[starts.len() - 1] + column.len());
         }
         let integer = |value: usize| {
-            i32::try_from(value).map_err(|_| fault(format!("{value} is beyond FCLIB's integers")))
+            i32::try_from(value).map_err(|_| fault(format!("{value} exceeds FCLIB's integers")))
         };
         let integers =
             |values: Vec<usize>| values.into_iter().map(integer).collect::<Result<Vec<_>>>();

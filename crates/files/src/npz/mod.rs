@@ -52,7 +52,8 @@ use lcplab_problem::file::{Entries, Problem};
 /// NumPy's archives of arrays.
 pub const FORMAT: Format = Format {
     name: "npz",
-    about: "NumPy and SciPy: an archive of arrays, A dense or as scipy.sparse stores it; ContactBench's G, g, mus; frames of engines, J, M, R",
+    about: "NumPy and SciPy: an archive of arrays, A dense or as scipy.sparse stores it; ContactBench's G, g, \
+     mus; frames of engines, J, M, R",
     endings: &[".npz"],
     in_folder: None,
     beside: &[],

@@ -37,8 +37,8 @@ pub(super) fn kind(words: &Words) -> Result<Kind> {
         _ if has_matrix(0) => refused("a generic mechanical problem (GMP), or a matrix alone"),
         [n, 0..=2, m, ..] if n == m => Ok(Kind::Boxes), // with a defect, of which its reader knows more
         _ => {
-            let reason = "begins like none of Siconos' problems: an LCP, a relay problem, a mixed \
-                          LCP, or contacts";
+            let reason = "does not begin like a problem of Siconos: an LCP, a relay problem, a mixed LCP, or \
+             contacts";
             Err(words.fault_ahead(reason))
         }
     }

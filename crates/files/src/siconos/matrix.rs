@@ -80,7 +80,9 @@ fn blocks(words: &mut Words, rows: usize, cols: usize) -> Result<Table> {
     let is_ascending = first.windows(2).all(|pair| pair[0] <= pair[1]);
     let spans = (first.first(), first.last()) == (Some(&0), Some(&count));
     if columns.len() != count || !is_ascending || !spans {
-        return Err(words.fault(format!("the lists do not tell where {count} blocks are")));
+        return Err(
+            words.fault(format!("the lists do not determine the positions of {count} blocks"))
+        );
     }
     let mut triplets = Vec::new();
     for (row, pair) in first.windows(2).enumerate() {

@@ -20,7 +20,7 @@ pub(super) fn read(words: &mut Words, input: &str) -> Result<Parts> {
     match (whole, parts) {
         (Some(whole), Some(parts)) => same(whole, parts, input),
         (Some(only), None) | (None, Some(only)) => Ok(only),
-        (None, None) => Err(words.fault("neither M and q nor A, B, C, D, a and b are there")),
+        (None, None) => Err(words.fault("neither M and q nor A, B, C, D, a and b are present")),
     }
 }
 
@@ -30,7 +30,7 @@ fn whole(words: &mut Words, equations: usize, n: usize) -> Result<Parts> {
     while ends[ends.len() - 1] < n {
         let end = words.whole("the end of a block")?;
         if end <= ends[ends.len() - 1] {
-            return Err(words.fault(format!("block ends must rise to {n}, there is {end}")));
+            return Err(words.fault(format!("block ends must increase to {n}, found {end}")));
         }
         ends.push(end);
     }

@@ -87,5 +87,5 @@ fn each_defect_has_its_file() {
 fn dumps_are_only_read() {
     let problem = exchange::read(&sample("chrono"), None).unwrap();
     let error = exchange::encode(&problem, Format::by_name("chrono").unwrap()).unwrap_err();
-    assert_eq!(error.to_string(), "chrono: format: is only read, not written");
+    assert_eq!(error.to_string(), "chrono: format: can be read but not written");
 }

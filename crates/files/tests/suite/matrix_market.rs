@@ -43,7 +43,7 @@ fn a_file_that_would_be_read_as_part_of_a_problem_is_not_left_beside_it() {
     let problem = exchange::read(&sample("scipy.mtx"), None).unwrap();
     let error = exchange::write(&problem, &path, None).unwrap_err().to_string();
     assert!(
-        error.ends_with("p_mu.mtx: file: is in the way: it would be read as part of the problem")
+        error.ends_with("p_mu.mtx: file: already exists and would be read as part of the problem; delete it or use another name")
     );
     assert!(!path.exists());
 }
@@ -62,7 +62,10 @@ fn each_defect_has_its_line() {
         (&file("general\n2 2 1\n0 1 5"), "p: line 3: there is no row 0, column 1 in 2 × 2"),
         (&file("general\n2 2 2\n1 1 5"), "p: line 3: the file ends before row of entry 2"),
         (&file("general\n2 2 1\n1 1 x"), "p: line 3: its value must be a number, is \"x\""),
-        (&file("general\n2 2 1\n1 1 5\n1"), "p: line 4: more entries than the sizes say: \"1\""),
+        (
+            &file("general\n2 2 1\n1 1 5\n1"),
+            "p: line 4: more entries than stated in the sizes: \"1\"",
+        ),
         (
             &file("symmetric\n2 2 1\n1 2 5"),
             "p: line 3: row 1, column 2 lies above the diagonal of a symmetric file",
@@ -70,7 +73,7 @@ fn each_defect_has_its_line() {
         (&file("symmetric\n2 3 0"), "p: line 2: 2 × 3 cannot be symmetric"),
         (
             &file("general\n2 2 0\n"),
-            "p_b: file: is missing: a Matrix Market file holds one matrix, so b stands beside it",
+            "p_b: file: is missing: a Matrix Market file has one matrix, so b must be in a file next to it",
         ),
         (
             "%%MatrixMarket matrix coordinate pattern general\n1 1 1\n1 1",

@@ -19,7 +19,7 @@ fn text_of(name: &str) -> String {
     std::fs::read_to_string(sample(&format!("siconos/{name}.dat"))).unwrap()
 }
 
-const BEGINS_LIKE_NONE: &str = "p: line 1: begins like none of Siconos' problems: an LCP, a relay \
+const BEGINS_LIKE_NONE: &str = "p: line 1: does not begin like a problem of Siconos: an LCP, a relay \
                                 problem, a mixed LCP, or contacts";
 
 /// The portfolio problem of Cottle, Pang & Stone, column by column.
@@ -121,7 +121,10 @@ fn each_defect_has_its_line() {
     }
     let with = |from: &str, to: &str| message("siconos", &BLOCKS.replacen(from, to, 1));
     assert_eq!(with("0\t1\t1", "0\t5\t1"), "p: line 16: block 1 lies outside 3 × 3");
-    assert_eq!(with("0\t2\t3", "0\t2\t4"), "p: line 13: the lists do not tell where 3 blocks are");
+    assert_eq!(
+        with("0\t2\t3", "0\t2\t4"),
+        "p: line 13: the lists do not determine the positions of 3 blocks"
+    );
 }
 
 #[test]
@@ -252,7 +255,7 @@ fn a_badly_conditioned_matrix_of_bodies_is_refused() {
         "1 ".repeat(10)
     );
     let message = message("siconos", &text);
-    assert!(message.starts_with("p: M: is singular, or so badly conditioned"), "{message}");
+    assert!(message.starts_with("p: M: is singular, or so ill-conditioned"), "{message}");
 }
 
 #[test]

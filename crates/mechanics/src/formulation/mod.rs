@@ -299,8 +299,8 @@ impl Problem {
 
 /// What is said of a row whose numbers are not finite, instead of a list of them.
 fn overflow(scene: &Scene, row: &Row) -> Error {
-    let reason = "its entries of A and b are too large for numbers of 64 bits: masses, sizes, speeds, forces and dt \
-                  do not fit each other";
+    let reason = "its entries of A and b are too large for 64-bit numbers; check masses, sizes, speeds, forces \
+     and dt";
     Error::invalid(&*scene.name, row.label(scene), reason)
 }
 

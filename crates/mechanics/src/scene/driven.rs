@@ -74,7 +74,7 @@ pub(super) fn of_body(
         let place = format!("{place}.displacement_over_time");
         course.check(defects, &place);
         if !fixed {
-            defects.add(place, "needs fixed = true: forces move what is not");
+            defects.add(place, "needs fixed = true, because forces move all other bodies");
         } else if written.velocity != [0.0; 3] {
             defects.add(place, "there is a velocity too, give one of them");
         }
@@ -96,7 +96,7 @@ pub(super) fn check_scheme(defects: &mut Defects, scene: &Scene) {
         let place = format!("bodies[{}].displacement_over_time", driven.body);
         defects.add(
             place,
-            "the acceleration level knows no acceleration of supports: use another scheme",
+            "the acceleration level does not support accelerated supports: use another scheme",
         );
     }
 }

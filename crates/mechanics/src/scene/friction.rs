@@ -21,15 +21,25 @@ pub(super) fn check(defects: &mut Defects, step: &Step, contact: &Contacts) {
     }
     if model != Model::CoupledBox && !scheme.poses_friction() {
         let scheme = scheme.name();
-        refuse(format!("the scheme {scheme} rubs row by row and knows \"coupled-box\" only"));
+        refuse(format!(
+            "the scheme {scheme} treats friction row by row and supports only \"coupled-box\""
+        ));
     }
     let is_cone = matches!(model, Model::AssociatedCone | Model::CoulombCone);
     if scheme == Scheme::Acceleration && model == Model::AssociatedCone {
-        refuse("the associated cone lifts what slides: at acceleration level it would fly".into());
+        refuse(
+            "the associated cone lifts sliding bodies, which would fly off at acceleration level"
+                .into(),
+        );
     } else if scheme == Scheme::Acceleration && is_cone && contact.sliding == Sliding::Substituted {
-        refuse("a cone needs a symmetric A, which sliding = \"substituted\" does not leave".into());
+        refuse(
+            "a cone needs a symmetric A, but sliding = \"substituted\" makes A unsymmetric".into(),
+        );
     }
     if model == Model::FrozenBox && contact.persistence == Persistence::None {
-        refuse("a frozen box needs the last step's impulses, persistence = \"features\"".into());
+        refuse(
+            "a frozen box needs the impulses of the previous step: set persistence = \"features\""
+                .into(),
+        );
     }
 }

@@ -16,18 +16,18 @@ impl Scene {
         let mut unread = |is_set: bool, setting: &str, reads: &str| {
             if is_set {
                 let scheme = scheme.name();
-                notes.push(format!("{setting} is not read by the scheme {scheme}; {reads}"));
+                notes.push(format!("{setting} has no effect with the scheme {scheme}; {reads}"));
             }
         };
         unread(
             step.alpha != usual.alpha && step.baumgarte == usual.baumgarte && !is_force,
             "step.alpha",
-            "it is for the acceleration level, at velocity level step.baumgarte feeds errors back",
+            "it is for the acceleration level; at velocity level use step.baumgarte for error feedback",
         );
         unread(
             step.baumgarte != usual.baumgarte && step.alpha == usual.alpha && !feeds_back,
             "step.baumgarte",
-            "it is for velocity and sequential-impulses, at acceleration level step.alpha feeds errors back",
+            "it is for velocity and sequential-impulses; at acceleration level use step.alpha for error feedback",
         );
         unread(
             step.integrator != usual.integrator && !is_force,
@@ -43,7 +43,7 @@ impl Scene {
         let usual = Scene { solver: Solver { scale: None, ..self.solver.clone() }, ..self.clone() };
         if let Some(scale) = self.solver.scale.filter(|scale| *scale > usual.scale()) {
             notes.push(format!(
-                "rows below solver.scale = {scale} N count as at rest, whatever they do; without it that is {} N",
+                "rows with forces below solver.scale = {scale} N count as at rest; the default is {} N",
                 usual.scale()
             ));
         }
@@ -51,7 +51,8 @@ impl Scene {
         if is_force && rate >= limit {
             let name = step.integrator.name();
             notes.push(format!(
-                "step.alpha times dt is {rate}, and errors grow from {limit:.4} on with the integrator {name}"
+                "step.alpha times dt is {rate}; with the integrator {name} errors grow if it is {limit:.4} or \
+                 more"
             ));
         }
         notes

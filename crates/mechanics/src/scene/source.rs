@@ -94,11 +94,11 @@ impl Source<'_> {
 /// What a reader's message says; a key that has got another name is answered with that.
 fn reason(message: &str) -> String {
     if message.starts_with("unknown field `formulation`") {
-        return "is called \"scheme\" now".into();
+        return "is now called \"scheme\"".into();
     }
     let mut words = message.replace('`', "\"");
     for (type_name, word) in
-        [("usize", "a whole number from 0"), ("f64", "a number"), ("a sequence", "a list")]
+        [("usize", "an integer from 0"), ("f64", "a number"), ("a sequence", "a list")]
     {
         words = words.replace(&format!("expected {type_name}"), &format!("expected {word}"));
     }

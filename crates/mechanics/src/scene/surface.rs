@@ -136,7 +136,7 @@ pub(super) fn check_static(defects: &mut Defects, place: &str, stated: f64, fric
     if !(stated.is_finite() && stated >= friction) {
         defects.add(place, format!("must be at least friction, {friction}, is {stated}"));
     } else if stated > 0.0 && friction == 0.0 {
-        defects.add(place, "needs a friction above 0 for what slides");
+        defects.add(place, "needs a friction above 0 for sliding contacts");
     } else {
         range::coefficient(defects, place, stated);
     }
@@ -149,13 +149,13 @@ pub(super) fn check_scheme(defects: &mut Defects, scene: &Scene) {
     }
     let scheme = scene.step.scheme;
     if scene.contact.model == Model::FrozenBox {
-        let reason = "a frozen box is empty in a contact's first step, so that all breaks loose: no \
-                      static friction";
+        let reason = "a frozen box is empty in the first step of a contact, so every contact would slide: static \
+         friction is not supported";
         defects.add("contact.model", reason);
     }
     if !scheme.solves_lcps() && scheme != Scheme::SequentialImpulses {
         let reason = format!(
-            "the scheme {} poses no problem whose answer says what sticks: it has one coefficient",
+            "the scheme {} cannot decide which contacts stick, so it supports only one coefficient of friction",
             scheme.name()
         );
         defects.add("contact.static_friction", reason);

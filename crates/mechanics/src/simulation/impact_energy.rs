@@ -111,7 +111,7 @@ impl ImpactEnergy {
         let gap = readable(self.gap.abs(), DIGITS);
         let what = match self.energy < 0.0 {
             true => format!(
-                "impacts lost {joules} J in step {step}, where restitution 1 keeps all of it"
+                "impacts lost {joules} J in step {step}, although restitution 1 conserves energy"
             ),
             false => format!("impacts added {joules} J in step {step}"),
         };
@@ -121,25 +121,27 @@ impl ImpactEnergy {
         };
         match self.cause {
             ImpactCause::GapClosed => format!(
-                "{what}: {other:?} pushes {body:?}, which is {gap} m away, because another impact closed this gap within \
-                 the step. A smaller step.dt lets one impact happen after the other{separate}."
+                "{what}: {other:?} pushes {body:?}, which is {gap} m away, because another impact closed \
+                 this gap within the step. A smaller step.dt separates the impacts in time{separate}."
             ),
             ImpactCause::NotBounced => format!(
-                "{what}: {body:?} and {other:?} were pressed together by another impact of the same step and did not \
-                 bounce. A small gap between bodies that touch, or a smaller step.dt, lets one impact happen after \
-                 the other."
+                "{what}: {body:?} and {other:?} were pressed together by another impact of the same step \
+                 and did not bounce. A small gap between touching bodies, or a smaller step.dt, separates \
+                 the impacts in time."
             ),
             ImpactCause::Friction => format!(
-                "{what}: friction between {body:?} and {other:?} opposed the slip after the impact, but the slip before \
-                 it had the other direction. A smaller contact.restitution or contact.friction avoids this."
+                "{what}: friction between {body:?} and {other:?} opposed the slip after the impact, but \
+                 the slip before it had the other direction. A smaller contact.restitution or \
+                 contact.friction avoids this."
             ),
             ImpactCause::Inexact => format!(
-                "{what}: the solver's answer for the contact of {body:?} and {other:?} is not exact. A smaller \
-                 solver.tolerance or a larger solver.max_iterations makes it so."
+                "{what}: the solver's answer for the contact of {body:?} and {other:?} is not exact. Use a \
+                 smaller solver.tolerance or a larger solver.max_iterations."
             ),
             ImpactCause::PushedApart(speed) => format!(
-                "step.baumgarte added {joules} J in step {step}: it pushed {body:?} and {other:?}, which overlapped by {gap} \
-                 m, apart at {} m/s. A smaller step.baumgarte adds less, the scheme split-impulse nothing.",
+                "step.baumgarte added {joules} J in step {step}: it pushed {body:?} and {other:?}, which \
+                 overlapped by {gap} m, apart at {} m/s. A smaller step.baumgarte adds less energy, and \
+                 the scheme split-impulse adds none.",
                 readable(speed, DIGITS)
             ),
         }

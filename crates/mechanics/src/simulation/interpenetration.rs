@@ -65,18 +65,19 @@ impl Interpenetration {
         let depth = readable(self.depth, DIGITS);
         match self.kind {
             InterpenetrationKind::PassedThrough { travel } => format!(
-                "{body:?} passed through {other:?} in step {step}: on the way they overlapped by {depth} m. {}",
+                "{body:?} passed through {other:?} in step {step}; during the step they overlapped by {depth} m. \
+                 {}",
                 remedy_for_passing(scene, travel)
             ),
             InterpenetrationKind::DeepOverlap { thickness } => format!(
-                "{body:?} is {depth} m inside {other:?} after step {step}; the thinner of the two is {} m thick. A \
-                 smaller step.dt keeps bodies from getting so deep. {}",
+                "{body:?} is {depth} m inside {other:?} after step {step}; the thinner of the two is {} m thick. \
+                 A smaller step.dt prevents this. {}",
                 readable(thickness, DIGITS),
                 remedy_for_overlap(scene)
             ),
             InterpenetrationKind::LastingOverlap => format!(
-                "{body:?} has been inside {other:?} for {LASTING} steps, by {depth} m after step {step}, and the overlap \
-                 does not shrink. {}",
+                "{body:?} has been inside {other:?} for {LASTING} steps, by {depth} m after step {step}, \
+                 and the overlap does not shrink. {}",
                 remedy_for_overlap(scene)
             ),
         }
@@ -91,14 +92,15 @@ impl Interpenetration {
 
 fn remedy_for_passing(scene: &Scene, travel: f64) -> String {
     let moved =
-        format!("They moved {} m against each other in this step", readable(travel, DIGITS));
+        format!("Their relative displacement in this step was {} m", readable(travel, DIGITS));
     match (scene.step.scheme, scene.contact.margin) {
         (Scheme::Acceleration, _) if !scene.step.events => {
             format!("{moved}: set step.events to true, or use a smaller step.dt.")
         }
         (Scheme::Acceleration, _) => format!("{moved}: use a smaller step.dt."),
         (_, Some(margin)) if margin < travel => format!(
-            "{moved}, and contact.margin is {} m: leave it unset, so that it follows the speed, or use a smaller step.dt.",
+            "{moved}, and contact.margin is {} m: leave it unset, so that it follows the speed, or use a smaller \
+             step.dt.",
             readable(margin, DIGITS)
         ),
         _ => format!("{moved}: use a smaller step.dt."),

@@ -202,17 +202,17 @@ impl fmt::Display for Cause {
             Cause::Unsettled { change } => {
                 write!(
                     f,
-                    "the implicit midpoint does not settle, its rates change by {}",
+                    "the implicit midpoint iteration does not converge; its rates change by {}",
                     readable(*change, 2)
                 )
             }
             Cause::Stopped(Some(reason)) => write!(f, "{reason}"),
             Cause::Stopped(None) => write!(f, "stopped by the observer"),
             Cause::Diverged { body, row: Some(row) } => {
-                write!(f, "{body:?} diverged; the strongest row on it is {row:?}")
+                write!(f, "{body:?} diverged; the row with the largest impulse on it is {row:?}")
             }
             Cause::Diverged { body, row: None } => {
-                write!(f, "{body:?} diverged; no row is known to act on it")
+                write!(f, "{body:?} diverged; no row acts on it")
             }
         }
     }

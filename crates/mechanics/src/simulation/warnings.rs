@@ -155,7 +155,7 @@ impl fmt::Display for Warning {
                 write!(f, " This happened in {steps} steps, with up to {total} m.")
             }
             (steps, Amount::Energy(_)) => {
-                write!(f, " This happened in {steps} steps, with {total} J in all.")
+                write!(f, " This happened in {steps} steps, with a total of {total} J.")
             }
         }
     }

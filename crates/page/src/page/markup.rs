@@ -83,7 +83,7 @@ impl Renderer {
                 Ok(event)
             }
             Event::Text(ref words) if words.contains('$') && !text[..at].ends_with('\\') => {
-                Err(format!("a $ without its partner: {:?}", shortened(&text[at..])))
+                Err(format!("a $ without a closing $: {:?}", shortened(&text[at..])))
             }
             event => Ok(event),
         }
@@ -154,7 +154,7 @@ fn safe(address: &str) -> Result<&str, String> {
     let scheme = address.split(['/', '#', '?']).next().and_then(|start| start.split_once(':'));
     match scheme {
         None | Some(("https" | "http" | "mailto", _)) if !address.is_empty() => Ok(address),
-        _ => Err(format!("the link {address:?} is neither a web address nor a relative one")),
+        _ => Err(format!("the link {address:?} is neither a web address nor a relative address")),
     }
 }
 

@@ -58,7 +58,7 @@ pub(super) fn converted(
 }
 
 fn unset<T>() -> Result<T, String> {
-    Err("an equation cannot be set".into())
+    Err("an equation cannot be typeset".into())
 }
 
 /// Does it on a thread with so much stack (bytes).

@@ -200,8 +200,8 @@ impl Writer {
         if !folded.is_empty() {
             let what = contents(folded.iter().map(|(_, block)| *block));
             shown.push(format!(
-                "<details class=\"part\"><summary><span>Show {what}</span><span class=\"paper-only\">Left out on \
-                 paper: {what}.</span></summary>\n"
+                "<details class=\"part\"><summary><span>Show {what}</span><span class=\"paper-only\">Not \
+                 printed: {what}.</span></summary>\n"
             ));
             shown.extend(folded.into_iter().map(|(i, block)| self.block(&place(i), block)));
             shown.push("</details>\n".into());

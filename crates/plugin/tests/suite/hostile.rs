@@ -37,7 +37,7 @@ fn one_that_hangs_is_ended_with_its_children() {
     let (solution, _) = solve(&plugin, &pushed());
     assert_eq!(
         solution.status,
-        Status::NoAnswer { reason: "none within 2 s, its time limit".into() }
+        Status::NoAnswer { reason: "no answer within its time limit of 2 s".into() }
     );
     assert!(began.elapsed() < LONG);
     let child = std::fs::read_to_string(script.path("hangs.py.pid")).unwrap();

@@ -76,7 +76,7 @@ fn models_that_a_plug_in_cannot_get_are_refused_at_the_start() {
     );
     let unknown = refusal("unknown", "['cone']");
     assert!(unknown.contains("there is no model of friction named \"cone\""), "{unknown}");
-    assert!(refusal("word", "'coulomb-cone'").ends_with("\"models\" is no list of words"));
+    assert!(refusal("word", "'coulomb-cone'").ends_with("\"models\" is not a list of strings"));
 }
 
 #[test]
@@ -204,7 +204,7 @@ fn one_process_a_problem_is_a_plug_in_too() {
 #[test]
 fn a_command_that_cannot_be_a_plug_in_is_refused_in_a_line() {
     let refusal = |spec: &str| Plugin::start(spec, LONG.as_secs_f64()).unwrap_err().to_string();
-    assert_eq!(refusal(""), "plug-in: command: \"\" is no command");
+    assert_eq!(refusal(""), "plug-in: command: \"\" is not a command");
     assert_eq!(
         refusal("a=nobody-knows-it"),
         "plug-in a: start: nobody-knows-it cannot be run: No such file or directory (os error 2)"

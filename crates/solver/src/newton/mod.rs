@@ -43,7 +43,7 @@ pub const ENTRIES: &[Entry] = &[
     },
     Entry {
         name: "fischer-newton",
-        method: "Newton on Fischer-Burmeister's equations with line search, iterative",
+        method: "Newton on the Fischer-Burmeister equations with line search, iterative",
         class: Class::of(MatrixClass::P0).with_positive_diagonal(),
         group: Group::Newton,
         cost: LEAST_SQUARES,

@@ -175,7 +175,7 @@ pub(crate) fn solve(
     }
     let is_pinned = |i: usize| lcp.lo()[i] == lcp.hi()[i];
     if (0..lcp.len()).any(|i| !is_pinned(i) && !(lcp.matrix().diagonal(i) > 0.0)) {
-        let reason = "A is no P-matrix: a diagonal entry is not positive";
+        let reason = "A is not a P-matrix: a diagonal entry is not positive";
         return Solution::new(lcp, x, Status::OutsideClass { reason }, 0);
     }
     frozen::solve(lcp, x, settings, |lcp, x, count| {

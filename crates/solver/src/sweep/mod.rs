@@ -53,7 +53,7 @@ pub const ENTRIES: &[Entry] = &[
     },
     Entry {
         name: "ssor",
-        method: "projected symmetric SOR, a sweep there and back, 0 < ω < 2, iterative",
+        method: "projected symmetric SOR, sweeps forward and backward, 0 < ω < 2, iterative",
         class: CLASS,
         group: Group::Sweeps,
         cost: Cost::each("2 (s + n)", |i| 2.0 * (i.stored + i.n)),
@@ -63,7 +63,7 @@ pub const ENTRIES: &[Entry] = &[
     },
     Entry {
         name: "red-black",
-        method: "projected Gauss-Seidel, colour by colour, iterative",
+        method: "projected Gauss-Seidel, color by color, iterative",
         class: CLASS,
         group: Group::Sweeps,
         cost: SWEEP,
@@ -73,7 +73,7 @@ pub const ENTRIES: &[Entry] = &[
     },
     Entry {
         name: "jacobi",
-        method: "projected Jacobi, damped safely unless told otherwise, iterative",
+        method: "projected Jacobi, with safe damping by default, iterative",
         class: CLASS,
         group: Group::Sweeps,
         cost: SWEEP,

@@ -47,15 +47,12 @@ fn a_method_that_does_not_take_a_model_says_why() {
     let polygon = Some(Model::Polyhedral { directions: 8 });
     assert_eq!(why("pgs", polygon), "it divides by the diagonal, and polygon-8 has zeros there");
     let definite = why("dantzig", polygon);
-    assert!(definite.starts_with("it is made for A symmetric positive"), "{definite}");
-    assert_eq!(
-        why("lemke", Some(Model::CoulombCone)),
-        "it is made for boxes, not for coulomb-cone"
-    );
-    let none = "it is made for friction cones, and the problem has none";
+    assert!(definite.starts_with("it needs A symmetric positive"), "{definite}");
+    assert_eq!(why("lemke", Some(Model::CoulombCone)), "it supports boxes, not coulomb-cone");
+    let none = "it supports only friction cones, and the problem has none";
     assert_eq!(why("cone-pgs", None), none);
     let boxes = why("cone-pgs", Some(Model::CoupledBox));
-    assert_eq!(boxes, "it is made for friction cones, not for coupled-box");
+    assert_eq!(boxes, "it supports only friction cones, not coupled-box");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! The causes of trouble that K&M list under "Debugging", each with a message.
+//! The causes of failures that K&M list under "Debugging", each with a message.
 
 use std::fmt;
 
@@ -143,7 +143,7 @@ impl Cause {
             Cause::Apart { .. } => "drift",
             Cause::IllConditioned { .. } => "ill-conditioned",
             Cause::Slow { .. } => "slow",
-            Cause::Several { .. } => "several answers",
+            Cause::Several { .. } => "several solutions",
             Cause::Unsymmetric => "not symmetric",
             Cause::Indefinite { .. } => "indefinite",
             Cause::Failed { .. } => "failed",
@@ -154,84 +154,87 @@ impl Cause {
 impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Cause::NoDirection { constraint } => write!(
-                f,
-                "{constraint}; such a row would divide by zero, so place the bodies apart."
-            ),
+            Cause::NoDirection { constraint } => {
+                write!(f, "{constraint}; such a row would divide by zero. Place the bodies apart.")
+            }
             Cause::ZeroRow { row } => write!(
                 f,
-                "row {row} acts on nothing that can move, so that a sweep would divide by a zero on the \
-                 diagonal; take the row out, or let one of its bodies move."
+                "row {row} acts only on bodies that cannot move, so a sweep would divide by a zero on the \
+                 diagonal of A. Remove the row, or let one of its bodies move."
             ),
             Cause::ImmovableRow { row, diagonal, impulse } => {
-                let asks = if impulse.is_finite() {
+                let needed = if impulse.is_finite() {
                     format!("an impulse of about {}", readable(*impulse, 2))
                 } else {
-                    "an impulse larger than any double, which no solver can return".into()
+                    "an impulse larger than any 64-bit number, which no solver can return".into()
                 };
                 write!(
                     f,
-                    "row {row} has {} on the diagonal of A, its inverse effective mass, so that hardly any \
-                     impulse moves it, and by itself it asks for {asks}; check the masses, the units and the \
-                     Jacobian of this row, or take the row out.",
+                    "row {row} has the diagonal entry {} in A, its inverse effective mass. It hardly responds to \
+                     impulses: without other rows it would need {needed}. Check the masses, the units and the \
+                     Jacobian of this row, or remove the row.",
                     readable(*diagonal, 2)
                 )
             }
             Cause::Impossible { rows, proof: Proof::Vector } => write!(
                 f,
-                "no forces satisfy these rows together, proved in exact arithmetic, so that sweeps would raise \
-                 the forces for ever: {}; take one of them out, or let it yield by a spring.",
+                "no forces satisfy these rows together, proved in exact arithmetic: {}. Sweeps would increase \
+                 the forces without limit. Remove one of the rows, or make it compliant with a spring.",
                 listed(rows)
             ),
             Cause::Impossible { proof: Proof::CaseSplit { pieces }, .. } => write!(
                 f,
-                "no forces satisfy all rows together: each of the {pieces} ways to choose which rows are at a \
-                 bound was tried in exact arithmetic; lower a coefficient of friction, or take a row out."
+                "no forces satisfy all rows together: each of the {pieces} choices of rows at a bound was \
+                 tried in exact arithmetic. Reduce a coefficient of friction, or remove a row."
             ),
             Cause::Impossible { rows, proof: Proof::Rounding } => write!(
                 f,
-                "these rows seem to contradict each other, as far as rounding shows, which is no proof: {}; if \
-                 a solver raises the forces for ever, take one of them out, or let it yield by a spring.",
+                "these rows seem to contradict each other, up to rounding, which is not a proof: {}. If a \
+                 solver increases the forces without limit, remove one of the rows, or make it compliant with a \
+                 spring.",
                 listed(rows)
             ),
             Cause::Redundant { rows, spare } => write!(
                 f,
-                "{spare} of the rows {} could be left out, as far as rounding shows, for they depend on each \
-                 other; how they share the load need not be unique, nor, with friction, the motion.",
+                "{spare} of {} rows are redundant, up to rounding: {}. How they share the load need not be \
+                 unique; with friction, the motion need not be unique either.",
+                rows.len(),
                 listed(rows)
             ),
             Cause::Apart { row, error } => write!(
                 f,
-                "row {row} is off by {error}, and feedback of such an error puts energy in; start where c = 0, \
-                 or correct positions apart from velocities (split-impulse, gauss-seidel)."
+                "row {row} has a position error of {error}, and feedback of such an error adds energy. \
+                 Start with c = 0, or correct positions separately from velocities (split-impulse, \
+                 gauss-seidel)."
             ),
             Cause::IllConditioned { condition } => write!(
                 f,
-                "the condition number is {}, so that sweeps will be slow; look for heavy bodies carried by \
-                 light ones, long chains and rows that all but repeat each other, or use a pivoting solver.",
+                "the condition number is {}, so sweeps converge slowly. Look for heavy bodies on light \
+                 ones, long chains and nearly dependent rows, or use a pivoting solver.",
                 plain(*condition)
             ),
             Cause::Slow { radius, sweeps } => write!(
                 f,
-                "a sweep of Gauss-Seidel leaves {} of the error while all rows are active, which makes {} sweeps \
-                 to eight digits; start from the last step's forces, or use a pivoting solver.",
+                "a sweep of Gauss-Seidel reduces the error to {} times its value while all rows are \
+                 active, so eight digits need {} sweeps. Start from the forces of the previous step, or \
+                 use a pivoting solver.",
                 readable(*radius, DIGITS),
                 readable(sweeps.round(), DIGITS)
             ),
             Cause::Several { answers } => write!(
                 f,
-                "{answers} different answers were found in exact arithmetic, and the law of friction does not \
-                 say which is right; which one is given depends on the solver and where it starts."
+                "{answers} different solutions were found in exact arithmetic, and the friction law does not \
+                 decide between them; the answer depends on the solver and on its start."
             ),
             Cause::Unsymmetric => write!(
                 f,
-                "A is not symmetric; with sliding friction it should not be, and needs Lemke's method or \
-                 enumeration, but without it look for a transposed block."
+                "A is not symmetric. With sliding friction this is expected, and requires Lemke's method or \
+                 enumeration; without sliding friction, look for a transposed block."
             ),
             Cause::Indefinite { eigenvalue } => write!(
                 f,
-                "A has the eigenvalue {} after scaling, where no J M⁻¹ Jᵀ has a negative one; look for a wrong \
-                 sign, a block of another body, or a negative mass.",
+                "A has the eigenvalue {} after scaling, but J M⁻¹ Jᵀ has no negative eigenvalue. Look for \
+                 a wrong sign, a block of another body, or a negative mass.",
                 plain(*eigenvalue)
             ),
             Cause::Failed { reason } => write!(f, "{reason}."),

@@ -71,13 +71,10 @@ impl Diagnosis {
                 "The problem is well posed: the rows are independent and the answer is unique."
             }
             [] => {
-                "Nothing was found that keeps it from being solved; whether there is one answer only is not \
-                 known."
+                "No obstacle to a solution was found; whether the solution is unique is not known."
             }
-            _ if self.is_sound() => {
-                "Nothing was found that keeps it from being solved; the remarks below say what to expect."
-            }
-            _ => "It cannot be solved as it stands.",
+            _ if self.is_sound() => "No obstacle to a solution was found; see the remarks below.",
+            _ => "The problem cannot be solved in this form.",
         };
         words.to_string()
     }
@@ -86,22 +83,21 @@ impl Diagnosis {
         let mut section = Section::new("counts");
         let mut rows = vec![
             ["rows of A".to_string(), self.labels.len().to_string()],
-            ["rank of A, as far as rounding shows".into(), found.rank.to_string()],
-            ["condition number of its independent part, scaled".into(), plain(found.condition)],
+            ["rank of A, up to rounding".into(), found.rank.to_string()],
+            [
+                "condition number of the independent part of A, scaled".into(),
+                plain(found.condition),
+            ],
         ];
         if let Some(freedoms) = &self.freedoms {
             rows.extend([
                 ["velocity components of moving bodies".into(), freedoms.components.to_string()],
                 ["rows of rigid equations".into(), freedoms.rows.to_string()],
-                ["rank of these".into(), freedoms.rank.to_string()],
-                ["degrees of freedom left".into(), freedoms.left().to_string()],
+                ["rank of the rigid equations".into(), freedoms.rank.to_string()],
+                ["remaining degrees of freedom".into(), freedoms.left().to_string()],
             ]);
         }
-        section.table(
-            "what is counted",
-            &["", "number"],
-            rows.into_iter().map(Vec::from).collect(),
-        );
+        section.table("counts", &["quantity", "number"], rows.into_iter().map(Vec::from).collect());
         section
     }
 
@@ -116,13 +112,14 @@ impl Diagnosis {
     fn dependencies(&self, found: &Regularity) -> Section {
         let mut section = Section::new("dependent rows");
         section.say(if self.is_symmetric {
-            "As far as rounding shows, no forces change these sums of w = A x + b: along each, forces can be \
-             shifted between the rows, where their bounds allow it, and the bodies move alike."
+            "Up to rounding, these linear combinations of w = A x + b do not depend on the forces. Along \
+             each one, forces can be shifted between the rows within their bounds without changing the \
+             motion."
         } else {
-            "As far as rounding shows, no forces change these sums of w = A x + b."
+            "Up to rounding, these linear combinations of w = A x + b do not depend on the forces."
         });
         let lines = found.dependencies.iter().map(|d| vec![combination(d)]).collect();
-        section.table("sums that stay", &["sum"], lines);
+        section.table("constant combinations of w", &["combination"], lines);
         section
     }
 }

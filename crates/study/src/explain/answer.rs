@@ -31,7 +31,7 @@ pub(super) fn section(reading: &Reading, solution: &Solution, demand: &Demand) -
             meaning(x[i], lo, hi).to_string(),
         ]
     };
-    let columns = ["row", "x", "bounds", "w = A x + b", "what x asks of w"];
+    let columns = ["row", "x", "bounds", "w = A x + b", "condition on w"];
     section.table("x and w, row by row", &columns, (0..lcp.len()).map(line).collect());
     section.say(word(&certificate.verdict, certificate.scaled_residual));
     (section, certificate.verdict.is_solution())
@@ -42,13 +42,13 @@ pub(super) fn word(verdict: &Verdict, scaled_residual: f64) -> String {
     let verdict = match verdict {
         Verdict::Proved { distance: 0.0 } => "proved, x is an exact solution".into(),
         Verdict::Proved { distance } => {
-            format!("proved, an exact solution is within {} of each x", upper_bound(*distance))
+            format!("proved, an exact solution exists within {} of each x", upper_bound(*distance))
         }
         other => other.to_string(),
     };
     format!(
-        "The judge, who sees A, b, the bounds and x but not the solver: {verdict}. The scaled residual, \
-         the error of the worst row beside the sizes of its terms, is {}.",
+        "The judge sees A, b, the bounds and x, but not the solver. Its verdict: {verdict}. The scaled residual, \
+         which is the error of the worst row relative to the size of its terms, is {}.",
         plain(scaled_residual)
     )
 }
@@ -56,7 +56,7 @@ pub(super) fn word(verdict: &Verdict, scaled_residual: f64) -> String {
 /// What the place of x in its bounds asks of w.
 fn meaning(x: f64, lo: f64, hi: f64) -> &'static str {
     match x {
-        _ if lo == hi => "any w: x is pinned",
+        _ if lo == hi => "any w: lo = hi",
         x if x == lo => "w ≥ 0: x is at its lower bound",
         x if x == hi => "w ≤ 0: x is at its upper bound",
         _ => "w = 0: x is between its bounds",

@@ -25,12 +25,13 @@ pub(super) struct Moves<'a> {
 
 impl<'a> Moves<'a> {
     pub fn of(reading: &'a Reading<'a>) -> Self {
-        let mut section = Section::new("Dantzig's method, move by move");
+        let mut section = Section::new("Dantzig's method, pivot by pivot");
         section.say(
-            "Rows are satisfied one after another. To bring wᵢ to 0, xᵢ moves, and the free rows C move \
-             along so that their w stays 0. The move ends when wᵢ is 0, when some x meets a bound, or \
-             when the w of a row at a bound gets to 0; the row that ends it changes sides. d and Δw \
-             are what x and w change by for each unit of t.",
+            "Dantzig's method satisfies the rows one after another. To bring wᵢ to 0, it changes xᵢ, and the free \
+             rows C change with it so that their w stays 0. The change ends when wᵢ is 0, when some x reaches a \
+             bound, or when the w of a row at a bound reaches 0. The row that ends it enters or leaves C, or \
+             changes its bound: this is a pivot. d and Δw are the changes of x and w per unit of the step \
+             length t.",
         );
         section.formula(Formula::default().symbols(
             "d_i = 1,   d_C = −A_CC⁻¹ A_Ci,   Δw = A d",
@@ -47,9 +48,9 @@ impl<'a> Moves<'a> {
         let units = &self.reading.units;
         let at = with_unit(&vector(own.x), &units.of_x());
         let has = with_unit(&plain(own.w[i]), &units.w[i]);
-        let verb = if own.sign > 0.0 { "rises" } else { "falls" };
+        let verb = if own.sign > 0.0 { "increases" } else { "decreases" };
         self.section.say(format!(
-            "Move {}: row {i} is driven. At x = {at} it has {w} = {has}, so {x} {verb}. The free rows are \
+            "Pivot {}: row {i}. At x = {at} it has {w} = {has}, so {x} {verb}. The free rows are \
              C = {}.",
             self.moves,
             set(own.free),
@@ -68,7 +69,7 @@ impl<'a> Moves<'a> {
                 .symbols(",   Δw =", ", \\quad \\Delta w =")
                 .vector(&change),
         );
-        let title = format!("move {}, what may end it", self.moves);
+        let title = format!("pivot {}, what may end it", self.moves);
         let mut ends = ends(own, &direction, &change);
         ends.sort_by(|a, b| a.0.total_cmp(&b.0));
         let lines = ends.into_iter().map(|(_, what, length)| vec![what, length]).collect();
@@ -87,10 +88,14 @@ impl<'a> Moves<'a> {
         let (x, bounds) = (indexed("x", row), interval(lo, hi));
         let w = with_unit(&plain(w), &self.reading.units.w[row]);
         let reason = match side {
-            _ if lo == hi => format!("any w will do, {bounds} pins {x}"),
-            Side::Lower => format!("w may be positive with {x} at the lower end of {bounds}"),
-            Side::Upper => format!("w may be negative with {x} at the upper end of {bounds}"),
-            _ => "nothing is to be done".to_string(),
+            _ if lo == hi => format!("any w is allowed, because {bounds} fixes {x}"),
+            Side::Lower => {
+                format!("w may be positive, because {x} is at the lower end of {bounds}")
+            }
+            Side::Upper => {
+                format!("w may be negative, because {x} is at the upper end of {bounds}")
+            }
+            _ => "the row is satisfied".to_string(),
         };
         format!("Row {row} has {} = {w}: {reason}.", indexed("w", row))
     }
@@ -99,13 +104,13 @@ impl<'a> Moves<'a> {
         let row = own.blocking;
         let exchange = match (own.side[row], own.to) {
             (_, Side::Free) => "enters C",
-            (Side::Free, Side::Lower) => "leaves C for its lower bound",
-            (Side::Free, _) => "leaves C for its upper bound",
-            (_, Side::Upper) => "goes to its upper bound",
-            _ => "goes to its lower bound",
+            (Side::Free, Side::Lower) => "leaves C to its lower bound",
+            (Side::Free, _) => "leaves C to its upper bound",
+            (_, Side::Upper) => "changes to its upper bound",
+            _ => "changes to its lower bound",
         };
         let length = with_unit(&plain(own.length), &self.reading.units.x[own.driven]);
-        [format!("It ends after t = {length}: "), format!("row {row} {exchange}.")]
+        [format!("The step ends at t = {length}: "), format!("row {row} {exchange}.")]
     }
 
     /// Why x moves to the middle of what is open, and how far.
@@ -113,7 +118,7 @@ impl<'a> Moves<'a> {
         let (j, w) = (own.row, indexed("w", own.row));
         let why = match (own.keeps, self.end.take()) {
             (Some(row), Some([after, _])) => format!(
-                "{after}{} meets a bound. But row {row} need not leave C: {w} = 0, and row {j} depends on C.",
+                "{after}{} reaches a bound. But row {row} need not leave C: {w} = 0, and row {j} depends on C.",
                 indexed("x", row)
             ),
             _ => format!("Row {j} has {w} = 0 and depends on C."),
@@ -126,8 +131,9 @@ impl<'a> Moves<'a> {
         let [forward, back, length] = [own.forward, own.back, own.length()]
             .map(|length| with_unit(&plain(length), &self.reading.units.x[j]));
         format!(
-            "{why} Along d = {} no w changes; x may go {forward} forward and {back} back, and goes to the \
-             middle, by {length}. Row {j} is idle now: its w stays 0 with those of C.",
+            "{why} Along d = {} no w changes. x could change by {forward} forward and by {back} backward; \
+             it moves to the middle, by {length}. Row {j} is now dependent: its w stays 0 together with \
+             that of C.",
             vector(&direction),
         )
     }
@@ -149,10 +155,10 @@ fn ends(own: &Move<'_>, direction: &[f64], change: &[f64]) -> Vec<(f64, String, 
         let (x, w) = (indexed("x", j), indexed("w", j));
         let moves = j == own.driven || own.side[j] == Side::Free;
         if moves && direction[j] > 0.0 {
-            add(format!("{x} meets its upper bound"), hi[j] - own.x[j], direction[j]);
+            add(format!("{x} reaches its upper bound"), hi[j] - own.x[j], direction[j]);
         }
         if moves && direction[j] < 0.0 {
-            add(format!("{x} meets its lower bound"), lo[j] - own.x[j], direction[j]);
+            add(format!("{x} reaches its lower bound"), lo[j] - own.x[j], direction[j]);
         }
         let nears = match own.side[j] {
             _ if j == own.driven => true,
@@ -161,7 +167,7 @@ fn ends(own: &Move<'_>, direction: &[f64], change: &[f64]) -> Vec<(f64, String, 
             _ => false,
         };
         if nears && change[j] != 0.0 {
-            add(format!("{w} gets to 0"), -own.w[j], change[j]);
+            add(format!("{w} reaches 0"), -own.w[j], change[j]);
         }
     }
     ends
@@ -170,7 +176,7 @@ fn ends(own: &Move<'_>, direction: &[f64], change: &[f64]) -> Vec<(f64, String, 
 impl Observer for Moves<'_> {
     fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
         if iterate.event == Event::Start {
-            self.section.say(format!("The start is x = {}, C is empty.", self.x(iterate.x)));
+            self.section.say(format!("The start is x = {}, and C is empty.", self.x(iterate.x)));
         } else if self.writes {
             if let Some(end) = self.end.take() {
                 self.section.say(end.concat());
@@ -203,8 +209,8 @@ impl Observer for Moves<'_> {
                 if !self.writes && self.moves <= SHOWN {
                     let (row, w) = (own.driven, indexed("w", own.driven));
                     self.section.say(format!(
-                        "Move {}: row {row} has {w} = 0 already, between its bounds. It enters C, and \
-                         nothing moves.",
+                        "Pivot {}: row {row} already has {w} = 0, and x is between its bounds. It enters C \
+                         without a change of x.",
                         self.moves
                     ));
                 }
@@ -228,7 +234,7 @@ impl Observer for Moves<'_> {
 impl Scribe for Moves<'_> {
     fn section(mut self: Box<Self>, _: &Solution) -> Section {
         if self.moves > SHOWN {
-            self.section.say(format!("And {} more moves.", self.moves - SHOWN));
+            self.section.say(format!("{} more pivots follow.", self.moves - SHOWN));
         }
         self.section
     }

@@ -25,11 +25,12 @@ impl<'a> Tableaux<'a> {
         let lcp = reading.lcp.clone();
         let mut section = Section::new("Lemke's method, tableau by tableau");
         section.say(
-            "A covering variable z makes every w big enough. A tableau gives the basic variables by \
-             the nonbasic ones, which are 0, so its first column has their values. z enters first and \
-             rises until no w is negative: to the largest ratio. From then on the partner of the variable \
-             that has just left enters and rises until the first basic one gets to 0: to the least ratio. \
-             When z itself leaves, x is a solution. Ties are broken lexicographically.",
+            "A covering variable z makes every w nonnegative. A tableau expresses the basic variables in \
+             terms of the nonbasic ones, which are 0, so its first column has the values of the basic \
+             variables. z enters first and increases until no w is negative, which is the largest ratio. \
+             After that, the complement of the variable that has just left enters and increases until the \
+             first basic variable reaches 0, which is the smallest ratio. When z leaves, x is a solution. \
+             Ties are broken lexicographically.",
         );
         section.formula(Formula::default().symbols(
             "w = A x + b + z e,   x, w, z ≥ 0,   xᵢ wᵢ = 0",
@@ -38,11 +39,11 @@ impl<'a> Tableaux<'a> {
         let is_standard = |i: usize| lcp.lo()[i] == 0.0 && lcp.hi()[i] == f64::INFINITY;
         if !(0..lcp.len()).all(is_standard) {
             section.say(
-                "Rows with other bounds than 0 and ∞ are brought into this form: y is the distance of x \
-                 from its bound, v the force of the other bound and t the distance from that; rows \
-                 without bounds are solved for beforehand. Where both bounds are finite, t is y seen from the \
-                 other bound and v is −w: the tableau has one name of each pair, and y or t may not exceed \
-                 the distance of the bounds.",
+                "Rows with bounds other than 0 and ∞ are transformed to this form: y is the distance of x \
+                 from one bound, t its distance from the other bound, and v the multiplier of the other bound. Rows \
+                 without bounds are eliminated first. If both bounds are finite, t is y measured from the \
+                 other bound, and v is −w. The tableau then has one variable of each pair, and y or t must not exceed \
+                 the distance between the bounds.",
             );
         }
         Tableaux { reading, section, tableaux: 0, rounds: 0, lcp }
@@ -92,8 +93,8 @@ impl<'a> Tableaux<'a> {
         let remark = match own.nonbasic.len() - columns.len() {
             0 => None,
             more => Some(match more {
-                1 => "One column is left out.".into(),
-                more => format!("{more} columns are left out."),
+                1 => "One column is not shown.".into(),
+                more => format!("{more} columns are not shown."),
             }),
         };
         self.section.blocks.push(Block::Table(table));
@@ -109,12 +110,12 @@ impl<'a> Tableaux<'a> {
                 format!("{} enters, {} leaves", self.name(entering), self.name(own.basic[r]))
             }
             (Some(entering), Some(Leaving::Mirrored)) => {
-                format!("{} enters and gets to the other bound", self.name(entering))
+                format!("{} enters and reaches its other bound", self.name(entering))
             }
             (Some(entering), None) => {
-                format!("{} enters and nothing gets to 0, a ray", self.name(entering))
+                format!("{} enters, and no variable reaches 0: a ray", self.name(entering))
             }
-            (None, _) => "z is 0, the end".into(),
+            (None, _) => "z is 0: solved".into(),
         }
     }
 }
@@ -185,10 +186,10 @@ impl Observer for Tableaux<'_> {
 impl Scribe for Tableaux<'_> {
     fn section(mut self: Box<Self>, _: &Solution) -> Section {
         if self.tableaux == 0 {
-            self.section.say("Every w is big enough at x = 0: there is nothing to do.");
+            self.section.say("No w is negative at x = 0, so x = 0 is the solution.");
         }
         if self.tableaux > SHOWN {
-            self.section.say(format!("And {} more tableaux.", self.tableaux - SHOWN));
+            self.section.say(format!("{} more tableaux follow.", self.tableaux - SHOWN));
         }
         self.section
     }

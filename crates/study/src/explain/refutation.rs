@@ -27,14 +27,14 @@ pub(super) fn section(reading: &Reading, proof: Option<&Farkas>) -> Section {
     let Some(proof) = proof else {
         section.say(
             "Every choice of rows at their lower bound, at their upper bound and free was tried in exact \
-             arithmetic, and none carries a solution.",
+             arithmetic, and none has a solution.",
         );
         return section;
     };
     section.say(
-        "A solution has wᵢ ≥ 0 where xᵢ has no upper bound, and wᵢ ≤ 0 where it has no lower one. So for a \
-         d that is positive only in the first rows and negative only in the second, dᵀw ≥ 0 at every \
-         solution. But dᵀw is (Aᵀd)ᵀx + bᵀd, and that is negative for every x within the bounds:",
+        "A solution has wᵢ ≥ 0 if xᵢ has no upper bound, and wᵢ ≤ 0 if xᵢ has no lower bound. Let d be positive \
+         only in rows of the first kind and negative only in rows of the second kind. Then dᵀw ≥ 0 at every \
+         solution. But dᵀw = (Aᵀd)ᵀx + bᵀd, which is negative for every x within the bounds:",
     );
     section.formula(Formula::default().symbols(
         "0 ≤ dᵀw = (Aᵀd)ᵀx + bᵀd ≤ max (Aᵀd)ᵀx + bᵀd < 0",
@@ -68,13 +68,13 @@ fn numbers(section: &mut Section, reading: &Reading, d: &[RBig]) {
     }
     let unit = reading.units.of_w();
     let columns =
-        ["row", "d", "(Aᵀd)ᵢ", "bounds of x", "(Aᵀd)ᵢ xᵢ at most", &format!("bᵢ dᵢ ({unit})")];
-    section.table("the vector d, in the rows where it says something", &columns, lines);
+        ["row", "d", "(Aᵀd)ᵢ", "bounds of x", "largest (Aᵀd)ᵢ xᵢ", &format!("bᵢ dᵢ ({unit})")];
+    section.table("the vector d in its relevant rows", &columns, lines);
     let total = most + last;
     let sum = format!("dᵀw ≤ {} + {} = {}", plain(most), bracketed(last), plain(total));
     section.say(format!(
-        "Together {} for every x within its bounds, where a solution has dᵀw ≥ 0. So there is none, \
-         whatever the solver; the comparison was made in exact arithmetic.",
+        "The sum is {} for every x within its bounds, but a solution has dᵀw ≥ 0. Therefore no solution exists, \
+         for any solver. The comparison was made in exact arithmetic.",
         with_unit(&sum, &unit)
     ));
 }

@@ -22,9 +22,9 @@ pub(super) fn states(when: &str, scene: &Scene, states: &[State]) -> Section {
 
 /// s and u after the step.
 pub(super) fn after(scene: &Scene, step: &Step) -> Section {
-    let mut section = Section::new("the states after it");
+    let mut section = Section::new("the states after the step");
     if step.solves.iter().all(|solve| solve.problem.lcp.is_empty()) {
-        section.say("No row enters: every body moves freely.");
+        section.say("No row is active, so every body moves freely.");
     }
     section.say("The bodies move with their new velocities, s⁺ = s + dt S u⁺.");
     state_table(&mut section, "the bodies after", scene, &step.states);
@@ -50,7 +50,10 @@ fn state_table(section: &mut Section, title: &str, scene: &Scene, states: &[Stat
     let fixed: Vec<&str> =
         scene.bodies.iter().filter(is_fixed).take(SHOWN).map(|body| body.name.as_str()).collect();
     if !fixed.is_empty() {
-        section.say(format!("Fixed, with M⁻¹ = 0 and so without columns: {}.", fixed.join(", ")));
+        section.say(format!(
+            "Fixed bodies, with M⁻¹ = 0 and therefore without columns: {}.",
+            fixed.join(", ")
+        ));
     }
 }
 
@@ -157,38 +160,40 @@ fn bias(scene: &Scene, problem: &Problem) -> String {
                 }
                 Feedback::Unscaled => format!("β = {beta} 1/s, not divided by dt (E34)"),
                 Feedback::Printed => {
-                    format!("−β = −{beta} 1/s, as the chapter prints it (E34, E35)")
+                    format!("−β = −{beta} 1/s, as printed in the chapter (E34, E35)")
                 }
             };
             format!(
-                "The bias feeds errors back: an error of position c by {factor}; a gap c > 0 of a \
-                 contact by 1/dt, so that it may close within the step and not more. Friction has the \
-                 bias 0, a motor its speed with the other sign."
+                "The bias is the feedback of errors. A position error c is multiplied by {factor}, and a \
+                 gap c > 0 of a contact by 1/dt, so that the gap can close within the step but not become \
+                 an overlap. The bias of a friction row is 0, that of a motor the negative target speed."
             )
         }
-        Stage::Impact => "A blow takes no time: no force, no bias, only J u⁺ ≥ 0.".into(),
+        Stage::Impact => {
+            "An impact takes no time, so there is no force and no bias, only J u⁺ ≥ 0.".into()
+        }
         Stage::Restitution => format!(
-            "Contacts that the first answer pushed and that approached faster than {} m/s bounce: they \
-             have the bias e J u with e = {}, J u from the table. So w = J u⁺ + e J u ≥ 0 asks for e \
-             times the speed of approach. The other rows keep their bias.",
+            "Contacts bounce if they have an impulse in the first answer and approached faster than {} m/s. They \
+             have the bias e J u with e = {} and J u from the table, so w = J u⁺ + e J u ≥ 0 requires a separation at e \
+             times the approach speed. The other rows keep their bias.",
             plain(contact.bounce_speed),
             plain(contact.restitution)
         ),
         Stage::Acceleration => format!(
-            "The bias is J'u + 2α J u + α² c with α = {alpha} 1/s, by which errors decay; for friction \
-             J'u + J u/dt with dt = {dt} s, for a motor J'u + (J u − its speed)/dt."
+            "The bias is J'u + 2α J u + α² c with α = {alpha} 1/s, which lets errors decay. For friction it is \
+             J'u + J u/dt with dt = {dt} s, and for a motor J'u + (J u − target speed)/dt."
         ),
-        Stage::Position => "The bias is the error of position.".into(),
+        Stage::Position => "The bias is the position error.".into(),
     };
     let touches = rows.iter().any(|row| row.kind == Kind::Normal);
     if problem.stage == Stage::Velocity && contact.slop > 0.0 && touches {
         words += &format!(
-            " Contacts may overlap by {} m: of them min(c + that, 0) counts.",
+            " An overlap of contacts up to {0} m is allowed: the feedback uses min(c + {0}, 0).",
             plain(contact.slop)
         );
     }
     if rows.iter().any(|row| row.spring.is_some()) {
-        words += " A spring of stiffness k and damping d has β = dt k/(d + dt k) of its own, and yields by \
+        words += " A spring of stiffness k and damping d has its own β = dt k/(d + dt k) and the compliance \
                   γ = 1/(dt (d + dt k)).";
     }
     words

@@ -68,15 +68,15 @@ pub(super) fn by_suitable(
 }
 
 /// What sweeps come to where there is no solution.
-const ENDLESS: &str = "Every further sweep moves x by the same d, for ever: no bound is met, and no w gets \
-nearer to 0, for Δw = A d is";
+const ENDLESS: &str = "Every further sweep moves x by the same d, without end: x reaches no bound, and \
+no w comes closer to 0, because Δw = A d is";
 
 /// A row that Dantzig's method cannot satisfy.
 fn stuck(reading: &Reading, x: &[f64], row: usize) -> String {
     let w = with_unit(&plain(reading.lcp.w(x)[row]), &reading.units.w[row]);
     format!(
-        "Row {row} is left, with {} = {w}. Here x can go along d for ever: no bound is met, and no w \
-         gets nearer to 0, for Δw = A d is",
+        "Row {row} is not satisfied: {} = {w}. From here x can move along d without end: it reaches no bound, \
+         and no w comes closer to 0, because Δw = A d is",
         indexed("w", row)
     )
 }

@@ -32,7 +32,8 @@ pub(super) fn matrix(lcp: &Lcp, formula: Formula) -> Formula {
 
 /// lo and hi, and what they ask of w.
 pub(super) fn bounds(section: &mut Section, lcp: &Lcp, law_follows: bool, units: &Units) {
-    section.say("x stays within its bounds; w > 0 only where x is at the lower one, w < 0 only at the upper one.");
+    section.say("x stays within its bounds; w > 0 only if x is at the lower one, w < 0 only if x is at the upper \
+     one.");
     let formula = Formula::default()
         .symbols("lo =", "\\mathrm{lo} =")
         .vector(lcp.lo())
@@ -42,8 +43,8 @@ pub(super) fn bounds(section: &mut Section, lcp: &Lcp, law_follows: bool, units:
     section.formula(formula.unit(units.of_x()));
     let rubs = lcp.has_coupled_rows();
     if law_follows {
-        section.say("Friction rows have no bounds yet: their law comes next.");
+        section.say("Friction rows have no bounds yet; the friction law follows.");
     } else if rubs {
-        section.say("Friction rows have the bounds ±μ x of their normal row in place of ∓∞.");
+        section.say("Friction rows have the bounds ±μ x of their normal row instead of ∓∞.");
     }
 }

@@ -25,7 +25,8 @@ pub fn step(scene: &Scene, method: &Method, steps: usize) -> Result<Document> {
 pub fn steps(scene: &Scene, method: &Method, numbers: RangeInclusive<usize>) -> Result<Document> {
     let level = scene.step.scheme;
     if !Scheme::LEVELS.contains(&level) {
-        let reason = format!("velocity and acceleration are explained, not {}", level.name());
+        let reason =
+            format!("only velocity and acceleration can be explained, not {}", level.name());
         return Err(Error::invalid(scene.name.as_str(), "scheme", reason));
     }
     let mut document = Document {
@@ -59,8 +60,8 @@ pub fn steps(scene: &Scene, method: &Method, numbers: RangeInclusive<usize>) -> 
     Ok(document)
 }
 
-const CONVENTIONS: &str = "Rows are counted from 0; x ≥ 0 pushes the bodies of a row apart; \
-a row acts on body 1 minus body 0.";
+const CONVENTIONS: &str = "Rows are numbered from 0. x ≥ 0 pushes the bodies of a row apart. A row acts on body \
+ 1 minus body 0.";
 
 /// The LCPs of a step; why it failed, if it did.
 fn solves(
@@ -97,7 +98,7 @@ fn impossible(
     unfinished: &[Solve],
 ) -> Result<()> {
     solves(document, scene, method, failure.step, unfinished, Some(failure))?;
-    let mut section = Section::new("it cannot be taken");
+    let mut section = Section::new("the step cannot be solved");
     section.say(format!("{failure}."));
     document.add(&format!("Step {}", failure.step), section);
     document.is_accepted = false;

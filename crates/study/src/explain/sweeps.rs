@@ -33,9 +33,9 @@ impl<'a> Sweeps<'a> {
         let title = if name == "pgs" { "projected Gauss-Seidel" } else { "projected SOR" };
         let mut section = Section::new(format!("{title}, row by row"));
         section.say(
-            "A sweep takes the rows one after another, each with the newest x. The row's w is summed, \
-             divided by its diagonal entry, and x moves against it; then x is clamped to its bounds, \
-             before the next row is looked at.",
+            "A sweep updates one row after another, always with the newest x. It sums the w of the row, \
+             divides it by the diagonal entry, and subtracts the result from x. Then it clamps x to its bounds, \
+             before the next row.",
         );
         section.formula(Formula::default().symbols(
             "xᵢ ← Πᵢ( xᵢ − ω wᵢ / aᵢᵢ ),   wᵢ = Σⱼ aᵢⱼ xⱼ + bᵢ",
@@ -92,7 +92,11 @@ impl<'a> Sweeps<'a> {
         }
         let x = headed("x", &self.reading.units.of_x());
         let columns = ["sweep", &x, "max |x − Π(x − w)|", "factor"];
-        self.section.table("x and its residual, the first sweeps and the last", &columns, lines);
+        self.section.table(
+            "x and its residual in the first sweeps and the last one",
+            &columns,
+            lines,
+        );
     }
 }
 

@@ -89,11 +89,14 @@ fn tally(entry: &ConeEntry, truth: &ConeTruth, number: usize, settings: &Setting
     let distance = distance.fold(0.0, f64::max);
     let is_claim = solution.status == Status::Solved;
     let wrong = match () {
-        _ if !accepts(&truth.x) => Some("the judge refuses the closed form".to_string()),
-        _ if is_claim && !accepts(&solution.x) => Some("solved, and refused by the judge".into()),
+        _ if !accepts(&truth.x) => Some("the judge rejects the closed form".to_string()),
+        _ if is_claim && !accepts(&solution.x) => Some("solved, but rejected by the judge".into()),
         _ if is_claim && !(distance <= NEAR * size) => {
             let [distance, size] = [distance, size].map(|length| readable(length, 2));
-            Some(format!("solved, {distance} from the closed form, which is {size} long"))
+            Some(format!(
+                "solved, but at the distance {distance} from the closed form, which has the length \
+             {size}"
+            ))
         }
         _ => None,
     };

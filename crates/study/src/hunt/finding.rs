@@ -204,11 +204,13 @@ fn truth(solutions: &[Vec<RBig>], is_unique: bool) -> String {
     };
     let shown: Vec<String> = solutions.iter().take(SHOWN).map(vector).collect();
     match solutions.len() {
-        0 => " It has no solution, as all choices of active rows show.".into(),
+        0 => " It has no solution; all choices of active rows were tried.".into(),
         1 if is_unique => format!(" Its solution is x = {}.", shown[0]),
-        1 => format!(" A solution is x = {}; no other one is apart from it.", shown[0]),
-        n if n > SHOWN => format!(" It has {n} solutions apart, such as x = {}.", shown[0]),
-        n => format!(" It has {n} solutions apart: x = {}.", shown.join(", ")),
+        1 => format!(" A solution is x = {}; all other solutions are connected to it.", shown[0]),
+        n if n > SHOWN => {
+            format!(" It has {n} isolated sets of solutions, such as x = {}.", shown[0])
+        }
+        n => format!(" It has {n} isolated sets of solutions: x = {}.", shown.join(", ")),
     }
 }
 

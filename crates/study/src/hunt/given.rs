@@ -88,7 +88,8 @@ impl Given {
         }
         let frozen = problems.iter().filter(|(_, problem)| problem.frozen_at.is_some());
         given.notes.extend(frozen.map(|(name, _)| {
-            format!("{name}: frozen_at is not kept: each box is frozen at what its normal would need if it were alone")
+            format!("{name}: frozen_at is not kept: each box is frozen at the normal impulse that its contact \
+             would need alone")
         }));
         Ok(given)
     }
@@ -117,7 +118,8 @@ impl Given {
             if repaired.is_none() {
                 self.within = General;
                 let reason = outside(Semidefinite);
-                self.notes = vec![format!("{name}: {reason}; the search keeps to no class")];
+                self.notes =
+                    vec![format!("{name}: {reason}; the search is not restricted to a class")];
                 self.problems = problems.iter().map(|(_, problem)| problem.lcp.clone()).collect();
                 return;
             }

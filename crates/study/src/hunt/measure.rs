@@ -152,7 +152,7 @@ impl fmt::Display for Unfair {
             Unfair::Friction(_) => write!(f, "it has no friction rows"),
             Unfair::NoPairs(reason) => write!(f, "{reason}"),
             Unfair::Class(class) => write!(f, "A is not shown to be {class}"),
-            Unfair::Solver(name) => write!(f, "{name} is not made for such a problem"),
+            Unfair::Solver(name) => write!(f, "{name} does not support such a problem"),
         }
     }
 }
@@ -241,31 +241,31 @@ impl Trial {
     /// What the solver does on the problem, in a sentence; `solution` is its [answer](Trial::answer).
     pub fn words(&self, lcp: &Lcp, solution: &Solution) -> String {
         let name = self.solver.name();
-        let Ok(posed) = pose(lcp, self.model) else { return format!("{name} is not asked") };
+        let Ok(posed) = pose(lcp, self.model) else { return format!("{name} is not tried") };
         match self.measure {
             Measure::Lie => match self.claim(&posed, solution) {
                 Claim::Lie(lie) if solution.is_claim_implied => format!(
-                    "{name} says: {lie}. (It gives x and no status, which counts as \"solved\" where plain projected \
-                     Gauss-Seidel comes twice as near in as many sweeps)"
+                    "{name} says: {lie}. (It returns x without a status, which counts as \"solved\" if plain \
+                     projected Gauss-Seidel has less than half the residual after the same number of sweeps.)"
                 ),
                 Claim::Lie(lie) => format!("{name} says: {lie}"),
                 _ => format!("{name}: {}", solution.status),
             },
             Measure::Failure if solution.status == Status::Solved => {
-                format!("{name} finds no solution: the judge does not accept its x")
+                format!("{name} finds no solution: the judge rejects its x")
             }
             Measure::Failure => format!("{name} finds no solution: {}", solution.status),
-            Measure::Iterations => format!("{name} takes {} iterations", solution.iterations),
+            Measure::Iterations => format!("{name} needs {} iterations", solution.iterations),
             Measure::Error => {
                 let error = readable(self.error(&posed, solution), 2);
-                format!("{name} is accepted, and {error} of max |x| from an exact solution")
+                format!("the answer of {name} is accepted, but its error is {error} of max |x|")
             }
             Measure::Ratio => {
                 let most = self.options.settings.max_iterations;
                 let rival = self.rival_iterations(&posed, most).unwrap_or_default();
                 let other = self.rival.map_or("", |rival| rival.name());
                 let omega = self.omega_words();
-                format!("{name} takes {} iterations, {other}{omega} {rival}", solution.iterations)
+                format!("{name} needs {} iterations, {other}{omega} {rival}", solution.iterations)
             }
         }
     }
@@ -273,7 +273,7 @@ impl Trial {
     fn omega_words(&self) -> String {
         match self.omegas().len() {
             1 => String::new(),
-            count => format!(" with the best of {count} ω"),
+            count => format!(" with the best of {count} values of ω"),
         }
     }
 

@@ -25,27 +25,27 @@ pub struct Kind {
 pub const KINDS: &[Kind] = &[
     Kind {
         name: "contacts",
-        about: "A = JJᵀ of small whole numbers, often singular; contacts only; a third has no solution",
+        about: "A = JJᵀ with small integers, often singular; contacts only; one third has no solution",
         make: |random| contacts(random),
     },
     Kind {
         name: "bounds",
-        about: "the same with bounds of every kind: boxes, equations, pinned rows, upper bounds alone",
+        about: "the same with all kinds of bounds: boxes, equations, rows with lo = hi, only upper bounds",
         make: |random| contacts(random).bounded(random),
     },
     Kind {
         name: "solvable",
-        about: "JJᵀ, and b chosen so that a solution is known, a third of its rows degenerate",
+        about: "JJᵀ with b chosen so that a solution is known; one third of the rows is degenerate",
         make: |random| contacts(random).bounded(random).solvable(random),
     },
     Kind {
         name: "masses",
-        about: "rows in units up to 2⁶⁰ apart, about 10¹⁸",
+        about: "rows in units that differ by up to 2⁶⁰, about 10¹⁸",
         make: |random| contacts(random).bounded(random).in_units(random, 30),
     },
     Kind {
         name: "copies",
-        about: "every row twice, the copies up to 10⁻⁹ apart",
+        about: "every row twice; the copies differ by up to 10⁻⁹",
         make: |random| contacts_of(random, 3).doubled(random),
     },
     Kind {
@@ -75,12 +75,12 @@ pub const KINDS: &[Kind] = &[
     },
     Kind {
         name: "any",
-        about: "any small whole numbers: indefinite, not symmetric, zeros on the diagonal",
+        about: "any small integers: indefinite, not symmetric, zeros on the diagonal",
         make: |random| any(random).bounded(random),
     },
     Kind {
         name: "extremes",
-        about: "entries of 0, −0, subnormal, 10^±150, 10^±300 among the ordinary ones",
+        about: "0, −0, subnormal numbers, 10^±150 and 10^±300 among ordinary entries",
         make: |random| extremes(random).bounded(random),
     },
     Kind {
@@ -90,7 +90,7 @@ pub const KINDS: &[Kind] = &[
     },
     Kind {
         name: "bounds-at-the-ends",
-        about: "bounds of 0, −0, subnormals and ±10³⁰⁸, pinned rows, upper bounds alone",
+        about: "bounds of 0, −0, subnormal numbers and ±10³⁰⁸, rows with lo = hi, only upper bounds",
         make: |random| contacts(random).bounded_at_the_ends(random),
     },
     Kind {
@@ -100,12 +100,12 @@ pub const KINDS: &[Kind] = &[
     },
     Kind {
         name: "rank-one",
-        about: "A = vvᵀ: all rows but one are redundant",
+        about: "A = vvᵀ: all rows except one are redundant",
         make: |random| rank_one(random).bounded(random),
     },
     Kind {
         name: "cancellation",
-        about: "entries of 2²⁶ … 2³⁰ whose products cancel to little",
+        about: "entries of 2²⁶ … 2³⁰ whose products nearly cancel",
         make: |random| cancelling(random).bounded(random),
     },
     Kind {

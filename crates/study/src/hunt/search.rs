@@ -90,9 +90,11 @@ impl Searched {
             self.trouble.as_ref().filter(|_| self.catch.is_none() && self.evaluations > 0)?;
         let (count, all) = (self.unanswered, self.evaluations);
         Some(match self.solved {
-            0 => format!("{solver} solves none of {all} problems; the first: {trouble}"),
+            0 => format!(
+                "{solver} solves none of {all} problems; reason for the first one: {trouble}"
+            ),
             _ => format!(
-                "{solver} gives no answer to {count} of {all} problems; the first: {trouble}"
+                "{solver} gives no answer to {count} of {all} problems; reason for the first one: {trouble}"
             ),
         })
     }
@@ -146,7 +148,7 @@ impl Search {
         }
         for (k, lcp) in self.from.iter().enumerate() {
             if let Some(reason) = trial.unfair(lcp) {
-                defects.add(format!("problem {} to begin with", k + 1), reason.to_string());
+                defects.add(format!("starting problem {}", k + 1), reason.to_string());
             }
         }
         defects.into_result("search")

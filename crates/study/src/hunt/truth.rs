@@ -65,9 +65,13 @@ impl std::fmt::Display for Lie {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Lie::Refuted { row, amount } => {
-                write!(f, "solved, but row {row} misses by {} of its terms", readable(*amount, 2))
+                write!(
+                    f,
+                    "solved, but the scaled residual is {} in row {row}",
+                    readable(*amount, 2)
+                )
             }
-            Lie::Worthless => write!(f, "solved, but x is no nearer to a solution than zero is"),
+            Lie::Worthless => write!(f, "solved, but x is no closer to a solution than x = 0"),
             Lie::NotFinite => write!(f, "solved, but x is not finite"),
             Lie::DeniedASolution => write!(f, "no solution, but one exists"),
             Lie::Accepted => write!(f, "accepted by the judge, but no solution exists"),

@@ -179,7 +179,7 @@ fn signs_and_blocks_gone_wrong_are_seen_in_a() {
 }
 
 #[test]
-fn every_cause_is_one_sentence() {
+fn every_cause_ends_its_sentences_and_names_its_rows() {
     let rows = || vec!["0".to_string(), "1".into()];
     let causes = [
         Cause::NoDirection { constraint: "constraints[0]: the two points coincide".into() },
@@ -199,7 +199,7 @@ fn every_cause_is_one_sentence() {
     ];
     for cause in causes {
         let message = cause.to_string();
-        assert!(message.ends_with('.') && !message.contains(". "), "{message}");
+        assert!(message.ends_with('.') && !message.contains(".."), "{message}");
         assert!(cause.rows().iter().all(|row| message.contains(row)), "{message}");
     }
 }

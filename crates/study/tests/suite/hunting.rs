@@ -393,7 +393,7 @@ fn every_model_can_be_hunted_under() {
         ..trial(engine(Sweeps::Right, 9, true), MatrixClass::Definite, true)
     };
     let reason = boxes.validate().unwrap_err().to_string();
-    assert_eq!(reason, "solver engine: model: it does not say that it takes coulomb-cone");
+    assert_eq!(reason, "solver engine: model: it does not declare support for coulomb-cone");
 }
 
 fn given(lcp: &Lcp, within: Option<MatrixClass>) -> Result<Given, String> {
@@ -412,7 +412,7 @@ fn a_start_outside_the_class_is_refused_and_one_beside_it_is_repaired_with_words
     );
     let free = given(&indefinite, None).unwrap();
     assert_eq!((free.within, free.notes.len()), (MatrixClass::General, 1));
-    assert!(free.notes[0].ends_with("the search keeps to no class"), "{:?}", free.notes);
+    assert!(free.notes[0].ends_with("the search is not restricted to a class"), "{:?}", free.notes);
     // J Jᵀ of J = (0.3, 0.7), rounded, has a determinant below 0.
     let (p, q) = (0.3_f64, 0.7_f64);
     let rounded =
@@ -489,7 +489,7 @@ fn a_solver_that_solves_nothing_is_not_passed_for_want_of_false_claims() {
     assert_eq!((searched.catch.is_none(), searched.solved), (true, 0));
     assert_eq!(
         searched.useless("dead").unwrap(),
-        "dead solves none of 200 problems; the first: no answer: IndexError: list index out of range"
+        "dead solves none of 200 problems; reason for the first one: no answer: IndexError: list index out of range"
     );
     let alive = trial(engine(Sweeps::Right, 100, true), MatrixClass::Definite, false);
     assert_eq!(self::searched(&alive, 1, 200).useless("engine"), None);

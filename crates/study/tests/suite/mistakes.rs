@@ -100,9 +100,9 @@ fn mistakes_in_the_problem_are_named() {
     let lcp = column();
     let with = |b: Vec<f64>| lcp.with_b(b).unwrap();
     let other_sign = with(lcp.b().iter().map(|b| -b).collect());
-    assert_eq!(first(&lcp, &exact(&other_sign)), "b with the other sign, solved");
+    assert_eq!(first(&lcp, &exact(&other_sign)), "b with the opposite sign, solved");
     let without_dt = with(lcp.b().iter().map(|b| 60.0 * b).collect());
-    assert_eq!(first(&lcp, &exact(&without_dt)), "b times 60 (a time step, a unit?), solved");
+    assert_eq!(first(&lcp, &exact(&without_dt)), "b times 60 (a time step or a unit?), solved");
     let mut lo = lcp.lo().to_vec();
     lo[5] = f64::NEG_INFINITY;
     let free = Lcp::new(lcp.matrix().clone(), lcp.b().to_vec(), lo, lcp.hi().to_vec()).unwrap();
@@ -185,7 +185,7 @@ fn hostile_numbers_agree_with_nothing() {
         x[3] = wrong;
         assert_eq!(mistakes(&lcp, &x), [], "{wrong}");
     }
-    assert_eq!(mistakes(&lcp, &[0.0; 8])[0].what, "the start, x = 0: nothing was done");
+    assert_eq!(mistakes(&lcp, &[0.0; 8])[0].what, "the start, x = 0, not updated");
 }
 
 #[test]
@@ -223,7 +223,7 @@ fn mistakes_that_have_to_do_with_the_last_frame_are_named() {
         first(&x, &last),
         "projected Gauss-Seidel from the last answer, stopped after 2 sweeps"
     );
-    assert_eq!(first(&last, &last), "the last answer: nothing was done");
+    assert_eq!(first(&last, &last), "the last answer, not updated");
 }
 
 #[test]
@@ -238,7 +238,10 @@ fn friction_that_is_limited_by_the_last_normal_forces_is_named() {
     // A sweep from the friction row to the normal row, begun at the last answer, gives the same x.
     let all: Vec<(&str, f64)> =
         found.iter().map(|mistake| (mistake.what.as_str(), mistake.distance)).collect();
-    assert!(all.contains(&("friction limited by the last normal forces, solved", 0.0)), "{all:?}");
+    assert!(
+        all.contains(&("friction limited by the normal forces of the previous frame, solved", 0.0)),
+        "{all:?}"
+    );
 }
 
 #[test]

@@ -204,7 +204,11 @@ fn what_was_found_is_explained_with_its_exact_solution() {
     let finding = Finding::of(&catch, &trial, 1);
     let solutions = Expected::of(&finding.problem).unwrap().solutions;
     assert_eq!(solutions.len(), all_solutions(&catch.lcp).unwrap().len());
-    assert!(finding.words.starts_with("mistaken says: solved, but row"), "{}", finding.words);
+    assert!(
+        finding.words.starts_with("mistaken says: solved, but the scaled residual is "),
+        "{}",
+        finding.words
+    );
     assert!(finding.equations().starts_with("  w_0 = "), "{}", finding.equations());
     assert!(finding.test.contains("fn lie_of_mistaken()"));
 }

@@ -118,7 +118,7 @@ fn suspected(found: &Examination) -> &Slow {
     let cause = &found.shortfall.as_ref().unwrap().causes[0];
     let words = cause.to_string();
     assert!(
-        words.starts_with("worse than plain projected Gauss-Seidel after as many sweeps"),
+        words.starts_with("its error is ") && words.contains("plain projected Gauss-Seidel has "),
         "{words}"
     );
     cause

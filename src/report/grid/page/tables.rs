@@ -29,14 +29,14 @@ pub(super) fn optima(curves: &Curves<'_>) -> Option<Table> {
     };
     let rows: Vec<Vec<Cell>> = curves.curves.iter().filter_map(row).collect();
     (!rows.is_empty()).then(|| Table {
-        title: "The fewest iterations, and where theory has them".into(),
+        title: "Smallest number of iterations, and its theoretical position".into(),
         how_to_read: format!(
-            "Of the points that were tried the one with the fewest iterations, beside the {across} \
-             at which the spectral radius is least."
+            "The point with the fewest iterations, compared with the {across} at which the spectral radius is \
+             smallest."
         ),
         columns: vec![
             Column::words("curve"),
-            Column::numbers(format!("{across} of the fewest"), ""),
+            Column::numbers(format!("best {across}"), ""),
             Column::numbers("iterations", ""),
             Column::numbers(format!("{across} by theory"), ""),
         ],
@@ -66,9 +66,10 @@ pub(super) fn growth(grid: &Grid, curves: &Curves<'_>) -> Option<Table> {
         .iter()
         .map(|measure| Column::numbers(format!("{} ~ {}^", words(measure), curves.across), ""));
     Some(Table {
-        title: format!("How it grows with {}", curves.across),
+        title: format!("Growth with {}", curves.across),
         how_to_read: format!(
-            "Exponents over the last two values of {}: where it doubles, 1 means twice as much, 2 four times.",
+            "Exponents from the last two values of {}: 1 means that doubling it doubles the quantity, 2 that \
+             it quadruples.",
             curves.across
         ),
         columns: [Column::words("curve")].into_iter().chain(heads).collect(),
@@ -132,15 +133,15 @@ pub(super) fn results(grid: &Grid, plan: &Plan, points: &[Point<'_>]) -> Table {
         if left > 0 { format!(" {left} more rows are in results.csv.") } else { String::new() };
     let theory = match has_theory.contains(&true) {
         true => {
-            " What is marked agrees with the closed form, or does not; what is not marked is a rule of thumb, which \
-                  claims nothing."
+            " Marks show whether a value agrees with the closed form. Values without a mark are compared with \
+             a rule of thumb, which makes no exact prediction."
         }
         false => "",
     };
     Table {
-        title: "What was found at each point".into(),
+        title: "Results at each point".into(),
         how_to_read: format!(
-            "Status: the solver's word. Verdict: the judge's, on the worst answer.{theory}{more}"
+            "*Status*: the solver's own claim. *Verdict*: the judge's, for the worst answer.{theory}{more}"
         ),
         columns,
         rows,

@@ -144,8 +144,10 @@ pub(super) fn ladder(size: Size) -> Result<Vec<Row>> {
     slippery.scene.bodies[floor].friction = mu;
     slippery.scene.bodies[ladder].friction = mu;
     let turns = [
-        "m g t / (I + m L^2/4 - m L cos theta mu (L sin theta + r)/2), t = mu (L sin theta + r) - L cos theta/2",
-        "\\frac{m\\,g\\,\\tau}{I + m L^2/4 - \\tfrac12 m L\\cos\\theta\\,\\mu(L\\sin\\theta + r)},\\ \\tau = \\mu(L\\sin\\theta + r) - \\tfrac12 L\\cos\\theta",
+        "m g t / (I + m L^2/4 - m L cos theta mu (L sin theta + r)/2), t = mu (L sin theta + r) - L cos \
+         theta/2",
+        "\\frac{m\\,g\\,\\tau}{I + m L^2/4 - \\tfrac12 m L\\cos\\theta\\,\\mu(L\\sin\\theta + r)},\\ \\tau = \
+         \\mu(L\\sin\\theta + r) - \\tfrac12 L\\cos\\theta",
     ];
     let moment = match slippery.scene.bodies[ladder].mass {
         crate::body::Mass::Rigid { moments, .. } => moments.y,

@@ -8,19 +8,19 @@ use crate::report::study::cards::{Column, Phenomenon, Record};
 const USES: [(&str, &[&str]); 7] = [
     ("A gripper, a leg", &["creep", "wall", "capstan", "stopping", "weight"]),
     ("A tower, a load", &["tower", "mass_ratio", "weight"]),
-    ("What rolls and slides", &["directions", "rolling", "stopping"]),
+    ("Rolling and sliding", &["directions", "rolling", "stopping"]),
     ("A mechanism", &["spring", "pendulum", "chain", "closed_loop", "bricard"]),
     ("What flies", &["free_fall", "angular_momentum", "top"]),
-    ("What is thrown and hits", &["lift", "bounce", "bullet"]),
-    ("What is learned or optimised", &["predictability", "order", "repeat"]),
+    ("Throws and impacts", &["lift", "bounce", "bullet"]),
+    ("Learning and optimization", &["predictability", "order", "repeat"]),
 ];
 
 /// A paragraph a use.
 pub fn of(record: &Record) -> String {
     let others = record.engines.iter().filter(|engine| engine.name != OWN).count();
     let begins = format!(
-        "{} laws of mechanics, each in a scene of its own, on {others} physics engines. For each use: which engines keep \
-         all laws that it rests on, and which misses them most.",
+        "{} laws of mechanics, each in its own scene, tested on {others} physics engines. For each use: the \
+         engines that obey all of the laws that matter for it, and the engine that violates them most.",
         record.phenomena.len()
     );
     let paragraphs = USES.iter().map(|(what, names)| paragraph(record, what, names));
@@ -43,18 +43,18 @@ fn paragraph(record: &Record, what: &str, names: &[&str]) -> String {
     let tuned: Vec<_> = accurate.into_iter().filter(|own| !installed.contains(own)).collect();
     let links = rests_on.iter().map(|own| format!("[{}](#{})", words(&own.name), own.name));
     let who = match (&installed[..], &tuned[..]) {
-        ([], []) => "no engine keeps all of these laws".into(),
+        ([], []) => "no engine obeys all of these laws".into(),
         ([], tuned) => {
             format!(
-                "as installed no engine keeps all of these laws, with accurate settings {}",
+                "with default settings no engine obeys all of these laws; with accurate settings {}",
                 list(tuned)
             )
         }
         (installed, []) => {
-            format!("all of these laws are kept by {} as installed", list(installed))
+            format!("with default settings {} obey all of these laws", list(installed))
         }
         (installed, tuned) => format!(
-            "all of these laws are kept by {} as installed, with accurate settings by {} too",
+            "with default settings {} obey all of these laws; with accurate settings also {}",
             list(installed),
             list(tuned)
         ),
@@ -62,7 +62,7 @@ fn paragraph(record: &Record, what: &str, names: &[&str]) -> String {
     let misses: Vec<String> = rests_on.iter().filter_map(|own| farthest(record, own)).collect();
     let farthest = match misses.is_empty() {
         true => String::new(),
-        false => format!(" Farthest off as installed: {}.", misses.join("; ")),
+        false => format!(" Largest violation with default settings: {}.", misses.join("; ")),
     };
     format!("**{what}** ({}): {who}.{farthest}", links.collect::<Vec<_>>().join(", "))
 }

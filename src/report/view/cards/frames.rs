@@ -11,14 +11,16 @@ pub fn show(record: &Record, document: &mut Document) {
     if record.frames.is_empty() {
         return;
     }
-    document.open("frames", "Do engines solve the problems that they pose?");
+    document.open("frames", "Do engines solve their own contact problems?");
     document.text(
-        "What an engine misses may lie in the problem that it poses or in its solution of it. Here the problem of a step is \
-         taken out of the engine as it is installed, the engine's own forces or impulses are judged, in exact arithmetic where \
-         it says *proved*, and lcplab's solvers try the same problem. A law that is missed although the answer is proved is \
-         missed by the model: a softer contact, a pyramid for a cone, friction bounded by an earlier force. An answer that is \
-         refused may keep a law all the same: it is off by what the table says. Pinocchio poses no contacts: its solver gets \
-         the problem that lcplab poses. Rapier tells no problem, and DART none of a scene that sleeps.",
+        "An engine can violate a law because of its contact problem or because of its solution of that \
+         problem. This section takes the problem of one step from each engine with default settings. The judge \
+         decides on the engine's own forces or impulses (*proved* means in exact arithmetic), and lcplab's \
+         solvers solve the same problem. If a law is violated although the answer is proved, the cause is the \
+         model: a compliant contact, a pyramid instead of a cone, or friction limited by an earlier force. If \
+         an answer is rejected, the law may still be obeyed; the table shows the error of the answer. \
+         Pinocchio has no contact model, so its solver is given lcplab's problem. Rapier does not report its \
+         problem, and DART reports none for a sleeping scene.",
     );
     document.table("cards_frames", table(record));
 }
@@ -26,8 +28,9 @@ pub fn show(record: &Record, document: &mut Document) {
 fn table(record: &Record) -> Table {
     Table {
         title: "Engines' own answers".into(),
-        how_to_read: "*accepted*: of the solvers that take such problems, with Coulomb's cones one. *cheapest*: the one that was accepted \
-                       with the fewest multiplications. 10,000 iterations are the limit."
+        how_to_read: "*accepted*: the number of accepted answers and of solvers for such problems; for Coulomb \
+         cones there is one solver. *cheapest*: the accepted solver with the fewest multiplications. The limit \
+         is 10,000 iterations."
             .into(),
         columns: vec![
             Column::words("engine"),

@@ -57,9 +57,9 @@ impl View for Plan {
     fn show(&self, findings: &[Record], document: &mut Document) {
         for record in findings {
             document.text(
-                "✓: the law is met within its tolerance. A number says by how many tolerances it is missed, at the worst \
-                 of what was measured. –: the engine, or its adapter, has no such thing. The rows lead to the pictures and \
-                 numbers below.",
+                "✓: the law is obeyed within its tolerance. A number is the largest violation, in multiples of \
+                 the tolerance. –: the engine or its adapter does not support the scene. The rows link to the \
+                 pictures and numbers below.",
             );
             for (name, id, words) in [
                 (DEFAULTS, "installed", "As installed"),
@@ -90,7 +90,7 @@ impl View for Plan {
         let held = runs.iter().filter(|(_, column)| column.holds()).count();
         let faults: Vec<String> =
             runs.iter().filter_map(|(phenomenon, column)| fault(phenomenon, column)).collect();
-        let mut says = format!("{held} of {measured} runs keep their law");
+        let mut says = format!("{held} of {measured} runs obey their law");
         if !faults.is_empty() {
             says += &format!("; unexpected: {}", faults.join("; "));
         }
@@ -110,7 +110,7 @@ fn fault(phenomenon: &str, column: &cards::Column) -> Option<String> {
     } else if misses && column.engine == OWN && !is_known {
         "misses its law"
     } else if misses && column.engine != OWN && column.settings == ACCURATE && phenomenon == FALL {
-        "does not fall as a stone does: the adapter is wrong"
+        "free fall is wrong, so the adapter is wrong"
     } else {
         return None;
     };
@@ -193,16 +193,16 @@ fn settings(record: &Record) -> Table {
     });
     Table {
         title: "What was set".into(),
-        how_to_read: "All that differs from the engine as it is installed. Settings for accuracy are those that an \
-                      engine's documentation recommends, or where it names none, those that the words say; lcplab's steps \
-                      and stiffness were chosen after tries on these scenes too. The adapters translate and repair \
-                      nothing; what an engine cannot express is refused. Times are those of the machine that ran it; where \
-                      bodies sleep a step costs little."
+        how_to_read: "All differences from the default settings of an engine. Accurate settings are those that \
+         the documentation of the engine recommends; if it recommends none, the text names their source. \
+         lcplab's own steps and stiffness were tuned on these scenes. The adapters translate and correct \
+         nothing; they reject scenes that an engine cannot express. Times are those of the machine that ran \
+         the engines; a step of sleeping bodies costs little."
             .into(),
         columns: ["package", "settings", "in words"]
             .map(Column::words)
             .into_iter()
-            .chain([Column::numbers("a second of the tower of ten takes", "ms")])
+            .chain([Column::numbers("time for one second of the tower of ten", "ms")])
             .collect(),
         rows: rows.collect(),
         ..Table::default()

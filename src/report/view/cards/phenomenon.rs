@@ -19,8 +19,8 @@ pub fn show(record: &Record, phenomenon: &Phenomenon, document: &mut Document) {
         document.text(&phenomenon.reported);
     }
     document.text(format!(
-        "Again, on an engine that is installed: `python -m lcplab.cards --engine mujoco --phenomenon {}`. Each engine takes \
-         the step of its settings, not the scene's.",
+        "To rerun this phenomenon on an installed engine: `python -m lcplab.cards --engine mujoco --phenomenon \
+         {}`. Each engine uses the time step of its settings, not that of the scene.",
         phenomenon.name
     ));
     document.figure(figure(record, phenomenon));
@@ -93,7 +93,8 @@ fn strip(record: &Record, phenomenon: &Phenomenon) -> Option<Strip> {
         .unzip();
     let time = frames.first()?.time;
     let caption = format!(
-        "The bodies after {} s: engines as installed, then lcplab's schemes, all seen alike.",
+        "The bodies after {} s: engines with default settings, then lcplab's schemes, all from the same \
+         viewpoint.",
         readable(time, 3)
     );
     let id = format!("pictures_{}", phenomenon.name);
@@ -119,7 +120,10 @@ fn table(record: &Record, phenomenon: &Phenomenon) -> Table {
     });
     Table {
         title: format!("Measured: {}", phenomenon.name.replace('_', " ")),
-        how_to_read: "A law is met where the number is within its tolerance of the law's.".into(),
+        how_to_read:
+            "A law is obeyed if the measured number agrees with that of the law within the \
+         tolerance."
+                .into(),
         columns: vec![
             page::Column::words("engine"),
             page::Column::words("settings"),

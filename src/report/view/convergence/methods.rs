@@ -16,10 +16,10 @@ const LEAST: f64 = 1e-17;
 
 pub(super) fn show(problems: &[&Progress], document: &mut Document) {
     document.text(
-        "Iterations of different methods do not cost the same: a Newton step solves a linear system, \
-         a sweep is one product with A. So each problem is shown by iteration and by multiplication, \
-         counted by the leading term of each method; the times are in the last section. A pivoting \
-         method has no meaningful residual before it ends: its end is a marker.",
+        "Iterations of different methods have different costs: a Newton step solves a linear system, a sweep \
+         is one product with A. Therefore each problem is shown both by iteration and by multiplication, \
+         counted by the leading term of each method. The last section has the times. A pivoting method has no \
+         meaningful residual before it ends; a marker shows its end.",
     );
     for progress in problems {
         document.figure(by_iteration(progress));
@@ -32,8 +32,7 @@ pub(super) fn outcome(problems: &[&Progress]) -> Verdict {
     let methods = || problems.iter().flat_map(|progress| &progress.methods);
     let refuted = methods().filter(|method| method.outcome == Outcome::Refuted).count();
     let solved = methods().filter(|method| method.outcome.is_solved()).count();
-    let says =
-        format!("{solved} of {} solves succeed, {refuted} claims refuted", methods().count());
+    let says = format!("{solved} of {} solvers succeed, {refuted} false claims", methods().count());
     Verdict { good: refuted == 0, says }
 }
 
@@ -108,9 +107,9 @@ fn by_iteration(progress: &Progress) -> Lines {
         id: id(&progress.problem, "iterations"),
         title: format!("{}: residual by iteration", progress.problem),
         caption: format!(
-            "{} rows; ω of SOR is {}. Second-order methods converge within a few steps once they are near. Sweeps \
-             remove the rough part of the error at once and then slow down: what is left is smooth, and a \
-             row sees its neighbors only.",
+            "{} rows; ω of SOR is {}. Second-order methods converge within a few steps once they are near. \
+             Sweeps remove the rough part of the error at once and then slow down: what is left is smooth, \
+             and a row sees its neighbors only.",
             count(progress.rows),
             readable(progress.omega, 3)
         ),
@@ -172,8 +171,8 @@ fn table(progress: &Progress) -> Table {
             tolerance(progress.tolerance)
         ),
         how_to_read:
-            "*judge*: the verdict on the claim, or why there was none. *multiplications*: only of \
-                      methods that solved it."
+            "*judge*: the verdict on the answer, or the reason why there is none. *multiplications*: only for \
+             methods that solved the problem."
                 .into(),
         columns: vec![
             Column::words("solver"),

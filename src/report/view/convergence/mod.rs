@@ -11,7 +11,7 @@ use crate::report::study::convergence::sweeps::Rates;
 use crate::report::study::convergence::{Finding, Plan};
 
 impl View for Plan {
-    const TITLE: &'static str = "How fast the residual falls";
+    const TITLE: &'static str = "Convergence of the residual";
 
     fn show(&self, findings: &[Finding], document: &mut Document) {
         let Found { sweeps, methods, rows } = Found::of(findings);

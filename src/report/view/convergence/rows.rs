@@ -12,10 +12,10 @@ const ROUNDING: f64 = 1e-14;
 impl Rows {
     pub(super) fn show(&self, maps: &[&RowResiduals], document: &mut Document) {
         document.text(format!(
-            "**Why sweeps are slow on a stack.** {} bodies have fallen for one step. All of them move \
-             at the same speed, so at first only the lowest contact closes, and its impulse stops one \
-             body. The weight of the others has to travel from row to row, for a row of A couples \
-             neighbors only.",
+            "**Why sweeps are slow on a stack.** {} bodies have fallen for one step. All of them move at the \
+             same speed, so initially only the lowest contact closes, and its impulse stops one body. The \
+             effect on the other bodies must propagate from row to row, because a row of A couples only \
+             neighbors.",
             self.bodies
         ));
         document.figure(self.figure(section_id(document) + "_rows", maps));
@@ -63,8 +63,8 @@ impl Rows {
             let arrives =
                 reached(map).map_or("never".into(), |sweep| format!("after sweep {sweep}"));
             format!(
-                "- *{}*: the impulse of the ground reaches the contact below the top one {arrives}; \
-                 after sweep {} the largest residual is {} m/s.",
+                "- *{}*: the impulse from the ground reaches the contact below the top one {arrives}; after \
+                 sweep {} the largest residual is {} m/s.",
                 map.method.name(),
                 self.sweeps,
                 readable(largest(map), 2)

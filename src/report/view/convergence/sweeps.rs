@@ -41,8 +41,8 @@ pub(super) fn outcome(studies: &[&Rates]) -> Outcome {
         (slopes(false).filter(|(agrees, _)| *agrees).count(), slopes(false).count());
     let slower = slopes(false).filter(|(agrees, slower)| !agrees && *slower).count();
     let says = format!(
-        "{agree} of {all} slopes of equations are the spectral radii; with bounds {settled} of \
-         {bounded} are, and {} still fall faster",
+        "without bounds, {agree} of {all} slopes match the spectral radius; with bounds, {settled} of \
+         {bounded} match and {} are still steeper",
         bounded - settled - slower
     );
     Outcome { good: agree == all && slower == 0, says }
@@ -111,13 +111,12 @@ fn table(studies: &[&Rates]) -> Table {
     let rows =
         studies.iter().flat_map(|study| study.curves.iter().map(|curve| cells(study, curve)));
     Table {
-        title: "Contraction a sweep, predicted and measured".into(),
+        title: "Contraction per sweep, predicted and measured".into(),
         how_to_read:
-            "The factor by which the error shrinks in a sweep: the spectral radius of the \
-                      iteration matrix on the free rows, and the slope of the second half of the \
-                      curve. They agree if the digits gained a sweep are the same to 10 %. With bounds ρ is the \
-                      slope in the long run: a curve that still falls faster, because the slowest component \
-                      has a small share, has *not settled*."
+            "The factor by which a sweep reduces the error: *predicted* is the spectral radius of the \
+             iteration matrix on the free rows, *measured* the slope of the second half of the curve. They \
+             agree if the digits gained per sweep are the same to 10 %. With bounds, ρ is the limit of the \
+             slope; a curve that is still steeper, because the slowest component is small, has *not settled*."
                 .into(),
         columns: vec![
             Column::words("scene"),

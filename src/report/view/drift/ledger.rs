@@ -15,15 +15,15 @@ const ROUNDING: f64 = 1e-11;
 
 pub(super) fn show(findings: &[&Account], document: &mut Document) {
     document.text(
-        "**The energy ledger.** Every impulse does work, and the work of an impulse at fixed places is \
-         known exactly. So each change of energy has its cause: an impact takes some, restitution \
-         gives some back, friction dissipates some, the feedback of errors adds some, and so does the \
-         integrator where a force changes within a step.",
+        "**The energy ledger.** Every impulse does work, and the work of an impulse at fixed positions is \
+         known exactly. So each change of energy has a cause: impacts and friction dissipate energy, \
+         restitution returns some of it, error feedback adds energy, and so does the integrator if a force \
+         changes within a step.",
     );
     document.equation(
         "\\Delta E = \\sum_{\\text{rows}} \\tfrac12 x_i (J u + J u^+)_i + \\Delta E_{\\text{integrator}} \
          + \\dots, \\qquad \\text{remainder} = \\Delta E - \\textstyle\\sum \\text{accounts}",
-        "books of a step",
+        "ledger of a step",
     );
     for finding in findings {
         document.text(format!("**{}.** {}", finding.run.title, finding.run.text));
@@ -35,9 +35,9 @@ pub(super) fn show(findings: &[&Account], document: &mut Document) {
 pub(super) fn outcome(findings: &[&Account]) -> Outcome {
     let kept: Vec<bool> = findings.iter().filter_map(|finding| balances(finding)).collect();
     let balanced = kept.iter().filter(|balances| **balances).count();
-    let mut says = format!("{balanced} of {} books balance", kept.len());
+    let mut says = format!("{balanced} of {} energy ledgers balance", kept.len());
     if kept.len() < findings.len() {
-        says += &format!(", {} not accounted", findings.len() - kept.len());
+        says += &format!(", {} without a ledger", findings.len() - kept.len());
     }
     let ended_early = findings.iter().any(|finding| finding.ending.is_some());
     Outcome { good: balanced == kept.len() && !ended_early, says }
@@ -88,8 +88,7 @@ fn figure(finding: &Account) -> Lines {
                  sum of the accounts is the change in the panel above, to {} J.",
                 readable(remainder, 2)
             ),
-            None => "What the energy is. Where its change came from is not accounted: this way of \
-                     stepping does not write down what acted."
+            None => "The energy. Its causes are not shown, because this scheme does not record the forces."
                 .into(),
         },
         x: Axis::linear("time", "s"),
@@ -132,12 +131,12 @@ fn table(findings: &[&Account]) -> Table {
         cells
     };
     Table {
-        title: "The books of each run".into(),
-        how_to_read: "*change*: of kinetic plus potential energy from start to end; the accounts add up \
-                      to it, but for the *remainder*: the largest that was missing at any time. *energy \
-                      moved*: the largest kinetic energy, or change of the potential one. *books*: they \
-                      balance where the remainder is rounding, beside all energies that they were \
-                      computed from. *not accounted*: this way of stepping does not write down what acted."
+        title: "The ledger of each run".into(),
+        how_to_read: "*change*: the change of kinetic plus potential energy over the run, which is the sum of \
+         the accounts. *remainder*: the largest deviation from this sum at any time. *energy moved*: the \
+         largest kinetic energy or change of potential energy. *ledger*: balances if the remainder is a \
+         rounding error of the energies from which it was computed. *not accounted*: this scheme does not \
+         record the forces."
             .into(),
         columns,
         rows: findings.iter().map(cells).collect(),

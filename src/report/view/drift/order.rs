@@ -12,10 +12,9 @@ pub(super) fn show(findings: &[&Finding], document: &mut Document) {
     document.text(format!(
         "**Order of accuracy.** Each problem below has a closed form, so every error is a distance to \
          the exact motion, not to a finer run. A method of order $p$ divides its error by $2^p$ when the step is halved: a line \
-         of slope $p$ in the figures. No feedback of errors is on ($\\alpha = \\beta = 0$). Families that \
-         divide a step into smaller ones do so in eight. The observed order is that of the two \
-         shortest steps and must lie within {SLACK} of the derived one; the fitted order is the slope \
-         through all points, with its standard error.",
+         of slope $p$ in the figures. Error feedback is off ($\\alpha = \\beta = 0$). Schemes with substeps \
+         use eight of them. The observed order, from the two shortest steps, must be within {SLACK} of the \
+         derived one. The fitted order is the slope through all points, with its standard error.",
     ));
     for finding in findings {
         for quantity in quantities(finding) {
@@ -33,7 +32,7 @@ pub(super) fn outcome(findings: &[&Finding]) -> Outcome {
         .filter(|(_, curve)| matches!(curve.expected, Expected::Exact { .. }))
         .count();
     let says = format!(
-        "{held} of {} errors behave as derived, {exact} of them rounding at every step",
+        "{held} of {} errors behave as derived, {exact} of them at rounding level",
         claims.len()
     );
     Outcome { good: held == claims.len(), says }
@@ -106,9 +105,10 @@ fn table(findings: &[&Finding]) -> Table {
     Table {
         title: "Orders, derived, observed and fitted".into(),
         how_to_read: format!(
-            "Errors at the longest and at the shortest step. *derived*: the order by theory; 0 is an error \
-             that stays, *exact* one that is rounding (below 10⁻¹¹) at every step, *open* that nothing is claimed; \
-             the reasons stand below. A row passes if the observed order is within {SLACK} of the derived one."
+            "Errors at the longest and at the shortest step. *derived*: the theoretical order; 0 means that \
+             the error does not decrease, *exact* that it is a rounding error (below 10⁻¹¹) at every step, and \
+             *open* that no order is claimed. The reasons are given below. A row passes if the observed order \
+             is within {SLACK} of the derived one."
         ),
         columns: vec![
             Column::words("problem"),

@@ -15,10 +15,10 @@ const ROUNDING: f64 = 1e-9;
 
 pub(super) fn show(findings: &[&Levels], document: &mut Document) {
     document.text(
-        "A pendulum keeps its energy and its length; a simulated one does so only as far as its \
-         step and its scheme let it. Below, the energy error is measured against the largest \
-         kinetic energy of the motion, and the *drift* is how much the worst rod is too long or too \
-         short. Halving the step should halve the errors of a first-order method.",
+        "A real pendulum conserves its energy and its length. In a simulation, both have errors that depend on \
+         the time step and the scheme. Below, the energy error is relative to the largest kinetic energy of \
+         the motion, and the *drift* is the largest error of the length of a rod. Halving the step should \
+         halve the errors of a first-order method.",
     );
     for study in findings {
         document.figure(figure(study));
@@ -32,7 +32,7 @@ pub(super) fn outcome(findings: &[&Levels]) -> Outcome {
     let ended = findings.iter().flat_map(|study| &study.curves);
     let ended = ended.filter(|curve| curve.failure.is_some()).count();
     let says = format!(
-        "{fall} of {} errors fall as the step is halved; {ended} runs ended early",
+        "{fall} of {} errors decrease as the step is halved; {ended} runs ended early",
         errors.len()
     );
     Outcome { good: fall == errors.len() && ended == 0, says }
@@ -112,9 +112,10 @@ fn table(studies: &[&Levels]) -> Table {
         studies.iter().flat_map(|study| (0..study.curves.len()).map(move |k| cells(study, k)));
     Table {
         title: "Largest errors over the run".into(),
-        how_to_read: "*gain* is the error of the step twice as long, divided by this one: 2 for a \
-                      first-order method, 4 for a second-order one."
-            .into(),
+        how_to_read:
+            "*gain*: the error with twice this step, divided by the error with this step; 2 for a \
+         first-order method, 4 for a second-order method."
+                .into(),
         columns: vec![
             Column::words("scene"),
             Column::words("level"),

@@ -8,19 +8,19 @@ use crate::report::view::Document;
 
 pub(super) fn show(factors: &[&Factor], document: &mut Document) {
     document.text(
-        "**The factor of A under three orderings.** Sweeps read A and leave it as it is. A direct method factors $A = L L^T$, and $L$ has entries \
-         where A has none. How many depends on the order in which rows are eliminated: *natural*, as the \
-         scene has them; *reverse Cuthill-McKee*, which draws everything to the diagonal; *minimum \
-         degree*, which takes the row with the fewest neighbours next. Where A is singular, as for \
-         redundant contacts, the pattern says what a factor of $A + \\varepsilon I$ has.",
+        "**The factor of A under three orderings.** Sweeps only read A. A direct method factors $A = L L^T$, \
+         and $L$ has additional entries, the fill-in. Their number depends on the order of elimination: \
+         *natural*, the order of the scene; *reverse Cuthill-McKee*, which moves entries toward the diagonal; \
+         *minimum degree*, which always eliminates the row with the fewest neighbors next. If A is singular, \
+         as with redundant contacts, the pattern is that of a factor of $A + \\varepsilon I$.",
     );
     let rows =
         factors.iter().flat_map(|factor| factor.ordered.iter().map(|own| cells(factor, own)));
     let table = Table {
         title: "Entries of the factor by ordering".into(),
-        how_to_read: "*A*: entries on and below the diagonal. *L*: entries of the factor, the diagonal \
-                      included; *fill*: how many times those of A, the least of a scene marked. *work*: \
-                      multiplications of the factorization."
+        how_to_read: "*A*: entries on and below the diagonal. *L*: entries of the factor, including the \
+         diagonal. *fill*: entries of L divided by those of A; the smallest value of each scene is marked. \
+         *work*: multiplications of the factorization."
             .into(),
         columns: vec![
             Column::words("scene"),

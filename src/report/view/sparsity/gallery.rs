@@ -11,10 +11,10 @@ const ACROSS: usize = 5;
 
 pub(super) fn show(pictures: &[Picture], document: &mut Document) {
     document.text(
-        "**A of the shipped scenes.** Rows come in the order of the scene's constraints, then its contacts, each contact as normal \
-         and two tangents. Two rows share an entry if they share a moving body. A chain is a band, a \
-         stack a band of blocks, a net two bands as far apart as it is wide; a body that many others \
-         touch makes a full square.",
+        "**A of the shipped scenes.** The rows are in the order of the joints of the scene, then its contacts, \
+         each with a normal and two tangents. Two rows have a common entry in A if they share a moving body. A \
+         chain gives a band, a stack a band of blocks, and a net two bands whose distance is the width of the \
+         net. A body with many contacts gives a full square.",
     );
     let figures = pictures.len().div_ceil(PICTURES);
     for (k, some) in pictures.chunks(PICTURES).enumerate() {
@@ -27,7 +27,8 @@ pub(super) fn show(pictures: &[Picture], document: &mut Document) {
             id: format!("sparsity_scenes_{}", k + 1),
             title: format!("A of the shipped scenes, {} of {figures}", k + 1),
             caption: "Under each name: the number of rows and the share of entries that are not zero; the \
-                      step, if it is not the first. An empty frame has no rows in that step. Rows at right angles share a body and no entry."
+                      step, if it is not the first. An empty frame has no rows in that step. Rows at right \
+                      angles share a body and no entry."
                 .into(),
             across: ACROSS,
             panels: some.iter().map(small).collect(),

@@ -9,9 +9,9 @@ use crate::report::view::attempt::stem;
 pub(super) fn show(scenes: &[&Patterns], document: &mut Document) {
     document.text(
         "A row of $J$ has entries only for the one or two bodies it joins, and two rows of \
-         $A = J M^{-1} J^T$ are coupled only if they share a moving body. The larger the scene, \
-         the sparser its $A$ (the chapter's Figure 13); a solver that reads stored entries only \
-         does work in proportion to the contacts, not to their square.",
+         $A = J M^{-1} J^T$ are coupled only if they share a moving body. The larger the scene, the sparser \
+         its $A$ (the chapter's Figure 13). The work of a solver that reads only stored entries is \
+         proportional to the number of contacts, not to its square.",
     );
     for scene in scenes {
         let figures = [

@@ -35,7 +35,10 @@ fn an_unknown_setting_is_a_defect_with_its_line_and_what_there_is() {
 #[test]
 fn each_kind_of_mistake_has_its_line() {
     for (text, expected) in [
-        ("scene = 'chain'\ncolour = 3", "line 2: \"colour\" is no key of a grid; there are title"),
+        (
+            "scene = 'chain'\ncolour = 3",
+            "line 2: \"colour\" is not a key of a grid file; the keys are title",
+        ),
         (
             "family = 'stack'\nmeasure = 'speed'",
             "line 2: measure: there is no \"speed\"; there are",

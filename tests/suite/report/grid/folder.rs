@@ -151,9 +151,7 @@ fn the_commands_plan_run_and_collect() {
     assert!(err(&missing).contains("5 tasks have no results: 1, 3, 4, 5, 6"));
     assert_eq!(out(&grid("run", &["--threads", "2"])), "5 of 6 tasks run, 1 were done before\n");
     let collected = grid("collect", &[]);
-    assert!(
-        out(&collected).starts_with("6 of 6 tasks collected, 0 impossible, 0 claims refuted\n")
-    );
+    assert!(out(&collected).starts_with("6 of 6 tasks collected, 0 impossible, 0 false claims\n"));
     let csv = fs::read_to_string(results.join("results.csv")).unwrap();
     assert!(!csv.contains("seconds"), "times are apart");
     let times = fs::read_to_string(results.join("times.csv")).unwrap();

@@ -56,11 +56,11 @@ fn a_number_that_theory_does_not_say_is_told_and_the_report_is_not_good() {
     let folder = tempfile::tempdir().unwrap();
     let (_, report) = written(folder.path(), GRID);
     let mut results = results(&report);
-    assert!(results.summary().unwrap().contains("6 of 6 numbers as the closed form says"));
+    assert!(results.summary().unwrap().contains("6 of 6 numbers match the closed form"));
     let finding = results.sections[0].tasks[2].finding.as_mut().unwrap();
     finding["finding"]["values"]["error"] = 0.3.into();
     assert!(!results.is_good().unwrap());
-    assert!(results.summary().unwrap().contains("5 of 6 numbers as the closed form says"));
+    assert!(results.summary().unwrap().contains("5 of 6 numbers match the closed form"));
 }
 
 #[test]

@@ -213,7 +213,7 @@ fn a_bad_equation_is_an_error_that_names_it_and_its_place() {
     page.lead = "[run](javascript:alert)".into();
     let message = page.render().unwrap_err().to_string();
     assert!(message.contains("4 defects"), "{message}");
-    for part in ["section 1 \"One\", block 2", "nonsense x", "frac{1}", "without its partner"] {
+    for part in ["section 1 \"One\", block 2", "nonsense x", "frac{1}", "without a closing"] {
         assert!(message.contains(part), "{part} in {message}");
     }
     assert!(message.contains("lead: the link \"javascript:alert\""), "{message}");

@@ -168,12 +168,15 @@ fn what_the_stepper_does_not_do_it_says() {
         Err(error) => error.to_string(),
     };
     let scheme = refused(scene("stack", Scheme::Xpbd));
-    assert_eq!(scheme, "stack: step.scheme: the stepper knows the velocity level only, not xpbd");
+    assert_eq!(
+        scheme,
+        "stack: step.scheme: the stepper supports only the velocity level, not xpbd"
+    );
     let mut cone = velocity_level("stack");
     cone.contact.model = Model::CoulombCone;
-    assert_eq!(refused(cone), "stack: contact.model: the stepper knows the coupled box only");
+    assert_eq!(refused(cone), "stack: contact.model: the stepper supports only the coupled box");
     let spring = refused(velocity_level("spring"));
-    assert_eq!(spring, "spring: constraints[0]: the stepper has no rows that yield");
+    assert_eq!(spring, "spring: constraints[0]: the stepper does not support compliant rows");
 }
 
 #[test]

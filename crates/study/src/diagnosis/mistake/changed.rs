@@ -27,7 +27,7 @@ pub(super) fn changed_problems(lcp: &Lcp) -> Vec<Changed> {
     let mut all = Vec::new();
     all.extend(Changed::new(
         MistakeKind::SignOfB,
-        "b with the other sign",
+        "b with the opposite sign",
         lcp.with_b(negative(lcp.b())).ok(),
     ));
     if !lcp.matrix().is_symmetric() {
@@ -41,7 +41,7 @@ pub(super) fn changed_problems(lcp: &Lcp) -> Vec<Changed> {
         let bounds = (negative(lcp.hi()), negative(lcp.lo()));
         all.extend(Changed::new(
             MistakeKind::SignOfBounds,
-            "bounds with the other sign, so that contacts pull",
+            "bounds with the opposite sign, so that contacts pull",
             with(lcp, lcp.matrix().clone(), bounds),
         ));
     }
@@ -53,7 +53,7 @@ pub(super) fn changed_problems(lcp: &Lcp) -> Vec<Changed> {
 
 /// The problem with friction limited by these normal forces.
 pub(super) fn with_last_normals(lcp: &Lcp, last: &[f64]) -> Option<Changed> {
-    let what = "friction limited by the last normal forces";
+    let what = "friction limited by the normal forces of the previous frame";
     let frozen = lcp.has_coupled_rows().then(|| lcp.frozen_at(last));
     Changed::new(MistakeKind::LastNormals, what, frozen)
 }

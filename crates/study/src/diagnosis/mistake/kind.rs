@@ -61,7 +61,7 @@ impl MistakeKind {
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
-            MistakeKind::NothingDone => "nothing done",
+            MistakeKind::NothingDone => "x not updated",
             MistakeKind::StoppedSweeps => "sweeps stopped too early",
             MistakeKind::MissingWarmStart => "missing warm start",
             MistakeKind::Jacobi => "Jacobi instead of Gauss-Seidel",
@@ -76,7 +76,7 @@ impl MistakeKind {
             MistakeKind::FrictionLeftOut => "friction left out",
             MistakeKind::UnlimitedFriction => "friction without a limit",
             MistakeKind::FrictionlessNormals => "friction limit from a frictionless solve",
-            MistakeKind::LastNormals => "friction limit of the last frame",
+            MistakeKind::LastNormals => "friction limit of the previous frame",
         }
     }
 
@@ -84,32 +84,32 @@ impl MistakeKind {
     pub fn computes(self) -> &'static str {
         match self {
             MistakeKind::NothingDone => {
-                "x is the start: 0 moved into its bounds, or the answer of the frame before"
+                "the start: 0 moved into the bounds, or the answer of the previous frame"
             }
             MistakeKind::StoppedSweeps => {
-                "projected Gauss-Seidel, stopped after k sweeps: rows in order, in reverse order, there and back, \
-                 or color by color"
+                "projected Gauss-Seidel, stopped after k sweeps: rows in order, in reverse order, forward and \
+                 backward, or color by color"
             }
             MistakeKind::MissingWarmStart => {
-                "sweeps that start from 0 although the answer of the frame before is known"
+                "sweeps that start from 0 although the answer of the previous frame is known"
             }
             MistakeKind::Jacobi => "k sweeps in which all rows are updated from the old x",
             MistakeKind::LateClamp => {
-                "k sweeps of Gauss-Seidel after each of which, not after each row, x is moved into its bounds"
+                "k sweeps of Gauss-Seidel; x is moved into its bounds after each sweep instead of after each row"
             }
             MistakeKind::SinglePrecision => "k sweeps of projected Gauss-Seidel in 32-bit numbers",
             MistakeKind::SignOfB => "the solution with −b, or sweeps toward it",
             MistakeKind::FactorOfB => {
-                "the solution with b times a positive factor; where all bounds are 0, ∞ or friction"
+                "the solution with b times a positive factor; only if all bounds are 0, ∞ or friction limits"
             }
             MistakeKind::Transposed => {
-                "the solution with the transpose of A, or sweeps toward it; where A is not symmetric"
+                "the solution with the transpose of A, or sweeps toward it; only if A is not symmetric"
             }
             MistakeKind::SignOfBounds => {
-                "the solution with the bounds −hi and −lo, or sweeps toward it; without friction"
+                "the solution with the bounds −hi and −lo, or sweeps toward it; only without friction"
             }
             MistakeKind::UnboundedRow => {
-                "the solution with one row as an equation w_i = 0, or sweeps toward it; up to 60 rows"
+                "the solution with one row as an equation w_i = 0, or sweeps toward it; only up to 60 rows"
             }
             MistakeKind::Compliance => "the solution with A + ε I for some ε > 0",
             MistakeKind::FrictionLeftOut => "the solution with all friction 0, or sweeps toward it",
@@ -121,7 +121,8 @@ impl MistakeKind {
                  toward it"
             }
             MistakeKind::LastNormals => {
-                "the solution with friction limited by the normal forces of the frame before, or sweeps toward it"
+                "the solution with friction limited by the normal forces of the previous frame, or sweeps toward \
+                 it"
             }
         }
     }
@@ -134,14 +135,16 @@ impl MistakeKind {
                 "Allow more sweeps, start from the last answer, or use a pivoting solver."
             }
             MistakeKind::MissingWarmStart => {
-                "Is the last answer kept, and are its rows matched with those of this frame?"
+                "Is the last answer kept, and are its rows matched with the rows of this frame?"
             }
             MistakeKind::Jacobi => "Write each x_i back before the next row is computed.",
             MistakeKind::LateClamp => "Clamp x_i inside the sweep, right after its update.",
             MistakeKind::SinglePrecision => "Compute in double precision, or accept 1e-6.",
             MistakeKind::SignOfB => "The convention is w = A x + b; others use A x − b.",
             MistakeKind::FactorOfB => "Is b a velocity or an acceleration? Compare units and dt.",
-            MistakeKind::Transposed => "Are rows and columns of A swapped, or stored by columns?",
+            MistakeKind::Transposed => {
+                "Are rows and columns of A swapped, or is A stored column by column?"
+            }
             MistakeKind::SignOfBounds => "Contacts push: lo = 0 and hi = ∞, not −∞ and 0.",
             MistakeKind::UnboundedRow => "Are the bounds of that row applied at all?",
             MistakeKind::Compliance => "Does the solver add CFM or regularization to A?",

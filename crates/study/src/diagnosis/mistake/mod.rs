@@ -198,7 +198,7 @@ impl Attempts<'_> {
     fn unchanged(&mut self, last: Option<&[f64]>) {
         let most = self.limits.of_problem;
         if let Some(last) = last {
-            let what = "the last answer: nothing was done";
+            let what = "the last answer, not updated";
             self.add(MistakeKind::NothingDone, what.into(), last.to_vec());
             for (kind, name, solver) in methods(most) {
                 let swept = sweep(&*solver, self.lcp, &Start::at(last), self.x);
@@ -208,7 +208,7 @@ impl Attempts<'_> {
         let mut start = vec![0.0; self.lcp.len()];
         self.lcp.project_all(&mut start);
         let moved = if start.iter().all(|&x| x == 0.0) { "" } else { " moved into its bounds" };
-        let what = format!("the start, x = 0{moved}: nothing was done");
+        let what = format!("the start, x = 0{moved}, not updated");
         self.add(MistakeKind::NothingDone, what, start);
         let cold = if last.is_some() { " from 0 (a missing warm start)" } else { "" };
         for (kind, name, solver) in methods(most) {
@@ -249,7 +249,7 @@ impl Attempts<'_> {
             (MistakeKind::Compliance, what, lcp)
         });
         let scaled = with_factor(self.lcp, self.x, solution).map(|(factor, lcp)| {
-            let what = format!("b times {} (a time step, a unit?)", readable(factor, 6));
+            let what = format!("b times {} (a time step or a unit?)", readable(factor, 6));
             (MistakeKind::FactorOfB, what, lcp)
         });
         for (kind, what, lcp) in compliant.into_iter().chain(scaled) {

@@ -116,7 +116,7 @@ pub(super) fn methods(most: usize) -> [(MistakeKind, &'static str, Box<dyn Solve
             "projected Gauss-Seidel from the last row to the first",
             pgs(Order::Reverse),
         ),
-        (StoppedSweeps, "projected Gauss-Seidel there and back", pgs(Order::Symmetric)),
+        (StoppedSweeps, "projected Gauss-Seidel forward and backward", pgs(Order::Symmetric)),
         (StoppedSweeps, "projected Gauss-Seidel color by color", pgs(Order::Coloured)),
         (AllAtOnce, "Jacobi instead of Gauss-Seidel", Box::new(jacobi)),
         (

@@ -127,7 +127,7 @@ impl fmt::Display for Slow {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let saves = |own: &Without| {
             format!(
-                "{} would be missing in place of {}, and a good answer would take {} fewer sweeps",
+                "the error would be {} instead of {}, and a good answer would need {} fewer sweeps",
                 percent(own.without),
                 percent(own.with),
                 times(own.factor)
@@ -137,8 +137,7 @@ impl fmt::Display for Slow {
             Slow::Solver { sweeps, with, plain, refusal, mistakes } => {
                 write!(
                     f,
-                    "worse than plain projected Gauss-Seidel after as many sweeps: {} is missing, with plain \
-                     Gauss-Seidel {} after {} from the same start.",
+                    "its error is {}; plain projected Gauss-Seidel has {} after {} from the same start.",
                     percent(*with),
                     percent(*plain),
                     counted(*sweeps)
@@ -146,20 +145,21 @@ impl fmt::Display for Slow {
                 match (refusal, mistakes.first()) {
                     (Some(refusal), _) => write!(f, " It gave no answer: {refusal}."),
                     (None, Some(mistake)) => {
-                        write!(f, " Its answer is that of a known mistake: {}.", mistake.what)
+                        write!(f, " A known mistake gives the same answer: {}.", mistake.what)
                     }
-                    (None, None) => write!(f, " None of the known mistakes gives its answer."),
+                    (None, None) => write!(f, " No known mistake gives the same answer."),
                 }
             }
             Slow::Motors { between, without } => write!(
                 f,
-                "motors ({}) push with all the force that they may have against what blocks them. With a hundredth of it {}.",
+                "motors ({}) push at their force limit against an obstacle. With a hundredth of the limit, {}.",
                 between.join(", "),
                 saves(without)
             ),
             Slow::MassRatio { heavy, light, without } => write!(
                 f,
-                "{} ({} kg) and {} ({} kg) move together in the slowest pattern. With equal masses {}.",
+                "{} ({} kg) and {} ({} kg) move together in the error pattern that decays most slowly. With \
+                 equal masses {}.",
                 heavy.0,
                 readable(heavy.1, DIGITS),
                 light.0,
@@ -168,33 +168,34 @@ impl fmt::Display for Slow {
             ),
             Slow::Tall { bodies: Some(bodies), without } => write!(
                 f,
-                "impulses go from body to body through {bodies} of them. If all masses were equal and no impulse went \
-                 through a body, {}.",
+                "impulses propagate through {bodies} bodies, one after the other. If all masses were equal \
+                 and each pair of bodies were separate, {}.",
                 saves(without)
             ),
             Slow::Tall { bodies: None, without } => write!(
                 f,
-                "rows feel each other over a long way; whether unlike masses have a part in it is not known, for the file \
-                 names no bodies. If no impulse went through a body, {}.",
+                "impulses propagate over a long chain of rows. The file names no bodies, so the influence \
+                 of the masses is not known. If each pair of bodies were separate, {}.",
                 saves(without)
             ),
             Slow::Order { without } => write!(
                 f,
-                "the rows are taken against the way that impulses go. From the last row to the first {} would be missing in \
-                 place of {}.",
+                "the sweeps process the rows against the direction in which impulses propagate. From the \
+                 last row to the first, the error would be {} instead of {}.",
                 percent(without.without),
                 percent(without.with)
             ),
             Slow::Stale { without } => write!(
                 f,
-                "the sweeps start from forces that are worse than none. From 0, {} would be missing in place of {}.",
+                "the sweeps start from forces that are worse than x = 0. From x = 0 the error would be {} \
+                 instead of {}.",
                 percent(without.without),
                 percent(without.with)
             ),
             Slow::Other => write!(
                 f,
-                "neither unlike masses, nor a long way, nor the order of the rows explains it; look for rows that all \
-                 but repeat each other."
+                "neither the mass ratio, nor a long chain, nor the order of the rows explains the slow \
+                 convergence. Look for nearly dependent rows."
             ),
         }
     }
@@ -258,9 +259,9 @@ impl Moving {
     pub fn name(&self) -> &'static str {
         match self {
             Moving::Cold { .. } => "cold start",
-            Moving::Feedback { .. } => "Baumgarte's energy",
-            Moving::Away { .. } => "feedback that drives away",
-            Moving::Soft { .. } | Moving::Creep { .. } => "too soft",
+            Moving::Feedback { .. } => "energy from Baumgarte feedback",
+            Moving::Away { .. } => "feedback increases errors",
+            Moving::Soft { .. } | Moving::Creep { .. } => "compliant constraints",
             Moving::BoxFriction { .. } => "box friction",
         }
     }
@@ -272,48 +273,50 @@ impl fmt::Display for Moving {
         match self {
             Moving::Cold { with, without } => write!(
                 f,
-                "every step starts from x = 0, and {} is missing. Started from the last answer (contact.persistence = \
-                 \"features\"), {} is.",
+                "every step starts from x = 0, and the error is {}. With a warm start (contact.persistence = \
+                 \"features\") it is {}.",
                 percent(*with),
                 percent(*without)
             ),
             Moving::Feedback { with, without, exactly } => write!(
                 f,
-                "feedback of position errors puts in {} J. Without it {} J are gained, and with it, but with exact answers, \
-                 {} J. Correct positions apart from velocities (split-impulse, gauss-seidel).",
+                "feedback of position errors adds {} J. Without feedback the energy increases by {} J; \
+                 with feedback and exact answers, by {} J. Correct positions separately from velocities \
+                 (split-impulse, gauss-seidel).",
                 number(with),
                 number(without),
                 number(exactly)
             ),
             Moving::Away { with, without } => write!(
                 f,
-                "with feedback an error of a position grows to {} m, without it to {} m: its sign or its size is wrong.",
+                "with feedback a position error grows to {} m, without feedback to {} m. The feedback has a \
+                 wrong sign or is too strong.",
                 number(with),
                 number(without)
             ),
             Moving::Soft { scheme, body, depth } => write!(
                 f,
-                "the constraints of {scheme} yield: {body} ends {} m below where rigid ones leave it; stiffen them, or take \
-                 a scheme with rigid ones (velocity).",
+                "the constraints of {scheme} are compliant: {body} ends {} m lower than with rigid \
+                 constraints. Increase their stiffness, or use a scheme with rigid constraints (velocity).",
                 number(depth)
             ),
             Moving::Creep { speed, missing } => write!(
                 f,
-                "contacts yield: γ x leaves an approach of {} m/s, and {} is missing beside rigid contacts, however well it \
-                 is solved. With γ = 0 nothing is.",
+                "contacts are compliant: γ x allows an approach velocity of {} m/s. Compared with rigid \
+                 contacts, even the exact solution has an error of {}. With γ = 0 it has none.",
                 number(speed),
                 percent(*missing)
             ),
             Moving::BoxFriction { body, distance, way } if *way < NOWHERE => write!(
                 f,
-                "friction is limited along two tangents, each by itself: {body} stays where it is. With Coulomb's cone \
-                 (contact.model = \"coulomb-cone\") it moves {} m.",
+                "friction is limited along each of two tangents separately: {body} does not move. With \
+                 Coulomb's cone (contact.model = \"coulomb-cone\") it moves {} m.",
                 number(distance)
             ),
             Moving::BoxFriction { body, distance, way } => write!(
                 f,
-                "friction is limited along two tangents, each by itself: {body} moves {} m. With Coulomb's cone \
-                 (contact.model = \"coulomb-cone\") it ends {} m from there.",
+                "friction is limited along each of two tangents separately: {body} moves {} m. With \
+                 Coulomb's cone (contact.model = \"coulomb-cone\") it ends {} m away from there.",
                 number(way),
                 number(distance)
             ),

@@ -23,10 +23,11 @@ const STEPS: usize = 5;
 const GOOD_PART: f64 = 0.25;
 
 /// What is said where nothing is wrong.
-const HEALTHY_WORDS: &str = "No cause for trouble was found.";
+const HEALTHY_WORDS: &str = "No cause of errors was found.";
 
 /// What is not looked for.
-const NOT_EXAMINED: &str = "flicker of contacts, closed loops, restitution against rest, spin";
+const NOT_EXAMINED: &str = "contacts that open and close repeatedly, closed loops, restitution of resting \
+ contacts, spin";
 
 /// One step or one file of a sequence.
 #[derive(Debug, Clone, PartialEq)]
@@ -106,7 +107,7 @@ impl Examination {
         // does not, and energy that is fed in spoils all later steps: they come before what makes sweeps slow.
         let place = |name: &str| match name {
             GAVE_UP | ENDED | "suspect the solver" => 0,
-            "cold start" | "Baumgarte's energy" => 1,
+            "cold start" | "energy from Baumgarte feedback" => 1,
             _ => 2,
         };
         let mut all: Vec<&str> = gave_up.chain(slow).chain(moving).collect();
@@ -125,10 +126,9 @@ impl Examination {
     pub fn unsolved_in_words(&self, tolerance: f64) -> String {
         match self.unsolved(tolerance)[..] {
             [] => String::new(),
-            [one] => format!("No answer to {one} is known that the judge accepts."),
+            [one] => format!("No accepted answer to {one} is known."),
             [first, .., last] => format!(
-                "No answer to {} of {} problems is known that the judge accepts, from {first} to \
-                 {last}.",
+                "No accepted answer to {} of {} problems is known, from {first} to {last}.",
                 self.unsolved(tolerance).len(),
                 self.notes.len()
             ),
@@ -139,16 +139,16 @@ impl Examination {
     pub fn headline(&self) -> String {
         let mut words = match (&self.shortfall, &self.unmeasured) {
             (Some(found), _) => found.headline(),
-            (None, Some(reason)) => format!("What is missing was not measured: {reason}."),
+            (None, Some(reason)) => format!("The error was not measured: {reason}."),
             (None, None) if self.ended.is_some() => "The run ended.".into(),
             (None, None) => {
-                "No LCP was solved in these steps, so that the solver plays no part.".into()
+                "No LCP was solved in these steps, so the solver has no influence.".into()
             }
         };
         let deep = self.sunk.as_ref().filter(|(_, depth)| *depth > WORTH);
         if let (Some((body, depth)), Some(time)) = (deep, self.time) {
             words += &format!(
-                " In {} s {body} sinks {} m below where exact answers leave it.",
+                " After {} s {body} is {} m lower than with exact answers.",
                 readable(time, DIGITS),
                 readable(*depth, DIGITS)
             );
@@ -190,7 +190,12 @@ impl Examination {
             slow.map(|cause| (cause.name(), cause.to_string())).collect();
         named.extend(self.ended.iter().map(|why| (ENDED, format!("{why}."))));
         named.extend(self.gave_up.iter().map(|how| {
-            (GAVE_UP, format!("{how}. The motion from there on is not one of the scene; another solver may go on."))
+            (
+                GAVE_UP,
+                format!(
+                    "{how}. From there on the motion is not valid; another solver may continue."
+                ),
+            )
         }));
         named.extend(self.moving.iter().map(|cause| (cause.name(), cause.to_string())));
         for (k, name) in self.causes().into_iter().enumerate() {
@@ -204,11 +209,14 @@ impl Examination {
         }
         lines.extend(self.shortfall.as_ref().and_then(Shortfall::advice));
         if let Some(reason) = &self.no_reference {
-            lines.push(format!("Without a reference: {reason}; sinking, feedback, softness and friction were not examined."));
+            lines.push(format!(
+                "No reference: {reason}. Sinking, feedback, compliance and friction were not \
+             examined."
+            ));
         }
         lines.extend(self.warnings.iter().map(|warning| format!("Warning: {warning}")));
         if !self.innocent.is_empty() {
-            lines.push(format!("Not the cause: {}.", self.innocent.join("; ")));
+            lines.push(format!("Ruled out: {}.", self.innocent.join("; ")));
         }
         if !lines.is_empty() {
             lines.push(format!("Not examined: {NOT_EXAMINED}."));
@@ -226,7 +234,7 @@ impl Examination {
             self.notes.iter().filter(|note| note.missing.is_some_and(|part| part > 0.0)).collect();
         notes.sort_by(|a, b| b.missing.unwrap_or(0.0).total_cmp(&a.missing.unwrap_or(0.0)));
         notes.truncate(STEPS);
-        let mut why = vec!["missing".to_string(); notes.len()];
+        let mut why = vec!["error".to_string(); notes.len()];
         for (measure, k) in self.worst() {
             let worst = &self.notes[k];
             match notes.iter().position(|note| note.name == worst.name) {
@@ -255,8 +263,8 @@ impl Examination {
             "the worst steps",
             &[
                 "step",
-                "worst by",
-                "missing",
+                "worst in",
+                "error",
                 "scaled residual",
                 "bias (m/s)",
                 "overlap (mm)",
@@ -279,14 +287,14 @@ impl Examination {
             worst("residual", &|k| Some(self.notes[k].residual)),
             worst("bias", &|k| Some(self.notes[k].bias)),
             worst("overlap", &|k| self.notes[k].penetration),
-            worst("energy gained", &|k| Some(energy(k)? - energy(k.checked_sub(1)?)?)),
+            worst("energy gain", &|k| Some(energy(k)? - energy(k.checked_sub(1)?)?)),
         ];
         measures.into_iter().flatten().collect()
     }
 
     /// What helps over the whole run.
     fn reliefs_section(&self) -> Option<Section> {
-        let mut section = Section::new("over the whole run");
+        let mut section = Section::new("remedies for the whole run");
         let row = |relief: &Relief| {
             vec![
                 relief.what.clone(),
@@ -296,8 +304,8 @@ impl Examination {
             ]
         };
         section.table(
-            "remedies over the whole run, each one run",
-            &["what", "missing", "farthest body off (mm)", "iterations a step"],
+            "remedies for the whole run, each one simulated",
+            &["remedy", "error", "largest position error of a body (mm)", "iterations per step"],
             self.reliefs.iter().map(row).collect(),
         );
         (!self.reliefs.is_empty()).then_some(section)

@@ -21,7 +21,7 @@ const MORE: usize = 4;
 const AS_IT_IS: &str = "as it is";
 
 /// The remedy of a start that is worse than none.
-const COLD: &str = "start from 0 in every step";
+const COLD: &str = "cold start in every step";
 
 /// The remedies of a run of so many steps, the best first; the run as it is is one of them.
 pub(super) fn reliefs(
@@ -63,7 +63,7 @@ fn changes(scene: &Scene) -> Vec<Change> {
         all.push(Change { what, scene, parts });
     };
     let (start, other) = match scene.contact.persistence {
-        Persistence::None => ("start from the last answer", Persistence::Features),
+        Persistence::None => ("warm start", Persistence::Features),
         Persistence::Features => (COLD, Persistence::None),
     };
     add(start.into(), 1, &|scene| scene.contact.persistence = other);

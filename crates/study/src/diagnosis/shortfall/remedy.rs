@@ -78,8 +78,7 @@ pub fn remedies(
             let more = steps * sweeps;
             let solver =
                 Pgs { settings: Settings { max_iterations: more, ..settings() }, ..Pgs::default() };
-            let what =
-                format!("{more} sweeps, or {steps} such steps that start from the last answer");
+            let what = format!("{more} sweeps, or {steps} steps with a warm start");
             add(what, own, &solver, theory(1.0, false, more));
         }
     }

@@ -83,7 +83,7 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
     let exactly = reference.end;
     if let Some(step) = unaccepted {
         found.no_reference = Some(format!(
-            "the judge does not accept the answer of {EXACT} in step {step}, so that no run of exact answers is known"
+            "the judge rejects the answer of {EXACT} in step {step}, so there is no run with exact answers"
         ));
     } else if went.end.is_compared && exactly.is_compared && exactly.steps == taken {
         // Exact answers are no measure of another scheme, nor where they let rows drift apart themselves.
@@ -116,9 +116,13 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
 /// Why the answer of a step is not compared with an exact one.
 fn unmeasured(solve: Option<&Solve>, step: usize) -> String {
     match solve {
-        None => format!("step {step} was not taken, or posed no problem"),
+        None => format!("step {step} was not simulated, or has no problem to solve"),
         Some(Solve { posing: Some(posing), .. }) => {
-            format!("exact answers are known of the coupled box, this is {}", posing.model)
+            format!(
+                "exact answers are available for the coupled box only, and this problem has the model \
+             {}",
+                posing.model
+            )
         }
         Some(solve) => Yard::absence(&solve.problem.lcp).into(),
     }
@@ -129,10 +133,11 @@ fn redundancy(lcp: &Lcp) -> Option<String> {
     let found =
         lcplab_judge::regularity::regularity(lcp.matrix()).filter(|_| lcp.len() <= LARGEST)?;
     let spare = lcp.len() - found.rank;
-    let word = if lcp.has_coupled_rows() { "" } else { ", and the motion is unique" };
-    (spare > 0).then(|| {
-        format!("{spare} redundant rows (their forces are shared in one way or another{word})")
-    })
+    let effect = match lcp.has_coupled_rows() {
+        true => "the distribution of forces is not unique",
+        false => "the forces are not unique, but the motion is",
+    };
+    (spare > 0).then(|| format!("{spare} redundant rows ({effect})"))
 }
 
 /// How many steps a run has.
@@ -204,7 +209,8 @@ impl Went {
         let (step, solver, verdict) = refused.first()?;
         let (count, steps) = (refused.len(), self.solves.len());
         Some(format!(
-            "the judge rejects {count} of {steps} answers, the first one in step {step} by {solver}: {verdict}"
+            "the judge rejects {count} of {steps} answers; the first is that of {solver} in step {step}: \
+             {verdict}"
         ))
     }
 

@@ -48,19 +48,18 @@ impl Shortfall {
         let leave = if self.iterations == 1 { "leaves" } else { "leave" };
         let who = format!("{} of {} {leave}", self.counted(), self.solver);
         if !self.is_short() {
-            return format!("{who} next to nothing undone: {} is missing.", percent(self.missing));
+            return format!("{who} an error of only {}.", percent(self.missing));
         }
         let what = match self.whole.as_ref().filter(|whole| whole.missing() > 0.5 * self.missing) {
             _ if self.missing > 1.0 => {
                 let error = percent(self.missing);
-                let worse = "an error larger than doing nothing would";
-                format!("{worse}, {error} of what the constraints have to do")
+                format!("an error of {error} of the constraints' effect, more than x = 0 has")
             }
-            Some(whole) => format!("{} of the weight uncarried", percent(whole.missing())),
-            None => format!("{} of what the constraints have to do undone", percent(self.missing)),
+            Some(whole) => format!("{} of the weight unsupported", percent(whole.missing())),
+            None => format!("an error of {} of the constraints' effect", percent(self.missing)),
         };
         match self.pairs.first() {
-            Some(pair) => format!("{who} {what}, most between {}.", pair.name),
+            Some(pair) => format!("{who} {what}, most of it between {}.", pair.name),
             None => format!("{who} {what}."),
         }
     }
@@ -75,15 +74,15 @@ impl Shortfall {
         let (slowest, (needed, is_done)) = (self.slowest.as_ref()?, self.sweeps?);
         let sweeps = readable(needed.round(), DIGITS);
         let measured = match is_done {
-            true => format!("as measured, {sweeps}"),
-            false => format!("as those that were done go on, {sweeps}"),
+            true => format!("measured: {sweeps}"),
+            false => format!("extrapolated from those that ran: {sweeps}"),
         };
         let mover = self.mover.as_ref();
         Some(format!(
-            "While no contact opens or closes, a sweep of Gauss-Seidel leaves {} of the slowest pattern{}. By theory a good \
-             answer, in which a thousandth is missing, takes {} sweeps; {measured}.",
+            "While no contact opens or closes, each sweep of Gauss-Seidel multiplies the slowest error \
+             pattern by {}{}. In theory a good answer, with an error of 0.1 %, needs {} sweeps; {measured}.",
             readable(slowest.rate, 4),
-            mover.map_or(String::new(), |body| format!(", in which {body} moves most")),
+            mover.map_or(String::new(), |body| format!("; {body} moves most in it")),
             readable(slowest.sweeps.round(), DIGITS),
         ))
     }
@@ -94,7 +93,7 @@ impl Shortfall {
         let cheapest = cures.min_by(|a, b| a.work.total_cmp(&b.work));
         let best = cheapest.or_else(|| self.remedies.first())?;
         Some(format!(
-            "What helps most: {}: {} is missing then, after {} multiplications.",
+            "Best remedy: {}. The error is then {}, after {} multiplications.",
             best.what,
             percent(best.missing),
             readable(best.work, DIGITS)
@@ -116,22 +115,23 @@ impl Shortfall {
         };
         let rows = self.pairs.iter().take(PAIRS).map(row).collect();
         let (title, w) = match self.is_of_forces {
-            true => ("upward force between two bodies (N), the worst first", "m/s²"),
-            false => ("upward impulse between two bodies (N s), the worst first", "m/s"),
+            true => ("upward force between two bodies (N), largest error first", "m/s²"),
+            false => ("upward impulse between two bodies (N s), largest error first", "m/s"),
         };
-        let speeds = ["approach left", "asked by feedback"].map(|what| format!("{what} ({w})"));
+        let speeds =
+            ["remaining approach", "target of feedback"].map(|what| format!("{what} ({w})"));
         let [approach, bias] = &speeds;
-        section.table(title, &["between", "due", "given", "part", approach, bias], rows);
+        section.table(title, &["between", "required", "actual", "fraction", approach, bias], rows);
         let body = |load: &Load| {
             let [due, given] = [load.due, load.given].map(|load| readable(load, 4));
             vec![load.name.clone(), due, given, part(load)]
         };
         let title = match self.is_of_forces {
-            true => "upward force on each body in all (N)",
-            false => "upward impulse on each body in all (N s)",
+            true => "total upward force on each body (N)",
+            false => "total upward impulse on each body (N s)",
         };
         let bodies = self.bodies.iter().map(body).collect();
-        section.table(title, &["body", "due", "given", "part"], bodies);
+        section.table(title, &["body", "required", "actual", "fraction"], bodies);
         (!self.pairs.is_empty()).then_some(section)
     }
 
@@ -153,8 +153,8 @@ impl Shortfall {
         };
         let rows = self.remedies.iter().map(row).collect();
         section.table(
-            "remedies, each one run",
-            &["what", "missing", "by theory", "factor", "iterations", "multiplications"],
+            "remedies for this solve, each one solved",
+            &["remedy", "error", "theory", "improvement", "iterations", "multiplications"],
             rows,
         );
         (!self.remedies.is_empty()).then_some(section)

@@ -72,7 +72,7 @@ pub(super) fn causes(
             found.push((with / (WORTH * size), Moving::Away { with, without }));
         }
         if !gains && !errs {
-            innocent.push("Baumgarte's feedback (no energy is gained)".into());
+            innocent.push("Baumgarte feedback (it adds no energy)".into());
         }
     }
     if !is_of_impulses(scene.step.scheme) {
@@ -100,7 +100,7 @@ pub(super) fn causes(
                 .map_or(0.0, |k| (exactly.states[k].pose.p - scene.states[k].pose.p).norm());
             found.push((distance / (WORTH * size), Moving::BoxFriction { body, distance, way }));
         } else {
-            innocent.push("the box of friction (Coulomb's cone moves alike)".into());
+            innocent.push("the box friction model (Coulomb's cone gives the same motion)".into());
         }
     }
     found.sort_by(|a, b| b.0.total_cmp(&a.0));

@@ -87,7 +87,7 @@ impl<'a> Yard<'a> {
     /// Why there is no yardstick for a problem.
     pub(crate) fn absence(lcp: &Lcp) -> &'static str {
         match lcp.matrix().is_nearly_symmetric() {
-            true => "no method tried finds an answer that the judge accepts",
+            true => "no method found an answer that the judge accepts",
             false => "A is not symmetric",
         }
     }

@@ -30,7 +30,9 @@ pub(super) fn newton_to_lcp(
     let all = problem.assembly.columns();
     let left_out = all - columns.kept.len();
     if left_out > 0 {
-        section.say(format!("Of {all} columns no row touches {left_out}; they are left out."));
+        section.say(format!(
+            "{left_out} of {all} columns have no entries in any row and are not shown."
+        ));
     }
     section.say(format!("The columns are {}.", columns.names(scene)));
     if !problem.slides.is_empty() {
@@ -51,8 +53,8 @@ fn newton(section: &mut Section, columns: &Columns, dt: f64) {
     let formula = Formula::default();
     let (words, law, numbers) = match problem.stage {
         Stage::Velocity => (
-            "1. Newton's law over the step. Without constraints the velocities would become u*; the \
-             impulses x of the rows act along Jᵀ and add to them.",
+            "1. Newton's law over the step. Without constraints the velocities would be u*. The \
+             impulses x of the rows act along Jᵀ and change them.",
             [
                 "u⁺ = u* + M⁻¹Jᵀ x,   u* = u + dt M⁻¹F",
                 "u^+ = u^* + M^{-1} J^T x, \\qquad u^* = u + dt\\, M^{-1} F",
@@ -68,8 +70,8 @@ fn newton(section: &mut Section, columns: &Columns, dt: f64) {
                 .vector(&target),
         ),
         Stage::Acceleration => (
-            "1. Newton's law. Without constraints the accelerations would be a*; the forces x of the rows \
-             act along Jᵀ and add to them.",
+            "1. Newton's law. Without constraints the accelerations would be a*. The forces x of the rows \
+             act along Jᵀ and change them.",
             match problem.slides.is_empty() {
                 true => [
                     "u' = a* + M⁻¹Jᵀ x,   a* = M⁻¹F",
@@ -83,13 +85,14 @@ fn newton(section: &mut Section, columns: &Columns, dt: f64) {
             formula.symbols("a* =", "a^* =").vector(&target),
         ),
         Stage::Restitution => (
-            "1. Rows that the first answer pushed bounce. That answer is dropped, and the same u* is \
-             taken again, with another wish for the rows that bounce.",
+            "1. Rows with an impulse in the first answer bounce. The step is solved again from the same u*, \
+             with a different bias for the rows that bounce.",
             ["u⁺ = u* + M⁻¹Jᵀ x", "u^+ = u^* + M^{-1} J^T x"],
             formula.symbols("u* =", "u^* =").vector(&target),
         ),
         Stage::Impact => (
-            "1. Newton's law over an instant: no force matters but the impulses x of the rows.",
+            "1. Newton's law over an instant. Only the impulses x of the rows matter; forces have no time to \
+             act.",
             ["u⁺ = u* + M⁻¹Jᵀ x", "u^+ = u^* + M^{-1} J^T x"],
             formula.symbols("u* =", "u^* =").vector(&target),
         ),
@@ -111,8 +114,8 @@ fn newton(section: &mut Section, columns: &Columns, dt: f64) {
 fn constraint(section: &mut Section, columns: &Columns, units: &Units) {
     let (moved, latex) = moved(columns.problem.stage);
     section.say(
-        "2. Every row asks something of the new motion: its w is that motion along J, and the bias. A \
-         contact wants w ≥ 0 and pushes only where w = 0.",
+        "2. Every row is a condition on the new motion: its w is this motion along J, plus the bias. A \
+         contact requires w ≥ 0 and pushes only if w = 0.",
     );
     let law = Formula::default()
         .symbols(&format!("w = J {moved} + bias"), &format!("w = J {latex} + \\mathrm{{bias}}"));
@@ -128,7 +131,7 @@ fn constraint(section: &mut Section, columns: &Columns, units: &Units) {
 fn insertion(section: &mut Section, columns: &Columns, units: &Units) {
     let (target, latex) = target(columns.problem.stage);
     let x = effort(columns.problem);
-    section.say("3. The first is put into the second.");
+    section.say("3. Equation 1 is substituted into equation 2.");
     section.formula(Formula::default().symbols(
         &format!("w = J ({target} + M⁻¹Jᵀ {x}) + bias = J M⁻¹Jᵀ {x} + J {target} + bias"),
         &format!(
@@ -138,8 +141,9 @@ fn insertion(section: &mut Section, columns: &Columns, units: &Units) {
     ));
     let problem = columns.problem;
     if problem.assembly.rows.len().max(columns.kept.len()) > SIDE_BY_SIDE {
-        section
-            .say("J, M⁻¹ and the bias are those above; they are too wide to stand side by side.");
+        section.say(
+            "J, M⁻¹ and the bias are given above; they are too wide to be shown side by side.",
+        );
         return;
     }
     let product = columns.j(Formula::default().symbols("J M⁻¹Jᵀ =", "J M^{-1} J^T ="));

@@ -8,14 +8,14 @@ use lcplab_page::document::{Formula, Section};
 /// x_t = −μ x_n v_t/|v_t| with numbers, and S, by which it enters.
 pub(super) fn substitution(section: &mut Section, scene: &Scene, problem: &Problem) {
     section.say(format!(
-        "Contacts that slip faster than {} m/s slide, and Coulomb's law then says what friction is: \
-         x_t = −μ x_n v_t/|v_t|. It is no unknown. The forces on the bodies are S x, where x of such a \
-         friction row is pinned to 0.",
+        "Contacts that slip faster than {} m/s are sliding, and Coulomb's law gives their friction: \
+         x_t = −μ x_n v_t/|v_t|. It is not an unknown. The forces on the bodies are S x, where x of such a \
+         friction row is fixed at 0.",
         plain(scene.contact.sticking_speed)
     ));
     let lines = problem.slides.iter().map(|slide| line(problem, slide)).collect();
     let columns = ["contact", "friction rows", "slip v_t (m/s)", "|v_t| (m/s)", "friction (N)"];
-    section.table("the contacts that slide", &columns, lines);
+    section.table("sliding contacts", &columns, lines);
     let n = problem.lcp.len();
     let entry = |i: usize, j: usize| {
         let slides = problem.slides.iter().filter(|slide| slide.normal == j);

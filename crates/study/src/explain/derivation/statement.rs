@@ -15,11 +15,11 @@ pub(super) fn lcp(
     units: &Units,
 ) {
     let problem = columns.problem;
-    section.say("4. What stands before x is A, the rest is b.");
+    section.say("4. The factor of x is A, and the rest is b.");
     if problem.stage == Stage::Velocity {
         section.say(
-            "The chapter's Figure 4 prints b with the other sign, by which the velocity that is to be \
-             stopped would be doubled (E22).",
+            "The chapter's Figure 4 prints b with the opposite sign, which would double the velocity instead of \
+             stopping it (E22).",
         );
     }
     section.formula(Formula::default().symbols("w = A x + b", "w = A x + b"));
@@ -31,12 +31,12 @@ pub(super) fn lcp(
         (false, false) => ("A = J M⁻¹Jᵀ S =", "A = J M^{-1} J^T S ="),
     };
     if softened {
-        section.say("Springs yield: each adds its γ to the diagonal.");
+        section.say("Springs are compliant: each adds its γ to the diagonal.");
         let gamma = Formula::default().symbols("γ =", "\\gamma =").vector(&problem.compliance);
         section.formula(gamma.unit(units.of_matrix()));
     }
     if !problem.slides.is_empty() {
-        section.say("S does not stand on both sides, so A is not symmetric.");
+        section.say("S appears on one side only, so A is not symmetric.");
     }
     section.formula(matrix(own, Formula::default().symbols(name, latex)).unit(units.of_matrix()));
     let (target, target_latex) = target(problem.stage);

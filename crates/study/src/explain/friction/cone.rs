@@ -22,7 +22,7 @@ pub(in crate::explain) fn cones(
     let (section, is_accepted) = contacts(answered, cones);
     answered.add(document, section);
     let Solved { mut section, solution } = answered.solved(&answered.rows, None)?;
-    section.title = format!("the box beside it, by {}", section.title);
+    section.title = format!("the coupled box for comparison, by {}", section.title);
     answered.add(document, section);
     if answered.answer.status == Status::Solved && solution.status == Status::Solved {
         answered.add(document, beside(answered, &solution));
@@ -34,9 +34,9 @@ pub(in crate::explain) fn cones(
 fn law(cones: &ConeProblem) -> Section {
     let mut section = Section::new("friction within cones");
     section.say(
-        "The friction model is the circular cone: at each contact |x_t| ≤ μ x_n, whatever the direction. That \
-         is no LCP, for the cone is no box. With K the cone and K* its dual, all w with x·w ≥ 0 for every \
-         x in K, each contact has",
+        "The friction model is the circular cone: |x_t| ≤ μ x_n at each contact, in every direction. This \
+         is not an LCP, because the cone is not a box. With the cone K and its dual K*, the set of all w with x·w ≥ 0 for every \
+         x in K, each contact satisfies",
     );
     section.formula(Formula::default().symbols(
         "K = { x : |x_t| ≤ μ x_n },   K* = { w : w_n ≥ μ |w_t| }",
@@ -46,15 +46,15 @@ fn law(cones: &ConeProblem) -> Section {
         Law::Associated => (
             "x in K,   w in K*,   x·w = 0,   w = A x + b",
             "x \\in K, \\qquad w \\in K^*, \\qquad x \\cdot w = 0, \\qquad w = A x + b",
-            "This is the condition of the least ½ xᵀAx + bᵀx over the cones, a convex problem. Its price: \
-             a contact that slides lifts off, w_n = μ |w_t|.",
+            "This is the optimality condition of minimizing ½ xᵀAx + bᵀx over the cones, a convex problem. \
+             Its disadvantage: a sliding contact lifts off with w_n = μ |w_t|.",
         ),
         Law::Coulomb => (
             "x in K,   ŵ in K*,   x·ŵ = 0,   ŵ = A x + b + μ |w_t| n",
             "x \\in K, \\qquad \\hat w \\in K^*, \\qquad x \\cdot \\hat w = 0, \\qquad \
              \\hat w = A x + b + \\mu |w_t| n",
-            "μ |w_t| is added to the normal row of each contact: without it a contact that slides would \
-             lift off. With it this is Coulomb's law: where x_n > 0 and the contact slides, w_n = 0 and \
+            "μ |w_t| is added to the normal row of each contact; without it a sliding contact would \
+             lift off. The result is Coulomb's law: if x_n > 0 and the contact slides, then w_n = 0 and \
              x_t = −μ x_n w_t/|w_t|.",
         ),
     };
@@ -69,10 +69,8 @@ fn contacts(answered: &Answered, cones: &ConeProblem) -> (Section, bool) {
     let certificate = judge_cone(cones, &own.x, &answered.demand());
     let mut section = Section::new("the cones' answer");
     let how = match own.status {
-        Status::Solved => {
-            "comes ever nearer to it, all rows at once, and is not followed line by line"
-        }
-        _ => "found none",
+        Status::Solved => "updates all rows at once, and its steps are not shown",
+        _ => "found no answer",
     };
     section.say(format!(
         "{} {how}: {}, after {} iterations.",
@@ -134,11 +132,11 @@ fn contacts(answered: &Answered, cones: &ConeProblem) -> (Section, bool) {
 fn beside(answered: &Answered, boxed: &Solution) -> Section {
     let mut section = Section::new("the cones and the box");
     section.say(
-        "The box |x_t1| ≤ μ x_n, |x_t2| ≤ μ x_n is another law, and so another x: along its diagonal it \
-         rubs with √2 μ x_n, where the cone has μ x_n in every direction. It stands here because every line \
-         of its solver can be followed, and because both agree where a contact sticks or slides along a \
-         tangent, up to how contacts that are not independent share their load. The bodies move by the \
-         cones' x.",
+        "The box |x_t1| ≤ μ x_n, |x_t2| ≤ μ x_n is a different law with a different x: along its diagonal, \
+         friction is √2 μ x_n, while the cone has μ x_n in every direction. The box is shown because every \
+         step of its solver can be followed. Both laws agree if a contact sticks or slides along a \
+         tangent, up to the distribution of load between redundant contacts. The motion of the bodies is \
+         that of the cones.",
     );
     let (own, reading) = (answered.answer, &answered.rows);
     let line = |i: usize| {

@@ -53,9 +53,9 @@ impl Answered<'_> {
 pub(super) fn frozen(reading: &Reading, problem: &Lcp, at: &[f64]) -> Section {
     let mut section = Section::new("friction in a frozen box");
     section.say(
-        "The model freezes the bounds of friction: they are ±μ x of the normal row with an x that is \
-         known beforehand, in a scene that of the step before, or of the first answer if this is a bounce. \
-         What is left is an LCP with fixed bounds; the newest x of the normal row has no part in them.",
+        "The model freezes the friction bounds: they are ±μ x of the normal row, with an x that is \
+         known in advance. In a scene it is the x of the previous step, or of the first answer if contacts bounce. \
+         The result is an LCP with fixed bounds, which do not depend on the new x of the normal row.",
     );
     let line = |i: usize| {
         let coupling = problem.coupling()?;

@@ -37,7 +37,7 @@ pub(in crate::explain) fn polygons(
     let (mut section, is_accepted) = impulses(answered, polygons);
     if !found {
         section.say(format!(
-            "{} came to this x in another way: {}{}.",
+            "{} obtained this x by another method: {}{}.",
             answered.solver,
             own.status,
             own.fallback.map_or(String::new(), |fallback| format!(", by {fallback}"))
@@ -52,10 +52,10 @@ fn law(polygons: &Polyhedral, reading: &Reading) -> Section {
     let k = polygons.directions();
     let mut section = Section::new("friction within polygons");
     section.say(format!(
-        "The friction model is the polyhedral cone of Stewart and Trinkle. Each contact may rub along {k} \
-         directions d, {}° apart, the first one along its row t1, with β ≥ 0 along each; together they \
-         rub with no more than μ x_n. γ is the speed at which the contact slides. D has the directions \
-         as columns, E a column of ones for each contact.",
+        "The friction model is the polyhedral cone of Stewart and Trinkle. The friction of each contact is \
+         a sum over {k} directions d, {}° apart, the first one along its row t1, with β ≥ 0 along each; \
+         the sum of all β is at most μ x_n. γ is the sliding speed of the contact. D has the directions as \
+         columns, and E has a column of ones for each contact.",
         plain(360.0 / k as f64)
     ));
     for [text, latex] in [
@@ -69,10 +69,11 @@ fn law(polygons: &Polyhedral, reading: &Reading) -> Section {
         section.formula(Formula::default().symbols(text, latex));
     }
     section.say(
-        "All of x_n, β, γ and of their w are ≥ 0, and of each pair one is 0. So w_β ≥ 0: in no direction \
-         does the contact slip against d faster than γ, and it rubs only along those where it is as \
-         fast. And γ w_γ = 0: it slides only with all of μ x_n used up. The zeros on the diagonal and the \
-         sign of Eᵀ make A no longer symmetric. From here on x, w, A and b are those of this LCP.",
+        "x_n, β, γ and their w are ≥ 0, and one of each pair is 0. Because w_β ≥ 0, the contact does not \
+         slip against any direction d faster than γ, and friction acts only along directions in which it \
+         slips at the speed γ. Because γ w_γ = 0, it slides only if friction has its full strength μ x_n. \
+         The zeros on the diagonal and the sign of Eᵀ make A unsymmetric. From here on x, w, A and b are \
+         those of this LCP.",
     );
     let line = |i: usize| {
         vec![
@@ -113,7 +114,7 @@ fn impulses(answered: &Answered, polygons: &Polyhedral) -> (Section, bool) {
     let certificate = judge_friction(&posed, &own.x, &answered.demand());
     let rows = &answered.rows;
     let mut section = Section::new("back to the rows");
-    section.say("Of the rows n, t1, t2 of a contact, x_t = D β, each β along its direction.");
+    section.say("In the rows n, t1, t2 of a contact, x_t = D β.");
     let line = |i: usize| {
         vec![
             with_unit(&i.to_string(), &rows.labels[i]),

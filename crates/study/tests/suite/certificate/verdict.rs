@@ -162,14 +162,14 @@ fn each_verdict_has_its_word_and_its_sentence() {
         (
             Verdict::Proved { distance: 0.25 },
             "proved",
-            "proved: an exact solution lies within 0.25 of x",
+            "proved: an exact solution exists within 0.25 of x",
             Some(0.25),
         ),
         (Verdict::WithinTolerance, "within_tolerance", "within tolerance", None),
         (
             Verdict::NotASolution { row: 7, amount: 0.5, why: Refusal::Residual },
             "not_a_solution",
-            "not a solution: row 7 misses by 0.5 of its terms",
+            "not a solution: scaled residual 0.5 in row 7",
             None,
         ),
     ] {

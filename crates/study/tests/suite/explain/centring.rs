@@ -1,4 +1,4 @@
-//! Redundant contacts, move by move: two contacts at one place, and a third that takes their load.
+//! Redundant contacts, pivot by pivot: two contacts at one place, and a third that takes their load.
 
 use lcplab_page::document::Format;
 use lcplab_problem::file::Problem;
@@ -17,14 +17,14 @@ fn a_move_to_the_middle_is_told_with_its_direction_and_its_ends() {
     let text = document.written(Format::Text).unwrap();
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     for part in [
-        "Row 1 has w₁ = 0 and depends on C. Along d = (−1, 1, 0) no w changes; x may go 1 forward \
-         and 0 back, and goes to the middle, by 0.5. Row 1 is idle now: its w stays 0 with those of C. \
-         Now x = (0.5, 0.5, 0).",
-        "It ends after t = 0.5: x₀ meets a bound. But row 0 need not leave C: w₁ = 0, and row 1 \
-         depends on C. Along d = (−1, 1, 0) no w changes; x may go 0 forward and 0.5 back, and goes \
-         to the middle, by −0.25. Row 1 is idle now: its w stays 0 with those of C. \
-         Now x = (0.25, 0.25, 0.5).",
-        "row 0 leaves C for its lower bound. Now x = (0, 0.25, 0.75).",
+        "Row 1 has w₁ = 0 and depends on C. Along d = (−1, 1, 0) no w changes. x could change by 1 \
+         forward and by 0 backward; it moves to the middle, by 0.5. Row 1 is now dependent: its w \
+         stays 0 together with that of C. Now x = (0.5, 0.5, 0).",
+        "The step ends at t = 0.5: x₀ reaches a bound. But row 0 need not leave C: w₁ = 0, and row 1 \
+         depends on C. Along d = (−1, 1, 0) no w changes. x could change by 0 forward and by 0.5 \
+         backward; it moves to the middle, by −0.25. Row 1 is now dependent: its w stays 0 together \
+         with that of C. Now x = (0.25, 0.25, 0.5).",
+        "row 0 leaves C to its lower bound. Now x = (0, 0.25, 0.75).",
     ] {
         assert!(text.contains(part), "{part} in {text}");
     }

@@ -22,46 +22,47 @@ fn figure_6_at_velocity_level_gives_two_newton_seconds() {
       Step 1, velocity: the rows
         row   what it keeps          c (m)   J u (m/s)   J'u (m/s²)   bias (m/s)   bounds of x (N s)
           0   normal ground body 0       0          −1            0            0   [0, ∞)
-    The bias feeds errors back: an error of position c by β/dt = 0/1 = 0 1/s; a gap c > 0 of a
-    contact by 1/dt, so that it may close within the step and not more. Friction has the bias 0, a
-    motor its speed with the other sign.
+    The bias is the feedback of errors. A position error c is multiplied by β/dt = 0/1 = 0 1/s, and
+    a gap c > 0 of a contact by 1/dt, so that the gap can close within the step but not become an
+    overlap. The bias of a friction row is 0, that of a motor the negative target speed.
 
     4 Step 1, velocity: from Newton's law to the LCP
-    Of 3 columns no row touches 2; they are left out.
+    2 of 3 columns have no entries in any row and are not shown.
     The columns are v_z of body.
-    1. Newton's law over the step. Without constraints the velocities would become u*; the impulses
-    x of the rows act along Jᵀ and add to them.
+    1. Newton's law over the step. Without constraints the velocities would be u*. The impulses x of
+    the rows act along Jᵀ and change them.
         u⁺ = u* + M⁻¹Jᵀ x,   u* = u + dt M⁻¹F
         u* = [ −1 ] + 1 s · [ −1 ] = [ −2 ]   m/s
         M⁻¹ = [ 1 ]   1/kg
-    2. Every row asks something of the new motion: its w is that motion along J, and the bias. A
-    contact wants w ≥ 0 and pushes only where w = 0.
+    2. Every row is a condition on the new motion: its w is this motion along J, plus the bias. A
+    contact requires w ≥ 0 and pushes only if w = 0.
         w = J u⁺ + bias
         J = [ 1 ] ,   bias = [ 0 ]   m/s
-    3. The first is put into the second.
+    3. Equation 1 is substituted into equation 2.
         w = J (u* + M⁻¹Jᵀ x) + bias = J M⁻¹Jᵀ x + J u* + bias
         J M⁻¹Jᵀ = [ 1 ] [ 1 ] [ 1 ]
         J u* = [ 1 ] [ −2 ] = [ −2 ]   m/s
-    4. What stands before x is A, the rest is b.
-    The chapter's Figure 4 prints b with the other sign, by which the velocity that is to be stopped
-    would be doubled (E22).
+    4. The factor of x is A, and the rest is b.
+    The chapter's Figure 4 prints b with the opposite sign, which would double the velocity instead
+    of stopping it (E22).
         w = A x + b
         A = J M⁻¹Jᵀ = [ 1 ]   1/kg
         b = J u* + bias = [ −2 ] + [ 0 ] = [ −2 ]   m/s
-    x stays within its bounds; w > 0 only where x is at the lower one, w < 0 only at the upper one.
+    x stays within its bounds; w > 0 only if x is at the lower one, w < 0 only if x is at the upper
+    one.
         lo = [ 0 ] ≤ x ≤ [ ∞ ] = hi   N s
 
     5 Step 1, velocity: projected Gauss-Seidel, row by row
-    A sweep takes the rows one after another, each with the newest x. The row's w is summed, divided
-    by its diagonal entry, and x moves against it; then x is clamped to its bounds, before the next
-    row is looked at.
+    A sweep updates one row after another, always with the newest x. It sums the w of the row,
+    divides it by the diagonal entry, and subtracts the result from x. Then it clamps x to its
+    bounds, before the next row.
         xᵢ ← Πᵢ( xᵢ − ω wᵢ / aᵢᵢ ),   wᵢ = Σⱼ aᵢⱼ xⱼ + bᵢ
     The start is x = (0) N s.
       Step 1, velocity: sweep 1
         row   the sum w (m/s)   divided by a (N s)   x moved (N s)   clamped (N s)
           0   1·0 − 2 = −2      −2/1 = −2            0 − (−2) = 2    to [0, ∞): 2
     After sweep 1: x = (2) N s.
-      Step 1, velocity: x and its residual, the first sweeps and the last
+      Step 1, velocity: x and its residual in the first sweeps and the last one
         sweep   x (N s)   max |x − Π(x − w)|   factor
             0   (0)                        2
             1   (2)                        0   0
@@ -69,22 +70,23 @@ fn figure_6_at_velocity_level_gives_two_newton_seconds() {
 
     6 Step 1, velocity: the answer
       Step 1, velocity: x and w, row by row
-        row                      x            bounds   w = A x + b   what x asks of w
+        row                      x            bounds   w = A x + b   condition on w
         0 normal ground body 0   x₀ = 2 N s   [0, ∞)   w₀ = 0 m/s    w = 0: x is between its bounds
-    The judge, who sees A, b, the bounds and x but not the solver: proved, x is an exact solution.
-    The scaled residual, the error of the worst row beside the sizes of its terms, is 0.
+    The judge sees A, b, the bounds and x, but not the solver. Its verdict: proved, x is an exact
+    solution. The scaled residual, which is the error of the worst row relative to the size of its
+    terms, is 0.
 
     7 Step 1, velocity: the new motion
-    The bodies then move, in the columns that the rows touch, with
+    In the columns with entries, the new motion of the bodies is
         u⁺ = u* + M⁻¹Jᵀ x = [ −2 ] + [ 2 ] = [ 0 ]   m/s
 
-    8 Step 1: the states after it
+    8 Step 1: the states after the step
     The bodies move with their new velocities, s⁺ = s + dt S u⁺.
       Step 1: the bodies after
         body     p (m)       q   v (m/s)     ω (rad/s)
         ground   (0, 0, 0)   —   —           —
         body     (0, 0, 0)   —   (0, 0, 0)   —
-    Fixed, with M⁻¹ = 0 and so without columns: ground.
+    Fixed bodies, with M⁻¹ = 0 and therefore without columns: ground.
     ");
 }
 
@@ -92,107 +94,112 @@ fn figure_6_at_velocity_level_gives_two_newton_seconds() {
 fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
     // The blow takes 1 kg · 1 m/s, the weight is 1 kg · 1 m/s².
     let document = explained("fig6", Scheme::Acceleration, "dantzig");
-    let text = sections(&document, &["Newton", "move by move", "answer", "motion"]);
+    let text = sections(&document, &["Newton", "pivot by pivot", "answer", "motion"]);
     insta::assert_snapshot!(text, @r"
     4 Step 1, impact: from Newton's law to the LCP
-    Of 3 columns no row touches 2; they are left out.
+    2 of 3 columns have no entries in any row and are not shown.
     The columns are v_z of body.
-    1. Newton's law over an instant: no force matters but the impulses x of the rows.
+    1. Newton's law over an instant. Only the impulses x of the rows matter; forces have no time to
+    act.
         u⁺ = u* + M⁻¹Jᵀ x
         u* = [ −1 ]   m/s
         M⁻¹ = [ 1 ]   1/kg
-    2. Every row asks something of the new motion: its w is that motion along J, and the bias. A
-    contact wants w ≥ 0 and pushes only where w = 0.
+    2. Every row is a condition on the new motion: its w is this motion along J, plus the bias. A
+    contact requires w ≥ 0 and pushes only if w = 0.
         w = J u⁺ + bias
         J = [ 1 ] ,   bias = [ 0 ]   m/s
-    3. The first is put into the second.
+    3. Equation 1 is substituted into equation 2.
         w = J (u* + M⁻¹Jᵀ x) + bias = J M⁻¹Jᵀ x + J u* + bias
         J M⁻¹Jᵀ = [ 1 ] [ 1 ] [ 1 ]
         J u* = [ 1 ] [ −1 ] = [ −1 ]   m/s
-    4. What stands before x is A, the rest is b.
+    4. The factor of x is A, and the rest is b.
         w = A x + b
         A = J M⁻¹Jᵀ = [ 1 ]   1/kg
         b = J u* + bias = [ −1 ] + [ 0 ] = [ −1 ]   m/s
-    x stays within its bounds; w > 0 only where x is at the lower one, w < 0 only at the upper one.
+    x stays within its bounds; w > 0 only if x is at the lower one, w < 0 only if x is at the upper
+    one.
         lo = [ 0 ] ≤ x ≤ [ ∞ ] = hi   N s
 
-    5 Step 1, impact: Dantzig's method, move by move
-    Rows are satisfied one after another. To bring wᵢ to 0, xᵢ moves, and the free rows C move along
-    so that their w stays 0. The move ends when wᵢ is 0, when some x meets a bound, or when the w of
-    a row at a bound gets to 0; the row that ends it changes sides. d and Δw are what x and w change
-    by for each unit of t.
+    5 Step 1, impact: Dantzig's method, pivot by pivot
+    Dantzig's method satisfies the rows one after another. To bring wᵢ to 0, it changes xᵢ, and the
+    free rows C change with it so that their w stays 0. The change ends when wᵢ is 0, when some x
+    reaches a bound, or when the w of a row at a bound reaches 0. The row that ends it enters or
+    leaves C, or changes its bound: this is a pivot. d and Δw are the changes of x and w per unit of
+    the step length t.
         d_i = 1,   d_C = −A_CC⁻¹ A_Ci,   Δw = A d
-    The start is x = (0) N s, C is empty.
-    Move 1: row 0 is driven. At x = (0) N s it has w₀ = −1 m/s, so x₀ rises. The free rows are C =
-    {}.
+    The start is x = (0) N s, and C is empty.
+    Pivot 1: row 0. At x = (0) N s it has w₀ = −1 m/s, so x₀ increases. The free rows are C = {}.
         d = [ 1 ] ,   Δw = [ 1 ]
-      Step 1, impact: move 1, what may end it
+      Step 1, impact: pivot 1, what may end it
         what           after t (N s)
-        w₀ gets to 0   1/1 = 1
-    It ends after t = 1 N s: row 0 enters C.
+        w₀ reaches 0   1/1 = 1
+    The step ends at t = 1 N s: row 0 enters C.
     Now x = (1) N s.
     dantzig ends after 1 iteration with x = (1) N s: solved.
 
     6 Step 1, impact: the answer
       Step 1, impact: x and w, row by row
-        row                      x            bounds   w = A x + b   what x asks of w
+        row                      x            bounds   w = A x + b   condition on w
         0 normal ground body 0   x₀ = 1 N s   [0, ∞)   w₀ = 0 m/s    w = 0: x is between its bounds
-    The judge, who sees A, b, the bounds and x but not the solver: proved, x is an exact solution.
-    The scaled residual, the error of the worst row beside the sizes of its terms, is 0.
+    The judge sees A, b, the bounds and x, but not the solver. Its verdict: proved, x is an exact
+    solution. The scaled residual, which is the error of the worst row relative to the size of its
+    terms, is 0.
 
     7 Step 1, impact: the new motion
-    The bodies then move, in the columns that the rows touch, with
+    In the columns with entries, the new motion of the bodies is
         u⁺ = u* + M⁻¹Jᵀ x = [ −1 ] + [ 1 ] = [ 0 ]   m/s
 
     10 Step 1, acceleration: from Newton's law to the LCP
-    Of 3 columns no row touches 2; they are left out.
+    2 of 3 columns have no entries in any row and are not shown.
     The columns are v_z of body.
-    1. Newton's law. Without constraints the accelerations would be a*; the forces x of the rows act
-    along Jᵀ and add to them.
+    1. Newton's law. Without constraints the accelerations would be a*. The forces x of the rows act
+    along Jᵀ and change them.
         u' = a* + M⁻¹Jᵀ x,   a* = M⁻¹F
         a* = [ −1 ]   m/s²
         M⁻¹ = [ 1 ]   1/kg
-    2. Every row asks something of the new motion: its w is that motion along J, and the bias. A
-    contact wants w ≥ 0 and pushes only where w = 0.
+    2. Every row is a condition on the new motion: its w is this motion along J, plus the bias. A
+    contact requires w ≥ 0 and pushes only if w = 0.
         w = J u' + bias
         J = [ 1 ] ,   bias = [ 0 ]   m/s²
-    3. The first is put into the second.
+    3. Equation 1 is substituted into equation 2.
         w = J (a* + M⁻¹Jᵀ x) + bias = J M⁻¹Jᵀ x + J a* + bias
         J M⁻¹Jᵀ = [ 1 ] [ 1 ] [ 1 ]
         J a* = [ 1 ] [ −1 ] = [ −1 ]   m/s²
-    4. What stands before x is A, the rest is b.
+    4. The factor of x is A, and the rest is b.
         w = A x + b
         A = J M⁻¹Jᵀ = [ 1 ]   1/kg
         b = J a* + bias = [ −1 ] + [ 0 ] = [ −1 ]   m/s²
-    x stays within its bounds; w > 0 only where x is at the lower one, w < 0 only at the upper one.
+    x stays within its bounds; w > 0 only if x is at the lower one, w < 0 only if x is at the upper
+    one.
         lo = [ 0 ] ≤ x ≤ [ ∞ ] = hi   N
 
-    11 Step 1, acceleration: Dantzig's method, move by move
-    Rows are satisfied one after another. To bring wᵢ to 0, xᵢ moves, and the free rows C move along
-    so that their w stays 0. The move ends when wᵢ is 0, when some x meets a bound, or when the w of
-    a row at a bound gets to 0; the row that ends it changes sides. d and Δw are what x and w change
-    by for each unit of t.
+    11 Step 1, acceleration: Dantzig's method, pivot by pivot
+    Dantzig's method satisfies the rows one after another. To bring wᵢ to 0, it changes xᵢ, and the
+    free rows C change with it so that their w stays 0. The change ends when wᵢ is 0, when some x
+    reaches a bound, or when the w of a row at a bound reaches 0. The row that ends it enters or
+    leaves C, or changes its bound: this is a pivot. d and Δw are the changes of x and w per unit of
+    the step length t.
         d_i = 1,   d_C = −A_CC⁻¹ A_Ci,   Δw = A d
-    The start is x = (0) N, C is empty.
-    Move 1: row 0 is driven. At x = (0) N it has w₀ = −1 m/s², so x₀ rises. The free rows are C =
-    {}.
+    The start is x = (0) N, and C is empty.
+    Pivot 1: row 0. At x = (0) N it has w₀ = −1 m/s², so x₀ increases. The free rows are C = {}.
         d = [ 1 ] ,   Δw = [ 1 ]
-      Step 1, acceleration: move 1, what may end it
+      Step 1, acceleration: pivot 1, what may end it
         what           after t (N)
-        w₀ gets to 0   1/1 = 1
-    It ends after t = 1 N: row 0 enters C.
+        w₀ reaches 0   1/1 = 1
+    The step ends at t = 1 N: row 0 enters C.
     Now x = (1) N.
     dantzig ends after 1 iteration with x = (1) N: solved.
 
     12 Step 1, acceleration: the answer
       Step 1, acceleration: x and w, row by row
-        row                      x          bounds   w = A x + b   what x asks of w
+        row                      x          bounds   w = A x + b   condition on w
         0 normal ground body 0   x₀ = 1 N   [0, ∞)   w₀ = 0 m/s²   w = 0: x is between its bounds
-    The judge, who sees A, b, the bounds and x but not the solver: proved, x is an exact solution.
-    The scaled residual, the error of the worst row beside the sizes of its terms, is 0.
+    The judge sees A, b, the bounds and x, but not the solver. Its verdict: proved, x is an exact
+    solution. The scaled residual, which is the error of the worst row relative to the size of its
+    terms, is 0.
 
     13 Step 1, acceleration: the new motion
-    The bodies then move, in the columns that the rows touch, with
+    In the columns with entries, the new motion of the bodies is
         u' = a* + M⁻¹Jᵀ x = [ −1 ] + [ 1 ] = [ 0 ]   m/s²
         u + dt u' = [ 0 ] + 1 s · [ 0 ] = [ 0 ]   m/s
     ");

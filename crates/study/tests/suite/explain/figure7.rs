@@ -16,15 +16,15 @@ fn figure_7_at_velocity_level_by_sweeps() {
           0   normal ground bottom 0       0           0            0            0   [0, ∞)
           1   normal bottom middle 0       0          −1            0            0   [0, ∞)
           2   normal middle top 0          0           1            0            0   [0, ∞)
-    The bias feeds errors back: an error of position c by β/dt = 0/1 = 0 1/s; a gap c > 0 of a
-    contact by 1/dt, so that it may close within the step and not more. Friction has the bias 0, a
-    motor its speed with the other sign.
+    The bias is the feedback of errors. A position error c is multiplied by β/dt = 0/1 = 0 1/s, and
+    a gap c > 0 of a contact by 1/dt, so that the gap can close within the step but not become an
+    overlap. The bias of a friction row is 0, that of a motor the negative target speed.
 
     4 Step 1, velocity: from Newton's law to the LCP
-    Of 18 columns no row touches 15; they are left out.
+    15 of 18 columns have no entries in any row and are not shown.
     The columns are v_z of bottom, v_z of middle, v_z of top.
-    1. Newton's law over the step. Without constraints the velocities would become u*; the impulses
-    x of the rows act along Jᵀ and add to them.
+    1. Newton's law over the step. Without constraints the velocities would be u*. The impulses x of
+    the rows act along Jᵀ and change them.
         u⁺ = u* + M⁻¹Jᵀ x,   u* = u + dt M⁻¹F
              ⎡  0 ⎤         ⎡ −1 ⎤   ⎡ −1 ⎤
         u* = ⎢ −1 ⎥ + 1 s · ⎢ −1 ⎥ = ⎢ −2 ⎥   m/s
@@ -32,13 +32,13 @@ fn figure_7_at_velocity_level_by_sweeps() {
               ⎡ 1  0  0 ⎤
         M⁻¹ = ⎢ 0  1  0 ⎥   1/kg
               ⎣ 0  0  1 ⎦
-    2. Every row asks something of the new motion: its w is that motion along J, and the bias. A
-    contact wants w ≥ 0 and pushes only where w = 0.
+    2. Every row is a condition on the new motion: its w is this motion along J, plus the bias. A
+    contact requires w ≥ 0 and pushes only if w = 0.
         w = J u⁺ + bias
             ⎡  1   0  0 ⎤            ⎡ 0 ⎤
         J = ⎢ −1   1  0 ⎥ ,   bias = ⎢ 0 ⎥   m/s
             ⎣  0  −1  1 ⎦            ⎣ 0 ⎦
-    3. The first is put into the second.
+    3. Equation 1 is substituted into equation 2.
         w = J (u* + M⁻¹Jᵀ x) + bias = J M⁻¹Jᵀ x + J u* + bias
                   ⎡  1   0  0 ⎤ ⎡ 1  0  0 ⎤ ⎡ 1  −1   0 ⎤
         J M⁻¹Jᵀ = ⎢ −1   1  0 ⎥ ⎢ 0  1  0 ⎥ ⎢ 0   1  −1 ⎥
@@ -46,9 +46,9 @@ fn figure_7_at_velocity_level_by_sweeps() {
                ⎡  1   0  0 ⎤ ⎡ −1 ⎤   ⎡ −1 ⎤
         J u* = ⎢ −1   1  0 ⎥ ⎢ −2 ⎥ = ⎢ −1 ⎥   m/s
                ⎣  0  −1  1 ⎦ ⎣ −1 ⎦   ⎣  1 ⎦
-    4. What stands before x is A, the rest is b.
-    The chapter's Figure 4 prints b with the other sign, by which the velocity that is to be stopped
-    would be doubled (E22).
+    4. The factor of x is A, and the rest is b.
+    The chapter's Figure 4 prints b with the opposite sign, which would double the velocity instead
+    of stopping it (E22).
         w = A x + b
                       ⎡  1  −1   0 ⎤
         A = J M⁻¹Jᵀ = ⎢ −1   2  −1 ⎥   1/kg
@@ -56,15 +56,16 @@ fn figure_7_at_velocity_level_by_sweeps() {
                           ⎡ −1 ⎤   ⎡ 0 ⎤   ⎡ −1 ⎤
         b = J u* + bias = ⎢ −1 ⎥ + ⎢ 0 ⎥ = ⎢ −1 ⎥   m/s
                           ⎣  1 ⎦   ⎣ 0 ⎦   ⎣  1 ⎦
-    x stays within its bounds; w > 0 only where x is at the lower one, w < 0 only at the upper one.
+    x stays within its bounds; w > 0 only if x is at the lower one, w < 0 only if x is at the upper
+    one.
              ⎡ 0 ⎤       ⎡ ∞ ⎤
         lo = ⎢ 0 ⎥ ≤ x ≤ ⎢ ∞ ⎥ = hi   N s
              ⎣ 0 ⎦       ⎣ ∞ ⎦
 
     5 Step 1, velocity: projected Gauss-Seidel, row by row
-    A sweep takes the rows one after another, each with the newest x. The row's w is summed, divided
-    by its diagonal entry, and x moves against it; then x is clamped to its bounds, before the next
-    row is looked at.
+    A sweep updates one row after another, always with the newest x. It sums the w of the row,
+    divides it by the diagonal entry, and subtracts the result from x. Then it clamps x to its
+    bounds, before the next row.
         xᵢ ← Πᵢ( xᵢ − ω wᵢ / aᵢᵢ ),   wᵢ = Σⱼ aᵢⱼ xⱼ + bᵢ
     The start is x = (0, 0, 0) N s.
       Step 1, velocity: sweep 1
@@ -85,7 +86,7 @@ fn figure_7_at_velocity_level_by_sweeps() {
           1   −1·2.5 + 2·1.5 − 1·0.25 − 1 = −0.75   −0.75/2 = −0.375     1.5 − (−0.375) = 1.875      to [0, ∞): 1.875
           2   −1·1.875 + 2·0.25 + 1 = −0.375        −0.375/2 = −0.1875   0.25 − (−0.1875) = 0.4375   to [0, ∞): 0.4375
     After sweep 3: x = (2.5, 1.875, 0.4375) N s.
-      Step 1, velocity: x and its residual, the first sweeps and the last
+      Step 1, velocity: x and its residual in the first sweeps and the last one
         sweep   x (N s)                        max |x − Π(x − w)|   factor
             0   (0, 0, 0)                                       1
             1   (1, 1, 0)                                       1   1
@@ -107,63 +108,65 @@ fn figure_7_at_velocity_level_by_sweeps() {
 fn figure_7_by_the_moves_of_dantzig() {
     // d_C = −A_CC⁻¹A_Ci by hand: (1), then (1, 1); each s is 1.
     let document = explained("fig7", Scheme::Velocity, "dantzig");
-    let text = sections(&document, &["move by move", "answer", "motion", "after"]);
+    let text = sections(&document, &["pivot by pivot", "answer", "motion", "after"]);
     insta::assert_snapshot!(text, @r"
-    5 Step 1, velocity: Dantzig's method, move by move
-    Rows are satisfied one after another. To bring wᵢ to 0, xᵢ moves, and the free rows C move along
-    so that their w stays 0. The move ends when wᵢ is 0, when some x meets a bound, or when the w of
-    a row at a bound gets to 0; the row that ends it changes sides. d and Δw are what x and w change
-    by for each unit of t.
+    5 Step 1, velocity: Dantzig's method, pivot by pivot
+    Dantzig's method satisfies the rows one after another. To bring wᵢ to 0, it changes xᵢ, and the
+    free rows C change with it so that their w stays 0. The change ends when wᵢ is 0, when some x
+    reaches a bound, or when the w of a row at a bound reaches 0. The row that ends it enters or
+    leaves C, or changes its bound: this is a pivot. d and Δw are the changes of x and w per unit of
+    the step length t.
         d_i = 1,   d_C = −A_CC⁻¹ A_Ci,   Δw = A d
-    The start is x = (0, 0, 0) N s, C is empty.
-    Move 1: row 0 is driven. At x = (0, 0, 0) N s it has w₀ = −1 m/s, so x₀ rises. The free rows are
-    C = {}.
+    The start is x = (0, 0, 0) N s, and C is empty.
+    Pivot 1: row 0. At x = (0, 0, 0) N s it has w₀ = −1 m/s, so x₀ increases. The free rows are C =
+    {}.
             ⎡ 1 ⎤          ⎡ 1 ⎤
         d = ⎢ 0 ⎥ ,   Δw = ⎢ 0 ⎥
             ⎣ 0 ⎦          ⎣ 0 ⎦
-      Step 1, velocity: move 1, what may end it
+      Step 1, velocity: pivot 1, what may end it
         what           after t (N s)
-        w₀ gets to 0   1/1 = 1
-    It ends after t = 1 N s: row 0 enters C.
+        w₀ reaches 0   1/1 = 1
+    The step ends at t = 1 N s: row 0 enters C.
     Now x = (1, 0, 0) N s.
-    Move 2: row 1 is driven. At x = (1, 0, 0) N s it has w₁ = −2 m/s, so x₁ rises. The free rows are
-    C = {0}.
+    Pivot 2: row 1. At x = (1, 0, 0) N s it has w₁ = −2 m/s, so x₁ increases. The free rows are C =
+    {0}.
             ⎡ 1 ⎤          ⎡ 0 ⎤
         d = ⎢ 1 ⎥ ,   Δw = ⎢ 1 ⎥
             ⎣ 0 ⎦          ⎣ 0 ⎦
-      Step 1, velocity: move 2, what may end it
+      Step 1, velocity: pivot 2, what may end it
         what           after t (N s)
-        w₁ gets to 0   2/1 = 2
-    It ends after t = 2 N s: row 1 enters C.
+        w₁ reaches 0   2/1 = 2
+    The step ends at t = 2 N s: row 1 enters C.
     Now x = (3, 2, 0) N s.
-    Move 3: row 2 is driven. At x = (3, 2, 0) N s it has w₂ = −1 m/s, so x₂ rises. The free rows are
-    C = {0, 1}.
+    Pivot 3: row 2. At x = (3, 2, 0) N s it has w₂ = −1 m/s, so x₂ increases. The free rows are C =
+    {0, 1}.
             ⎡ 1 ⎤          ⎡ 0 ⎤
         d = ⎢ 1 ⎥ ,   Δw = ⎢ 0 ⎥
             ⎣ 1 ⎦          ⎣ 1 ⎦
-      Step 1, velocity: move 3, what may end it
+      Step 1, velocity: pivot 3, what may end it
         what           after t (N s)
-        w₂ gets to 0   1/1 = 1
-    It ends after t = 1 N s: row 2 enters C.
+        w₂ reaches 0   1/1 = 1
+    The step ends at t = 1 N s: row 2 enters C.
     Now x = (4, 3, 1) N s.
     dantzig ends after 3 iterations with x = (4, 3, 1) N s: solved.
 
     6 Step 1, velocity: the answer
       Step 1, velocity: x and w, row by row
-        row                        x            bounds   w = A x + b   what x asks of w
+        row                        x            bounds   w = A x + b   condition on w
         0 normal ground bottom 0   x₀ = 4 N s   [0, ∞)   w₀ = 0 m/s    w = 0: x is between its bounds
         1 normal bottom middle 0   x₁ = 3 N s   [0, ∞)   w₁ = 0 m/s    w = 0: x is between its bounds
         2 normal middle top 0      x₂ = 1 N s   [0, ∞)   w₂ = 0 m/s    w = 0: x is between its bounds
-    The judge, who sees A, b, the bounds and x but not the solver: proved, x is an exact solution.
-    The scaled residual, the error of the worst row beside the sizes of its terms, is 0.
+    The judge sees A, b, the bounds and x, but not the solver. Its verdict: proved, x is an exact
+    solution. The scaled residual, which is the error of the worst row relative to the size of its
+    terms, is 0.
 
     7 Step 1, velocity: the new motion
-    The bodies then move, in the columns that the rows touch, with
+    In the columns with entries, the new motion of the bodies is
                             ⎡ −1 ⎤   ⎡ 1 ⎤   ⎡ 0 ⎤
         u⁺ = u* + M⁻¹Jᵀ x = ⎢ −2 ⎥ + ⎢ 2 ⎥ = ⎢ 0 ⎥   m/s
                             ⎣ −1 ⎦   ⎣ 1 ⎦   ⎣ 0 ⎦
 
-    8 Step 1: the states after it
+    8 Step 1: the states after the step
     The bodies move with their new velocities, s⁺ = s + dt S u⁺.
       Step 1: the bodies after
         body     p (m)         q              v (m/s)     ω (rad/s)
@@ -171,7 +174,7 @@ fn figure_7_by_the_moves_of_dantzig() {
         bottom   (0, 0, 0.5)   (1, 0, 0, 0)   (0, 0, 0)   (0, 0, 0)
         middle   (0, 0, 1.5)   (1, 0, 0, 0)   (0, 0, 0)   (0, 0, 0)
         top      (0, 0, 2.5)   (1, 0, 0, 0)   (0, 0, 0)   (0, 0, 0)
-    Fixed, with M⁻¹ = 0 and so without columns: ground.
+    Fixed bodies, with M⁻¹ = 0 and therefore without columns: ground.
     ");
 }
 
@@ -182,11 +185,12 @@ fn figure_7_by_the_pivots_of_lemke() {
     let text = sections(&document, &["tableau by tableau"]);
     insta::assert_snapshot!(text, @r"
     5 Step 1, velocity: Lemke's method, tableau by tableau
-    A covering variable z makes every w big enough. A tableau gives the basic variables by the
-    nonbasic ones, which are 0, so its first column has their values. z enters first and rises until
-    no w is negative: to the largest ratio. From then on the partner of the variable that has just
-    left enters and rises until the first basic one gets to 0: to the least ratio. When z itself
-    leaves, x is a solution. Ties are broken lexicographically.
+    A covering variable z makes every w nonnegative. A tableau expresses the basic variables in
+    terms of the nonbasic ones, which are 0, so its first column has the values of the basic
+    variables. z enters first and increases until no w is negative, which is the largest ratio.
+    After that, the complement of the variable that has just left enters and increases until the
+    first basic variable reaches 0, which is the smallest ratio. When z leaves, x is a solution.
+    Ties are broken lexicographically.
         w = A x + b + z e,   x, w, z ≥ 0,   xᵢ wᵢ = 0
       Step 1, velocity: tableau 1: z enters, w₁ leaves
         basic   value   unit   x₀   x₁   x₂   z   ratio
@@ -208,7 +212,7 @@ fn figure_7_by_the_pivots_of_lemke() {
         x₁       1.33333   N s    −0.666667   0.333333     1.66667   0.333333
         z       0.333333   m/s     0.333333   0.333333   −0.333333   0.333333   0.333333/0.333333 = 1 ←
         x₀             2   N s           −1          1           2          0
-      Step 1, velocity: tableau 5: z is 0, the end
+      Step 1, velocity: tableau 5: z is 0: solved
         basic   value   unit   w₂   w₀    z   w₁   ratio
         x₁          3   N s     1    2   −5    2
         x₂          1   N s     1    1   −3    1
@@ -224,9 +228,10 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
     let text = sections(&document, &["Newton", "answer", "motion"]);
     insta::assert_snapshot!(text, @r"
     4 Step 1, impact: from Newton's law to the LCP
-    Of 18 columns no row touches 15; they are left out.
+    15 of 18 columns have no entries in any row and are not shown.
     The columns are v_z of bottom, v_z of middle, v_z of top.
-    1. Newton's law over an instant: no force matters but the impulses x of the rows.
+    1. Newton's law over an instant. Only the impulses x of the rows matter; forces have no time to
+    act.
         u⁺ = u* + M⁻¹Jᵀ x
              ⎡  0 ⎤
         u* = ⎢ −1 ⎥   m/s
@@ -234,13 +239,13 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
               ⎡ 1  0  0 ⎤
         M⁻¹ = ⎢ 0  1  0 ⎥   1/kg
               ⎣ 0  0  1 ⎦
-    2. Every row asks something of the new motion: its w is that motion along J, and the bias. A
-    contact wants w ≥ 0 and pushes only where w = 0.
+    2. Every row is a condition on the new motion: its w is this motion along J, plus the bias. A
+    contact requires w ≥ 0 and pushes only if w = 0.
         w = J u⁺ + bias
             ⎡  1   0  0 ⎤            ⎡ 0 ⎤
         J = ⎢ −1   1  0 ⎥ ,   bias = ⎢ 0 ⎥   m/s
             ⎣  0  −1  1 ⎦            ⎣ 0 ⎦
-    3. The first is put into the second.
+    3. Equation 1 is substituted into equation 2.
         w = J (u* + M⁻¹Jᵀ x) + bias = J M⁻¹Jᵀ x + J u* + bias
                   ⎡  1   0  0 ⎤ ⎡ 1  0  0 ⎤ ⎡ 1  −1   0 ⎤
         J M⁻¹Jᵀ = ⎢ −1   1  0 ⎥ ⎢ 0  1  0 ⎥ ⎢ 0   1  −1 ⎥
@@ -248,7 +253,7 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
                ⎡  1   0  0 ⎤ ⎡  0 ⎤   ⎡  0 ⎤
         J u* = ⎢ −1   1  0 ⎥ ⎢ −1 ⎥ = ⎢ −1 ⎥   m/s
                ⎣  0  −1  1 ⎦ ⎣  0 ⎦   ⎣  1 ⎦
-    4. What stands before x is A, the rest is b.
+    4. The factor of x is A, and the rest is b.
         w = A x + b
                       ⎡  1  −1   0 ⎤
         A = J M⁻¹Jᵀ = ⎢ −1   2  −1 ⎥   1/kg
@@ -256,31 +261,33 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
                           ⎡  0 ⎤   ⎡ 0 ⎤   ⎡  0 ⎤
         b = J u* + bias = ⎢ −1 ⎥ + ⎢ 0 ⎥ = ⎢ −1 ⎥   m/s
                           ⎣  1 ⎦   ⎣ 0 ⎦   ⎣  1 ⎦
-    x stays within its bounds; w > 0 only where x is at the lower one, w < 0 only at the upper one.
+    x stays within its bounds; w > 0 only if x is at the lower one, w < 0 only if x is at the upper
+    one.
              ⎡ 0 ⎤       ⎡ ∞ ⎤
         lo = ⎢ 0 ⎥ ≤ x ≤ ⎢ ∞ ⎥ = hi   N s
              ⎣ 0 ⎦       ⎣ ∞ ⎦
 
     6 Step 1, impact: the answer
       Step 1, impact: x and w, row by row
-        row                        x            bounds   w = A x + b   what x asks of w
+        row                        x            bounds   w = A x + b   condition on w
         0 normal ground bottom 0   x₀ = 1 N s   [0, ∞)   w₀ = 0 m/s    w = 0: x is between its bounds
         1 normal bottom middle 0   x₁ = 1 N s   [0, ∞)   w₁ = 0 m/s    w = 0: x is between its bounds
         2 normal middle top 0      x₂ = 0 N s   [0, ∞)   w₂ = 0 m/s    w ≥ 0: x is at its lower bound
-    The judge, who sees A, b, the bounds and x but not the solver: proved, x is an exact solution.
-    The scaled residual, the error of the worst row beside the sizes of its terms, is 0.
+    The judge sees A, b, the bounds and x, but not the solver. Its verdict: proved, x is an exact
+    solution. The scaled residual, which is the error of the worst row relative to the size of its
+    terms, is 0.
 
     7 Step 1, impact: the new motion
-    The bodies then move, in the columns that the rows touch, with
+    In the columns with entries, the new motion of the bodies is
                             ⎡  0 ⎤   ⎡ 0 ⎤   ⎡ 0 ⎤
         u⁺ = u* + M⁻¹Jᵀ x = ⎢ −1 ⎥ + ⎢ 1 ⎥ = ⎢ 0 ⎥   m/s
                             ⎣  0 ⎦   ⎣ 0 ⎦   ⎣ 0 ⎦
 
     10 Step 1, acceleration: from Newton's law to the LCP
-    Of 18 columns no row touches 15; they are left out.
+    15 of 18 columns have no entries in any row and are not shown.
     The columns are v_z of bottom, v_z of middle, v_z of top.
-    1. Newton's law. Without constraints the accelerations would be a*; the forces x of the rows act
-    along Jᵀ and add to them.
+    1. Newton's law. Without constraints the accelerations would be a*. The forces x of the rows act
+    along Jᵀ and change them.
         u' = a* + M⁻¹Jᵀ x,   a* = M⁻¹F
              ⎡ −1 ⎤
         a* = ⎢ −1 ⎥   m/s²
@@ -288,13 +295,13 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
               ⎡ 1  0  0 ⎤
         M⁻¹ = ⎢ 0  1  0 ⎥   1/kg
               ⎣ 0  0  1 ⎦
-    2. Every row asks something of the new motion: its w is that motion along J, and the bias. A
-    contact wants w ≥ 0 and pushes only where w = 0.
+    2. Every row is a condition on the new motion: its w is this motion along J, plus the bias. A
+    contact requires w ≥ 0 and pushes only if w = 0.
         w = J u' + bias
             ⎡  1   0  0 ⎤            ⎡ 0 ⎤
         J = ⎢ −1   1  0 ⎥ ,   bias = ⎢ 0 ⎥   m/s²
             ⎣  0  −1  1 ⎦            ⎣ 0 ⎦
-    3. The first is put into the second.
+    3. Equation 1 is substituted into equation 2.
         w = J (a* + M⁻¹Jᵀ x) + bias = J M⁻¹Jᵀ x + J a* + bias
                   ⎡  1   0  0 ⎤ ⎡ 1  0  0 ⎤ ⎡ 1  −1   0 ⎤
         J M⁻¹Jᵀ = ⎢ −1   1  0 ⎥ ⎢ 0  1  0 ⎥ ⎢ 0   1  −1 ⎥
@@ -302,7 +309,7 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
                ⎡  1   0  0 ⎤ ⎡ −1 ⎤   ⎡ −1 ⎤
         J a* = ⎢ −1   1  0 ⎥ ⎢ −1 ⎥ = ⎢  0 ⎥   m/s²
                ⎣  0  −1  1 ⎦ ⎣ −1 ⎦   ⎣  0 ⎦
-    4. What stands before x is A, the rest is b.
+    4. The factor of x is A, and the rest is b.
         w = A x + b
                       ⎡  1  −1   0 ⎤
         A = J M⁻¹Jᵀ = ⎢ −1   2  −1 ⎥   1/kg
@@ -310,22 +317,24 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
                           ⎡ −1 ⎤   ⎡ 0 ⎤   ⎡ −1 ⎤
         b = J a* + bias = ⎢  0 ⎥ + ⎢ 0 ⎥ = ⎢  0 ⎥   m/s²
                           ⎣  0 ⎦   ⎣ 0 ⎦   ⎣  0 ⎦
-    x stays within its bounds; w > 0 only where x is at the lower one, w < 0 only at the upper one.
+    x stays within its bounds; w > 0 only if x is at the lower one, w < 0 only if x is at the upper
+    one.
              ⎡ 0 ⎤       ⎡ ∞ ⎤
         lo = ⎢ 0 ⎥ ≤ x ≤ ⎢ ∞ ⎥ = hi   N
              ⎣ 0 ⎦       ⎣ ∞ ⎦
 
     12 Step 1, acceleration: the answer
       Step 1, acceleration: x and w, row by row
-        row                        x          bounds   w = A x + b   what x asks of w
+        row                        x          bounds   w = A x + b   condition on w
         0 normal ground bottom 0   x₀ = 3 N   [0, ∞)   w₀ = 0 m/s²   w = 0: x is between its bounds
         1 normal bottom middle 0   x₁ = 2 N   [0, ∞)   w₁ = 0 m/s²   w = 0: x is between its bounds
         2 normal middle top 0      x₂ = 1 N   [0, ∞)   w₂ = 0 m/s²   w = 0: x is between its bounds
-    The judge, who sees A, b, the bounds and x but not the solver: proved, x is an exact solution.
-    The scaled residual, the error of the worst row beside the sizes of its terms, is 0.
+    The judge sees A, b, the bounds and x, but not the solver. Its verdict: proved, x is an exact
+    solution. The scaled residual, which is the error of the worst row relative to the size of its
+    terms, is 0.
 
     13 Step 1, acceleration: the new motion
-    The bodies then move, in the columns that the rows touch, with
+    In the columns with entries, the new motion of the bodies is
                             ⎡ −1 ⎤   ⎡ 1 ⎤   ⎡ 0 ⎤
         u' = a* + M⁻¹Jᵀ x = ⎢ −1 ⎥ + ⎢ 1 ⎥ = ⎢ 0 ⎥   m/s²
                             ⎣ −1 ⎦   ⎣ 1 ⎦   ⎣ 0 ⎦

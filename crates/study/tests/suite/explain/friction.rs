@@ -37,7 +37,8 @@ fn polygons_are_the_lcp_of_stewart_and_trinkle_solved_by_lemke() {
             ⎢       0 ⎥
             ⎢       0 ⎥
             ⎣       0 ⎦
-    x stays within its bounds; w > 0 only where x is at the lower one, w < 0 only at the upper one.
+    x stays within its bounds; w > 0 only if x is at the lower one, w < 0 only if x is at the upper
+    one.
              ⎡ 0 ⎤       ⎡ ∞ ⎤
              ⎢ 0 ⎥       ⎢ ∞ ⎥
         lo = ⎢ 0 ⎥ ≤ x ≤ ⎢ ∞ ⎥ = hi   units row by row
@@ -69,9 +70,12 @@ fn cones_are_stated_and_the_box_stands_beside_them() {
         let document = modelled("sliding", model, 1);
         assert!(document.is_accepted);
         let text = document.written(Format::Text).unwrap();
-        for part in
-            [law, "cone, μ = 0.5, on row 0", "the box beside it, by Dantzig's", "both answers"]
-        {
+        for part in [
+            law,
+            "cone, μ = 0.5, on row 0",
+            "the coupled box for comparison, by Dantzig's",
+            "both answers",
+        ] {
             assert!(text.contains(part), "{part} in {text}");
         }
         assert!(document.written(Format::Html).is_ok());
@@ -128,9 +132,12 @@ fn a_problem_file_is_explained_and_judged_under_its_own_model() {
     }
     // Of a cone the judge's only verdict is about the cone.
     let (document, text) = pushed(None);
-    assert_eq!(text.matches("The judge, who").count(), 1, "{text}");
+    assert_eq!(text.matches("The judge sees").count(), 1, "{text}");
     assert!(document.title.contains("under coulomb-cone"), "{}", document.title);
-    assert!(text.contains("Friction within cones") && text.contains("The box beside it"), "{text}");
+    assert!(
+        text.contains("Friction within cones") && text.contains("The coupled box for comparison"),
+        "{text}"
+    );
 }
 
 #[test]

@@ -83,7 +83,7 @@ fn every_shipped_scene_is_explained_in_every_form_or_says_why_not() {
     let mut other = Scene::load("fig6").unwrap();
     other.step.scheme = Scheme::Xpbd;
     let error = step(&other, &Method::named("pgs").unwrap(), 1).unwrap_err().to_string();
-    assert_eq!(error, "fig6: scheme: velocity and acceleration are explained, not xpbd");
+    assert_eq!(error, "fig6: scheme: only velocity and acceleration can be explained, not xpbd");
 }
 
 #[test]

@@ -40,9 +40,11 @@ fn open(because: &str) -> Expected {
     Expected::Open { because: because.into() }
 }
 
-const KICK: &str = "a kick, then a move with the new speed: the parabola is missed by g t h/2";
-const SPRING: &str = "a spring's stretch is its load over its stiffness, at any step length";
-const SWEPT: &str = "its sweeps are counted, not run to an end";
+const KICK: &str = "a change of velocity, then a move with the new velocity: the error from the parabola is g \
+ t h/2";
+const SPRING: &str =
+    "the extension of a spring is its load divided by its stiffness, for any time step";
+const SWEPT: &str = "the number of sweeps is fixed, so it does not converge";
 
 /// What a quantity of a problem must do under a family and integrator.
 pub(super) fn expected(
@@ -54,7 +56,7 @@ pub(super) fn expected(
     let euler = family != Scheme::Acceleration || integrator == Integrator::SemiImplicitEuler;
     match problem {
         Problem::Fall if euler => order(1.0, KICK),
-        Problem::Fall => exact("a parabola, which methods of second order follow exactly"),
+        Problem::Fall => exact("a parabola, which second-order methods reproduce exactly"),
         Problem::Swing if !euler => of_stages(integrator),
         Problem::Swing => of_pendulum(quantity, family),
         Problem::Bounce => of_bounce(family, euler),
@@ -65,7 +67,7 @@ pub(super) fn expected(
 /// A pendulum under methods with stages.
 fn of_stages(integrator: Integrator) -> Expected {
     let power = if integrator == Integrator::Rk4 { 4.0 } else { 2.0 };
-    order(power, "the order of the integrator: rows are accelerations, no more")
+    order(power, "the order of the integrator, because the rows are conditions on accelerations")
 }
 
 /// A pendulum under steps with one kick.
@@ -73,11 +75,13 @@ fn of_pendulum(quantity: &str, family: Scheme) -> Expected {
     use Scheme::{GaussSeidel, Penalty, Soft, SplitImpulse, Xpbd};
     match (quantity, family) {
         ("length of the rod", SplitImpulse | GaussSeidel | Xpbd) => {
-            exact("the rod is corrected along itself, in which its length is linear")
+            exact("the rod is corrected along its own direction, in which its length is linear")
         }
         ("length of the rod", Penalty) => order(0.0, SPRING),
-        (_, Soft) => open("its springs get stiffer with the step, up to 60 Hz"),
-        (_, Penalty) => open("first order, until the error of its springs is reached, which stays"),
+        (_, Soft) => open("its springs get stiffer as the step gets shorter, up to 60 Hz"),
+        (_, Penalty) => {
+            open("first order, down to the error of its springs, which does not decrease")
+        }
         ("length of the rod", _) => {
             order(1.0, "each step leaves the circle along its tangent, by (v dt)²/2l")
         }
@@ -88,12 +92,16 @@ fn of_pendulum(quantity: &str, family: Scheme) -> Expected {
 fn of_bounce(family: Scheme, euler: bool) -> Expected {
     use Scheme::{Acceleration, GaussSeidel, SequentialImpulses, SplitImpulse, Velocity};
     match family {
-        Velocity | SplitImpulse | GaussSeidel | SequentialImpulses => {
-            order(1.0, "a fall of whole steps, half a step too fast at its end")
-        }
+        Velocity | SplitImpulse | GaussSeidel | SequentialImpulses => order(
+            1.0,
+            "a fall of whole steps, with the velocity of half a step too much at its end",
+        ),
         Acceleration if !euler => exact("the ball touches the ground at the end of a step"),
-        Scheme::Penalty => order(0.0, "damping decides how it bounces; e is not looked at"),
-        _ => open("it bounces from below the ground, by a part of a step that is not smooth in dt"),
+        Scheme::Penalty => order(0.0, "the damping determines the bounce; e is not used"),
+        _ => open(
+            "it bounces from below the ground, at a fraction of a step that is not a smooth function of \
+         dt",
+        ),
     }
 }
 
@@ -102,8 +110,12 @@ fn of_slide(family: Scheme, euler: bool) -> Expected {
     match family {
         Velocity | SplitImpulse | GaussSeidel => order(1.0, KICK),
         Acceleration if euler => order(1.0, KICK),
-        Acceleration => exact("a constant acceleration, which methods of second order follow"),
+        Acceleration => {
+            exact("a constant acceleration, which second-order methods reproduce exactly")
+        }
         Scheme::SequentialImpulses => open(SWEPT),
-        _ => open("the box settles on its springs or sweeps before it slides steadily"),
+        _ => open(
+            "the box settles on its springs, or its sweeps converge, before it slides steadily",
+        ),
     }
 }

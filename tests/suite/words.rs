@@ -1,0 +1,115 @@
+//! The phrases of `words.txt` stay out of the documentation and of the texts that lcplab prints.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+const PHRASES: &str = include_str!("words.txt");
+
+fn phrases() -> impl Iterator<Item = &'static str> {
+    PHRASES.lines().filter(|line| !line.is_empty() && !line.starts_with('#'))
+}
+
+/// The files below a folder with this extension.
+fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            found.extend(files(&path, extension));
+        } else if path.extension().is_some_and(|own| own == extension) {
+            found.push(path);
+        }
+    }
+    found.sort();
+    found
+}
+
+/// The string literals of a Rust source, without those in comments; a line break is a space.
+fn literals(source: &str) -> Vec<String> {
+    let mut texts = Vec::new();
+    let mut rest = source;
+    while let Some(at) = rest.find(['"', '/', '\'']) {
+        let is_raw = rest[..at].ends_with('r') || rest[..at].ends_with("r#");
+        let hashes = if rest[..at].ends_with("r#") { "\"#" } else { "\"" };
+        rest = &rest[at..];
+        if rest.starts_with("//") {
+            rest = rest.split_once('\n').map_or("", |(_, after)| after);
+        } else if let Some(after) = rest.strip_prefix("'\"'") {
+            rest = after;
+        } else if rest.starts_with("'\\") {
+            let after = rest.get(3..).and_then(|rest| rest.split_once('\''));
+            rest = after.map_or("", |(_, after)| after);
+        } else if rest.starts_with('"') && is_raw {
+            let (text, after) = rest[1..].split_once(hashes).unwrap_or((&rest[1..], ""));
+            texts.push(text.to_string());
+            rest = after;
+        } else if let Some(text) = rest.strip_prefix('"') {
+            let end = end_of_literal(text);
+            texts.push(text[..end].replace("\\\n", " ").replace("\\n", " "));
+            rest = text.get(end + 1..).unwrap_or("");
+        } else {
+            rest = &rest[1..];
+        }
+    }
+    texts
+}
+
+/// Where a literal ends: at the first quote without a backslash before it.
+fn end_of_literal(text: &str) -> usize {
+    let mut is_escaped = false;
+    for (at, letter) in text.char_indices() {
+        match letter {
+            '"' if !is_escaped => return at,
+            '\\' => is_escaped = !is_escaped,
+            _ => is_escaped = false,
+        }
+    }
+    text.len()
+}
+
+/// The phrases in a text, as whole words in any case.
+fn found(text: &str) -> Vec<&'static str> {
+    let letters = |letter: char| if letter.is_alphanumeric() { letter } else { ' ' };
+    let words = |text: &str| {
+        let plain: String = text.to_lowercase().chars().map(letters).collect();
+        format!(" {} ", plain.split_whitespace().collect::<Vec<_>>().join(" "))
+    };
+    let text = words(text);
+    phrases().filter(|phrase| text.contains(&words(phrase))).collect()
+}
+
+#[test]
+fn a_phrase_is_found_across_lines_in_any_case_but_not_in_a_comment() {
+    let source =
+        "// nobody\nlet a = \"So \\\n   many rows\"; let b = '\"'; let c = r\"held\nagainst\";";
+    let texts = literals(source);
+    let hits: Vec<&str> = texts.iter().flat_map(|text| found(text)).collect();
+    assert_eq!(hits, ["so many", "held against"]);
+    assert!(found("not someones, for everyone").is_empty());
+}
+
+#[test]
+fn the_documentation_has_none_of_the_phrases() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut pages = files(&root.join("docs"), "md");
+    pages.extend(
+        ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md"].map(|name| root.join(name)),
+    );
+    for page in pages {
+        assert_eq!(found(&fs::read_to_string(&page).unwrap()), [""; 0], "{}", page.display());
+    }
+}
+
+#[test]
+fn what_the_library_and_its_reports_print_has_none_of_the_phrases() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut sources = files(&root.join("src/report"), "rs");
+    for folder in fs::read_dir(root.join("crates")).unwrap() {
+        sources.extend(files(&folder.unwrap().path().join("src"), "rs"));
+    }
+    for source in sources {
+        for text in literals(&fs::read_to_string(&source).unwrap()) {
+            assert_eq!(found(&text), [""; 0], "{}: {text}", source.display());
+        }
+    }
+}
