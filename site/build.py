@@ -40,9 +40,7 @@ def arguments() -> argparse.Namespace:
         type=Path,
         help="folder that `cargo doc --workspace --no-deps` wrote; without it the Rust reference is left out",
     )
-    parser.add_argument(
-        "--quick", action="store_true", help="leave out the reports that take minutes of solving"
-    )
+    parser.add_argument("--quick", action="store_true", help="leave out the reports that have to be solved")
     return parser.parse_args()
 
 

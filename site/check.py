@@ -15,7 +15,7 @@ from urllib.parse import urljoin, urlsplit
 
 HERE = Path(__file__).resolve().parent
 
-# A page of each kind, as patterns.
+# A page of each kind, as patterns; not every site has every report.
 SEEN = [
     "index.html",
     "search.html",
@@ -30,6 +30,7 @@ SEEN = [
     "problems/set.html",
     "problems/cards/040_*.html",
     "reports/standard/index.html",
+    "reports/engines/index.html",
     "reference/python.html",
     "reference/options.html",
 ]
