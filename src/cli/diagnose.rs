@@ -15,6 +15,7 @@ use lcplab::lcp::exchange;
 use lcplab::lcp::file::{Problem, read_answers};
 use lcplab::memory::Memory;
 use lcplab::report::methods;
+use lcplab::report::motion_error::MotionError;
 use lcplab::report::view::diagnosis_page;
 use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
@@ -247,9 +248,14 @@ impl Diagnose {
         let last = self.last.as_ref().map(read).transpose()?.map(|last| last.x);
         let search = find_mistakes(lcp, &x, last.as_deref());
         let single = single_precision(lcp, &x);
-        match self.json {
-            true => print(&format!("{:#}\n", mistake::to_json(&search, single)))?,
-            false => print(&mistake::words(&search, single))?,
+        if self.json {
+            let mut object = mistake::to_json(&search, single);
+            if let Some((key, value)) = MotionError::json(&question, &x) {
+                object[key] = value;
+            }
+            print(&format!("{object:#}\n"))?;
+        } else {
+            print(&(mistake::words(&search, single) + &MotionError::text(&question, &x)))?;
         }
         Ok(if search.verdict.is_solution() { Outcome::Good } else { Outcome::Refuted })
     }

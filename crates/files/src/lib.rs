@@ -30,7 +30,8 @@
 //! ```
 //!
 //! Problems of a scene's own kind, MuJoCo's, come as `json`: `examples/python/mujoco_contacts.py`
-//! writes them. MuJoCo's contacts are soft, so that A + R is the matrix, not A.
+//! writes them with Python's `lcplab.receipt`. MuJoCo's contacts are soft, so that A + R is the matrix,
+//! not A.
 //!
 //! Memory is bounded by what the files hold: no size that a file claims is believed before as many
 //! numbers have been read, and what is packed is unpacked only if all of it together stays within the

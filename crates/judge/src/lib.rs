@@ -30,6 +30,7 @@ pub mod cross_check;
 pub mod error_bound;
 pub mod exact;
 mod friction;
+pub mod gap_bound;
 mod interval;
 pub mod motion_bound;
 mod neighbor;

@@ -9,6 +9,52 @@
 //! b = J u* + bias, and u = u* + M⁻¹ Jᵀ x. It never forms A, so it checks the assembly of A as well
 //! as the solver.
 
+use std::fmt;
+
+/// What the motion u is, which decides the units of every number that is said of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Level {
+    /// m/s and rad/s; x are impulses.
+    Velocity,
+    /// m/s² and rad/s²; x are forces.
+    Acceleration,
+}
+
+impl Level {
+    /// All levels.
+    pub const ALL: [Level; 2] = [Level::Velocity, Level::Acceleration];
+
+    /// The word in problem files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Level::Velocity => "velocity",
+            Level::Acceleration => "acceleration",
+        }
+    }
+
+    /// The units of the entries of u.
+    pub fn units(self) -> &'static str {
+        match self {
+            Level::Velocity => "m/s or rad/s",
+            Level::Acceleration => "m/s² or rad/s²",
+        }
+    }
+
+    /// The unit of √(uᵀM u): the root of an energy, or that a second.
+    pub fn norm_unit(self) -> &'static str {
+        match self {
+            Level::Velocity => "√J",
+            Level::Acceleration => "√J/s",
+        }
+    }
+}
+
+impl fmt::Display for Level {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
 /// The data of the primal program; u has k entries, there are n rows.
 #[derive(Debug, Clone, Default)]
 pub struct Gauss {
@@ -21,10 +67,12 @@ pub struct Gauss {
     pub bias: Vec<f64>,
     /// The n compliances γ ≥ 0 on the diagonal of A (CFM).
     pub compliance: Vec<f64>,
-    /// The k unconstrained velocities u*.
+    /// The k unconstrained velocities or accelerations u*.
     pub target: Vec<f64>,
     /// The n lower bounds on x.
     pub lo: Vec<f64>,
     /// The n upper bounds on x.
     pub hi: Vec<f64>,
+    /// What u is, if that is known.
+    pub level: Option<Level>,
 }

@@ -35,7 +35,7 @@ mod question;
 pub use complementarity::Complementarity;
 pub use coupled::Coupling;
 pub use friction::Contact;
-pub use gauss::Gauss;
+pub use gauss::{Gauss, Level};
 pub use hypot::hypot;
 pub use lcp::Lcp;
 pub use matrix::{Dense, Matrix, Row, Sparse, dot};

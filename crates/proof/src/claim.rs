@@ -110,12 +110,13 @@ impl Claim {
             },
             Claim::Motion(Bounded { bound, .. }) => {
                 format!(
-                    "the motion of the answer lies within {} √J of the exact one",
+                    "the motion of the answer lies within {} of the exact one, in the norm √(uᵀM u)",
                     upper_bound(*bound)
                 )
             }
             Claim::FrozenMotion(Bounded { bound, .. }) => format!(
-                "with the friction limits of the answer, its motion lies within {} √J of the exact one",
+                "with the friction limits of the answer, its motion lies within {} of the exact one, \
+                 in the norm √(uᵀM u)",
                 upper_bound(*bound)
             ),
             Claim::Within { residual, .. } => {

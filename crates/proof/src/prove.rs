@@ -153,7 +153,7 @@ impl<'a> Prover<'a> {
                 Ok(Claim::Solution { x: vector(lcp, x), near: near(answer, x) })
             }
             Kind::Motion if lcp.has_coupled_rows() => {
-                Err("rows are coupled, and friction is no minimum".into())
+                Err("rows are coupled: a coupled box is not the solution of a minimization".into())
             }
             Kind::FrozenMotion if !lcp.has_coupled_rows() => Err("no rows are coupled".into()),
             Kind::Motion => motion().map(Claim::Motion),

@@ -3,50 +3,66 @@
 //!
 //! A relative residual is no physical tolerance. Where the file has the key `motion`, [Gauss's
 //! principle](Gauss) bounds the error of the motion itself: |u(x) − û|_M, u(x) = u* + M⁻¹Jᵀx, in
-//! the norm whose half square is an energy (of velocities). Beside it stands what the constraints
+//! the norm whose half square is an energy (of velocities). It is compared with what the constraints
 //! change, |û − u*|_M. Where rows are coupled, û is the motion with the friction limits that x
-//! itself gives.
+//! itself gives. Under associated cones, whose rows all have compliance, the [duality
+//! gap](lcplab_judge::gap_bound) bounds it; Coulomb's law has no bound, as it minimizes nothing.
 
 use serde_json::{Value, json};
 
-use lcplab_judge::motion_bound::{MotionBound, motion_bound};
+use lcplab_judge::gap_bound::{EllipticCone, answer_bound};
+use lcplab_judge::motion_bound::{MotionBound, Unproved, motion_bound};
 use lcplab_judge::{printed_up, upper_bound};
 use lcplab_page::number::readable;
 use lcplab_problem::file::number;
-use lcplab_problem::{Gauss, Question};
+use lcplab_problem::friction::{Contact, FrictionProblem, Model};
+use lcplab_problem::{Gauss, Lcp, Level, Question};
 
 /// A bound on the error of the motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionError {
-    /// |u(x) − û|_M is at most this, in the root of the unit of energy where u is a velocity.
+    /// |u(x) − û|_M is at most this.
     pub bound: f64,
     /// |û − u*|_M, to within the bound: what the constraints change.
     pub effect: f64,
+    /// No entry of u(x) − û is larger.
+    pub largest_entry: f64,
+    /// Whether u is a velocity or an acceleration, if the file states it.
+    pub level: Option<Level>,
     /// Whether friction limits are those that x gives.
     pub is_frozen: bool,
 }
 
 impl MotionError {
+    fn new(gauss: &Gauss, bound: &MotionBound) -> Self {
+        MotionError {
+            bound: bound.energy_norm,
+            effect: length(gauss, &bound.motion),
+            largest_entry: bound.largest_entry,
+            level: gauss.level,
+            is_frozen: false,
+        }
+    }
+
     /// The bound for an answer; none where the problem does not state its masses and rows, else why
     /// there is no bound.
     pub fn of(question: &Question, x: &[f64]) -> Option<Result<MotionError, String>> {
         let gauss = question.problem().motion.as_ref()?;
-        let Some(lcp) = question.boxed() else {
-            let model = question.model().map(|model| model.to_string()).unwrap_or_default();
-            return Some(Err(format!("no bound is available for {model}")));
+        let error = match (question.boxed(), question.friction()) {
+            (Some(lcp), _) => of_box(gauss, lcp, x),
+            (None, Some(friction)) if question.model() == Some(Model::AssociatedCone) => {
+                of_cones(gauss, friction, x)
+            }
+            _ => {
+                let model = question.model().map(|model| model.to_string()).unwrap_or_default();
+                return Some(Err(format!("no bound is available for {model}")));
+            }
         };
-        let (lo, hi) = (0..x.len()).map(|i| lcp.bounds(i, x)).unzip();
-        let gauss = Gauss { lo, hi, ..gauss.clone() };
-        let error = |MotionBound { energy_norm, motion, .. }| MotionError {
-            bound: energy_norm,
-            effect: distance(&gauss, &motion),
-            is_frozen: lcp.has_coupled_rows(),
-        };
-        Some(motion_bound(&gauss, x).map(error).map_err(|why| why.to_string()))
+        Some(error.map_err(|why| why.to_string()))
     }
 
-    /// The line of text that `solve` and `judge` print; nothing where the problem does not state
-    /// its masses and rows.
+    /// The line of text that commands print; nothing where the problem does not state its masses and
+    /// rows.
     pub fn text(question: &Question, x: &[f64]) -> String {
         let (value, meaning) = match MotionError::of(question, x) {
             None => return String::new(),
@@ -59,28 +75,69 @@ impl MotionError {
     /// The key `motion_error` of an answer.
     pub fn json(question: &Question, x: &[f64]) -> Option<(String, Value)> {
         let value = match MotionError::of(question, x)? {
-            Ok(MotionError { bound, effect, is_frozen }) => json!({
-                "bound": number(printed_up(bound)), "effect": number(effect), "frozen": is_frozen,
+            Ok(error) => json!({
+                "bound": number(printed_up(error.bound)),
+                "unit": error.level.map(Level::norm_unit),
+                "effect": number(error.effect),
+                "relative": number(printed_up(error.relative())),
+                "largest_entry": number(printed_up(error.largest_entry)),
+                "level": error.level.map(Level::name),
+                "frozen": error.is_frozen,
             }),
             Err(why) => json!({ "unproved": why }),
         };
         Some(("motion_error".into(), value))
     }
 
+    /// The bound as a part of what the constraints change.
+    pub fn relative(&self) -> f64 {
+        if self.bound == 0.0 { 0.0 } else { self.bound / self.effect }
+    }
+
     /// What the bound means, as the end of a line.
     fn meaning(&self) -> String {
-        let part = readable(self.bound / self.effect, 2);
         let of_what = match self.effect {
             0.0 => "the constraints change nothing".to_string(),
-            effect => format!("{part} of what the constraints change ({})", readable(effect, 3)),
+            effect => format!(
+                "{} of what the constraints change ({})",
+                readable(self.relative(), 2),
+                readable(effect, 3)
+            ),
         };
+        let unit = self.level.map(|level| format!(" in {}", level.norm_unit())).unwrap_or_default();
+        let entries = self.level.map(|level| {
+            format!(
+                "; no entry is wrong by more than {} {}",
+                upper_bound(self.largest_entry),
+                level.units()
+            )
+        });
         let frozen = if self.is_frozen { ", with the friction limits of x" } else { "" };
-        format!("bound on |u(x) − û|_M: {of_what}{frozen}")
+        let entries = entries.unwrap_or_default();
+        format!("bound on |u(x) − û|_M{unit}: {of_what}{frozen}{entries}")
     }
 }
 
-/// |u − u*|_M.
-fn distance(gauss: &Gauss, u: &[f64]) -> f64 {
+/// The bound of a box, with the limits that x gives to coupled rows.
+fn of_box(gauss: &Gauss, lcp: &Lcp, x: &[f64]) -> Result<MotionError, Unproved> {
+    let (lo, hi) = (0..x.len()).map(|i| lcp.bounds(i, x)).unzip();
+    let gauss = Gauss { lo, hi, ..gauss.clone() };
+    let bound = motion_bound(&gauss, x)?;
+    Ok(MotionError { is_frozen: lcp.has_coupled_rows(), ..MotionError::new(&gauss, &bound) })
+}
+
+/// The bound under associated cones.
+fn of_cones(gauss: &Gauss, friction: &FrictionProblem, x: &[f64]) -> Result<MotionError, Unproved> {
+    let cone = |contact: &Contact| {
+        let [normal, t1, t2] = contact.rows;
+        EllipticCone { normal, friction: vec![(t1, contact.mu), (t2, contact.mu)] }
+    };
+    let cones: Vec<EllipticCone> = friction.contacts().iter().map(cone).collect();
+    answer_bound(gauss, &cones, x).map(|bound| MotionError::new(gauss, &bound))
+}
+
+/// |v|_M of the change v = u − u*.
+fn length(gauss: &Gauss, u: &[f64]) -> f64 {
     let change: Vec<f64> = u.iter().zip(&gauss.target).map(|(u, target)| u - target).collect();
     let term = |&(i, j, m): &(usize, usize, f64)| {
         let product = m * change[i] * change[j];

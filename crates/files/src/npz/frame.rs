@@ -74,7 +74,8 @@ pub(super) fn problem(
     let lcp = frame.lcp(Table { rows: n, cols: n, entries }, b)?;
     let mass = motion.mass.into_iter().filter(|(i, j, _)| i <= j).collect();
     let (lo, hi) = (lcp.lo().to_vec(), lcp.hi().to_vec());
-    let gauss = Gauss { mass, jacobian: motion.jacobian, bias, compliance, target, lo, hi };
+    let jacobian = motion.jacobian;
+    let gauss = Gauss { mass, jacobian, bias, compliance, target, lo, hi, level: None };
     frame.with_words(Problem { motion: Some(gauss), ..Problem::new(name, lcp) })
 }
 

@@ -8,11 +8,11 @@ use crate::error_bound::least_eigenvalue;
 use crate::interval::{Interval, add_up, div_up, norm_up, sqrt_up};
 
 /// d M d for powers of two d, in blocks that no entry joins.
-pub(super) struct Mass {
+pub(crate) struct Mass {
     /// d.
-    pub(super) scales: Vec<f64>,
+    pub(crate) scales: Vec<f64>,
     /// √λ_min, rounded down.
-    pub(super) least_root: f64,
+    pub(crate) least_root: f64,
     rows: Vec<Vec<(usize, f64)>>,
     /// The first column of each block, and its factor.
     blocks: Vec<(usize, Llt<f64>)>,
@@ -20,7 +20,7 @@ pub(super) struct Mass {
 
 impl Mass {
     /// From the entries of the upper triangle of a k × k matrix.
-    pub(super) fn new(upper: &[(usize, usize, f64)], k: usize) -> Result<Self, Unproved> {
+    pub(crate) fn new(upper: &[(usize, usize, f64)], k: usize) -> Result<Self, Unproved> {
         let mut diagonal = vec![0.0; k];
         upper.iter().filter(|(i, j, _)| i == j).for_each(|&(i, _, m)| diagonal[i] = m);
         let scales: Vec<f64> =
@@ -47,13 +47,13 @@ impl Mass {
     }
 
     /// The largest absolute row sum, an upper bound on λ_max.
-    pub(super) fn largest_row_sum(&self) -> f64 {
+    pub(crate) fn largest_row_sum(&self) -> f64 {
         let sum = |row: &Vec<(usize, f64)>| row.iter().fold(0.0, |s, (_, m)| add_up(s, m.abs()));
         self.rows.iter().map(sum).fold(0.0, f64::max)
     }
 
     /// M⁻¹ f, rounded.
-    pub(super) fn solve(&self, f: &[f64]) -> Vec<f64> {
+    pub(crate) fn solve(&self, f: &[f64]) -> Vec<f64> {
         let mut v = vec![0.0; f.len()];
         let ends = self.blocks.iter().skip(1).map(|block| block.0).chain([f.len()]);
         for ((first, factor), end) in self.blocks.iter().zip(ends) {
@@ -65,14 +65,25 @@ impl Mass {
     }
 
     /// M v.
-    pub(super) fn times(&self, v: &[Interval]) -> Vec<Interval> {
+    pub(crate) fn times(&self, v: &[Interval]) -> Vec<Interval> {
         let product =
             |row: &Vec<(usize, f64)>| Interval::dot(row.iter().map(|&(j, m)| (m.into(), v[j])));
         self.rows.iter().map(product).collect()
     }
 
+    /// An upper bound on |v_j| / |v|_M in the units of the problem, for all v and j.
+    pub(crate) fn largest_entry(&self) -> f64 {
+        div_up(self.scales.iter().copied().fold(0.0, f64::max), self.least_root)
+    }
+
+    /// An upper bound on |M⁻¹ f|_M.
+    pub(crate) fn length(&self, f: &[Interval]) -> f64 {
+        let guess = self.solve(&f.iter().map(|f| f.middle()).collect::<Vec<_>>());
+        self.length_of(&guess, f)
+    }
+
     /// An upper bound on |M⁻¹ f|_M, `guess` being about M⁻¹ f: |guess|_M + |f − M guess| / √λ_min.
-    pub(super) fn length_of(&self, guess: &[f64], f: &[Interval]) -> f64 {
+    pub(crate) fn length_of(&self, guess: &[f64], f: &[Interval]) -> f64 {
         let guess: Vec<Interval> = guess.iter().map(|&v| v.into()).collect();
         let product = self.times(&guess);
         let square = Interval::dot(guess.iter().copied().zip(product.iter().copied()));
@@ -82,7 +93,7 @@ impl Mass {
 }
 
 /// The power of two p with p² a between ½ and 2, for a > 0.
-pub(super) fn power(a: f64) -> Option<f64> {
+pub(crate) fn power(a: f64) -> Option<f64> {
     (a > 0.0 && a.is_finite()).then(|| 2f64.powi((0.5 - 0.5 * a.log2()).floor() as i32))
 }
 

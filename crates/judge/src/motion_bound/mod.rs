@@ -49,7 +49,7 @@
 //! costs Σ x m, so √(2 Σ x m), about 1e-8 of the size of √(x u), is as small as it gets where the data
 //! need rounding.
 
-mod mass;
+pub(crate) mod mass;
 mod repair;
 mod scaled;
 
@@ -131,6 +131,7 @@ impl fmt::Display for Unproved {
 ///     target: vec![-3.0],
 ///     lo: vec![0.0; 2],
 ///     hi: vec![f64::INFINITY; 2],
+///     level: None,
 /// };
 /// assert!(motion_bound(&gauss, &[4.0, 2.0]).unwrap().energy_norm < 1e-14); // rounding
 /// // 0.5 N s too little: u(x) = −0.25 m/s, and |u(x) − 0|_M = √2 · 0.25.

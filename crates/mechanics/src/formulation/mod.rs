@@ -30,7 +30,7 @@ use crate::body::State;
 use crate::constraint::Bounds;
 use crate::scene::Scene;
 use lcplab_problem::error::{Error, Result};
-use lcplab_problem::{Coupling, Gauss, Lcp, file};
+use lcplab_problem::{Coupling, Gauss, Lcp, Level, file};
 
 /// What an LCP decides within a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -56,6 +56,15 @@ impl Stage {
             Stage::Restitution => "restitution",
             Stage::Acceleration => "acceleration",
             Stage::Position => "position",
+        }
+    }
+
+    /// What the motion is that its x leads to; `None` for displacements.
+    fn level(self) -> Option<Level> {
+        match self {
+            Stage::Velocity | Stage::Impact | Stage::Restitution => Some(Level::Velocity),
+            Stage::Acceleration => Some(Level::Acceleration),
+            Stage::Position => None,
         }
     }
 
@@ -293,6 +302,7 @@ impl Problem {
             target: self.target.clone(),
             lo: self.lcp.lo().to_vec(),
             hi: self.lcp.hi().to_vec(),
+            level: self.stage.level(),
         }
     }
 }

@@ -15,7 +15,7 @@
 //! | `model` | under which model of friction x is a solution, such as `"coulomb-cone"`: see [`friction`](super::friction); `"coupled-box"` where the key is absent |
 //! | `frozen_at` | n numbers, of which the box of model 1, `"frozen-box"`, takes the normal impulses x\[k\] |
 //! | `scale` | the size of x that counts as something: a row whose terms are below s_i times this is at rest, and measured by that; see [`Lcp::with_scale`] |
-//! | `motion` | the bodies and rows that A and b were made from, `{"mass": triplets of M's upper triangle (k × k), "jacobian": triplets of J (n × k), "bias": n numbers, "compliance": n numbers γ, "target": k numbers u*}`; see [`Gauss`] |
+//! | `motion` | the bodies and rows that A and b were made from, `{"mass": triplets of M's upper triangle (k × k), "jacobian": triplets of J (n × k), "bias": n numbers, "compliance": n numbers γ, "target": k numbers u*, "level": optionally "velocity" (m/s) or "acceleration" (m/s²), which u is}`; see [`Gauss`] |
 //! | `rows` | optional, an object a row: its `label`, `kind`, `unit` and the names of its two `bodies` |
 //! | `bodies`, `gravity` | optional, beside `motion`: for each body that moves its `name`, its `first` column of M and their `count`; what gravity adds to each velocity in `target` |
 //! | `name`, `source`, `dt`, `expected` | optional, kept as they are |

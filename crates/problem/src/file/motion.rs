@@ -5,10 +5,12 @@ use serde_json::{Map, Value, json};
 use super::matrix::triplets;
 use super::value::{brief, numbers};
 use crate::error::Defects;
-use crate::{Gauss, Lcp};
+use crate::{Gauss, Lcp, Level};
 
-/// The keys of the object, its matrices with their number of rows.
+/// The keys that the object must have.
 const KEYS: [&str; 5] = ["mass", "jacobian", "bias", "compliance", "target"];
+/// The key that it may have.
+const LEVEL: &str = "level";
 
 /// The data of Gauss's principle under the key `motion`, if it is there; bounds are those of the problem.
 pub(super) fn read(object: &Map<String, Value>, n: usize, defects: &mut Defects) -> Option<Gauss> {
@@ -20,7 +22,7 @@ pub(super) fn read(object: &Map<String, Value>, n: usize, defects: &mut Defects)
     for key in KEYS.into_iter().filter(|key| !motion.contains_key(*key)) {
         defects.add(format!("motion.{key}"), "is missing");
     }
-    for key in motion.keys().filter(|key| !KEYS.contains(&key.as_str())) {
+    for key in motion.keys().filter(|key| !KEYS.contains(&key.as_str()) && *key != LEVEL) {
         defects.add(format!("motion.{key}"), "is unknown");
     }
     if defects.len() > before {
@@ -65,7 +67,18 @@ pub(super) fn read(object: &Map<String, Value>, n: usize, defects: &mut Defects)
     let mut jacobian = vec![Vec::new(); n];
     rows.into_iter().for_each(|(i, j, value)| jacobian[i].push((j, value)));
     let (lo, hi) = (Vec::new(), Vec::new());
-    Some(Gauss { mass, jacobian, bias, compliance, target, lo, hi })
+    let level = motion.get(LEVEL).and_then(|value| level(value, defects));
+    Some(Gauss { mass, jacobian, bias, compliance, target, lo, hi, level })
+}
+
+/// What the motion is.
+fn level(value: &Value, defects: &mut Defects) -> Option<Level> {
+    let known = Level::ALL.into_iter().find(|level| value.as_str() == Some(level.name()));
+    if known.is_none() {
+        let reason = format!("must be \"velocity\" or \"acceleration\", is {}", brief(value));
+        defects.add("motion.level", reason);
+    }
+    known
 }
 
 /// The same with the bounds of the problem.
@@ -82,11 +95,15 @@ pub(super) fn to_json(motion: &Gauss) -> Value {
         entries.retain(|entry| entry.2 != 0.0);
         entries
     };
-    json!({
+    let mut object = json!({
         "mass": without_zeros(motion.mass.clone()),
         "jacobian": without_zeros(jacobian),
         "bias": motion.bias,
         "compliance": motion.compliance,
         "target": motion.target,
-    })
+    });
+    if let Some(level) = motion.level {
+        object[LEVEL] = json!(level.name());
+    }
+    object
 }

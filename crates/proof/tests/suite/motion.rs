@@ -21,6 +21,7 @@ fn falling(contacts: usize) -> Problem {
         target: vec![-3.0],
         lo: vec![0.0; n],
         hi: vec![INF; n],
+        level: None,
     };
     Problem { motion: Some(motion), ..problem(&lcp) }
 }
@@ -59,6 +60,7 @@ fn braked() -> Problem {
         target: vec![5.0],
         lo: vec![-1.0],
         hi: vec![1.0],
+        level: None,
     };
     Problem { motion: Some(motion), ..problem(&lcp) }
 }
@@ -200,6 +202,7 @@ fn equations_are_obeyed_exactly_or_it_is_said_that_none_can_be() {
             target: vec![0.0],
             lo: vec![-INF; n],
             hi: vec![INF; n],
+            level: None,
         };
         Problem { motion: Some(motion), ..problem(&lcp) }
     };
@@ -256,6 +259,7 @@ fn friction_is_frozen_at_the_answer_and_is_proved_only_where_it_is_asked_for() {
         target: vec![-2.0, -3.0],
         lo: lcp.lo().to_vec(),
         hi: lcp.hi().to_vec(),
+        level: None,
     };
     let subject = Problem { motion: Some(motion), ..problem(&lcp) };
     assert_eq!(bound(&subject, &[2.0, 1.0], Kind::FrozenMotion), Ok(0.0));

@@ -139,7 +139,9 @@ impl MistakeKind {
             }
             MistakeKind::Jacobi => "Write each x_i back before the next row is computed.",
             MistakeKind::LateClamp => "Clamp x_i inside the sweep, right after its update.",
-            MistakeKind::SinglePrecision => "Compute in double precision, or accept 1e-6.",
+            MistakeKind::SinglePrecision => {
+                "Compute in double precision, or judge the motion error instead of the residual."
+            }
             MistakeKind::SignOfB => "The convention is w = A x + b; others use A x − b.",
             MistakeKind::FactorOfB => "Is b a velocity or an acceleration? Compare units and dt.",
             MistakeKind::Transposed => {

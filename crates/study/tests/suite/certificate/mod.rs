@@ -4,6 +4,7 @@ mod cross_check;
 mod error_bound;
 mod exact;
 mod friction;
+mod gap_bound;
 mod motion_bound;
 mod ray;
 mod regularity;

@@ -22,6 +22,7 @@ fn table(side: usize) -> Gauss {
         target: vec![-1.0, 0.0, 0.0],
         lo: vec![0.0; n],
         hi: vec![INF; n],
+        level: None,
     }
 }
 
@@ -92,6 +93,7 @@ fn an_answer_beyond_its_bounds_is_as_far_off_as_its_own_motion() {
             target: vec![target],
             lo: vec![lo],
             hi: vec![hi],
+            level: None,
         };
         let solution = (-mass * target).clamp(lo, hi);
         for x in [-20.0, lo - 1e-6, lo, 0.5 * (lo + hi), hi, hi + 0.5, 1e9] {
@@ -141,6 +143,7 @@ fn line(rows: &[(f64, f64, f64, f64)], target: f64) -> Gauss {
         target: vec![target],
         lo: rows.iter().map(|row| row.2).collect(),
         hi: rows.iter().map(|row| row.3).collect(),
+        level: None,
     }
 }
 

@@ -32,6 +32,7 @@ fn a_ball_meets_the_floor_and_stops() {
         target: vec![-1.0],
         lo: vec![0.0],
         hi: vec![INF],
+        level: None,
     };
     let answer = gauss(&problem);
     assert!(answer.solved);
@@ -61,6 +62,7 @@ proptest! {
             bias: rows.iter().map(|row| row.1).collect(),
             compliance: rows.iter().map(|row| if row.0 % 2 == 0 { 0.5 } else { 0.25 }).collect(),
             target, lo, hi,
+            level: None,
         };
         let (primal, dual) = (gauss(&problem), box_qp(&dual(&problem)).unwrap());
         prop_assert!(primal.solved && dual.solved);

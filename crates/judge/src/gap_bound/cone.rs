@@ -1,0 +1,81 @@
+//! Friction cones whose axes may have coefficients of their own, and projections onto them.
+
+use crate::interval::{Interval, norm_up};
+
+/// Halvings of the multiplier's range: the result has the digits of floating point.
+const HALVINGS: usize = 64;
+
+/// A contact's rows: all x with √(Σ (x_i/μ_i)²) ≤ x_n.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EllipticCone {
+    /// The row of the normal force n.
+    pub normal: usize,
+    /// The rows of friction i, each with its coefficient μ_i ≥ 0.
+    pub friction: Vec<(usize, f64)>,
+}
+
+impl EllipticCone {
+    /// Its rows, the normal one first.
+    pub(super) fn rows(&self) -> impl Iterator<Item = usize> + '_ {
+        [self.normal].into_iter().chain(self.friction.iter().map(|&(row, _)| row))
+    }
+
+    /// Moves x to the nearest point of the cone in the norm Σ γ_i x_i², to rounding, and verifiably
+    /// into the cone.
+    pub(super) fn project(&self, x: &mut [f64], compliance: &[f64]) {
+        let root = |row: usize| compliance[row].sqrt();
+        let scale = root(self.normal);
+        // In y = √γ x the cone is √(Σ (y_i/m_i)²) ≤ y_n and the norm is Euclid's.
+        let axes: Vec<(f64, f64)> =
+            self.friction.iter().map(|&(i, mu)| (root(i) * x[i], root(i) * mu / scale)).collect();
+        let normal = scale * x[self.normal];
+        let length = |part: &dyn Fn(f64, f64) -> f64| {
+            axes.iter().map(|&(y, m)| part(y, m).powi(2)).sum::<f64>().sqrt()
+        };
+        let multiplier = if length(&outside) <= normal {
+            return self.enclose(x);
+        } else if length(&|y, m| m * y) <= -normal {
+            f64::INFINITY
+        } else {
+            multiplier(normal, &|factor| length(&|y, m| y * m / (m * m + factor)))
+        };
+        for (&(row, _), &(y, m)) in self.friction.iter().zip(&axes) {
+            x[row] = if m == 0.0 { 0.0 } else { y * (m * m / (m * m + multiplier)) / root(row) };
+        }
+        x[self.normal] = 0.0;
+        self.enclose(x);
+    }
+
+    /// Raises the normal entry until x is verifiably in the cone.
+    fn enclose(&self, x: &mut [f64]) {
+        let bounded = self.friction.iter().filter(|(_, mu)| *mu > 0.0);
+        let part = |&(i, mu): &(usize, f64)| {
+            let ratio = (x[i] / mu).abs();
+            Interval::around_zero(if ratio == 0.0 { 0.0 } else { ratio.next_up() })
+        };
+        x[self.normal] = x[self.normal].max(norm_up(bounded.map(part)));
+    }
+
+    /// Raises the normal entry until w is verifiably in the dual cone, √(Σ (μ_i w_i)²) ≤ w_n.
+    pub(super) fn enclose_dual(&self, w: &mut [f64]) {
+        let part = |&(i, mu): &(usize, f64)| Interval::from(mu) * w[i].into();
+        w[self.normal] = w[self.normal].max(norm_up(self.friction.iter().map(part)));
+    }
+}
+
+/// y/m, where an axis without friction has no room.
+fn outside(y: f64, m: f64) -> f64 {
+    if y == 0.0 { 0.0 } else { y / m }
+}
+
+/// The λ > 0 with (1 − λ) N(λ) = y_n, of which the left side falls: Lagrange's multiplier of the
+/// nearest point.
+fn multiplier(normal: f64, length: &dyn Fn(f64) -> f64) -> f64 {
+    let (mut low, mut high) = (0.0, 1.0); // of λ / (1 + λ)
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        let factor = middle / (1.0 - middle);
+        if (1.0 - factor) * length(factor) > normal { low = middle } else { high = middle }
+    }
+    high / (1.0 - high)
+}
