@@ -156,6 +156,10 @@ fn answered(problem: &Problem, number: Option<f64>) -> Result<Outcome> {
             print(&format!("{id} solved: {title}\n\n{}\n", problem.because.trim()))?;
             Ok(Outcome::Good)
         }
+        Reply::AlsoRight(remark) => {
+            print(&format!("{id} solved: {title}\n\n{remark} {}\n", problem.because.trim()))?;
+            Ok(Outcome::Good)
+        }
         Reply::Wrong(hint) => {
             print(&format!("{id} not yet: {hint}\n"))?;
             Ok(Outcome::Refuted)

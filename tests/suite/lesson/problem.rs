@@ -57,18 +57,49 @@ fn a_wrong_number_is_said_to_be_too_much_too_little_or_of_the_wrong_sign() {
         unit: "N s".into(),
         answer: 2.0,
         within: 0.01,
+        also: Vec::new(),
         traps: Vec::new(),
         because: String::new(),
     };
     let says = |number: f64| match problem.reply(number) {
         Reply::Wrong(reason) => reason,
-        Reply::Right => "right".into(),
+        Reply::Right | Reply::AlsoRight(_) => "right".into(),
     };
     assert_eq!(says(2.019), "right");
     assert_eq!(says(2.021), "2.021 N s is too much");
     assert_eq!(says(1.9), "1.9 N s is too little");
     assert_eq!(says(-2.0), "the size is right, the sign is not");
     assert_eq!(says(f64::NAN), "a finite number is asked for");
+}
+
+#[test]
+fn a_prediction_cannot_be_found_by_halving() {
+    for problem in sets().into_iter().flat_map(|(_, problems)| problems) {
+        if problem.kind == Kind::Pencil {
+            continue;
+        }
+        let size = 1.0 + problem.answer.abs();
+        for off in [-7.3, 9.1] {
+            let Reply::Wrong(words) = problem.reply(problem.answer + off * size) else {
+                panic!("{}: {off} off is taken", problem.id);
+            };
+            assert!(!words.contains("too much") && !words.contains("too little"), "{words}");
+        }
+    }
+}
+
+/// The largest speed of one of three balls whose momentum is 0 and whose energy is E: v, −v/2, −v/2, so ¾ m v² = E.
+#[test]
+fn right_answers_by_a_sharper_argument_or_another_sign_are_taken() {
+    let all: Vec<Problem> = sets().into_iter().flat_map(|(_, problems)| problems).collect();
+    let named = |id: &str| all.iter().find(|problem| problem.id == id).unwrap();
+    let sharper = (0.06_f64 / 0.75).sqrt();
+    assert!(matches!(named("6.p2").reply(sharper), Reply::AlsoRight(_)));
+    assert_eq!(named("6.p2").reply((2.0 * 0.06_f64).sqrt()), Reply::Right);
+    // 1/m + r r₀/I = 0
+    let place = -0.24 / (2.0 * 0.6);
+    assert!(matches!(named("3.p1").reply(place), Reply::AlsoRight(_)));
+    assert_eq!(named("3.p1").reply(-place), Reply::Right);
 }
 
 #[test]
