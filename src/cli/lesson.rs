@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::file;
-use lcplab::lesson::Program;
 use lcplab::lesson::exercise::{Exercise, exercises};
 use lcplab::lesson::problem::{self, Problem, Reply};
+use lcplab::lesson::{ENGINE, Program};
 use lcplab::live::write_linked;
 
 use super::{Outcome, bar, print};
@@ -29,8 +29,9 @@ Example:
   lcplab lesson --all          # writes reports/lessons/index.html, 01_….html and so on
   lcplab lesson guide --open   # for teachers
 
-A page needs no network. --ipynb writes Jupyter notebooks with outputs into notebooks/ instead. A lesson
-is written in notebooks/NN_title.md; edit it, and run the command again. Exit code 2 if a cell fails.")]
+A page needs no network. --ipynb writes Jupyter notebooks with outputs into notebooks/ instead, in Python
+or, with --rust, for the Rust kernel. Python cells import engine.py, which is written next to them. A lesson is
+written in notebooks/NN_title.md; edit it, and run the command again. Exit code 2 if a Rust cell fails.")]
 pub struct Lesson {
     /// Number or name of a lesson
     lesson: Option<String>,
@@ -43,6 +44,9 @@ pub struct Lesson {
     /// Write Jupyter notebooks instead of pages
     #[arg(long, conflicts_with = "open")]
     ipynb: bool,
+    /// Write the notebooks for the Rust kernel, NN_title_rust.ipynb
+    #[arg(long, requires = "ipynb")]
+    rust: bool,
     /// Folder to write into [default: reports/lessons, or notebooks for --ipynb]
     #[arg(long)]
     out: Option<PathBuf>,
@@ -100,11 +104,19 @@ impl Lesson {
             None => file::inside(Path::new(""), folder)?,
         };
         let record = lesson.run()?;
-        let text =
-            if self.ipynb { lesson.notebook(&record)? } else { lesson.page(&record)?.render()? };
+        let text = match (self.ipynb, self.rust) {
+            (true, true) => lesson.rust_notebook(&record)?,
+            (true, false) => lesson.notebook(&record)?,
+            (false, _) => lesson.page(&record)?.render()?,
+        };
         let name = if lesson.name == "README" { "index" } else { lesson.name };
-        let name = format!("{name}.{kind}");
+        let language = if self.rust { "_rust" } else { "" };
+        let name = format!("{name}{language}.{kind}");
         file::write_in(&folder, &name, &text)?;
+        // Beside the sources of the lessons it stands already, perhaps with changes.
+        if self.out.is_some() || !self.ipynb {
+            file::write_in(&folder, "engine.py", ENGINE)?;
+        }
         write_linked(&text, &folder)?;
         Ok(folder.join(name))
     }

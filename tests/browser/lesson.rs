@@ -26,16 +26,16 @@ fn a_live_page_opens_where_it_is_read_with_the_state_of_the_link() {
 }
 
 #[test]
-fn one_switch_turns_all_programs_of_a_page_to_python() {
+fn one_switch_turns_all_programs_of_a_page_to_rust() {
     let script = "const shows = (name) => all(`.twin > .${name}`).map((node) => shown(node));
         const before = [shows('rust'), shows('python')];
-        find('[data-language=python]').click();
+        find('[data-language=rust]').click();
         return [before, [shows('rust'), shows('python')], all('.switch [aria-pressed=true]').map((node) => node.textContent)];";
     let found = lesson("5", "05_pivoting.html").seen(1280, script);
     let (yes, no) = (json!([true, true, true]), json!([false, false, false]));
-    assert_eq!(found[0], json!([yes, no]));
-    assert_eq!(found[1], json!([no, yes]));
-    assert_eq!(found[2], json!(["Python", "Python", "Python"]));
+    assert_eq!(found[0], json!([no, yes]));
+    assert_eq!(found[1], json!([yes, no]));
+    assert_eq!(found[2], json!(["Rust", "Rust", "Rust"]));
 }
 
 #[test]

@@ -73,7 +73,7 @@ fn a_lesson_has_the_fixed_parts_and_readable_cells() {
             .iter()
             .filter_map(|part| match part {
                 Part::Prose(text) => Some(text.as_str()),
-                Part::Cell { .. } | Part::Twin(_) => None,
+                Part::Cell { .. } | Part::Python { .. } => None,
             })
             .collect();
         let prose = prose.join("\n");
@@ -93,8 +93,18 @@ fn a_lesson_has_the_fixed_parts_and_readable_cells() {
         }
         let parts = prose.matches("**Predict.**").count();
         assert!(parts >= 3, "{name} asks for {parts} predictions");
-        let twins = source.parts.iter().filter(|part| matches!(part, Part::Twin(_))).count();
-        assert!(twins > 0, "{name} says nothing in Python");
+        let python: Vec<&str> = source
+            .parts
+            .iter()
+            .filter_map(|part| match part {
+                Part::Python { code, .. } => Some(code.as_str()),
+                Part::Prose(_) | Part::Cell { .. } => None,
+            })
+            .collect();
+        assert!(python.len() >= 3, "{name}: Python carries the lesson");
+        for line in python.iter().flat_map(|cell| cell.lines()) {
+            assert!(line.chars().count() <= 115, "{name}: a long line: {line}");
+        }
         let last = prose.rsplit("\n## ").next().unwrap();
         assert!(last.starts_with("For readers of the chapter"), "{name} ends otherwise");
         assert!(prose.matches("{{E").count() <= last.matches("{{E").count() + 1, "{name}: errata");

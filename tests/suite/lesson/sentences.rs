@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 use std::fs;
-use std::path::Path;
+use std::process::Command;
 
 use lcplab::body::Mass;
 use lcplab::scene::{Scene, Scheme};
@@ -11,11 +11,15 @@ use lcplab::solver::theory::optimal_omega;
 use lcplab::solver::{Options, by_name};
 use serde_json::Value;
 
-/// The plots of curves in the committed notebooks: the notebook's name and the SVG.
+/// The plots of curves of all lessons: the notebook's name and the SVG.
 fn plots() -> Vec<(String, String)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("notebooks");
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let arguments = ["lesson", "--all", "--ipynb", "--rust", "--out", out];
+    let run = Command::new(env!("CARGO_BIN_EXE_lcplab")).args(arguments).output().unwrap();
+    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
     let mut plots = Vec::new();
-    for entry in fs::read_dir(folder).unwrap() {
+    for entry in fs::read_dir(folder.path()).unwrap() {
         let path = entry.unwrap().path();
         if path.extension().is_none_or(|end| end != "ipynb") {
             continue;

@@ -18,6 +18,7 @@ use crate::figure::Figure;
 use crate::{csv, number};
 pub use origin::Origin;
 pub use player::{Chart, Pane, Player, Reel, SPEEDS, speed};
+pub use render::base64;
 
 /// A document.
 ///
@@ -120,10 +121,10 @@ pub enum Block {
     },
     /// Programs that say the same in two languages, of which one is shown at a time.
     Twin {
-        /// Language and text of each piece in the first language, a program and what it prints.
+        /// Language and text of each piece in Python: a program and what it prints.
+        python: Vec<(String, String)>,
+        /// The same in Rust.
         rust: Vec<(String, String)>,
-        /// The same in Python.
-        python: String,
     },
     /// A drawing that is part of the text.
     Drawing {
