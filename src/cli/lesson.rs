@@ -7,7 +7,7 @@ use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::lesson::exercise::{Exercise, exercises};
 use lcplab::lesson::problem::{self, Problem, Reply};
-use lcplab::lesson::{ENGINE, Program};
+use lcplab::lesson::{ENGINE, Program, unicode};
 use lcplab::live::write_linked;
 
 use super::{Outcome, bar, print};
@@ -160,20 +160,23 @@ fn problems() -> Result<Vec<Problem>> {
 fn answered(problem: &Problem, number: Option<f64>) -> Result<Outcome> {
     let Problem { id, title, .. } = problem;
     let Some(number) = number else {
-        print(&format!("{id} {title}\n\n{}\n", problem.text.trim()))?;
+        print(&unicode(&format!("{id} {title}\n\n{}\n", problem.text.trim())))?;
         return Ok(Outcome::Good);
     };
     match problem.reply(number) {
         Reply::Right => {
-            print(&format!("{id} solved: {title}\n\n{}\n", problem.because.trim()))?;
+            print(&unicode(&format!("{id} solved: {title}\n\n{}\n", problem.because.trim())))?;
             Ok(Outcome::Good)
         }
         Reply::AlsoRight(remark) => {
-            print(&format!("{id} solved: {title}\n\n{remark} {}\n", problem.because.trim()))?;
+            print(&unicode(&format!(
+                "{id} solved: {title}\n\n{remark} {}\n",
+                problem.because.trim()
+            )))?;
             Ok(Outcome::Good)
         }
         Reply::Wrong(hint) => {
-            print(&format!("{id} not yet: {hint}\n"))?;
+            print(&unicode(&format!("{id} not yet: {hint}\n")))?;
             Ok(Outcome::Refuted)
         }
     }

@@ -18,6 +18,7 @@ mod record;
 mod show;
 pub mod source;
 mod table;
+mod terminal;
 mod twin;
 
 pub use crate::document::Show;
@@ -25,6 +26,7 @@ pub use plot::Plot;
 pub use record::{Output, Record, cell, put, say};
 pub use show::show;
 pub use table::{Entry, row, table};
+pub use terminal::unicode;
 pub use twin::ENGINE;
 
 use crate::chapter::exhibit;

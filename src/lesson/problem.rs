@@ -154,7 +154,7 @@ pub(super) fn markdown(problems: &[Problem]) -> String {
         let (kind, text) = (kind.words(), text.trim());
         format!(
             "**{id} {title}** ({kind}, {minutes} minutes, {level}). {text}\n\n\
-             `cargo run --release -- exercise {id} NUMBER`\n"
+             `lcplab exercise {id} NUMBER`\n"
         )
     };
     problems.iter().map(one).collect::<Vec<_>>().join("\n")
