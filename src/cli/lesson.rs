@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::file;
-use lcplab::lesson::Program;
 use lcplab::lesson::exercise::{Exercise, exercises};
 use lcplab::lesson::problem::{self, Problem, Reply};
+use lcplab::lesson::{ENGINE, Program, unicode};
 use lcplab::live::write_linked;
 
 use super::{Outcome, bar, print};
@@ -29,10 +29,11 @@ Example:
   lcplab lesson --all          # writes reports/lessons/index.html, 01_….html, …
   lcplab lesson guide --open   # for teachers
 
-A page needs no network. --ipynb writes Jupyter notebooks with outputs to notebooks/ instead. To change a \
-lesson, edit notebooks/NN_title.md and run the command again.
+A page needs no network. --ipynb writes Jupyter notebooks with outputs to notebooks/ instead, in Python or, \
+with --rust, for the Rust kernel. Python cells import engine.py, which is written next to them. To change a lesson, \
+edit notebooks/NN_title.md and run the command again.
 
-Exit code 0: written. Exit code 2: a cell fails, or bad input.")]
+Exit code 0: written. Exit code 2: a Rust cell fails, or bad input.")]
 pub struct Lesson {
     /// Number or name of a lesson
     lesson: Option<String>,
@@ -45,6 +46,9 @@ pub struct Lesson {
     /// Write Jupyter notebooks instead of pages
     #[arg(long, conflicts_with = "open")]
     ipynb: bool,
+    /// Write the notebooks for the Rust kernel, NN_title_rust.ipynb
+    #[arg(long, requires = "ipynb")]
+    rust: bool,
     /// Folder [default: reports/lessons, or notebooks with --ipynb]
     #[arg(long)]
     out: Option<PathBuf>,
@@ -103,11 +107,19 @@ impl Lesson {
             None => file::inside(Path::new(""), folder)?,
         };
         let record = lesson.run()?;
-        let text =
-            if self.ipynb { lesson.notebook(&record)? } else { lesson.page(&record)?.render()? };
+        let text = match (self.ipynb, self.rust) {
+            (true, true) => lesson.rust_notebook(&record)?,
+            (true, false) => lesson.notebook(&record)?,
+            (false, _) => lesson.page(&record)?.render()?,
+        };
         let name = if lesson.name == "README" { "index" } else { lesson.name };
-        let name = format!("{name}.{kind}");
+        let language = if self.rust { "_rust" } else { "" };
+        let name = format!("{name}{language}.{kind}");
         file::write_in(&folder, &name, &text)?;
+        // Beside the sources of the lessons it stands already, perhaps with changes.
+        if self.out.is_some() || !self.ipynb {
+            file::write_in(&folder, "engine.py", ENGINE)?;
+        }
         write_linked(&text, &folder)?;
         Ok(folder.join(name))
     }
@@ -151,16 +163,23 @@ fn problems() -> Result<Vec<Problem>> {
 fn answered(problem: &Problem, number: Option<f64>) -> Result<Outcome> {
     let Problem { id, title, .. } = problem;
     let Some(number) = number else {
-        print(&format!("{id} {title}\n\n{}\n", problem.text.trim()))?;
+        print(&unicode(&format!("{id} {title}\n\n{}\n", problem.text.trim())))?;
         return Ok(Outcome::Good);
     };
     match problem.reply(number) {
         Reply::Right => {
-            print(&format!("{id} solved: {title}\n\n{}\n", problem.because.trim()))?;
+            print(&unicode(&format!("{id} solved: {title}\n\n{}\n", problem.because.trim())))?;
+            Ok(Outcome::Good)
+        }
+        Reply::AlsoRight(remark) => {
+            print(&unicode(&format!(
+                "{id} solved: {title}\n\n{remark} {}\n",
+                problem.because.trim()
+            )))?;
             Ok(Outcome::Good)
         }
         Reply::Wrong(hint) => {
-            print(&format!("{id} not yet: {hint}\n"))?;
+            print(&unicode(&format!("{id} not yet: {hint}\n")))?;
             Ok(Outcome::Refuted)
         }
     }

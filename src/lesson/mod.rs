@@ -1,15 +1,15 @@
-//! Lessons: notebooks whose cells are compiled with the crate, run, and shown with what they put out.
+//! Lessons: notebooks with cells in Python, and cells in Rust that are compiled with the crate, run, and
+//! shown with what they put out.
 //!
-//! A lesson is one Markdown file ([`source`]). The build turns its cells into a [`Program`]; running it
-//! gives a [`Record`] of outputs, from which follow a page ([`Program::page`]) and a Jupyter notebook
-//! ([`Program::notebook`]). In a cell `println!` writes a line, [`show`] a [`table`], a [`Plot`], a scene
+//! A lesson is one Markdown file ([`source`]). The build turns its Rust cells into a [`Program`]; running
+//! it gives a [`Record`] of outputs, from which follow a page ([`Program::page`]) and Jupyter notebooks
+//! in Python ([`Program::notebook`]) and in Rust ([`Program::rust_notebook`]). In a Rust cell `println!` writes a line, [`show`] a [`table`], a [`Plot`], a scene
 //! or an erratum's exhibit, and [`put`] gives the prose a value that it quotes as `{{name}}`. The same
 //! calls work in a Jupyter kernel for Rust.
 //!
 //! [`exercise`] checks programs of students, [`problem`] numbers that they have found.
 
 pub mod exercise;
-mod kernel;
 mod notebook;
 mod page;
 mod plot;
@@ -18,6 +18,7 @@ mod record;
 mod show;
 pub mod source;
 mod table;
+mod terminal;
 mod twin;
 
 pub use crate::document::Show;
@@ -25,6 +26,8 @@ pub use plot::Plot;
 pub use record::{Output, Record, cell, put, say};
 pub use show::show;
 pub use table::{Entry, row, table};
+pub use terminal::unicode;
+pub use twin::ENGINE;
 
 use crate::chapter::exhibit;
 use crate::error::{Error, Result};

@@ -26,11 +26,16 @@ impl Program {
         for (k, part) in source.parts.iter().enumerate() {
             match part {
                 Part::Prose(text) => self.add_prose(&mut page, &quoted(self, text, record)?)?,
-                Part::Twin(_) => {} // stands with its cell
+                Part::Python { is_twin: true, .. } => {} // stands with its cell
+                Part::Python { code, output, .. } => printed(code, output)
+                    .into_iter()
+                    .for_each(|(language, text)| add(&mut page, Block::Code { language, text })),
                 Part::Cell { code, shown } => {
                     let own = outputs.next().map(Vec::as_slice).unwrap_or_default();
                     let twin = match source.parts.get(k + 1) {
-                        Some(Part::Twin(python)) => Some(twin::shown(python)),
+                        Some(Part::Python { code, output, is_twin: true }) => {
+                            Some(printed(code, output))
+                        }
                         _ => None,
                     };
                     add_cell(&mut page, code, *shown, own, twin);
@@ -109,21 +114,36 @@ fn on_page(text: &str) -> String {
         .replace(".md)", ".html)")
 }
 
-/// A cell with what it put out. Where it has a twin, what it printed stands with its code.
-fn add_cell(page: &mut Page, code: &str, shown: Shown, outputs: &[Output], twin: Option<String>) {
+/// A Python cell and what it prints.
+fn printed(code: &str, output: &str) -> Vec<(String, String)> {
+    let mut pieces = vec![("python".to_string(), twin::shown(code))];
+    if !output.is_empty() {
+        pieces.push(("text".into(), output.into()));
+    }
+    pieces
+}
+
+/// A Rust cell with what it put out. Where it has a twin, what it printed stands with its code; elsewhere its
+/// code is folded away, for Python carries the lesson.
+fn add_cell(
+    page: &mut Page,
+    code: &str,
+    shown: Shown,
+    outputs: &[Output],
+    twin: Option<Vec<(String, String)>>,
+) {
     let (language, text) = ("rust".to_string(), code.to_string());
-    let mut printed = vec![(language.clone(), text.clone())];
+    let mut rust = vec![(language.clone(), text.clone())];
     let mut rest = Vec::new();
     for output in outputs {
         match output {
-            Output::Lines(lines) if twin.is_some() => printed.push(("text".into(), lines.clone())),
+            Output::Lines(lines) if twin.is_some() => rust.push(("text".into(), lines.clone())),
             output => rest.push(output.on_page()),
         }
     }
     match (shown, twin) {
-        (_, Some(python)) => add(page, Block::Twin { rust: printed, python }),
-        (Shown::Open, None) => add(page, Block::Code { language, text }),
-        (Shown::Folded, None) => add(page, Block::FoldedCode { language, text }),
+        (_, Some(python)) => add(page, Block::Twin { python, rust }),
+        (Shown::Open | Shown::Folded, None) => add(page, Block::FoldedCode { language, text }),
         (Shown::Hidden, None) => {}
     }
     rest.into_iter().for_each(|block| add(page, block));

@@ -31,6 +31,9 @@ pub struct Problem {
     pub answer: f64,
     /// How far off, as a part of the answer, still counts; of an answer 0 the distance itself.
     pub within: f64,
+    /// Other answers that are right, by another convention or by a sharper argument.
+    #[serde(default)]
+    pub also: Vec<Also>,
     /// What typical mistakes lead to.
     #[serde(default)]
     pub traps: Vec<Trap>,
@@ -50,6 +53,16 @@ pub enum Kind {
     Live,
 }
 
+/// Another right answer, and why it is right.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Also {
+    /// The number.
+    pub answer: f64,
+    /// What sets it apart from the expected one.
+    pub remark: String,
+}
+
 /// A wrong answer, and what to think of.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -65,6 +78,8 @@ pub struct Trap {
 pub enum Reply {
     /// It is right.
     Right,
+    /// It is right as well, and this sets it apart from the expected answer.
+    AlsoRight(String),
     /// It is not, and this helps.
     Wrong(String),
 }
@@ -91,6 +106,9 @@ impl Problem {
         if self.is_near(number, self.answer) {
             return Reply::Right;
         }
+        if let Some(also) = self.also.iter().find(|also| self.is_near(number, also.answer)) {
+            return Reply::AlsoRight(also.remark.clone());
+        }
         let off = |trap: &&Trap| (number - trap.answer).abs();
         let near = self.traps.iter().filter(|trap| self.is_near(number, trap.answer));
         if let Some(trap) = near.min_by(|a, b| off(a).total_cmp(&off(b))) {
@@ -101,6 +119,10 @@ impl Problem {
             number if !number.is_finite() => "a finite number is asked for".to_string(),
             number if self.answer != 0.0 && self.is_near(-number, self.answer) => {
                 "the size is right, the sign is not".to_string()
+            }
+            // A direction would turn a prediction into a search by halving.
+            number if self.kind != Kind::Pencil => {
+                format!("{}{unit} is not what it shows", readable(number, 4))
             }
             number if number > self.answer => format!("{}{unit} is too much", readable(number, 4)),
             number => format!("{}{unit} is too little", readable(number, 4)),
@@ -132,7 +154,7 @@ pub(super) fn markdown(problems: &[Problem]) -> String {
         let (kind, text) = (kind.words(), text.trim());
         format!(
             "**{id} {title}** ({kind}, {minutes} minutes, {level}). {text}\n\n\
-             `cargo run --release -- exercise {id} NUMBER`\n"
+             `lcplab exercise {id} NUMBER`\n"
         )
     };
     problems.iter().map(one).collect::<Vec<_>>().join("\n")

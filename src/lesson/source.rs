@@ -1,4 +1,4 @@
-//! A literate notebook as it is written: Markdown whose Rust blocks are cells.
+//! A literate notebook as it is written: Markdown whose Python and Rust blocks are cells.
 //!
 //! ```text
 //! ---                          an optional head for Jupytext, which is skipped
@@ -7,11 +7,13 @@
 //! ```rust                      a cell: shown, compiled and run
 //! ```rust tags=["hide"]        a cell whose code is not shown
 //! ```rust tags=["fold"]        a cell whose code is folded: set-up, tables, plots
-//! ```python                    right after a cell: the same in Python
+//! ```python                    a cell in Python; right after an open cell in Rust: the same in Python
+//! ```output                    what the Python cell above it prints
 //! ```text                      anything else in fences belongs to the prose
 //! ```
 //!
-//! The build script reads notebooks by the same code, to turn their cells into programs.
+//! The build script reads notebooks by the same code, to turn their Rust cells into programs. The tests
+//! of the Python package run the Python cells and compare what they print.
 
 /// A notebook, cut into prose and cells.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,8 +29,15 @@ pub struct Source {
 pub enum Part {
     /// Markdown.
     Prose(String),
-    /// Python that says the same as the cell before it.
-    Twin(String),
+    /// Python.
+    Python {
+        /// The lines, as they are.
+        code: String,
+        /// What it prints.
+        output: String,
+        /// Whether it says the same as the Rust before it.
+        is_twin: bool,
+    },
     /// Rust.
     Cell {
         /// The lines, as they are.
@@ -73,10 +82,21 @@ impl Source {
                 parts.push(Part::Cell { code: code.join("\n"), shown: Shown::of(line) });
                 continue;
             }
-            if !is_fenced && line == "```python" && follows_cell(&parts, &prose) {
-                prose.clear();
+            if !is_fenced && line == "```python" {
+                push_prose(&mut parts, &mut prose);
                 let code: Vec<&str> = lines.by_ref().take_while(|line| *line != "```").collect();
-                parts.push(Part::Twin(code.join("\n")));
+                let (code, output) = (code.join("\n"), String::new());
+                parts.push(Part::Python { code, output, is_twin: follows_open_cell(&parts) });
+                continue;
+            }
+            if !is_fenced
+                && line == "```output"
+                && prose.trim().is_empty()
+                && let Some(Part::Python { output, .. }) = parts.last_mut()
+            {
+                let lines = lines.by_ref().take_while(|line| *line != "```");
+                *output = lines.fold(String::new(), |text, line| text + line + "\n");
+                prose.clear();
                 continue;
             }
             is_fenced ^= line.starts_with("```");
@@ -91,13 +111,13 @@ impl Source {
     pub fn cells(&self) -> impl Iterator<Item = &str> {
         self.parts.iter().filter_map(|part| match part {
             Part::Cell { code, .. } => Some(code.as_str()),
-            Part::Prose(_) | Part::Twin(_) => None,
+            Part::Prose(_) | Part::Python { .. } => None,
         })
     }
 }
 
-fn follows_cell(parts: &[Part], prose: &str) -> bool {
-    prose.trim().is_empty() && matches!(parts.last(), Some(Part::Cell { .. }))
+fn follows_open_cell(parts: &[Part]) -> bool {
+    matches!(parts.last(), Some(Part::Cell { shown: Shown::Open, .. }))
 }
 
 fn without_head(text: &str) -> &str {

@@ -1,21 +1,22 @@
-//! The Python that says the same as a cell.
+//! Python cells as readers see them.
 
-/// The methods as the Python package has them.
-const TEXTBOOK: &str = include_str!("textbook.py");
+/// The engine that grows from lesson to lesson; pages and notebooks stand next to it.
+pub const ENGINE: &str = include_str!("../../notebooks/engine.py");
 
-/// The text as readers see it: `from lcplab.textbook import murty  # as follows` gives way to the program itself.
+/// `from engine import murty  # as follows` gives way to the program itself.
 pub(super) fn shown(python: &str) -> String {
     let line = |line: &str| {
-        let import = line.strip_prefix("from lcplab.textbook import ")?;
+        let import = line.strip_prefix("from engine import ")?;
         program(import.strip_suffix("  # as follows")?)
     };
     python.lines().map(|own| line(own).unwrap_or_else(|| format!("{own}\n"))).collect()
 }
 
-/// A function of the package.
+/// A function or a class of the engine.
 fn program(name: &str) -> Option<String> {
-    let start = TEXTBOOK.find(&format!("\ndef {name}("))? + 1;
-    let rest = &TEXTBOOK[start..];
+    let defined = |kind: &str| ENGINE.find(&format!("\n{kind} {name}"));
+    let start = defined("def").or_else(|| defined("class"))? + 1;
+    let rest = &ENGINE[start..];
     let end = rest.find("\n\n\n").unwrap_or(rest.len());
     Some(format!("\n{}\n", rest[..end].trim_end()))
 }

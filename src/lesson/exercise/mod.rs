@@ -9,18 +9,18 @@
 
 mod list;
 
-pub mod lesson01;
-pub mod lesson02;
-pub mod lesson03;
-pub mod lesson04;
-pub mod lesson05;
-pub mod lesson06;
-pub mod lesson07;
-pub mod lesson08;
-pub mod lesson09;
-pub mod lesson10;
-pub mod lesson11;
-pub mod lesson12;
+pub mod complementarity;
+pub mod drift;
+pub mod evidence;
+pub mod friction;
+pub mod impacts;
+pub mod jacobians;
+pub mod newton;
+pub mod own_constraint;
+pub mod pivoting;
+pub mod sparsity;
+pub mod stack;
+pub mod sweeping;
 
 pub use list::exercises;
 

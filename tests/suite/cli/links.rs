@@ -74,8 +74,8 @@ const WRITERS: &[Writer] = &[
         &["compare", "fig6", "--steps", "2", "--solver", "dantzig", "--out", "out"],
         &["data", "index.html"],
     ),
-    writer(&["lesson", "1", "--out", "out"], &["01_complementarity.html", "live"]),
-    writer(&["lesson", "1", "--ipynb", "--out", "out"], &["01_complementarity.ipynb"]),
+    writer(&["lesson", "1", "--out", "out"], &["01_complementarity.html", "engine.py", "live"]),
+    writer(&["lesson", "1", "--ipynb", "--out", "out"], &["01_complementarity.ipynb", "engine.py"]),
     writer(&["live", "stack", "--out", "out"], &["stack.html"]),
     writer(&["problems", "--export", "out"], &["CITATION.cff", "index.csv"]),
     // Here the user names out/p, and lcplab the rest.

@@ -12,7 +12,7 @@ fn prose() -> String {
     let source = Source::read(HANDOUT);
     let prose = source.parts.iter().filter_map(|part| match part {
         Part::Prose(prose) => Some(format!("\n{prose}\n")),
-        Part::Cell { .. } | Part::Twin(_) => None,
+        Part::Cell { .. } | Part::Python { .. } => None,
     });
     prose.collect()
 }

@@ -9,7 +9,7 @@ fn cells(codes: &[&str]) -> Vec<String> {
     let text: &'static str = format!("# A lesson\n\n{text}").leak();
     let program = Program { name: "01_test", text, cells: || Ok(()), drawings: &[], problems: "" };
     let notebook: Value =
-        serde_json::from_str(&program.notebook(&program.run().unwrap()).unwrap()).unwrap();
+        serde_json::from_str(&program.rust_notebook(&program.run().unwrap()).unwrap()).unwrap();
     let lines = |cell: &Value| -> String {
         cell["source"].as_array().unwrap().iter().map(|line| line.as_str().unwrap()).collect()
     };

@@ -41,6 +41,19 @@ fn every_cell_runs_and_its_output_stands_in_the_notebook() {
 }
 
 #[test]
+fn the_committed_notebooks_are_those_of_the_lessons() {
+    let folder = tempfile::tempdir().unwrap();
+    lesson(&["--all", "--ipynb", "--out", folder.path().to_str().unwrap()]);
+    let sources = notebooks("md");
+    for source in sources {
+        let committed = source.with_extension("ipynb");
+        let fresh = folder.path().join(committed.file_name().unwrap());
+        let same = fs::read_to_string(&committed).unwrap() == fs::read_to_string(fresh).unwrap();
+        assert!(same, "{} is not current: lcplab lesson --all --ipynb", committed.display());
+    }
+}
+
+#[test]
 fn pages_fetch_nothing_and_name_each_picture_once() {
     let folder = tempfile::tempdir().unwrap();
     let pages = lesson(&["--all", "--out", folder.path().to_str().unwrap()]);
@@ -74,28 +87,39 @@ fn a_lesson_has_the_fixed_parts_and_readable_cells() {
             .iter()
             .filter_map(|part| match part {
                 Part::Prose(text) => Some(text.as_str()),
-                Part::Cell { .. } | Part::Twin(_) => None,
+                Part::Cell { .. } | Part::Python { .. } => None,
             })
             .collect();
         let prose = prose.join("\n");
         for part in [
             "## Question",
             "## Derivation",
-            "## What one easily believes",
+            "## Common mistakes",
+            "## You can now",
             "## Try it",
             "{{problems}}",
         ] {
             assert!(prose.contains(part), "{name} lacks {part}");
         }
         let cells: Vec<&str> = source.cells().collect();
-        assert!((4..=20).contains(&cells.len()), "{name} has {} cells", cells.len());
+        assert!((3..=20).contains(&cells.len()), "{name} has {} cells", cells.len());
         for line in cells.iter().flat_map(|cell| cell.lines()) {
             assert!(line.chars().count() <= 90, "{name}: a long line: {line}");
         }
         let parts = prose.matches("**Predict.**").count();
-        assert!(parts >= 3, "{name} asks for {parts} predictions");
-        let twins = source.parts.iter().filter(|part| matches!(part, Part::Twin(_))).count();
-        assert!(twins > 0, "{name} says nothing in Python");
+        assert!(parts >= 1, "{name} asks for no prediction");
+        let python: Vec<&str> = source
+            .parts
+            .iter()
+            .filter_map(|part| match part {
+                Part::Python { code, .. } => Some(code.as_str()),
+                Part::Prose(_) | Part::Cell { .. } => None,
+            })
+            .collect();
+        assert!(python.len() >= 3, "{name}: Python carries the lesson");
+        for line in python.iter().flat_map(|cell| cell.lines()) {
+            assert!(line.chars().count() <= 115, "{name}: a long line: {line}");
+        }
         let last = prose.rsplit("\n## ").next().unwrap();
         assert!(last.starts_with("For readers of the chapter"), "{name} ends otherwise");
         assert!(prose.matches("{{E").count() <= last.matches("{{E").count() + 1, "{name}: errata");
@@ -136,5 +160,34 @@ fn the_documentation_lists_every_lesson_by_its_title() {
         let file = path.file_name().unwrap().to_string_lossy();
         let link = format!("[{title}](../notebooks/{file})");
         assert!(page.contains(&link), "{link}");
+    }
+}
+
+#[test]
+fn each_lesson_begins_with_the_sections_of_the_chapter_that_it_derives() {
+    for path in notebooks("md") {
+        let source = Source::read(&fs::read_to_string(&path).unwrap());
+        let Some(Part::Prose(lead)) = source.parts.first() else { panic!("{}", path.display()) };
+        assert!(lead.starts_with("*K&M: "), "{}", path.display());
+    }
+}
+
+#[test]
+fn every_equation_of_the_chapter_has_a_lesson_that_names_it() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("notebooks");
+    let guide = fs::read_to_string(folder.join("guide.md")).unwrap();
+    for k in 1..=45 {
+        let row = guide.lines().find(|line| line.starts_with(&format!("| ({k}) | ")));
+        let row = row.unwrap_or_else(|| panic!("({k}) is not in the table"));
+        let file = row.rsplit("](").next().and_then(|rest| rest.split(')').next()).unwrap();
+        let lesson = fs::read_to_string(folder.join(file)).unwrap();
+        let is_named = |first: usize, last: usize| (first..=last).contains(&k);
+        let numbers = lesson.match_indices('(').any(|(at, _)| {
+            let Some((first, after)) = lesson[at + 1..].split_once(')') else { return false };
+            let Ok(first) = first.parse() else { return false };
+            let last = after.strip_prefix(" to (").and_then(|rest| rest.split(')').next());
+            is_named(first, last.and_then(|last| last.parse().ok()).unwrap_or(first))
+        });
+        assert!(numbers, "{file} does not name ({k})");
     }
 }

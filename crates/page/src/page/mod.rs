@@ -121,10 +121,10 @@ pub enum Block {
     },
     /// Programs that say the same in two languages, of which one is shown at a time.
     Twin {
-        /// Language and text of each piece in the first language, a program and what it prints.
+        /// Language and text of each piece in Python: a program and what it prints.
+        python: Vec<(String, String)>,
+        /// The same in Rust.
         rust: Vec<(String, String)>,
-        /// The same in Python.
-        python: String,
     },
     /// A drawing that is part of the text.
     Drawing {

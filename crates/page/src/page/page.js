@@ -84,12 +84,19 @@ for (const table of document.querySelectorAll("figure.table table")) {
   });
 }
 
-// One choice of the language holds for the whole page.
-for (const button of document.querySelectorAll(".switch button")) {
+// One choice of the language holds for the whole page, and for the pages opened later.
+const switches = document.querySelectorAll(".switch button");
+const speak = (language) => {
+  root.dataset.language = language;
+  for (const button of switches) button.setAttribute("aria-pressed", button.dataset.language === language);
+};
+const remembered = (use) => { try { return use(localStorage); } catch { return null; } }; // a browser may forbid it
+if (switches.length && remembered((store) => store.getItem("language")) === "rust") speak("rust");
+for (const button of switches) {
   button.addEventListener("click", () => {
     const before = button.getBoundingClientRect().top;
-    root.dataset.language = button.dataset.language;
-    for (const other of document.querySelectorAll(".switch button")) other.setAttribute("aria-pressed", other.dataset.language === root.dataset.language);
+    speak(button.dataset.language);
+    remembered((store) => store.setItem("language", button.dataset.language));
     scrollBy({ top: button.getBoundingClientRect().top - before, behavior: "instant" });
   });
 }

@@ -85,8 +85,8 @@ impl ProofsView<'_> {
 
 /// Opens a pair of programs, with the buttons that choose one.
 const SWITCH: &str = "<div class=\"twin\"><div class=\"switch\" role=\"group\" aria-label=\"Language\">\
-    <button type=\"button\" data-language=\"rust\" aria-pressed=\"true\">Rust</button>\
-    <button type=\"button\" data-language=\"python\" aria-pressed=\"false\">Python</button></div>\n";
+    <button type=\"button\" data-language=\"python\" aria-pressed=\"true\">Python</button>\
+    <button type=\"button\" data-language=\"rust\" aria-pressed=\"false\">Rust</button></div>\n";
 
 /// JSON that ends no script element.
 fn data(json: &str) -> String {
@@ -231,12 +231,12 @@ impl Writer {
                 format!("<div class=\"equation\">{mathml}{label}</div>\n")
             }
             Block::Code { language, text } => code(language, text),
-            Block::Twin { rust, python } => {
-                let rust: String =
-                    rust.iter().map(|(language, text)| code(language, text)).collect();
-                let python = code("python", python);
+            Block::Twin { python, rust } => {
+                let [python, rust] = [python, rust].map(|pieces| -> String {
+                    pieces.iter().map(|(language, text)| code(language, text)).collect()
+                });
                 format!(
-                    "{SWITCH}<div class=\"rust\">\n{rust}</div><div class=\"python\">\n{python}</div></div>\n"
+                    "{SWITCH}<div class=\"python\">\n{python}</div><div class=\"rust\">\n{rust}</div></div>\n"
                 )
             }
             Block::Drawing { svg, alt } => format!(
@@ -245,7 +245,8 @@ impl Writer {
                 base64(svg.as_bytes())
             ),
             Block::FoldedCode { language, text } => format!(
-                "<details class=\"folded\"><summary>code: {} lines</summary>\n{}</details>\n",
+                "<details class=\"folded\"><summary>{}: {} lines</summary>\n{}</details>\n",
+                if language == "rust" { "Rust" } else { "code" },
                 text.trim_end().lines().count(),
                 code(language, text)
             ),
@@ -350,7 +351,7 @@ fn finished(document: &Document) -> Result<String> {
     written(document).map_err(|reason| Error::invalid("page", document.page.title.as_str(), reason))
 }
 
-/// Bytes as text of 64 characters, by RFC 4648.
+/// Bytes as base64 (RFC 4648), as addresses that begin with `data:` have them.
 ///
 /// ```
 /// assert_eq!(lcplab_page::page::base64(b"lcp"), "bGNw");

@@ -1,0 +1,13 @@
+"""Exercise 7.2: the ratio test.
+
+When the entering variable rises to t ≥ 0, basic variable r has the value constant[r] + rate[r] t. All constants
+are positive; no variable may become negative. If several become 0 at the same t, take the one with the lowest
+number. (Such a tie leaves a variable that is basic and 0; a path with ties may run in a circle, unless they are
+broken by a rule that looks at whole rows.)
+"""
+
+
+def answer(constant, rate):
+    """The row whose variable becomes 0 first; None if none ever does: a ray."""
+    falling = [r for r in range(len(rate)) if rate[r] < 0]
+    return min(falling, key=lambda r: constant[r] / -rate[r], default=None)  # of equal ones the first

@@ -1,0 +1,13 @@
+//! Exercise 7.2: the ratio test.
+//!
+//! When the entering variable rises to t ≥ 0, basic variable r has the value constant[r] + rate[r] t. All constants
+//! are positive; no variable may become negative. If several become 0 at the same t, take the one with the lowest
+//! number. (Such a tie leaves a variable that is basic and 0; a path with ties may run in a circle, unless they are
+//! broken by a rule that looks at whole rows.)
+
+/// The row whose variable becomes 0 first; `None` if none ever does: a ray.
+pub fn answer(constant: &[f64], rate: &[f64]) -> Option<usize> {
+    let ratio = |r: &usize| constant[*r] / -rate[*r];
+    let falling = (0..rate.len()).filter(|&r| rate[r] < 0.0);
+    falling.min_by(|r, s| ratio(r).total_cmp(&ratio(s))) // of equal ones the first
+}

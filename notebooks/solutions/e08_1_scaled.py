@@ -1,0 +1,22 @@
+"""Exercise 8.1: the scaled residual of a whole problem.
+
+The lesson has a program for contacts. Write it for rows with any bounds, ±∞ among them. Row i alone would like
+to have the impulse x[i] - w[i] / A[i, i], and gets the nearest one to that in [lo[i], hi[i]]. How far is that
+from x[i]? Turn this impulse into a velocity, and divide it by the velocities of which w[i] is the sum, all
+counted as positive. The largest of these quotients counts; a row for which the divisor is 0 counts 0. Other
+units must not change the answer.
+"""
+
+import numpy as np
+
+
+def answer(A, b, lo, hi, x):
+    """The scaled residual of x."""
+    worst = 0.0
+    for i in range(len(b)):
+        w = A[i] @ x + b[i]
+        terms = np.abs(A[i] * x).sum() + abs(b[i])
+        step = x[i] - min(max(x[i] - w / A[i, i], lo[i]), hi[i])
+        if terms > 0:
+            worst = max(worst, abs(step) * A[i, i] / terms)
+    return worst

@@ -1,0 +1,18 @@
+//! Exercise 11.2: the nearest point of the friction cone.
+//!
+//! The cone is all [x_n, x_t1, x_t2] with |x_t| ≤ μ x_n. Three cases: the point lies in it; its nearest
+//! point is the tip, [0, 0, 0]; or its nearest point lies on the surface, where x_n changes too!
+
+/// The point of the cone that is nearest to p = [p_n, p_t1, p_t2]; μ > 0.
+pub fn answer(p: [f64; 3], mu: f64) -> [f64; 3] {
+    let [n, t1, t2] = p;
+    let t = t1.hypot(t2);
+    if t <= mu * n {
+        return p;
+    }
+    if mu * t <= -n {
+        return [0.0; 3];
+    }
+    let x_n = (n + mu * t) / (1.0 + mu * mu);
+    [x_n, mu * x_n * t1 / t, mu * x_n * t2 / t]
+}

@@ -1,0 +1,14 @@
+//! Exercise 11.3: a block is kicked up a slope.
+//!
+//! It starts uphill with the speed v0 ≥ 0. Friction works against the sliding: downhill at first. When
+//! the block has stopped, it may stay, or slide back. g = 9.81 m/s²; the angle θ is in radians.
+
+/// Its velocity after the time t (s), counted uphill.
+pub fn answer(theta: f64, mu: f64, v0: f64, t: f64) -> f64 {
+    let (sin, cos) = theta.sin_cos();
+    let stops_at = v0 / (9.81 * (sin + mu * cos));
+    if t < stops_at {
+        return v0 - 9.81 * (sin + mu * cos) * t;
+    }
+    -(9.81 * (sin - mu * cos)).max(0.0) * (t - stops_at)
+}

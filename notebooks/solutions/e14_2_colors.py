@@ -1,0 +1,17 @@
+"""Exercise 14.2: colors for rows that may be done at once.
+
+Each row touches two bodies, given by number; None is the ground. Two rows that share a body must not be done
+at the same time, or both would change its velocity; the ground has no velocity that changes. Give the rows
+colors 0, 1, 2, …, so that rows of one color share no body but the ground. Go through the rows in their order,
+and give each the smallest color that no earlier row has with which it shares a body.
+"""
+
+
+def answer(rows):
+    """The color of each row."""
+    colors = []
+    for i, row in enumerate(rows):
+        bodies = {body for body in row if body is not None}
+        taken = {colors[j] for j in range(i) if bodies & set(rows[j])}
+        colors.append(min(set(range(i + 1)) - taken))
+    return colors

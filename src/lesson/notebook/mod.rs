@@ -1,0 +1,39 @@
+//! A notebook that ran as a Jupyter notebook (nbformat 4.5), for Python or for Rust.
+
+mod kernel;
+mod python;
+mod rust;
+
+use serde_json::{Value, json};
+
+use super::show::lined;
+
+/// The text of an `.ipynb` file: its cells in order, and what a kernel needs to know.
+fn file(mut cells: Vec<Value>, metadata: &Value) -> String {
+    for (k, cell) in cells.iter_mut().enumerate() {
+        cell["id"] = json!(format!("cell-{k}"));
+    }
+    let (nbformat, nbformat_minor) = (4, 5);
+    let notebook = json!({
+        "cells": cells,
+        "metadata": metadata,
+        "nbformat": nbformat,
+        "nbformat_minor": nbformat_minor,
+    });
+    format!("{notebook:#}\n")
+}
+
+fn prose(text: &str) -> Value {
+    json!({ "cell_type": "markdown", "id": "", "metadata": {}, "source": lined(text) })
+}
+
+fn code(text: &str, outputs: Vec<Value>) -> Value {
+    json!({
+        "cell_type": "code",
+        "execution_count": null,
+        "id": "",
+        "metadata": {},
+        "outputs": outputs,
+        "source": lined(text),
+    })
+}

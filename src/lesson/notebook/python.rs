@@ -1,0 +1,75 @@
+//! The Python notebook: Python cells with what they print; of the Rust cells only what they show.
+
+use serde_json::{Value, json};
+
+use super::{code, file, prose};
+use crate::document::Block;
+use crate::error::Result;
+use crate::lesson::record::Output;
+use crate::lesson::show::lined;
+use crate::lesson::source::{Part, Source};
+use crate::lesson::{Program, Record, quoted, twin};
+use crate::report::page::base64;
+
+impl Program {
+    /// The Python notebook with its outputs, as the text of an `.ipynb` file.
+    ///
+    /// # Errors
+    /// If the prose quotes a value that no cell has put.
+    pub fn notebook(&self, record: &Record) -> Result<String> {
+        let mut cells = vec![prose(&format!("# {}", self.title()))];
+        let mut outputs = record.cells.iter();
+        for part in &Source::read(self.text).parts {
+            match part {
+                Part::Prose(text) => cells.push(self.drawn(&quoted(self, text, record)?)),
+                Part::Python { code: text, output, .. } => {
+                    let stream = json!({
+                        "output_type": "stream", "name": "stdout", "text": lined(output),
+                    });
+                    let outputs = if output.is_empty() { Vec::new() } else { vec![stream] };
+                    cells.push(code(twin::shown(text).trim(), outputs));
+                }
+                Part::Cell { .. } => {
+                    cells.extend(outputs.next().into_iter().flatten().filter_map(shown));
+                }
+            }
+        }
+        let metadata = json!({
+            "kernelspec": { "display_name": "Python 3", "language": "python", "name": "python3" },
+            "language_info": { "file_extension": ".py", "mimetype": "text/x-python", "name": "python" },
+        });
+        Ok(file(cells, &metadata))
+    }
+
+    /// Prose with its drawings in it.
+    fn drawn(&self, text: &str) -> Value {
+        let mut cell = prose(text);
+        let own =
+            self.drawings.iter().filter(|(name, _)| text.contains(&format!("](drawings/{name})")));
+        for (name, svg) in own {
+            let text =
+                text.replace(&format!("](drawings/{name})"), &format!("](attachment:{name})"));
+            cell["source"] = json!(lined(&text));
+            cell["attachments"][*name] = attached(svg);
+        }
+        cell
+    }
+}
+
+/// What a Rust cell shows; what it prints stands with the Python that does the same.
+fn shown(output: &Output) -> Option<Value> {
+    match output {
+        Output::Lines(_) => None,
+        Output::Block(Block::Figure(picture)) => {
+            let mut cell =
+                prose(&format!("![Figure](attachment:figure.svg)\n\n{}", picture.caption));
+            cell["attachments"]["figure.svg"] = attached(&picture.svg);
+            Some(cell)
+        }
+        Output::Block(block) => Some(prose(block.markdown().trim())),
+    }
+}
+
+fn attached(svg: &str) -> Value {
+    json!({ "image/svg+xml": base64(svg.as_bytes()) })
+}

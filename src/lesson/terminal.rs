@@ -1,0 +1,186 @@
+//! Markdown with formulas as a terminal shows it: `$\tfrac12 x^T A x$` becomes `½ xᵀ A x`.
+
+/// What a command stands for.
+const SYMBOLS: [(&str, &str); 28] = [
+    ("cdot", "·"),
+    ("times", "×"),
+    ("ge", "≥"),
+    ("le", "≤"),
+    ("pm", "±"),
+    ("leftarrow", "←"),
+    ("to", "→"),
+    ("sum", "Σ"),
+    ("infty", "∞"),
+    ("dots", "…"),
+    ("ldots", "…"),
+    ("quad", "  "),
+    ("qquad", "  "),
+    ("alpha", "α"),
+    ("beta", "β"),
+    ("gamma", "γ"),
+    ("delta", "δ"),
+    ("Delta", "Δ"),
+    ("zeta", "ζ"),
+    ("theta", "θ"),
+    ("lambda", "λ"),
+    ("mu", "μ"),
+    ("pi", "π"),
+    ("Pi", "Π"),
+    ("rho", "ρ"),
+    ("sigma", "σ"),
+    ("varphi", "φ"),
+    ("omega", "ω"),
+];
+const RAISED: (&str, &str) = ("0123456789+-nkTij*", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿᵏᵀⁱʲ*");
+const LOWERED: (&str, &str) = ("0123456789+-nktij", "₀₁₂₃₄₅₆₇₈₉₊₋ₙₖₜᵢⱼ");
+const HALVES: [(&str, &str); 6] =
+    [("1/2", "½"), ("1/3", "⅓"), ("2/3", "⅔"), ("1/4", "¼"), ("3/4", "¾"), ("1/8", "⅛")];
+
+/// The text with its formulas in Unicode.
+pub fn unicode(markdown: &str) -> String {
+    let words = markdown.replace("$$", "$");
+    let pieces = words.split('$').enumerate();
+    pieces.map(|(k, piece)| if k % 2 == 0 { piece.to_string() } else { formula(piece) }).collect()
+}
+
+/// A formula without its dollar signs.
+fn formula(latex: &str) -> String {
+    let mut rest = latex;
+    let mut out = String::new();
+    while let Some(c) = rest.chars().next() {
+        let after = &rest[c.len_utf8()..];
+        rest = match c {
+            '\\' => command(after, &mut out),
+            '^' | '_' => {
+                let (script, after) = argument(after);
+                out += &moved(&formula(script), if c == '^' { RAISED } else { LOWERED }, c);
+                after
+            }
+            '{' | '}' => after,
+            '&' => {
+                out.truncate(out.trim_end().len());
+                out.push(',');
+                after
+            }
+            c => {
+                out.push(c);
+                after
+            }
+        };
+    }
+    out
+}
+
+/// What begins with a backslash; what is left.
+fn command<'a>(rest: &'a str, out: &mut String) -> &'a str {
+    let end = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
+    let (name, after) = rest.split_at(end);
+    match name {
+        "" if rest.starts_with('\\') => {
+            out.truncate(out.trim_end().len());
+            out.push(';');
+            &rest[1..]
+        }
+        "" => {
+            out.push(' ');
+            rest.get(1..).unwrap_or("")
+        }
+        "begin" => {
+            out.push('[');
+            argument(after).1.trim_start()
+        }
+        "end" => {
+            out.truncate(out.trim_end().len());
+            out.push(']');
+            argument(after).1
+        }
+        "left" | "right" => after,
+        "mathrm" | "text" => {
+            let (word, after) = argument(after);
+            *out += word;
+            after
+        }
+        "frac" | "tfrac" => {
+            let (above, after) = argument(after);
+            let (below, after) = argument(after);
+            let quotient = format!("{}/{}", grouped(above), grouped(below));
+            let known = HALVES.iter().find(|(long, _)| *long == quotient);
+            *out += known.map_or(quotient.as_str(), |(_, short)| short);
+            after
+        }
+        "sqrt" => {
+            let (inside, after) = argument(after);
+            *out += &format!("√{}", grouped(inside));
+            after
+        }
+        "dot" | "ddot" | "hat" => {
+            let (letter, after) = argument(after);
+            let mark = [("dot", '\u{307}'), ("ddot", '\u{308}'), ("hat", '\u{302}')];
+            *out += &formula(letter);
+            out.extend(mark.iter().filter(|own| own.0 == name).map(|own| own.1));
+            after
+        }
+        name => {
+            let known = SYMBOLS.iter().find(|own| own.0 == name);
+            *out += known.map_or(name, |own| own.1); // cos, sin, min stay words
+            after
+        }
+    }
+}
+
+/// The next character or group, and what follows.
+fn argument(rest: &str) -> (&str, &str) {
+    let rest = rest.trim_start();
+    if let Some(inside) = rest.strip_prefix('{') {
+        let mut depth = 1;
+        for (at, c) in inside.char_indices() {
+            depth += i32::from(c == '{') - i32::from(c == '}');
+            if depth == 0 {
+                return (&inside[..at], &inside[at + 1..]);
+            }
+        }
+    }
+    let first = match rest.strip_prefix('\\') {
+        Some(name) => 1 + name.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(name.len()),
+        None => rest.chars().next().map_or(0, char::len_utf8),
+    };
+    rest.split_at(first)
+}
+
+/// A part of a quotient or a root, in brackets if it is a sum.
+fn grouped(latex: &str) -> String {
+    let text = formula(latex);
+    if text.contains([' ', '+', '-']) { format!("({text})") } else { text }
+}
+
+/// Raised or lowered where Unicode can; otherwise with the sign before it.
+fn moved(text: &str, (plain, other): (&str, &str), sign: char) -> String {
+    let place = |c: char| plain.chars().position(|own| own == c);
+    let all: Option<String> =
+        text.chars().map(|c| place(c).and_then(|at| other.chars().nth(at))).collect();
+    all.unwrap_or_else(|| match text.chars().count() {
+        1 => format!("{sign}{text}"),
+        _ => format!("{sign}({text})"),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::unicode;
+
+    #[test]
+    fn formulas_become_letters_and_words_stay() {
+        for (markdown, text) in [
+            (r"a speed $\dot c = J u$ of 2 m/s", "a speed c\u{307} = J u of 2 m/s"),
+            (r"$\tfrac12 x^T A x$, $\tfrac23$", "½ xᵀ A x, ⅔"),
+            (r"$J = [n_1^T,\ n_2^T]$", "J = [n₁ᵀ,  n₂ᵀ]"),
+            (r"$\begin{bmatrix} 2 & -1 \\ -1 & 2 \end{bmatrix}$", "[2, -1; -1, 2]"),
+            (r"$\omega \ge (1/\sin 45°)^{1/2}$", "ω ≥ (1/sin 45°)^(1/2)"),
+            (r"$|x_t| \le \mu\,x_n$", "|xₜ| ≤ μ xₙ"),
+            (r"$\frac{a + b}{2 c}$ and $\sqrt{2}$", "(a + b)/(2 c) and √2"),
+            ("10 % of $b$", "10 % of b"),
+        ] {
+            assert_eq!(unicode(markdown), text);
+        }
+    }
+}

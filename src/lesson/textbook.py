@@ -1,1 +1,0 @@
-../../python/package/lcplab/textbook.py
