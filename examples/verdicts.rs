@@ -233,20 +233,27 @@ fn hostile(k: usize) -> Subject {
 
 /// The LCPs of three steps of each shipped scene, at velocity and at acceleration level.
 fn of_scenes() -> Result<Vec<Subject>> {
+    let names = catalogue::SHIPPED.iter().map(|shipped| shipped.name);
+    let runs: Vec<_> = names.flat_map(|name| Scheme::LEVELS.map(|level| (name, level))).collect();
+    let subjects: Result<Vec<_>> =
+        runs.par_iter().map(|&(name, level)| of_scene(name, level)).collect();
+    Ok(subjects?.into_iter().flatten().collect())
+}
+
+fn of_scene(name: &str, level: Scheme) -> Result<Vec<Subject>> {
+    let mut scene = Scene::load(name)?;
+    scene.step.scheme = level;
+    let mut simulation = Simulation::of(&scene)?;
     let mut subjects = Vec::new();
-    for shipped in catalogue::SHIPPED {
-        for level in Scheme::LEVELS {
-            let mut scene = Scene::load(shipped.name)?;
-            scene.step.scheme = level;
-            let mut simulation = Simulation::of(&scene)?;
-            for step in 1..=STEPS[2] {
-                let Ok(taken) = simulation.step() else { break };
-                let solves = taken.solves.iter().filter(|_| STEPS.contains(&step));
-                for solve in solves.filter(|solve| solve.posing.is_none()) {
-                    let name = format!("{} {}, step {step}", shipped.name, level.name());
-                    subjects.push(Subject::cold(Problem::new(name, solve.problem.lcp.clone())));
-                }
-            }
+    for step in 1..=STEPS[2] {
+        let Ok(taken) = simulation.step() else { break };
+        if taken.solves.iter().any(|solve| solve.problem.lcp.len() > 4 * MOST_ROWS) {
+            break; // a scene that stays too large
+        }
+        let solves = taken.solves.iter().filter(|_| STEPS.contains(&step));
+        for solve in solves.filter(|solve| solve.posing.is_none()) {
+            let name = format!("{name} {}, step {step}", level.name());
+            subjects.push(Subject::cold(Problem::new(name, solve.problem.lcp.clone())));
         }
     }
     Ok(subjects)
