@@ -135,7 +135,7 @@ impl SceneArgs {
         let mut scene = self.step.changes.load(&self.scene)?;
         scene.step.scheme = self.step.scheme.unwrap_or(scene.step.scheme);
         let names_method = self.step.scheme.is_some() || self.model.is_some() || named.is_some();
-        if names_method || self.tolerance.is_some() || self.choices.order.is_some() {
+        if names_method || self.solve.tolerance.is_some() || self.solve.choices.order.is_some() {
             scene.solver.fixed_sweeps = false;
         }
         scene.step.dt = self.step.dt.unwrap_or(scene.step.dt);
