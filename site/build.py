@@ -153,7 +153,7 @@ def rust(rustdoc: Path | None, out: Path) -> list[Page]:
     """The pages that cargo doc wrote, as they are."""
     if not rustdoc:
         return []
-    leave = shutil.ignore_patterns("src", "*.lock", ".*")
+    leave = shutil.ignore_patterns("*.lock", ".*")
     shutil.copytree(rustdoc, out / "reference/rust", ignore=leave, dirs_exist_ok=True)
     return [Page(RUST, "Rust library", "Every crate, type and function, as cargo doc writes them.")]
 
