@@ -6,7 +6,7 @@ import re
 
 from pages import Page, Section, relative
 
-# What a page of the site may load: its own files, and nothing from elsewhere (docs: SECURITY.md).
+# What a page of the site may load: its own files, and nothing from elsewhere.
 POLICY = (
     "default-src 'none'; script-src 'self'{wasm}; style-src 'self' 'unsafe-inline'; img-src 'self' data:; "
     "font-src 'self' data:; {search}base-uri 'none'; form-action 'self'"
