@@ -23,6 +23,9 @@ STATED = {
     "docs/cite.md": r"^  version = \{(.*)\},",
 }
 
+# Pages that say that there is no release.
+UNRELEASED = ["CHANGELOG.md", "SECURITY.md", "docs/cite.md", "docs/install.md"]
+
 # What a person does at the end; the first step once.
 STEPS = [
     "Accounts: the forge, crates.io (`cargo login`), PyPI.",
@@ -106,8 +109,8 @@ def left_to_do(version: str) -> list[str]:
         left.append('Cargo.toml: state the address of the repository, `repository = "https://…"`')
     if "repository-code:" not in read("CITATION.cff"):
         left.append("CITATION.cff: state the address, `repository-code:`, and the date, `date-released:`")
-    if "no release yet" in read("docs/cite.md"):
-        left.append("docs/install.md, docs/cite.md: say how a released version is installed and cited")
+    if untrue := [name for name in UNRELEASED if re.search("no release yet|been released", read(name))]:
+        left.append(f"{', '.join(untrue)}: what they say of lcplab without a release")
     return left
 
 

@@ -52,7 +52,7 @@ def main() -> None:
     given.work.mkdir(parents=True, exist_ok=True)
     maker = Maker(ROOT, given.work.resolve(), given.lcplab.resolve(), given.quick)
     sections = planned(maker, out, given.rustdoc)
-    complete(sections)
+    add_unlisted(sections)
     sources = Sources(sections, out)
     for section in sections:
         for page in section.pages:
@@ -130,12 +130,13 @@ def planned(maker: Maker, out: Path, rustdoc: Path | None) -> list[Section]:
     return sections
 
 
-def complete(sections: list[Section]) -> None:
-    """Every page of docs is on the site."""
-    shown = {page.source for section in sections for page in section.pages}
-    left_out = {file.relative_to(ROOT).as_posix() for file in ROOT.glob("docs/*.md")} - shown
-    if left_out:
-        raise SystemExit(f"contents.toml has no line for {', '.join(sorted(left_out))}")
+def add_unlisted(sections: list[Section]) -> None:
+    """Pages of docs without a line in contents.toml follow in the last group."""
+    listed = {page.source for section in sections for page in section.pages}
+    for file in sorted(ROOT.glob("docs/*.md")):
+        source = file.relative_to(ROOT).as_posix()
+        if source not in listed:
+            sections[-1].groups[-1].pages.append(of_file(sections[-1], {"page": source, "about": ""}))
 
 
 def of_file(section: Section, entry: dict[str, str]) -> Page:
@@ -153,7 +154,7 @@ def rust(rustdoc: Path | None, out: Path) -> list[Page]:
     """The pages that cargo doc wrote, as they are."""
     if not rustdoc:
         return []
-    leave = shutil.ignore_patterns("src", "*.lock", ".*")
+    leave = shutil.ignore_patterns("*.lock", ".*")
     shutil.copytree(rustdoc, out / "reference/rust", ignore=leave, dirs_exist_ok=True)
     return [Page(RUST, "Rust library", "Every crate, type and function, as cargo doc writes them.")]
 

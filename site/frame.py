@@ -6,7 +6,7 @@ import re
 
 from pages import Page, Section, relative
 
-# What a page of the site may load: its own files, and nothing from elsewhere (docs: SECURITY.md).
+# What a page of the site may load: its own files, and nothing from elsewhere.
 POLICY = (
     "default-src 'none'; script-src 'self'{wasm}; style-src 'self' 'unsafe-inline'; img-src 'self' data:; "
     "font-src 'self' data:; {search}base-uri 'none'; form-action 'self'"
@@ -149,7 +149,8 @@ class Frame:
             f'<a target="_top" href="{relative(section.address, page.address)}">{section.title}</a>'
             f'<a target="_top" href="{relative("search.html", page.address)}">Search</a><span>{"".join(turns)}</span></nav>\n'
         )
-        text = page.whole
+        about = html.escape(page.about.replace("`", "") or page.title)
+        text = page.whole.replace("<title>", f'<meta name="description" content="{about}">\n<title>', 1)
         skip = '<a class="skip" href="#content">Skip to the content</a>\n'
         if skip in text:
             bar = skip + bar

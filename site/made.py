@@ -153,7 +153,10 @@ def lightened(text: str, live: str, font: str) -> str:
         rf'<iframe loading="lazy" title="\3" src="{live}\1.html#\2"></iframe></details>',
         text,
     )
-    text = re.sub(r"data:font/woff2;base64,[A-Za-z0-9+/=]+", font, text, count=1)
+    text, found = re.subn(r"data:font/woff2;base64,[A-Za-z0-9+/=]+", font, text, count=1)
+    if found:  # before the text, so that formulas do not move it
+        early = f'<link rel="preload" as="font" type="font/woff2" href="{font}" crossorigin>'
+        text = text.replace("<title>", f"{early}\n<title>", 1)
     return text.replace("font-src data:;", "font-src 'self'; frame-src 'self';", 1)
 
 
