@@ -72,3 +72,26 @@ def test_the_contact_impulses_of_a_resting_stack_carry_the_weights_above():
     for k in range(3):
         layer = sum(value for ((i, j, _), along), value in x.items() if j == k + 1 and along == "n")
         assert_allclose(layer, dt * g * sum(masses[k:]), rtol=1e-9)
+
+
+@pytest.mark.parametrize("A, b", list(problems()))
+def test_the_natural_residual_bounds_the_error_as_lesson_8_derives(A, b):
+    (exact,) = engine.all_cases(A, b)
+    factor = (1 + np.linalg.norm(A, 2)) / np.linalg.eigvalsh(A).min()
+    for x in np.random.default_rng(2).normal(size=(100, len(b))):
+        residual = np.minimum(x, A @ x + b)
+        assert np.linalg.norm(x - exact) <= factor * np.linalg.norm(residual) * (1 + 1e-9)
+
+
+@pytest.mark.parametrize("A, b", list(problems()))
+def test_murtys_rule_moves_the_last_row_at_most_once_as_lesson_7_derives(A, b):
+    F, moves = np.zeros(len(b), dtype=bool), []
+    while True:
+        x = engine.point(A, b, F)
+        wrong = np.flatnonzero(np.where(F, x < 0, A @ x + b < 0))
+        if len(wrong) == 0:
+            break
+        moves.append(wrong[0])
+        F[wrong[0]] ^= True
+    assert moves.count(len(b) - 1) <= 1
+    assert_allclose(x, engine.murty(A, b))

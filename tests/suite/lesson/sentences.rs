@@ -64,7 +64,7 @@ fn the_axes_contain_the_least_factor_at_the_best_omega() {
     let plots = plots();
     let (_, svg) = plots
         .iter()
-        .find(|(name, svg)| name.starts_with("04") && svg.contains(" id=\"omega-title\""))
+        .find(|(name, svg)| name.starts_with("05") && svg.contains(" id=\"omega-title\""))
         .expect("the plot of ω");
     let holds = |axis: &str, value: f64| {
         let words: Vec<&str> = between(svg, &format!(" data-{axis}=\""), "\"").split(' ').collect();
@@ -123,7 +123,7 @@ fn a_rod_lacks_m_l_times_the_rate_squared_in_its_first_step() {
 }
 
 #[test]
-fn the_force_of_a_blow_is_m_times_the_speed_over_dt_and_the_weight() {
+fn the_force_of_an_impact_is_m_times_the_speed_over_dt_and_the_weight() {
     let (m, v, g) = (2.0, 3.0, 9.81);
     for dt in [0.1, 0.001] {
         let mut scene = Scene::load("fig6").unwrap();
