@@ -100,6 +100,7 @@ class Maker:
             page = self.whole(file, f"learn/live/{name}.html", about, "")
             page.source = f"live/{name}.html"
             page.whole = landmarked(page.whole)
+            page.weight = 0.5  # few words, which explain less than those of a lesson
             pages.append(page)
         return pages
 
