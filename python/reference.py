@@ -27,7 +27,7 @@ This page is written by `python python/reference.py` from the docstrings.
 #: The order of the page.
 NAMES = [
     "solve", "Result", "judge", "Verdict", "prove", "check", "Proof", "Problem", "compare", "Comparison", "hunt", "Finding", "explain",
-    "Document", "Scene", "Step", "solvers", "InputError",
+    "Document", "Scene", "Step", "receipt", "Receipt", "receipts", "Run", "EngineStep", "EngineRow", "solvers", "InputError",
 ]
 
 
