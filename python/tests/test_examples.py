@@ -20,6 +20,22 @@ def test_mujocos_forces_are_a_solution():
     assert example("mujoco_step").main()
 
 
+def test_an_engine_of_ones_own_is_told_from_one_that_stops_after_two_sweeps():
+    good, hasty = example("own_engine").main()
+    assert good.ok and hasty.stages.keys() == {"solver"}
+
+
+def test_an_impulse_that_is_applied_twice_is_written_back_wrongly():
+    own = example("own_engine")
+
+    class Twice(own.Balls):
+        def step(self):
+            super().step()
+            self.speeds = self.speeds + self.rows.T @ self.impulses / self.mass
+
+    assert own.run(Twice(4)).stages.keys() == {"write-back"}
+
+
 def test_anderson_takes_fewer_sweeps_than_gauss_seidel_and_solves_all():
     rows = example("anderson").main().rows
     of = {solver: [row for row in rows if row["solver"] == solver] for solver in ("anderson", "pgs")}

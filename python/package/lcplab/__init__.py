@@ -16,17 +16,22 @@ from lcplab._compare import Comparison, compare
 from lcplab._hunt import Finding, hunt
 from lcplab._problem import Problem
 from lcplab._proof import Proof, check, prove
+from lcplab._receipt import Receipt, Row as EngineRow, Run, Step as EngineStep, receipt, receipts
 from lcplab._scene import Scene, Step
 from lcplab._solve import Document, Result, Verdict, explain, judge, solve, solvers
 
 __all__ = [
     "Comparison",
     "Document",
+    "EngineRow",
+    "EngineStep",
     "Finding",
     "InputError",
     "Problem",
     "Proof",
+    "Receipt",
     "Result",
+    "Run",
     "Scene",
     "Step",
     "Verdict",
@@ -37,6 +42,8 @@ __all__ = [
     "hunt",
     "judge",
     "prove",
+    "receipt",
+    "receipts",
     "solve",
     "solvers",
     "testing",

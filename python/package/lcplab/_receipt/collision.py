@@ -1,0 +1,83 @@
+"""The stage collision: shapes that overlap without a row, and distances against poses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+import numpy as np
+
+from lcplab._receipt.findings import Finding, Report
+from lcplab._receipt.geometry import EXACT, Shape, distance
+
+#: Distances differ by less than this part of the smaller shape.
+LIMIT = 1e-5
+#: Axes of capsules that come this near to each other, in their radius, have no normal.
+CROSSED = 1e-3
+
+
+def check(
+    shapes: Mapping[int, Shape], pairs: Iterable[tuple[int, int]], contacts: Mapping[tuple[int, int], float]
+) -> Report:
+    """Compare with closed forms.
+
+    Parameters
+    ----------
+    shapes : mapping
+        The shapes by number.
+    pairs : iterable of (int, int)
+        Those that the engine is to test, the smaller number first.
+    contacts : mapping
+        The smallest distance (m) of the contacts of a pair.
+    """
+    missing = Finding("collision", "two shapes overlap without a contact", 0.0, LIMIT)
+    wrong = Finding("collision", "the distance of a contact is not that of its shapes", 0.0, LIMIT)
+    unknown: set[str] = set()
+    near = _near(shapes, list(pairs))
+    for one, other in near:
+        first, second = shapes[one], shapes[other]
+        gap = distance(first, second)
+        if gap is None:
+            unknown.add(" and ".join(sorted((first.kind, second.kind))))
+            continue
+        told = contacts.get((one, other))
+        size = min(_size(first), _size(second))
+        bodies = (first.name, second.name)
+        if told is None:
+            error = max(0.0, -gap) / size
+            if error > missing.error:
+                what = f"two shapes overlap by {-gap:.2g} m without a contact"
+                missing = Finding("collision", what, error, LIMIT, None, bodies)
+        elif _is_exact(first, second, gap):
+            error = abs(told - gap) / size
+            if error > wrong.error:
+                what = f"the distance of a contact is {told:.4g} m, that of its shapes {gap:.4g} m"
+                wrong = Finding("collision", what, error, LIMIT, None, bodies)
+    not_checked = [f"collision: {pair}" for pair in sorted(unknown)]
+    return Report([missing, wrong] if near else [], not_checked)
+
+
+def _size(shape: Shape) -> float:
+    """The smallest radius or half edge (m)."""
+    sizes = {"plane": np.inf, "sphere": shape.size[0], "capsule": shape.size[0]}
+    return float(sizes.get(shape.kind, np.min(shape.size)))
+
+
+def _near(shapes: Mapping[int, Shape], pairs: list[tuple[int, int]]) -> list[tuple[int, int]]:
+    """The pairs whose spheres meet."""
+    if not pairs:
+        return []
+    places = {number: place for place, number in enumerate(shapes)}
+    centers = np.array([shape.center for shape in shapes.values()])
+    radii = np.array([shape.radius for shape in shapes.values()])
+    first, second = (np.array([places[pair[side]] for pair in pairs]) for side in (0, 1))
+    apart = np.linalg.norm(centers[first] - centers[second], axis=1)
+    return [pairs[number] for number in np.flatnonzero(apart <= radii[first] + radii[second])]
+
+
+def _is_exact(first: Shape, second: Shape, gap: float) -> bool:
+    kinds = (first.kind, second.kind)
+    if not ({kinds, kinds[::-1]} & EXACT):
+        return False
+    if kinds == ("capsule", "capsule"):
+        return gap + _size(first) + _size(second) > CROSSED * min(_size(first), _size(second))
+    return True

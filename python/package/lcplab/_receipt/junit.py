@@ -1,0 +1,60 @@
+"""A run for continuous integration: JUnit XML and SARIF."""
+
+from __future__ import annotations
+
+from typing import Any
+from xml.etree import ElementTree
+
+from lcplab._receipt.findings import STAGES
+from lcplab._receipt.receipt import Receipt
+from lcplab._receipt.runs import Run
+
+
+def junit(run: Run) -> str:
+    """The run as JUnit XML: a test case a frame; frames that the baseline knows are skipped."""
+    new = [name for name in run.refused if name not in run.known]
+    counts = {"tests": len(run.receipts), "failures": len(new) + bool(run.worse), "skipped": len(run.known)}
+    words = {"name": "lcplab receipts", **{key: str(count) for key, count in counts.items()}}
+    suite = ElementTree.Element("testsuite", words)
+    for name, receipt in run.receipts.items():
+        case = ElementTree.SubElement(suite, "testcase", classname="lcplab.receipts", name=name)
+        properties = ElementTree.SubElement(case, "properties")
+        for key, value in (("verdict", receipt.verdict), ("motion_error", receipt.motion_error)):
+            ElementTree.SubElement(properties, "property", name=key, value=str(value))
+        if name in run.known:
+            ElementTree.SubElement(case, "skipped", message="known to the baseline")
+        elif receipt.is_refused:
+            ElementTree.SubElement(case, "failure", message=_message(receipt)).text = str(receipt)
+    if run.worse:
+        case = ElementTree.SubElement(suite, "testcase", classname="lcplab.receipts", name="baseline")
+        ElementTree.SubElement(case, "failure", message=run.worse[0]).text = "\n".join(run.worse)
+    ElementTree.indent(suite)
+    return ElementTree.tostring(suite, encoding="unicode", xml_declaration=True) + "\n"
+
+
+def sarif(run: Run) -> dict[str, Any]:
+    """The run as SARIF 2.1.0: a rule a stage, a result a refused frame."""
+    rules = [{"id": f"receipt/{stage}", "shortDescription": {"text": f"The stage {stage} of an engine's step"}}
+             for stage in STAGES]
+    results = []
+    for name in run.refused:
+        receipt = run.receipts[name]
+        result: dict[str, Any] = {
+            "ruleId": f"receipt/{receipt.stage}",
+            "level": "note" if name in run.known else "error",
+            "message": {"text": str(receipt)},
+            "locations": [{"physicalLocation": {"artifactLocation": {"uri": name.replace(" ", "%20")}}}],
+        }
+        if name in run.known:
+            result["suppressions"] = [{"kind": "external", "justification": "known to the baseline"}]
+        results.append(result)
+    return {
+        "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
+        "version": "2.1.0",
+        "runs": [{"tool": {"driver": {"name": "lcplab", "rules": rules}}, "results": results}],
+    }
+
+
+def _message(receipt: Receipt) -> str:
+    what = receipt.refused.what if receipt.refused else receipt.verdict
+    return f"{receipt.stage}: {what}"

@@ -1,0 +1,113 @@
+"""How MuJoCo's bodies move with each degree of freedom, by differences of poses on data of lcplab's own.
+
+Independent of the engine's Jacobians, mass matrix and bias forces: only its forward kinematics is used.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from lcplab._receipt.step import Array
+
+#: The step of central differences (s), which leaves about ten digits; of second differences about nine.
+FIRST, SECOND = 1e-6, 1e-3
+#: Poses that differ by less than this (m, rad) are the same.
+SAME = 1e-9
+
+_scratch: list[Any] = []
+
+
+class Kinematics:
+    """The bodies of a state.
+
+    Attributes
+    ----------
+    centers, axes : (bodies, 3) and (bodies, 3, 3)
+        Centres of mass (m) and the principal axes of inertia, in columns, of the step.
+    linear, angular : (bodies, 3, k)
+        Velocities of the centres (m/s) and angular velocities (rad/s) that each degree of freedom gives.
+    """
+
+    def __init__(self, model: Any, data: Any, qpos: Array) -> None:
+        self.model, self.scratch = model, scratch(model, data)
+        self.qpos = qpos
+        self.centers, self.axes = self.poses(qpos)
+        linear, angular = np.zeros((2, model.nbody, 3, model.nv))
+        unit = np.zeros(model.nv)
+        for dof in range(model.nv):
+            unit[dof] = 1.0
+            (p, after), (q, before) = self.along(unit, FIRST), self.along(unit, -FIRST)
+            linear[:, :, dof] = (p - q) / (2 * FIRST)
+            angular[:, :, dof] = turn(after, before) / (2 * FIRST)
+            unit[dof] = 0.0
+        self.linear, self.angular = linear, angular
+
+    def along(self, velocity: Array, time: float) -> tuple[Array, Array]:
+        """Poses after a motion with constant velocity."""
+        import mujoco
+
+        moved = self.qpos.copy()
+        mujoco.mj_integratePos(self.model, moved, np.ascontiguousarray(velocity), time)
+        return self.poses(moved)
+
+    def poses(self, qpos: Array) -> tuple[Array, Array]:
+        """Centres of mass and principal axes at a position."""
+        import mujoco
+
+        self.scratch.qpos[:] = qpos
+        mujoco.mj_kinematics(self.model, self.scratch)
+        return self.scratch.xipos.copy(), self.scratch.ximat.reshape(-1, 3, 3).copy()
+
+    def accelerations(self, velocity: Array) -> tuple[Array, Array]:
+        """J̇v: accelerations of centres (m/s²) and angular ones (rad/s²) of a motion with constant velocity."""
+        size = interval(velocity)
+        (p, after), (q, before) = self.along(velocity, size), self.along(velocity, -size)
+        linear = (p - 2 * self.centers + q) / size**2
+        angular = (turn(after, self.axes) - turn(self.axes, before)) / size**2
+        return linear, angular
+
+    def rounding(self, velocity: Array) -> float:
+        """What rounding of poses makes of these accelerations (m/s²)."""
+        reach = max(1.0, float(np.abs(self.centers).max(initial=0.0)))
+        return 8 * float(np.finfo(float).eps) * reach / interval(velocity) ** 2
+
+    def point(self, body: int, at: Array) -> Array:
+        """The velocity of a body's point that each degree of freedom gives, (3, k)."""
+        arm = at - self.centers[body]
+        return np.asarray(self.linear[body] + np.cross(self.angular[body].T, arm).T)
+
+
+def interval(velocity: Array) -> float:
+    """The time step of second differences (s) along a velocity."""
+    return SECOND / max(1.0, float(np.abs(velocity).max(initial=0.0)))
+
+
+def scratch(model: Any, data: Any) -> Any:
+    """Data of lcplab's own for this model, with the mocap bodies of the engine's."""
+    import mujoco
+
+    if not _scratch or _scratch[0] is not model:
+        _scratch[:] = [model, mujoco.MjData(model)]
+    own = _scratch[1]
+    own.mocap_pos[:], own.mocap_quat[:] = data.mocap_pos, data.mocap_quat
+    return own
+
+
+def is_at(model: Any, data: Any, qpos: Array) -> bool:
+    """Whether the bodies of these data are those of this position; after ``mj_step`` it has moved on."""
+    import mujoco
+
+    own = scratch(model, data)
+    own.qpos[:] = qpos
+    mujoco.mj_kinematics(model, own)
+    same = np.abs(own.xipos - data.xipos).max(initial=0.0), np.abs(own.ximat - data.ximat).max(initial=0.0)
+    return bool(max(same) <= SAME)
+
+
+def turn(after: Array, before: Array) -> Array:
+    """The rotation vectors (rad) of small turns, (bodies, 3), world axes."""
+    change = after @ np.swapaxes(before, 1, 2)
+    skew = (change - np.swapaxes(change, 1, 2)) / 2
+    return np.stack([skew[:, 2, 1], skew[:, 0, 2], skew[:, 1, 0]], axis=1)

@@ -1,0 +1,175 @@
+"""The step of MuJoCo's data, read and not changed.
+
+MuJoCo's forces f minimize ½ fᵀ(A + R) f + fᵀ(J a* - aref) with A = J M⁻¹Jᵀ over boxes (pyramids, limits,
+friction losses) or elliptic cones. So the motion is an acceleration (m/s²), x a force (N), R the compliance and
+-aref the bias. After ``mj_step`` these are still those of the step that was taken.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from lcplab._receipt.step import Array, Row, Rows, Step, stored
+
+METHODS = {0: "pgs", 1: "cg", 2: "newton"}
+EQUALITY, FRICTION_DOF, FRICTION_TENDON, LIMIT_JOINT, LIMIT_TENDON, FRICTIONLESS, PYRAMID, ELLIPTIC = range(8)
+
+
+def is_mine(model: Any) -> bool:
+    """Whether this is a model of MuJoCo."""
+    return type(model).__name__ == "MjModel"
+
+
+def read(model: Any, data: Any) -> Step:
+    """The step of these data."""
+    import mujoco
+
+    n = int(data.nefc)
+    kinds = np.array(data.efc_type[:n], dtype=int)
+    lo, hi = _bounds(data, kinds)
+    index, mu = _cones(data, kinds)
+    lo[index >= 0] = -np.inf
+    scale = float(model.stat.meaninertia) * max(1, model.nv)
+    most = int(model.opt.iterations)
+    iterations = int(np.max(np.atleast_1d(data.solver_niter))) if n else 0
+    mass = full_mass(model, data)
+    return Step(
+        engine="MuJoCo",
+        version=mujoco.__version__,
+        level="acceleration",
+        mass=stored(np.triu(mass)),
+        jacobian=stored(jacobian(model, data)),
+        bias=-np.array(data.efc_aref[:n]),
+        compliance=np.array(data.efc_R[:n]),
+        target=np.array(data.qacc_smooth),
+        motion=np.array(data.qacc),
+        forces=np.array(data.efc_force[:n]),
+        lo=lo,
+        hi=hi,
+        friction_index=index,
+        mu=mu,
+        rows=_rows(model, data, kinds),
+        gravity=float(np.linalg.norm(model.opt.gravity) * np.sqrt(_moving_mass(model))),
+        method=METHODS[int(model.opt.solver)],
+        iterations=iterations,
+        has_converged=iterations < most,
+        own_tolerance=float(np.sqrt(2 * model.opt.tolerance * scale)),
+        reported_push=np.array(data.qfrc_constraint),
+        settings=_settings(model),
+        name=model.names.split(b"\0")[0].decode() or "model",
+        time=float(data.time),
+        dof_bodies=[_name(model, mujoco.mjtObj.mjOBJ_BODY, body) for body in model.dof_bodyid],
+        not_checked=_not_checked(model, data),
+    )
+
+
+def full_mass(model: Any, data: Any) -> Array:
+    """M, (nv, nv)."""
+    import mujoco
+
+    mass = np.zeros((model.nv, model.nv))
+    try:
+        mujoco.mj_fullM(model, data, mass)
+    except TypeError:  # before MuJoCo 4
+        mujoco.mj_fullM(model, mass, data.qM)
+    return mass
+
+
+def jacobian(model: Any, data: Any) -> Array:
+    """J, (nefc, nv)."""
+    import mujoco
+
+    n = int(data.nefc)
+    dense = np.zeros((n, model.nv))
+    if n == 0:
+        return dense
+    if not mujoco.mj_isSparse(model):
+        return np.array(data.efc_J).reshape(-1)[: n * model.nv].reshape(n, model.nv)
+    values, columns = np.asarray(data.efc_J).reshape(-1), np.asarray(data.efc_J_colind).reshape(-1)
+    counts, starts = np.asarray(data.efc_J_rownnz).reshape(-1), np.asarray(data.efc_J_rowadr).reshape(-1)
+    for row in range(n):
+        own = slice(starts[row], starts[row] + counts[row])
+        dense[row, columns[own]] = values[own]
+    return dense
+
+
+def _bounds(data: Any, kinds: Rows) -> tuple[Array, Array]:
+    lo, hi = np.zeros(len(kinds)), np.full(len(kinds), np.inf)
+    lo[kinds == EQUALITY] = -np.inf
+    losses = (kinds == FRICTION_DOF) | (kinds == FRICTION_TENDON)
+    loss = np.array(data.efc_frictionloss[: len(kinds)])
+    lo[losses], hi[losses] = -loss[losses], loss[losses]
+    return lo, hi
+
+
+def _cones(data: Any, kinds: Rows) -> tuple[Rows, Array]:
+    """The normal row of each row of friction, and its coefficient."""
+    index, mu = np.full(len(kinds), -1, dtype=np.int64), np.zeros(len(kinds))
+    row = 0
+    while row < len(kinds):
+        if kinds[row] != ELLIPTIC:
+            row += 1
+            continue
+        contact = data.contact[int(data.efc_id[row])]
+        friction = slice(row + 1, row + contact.dim)
+        index[friction], mu[friction] = row, contact.friction[: contact.dim - 1]
+        row += int(contact.dim)
+    return index, mu
+
+
+def _rows(model: Any, data: Any, kinds: Rows) -> list[Row]:
+    import mujoco
+
+    objects = mujoco.mjtObj
+    bodies = [_name(model, objects.mjOBJ_BODY, body) for body in range(model.nbody)]
+    rows = []
+    for kind, number in zip(kinds, np.array(data.efc_id[: len(kinds)])):
+        word = mujoco.mjtConstraint(int(kind)).name.removeprefix("mjCNSTR_").lower().replace("_", " ")
+        if kind == EQUALITY:
+            rows.append(Row(f"{word} {_name(model, objects.mjOBJ_EQUALITY, number)}", word))
+        elif kind == FRICTION_DOF:
+            rows.append(Row(f"{word} {number}", word, (bodies[model.dof_bodyid[number]],)))
+        elif kind == LIMIT_JOINT:
+            label = f"{word} {_name(model, objects.mjOBJ_JOINT, number)}"
+            rows.append(Row(label, word, (bodies[model.jnt_bodyid[number]],)))
+        elif kind in (FRICTION_TENDON, LIMIT_TENDON):
+            rows.append(Row(f"{word} {_name(model, objects.mjOBJ_TENDON, number)}", word))
+        else:
+            pair = tuple(
+                bodies[model.geom_bodyid[geom]] if geom >= 0 else "flex" for geom in shapes_of(data.contact[number])
+            )
+            rows.append(Row(f"{word} {number}: {pair[0]}, {pair[1]}", word, pair))
+    return rows
+
+
+def shapes_of(contact: Any) -> tuple[int, ...]:
+    """The numbers of a contact's two shapes; -1 for a flex."""
+    return tuple(int(geom) for geom in np.ravel(contact.geom))
+
+
+def _name(model: Any, kind: Any, number: int) -> str:
+    import mujoco
+
+    word = kind.name.removeprefix("mjOBJ_").lower()
+    return str(mujoco.mj_id2name(model, kind, int(number)) or f"{word} {int(number)}")
+
+
+def _moving_mass(model: Any) -> float:
+    return float(np.sum(model.body_mass[model.body_weldid > 0]))
+
+
+def _settings(model: Any) -> dict[str, Any]:
+    names = ("timestep", "integrator", "cone", "jacobian", "solver", "tolerance", "iterations", "ls_iterations",
+             "ls_tolerance", "impratio", "noslip_iterations", "disableflags", "enableflags")
+    return {name: getattr(model.opt, name) for name in names if hasattr(model.opt, name)}
+
+
+def _not_checked(model: Any, data: Any) -> list[str]:
+    parts = []
+    if model.opt.noslip_iterations:
+        parts.append("solver: noslip iterations change the forces after they are found")
+    if np.any(getattr(data, "tree_asleep", np.array([-1])) >= 0):
+        parts.append("solver: trees are asleep")
+    return parts

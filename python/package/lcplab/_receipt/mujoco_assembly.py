@@ -1,0 +1,301 @@
+"""The stage assembly of MuJoCo: M, J, bias forces, u* and the reference accelerations, computed in another way.
+
+Masses and Jacobians come from differences of poses, so that a wrong arm, sign or missing J̇v shows. Errors of entries
+are relative to their terms; errors of generalized forces f are what they change, |M⁻¹f|_M, relative to the larger of
+what the constraints change and of u*.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from lcplab._receipt import mujoco as reader
+from lcplab._receipt.findings import Finding, Report
+from lcplab._receipt.kinematics import Kinematics, interval, scratch
+from lcplab._receipt.step import Array, Step
+
+#: Errors that are accepted of differences of poses, of second differences, and of reference accelerations.
+FIRST, SECOND, REFERENCE = 1e-5, 1e-4, 1e-2
+#: With more degrees of freedom differences of poses take too long.
+MOST_DOFS = 2_000
+
+
+def check(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Report:
+    """All parts of the assembly that can be computed in another way, at the state of the step."""
+    report = Report()
+    if model.nv > MOST_DOFS:
+        report.not_checked.append(f"assembly: more than {MOST_DOFS} degrees of freedom")
+        return report
+    if model.nv == 0:
+        return report
+    motion = Kinematics(model, data, qpos)
+    report.add(_mass(model, data, motion))
+    report.add(_bias_forces(model, data, step, motion, qvel))
+    report.add(_free_motion(model, data, step, motion))
+    report.add(_actuators(model, data, step))
+    report.add(_passive(model, data, step, qpos, qvel))
+    if len(step):
+        report.add(_contacts(model, data, step, motion))
+        report.add(_references(model, data, step, qpos, qvel))
+        report.add(_dual(model, data, step))
+    return report
+
+
+def _worst(what: str, difference: Array, terms: Array, limit: float, row: int | None = None) -> Finding:
+    """The largest difference relative to its terms, which count at least a millionth of the largest."""
+    floor = 1e-6 * max(float(np.abs(terms).max(initial=0.0)), 1e-300)
+    errors = np.abs(difference) / np.maximum(np.abs(terms), floor)
+    return Finding("assembly", what, float(errors.max(initial=0.0)), limit, row)
+
+
+def _inertia(model: Any, motion: Kinematics) -> Array:
+    """Moments of inertia in world axes, (bodies, 3, 3)."""
+    axes = motion.axes
+    return np.asarray(np.einsum("bij,bj,bkj->bik", axes, model.body_inertia, axes), dtype=float)
+
+
+def _mass(model: Any, data: Any, motion: Kinematics) -> Report:
+    if np.any(getattr(model, "tendon_armature", np.zeros(0))):
+        return Report(not_checked=["assembly: M with armature of tendons"])
+    own = np.einsum("b,bij,bik->jk", model.body_mass, motion.linear, motion.linear)
+    own += np.einsum("bij,bil,blk->jk", motion.angular, _inertia(model, motion), motion.angular)
+    own += np.diag(model.dof_armature)
+    scale = np.sqrt(np.outer(np.diag(own), np.diag(own)))
+    difference = reader.full_mass(model, data) - own
+    return Report([_worst("M is not that of masses and differences of poses", difference, scale, FIRST)])
+
+
+def _bias_forces(model: Any, data: Any, step: Step, motion: Kinematics, qvel: Array) -> Report:
+    linear, angular = motion.accelerations(qvel)
+    gravity = np.zeros(3) if _is_disabled(model, "GRAVITY") else np.asarray(model.opt.gravity)
+    inertia = _inertia(model, motion)
+    turning = motion.angular @ qvel
+    forces = model.body_mass[:, None] * (linear - gravity)
+    momentum = np.einsum("bij,bj->bi", inertia, turning)
+    torques = np.einsum("bij,bj->bi", inertia, angular) + np.cross(turning, momentum)
+    own = _to_dofs(motion, forces, torques)
+    what = "the bias forces (gravity, Coriolis, centrifugal) are not those of differences of poses"
+    size = float(np.sqrt(np.sum(model.body_mass * np.sum(linear**2, axis=1))))
+    size += motion.rounding(qvel) * float(np.sqrt(model.body_mass.sum())) / SECOND
+    return Report([_force(what, model, data, step, data.qfrc_bias - own, SECOND, size)])
+
+
+def _force(
+    what: str, model: Any, data: Any, step: Step, difference: Array, limit: float, size: float = 0.0
+) -> Finding:
+    """An error of generalized forces, as what it changes; ``size`` is that of terms that may cancel."""
+    change = np.asarray(np.linalg.solve(reader.full_mass(model, data), difference), dtype=float)
+    scale = max(step.effect, step.norm(step.target), size, 1e-300)
+    worst = int(np.argmax(np.abs(change)))
+    bodies = (step.dof_bodies[worst],) if worst < len(step.dof_bodies) else ()
+    return Finding("assembly", what, step.norm(change) / scale, limit, None, bodies)
+
+
+def _to_dofs(motion: Kinematics, forces: Array, torques: Array) -> Array:
+    return np.asarray(
+        np.einsum("bik,bi->k", motion.linear, forces) + np.einsum("bik,bi->k", motion.angular, torques)
+    )
+
+
+def _free_motion(model: Any, data: Any, step: Step, motion: Kinematics) -> Report:
+    """M u* against the sum of the forces, outer ones by differences of poses."""
+    outer = _to_dofs(motion, data.xfrc_applied[:, :3], data.xfrc_applied[:, 3:])
+    parts = [data.qfrc_passive, -data.qfrc_bias, data.qfrc_applied, data.qfrc_actuator, outer]
+    needed = reader.full_mass(model, data) @ data.qacc_smooth
+    what = "the motion without constraints u* is not that of the applied, passive, bias and actuator forces"
+    return Report([_force(what, model, data, step, needed - np.sum(parts, axis=0), FIRST)])
+
+
+def _actuators(model: Any, data: Any, step: Step) -> Report:
+    """Forces of actuators without dynamics and with a gain that is a number, from the controls."""
+    import mujoco
+
+    if model.nu == 0 or _is_disabled(model, "ACTUATION"):
+        return Report()
+    plain = (model.actuator_dyntype == int(mujoco.mjtDyn.mjDYN_NONE)) & (
+        model.actuator_gaintype == int(mujoco.mjtGain.mjGAIN_FIXED)
+    )
+    plain &= model.actuator_biastype <= int(mujoco.mjtBias.mjBIAS_AFFINE)
+    delayed = np.asarray(getattr(model, "actuator_history", np.zeros((model.nu, 1)))).reshape(model.nu, -1)
+    plain &= ~delayed.any(axis=1)
+    report = Report()
+    if not plain.all():
+        report.not_checked.append(f"assembly: {int(np.sum(~plain))} actuators with dynamics or other gains")
+    limited = np.asarray(model.actuator_ctrllimited, dtype=bool) & (not _is_disabled(model, "CLAMPCTRL"))
+    low, high = model.actuator_ctrlrange.T
+    control = np.where(limited, np.clip(data.ctrl, low, high), data.ctrl)
+    bias = model.actuator_biasprm[:, :3].copy()
+    bias[model.actuator_biastype == int(mujoco.mjtBias.mjBIAS_NONE)] = 0.0
+    terms = np.array([model.actuator_gainprm[:, 0] * control, bias[:, 0], bias[:, 1] * data.actuator_length,
+                      bias[:, 2] * data.actuator_velocity])
+    force = terms.sum(axis=0)
+    bounded = np.asarray(model.actuator_forcelimited, dtype=bool)
+    low, high = model.actuator_forcerange.T
+    force = np.where(bounded, np.clip(force, low, high), force)
+    difference = np.where(plain, data.actuator_force - force, 0.0)
+    what = "the force of an actuator is not that of its control"
+    report.findings.append(_worst(what, difference, np.abs(terms).sum(axis=0), FIRST))
+    return report
+
+
+def _passive(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Report:
+    """Springs and dampers of joints."""
+    import mujoco
+
+    others = {
+        "tendons": model.ntendon and (np.any(model.tendon_stiffness) or np.any(model.tendon_damping)),
+        "fluid": model.opt.density or model.opt.viscosity,
+        "flexes": getattr(model, "nflex", 0),
+        "gravity compensation": np.any(model.body_gravcomp),
+        "plug-ins": model.nplugin,
+        "adhesion": np.any(getattr(data, "qfrc_adhesion", 0.0)),
+    }
+    stiffness, damping = _linear(model.jnt_stiffness), _linear(model.dof_damping)
+    turning = np.isin(model.jnt_type, [int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_BALL)])
+    found = [name for name, has in others.items() if has]
+    if stiffness is None or damping is None or np.any(stiffness[turning] if stiffness is not None else 0):
+        found.append("springs and dampers that are not linear")
+    if _is_disabled(model, "PASSIVE", "SPRING", "DAMPER"):
+        found.append("disabled passive forces")
+    if found or stiffness is None or damping is None:
+        return Report(not_checked=[f"assembly: passive forces of {', '.join(found)}"])
+    spring, damper = np.zeros(model.nv), -damping * qvel
+    for joint in np.flatnonzero(~turning):
+        place = model.jnt_qposadr[joint]
+        spring[model.jnt_dofadr[joint]] = -stiffness[joint] * (qpos[place] - model.qpos_spring[place])
+    what = "the passive forces are not those of the joints' springs and dampers"
+    return Report([_force(what, model, data, step, data.qfrc_passive - spring - damper, FIRST)])
+
+
+def _linear(coefficients: Any) -> Array | None:
+    """Coefficients of linear springs or dampers; None where there are others."""
+    table = np.asarray(coefficients, dtype=float)
+    if table.ndim == 1:
+        return table
+    return None if np.any(table[:, 1:]) else table[:, 0]
+
+
+def _contacts(model: Any, data: Any, step: Step, motion: Kinematics) -> Report:
+    """Rows of contacts: the velocity at the contact point, along the contact's axes."""
+    whole = reader.jacobian(model, data)
+    worst = Finding("assembly", "", 0.0, FIRST)
+    report = Report()
+    for number in range(data.ncon):
+        contact = data.contact[number]
+        if contact.efc_address < 0:
+            continue
+        if min(reader.shapes_of(contact)) < 0:
+            report.not_checked.append("assembly: J of contacts of flexes")
+            continue
+        own, terms = _contact_rows(model, contact, motion)
+        rows = np.arange(contact.efc_address, contact.efc_address + len(own))
+        errors = np.abs(whole[rows] - own).max(axis=1) / np.maximum(terms, 1e-300)
+        if errors.max() > worst.error:
+            row = int(rows[np.argmax(errors)])
+            what = "a contact's row of J is not the velocity at its point along its axis"
+            bodies = step.rows[row].bodies if row < len(step.rows) else ()
+            worst = Finding("assembly", what, float(errors.max()), FIRST, row, bodies)
+    if data.ncon:
+        report.findings.append(worst)
+    return report
+
+
+def _contact_rows(model: Any, contact: Any, motion: Kinematics) -> tuple[Array, Array]:
+    """The rows, and the size of each without what cancels between its two bodies."""
+    first, second = (int(model.geom_bodyid[geom]) for geom in reader.shapes_of(contact))
+    axes = np.asarray(contact.frame).reshape(3, 3)
+    at = np.asarray(contact.pos)
+
+    def velocities(body: int) -> Array:
+        return np.vstack([axes @ motion.point(body, at), axes @ motion.angular[body]])[: contact.dim]
+
+    before, after = velocities(first), velocities(second)
+    every = after - before
+    sizes = np.linalg.norm(before, axis=1) + np.linalg.norm(after, axis=1)
+    if contact.dim == 1 or model.opt.cone == 1:
+        return every, sizes
+    friction = np.asarray(contact.friction)[: contact.dim - 1]
+    edges = [(sign * mu, axis) for axis, mu in enumerate(friction, start=1) for sign in (1, -1)]
+    sides = [every[0] + slope * every[axis] for slope, axis in edges]
+    return np.array(sides), np.array([sizes[0] + abs(slope) * sizes[axis] for slope, axis in edges])
+
+
+def _references(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Report:
+    """J and the reference accelerations of equalities and limits, from differences of their violations."""
+    n = len(step)
+    kinds, ids = np.array(data.efc_type[:n]), np.array(data.efc_id[:n])
+    report = Report()
+    speed = step.along(qvel)
+    spring, damper, impedance = np.array(data.efc_KBIP[:n]).reshape(n, 4)[:, :3].T
+    position = np.array(data.efc_pos[:n]) - np.array(data.efc_margin[:n])
+    terms = np.array([damper * speed, spring * impedance * position])
+    own = -terms.sum(axis=0)
+    equality = kinds == reader.EQUALITY
+    bends = np.zeros(n)
+    if equality.any():
+        first, second = _along(model, data, kinds, qpos, qvel)
+        if first is None or second is None:
+            report.not_checked.append("assembly: J and J̇v of equalities, whose rows come and go")
+            return report
+        what = "J of an equality is not the rate of its violation"
+        scale = step.size_along(qvel)[equality] + np.abs(first)
+        difference = speed[equality] - first
+        report.findings.append(_worst(what, difference, scale, SECOND, int(np.flatnonzero(equality)[0])))
+        bends[equality] = second
+        bent = np.isin(np.array(model.eq_type)[ids[equality]], [0, 1])
+        bends[np.flatnonzero(equality)[~bent]] = 0.0
+    own -= bends
+    sizes = np.abs(terms).sum(axis=0) + np.abs(bends)
+    difference = np.array(data.efc_aref[:n]) - own
+    scale = np.maximum(sizes, 1e-6 * max(float(sizes.max(initial=0.0)), step.gravity))
+    errors = np.abs(difference) / np.maximum(scale, 1e-300)
+    worst = int(np.argmax(errors))
+    what = "the reference acceleration of a row is not that of its spring, damper and J̇v"
+    report.findings.append(
+        Finding("assembly", what, float(errors[worst]), REFERENCE, worst, step.rows[worst].bodies)
+    )
+    return report
+
+
+def _along(model: Any, data: Any, kinds: Any, qpos: Array, qvel: Array) -> tuple[Array | None, Array | None]:
+    """The rate of the equalities' violations along a motion with constant velocity, and the rate of that."""
+    import mujoco
+
+    own = scratch(model, data)
+    count = int(np.sum(kinds == reader.EQUALITY))
+    size = interval(qvel)
+    own.eq_active[:] = data.eq_active
+    own.qvel[:] = qvel
+    violations = []
+    for time in (-size, 0.0, size):
+        moved = qpos.copy()
+        mujoco.mj_integratePos(model, moved, np.ascontiguousarray(qvel), time)
+        own.qpos[:] = moved
+        mujoco.mj_fwdPosition(model, own)
+        if int(own.ne) != count:
+            return None, None
+        violations.append(np.array(own.efc_pos[:count]))
+    before, now, after = violations
+    return (after - before) / (2 * size), (after - 2 * now + before) / size**2
+
+
+def _dual(model: Any, data: Any, step: Step) -> Report:
+    """A + R where the engine makes it: for its dual solver."""
+    told = np.asarray(getattr(data, "efc_AR", np.zeros(0))).reshape(-1)
+    if step.method != "pgs" or len(told) != len(step) ** 2:
+        return Report()
+    whole = reader.jacobian(model, data)
+    own = whole @ np.linalg.solve(reader.full_mass(model, data), whole.T) + np.diag(step.compliance)
+    scale = np.sqrt(np.outer(np.diag(own), np.diag(own)))
+    return Report([_worst("A is not J M⁻¹Jᵀ + R", told.reshape(own.shape) - own, scale, FIRST)])
+
+
+def _is_disabled(model: Any, *names: str) -> bool:
+    """Whether one of these flags is set, as far as this version has them."""
+    import mujoco
+
+    flags = mujoco.mjtDisableBit
+    bits = [getattr(flags, f"mjDSBL_{name}", None) for name in names]
+    return any(bit is not None and model.opt.disableflags & int(bit) for bit in bits)

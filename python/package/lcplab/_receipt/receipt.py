@@ -1,0 +1,171 @@
+"""The receipt of a step: what was checked, what was found, and what was not checked."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+from lcplab._receipt import files, solver, work
+from lcplab._receipt.findings import STAGES, Finding, Report
+from lcplab._receipt.limits import NOTABLE, limit_of
+from lcplab._receipt.solver import Bounds
+from lcplab._receipt.step import Step
+
+
+class Receipt:
+    """The verification report of one step of an engine.
+
+    Attributes
+    ----------
+    verdict : str
+        ``"ok"``, ``"no rows"`` (nothing to solve, and nothing else wrong), ``"not checked"`` (no bound on the motion),
+        ``"unconverged"`` (above the limit at the engine's iteration cap) or ``"wrong"``.
+    ok : bool
+        Whether the step has rows, its motion was bounded, and nothing is above its limit.
+    motion_error : float or None
+        A proved bound on the error of the engine's motion v, as a part of what the constraints change.
+    bound, effect : float
+        The same as a number in the norm ``√(vᵀM v)``, and what the constraints change; ``unit`` names their unit.
+    stage : str or None
+        The first stage that is refused: ``"collision"``, ``"assembly"``, ``"solver"`` or ``"write-back"``.
+    row, bodies : int or None, and tuple of str
+        Where.
+    findings : list of Finding
+        Everything that was measured, each with its limit.
+    not_checked : list of str
+        What the engine does not report, or lcplab cannot check.
+    """
+
+    def __init__(self, step: Step, bounds: Bounds | str, report: Report, limit: float | None = None) -> None:
+        self.step = step
+        self.limit = limit_of(step.method, step.bits) if limit is None else limit
+        self.solution: work.Solution | None = None
+        if isinstance(bounds, Bounds) and len(step) and not solver.is_sharp(step, bounds, self.limit):
+            self.solution = work.solve(step)
+            bounds = solver.sharpened(step, bounds, self.solution)
+        own = solver.check(step, bounds, self.limit)
+        own.add(report)
+        self.findings = sorted(own.findings, key=lambda finding: STAGES.index(finding.stage))
+        self.not_checked = [*step.not_checked, *own.not_checked]
+        self.effect = step.effect
+        self.unit = step.unit
+        has_bound = isinstance(bounds, Bounds) and len(step) > 0
+        self.bound: float | None = bounds.motion if isinstance(bounds, Bounds) and has_bound else None
+        self.motion_error = None if self.bound is None else step.relative(self.bound)
+        refused = [finding for finding in self.findings if finding.is_refused]
+        self.refused: Finding | None = refused[0] if refused else None
+        self.stage = self.refused.stage if self.refused else None
+        self.work: work.Work | None = None
+        self.verdict = self._verdict()
+
+    def _verdict(self) -> str:
+        if self.refused is None:
+            if len(self.step) == 0:
+                return "no rows"
+            return "ok" if self.bound is not None else "not checked"
+        if self.refused.stage == "solver" and not self.step.has_converged:
+            # An engine that stops at its cap says so, unless far fewer steps of the same method solve it.
+            self.work = work.compare(self.step, self.solution)
+            if not self.work.is_excessive:
+                return "unconverged"
+        return "wrong"
+
+    @property
+    def ok(self) -> bool:
+        """Whether the step has rows, its motion was bounded, and nothing is above its limit."""
+        return self.verdict == "ok"
+
+    @property
+    def is_refused(self) -> bool:
+        """Whether something is above its limit, and the engine does not say so itself."""
+        return self.verdict == "wrong"
+
+    @property
+    def is_notable(self) -> bool:
+        """Whether the motion error is above a tenth of its limit."""
+        return self.motion_error is not None and self.motion_error > NOTABLE * self.limit
+
+    @property
+    def row(self) -> int | None:
+        """The row that is refused."""
+        return self.refused.row if self.refused else None
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """The bodies of what is refused."""
+        return self.refused.bodies if self.refused else ()
+
+    def __bool__(self) -> bool:
+        return self.ok
+
+    def __repr__(self) -> str:
+        where = f", {self.stage}" if self.stage else ""
+        error = "" if self.motion_error is None else f", motion error {self.motion_error:.1e}"
+        return f"<lcplab.Receipt {self.verdict}{where}{error}>"
+
+    def __str__(self) -> str:
+        step = self.step
+        iterations = f", {step.iterations} iterations" if step.iterations else ""
+        scene = f"{step.name} at {step.time:.4g} s, " if step.name else ""
+        lines = [
+            f"{step.engine} {step.version}".strip() + f": {scene}{len(step)} rows, {step.method}{iterations}",
+            f"  verdict       {self.verdict}" + (f": {self.stage}" if self.stage else ""),
+        ]
+        if self.bound is not None:
+            lines.append(
+                f"  motion error  {self.motion_error:.2g} of what the constraints change (limit {self.limit:.1g}); "
+                f"at most {self.bound:.2g} of {self.effect:.3g} {self.unit}"
+            )
+        if 0 < step.own_tolerance < self.effect:
+            lines.append(f"  the engine's own tolerance is {step.own_tolerance / self.effect:.1g} of it")
+        if self.work is not None:
+            lines.append(f"  work          {self.work}")
+        lines += [f"  {finding.stage:<12}  {_line(step, finding)}" for finding in self.findings if finding.is_refused]
+        lines += [f"  not checked   {part}" for part in self.not_checked]
+        return "\n".join(lines)
+
+    def to_json(self) -> dict[str, Any]:
+        """What the receipt says, as JSON."""
+        step = self.step
+        return {
+            "engine": step.engine, "version": step.version, "name": step.name, "time": step.time,
+            "rows": len(step), "method": step.method, "bits": step.bits, "iterations": step.iterations,
+            "verdict": self.verdict, "stage": self.stage, "row": self.row, "bodies": list(self.bodies),
+            "motion_error": self.motion_error, "limit": self.limit, "bound": self.bound, "effect": self.effect,
+            "unit": self.unit, "not_checked": self.not_checked,
+            "findings": [
+                {"stage": f.stage, "what": f.what, "error": f.error, "limit": f.limit, "row": f.row,
+                 "bodies": list(f.bodies)}
+                for f in self.findings
+            ],
+        }
+
+    def write(self, problem: str | os.PathLike[str], answer: str | os.PathLike[str]) -> None:
+        """Write the engine's problem, with the key ``motion``, and the engine's answer to it.
+
+        ``lcplab judge PROBLEM ANSWER`` and ``lcplab prove`` take them; ``lcplab receipts`` takes an answer that is
+        named ``STEM.x.json`` beside ``STEM.json``.
+        """
+        files.write(self.step, Path(problem), Path(answer))
+
+    def save(self, folder: str | os.PathLike[str]) -> Path:
+        """Write a folder with the problem, the engine's answer, the receipt as text and as JSON; its path."""
+        place = Path(folder)
+        place.mkdir(parents=True, exist_ok=True)
+        self.write(place / "frame.json", place / "frame.x.json")
+        (place / "receipt.txt").write_text(f"{self}\n", encoding="utf-8")
+        (place / "receipt.json").write_text(json.dumps(self.to_json(), indent=1) + "\n", encoding="utf-8")
+        return place
+
+
+def _line(step: Step, finding: Finding) -> str:
+    where = ""
+    if finding.row is not None and finding.row < len(step.rows):
+        where = f"; row {finding.row}, {step.rows[finding.row].label}"
+    elif finding.row is not None:
+        where = f"; row {finding.row}"
+    elif finding.bodies:
+        where = f"; {', '.join(finding.bodies)}"
+    return f"{finding.what}: {finding.error:.2g}, limit {finding.limit:.1g}{where}"

@@ -1,0 +1,259 @@
+"""Runs: the receipts of many steps, their quantiles, and how they compare with a recorded run."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from lcplab._lcplab import InputError
+from lcplab._receipt import files
+from lcplab._receipt.checks import Adapter, of_world, read, worlds
+from lcplab._receipt.findings import Report
+from lcplab._receipt.limits import limit_of
+from lcplab._receipt.receipt import Receipt
+from lcplab._receipt.solver import bounds_of
+from lcplab._receipt.step import Step
+
+#: Frames are counted above these motion errors.
+LEVELS = (1e-6, 1e-5, 1e-4, 1e-3)
+QUANTILES = (0.5, 0.9, 0.99)
+#: A quantile's spread is that of its rank in so many standard deviations: 99 % of samples.
+DEVIATIONS = 2.58
+#: Errors below this part of the limit are never worse than others.
+FLOOR = 1e-3
+#: The bounds of so many steps are computed together.
+TOGETHER = 64
+WORST = 10
+
+
+class Run:
+    """The receipts of the steps of a run.
+
+    Attributes
+    ----------
+    ok : bool
+        Whether frames were checked, none is refused but those that the baseline knows, and no quantile of the motion
+        error is worse than the baseline's by more than its spread.
+    receipts : dict of str to Receipt
+        By the names of the frames.
+    refused, known, unconverged : list of str
+        Frames that are refused, those of them that the baseline knows, and those above their limit at the engine's
+        iteration cap.
+    counts : dict of str to int
+        How many frames have a motion error above 1e-6, 1e-5, 1e-4 and 1e-3.
+    quantiles : dict of str to float
+        Of the motion errors.
+    worse : list of str
+        What is worse than the baseline.
+    """
+
+    def __init__(self, receipts: Mapping[str, Receipt], baseline: Mapping[str, Any] | None = None) -> None:
+        self.receipts = dict(receipts)
+        every = self.receipts.items()
+        self.errors = sorted(r.motion_error for r in self.receipts.values() if r.motion_error is not None)
+        self.counts = {f"{level:.0e}": sum(error > level for error in self.errors) for level in LEVELS}
+        self.quantiles = {str(part): quantile(self.errors, part) for part in QUANTILES} if self.errors else {}
+        self.refused = [name for name, receipt in every if receipt.is_refused]
+        self.unconverged = [name for name, receipt in every if receipt.verdict == "unconverged"]
+        self.without_rows = [name for name, receipt in every if receipt.verdict == "no rows"]
+        known = set(baseline["refused"]) if baseline else set()
+        self.known = [name for name in self.refused if name in known]
+        self.mended = sorted(name for name in known - set(self.refused) if name in self.receipts)
+        self.worse = _worse(self.errors, baseline, self._floor()) if baseline else []
+
+    def _floor(self) -> float:
+        return FLOOR * min((receipt.limit for receipt in self.receipts.values()), default=0.0)
+
+    @property
+    def ok(self) -> bool:
+        """Whether nothing is refused that the baseline does not know, and nothing is worse than it."""
+        return bool(self.receipts) and len(self.known) == len(self.refused) and not self.worse
+
+    @property
+    def worst(self) -> list[str]:
+        """The ten worst frames: those that are refused, then by their motion errors."""
+
+        def size(name: str) -> tuple[bool, float]:
+            receipt = self.receipts[name]
+            return not receipt.is_refused, -(receipt.motion_error or 0.0)
+
+        return sorted(self.receipts, key=size)[:WORST]
+
+    @property
+    def stages(self) -> dict[str, int]:
+        """How many frames are refused at each stage."""
+        found: dict[str, int] = {}
+        for name in self.refused:
+            stage = self.receipts[name].stage or ""
+            found[stage] = found.get(stage, 0) + 1
+        return found
+
+    def __bool__(self) -> bool:
+        return self.ok
+
+    def __repr__(self) -> str:
+        return f"<lcplab.Run {'ok' if self.ok else 'not ok'}: {len(self.receipts)} frames, {len(self.refused)} refused>"
+
+    def __str__(self) -> str:
+        lines = [
+            f"{'ok' if self.ok else 'not ok'}: {len(self.receipts)} frames, {len(self.refused)} refused "
+            f"({len(self.known)} known), {len(self.unconverged)} unconverged, {len(self.without_rows)} without rows",
+            "motion error above " + ", ".join(f"{level}: {count}" for level, count in self.counts.items())
+            + f" of {len(self.errors)} frames",
+        ]
+        if self.quantiles:
+            lines.append("quantiles " + ", ".join(f"{part}: {value:.1e}" for part, value in self.quantiles.items()))
+        lines += [f"refused at {stage}: {count}" for stage, count in self.stages.items()]
+        lines += self.worse
+        lines += [f"{name} is mended: renew the baseline" for name in self.mended]
+        for name in self.worst:
+            receipt = self.receipts[name]
+            if receipt.is_refused or receipt.verdict == "unconverged":
+                lines += [name, *(f"  {line}" for line in str(receipt).splitlines())]
+        return "\n".join(lines)
+
+    def to_json(self) -> dict[str, Any]:
+        """The run as a baseline: what :func:`receipts` compares later ones with."""
+        return {
+            "frames": len(self.receipts),
+            "counts": self.counts,
+            "quantiles": self.quantiles,
+            "spreads": {str(part): spread(self.errors, part) for part in QUANTILES} if self.errors else {},
+            "refused": {name: self.receipts[name].stage for name in self.refused},
+            "unconverged": self.unconverged,
+            "versions": sorted({f"{r.step.engine} {r.step.version}" for r in self.receipts.values()}),
+        }
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the run as a baseline."""
+        Path(path).write_text(json.dumps(self.to_json(), indent=1) + "\n", encoding="utf-8")
+
+    def save_worst(self, folder: str | os.PathLike[str]) -> list[Path]:
+        """Write a folder for each refused frame among the ten worst; their paths."""
+        names = [name for name in self.worst if self.receipts[name].is_refused]
+        return [self.receipts[name].save(Path(folder) / _file_name(name)) for name in names]
+
+
+def receipts(
+    frames: Iterable[Any],
+    *,
+    baseline: Mapping[str, Any] | str | os.PathLike[str] | None = None,
+    adapter: Adapter | None = None,
+    limit: float | None = None,
+) -> Run:
+    """The receipts of a run.
+
+    One frame does not tell two releases of an engine apart, a run does.
+
+    Parameters
+    ----------
+    frames : iterable
+        Pairs ``(model, data)``, which may be the same objects after each step, or ``(model, data, before)`` with the
+        ``before`` of :func:`receipt`; :class:`EngineStep`; paths of problem files with the key ``motion`` whose answer
+        is next to them, ``STEM.x.json``, or of folders of such files. Each world of MuJoCo Warp's data is a frame.
+    baseline : mapping or path, optional
+        A recorded run that is trusted, as :meth:`Run.save` writes it.
+    adapter, limit
+        As :func:`receipt` takes them.
+
+    Returns
+    -------
+    Run
+
+    Examples
+    --------
+    >>> import lcplab
+    >>> step = lcplab.EngineStep.of("mine", mass=[[2.0]], jacobian=[[1.0]], bias=[0.0], compliance=0.5,
+    ...                             target=[-3.0], forces=[3.0], motion=[-1.5])
+    >>> run = lcplab.receipts([step, step])
+    >>> run.ok, run.counts["1e-06"]
+    (True, 0)
+    """
+    known = baseline if baseline is None or isinstance(baseline, Mapping) else load(baseline)
+    found: dict[str, Receipt] = {}
+    waiting: list[tuple[str, Step, Report]] = []
+    for number, (name, step, report) in enumerate(_read(frames, adapter)):
+        limit_of(step.method, step.bits)
+        waiting.append((name or f"{step.name or step.engine} {number}", step, report))
+        if len(waiting) == TOGETHER:
+            found |= _bounded(waiting, limit)
+            waiting = []
+    found |= _bounded(waiting, limit)
+    return Run(found, known)
+
+
+def load(path: str | os.PathLike[str]) -> dict[str, Any]:
+    """A recorded run.
+
+    Raises
+    ------
+    InputError
+        If it cannot be read, or is none.
+    """
+    try:
+        loaded = json.loads(Path(path).read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise InputError(f"{path}: {error}") from error
+    if not isinstance(loaded, dict) or not isinstance(loaded.get("refused"), dict):
+        raise InputError(f"{path}: refused: is missing: this is no recorded run")
+    return loaded
+
+
+def _read(frames: Iterable[Any], adapter: Adapter | None) -> Iterator[tuple[str, Step, Report]]:
+    for frame in frames:
+        if isinstance(frame, (str, os.PathLike)):
+            for path in frame_files(Path(frame)):
+                yield str(path), files.read(path), Report(not_checked=["collision", "assembly"])
+        elif isinstance(frame, tuple):
+            model, data, *before = frame
+            if worlds(data) > 1:
+                yield from (("", *of_world(model, data, world)) for world in range(worlds(data)))
+            else:
+                yield ("", *read(model, data, adapter, before[0] if before else None))
+        else:
+            yield ("", *read(frame, None, adapter, None))
+
+
+def frame_files(path: Path) -> list[Path]:
+    """The problem files of a folder that have an answer next to them, or the file itself."""
+    if not path.is_dir():
+        return [path]
+    return [file for file in sorted(path.rglob("*.json")) if file.with_name(f"{file.stem}.x.json").exists()]
+
+
+def _bounded(waiting: list[tuple[str, Step, Report]], limit: float | None) -> dict[str, Receipt]:
+    bounds = bounds_of([step for _, step, _ in waiting])
+    return {name: Receipt(step, own, report, limit) for (name, step, report), own in zip(waiting, bounds)}
+
+
+def quantile(ordered: list[float], part: float) -> float:
+    """The value that this part of the values do not exceed."""
+    return ordered[min(len(ordered) - 1, max(0, math.ceil(part * len(ordered)) - 1))]
+
+
+def spread(ordered: list[float], part: float) -> float | None:
+    """The upper end of the quantile's range in samples of this size; None where the largest value is within it."""
+    count = len(ordered)
+    rank = math.ceil(part * count + DEVIATIONS * math.sqrt(count * part * (1 - part)))
+    return ordered[rank - 1] if rank < count else None
+
+
+def _worse(errors: list[float], baseline: Mapping[str, Any], floor: float) -> list[str]:
+    worse = []
+    for part in QUANTILES:
+        most = baseline.get("spreads", {}).get(str(part))
+        if most is None or not errors:
+            continue
+        own = quantile(errors, part)
+        if own > max(float(most), floor):
+            error = f"quantile {part} of the motion error is {own:.1e}, at most {most:.1e}"
+            worse.append(f"worse than the baseline: {error}")
+    return worse
+
+
+def _file_name(name: str) -> str:
+    return "".join(letter if letter.isalnum() or letter in "-_." else "-" for letter in name).strip("-.") or "frame"

@@ -1,0 +1,114 @@
+"""The stages solver and write-back: is the answer that of the problem which the engine posed?
+
+A proved bound on the engine's own motion v and one on the motion u(x) of its forces x tell the two stages
+apart. Both wrong: the solver. One of them right: what was written back is not what was solved, unless the forces are
+those that the motion asks for, as engines have them that solve for the motion: then only the solver's residual is left.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from lcplab import _lcplab
+from lcplab._receipt import work
+from lcplab._receipt.findings import Finding, Report
+from lcplab._receipt.limits import ROUNDING
+from lcplab._receipt.step import Array, Step
+from lcplab._receipt.work import Solution
+
+
+@dataclass(frozen=True)
+class Bounds:
+    """Bounds in the norm of M: on the errors of v and of u(x), and on the difference of the two."""
+
+    motion: float
+    answer: float
+    closure: float
+    #: The row that adds most.
+    row: int | None
+
+
+def bounds_of(steps: list[Step]) -> list[Bounds | str]:
+    """The bounds of each step, or why it has none; on all processors, without the interpreter."""
+    told = _lcplab.motion_bounds([step.arrays() for step in steps])
+    return [Bounds(*bounds) if bounds else str(why) for bounds, why in told]
+
+
+def sharpened(step: Step, bounds: Bounds, solution: Solution | None) -> Bounds:
+    """The same bounds by way of an accurate motion w: |v - û| <= |v - w| + a bound on |w - û|; or as they were."""
+    if solution is None:
+        return bounds
+    accurate = bounds_of([replace(step, motion=solution.motion)])[0]
+    if isinstance(accurate, str):
+        return bounds
+    slack = (1 + 1e-12) * step.norm(step.motion - solution.motion)
+    motion = min(bounds.motion, slack + accurate.motion)
+    answer = min(bounds.answer, accurate.closure + accurate.motion)
+    return Bounds(motion, answer, bounds.closure, bounds.row)
+
+
+def is_sharp(step: Step, bounds: Bounds, limit: float) -> bool:
+    """Whether the bounds need not be sharper: both are below the limit."""
+    return step.relative(max(bounds.motion, bounds.answer)) <= allowed(step, limit)
+
+
+def allowed(step: Step, limit: float) -> float:
+    """The limit; an engine that is asked for less accuracy than it does what it is asked for."""
+    return max(limit, step.own_tolerance / step.effect) if step.effect else limit
+
+
+def check(step: Step, bounds: Bounds | str, limit: float) -> Report:
+    """Compare the bounds with the limit, and what was written back with the forces."""
+    report = Report()
+    if len(step) == 0:
+        report.add(_free(step))
+    elif not (np.isfinite(step.motion).all() and np.isfinite(step.forces).all()):
+        what = "the motion or the forces are not finite numbers"
+        report.findings.append(Finding("solver", what, np.inf, limit))
+    elif isinstance(bounds, str):
+        report.not_checked.append(f"solver: no bound on the motion, {bounds}")
+    else:
+        report.findings.append(_motion(step, bounds, limit))
+    if step.reported_push is None:
+        report.not_checked.append("write-back: the engine reports no generalized forces")
+    elif len(step):
+        report.findings.append(_push(step, step.reported_push))
+    return report
+
+
+def _free(step: Step) -> Report:
+    """Without rows the motion is the free one."""
+    error = step.norm(step.motion - step.target) / max(step.norm(step.target), step.gravity, 1e-300)
+    what = "there are no rows, but the motion is not the free one"
+    return Report([Finding("write-back", what, error, ROUNDING[step.bits])])
+
+
+def _motion(step: Step, bounds: Bounds, limit: float) -> Finding:
+    most = allowed(step, limit)
+    is_wrong = [step.relative(bound) > most for bound in (bounds.motion, bounds.answer)]
+    if is_wrong[0] == is_wrong[1] or work.are_forces_of_motion(step):
+        stage, what = "solver", "the motion is not that of the problem which the engine posed"
+        error = bounds.motion
+    elif is_wrong[0]:
+        stage, what = "write-back", "the forces solve the problem, but the motion is not theirs"
+        error = bounds.motion
+    else:
+        stage, what = "write-back", "the motion solves the problem, but the forces are not its forces"
+        error = bounds.answer
+    row = bounds.row
+    bodies = step.rows[row].bodies if row is not None and row < len(step.rows) else ()
+    return Finding(stage, what, step.relative(error), most, row, bodies)
+
+
+def _push(step: Step, reported: Array) -> Finding:
+    """The reported generalized forces against Jᵀx, each relative to its terms."""
+    rows, columns, values = step.jacobian
+    terms = np.bincount(columns, np.abs(values * step.forces[rows]), len(step.target))
+    scale = np.maximum(terms, 1e-6 * max(float(terms.max(initial=0.0)), 1e-300))
+    error = np.abs(reported - step.push(step.forces)) / scale
+    worst = int(np.argmax(error)) if len(error) else 0
+    bodies = (step.dof_bodies[worst],) if worst < len(step.dof_bodies) else ()
+    what = f"the reported generalized force of degree of freedom {worst} is not that of the forces, Jᵀx"
+    return Finding("write-back", what, float(error[worst]) if len(error) else 0.0, ROUNDING[step.bits], None, bodies)

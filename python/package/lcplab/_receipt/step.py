@@ -1,0 +1,206 @@
+"""A step as an engine reports it, in the units of the engine."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+Rows = NDArray[np.int64]
+#: Rows, columns and values of stored entries.
+Triplets = tuple[Rows, Rows, Array]
+
+
+def stored(matrix: Array) -> Triplets:
+    """The entries of a dense matrix that are not 0."""
+    rows, columns = np.nonzero(matrix)
+    return rows.astype(np.int64), columns.astype(np.int64), np.ascontiguousarray(matrix[rows, columns], dtype=float)
+
+
+@dataclass(frozen=True)
+class Row:
+    """What a row is: for people."""
+
+    label: str
+    kind: str = ""
+    bodies: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Step:
+    """The problem that an engine posed in one step, and its answer.
+
+    ``w = J v + bias + compliance * x`` is the velocity (``level="velocity"``, m/s, x in N s) or the acceleration
+    (``"acceleration"``, m/s², x in N) that is left in a row; ``v = target + inv(M) J.T x``. Contacts push with
+    ``x >= 0``. ``n`` rows, ``k`` degrees of freedom.
+    """
+
+    engine: str
+    version: str
+    level: str
+    #: Entries of the upper triangle of M, (k, k), and of J, (n, k).
+    mass: Triplets
+    jacobian: Triplets
+    bias: Array
+    compliance: Array
+    #: The motion without constraints u*, (k,), and the engine's motion v, (k,).
+    target: Array
+    motion: Array
+    #: The engine's x, (n,), and its bounds.
+    forces: Array
+    lo: Array
+    hi: Array
+    #: The normal row of each row of friction of a cone, -1 for others, and its coefficient.
+    friction_index: Rows
+    mu: Array
+    rows: Sequence[Row] = ()
+    #: What gravity changes in the step, in the norm of M.
+    gravity: float = 0.0
+    #: The solver's kind: ``"direct"``, ``"newton"``, ``"cg"``, ``"pgs"``; and the bits of its numbers.
+    method: str = "direct"
+    bits: int = 64
+    iterations: int = 0
+    has_converged: bool = True
+    #: The engine's own tolerance as an error in the norm of M; 0 if it states none.
+    own_tolerance: float = 0.0
+    #: The generalized forces of the constraints as reported, (k,), if they are.
+    reported_push: Array | None = None
+    settings: Mapping[str, Any] = field(default_factory=dict)
+    name: str = ""
+    time: float = 0.0
+    #: The names of the degrees of freedom's bodies.
+    dof_bodies: Sequence[str] = ()
+    #: Stages and parts that the engine does not report.
+    not_checked: Sequence[str] = ()
+
+    @classmethod
+    def of(
+        cls,
+        engine: str,
+        mass: ArrayLike,
+        jacobian: ArrayLike,
+        bias: ArrayLike,
+        target: ArrayLike,
+        forces: ArrayLike,
+        motion: ArrayLike | None = None,
+        *,
+        level: str = "velocity",
+        compliance: ArrayLike = 0.0,
+        lo: ArrayLike = 0.0,
+        hi: ArrayLike = np.inf,
+        friction_index: ArrayLike = -1,
+        mu: ArrayLike = 0.0,
+        version: str = "",
+        **more: Any,
+    ) -> Step:
+        """A step from dense arrays; numbers stand for all rows.
+
+        Examples
+        --------
+        >>> step = Step.of("mine", mass=[[2.0]], jacobian=[[1.0]], bias=[0.0], compliance=0.5, target=[-3.0],
+        ...                forces=[3.0], motion=[-1.5])
+        >>> len(step), step.norm(step.motion - step.target)
+        (1, 2.1213203435596424)
+        """
+        offsets = np.asarray(bias, dtype=float)
+        n, free = len(offsets), np.asarray(target, dtype=float)
+
+        def rows(values: ArrayLike) -> Array:
+            return np.array(np.broadcast_to(np.asarray(values, dtype=float), (n,)))
+
+        index = np.array(np.broadcast_to(np.asarray(friction_index, dtype=np.int64), (n,)))
+        step = cls(
+            engine=engine,
+            version=version,
+            level=level,
+            mass=stored(np.triu(np.asarray(mass, dtype=float))),
+            jacobian=stored(np.asarray(jacobian, dtype=float).reshape(n, len(free))),
+            bias=offsets,
+            compliance=rows(compliance),
+            target=free,
+            motion=free if motion is None else np.asarray(motion, dtype=float),
+            forces=np.asarray(forces, dtype=float),
+            lo=rows(lo),
+            hi=rows(hi),
+            friction_index=index,
+            mu=rows(mu),
+            **more,
+        )
+        return step.with_motion_of_forces() if motion is None else step
+
+    def with_motion_of_forces(self) -> Step:
+        """The same with the motion that its forces lead to, of an engine that does not report its own."""
+        change = np.linalg.solve(self.dense_mass(), self.push(self.forces)) if len(self.target) else 0.0
+        part = "write-back: the motion is that of the forces"
+        return replace(self, motion=self.target + change, not_checked=[*self.not_checked, part])
+
+    def __len__(self) -> int:
+        return len(self.bias)
+
+    def dense_mass(self) -> Array:
+        """M, (k, k)."""
+        size = len(self.target)
+        mass = np.zeros((size, size))
+        mass[self.mass[0], self.mass[1]] = self.mass[2]
+        return mass + np.triu(mass, 1).T
+
+    def dense_jacobian(self) -> Array:
+        """J, (n, k)."""
+        jacobian = np.zeros((len(self), len(self.target)))
+        jacobian[self.jacobian[0], self.jacobian[1]] = self.jacobian[2]
+        return jacobian
+
+    def along(self, motion: Array) -> Array:
+        """J v, (n,)."""
+        rows, columns, values = self.jacobian
+        return np.asarray(np.bincount(rows, values * motion[columns], len(self)), dtype=float)
+
+    def size_along(self, motion: Array) -> Array:
+        """What J v would be without cancellation, (n,)."""
+        rows, columns, values = self.jacobian
+        return np.asarray(np.bincount(rows, np.abs(values * motion[columns]), len(self)), dtype=float)
+
+    def push(self, forces: Array) -> Array:
+        """Jᵀx, (k,)."""
+        rows, columns, values = self.jacobian
+        return np.asarray(np.bincount(columns, values * forces[rows], len(self.target)), dtype=float)
+
+    def times_mass(self, motion: Array) -> Array:
+        """M v, (k,)."""
+        rows, columns, values = self.mass
+        size = len(self.target)
+        product = np.bincount(rows, values * motion[columns], size)
+        lower = rows != columns
+        return np.asarray(product + np.bincount(columns[lower], (values * motion[rows])[lower], size), dtype=float)
+
+    def norm(self, motion: Array) -> float:
+        """√(vᵀM v): the root of twice a kinetic energy, if v is a velocity."""
+        return math.sqrt(max(0.0, float(motion @ self.times_mass(motion))))
+
+    @property
+    def unit(self) -> str:
+        """The unit of :meth:`norm`."""
+        return "√J" if self.level == "velocity" else "√J/s"
+
+    @property
+    def effect(self) -> float:
+        """What the constraints change, ``|v - u*|_M``; at least what gravity changes and a millionth of ``|u*|_M``."""
+        return max(self.norm(self.motion - self.target), 1e-6 * self.norm(self.target), self.gravity)
+
+    def relative(self, error: float) -> float:
+        """An error in the norm of M as a part of the effect."""
+        if error == 0:
+            return 0.0
+        return error / self.effect if self.effect > 0 else math.inf
+
+    def arrays(self) -> dict[str, Any]:
+        """The arrays that the bounds are computed from."""
+        triplets = {"mass": self.mass, "jacobian": self.jacobian}
+        names = ("bias", "compliance", "target", "lo", "hi", "mu", "forces", "motion")
+        vectors = {name: np.ascontiguousarray(getattr(self, name), dtype=float) for name in names}
+        return {**triplets, **vectors, "friction_index": self.friction_index}

@@ -1,0 +1,135 @@
+"""Receipts in pytest: the fixture ``lcplab_receipts``, a table at the end, and a baseline.
+
+>>> def test_stack_is_solved(lcplab_receipts):  # doctest: +SKIP
+...     for _ in range(1000):
+...         mujoco.mj_step(model, data)
+...         lcplab_receipts(model, data, every=10)
+
+A test fails if a step is refused that the file of ``--lcplab-baseline`` does not know; the session fails if a quantile
+of the motion error is worse than the baseline's. ``--lcplab-update`` writes the file instead.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from lcplab._receipt import Adapter, Receipt, Run, State, receipt
+from lcplab._receipt.runs import load
+
+
+class Session:
+    """The receipts of all tests, by the names of tests and the number of the step."""
+
+    def __init__(self, config: pytest.Config) -> None:
+        self.receipts: dict[str, Receipt] = {}
+        self.path: str | None = config.getoption("lcplab_baseline")
+        self.is_update = bool(config.getoption("lcplab_update"))
+        self.out: str | None = config.getoption("lcplab_out")
+        has_baseline = self.path is not None and not self.is_update
+        self.baseline = load(self.path) if has_baseline and self.path is not None else None
+
+    def run(self) -> Run:
+        """All of them."""
+        return Run(self.receipts, self.baseline)
+
+
+class Recorder:
+    """The receipts of one test: call it after each step."""
+
+    def __init__(self, session: Session, test: str) -> None:
+        self.session, self.test = session, test
+        self.calls = 0
+        self.receipts: dict[str, Receipt] = {}
+
+    def __call__(
+        self,
+        model: Any,
+        data: Any = None,
+        *,
+        every: int = 1,
+        adapter: Adapter | None = None,
+        before: State | None = None,
+        limit: float | None = None,
+    ) -> Receipt | None:
+        """The receipt of this step, of each ``every``-th call; the first one counts."""
+        self.calls += 1
+        if (self.calls - 1) % every:
+            return None
+        own = receipt(model, data, adapter=adapter, before=before, limit=limit)
+        name = f"{self.test} step {self.calls}"
+        self.receipts[name] = self.session.receipts[name] = own
+        return own
+
+    def new(self) -> list[str]:
+        """The refused steps that the baseline does not know."""
+        known = self.session.baseline["refused"] if self.session.baseline else {}
+        refused = [name for name, own in self.receipts.items() if own.is_refused and name not in known]
+        return [] if self.session.is_update else refused
+
+
+SESSION = pytest.StashKey[Session]()
+RECORDER = pytest.StashKey[Recorder]()
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """The options."""
+    group = parser.getgroup("lcplab", "receipts of a physics engine's steps")
+    group.addoption("--lcplab-baseline", metavar="FILE", help="a recorded run: its refused steps do not fail")
+    group.addoption("--lcplab-update", action="store_true", help="write this run to --lcplab-baseline")
+    group.addoption("--lcplab-out", metavar="FOLDER", help="write a folder for each of the worst refused steps")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Read the baseline."""
+    if config.getoption("lcplab_update") and not config.getoption("lcplab_baseline"):
+        raise pytest.UsageError("--lcplab-update needs --lcplab-baseline")
+    config.stash[SESSION] = Session(config)
+
+
+@pytest.fixture
+def lcplab_receipts(request: pytest.FixtureRequest) -> Iterator[Recorder]:
+    """A function of ``(model, data, every=1)`` to call after each step; it returns the receipt, or None."""
+    recorder = Recorder(request.config.stash[SESSION], request.node.nodeid)
+    request.node.stash[RECORDER] = recorder
+    yield recorder
+    errors = [own.motion_error for own in recorder.receipts.values() if own.motion_error is not None]
+    request.node.user_properties.append(("lcplab_steps", len(recorder.receipts)))
+    request.node.user_properties.append(("lcplab_largest_motion_error", max(errors, default=0.0)))
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Iterator[None]:
+    """Fail a test whose steps are refused."""
+    result = yield
+    recorder = pyfuncitem.stash.get(RECORDER, None)
+    new = recorder.new() if recorder else []
+    if recorder and new:
+        worst = "\n".join(f"{name}\n{recorder.receipts[name]}" for name in new[:3])
+        pytest.fail(f"{len(new)} of {len(recorder.receipts)} steps are refused\n{worst}", pytrace=False)
+    return result
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """Write the baseline and the worst frames; fail if the run is worse than the baseline."""
+    own = session.config.stash[SESSION]
+    if not own.receipts:
+        return
+    run = own.run()
+    if own.is_update and own.path is not None:
+        run.save(own.path)
+    if own.out is not None:
+        run.save_worst(Path(own.out))
+    if run.worse and session.exitstatus == pytest.ExitCode.OK:
+        session.exitstatus = pytest.ExitCode.TESTS_FAILED
+
+
+def pytest_terminal_summary(terminalreporter: Any, config: pytest.Config) -> None:
+    """One table of all receipts."""
+    own = config.stash[SESSION]
+    if own.receipts:
+        terminalreporter.section("lcplab receipts")
+        terminalreporter.write_line(str(own.run()))

@@ -1,0 +1,172 @@
+"""Receipts of steps with known answers, and of steps in which one thing was changed."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import lcplab
+
+#: 2 kg fall at 3 m/s on a row of compliance 1/2: x = 3 N s, v = -1.5 m/s.
+STOP = {"mass": [[2.0]], "jacobian": [[1.0]], "bias": [0.0], "compliance": 0.5, "target": [-3.0]}
+
+
+def stop(**more):
+    return lcplab.EngineStep.of("mine", **{**STOP, "forces": [3.0], "motion": [-1.5], **more})
+
+
+def slide():
+    """1 kg is pressed down at 2 m/s and slides at 4: on the cone x = (5, 3) / 2 with mu = 0.6, by hand.
+
+    w = v + x/2 of the normal and the tangent must be (0.6, -1) s times the dual cone's surface.
+    """
+    force = np.array([2.5, -1.5])
+    left = np.array([0.6, 1.0])  # orthogonal to the force
+    motion = left - 0.5 * force
+    return lcplab.EngineStep.of(
+        "mine", mass=np.eye(2), jacobian=np.eye(2), bias=[0.0, 0.0], compliance=0.5, target=motion - force,
+        forces=force, motion=motion, lo=[0.0, -np.inf], friction_index=[-1, 0], mu=[0.0, 0.6],
+    )
+
+
+@pytest.mark.parametrize("step", [stop(), slide()])
+def test_an_exact_step_is_ok(step):
+    receipt = lcplab.receipt(step)
+    assert receipt.ok and receipt.motion_error < 1e-7, str(receipt)
+    assert "collision" in receipt.not_checked and "assembly" in receipt.not_checked
+
+
+def test_a_wrong_answer_is_the_solvers():
+    step = stop(forces=[2.0], motion=[-2.0])  # v is that of the forces
+    receipt = lcplab.receipt(step)
+    assert receipt.stage == "solver" and receipt.row == 0
+    true = np.sqrt(2) * 0.5
+    assert receipt.bound >= true and receipt.bound < 2 * true
+
+
+def test_a_right_motion_with_wrong_forces_is_written_back_wrongly():
+    receipt = lcplab.receipt(stop(forces=[1.5]))
+    assert receipt.stage == "write-back" and receipt.motion_error < 1e-12
+
+
+def test_right_forces_with_a_wrong_motion_are_written_back_wrongly():
+    receipt = lcplab.receipt(stop(motion=[-1.4]))
+    assert receipt.stage == "write-back"
+    assert receipt.bound >= 0.1 * np.sqrt(2)
+
+
+def test_reported_generalized_forces_are_compared_with_those_of_the_rows():
+    good, bad = (stop(reported_push=np.array([push])) for push in (3.0, 0.0))
+    assert lcplab.receipt(good).ok
+    assert lcplab.receipt(bad).stage == "write-back"
+
+
+def test_a_step_without_rows_is_never_ok():
+    free = lcplab.EngineStep.of("mine", [[2.0]], np.zeros((0, 1)), [], [-3.0], [], [-3.0])
+    receipt = lcplab.receipt(free)
+    assert receipt.verdict == "no rows" and not receipt.ok and not receipt.is_refused
+    assert lcplab.receipt(replace(free, motion=np.array([-2.0]))).stage == "write-back"
+
+
+@pytest.mark.parametrize("broken", [{"motion": [np.nan]}, {"forces": [np.inf]}])
+def test_numbers_that_are_not_finite_are_wrong(broken):
+    assert lcplab.receipt(stop(**broken)).stage == "solver"
+
+
+def test_a_step_in_which_nothing_moves_is_ok():
+    assert lcplab.receipt(stop(target=[0.0], forces=[0.0], motion=[0.0])).motion_error == 0
+
+
+def test_an_engine_at_its_iteration_cap_is_unconverged_and_not_wrong():
+    wrong = stop(forces=[2.0], motion=[-2.0], method="pgs", iterations=50, has_converged=False)
+    assert lcplab.receipt(wrong).verdict == "unconverged"
+
+
+def test_a_newton_method_that_takes_many_times_the_steps_it_needs_is_wrong():
+    wrong = stop(forces=[2.0], motion=[-2.0], method="newton", iterations=100, has_converged=False)
+    receipt = lcplab.receipt(wrong)
+    assert receipt.verdict == "wrong" and receipt.work.newton <= 2
+
+
+def test_a_row_without_compliance_that_is_violated_has_no_bound():
+    receipt = lcplab.receipt(stop(compliance=0.0, forces=[6.0], motion=[0.0]))
+    assert receipt.ok
+    coulomb = replace(slide(), compliance=np.zeros(2))
+    assert lcplab.receipt(coulomb).verdict == "not checked"
+
+
+def test_rows_that_name_no_normal_row_are_invalid():
+    with pytest.raises(lcplab.InputError, match="friction_index"):
+        lcplab.receipt(replace(stop(), friction_index=np.array([7])))
+
+
+def test_a_run_counts_frames_and_knows_those_of_its_baseline(tmp_path):
+    wrong = stop(forces=[2.0], motion=[-2.0])
+    run = lcplab.receipts([stop(), wrong, stop()])
+    assert not run.ok and run.refused == ["mine 1"] and run.stages == {"solver": 1}
+    assert run.counts["1e-03"] == 1
+    run.save(tmp_path / "known.json")
+    again = lcplab.receipts([stop(), wrong, stop()], baseline=tmp_path / "known.json")
+    assert again.ok and again.known == ["mine 1"]
+    worse = lcplab.receipts([wrong, wrong, stop()], baseline=tmp_path / "known.json")
+    assert not worse.ok
+
+
+def test_a_run_whose_quantiles_grow_beyond_their_spread_is_worse():
+    def at(error):
+        return stop(forces=[3.0], motion=[-1.5 + error])
+
+    base = lcplab.receipts([at(1e-9 * (k % 7)) for k in range(100)]).to_json()
+    assert lcplab.receipts([at(1e-9 * (k % 7)) for k in range(50)], baseline=base).ok
+    now = lcplab.receipts([at(1e-7) for _ in range(50)], baseline=base)
+    assert now.worse and not now.refused
+
+
+def test_files_are_read_back_with_the_same_receipt(tmp_path):
+    for k, step in enumerate([stop(), stop(forces=[2.0], motion=[-2.0])]):
+        lcplab.receipt(step).write(tmp_path / f"{k}.json", tmp_path / f"{k}.x.json")
+    run = lcplab.receipts([tmp_path])
+    assert [receipt.verdict for receipt in run.receipts.values()] == ["ok", "wrong"]
+    problem = lcplab.Problem.read(tmp_path / "0.json")
+    assert lcplab.judge(problem, x=[3.0])
+    assert json.loads((tmp_path / "0.json").read_text())["motion"]["level"] == "velocity"
+
+
+def test_the_command_writes_junit_and_sarif_and_fails_on_new_frames(tmp_path, capsys):
+    from lcplab._receipt import command
+
+    folder, known = tmp_path / "frames", tmp_path / "known.json"
+    folder.mkdir()
+    for k, step in enumerate([stop(), stop(forces=[2.0], motion=[-2.0])]):
+        lcplab.receipt(step).write(folder / f"{k}.json", folder / f"{k}.x.json")
+    junit, sarif = tmp_path / "r.xml", tmp_path / "r.sarif"
+    assert command.main([str(folder), "--junit", str(junit), "--sarif", str(sarif)]) == 1
+    assert 'failures="1"' in junit.read_text()
+    results = json.loads(sarif.read_text())["runs"][0]["results"]
+    assert [result["ruleId"] for result in results] == ["receipt/solver"]
+    assert command.main([str(folder), "--baseline", str(known), "--update"]) == 0
+    assert command.main([str(folder), "--baseline", str(known)]) == 0
+    assert command.main([str(tmp_path / "none.json")]) == 2
+    assert "none.json" in capsys.readouterr().err
+
+
+def test_the_fixture_fails_a_test_with_a_refused_step(pytester):
+    pytester.makepyfile("""
+        import lcplab
+
+        def step(force, motion):
+            return lcplab.EngineStep.of("mine", [[2.0]], [[1.0]], [0.0], [-3.0], [force], [motion], compliance=0.5)
+
+        def test_good(lcplab_receipts):
+            for _ in range(4):
+                lcplab_receipts(step(3.0, -1.5), every=2)
+
+        def test_bad(lcplab_receipts):
+            lcplab_receipts(step(2.0, -2.0))
+    """)
+    result = pytester.runpytest()
+    result.assert_outcomes(passed=1, failed=1)
+    result.stdout.fnmatch_lines(["*3 frames, 1 refused*"])
+    assert pytester.runpytest("--lcplab-baseline", "b.json", "--lcplab-update").ret == 0
+    pytester.runpytest("--lcplab-baseline", "b.json").assert_outcomes(passed=2)
