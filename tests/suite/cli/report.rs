@@ -173,7 +173,9 @@ fn problem_files_make_a_report_of_what_is_missing_and_who_solves_them() {
     let told = run(&["report", &at("*.json"), "--sweeps", "2", "--out", &out_folder]);
     assert_eq!(told.status.code(), Some(1), "{told:?}");
     let page = fs::read_to_string(at("page/index.html")).unwrap();
-    for part in ["2 sweeps of pgs leave", "Who solves most?", "step-1.json", "dantzig"] {
+    for part in
+        ["2 sweeps of pgs leave", "Which solver solves most problems?", "step-1.json", "dantzig"]
+    {
         assert!(page.contains(part), "{part}");
     }
     // It names the command that makes it again, and is drawn again from its results to the same bytes.
