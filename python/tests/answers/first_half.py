@@ -196,7 +196,7 @@ def freedoms(points):
         e = np.subtract(points[j], points[i]) / norm(np.subtract(points[j], points[i]))
         J[k, 3 * i:3 * i + 3], J[k, 3 * j:3 * j + 3] = -e, e
     return 9 - np.linalg.matrix_rank(J, 1e-9)
-left = lambda text: int(re.search(r"degrees of freedom left\s+(\d+)", text)[1])
+left = lambda text: int(re.search(r"remaining degrees of freedom\s+(\d+)", text)[1])
 stick, triangle = [[1, 0, 0], [0, 0, 0], [-1, 0, 0]], [[1, 0, 0], [-.5, .75**.5, 0], [-.5, -.75**.5, 0]]
 assert left(run("2.r1", 0)) == 6 == freedoms(triangle) and left(run("2.r1", 1)) == 7 == freedoms(stick) and freedoms([[1, 0, 0], [0, .01, 0], [-1, 0, 0]]) == 6
 check("2.r1", left(run("2.r1", 1)), [5, 9 - 3], "commands; rank of an own J; 5 by thought")

@@ -347,7 +347,7 @@ def bricard(tilted):
     if tilted: ax[1] = [0, 0.001, 1]
     return hinges(rods, [(k - 1 if k else None, k if k < 5 else None, places[k], ax[k]) for k in range(6)])
 assert rank(bricard(False)) == 29 and rank(bricard(True)) == 30
-seen = [int(of_line(run("12.r1", k), "rank of A, as far as rounding shows")[-1]) for k in (0, 1)]
+seen = [int(of_line(run("12.r1", k), "rank of A, up to rounding")[-1]) for k in (0, 1)]
 check("12.r1", seen[1], [seen[0]], f"command; rank built here, smallest singular value {np.linalg.svd(bricard(True), compute_uv=False)[-1]:.1e}")
 assert seen == [29, 30]
 

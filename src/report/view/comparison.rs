@@ -214,7 +214,7 @@ pub fn answer(comparison: &Comparison) -> String {
     let counted = |runs: &[Run]| {
         let (held, all) = (runs.iter().filter(holds).count(), runs.len());
         let by = match (held, all) {
-            (1, 1) => "holds it".to_string(),
+            (1, 1) => "keeps it".to_string(),
             (0, 1) => "does not keep it".to_string(),
             (held, all) => format!("keeps it with {held} of {all} solvers"),
         };

@@ -81,7 +81,7 @@ fn which_formulation_holds_is_counted_from_the_runs() {
             run["steps"] == 3 && run["accepted"] == run["solves"] && worst <= 0.01 * thinnest
         };
         let held = runs.iter().filter(holds).count();
-        let words = format!("{scheme} holds it by {held} of {} solvers", runs.len());
+        let words = format!("{scheme} keeps it with {held} of {} solvers", runs.len());
         assert!(answer.contains(&words), "{words}: {answer}");
     }
 }
@@ -116,9 +116,7 @@ fn a_plug_in_with_a_bug_is_suspected_and_not_the_scene() {
     let command = format!("python3 '{}'", plugin.display());
     let told = run(&["diagnose", scene.to_str().unwrap(), "--plugin", &command, "--sweeps", "200"]);
     let words = out(&told).split_whitespace().collect::<Vec<_>>().join(" ");
-    let cause =
-        "Cause: suspect the solver: worse than plain projected Gauss-Seidel after as many sweeps";
-    assert!(words.contains(cause), "{words}");
+    assert!(words.contains("Cause: suspect the solver: its error is"), "{words}");
     assert!(!words.contains("tall column") && !words.contains("slow sweeps"), "{words}");
     assert_eq!(told.status.code(), Some(0));
 }

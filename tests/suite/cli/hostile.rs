@@ -40,7 +40,11 @@ fn a_file_whose_name_is_no_folder_writes_nothing() {
             let before = files(folder.path());
             let output = run_in(folder.path(), &[arguments, &[name]].concat());
             assert_eq!(output.status.code(), Some(2), "{name}: {}", out(&output));
-            assert!(err(&output).contains("becomes a file: only letters"), "{}", err(&output));
+            assert!(
+                err(&output).contains("becomes a file name: use only letters"),
+                "{}",
+                err(&output)
+            );
             assert_eq!(files(folder.path()), before);
         }
     }

@@ -88,8 +88,11 @@ fn a_cone_is_explained_as_a_cone_and_judged_as_one() {
     let (_folder, problem, _) = folder(CONE);
     let cone = lcplab("explain", &[&problem], &[]);
     assert_eq!(cone.status.code(), Some(0), "{}", err(&cone));
-    for part in ["The friction model is coulomb-cone.", "(0.707107, 0.707107)", "The box beside it"]
-    {
+    for part in [
+        "The friction model is coulomb-cone.",
+        "(0.707107, 0.707107)",
+        "The coupled box for comparison",
+    ] {
         assert!(out(&cone).contains(part), "{part} in {}", out(&cone));
     }
     let boxed = lcplab("explain", &[&problem], &["--model", "coupled-box"]);

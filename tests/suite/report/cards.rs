@@ -340,10 +340,10 @@ fn the_page_has_a_row_a_phenomenon_and_a_column_an_engine_and_every_miss_is_a_nu
         "A gripper",
         "A tower",
         "A mechanism",
-        "What flies",
-        "What rolls",
-        "What is thrown",
-        "What is learned",
+        "Flight",
+        "Rolling and sliding",
+        "Throws and impacts",
+        "Learning and optimization",
     ] {
         assert!(answer.contains(use_), "{answer}");
     }

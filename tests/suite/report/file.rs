@@ -119,7 +119,7 @@ text = \"words without a heading\"
 fn what_is_missing_at_the_top_is_named() {
     assert_eq!(defects("lead = \"l\""), ["line 1: missing field \"title\""]);
     let found = defects(&format!("{HEAD}[[section]]\ntitle = \"words\"\nsize = 1"));
-    assert!(found[0].ends_with("has \"size\" but no study that it could belong to"), "{found:?}");
+    assert!(found[0].ends_with("has \"size\", but no study with that setting"), "{found:?}");
 }
 
 #[test]

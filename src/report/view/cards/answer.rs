@@ -10,7 +10,7 @@ const USES: [(&str, &[&str]); 7] = [
     ("A tower, a load", &["tower", "mass_ratio", "weight"]),
     ("Rolling and sliding", &["directions", "rolling", "stopping"]),
     ("A mechanism", &["spring", "pendulum", "chain", "closed_loop", "bricard"]),
-    ("What flies", &["free_fall", "angular_momentum", "top"]),
+    ("Flight", &["free_fall", "angular_momentum", "top"]),
     ("Throws and impacts", &["lift", "bounce", "bullet"]),
     ("Learning and optimization", &["predictability", "order", "repeat"]),
 ];

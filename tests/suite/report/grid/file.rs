@@ -66,7 +66,7 @@ fn each_kind_of_mistake_has_its_line() {
         ("family = 'stack'\n[labels]\nn = 'N'", "line 3: n: needs a text, and must be an axis"),
         (
             "family = 'stack'\n[axes]\nsolver.omega = [1]",
-            "line 3: solver.omega: would vary nothing: dantzig",
+            "line 3: solver.omega: has no effect: dantzig",
         ),
         ("family = 'stack'\n[axes", "line 2: "),
     ] {
