@@ -70,7 +70,8 @@ fn models_that_a_plug_in_cannot_get_are_refused_at_the_start() {
         Plugin::start(&command, LONG.as_secs_f64()).unwrap_err().to_string()
     };
     let polygon = refusal("polygons", "['polygon-8']");
-    let reason = "name polygon-8: a plug-in gets boxes, associated-cone and coulomb-cone";
+    let reason =
+        "name polygon-8, but plug-ins are sent only boxes, associated-cone and coulomb-cone";
     assert!(
         polygon.starts_with("plug-in polygons: start: its \"models\"") && polygon.ends_with(reason)
     );

@@ -238,7 +238,7 @@ fn an_answer_is_the_vector_x_of_any_object() {
     );
     assert_eq!(answer(r#"{"x": 1}"#).unwrap_err(), "x.json: x: must be a list of numbers");
     let small = read_answer(&path, 2, Memory::bytes(1)).unwrap_err().to_string();
-    assert!(small.ends_with("x.json: has more than 1 B, the most that is read"), "{small}");
+    assert!(small.ends_with("x.json: is larger than 1 B, the limit for reading"), "{small}");
 }
 
 #[test]

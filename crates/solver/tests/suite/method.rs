@@ -45,7 +45,10 @@ fn a_model_is_taken_by_the_methods_whose_theory_holds_for_it() {
 fn a_method_that_does_not_take_a_model_says_why() {
     let why = |name: &str, model: Option<Model>| method(name).refusal(model).unwrap();
     let polygon = Some(Model::Polyhedral { directions: 8 });
-    assert_eq!(why("pgs", polygon), "it divides by the diagonal, and polygon-8 has zeros there");
+    assert_eq!(
+        why("pgs", polygon),
+        "it divides by the diagonal of A, which has zeros for polygon-8"
+    );
     let definite = why("dantzig", polygon);
     assert!(definite.starts_with("it needs A symmetric positive"), "{definite}");
     assert_eq!(why("lemke", Some(Model::CoulombCone)), "it supports boxes, not coulomb-cone");

@@ -90,8 +90,8 @@ fn schemes_without_an_answer_refuse_static_friction() {
         let error = pulled(scheme, 1.0).validate().unwrap_err().to_string();
         let name = scheme.name();
         let expected = format!(
-            "pulled: contact.static_friction: the scheme {name} poses no problem whose answer says \
-             what sticks: it has one coefficient"
+            "pulled: contact.static_friction: the scheme {name} cannot decide which contacts \
+             stick, so it supports only one coefficient of friction"
         );
         assert_eq!(error, expected);
     }
