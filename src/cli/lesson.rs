@@ -71,7 +71,7 @@ pub struct Answer {
     /// Lesson and number, such as 1.1 or 4.p1
     exercise: Option<String>,
     /// Your answer to a problem
-    #[arg(allow_negative_numbers = true, requires = "exercise")]
+    #[arg(allow_negative_numbers = true, requires = "exercise", value_parser = number)]
     number: Option<f64>,
 }
 
@@ -136,7 +136,9 @@ impl Answer {
             return Err(Error::Unknown { kind: "problem", name: id.clone(), known });
         }
         let exercise = EXERCISES.iter().find(|exercise| exercise.id == id).ok_or_else(|| {
-            let known = EXERCISES.iter().map(|exercise| exercise.id.to_string()).collect();
+            let programs = EXERCISES.iter().map(|exercise| exercise.id.to_string());
+            let numbers = problems().into_iter().flatten().map(|problem| problem.id);
+            let known = programs.chain(numbers).collect();
             Error::Unknown { kind: "exercise", name: id.clone(), known }
         })?;
         match exercise.verdict() {
@@ -150,6 +152,12 @@ impl Answer {
             }
         }
     }
+}
+
+/// A number as it is typed.
+fn number(text: &str) -> std::result::Result<f64, String> {
+    let hint = if text.contains(',') { "; write a decimal point, as in 0.57" } else { "" };
+    text.parse().map_err(|_| format!("not a number{hint}"))
 }
 
 /// The problems of all lessons.
