@@ -1,0 +1,76 @@
+"""The command ``python -m lcplab.defects``."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import platform
+import sys
+from pathlib import Path
+from typing import Any
+
+from lcplab.defects.environment import Environment, Unavailable
+from lcplab.defects.known import DEFECTS, Defect
+
+
+def row(defect: Defect, place: Path) -> dict[str, Any]:
+    """Both releases of a defect: what their receipts say, or why one does not run here."""
+    told: dict[str, Any] = {"name": defect.name, "what": defect.what, "source": defect.source, "stage": defect.stage}
+    for side, packages in (("bad", defect.bad), ("mended", defect.mended)):
+        own = Environment(place, packages)
+        try:
+            own.install()
+            told[side] = own.replay(defect.name)
+        except Unavailable as why:
+            told[side] = {"packages": list(packages), "unavailable": str(why)}
+    return told
+
+
+def outcome(told: dict[str, Any]) -> str:
+    """``"told apart"``, ``"missed"``, ``"false alarm"`` or ``"skipped"``."""
+    if any("unavailable" in told[side] for side in ("bad", "mended")):
+        return "skipped"
+    if told["mended"]["refused"]:
+        return "false alarm"
+    return "told apart" if told["bad"]["refused"] and told["bad"]["stage"] == told["stage"] else "missed"
+
+
+def line(told: dict[str, Any]) -> str:
+    """A row of the table."""
+    words = []
+    for side in ("bad", "mended"):
+        own = told[side]
+        if "unavailable" in own:
+            words.append(f"{' '.join(own['packages'])}: {own['unavailable']}")
+        else:
+            words.append(f"{', '.join(own['versions'])}: {own['refused']} of {own['frames']} refused")
+    return f"{told['name']:<18} {told['stage']:<10} {outcome(told):<11} {'; '.join(words)}"
+
+
+def main() -> int:
+    """Replay the defects that are named, or all; 1 if one that runs is not told apart."""
+    words = "Replay released defects of physics engines."
+    parser = argparse.ArgumentParser(prog="python -m lcplab.defects", description=words)
+    names = ", ".join(defect.name for defect in DEFECTS)
+    parser.add_argument("names", nargs="*", metavar="NAME", help=f"{names}; all without a name")
+    parser.add_argument("--environments", type=Path, default=Path.home() / ".cache" / "lcplab-defects",
+                        metavar="FOLDER", help="where the releases are installed (about 2 GB)")
+    parser.add_argument("--out", type=Path, metavar="FILE", help="record the results as JSON")
+    options = parser.parse_args()
+    unknown = set(options.names) - {defect.name for defect in DEFECTS}
+    if unknown:
+        parser.error(f"unknown: {', '.join(sorted(unknown))}")
+    rows = []
+    for defect in DEFECTS:
+        if options.names and defect.name not in options.names:
+            continue
+        rows.append(row(defect, options.environments))
+        print(line(rows[-1]), flush=True)
+    if options.out:
+        record = {"python": platform.python_version(), "defects": [{**told, "outcome": outcome(told)} for told in rows]}
+        options.out.write_text(json.dumps(record, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    return 0 if all(outcome(told) in ("told apart", "skipped") for told in rows) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

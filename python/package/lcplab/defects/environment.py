@@ -1,0 +1,72 @@
+"""An environment of its own for each release of an engine."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import venv
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import lcplab
+
+#: Seconds for an installation and for a scene.
+INSTALLATION, SCENE = 1200, 900
+
+
+class Unavailable(Exception):
+    """A release that cannot be installed here, with the last line of the reason."""
+
+
+class Environment:
+    """A folder with NumPy, this lcplab and the packages that are named."""
+
+    def __init__(self, place: Path, packages: Sequence[str]) -> None:
+        name = re.sub(r"[^a-z0-9.]+", "-", "-".join(packages))
+        self.folder = place / name
+        self.packages = packages
+        self.python = self.folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+
+    def install(self) -> None:
+        """Make it, unless it is there.
+
+        Raises
+        ------
+        Unavailable
+            If a package cannot be installed.
+        """
+        complete = self.folder / "complete"
+        if complete.exists():
+            return
+        venv.create(self.folder, with_pip=True, clear=True)
+        pip = ("-m", "pip", "install", "--quiet", "--disable-pip-version-check", "numpy")
+        self._run([self.python, *pip, *self.packages], INSTALLATION)
+        told = self._run([self.python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"], SCENE)
+        (Path(told.strip()) / "lcplab").symlink_to(Path(lcplab.__file__).parent, target_is_directory=True)
+        complete.touch()
+
+    def replay(self, scene: str) -> dict[str, Any]:
+        """What a scene's run says here.
+
+        Raises
+        ------
+        Unavailable
+            If the scene does not run.
+        """
+        told = self._run([self.python, "-m", "lcplab.defects.replay", scene], SCENE)
+        replayed: dict[str, Any] = json.loads(told.splitlines()[-1])
+        return replayed
+
+    def _run(self, command: Sequence[str | Path], seconds: int) -> str:
+        surroundings = {**os.environ, "JAX_PLATFORMS": "cpu", "PYTHONNOUSERSITE": "1"}
+        try:
+            done = subprocess.run(command, capture_output=True, text=True, timeout=seconds, env=surroundings)
+        except (OSError, subprocess.TimeoutExpired) as error:
+            raise Unavailable(str(error)) from error
+        if done.returncode:
+            lines = done.stderr.strip().splitlines() or [f"exit code {done.returncode}"]
+            raise Unavailable(lines[-1])
+        return done.stdout

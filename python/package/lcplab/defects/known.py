@@ -1,0 +1,97 @@
+"""The defects: what was wrong, in which release, and which stage a receipt names."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Defect:
+    """A released defect and its mended release.
+
+    Attributes
+    ----------
+    name : str
+        The name of its scene in ``lcplab.defects.scenes``.
+    what, source : str
+        What was wrong, and where the engine says so.
+    stage : str
+        The stage of an engine's step that was wrong.
+    bad, mended : tuple of str
+        What ``pip install`` takes.
+    """
+
+    name: str
+    what: str
+    source: str
+    stage: str
+    bad: tuple[str, ...]
+    mended: tuple[str, ...]
+
+
+def _mjx(version: str) -> tuple[str, ...]:
+    return (f"mujoco=={version}", f"mujoco-mjx=={version}", "jax==0.4.30", "jaxlib==0.4.30")
+
+
+def _warp(version: str) -> tuple[str, ...]:
+    return (f"mujoco-warp=={version}", "mujoco==3.10.0", "warp-lang==1.15.0")
+
+
+DEFECTS = (
+    Defect(
+        "sparse_factor",
+        "Newton's sparse factor merges rows with different descendants: slow, wrong or diverging",
+        "MuJoCo 4.0.1, #3767",
+        "solver",
+        ("mujoco-core==4.0.0",),
+        ("mujoco-core==4.0.1",),
+    ),
+    Defect(
+        "uncoupled_hessian",
+        "Newton's Hessian lacks the coupling between trees",
+        "MJX 3.1.3",
+        "solver",
+        _mjx("3.1.2"),
+        _mjx("3.1.3"),
+    ),
+    Defect(
+        "implicit_damping",
+        "implicit damping goes to wrong entries of a dense mass matrix",
+        "MJX 3.1.3",
+        "write-back",
+        _mjx("3.1.2"),
+        _mjx("3.1.3"),
+    ),
+    Defect(
+        "connect_bias",
+        "the bias of connect rows lacks J̇v",
+        "MuJoCo 3.7.0",
+        "assembly",
+        ("mujoco==3.6.0",),
+        ("mujoco==3.7.0",),
+    ),
+    Defect(
+        "sphere_in_box",
+        "the depth of a sphere whose centre is inside a box is its radius",
+        "MuJoCo 3.2.7, #2206",
+        "collision",
+        ("mujoco==3.2.6",),
+        ("mujoco==3.2.7",),
+    ),
+    Defect(
+        "box_in_plate",
+        "boxes deeper in each other than the thinner one's half thickness have no contact",
+        "MuJoCo 3.12.0, #1800",
+        "collision",
+        ("mujoco==3.11.0",),
+        ("mujoco==3.12.0",),
+    ),
+    Defect(
+        "world_of_zeros",
+        "the generalized forces of a world that converges before others are written back as 0",
+        "MuJoCo Warp 3.10.0.2, #1501",
+        "write-back",
+        _warp("3.10.0.1"),
+        _warp("3.10.0.2"),
+    ),
+)

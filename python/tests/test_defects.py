@@ -1,0 +1,49 @@
+"""The replay of known defects: its list, its words, and mended releases on its scenes."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from lcplab.defects import DEFECTS, __main__, replay
+from lcplab.defects.scenes import SCENES
+
+
+def told(refused, stage="solver"):
+    return {"versions": ["engine 1"], "frames": 9, "refused": refused, "stage": stage if refused else None}
+
+
+def row(bad, mended):
+    return {"name": "a", "stage": "solver", "bad": bad, "mended": mended}
+
+
+@pytest.mark.parametrize(
+    ("bad", "mended", "outcome"),
+    [
+        (told(1), told(0), "told apart"),
+        (told(0), told(0), "missed"),
+        (told(1, "assembly"), told(0), "missed"),
+        (told(1), told(1), "false alarm"),
+        ({"packages": ["a==1"], "unavailable": "no such version"}, told(0), "skipped"),
+    ],
+)
+def test_a_defect_is_told_apart_only_at_its_stage_and_without_a_false_alarm(bad, mended, outcome):
+    assert __main__.outcome(row(bad, mended)) == outcome
+    assert outcome in __main__.line(row(bad, mended))
+
+
+def test_each_defect_has_a_scene_and_pins_all_its_packages():
+    assert {defect.name for defect in DEFECTS} == set(SCENES)
+    assert all("==" in package for defect in DEFECTS for package in (*defect.bad, *defect.mended))
+
+
+@pytest.mark.parametrize("name", ["connect_bias", "sphere_in_box"])
+def test_a_mended_release_is_accepted(name):
+    pytest.importorskip("mujoco", minversion="3.7.0")
+    assert replay.replay(name)["refused"] == 0
+
+
+def test_the_record_has_a_row_for_each_defect_with_the_outcome_of_its_receipts():
+    record = json.loads((Path(__file__).parents[2] / "reports" / "receipts.json").read_text(encoding="utf-8"))
+    assert [row["name"] for row in record["defects"]] == [defect.name for defect in DEFECTS]
+    assert all(row["outcome"] == __main__.outcome(row) for row in record["defects"])
