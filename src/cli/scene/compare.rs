@@ -27,6 +27,8 @@ Example:
 By default all solvers step the scene, at the velocity and at the acceleration level; --solver and --scheme
 select one. Schemes that solve no LCP have one row. Only solvers that can handle the friction model run,
 and only levels that know it; a solver that you name and that cannot has a row with the reason.
+It measures whether gaps and joints stay closed, energy, momentum, restitution and the direction of friction, and
+compares the levels with each other and with half the step: where bodies meet, spin and rest.
 With --out the folder gets a page with a film of the solvers side by side, the table and the plots.
 The film shows one solver of each set with the same motion, or those named by --show:
   lcplab compare stack --show pgs:5 --show dantzig --out stack-report   # five sweeps beside exact
@@ -93,6 +95,7 @@ impl Compare {
             stop,
         )?;
         comparison.left_out = left_out;
+        comparison.add_levels(&scene, &solvers, stop);
         let is_whole = comparison.runs.len() == contenders.len()
             && comparison.runs.iter().all(|run| run.steps == steps);
         let stopped = stop.reason().filter(|_| !is_whole);

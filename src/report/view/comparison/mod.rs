@@ -1,12 +1,16 @@
 //! All solvers at both levels, scene by scene.
 
+mod answer;
+
+pub use answer::answer;
+
 use super::attempt::{listed, stem};
 use super::{Document, Outcome, View};
 use crate::film::Film;
-use crate::number::{count, readable};
+use crate::number::count;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Page, Table, markup};
-use crate::report::study::comparison::{Comparison, HELD, LeftOut, Plan, Run, Sample, Timing};
+use crate::report::study::comparison::{Comparison, LeftOut, Plan, Run, Sample, Timing};
 use crate::scene::Scheme;
 
 /// What stands for the solver of a scheme that solves no LCP.
@@ -164,7 +168,8 @@ pub fn table(comparison: &Comparison) -> Table {
         Column::numbers("accepted", ""),
         Column::numbers("iterations", "a problem"),
         Column::numbers("worst residual", ""),
-        Column::numbers("energy change", "J"),
+        Column::numbers("energy at the end", "J"),
+        Column::numbers("on the way", "J"),
         Column::numbers("drift", "m"),
         Column::numbers("penetration", "m"),
         Column::numbers("carried", "% of the weight"),
@@ -191,50 +196,14 @@ pub fn table(comparison: &Comparison) -> Table {
         title: format!("{scene}: {steps} steps of {dt} s"),
         how_to_read: "*claims* are problems that the solver calls solved, *accepted* those where \
                       the judge agrees; the *worst residual* is the judge's, over all problems, \
-                      claimed or not; – where none was solved. *carried* is the part of the weight that \
+                      claimed or not; – where none was solved. *energy at the end* and \
+                      *on the way* are its change since the start, at the end and at most. *carried* is the part of the weight that \
                       contacts, joints and springs carry over the run: all of it at rest, none in free fall."
             .into(),
         columns,
         rows,
         ..Table::default()
     }
-}
-
-/// Which formulation holds the scene, and by how many solvers.
-pub fn answer(comparison: &Comparison) -> String {
-    let Comparison { runs, steps, thinnest, .. } = comparison;
-    if runs.is_empty() {
-        return "None of the solvers that were named is made for this scene.".into();
-    }
-    let of_scheme = runs.chunk_by(|a, b| a.scheme == b.scheme);
-    let holds = |run: &&Run| run.holds(*steps, *thinnest);
-    let counted = |runs: &[Run]| {
-        let (held, all) = (runs.iter().filter(holds).count(), runs.len());
-        let by = match (held, all) {
-            (1, 1) => "holds it".to_string(),
-            (0, 1) => "does not hold it".to_string(),
-            (held, all) => format!("holds it by {held} of {all} solvers"),
-        };
-        let worst = |measure: fn(&Sample) -> f64| {
-            runs.iter().filter(holds).map(|run| run.worst(measure)).fold(0.0, f64::max)
-        };
-        let error = worst(|sample| sample.drift.max(sample.penetration));
-        let carried = runs.iter().filter(holds).filter_map(|run| run.carried).reduce(f64::min);
-        let carried = carried.map_or(String::new(), |part| {
-            format!(", {} % of the weight carried", readable(100.0 * part, 3))
-        });
-        let errors = match held {
-            0 => String::new(),
-            _ => format!(" (errors up to {} m{carried})", readable(error, 2)),
-        };
-        format!("{} {by}{errors}", runs[0].scheme)
-    };
-    let said: Vec<String> = of_scheme.map(counted).collect();
-    format!(
-        "Which formulation holds this scene for {steps} steps, every answer accepted, errors below {} m? {}.",
-        readable(HELD * thinnest, 2),
-        said.join("; ")
-    )
 }
 
 fn cells(run: &Run, steps: usize) -> Vec<Cell> {
@@ -251,6 +220,8 @@ fn cells(run: &Run, steps: usize) -> Vec<Cell> {
             0 => Cell::text("–"),
             _ => Cell::number(run.worst_residual, 2),
         },
+        Cell::number(run.energy_at_end(), 2)
+            .marked(mark(run.laws.keeps_energy(run.energy_at_end()))),
         Cell::number(run.energy_change(), 2),
         Cell::number(run.worst(|sample| sample.drift), 2),
         Cell::number(run.worst(|sample| sample.penetration), 2),
