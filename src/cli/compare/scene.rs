@@ -90,6 +90,7 @@ impl Compare {
             stop,
         )?;
         comparison.left_out = left_out;
+        comparison.add_levels(&scene, &solvers, stop);
         let is_whole = comparison.runs.len() == contenders.len()
             && comparison.runs.iter().all(|run| run.steps == steps);
         let stopped = stop.reason().filter(|_| !is_whole);

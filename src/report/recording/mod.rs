@@ -21,7 +21,9 @@ use crate::file;
 use crate::lcp::file::number;
 use crate::memory::Memory;
 use crate::scene::Scene;
-use crate::simulation::{Failure, Laws, Motion, Simulation, Step, Warnings, carried};
+use crate::simulation::{
+    Blow, Blows, Failure, Laws, Motion, Simulation, Slips, Step, Warnings, carried,
+};
 use crate::solver::Status;
 
 /// What stands in place of the work where nobody wrote down what acted.
@@ -51,6 +53,10 @@ pub struct Record {
     /// The step in which the least part of the weight was carried, and that part.
     least_carried: Option<(usize, f64)>,
     laws: Laws,
+    slips: Slips,
+    blows: Blows,
+    /// The blow that missed the law of restitution by most.
+    worst_blow: Option<Blow>,
     books: Option<Books>,
     conflict: Vec<String>,
     /// What happened in the steps although every problem was solved.
@@ -83,6 +89,9 @@ impl Record {
             worst_penetration: 0.0,
             least_carried: None,
             laws: Laws::default(),
+            slips: Slips::default(),
+            blows: Blows::default(),
+            worst_blow: None,
             books: Some(Books::default()),
             conflict: Vec::new(),
             warnings: Warnings::default(),
@@ -143,6 +152,13 @@ impl Record {
             tables.add(&self.scene, step);
         }
         self.laws = self.laws.worse(step.laws);
+        self.slips.add(step);
+        for blow in self.blows.add(&self.scene, step) {
+            let is_worse = |known: &Blow| blow.error().abs() > known.error().abs();
+            if self.worst_blow.as_ref().is_none_or(is_worse) {
+                self.worst_blow = Some(blow);
+            }
+        }
         self.books = self.books.zip(step.ledger).map(|(books, ledger)| books.with(&ledger));
         self.note(&step.motion);
     }
@@ -205,7 +221,10 @@ impl Record {
             "laws": {
                 "attraction": number(self.laws.attraction),
                 "cone_excess": number(self.laws.cone_excess),
-                "askew": number(self.laws.askew),
+                "askew": number(self.slips.askew.map_or(0.0, |slip| slip.angle)),
+                "friction_speed_error":
+                    self.slips.speed_error(&self.scene).map(|(_, error)| number(error)),
+                "restitution_error": self.worst_blow.map(|blow| number(blow.error())),
                 "friction_gain": self.accounted(|_| number(self.laws.friction_gain)),
                 "internal_impulse": number(self.laws.internal_impulse),
                 "internal_torque": number(self.laws.internal_torque),

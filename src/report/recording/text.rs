@@ -7,6 +7,7 @@ use super::{NOT_ACCOUNTED, Record};
 use crate::lcp::friction::Model;
 use crate::number::readable;
 use crate::scene::{Resting, Scene, Scheme};
+use crate::simulation::Slip;
 
 /// Bodies whose end is printed.
 const SHOWN: usize = 12;
@@ -16,6 +17,8 @@ const WARNINGS: usize = 5;
 const MUCH: f64 = 1.0;
 /// Friction that is so many degrees beside the line of the slip is worth a word.
 const ASKEW: f64 = 5.0;
+/// Angular momentum that appears from nowhere, beyond this part of all of it, is worth a word.
+const TURNED: f64 = 1e-6;
 /// A drift or an overlap beyond this part of the scene's size is worth a word.
 const DRIFT: f64 = 1e-3;
 
@@ -107,32 +110,84 @@ impl Record {
             notes.push(format!("bodies overlap by {depth} m at the start"));
         }
         notes.extend(self.friction_in_words());
+        notes.extend(self.blow_in_words());
+        notes.extend(self.turning_in_words());
         notes
     }
 
-    /// How far friction was from Coulomb's law, where the model is another one and it can be seen.
+    /// How far friction was from Coulomb's law, where that can be seen.
     fn friction_in_words(&self) -> Option<String> {
         let model = self.scene.contact.model;
-        let excess = 100.0 * self.laws.cone_excess;
-        let askew = self.laws.askew.to_degrees();
-        let is_askew =
-            askew > ASKEW && !matches!(model, Model::CoulombCone | Model::AssociatedCone);
-        let angle = format!("acted up to {askew:.0}° away from the direction of the slip");
-        let how = match (is_askew, excess > MUCH) {
-            (true, true) => {
-                format!("{angle} and was up to {excess:.0} % outside Coulomb's cone")
-            }
-            (true, false) => angle,
-            (false, true) => format!("was up to {excess:.0} % outside Coulomb's cone"),
-            (false, false) => return None,
+        let pair = |slip: &Slip| {
+            let [body, other] = slip.bodies.map(|body| &self.scene.bodies[body].name);
+            format!("of {body:?} on {other:?}")
         };
+        let is_cone = matches!(model, Model::CoulombCone | Model::AssociatedCone);
+        let askew = self.slips.askew.filter(|slip| slip.angle.to_degrees() > ASKEW && !is_cone);
+        let beyond = self.slips.beyond.filter(|slip| 100.0 * slip.excess > MUCH);
+        let error = self.slips.speed_error(&self.scene);
+        let mut says = Vec::new();
+        says.extend(askew.map(|slip| {
+            let angle = slip.angle.to_degrees();
+            format!("acted up to {angle:.0}° away from the direction of the slip {}", pair(&slip))
+        }));
+        says.extend(beyond.map(|slip| {
+            let excess = 100.0 * slip.excess;
+            format!("was up to {excess:.0} % outside Coulomb's cone {}", pair(&slip))
+        }));
+        says.extend(error.map(|(body, error)| {
+            format!(
+                "differs from Coulomb's by an impulse that changes the velocity of {1:?} by up to {0} m/s over the run",
+                readable(error, 2),
+                self.scene.bodies[body].name
+            )
+        }));
+        let how = match &says[..] {
+            [] => return None,
+            [one] => one.clone(),
+            [others @ .., last] => format!("{} and {last}", others.join(", ")),
+        };
+        let scheme = self.scene.step.scheme;
         let remedy = match model {
+            _ if !scheme.poses_friction() => {
+                "the scheme velocity with the model coulomb-cone satisfies Coulomb's law"
+            }
             Model::Polyhedral { .. } => {
                 "more directions, or the model coulomb-cone, are more accurate"
             }
             _ => "the model coulomb-cone has the correct strength and direction",
         };
         Some(format!("friction of the model {model} {how}; {remedy}"))
+    }
+
+    /// The blow that missed the coefficient of restitution by most, where that can be seen.
+    fn blow_in_words(&self) -> Option<String> {
+        let blow = self.worst_blow.filter(|blow| 100.0 * blow.error().abs() > MUCH)?;
+        let [body, other] = blow.bodies.map(|body| &self.scene.bodies[body].name);
+        let [parting, approach, due] =
+            [blow.parting, blow.approach, blow.restitution * blow.approach]
+                .map(|speed| readable(speed, 3));
+        Some(format!(
+            "{body:?} and {other:?} came together at {approach} m/s in step {} and parted at \
+             {parting} m/s, where the restitution {} asks for {due} m/s; the schemes velocity and \
+             acceleration keep it",
+            blow.step, blow.restitution
+        ))
+    }
+
+    /// The angular momentum that the contacts and joints of a scheme without an LCP made.
+    fn turning_in_words(&self) -> Option<String> {
+        let size = self.first.angular_momentum.norm().max(self.last.angular_momentum.norm());
+        let made = self.laws.internal_torque;
+        (made > TURNED * size && !self.scene.step.scheme.solves_lcps()).then(|| {
+            format!(
+                "contacts and joints between moving bodies made {} N m s of angular momentum in a \
+                 step, {} % of it: the scheme {} does not conserve it in contact; velocity does",
+                readable(made, 2),
+                readable(100.0 * made / size, 2),
+                self.scene.step.scheme.name()
+            )
+        })
     }
 
     /// The drift beside the scene, and what takes it away, where it can be seen.

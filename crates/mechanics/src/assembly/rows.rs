@@ -101,6 +101,18 @@ impl Row {
         second.or(first.map(|pull| -pull)).filter(|push| push.norm() > 0.0)
     }
 
+    /// The bodies that move with their entries of J, for [v; ω].
+    pub fn movers(&self) -> impl Iterator<Item = (usize, Vector6<f64>)> {
+        let pairs = self.bodies.into_iter().zip(self.parts);
+        pairs.filter_map(|(body, part)| Some((body?, part?.jacobian)))
+    }
+
+    /// J u (m/s or rad/s) with the velocities of these states; J stays that of its instant.
+    pub fn velocity_with(&self, states: &[State]) -> f64 {
+        let own = self.movers().map(|(body, jacobian)| jacobian.dot(&states[body].velocity()));
+        own.sum::<f64>() + self.drift
+    }
+
     /// Whether it keeps bodies from turning, and does nothing else: a row of a hinge or a weld.
     pub fn holds_axis(&self) -> bool {
         let only_turns = |part: &Part| linear(&part.jacobian) == Vector3::zeros();

@@ -40,6 +40,14 @@ impl Scene {
             "step.substeps",
             "it is for xpbd, soft and penalty",
         );
+        let bounces = self.contact.restitution > 0.0
+            || self.bodies.iter().any(|body| body.restitution.is_some_and(|e| e > 0.0))
+            || self.pairs.values().any(|pair| pair.restitution.is_some_and(|e| e > 0.0));
+        unread(
+            bounces && scheme == Scheme::Penalty,
+            "contact.restitution",
+            "step.penalty.damping decides how bodies bounce",
+        );
         let usual = Scene { solver: Solver { scale: None, ..self.solver.clone() }, ..self.clone() };
         if let Some(scale) = self.solver.scale.filter(|scale| *scale > usual.scale()) {
             notes.push(format!(

@@ -2,20 +2,20 @@
 //!
 //! ```text
 //! no attraction    x_n ≥ 0                      the cone   |x_t| ≤ μ x_n  (a box allows √2 μ x_n)
-//! friction opposes the slip    x_t = −μ x_n w_t/|w_t|  (a box and a polygon turn it aside)
 //! dissipation      work of friction ≤ 0         momentum   rows between bodies change neither
 //!                                                          Σ m v nor Σ p × m v + I ω
 //! ```
 //!
-//! Penetration and drift stand in [`Motion`](super::Motion).
+//! Penetration and drift stand in [`Motion`](super::Motion), the direction of friction in
+//! [`Slip`](super::Slip).
 
-use nalgebra::{Vector2, Vector3};
+use nalgebra::Vector3;
 
-use super::{Ledger, Solve};
+use super::slip::Totals;
+use super::{Ledger, Slip, Solve};
 use crate::assembly::{Assembly, Row};
-use crate::body::{State, angular, linear};
+use crate::body::{Body, State, angular, linear};
 use crate::constraint::Bounds;
-use crate::formulation::Stage;
 use crate::scene::Scene;
 
 /// How far a step is from the laws of contact and of momentum; 0 is perfect.
@@ -25,17 +25,16 @@ pub struct Laws {
     pub attraction: f64,
     /// How far friction reaches out of the cone: the largest |x_t| − μ x_n beyond what the solver's
     /// tolerance allows, in parts of the largest μ x_n of the solve. Up to √2 − 1 in the corners of a
-    /// box.
+    /// box. Where the scheme poses no problem, of all contacts of two bodies together.
     pub cone_excess: f64,
-    /// The largest angle (rad) between the friction of a contact that slides and the line of its
-    /// slip at the end of the step, at velocity level.
-    pub askew: f64,
     /// The work that friction put in (J), 0 if it took some out, and where no ledger knows it. The belt of a
     /// fixed body that moves may put some in.
     pub friction_gain: f64,
-    /// The momentum (N s) that rows between two moving bodies made.
+    /// The momentum (N s) that rows between two moving bodies made; where the scheme poses no
+    /// problem, what is measured in a step in which nothing fixed pushes.
     pub internal_impulse: f64,
-    /// The angular momentum (N m s) that rows between two moving bodies made.
+    /// The angular momentum (N m s) that rows between two moving bodies made; likewise, and only
+    /// without gravity and forces.
     pub internal_torque: f64,
 }
 
@@ -53,10 +52,6 @@ impl Laws {
             let (rows, x) = (&problem.assembly.rows, problem.efforts(&solution.x));
             let tolerated = scene.solver.tolerance * problem.lcp.scale();
             laws.cone_excess = laws.cone_excess.max(cone_excess(rows, &x, tolerated));
-            if problem.stage == Stage::Velocity {
-                let slip = scene.resting().speed;
-                laws.askew = laws.askew.max(askew(rows, &x, &solution.w, slip));
-            }
             for (i, row) in rows.iter().enumerate() {
                 if row.bounds == Bounds::Unilateral {
                     laws.attraction = laws.attraction.max(-x[i]);
@@ -69,12 +64,44 @@ impl Laws {
         laws
     }
 
+    /// The same with what only a scheme that poses no problem has to be measured for.
+    pub(super) fn of_pushes(
+        self,
+        scene: &Scene,
+        [before, after]: [&[State]; 2],
+        totals: &Totals,
+        slips: &[Slip],
+    ) -> Self {
+        let cone_excess = slips.iter().map(|slip| slip.excess).fold(0.0, f64::max);
+        let moves = |body: usize| scene.bodies[body].mass.dof() > 0;
+        let is_internal = |row: &Row| row.bodies.iter().all(|body| body.is_some_and(moves));
+        let acts = |(row, impulse): &(Row, f64)| *impulse != 0.0 && !is_internal(row);
+        if totals.rows().any(acts) {
+            return Laws { cone_excess, ..self };
+        }
+        let bodies = || scene.bodies.iter().zip(before.iter().zip(after));
+        let gained = bodies().map(|(body, (old, new))| {
+            let given = scene.step.dt * (body.mass.mass() * scene.gravity + body.force);
+            body.mass.momentum(new) - body.mass.momentum(old) - given
+        });
+        let turned = bodies().map(|(body, (old, new))| {
+            body.mass.angular_momentum(new) - body.mass.angular_momentum(old)
+        });
+        let is_free = |body: &Body| body.force == Vector3::zeros() && body.torque == body.force;
+        let is_free = scene.gravity == Vector3::zeros() && scene.bodies.iter().all(is_free);
+        Laws {
+            cone_excess,
+            internal_impulse: gained.sum::<Vector3<f64>>().norm(),
+            internal_torque: if is_free { turned.sum::<Vector3<f64>>().norm() } else { 0.0 },
+            ..self
+        }
+    }
+
     /// The worse of two steps, law by law.
     pub fn worse(self, other: Laws) -> Laws {
         Laws {
             attraction: self.attraction.max(other.attraction),
             cone_excess: self.cone_excess.max(other.cone_excess),
-            askew: self.askew.max(other.askew),
             friction_gain: self.friction_gain.max(other.friction_gain),
             internal_impulse: self.internal_impulse.max(other.internal_impulse),
             internal_torque: self.internal_torque.max(other.internal_torque),
@@ -95,21 +122,6 @@ fn cone_excess(rows: &[Row], x: &[f64], tolerated: f64) -> f64 {
     }
     let beside = if limit > 0.0 { limit } else { largest };
     if excess > 0.0 { excess / beside } else { 0.0 }
-}
-
-/// The largest angle (rad) between x_t and −w_t of contacts that slip faster than this (m/s) and
-/// whose friction is as strong as it may be.
-fn askew(rows: &[Row], x: &[f64], w: &[f64], slip: f64) -> f64 {
-    let angle = |(i, pair): (usize, &[Row])| {
-        let Bounds::Friction { normal, mu } = pair[0].bounds else { return 0.0 };
-        if pair[1].bounds != pair[0].bounds || pair[0].id.source != pair[1].id.source {
-            return 0.0;
-        }
-        let [friction, speed] = [x, w].map(|v| Vector2::new(v[i], v[i + 1]));
-        let is_full = friction.norm() > 0.5 * mu * x[normal] && friction.norm() > 0.0;
-        if is_full && speed.norm() > slip { friction.angle(&-speed) } else { 0.0 }
-    };
-    rows.windows(2).enumerate().map(angle).fold(0.0, f64::max)
 }
 
 /// The force and the torque about the world's origin that a unit x of a row leaves over, if both

@@ -42,7 +42,9 @@ pub struct Ledger {
     pub contact: f64,
     /// What bounces give back.
     pub restitution: f64,
-    /// Feedback of position errors and gaps.
+    /// Gaps that close within the step: the contact stops there and does not bounce.
+    pub gap: f64,
+    /// Feedback of position errors.
     pub bias: f64,
     /// Dry friction: never a gain.
     pub friction: f64,
@@ -67,11 +69,12 @@ pub struct Ledger {
 
 impl Ledger {
     /// The accounts with their names, in the order of tables.
-    pub fn accounts(&self) -> [(&'static str, f64); 12] {
+    pub fn accounts(&self) -> [(&'static str, f64); 13] {
         [
             ("constraint", self.constraint),
             ("contact", self.contact),
             ("restitution", self.restitution),
+            ("gap", self.gap),
             ("bias", self.bias),
             ("friction", self.friction),
             ("motor", self.motor),
@@ -155,8 +158,10 @@ impl Ledger {
             }
             if matches!(row.bounds, Bounds::Bilateral | Bounds::Unilateral) && row.spring.is_none()
             {
+                let is_gap = row.bounds == Bounds::Unilateral && row.c > 0.0;
                 match impulses.bounces(row) {
                     true => self.restitution += bias,
+                    false if is_gap => self.gap += bias,
                     false => self.bias += bias,
                 }
             }
@@ -210,6 +215,7 @@ impl std::ops::Add for Ledger {
             constraint: self.constraint + other.constraint,
             contact: self.contact + other.contact,
             restitution: self.restitution + other.restitution,
+            gap: self.gap + other.gap,
             bias: self.bias + other.bias,
             friction: self.friction + other.friction,
             motor: self.motor + other.motor,

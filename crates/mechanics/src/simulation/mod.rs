@@ -8,6 +8,7 @@
 
 mod acts;
 mod answering;
+mod blows;
 mod conflict;
 mod correction;
 mod exported;
@@ -20,23 +21,28 @@ mod motion;
 mod path;
 mod record;
 mod scheme;
+mod slip;
 mod solving;
 mod stated;
 pub mod stepper;
 mod sweep;
 mod swept;
+mod unlocated;
 mod warnings;
 
 pub use acts::{Act, Push};
+pub use blows::{Blow, Blows, Touch};
 pub use impact_energy::{ImpactCause, ImpactEnergy};
 pub use interpenetration::{DEEP, Interpenetration, InterpenetrationKind, LASTING, NOTABLE};
 pub use laws::Laws;
 pub use ledger::Ledger;
 pub use motion::{Motion, carried};
 pub use record::{Cause, Failure, Recording, Solve, Step};
+pub use slip::{Slip, Slips};
 pub use stated::{options, problem_of, solver};
 pub use stepper::Stepper;
 pub use swept::Swept;
+pub use unlocated::Unlocated;
 pub use warnings::{Amount, Warning, Warnings};
 
 use std::ops::ControlFlow;
@@ -46,6 +52,7 @@ use crate::scene::{Detector, Passage, Scene, step_contacts};
 use answering::Solvers;
 use interpenetration::Overlaps;
 use lcplab_solver::{Apgd, ConeSolver, Observer, Solver, Status, Stop};
+use slip::Totals;
 use solving::{Memory, Solving};
 
 /// A speed (m/s or rad/s) beyond which a motion counts as diverged.
@@ -204,7 +211,8 @@ impl Simulation {
         let outcome = scheme::step(&mut solving, &before, &found);
         let Solving { solves, answers, acts, mut pushed, .. } = solving;
         let is_stopped = |solve: &Solve| solve.solution.status == Status::Stopped;
-        let sound = |states: Vec<State>| match self.divergence(&states, &solves) {
+        let totals = Totals::of(scene, acts.as_deref(), &solves, &pushed);
+        let sound = |states: Vec<State>| match self.divergence(&states, &totals) {
             _ if solves.iter().any(is_stopped) => Err(Cause::Stopped(None)),
             Some(cause) => Err(cause),
             None => Ok(states),
@@ -222,7 +230,14 @@ impl Simulation {
         }
         let account = |acts: &Vec<Act>| Ledger::of(scene, &before, &solves, acts, &states);
         let ledger = acts.as_ref().map(account);
+        let slips = Slip::of(scene, &totals, &states);
+        let touches = Touch::of(&totals, &states);
+        let unlocated = Unlocated::of(scene, &before, &totals);
         let laws = Laws::of(scene, &before, &solves, ledger.as_ref());
+        let laws = match solves.is_empty() {
+            true => laws.of_pushes(scene, [&before, &states], &totals, &slips),
+            false => laws,
+        };
         let impact_energy = ImpactEnergy::of(scene, &before, &solves, acts.as_deref());
         let scene = self.scene.forced(from, dt);
         let (interpenetrations, motion) = measured(
@@ -249,6 +264,9 @@ impl Simulation {
             ledger,
             laws,
             swept: None,
+            slips,
+            touches,
+            unlocated,
         })
     }
 
@@ -273,14 +291,11 @@ impl Simulation {
         Recording { motion, failure: None }
     }
 
-    fn divergence(&self, states: &[State], solves: &[Solve]) -> Option<Cause> {
+    fn divergence(&self, states: &[State], totals: &Totals) -> Option<Cause> {
         let sane = |state: &State| state.is_finite() && state.velocity().norm() < DIVERGED;
         let body = states.iter().position(|state| !sane(state))?;
-        let rows = solves
-            .last()
-            .into_iter()
-            .flat_map(|last| last.problem.assembly.rows.iter().zip(&last.solution.x));
-        let acting = rows.filter(|(row, _)| row.bodies.contains(&Some(body)));
+        let acting = totals.rows().filter(|(row, _)| row.bodies.contains(&Some(body)));
+        let acting = acting.filter(|(_, impulse)| *impulse != 0.0);
         let largest = acting.max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()));
         let row = largest.map(|(row, _)| row.label(&self.scene));
         Some(Cause::Diverged { body: self.scene.bodies[body].name.clone(), row })

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::acts::Impulses;
 use super::swept::Swept;
-use super::{Act, ImpactEnergy, Interpenetration, Laws, Ledger, Motion};
+use super::{Act, ImpactEnergy, Interpenetration, Laws, Ledger, Motion, Slip, Touch, Unlocated};
 use crate::assembly::{Row, Undefined};
 use crate::body::State;
 use crate::formulation::{Posing, Problem};
@@ -47,6 +47,12 @@ pub struct Step {
     pub ledger: Option<Ledger>,
     /// How well it kept the laws of contact and momentum.
     pub laws: Laws,
+    /// The friction of each pair of bodies that rub, beside Coulomb's law.
+    pub slips: Vec<Slip>,
+    /// The pairs of bodies that push each other.
+    pub touches: Vec<Touch>,
+    /// Bounces across a gap that the step took at its beginning.
+    pub unlocated: Vec<Unlocated>,
     /// The start and the impulses of a step of a fixed number of sweeps, which has no solves of its own:
     /// [`posed`](Step::posed) makes them.
     pub swept: Option<Swept>,

@@ -79,6 +79,9 @@ impl Simulation {
             pushed: Vec::new(),
             ledger: None,
             laws: Laws { cone_excess: stepper.cone_excess(), ..Laws::default() },
+            slips: Vec::new(),
+            touches: Vec::new(),
+            unlocated: Vec::new(),
             swept: Some(Swept {
                 before,
                 sweeps: scene.solver.max_iterations,

@@ -1,6 +1,6 @@
 //! What happened in the steps of a run although every problem was solved: bodies that overlap or
-//! went through each other, and impacts whose energy is not what the coefficient of restitution
-//! says.
+//! went through each other, impacts that were not located, and impacts whose energy is not what the
+//! coefficient of restitution says.
 
 use std::fmt;
 
@@ -32,8 +32,8 @@ pub struct Warnings(Vec<Warning>);
 /// What happened to a pair of bodies, in one step or in several.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Warning {
-    /// What happened, in one word: `passed_through`, `deep_overlap`, `lasting_overlap`, or why
-    /// energy changed.
+    /// What happened, in one word: `passed_through`, `deep_overlap`, `lasting_overlap`,
+    /// `impact_not_located`, or why energy changed.
     pub word: &'static str,
     /// The names of the bodies.
     pub bodies: [String; 2],
@@ -45,7 +45,7 @@ pub struct Warning {
     pub message: String,
     /// In how many steps it happened.
     pub steps: usize,
-    /// The sum of the energies of all these steps (J), or the greatest depth (m).
+    /// The sum of the energies of all these steps (J), or the greatest depth (m) or speed (m/s).
     pub total: f64,
 }
 
@@ -56,6 +56,8 @@ pub enum Amount {
     Depth(f64),
     /// An energy that was added (J), negative where it was lost.
     Energy(f64),
+    /// A velocity that is off (m/s).
+    Speed(f64),
 }
 
 impl Warnings {
@@ -76,6 +78,11 @@ impl Warnings {
             let message = ImpactEnergy::message(own, scene, step.number);
             let amount = Amount::Energy(own.energy);
             self.note(scene, own.word(), own.bodies, step.number, amount, message);
+        }
+        for own in &step.unlocated {
+            let message = own.message(scene, step.number);
+            let amount = Amount::Speed(own.speed);
+            self.note(scene, "impact_not_located", own.bodies, step.number, amount, message);
         }
     }
 
@@ -117,7 +124,7 @@ impl Warning {
     fn again(&mut self, amount: Amount) {
         self.steps += 1;
         self.total = match amount {
-            Amount::Depth(depth) => self.total.max(depth),
+            Amount::Depth(value) | Amount::Speed(value) => self.total.max(value),
             Amount::Energy(energy) => self.total + energy,
         };
     }
@@ -129,6 +136,7 @@ impl Warning {
         let (first, total) = match self.amount {
             Amount::Depth(_) => ("depth", "greatest_depth"),
             Amount::Energy(_) => ("energy", "total_energy"),
+            Amount::Speed(_) => ("speed", "greatest_speed"),
         };
         object[first] = number(self.amount.value());
         object[total] = number(self.total);
@@ -137,10 +145,10 @@ impl Warning {
 }
 
 impl Amount {
-    /// In m or J.
+    /// In m, J or m/s.
     fn value(self) -> f64 {
         match self {
-            Amount::Depth(value) | Amount::Energy(value) => value,
+            Amount::Depth(value) | Amount::Energy(value) | Amount::Speed(value) => value,
         }
     }
 }
@@ -153,6 +161,9 @@ impl fmt::Display for Warning {
             (1, _) => Ok(()),
             (steps, Amount::Depth(_)) => {
                 write!(f, " This happened in {steps} steps, with up to {total} m.")
+            }
+            (steps, Amount::Speed(_)) => {
+                write!(f, " This happened in {steps} steps, with up to {total} m/s.")
             }
             (steps, Amount::Energy(_)) => {
                 write!(f, " This happened in {steps} steps, with a total of {total} J.")

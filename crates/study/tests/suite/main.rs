@@ -1,6 +1,7 @@
 //! The judge beside the solvers it does not know, derivations, diagnoses and the hunt.
 
 mod certificate;
+mod comparison;
 mod diagnosis;
 mod explain;
 mod extremes;

@@ -341,6 +341,39 @@ fn what_moves_bodies_though_every_problem_is_solved_is_named_first() {
     }
 }
 
+#[test]
+fn the_law_of_friction_is_named_where_a_groove_holds_otherwise_than_coulombs_cone() {
+    // The cone holds a bar in a right-angled groove up to arctan(√2 μ) = 35.26 degrees.
+    let groove = |angle: f64, scheme: &str, model: &str| {
+        let text = format!(
+            "tilt = {{ y = {angle} }}\ncontact.friction = 0.5\ncontact.model = {model:?}\n\
+             step.scheme = {scheme:?}\n\
+             [[bodies]]\nname = \"left\"\nfixed = true\nshape = {{ plane = [0, 1, 1] }}\n\
+             [[bodies]]\nname = \"right\"\nfixed = true\nshape = {{ plane = [0, -1, 1] }}\n\
+             [[bodies]]\nname = \"bar\"\nmass = 3\nshape = {{ box = [0.6, 0.2, 0.2] }}\n\
+             position = [0, 0, 0.14142135623730951]\nrotation = {{ x = 45 }}\n"
+        );
+        let scene = Scene::from_toml("groove.toml", &text).unwrap();
+        examine_scene(&scene, None).unwrap()
+    };
+    // It slides where the cone holds it, and rests where the cone lets it slide.
+    for (angle, scheme) in [(34.0, "sequential-impulses"), (34.0, "soft"), (34.0, "xpbd")] {
+        assert_eq!(groove(angle, scheme, "coupled-box").causes(), ["box friction"], "{scheme}");
+    }
+    for scheme in ["velocity", "acceleration", "split-impulse"] {
+        assert_eq!(groove(40.0, scheme, "coupled-box").causes(), ["box friction"], "{scheme}");
+        assert!(groove(34.0, scheme, "coupled-box").causes().is_empty(), "{scheme}");
+    }
+    assert!(groove(34.0, "velocity", "coulomb-cone").causes().is_empty());
+}
+
+#[test]
+fn a_polygon_that_turns_a_slip_aside_is_named() {
+    // 30 degrees from the corner of a square.
+    let found = examined("sliding", "dantzig", 10_000, &[("contact.model", "polygon-4")]);
+    assert_eq!(found.causes(), ["polygon friction"], "{:?}", found.moving);
+}
+
 /// Two boxes, the upper one sunk into the lower one.
 fn overlap(height: f64, beta: f64) -> String {
     let body = |name: &str, height: f64| {

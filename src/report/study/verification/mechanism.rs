@@ -3,7 +3,7 @@
 use super::measure::{Case, Known, Method, ROUNDING, after, last};
 use super::{Row, Size};
 use crate::error::Result;
-use crate::scene::Scene;
+use crate::scene::{Scene, Scheme};
 
 const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
 const G: f64 = 9.81;
@@ -193,6 +193,61 @@ pub(super) fn belt(size: Size) -> Result<Vec<Row>> {
             let speed = |time| Some(last(scene, time)?.states[1].v.x);
             Some(vec![speed(0.1)?, speed(1.0)?])
         }));
+    }
+    Ok(rows)
+}
+
+/// Joints that say the same twice, off the axes of the world: a door on two hinges with one axis, and a
+/// ball on two sliders, each brought to its speed by a motor.
+pub(super) fn redundant(size: Size) -> Result<Vec<Row>> {
+    let axis = nalgebra::Vector3::new(0.1, 0.2, 1.0).normalize();
+    let hinge =
+        |point: &str| joint("hinge", "[\"door\"]", &format!("axis = [0.1, 0.2, 1]\n{point}"));
+    let door = String::from("gravity = [0, 0, 0]\n[[bodies]]\nname = \"door\"\nmass = 20\n")
+        + "shape = { box = [1, 0.05, 2] }\nposition = [0.5, 0, 0]\n"
+        + &hinge("point = [0.08, 0.16, 0.8]")
+        + &hinge("point = [-0.08, -0.16, -0.8]")
+        + &joint("motor_rotation", "[\"door\"]", "axis = [0.1, 0.2, 1]\nspeed = 2\neffort = 1e4");
+    let slider =
+        |point: &str| joint("slider", "[\"a\"]", &format!("axis = [0.1, 0.2, 1]\n{point}"));
+    let sliders = String::from(WEIGHTLESS)
+        + &ball("a", [0.0; 3], "")
+        + &slider("point = [0.8, 0.5, 0]")
+        + &slider("point = [-0.8, -0.5, 0]")
+        + &joint("motor_translation", "[\"a\"]", "axis = [0.1, 0.2, 1]\nspeed = 2\neffort = 1e4");
+    let formula = ["the motor's speed", "v_{\\mathrm{motor}}"];
+    let mut rows = Vec::new();
+    for (scene, text, quantity, unit) in [
+        ("door", &door, "rate about the hinges after 0.5 s", "rad/s"),
+        ("sliders", &sliders, "speed along the sliders after 0.5 s", "m/s"),
+    ] {
+        let mut case = Case::of("redundant-joints", Scene::from_toml(scene, text)?, size);
+        case.scene.step.baumgarte = 0.1;
+        for level in LEVELS {
+            let known = vec![Known::exact(SUMMED, quantity, formula, unit, 2.0)];
+            rows.extend(case.rows(level, known, |scene| {
+                let state = after(scene, 0.5)?[0];
+                let moved = if unit == "m/s" { state.v } else { state.omega };
+                Some(vec![moved.dot(&axis)])
+            }));
+        }
+    }
+    Ok(rows)
+}
+
+/// A motor with effort to spare holds its speed against a force, by every scheme.
+pub(super) fn blocked(size: Size) -> Result<Vec<Row>> {
+    let drive = "axis = [1, 0, 0]\nspeed = 2\neffort = 1000";
+    let text = String::from(WEIGHTLESS)
+        + &ball("a", [0.0; 3], "force = [-50, 0, 0]")
+        + &joint("motor_translation", "[\"a\"]", drive);
+    let case = Case::of("blocked-motor", Scene::from_toml("motor-against-force", &text)?, size);
+    let mut rows = Vec::new();
+    for scheme in Scheme::ALL {
+        let formula = ["the motor's speed", "v_{\\mathrm{motor}}"];
+        let known = vec![Known::exact(SUMMED, "speed against the force", formula, "m/s", 2.0)];
+        let run = |scene: &Scene| Some(vec![after(scene, 0.5)?[0].v.x]);
+        rows.extend(case.rows(Method::Scheme(scheme), known, run));
     }
     Ok(rows)
 }

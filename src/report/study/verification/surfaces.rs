@@ -8,6 +8,7 @@ use crate::scene::Scene;
 const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
 const G: f64 = 9.81;
 const SUMMED: (f64, &str) = (1e-6, "the solver's tolerance, summed over the steps");
+const OF_CONES: (f64, &str) = (1e-4, "the tolerance of solvers for cones, summed over the steps");
 
 /// A ground and a block of 2 kg on it, μ_s = 0.5 and μ = 0.3, with these fields.
 fn block(name: &str, ground: &str, block: &str) -> Result<Scene> {
@@ -151,6 +152,37 @@ pub(super) fn pairs(size: Size) -> Result<Vec<Row>> {
             let states = after(scene, 0.1)?;
             Some(vec![states[1].v.z, states[2].v.z])
         }));
+    }
+    Ok(rows)
+}
+
+/// A bar in a right-angled groove: Coulomb's cone holds it up to tan α = √2 μ, 35.26° at μ = 0.5, and
+/// above that it slides with what friction leaves.
+pub(super) fn groove(size: Size) -> Result<Vec<Row>> {
+    let (mu, time) = (0.5, 0.5);
+    let bar = |angle: f64| {
+        format!(
+            "tilt = {{ y = {angle} }}\ncontact.friction = 0.5\ncontact.model = \"coulomb-cone\"\n\
+             [[bodies]]\nname = \"left\"\nfixed = true\nshape = {{ plane = [0, 1, 1] }}\n\
+             [[bodies]]\nname = \"right\"\nfixed = true\nshape = {{ plane = [0, -1, 1] }}\n\
+             [[bodies]]\nname = \"bar\"\nmass = 3\nshape = {{ box = [0.6, 0.2, 0.2] }}\n\
+             position = [0, 0, 0.14142135623730951]\nrotation = {{ x = 45 }}\n"
+        )
+    };
+    let formula = [
+        "max(0, g (sin alpha - sqrt(2) mu cos alpha)) t",
+        "\\max(0,\\ g\\,(\\sin\\alpha - \\sqrt 2\\mu\\cos\\alpha))\\,t",
+    ];
+    let mut rows = Vec::new();
+    for angle in [35.0, 35.5] {
+        let (sin, cos) = libm::sincos(f64::to_radians(angle));
+        let pull = G * (sin - std::f64::consts::SQRT_2 * mu * cos);
+        let case = Case::of("groove", Scene::from_toml("bar-in-groove", &bar(angle))?, size);
+        for level in LEVELS {
+            let what = format!("speed along the groove at {angle}° after 0.5 s");
+            let known = vec![Known::exact(OF_CONES, what, formula, "m/s", pull.max(0.0) * time)];
+            rows.extend(case.rows(level, known, |scene| Some(vec![after(scene, time)?[2].v.x])));
+        }
     }
     Ok(rows)
 }

@@ -3,7 +3,8 @@
 //! ```text
 //! x = −k c − d J u                         equations and springs (which have a k and d of their own)
 //!     max(0, −k c − d J u) where c < 0     contacts and limits: they never pull
-//!     Π(−d (J u − v))                      friction and motors, within their bounds
+//!     Π(−d (J u − v))                      friction, within its bounds
+//!     Π(−(J (u + h M⁻¹F) − v)/(h J M⁻¹Jᵀ)) motors: what brings the row to its speed in a substep
 //! u⁺ = u + h M⁻¹(F + Jᵀx),   s⁺ = s + h S u⁺
 //! ```
 //!
@@ -18,6 +19,7 @@ use crate::body::State;
 use crate::constraint::Bounds;
 use crate::scene::{Found, Penalty};
 use crate::simulation::solving::{Solving, assembled};
+use crate::simulation::sweep::Sweeper;
 use crate::simulation::{Act, Cause, Push};
 
 pub(super) fn step(
@@ -30,7 +32,7 @@ pub(super) fn step(
     let mut states = states.to_vec();
     for _ in 0..scene.step.substeps {
         let assembly = assembled(&scene, &states, found, Entering::Near)?;
-        let x = forces(&assembly, &scene.step.penalty);
+        let x = forces(&assembly, &scene.step.penalty, h);
         let pull = assembly.pull_back(&x);
         let force: Vec<f64> = assembly.force.iter().zip(pull).map(|(f, x)| f + x).collect();
         let rates = assembly.accelerate(&force);
@@ -46,13 +48,36 @@ pub(super) fn step(
 }
 
 /// x (N, N m), a row each.
-fn forces(assembly: &Assembly, settings: &Penalty) -> Vec<f64> {
+fn forces(assembly: &Assembly, settings: &Penalty, h: f64) -> Vec<f64> {
+    let drives = drives(assembly, h);
     let mut x: Vec<f64> = Vec::with_capacity(assembly.rows.len());
-    for row in &assembly.rows {
-        let force = force(row, settings, &x);
+    for (row, drive) in assembly.rows.iter().zip(drives) {
+        let force = drive.unwrap_or_else(|| force(row, settings, &x));
         x.push(force);
     }
     x
+}
+
+/// The forces of motors; `None` of all other rows.
+fn drives(assembly: &Assembly, h: f64) -> Vec<Option<f64>> {
+    let mut drives = vec![None; assembly.rows.len()];
+    let is_motor = |row: &Row| matches!(row.bounds, Bounds::Effort(_)) && row.spring.is_none();
+    if !assembly.rows.iter().any(is_motor) {
+        return drives;
+    }
+    let sweeper = Sweeper::new(assembly, h);
+    let free = assembly.push_forward(&assembly.accelerate(&assembly.force));
+    for (i, row) in assembly.rows.iter().enumerate() {
+        let mobility = sweeper.diagonal(i);
+        if let Bounds::Effort(effort) = row.bounds
+            && is_motor(row)
+            && mobility > 0.0
+        {
+            let missing = row.speed - row.velocity - h * free[i];
+            drives[i] = Some((missing / (h * mobility)).clamp(-effort, effort));
+        }
+    }
+    drives
 }
 
 /// The force of a row after those before it: of a contact the normal row comes first.

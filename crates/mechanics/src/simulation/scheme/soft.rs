@@ -12,7 +12,8 @@
 //! unstable above some f: two particles with inverse masses 0.167 and 0.000995 at h = 1/60 s, ζ = 0,
 //! above 13.57 Hz, with one relaxing sweep above 20.94 Hz; hence `rate_limit`.
 //!
-//! Restitution: contacts that pushed in a substep get the rest of e J u⁻ at the end of the step.
+//! Restitution: contacts that pushed in a substep get the rest of e J u⁻ at the end of the step, and
+//! friction up to μ times it.
 //! Springs of the scene keep their own k and d. Catto, *Solver2D*, 2024 ("TGS soft").
 
 use std::collections::BTreeMap;
@@ -27,6 +28,11 @@ use crate::scene::{Found, Scene};
 use crate::simulation::solving::{Solving, assembled};
 use crate::simulation::sweep::{Aim, Sweeper};
 use crate::simulation::{Act, Cause, Push};
+
+/// A bounce is swept so often at most.
+const MOST_SWEEPS: usize = 100;
+/// A bounce has settled when a sweep changes velocities by less than this part of the fastest.
+const SETTLED: f64 = 1e-10;
 
 /// The impulse of each row so far, by name.
 type Impulses = BTreeMap<RowId, f64>;
@@ -152,7 +158,9 @@ fn firm_aim(row: &Row, h: f64) -> Option<Aim> {
     }
 }
 
-/// The states with the bounce of contacts that were hit: J u⁺ = −e J u⁻ where that is faster.
+/// The states with the bounce of contacts that were hit: J u⁺ = −e J u⁻ where that is faster, with
+/// friction up to μ times what bounces. Swept until it settles, for corners of a body turn each
+/// other's approach.
 fn bounced(
     scene: &Scene,
     assembly: Assembly,
@@ -162,20 +170,41 @@ fn bounced(
     pushed: &Impulses,
 ) -> (Vec<State>, Push) {
     let sweeper = Sweeper::new(&assembly, scene.step.dt);
-    let (mut impulses, mut feedback) = (vec![0.0; x.len()], vec![0.0; x.len()]);
-    let mut u = assembly.u.clone();
-    for (i, row) in assembly.rows.iter().enumerate() {
+    let aim = |row: &Row| {
         let before = approach.get(&row.id).copied().unwrap_or(0.0);
         let e = scene.restitution(row.bodies);
         let hit = row.kind == Kind::Normal && pushed.get(&row.id).is_some_and(|&x| x > 0.0);
-        if hit && e > 0.0 && before < -scene.contact.bounce_speed && sweeper.diagonal(i) > 0.0 {
-            let w = sweeper.velocity(i, &u) + row.drift + e * before;
-            let wanted = x[i] - w / sweeper.diagonal(i);
-            let next = wanted.max(0.0);
-            sweeper.push(i, next - x[i], &mut u);
-            (impulses[i], feedback[i]) = (next - x[i], e * before);
+        let is_fast = e > 0.0 && before < -scene.contact.bounce_speed;
+        (hit && is_fast).then_some(e * before)
+    };
+    let aims: Vec<Option<f64>> = assembly.rows.iter().map(aim).collect();
+    let fastest = aims.iter().flatten().fold(0.0, |most: f64, aim| most.max(aim.abs()));
+    let mut impulses = vec![0.0_f64; x.len()];
+    let mut u = assembly.u.clone();
+    for _ in 0..MOST_SWEEPS {
+        let mut change = 0.0_f64;
+        for (i, row) in assembly.rows.iter().enumerate() {
+            let (aim, lo, hi) = match (aims[i], row.bounds) {
+                (Some(aim), _) => (aim, -x[i], f64::INFINITY),
+                (None, Bounds::Friction { normal, mu }) if aims[normal].is_some() => {
+                    let limit = mu * impulses[normal].max(0.0);
+                    (-row.speed, -limit, limit)
+                }
+                _ => continue,
+            };
+            if sweeper.diagonal(i) > 0.0 {
+                let w = sweeper.velocity(i, &u) + row.drift + aim;
+                let next = (impulses[i] - w / sweeper.diagonal(i)).clamp(lo, hi);
+                change = change.max(sweeper.diagonal(i) * (next - impulses[i]).abs());
+                sweeper.push(i, next - impulses[i], &mut u);
+                impulses[i] = next;
+            }
+        }
+        if change <= SETTLED * fastest {
+            break;
         }
     }
+    let feedback = aims.into_iter().map(|aim| aim.unwrap_or(0.0)).collect();
     let states = assembly.with_velocities(states, &u);
     (states, Push { assembly, h: 0.0, impulses, feedback, bounces: true })
 }

@@ -33,6 +33,11 @@ use crate::simulation::Cause;
 use crate::simulation::correction::{Lever, rows, sources};
 use crate::simulation::solving::{Solving, assembled};
 
+/// Velocities of contacts that bounce are swept so often at most.
+const MOST_SWEEPS: usize = 100;
+/// And until a sweep changes them by less than this part of the approach.
+const SETTLED: f64 = 1e-10;
+
 pub(super) fn step(
     solving: &mut Solving,
     states: &[State],
@@ -83,9 +88,13 @@ fn substep(
     for (k, (state, before)) in states.iter_mut().zip(&before).enumerate() {
         *state = with_rate(scene, k, before, state);
     }
-    for _ in 0..scene.step.xpbd.sweeps {
+    for sweep in 1..=MOST_SWEEPS.max(scene.step.xpbd.sweeps) {
+        let mut left = 0.0_f64;
         for (&(source, constraint), x) in sources.iter().zip(&mut x) {
-            settle(scene, source, constraint, x, &before, states)?;
+            left = left.max(settle(scene, source, constraint, x, &before, states)?);
+        }
+        if sweep >= scene.step.xpbd.sweeps && left <= SETTLED {
+            break;
         }
     }
     *named = by_name(&sources, x);
@@ -195,7 +204,8 @@ fn with_rate(scene: &Scene, body: usize, old: &State, new: &State) -> State {
 }
 
 /// A contact that pushed neither throws nor holds: J u = −e J u⁻ where that bounces, else 0, as far
-/// as x stays a push; and it does not slip, as far as friction holds.
+/// as x stays a push; and it does not slip, as far as friction holds. Returns how much of a bounce
+/// was missing, as a part of the approach.
 fn settle(
     scene: &Scene,
     source: Source,
@@ -203,13 +213,15 @@ fn settle(
     x: &mut [f64],
     before: &[State],
     states: &mut [State],
-) -> Result<(), Cause> {
+) -> Result<f64, Cause> {
     let old = rows(source, constraint, before)?;
+    let mut left = 0.0_f64;
     for (k, row) in rows(source, constraint, states)?.into_iter().enumerate() {
+        let mut approach = 0.0;
         let aim = match row.kind {
             Kind::Friction => row.speed,
             Kind::Normal if x[k] > 0.0 => {
-                let approach = Lever::new(scene, constraint, &old[k], before).velocity;
+                approach = Lever::new(scene, constraint, &old[k], before).velocity;
                 let bounces = approach < -scene.contact.bounce_speed;
                 if bounces { -scene.restitution(constraint.bodies()) * approach } else { 0.0 }
             }
@@ -220,8 +232,11 @@ fn settle(
             let wanted = x[k] + (aim - lever.velocity) / lever.mobility;
             let next = project(&row, wanted, x, scene.step.dt);
             lever.push(next - x[k], states);
+            if row.kind == Kind::Normal && aim > 0.0 {
+                left = left.max((lever.mobility * (next - x[k]) / approach).abs());
+            }
             x[k] = next;
         }
     }
-    Ok(())
+    Ok(left)
 }

@@ -11,6 +11,7 @@ mod impact;
 mod impact_energy;
 mod integrators;
 mod interpenetration;
+mod laws_of_contact;
 mod ledger;
 mod over_time;
 mod painleve;

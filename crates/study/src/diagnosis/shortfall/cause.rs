@@ -243,13 +243,17 @@ pub enum Moving {
         /// What is missing in the solution beside that of rigid contacts.
         missing: f64,
     },
-    /// The box of friction holds or turns what Coulomb's cone lets slide.
-    BoxFriction {
+    /// The model of friction holds or turns what Coulomb's cone lets slide, or the other way round.
+    Friction {
+        /// Whether friction is limited by a polygon; else along two tangents.
+        is_polygon: bool,
+        /// The scheme, if it knows no other model.
+        only_of: Option<&'static str>,
         /// The body for which the motions of both end farthest apart.
         body: String,
         /// How far (m).
         distance: f64,
-        /// How far it goes with the box (m).
+        /// How far it goes with the model (m).
         way: f64,
     },
 }
@@ -262,7 +266,8 @@ impl Moving {
             Moving::Feedback { .. } => "energy from Baumgarte feedback",
             Moving::Away { .. } => "feedback increases errors",
             Moving::Soft { .. } | Moving::Creep { .. } => "compliant constraints",
-            Moving::BoxFriction { .. } => "box friction",
+            Moving::Friction { is_polygon: true, .. } => "polygon friction",
+            Moving::Friction { .. } => "box friction",
         }
     }
 }
@@ -307,19 +312,30 @@ impl fmt::Display for Moving {
                 number(speed),
                 percent(*missing)
             ),
-            Moving::BoxFriction { body, distance, way } if *way < NOWHERE => write!(
-                f,
-                "friction is limited along each of two tangents separately: {body} does not move. With \
-                 Coulomb's cone (contact.model = \"coulomb-cone\") it moves {} m.",
-                number(distance)
-            ),
-            Moving::BoxFriction { body, distance, way } => write!(
-                f,
-                "friction is limited along each of two tangents separately: {body} moves {} m. With \
-                 Coulomb's cone (contact.model = \"coulomb-cone\") it ends {} m away from there.",
-                number(way),
-                number(distance)
-            ),
+            Moving::Friction { is_polygon, only_of, body, distance, way } => {
+                let law = match is_polygon {
+                    true => "friction has the direction of a corner of its polygon",
+                    false => "friction is limited along each of two tangents separately",
+                };
+                let cone = match only_of {
+                    None => "With Coulomb's cone (contact.model = \"coulomb-cone\")".into(),
+                    Some(scheme) => format!(
+                        "{scheme} supports no other model; with Coulomb's cone (step.scheme = \"velocity\", \
+                         contact.model = \"coulomb-cone\")"
+                    ),
+                };
+                let distance = number(distance);
+                match *way < NOWHERE {
+                    true => {
+                        write!(f, "{law}: {body} does not move. {cone} it moves {distance} m.")
+                    }
+                    false => write!(
+                        f,
+                        "{law}: {body} moves {} m. {cone} it ends {distance} m away from there.",
+                        number(way)
+                    ),
+                }
+            }
         }
     }
 }

@@ -25,6 +25,9 @@ const GOOD_PART: f64 = 0.25;
 /// What is said where nothing is wrong.
 const HEALTHY_WORDS: &str = "No cause of errors was found.";
 
+/// What is said where the rows are in order and something else is wrong.
+const TROUBLED_WORDS: &str = "The problem of the step can be solved; what goes wrong is below.";
+
 /// What is not looked for.
 const NOT_EXAMINED: &str = "contacts that open and close repeatedly, closed loops, restitution of resting \
  contacts, spin";
@@ -162,7 +165,12 @@ impl Examination {
             && self.warnings.is_empty()
             && document.is_accepted
             && self.unmeasured.is_none();
-        let rest = if is_well { HEALTHY_WORDS } else { &document.lead };
+        let is_troubled = !self.causes().is_empty() || !self.warnings.is_empty();
+        let rest = match document.is_accepted {
+            true if is_well => HEALTHY_WORDS,
+            true if is_troubled => TROUBLED_WORDS,
+            _ => &document.lead,
+        };
         document.lead = format!("{} {rest}", self.headline());
         let found = self.shortfall.as_ref();
         let mut sections: Vec<Section> = self.why().into_iter().collect();

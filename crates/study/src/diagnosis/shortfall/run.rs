@@ -4,7 +4,7 @@ use lcplab_judge::Demand;
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::formulation::Stage;
 use lcplab_mechanics::scene::{Scene, Scheme};
-use lcplab_mechanics::simulation::{self, Simulation, Solve, Step, Warnings};
+use lcplab_mechanics::simulation::{self, Simulation, Slips, Solve, Step, Warnings};
 use lcplab_problem::error::Result;
 use lcplab_problem::{Lcp, merit};
 use lcplab_solver::Status;
@@ -51,6 +51,8 @@ pub(super) struct End {
     pub iterations: f64,
     /// The largest drift or overlap (m).
     pub error: f64,
+    /// Its friction beside Coulomb's law.
+    pub slips: Slips,
     /// How many steps were taken.
     pub steps: usize,
     /// Whether each was small enough to be compared with exact answers.
@@ -231,6 +233,7 @@ fn go(scene: &Scene, count: usize, every: usize) -> Result<Went> {
     let (mut gained, mut kinetic, mut error) = (0.0_f64, 0.0_f64, 0.0_f64);
     let mut is_compared = true;
     let (mut warnings, mut ended) = (Warnings::default(), None);
+    let mut slips = Slips::default();
     while notes.len() < count && is_compared {
         let step = match simulation.step() {
             Ok(step) => step,
@@ -243,6 +246,7 @@ fn go(scene: &Scene, count: usize, every: usize) -> Result<Went> {
         kinetic = kinetic.max(step.motion.kinetic);
         error = error.max(step.motion.drift).max(step.motion.penetration);
         warnings.add(scene, &step);
+        slips.add(&step);
         let solve = main_solve(&step);
         is_compared = solve.is_none_or(|solve| solve.problem.lcp.len() <= LARGEST);
         notes.push(note(scene, &step, solve, every));
@@ -259,6 +263,7 @@ fn go(scene: &Scene, count: usize, every: usize) -> Result<Went> {
         missing,
         iterations,
         error,
+        slips,
         steps: notes.len(),
         is_compared,
     };

@@ -18,6 +18,9 @@ const TELLING: f64 = 0.5;
 /// Without feedback an error is at least this much smaller where feedback is wrong.
 const LARGER: f64 = 0.9;
 
+/// Friction explains what is at least this part of the way.
+const FAR: f64 = 0.02;
+
 /// How far two runs end apart (m).
 pub(super) fn apart(one: &[State], other: &[State]) -> f64 {
     let distance = |(a, b): (&State, &State)| (a.pose.p - b.pose.p).norm();
@@ -75,7 +78,17 @@ pub(super) fn causes(
             innocent.push("Baumgarte feedback (it adds no energy)".into());
         }
     }
-    if !is_of_impulses(scene.step.scheme) {
+    let rubs = scene.bodies.iter().any(|body| body.friction > 0.0);
+    let model = scene.contact.model;
+    let is_cone = matches!(model, Model::CoulombCone | Model::AssociatedCone);
+    let law = match rubs && !is_cone {
+        true => friction(scene, count, own, exactly)?,
+        false => None,
+    };
+    if rubs && !is_cone && law.is_none() && scene.step.scheme.solves_lcps() {
+        innocent.push("the friction model (Coulomb's cone gives the same motion)".into());
+    }
+    if !is_of_impulses(scene.step.scheme) && law.is_none() {
         let rigid = end_of(&exact(scene).at_level(Scheme::Velocity), count)?;
         let yields = own.error > YIELDS * WORTH * size && own.error > rigid.error / TELLING;
         let sunk = sunk(scene, &own.states, &rigid.states);
@@ -85,24 +98,47 @@ pub(super) fn causes(
             found.push((depth / (WORTH * size), Moving::Soft { scheme, body, depth }));
         }
     }
-    let rubs = scene.bodies.iter().any(|body| body.friction > 0.0);
-    if rubs && scene.contact.model == Model::CoupledBox && scene.step.scheme == Scheme::Velocity {
-        let mut round = exact(scene);
-        round.contact.model = Model::CoulombCone;
-        let round = end_of(&round, count)?.states;
-        let distance = apart(&exactly.states, &round);
-        let way = apart(&exactly.states, &scene.states);
-        if distance > (WORTH * size).max(0.02 * way) {
-            let own = |k: &usize| (exactly.states[*k].pose.p - round[*k].pose.p).norm();
-            let farthest = (0..round.len()).max_by(|a, b| own(a).total_cmp(&own(b)));
-            let body = farthest.map_or_else(String::new, |k| scene.bodies[k].name.clone());
-            let way = farthest
-                .map_or(0.0, |k| (exactly.states[k].pose.p - scene.states[k].pose.p).norm());
-            found.push((distance / (WORTH * size), Moving::BoxFriction { body, distance, way }));
-        } else {
-            innocent.push("the box friction model (Coulomb's cone gives the same motion)".into());
-        }
-    }
+    found.extend(law);
     found.sort_by(|a, b| b.0.total_cmp(&a.0));
     Ok((found.into_iter().map(|(_, cause)| cause).collect(), innocent))
+}
+
+/// Friction as the cause, if Coulomb's cone moves a body otherwise: by exact answers where the
+/// scheme poses problems, else where friction is seen to depart from Coulomb's law.
+fn friction(
+    scene: &Scene,
+    count: usize,
+    own: &End,
+    exactly: &End,
+) -> Result<Option<(f64, Moving)>> {
+    let scheme = scene.step.scheme;
+    let states = match scheme.solves_lcps() {
+        true => &exactly.states,
+        false if own.slips.speed_error(scene).is_some() => &own.states,
+        false => return Ok(None),
+    };
+    let mut round = exact(scene);
+    round.contact.model = Model::CoulombCone;
+    if round.validate().is_err() {
+        round = round.at_level(Scheme::Velocity);
+    }
+    if round.validate().is_err() {
+        return Ok(None);
+    }
+    let round = end_of(&round, count)?.states;
+    let size = scene.thinnest().unwrap_or(1.0);
+    let (distance, way) = (apart(states, &round), apart(states, &scene.states));
+    let off = |k: &usize| (states[*k].pose.p - round[*k].pose.p).norm();
+    let farthest = (0..round.len()).max_by(|a, b| off(a).total_cmp(&off(b)));
+    let Some(body) = farthest.filter(|_| distance > (WORTH * size).max(FAR * way)) else {
+        return Ok(None);
+    };
+    let cause = Moving::Friction {
+        is_polygon: matches!(scene.contact.model, Model::Polyhedral { .. }),
+        only_of: (!scheme.poses_friction()).then(|| scheme.name()),
+        body: scene.bodies[body].name.clone(),
+        distance,
+        way: (states[body].pose.p - scene.states[body].pose.p).norm(),
+    };
+    Ok(Some((distance / (WORTH * size), cause)))
 }

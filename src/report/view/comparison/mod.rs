@@ -1,12 +1,16 @@
 //! All solvers at both levels, scene by scene.
 
+mod answer;
+
+pub use answer::answer;
+
 use super::attempt::{listed, stem};
 use super::{Document, Outcome, View};
 use crate::film::Film;
-use crate::number::{count, readable};
+use crate::number::count;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Page, Table, markup};
-use crate::report::study::comparison::{Comparison, HELD, LeftOut, Plan, Run, Sample, Timing};
+use crate::report::study::comparison::{Comparison, LeftOut, Plan, Run, Sample, Timing};
 use crate::scene::Scheme;
 
 /// What stands for the solver of a scheme that solves no LCP.
@@ -167,7 +171,8 @@ pub fn table(comparison: &Comparison) -> Table {
         Column::numbers("accepted", ""),
         Column::numbers("iterations", "a problem"),
         Column::numbers("worst residual", ""),
-        Column::numbers("energy change", "J"),
+        Column::numbers("energy at the end", "J"),
+        Column::numbers("on the way", "J"),
         Column::numbers("drift", "m"),
         Column::numbers("penetration", "m"),
         Column::numbers("carried", "% of the weight"),
@@ -194,51 +199,14 @@ pub fn table(comparison: &Comparison) -> Table {
         title: format!("{scene}: {steps} steps of {dt} s"),
         how_to_read: "*claims*: problems that the solver reports as solved. *accepted*: answers that the judge \
          accepts. *worst residual*: the largest scaled residual over all problems, claimed or not; – if there \
-         was none. *carried*: the fraction of the weight that contacts, joints and springs support during the \
-         run; 100 % at rest, 0 in free fall."
+         was none. *energy at the end* and *on the way*: its change since the start, at the end and at most. \
+         *carried*: the fraction of the weight that contacts, joints and springs support during the run; 100 % \
+         at rest, 0 in free fall."
             .into(),
         columns,
         rows,
         ..Table::default()
     }
-}
-
-/// Which formulation holds the scene, and by how many solvers.
-pub fn answer(comparison: &Comparison) -> String {
-    let Comparison { runs, steps, thinnest, .. } = comparison;
-    if runs.is_empty() {
-        return "None of the named solvers supports this scene.".into();
-    }
-    let of_scheme = runs.chunk_by(|a, b| a.scheme == b.scheme);
-    let holds = |run: &&Run| run.holds(*steps, *thinnest);
-    let counted = |runs: &[Run]| {
-        let (held, all) = (runs.iter().filter(holds).count(), runs.len());
-        let by = match (held, all) {
-            (1, 1) => "keeps it".to_string(),
-            (0, 1) => "does not keep it".to_string(),
-            (held, all) => format!("keeps it with {held} of {all} solvers"),
-        };
-        let worst = |measure: fn(&Sample) -> f64| {
-            runs.iter().filter(holds).map(|run| run.worst(measure)).fold(0.0, f64::max)
-        };
-        let error = worst(|sample| sample.drift.max(sample.penetration));
-        let carried = runs.iter().filter(holds).filter_map(|run| run.carried).reduce(f64::min);
-        let carried = carried.map_or(String::new(), |part| {
-            format!(", {} % of the weight supported", readable(100.0 * part, 3))
-        });
-        let errors = match held {
-            0 => String::new(),
-            _ => format!(" (errors up to {} m{carried})", readable(error, 2)),
-        };
-        format!("{} {by}{errors}", runs[0].scheme)
-    };
-    let said: Vec<String> = of_scheme.map(counted).collect();
-    format!(
-        "Which formulation keeps this scene within errors of {} m for {steps} steps, with every answer \
-         accepted? {}.",
-        readable(HELD * thinnest, 2),
-        said.join("; ")
-    )
 }
 
 fn cells(run: &Run, steps: usize) -> Vec<Cell> {
@@ -255,6 +223,8 @@ fn cells(run: &Run, steps: usize) -> Vec<Cell> {
             0 => Cell::text("–"),
             _ => Cell::number(run.worst_residual, 2),
         },
+        Cell::number(run.energy_at_end(), 2)
+            .marked(mark(run.laws.keeps_energy(run.energy_at_end()))),
         Cell::number(run.energy_change(), 2),
         Cell::number(run.worst(|sample| sample.drift), 2),
         Cell::number(run.worst(|sample| sample.penetration), 2),

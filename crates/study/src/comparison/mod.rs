@@ -1,5 +1,11 @@
 //! One scene, stepped by every solver, at both levels or by any scheme, each answer judged.
 
+mod laws;
+mod levels;
+
+pub use laws::{ASKEW, Energy, KEPT, Laws};
+pub use levels::{EXACT, Level, Levels, Phase};
+
 use std::collections::BTreeMap;
 use std::time::Instant;
 
@@ -8,6 +14,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::aside::GRACE;
 use crate::tasks::Tasks;
+use laws::Watch;
 use lcplab_judge::Demand;
 use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{Motion, Simulation, Solve, Step, carried};
@@ -35,6 +42,9 @@ pub struct Comparison {
     pub thinnest: f64,
     /// One run a level and solver, levels first.
     pub runs: Vec<Run>,
+    /// The levels beside each other and beside half the step, where that was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub levels: Option<Levels>,
     /// Solvers that were named and did not take part.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub left_out: Vec<LeftOut>,
@@ -66,6 +76,9 @@ pub struct Run {
     pub accepted: usize,
     /// Claims that the judge refutes: this must be 0.
     pub refuted_claims: usize,
+    /// LCPs that the solver is not made for, and says so.
+    #[serde(default, skip_serializing_if = "crate::number::is_zero")]
+    pub outside: usize,
     /// LCPs without any answer: the solver crashed or wrote something unreadable.
     #[serde(default, skip_serializing_if = "crate::number::is_zero")]
     pub unanswered: usize,
@@ -81,6 +94,9 @@ pub struct Run {
     /// The part of the weight that contacts, joints and springs carry over the run, if there is a weight.
     #[serde(default)]
     pub carried: Option<f64>,
+    /// Which laws it kept.
+    #[serde(default)]
+    pub laws: Laws,
     /// The motion at the start and after each step.
     pub motion: Vec<Sample>,
 }
@@ -102,17 +118,17 @@ pub struct Sample {
     pub penetration: f64,
 }
 
-/// A run holds a scene if its errors stay below this part of the thinnest body.
+/// A run keeps gaps and joints closed if its errors stay below this part of the thinnest body.
 pub const HELD: f64 = 0.01;
 
 /// About so many samples of a motion are kept.
-const KEPT: usize = 200;
+const SAMPLES: usize = 200;
 
 /// Samples at equal distances, the last one, and those at which a measure is largest or smallest, so
 /// that the extremes are still those of all samples.
 pub fn thinned(samples: &[Sample]) -> Vec<Sample> {
     let measures: [fn(&Sample) -> f64; 3] = [|s| s.energy, |s| s.drift, |s| s.penetration];
-    let length = samples.len().div_ceil(KEPT).max(1);
+    let length = samples.len().div_ceil(SAMPLES).max(1);
     let mut kept = vec![false; samples.len()];
     for first in (0..samples.len()).step_by(length) {
         kept[first] = true;
@@ -213,6 +229,25 @@ pub fn compare_families(
     Ok(of_runs(scene, steps, ended.into_values().collect()))
 }
 
+impl Comparison {
+    /// Puts the levels beside each other and beside half the step, each by the solver that had most
+    /// answers accepted; not where one of them ended early.
+    pub fn add_levels(&mut self, scene: &Scene, methods: &[Method], stop: &Stop) {
+        let best = |runs: &[Run]| -> Option<(Scene, Method)> {
+            let whole = runs.iter().filter(|run| run.steps == self.steps);
+            let run =
+                whole.reduce(|best, run| if run.accepted > best.accepted { run } else { best })?;
+            let scheme = Scheme::by_name(&run.scheme)?;
+            let named = |method: &&Method| method.name() == run.solver;
+            let method = methods.iter().find(named).copied().unwrap_or(Method::Boxed(NONE));
+            Some((scene.at_level(scheme), method))
+        };
+        let schemes = self.runs.chunk_by(|a, b| a.scheme == b.scheme);
+        let chosen: Option<Vec<(Scene, Method)>> = schemes.map(best).collect();
+        self.levels = chosen.and_then(|chosen| levels::levels(&chosen, self.steps, stop));
+    }
+}
+
 /// The comparison of these runs.
 fn of_runs(scene: &Scene, steps: usize, ended: Vec<(Run, Timing)>) -> (Comparison, Vec<Timing>) {
     let (runs, timings) = ended.into_iter().unzip();
@@ -225,6 +260,7 @@ fn of_runs(scene: &Scene, steps: usize, ended: Vec<(Run, Timing)>) -> (Compariso
         tolerance: scene.solver.tolerance,
         thinnest: scene.thinnest().unwrap_or(1.0),
         runs,
+        levels: None,
         left_out: Vec::new(),
     };
     (comparison, timings)
@@ -262,12 +298,14 @@ fn run(scene: &Scene, solver: &Method, steps: usize, stop: &Stop) -> (Run, Timin
         claimed: 0,
         accepted: 0,
         refuted_claims: 0,
+        outside: 0,
         unanswered: 0,
         iterations: 0,
         worst_residual: 0.0,
         rows: 0,
         trouble: None,
         carried: None,
+        laws: Laws::default(),
         motion: Vec::new(),
     };
     let simulation = Simulation::by(scene, solver);
@@ -282,20 +320,26 @@ fn step_through(mut simulation: Simulation, steps: usize, stop: &Stop, run: &mut
     let tolerance = simulation.scene().solver.tolerance;
     let first = simulation.motion();
     run.motion.push(Sample::from(&first));
+    let mut watch = Watch::new(simulation.scene(), first.clone());
     let mut seconds = 0.0;
     for _ in 0..steps {
         let start = Instant::now();
         let step = simulation.step_before(stop);
         seconds += start.elapsed().as_secs_f64();
         match step {
-            Ok(step) => run.record(&step, tolerance),
+            Ok(step) => {
+                watch.add(simulation.scene(), &step);
+                run.record(&step, tolerance);
+            }
             Err(failure) => {
                 run.trouble = Some(failure.to_string());
                 break;
             }
         }
     }
-    run.carried = carried(simulation.scene(), &first, &simulation.motion());
+    let last = simulation.motion();
+    run.carried = carried(simulation.scene(), &first, &last);
+    run.laws = watch.laws(simulation.scene(), &last);
     seconds
 }
 
@@ -310,6 +354,7 @@ impl Run {
             let claims = solution.status == Status::Solved;
             let holds = is_answered && certificate.verdict.is_solution(); // without answer x is the start
             self.solves += 1;
+            self.outside += usize::from(matches!(solution.status, Status::OutsideClass { .. }));
             self.unanswered += usize::from(!is_answered);
             self.claimed += usize::from(claims);
             self.accepted += usize::from(holds);
@@ -325,11 +370,26 @@ impl Run {
         }
     }
 
-    /// Whether it held the scene for so many steps: every answer was accepted, and neither drift nor overlap went beyond
-    /// [`HELD`] of the size of the thinnest body (m).
-    pub fn holds(&self, steps: usize, thinnest: f64) -> bool {
+    /// Whether the solver is made for a problem of the run: not if it refused all of them.
+    pub fn is_candidate(&self) -> bool {
+        self.solves == 0 || self.outside < self.solves
+    }
+
+    /// Whether it kept gaps and joints closed for so many steps: every answer was accepted, neither
+    /// drift nor overlap went beyond [`HELD`] of the size of the thinnest body (m), and no body went
+    /// through another one.
+    pub fn closes(&self, steps: usize, thinnest: f64) -> bool {
         let error = self.worst(|sample| sample.drift.max(sample.penetration));
-        self.steps == steps && self.accepted == self.solves && error <= HELD * thinnest
+        let is_whole = self.steps == steps && self.accepted == self.solves;
+        is_whole && error <= HELD * thinnest && self.laws.passages == 0
+    }
+
+    /// The change of the energy from the start to the end (J).
+    pub fn energy_at_end(&self) -> f64 {
+        match (self.motion.first(), self.motion.last()) {
+            (Some(first), Some(last)) => last.energy - first.energy,
+            _ => 0.0,
+        }
     }
 
     /// The largest departure of the energy from its value at the start (J).

@@ -1,0 +1,142 @@
+//! The coefficient of restitution that blows show, whatever the scheme.
+//!
+//! A blow begins in a step in which two bodies that approach push each other, and ends with the
+//! last step in which they do: it may take several. Newton's law asks for v⁺ = −e v⁻. It is
+//! measured where two bodies touch at one point, touch no others and have no joints, for there
+//! nothing but the blow and gravity changes v.
+
+use std::collections::BTreeMap;
+
+use super::Step;
+use super::slip::Totals;
+use crate::body::State;
+use crate::scene::Scene;
+
+/// An approach of so many times what gravity adds in a step is a blow.
+const FAST: f64 = 4.0;
+/// Bodies whose approach is slower for so many steps have come to rest.
+const RESTING: usize = 10;
+
+/// Two bodies that push each other in a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Touch {
+    /// Both bodies, in the order of the scene.
+    pub bodies: [usize; 2],
+    /// In how many places.
+    pub points: usize,
+    /// The speed of approach before the step, −J u⁻ (m/s), of the fastest place.
+    pub approach: f64,
+    /// The speed of parting after the step there, J u⁺ (m/s).
+    pub parting: f64,
+    /// How far from touching they were at the beginning of the step, the largest |c| (m).
+    pub off: f64,
+}
+
+impl Touch {
+    /// Those of a step that led to these states.
+    pub(super) fn of(totals: &Totals, after: &[State]) -> Vec<Touch> {
+        let mut pairs: BTreeMap<[usize; 2], Touch> = BTreeMap::new();
+        for contact in totals.contacts() {
+            let (row, impulse) = contact.normal;
+            if *impulse <= 0.0 {
+                continue;
+            }
+            let bodies = contact.bodies;
+            let (approach, parting) = (-row.velocity, row.velocity_with(after));
+            let new = Touch { bodies, points: 0, approach, parting, off: 0.0 };
+            let touch = pairs.entry(bodies).or_insert(new);
+            touch.points += 1;
+            touch.off = touch.off.max(row.c.abs());
+            if approach > touch.approach {
+                (touch.approach, touch.parting) = (approach, parting);
+            }
+        }
+        pairs.into_values().collect()
+    }
+}
+
+/// A blow between two bodies.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Blow {
+    /// Both bodies, in the order of the scene.
+    pub bodies: [usize; 2],
+    /// The number of the step in which it began, from 1.
+    pub step: usize,
+    /// The speed of approach before it, −v⁻ (m/s).
+    pub approach: f64,
+    /// The speed of parting after it, v⁺ (m/s).
+    pub parting: f64,
+    /// e of the pair.
+    pub restitution: f64,
+    /// What gravity may have changed of v meanwhile (m/s).
+    pub slack: f64,
+}
+
+impl Blow {
+    /// v⁺ + e v⁻ as a part of the approach, what gravity may have done left out: 0 where Newton's
+    /// law holds, negative where the bounce is too weak.
+    pub fn error(&self) -> f64 {
+        let beyond = self.parting - self.restitution * self.approach;
+        beyond.signum() * (beyond.abs() - self.slack).max(0.0) / self.approach
+    }
+}
+
+/// The blows of a run, taken from one step after the other.
+#[derive(Debug, Clone, Default)]
+pub struct Blows {
+    open: BTreeMap<[usize; 2], Open>,
+}
+
+/// A blow that has not ended.
+#[derive(Debug, Clone, Copy)]
+struct Open {
+    blow: Blow,
+    /// For how many steps nothing has moved.
+    still: usize,
+}
+
+impl Blows {
+    /// Takes a step into account; returns the blows that have ended.
+    pub fn add(&mut self, scene: &Scene, step: &Step) -> Vec<Blow> {
+        let slack = scene.gravity.norm() * scene.step.dt;
+        let before = std::mem::take(&mut self.open);
+        let mut ended = Vec::new();
+        for touch in step.touches.iter().filter(|touch| is_alone(scene, touch, &step.touches)) {
+            let mut open = match before.get(&touch.bodies) {
+                Some(open) => *open,
+                None if touch.approach > (FAST * slack).max(scene.contact.bounce_speed) => {
+                    Open { blow: begun(scene, touch, step.number), still: 0 }
+                }
+                None => continue,
+            };
+            open.blow.parting = touch.parting;
+            open.blow.slack += slack;
+            open.still = if touch.parting.abs() > FAST * slack { 0 } else { open.still + 1 };
+            match open.still >= RESTING {
+                true => ended.push(open.blow),
+                false => drop(self.open.insert(touch.bodies, open)),
+            }
+        }
+        let touching = |bodies: &[usize; 2]| step.touches.iter().any(|own| own.bodies == *bodies);
+        ended.extend(before.into_iter().filter(|(pair, _)| !touching(pair)).map(|(_, o)| o.blow));
+        ended
+    }
+}
+
+fn begun(scene: &Scene, touch: &Touch, step: usize) -> Blow {
+    let Touch { bodies, approach, parting, .. } = *touch;
+    let restitution = scene.restitution(bodies.map(Some));
+    let slack = scene.gravity.norm() * scene.step.dt;
+    Blow { bodies, step, approach, parting, restitution, slack }
+}
+
+/// Whether two bodies touch at one point, and nothing else acts on those of them that move.
+fn is_alone(scene: &Scene, touch: &Touch, touches: &[Touch]) -> bool {
+    let moves = |body: &usize| scene.bodies[*body].mass.dof() > 0;
+    let is_free = |body: usize| {
+        let joined = scene.constraints.iter().any(|own| own.bodies().contains(&Some(body)));
+        let touched = touches.iter().filter(|own| own.bodies.contains(&body)).count();
+        !joined && touched == 1
+    };
+    touch.points == 1 && touch.bodies.into_iter().filter(moves).all(is_free)
+}

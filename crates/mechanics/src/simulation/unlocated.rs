@@ -1,0 +1,112 @@
+//! Impacts within a step that the step takes at its beginning.
+//!
+//! At velocity level bodies that meet within a step get the impulse of their bounce at its
+//! beginning, along the normal that they have there. Where that turns until they meet, the bounce
+//! goes another way:
+//!
+//! ```text
+//! meets after t = c/|J u⁻|,   off by  |Δu − Δu'|,   Δu = −(1 + e) M⁻¹Jᵀ (J M⁻¹Jᵀ)⁻¹ J u⁻,   Δu' with J at t
+//! ```
+
+use std::collections::BTreeMap;
+
+use nalgebra::Vector6;
+
+use super::interpenetration::faster_first;
+use super::slip::{Contact, Totals};
+use crate::assembly::{Assembly, Entering, Row};
+use crate::body::{State, linear};
+use crate::constraint::Kind;
+use crate::scene::{Scene, Scheme, step_contacts};
+use lcplab_problem::number::readable;
+
+/// A speed below this part of the approach is not worth a word.
+const NOTABLE: f64 = 5e-3;
+/// Significant digits in messages.
+const DIGITS: usize = 2;
+
+/// An impact that was not located.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unlocated {
+    /// Both bodies, the one that moves, or moves faster, first.
+    pub bodies: [usize; 2],
+    /// The gap at the beginning of the step (m).
+    pub gap: f64,
+    /// By how much the velocity of a body is off (m/s).
+    pub speed: f64,
+}
+
+impl Unlocated {
+    /// Those of a step from these states; none of a scheme that divides the step at its impacts.
+    pub(super) fn of(scene: &Scene, before: &[State], totals: &Totals) -> Vec<Unlocated> {
+        let takes_the_beginning = match scene.step.scheme {
+            Scheme::Velocity | Scheme::SplitImpulse => true,
+            Scheme::GaussSeidel | Scheme::SequentialImpulses => true,
+            Scheme::Acceleration | Scheme::Xpbd | Scheme::Soft | Scheme::Penalty => false,
+        };
+        if !takes_the_beginning {
+            return Vec::new();
+        }
+        let mut pairs: BTreeMap<[usize; 2], Unlocated> = BTreeMap::new();
+        for contact in totals.contacts().filter(|contact| bounces(scene, contact)) {
+            let Some(speed) = off_by(scene, before, &contact.normal.0) else { continue };
+            let bodies = faster_first(scene, before, contact.bodies);
+            let own = Unlocated { bodies, gap: contact.normal.0.c, speed };
+            let known = pairs.entry(contact.bodies).or_insert(own);
+            if speed > known.speed {
+                *known = own;
+            }
+        }
+        pairs.into_values().collect()
+    }
+
+    /// What happened in the step of this number, and what helps.
+    pub fn message(&self, scene: &Scene, step: usize) -> String {
+        let [body, other] = self.bodies.map(|body| &scene.bodies[body].name);
+        format!(
+            "{body:?} and {other:?} met within step {step}, after a gap of {} m, and bounced at its \
+             beginning, in the direction that they had there: the velocity after it is off by {} \
+             m/s. A smaller step.dt makes this smaller; the scheme acceleration divides a step \
+             where bodies meet.",
+            readable(self.gap, DIGITS),
+            readable(self.speed, DIGITS)
+        )
+    }
+}
+
+/// Whether a contact bounced across a gap.
+fn bounces(scene: &Scene, contact: &Contact) -> bool {
+    let (row, impulse) = contact.normal;
+    let is_fast = -row.velocity > scene.contact.bounce_speed;
+    *impulse > 0.0 && row.c > 0.0 && is_fast && scene.restitution(row.bodies) > 0.0
+}
+
+/// By how much the bounce of a contact would differ where the bodies meet (m/s), if that is worth
+/// a word.
+fn off_by(scene: &Scene, before: &[State], row: &Row) -> Option<f64> {
+    let time = row.c / -row.velocity;
+    let moved = before.iter().map(|state| state.displaced(&(time * state.velocity())));
+    let moved: Vec<State> = moved.collect();
+    let found = step_contacts(scene, &moved);
+    let there = Assembly::new(scene, &moved, &found, Entering::Near).ok()?;
+    let is_same = |own: &&Row| own.kind == Kind::Normal && own.bodies == row.bodies;
+    let nearest = there.rows.iter().filter(is_same).min_by(|a, b| a.c.total_cmp(&b.c))?;
+    let [here, there] = [(row, before), (nearest, &moved)].map(|(own, at)| kick(scene, at, own));
+    let change = here.iter().map(|(body, kick)| {
+        let other = there.get(body).copied().unwrap_or_else(Vector6::zeros);
+        linear(&(kick - other)).norm()
+    });
+    let speed = change.fold(0.0, f64::max);
+    (speed > NOTABLE * -row.velocity).then_some(speed)
+}
+
+/// What the bounce of a contact alone adds to the velocities of its bodies.
+fn kick(scene: &Scene, states: &[State], row: &Row) -> BTreeMap<usize, Vector6<f64>> {
+    let response = |(body, jacobian): (usize, Vector6<f64>)| {
+        (body, scene.bodies[body].mass.accelerate(&states[body].pose, &jacobian))
+    };
+    let responses: BTreeMap<usize, Vector6<f64>> = row.movers().map(response).collect();
+    let mobility: f64 = row.movers().map(|(body, j)| j.dot(&responses[&body])).sum();
+    let impulse = -(1.0 + scene.restitution(row.bodies)) * row.velocity_with(states) / mobility;
+    responses.into_iter().map(|(body, response)| (body, impulse * response)).collect()
+}

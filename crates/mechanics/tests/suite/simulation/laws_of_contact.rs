@@ -1,0 +1,227 @@
+//! What a step says of friction, blows and impacts within it, beside closed forms.
+
+use lcplab_mechanics::scene::{Scene, Scheme};
+use lcplab_mechanics::simulation::{Blow, Blows, Simulation, Slips, Step};
+use lcplab_problem::friction::Model;
+use nalgebra::Vector3;
+
+use super::{assert_near, simulation};
+
+const SCHEMES: [Scheme; 4] =
+    [Scheme::Velocity, Scheme::SplitImpulse, Scheme::GaussSeidel, Scheme::SequentialImpulses];
+
+/// A bar in a right-angled groove with μ = 0.5, which Coulomb's cone holds up to 35.26 degrees.
+fn groove(angle: f64, scheme: Scheme) -> Scene {
+    let text = format!(
+        "tilt = {{ y = {angle} }}\ncontact.friction = 0.5\n[step]\nscheme = \"{}\"\n\
+         [[bodies]]\nname = \"left\"\nfixed = true\nshape = {{ plane = [0, 1, 1] }}\n\
+         [[bodies]]\nname = \"right\"\nfixed = true\nshape = {{ plane = [0, -1, 1] }}\n\
+         [[bodies]]\nname = \"bar\"\nmass = 3\nshape = {{ box = [0.6, 0.2, 0.2] }}\n\
+         position = [0, 0, 0.14142135623730951]\nrotation = {{ x = 45 }}\n",
+        scheme.name()
+    );
+    Scene::from_toml("groove.toml", &text).unwrap()
+}
+
+/// Two billiard balls without friction, e = 1; the first one hits the second askew.
+fn billiards(scheme: Scheme) -> Scene {
+    let text = format!(
+        "gravity = [0, 0, 0]\ncontact.restitution = 1\n[step]\nscheme = \"{}\"\n[[bodies]]\n\
+         name = \"a\"\nmass = 1\nshape = {{ sphere = 0.5 }}\nvelocity = [3, 0, 0]\n[[bodies]]\n\
+         name = \"b\"\nmass = 1\nshape = {{ sphere = 0.5 }}\nposition = [2.3, 0.6, 0]\n",
+        scheme.name()
+    );
+    Scene::from_toml("billiards.toml", &text).unwrap()
+}
+
+/// Takes so many steps, showing each with the scene.
+fn run(scene: Scene, steps: usize, mut show: impl FnMut(&Scene, &Step)) -> Simulation {
+    let mut running = simulation(scene.clone());
+    for _ in 0..steps {
+        show(&scene, &running.step().unwrap());
+    }
+    running
+}
+
+fn slips(scene: &Scene, steps: usize) -> (Slips, Simulation) {
+    let mut slips = Slips::default();
+    let running = run(scene.clone(), steps, |_, step| slips.add(step));
+    (slips, running)
+}
+
+#[test]
+fn a_bar_that_slides_where_the_cone_holds_it_tells_the_error_of_its_speed() {
+    // At 34 degrees it may rest. All the speed that it has is an error, and friction at its limit,
+    // √2 μ N, would take even more.
+    for scheme in [Scheme::Soft, Scheme::SequentialImpulses] {
+        let scene = groove(34.0, scheme);
+        let (slips, running) = slips(&scene, 100);
+        let speed = running.states()[2].v.x;
+        assert!(speed > 1.0, "{scheme:?}: {speed}");
+        let (body, error) = slips.speed_error(&scene).unwrap();
+        assert_eq!(body, 2);
+        assert!(error > speed && error < 1.3 * speed, "{scheme:?}: {error} for {speed}");
+        let askew = slips.askew.unwrap();
+        assert_eq!(askew.bodies[0], 2);
+        assert_near(askew.angle.to_degrees(), 45.0, 1e-2);
+    }
+}
+
+#[test]
+fn a_bar_that_rests_where_the_cone_holds_it_tells_nothing() {
+    // Its four contacts a face share the load in some way; their sum is within the cone.
+    let scene = groove(34.0, Scheme::Velocity);
+    let (slips, _) = slips(&scene, 50);
+    assert!(slips.beyond.is_none_or(|slip| slip.excess < 1e-6), "{slips:?}");
+    assert!(slips.askew.is_none() && slips.speed_error(&scene).is_none(), "{slips:?}");
+}
+
+#[test]
+fn a_bar_that_the_box_holds_and_the_cone_does_not_tells_what_is_too_much() {
+    // Above 35.26 degrees the cone lets it slide with g (sin α − √2 μ cos α).
+    let scene = groove(40.0, Scheme::Velocity);
+    let (slips, running) = slips(&scene, 100);
+    let (sin, cos) = 40f64.to_radians().sin_cos();
+    let due = 9.81 * (sin - std::f64::consts::SQRT_2 * 0.5 * cos);
+    let (_, error) = slips.speed_error(&scene).unwrap();
+    assert_near((running.states()[2].v.x - due).abs(), error, 0.02);
+}
+
+#[test]
+fn cones_miss_nothing_of_coulombs_law() {
+    for angle in [35.0, 36.0] {
+        let mut scene = groove(angle, Scheme::Velocity);
+        scene.contact.model = Model::CoulombCone;
+        let (slips, _) = slips(&scene, 50);
+        assert!(slips.askew.is_none_or(|slip| slip.angle < 1e-3), "{angle}: {slips:?}");
+        assert!(slips.beyond.is_none_or(|slip| slip.excess < 1e-3), "{angle}: {slips:?}");
+        assert!(slips.speed_error(&scene).is_none(), "{angle}: {slips:?}");
+    }
+}
+
+#[test]
+fn a_bounce_across_a_gap_names_the_pair_and_by_how_much_its_velocity_is_off() {
+    // Where they meet, the line between their centres has the sine 0.6: they part at a right angle.
+    let exact = Vector3::new(3.0 * 0.64, 3.0 * 0.48, 0.0);
+    for scheme in SCHEMES {
+        for dt in [0.01, 0.004] {
+            let mut scene = billiards(scheme);
+            scene.step.dt = dt;
+            let mut found = Vec::new();
+            let steps = (1.0 / dt).round() as usize;
+            let running = run(scene, steps, |_, step| found.extend(step.unlocated.clone()));
+            let off = (running.states()[1].v - exact).norm();
+            let [own] = found[..] else { panic!("{scheme:?}: {found:?}") };
+            assert_eq!(own.bodies, [0, 1]);
+            assert!(own.gap > 0.0 && own.gap < 3.0 * dt, "{own:?}");
+            assert_near(own.speed, off, 1e-6);
+        }
+    }
+}
+
+#[test]
+fn a_bounce_that_is_located_or_straight_is_no_error() {
+    let mut straight = billiards(Scheme::Velocity);
+    straight.states[1].pose.p.y = 0.0;
+    for scene in [billiards(Scheme::Acceleration), straight] {
+        let name = scene.step.scheme;
+        run(scene, 100, |_, step| assert!(step.unlocated.is_empty(), "{name:?}"));
+    }
+}
+
+/// A ball that falls on the ground with this restitution.
+fn falling(restitution: f64, scheme: Scheme) -> Scene {
+    let text = format!(
+        "gravity = [0, 0, 0]\ncontact.restitution = {restitution}\n[step]\nscheme = \"{}\"\n\
+         [[bodies]]\nname = \"ground\"\nfixed = true\nshape = {{ plane = [0, 0, 1] }}\n\
+         [[bodies]]\nname = \"ball\"\nmass = 1\nshape = {{ sphere = 0.1 }}\n\
+         position = [0, 0, 0.135]\nvelocity = [0, 0, -2]\n",
+        scheme.name()
+    );
+    Scene::from_toml("falling.toml", &text).unwrap()
+}
+
+fn blows(scene: Scene, steps: usize) -> (Vec<Blow>, Simulation) {
+    let (mut blows, mut found) = (Blows::default(), Vec::new());
+    let running = run(scene, steps, |scene, step| found.extend(blows.add(scene, step)));
+    (found, running)
+}
+
+#[test]
+fn a_blow_shows_the_restitution_that_its_speeds_have() {
+    for scheme in Scheme::ALL {
+        let (found, running) = blows(falling(0.5, scheme), 30);
+        let [blow] = found[..] else { panic!("{scheme:?}: {found:?}") };
+        let parting = running.states()[1].v.z;
+        assert_near(blow.approach, 2.0, 1e-9);
+        assert_near(blow.parting, parting, 1e-9);
+        assert_near(blow.error(), (parting - 1.0) / 2.0, 1e-9);
+        match scheme {
+            Scheme::Penalty => assert!(blow.error().abs() > 0.05, "{blow:?}"), // damping decides
+            _ => assert_near(blow.error(), 0.0, 1e-6),
+        }
+    }
+}
+
+#[test]
+fn a_box_that_lands_flat_bounces_straight() {
+    for scheme in Scheme::ALL {
+        let text = format!(
+            "gravity = [0, 0, 0]\ncontact.restitution = 0.6\n[step]\nscheme = \"{}\"\n[[bodies]]\n\
+             name = \"ground\"\nfixed = true\nshape = {{ plane = [0, 0, 1] }}\n[[bodies]]\n\
+             name = \"box\"\nmass = 1\nshape = {{ box = [0.4, 0.4, 0.2] }}\n\
+             position = [0, 0, 0.14]\nvelocity = [0, 0, -2]\n",
+            scheme.name()
+        );
+        let scene = Scene::from_toml("flat.toml", &text).unwrap();
+        let running = run(scene, 20, |_, _| ());
+        let state = running.states()[1];
+        assert!(state.omega.norm() < 1e-6, "{scheme:?}: {}", state.omega);
+        if scheme != Scheme::Penalty {
+            assert_near(state.v.z, 1.2, 1e-6);
+        }
+    }
+}
+
+#[test]
+fn friction_in_a_blow_is_mu_times_all_of_its_impulse() {
+    // μ (1 + e) v_n = 0.3 m/s, and 5/2 of it over r is the spin.
+    for scheme in Scheme::ALL.into_iter().filter(|scheme| *scheme != Scheme::Penalty) {
+        let mut scene = falling(0.5, scheme);
+        scene.bodies.iter_mut().for_each(|body| body.friction = 0.1);
+        scene.bodies.iter_mut().for_each(|body| body.static_friction = 0.1);
+        scene.states[1].v.x = 3.0;
+        let running = run(scene, 20, |_, _| ());
+        let state = running.states()[1];
+        assert_near(state.v.x, 2.7, 1e-6);
+        assert_near(state.omega.y, 7.5, 1e-6);
+    }
+}
+
+#[test]
+fn a_motor_holds_its_speed_against_a_force_under_every_scheme() {
+    for scheme in Scheme::ALL {
+        let text = format!(
+            "gravity = [0, 0, 0]\n[step]\nscheme = \"{}\"\n[[bodies]]\nname = \"cart\"\nmass = 1\n\
+             shape = {{ sphere = 0.1 }}\nforce = [-50, 0, 0]\n[[constraints]]\n\
+             kind = \"motor_translation\"\nbodies = [\"cart\"]\naxis = [1, 0, 0]\nspeed = 2\n\
+             effort = 1000\n",
+            scheme.name()
+        );
+        let scene = Scene::from_toml("motor.toml", &text).unwrap();
+        let running = run(scene, 20, |_, _| ());
+        assert_near(running.states()[0].v.x, 2.0, 1e-6);
+    }
+}
+
+#[test]
+fn a_body_that_diverges_names_the_row_that_threw_it() {
+    // A spring of 1e12 N/m on 1 kg is unstable for any substep above 2e-6 s.
+    let mut scene = falling(0.0, Scheme::Penalty);
+    scene.step.penalty.stiffness = 1e14;
+    scene.states[1].pose.p.z = 0.05;
+    let mut running = simulation(scene);
+    let failure = (0..100).find_map(|_| running.step().err()).expect("a step that fails");
+    let said = failure.to_string();
+    assert!(said.contains("the strongest row on it is \"normal ground ball 0\""), "{said}");
+}
