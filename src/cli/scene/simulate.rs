@@ -48,8 +48,10 @@ Example:
   frames.svg      pictures of some instants
   final.toml      the scene in its last state, to continue from; it contains the changes of --set
 
-Exit code 0: every step was solved. Exit code 1: a step was not solved or the motion diverged; what was \
-recorded until then is written. Exit code 2: bad input or usage.")]
+Exit codes:
+  0  every step was solved
+  1  a step was not solved, or the motion diverged; the steps before it are written
+  2  bad input or usage")]
 pub struct Simulate {
     #[command(flatten)]
     scene: SceneArgs,
