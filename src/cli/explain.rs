@@ -62,10 +62,10 @@ pub struct Explain {
     /// Number of steps of the scene to explain [default: 1]
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..=1000))]
     steps: Option<u64>,
-    /// Largest scaled residual that counts as solved
+    /// Largest scaled residual that counts as solved [default: the scene's, or that of `solve`]
     #[arg(long, allow_negative_numbers = true)]
     tolerance: Option<f64>,
-    /// Relaxation factor of sor, above 0 and below 2
+    /// Relaxation factor of sor, above 0 and below 2 [default: the scene's, or 1.3]
     #[arg(long, allow_negative_numbers = true)]
     omega: Option<f64>,
     #[command(flatten)]

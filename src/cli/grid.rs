@@ -60,7 +60,7 @@ struct Run {
     /// Run only the task of this number, even if it has a result
     #[arg(long)]
     task: Option<usize>,
-    /// Number of threads; results are identical for any number
+    /// Number of threads; results are identical for any number [default: one per processor]
     #[arg(long, value_parser = threads())]
     threads: Option<u16>,
     #[command(flatten)]

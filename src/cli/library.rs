@@ -28,10 +28,10 @@ pub struct Problems {
     /// Describe the family and its parameters instead
     #[arg(long, requires = "name", conflicts_with_all = ["n", "seed", "set", "out"])]
     parameters: bool,
-    /// The parameter n of the family
+    /// Parameter n of the family [default: see --parameters]
     #[arg(long, requires = "name", allow_negative_numbers = true)]
     n: Option<f64>,
-    /// Seed of the random numbers
+    /// Seed of the random numbers [default: see --parameters]
     #[arg(long, requires = "name", allow_negative_numbers = true)]
     seed: Option<f64>,
     /// Set a parameter of the family (repeatable)

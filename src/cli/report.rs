@@ -81,7 +81,7 @@ pub struct Report {
     /// prints the page
     #[arg(long, conflicts_with = "compare")]
     out: Option<PathBuf>,
-    /// Number of threads
+    /// Number of threads [default: one per processor]
     #[arg(long, value_parser = threads())]
     threads: Option<u16>,
     /// Write a proof file for each row that shows the verdict on one problem; a button on the page checks it

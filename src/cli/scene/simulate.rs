@@ -61,7 +61,7 @@ pub struct Simulate {
     /// Time to simulate, instead of a number of steps
     #[arg(long, value_name = "SECONDS")]
     duration: Option<f64>,
-    /// Folder for the results
+    /// Folder for the results [default: print a summary only]
     #[arg(long)]
     out: Option<PathBuf>,
     /// Write every Nth step to the tables
