@@ -26,7 +26,10 @@ Kinds: equations, unnumbered, listings, figures, notes, claims, techniques, demo
 
 Verdicts: right, convention, misprint, misleading, wrong, confirmed (by measurement), opinion, rebuilt.
 
-Exit code 1: an example does not show what its erratum claims. Exit code 2: bad input or usage.")]
+Exit codes:
+  0  printed or written
+  1  an example does not show what its erratum claims
+  2  bad input or usage")]
 pub struct Chapter {
     /// Entry such as (16), 16, "Code 6" or T20, erratum such as E07, or one of errata, glossary,
     /// references [default: list the entries]
@@ -52,7 +55,7 @@ impl Chapter {
                 return Err(Error::invalid(
                     "options",
                     option,
-                    format!("is for the list, not {name}"),
+                    format!("applies to the list, not to {name}"),
                 ));
             }
         }
@@ -106,7 +109,7 @@ impl Chapter {
 
     fn page(&self, document: &Document) -> Result<Outcome> {
         if self.json {
-            return Err(Error::invalid("options", "--json", "is for entries and errata"));
+            return Err(Error::invalid("options", "--json", "applies only to entries and errata"));
         }
         self.writing.write(document)
     }

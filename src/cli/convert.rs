@@ -20,10 +20,12 @@ Example:
   lcplab convert --list                     # the formats, their contents and pitfalls
 
 The extensions determine the formats unless --from or --to is given. It is an error if the target format \
-cannot store the problem. Standard error names metadata that is lost and the friction model that FROM means, \
-and warns if TO means another.
+cannot store the problem. Standard error lists the metadata that is lost and the friction model of FROM, and \
+warns if the format of TO implies another model.
 
-Exit code 0: written. Exit code 2: bad input or usage.")]
+Exit codes:
+  0  written
+  2  bad input or usage")]
 pub struct Convert {
     /// Problem: a file, a folder, the common beginning of the names of several files, or - for standard input
     #[arg(value_name = "FROM", required_unless_present = "list")]
@@ -70,7 +72,7 @@ impl Convert {
         if let Some((own, meant)) = exchange::remodelled(&problem, to.unwrap_or(&exchange::JSON)) {
             let (from, format) = (source.display(), to.unwrap_or(&exchange::JSON).name);
             say(&format!(
-                "warning: {}: {format} means {meant}, {from} is {own}: another problem, with other solutions",
+                "warning: {}: {format} means {meant}, {from} is {own}: the two problems have different solutions",
                 target.display()
             ));
         }
@@ -82,7 +84,7 @@ impl Convert {
 fn description(format: &Format) -> String {
     let Format { name, about, carries, trap, .. } = format;
     let endings = format.endings.join(", ");
-    let only = if format.write.is_some() { "" } else { "; only read" };
+    let only = if format.write.is_some() { "" } else { "; import only" };
     format!(
         "{name:<14} {about}\n  files    *{endings}{only}\n  carries  {carries}\n  trap     {trap}\n"
     )

@@ -40,7 +40,7 @@ Example:
   lcplab problems fathi | lcplab diagnose - --format markdown
   lcplab diagnose problem.json answer.json  # which known mistake produces exactly this x?
   lcplab diagnose problem.json answer.json --last before.json
-  lcplab diagnose --mistakes                # the mistakes that it knows
+  lcplab diagnose --mistakes                # lists the known mistakes
 
 INPUT is a problem file if it has an extension that `convert --list` shows, or is -; a folder of such \
 files; otherwise a scene.
@@ -48,16 +48,18 @@ files; otherwise a scene.
 For each input it reports rank, condition number and degrees of freedom, and lists zero rows, dependent \
 rows, contradictory rows, constraints without direction, drift, overlap, and sign errors in A.
 
-A scene is simulated for one second by its solver and by an exact one, and the unsupported weight is \
-measured. Each possible cause is removed in turn to see whether that helps, and remedies are tried. A solver \
-that leaves twice the error of plain Gauss-Seidel after the same number of sweeps is itself a suspect. With \
---solver or --sweeps this also works for a problem file, and for the files of a folder in order of their names.
+lcplab simulates a scene for one second, with its solver and with an exact one, and measures the unsupported \
+weight. It removes each possible cause in turn to see whether that helps, and tries remedies. It also suspects \
+a solver that leaves twice the error of plain Gauss-Seidel after the same number of sweeps. With --solver or \
+--sweeps this also works for a problem file, and for the files of a folder in order of their names.
 
-With an answer, each known mistake is made on purpose. A mistake is named if it explains x at least a \
-hundred times better than the exact solution does, at the precision of x. An accepted answer has no mistakes.
+With an answer, lcplab makes each known mistake on purpose. It names a mistake if the result is at least a \
+hundred times closer to x than the exact solution is, at the precision of x. An accepted answer has no mistakes.
 
-Exit code 0: the problem, or each problem of the folder, can be solved. Exit code 1: it cannot, or an answer \
-is rejected. Exit code 2: bad input or usage.")]
+Exit codes:
+  0  the problem, or each problem of the folder, can be solved
+  1  a problem cannot be solved, or the judge rejects the answer
+  2  bad input or usage")]
 pub struct Diagnose {
     /// Scene file, name of a shipped scene, problem file, folder of problem files, or - for a JSON problem from
     /// standard input
@@ -108,7 +110,7 @@ impl Diagnose {
                 return Err(Error::invalid(
                     &self.input,
                     "ANSWER",
-                    "is for problems, this is a scene",
+                    "applies to problems, but the input is a scene",
                 ));
             }
             return self.mistake(&read_problem(Path::new(&self.input), Memory::default())?, answer);
@@ -135,8 +137,9 @@ impl Diagnose {
 
     /// A problem, and how it was solved if that is asked for.
     fn problem(&self, solver: Option<&str>) -> Result<(Diagnosis, Option<Examined>)> {
-        let refuse =
-            |option| Error::invalid(&self.input, option, "is for scenes, this is a problem");
+        let refuse = |option| {
+            Error::invalid(&self.input, option, "applies to scenes, but the input is a problem")
+        };
         if self.step.is_some() {
             return Err(refuse("--step"));
         }
@@ -188,7 +191,7 @@ impl Diagnose {
             let scheme = scene.step.scheme;
             if !scheme.solves_lcps() {
                 let reason =
-                    format!("{name} is not run: the scheme {} solves no LCP", scheme.name());
+                    format!("cannot run {name}: the scheme {} solves no LCP", scheme.name());
                 return Err(Error::invalid(&self.input, "solver", reason));
             }
             scene.solver.name = methods::entry(name)?.name.into();
@@ -220,7 +223,7 @@ impl Diagnose {
         });
         let problems = problems.collect::<Result<Vec<Problem>>>()?;
         if problems.is_empty() {
-            return Err(Error::invalid(&self.input, "the folder", "has no problem files"));
+            return Err(Error::invalid(&self.input, "the folder", "contains no problem files"));
         }
         let practice = self.practice(solver)?;
         let found = examine_sequence(&problems, &practice);

@@ -31,7 +31,7 @@ pub fn run(
     stop: &Stop,
 ) -> Result<std::result::Result<PathBuf, Reason>> {
     if names.split(',').any(|name| name.trim().is_empty()) {
-        let reason = format!("{names:?} names no engine; {ALL} are all that are installed");
+        let reason = format!("{names:?} names no engine; {ALL} runs all installed engines");
         return Err(Error::invalid("--engine", "engines", reason));
     }
     file::prepare(folder, &[RECORD])?;
@@ -51,13 +51,13 @@ pub fn run(
     }
     let group = ProcessGroup::spawn(&mut command);
     let group = group.map_err(|cause| {
-        refused(format!("did not start: {cause}; {INTERPRETER} may name another interpreter"))
+        refused(format!("did not start: {cause}; set {INTERPRETER} to use another interpreter"))
     })?;
     match ended(group, stop).map_err(|cause| refused(cause.to_string()))? {
         Err(reason) => return Ok(Err(reason)),
         Ok(status) if !status.success() => {
-            let package = "lcplab's Python package is installed by pip install ./python";
-            return Err(refused(format!("ended with {status}, and says why above; {package}")));
+            let package = "to install lcplab's Python package: pip install ./python";
+            return Err(refused(format!("ended with {status}; its message is above; {package}")));
         }
         Ok(_) => {}
     }

@@ -30,15 +30,17 @@ Example:
   lcplab explain sphere_plane --model polygon-4
   lcplab export stack | lcplab explain - --solver dantzig --format markdown
 
-The derivation has states, masses and forces; c, J and J'u of each row; the steps from Newton's law to A and \
-b; and each sweep, pivot or tableau of the solver, with units. At most 12 rows of each are shown. A page \
-begins with a picture. A problem file starts at A and b. For friction cones the solver is not followed; the \
-coupled box is derived next to them.
+The derivation lists, with units: states, masses and forces; c, J and J'u of each row; the steps from Newton's \
+law to A and b; and each sweep, pivot or tableau of the solver. It shows at most 12 rows of each. A page \
+begins with a picture. For a problem file the derivation starts at A and b. For friction cones it leaves out \
+the iterations of the solver, and adds the derivation of the coupled box.
 
 INPUT is a problem file if it has an extension that `convert --list` shows, or is -; otherwise a scene.
 
-Exit code 0: the answers are accepted. Exit code 1: the judge rejects an answer, or a step cannot be taken. \
-Exit code 2: bad input or usage.")]
+Exit codes:
+  0  the judge accepts every answer
+  1  the judge rejects an answer, or a step cannot be taken
+  2  bad input or usage")]
 pub struct Explain {
     /// Scene file, name of a shipped scene, problem file, or - for a JSON problem from standard input
     input: String,
@@ -60,10 +62,10 @@ pub struct Explain {
     /// Number of steps of the scene to explain [default: 1]
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..=1000))]
     steps: Option<u64>,
-    /// Largest scaled residual that counts as solved
+    /// Largest scaled residual that counts as solved [default: the scene's, or that of `solve`]
     #[arg(long, allow_negative_numbers = true)]
     tolerance: Option<f64>,
-    /// Relaxation factor of sor, above 0 and below 2
+    /// Relaxation factor of sor, above 0 and below 2 [default: the scene's, or 1.3]
     #[arg(long, allow_negative_numbers = true)]
     omega: Option<f64>,
     #[command(flatten)]
@@ -103,8 +105,8 @@ fn motion(scene: &Scene, solver: &str, first: usize, last: usize) -> Result<Opti
         return Ok(None);
     }
     let strip = Strip::new(&scene, frames).with_forces();
-    let caption = "The bodies before the step and after it, with the forces of contacts and joints; an impulse is drawn as the \
-                   force that gives it over the step.";
+    let caption = "The bodies before the step and after it, with the forces of contacts and joints; an impulse is drawn as its \
+                   average force over the step.";
     let mut section = Section::new("Bodies and forces");
     section.figure(Picture { svg: strip.svg(), caption: caption.into(), ..Picture::default() });
     Ok(Some(section))
@@ -128,7 +130,7 @@ impl Explain {
                 return Err(Error::invalid(
                     &self.input,
                     option,
-                    "is for scenes, this is a problem",
+                    "applies to scenes, but the input is a problem",
                 ));
             }
         }

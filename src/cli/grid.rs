@@ -23,11 +23,13 @@ Example:
   lcplab grid collect omega   # grids/omega/results.csv, results.json and index.html
 
 Tasks can run one by one, in any order and on several machines (grid run FILE --task K); workflow/ does so \
-with Snakemake. The collected results are bitwise identical; times are kept apart, in times.csv. A point that \
-cannot be computed has a row with the reason.
+with Snakemake. The collected results are bitwise identical; wall times go to a separate file, times.csv. If a \
+point cannot be computed, its row gives the reason.
 
-Exit code 0: all results are there and no claim is rejected. Exit code 1: a claim is rejected or results are \
-missing. Exit code 2: bad input or usage.")]
+Exit codes:
+  0  all results exist, and the judge rejects no claim
+  1  the judge rejects a claim, or results are missing
+  2  bad input or usage")]
 pub struct Grid {
     #[command(subcommand)]
     action: Action,
@@ -58,7 +60,7 @@ struct Run {
     /// Run only the task of this number, even if it has a result
     #[arg(long)]
     task: Option<usize>,
-    /// Number of threads; results are identical for any number
+    /// Number of threads; results are identical for any number [default: one per processor]
     #[arg(long, value_parser = threads())]
     threads: Option<u16>,
     #[command(flatten)]

@@ -26,12 +26,14 @@ Example:
   lcplab hunt --plugin \"python3 mine.py\" --measure lie --model coulomb-cone # friction cones
   lcplab hunt --measure ratio murty:block-pivoting --n 8
 
-Without --measure it prints a table of the claims of each solver. With --measure it climbs from random \
-problems by small changes, shrinks the best one, and prints it with the solver's x, the correct x and a test. \
-The same seed finds the same problem.
+Without --measure it prints a table of the claims of each solver. With --measure it starts from random \
+problems, makes small changes that increase the measure (hill climbing), shrinks the worst problem, and prints \
+it with the solver's x, the correct x and a test. The same seed finds the same problem.
 
-Exit code 0: no false claim. Exit code 1: a claim is false, or a solver that you name solves no problem. \
-Exit code 2: bad input or usage.")]
+Exit codes:
+  0  no false claim
+  1  a claim is false, or a solver that you name solves no problem
+  2  bad input or usage")]
 pub struct Challenge {
     /// Number of problems
     #[arg(long, default_value_t = 10_000)]
@@ -42,7 +44,7 @@ pub struct Challenge {
     /// Examine this solver (repeatable) and the plug-ins [default: all solvers]
     #[arg(long)]
     solver: Vec<String>,
-    /// Problems with friction under this model: frozen-box, coupled-box, polygon-4 (or 8, 12, …),
+    /// Use problems with friction under this model: frozen-box, coupled-box, polygon-4 (or 8, 12, …),
     /// associated-cone, coulomb-cone [default: with --from the model of the files]
     #[arg(long)]
     model: Option<Model>,

@@ -32,7 +32,10 @@ Example:
 An answer file is a JSON object with the key \"x\". The key \"iterates\", a list of vectors, adds a row for \
 each of them; iterates do not change the exit code.
 
-Exit code 0: every answer is accepted. Exit code 1: an answer is rejected. Exit code 2: bad input or usage.")]
+Exit codes:
+  0  every answer is accepted
+  1  an answer is rejected
+  2  bad input or usage")]
 pub struct Judge {
     /// Problem file in the format of its extension; - reads JSON from standard input
     problem: PathBuf,

@@ -33,7 +33,9 @@ A page needs no network. --ipynb writes Jupyter notebooks with outputs to notebo
 with --rust, for the Rust kernel. Python cells import engine.py, which is written next to them. To change a lesson, \
 edit notebooks/NN_title.md and run the command again.
 
-Exit code 0: written. Exit code 2: a Rust cell fails, or bad input.")]
+Exit codes:
+  0  written
+  2  a Rust cell fails, or bad input")]
 pub struct Lesson {
     /// Number or name of a lesson
     lesson: Option<String>,
@@ -66,7 +68,10 @@ A code exercise is a file with a gap or a bug, notebooks/exercises/eLESSON_NUMBE
 and run the command through cargo, which compiles your answer. It is compared with an independent answer. A \
 problem asks for a number; the lessons state the problems (p on paper, r to predict and run, x on a live page).
 
-Exit code 0: the answer is right. Exit code 1: it is wrong. Exit code 2: bad input or usage.")]
+Exit codes:
+  0  the answer is right
+  1  the answer is wrong
+  2  bad input or usage")]
 pub struct Answer {
     /// Lesson and number, such as 1.1 or 4.p1
     exercise: Option<String>,

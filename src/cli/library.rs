@@ -16,7 +16,7 @@ use super::{Outcome, bar, print};
 #[command(after_help = "\
 Example:
   lcplab problems                             # the families of the library
-  lcplab problems manufactured --parameters   # what can be set
+  lcplab problems manufactured --parameters   # its parameters
   lcplab problems fathi --n 8 | lcplab solve - --solver murty
   lcplab problems manufactured --n 100 --seed 7 --set rank=0.5 --out singular.json
   lcplab problems --export set; lcplab compare set --profile profile
@@ -28,10 +28,10 @@ pub struct Problems {
     /// Describe the family and its parameters instead
     #[arg(long, requires = "name", conflicts_with_all = ["n", "seed", "set", "out"])]
     parameters: bool,
-    /// The parameter n of the family
+    /// Parameter n of the family [default: see --parameters]
     #[arg(long, requires = "name", allow_negative_numbers = true)]
     n: Option<f64>,
-    /// Seed of the random numbers
+    /// Seed of the random numbers [default: see --parameters]
     #[arg(long, requires = "name", allow_negative_numbers = true)]
     seed: Option<f64>,
     /// Set a parameter of the family (repeatable)
@@ -41,7 +41,7 @@ pub struct Problems {
     #[arg(long, requires = "name", value_name = "FILE")]
     out: Option<PathBuf>,
     /// Write the library and some steps of the shipped scenes into this folder: one file per problem, and
-    /// index.csv with what is known of each
+    /// index.csv with the known properties of each
     #[arg(long, value_name = "FOLDER", conflicts_with = "name")]
     export: Option<PathBuf>,
     /// Print the JSON schema of problem files

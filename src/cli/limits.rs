@@ -23,7 +23,7 @@ const PATIENCE: Duration = GRACE.saturating_mul(2);
 /// How long a command may take.
 #[derive(Debug, Args)]
 pub struct TimeLimit {
-    /// Stop after this time and write what was computed
+    /// Stop after this time and write what was computed [default: no limit]
     #[arg(long, global = true, value_name = "SECONDS", value_parser = seconds)]
     time_limit: Option<Duration>,
 }
@@ -75,7 +75,7 @@ impl Limits {
                 process::exit(code(Reason::Interrupted).into());
             }
             was_asked = true;
-            say("stopping; Ctrl-C again ends at once");
+            say("stopping; press Ctrl-C again to end at once");
             stop.raise();
         });
         &self.stop
@@ -124,7 +124,7 @@ fn guard(limit: Duration, asks: &AtomicBool, is_over: &AtomicBool) {
     }
     if !is_over.load(Ordering::Relaxed) {
         let reason = Reason::TimeLimit(limit);
-        say(&format!("error: {reason}; what was under way is lost"));
+        say(&format!("error: {reason}; unfinished work is lost"));
         process::exit(code(reason).into());
     }
 }

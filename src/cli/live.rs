@@ -16,12 +16,14 @@ Example:
   lcplab live                  # lists the pages
   lcplab live two_rows --open
   lcplab live stack --out lecture
-  lcplab live --all --out live # where the links of the notebooks look for them
+  lcplab live --all --out live # the folder that the notebooks link to
 
 A page needs no network and no server: it contains the solvers, compiled to WebAssembly. Its address stores \
 the problem and the settings, so that you can send it to others.
 
-Exit code 0: written. Exit code 2: bad input or usage.")]
+Exit codes:
+  0  written
+  2  bad input or usage")]
 pub struct Live {
     /// Name of a page [default: list the pages]
     page: Option<String>,

@@ -5,7 +5,7 @@ use lcplab::lcp::file::number;
 use lcplab::number::readable;
 use serde_json::{Value, json};
 
-/// Answers with at most this many digits may be those of mistakes that nobody compared.
+/// Answers with at most this many digits may come from mistakes that lcplab does not know.
 const FEW_DIGITS: i32 = 3;
 
 /// The list of known mistakes.
@@ -29,19 +29,18 @@ pub fn words(search: &MistakeSearch, single: Option<[f64; 2]>) -> String {
         Conclusion::Accepted => return verdict,
         Conclusion::NotFinite { row } => {
             return format!(
-                "{verdict}No mistake was looked for: entry {row} of x is not a finite number.\n"
+                "{verdict}lcplab did not look for mistakes: entry {row} of x is not a finite number.\n"
             );
         }
         Conclusion::TooManyRows { limit } => {
-            format!("No mistake was looked for: the problem has more than {limit} rows.\n")
+            format!("lcplab did not look for mistakes: the problem has more than {limit} rows.\n")
         }
         Conclusion::NoSolutionKnown => {
-            "No mistake is named: no solution of the problem was found with which x could \
-             be compared.\n"
+            "lcplab names no mistake: it found no solution of the problem to compare with x.\n"
                 .into()
         }
         Conclusion::RoundedSolution { distance } => format!(
-            "No mistake is named: an exact solution, rounded to the digits of x ({}), is x; the difference is {}.\n",
+            "lcplab names no mistake: x is an exact solution rounded to {}; the difference is {}.\n",
             precision(search.precision),
             share(distance)
         ),
@@ -68,10 +67,7 @@ fn found(mistakes: &[Mistake]) -> String {
         all => {
             let line = |mistake: &Mistake| format!("  {} ({})\n", mistake.what, agrees(mistake));
             let lines: String = all.iter().map(line).collect();
-            format!(
-                "{} known mistakes give this x, and nothing tells them apart:\n{lines}",
-                all.len()
-            )
+            format!("{} known mistakes give this x equally well:\n{lines}", all.len())
         }
     }
 }
@@ -82,7 +78,10 @@ fn few_digits(search: &MistakeSearch) -> String {
         Precision::Decimal { digits, .. }
             if digits <= FEW_DIGITS && !search.mistakes.is_empty() =>
         {
-            format!("x has only {}: other mistakes may give it too.\n", precision(search.precision))
+            format!(
+                "x has only {}: other mistakes may also give it.\n",
+                precision(search.precision)
+            )
         }
         _ => String::new(),
     }
@@ -112,7 +111,7 @@ fn single_precision([own, least]: [f64; 2]) -> String {
     let limit = 10.0 * least.max(f64::from(f32::EPSILON));
     let word = if own <= limit { "as good as" } else { "worse than" };
     format!(
-        "Its scaled residual {} is {word} single precision can be: the solution rounded to it has {}.\n",
+        "The scaled residual {} is {word} single precision allows: the solution rounded to single precision has {}.\n",
         readable(own, 2),
         readable(least, 2)
     )

@@ -55,12 +55,12 @@ Example:
   lcplab convert stack.json stack.npz  # a problem for another program
 
 Exit codes:
-  0    good: solved, accepted, or written
+  0    solved, accepted, or written
   1    rejected, failed, diverged, or stopped by the time limit
   2    bad input or usage, or a file that cannot be read or written
   130  stopped by Ctrl-C or SIGTERM
 
-A command that is stopped writes what it has computed. Each command has --help with an example.")]
+A command that is stopped writes what it has computed. lcplab COMMAND --help shows examples.")]
 struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -123,7 +123,7 @@ fn grouped(cli: clap::Command) -> clap::Command {
 enum Outcome {
     Good,
     Refuted,
-    /// Before the end; what there is was written.
+    /// Before the end; the results so far were written.
     Stopped(Reason),
 }
 
@@ -213,7 +213,7 @@ fn hint(error: &Error, matches: &ArgMatches) -> &'static str {
     }
 }
 
-/// Prints a line to standard error, without escapes; there is nobody to tell if that cannot be done.
+/// Prints a line to standard error, without escapes; a failure to print is ignored.
 fn say(line: &str) {
     use std::io::Write;
     let _ = writeln!(std::io::stderr().lock(), "{}", printable(line));
@@ -235,7 +235,7 @@ fn warn(problem: &Problem) {
         say(&format!("warning: {warning}"));
     }
     if problem.warnings.len() > WARNINGS {
-        say(&format!("warning: and {} more", problem.warnings.len() - WARNINGS));
+        say(&format!("warning: {} more not shown", problem.warnings.len() - WARNINGS));
     }
 }
 
@@ -253,7 +253,7 @@ fn folder_of(out: Option<&Path>, usual: &str, name: &str) -> Result<PathBuf> {
     if let Some(out) = out {
         return Ok(out.into());
     }
-    let reason = |reason| format!("{reason}; --out FOLDER takes another one");
+    let reason = |reason| format!("{reason}; choose another folder with --out FOLDER");
     file::check_name(name).map_err(|why| Error::invalid(usual, "folder", reason(why)))?;
     file::inside(Path::new(""), Path::new(usual).join(name))
 }

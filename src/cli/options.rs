@@ -32,16 +32,16 @@ pub struct SolverArgs {
 /// Options that only some solvers look at; one that no solver of the command does is refused.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct Choices {
-    /// Relaxation factor of sor and ssor, above 0 and below 2 [default: 1.3; a scene has its own]
+    /// Relaxation factor of sor and ssor, above 0 and below 2 [default: the scene's, or 1.3]
     #[arg(long, allow_negative_numbers = true)]
     pub omega: Option<f64>,
-    /// Order of the rows in a sweep of pgs and sor [default: natural; a scene has its own]
+    /// Order of the rows in a sweep of pgs and sor [default: the scene's, or natural]
     #[arg(long, value_enum)]
     pub order: Option<RowOrder>,
-    /// Seed of --order shuffled [default: 1; a scene has its own]
+    /// Seed of --order shuffled [default: the scene's, or 1]
     #[arg(long)]
     pub seed: Option<u64>,
-    /// Step length of jacobi, above 0 and below 2 [default: convergent for every semidefinite A]
+    /// Step length of jacobi, above 0 and below 2 [default: one that converges for every semidefinite A]
     #[arg(long, allow_negative_numbers = true)]
     pub damping: Option<f64>,
 }
@@ -138,7 +138,7 @@ impl Choices {
                 defects.add(format!("--{}", choice.name()), reason);
             } else if names.len() < solvers.len() {
                 let (choice, names) = (choice.name(), names.join(", "));
-                say(&format!("note: --{choice} goes to {names} alone"));
+                say(&format!("note: --{choice} applies only to {names}"));
             }
         }
         defects.into_result("options")

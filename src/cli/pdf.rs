@@ -25,7 +25,10 @@ impl Browser {
         let programs =
             places.flat_map(|at| NAMES.map(|name| at.join(format!("{name}{EXE_SUFFIX}"))));
         programs.into_iter().find(|program| program.is_file()).map(Browser).ok_or_else(|| {
-            let reason = format!("has none of {}, one of which prints the page", NAMES.join(", "));
+            let reason = format!(
+                "contains none of {}; one of them is needed to print the page",
+                NAMES.join(", ")
+            );
             Error::invalid("--out", "PATH", reason)
         })
     }
@@ -72,15 +75,15 @@ impl Browser {
         // The part is there before it is printed to, and empty.
         if !part.metadata().is_ok_and(|part| part.len() > 0) {
             let said = String::from_utf8_lossy(&output.stderr);
-            let last = said.trim().lines().last().unwrap_or("it said nothing").to_string();
+            let last =
+                said.trim().lines().last().unwrap_or("the browser printed no message").to_string();
             return Err(Error::invalid(self.0.display().to_string(), "print", last));
         }
         Ok(())
     }
 }
 
-/// A folder of a name that nobody else knows, which goes when it is dropped: what the browser needs
-/// while it prints.
+/// A folder with a private name, removed when it is dropped: what the browser needs while it prints.
 fn private_folder() -> Result<TempDir> {
     tempfile::tempdir().map_err(|cause| Error::file(&env::temp_dir(), &cause))
 }

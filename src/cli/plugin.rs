@@ -1,4 +1,4 @@
-//! `--plugin`: someone else's program as a solver.
+//! `--plugin`: another program as a solver.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use super::say;
 #[derive(Debug, Args)]
 pub struct Plugins {
     /// Run this command as a solver (repeatable): it reads problems and writes answers, see docs/plugins.md.
-    /// It is named after its file, or NAME=COMMAND
+    /// The solver is named after its file; NAME=COMMAND sets another name
     #[arg(long, value_name = "COMMAND")]
     plugin: Vec<String>,
     /// Time limit for each answer of a plug-in
@@ -43,7 +43,7 @@ impl Plugins {
             (named, []) => Ok(named),
             (None, [plugin]) => Ok(Some(plugin.name())),
             _ => {
-                let reason = "one solver solves: --solver, or one plug-in";
+                let reason = "give either --solver or one --plugin";
                 Err(Error::invalid("options", "--plugin", reason))
             }
         }
@@ -71,7 +71,10 @@ impl Declared {
         let commands = plugins.iter().map(|(name, plugin)| format!("{name}: {}", plugin.command));
         let commands: Vec<String> = commands.collect();
         if !self.allow_plugins {
-            let reason = format!("would run {}; --allow-plugins lets it", commands.join(" and "));
+            let reason = format!(
+                "lists commands to run: {}; add --allow-plugins to run them",
+                commands.join(" and ")
+            );
             return Err(Error::invalid(input, "plugins", reason));
         }
         commands.iter().for_each(|command| say(&format!("plug-in {command}")));

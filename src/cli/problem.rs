@@ -44,14 +44,17 @@ Example:
   lcplab solve problem.json --plugin \"python3 mine.py\"   # your own solver, in any language
 
 Friction rows are solved as a coupled box unless --model, the key \"model\" of the file, or a solver for \
-friction cones says otherwise.
+friction cones selects another model.
 
-Exit code 0: the judge accepts the answer. Exit code 1: it does not. Exit code 2: bad input or usage.")]
+Exit codes:
+  0  the judge accepts the answer
+  1  the judge rejects the answer
+  2  bad input or usage")]
 pub struct Solve {
     /// Problem file in the format of its extension; - reads JSON from standard input
     problem: PathBuf,
-    /// Solver [default: a sequence of methods until one succeeds; it begins with dantzig for symmetric A, with
-    /// lemke for other A, and with apgd or cone-pgs for friction cones]
+    /// Solver [default: try a sequence of methods until one succeeds, starting with dantzig for symmetric A,
+    /// lemke for other A, and apgd or cone-pgs for friction cones]
     #[arg(long)]
     solver: Option<String>,
     /// Friction model: frozen-box, coupled-box, polygon-4 (or 8, 12, …), associated-cone, coulomb-cone
@@ -61,7 +64,7 @@ pub struct Solve {
     /// Try an exact proof for up to 150 rows instead of 50
     #[arg(long)]
     exact: bool,
-    /// Write the strongest proof to this file, as `prove` does
+    /// Write the strongest proof to this file, like `prove`
     #[arg(long, value_name = "FILE")]
     proof: Option<PathBuf>,
     /// Print one JSON object
@@ -192,7 +195,7 @@ fn on_one_line(name: &str) -> String {
 
 pub fn bound_text(bound: Option<f64>) -> String {
     let line = |bound| {
-        format!("  error bound      {:>10}  no entry of x is further off\n", upper_bound(bound))
+        format!("  error bound      {:>10}  no entry of x has a larger error\n", upper_bound(bound))
     };
     bound.map(line).unwrap_or_default()
 }

@@ -32,8 +32,10 @@ The first that holds is written; for the stronger ones the output says why they 
 says what each kind proves. Proofs are about boxes: under a polygon or a friction cone only no-solution can \
 be proved.
 
-Exit code 0: a proof is written. Exit code 1: nothing can be proved, for example if the residual is not \
-finite. Exit code 2: bad input or usage, or no proof under this friction model.")]
+Exit codes:
+  0  a proof was written
+  1  nothing can be proved, for example if the residual is not finite
+  2  bad input or usage, or no proof under this friction model")]
 pub struct Prove {
     /// Problem file in the format of its extension; - reads JSON from standard input
     problem: PathBuf,
@@ -42,7 +44,7 @@ pub struct Prove {
     /// Friction model [default: the file's]
     #[arg(long)]
     model: Option<Model>,
-    /// Prove only this kind: one of those below, or frozen-motion, motion with the friction limits of the answer
+    /// Prove only this kind: one of those below, or frozen-motion (motion with the friction limits of the answer)
     #[arg(long)]
     kind: Option<Kind>,
     /// File to write; a page if it ends in .html [default: standard output]
@@ -59,12 +61,14 @@ Example:
   lcplab check problem.json proof.json
   lcplab check cone.json proof.json --model coupled-box   # written with --model coupled-box
 
-Exit code 0: the proof is valid. Exit code 1: it proves nothing about this problem. Exit code 2: it is not a \
-proof file.")]
+Exit codes:
+  0  the proof is valid
+  1  the proof proves nothing about this problem
+  2  bad input or usage, or the file is not a proof file")]
 pub struct Check {
-    /// A problem file
+    /// Problem file in the format of its extension; - reads JSON from standard input
     problem: PathBuf,
-    /// Proof file, as `prove` writes it
+    /// Proof file, written by `prove`
     proof: PathBuf,
     /// Friction model [default: the file's]
     #[arg(long)]
@@ -91,7 +95,9 @@ impl Prove {
             Some(kind) => prove_kind(&question, &answer, kind),
         };
         if let Some(reason) = found.refusal(&question) {
-            let reason = format!("{reason}; --model coupled-box asks about the coupled box");
+            let reason = format!(
+                "{reason}; use --model coupled-box to prove a statement about the coupled box"
+            );
             return Err(Error::invalid(input, "model", reason));
         }
         let Found { proof, missing } = found;
@@ -122,19 +128,21 @@ fn page_of(question: &Question, proof: &Proof, missing: &[(Kind, String)], text:
     let claim =
         page::Proof { claim: proof.sentence(), text: text.to_string(), ..page::Proof::default() };
     let claim = Block::Proofs { problem: problem.to_json().to_string(), proofs: vec![claim] };
-    let how = "The button runs a checker of this page's own, in whole numbers; it shares no code with lcplab, and its \
-               source is the end of this file. The problem and the proof stand in the page.";
+    let how = "The button runs a checker that is part of this page. It uses integer arithmetic and shares no code with \
+               lcplab; its source is at the end of this file. The page contains the problem and the proof.";
     let mut blocks = vec![claim, Block::Note(how.into())];
     if !missing.is_empty() {
         let reasons: String = reasons.collect();
         blocks.push(Block::Text(format!(
-            "What would say more, and why it is not proved:\n\n{reasons}"
+            "Stronger statements, and why they are not proved:\n\n{reasons}"
         )));
     }
     let rows = problem.lcp.len();
     Page {
         title: format!("A proof about {name}"),
-        lead: format!("A complementarity problem of {rows} rows, and what is proved of it."),
+        lead: format!(
+            "The strongest statement that lcplab proves about a complementarity problem of {rows} rows."
+        ),
         sections: vec![Section {
             id: "proof".into(),
             title: "The proof".into(),
@@ -176,7 +184,7 @@ pub fn check_model(model: Model) -> Result<()> {
     match model {
         Model::CoupledBox | Model::FrozenBox => Ok(()),
         Model::Polyhedral { .. } | Model::AssociatedCone | Model::CoulombCone => {
-            let reason = format!("proofs of answers are about boxes, not about {model}");
+            let reason = format!("an answer can be proved for a box, not for {model}");
             Err(Error::invalid("options", "--proof", reason))
         }
     }
@@ -187,7 +195,7 @@ pub fn write(path: &Path, question: &Question, answer: &[f64]) -> Result<()> {
     match prove(question, answer).proof {
         Some(proof) => file::write(path, format!("{}\n", proof.to_json())),
         None => {
-            say("warning: no proof is written, for the residual of the answer is not finite");
+            say("warning: no proof was written, because the residual of the answer is not finite");
             Ok(())
         }
     }

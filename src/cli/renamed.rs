@@ -47,5 +47,5 @@ pub fn instead(error: &clap::Error, words: &[String]) -> Option<String> {
         }
         _ => return None,
     };
-    Some(format!("{old} has another name now: lcplab {new}"))
+    Some(format!("{old} was replaced; use lcplab {new}"))
 }

@@ -52,10 +52,12 @@ Results are identical for any number of threads.
 Your own problem files: `diagnose FOLDER` explains what a solver leaves unsolved, `compare FILES` compares \
 solvers on them, and a report file with the studies `frames` and `profiles` makes a page of both.
 
-Exit code 0: every section passes. Exit code 1: a section or a task fails, or compared results differ. \
-Exit code 2: bad input or usage.")]
+Exit codes:
+  0  every section passes
+  1  a section or a task fails, or compared results differ
+  2  bad input or usage")]
 pub struct Report {
-    /// A report file, the name of a shipped report, or the results.json of a report to draw again
+    /// Report file, name of a shipped report, or results.json of a report to draw again
     #[arg(value_name = "REPORT")]
     report: Option<String>,
     /// With a report: print its tables on the terminal and write no files. Without: list the shipped reports
@@ -79,7 +81,7 @@ pub struct Report {
     /// prints the page
     #[arg(long, conflicts_with = "compare")]
     out: Option<PathBuf>,
-    /// Number of threads
+    /// Number of threads [default: one per processor]
     #[arg(long, value_parser = threads())]
     threads: Option<u16>,
     /// Write a proof file for each row that shows the verdict on one problem; a button on the page checks it
@@ -109,7 +111,7 @@ impl Report {
         let record =
             match self.engine.as_ref().map(|names| self.engines(names, limits)).transpose()? {
                 Some(Err(reason)) => {
-                    say("the engines were stopped, and their results are lost");
+                    say("the run of the engines was stopped; its results are lost");
                     return Ok(Outcome::Stopped(reason));
                 }
                 Some(Ok(record)) => Some(record),
@@ -152,7 +154,7 @@ impl Report {
         limits: &Limits,
     ) -> Result<std::result::Result<PathBuf, Reason>> {
         if self.name() != ENGINES {
-            let reason = format!("belongs to the report {ENGINES}, not to {}", self.name());
+            let reason = format!("applies to the report {ENGINES}, not to {}", self.name());
             return Err(Error::invalid("report", "--engine", reason));
         }
         engines::run(names, &folder_of(self.folder(), "reports", ENGINES)?, limits.stop())
@@ -246,7 +248,7 @@ impl Report {
             proofs.onto(&mut document);
             let left_out = match proofs.left_out {
                 0 => String::new(),
-                count => format!(", {count} more would be too many files"),
+                count => format!("; {count} more were left out, to limit the number of files"),
             };
             say(&format!("{} proofs in {}/proofs{left_out}", proofs.count(), folder.display()));
         }
@@ -342,8 +344,8 @@ fn alone(document: &view::Document, id: &str, file: &Path) -> Result<()> {
     }
 }
 
-/// What a run that did not come to its end has left, as far as nobody has changed it since; nothing if
-/// there is none, or it is not readable.
+/// The sections of an interrupted run that have not been edited since; nothing if there is no such run, or it
+/// is not readable.
 fn interrupted(path: &Path) -> Option<Results> {
     let results: Results = serde_json::from_value(difference::read(path).ok()?).ok()?;
     if results.is_complete() {
@@ -352,7 +354,7 @@ fn interrupted(path: &Path) -> Option<Results> {
     let (results, edited) = results.unedited();
     for id in edited {
         let file = path.display();
-        say(&format!("warning: {file}: section {id} is not as it was written: it is done again"));
+        say(&format!("warning: {file}: section {id} was edited: lcplab computes it again"));
     }
     Some(results)
 }

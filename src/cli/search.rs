@@ -34,7 +34,7 @@ pub struct Quarry {
     /// the given problems]
     #[arg(long, value_enum, requires = "measure")]
     class: Option<Class>,
-    /// Only problems with friction: contacts with a normal and two tangents
+    /// Search only problems with friction: contacts with a normal and two tangents
     #[arg(long, requires = "measure")]
     friction: bool,
     /// Start from these problems: a file, a folder or a pattern (repeatable). Problems of any size are shrunk
@@ -43,7 +43,7 @@ pub struct Quarry {
     /// Number of problems to try before the best one is shrunk
     #[arg(long, default_value_t = 20_000, requires = "measure")]
     evaluations: usize,
-    /// Stop searching when the measure reaches this value
+    /// Stop searching when the measure reaches this value [default: no limit]
     #[arg(long, value_name = "VALUE", requires = "measure")]
     at_least: Option<f64>,
     /// Relaxation factor of sor and ssor [default: 1.3; in a ratio the best of 25 for each problem]
@@ -175,7 +175,7 @@ impl Quarry {
         let wrong = |reason: &str| Error::invalid("options", "--measure", reason);
         let measure: Measure = self.measure[0].parse().map_err(|reason: String| wrong(&reason))?;
         let pair = self.measure.get(1).map(|pair| {
-            pair.split_once(':').ok_or_else(|| wrong("a ratio is of two solvers, A:B"))
+            pair.split_once(':').ok_or_else(|| wrong("a ratio needs two solvers, A:B"))
         });
         options.omega = self.omega.unwrap_or(options.omega);
         options.validate()?;
@@ -186,7 +186,7 @@ impl Quarry {
         let (solver, rival) = match (pair.transpose()?, names) {
             (Some((a, b)), _) => (method(a)?, Some(method(b)?)),
             (None, [name]) => (method(name)?, None),
-            (None, _) => return Err(wrong("one solver is hunted: --solver NAME, or one --plugin")),
+            (None, _) => return Err(wrong("give one solver: --solver NAME or one --plugin")),
         };
         let trial = Trial {
             measure,
@@ -207,11 +207,11 @@ impl Quarry {
         let Catch { evaluation, shrinking, rows_at_first, value, value_at_first, .. } = catch;
         let measure = trial.measure;
         let mut text = format!(
-            "{measure} found by evaluation {evaluation} of seed {seed}, with {rows_at_first} rows; made smaller \
-             in {shrinking} more\n"
+            "{measure} found at evaluation {evaluation} of seed {seed}, with {rows_at_first} rows; shrunk in \
+             {shrinking} more evaluations\n"
         );
         let [value, at_first] = [*value, *value_at_first].map(|measure| readable(measure, 4));
-        text += &format!("measure {value}, before that {at_first}\n\n");
+        text += &format!("measure {value}; before shrinking {at_first}\n\n");
         text += &format!("{}\n\n", finding.words);
         text += &finding.equations();
         text += &format!("\n{}", finding.answers());
@@ -253,7 +253,7 @@ fn in_json(catch: &Catch, finding: &Finding, seed: u64) -> String {
 
 /// Two whole numbers with .. between them, or one.
 fn rows(text: &str) -> std::result::Result<RangeInclusive<usize>, String> {
-    let number = |text: &str| text.parse().map_err(|_| format!("{text:?} is no whole number"));
+    let number = |text: &str| text.parse().map_err(|_| format!("{text:?} is not a whole number"));
     match text.split_once("..") {
         Some((least, most)) => Ok(number(least)?..=number(most.trim_start_matches('='))?),
         None => number(text).map(|n| n..=n),

@@ -11,16 +11,16 @@ use lcplab::plot::{Axis, Figure, Lines, Panel, Series};
 use lcplab::solver::{Group, Options, Solution, theory};
 use lcplab::trace::Record;
 
-/// Beyond so many rows no eigenvalues are computed.
+/// Eigenvalues are computed up to this number of rows.
 const EIGENVALUE_ROWS: usize = 500;
 
 /// Where the iterates go.
 #[derive(Debug, Args)]
 pub struct Tracing {
-    /// Write residuals and objective of each iterate as CSV
+    /// Write the residuals and the objective of each iterate to this CSV file
     #[arg(long, value_name = "FILE")]
     trace: Option<PathBuf>,
-    /// Plot the residuals of the iterates as SVG, for pgs, sor and ssor with the theoretical rate
+    /// Plot the residuals of the iterates to this SVG file, for pgs, sor and ssor with the theoretical rate
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
 }
@@ -33,7 +33,7 @@ impl Tracing {
     /// That there are iterates to be written.
     pub fn check(&self, has_iterates: bool) -> Result<()> {
         let options = if self.trace.is_some() { "--trace" } else { "--plot" };
-        let reason = "writes the iterates of a problem that is solved as it stands, without a model of friction";
+        let reason = "needs a problem that is solved as a box, without another friction model";
         match self.is_wanted() && !has_iterates {
             true => Err(Error::invalid("options", options, reason)),
             false => Ok(()),
@@ -110,7 +110,7 @@ fn figure(solver: &str, records: &[Record], rate: Option<f64>) -> Lines {
     let scaled = vec![Series::measured(solver, points(|record| record.scaled_residual))];
     Lines {
         id: "iterates".into(),
-        title: format!("The iterates of {solver}"),
+        title: format!("Residuals of the iterates of {solver}"),
         caption: String::new(),
         x: Axis::linear(unit(solver), ""),
         panels: vec![

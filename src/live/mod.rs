@@ -62,7 +62,7 @@ pub const PAGES: [Page; 5] = [
     page!(
         "problem",
         "Your problem",
-        "your problem: solve it by any method, step by step and derived; judge and prove any x"
+        "your problem: solve it with any method, follow the steps and the derivation, check and prove any x"
     ),
     page!(
         "painleve",

@@ -98,7 +98,7 @@ fn not_refused(name: &str, good: &str, bad: &[String]) -> Value {
             if (sentence() || drawn() === usual) wrong.push(['not shown', '{good}', sentence()]);
             await go(state);
             const said = sentence();
-            if (!/^The address [^]*, so the page begins as it does without an address[.]$/.test(said) || drawn() !== usual) wrong.push([state, said]);
+            if (!/^The address [^]*[.] The page uses its default settings[.]$/.test(said) || drawn() !== usual) wrong.push([state, said]);
          }}
          return wrong;",
         json!(bad)

@@ -132,7 +132,7 @@ fn what_is_no_problem_is_said_and_what_was_typed_stays() {
         return [broken, find('#says').textContent, find('#text').value, location.hash.includes('dense')];";
     let found = page("problem").seen(390, &format!("{READY}{script}"));
     let told = |k: usize| found[k].as_str().unwrap();
-    assert!(told(0).starts_with("No JSON"), "{found}");
+    assert!(told(0).starts_with("Not valid JSON"), "{found}");
     assert!(told(1).contains("b"), "{found}");
     assert_eq!(told(2), r#"{"A": {"dense": [[1]]}, "b": [1, 2]}"#);
     assert_eq!(found[3], json!(true));

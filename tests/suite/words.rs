@@ -54,6 +54,18 @@ fn literals(source: &str) -> Vec<String> {
     texts
 }
 
+/// The doc comments of a Rust source, each as one line: clap prints those of commands and options as help.
+fn doc_comments(source: &str) -> Vec<String> {
+    let mut texts = vec![String::new()];
+    for line in source.lines() {
+        match line.trim_start().strip_prefix("///") {
+            Some(text) => *texts.last_mut().unwrap() += text,
+            None => texts.push(String::new()),
+        }
+    }
+    texts
+}
+
 /// Where a literal ends: at the first quote without a backslash before it.
 fn end_of_literal(text: &str) -> usize {
     let mut is_escaped = false;
@@ -89,6 +101,13 @@ fn a_phrase_is_found_across_lines_in_any_case_but_not_in_a_comment() {
 }
 
 #[test]
+fn a_phrase_is_found_in_a_doc_comment_of_several_lines() {
+    let source = "    /// Not so\n    /// many rows\n    rows: usize,\n    // so many\n";
+    let hits: Vec<&str> = doc_comments(source).iter().flat_map(|text| found(text)).collect();
+    assert_eq!(hits, ["so many"]);
+}
+
+#[test]
 fn the_documentation_has_none_of_the_phrases() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut pages = files(&root.join("docs"), "md");
@@ -97,6 +116,16 @@ fn the_documentation_has_none_of_the_phrases() {
     );
     for page in pages {
         assert_eq!(found(&fs::read_to_string(&page).unwrap()), [""; 0], "{}", page.display());
+    }
+}
+
+#[test]
+fn the_help_and_the_messages_of_the_command_line_have_none_of_the_phrases() {
+    for path in files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src/cli"), "rs") {
+        let source = fs::read_to_string(&path).unwrap();
+        for text in literals(&source).iter().chain(&doc_comments(&source)) {
+            assert_eq!(found(text), [""; 0], "{}: {text}", path.display());
+        }
     }
 }
 

@@ -36,25 +36,26 @@ Example:
   lcplab compare dumps --plugin \"python3 mine.py\" --require-accepted mine   # for CI
   lcplab compare set --profile mine           # a set of `problems --export set`
 
-A scene is simulated by every solver, at the velocity and at the acceleration level; --solver and --scheme \
-select some. A scheme that solves no LCP has one row. Measured are closed gaps and joints, energy, momentum, \
-restitution and the direction of friction; the levels are compared with each other and with half the step. --out writes a page with the table, the plots and \
-an animation of the solvers side by side. The animation shows one solver of each group that moves the \
-bodies alike, or those that --show names.
+A scene: every solver simulates it at the velocity and at the acceleration level; --solver and --scheme \
+select some. A scheme that solves no LCP has one row. lcplab measures the errors of contacts and joints, \
+energy, momentum, restitution and the direction of friction, and compares the two levels with each other and \
+with half the time step. --out writes a page with the table, the plots and an animation of the solvers side \
+by side. Where several solvers give the same motion, the animation shows one of them; --show selects others.
 
-Problems are solved by eight solvers, one of each kind, or with --all by every solver; clarabel is the \
-reference. Families with friction are solved under seven friction models, each by the solvers that can \
-handle it. A problem file is solved under the model that it states, or as a coupled box. Tolerance and iteration \
-limit have the same defaults as in `solve`. \
+Problems: eight solvers, one of each kind, solve them, or every solver with --all; clarabel is the reference. \
+lcplab solves families with friction under seven friction models, and a problem file under the model that it \
+states, or as a coupled box. Tolerance and iteration limit have the same defaults as in `solve`. \
 `stack` and `painleve` name both a scene and a family: write family:stack for the family.
 
-A solver that you name and that cannot handle the problem or the friction model has a row with the reason.
+If a solver that you name cannot handle the problem or the friction model, its row gives the reason.
 
-Exit code 0: every claim of a solver is accepted. Exit code 1: the judge rejects a claim, a solver claims a \
-solution where none exists, an expected failure does not occur, a solver that you name solves nothing, or \
---require-accepted is not met. Exit code 2: bad input or usage.")]
+Exit codes:
+  0  the judge accepts every claim of a solver
+  1  the judge rejects a claim, a solver claims a solution where none exists, an expected failure does not \
+occur, a solver that you name solves nothing, or --require-accepted is not met
+  2  bad input or usage")]
 pub struct Compare {
-    /// A scene file or the name of a shipped scene; or problems: families that `problems` lists, problem
+    /// Scene file or name of a shipped scene; or problems: families that `problems` lists, problem
     /// files, folders of them, or patterns [default: all families]
     inputs: Vec<String>,
     /// Run this solver (repeatable)
@@ -83,10 +84,10 @@ impl Compare {
     pub fn run(self, limits: &Limits) -> Result<Outcome> {
         let Some(scene) = self.scene_name() else {
             let given = self.step.given().or(self.motion.given());
-            refuse(given, "problems", "is for a scene, these are problems")?;
+            refuse(given, "problems", "applies to a scene, but the inputs are problems")?;
             return self.on_problems(limits);
         };
-        refuse(self.problems.given(), &scene, "is for problems, this is a scene")?;
+        refuse(self.problems.given(), &scene, "applies to problems, but the input is a scene")?;
         self.on_scene(scene, limits)
     }
 

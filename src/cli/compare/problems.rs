@@ -30,7 +30,7 @@ pub struct ProblemArgs {
     /// Number of problems of each family that has a seed: the seeds 1 to COUNT [default: 3]
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(1..=10_000))]
     seeds: Option<u32>,
-    /// Abandon a solve by a built-in solver after this time
+    /// Abandon a solve by a built-in solver after this time [default: no limit]
     #[arg(long, value_name = "SECONDS")]
     solve_time_limit: Option<f64>,
     /// Write a performance profile of the wall times as NAME.svg, NAME.csv and NAME.tex, and all results as
@@ -91,7 +91,7 @@ impl Compare {
         for (name, reason) in
             problems.iter().filter(|_| self.model.is_empty()).filter_map(only_boxed)
         {
-            say(&format!("note: {name}: compared as a coupled box alone, for it {reason}"));
+            say(&format!("note: {name}: compared only as a coupled box, because it {reason}"));
         }
         let plugins = self.plugins.start()?;
         let contenders = self.contenders(&plugins)?;
@@ -121,9 +121,7 @@ impl Compare {
         }
         match &self.problems.profile {
             Some(name) if stopped.is_none() => profile::write(name, &rows)?,
-            Some(_) => {
-                say("warning: no profile is written, as the comparison did not come to its end")
-            }
+            Some(_) => say("warning: no profile was written, because the comparison was stopped"),
             None => {}
         }
         let failures = match stopped {
@@ -192,12 +190,13 @@ impl Compare {
     /// Why there is not one row: by the options that were given, or by the problems themselves.
     fn nothing_to_compare(&self) -> Error {
         let (key, reason) = match (self.solver.is_empty(), self.model.is_empty()) {
-            (true, true) => ("problems", "no solver takes any of these"),
+            (true, true) => ("problems", "no solver can solve any of these"),
             (true, false) => ("--model", "none of these problems can be stated under this model"),
-            (false, true) => ("--solver", "takes none of these problems"),
-            (false, false) => {
-                ("--solver, --model", "no such solver takes any of these problems so modelled")
-            }
+            (false, true) => ("--solver", "can solve none of these problems"),
+            (false, false) => (
+                "--solver, --model",
+                "none of these solvers can solve any of these problems under this model",
+            ),
         };
         Error::invalid("options", key, reason)
     }

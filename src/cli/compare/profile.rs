@@ -110,11 +110,11 @@ fn figure(solvers: &[&str], of_all: &[Profile], of_its_own: &[Profile]) -> Profi
     let all = Line { name: String::new(), curves: (0..solvers.len()).map(curve).collect() };
     Profiles {
         id: "profile".into(),
-        title: "Performance profiles, wall time".into(),
+        title: "Performance profiles of the wall times".into(),
         caption: String::new(),
-        x: Axis::log("τ: at most so many times the fastest", ""),
+        x: Axis::log("τ: wall time relative to the fastest solver", ""),
         y: Axis::linear("share solved", ""),
-        columns: vec!["of all problems".into(), "of those it took on".into()],
+        columns: vec!["of all problems".into(), "of the problems attempted".into()],
         groups: vec![all],
     }
 }
@@ -125,10 +125,10 @@ fn latex(solvers: &[&str], of_all: &[Profile], of_its_own: &[Profile], problems:
         let steps = profile.steps.iter().take_while(|(at, _)| *at <= tau);
         100.0 * steps.last().map_or(0.0, |(_, share)| *share)
     };
-    let mut text = "% Percent of the PROBLEMS problems that a solver solved: as the fastest of all, within ten times the time of\n\
-                    % the fastest, and at all; how many it took on, and the percent of these that it solved.\n\
+    let mut text = "% Percent of the PROBLEMS problems that each solver solved: faster than all others, within ten times the time\n\
+                    % of the fastest, and at all; the number of problems that it attempted, and the percent of these solved.\n\
                     \\begin{tabular}{lrrrrr}\n\
-                    solver & fastest & within 10$\\times$ & solved & took on & solved of these \\\\\n\
+                    solver & fastest & within 10$\\times$ & solved & attempted & solved of these \\\\\n\
                     \\hline\n"
         .replace("PROBLEMS", &problems.to_string());
     for ((name, all), own) in solvers.iter().zip(of_all).zip(of_its_own) {

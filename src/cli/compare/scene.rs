@@ -25,7 +25,7 @@ pub struct MotionArgs {
     /// Number of steps [default: the scene's]
     #[arg(long)]
     steps: Option<usize>,
-    /// Folder for a page with animation, table and plots
+    /// Folder for a page with animation, table and plots [default: no page]
     #[arg(long)]
     out: Option<PathBuf>,
     /// Show this solver in the animation, with another iteration limit after a colon (repeatable)

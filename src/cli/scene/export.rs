@@ -20,8 +20,10 @@ Example:
 The rows are the scene's constraints in order, then the contacts, each with normal, first and second tangent. \
 A step that solves several LCPs (an impact, a bounce) gives the last one.
 
-Exit code 0: written. Exit code 1: the step cannot be reached, or it solves no LCP. Exit code 2: bad input or \
-usage.")]
+Exit codes:
+  0  written
+  1  the step cannot be reached, or it solves no LCP
+  2  bad input or usage")]
 pub struct Export {
     #[command(flatten)]
     scene: SceneArgs,

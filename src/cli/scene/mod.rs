@@ -25,7 +25,7 @@ use super::plugin::Plugins;
 /// A scene, and what to change in it.
 #[derive(Debug, Args)]
 pub struct SceneArgs {
-    /// A scene file, or the name of a shipped scene
+    /// Scene file, or name of a shipped scene
     pub scene: String,
     /// Solver [default: the scene's]
     #[arg(long)]

@@ -48,8 +48,10 @@ Example:
   frames.svg      pictures of some instants
   final.toml      the scene in its last state, to continue from; it contains the changes of --set
 
-Exit code 0: every step was solved. Exit code 1: a step was not solved or the motion diverged; what was \
-recorded until then is written. Exit code 2: bad input or usage.")]
+Exit codes:
+  0  every step was solved
+  1  a step was not solved, or the motion diverged; the steps before it are written
+  2  bad input or usage")]
 pub struct Simulate {
     #[command(flatten)]
     scene: SceneArgs,
@@ -59,7 +61,7 @@ pub struct Simulate {
     /// Time to simulate, instead of a number of steps
     #[arg(long, value_name = "SECONDS")]
     duration: Option<f64>,
-    /// Folder for the results
+    /// Folder for the results [default: print a summary only]
     #[arg(long)]
     out: Option<PathBuf>,
     /// Write every Nth step to the tables

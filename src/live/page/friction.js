@@ -51,7 +51,7 @@ function drawFloor() {
     const [cx, cy] = to(ends[i]);
     picture += svg("circle", { cx, cy, r: 5, class: `answer ${CLASSES[i]}` });
   });
-  picture += svg("text", { x: 396, y: 204 }, "x") + svg("text", { x: 216, y: 14 }, "y") + svg("text", { x: 4, y: 414, class: "faint" }, `${short(most, 2)} m from the middle to the edge`);
+  picture += svg("text", { x: 396, y: 204 }, "x") + svg("text", { x: 216, y: 14 }, "y") + svg("text", { x: 4, y: 414, class: "faint" }, `center to edge: ${short(most, 2)} m`);
   find("#floor").innerHTML = picture;
 }
 
@@ -64,7 +64,7 @@ function drawWords() {
   find("#words").textContent = lines.join("\n");
   const strong = 1 / Math.max(Math.abs(Math.cos(radians())), Math.abs(Math.sin(radians())));
   const holds = state.size <= state.mu * state.press;
-  find("#says").textContent = `By Coulomb's law the block ${holds ? "sticks" : "slides"}. In this direction the box holds ${short(strong, 3)} times as much as the law.`;
+  find("#says").textContent = `By Coulomb's law the block ${holds ? "sticks" : "slides"}. In this direction the box allows ${short(strong, 3)} times the friction of Coulomb's law.`;
 }
 
 function change(changes) { state = { ...state, ...changes }; draw(); }

@@ -50,11 +50,11 @@ function ruleOf(key, usual) {
 function stateOf(usual, own) {
   const given = {}, address = location.hash.slice(1) || document.documentElement.dataset.state || "";
   for (const [key, text] of new URLSearchParams(address)) {
-    if (!Object.hasOwn(usual, key)) return { reason: `The address has the key ${brief(key)}, which this page does not know` };
+    if (!Object.hasOwn(usual, key)) return { reason: `The address has an unknown key: ${brief(key)}` };
     if (Object.hasOwn(given, key)) return { reason: `The address gives ${key} twice` };
     const { words, value } = own[key] ?? ruleOf(key, usual[key]);
     given[key] = value(text);
-    if (given[key] === undefined) return { reason: `The address says ${key} = ${brief(text)}, which is not ${words}` };
+    if (given[key] === undefined) return { reason: `The address sets ${key} = ${brief(text)}, but ${key} must be ${words}` };
   }
   return { given };
 }
@@ -68,12 +68,12 @@ function follow(usual, own, show) {
     show();
     const changed = Object.keys(given).find((key) => String(state[key]) !== String(given[key]));
     if (changed) {
-      reason = `The address says ${changed} = ${given[changed]}, which does not go with the rest of it`;
+      reason = `The address sets ${changed} = ${given[changed]}, which does not fit its other values`;
       state = { ...usual };
       show();
     }
     find("#address").hidden = !reason;
-    find("#address").textContent = reason ? `${reason}, so the page begins as it does without an address.` : "";
+    find("#address").textContent = reason ? `${reason}. The page uses its default settings.` : "";
   };
   addEventListener("hashchange", begin);
   begin();

@@ -72,23 +72,23 @@ function drawRod() {
   let chart = svg("line", { x1: 20, x2: 410, y1: 60, y2: 60, class: "axis" });
   chart += svg("polyline", { points: frames.map((_, k) => at(k).map((v) => v.toFixed(1)).join(",")).join(" "), class: "path" });
   const [px, py] = at(state.step);
-  chart += svg("circle", { cx: px, cy: py, r: 5, class: "here" }) + svg("text", { x: 24, y: 16, class: "faint" }, `slip ${short(-frames[state.step].slip, 3)}`);
+  chart += svg("circle", { cx: px, cy: py, r: 5, class: "here" }) + svg("text", { x: 24, y: 16, class: "faint" }, `speed ${short(-frames[state.step].slip, 3)}`);
   find("#slip").innerHTML = chart;
 }
 
 function drawWords() {
   const { a, b, forces, steps } = rod, digits = (v) => short(Math.abs(v) < 1e-9 ? 0 : v, 4), lines = [];
   const known = forces.map(digits).join(" and ");
-  lines.push(`Forces: w = a x + b with a = 1 + 3cos²θ − 3μ sin θ cos θ = ${digits(a)} and b = ω² sin θ − 1 = ${digits(b)}.`);
-  lines.push(forces.length === 0 ? "        w < 0 for every x ≥ 0: no force holds the end." : `        x = ${known}${forces.length > 1 ? ": the end may leave, or stay." : "."}`);
-  lines.push(`Impulses, with friction that may also stop the sliding; the end slides with 1. Of several answers the solver gives one:`);
+  lines.push(`Acceleration level: w = a x + b with a = 1 + 3cos²θ − 3μ sin θ cos θ = ${digits(a)} and b = ω² sin θ − 1 = ${digits(b)}.`);
+  lines.push(forces.length === 0 ? "        w < 0 for every x ≥ 0: there is no solution." : `        x = ${known}${forces.length > 1 ? ": the end leaves the floor, or stays on it." : "."}`);
+  lines.push(`Velocity level, where friction can also stop the sliding; the end starts with sliding speed 1. Of several solutions the solver returns one:`);
   for (const { dt, x, w } of steps) {
-    const word = x[0] < 1e-12 ? "leaves" : Math.abs(w[1]) < 1e-9 ? "sticks at once" : "slides on";
+    const word = x[0] < 1e-12 ? "leaves the floor" : Math.abs(w[1]) < 1e-9 ? "sticks at once" : "keeps sliding";
     lines.push(`        dt = ${String(dt).padEnd(6)} x = (${x.map(digits).join(", ")})   x/dt = ${digits(x[0] / dt)}   ${word}`);
   }
   find("#words").textContent = lines.join("\n");
-  const says = { 0: "No force: friction turns the end into the floor faster than any push lifts it.", 1: "One force.", 2: "Two forces: the end may leave, or stay." }[forces.length];
-  find("#says").textContent = `${says} The critical friction at this angle is ${digits(rod.critical)}.`;
+  const says = { 0: "No solution: friction rotates the end into the floor faster than any normal force can lift it.", 1: "One solution.", 2: "Two solutions: the end leaves the floor, or stays on it." }[forces.length];
+  find("#says").textContent = `${says} The critical friction coefficient at this angle is ${digits(rod.critical)}.`;
   find("#says").className = `says ${["bad", "good", "caution"][forces.length]}`;
 }
 

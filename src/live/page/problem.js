@@ -18,7 +18,7 @@ function parse(text) {
 
 function solve() {
   const text = find("#text").value, read = parse(text);
-  solved = read === null || typeof read !== "object" || read.error ? { error: `No JSON: ${read?.error ?? "an object is wanted"}` } : ask({ ask: "solve", problem: read, ...(state.solver ? { solver: state.solver } : {}) });
+  solved = read === null || typeof read !== "object" || read.error ? { error: read?.error ? `Not valid JSON: ${read.error}` : "The problem must be a JSON object" } : ask({ ask: "solve", problem: read, ...(state.solver ? { solver: state.solver } : {}) });
   problem = read;
   if (solved.error) return;
   state.step = Math.min(state.step, solved.steps.length - 1);
@@ -54,7 +54,7 @@ function drawRows() {
 
 function drawSays() {
   const { error, answer, warnings } = solved;
-  find("#says").textContent = error ?? [`${answer.solver}: ${answer.message}`, `The judge: ${solved.judge.split("\n")[0].replace("verdict", "").trim()}.`, ...warnings].join(". ").replace("..", ".");
+  find("#says").textContent = error ?? [`${answer.solver}: ${answer.message}`, `Verdict: ${solved.judge.split("\n")[0].replace("verdict", "").trim()}.`, ...warnings].join(". ").replace("..", ".");
   find("#says").className = `says ${error || answer.verdict === "not_a_solution" ? "bad" : answer.verdict === "proved" ? "good" : "caution"}`;
 }
 
@@ -105,12 +105,12 @@ function take(text, changes) {
 }
 function judge() {
   const x = parse(find("#x").value);
-  const told = Array.isArray(x) ? ask({ ask: "judge", problem, x: x.map(Number) }) : { error: `x: a list of numbers is wanted (${x?.error ?? "it is none"})` };
+  const told = Array.isArray(x) ? ask({ ask: "judge", problem, x: x.map(Number) }) : { error: `x: expected a list of numbers${x?.error ? ` (${x.error})` : ""}` };
   find("#judge").textContent = told.error ?? told.text;
   find("#proof").hidden = find("#save").hidden = true;
 }
 function prove() {
-  const x = parse(find("#x").value), { error, proof, missing } = Array.isArray(x) ? ask({ ask: "prove", problem, x: x.map(Number) }) : { error: "x: a list of numbers is wanted" };
+  const x = parse(find("#x").value), { error, proof, missing } = Array.isArray(x) ? ask({ ask: "prove", problem, x: x.map(Number) }) : { error: "x: expected a list of numbers" };
   const why = (missing ?? []).map(([kind, reason]) => `not ${kind}: ${reason}`);
   find("#proof").textContent = error ?? [proof ? `${proof.kind}: ${proof.sentence}` : "Nothing could be proved.", ...why].join("\n");
   find("#proof").hidden = false;
@@ -146,6 +146,6 @@ opened.then((answering) => {
   find("#more").addEventListener("click", () => show(state.lines + 1));
   find("#whole").addEventListener("click", () => show(Infinity));
   const { solvers } = ask({ ask: "solve", problem: EXAMPLES[USUAL.example] });
-  find("#solver").innerHTML = svg("option", { value: "" }, "what suits it") + solvers.map(([name, method]) => svg("option", { value: name, title: method.replace(/["<>&]/g, " ") }, name)).join("");
+  find("#solver").innerHTML = svg("option", { value: "" }, "automatic") + solvers.map(([name, method]) => svg("option", { value: name, title: method.replace(/["<>&]/g, " ") }, name)).join("");
   follow(USUAL, { step: count, lines: count, problem: anything }, begin);
 });

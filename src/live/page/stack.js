@@ -11,7 +11,7 @@ function solve() {
   const omega = state.solver === "sor" ? state.omega : 1;
   trace = ask({ ask: "trace", problem, solver: state.solver, omega, backward: state.backward, sweeps: isSweep() ? 60 : null });
   // Every row of every sweep, or every pivot, is a move.
-  moves = [{ x: trace.steps[0].x, step: 0, words: "Nobody pushes yet." }];
+  moves = [{ x: trace.steps[0].x, step: 0, words: "All impulses are 0." }];
   trace.steps.forEach(({ x, w, rows, event }, step) => {
     if (step === 0) return;
     const before = [...trace.steps[step - 1].x];
@@ -27,7 +27,7 @@ function solve() {
 function arithmetic({ row, w, diagonal, before, unclamped, after }, x) {
   const sum = problem.A.dense[row].map((a, j) => [a, j]).filter(([a]) => a !== 0).map(([a, j]) => `${short(a)}·${short(j === row ? before : x[j])}`).join(" + ");
   const omega = state.solver === "sor" ? `${state.omega}·` : "";
-  return `contact ${row}: w = ${sum} + (${short(problem.b[row])}) = ${short(w)} m/s\nx ← ${short(before)} − ${omega}(${short(w)})/${short(diagonal)} = ${short(unclamped)}${after === unclamped ? "" : `, not below 0: ${short(after)}`} N s`;
+  return `contact ${row}: w = ${sum} + (${short(problem.b[row])}) = ${short(w)} m/s\nx ← ${short(before)} − ${omega}(${short(w)})/${short(diagonal)} = ${short(unclamped)}${after === unclamped ? "" : `, clamped to ${short(after)}`} N s`;
 }
 
 // How large a mass is drawn, and the mass that a drawing means.
@@ -84,13 +84,13 @@ function drawSays() {
   const says = [];
   if (film) {
     const { z, missing } = film.frames[film.at], mean = film.frames.reduce((sum, frame) => sum + frame.missing, 0) / film.frames.length;
-    const way = isSweep() ? `${state.sweeps} sweeps a step${state.warm ? ", warm" : ""}` : "solved to the end";
-    says.push(`${((film.at + 1) * DT).toFixed(2)} s, ${way}: the top has sunk ${short(whole(-100 * z.at(-1)), 2)} cm; of the weight ${short(whole(100 * (film.at === film.frames.length - 1 ? mean : missing)), 2)} % is not carried${film.at === film.frames.length - 1 ? " on the average" : ""}.`);
+    const way = isSweep() ? `${state.sweeps} sweeps per step${state.warm ? ", warm start" : ""}` : "pivoting";
+    says.push(`${((film.at + 1) * DT).toFixed(2)} s, ${way}: the top box has sunk ${short(whole(-100 * z.at(-1)), 2)} cm; ${short(whole(100 * (film.at === film.frames.length - 1 ? mean : missing)), 2)} % of the weight is unsupported${film.at === film.frames.length - 1 ? " on average" : ""}.`);
   } else {
     const { step, x } = moves[state.at], carried = x[0] / exact[0];
-    says.push(`After ${step} ${isSweep() ? (step === 1 ? "sweep" : "sweeps") : (step === 1 ? "pivot" : "pivots")} the ground carries ${short(100 * carried, 3)} % of the weight.`);
-    if (typeof trace.rate === "number") says.push(`In the long run a sweep leaves ${short(trace.rate, 4)} of the error: ${short(Math.ceil(Math.log(10) / -Math.log(trace.rate)))} sweeps a digit.`);
-    if (!isSweep()) says.push(`${trace.status}; the judge: ${trace.verdict}.`);
+    says.push(`After ${step} ${isSweep() ? (step === 1 ? "sweep" : "sweeps") : (step === 1 ? "pivot" : "pivots")} the ground supports ${short(100 * carried, 3)} % of the weight.`);
+    if (typeof trace.rate === "number") says.push(`In the long run each sweep multiplies the error by ${short(trace.rate, 4)}: ${short(Math.ceil(Math.log(10) / -Math.log(trace.rate)))} sweeps per digit.`);
+    if (!isSweep()) says.push(`${trace.status}; verdict: ${trace.verdict}.`);
   }
   find("#says").textContent = says.join(" ");
   find("#words").textContent = film ? "" : moves[state.at].words;

@@ -103,7 +103,7 @@ function drawCones() {
   const { a00, a01, a10, a11, b0, b1 } = state, A = [[a00, a10], [a01, a11]], I = [[-1, 0], [0, -1]], point = [-b0, -b1];
   let picture = "";
   let labels = "";
-  ["nobody pushes", "0 pushes", "1 pushes", "both push"].forEach((text, set) => {
+  ["neither pushes", "only row 0", "only row 1", "both push"].forEach((text, set) => {
     const [p, q] = [set & 1 ? A[0] : I[0], set & 2 ? A[1] : I[1]], unit = (v) => v.map((u) => u / (Math.hypot(...v) || 1));
     picture += cone(p, q, point)[1];
     const middle = unit([unit(p)[0] + unit(q)[0], unit(p)[1] + unit(q)[1]]), [x, y] = toCones(middle.map((v) => [4, 3.3, 3.3, 2.5][set] * v));
@@ -135,7 +135,7 @@ function drawWords() {
     const x = state.step === 0 ? here.x : [...trace.steps[state.step - 1].x];
     for (const { row, w, diagonal, before, unclamped, after } of here.rows) {
       lines.push(`w${of(row)} = ${A[row].map((a, j) => `${signed(a)}·${signed(x[j])}`).join(" + ")} + ${signed(b[row])} = ${short(w)}`);
-      lines.push(`x${of(row)} ← ${signed(before)} − ${state.solver === "sor" ? `${state.omega}·` : ""}${signed(w)}/${signed(diagonal)} = ${short(unclamped)}${after === unclamped ? "" : `, within its bounds ${short(after)}`}`);
+      lines.push(`x${of(row)} ← ${signed(before)} − ${state.solver === "sor" ? `${state.omega}·` : ""}${signed(w)}/${signed(diagonal)} = ${short(unclamped)}${after === unclamped ? "" : `, clamped to ${short(after)}`}`);
       if (state.solver !== "jacobi") x[row] = after;
     }
     lines.push(`x = (${here.x.map((v) => short(v)).join(", ")})   w = (${here.w.map((v) => short(v)).join(", ")})   scaled residual ${short(here.residual, 2)}`);
@@ -159,14 +159,14 @@ function drawSays() {
   const count = trace.all === null ? null : trace.all.length, says = [];
   const told = ({ x, fractions }) => `(${fractions.map((text, i) => (text.length > 9 ? short(x[i], 6) : text)).join(", ")})`;
   const ways = (trace.all ?? []).map(({ x }) => freeDirection(x)).find(Boolean);
-  if (ways) says.push(`Infinitely many solutions: ${told(trace.all[0])} and on along (${ways.map((v) => short(v)).join(", ")}).`);
+  if (ways) says.push(`Infinitely many solutions, from ${told(trace.all[0])} in the direction (${ways.map((v) => short(v)).join(", ")}).`);
   else says.push(count === 0 ? "No solution." : count === 1 ? `One solution: ${told(trace.all[0])}.` : count === null ? "" : `Solutions: ${trace.all.map(told).join(", ")}.`);
   if (trace.status !== undefined) {
     const sweeps = SWEEPS.includes(state.solver);
-    if (sweeps && typeof trace.rate === "number") says.push(`A sweep leaves ${short(trace.rate, 3)} of the error.`);
-    if (!sweeps) says.push(`${trace.status}; the judge: ${trace.verdict}.`);
+    if (sweeps && typeof trace.rate === "number") says.push(`In the long run each sweep multiplies the error by ${short(trace.rate, 3)}.`);
+    if (!sweeps) says.push(`${trace.status}; verdict: ${trace.verdict}.`);
     else if (trace.steps.length && trace.steps.at(-1).residual <= 1e-8) says.push(`Within 10⁻⁸ after ${trace.steps.findIndex(({ residual }) => residual <= 1e-8)} sweeps.`);
-    else says.push("Not there after 30 sweeps.");
+    else says.push("Not converged after 30 sweeps.");
   }
   find("#says").textContent = says.join(" ");
   find("#says").className = `says ${count === 0 ? "bad" : count === 1 && !ways ? "good" : "caution"}`;

@@ -85,10 +85,13 @@ fn what_is_not_there_is_one_message() {
         (&["chapter", "E99"], "there is no erratum named \"e99\""),
         (&["chapter", "--kind", "poems"], "there is no kind of entry named \"poems\""),
         (&["chapter", "--verdict", "fine"], "there is no verdict named \"fine\""),
-        (&["chapter", "16", "--kind", "notes"], "options: --kind: is for the list, not 16"),
-        (&["chapter", "glossary", "--json"], "options: --json: is for entries and errata"),
+        (&["chapter", "16", "--kind", "notes"], "options: --kind: applies to the list, not to 16"),
+        (&["chapter", "glossary", "--json"], "options: --json: applies only to entries and errata"),
         (&["diagnose", "nothing"], "there is no scene file or shipped scene named \"nothing\""),
-        (&["diagnose", "-", "--step", "2"], "-: --step: is for scenes, this is a problem"),
+        (
+            &["diagnose", "-", "--step", "2"],
+            "-: --step: applies to scenes, but the input is a problem",
+        ),
     ] {
         let output = run(arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");

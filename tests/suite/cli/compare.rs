@@ -41,7 +41,7 @@ fn contacts_with_one_tangent_are_compared_as_a_coupled_box() {
         let row = rows.iter().find(|row| row["solver"] == solver).unwrap();
         assert_eq!((&row["claimed"], &row["accepted"]), (&1.into(), &1.into()), "{solver}");
     }
-    let note = "compared as a coupled box alone, for it has no pairs of tangents: ";
+    let note = "compared only as a coupled box, because it has no pairs of tangents: ";
     let reason = "contacts: row 0: bounds 1 friction rows, not 2";
     assert_eq!(err(&output), format!("note: {path}: {note}{reason}\n"));
 }
@@ -147,10 +147,19 @@ fn a_name_of_a_scene_and_of_a_family_is_the_scene_unless_it_says_family() {
 #[test]
 fn an_option_for_the_other_kind_of_input_is_bad_usage() {
     for (arguments, message) in [
-        (&["fig6", "--seeds", "2"][..], "error: fig6: --seeds: is for problems, this is a scene\n"),
-        (&["fig6", "--all"], "error: fig6: --all: is for problems, this is a scene\n"),
-        (&["pd", "--steps", "2"], "error: problems: --steps: is for a scene, these are problems\n"),
-        (&["--dt", "0.1"], "error: problems: --dt: is for a scene, these are problems\n"),
+        (
+            &["fig6", "--seeds", "2"][..],
+            "error: fig6: --seeds: applies to problems, but the input is a scene\n",
+        ),
+        (&["fig6", "--all"], "error: fig6: --all: applies to problems, but the input is a scene\n"),
+        (
+            &["pd", "--steps", "2"],
+            "error: problems: --steps: applies to a scene, but the inputs are problems\n",
+        ),
+        (
+            &["--dt", "0.1"],
+            "error: problems: --dt: applies to a scene, but the inputs are problems\n",
+        ),
         (
             &["sliding", "--model", "frozen-box", "--model", "coupled-box"],
             "error: sliding: --model: a scene has one friction model\n",

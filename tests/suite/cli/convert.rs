@@ -74,8 +74,8 @@ fn a_conversion_that_changes_the_law_of_friction_says_so() {
         let file = path(name);
         let written = err(&run_with(&pushed(), &["convert", "-", &file]));
         let warning = format!(
-            "warning: {file}: {format} means coulomb-cone, - is coupled-box: another problem, with other \
-             solutions\n"
+            "warning: {file}: {format} means coulomb-cone, - is coupled-box: the two problems have \
+             different solutions\n"
         );
         assert!(written.contains(&warning), "{written}");
         // Reading says which law the file has, and carries it along.

@@ -20,7 +20,7 @@ fn explain_writes_each_form_and_refuses_what_it_does_not_know() {
         (&["fig6", "--format", "pdf"], "possible values: text, markdown, html"),
         (&["fig6", "--solver", "pgs", "--omega", "1.2"], "pgs does not use it; sor does"),
         (&["fig6", "--solver", "sor", "--omega", "2.5"], "must lie between 0 and 2, is 2.5"),
-        (&["-", "--steps", "2"], "--steps: is for scenes, this is a problem"),
+        (&["-", "--steps", "2"], "--steps: applies to scenes, but the input is a problem"),
         (&["nothing"], "there is no scene file or shipped scene named \"nothing\""),
     ] {
         let refused = run(&[&["explain"], arguments].concat());
@@ -63,8 +63,8 @@ fn a_report_is_not_begun_if_nothing_can_print_it() {
     assert_eq!(output.status.code(), Some(2));
     assert_eq!(
         err(&output),
-        "error: --out: PATH: has none of chromium, chromium-browser, google-chrome, one of which prints the \
-         page\n"
+        "error: --out: PATH: contains none of chromium, chromium-browser, google-chrome; one of them is needed to \
+         print the page\n"
     );
     assert_eq!(std::fs::read_dir(path).unwrap().count(), 0);
 }

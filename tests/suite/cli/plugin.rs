@@ -330,7 +330,7 @@ fn the_smallest_problem_that_a_plug_in_gets_wrong_is_written_with_its_solution()
 #[test]
 fn a_search_that_cannot_be_made_is_bad_usage() {
     for (options, reason) in [
-        (&["--measure", "lie"][..], "one solver is hunted"),
+        (&["--measure", "lie"][..], "give one solver"),
         (&["--measure", "luck", "--solver", "pgs"], "must be lie, failure"),
         (&["--measure", "ratio", "--solver", "pgs"], "needs a second solver"),
         (&["--measure", "lie", "--solver", "pgs", "--friction", "--n", "2"], "has 3 rows"),
@@ -390,7 +390,8 @@ section = [
     let report = ["report", &file, "--out", to.to_str().unwrap()];
     let refused = run(&report);
     assert_eq!(refused.status.code(), Some(2));
-    let reason = format!("plugins: would run mine: {SWEEPS}; --allow-plugins lets it");
+    let reason =
+        format!("plugins: lists commands to run: mine: {SWEEPS}; add --allow-plugins to run them");
     assert!(err(&refused).contains(&reason) && !to.exists(), "{}", err(&refused));
     let allowed = run(&[&report[..], &["--allow-plugins"]].concat());
     assert_eq!(allowed.status.code(), Some(0), "{}", err(&allowed));

@@ -46,7 +46,7 @@ fn a_profile_counts_what_was_not_attempted_as_not_solved_and_once_more_without()
         .filter(|line| line.starts_with("dantzig") || line.starts_with("lemke"))
         .map(|line| line.trim_end_matches(" \\\\").split(" & ").collect())
         .collect();
-    // solver, fastest, within ten times, solved of all, took on, solved of these (in percent)
+    // solver, fastest, within ten times, solved of all, attempted, solved of these (in percent)
     let ends = |row: &[&str]| [row[3], row[4], row[5]].map(str::to_string);
     assert_eq!(rows.len(), 2, "{table} {}", out(&output));
     assert_eq!(ends(&rows[0]), ["50", "1", "100"], "{table}");
@@ -75,7 +75,7 @@ fn a_solve_that_takes_too_long_is_none_and_an_unfinished_comparison_has_no_profi
     let profile = ["--profile", name.to_str().unwrap(), "--time-limit", "0.2"];
     let output = run(&[&slow[..], &profile].concat());
     let said = String::from_utf8_lossy(&output.stderr).to_string();
-    assert!(said.contains("no profile is written"), "{said}");
+    assert!(said.contains("no profile was written"), "{said}");
     assert!(!name.with_extension("svg").exists());
 }
 

@@ -78,7 +78,7 @@ fn an_interrupted_report_does_again_what_somebody_has_edited_since() {
         let output = run(&names);
         let path = page.join("results.json");
         let told = format!(
-            "warning: {}: section cross-check is not as it was written: it is done again\n",
+            "warning: {}: section cross-check was edited: lcplab computes it again\n",
             path.display()
         );
         assert_eq!((output.status.code(), err(&output)), (Some(0), told));
@@ -269,7 +269,7 @@ fn engines_that_do_not_run_are_one_message() {
     assert!(err(&output).contains("wrote no record"), "{}", err(&output));
     let output = run(&["report", "scenes", "--engine", "mujoco"]);
     assert_eq!(output.status.code(), Some(2));
-    assert!(err(&output).contains("belongs to the report engines"), "{}", err(&output));
+    assert!(err(&output).contains("applies to the report engines"), "{}", err(&output));
 }
 
 #[cfg(unix)]
@@ -283,7 +283,7 @@ fn engines_that_take_too_long_end_at_the_time_limit() {
         &["--time-limit", "1"],
     );
     assert_eq!(output.status.code(), Some(1));
-    assert!(err(&output).contains("their results are lost"), "{}", err(&output));
+    assert!(err(&output).contains("its results are lost"), "{}", err(&output));
     assert!(!called.exists());
 }
 

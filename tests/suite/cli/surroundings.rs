@@ -114,7 +114,7 @@ fn a_pipe_with_a_name_is_read_like_a_file() {
     assert!(out(&written).starts_with('{') && written.status.success(), "{}", err(&written));
     // Nobody writes: what would wait for ever ends at the time limit.
     let waiting = run(&["solve", pipe.to_str().unwrap(), "--time-limit", "0.2"]);
-    let told = "error: stopped by the time limit of 0.2 s; what was under way is lost\n";
+    let told = "error: stopped by the time limit of 0.2 s; unfinished work is lost\n";
     assert_eq!((waiting.status.code(), err(&waiting).as_str()), (Some(1), told));
 }
 

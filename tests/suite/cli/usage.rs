@@ -37,7 +37,7 @@ fn an_option_that_no_solver_of_the_command_uses_is_bad_usage() {
     }
     let output = run(&["compare", "pd", "--solver", "sor", "--solver", "lemke", "--omega", "1.5"]);
     assert_eq!(output.status.code(), Some(0));
-    assert_eq!(err(&output), "note: --omega goes to sor alone\n");
+    assert_eq!(err(&output), "note: --omega applies only to sor\n");
 }
 
 #[test]
@@ -55,7 +55,7 @@ fn an_old_word_is_an_error_that_names_the_new_one() {
         let output = run(old);
         let told = err(&output);
         assert_eq!((output.status.code(), told.lines().count()), (Some(2), 1), "{told}");
-        assert!(told.ends_with(&format!(" has another name now: {new}\n")), "{told}");
+        assert!(told.ends_with(&format!(" was replaced; use {new}\n")), "{told}");
     }
 }
 

@@ -81,38 +81,40 @@ def _capstan(runs: Sequence[Run]) -> list[Measurement]:
 
 CAPSTAN = Phenomenon(
     name="capstan",
-    question="Does a chain around a post hold a load of more than twice the other, and no more?",
-    matters="Winches, belts, tendons over pulleys, cables. Each link may pull by a little more than the one before "
-    "it, and the parts multiply: who takes the normal forces from somewhere else than from the pull itself, from "
-    "the last step or from a problem without friction, gets a sum instead of a power.",
+    question="Does a chain around a post hold 2.3 times the mass at its other end, but not 3 times?",
+    matters="Winches, belts, tendons over pulleys, cables. Each link can pull slightly more than the link before "
+    "it, and these factors multiply. An engine that takes the normal forces from the last step, or from a problem "
+    "without friction, instead of from the tension itself, gets a sum instead of a power.",
     law=r"\frac{T_2}{T_1} \le \left(\frac{1 + \mu \tan\frac{\delta}{2}}{1 - \mu \tan\frac{\delta}{2}}\right)^{n} "
     r"\approx e^{\mu\pi}",
-    allowed=r"the formula is for a thin chain without weight; with $n$ = 12, $\delta$ = 15° and $\mu$ = 0.3 it is "
-    "2.58. Links of 10 g that touch the post 10 mm beneath their hinges change that: forces and moments, link after "
-    "link, give 2.53. So 1 kg must hold 2.3 kg: to a hundredth of the post's radius, 1 mm. And 3 kg must go down by "
-    r"$a t^2/2$. A hundredth of that is allowed, $a t h/2$ for the step, and, as links that have moved lie otherwise "
-    r"on the post, the path that the difference between the formula and $e^{\mu\pi}$, 0.6 %, is worth.",
+    allowed=r"the formula holds for a thin chain without weight; with $n$ = 12, $\delta$ = 15° and $\mu$ = 0.3 it "
+    "gives 2.58. Links of 10 g that touch the post 10 mm below their hinges change the ratio: the balances of force "
+    "and moment of all links give 2.53. So 1 kg must hold 2.3 kg: to 1 % of the post's radius, 1 mm. And 3 kg must "
+    "move down by $a t^2/2$. Allowed are 1 % of that distance, $a t h/2$ for the step, and, because moved links lie "
+    r"differently on the post, the distance that corresponds to the difference between the formula and $e^{\mu\pi}$, "
+    "0.6 %.",
     duration=0.4,
     x=("time", "s"),
-    y=("2.3 kg below their place", "mm"),
+    y=("descent of 2.3 kg", "mm"),
     measure=_capstan,
     plot=over_time(lambda run: 1e3 * _lowered(run)),
     exact=lambda curve, run: np.zeros_like(curve.x),
     variants=({"bodies.heavy.mass": HELD}, {"bodies.heavy.mass": SLIDES}),
     instant=0.4,
-    reported="DART rubs with the same 1.2 N at each link, so that parts add up: Dantzig's method, as it comes from "
-    "ODE, bounds friction by what the contacts would press without it. Rapier keeps the normal of a contact while a "
-    "ball moves on over a round body by some degrees (a ball without friction flies off straight, 11 mm, where it "
-    "should follow), and links that have moved wedge: 3 kg come to rest; as installed its contacts are so soft for "
-    "links of 10 g that the chain goes through the post. MuJoCo's accurate settings let 3 kg go down by 78 mm, and "
-    "with a sixteenth of their step, which makes contacts stiffer, by 69 mm. Drake's chain follows the law as "
-    "installed until the next link arrives, after 0.19 s; then 1 ms is too long for links of 10 g at 1e6 N/m, and with 0.5 ms 3 kg go "
-    "down by 67 mm. With its accurate settings, 1e7 Pa, links sink into the post by 1.4 to 2 mm, so that the chain "
-    "lies closer and is 5 mm too long, of which 2.3 kg take 3.8 mm; and a damping of 50 s/m, Drake's default, presses "
-    "more in front of a ball that slides than behind it, a drag with which 3 kg creep down by 13 mm, without damping "
-    "by 85 mm. With 1e9 Pa, meshes two to four times as fine and 10 s/m both keep the law: 0.74 mm and 64.4 mm. "
-    "PyBullet as installed starts the contacts of links from zero in every step, and 50 sweeps do not finish: "
-    "2.3 kg go down by 1.54 mm. With 100 sweeps they go down by 0.42 mm, and 3 kg by 68.0 mm, which keeps the law. "
-    "Whatever is off shows five times as large: of 3 kg friction leaves 0.47 kg to pull, and friction that is 2 % "
-    "too small leaves 0.05 kg more, a tenth of the path.",
+    reported="DART applies the same friction of 1.2 N at each link, so the forces add up: its version of Dantzig's "
+    "method, from ODE, bounds friction by the normal forces of the problem without friction. Rapier keeps the "
+    "normal of a contact while a ball moves over a round body by some degrees (without friction a ball moves "
+    "straight on, 11 mm off the surface that it should follow), and links that have moved jam: 3 kg come to rest; "
+    "as installed its contacts are so soft for links of 10 g that the chain passes through the post. MuJoCo's "
+    "accurate settings let 3 kg move down by 78 mm, and with one sixteenth of their step, which makes contacts "
+    "stiffer, by 69 mm. Drake's chain as installed follows the law until the next link arrives, after 0.19 s; then "
+    "1 ms is too long for links of 10 g at 1e6 N/m, and with 0.5 ms 3 kg move down by 67 mm. With its accurate "
+    "settings, 1e7 Pa, links penetrate the post by 1.4 to 2 mm, so that the chain lies closer and is 5 mm too long, "
+    "and 2.3 kg move down by 3.8 mm of that. A damping of 50 s/m, Drake's default, presses more in front of a "
+    "sliding ball than behind it; with this drag 3 kg move down by only 13 mm, without damping by 85 mm. With 1e9 "
+    "Pa, meshes two to four times as fine and 10 s/m both loads obey the law: 0.74 mm and 64.4 mm. PyBullet as "
+    "installed starts the contacts of links from zero in every step, and 50 sweeps do not converge: 2.3 kg move "
+    "down by 1.54 mm. With 100 sweeps they move down by 0.42 mm, and 3 kg by 68.0 mm, which obeys the law. Errors "
+    "in the friction are amplified five times: of the 3 kg, friction leaves 0.47 kg to pull, and friction that is 2 "
+    "% too small leaves 0.05 kg more, which adds a tenth to the distance.",
 )

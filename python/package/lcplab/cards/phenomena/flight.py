@@ -34,11 +34,11 @@ def _free_fall(runs: Sequence[Run]) -> list[Measurement]:
 
 FREE_FALL = Phenomenon(
     name="free_fall",
-    question="Does a thrown cube fly and turn as it must?",
-    matters="The adapters' own test: an engine whose accurate settings miss it was translated wrongly, and is not "
-    "shown. Defaults that miss it have damping in empty space.",
+    question="Does a thrown cube follow its parabola and turn at a constant rate?",
+    matters="A test of the adapters: if an engine with accurate settings fails it, the scene was translated "
+    "incorrectly, and the engine is not shown. Engines that fail it only as installed damp motion in empty space.",
     law=r"z = v t - \tfrac12 g t^2, \qquad \varphi = \omega t",
-    allowed=r"a hundredth of the fall and of the angle, and $g t h/2$ for a step $h$ of first order.",
+    allowed="1 % of the fall and of the angle, and $g t h/2$ for a first-order step $h$.",
     duration=1.0,
     x=("time", "s"),
     y=("height", "m"),
@@ -90,13 +90,13 @@ def _bounce(runs: Sequence[Run]) -> list[Measurement]:
 
 BOUNCE = Phenomenon(
     name="bounce",
-    question="Does a ball bounce with the part of its speed that it should, and come to rest in time?",
-    matters="Whatever is dropped, thrown or hit. Each bounce leaves $e^2$ of the height, and all of them together "
-    "take a finite time; an engine that loses a bounce, or gains one, throws things wrongly.",
+    question="Does a ball bounce to the right height and come to rest in time?",
+    matters="Everything that is dropped, thrown or hit. Each bounce keeps the fraction $e^2$ of the height, and all "
+    "bounces together take a finite time. An engine that loses or gains a bounce predicts throws wrongly.",
     law=r"h_k = e^{2k} h, \qquad t_\infty = \sqrt{\tfrac{2h}{g}}\,\frac{1 + e}{1 - e}",
-    allowed=r"a hundredth of $h$, and $e^2 v\,\Delta t$ for an arrival that a step sees late; the time when the "
-    "ball last is a hundredth of $h$ above the ground, which is what the table has and comes before $t_\\infty$: a "
-    "hundredth, and a step a bounce.",
+    allowed=r"1 % of $h$, and $e^2 v\,\Delta t$ because a step detects an arrival late. For the last time at which "
+    r"the ball is 1 % of $h$ above the ground, which the table lists and which is earlier than $t_\infty$: 1 %, and "
+    "one step per bounce.",
     duration=2.0,
     x=("time", "s"),
     y=("height above the ground", "m"),
@@ -129,23 +129,25 @@ def _bullet(runs: Sequence[Run]) -> list[Measurement]:
 BULLET = Phenomenon(
     name="bullet",
     question="Does a fast ball stay on its side of a thin wall?",
-    matters="Shots, drops, a finger that is flung against a plate. A ball that is before the wall at the end of one "
-    "step and behind it at the end of the next was never in it: only who looks at the way between sees that.",
+    matters="Shots, drops, a finger that hits a plate at speed. A ball that is in front of the wall at the end of "
+    "one step and behind it at the end of the next never overlapped it: only an engine that checks the path between "
+    "the steps detects the contact.",
     law=r"x(t) \le x_\text{wall}",
-    allowed="the ball's middle may come a hundredth of the wall's thickness beyond its front face; half the ball "
-    r"overlaps the wall then, which is what softness and a step may use. The path of a step, $v h$, is not allowed on "
-    "top: a ball that flies through would pass. The worst of ten starts counts, 17 mm apart. 15 mm is through.",
+    allowed="the center of the ball may pass the front face by 1 % of the wall's thickness; half the ball then "
+    "overlaps the wall, which soft contacts and the step may use. The distance of one step, $v h$, is not allowed "
+    "in addition: a ball that flies through would pass the test. The worst of ten starts counts, 17 mm apart. At 15 "
+    "mm the ball is through.",
     duration=0.05,
-    x=("start before the wall", "m"),
-    y=("beyond the front", "mm"),
+    x=("start distance from the wall", "m"),
+    y=("distance past the front face", "mm"),
     measure=_bullet,
     plot=lambda runs: Curve(-np.array(PLACES), np.array(_beyond(runs))),
     exact=lambda curve, run: np.zeros_like(curve.x),
     variants=[{"bodies.ball.position": [place, 0, 0]} for place in PLACES],
     instant=0.05,
-    reported="Some engines look at the way between if they are told to, body by body (PyBullet by ccdSweptSphereRadius, "
-    "Rapier by ccd_enabled): no column here has that. lcplab's acceleration level finds the instant within the step at "
-    "which bodies meet.",
+    reported="Some engines can check the path between the steps, body by body (PyBullet with ccdSweptSphereRadius, "
+    "Rapier with ccd_enabled): no column here uses that. lcplab's acceleration level finds the instant within the "
+    "step at which bodies meet.",
 )
 
 
@@ -224,13 +226,13 @@ def _middle(curve: Curve, run: Run) -> Array:
 
 ANGULAR_MOMENTUM = Phenomenon(
     name="angular_momentum",
-    question="Does a brick in free flight keep its angular momentum, and turn over in time?",
-    matters="Drones, satellites, a cat, anything thrown with a spin. Engines that leave out the gyroscopic torque, "
-    "or damp it away, do not turn over at all; explicit ones gain energy.",
+    question="Does a brick in free flight keep its angular momentum and energy, and turn over in time?",
+    matters="Drones, satellites, a falling cat, anything thrown with a spin. Engines that leave out the gyroscopic "
+    "torque, or damp it, never turn the brick over; explicit integrators gain energy.",
     law=r"\dot{\mathbf{L}} = 0, \quad \dot E = 0, \quad "
     r"\tfrac{T}{2} = 2 K(k) \sqrt{\frac{I_1 I_2 I_3}{(I_3 - I_2)(L^2 - 2 E I_1)}}",
-    allowed=r"a hundredth of each in ten seconds. $T/2$ is from one turn-over to the next, $K$ the complete elliptic "
-    r"integral, $k^2 = \frac{(I_2 - I_1)(2 E I_3 - L^2)}{(I_3 - I_2)(L^2 - 2 E I_1)}$, $I_1 < I_2 < I_3$.",
+    allowed="1 % of each in ten seconds. $T/2$ is the time from one turn-over to the next, $K$ the complete "
+    r"elliptic integral, $k^2 = \frac{(I_2 - I_1)(2 E I_3 - L^2)}{(I_3 - I_2)(L^2 - 2 E I_1)}$, $I_1 < I_2 < I_3$.",
     duration=10.0,
     x=("time", "s"),
     y=("rate about the middle axis", "rad/s"),

@@ -28,24 +28,25 @@ def _creep(runs: Sequence[Run]) -> list[Measurement]:
 
 CREEP = Phenomenon(
     name="creep",
-    question="Does a cube stay on a slope that is rough enough to hold it?",
-    matters="What a gripper holds hangs on friction. Contacts whose friction is a damper or a spring that gives "
-    "way let it slide, slowly and for ever.",
+    question="Does a cube stay at rest on a slope that is rough enough to hold it?",
+    matters="A gripper holds objects by friction. If an engine models friction as a damper or a compliant spring, "
+    "the object slides slowly and never stops.",
     law=r"\mu > \tan\theta \;\Rightarrow\; v = 0",
-    allowed="a hundredth of the edge in ten seconds: 1 mm of 100 mm, 100 µm/s. The exact law leaves nothing to "
-    "the step: a cube at rest stays at rest in every step.",
+    allowed="1 % of the edge in ten seconds: 1 mm of 100 mm, 100 µm/s. The step size needs no allowance: under the "
+    "exact law a cube at rest stays at rest in every step.",
     duration=SETTLED + 10.0,
     x=("time", "s"),
-    y=("slid down", "mm"),
+    y=("sliding distance", "mm"),
     measure=_creep,
     plot=over_time(lambda run: 1e3 * (run.place("cube")[:, 0] - run.place("cube")[0, 0])),
     exact=lambda curve, run: np.zeros_like(curve.x),
     instant=11.0,
-    reported="Reported as mujoco#3328: what should stick creeps. MuJoCo's friction is compliant: an impedance $d < 1$ "
-    "leaves the part $1 - d$ of the pull unopposed until the slip, damped at the rate $b$, makes up for it, so that "
-    r"$v = \frac{1-d}{d}\,\frac{g \sin\theta}{b}$; with the defaults ($d$ = 0.95, $b$ = 105 per second) that is 1.7 mm/s. With "
-    "elliptic cones it falls as 1/impratio, which is why the documentation advises to raise that, and with stiffer "
-    "contacts $b$ grows: both are in the accurate settings, which make the lift below worse.",
+    reported="Reported as mujoco#3328: objects that should stick creep. MuJoCo's friction is compliant: an "
+    "impedance $d < 1$ leaves the fraction $1 - d$ of the pull unopposed until the slip, damped at the rate $b$, "
+    r"balances it, so that $v = \frac{1-d}{d}\,\frac{g \sin\theta}{b}$; with the defaults ($d$ = 0.95, $b$ = 105 per "
+    "second) that is 1.7 mm/s. With elliptic cones the speed falls as 1/impratio, so the documentation recommends a "
+    "larger impratio; stiffer contacts increase $b$. The accurate settings use both, which makes the result of the "
+    "lift test below worse.",
 )
 
 
@@ -61,11 +62,12 @@ def _lift(runs: Sequence[Run]) -> list[Measurement]:
 
 LIFT = Phenomenon(
     name="lift",
-    question="Does a cube that slides stay on the floor?",
-    matters="Where normal force and friction minimise one cost together, friction pays for a gap: a fast body "
-    r"is lifted by about $h \mu v$ and floats. It matters for whatever is pushed, thrown or driven.",
+    question="Does a sliding cube stay on the floor?",
+    matters="If an engine minimizes one cost over normal force and friction together, friction is traded for a gap: "
+    r"a fast body is lifted by about $h \mu v$ and floats. This matters for everything that is pushed, thrown or "
+    "driven.",
     law=r"z(t) = z(0) \quad\text{while } v = v_0 - \mu g t",
-    allowed="a hundredth of the edge: 1 mm.",
+    allowed="1 % of the edge: 1 mm.",
     duration=1.5,
     x=("time", "s"),
     y=("height above rest", "mm"),
@@ -73,10 +75,10 @@ LIFT = Phenomenon(
     plot=over_time(lambda run: 1e3 * _rise(run)),
     exact=lambda curve, run: np.zeros_like(curve.x),
     instant=0.3,
-    reported="Reported as Genesis#3126, where a cube at 6 m/s rises by 318 mm. The minimum of one convex cost over normal "
-    r"force and friction leaves the ground at $w_n = \mu |w_t|$: exactly solved it would throw the cube up by as much as "
-    r"$(\mu v)^2/2g$, here 459 mm, and softened it does a part of that, which grows with $(\mu v)^2$ all the same. It is "
-    "not the cube that tips: a plate of 2 mm, too flat to tilt, is lifted too.",
+    reported="Reported as Genesis#3126, where a cube at 6 m/s rises by 318 mm. The minimum of one convex cost over "
+    r"normal force and friction leaves the ground at $w_n = \mu |w_t|$: the exact solution would throw the cube up "
+    r"by as much as $(\mu v)^2/2g$, here 459 mm, and softened contacts do a part of that, which also grows with "
+    r"$(\mu v)^2$. Tipping is not the cause: a plate of 2 mm, too flat to tilt, is lifted too.",
 )
 
 
@@ -110,11 +112,11 @@ def _braked(curve: Curve, run: Run) -> Array:
 
 STOPPING = Phenomenon(
     name="stopping",
-    question="Where does a sliding cube stop?",
-    matters="The distance is friction's whole account: speed, weight and coefficient. A push ends where the "
-    "simulation says only if this one is right.",
+    question="Does a sliding cube stop at the right distance?",
+    matters="The stopping distance combines speed, gravity and the friction coefficient. A simulated push ends in "
+    "the right place only if this distance is right.",
     law=r"d = \frac{v^2}{2 \mu g}",
-    allowed=r"a hundredth of $d$, and $v h/2$ for a step $h$ of first order.",
+    allowed="1 % of $d$, and $v h/2$ for a first-order step $h$.",
     duration=1.0,
     x=("time", "s"),
     y=("distance", "m"),
@@ -142,15 +144,16 @@ def _predictability(runs: Sequence[Run]) -> list[Measurement]:
 
 PREDICTABILITY = Phenomenon(
     name="predictability",
-    question="Does a cube that starts a tenth of a millimetre per second faster stop as much farther as it must?",
-    matters="Who optimises, learns or identifies by differences asks how the end changes with the start. Where a "
-    "solver stops early, or a contact changes its corner at random, the answer is noise.",
+    question="Does the stopping distance respond correctly to a change of the initial speed by 0.1 mm/s?",
+    matters="Optimization, learning and identification by finite differences need the change of the final state "
+    "with the initial state. If a solver stops early, or a contact jumps between corners at random, the result is "
+    "noise.",
     law=r"\frac{\partial d}{\partial v} = \frac{v}{\mu g}",
-    allowed=r"a hundredth of it, and one step $h$: a step of first order brakes in whole steps, and "
-    r"$\partial d/\partial v$ is $h$ times their number, the whole number below or above $v/(\mu g h)$.",
+    allowed=r"1 % of it, and one step $h$: a first-order step brakes in whole steps, and $\partial d/\partial v$ is "
+    r"$h$ times their number, the integer below or above $v/(\mu g h)$.",
     duration=1.0,
     x=("time", "s"),
-    y=("farther for each m/s", "s"),
+    y=("extra distance per m/s", "s"),
     measure=_predictability,
     plot=lambda runs: Curve(runs[0].t, _farther(runs)),
     exact=lambda curve, run: np.minimum(curve.x, 2 * _distance(run)[0] / _distance(run)[1]),
@@ -197,12 +200,13 @@ def _directions(runs: Sequence[Run]) -> list[Measurement]:
 
 DIRECTIONS = Phenomenon(
     name="directions",
-    question="Does a cube slide down a slope alike in eight directions, and straight?",
-    matters="Friction as a box or a pyramid over two tangents rubs with up to 1.41 times, or 0.71 times, its coefficient "
-    "between them and pulls to a side. Whoever steers on wheels, paws or skids goes astray.",
+    question="Does a cube slide down a slope equally far in eight directions, and straight?",
+    matters="If friction is a box or a pyramid over two tangents, it acts with up to 1.41 times, or 0.71 times, its "
+    "coefficient between the tangents, and pulls sideways. Vehicles and robots that steer on wheels, feet or skids "
+    "drift off course.",
     law=r"\ddot x = g\,(\sin\theta - \mu \cos\theta)",
-    allowed="a hundredth of the path in the worst direction, and the path of a step at the mean speed; sideways a "
-    "hundredth of the path.",
+    allowed="1 % of the distance in the worst direction, and the distance of one step at the mean speed; sideways 1 "
+    "% of the distance.",
     duration=1.0,
     x=("direction", "°"),
     y=("path", "mm"),
@@ -235,11 +239,12 @@ def _rolls(curve: Curve, run: Run) -> Array:
 
 ROLLING = Phenomenon(
     name="rolling",
-    question="Does a ball that slides begin to roll, at five sevenths of its speed?",
-    matters="Wheels, bearings, bowls. Angular momentum about the line of contact decides, whatever the coefficient; "
-    "rolling that brakes itself, or never begins, shows a contact that does not hold a point.",
+    question="Does a sliding ball start to roll, at 5/7 of its initial speed?",
+    matters="Wheels, bearings, bowling balls. Angular momentum about the line of contact determines the speed, for "
+    "any friction coefficient. If a rolling ball slows down, or rolling never begins, the contact does not hold a "
+    "point at rest.",
     law=r"v = \tfrac57 v_0 \quad\text{after}\quad t = \frac{2 v_0}{7 \mu g}",
-    allowed=r"a hundredth of the speed, and $\mu g h$ for the step in which the slip ends.",
+    allowed=r"1 % of the speed, and $\mu g h$ for the step in which the slip ends.",
     duration=1.0,
     x=("time", "s"),
     y=("speed", "m/s"),
@@ -247,8 +252,8 @@ ROLLING = Phenomenon(
     plot=over_time(lambda run: run.velocities[:, run.number("ball"), 0]),
     exact=_rolls,
     instant=1.0,
-    reported="A contact patch that dissipates brakes what rolls: its front is pressed, its rear parts, and where "
-    r"pressure grows with $1 + d\,v_n$ and $d\,|v_n| > 1$ the rear carries nothing, so that the load stands ahead of "
-    "the middle. That is Drake with accurate settings ($d$ = 50 s/m): with $d$ = 10, 1 and 0 s/m the ball rolls at "
-    "1.25, 1.38 and 1.39 m/s; what is left at 0 we cannot explain.",
+    reported="A dissipative contact patch brakes a rolling ball: its front is compressed, its rear separates, and "
+    r"where pressure grows with $1 + d\,v_n$ and $d\,|v_n| > 1$ the rear supports nothing, so that the contact force "
+    "acts ahead of the center. That is Drake with accurate settings ($d$ = 50 s/m): with $d$ = 10, 1 and 0 s/m the "
+    "ball rolls at 1.25, 1.38 and 1.39 m/s; we cannot explain the remaining error at 0.",
 )

@@ -84,12 +84,12 @@ def _swung(square: float, start: float, t: Array) -> Array:
 
 PENDULUM = Phenomenon(
     name="pendulum",
-    question="Does a rod on a hinge keep its period, its energy and its hinge?",
-    matters="A robot's arm, a door, a leg. Hinges as springs open under load, implicit steps brake, and a swing of "
-    "90 degrees is slower than a small one by 18 %.",
+    question="Does a hinged rod keep its period and its energy, and does its hinge stay closed?",
+    matters="A robot's arm, a door, a leg. Hinges modeled as springs open under load, implicit steps damp the "
+    "swing, and a swing of 90 degrees takes 18 % longer than a small one.",
     law=r"T = 4\,K\!\left(\sin\tfrac{\varphi_0}{2}\right) \sqrt{\frac{I}{m g\,l/2}}, \qquad \dot E = 0",
-    allowed="a hundredth of the period, of the energy in ten seconds (from the height that the rod reaches in its "
-    "last swing, which a step of first order keeps), and of the rod's length.",
+    allowed="1 % of the period, of the energy in ten seconds (computed from the height that the rod reaches in its "
+    "last swing, which a first-order step preserves), and of the rod's length.",
     duration=10.0,
     x=("time", "s"),
     y=("angle from hanging", "°"),
@@ -125,27 +125,28 @@ def _order(runs: Sequence[Run]) -> list[Measurement]:
 
 ORDER = Phenomenon(
     name="order",
-    question="Does half the step leave half the error, or less?",
-    matters="Whoever halves the step to see how far a result can be trusted relies on it. Damping that nobody asked "
-    "for, joints that are springs, and solvers that stop early leave an error that no step takes away.",
+    question="Does half the step give at most half the error?",
+    matters="Users who halve the step to see how far they can trust a result rely on this. Damping that the scene "
+    "does not specify, joints modeled as springs, and solvers that stop early leave an error that no smaller step "
+    "removes.",
     law=r"e(h/2) \le \tfrac12\,e(h), \qquad \varphi(t) = 2 \arcsin\!\left(k\,\mathrm{sn}(K(k) + \omega t)\right), "
     r"\quad k = \sin\tfrac{\varphi_0}{2}",
-    allowed="$e$ is the root of the mean square of the rod's error over one swing, with the step $h$ of the "
-    r"settings, $h/2$ and $h/4$. A halving shows the order $p(h) = \log_2(e(h)/e(h/2))$, and both together the one "
-    r"of small steps, $2\,p(h/2) - p(h)$, whatever the next term of the error: feedback of errors, which takes some "
-    "steps, makes that one large. What the order lacks to 1 counts, a larger one is no miss: a hundredth, and "
-    r"$\tfrac{3}{8 \ln 2}\,(\omega h)^2$ for a third term $a h\,(\omega h)^2$.",
+    allowed="$e$ is the root mean square of the rod's error over one swing, with the step $h$ of the settings, "
+    r"$h/2$ and $h/4$. One halving gives the order $p(h) = \log_2(e(h)/e(h/2))$, and both together give the order "
+    r"for small steps, $2\,p(h/2) - p(h)$, whatever the next term of the error is: error feedback, which takes "
+    "several steps, makes that term large. Only an order below 1 counts as an error. It may be lower by 0.01, and "
+    r"by $\tfrac{3}{8 \ln 2}\,(\omega h)^2$ for a third term $a h\,(\omega h)^2$.",
     duration=2.0,
-    x=("part of the settings' step", ""),
-    y=("error beside that of the whole step", ""),
+    x=("step relative to the settings'", ""),
+    y=("error relative to the full step", ""),
     measure=_order,
     plot=lambda runs: Curve(np.array(HALVED), _errors(runs) / _errors(runs)[0]),
     exact=lambda curve, run: curve.x,
     steps=HALVED,
     log=True,
     instant=2.0,
-    reported="PyBullet as installed damps what moves by 0.04 (1 + speed) per second, whatever the step: 0.11 rad of "
-    "its error stay. Without that damping it is of first order.",
+    reported="PyBullet as installed damps motion by 0.04 (1 + speed) per second, at any step: an error of 0.11 rad "
+    "remains. Without that damping it is of first order.",
 )
 
 
@@ -169,15 +170,15 @@ def _chain(runs: Sequence[Run]) -> list[Measurement]:
 
 CHAIN = Phenomenon(
     name="chain",
-    question="Does a chain keep its length under a load of a hundred times a link's mass?",
-    matters="Cranes, cable robots, fingers that hold something heavy. A joint passes on what hangs below it; sweeps "
-    "pass it on by a joint at a time, and springs give way to it.",
+    question="Does a chain keep its length under a load of 100 times a link's mass?",
+    matters="Cranes, cable robots, fingers that hold a heavy object. Each joint supports everything that hangs "
+    "below it; a sweep passes the load on by one joint, and springs stretch under it.",
     law=r"z_\text{load}(t) = z_\text{load}(0)",
-    allowed="a hundredth of a link for each of the thirteen joints, 13 mm at the load and 1 mm in any one, at all "
-    "times of three seconds. Nothing moves, so nothing is left to the step.",
+    allowed="1 % of a link for each of the thirteen joints: 13 mm at the load and 1 mm in any one joint, at all "
+    "times of three seconds. Nothing moves, so the step size needs no allowance.",
     duration=3.0,
     x=("time", "s"),
-    y=("load below its place", "mm"),
+    y=("descent of the load", "mm"),
     measure=_chain,
     plot=over_time(lambda run: 1e3 * _sunken(run)),
     exact=lambda curve, run: np.zeros_like(curve.x),
@@ -213,12 +214,12 @@ def _closed_loop(runs: Sequence[Run]) -> list[Measurement]:
 
 CLOSED_LOOP = Phenomenon(
     name="closed_loop",
-    question="Do four bars that close a loop stay closed, and swing as they must?",
-    matters="Excavators, suspensions, parallel grippers. The joint that closes a loop is an equation beside the "
-    "others even in joint coordinates: it drifts, it pulls, or it is soft.",
+    question="Does a closed loop of four bars stay closed and swing with the right period?",
+    matters="Excavators, suspensions, parallel grippers. The joint that closes a loop is an additional equation "
+    "even in joint coordinates: it can drift, do work, or be soft.",
     law=r"T = 4\,K\!\left(\sin\tfrac{\varphi_0}{2}\right) \sqrt{\frac{2 I + M l^2}{g\,(m + M)\,l}}, "
     r"\qquad \dot E = 0",
-    allowed="a hundredth of the period, of the energy in ten seconds, and of a crank's length.",
+    allowed="1 % of the period, of the energy in ten seconds, and of a crank's length.",
     duration=10.0,
     x=("time", "s"),
     y=("angle of the cranks from hanging", "°"),
@@ -260,24 +261,24 @@ def _bounced(curve: Curve, run: Run) -> Array:
 
 SPRING = Phenomenon(
     name="spring",
-    question="Does a weight that is let go on a spring keep its period and its swing?",
-    matters="Suspensions, tendons, anything that gives. A spring whose force is taken at the end of a step is "
-    r"stable however stiff it is, and pays for it: with $\omega h$ small its swing dies down as $e^{-\omega^2 h "
-    "t/2}$. One whose force is taken at the start keeps it.",
+    question="Does a weight that is released on a spring keep its period and its amplitude?",
+    matters="Suspensions, tendons, anything compliant. A spring whose force is evaluated at the end of a step is "
+    r"stable at any stiffness, but it is damped: for small $\omega h$ its amplitude decays as $e^{-\omega^2 h t/2}$. "
+    "A spring whose force is evaluated at the start of a step keeps its amplitude.",
     law=r"T = 2\pi \sqrt{\frac{m}{k}}, \qquad \dot E = 0",
-    allowed="a hundredth of the period, and of the energy in ten seconds (from the farthest that the weight comes "
-    r"from its rest in the last swing) a hundredth and $(\omega h)^2/4$: by so much symplectic Euler swings farther, "
-    "and so much may be hidden between two steps.",
+    allowed="1 % of the period; and of the energy in ten seconds (computed from the largest distance of the weight "
+    r"from its rest position in the last swing) 1 % and $(\omega h)^2/4$: symplectic Euler swings farther by that "
+    "much, and that much of the swing can lie between two steps.",
     duration=10.0,
     x=("time", "s"),
-    y=("below its start", "m"),
+    y=("displacement downward", "m"),
     measure=_spring,
     plot=over_time(_lowered),
     exact=_bounced,
     instant=9.33,
-    reported="Rapier and lcplab take a spring as a soft row, implicitly. At the last but one turn, after $t = "
-    r"10.5\,T$, the part $1 - e^{-\omega^2 h t}$ of the energy is gone: 86 % with the substeps of 1/240 s of Rapier "
-    "as installed, 37 % with steps of 1 ms; all of these columns are off by that. The soft scheme solves its rows "
-    "again after the bodies have moved on, so that the force comes a substep later still, and loses as with twice "
-    "the substep.",
+    reported="Rapier and lcplab treat a spring as a soft row, implicitly. At the last turning point but one, after "
+    r"$t = 10.5\,T$, the fraction $1 - e^{-\omega^2 h t}$ of the energy is lost: 86 % with the substeps of 1/240 s "
+    "of Rapier as installed, 37 % with steps of 1 ms; all of these columns are off by that amount. The soft scheme "
+    "solves its rows again after it has moved the bodies, so the force acts one substep later, and the scheme loses "
+    "as much energy as with twice the substep.",
 )

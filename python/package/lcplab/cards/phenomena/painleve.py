@@ -47,18 +47,18 @@ def _painleve(runs: Sequence[Run]) -> list[Measurement]:
 
 PAINLEVE = Phenomenon(
     name="painleve",
-    question="Does a rod that jams on its tip keep to its energy and stay above the ground?",
-    matters="Chalk on a board, a stick pushed across a table, a walking robot's toe. Friction turns "
-    "the rod so that its tip is driven into the ground, and a larger force drives it in faster: no finite force can hold "
-    "it. The tip must stop in an instant, by an impulse, though nothing hits (Painlevé 1895). Some engines gain energy "
+    question="Does a rod that jams on its tip gain no energy and stay above the ground?",
+    matters="Chalk on a board, a stick pushed across a table, a walking robot's toe. Friction turns the rod so that "
+    "its tip is driven into the ground, and a larger force drives it in faster: no finite force can hold it. The "
+    "tip must stop instantly, by an impulse, although there is no impact (Painlevé 1895). Some engines gain energy "
     "here.",
     law=r"\dot E \le 0, \quad z_\text{tip} \ge 0, \qquad\text{where } "
     r"1 + \tfrac{m}{I}\, r_x (r_x + \mu r_z) < 0",
-    allowed=r"a hundredth of the kinetic energy at the start, and $m g v h/2$ for a step $h$ of first order; of the "
-    r"rod's length a hundredth, 10 mm. With $\mu$ = 2 the left side is −0.77; it is 0 at $\mu$ = 1.34.",
+    allowed="1 % of the kinetic energy at the start, and $m g v h/2$ for a first-order step $h$; and 1 % of the "
+    r"rod's length, 10 mm. With $\mu$ = 2 the left side is −0.77; it is 0 at $\mu$ = 1.34.",
     duration=0.3,
     x=("time", "s"),
-    y=("energy gained since its least", "J"),
+    y=("energy above its minimum", "J"),
     measure=_painleve,
     plot=over_time(_gained),
     exact=lambda curve, run: np.zeros_like(curve.x),

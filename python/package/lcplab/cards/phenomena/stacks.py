@@ -33,14 +33,14 @@ def _weight(runs: Sequence[Run]) -> list[Measurement]:
 
 WEIGHT = Phenomenon(
     name="weight",
-    question="Do the contact forces that an engine reports carry each body?",
-    matters="Tactile sensors, grasp planners and structural loads read these forces. A body at rest needs no more "
-    "than Newton's second law: what its neighbours put on it sums to its weight.",
+    question="Do the reported contact forces on each body add up to its weight?",
+    matters="Tactile sensors, grasp planners and structural analysis use these forces. For a body at rest Newton's "
+    "second law suffices: the forces from its neighbors add up to its weight.",
     law=r"\textstyle\sum_c f_c = -m\,\mathbf{g} \quad\text{for each body}",
-    allowed="a hundredth of the body's weight, on the average of the last half second.",
+    allowed="1 % of the body's weight, averaged over the last half second.",
     duration=2.0,
     x=("time", "s"),
-    y=("reported of the worst body's weight", "%"),
+    y=("reported part of the weight", "%"),
     measure=_weight,
     plot=over_time(
         lambda run: 100 * np.take_along_axis(
@@ -50,8 +50,8 @@ WEIGHT = Phenomenon(
     exact=lambda curve, run: np.full_like(curve.x, 100.0),
     instant=2.0,
     needs_forces=True,
-    reported="An engine whose bodies fall asleep may report no force from then on: 0 % stands for a body that sleeps, "
-    "not for one that falls.",
+    reported="An engine that puts bodies to sleep may report no force from then on: 0 % means that the body sleeps, "
+    "not that it falls.",
 )
 
 RATIOS = (1, 10, 100, 1000)
@@ -72,14 +72,14 @@ def _mass_ratio(runs: Sequence[Run]) -> list[Measurement]:
 
 MASS_RATIO = Phenomenon(
     name="mass_ratio",
-    question="How heavy may a cube be that stands on a light one?",
-    matters="Sweeps over the contacts pass a heavy load on slowly, soft contacts yield to it: the light body is "
-    "crushed. Robots that lift loads and vehicles on wheels are such stacks.",
+    question="How heavy can a cube be that rests on a light one?",
+    matters="Sweeps over the contacts pass a heavy load on slowly, and soft contacts are compressed by it: the "
+    "upper cube sinks into the light one. Robots that lift loads and vehicles on wheels are such stacks.",
     law=r"z_\text{heavy}(t) = z_\text{heavy}(0), \quad\text{whatever the masses}",
-    allowed="a hundredth of an edge for each of the two contacts: 2 mm after three seconds.",
+    allowed="1 % of an edge for each of the two contacts: 2 mm after three seconds.",
     duration=3.0,
-    x=("mass of the upper cube beside the lower", ""),
-    y=("sunk", "mm"),
+    x=("upper mass / lower mass", ""),
+    y=("penetration", "mm"),
     measure=_mass_ratio,
     plot=lambda runs: Curve(np.array(RATIOS, dtype=float), np.array([1e3 * _sunk(run) for run in runs])),
     exact=lambda curve, run: np.zeros_like(curve.x),
@@ -108,14 +108,14 @@ def _tower(runs: Sequence[Run]) -> list[Measurement]:
 
 TOWER = Phenomenon(
     name="tower",
-    question="Does a tower of ten cubes stand for twenty seconds?",
-    matters="Ten redundant contacts upon another: impulses left over from one step push the next. A tower that "
-    "wanders shows what is left, long before it falls.",
+    question="Does a tower of ten cubes stand still for twenty seconds?",
+    matters="Ten redundant contacts on top of each other: the impulse error of one step pushes the cubes in the "
+    "next step. Sideways drift shows this error long before the tower falls.",
     law=r"\mathbf{x}(t) = \mathbf{x}(0)",
-    allowed="sideways a hundredth of an edge, 1 mm; down a hundredth of an edge for each contact below, 10 mm.",
+    allowed="sideways 1 % of an edge, 1 mm; down 1 % of an edge for each contact below, 10 mm.",
     duration=20.0,
     x=("time", "s"),
-    y=("moved sideways", "mm"),
+    y=("sideways displacement", "mm"),
     measure=_tower,
     plot=over_time(lambda run: 1e3 * _aside(run)),
     exact=lambda curve, run: np.zeros_like(curve.x),
@@ -145,17 +145,17 @@ def _down_the_wall(run: Run) -> Array:
 
 WALL = Phenomenon(
     name="wall",
-    question="Does a row of slabs that is pressed against a wall hang on its friction?",
+    question="Does friction hold a row of slabs that is pressed against a wall?",
     matters="Books between two hands, a gripper that lifts a stack, the stones of an arch. The contact at the wall "
-    "carries all of them, and what the outer ones weigh must pass through the inner ones within every step.",
+    "supports all slabs, and the weight of the outer slabs must pass through the inner ones within every step.",
     law=r"\mu g_x > g_z \;\Rightarrow\; \mathbf{x}(t) = \mathbf{x}(0)",
-    allowed=r"100 µm/s, a hundredth of a slab's height in ten seconds, watched for four after the first. Here "
-    r"$\mu g_x = \tfrac32 g_z$. No slab tips: with moments about its inner face, the force on the outer $k$ slabs "
-    "of thickness $a$ acts "
-    r"$\tfrac{k a}{2}\,\tfrac{g_z}{g_x}$ below the middle, at most 25 mm of the 50 mm to the edge.",
+    allowed="100 µm/s, which is 1 % of a slab's height in ten seconds, measured for four seconds after the first "
+    r"second. Here $\mu g_x = \tfrac32 g_z$. No slab tips: with moments about its inner face, the force on the outer "
+    r"$k$ slabs of thickness $a$ acts $\tfrac{k a}{2}\,\tfrac{g_z}{g_x}$ below the center, at most 25 mm of the 50 "
+    "mm to the edge.",
     duration=SETTLED + 4.0,
     x=("time", "s"),
-    y=("slid down", "mm"),
+    y=("sliding distance", "mm"),
     measure=_slipping,
     plot=over_time(lambda run: 1e3 * _down_the_wall(run)),
     exact=lambda curve, run: np.zeros_like(curve.x),
@@ -176,14 +176,14 @@ def _repeat(runs: Sequence[Run]) -> list[Measurement]:
 
 REPEAT = Phenomenon(
     name="repeat",
-    question="Does the same scene give the same bits twice?",
-    matters="A defect that does not come back cannot be mended, and a policy that was trained on one run is judged on "
-    "another. Threads that add in another order, and worlds that inherit something from the one before, differ.",
+    question="Does the same scene give bitwise identical results twice?",
+    matters="A bug that cannot be reproduced cannot be fixed, and a policy that was trained on one run is evaluated "
+    "on another. Results differ if threads add in another order, or if a world inherits state from the one before.",
     law=r"\mathbf{x}_1(t) = \mathbf{x}_2(t) \quad\text{to the last bit}",
     allowed="no step may differ in any bit, in two worlds of one process, one after the other.",
     duration=2.0,
     x=("time", "s"),
-    y=("apart", "mm"),
+    y=("distance between the two runs", "mm"),
     measure=_repeat,
     plot=lambda runs: Curve(runs[0].t, 1e3 * _apart(runs)),
     exact=lambda curve, run: np.zeros_like(curve.x),

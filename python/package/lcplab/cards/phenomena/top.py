@@ -53,14 +53,14 @@ def _top(runs: Sequence[Run]) -> list[Measurement]:
 
 TOP = Phenomenon(
     name="top",
-    question="Does a heavy top go round without nodding, as fast as it must?",
-    matters="Wheels that lean, gyroscopes, rotors on arms. Gravity pulls the top down, and the spin turns that into "
-    "going round; where the gyroscopic torque is left out it falls, where it is damped it sinks.",
+    question="Does a heavy top precess at the right rate, without nutation?",
+    matters="Wheels that lean, gyroscopes, rotors on arms. Gravity pulls the top down, and the spin turns this into "
+    "precession. Without the gyroscopic torque the top falls; with damping it sinks.",
     law=r"\Omega\,(I_3 \omega_3 - I_1 \Omega \cos\theta) = m g l, \qquad \theta(t) = \theta(0), "
     r"\quad \varphi = \Omega t",
-    allowed=r"a hundredth of $\theta$ and of $\Omega T$ in ten seconds; and for a step $h$ of first order, whose "
-    r"velocities are half a step beside its poses, what the axis moves in half a step, $\Omega \sin\theta\, h/2$: "
-    "by so much it may nod. $I_1$ is about the fixed point.",
+    allowed=r"1 % of $\theta$ and of $\Omega T$ in ten seconds. A first-order step $h$ has velocities half a step "
+    r"apart from its poses, so the axis may also nod by its motion in half a step, $\Omega \sin\theta\, h/2$. $I_1$ "
+    "is about the fixed point.",
     duration=10.0,
     x=("time", "s"),
     y=("lean", "°"),
