@@ -189,7 +189,6 @@ fn friction_in_a_blow_is_mu_times_all_of_its_impulse() {
     for scheme in Scheme::ALL.into_iter().filter(|scheme| *scheme != Scheme::Penalty) {
         let mut scene = falling(0.5, scheme);
         scene.bodies.iter_mut().for_each(|body| body.friction = 0.1);
-        scene.bodies.iter_mut().for_each(|body| body.static_friction = 0.1);
         scene.states[1].v.x = 3.0;
         let running = run(scene, 20, |_, _| ());
         let state = running.states()[1];
