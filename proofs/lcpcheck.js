@@ -186,7 +186,9 @@ const lcpcheck = (() => {
 
   // The key motion: M, J, bias, compliance, u*.
   function bodies(data, n) {
-    need(hasKeys(data, ["mass", "jacobian", "bias", "compliance", "target"]), "the keys of motion");
+    const level = isObject(data) && has(data, "level") ? ["level"] : [];
+    need(hasKeys(data, ["mass", "jacobian", "bias", "compliance", "target", ...level]), "the keys of motion");
+    need(level.length === 0 || ["velocity", "acceleration"].includes(data.level), "level");
     const target = list(data.target).map(number), k = target.length;
     const bias = list(data.bias, n).map(number), soft = list(data.compliance, n).map(size);
     const [mass, isOnce] = place(data.mass, k, k), [jacobian, too] = place(data.jacobian, n, k);

@@ -168,7 +168,8 @@ class Problem:
 
     def bodies(self, data):
         """Reads the key motion; its canonical bytes."""
-        need(type(data) is dict and set(data) == {"mass", "jacobian", "bias", "compliance", "target"}, "motion")
+        need(type(data) is dict and set(data) - {"level"} == {"mass", "jacobian", "bias", "compliance", "target"}, "motion")
+        need("level" not in data or data["level"] in ("velocity", "acceleration"), "level")
         target, k = [number(v) for v in entries(data["target"])], len(data["target"])
         bias, soft = ([number(v) for v in entries(data[key], self.n)] for key in ("bias", "compliance"))
         (mass, is_once), (jacobian, too) = sparse(data["mass"], k, k), sparse(data["jacobian"], self.n, k)

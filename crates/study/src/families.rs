@@ -191,7 +191,7 @@ impl Requirement {
         });
         let solver = &self.solver;
         Some(format!(
-            "{accepted} of {} answers of {solver} are accepted, {demanded} are required{example}",
+            "{accepted} of {} of {solver} are accepted, {demanded} are required{example}",
             match problems {
                 1 => "1 answer".into(),
                 count => format!("{count} answers"),

@@ -15,7 +15,7 @@ fn a_page_shows_film_pattern_and_sweeps_and_the_problems_lie_beside_it() {
         "Cause: mass ratio",
         "The error pattern of Gauss-Seidel that decays most slowly",
         "Error after each sweep",
-        "emedies over the whole run",
+        "emedies for the whole run",
     ] {
         assert!(page.contains(part), "{part}");
     }

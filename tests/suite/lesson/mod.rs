@@ -6,6 +6,7 @@ mod kernel;
 mod notebook;
 mod problem;
 mod sentences;
+mod terminal;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use lcplab::lesson::source::{Part, Source};
 use serde_json::{Value, json};
 
-use super::{pages, written};
+use super::{pages, run, written};
 
 fn notebooks(kind: &str) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("notebooks");
@@ -35,7 +35,7 @@ fn every_cell_runs_and_its_output_stands_in_the_notebook() {
 #[test]
 fn the_committed_notebooks_are_those_of_the_lessons() {
     let folder = tempfile::tempdir().unwrap();
-    lesson(&["--all", "--ipynb", "--out", folder.path().to_str().unwrap()]);
+    run(&["lesson", "--all", "--ipynb", "--out", folder.path().to_str().unwrap()]);
     let sources = notebooks("md");
     for source in sources {
         let committed = source.with_extension("ipynb");

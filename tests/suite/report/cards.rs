@@ -360,7 +360,7 @@ fn a_file_that_is_no_record_is_one_message_with_its_name() {
     };
     let newer = of(r#"{ "format": 2, "engines": [], "phenomena": [] }"#);
     assert!(
-        newer.ends_with("record.json: record: has the format 2, this version reads 1"),
+        newer.ends_with("record.json: record: has the format 2; this version reads 1"),
         "{newer}"
     );
     let lacking = of(r#"{ "format": 1, "engines": [] }"#);

@@ -82,7 +82,7 @@ text = \"words without a heading\"
         ("stp", "scenes[0].stp: the study \"convergence\": unknown field \"stp\", expected one of"),
         (
             "\"one\"",
-            "scenes[1].step: the study \"convergence\": invalid type: string \"one\", expected a whole number",
+            "scenes[1].step: the study \"convergence\": invalid type: string \"one\", expected an integer from 0",
         ),
         (
             "\"fast\"",

@@ -96,7 +96,7 @@ fn a_grid_with_plug_ins_of_its_own_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let (_, report) = written(folder.path(), &format!("{GRID}[plugins.mine]\ncommand = 'mine'\n"));
     let error = Experiment::parse(&report, "mine.toml", "mine").err().unwrap().to_string();
-    assert!(error.contains("stand in the report file"), "{error}");
+    assert!(error.contains("of a grid in a report must be declared in the report file"), "{error}");
 }
 
 #[test]
