@@ -170,3 +170,9 @@ def test_the_fixture_fails_a_test_with_a_refused_step(pytester):
     result.stdout.fnmatch_lines(["*3 frames, 1 refused*"])
     assert pytester.runpytest("--lcplab-baseline", "b.json", "--lcplab-update").ret == 0
     pytester.runpytest("--lcplab-baseline", "b.json").assert_outcomes(passed=2)
+
+
+def test_gravity_as_a_number_of_numpy_is_recorded_too(tmp_path):
+    run = lcplab.receipts([stop(motion=[-1.5 + 1e-9], gravity=np.float64(9.0))])
+    run.save(tmp_path / "known.json")
+    assert lcplab.receipts([stop()], baseline=tmp_path / "known.json").ok

@@ -18,6 +18,7 @@ from typing import Any
 import pytest
 
 from lcplab._receipt import Adapter, Receipt, Run, State, receipt
+from lcplab._receipt.findings import STAGES
 from lcplab._receipt.runs import load
 
 
@@ -109,7 +110,9 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Iterator[None]:
     new = recorder.new() if recorder else []
     if recorder and new:
         worst = "\n".join(f"{name}\n{recorder.receipts[name]}" for name in new[:3])
-        pytest.fail(f"{len(new)} of {len(recorder.receipts)} steps are refused\n{worst}", pytrace=False)
+        stages = ", ".join(stage for stage in STAGES if any(recorder.receipts[name].stage == stage for name in new))
+        count = f"{stages}: {len(new)} of {len(recorder.receipts)} steps are refused"
+        pytest.fail(f"{count}\n{worst}", pytrace=False)
     return result
 
 

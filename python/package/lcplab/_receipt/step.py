@@ -190,7 +190,8 @@ class Step:
     @property
     def effect(self) -> float:
         """What the constraints change, ``|v - u*|_M``; at least what gravity changes and a millionth of ``|u*|_M``."""
-        return max(self.norm(self.motion - self.target), 1e-6 * self.norm(self.target), self.gravity)
+        change, free = self.norm(self.motion - self.target), self.norm(self.target)
+        return max(change, 1e-6 * free, float(self.gravity))
 
     def relative(self, error: float) -> float:
         """An error in the norm of M as a part of the effect."""
