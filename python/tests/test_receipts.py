@@ -176,3 +176,11 @@ def test_gravity_as_a_number_of_numpy_is_recorded_too(tmp_path):
     run = lcplab.receipts([stop(motion=[-1.5 + 1e-9], gravity=np.float64(9.0))])
     run.save(tmp_path / "known.json")
     assert lcplab.receipts([stop()], baseline=tmp_path / "known.json").ok
+
+
+def test_forces_outside_their_bounds_are_the_solvers_where_the_motion_is_theirs():
+    """Two rows share a load of 4 N s: any two forces with this sum have the right motion."""
+    shared = {"jacobian": [[1.0], [1.0]], "bias": [0.0, 0.0], "motion": [-1.0]}
+    assert lcplab.receipt(stop(**shared, forces=[2.0, 2.0])).ok
+    receipt = lcplab.receipt(stop(**shared, forces=[5.0, -1.0]))
+    assert receipt.stage == "solver" and "although the motion is within the limit" in str(receipt)

@@ -2,7 +2,8 @@
 
 A proved bound on the engine's own motion v and one on the motion u(x) of its forces x tell the two stages
 apart. Both wrong: the solver. One of them right: what was written back is not what was solved, unless the forces are
-those that the motion asks for, as engines have them that solve for the motion: then only the solver's residual is left.
+those that the motion asks for, as engines have them that solve for the motion, or the motion is that of the forces: then
+only the solver's residual is left.
 """
 
 from __future__ import annotations
@@ -91,6 +92,9 @@ def _motion(step: Step, bounds: Bounds, limit: float) -> Finding:
     if is_wrong[0] == is_wrong[1] or work.are_forces_of_motion(step):
         stage, what = "solver", "the motion is not that of the problem which the engine posed"
         error = bounds.motion
+    elif is_wrong[1] and is_motion_of_forces(step):
+        stage, what = "solver", "the forces do not solve the problem, although the motion is within the limit"
+        error = bounds.answer
     elif is_wrong[0]:
         stage, what = "write-back", "the forces solve the problem, but the motion is not theirs"
         error = bounds.motion
@@ -100,6 +104,12 @@ def _motion(step: Step, bounds: Bounds, limit: float) -> Finding:
     row = bounds.row
     bodies = step.rows[row].bodies if row is not None and row < len(step.rows) else ()
     return Finding(stage, what, step.relative(error), most, row, bodies)
+
+
+def is_motion_of_forces(step: Step) -> bool:
+    """Whether the motion is, to rounding, that of the forces: then nothing was written back wrongly."""
+    change = np.linalg.solve(step.dense_mass(), step.push(step.forces))
+    return step.norm(step.motion - step.target - change) <= ROUNDING[step.bits] * step.effect
 
 
 def _push(step: Step, reported: Array) -> Finding:
