@@ -23,7 +23,8 @@ def problem(step: Step) -> dict[str, Any]:
     InputError
         If a friction cone has no place in a file: more or fewer than two axes, or axes that differ.
     """
-    _check_cones(step)
+    if step.model is not None:
+        _check_cones(step)
     is_friction = step.friction_index >= 0
     unit = "N s" if step.level == "velocity" else "N"
     file: dict[str, Any] = {
@@ -46,7 +47,8 @@ def problem(step: Step) -> dict[str, Any]:
         },
     }
     if is_friction.any():
-        file |= {"friction_index": step.friction_index.tolist(), "mu": step.mu.tolist(), "model": "associated-cone"}
+        file |= {"friction_index": step.friction_index.tolist(), "mu": step.mu.tolist()}
+        file |= {"model": step.model} if step.model is not None else {}
     return file
 
 
@@ -114,6 +116,7 @@ def read(path: Path) -> Step:
         hi=_bounds(object_.get("hi"), n, np.inf),
         friction_index=index,
         mu=np.array(object_.get("mu", [0.0] * n), dtype=float),
+        model=object_.get("model"),
         rows=[
             Row(row.get("label", ""), row.get("kind", ""), tuple(row.get("bodies", ())))
             for row in object_.get("rows", ())

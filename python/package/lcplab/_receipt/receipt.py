@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -77,6 +78,12 @@ class Receipt:
         """Whether the step has rows, its motion was bounded, and nothing is above its limit."""
         return self.verdict == "ok"
 
+    @cached_property
+    def difference(self) -> float | None:
+        """Where there is no bound on the motion: its measured distance from that of lcplab's own answer, relative to
+        what the constraints change. It is no proof; None if lcplab finds no answer."""
+        return solver.difference(self.step) if self.bound is None else None
+
     @property
     def is_refused(self) -> bool:
         """Whether something is above its limit, and the engine does not say so itself."""
@@ -118,6 +125,8 @@ class Receipt:
                 f"  motion error  {self.motion_error:.2g} of what the constraints change (limit {self.limit:.1g}); "
                 f"at most {self.bound:.2g} of {self.effect:.3g} {self.unit}"
             )
+        if self.difference is not None:
+            lines.append(f"  difference    {self.difference:.2g} of what the constraints change, from lcplab's own answer")
         if 0 < step.own_tolerance < self.effect:
             lines.append(f"  the engine's own tolerance is {step.own_tolerance / self.effect:.1g} of it")
         if self.work is not None:

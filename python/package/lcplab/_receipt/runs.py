@@ -59,6 +59,7 @@ class Run:
         self.quantiles = {str(part): quantile(self.errors, part) for part in QUANTILES} if self.errors else {}
         self.refused = [name for name, receipt in every if receipt.is_refused]
         self.unconverged = [name for name, receipt in every if receipt.verdict == "unconverged"]
+        self.not_checked = [name for name, receipt in every if receipt.verdict == "not checked"]
         self.without_rows = [name for name, receipt in every if receipt.verdict == "no rows"]
         known = set(baseline["refused"]) if baseline else set()
         self.known = [name for name in self.refused if name in known]
@@ -101,7 +102,8 @@ class Run:
     def __str__(self) -> str:
         lines = [
             f"{'ok' if self.ok else 'not ok'}: {len(self.receipts)} frames, {len(self.refused)} refused "
-            f"({len(self.known)} known), {len(self.unconverged)} unconverged, {len(self.without_rows)} without rows",
+            f"({len(self.known)} known), {len(self.unconverged)} unconverged, {len(self.without_rows)} without rows"
+            + (f", {len(self.not_checked)} without a bound on the motion" if self.not_checked else ""),
             "motion error above " + ", ".join(f"{level}: {count}" for level, count in self.counts.items())
             + f" of {len(self.errors)} frames",
         ]

@@ -9,15 +9,21 @@ only the solver's residual is left.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from lcplab import _lcplab
-from lcplab._receipt import work
+from lcplab._receipt import files, work
 from lcplab._receipt.findings import Finding, Report
 from lcplab._receipt.limits import ROUNDING
 from lcplab._receipt.step import Array, Step
 from lcplab._receipt.work import Solution
+
+#: Why steps of other friction models have no bound.
+NOT_ASSOCIATED = "which only friction cones with the associated law have"
+#: The largest number of rows for which lcplab solves the problem itself.
+MOST_ROWS = 600
 
 
 @dataclass(frozen=True)
@@ -34,7 +40,30 @@ class Bounds:
 def bounds_of(steps: list[Step]) -> list[Bounds | str]:
     """The bounds of each step, or why it has none; on all processors, without the interpreter."""
     told = _lcplab.motion_bounds([step.arrays() for step in steps])
-    return [Bounds(*bounds) if bounds else str(why) for bounds, why in told]
+    bounds = [Bounds(*bounds) if bounds else str(why) for bounds, why in told]
+    return [own if step.is_associated else NOT_ASSOCIATED for step, own in zip(steps, bounds)]
+
+
+def difference(step: Step) -> float | None:
+    """The distance of the motion from that of an answer of lcplab, relative to the effect; None if lcplab finds none.
+
+    A measurement and no bound: the law of Coulomb can have several solutions.
+    """
+    from lcplab import Problem, solve
+
+    if len(step) > MOST_ROWS or len(step) == 0 or not np.isfinite([*step.motion, *step.forces]).all():
+        return None
+    is_friction = step.friction_index >= 0
+    friction: dict[str, Any] = {}
+    if is_friction.any():
+        friction = {"friction_index": step.friction_index, "mu": step.mu, "model": step.model}
+    lo, hi = np.where(is_friction, -np.inf, step.lo), np.where(is_friction, np.inf, step.hi)
+    offset = step.along(step.target) + step.bias
+    result = solve(Problem(files.matrix(step), offset, lo, hi, **friction), prove=False)
+    if not result:
+        return None
+    exact = step.target + np.linalg.solve(step.dense_mass(), step.push(result.x))
+    return step.relative(step.norm(step.motion - exact))
 
 
 def sharpened(step: Step, bounds: Bounds, solution: Solution | None) -> Bounds:
@@ -70,6 +99,8 @@ def check(step: Step, bounds: Bounds | str, limit: float) -> Report:
         report.findings.append(Finding("solver", what, np.inf, limit))
     elif isinstance(bounds, str):
         report.not_checked.append(f"solver: no bound on the motion, {bounds}")
+        if not np.any(step.compliance > 0):
+            report.findings.append(_closure(step))
     else:
         report.findings.append(_motion(step, bounds, limit))
     if step.reported_push is None:
@@ -108,8 +139,14 @@ def _motion(step: Step, bounds: Bounds, limit: float) -> Finding:
 
 def is_motion_of_forces(step: Step) -> bool:
     """Whether the motion is, to rounding, that of the forces: then nothing was written back wrongly."""
+    return not _closure(step).is_refused
+
+
+def _closure(step: Step) -> Finding:
+    """The motion against that of the forces, ``u* + inv(M) J.T x``."""
     change = np.linalg.solve(step.dense_mass(), step.push(step.forces))
-    return step.norm(step.motion - step.target - change) <= ROUNDING[step.bits] * step.effect
+    error = step.relative(step.norm(step.motion - step.target - change))
+    return Finding("write-back", "the motion is not that of the forces", error, ROUNDING[step.bits])
 
 
 def _push(step: Step, reported: Array) -> Finding:

@@ -58,6 +58,9 @@ class Step:
     #: The normal row of each row of friction of a cone, -1 for others, and its coefficient.
     friction_index: Rows
     mu: Array
+    #: The friction model of these rows, as in a problem file: ``"associated-cone"``, ``"coulomb-cone"``, or None for the
+    #: bounds ``±mu * x[k]``. Only the first has a bound on the motion.
+    model: str | None = "associated-cone"
     rows: Sequence[Row] = ()
     #: What gravity changes in the step, in the norm of M.
     gravity: float = 0.0
@@ -181,6 +184,11 @@ class Step:
     def norm(self, motion: Array) -> float:
         """√(vᵀM v): the root of twice a kinetic energy, if v is a velocity."""
         return math.sqrt(max(0.0, float(motion @ self.times_mass(motion))))
+
+    @property
+    def is_associated(self) -> bool:
+        """Whether no row of friction has another law than that of an associated cone."""
+        return self.model == "associated-cone" or not np.any(self.friction_index >= 0)
 
     @property
     def unit(self) -> str:
