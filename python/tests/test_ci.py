@@ -65,7 +65,7 @@ def write_frames(engine):
 
 def test_a_good_engine_passes(engine):
     code, told = run_pytest(engine)
-    assert code == 0 and "ok: 120 frames, 0 refused" in told, told
+    assert code == 0 and "ok: 120 frames, 0 rejected" in told, told
 
 
 @pytest.mark.parametrize("bug", STAGES)
@@ -92,7 +92,7 @@ def test_the_action_fails_on_a_planted_bug(engine):
     code, told = run_action(
         engine, frames="examples/ci/frames", baseline="examples/ci/known_frames.json", sarif="r.sarif", out="worst"
     )
-    assert code == 1 and "refused at solver" in told, told
+    assert code == 1 and "rejected at solver" in told, told
     results = json.loads((engine / "r.sarif").read_text())["runs"][0]["results"]
     assert {result["ruleId"] for result in results} == {"receipt/solver"}
     assert list((engine / "worst").glob("*/receipt.txt"))

@@ -65,7 +65,7 @@ def test_reported_generalized_forces_are_compared_with_those_of_the_rows():
 def test_a_step_without_rows_is_never_ok():
     free = lcplab.EngineStep.of("mine", [[2.0]], np.zeros((0, 1)), [], [-3.0], [], [-3.0])
     receipt = lcplab.receipt(free)
-    assert receipt.verdict == "no rows" and not receipt.ok and not receipt.is_refused
+    assert receipt.verdict == "no rows" and not receipt.ok and not receipt.is_rejected
     assert lcplab.receipt(replace(free, motion=np.array([-2.0]))).stage == "write-back"
 
 
@@ -101,15 +101,17 @@ def test_without_a_bound_on_the_motion_write_back_is_still_checked():
     assert lcplab.receipt(replace(coulomb, motion=coulomb.motion + 0.1)).stage == "write-back"
 
 
-def test_rows_that_name_no_normal_row_are_invalid():
+def test_unknown_normal_rows_and_friction_models_are_invalid():
     with pytest.raises(lcplab.InputError, match="friction_index"):
         lcplab.receipt(replace(stop(), friction_index=np.array([7])))
+    with pytest.raises(lcplab.InputError, match="model"):
+        stop(model="coulomb")
 
 
 def test_a_run_counts_frames_and_knows_those_of_its_baseline(tmp_path):
     wrong = stop(forces=[2.0], motion=[-2.0])
     run = lcplab.receipts([stop(), wrong, stop()])
-    assert not run.ok and run.refused == ["mine 1"] and run.stages == {"solver": 1}
+    assert not run.ok and run.rejected == ["mine 1"] and run.stages == {"solver": 1}
     assert run.counts["1e-03"] == 1
     run.save(tmp_path / "known.json")
     again = lcplab.receipts([stop(), wrong, stop()], baseline=tmp_path / "known.json")
@@ -125,7 +127,7 @@ def test_a_run_whose_quantiles_grow_beyond_their_spread_is_worse():
     base = lcplab.receipts([at(1e-9 * (k % 7)) for k in range(100)]).to_json()
     assert lcplab.receipts([at(1e-9 * (k % 7)) for k in range(50)], baseline=base).ok
     now = lcplab.receipts([at(1e-7) for _ in range(50)], baseline=base)
-    assert now.worse and not now.refused
+    assert now.worse and not now.rejected
 
 
 def test_files_are_read_back_with_the_same_receipt(tmp_path):
@@ -156,7 +158,7 @@ def test_the_command_writes_junit_and_sarif_and_fails_on_new_frames(tmp_path, ca
     assert "none.json" in capsys.readouterr().err
 
 
-def test_the_fixture_fails_a_test_with_a_refused_step(pytester):
+def test_the_fixture_fails_a_test_with_a_rejected_step(pytester):
     pytester.makepyfile("""
         import lcplab
 
@@ -172,7 +174,7 @@ def test_the_fixture_fails_a_test_with_a_refused_step(pytester):
     """)
     result = pytester.runpytest()
     result.assert_outcomes(passed=1, failed=1)
-    result.stdout.fnmatch_lines(["*3 frames, 1 refused*"])
+    result.stdout.fnmatch_lines(["*3 frames, 1 rejected*"])
     assert pytester.runpytest("--lcplab-baseline", "b.json", "--lcplab-update").ret == 0
     pytester.runpytest("--lcplab-baseline", "b.json").assert_outcomes(passed=2)
 
