@@ -65,7 +65,7 @@ def test_reported_generalized_forces_are_compared_with_those_of_the_rows():
 def test_a_step_without_rows_is_never_ok():
     free = lcplab.EngineStep.of("mine", [[2.0]], np.zeros((0, 1)), [], [-3.0], [], [-3.0])
     receipt = lcplab.receipt(free)
-    assert receipt.verdict == "no rows" and not receipt.ok and not receipt.is_refused
+    assert receipt.verdict == "no rows" and not receipt.ok and not receipt.is_rejected
     assert lcplab.receipt(replace(free, motion=np.array([-2.0]))).stage == "write-back"
 
 
@@ -96,15 +96,22 @@ def test_a_row_without_compliance_that_is_violated_has_no_bound():
     assert lcplab.receipt(coulomb).verdict == "not checked"
 
 
-def test_rows_that_name_no_normal_row_are_invalid():
+def test_without_a_bound_on_the_motion_write_back_is_still_checked():
+    coulomb = replace(slide(), compliance=np.zeros(2))
+    assert lcplab.receipt(replace(coulomb, motion=coulomb.motion + 0.1)).stage == "write-back"
+
+
+def test_unknown_normal_rows_and_friction_models_are_invalid():
     with pytest.raises(lcplab.InputError, match="friction_index"):
         lcplab.receipt(replace(stop(), friction_index=np.array([7])))
+    with pytest.raises(lcplab.InputError, match="model"):
+        stop(model="coulomb")
 
 
 def test_a_run_counts_frames_and_knows_those_of_its_baseline(tmp_path):
     wrong = stop(forces=[2.0], motion=[-2.0])
     run = lcplab.receipts([stop(), wrong, stop()])
-    assert not run.ok and run.refused == ["mine 1"] and run.stages == {"solver": 1}
+    assert not run.ok and run.rejected == ["mine 1"] and run.stages == {"solver": 1}
     assert run.counts["1e-03"] == 1
     run.save(tmp_path / "known.json")
     again = lcplab.receipts([stop(), wrong, stop()], baseline=tmp_path / "known.json")
@@ -120,7 +127,7 @@ def test_a_run_whose_quantiles_grow_beyond_their_spread_is_worse():
     base = lcplab.receipts([at(1e-9 * (k % 7)) for k in range(100)]).to_json()
     assert lcplab.receipts([at(1e-9 * (k % 7)) for k in range(50)], baseline=base).ok
     now = lcplab.receipts([at(1e-7) for _ in range(50)], baseline=base)
-    assert now.worse and not now.refused
+    assert now.worse and not now.rejected
 
 
 def test_files_are_read_back_with_the_same_receipt(tmp_path):
@@ -151,7 +158,7 @@ def test_the_command_writes_junit_and_sarif_and_fails_on_new_frames(tmp_path, ca
     assert "none.json" in capsys.readouterr().err
 
 
-def test_the_fixture_fails_a_test_with_a_refused_step(pytester):
+def test_the_fixture_fails_a_test_with_a_rejected_step(pytester):
     pytester.makepyfile("""
         import lcplab
 
@@ -167,6 +174,36 @@ def test_the_fixture_fails_a_test_with_a_refused_step(pytester):
     """)
     result = pytester.runpytest()
     result.assert_outcomes(passed=1, failed=1)
-    result.stdout.fnmatch_lines(["*3 frames, 1 refused*"])
+    result.stdout.fnmatch_lines(["*3 frames, 1 rejected*"])
     assert pytester.runpytest("--lcplab-baseline", "b.json", "--lcplab-update").ret == 0
     pytester.runpytest("--lcplab-baseline", "b.json").assert_outcomes(passed=2)
+
+
+def test_gravity_as_a_number_of_numpy_is_recorded_too(tmp_path):
+    run = lcplab.receipts([stop(motion=[-1.5 + 1e-9], gravity=np.float64(9.0))])
+    run.save(tmp_path / "known.json")
+    assert lcplab.receipts([stop()], baseline=tmp_path / "known.json").ok
+
+
+def test_forces_outside_their_bounds_are_the_solvers_where_the_motion_is_theirs():
+    """Two rows share a load of 4 N s: any two forces with this sum have the right motion."""
+    shared = {"jacobian": [[1.0], [1.0]], "bias": [0.0, 0.0], "motion": [-1.0]}
+    assert lcplab.receipt(stop(**shared, forces=[2.0, 2.0])).ok
+    receipt = lcplab.receipt(stop(**shared, forces=[5.0, -1.0]))
+    assert receipt.stage == "solver" and "although the motion is within the limit" in str(receipt)
+
+
+def test_the_law_of_coulomb_has_no_bound_but_a_measured_difference(tmp_path):
+    """2 kg are pressed on a floor at 3 m/s and slide at 4 m/s: x = (6, -0.5 * 6) N s, and 2.5 m/s are left."""
+    right = stop(
+        mass=2 * np.eye(2), jacobian=np.eye(2), bias=[0.0, 0.0], compliance=0.0, target=[-3.0, 4.0],
+        forces=[6.0, -3.0], motion=[0.0, 2.5], lo=[0.0, -np.inf], friction_index=[-1, 0], mu=[0.0, 0.5], model=None,
+    )
+    receipt = lcplab.receipt(right)
+    assert receipt.verdict == "not checked" and receipt.difference < 1e-7
+    stuck = replace(right, forces=np.array([6.0, -8.0]), motion=np.zeros(2))
+    assert lcplab.receipt(stuck).difference == pytest.approx(2.5 / np.hypot(3, 4))
+    receipt.write(tmp_path / "a.json", tmp_path / "a.x.json")
+    [again] = lcplab.receipts([tmp_path]).receipts.values()
+    assert again.step.model is None and again.verdict == "not checked"
+    assert "1 without a bound" in str(lcplab.receipts([right]))

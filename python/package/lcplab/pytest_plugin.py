@@ -5,8 +5,8 @@
 ...         mujoco.mj_step(model, data)
 ...         lcplab_receipts(model, data, every=10)
 
-A test fails if a step is refused that the file of ``--lcplab-baseline`` does not know; the session fails if a quantile
-of the motion error is worse than the baseline's. ``--lcplab-update`` writes the file instead.
+A test fails if one of its steps is rejected and the file of ``--lcplab-baseline`` does not list it. The session fails if a
+quantile of the motion error is worse than the baseline's. With ``--lcplab-update`` nothing fails, and the file is written.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from typing import Any
 import pytest
 
 from lcplab._receipt import Adapter, Receipt, Run, State, receipt
+from lcplab._receipt.findings import STAGES
 from lcplab._receipt.runs import load
 
 
@@ -33,7 +34,7 @@ class Session:
         self.baseline = load(self.path) if has_baseline and self.path is not None else None
 
     def run(self) -> Run:
-        """All of them."""
+        """The run of all receipts."""
         return Run(self.receipts, self.baseline)
 
 
@@ -55,7 +56,7 @@ class Recorder:
         before: State | None = None,
         limit: float | None = None,
     ) -> Receipt | None:
-        """The receipt of this step, of each ``every``-th call; the first one counts."""
+        """The receipt of this step, or None; every ``every``-th call has one, beginning with the first."""
         self.calls += 1
         if (self.calls - 1) % every:
             return None
@@ -65,10 +66,10 @@ class Recorder:
         return own
 
     def new(self) -> list[str]:
-        """The refused steps that the baseline does not know."""
-        known = self.session.baseline["refused"] if self.session.baseline else {}
-        refused = [name for name, own in self.receipts.items() if own.is_refused and name not in known]
-        return [] if self.session.is_update else refused
+        """The rejected steps that the baseline does not list."""
+        known = self.session.baseline["rejected"] if self.session.baseline else {}
+        rejected = [name for name, own in self.receipts.items() if own.is_rejected and name not in known]
+        return [] if self.session.is_update else rejected
 
 
 SESSION = pytest.StashKey[Session]()
@@ -78,9 +79,9 @@ RECORDER = pytest.StashKey[Recorder]()
 def pytest_addoption(parser: pytest.Parser) -> None:
     """The options."""
     group = parser.getgroup("lcplab", "receipts of a physics engine's steps")
-    group.addoption("--lcplab-baseline", metavar="FILE", help="a recorded run: its refused steps do not fail")
-    group.addoption("--lcplab-update", action="store_true", help="write this run to --lcplab-baseline")
-    group.addoption("--lcplab-out", metavar="FOLDER", help="write a folder for each of the worst refused steps")
+    group.addoption("--lcplab-baseline", metavar="FILE", help="recorded run; steps that it lists as rejected do not fail")
+    group.addoption("--lcplab-update", action="store_true", help="write this run to the file of --lcplab-baseline")
+    group.addoption("--lcplab-out", metavar="FOLDER", help="write a folder for each of the worst rejected steps")
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -103,18 +104,20 @@ def lcplab_receipts(request: pytest.FixtureRequest) -> Iterator[Recorder]:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Iterator[None]:
-    """Fail a test whose steps are refused."""
+    """Fail a test if the baseline does not list all of its rejected steps."""
     result = yield
     recorder = pyfuncitem.stash.get(RECORDER, None)
     new = recorder.new() if recorder else []
     if recorder and new:
         worst = "\n".join(f"{name}\n{recorder.receipts[name]}" for name in new[:3])
-        pytest.fail(f"{len(new)} of {len(recorder.receipts)} steps are refused\n{worst}", pytrace=False)
+        stages = ", ".join(stage for stage in STAGES if any(recorder.receipts[name].stage == stage for name in new))
+        count = f"{stages}: {len(new)} of {len(recorder.receipts)} steps are rejected"
+        pytest.fail(f"{count}\n{worst}", pytrace=False)
     return result
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
-    """Write the baseline and the worst frames; fail if the run is worse than the baseline."""
+    """Write the baseline and the worst steps; fail if the run is worse than the baseline."""
     own = session.config.stash[SESSION]
     if not own.receipts:
         return

@@ -21,7 +21,7 @@ def receipt(
     before: State | None = None,
     limit: float | None = None,
 ) -> Receipt:
-    """The receipt of one step: a verdict for collision, assembly, solver and write-back. Nothing is changed.
+    """The receipt of one step: a verdict on collision, assembly, solver and write-back. The data are not changed.
 
     Parameters
     ----------
@@ -32,10 +32,11 @@ def receipt(
         Reads the step of another engine: an object with ``problem(model, data)`` that returns an
         :class:`EngineStep`.
     before : (qpos, qvel), optional
-        Copies of the state at the start of a step, if data are those after ``mj_step``: without them assembly and
-        the new velocity are not checked then.
+        Copies of the state at the start of a step, for data after ``mj_step``. Without them, assembly and the new
+        velocity of such data are not checked.
     limit : float, optional
-        The largest motion error, as a part of what the constraints change; without it that of the kind of solver.
+        The largest accepted motion error, relative to what the constraints change. The default depends on the kind of
+        solver (``docs/ci.md``).
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Engines by their models: which module reads a step, and which stages it can check besides the solver."""
+"""Selects the module that reads a step, by the type of the model, and runs the checks of the other stages."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ State = tuple[Array, Array]
 
 @runtime_checkable
 class Adapter(Protocol):
-    """How the step of an engine is read: at most 40 lines, as ``docs/ci.md`` shows."""
+    """Reads the steps of another engine; see ``docs/ci.md``."""
 
     def problem(self, model: Any, data: Any) -> Step:
         """The step that the engine has just solved."""
 
 
 def read(model: Any, data: Any, adapter: Adapter | None, before: State | None) -> tuple[Step, Report]:
-    """The step, and what the other stages of its engine found.
+    """The step, and the findings of the stages that its engine allows to check.
 
     Raises
     ------
@@ -36,7 +36,7 @@ def read(model: Any, data: Any, adapter: Adapter | None, before: State | None) -
     if mujoco.is_mine(model):
         return _of_mujoco(model, data, before)
     raise TypeError(
-        f"no adapter reads a {type(model).__module__}.{type(model).__name__}: give adapter=, an object with "
+        f"no adapter reads a {type(model).__module__}.{type(model).__name__}: pass adapter=, an object with "
         "problem(model, data), or an EngineStep"
     )
 
@@ -46,7 +46,7 @@ def _of_mujoco(model: Any, data: Any, before: State | None) -> tuple[Step, Repor
         return _of_mjx(model, data, before)
     if warp.is_mine(data):
         if warp.worlds(data) > 1:
-            raise TypeError("data has several worlds: receipts([(model, data)]) takes all of them")
+            raise TypeError("data has several worlds: use receipts([(model, data)]), which checks all of them")
         return of_world(model, data, 0)
     step = mujoco.read(model, data)
     report = mujoco_shapes.check(model, data)
@@ -69,7 +69,7 @@ def _of_mjx(model: Any, data: Any, before: State | None) -> tuple[Step, Report]:
 
 
 def worlds(data: Any) -> int:
-    """How many worlds these data have."""
+    """The number of worlds of these data."""
     return warp.worlds(data) if warp.is_mine(data) else 1
 
 

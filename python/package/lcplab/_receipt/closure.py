@@ -1,4 +1,4 @@
-"""Write-back of a whole step of MuJoCo: the velocity after it against the acceleration that was solved."""
+"""Write-back of a whole step of MuJoCo: compares the velocity after it with the acceleration that was solved."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ def check(model: Any, data: Any, step: Step, qvel: Array) -> Report:
     import mujoco as engine
 
     if int(model.opt.integrator) != EULER:
-        return Report(not_checked=["write-back: the velocity after a step of this integrator"])
+        return Report(not_checked=["write-back: the velocity after the step, which is checked for the Euler integrator only"])
     h, damping = float(model.opt.timestep), np.asarray(model.dof_damping, dtype=float)
     if damping.ndim > 1:
         if np.any(damping[:, 1:]):
-            return Report(not_checked=["write-back: the velocity after a step with nonlinear damping"])
+            return Report(not_checked=["write-back: the velocity after the step, because damping is nonlinear"])
         damping = damping[:, 0]
     change = h * step.motion
     flags = engine.mjtDisableBit
@@ -35,5 +35,5 @@ def check(model: Any, data: Any, step: Step, qvel: Array) -> Report:
     limit = ROUNDING[step.bits]
     error = step.norm(np.asarray(data.qvel, dtype=float) - qvel - change)
     scale = max(step.norm(change), limit * step.norm(qvel), h * step.gravity, 1e-300)
-    what = "the velocity after the step is not that of the acceleration and of the implicit damping"
+    what = "the velocity after the step does not follow from the acceleration and the implicit damping"
     return Report([Finding("write-back", what, error / scale, limit)])

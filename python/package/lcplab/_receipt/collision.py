@@ -1,4 +1,4 @@
-"""The stage collision: shapes that overlap without a row, and distances against poses."""
+"""The stage collision: finds shapes that overlap without a contact, and compares distances with those of the poses."""
 
 from __future__ import annotations
 
@@ -9,28 +9,28 @@ import numpy as np
 from lcplab._receipt.findings import Finding, Report
 from lcplab._receipt.geometry import EXACT, Shape, distance
 
-#: Distances differ by less than this part of the smaller shape.
+#: The largest accepted difference of distances, relative to the size of the smaller shape.
 LIMIT = 1e-5
-#: Axes of capsules that come this near to each other, in their radius, have no normal.
+#: Capsules whose axes are closer than this, relative to their radius, have no normal.
 CROSSED = 1e-3
 
 
 def check(
     shapes: Mapping[int, Shape], pairs: Iterable[tuple[int, int]], contacts: Mapping[tuple[int, int], float]
 ) -> Report:
-    """Compare with closed forms.
+    """Compare distances with closed forms.
 
     Parameters
     ----------
     shapes : mapping
         The shapes by number.
     pairs : iterable of (int, int)
-        Those that the engine is to test, the smaller number first.
+        The pairs that the engine must test, the smaller number first.
     contacts : mapping
         The smallest distance (m) of the contacts of a pair.
     """
     missing = Finding("collision", "two shapes overlap without a contact", 0.0, LIMIT)
-    wrong = Finding("collision", "the distance of a contact is not that of its shapes", 0.0, LIMIT)
+    wrong = Finding("collision", "the distance of a contact differs from that of its shapes", 0.0, LIMIT)
     unknown: set[str] = set()
     near = _near(shapes, list(pairs))
     for one, other in near:
@@ -50,9 +50,9 @@ def check(
         elif _is_exact(first, second, gap):
             error = abs(told - gap) / size
             if error > wrong.error:
-                what = f"the distance of a contact is {told:.4g} m, that of its shapes {gap:.4g} m"
+                what = f"the distance of a contact is {told:.4g} m, but that of its shapes is {gap:.4g} m"
                 wrong = Finding("collision", what, error, LIMIT, None, bodies)
-    not_checked = [f"collision: {pair}" for pair in sorted(unknown)]
+    not_checked = [f"collision: distances of {pair}" for pair in sorted(unknown)]
     return Report([missing, wrong] if near else [], not_checked)
 
 
@@ -63,7 +63,7 @@ def _size(shape: Shape) -> float:
 
 
 def _near(shapes: Mapping[int, Shape], pairs: list[tuple[int, int]]) -> list[tuple[int, int]]:
-    """The pairs whose spheres meet."""
+    """The pairs whose bounding spheres overlap."""
     if not pairs:
         return []
     places = {number: place for place, number in enumerate(shapes)}

@@ -18,25 +18,26 @@ Examples:
   lcplab receipts frames/ --baseline known.json --junit receipts.xml --sarif receipts.sarif
   lcplab receipts frames/ --baseline known.json --update
 
-Exit code 0 if nothing is refused that the baseline does not know, and no quantile of the motion error is worse than
-the baseline's; 1 if not; 2 for invalid input."""
+The exit code is 0 if the baseline lists all rejected frames and no quantile of the motion error is worse than the
+baseline's, 1 otherwise, and 2 for invalid input. With --update it is 0 for every valid input."""
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Check the frames and write what is asked for; the exit code."""
+    """Check the frames and write the requested files; returns the exit code."""
     parser = argparse.ArgumentParser(
         prog="lcplab receipts",
-        description="Check steps of a physics engine: is the motion that of the problem which the engine posed?",
+        description="Check steps of a physics engine: does the motion solve the problem that the engine posed?",
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("frames", nargs="+", type=Path, help="problem files with the key motion, or folders of them")
+    frames = "problem files with the key motion and an answer STEM.x.json next to them, or folders of them"
+    parser.add_argument("frames", nargs="+", type=Path, help=frames)
     parser.add_argument("--limit", type=float, help="largest motion error, relative to what the constraints change")
-    parser.add_argument("--baseline", type=Path, help="a recorded run: its refused frames do not fail")
-    parser.add_argument("--update", action="store_true", help="write this run to --baseline")
+    parser.add_argument("--baseline", type=Path, help="recorded run; frames that it lists as rejected do not fail")
+    parser.add_argument("--update", action="store_true", help="write this run to the baseline file")
     parser.add_argument("--junit", type=Path, metavar="FILE", help="write JUnit XML")
     parser.add_argument("--sarif", type=Path, metavar="FILE", help="write SARIF")
-    parser.add_argument("--out", type=Path, metavar="FOLDER", help="write a folder for each of the worst frames")
+    parser.add_argument("--out", type=Path, metavar="FOLDER", help="write a folder for each rejected frame among the ten worst")
     parser.add_argument("--json", action="store_true", help="print one JSON object")
     options = parser.parse_args(arguments)
     if options.update and not options.baseline:
@@ -44,7 +45,7 @@ def main(arguments: Sequence[str]) -> int:
     try:
         run = receipts(options.frames, baseline=None if options.update else options.baseline, limit=options.limit)
         if not run.receipts:
-            raise InputError(f"{options.frames[0]}: has no frames: files STEM.json with an answer STEM.x.json")
+            raise InputError(f"{options.frames[0]}: has no frames. A frame is a file STEM.json with its answer STEM.x.json in the same folder")
         if options.update:
             run.save(options.baseline)
         if options.junit:
@@ -56,6 +57,6 @@ def main(arguments: Sequence[str]) -> int:
     except (InputError, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
-    frames = {name: receipt.to_json() for name, receipt in run.receipts.items()}
-    print(json.dumps({"ok": run.ok, **run.to_json(), "receipts": frames}) if options.json else run)
+    checked = {name: receipt.to_json() for name, receipt in run.receipts.items()}
+    print(json.dumps({"ok": run.ok, **run.to_json(), "receipts": checked}) if options.json else run)
     return 0 if run.ok or options.update else 1

@@ -11,7 +11,7 @@ import numpy as np
 from lcplab._lcplab import InputError
 from lcplab._receipt.step import Array, Row, Rows, Step, Triplets
 
-#: More rows than these have no dense A.
+#: The largest number of rows for which A is written.
 MOST_ROWS = 5_000
 
 
@@ -21,9 +21,10 @@ def problem(step: Step) -> dict[str, Any]:
     Raises
     ------
     InputError
-        If a friction cone has no place in a file: more or fewer than two axes, or axes that differ.
+        If a friction cone cannot be written: it has more or fewer than two coefficients, or they differ.
     """
-    _check_cones(step)
+    if step.model is not None:
+        _check_cones(step)
     is_friction = step.friction_index >= 0
     unit = "N s" if step.level == "velocity" else "N"
     file: dict[str, Any] = {
@@ -46,7 +47,8 @@ def problem(step: Step) -> dict[str, Any]:
         },
     }
     if is_friction.any():
-        file |= {"friction_index": step.friction_index.tolist(), "mu": step.mu.tolist(), "model": "associated-cone"}
+        file |= {"friction_index": step.friction_index.tolist(), "mu": step.mu.tolist()}
+        file |= {"model": step.model} if step.model is not None else {}
     return file
 
 
@@ -54,7 +56,7 @@ def matrix(step: Step) -> Array:
     """A = J M⁻¹Jᵀ + compliance, (n, n)."""
     n = len(step)
     if n > MOST_ROWS:
-        raise InputError(f"step: {n} rows are too many for a dense A; the most are {MOST_ROWS}")
+        raise InputError(f"step: {n} rows are too many for a dense A; at most {MOST_ROWS} are allowed")
     jacobian = step.dense_jacobian()
     product = jacobian @ np.linalg.solve(step.dense_mass(), jacobian.T)
     return (product + product.T) / 2 + np.diag(step.compliance)
@@ -90,7 +92,7 @@ def read(path: Path) -> Step:
     object_, answer = _load(path), _load(path.with_name(f"{path.stem}.x.json"))
     motion = object_.get("motion")
     if not isinstance(motion, dict):
-        raise InputError(f"{path}: motion: is missing: without masses and rows there is no motion to check")
+        raise InputError(f"{path}: motion: is missing; it states the masses and rows that the check needs")
     if "x" not in answer:
         raise InputError(f"{path.stem}.x.json: x: is missing")
     told = object_.get("source")
@@ -114,6 +116,7 @@ def read(path: Path) -> Step:
         hi=_bounds(object_.get("hi"), n, np.inf),
         friction_index=index,
         mu=np.array(object_.get("mu", [0.0] * n), dtype=float),
+        model=object_.get("model"),
         rows=[
             Row(row.get("label", ""), row.get("kind", ""), tuple(row.get("bodies", ())))
             for row in object_.get("rows", ())
@@ -147,8 +150,8 @@ def _check_cones(step: Step) -> None:
         coefficients = step.mu[step.friction_index == normal]
         if len(coefficients) != 2 or coefficients[0] != coefficients[1]:
             raise InputError(
-                f"row {normal}: a friction cone with the coefficients {coefficients.tolist()} has no place in a "
-                "problem file, which states cones with two equal ones"
+                f"row {normal}: a friction cone with the coefficients {coefficients.tolist()} cannot be written: "
+                "cones in problem files have two equal coefficients"
             )
 
 

@@ -1,4 +1,4 @@
-"""What a stage found: one difference, measured and compared with its limit."""
+"""The findings of a stage: differences, measured and compared with their limits."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ STAGES = ("collision", "assembly", "solver", "write-back")
 
 @dataclass(frozen=True)
 class Finding:
-    """A measured error of a stage; refused if it is above its limit."""
+    """A measured error of a stage; rejected if it is above its limit."""
 
     stage: str
     #: What was compared, as a sentence.
@@ -22,19 +22,19 @@ class Finding:
     bodies: tuple[str, ...] = ()
 
     @property
-    def is_refused(self) -> bool:
-        """Whether the error is above the limit; one that is not a number is."""
+    def is_rejected(self) -> bool:
+        """Whether the error is above the limit, or not a number."""
         return not self.error <= self.limit
 
 
 @dataclass
 class Report:
-    """The findings of a stage, and what it could not check."""
+    """The findings of a stage, and the parts that were not checked."""
 
     findings: list[Finding] = field(default_factory=list)
     not_checked: list[str] = field(default_factory=list)
 
     def add(self, other: Report) -> None:
-        """Take over what another one found."""
+        """Add the findings of another report."""
         self.findings += other.findings
         self.not_checked += other.not_checked

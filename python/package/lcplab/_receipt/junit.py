@@ -11,8 +11,8 @@ from lcplab._receipt.runs import Run
 
 
 def junit(run: Run) -> str:
-    """The run as JUnit XML: a test case a frame; frames that the baseline knows are skipped."""
-    new = [name for name in run.refused if name not in run.known]
+    """The run as JUnit XML: one test case for each frame; rejected frames that the baseline lists are skipped."""
+    new = [name for name in run.rejected if name not in run.known]
     counts = {"tests": len(run.receipts), "failures": len(new) + bool(run.worse), "skipped": len(run.known)}
     words = {"name": "lcplab receipts", **{key: str(count) for key, count in counts.items()}}
     suite = ElementTree.Element("testsuite", words)
@@ -22,8 +22,8 @@ def junit(run: Run) -> str:
         for key, value in (("verdict", receipt.verdict), ("motion_error", receipt.motion_error)):
             ElementTree.SubElement(properties, "property", name=key, value=str(value))
         if name in run.known:
-            ElementTree.SubElement(case, "skipped", message="known to the baseline")
-        elif receipt.is_refused:
+            ElementTree.SubElement(case, "skipped", message="listed in the baseline")
+        elif receipt.is_rejected:
             ElementTree.SubElement(case, "failure", message=_message(receipt)).text = str(receipt)
     if run.worse:
         case = ElementTree.SubElement(suite, "testcase", classname="lcplab.receipts", name="baseline")
@@ -33,11 +33,11 @@ def junit(run: Run) -> str:
 
 
 def sarif(run: Run) -> dict[str, Any]:
-    """The run as SARIF 2.1.0: a rule a stage, a result a refused frame."""
+    """The run as SARIF 2.1.0: one rule for each stage, one result for each rejected frame."""
     rules = [{"id": f"receipt/{stage}", "shortDescription": {"text": f"The stage {stage} of an engine's step"}}
              for stage in STAGES]
     results = []
-    for name in run.refused:
+    for name in run.rejected:
         receipt = run.receipts[name]
         result: dict[str, Any] = {
             "ruleId": f"receipt/{receipt.stage}",
@@ -46,7 +46,7 @@ def sarif(run: Run) -> dict[str, Any]:
             "locations": [{"physicalLocation": {"artifactLocation": {"uri": name.replace(" ", "%20")}}}],
         }
         if name in run.known:
-            result["suppressions"] = [{"kind": "external", "justification": "known to the baseline"}]
+            result["suppressions"] = [{"kind": "external", "justification": "listed in the baseline"}]
         results.append(result)
     return {
         "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
@@ -56,5 +56,5 @@ def sarif(run: Run) -> dict[str, Any]:
 
 
 def _message(receipt: Receipt) -> str:
-    what = receipt.refused.what if receipt.refused else receipt.verdict
+    what = receipt.rejected.what if receipt.rejected else receipt.verdict
     return f"{receipt.stage}: {what}"

@@ -1,6 +1,6 @@
-"""How MuJoCo's bodies move with each degree of freedom, by differences of poses on data of lcplab's own.
+"""The velocities of MuJoCo's bodies along each degree of freedom, by differences of poses on separate data.
 
-Independent of the engine's Jacobians, mass matrix and bias forces: only its forward kinematics is used.
+They are independent of the engine's Jacobians, mass matrix and bias forces: only its forward kinematics is used.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import numpy as np
 
 from lcplab._receipt.step import Array
 
-#: The step of central differences (s), which leaves about ten digits; of second differences about nine.
+#: Time steps (s) of central differences, accurate to about ten digits, and of second differences, to about nine.
 FIRST, SECOND = 1e-6, 1e-3
 #: Poses that differ by less than this (m, rad) are the same.
 SAME = 1e-9
@@ -25,9 +25,9 @@ class Kinematics:
     Attributes
     ----------
     centers, axes : (bodies, 3) and (bodies, 3, 3)
-        Centres of mass (m) and the principal axes of inertia, in columns, of the step.
+        Centers of mass (m) and the principal axes of inertia, in columns, of the step.
     linear, angular : (bodies, 3, k)
-        Velocities of the centres (m/s) and angular velocities (rad/s) that each degree of freedom gives.
+        Velocities of the centers (m/s) and angular velocities (rad/s) that each degree of freedom gives.
     """
 
     def __init__(self, model: Any, data: Any, qpos: Array) -> None:
@@ -53,7 +53,7 @@ class Kinematics:
         return self.poses(moved)
 
     def poses(self, qpos: Array) -> tuple[Array, Array]:
-        """Centres of mass and principal axes at a position."""
+        """Centers of mass and principal axes at a position."""
         import mujoco
 
         self.scratch.qpos[:] = qpos
@@ -61,7 +61,7 @@ class Kinematics:
         return self.scratch.xipos.copy(), self.scratch.ximat.reshape(-1, 3, 3).copy()
 
     def accelerations(self, velocity: Array) -> tuple[Array, Array]:
-        """J̇v: accelerations of centres (m/s²) and angular ones (rad/s²) of a motion with constant velocity."""
+        """J̇v: accelerations of centers (m/s²) and angular ones (rad/s²) of a motion with constant velocity."""
         size = interval(velocity)
         (p, after), (q, before) = self.along(velocity, size), self.along(velocity, -size)
         linear = (p - 2 * self.centers + q) / size**2
@@ -69,7 +69,7 @@ class Kinematics:
         return linear, angular
 
     def rounding(self, velocity: Array) -> float:
-        """What rounding of poses makes of these accelerations (m/s²)."""
+        """The error of these accelerations by rounding of the poses (m/s²)."""
         reach = max(1.0, float(np.abs(self.centers).max(initial=0.0)))
         return 8 * float(np.finfo(float).eps) * reach / interval(velocity) ** 2
 
@@ -85,7 +85,7 @@ def interval(velocity: Array) -> float:
 
 
 def scratch(model: Any, data: Any) -> Any:
-    """Data of lcplab's own for this model, with the mocap bodies of the engine's."""
+    """Separate data for this model, with the mocap bodies of the given data."""
     import mujoco
 
     if not _scratch or _scratch[0] is not model:
@@ -96,7 +96,7 @@ def scratch(model: Any, data: Any) -> Any:
 
 
 def is_at(model: Any, data: Any, qpos: Array) -> bool:
-    """Whether the bodies of these data are those of this position; after ``mj_step`` it has moved on."""
+    """Whether the poses in these data belong to this position; after ``mj_step`` they belong to the one before."""
     import mujoco
 
     own = scratch(model, data)

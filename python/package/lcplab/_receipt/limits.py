@@ -1,4 +1,4 @@
-"""Largest motion errors that are accepted, as parts of what the constraints change.
+"""The largest accepted motion errors, relative to what the constraints change.
 
 Measured on 1,560 good frames of MuJoCo 4.0.1 and 3.12 (stack, humanoid, gripper, trees; both cones; three
 solvers) and of MuJoCo Warp; see ``docs/ci.md``.
@@ -17,14 +17,14 @@ LIMITS = {
     ("cg", 32): 1e-2,
     ("pgs", 32): 1e-2,
 }
-#: Smaller errors than this part of the limit are not worth a look.
+#: An error above this fraction of its limit is worth a look.
 NOTABLE = 0.1
 #: Differences between two ways to compute the same number, relative to its terms, by the bits of the engine.
 ROUNDING = {64: 1e-6, 32: 1e-3}
 
 
 def limit_of(method: str, bits: int) -> float:
-    """The limit of this kind of solver.
+    """The limit for this kind of solver.
 
     Raises
     ------
@@ -33,5 +33,5 @@ def limit_of(method: str, bits: int) -> float:
     """
     if (method, bits) not in LIMITS:
         known = ", ".join(sorted({name for name, _ in LIMITS}))
-        raise ValueError(f"method: there is no kind {method!r} with {bits} bits; known are {known} with 32 or 64")
+        raise ValueError(f"method: unknown kind of solver {method!r} with {bits} bits; use one of {known}, with 32 or 64 bits")
     return LIMITS[method, bits]

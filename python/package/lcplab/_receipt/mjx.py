@@ -1,6 +1,6 @@
 """The step of MJX's data, read and not changed: one world with pyramidal cones.
 
-MJX has rows for all contacts that could be; those without entries are none. What kind a row is, and M, come from
+MJX has rows for all possible contacts; rows without entries are not in use. What kind a row is, and M, come from
 MuJoCo's own data of the same position.
 """
 
@@ -33,9 +33,9 @@ def read(model: Any, data: Any, qpos: Array) -> Step:
     import mujoco as engine
 
     if int(model.opt.cone) != PYRAMIDAL:
-        raise TypeError("of MJX only pyramidal cones can be read")
+        raise TypeError("MJX data with elliptic cones cannot be read; use pyramidal cones")
     if np.ndim(data.qpos) != 1:
-        raise TypeError("data has several worlds: give one of them, jax.tree.map(lambda value: value[0], data)")
+        raise TypeError("data has several worlds: pass one of them, jax.tree.map(lambda value: value[0], data)")
     own = engine.MjData(model)
     own.qpos[:] = qpos
     for name in ("mocap_pos", "mocap_quat", "eq_active"):
@@ -66,7 +66,7 @@ def read(model: Any, data: Any, qpos: Array) -> Step:
         has_converged=True,
         reported_push=np.array(data.qfrc_constraint, dtype=float),
         time=float(data.time),
-        not_checked=["solver: the iterations that were used"],
+        not_checked=["solver: the number of iterations, which MJX does not report"],
     )
 
 

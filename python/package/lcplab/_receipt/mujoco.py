@@ -169,7 +169,7 @@ def _settings(model: Any) -> dict[str, Any]:
 def _not_checked(model: Any, data: Any) -> list[str]:
     parts = []
     if model.opt.noslip_iterations:
-        parts.append("solver: noslip iterations change the forces after they are found")
+        parts.append("solver: noslip iterations change the forces after the solve")
     if np.any(getattr(data, "tree_asleep", np.array([-1])) >= 0):
-        parts.append("solver: trees are asleep")
+        parts.append("solver: some trees are asleep")
     return parts

@@ -1,4 +1,4 @@
-"""The stage assembly of MuJoCo: M, J, bias forces, u* and the reference accelerations, computed in another way.
+"""The stage assembly of MuJoCo: M, J, bias forces, u* and the reference accelerations, computed independently.
 
 Masses and Jacobians come from differences of poses, so that a wrong arm, sign or missing J̇v shows. Errors of entries
 are relative to their terms; errors of generalized forces f are what they change, |M⁻¹f|_M, relative to the larger of
@@ -16,17 +16,17 @@ from lcplab._receipt.findings import Finding, Report
 from lcplab._receipt.kinematics import Kinematics, interval, scratch
 from lcplab._receipt.step import Array, Step
 
-#: Errors that are accepted of differences of poses, of second differences, and of reference accelerations.
+#: The largest accepted errors of first and second differences of poses, and of reference accelerations.
 FIRST, SECOND, REFERENCE = 1e-5, 1e-4, 1e-2
-#: With more degrees of freedom differences of poses take too long.
+#: The largest number of degrees of freedom: with more, differences of poses take too long.
 MOST_DOFS = 2_000
 
 
 def check(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Report:
-    """All parts of the assembly that can be computed in another way, at the state of the step."""
+    """All parts of the assembly that can be computed independently, at the state of the step."""
     report = Report()
     if model.nv > MOST_DOFS:
-        report.not_checked.append(f"assembly: more than {MOST_DOFS} degrees of freedom")
+        report.not_checked.append(f"assembly: the model has more than {MOST_DOFS} degrees of freedom")
         return report
     if model.nv == 0:
         return report
@@ -76,7 +76,7 @@ def _bias_forces(model: Any, data: Any, step: Step, motion: Kinematics, qvel: Ar
     momentum = np.einsum("bij,bj->bi", inertia, turning)
     torques = np.einsum("bij,bj->bi", inertia, angular) + np.cross(turning, momentum)
     own = _to_dofs(motion, forces, torques)
-    what = "the bias forces (gravity, Coriolis, centrifugal) are not those of differences of poses"
+    what = "the bias forces (gravity, Coriolis, centrifugal) differ from those computed from poses"
     size = float(np.sqrt(np.sum(model.body_mass * np.sum(linear**2, axis=1))))
     size += motion.rounding(qvel) * float(np.sqrt(model.body_mass.sum())) / SECOND
     return Report([_force(what, model, data, step, data.qfrc_bias - own, SECOND, size)])
@@ -85,7 +85,7 @@ def _bias_forces(model: Any, data: Any, step: Step, motion: Kinematics, qvel: Ar
 def _force(
     what: str, model: Any, data: Any, step: Step, difference: Array, limit: float, size: float = 0.0
 ) -> Finding:
-    """An error of generalized forces, as what it changes; ``size`` is that of terms that may cancel."""
+    """An error of generalized forces, as the motion that it causes; ``size`` is the size of terms that may cancel."""
     change = np.asarray(np.linalg.solve(reader.full_mass(model, data), difference), dtype=float)
     scale = max(step.effect, step.norm(step.target), size, 1e-300)
     worst = int(np.argmax(np.abs(change)))
@@ -104,7 +104,7 @@ def _free_motion(model: Any, data: Any, step: Step, motion: Kinematics) -> Repor
     outer = _to_dofs(motion, data.xfrc_applied[:, :3], data.xfrc_applied[:, 3:])
     parts = [data.qfrc_passive, -data.qfrc_bias, data.qfrc_applied, data.qfrc_actuator, outer]
     needed = reader.full_mass(model, data) @ data.qacc_smooth
-    what = "the motion without constraints u* is not that of the applied, passive, bias and actuator forces"
+    what = "the motion without constraints u* does not follow from the applied, passive, bias and actuator forces"
     return Report([_force(what, model, data, step, needed - np.sum(parts, axis=0), FIRST)])
 
 
@@ -122,7 +122,7 @@ def _actuators(model: Any, data: Any, step: Step) -> Report:
     plain &= ~delayed.any(axis=1)
     report = Report()
     if not plain.all():
-        report.not_checked.append(f"assembly: {int(np.sum(~plain))} actuators with dynamics or other gains")
+        report.not_checked.append(f"assembly: {int(np.sum(~plain))} actuators with dynamics, or with gains that are not constant")
     limited = np.asarray(model.actuator_ctrllimited, dtype=bool) & (not _is_disabled(model, "CLAMPCTRL"))
     low, high = model.actuator_ctrlrange.T
     control = np.where(limited, np.clip(data.ctrl, low, high), data.ctrl)
@@ -135,7 +135,7 @@ def _actuators(model: Any, data: Any, step: Step) -> Report:
     low, high = model.actuator_forcerange.T
     force = np.where(bounded, np.clip(force, low, high), force)
     difference = np.where(plain, data.actuator_force - force, 0.0)
-    what = "the force of an actuator is not that of its control"
+    what = "the force of an actuator does not follow from its control"
     report.findings.append(_worst(what, difference, np.abs(terms).sum(axis=0), FIRST))
     return report
 
@@ -160,12 +160,12 @@ def _passive(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Rep
     if _is_disabled(model, "PASSIVE", "SPRING", "DAMPER"):
         found.append("disabled passive forces")
     if found or stiffness is None or damping is None:
-        return Report(not_checked=[f"assembly: passive forces of {', '.join(found)}"])
+        return Report(not_checked=[f"assembly: passive forces, because of {', '.join(found)}"])
     spring, damper = np.zeros(model.nv), -damping * qvel
     for joint in np.flatnonzero(~turning):
         place = model.jnt_qposadr[joint]
         spring[model.jnt_dofadr[joint]] = -stiffness[joint] * (qpos[place] - model.qpos_spring[place])
-    what = "the passive forces are not those of the joints' springs and dampers"
+    what = "the passive forces differ from those of the joints' springs and dampers"
     return Report([_force(what, model, data, step, data.qfrc_passive - spring - damper, FIRST)])
 
 
@@ -194,7 +194,7 @@ def _contacts(model: Any, data: Any, step: Step, motion: Kinematics) -> Report:
         errors = np.abs(whole[rows] - own).max(axis=1) / np.maximum(terms, 1e-300)
         if errors.max() > worst.error:
             row = int(rows[np.argmax(errors)])
-            what = "a contact's row of J is not the velocity at its point along its axis"
+            what = "a contact's row of J differs from the velocity of its point along its axis"
             bodies = step.rows[row].bodies if row < len(step.rows) else ()
             worst = Finding("assembly", what, float(errors.max()), FIRST, row, bodies)
     if data.ncon:
@@ -203,7 +203,7 @@ def _contacts(model: Any, data: Any, step: Step, motion: Kinematics) -> Report:
 
 
 def _contact_rows(model: Any, contact: Any, motion: Kinematics) -> tuple[Array, Array]:
-    """The rows, and the size of each without what cancels between its two bodies."""
+    """The rows, and the sum of the two bodies' norms for each row."""
     first, second = (int(model.geom_bodyid[geom]) for geom in reader.shapes_of(contact))
     axes = np.asarray(contact.frame).reshape(3, 3)
     at = np.asarray(contact.pos)
@@ -237,7 +237,7 @@ def _references(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> 
     if equality.any():
         first, second = _along(model, data, kinds, qpos, qvel)
         if first is None or second is None:
-            report.not_checked.append("assembly: J and J̇v of equalities, whose rows come and go")
+            report.not_checked.append("assembly: J and J̇v of equalities, whose number of rows changes")
             return report
         what = "J of an equality is not the rate of its violation"
         scale = step.size_along(qvel)[equality] + np.abs(first)
@@ -252,7 +252,7 @@ def _references(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> 
     scale = np.maximum(sizes, 1e-6 * max(float(sizes.max(initial=0.0)), step.gravity))
     errors = np.abs(difference) / np.maximum(scale, 1e-300)
     worst = int(np.argmax(errors))
-    what = "the reference acceleration of a row is not that of its spring, damper and J̇v"
+    what = "the reference acceleration of a row does not follow from its spring, damper and J̇v"
     report.findings.append(
         Finding("assembly", what, float(errors[worst]), REFERENCE, worst, step.rows[worst].bodies)
     )

@@ -25,10 +25,10 @@ def check(model: Any, data: Any) -> Report:
     if model.opt.disableflags & int(flags.mjDSBL_CONTACT):
         return Report(not_checked=["collision: contacts are disabled"])
     if model.ngeom > MOST:
-        return Report(not_checked=[f"collision: more than {MOST} shapes"])
+        return Report(not_checked=[f"collision: the model has more than {MOST} shapes"])
     shapes = _shapes(model, data)
     if np.any(getattr(data, "tree_asleep", np.array([-1])) >= 0):
-        return Report(not_checked=["collision: trees are asleep"])
+        return Report(not_checked=["collision: some trees are asleep"])
     return collision.check(shapes, _pairs(model), _contacts(data))
 
 

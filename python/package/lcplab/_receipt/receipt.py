@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -25,15 +26,15 @@ class Receipt:
     ok : bool
         Whether the step has rows, its motion was bounded, and nothing is above its limit.
     motion_error : float or None
-        A proved bound on the error of the engine's motion v, as a part of what the constraints change.
+        A proved bound on the error of the engine's motion v, relative to what the constraints change.
     bound, effect : float
-        The same as a number in the norm ``√(vᵀM v)``, and what the constraints change; ``unit`` names their unit.
+        The same bound and the change by the constraints, in the norm ``√(vᵀM v)``; ``unit`` is their unit.
     stage : str or None
-        The first stage that is refused: ``"collision"``, ``"assembly"``, ``"solver"`` or ``"write-back"``.
+        The first rejected stage: ``"collision"``, ``"assembly"``, ``"solver"`` or ``"write-back"``.
     row, bodies : int or None, and tuple of str
-        Where.
+        The row and the bodies with the largest error.
     findings : list of Finding
-        Everything that was measured, each with its limit.
+        All measured errors, each with its limit.
     not_checked : list of str
         What the engine does not report, or lcplab cannot check.
     """
@@ -54,19 +55,19 @@ class Receipt:
         has_bound = isinstance(bounds, Bounds) and len(step) > 0
         self.bound: float | None = bounds.motion if isinstance(bounds, Bounds) and has_bound else None
         self.motion_error = None if self.bound is None else step.relative(self.bound)
-        refused = [finding for finding in self.findings if finding.is_refused]
-        self.refused: Finding | None = refused[0] if refused else None
-        self.stage = self.refused.stage if self.refused else None
+        rejected = [finding for finding in self.findings if finding.is_rejected]
+        self.rejected: Finding | None = rejected[0] if rejected else None
+        self.stage = self.rejected.stage if self.rejected else None
         self.work: work.Work | None = None
         self.verdict = self._verdict()
 
     def _verdict(self) -> str:
-        if self.refused is None:
+        if self.rejected is None:
             if len(self.step) == 0:
                 return "no rows"
             return "ok" if self.bound is not None else "not checked"
-        if self.refused.stage == "solver" and not self.step.has_converged:
-            # An engine that stops at its cap says so, unless far fewer steps of the same method solve it.
+        if self.rejected.stage == "solver" and not self.step.has_converged:
+            # The engine stopped at its iteration cap. That is an error only if its method needs far fewer iterations.
             self.work = work.compare(self.step, self.solution)
             if not self.work.is_excessive:
                 return "unconverged"
@@ -77,9 +78,15 @@ class Receipt:
         """Whether the step has rows, its motion was bounded, and nothing is above its limit."""
         return self.verdict == "ok"
 
+    @cached_property
+    def difference(self) -> float | None:
+        """Where there is no bound on the motion: its measured distance from that of lcplab's own answer, relative to
+        what the constraints change. It is no proof; None if lcplab finds no answer."""
+        return solver.difference(self.step) if self.bound is None else None
+
     @property
-    def is_refused(self) -> bool:
-        """Whether something is above its limit, and the engine does not say so itself."""
+    def is_rejected(self) -> bool:
+        """Whether an error is above its limit and the engine did not report itself as unconverged."""
         return self.verdict == "wrong"
 
     @property
@@ -89,13 +96,13 @@ class Receipt:
 
     @property
     def row(self) -> int | None:
-        """The row that is refused."""
-        return self.refused.row if self.refused else None
+        """The row with the largest error of the rejected stage."""
+        return self.rejected.row if self.rejected else None
 
     @property
     def bodies(self) -> tuple[str, ...]:
-        """The bodies of what is refused."""
-        return self.refused.bodies if self.refused else ()
+        """The bodies of this row."""
+        return self.rejected.bodies if self.rejected else ()
 
     def __bool__(self) -> bool:
         return self.ok
@@ -118,16 +125,18 @@ class Receipt:
                 f"  motion error  {self.motion_error:.2g} of what the constraints change (limit {self.limit:.1g}); "
                 f"at most {self.bound:.2g} of {self.effect:.3g} {self.unit}"
             )
+        if self.difference is not None:
+            lines.append(f"  difference    {self.difference:.2g} of what the constraints change, from lcplab's own answer")
         if 0 < step.own_tolerance < self.effect:
             lines.append(f"  the engine's own tolerance is {step.own_tolerance / self.effect:.1g} of it")
         if self.work is not None:
             lines.append(f"  work          {self.work}")
-        lines += [f"  {finding.stage:<12}  {_line(step, finding)}" for finding in self.findings if finding.is_refused]
+        lines += [f"  {finding.stage:<12}  {_line(step, finding)}" for finding in self.findings if finding.is_rejected]
         lines += [f"  not checked   {part}" for part in self.not_checked]
         return "\n".join(lines)
 
     def to_json(self) -> dict[str, Any]:
-        """What the receipt says, as JSON."""
+        """The receipt as JSON."""
         step = self.step
         return {
             "engine": step.engine, "version": step.version, "name": step.name, "time": step.time,

@@ -21,11 +21,11 @@ from lcplab._receipt.step import Step
 #: Frames are counted above these motion errors.
 LEVELS = (1e-6, 1e-5, 1e-4, 1e-3)
 QUANTILES = (0.5, 0.9, 0.99)
-#: A quantile's spread is that of its rank in so many standard deviations: 99 % of samples.
+#: A quantile's spread is that of its rank within this number of standard deviations: 99 % of samples.
 DEVIATIONS = 2.58
-#: Errors below this part of the limit are never worse than others.
+#: Quantiles below this fraction of the limit never count as worse.
 FLOOR = 1e-3
-#: The bounds of so many steps are computed together.
+#: The number of steps whose bounds are computed together.
 TOGETHER = 64
 WORST = 10
 
@@ -36,19 +36,19 @@ class Run:
     Attributes
     ----------
     ok : bool
-        Whether frames were checked, none is refused but those that the baseline knows, and no quantile of the motion
-        error is worse than the baseline's by more than its spread.
+        Whether there are frames, the baseline lists all rejected ones, and no quantile of the motion error is worse
+        than the baseline's by more than its spread.
     receipts : dict of str to Receipt
         By the names of the frames.
-    refused, known, unconverged : list of str
-        Frames that are refused, those of them that the baseline knows, and those above their limit at the engine's
+    rejected, known, unconverged : list of str
+        The rejected frames, those of them that the baseline lists, and frames above their limit at the engine's
         iteration cap.
     counts : dict of str to int
-        How many frames have a motion error above 1e-6, 1e-5, 1e-4 and 1e-3.
+        The number of frames with a motion error above 1e-6, 1e-5, 1e-4 and 1e-3.
     quantiles : dict of str to float
         Of the motion errors.
     worse : list of str
-        What is worse than the baseline.
+        The quantiles that are worse than the baseline's, as sentences.
     """
 
     def __init__(self, receipts: Mapping[str, Receipt], baseline: Mapping[str, Any] | None = None) -> None:
@@ -57,12 +57,13 @@ class Run:
         self.errors = sorted(r.motion_error for r in self.receipts.values() if r.motion_error is not None)
         self.counts = {f"{level:.0e}": sum(error > level for error in self.errors) for level in LEVELS}
         self.quantiles = {str(part): quantile(self.errors, part) for part in QUANTILES} if self.errors else {}
-        self.refused = [name for name, receipt in every if receipt.is_refused]
+        self.rejected = [name for name, receipt in every if receipt.is_rejected]
         self.unconverged = [name for name, receipt in every if receipt.verdict == "unconverged"]
+        self.not_checked = [name for name, receipt in every if receipt.verdict == "not checked"]
         self.without_rows = [name for name, receipt in every if receipt.verdict == "no rows"]
-        known = set(baseline["refused"]) if baseline else set()
-        self.known = [name for name in self.refused if name in known]
-        self.mended = sorted(name for name in known - set(self.refused) if name in self.receipts)
+        known = set(baseline["rejected"]) if baseline else set()
+        self.known = [name for name in self.rejected if name in known]
+        self.mended = sorted(name for name in known - set(self.rejected) if name in self.receipts)
         self.worse = _worse(self.errors, baseline, self._floor()) if baseline else []
 
     def _floor(self) -> float:
@@ -70,24 +71,24 @@ class Run:
 
     @property
     def ok(self) -> bool:
-        """Whether nothing is refused that the baseline does not know, and nothing is worse than it."""
-        return bool(self.receipts) and len(self.known) == len(self.refused) and not self.worse
+        """Whether the baseline lists all rejected frames, and no quantile is worse than its own."""
+        return bool(self.receipts) and len(self.known) == len(self.rejected) and not self.worse
 
     @property
     def worst(self) -> list[str]:
-        """The ten worst frames: those that are refused, then by their motion errors."""
+        """The ten worst frames: first the rejected ones, then those with the largest motion errors."""
 
         def size(name: str) -> tuple[bool, float]:
             receipt = self.receipts[name]
-            return not receipt.is_refused, -(receipt.motion_error or 0.0)
+            return not receipt.is_rejected, -(receipt.motion_error or 0.0)
 
         return sorted(self.receipts, key=size)[:WORST]
 
     @property
     def stages(self) -> dict[str, int]:
-        """How many frames are refused at each stage."""
+        """The number of frames that are rejected at each stage."""
         found: dict[str, int] = {}
-        for name in self.refused:
+        for name in self.rejected:
             stage = self.receipts[name].stage or ""
             found[stage] = found.get(stage, 0) + 1
         return found
@@ -96,34 +97,35 @@ class Run:
         return self.ok
 
     def __repr__(self) -> str:
-        return f"<lcplab.Run {'ok' if self.ok else 'not ok'}: {len(self.receipts)} frames, {len(self.refused)} refused>"
+        return f"<lcplab.Run {'ok' if self.ok else 'not ok'}: {len(self.receipts)} frames, {len(self.rejected)} rejected>"
 
     def __str__(self) -> str:
         lines = [
-            f"{'ok' if self.ok else 'not ok'}: {len(self.receipts)} frames, {len(self.refused)} refused "
-            f"({len(self.known)} known), {len(self.unconverged)} unconverged, {len(self.without_rows)} without rows",
+            f"{'ok' if self.ok else 'not ok'}: {len(self.receipts)} frames, {len(self.rejected)} rejected "
+            f"({len(self.known)} known), {len(self.unconverged)} unconverged, {len(self.without_rows)} without rows"
+            + (f", {len(self.not_checked)} without a bound on the motion" if self.not_checked else ""),
             "motion error above " + ", ".join(f"{level}: {count}" for level, count in self.counts.items())
             + f" of {len(self.errors)} frames",
         ]
         if self.quantiles:
             lines.append("quantiles " + ", ".join(f"{part}: {value:.1e}" for part, value in self.quantiles.items()))
-        lines += [f"refused at {stage}: {count}" for stage, count in self.stages.items()]
+        lines += [f"rejected at {stage}: {count}" for stage, count in self.stages.items()]
         lines += self.worse
-        lines += [f"{name} is mended: renew the baseline" for name in self.mended]
+        lines += [f"{name} is no longer rejected: record the baseline again" for name in self.mended]
         for name in self.worst:
             receipt = self.receipts[name]
-            if receipt.is_refused or receipt.verdict == "unconverged":
+            if receipt.is_rejected or receipt.verdict == "unconverged":
                 lines += [name, *(f"  {line}" for line in str(receipt).splitlines())]
         return "\n".join(lines)
 
     def to_json(self) -> dict[str, Any]:
-        """The run as a baseline: what :func:`receipts` compares later ones with."""
+        """The run as a baseline, with which ``receipts`` compares later runs."""
         return {
             "frames": len(self.receipts),
             "counts": self.counts,
             "quantiles": self.quantiles,
             "spreads": {str(part): spread(self.errors, part) for part in QUANTILES} if self.errors else {},
-            "refused": {name: self.receipts[name].stage for name in self.refused},
+            "rejected": {name: self.receipts[name].stage for name in self.rejected},
             "unconverged": self.unconverged,
             "versions": sorted({f"{r.step.engine} {r.step.version}" for r in self.receipts.values()}),
         }
@@ -133,8 +135,8 @@ class Run:
         Path(path).write_text(json.dumps(self.to_json(), indent=1) + "\n", encoding="utf-8")
 
     def save_worst(self, folder: str | os.PathLike[str]) -> list[Path]:
-        """Write a folder for each refused frame among the ten worst; their paths."""
-        names = [name for name in self.worst if self.receipts[name].is_refused]
+        """Write a folder for each rejected frame among the ten worst; their paths."""
+        names = [name for name in self.worst if self.receipts[name].is_rejected]
         return [self.receipts[name].save(Path(folder) / _file_name(name)) for name in names]
 
 
@@ -147,7 +149,7 @@ def receipts(
 ) -> Run:
     """The receipts of a run.
 
-    One frame does not tell two releases of an engine apart, a run does.
+    One frame does not distinguish two releases of an engine; a run does.
 
     Parameters
     ----------
@@ -156,7 +158,7 @@ def receipts(
         ``before`` of :func:`receipt`; :class:`EngineStep`; paths of problem files with the key ``motion`` whose answer
         is next to them, ``STEM.x.json``, or of folders of such files. Each world of MuJoCo Warp's data is a frame.
     baseline : mapping or path, optional
-        A recorded run that is trusted, as :meth:`Run.save` writes it.
+        A recorded run of a trusted release, as ``Run.save`` writes it.
     adapter, limit
         As :func:`receipt` takes them.
 
@@ -192,14 +194,14 @@ def load(path: str | os.PathLike[str]) -> dict[str, Any]:
     Raises
     ------
     InputError
-        If it cannot be read, or is none.
+        If the file cannot be read, or is not a recorded run.
     """
     try:
         loaded = json.loads(Path(path).read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         raise InputError(f"{path}: {error}") from error
-    if not isinstance(loaded, dict) or not isinstance(loaded.get("refused"), dict):
-        raise InputError(f"{path}: refused: is missing: this is no recorded run")
+    if not isinstance(loaded, dict) or not isinstance(loaded.get("rejected"), dict):
+        raise InputError(f"{path}: rejected: is missing: this file is not a recorded run")
     return loaded
 
 
@@ -231,7 +233,7 @@ def _bounded(waiting: list[tuple[str, Step, Report]], limit: float | None) -> di
 
 
 def quantile(ordered: list[float], part: float) -> float:
-    """The value that this part of the values do not exceed."""
+    """The value that this fraction of the values do not exceed."""
     return ordered[min(len(ordered) - 1, max(0, math.ceil(part * len(ordered)) - 1))]
 
 

@@ -1,22 +1,29 @@
 """The stages solver and write-back: is the answer that of the problem which the engine posed?
 
-A proved bound on the engine's own motion v and one on the motion u(x) of its forces x tell the two stages
-apart. Both wrong: the solver. One of them right: what was written back is not what was solved, unless the forces are
-those that the motion asks for, as engines have them that solve for the motion: then only the solver's residual is left.
+Two proved bounds distinguish the stages: one on the error of the engine's own motion v, one on that of the motion u(x) which
+its forces x cause. If both are above the limit, the solver is wrong. If only one is, the engine wrote back something else than
+it solved. There are two exceptions, in which the difference is the solver's residual: engines that solve for the motion and
+compute the forces from it, and a motion that is exactly that of the forces.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from lcplab import _lcplab
-from lcplab._receipt import work
+from lcplab._receipt import files, work
 from lcplab._receipt.findings import Finding, Report
 from lcplab._receipt.limits import ROUNDING
 from lcplab._receipt.step import Array, Step
 from lcplab._receipt.work import Solution
+
+#: Why steps of other friction models have no bound.
+NOT_ASSOCIATED = "which exists only for boxes and for cones with the associated law"
+#: The largest number of rows for which lcplab solves the problem itself.
+MOST_ROWS = 600
 
 
 @dataclass(frozen=True)
@@ -26,18 +33,41 @@ class Bounds:
     motion: float
     answer: float
     closure: float
-    #: The row that adds most.
+    #: The row that contributes most to the bound on the motion.
     row: int | None
 
 
 def bounds_of(steps: list[Step]) -> list[Bounds | str]:
-    """The bounds of each step, or why it has none; on all processors, without the interpreter."""
+    """The bounds of each step, or the reason why it has none; computed on all processors, with the GIL released."""
     told = _lcplab.motion_bounds([step.arrays() for step in steps])
-    return [Bounds(*bounds) if bounds else str(why) for bounds, why in told]
+    bounds = [Bounds(*bounds) if bounds else str(why) for bounds, why in told]
+    return [own if step.is_associated else NOT_ASSOCIATED for step, own in zip(steps, bounds)]
+
+
+def difference(step: Step) -> float | None:
+    """The distance of the motion from that of an answer of lcplab, relative to the effect; None if lcplab finds none.
+
+    A measurement and no bound: the law of Coulomb can have several solutions.
+    """
+    from lcplab import Problem, solve
+
+    if len(step) > MOST_ROWS or len(step) == 0 or not np.isfinite([*step.motion, *step.forces]).all():
+        return None
+    is_friction = step.friction_index >= 0
+    friction: dict[str, Any] = {}
+    if is_friction.any():
+        friction = {"friction_index": step.friction_index, "mu": step.mu, "model": step.model}
+    lo, hi = np.where(is_friction, -np.inf, step.lo), np.where(is_friction, np.inf, step.hi)
+    offset = step.along(step.target) + step.bias
+    result = solve(Problem(files.matrix(step), offset, lo, hi, **friction), prove=False)
+    if not result:
+        return None
+    exact = step.target + np.linalg.solve(step.dense_mass(), step.push(result.x))
+    return step.relative(step.norm(step.motion - exact))
 
 
 def sharpened(step: Step, bounds: Bounds, solution: Solution | None) -> Bounds:
-    """The same bounds by way of an accurate motion w: |v - û| <= |v - w| + a bound on |w - û|; or as they were."""
+    """Tighter bounds by way of an accurate motion w, if there is one: |v - û| <= |v - w| + a bound on |w - û|."""
     if solution is None:
         return bounds
     accurate = bounds_of([replace(step, motion=solution.motion)])[0]
@@ -50,17 +80,17 @@ def sharpened(step: Step, bounds: Bounds, solution: Solution | None) -> Bounds:
 
 
 def is_sharp(step: Step, bounds: Bounds, limit: float) -> bool:
-    """Whether the bounds need not be sharper: both are below the limit."""
+    """Whether both bounds are below the limit, so that they need not be tightened."""
     return step.relative(max(bounds.motion, bounds.answer)) <= allowed(step, limit)
 
 
 def allowed(step: Step, limit: float) -> float:
-    """The limit; an engine that is asked for less accuracy than it does what it is asked for."""
+    """The limit, or the engine's own tolerance if that is looser."""
     return max(limit, step.own_tolerance / step.effect) if step.effect else limit
 
 
 def check(step: Step, bounds: Bounds | str, limit: float) -> Report:
-    """Compare the bounds with the limit, and what was written back with the forces."""
+    """Compare the bounds with the limit, and the motion and the reported generalized forces with the forces."""
     report = Report()
     if len(step) == 0:
         report.add(_free(step))
@@ -69,19 +99,21 @@ def check(step: Step, bounds: Bounds | str, limit: float) -> Report:
         report.findings.append(Finding("solver", what, np.inf, limit))
     elif isinstance(bounds, str):
         report.not_checked.append(f"solver: no bound on the motion, {bounds}")
+        if not np.any(step.compliance > 0):
+            report.findings.append(_closure(step))
     else:
         report.findings.append(_motion(step, bounds, limit))
     if step.reported_push is None:
-        report.not_checked.append("write-back: the engine reports no generalized forces")
+        report.not_checked.append("write-back: generalized forces, which the engine does not report")
     elif len(step):
         report.findings.append(_push(step, step.reported_push))
     return report
 
 
 def _free(step: Step) -> Report:
-    """Without rows the motion is the free one."""
+    """Without rows the motion must be the motion without constraints."""
     error = step.norm(step.motion - step.target) / max(step.norm(step.target), step.gravity, 1e-300)
-    what = "there are no rows, but the motion is not the free one"
+    what = "there are no rows, but the motion is not the motion without constraints"
     return Report([Finding("write-back", what, error, ROUNDING[step.bits])])
 
 
@@ -89,26 +121,41 @@ def _motion(step: Step, bounds: Bounds, limit: float) -> Finding:
     most = allowed(step, limit)
     is_wrong = [step.relative(bound) > most for bound in (bounds.motion, bounds.answer)]
     if is_wrong[0] == is_wrong[1] or work.are_forces_of_motion(step):
-        stage, what = "solver", "the motion is not that of the problem which the engine posed"
+        stage, what = "solver", "the motion does not solve the problem that the engine posed"
         error = bounds.motion
+    elif is_wrong[1] and is_motion_of_forces(step):
+        stage, what = "solver", "the forces do not solve the problem, although the motion is within the limit"
+        error = bounds.answer
     elif is_wrong[0]:
-        stage, what = "write-back", "the forces solve the problem, but the motion is not theirs"
+        stage, what = "write-back", "the forces solve the problem, but the motion is not the one that they cause"
         error = bounds.motion
     else:
-        stage, what = "write-back", "the motion solves the problem, but the forces are not its forces"
+        stage, what = "write-back", "the motion solves the problem, but the forces do not cause it"
         error = bounds.answer
     row = bounds.row
     bodies = step.rows[row].bodies if row is not None and row < len(step.rows) else ()
     return Finding(stage, what, step.relative(error), most, row, bodies)
 
 
+def is_motion_of_forces(step: Step) -> bool:
+    """Whether the motion is, to rounding, the one that the forces cause: then write-back is correct."""
+    return not _closure(step).is_rejected
+
+
+def _closure(step: Step) -> Finding:
+    """Compare the motion with the one that the forces cause, ``u* + inv(M) J.T x``."""
+    change = np.linalg.solve(step.dense_mass(), step.push(step.forces))
+    error = step.relative(step.norm(step.motion - step.target - change))
+    return Finding("write-back", "the motion is not the one that the forces cause", error, ROUNDING[step.bits])
+
+
 def _push(step: Step, reported: Array) -> Finding:
-    """The reported generalized forces against Jᵀx, each relative to its terms."""
+    """Compare the reported generalized forces with Jᵀx, each relative to its terms."""
     rows, columns, values = step.jacobian
     terms = np.bincount(columns, np.abs(values * step.forces[rows]), len(step.target))
     scale = np.maximum(terms, 1e-6 * max(float(terms.max(initial=0.0)), 1e-300))
     error = np.abs(reported - step.push(step.forces)) / scale
     worst = int(np.argmax(error)) if len(error) else 0
     bodies = (step.dof_bodies[worst],) if worst < len(step.dof_bodies) else ()
-    what = f"the reported generalized force of degree of freedom {worst} is not that of the forces, Jᵀx"
+    what = f"the reported generalized force of degree of freedom {worst} is not Jᵀx"
     return Finding("write-back", what, float(error[worst]) if len(error) else 0.0, ROUNDING[step.bits], None, bodies)

@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from lcplab._lcplab import InputError
+
 Array = NDArray[np.float64]
 Rows = NDArray[np.int64]
 #: Rows, columns and values of stored entries.
@@ -24,7 +26,7 @@ def stored(matrix: Array) -> Triplets:
 
 @dataclass(frozen=True)
 class Row:
-    """What a row is: for people."""
+    """The names of a row for messages: its label, its kind and its bodies."""
 
     label: str
     kind: str = ""
@@ -36,7 +38,7 @@ class Step:
     """The problem that an engine posed in one step, and its answer.
 
     ``w = J v + bias + compliance * x`` is the velocity (``level="velocity"``, m/s, x in N s) or the acceleration
-    (``"acceleration"``, m/s², x in N) that is left in a row; ``v = target + inv(M) J.T x``. Contacts push with
+    (``"acceleration"``, m/s², x in N) that remains in a row; ``v = target + inv(M) J.T x``. Contacts push with
     ``x >= 0``. ``n`` rows, ``k`` degrees of freedom.
     """
 
@@ -58,8 +60,11 @@ class Step:
     #: The normal row of each row of friction of a cone, -1 for others, and its coefficient.
     friction_index: Rows
     mu: Array
+    #: The friction model of these rows, as in a problem file: ``"associated-cone"``, ``"coulomb-cone"``, or None for the
+    #: bounds ``±mu * x[k]``. Only the first has a bound on the motion.
+    model: str | None = "associated-cone"
     rows: Sequence[Row] = ()
-    #: What gravity changes in the step, in the norm of M.
+    #: The change of the motion by gravity in the step, in the norm of M.
     gravity: float = 0.0
     #: The solver's kind: ``"direct"``, ``"newton"``, ``"cg"``, ``"pgs"``; and the bits of its numbers.
     method: str = "direct"
@@ -77,6 +82,10 @@ class Step:
     dof_bodies: Sequence[str] = ()
     #: Stages and parts that the engine does not report.
     not_checked: Sequence[str] = ()
+
+    def __post_init__(self) -> None:
+        if self.model not in (None, "associated-cone", "coulomb-cone"):
+            raise InputError(f"model: {self.model!r} is neither associated-cone nor coulomb-cone nor None")
 
     @classmethod
     def of(
@@ -98,7 +107,7 @@ class Step:
         version: str = "",
         **more: Any,
     ) -> Step:
-        """A step from dense arrays; numbers stand for all rows.
+        """A step from dense arrays; a number instead of an array applies to all rows.
 
         Examples
         --------
@@ -134,9 +143,9 @@ class Step:
         return step.with_motion_of_forces() if motion is None else step
 
     def with_motion_of_forces(self) -> Step:
-        """The same with the motion that its forces lead to, of an engine that does not report its own."""
+        """The same step with the motion that its forces cause, for an engine that does not report its motion."""
         change = np.linalg.solve(self.dense_mass(), self.push(self.forces)) if len(self.target) else 0.0
-        part = "write-back: the motion is that of the forces"
+        part = "write-back: the motion, which the engine does not report"
         return replace(self, motion=self.target + change, not_checked=[*self.not_checked, part])
 
     def __len__(self) -> int:
@@ -161,7 +170,7 @@ class Step:
         return np.asarray(np.bincount(rows, values * motion[columns], len(self)), dtype=float)
 
     def size_along(self, motion: Array) -> Array:
-        """What J v would be without cancellation, (n,)."""
+        """The sum of the absolute values of the terms of J v, (n,)."""
         rows, columns, values = self.jacobian
         return np.asarray(np.bincount(rows, np.abs(values * motion[columns]), len(self)), dtype=float)
 
@@ -183,17 +192,23 @@ class Step:
         return math.sqrt(max(0.0, float(motion @ self.times_mass(motion))))
 
     @property
+    def is_associated(self) -> bool:
+        """Whether all rows of friction have the law of an associated cone."""
+        return self.model == "associated-cone" or not np.any(self.friction_index >= 0)
+
+    @property
     def unit(self) -> str:
-        """The unit of :meth:`norm`."""
+        """The unit of ``norm``."""
         return "√J" if self.level == "velocity" else "√J/s"
 
     @property
     def effect(self) -> float:
-        """What the constraints change, ``|v - u*|_M``; at least what gravity changes and a millionth of ``|u*|_M``."""
-        return max(self.norm(self.motion - self.target), 1e-6 * self.norm(self.target), self.gravity)
+        """The change of the motion by the constraints, ``|v - u*|_M``, but at least the change by gravity and 1e-6 ``|u*|_M``."""
+        change, free = self.norm(self.motion - self.target), self.norm(self.target)
+        return max(change, 1e-6 * free, float(self.gravity))
 
     def relative(self, error: float) -> float:
-        """An error in the norm of M as a part of the effect."""
+        """An error in the norm of M, relative to the effect."""
         if error == 0:
             return 0.0
         return error / self.effect if self.effect > 0 else math.inf

@@ -20,7 +20,7 @@ def is_mine(data: Any) -> bool:
 
 
 def worlds(data: Any) -> int:
-    """How many worlds there are."""
+    """The number of worlds."""
     return int(data.nworld)
 
 

@@ -1,8 +1,8 @@
-"""Newton's method on the engine's problem: an accurate motion, and how many steps it takes.
+"""Newton's method on the engine's problem: an accurate motion, and the number of steps to it.
 
 The motion of a step whose rows are all compliant minimizes a smooth convex function (Gauss's principle). A wrong
-Hessian only converges slower: the steps that the exact one takes tell whether an engine that stopped at its iteration
-cap had a hard problem. The motion makes a loose bound sharp.
+Hessian only converges more slowly. If an engine stopped at its iteration cap, the number of steps with the exact Hessian shows
+whether the problem was hard. The accurate motion also tightens a loose bound.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from lcplab._receipt.step import Array, Rows, Step
 MOST, MOST_ROWS = 100, 2_000
 #: An engine's method is slow if it takes more than this many times the steps.
 EXCESS = 4.0
-#: The gradient that ends it, relative to that of the free motion.
+#: The method stops at this gradient, relative to that of the motion without constraints.
 SMALL = 1e-12
 
 
@@ -34,7 +34,7 @@ class Work:
 
     @property
     def is_excessive(self) -> bool:
-        """Whether a Newton method took many times the steps that it needs."""
+        """Whether the engine's Newton method took many more steps than it needs."""
         return self.method == "newton" and self.newton is not None and self.engine > EXCESS * self.newton
 
     def __str__(self) -> str:
@@ -45,7 +45,7 @@ class Work:
 
 @dataclass(frozen=True)
 class Solution:
-    """An accurate motion and the Newton steps that led to it; None where they were too many."""
+    """An accurate motion and the number of Newton steps to it, None if there were too many."""
 
     motion: Array
     steps: int | None

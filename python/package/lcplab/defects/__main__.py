@@ -43,7 +43,7 @@ def line(told: dict[str, Any]) -> str:
         if "unavailable" in own:
             words.append(f"{' '.join(own['packages'])}: {own['unavailable']}")
         else:
-            words.append(f"{', '.join(own['versions'])}: {own['refused']} of {own['frames']} refused")
+            words.append(f"{', '.join(own['versions'])}: {own['refused']} of {own['frames']} rejected")
     return f"{told['name']:<18} {told['stage']:<10} {outcome(told):<11} {'; '.join(words)}"
 
 

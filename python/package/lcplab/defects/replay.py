@@ -11,13 +11,13 @@ from lcplab.defects.scenes import SCENES
 
 
 def replay(name: str) -> dict[str, Any]:
-    """The run of a scene: what is refused, at which stage, and the first of it."""
+    """The run of a scene: what is rejected, at which stage, and the first of it."""
     run: Run = receipts(SCENES[name]())
-    first = run.receipts[run.refused[0]].refused if run.refused else None
+    first = run.receipts[run.rejected[0]].rejected if run.rejected else None
     return {
         "versions": run.to_json()["versions"],
         "frames": len(run.receipts),
-        "refused": len(run.refused),
+        "refused": len(run.rejected),
         "unconverged": len(run.unconverged),
         "stage": first.stage if first else None,
         "what": first.what if first else None,
