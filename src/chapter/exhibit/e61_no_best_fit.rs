@@ -86,6 +86,8 @@ fn drawing() -> Result<Lines> {
         let size = x.iter().map(|x| largest(x.iter().copied()));
         Ok(size.enumerate().map(|(sweep, size)| (sweep as f64, size)).collect())
     };
+    let share = FEEDBACK * SHORT / 2.0;
+    let growth = (0..=100).map(|sweep| (f64::from(sweep), f64::from(sweep) * share)).collect();
     Ok(curves(
         "e61",
         [
@@ -96,6 +98,7 @@ fn drawing() -> Result<Lines> {
         Axis::linear("sweep", ""),
         Axis::linear("largest impulse", "N s"),
         vec![
+            Series::theory("12 N s per sweep", growth),
             Series::measured("rigid", curve(0.0)?),
             Series::measured("γ = 0.1", curve(0.1)?),
             Series::measured("γ = 0.3", curve(0.3)?),

@@ -336,7 +336,7 @@ fn a_search_that_cannot_be_made_is_bad_usage() {
         (&["--measure", "lie", "--solver", "pgs", "--friction", "--n", "2"], "has 3 rows"),
         (&["--measure", "lie", "--solver", "cone-pgs"], "only friction cones"),
         (&["--measure", "error", "--solver", "apgd", "--model", "coulomb-cone"], "needs the exact"),
-        (&["--measure", "ratio", "pgs"], "of two solvers, A:B"),
+        (&["--measure", "ratio", "pgs"], "a ratio needs two solvers, A:B"),
         (&["--measure", "lie", "--solver", "pgs", "--n", "0..3"], "must lie within"),
         (&["--n", "3"], "--measure"),
     ] {

@@ -65,7 +65,7 @@ fn one_that_answers_nan_is_ended() {
     let nan = reason("nan", "print(json.dumps({'x': [float('nan'), 0]}), flush=True)", LONG);
     assert!(nan.starts_with("its answer is not JSON"), "{nan}");
     let word = reason("word", "print('{\"x\": [0, \"nan\"]}', flush=True)", LONG);
-    assert_eq!(word, "x[1] is \"nan\", no finite number");
+    assert_eq!(word, "x[1] is \"nan\", not a finite number");
 }
 
 #[test]

@@ -135,12 +135,12 @@ fn iterations_are_a_whole_number() {
         solve(&script.start(LONG), &pushed()).0
     };
     for (name, answer, reason) in [
-        ("fewer", r#"{"x": [0, 0], "iterations": -1}"#, "its iterations are -1, no whole number"),
-        ("parts", r#"{"x": [0, 0], "iterations": 2.5}"#, "its iterations are 2.5, no whole number"),
+        ("fewer", r#"{"x": [0, 0], "iterations": -1}"#, "its iterations are -1, not an integer"),
+        ("parts", r#"{"x": [0, 0], "iterations": 2.5}"#, "its iterations are 2.5, not an integer"),
         (
             "many",
             r#"{"x": [0, 0], "iterations": 1e30}"#,
-            "its iterations are 1e+30, no whole number",
+            "its iterations are 1e+30, not an integer",
         ),
     ] {
         match says(name, answer).status {
