@@ -54,8 +54,15 @@ impl Export {
             }
         }
         limits.over();
-        let solves = last.iter().filter_map(|step| step.posed(&scene).ok());
-        let Some(solve) = solves.last().and_then(|solves| solves.last().cloned()) else {
+        let posed = last.as_ref().map(|step| step.posed(&scene)).transpose();
+        let solves = match posed {
+            Ok(solves) => solves.unwrap_or_default(),
+            Err(cause) => {
+                say(&format!("error: {}: step {}: {cause}", scene.name, self.step));
+                return Ok(Outcome::Refuted);
+            }
+        };
+        let Some(solve) = solves.last() else {
             say(&format!("error: {}: step {} solves no LCP", scene.name, self.step));
             return Ok(Outcome::Refuted);
         };
