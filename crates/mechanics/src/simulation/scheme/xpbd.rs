@@ -14,7 +14,9 @@
 //!
 //! Sweeps that end early leave errors that become velocities. The published method begins every substep
 //! with x = 0, and then a stack of ten boxes under friction gains 0.3 J in two seconds, with 20 sweeps in
-//! each of 8 substeps, until it falls. Here the x of a contact begins with that of the substep before.
+//! each of 8 substeps, until it falls. Here the x of a contact begins with that of the substep before,
+//! unless it parts: after a bounce that x would lift the body at each corner in turn and let it down in
+//! turn, and finite rotations do not take each other away: a box that landed flat turned with 0.2 rad/s.
 //!
 //! A correction is a velocity: a joint that starts torn apart snaps together, with the speed c/h. At
 //! contacts the velocity is set afterwards, to −e J u⁻ if that bounces, else to 0, and the slip to 0 as far
@@ -127,7 +129,8 @@ fn free(scene: &Scene, states: &[State]) -> Result<Vec<State>, Cause> {
     Ok(assembly.advanced(&kicked, h))
 }
 
-/// Starts the rows of a contact with the x of the substep before; new ones, and those of joints, with 0.
+/// Starts the rows of a contact with the x of the substep before; new ones, those of joints, and of
+/// contacts that part faster than the body falls back, with 0.
 fn begin(
     scene: &Scene,
     source: Source,
@@ -138,7 +141,11 @@ fn begin(
 ) -> Result<Vec<f64>, Cause> {
     let old = rows(source, constraint, before)?;
     let mut start = vec![0.0; old.len()];
-    if let Source::Contact(_) = source {
+    let parts = |row: &Row| {
+        let speed = Lever::new(scene, constraint, row, before).velocity;
+        row.kind == Kind::Normal && speed > scene.resting().speed
+    };
+    if matches!(source, Source::Contact(_)) && !old.iter().any(parts) {
         for (component, (row, x)) in old.iter().zip(&mut start).enumerate() {
             *x = named.get(&RowId { source, component }).copied().unwrap_or(0.0);
             let lever = Lever::new(scene, constraint, row, states);
