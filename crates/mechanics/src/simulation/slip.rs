@@ -7,6 +7,14 @@
 //! Contacts of two bodies may share their load in many ways, so what counts is the sum over the
 //! contacts of a pair that slip, and over those that do not. x are the impulses of the step, s is
 //! the slip at its end.
+//!
+//! What friction should not have done, the normals would have done: they carry a bar in a groove that
+//! friction across the groove carries, and Coulomb's friction along it grows with them. So the
+//! error of a step counts with what the normals answer, δ ≥ −x_n, bodies taken as points:
+//!
+//! ```text
+//! n·Δv = 0,   m Δv = Σ −(x_t − x_t') + δ (n − μ s/|s|)          x_t' = Coulomb's, n: the mean normal
+//! ```
 
 use std::collections::BTreeMap;
 
@@ -26,6 +34,14 @@ const STRONG: f64 = 0.5;
 /// A speed below this part of the fastest one is not worth a word.
 const NOTABLE: f64 = 1e-2;
 
+/// Normals whose mean is longer than this are of one side.
+const ONE_SIDED: f64 = 0.5;
+
+/// Sweeps for what the normals answer, at most; and until they change by less than this part of
+/// the largest error.
+const ANSWER_SWEEPS: usize = 100;
+const ANSWERED: f64 = 1e-6;
+
 /// How far the friction of two bodies in a step is from Coulomb's law.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Slip {
@@ -35,7 +51,8 @@ pub struct Slip {
     pub angle: f64,
     /// How far friction reaches out of the cone, in parts of μ x_n.
     pub excess: f64,
-    /// The impulse (N s, world) on the first body by which friction differs from Coulomb's.
+    /// The impulse (N s, world) on the first body by which the step differs from one under Coulomb's
+    /// law: that of friction and of the normals that answer it.
     pub error: Vector3<f64>,
 }
 
@@ -49,10 +66,14 @@ impl Slip {
             let limit = mu * contact.normal.1.max(0.0);
             let push = sum(&contact.tangents, |(_, impulse)| *impulse);
             let slip = sum(&contact.tangents, |(row, _)| row.velocity_with(after));
-            pairs.entry(contact.bodies).or_default().add(limit, push, slip, scene.resting().speed);
+            let sums = pairs.entry(contact.bodies).or_default();
+            sums.add(limit, push, slip, scene.resting().speed);
+            sums.load += contact.normal.1.max(0.0) * contact.normal.0.pushes()[1];
+            sums.weight += contact.normal.1.max(0.0);
         }
-        let slips = pairs.into_iter().map(|(bodies, sums)| sums.slip(scene, after, bodies));
-        slips.collect()
+        let errors = answered(scene, &pairs);
+        let pairs = pairs.into_iter().zip(errors);
+        pairs.map(|((bodies, sums), error)| sums.slip(scene, after, bodies, error)).collect()
     }
 }
 
@@ -114,6 +135,9 @@ struct Sums {
     /// Σ μ x_n and Σ x_t of the others.
     holding_limit: f64,
     holding: Vector3<f64>,
+    /// Σ x_n n and Σ x_n.
+    load: Vector3<f64>,
+    weight: f64,
 }
 
 impl Sums {
@@ -128,15 +152,37 @@ impl Sums {
         }
     }
 
-    fn slip(&self, scene: &Scene, after: &[State], [first, second]: [usize; 2]) -> Slip {
+    /// Of each, how far its friction reaches out of the cone.
+    fn beyond(&self) -> [f64; 2] {
+        let beyond = |push: &Vector3<f64>, limit: f64| (push.norm() - limit).max(0.0);
+        [beyond(&self.sliding, self.limit), beyond(&self.holding, self.holding_limit)]
+    }
+
+    /// By how much friction differs from Coulomb's.
+    fn error(&self) -> Vector3<f64> {
+        let [_, holds] = self.beyond();
+        let too_much = self.holding.try_normalize(0.0).map_or(Vector3::zeros(), |d| holds * d);
+        self.sliding - self.coulomb + too_much
+    }
+
+    /// The mean normal, and it with the friction of a contact that slips, for a unit of x_n; `None`
+    /// where the normals take each other away, as those around a shaft.
+    fn normal(&self) -> Option<[Vector3<f64>; 2]> {
+        let normal = self.load / self.weight;
+        (normal.norm() > ONE_SIDED).then(|| [normal, normal + self.coulomb / self.weight])
+    }
+
+    fn slip(
+        &self,
+        scene: &Scene,
+        after: &[State],
+        [first, second]: [usize; 2],
+        error: Vector3<f64>,
+    ) -> Slip {
         let is_strong = self.sliding.norm() > STRONG * self.limit && self.limit > 0.0;
         let angle = if is_strong { self.sliding.angle(&self.coulomb) } else { 0.0 };
-        let beyond = |push: &Vector3<f64>, limit: f64| (push.norm() - limit).max(0.0);
-        let [slides, holds] =
-            [beyond(&self.sliding, self.limit), beyond(&self.holding, self.holding_limit)];
+        let [slides, holds] = self.beyond();
         let part = |beyond: f64, limit: f64| if limit > 0.0 { beyond / limit } else { 0.0 };
-        let too_much = self.holding.try_normalize(0.0).map_or(Vector3::zeros(), |d| holds * d);
-        let error = self.sliding - self.coulomb + too_much;
         let bodies = faster_first(scene, after, [first, second]);
         Slip {
             bodies,
@@ -145,6 +191,48 @@ impl Sums {
             error: if bodies[0] == second { error } else { -error },
         }
     }
+}
+
+/// The errors of all pairs with what their normals answer, as pushes on the second bodies.
+fn answered(scene: &Scene, pairs: &BTreeMap<[usize; 2], Sums>) -> Vec<Vector3<f64>> {
+    let mut errors: Vec<Vector3<f64>> = pairs.values().map(Sums::error).collect();
+    let largest = errors.iter().map(Vector3::norm).fold(0.0, f64::max);
+    let normals: Vec<_> = pairs.values().map(Sums::normal).collect();
+    let lightness = |body: usize| {
+        let mass = &scene.bodies[body].mass;
+        if mass.dof() > 0 && mass.mass() > 0.0 { mass.mass().recip() } else { 0.0 }
+    };
+    // The change of each velocity without the errors.
+    let mut changes: BTreeMap<usize, Vector3<f64>> = BTreeMap::new();
+    let push = |changes: &mut BTreeMap<usize, Vector3<f64>>, bodies: &[usize; 2], by| {
+        let [first, second] = *bodies;
+        *changes.entry(first).or_default() -= lightness(first) * by;
+        *changes.entry(second).or_default() += lightness(second) * by;
+    };
+    for (bodies, error) in pairs.keys().zip(&errors) {
+        push(&mut changes, bodies, -error);
+    }
+    let mut answers = vec![0.0_f64; errors.len()];
+    for _ in 0..ANSWER_SWEEPS {
+        let mut moved = 0.0_f64;
+        for (k, (bodies, sums)) in pairs.iter().enumerate() {
+            let Some([normal, with_friction]) = normals[k] else { continue };
+            let mobility = normal.norm_squared() * bodies.map(lightness).iter().sum::<f64>();
+            if mobility == 0.0 {
+                continue;
+            }
+            let parting = normal.dot(&(changes[&bodies[1]] - changes[&bodies[0]]));
+            let answer = (answers[k] - parting / mobility).max(-sums.weight);
+            let more = answer - answers[k];
+            push(&mut changes, bodies, more * with_friction);
+            (errors[k], answers[k]) = (errors[k] - more * with_friction, answer);
+            moved = moved.max(more.abs());
+        }
+        if moved <= ANSWERED * largest {
+            break;
+        }
+    }
+    errors
 }
 
 /// A vector with these components along the directions of rows.

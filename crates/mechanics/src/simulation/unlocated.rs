@@ -5,7 +5,7 @@
 //! goes another way:
 //!
 //! ```text
-//! meets after t = c/|J u⁻|,   off by  |Δu − Δu'|,   Δu = −(1 + e) M⁻¹Jᵀ (J M⁻¹Jᵀ)⁻¹ J u⁻,   Δu' with J at t
+//! off by  |Δu − Δu'|,   Δu = −(1 + e) M⁻¹Jᵀ (J M⁻¹Jᵀ)⁻¹ J u⁻,   Δu' with J at t, c(t) = 0
 //! ```
 
 use std::collections::BTreeMap;
@@ -22,6 +22,10 @@ use lcplab_problem::number::readable;
 
 /// A speed below this part of the approach is not worth a word.
 const NOTABLE: f64 = 5e-3;
+/// Newton's steps towards the instant of an impact, at most; each squares what is left.
+const NEWTON_STEPS: usize = 8;
+/// Bodies have met where so little of their gap is left.
+const MET: f64 = 1e-9;
 /// Significant digits in messages.
 const DIGITS: usize = 2;
 
@@ -84,20 +88,41 @@ fn bounces(scene: &Scene, contact: &Contact) -> bool {
 /// By how much the bounce of a contact would differ where the bodies meet (m/s), if that is worth
 /// a word.
 fn off_by(scene: &Scene, before: &[State], row: &Row) -> Option<f64> {
-    let time = row.c / -row.velocity;
-    let moved = before.iter().map(|state| state.displaced(&(time * state.velocity())));
-    let moved: Vec<State> = moved.collect();
-    let found = step_contacts(scene, &moved);
-    let there = Assembly::new(scene, &moved, &found, Entering::Near).ok()?;
-    let is_same = |own: &&Row| own.kind == Kind::Normal && own.bodies == row.bodies;
-    let nearest = there.rows.iter().filter(is_same).min_by(|a, b| a.c.total_cmp(&b.c))?;
-    let [here, there] = [(row, before), (nearest, &moved)].map(|(own, at)| kick(scene, at, own));
+    let here = kick(scene, before, row);
+    let there = match meeting(scene, before, row)? {
+        Some((moved, row)) => kick(scene, &moved, &row),
+        None => BTreeMap::new(),
+    };
     let change = here.iter().map(|(body, kick)| {
         let other = there.get(body).copied().unwrap_or_else(Vector6::zeros);
         linear(&(kick - other)).norm()
     });
     let speed = change.fold(0.0, f64::max);
     (speed > NOTABLE * -row.velocity).then_some(speed)
+}
+
+/// The states in which the bodies of a contact meet, with its row there; nothing where they pass
+/// each other, and `None` where no row is left to tell. The normal turns on the way, so that the
+/// gap does not close at a steady rate: t = c/|J u⁻| is Newton's first step, and a few more follow.
+fn meeting(scene: &Scene, before: &[State], row: &Row) -> Option<Option<(Vec<State>, Row)>> {
+    let mut time = row.c / -row.velocity;
+    for sweep in 1.. {
+        let moved = before.iter().map(|state| state.displaced(&(time * state.velocity())));
+        let moved: Vec<State> = moved.collect();
+        let found = step_contacts(scene, &moved);
+        let there = Assembly::new(scene, &moved, &found, Entering::Near).ok()?;
+        let is_same = |own: &&Row| own.kind == Kind::Normal && own.bodies == row.bodies;
+        let own = there.rows.iter().filter(is_same).min_by(|a, b| a.c.total_cmp(&b.c))?;
+        if own.velocity >= 0.0 {
+            return Some(None);
+        }
+        if sweep == NEWTON_STEPS || own.c.abs() <= MET * row.c {
+            let own = own.clone();
+            return Some(Some((moved, own)));
+        }
+        time += own.c / -own.velocity;
+    }
+    None
 }
 
 /// What the bounce of a contact alone adds to the velocities of its bodies.

@@ -182,9 +182,17 @@ fn rows(
     joint.rows(bodies.map(state)).unwrap_or_default()
 }
 
-/// The account that holds most of a change of energy, if one does.
+/// The account that holds most of a change of energy, if one does. What a blow loses first and
+/// what its bounce gives back are one: at e = 1 all of it comes back.
 fn largest(ledger: &Ledger, change: f64) -> Option<(String, f64)> {
-    let own = ledger.accounts().into_iter().filter(|(_, energy)| energy * change > 0.0);
+    let blows = ledger.contact + ledger.restitution;
+    let of_blow = |(name, energy)| match name {
+        "contact" => (name, blows.min(0.0)),
+        "restitution" => (name, blows.max(0.0)),
+        _ => (name, energy),
+    };
+    let own = ledger.accounts().map(of_blow).into_iter();
+    let own = own.filter(|(_, energy)| energy * change > 0.0);
     let (name, energy) = own.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
     Some((name.to_string(), energy))
 }

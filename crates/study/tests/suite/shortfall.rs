@@ -356,13 +356,17 @@ fn the_law_of_friction_is_named_where_a_groove_holds_otherwise_than_coulombs_con
         let scene = Scene::from_toml("groove.toml", &text).unwrap();
         examine_scene(&scene, None).unwrap()
     };
-    // It slides where the cone holds it, and rests where the cone lets it slide.
+    // By sweeps it slides where the cone holds it.
     for (angle, scheme) in [(34.0, "sequential-impulses"), (34.0, "soft"), (34.0, "xpbd")] {
         assert_eq!(groove(angle, scheme, "coupled-box").causes(), ["box friction"], "{scheme}");
     }
+    // Exact answers to the box are those of the cone, for friction acts along the groove alone: the
+    // bar rests at 34 degrees, and at 40 it slides with g (sin α − √2 μ cos α) under both.
     for scheme in ["velocity", "acceleration", "split-impulse"] {
-        assert_eq!(groove(40.0, scheme, "coupled-box").causes(), ["box friction"], "{scheme}");
-        assert!(groove(34.0, scheme, "coupled-box").causes().is_empty(), "{scheme}");
+        for angle in [34.0, 40.0] {
+            let found = groove(angle, scheme, "coupled-box");
+            assert!(found.causes().is_empty(), "{scheme} at {angle}: {:?}", found.causes());
+        }
     }
     assert!(groove(34.0, "velocity", "coulomb-cone").causes().is_empty());
 }

@@ -16,7 +16,7 @@
 //! friction up to μ times it.
 //! Springs of the scene keep their own k and d. Catto, *Solver2D*, 2024 ("TGS soft").
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;
 
 use super::substepped;
@@ -46,6 +46,14 @@ pub(super) fn step(
     let first = assembled(&scene, states, found, Entering::Near)?;
     let approach: Impulses = first.rows.iter().map(|row| (row.id, row.velocity)).collect();
     let mut impulses = named(&first, &solving.start(Stage::Velocity, &first));
+    // The impulse of a bounce is over: taken back corner by corner it would leave a body turning.
+    let parts = |row: &&Row| row.kind == Kind::Normal && row.velocity > scene.resting().speed;
+    let parted: BTreeSet<_> = first.rows.iter().filter(parts).map(|row| row.id.source).collect();
+    for (id, x) in &mut impulses {
+        if parted.contains(&id.source) {
+            *x = 0.0;
+        }
+    }
     let mut pushed = Impulses::new();
     let mut states = states.to_vec();
     for _ in 0..scene.step.substeps {

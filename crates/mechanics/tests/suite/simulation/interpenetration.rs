@@ -224,7 +224,7 @@ fn a_ball_thrown_at_a_thin_plate_comes_to_rest_on_it_or_is_named() {
     assert_eq!((step, name.bodies), (3, [1, 0]));
     assert!(ball.states()[1].pose.p.z < -10.0 || names.len() > 1);
     let message = &warnings.as_slice()[0].message;
-    for word in ["\"ball\"", "\"plate\"", "step 3", " m ", "step.dt"] {
+    for word in ["\"ball\"", "\"plate\"", "step 3", " m, ", "contact.margin", "step.dt"] {
         assert!(message.contains(word), "{message}");
     }
 }

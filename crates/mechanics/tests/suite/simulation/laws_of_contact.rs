@@ -49,10 +49,17 @@ fn slips(scene: &Scene, steps: usize) -> (Slips, Simulation) {
     (slips, running)
 }
 
+/// g (sin α − √2 μ cos α) (m/s²), with which the bar slides under Coulomb's cone; below 0 it rests.
+fn due(angle: f64) -> f64 {
+    let (sin, cos) = angle.to_radians().sin_cos();
+    9.81 * (sin - std::f64::consts::SQRT_2 * 0.5 * cos)
+}
+
 #[test]
 fn a_bar_that_slides_where_the_cone_holds_it_tells_the_error_of_its_speed() {
-    // At 34 degrees it may rest. All the speed that it has is an error, and friction at its limit,
-    // √2 μ N, would take even more.
+    // At 34 degrees it may rest: friction across the groove takes load from the faces, and so
+    // friction along it is too weak. All the speed of the bar is an error, and friction at its limit
+    // would take even more: −due t.
     for scheme in [Scheme::Soft, Scheme::SequentialImpulses] {
         let scene = groove(34.0, scheme);
         let (slips, running) = slips(&scene, 100);
@@ -60,10 +67,13 @@ fn a_bar_that_slides_where_the_cone_holds_it_tells_the_error_of_its_speed() {
         assert!(speed > 1.0, "{scheme:?}: {speed}");
         let (body, error) = slips.speed_error(&scene).unwrap();
         assert_eq!(body, 2);
-        assert!(error > speed && error < 1.3 * speed, "{scheme:?}: {error} for {speed}");
+        // Below resting speed, 2 g dt = 0.196 m/s, contacts count as holding: they are measured by
+        // the cone alone, for up to 0.15 s at 1.3 m/s², in which the error grows by 1.9 m/s².
+        assert_near(error, speed - due(34.0), 0.3);
         let askew = slips.askew.unwrap();
         assert_eq!(askew.bodies[0], 2);
-        assert_near(askew.angle.to_degrees(), 45.0, 1e-2);
+        // Both tangents at their limits, in nearly all contacts.
+        assert_near(askew.angle.to_degrees(), 45.0, 0.5);
     }
 }
 
@@ -77,14 +87,14 @@ fn a_bar_that_rests_where_the_cone_holds_it_tells_nothing() {
 }
 
 #[test]
-fn a_bar_that_the_box_holds_and_the_cone_does_not_tells_what_is_too_much() {
-    // Above 35.26 degrees the cone lets it slide with g (sin α − √2 μ cos α).
+fn a_bar_that_slides_under_the_box_as_the_cone_has_it_tells_nothing() {
+    // Above 35.26 degrees. The box would allow it to rest, too: a bar that is pinched into the groove
+    // by μ x_n across it is held up to arctan(√2 μ/(1 − μ)) = 54.7 degrees. Nothing pinches this one.
     let scene = groove(40.0, Scheme::Velocity);
     let (slips, running) = slips(&scene, 100);
-    let (sin, cos) = 40f64.to_radians().sin_cos();
-    let due = 9.81 * (sin - std::f64::consts::SQRT_2 * 0.5 * cos);
-    let (_, error) = slips.speed_error(&scene).unwrap();
-    assert_near((running.states()[2].v.x - due).abs(), error, 0.02);
+    assert_near(running.states()[2].v.x, due(40.0), 1e-9);
+    assert!(slips.askew.is_none_or(|slip| slip.angle < 1e-6), "{slips:?}");
+    assert!(slips.speed_error(&scene).is_none(), "{slips:?}");
 }
 
 #[test]
@@ -222,5 +232,8 @@ fn a_body_that_diverges_names_the_row_that_threw_it() {
     let mut running = simulation(scene);
     let failure = (0..100).find_map(|_| running.step().err()).expect("a step that fails");
     let said = failure.to_string();
-    assert!(said.contains("the strongest row on it is \"normal ground ball 0\""), "{said}");
+    assert!(
+        said.contains("the row with the largest impulse on it is \"normal ground ball 0\""),
+        "{said}"
+    );
 }
