@@ -1,6 +1,6 @@
 //! What the live pages ask, as JSON in and out: the same solvers and the same judge as everywhere else.
 //!
-//! A page sends a [`Question`] as text and gets the answer as text, natively by [`answer`], in a browser through
+//! A page sends a question as text and gets the answer as text, natively by [`answer`], in a browser through
 //! the three functions of [`abi`]. Numbers keep all their bits on the way.
 
 #![deny(missing_docs)]

@@ -18,7 +18,7 @@ use crate::error::{Error, Result, size};
 /// let refused = limit.check("A of 60000 rows as a dense matrix", Memory::square(60_000)).unwrap_err();
 /// assert_eq!(
 ///     refused.to_string(),
-///     "A of 60000 rows as a dense matrix needs 28.8 GB; the limit is 500 MB (raise it with --max-memory)"
+///     "A of 60000 rows as a dense matrix needs 28.8 GB; the limit is 500 MB"
 /// );
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
