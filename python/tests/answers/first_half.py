@@ -1,4 +1,4 @@
-"""Finds every answer and every trap of the problem sets 1 to 6 anew, and asserts them.
+"""Finds every answer and every trap of the problem sets 1 to 9 anew, and asserts them.
 
 Each number is found in two ways where that is possible: in fractions or by a program of its own here, and by lcplab.
 The commands of the "predict" problems are taken from the texts and run. With the argument "pages" the live pages are opened
@@ -18,14 +18,14 @@ from lcplab import textbook
 ROOT = Path(__file__).parent.parent.parent.parent
 HERE, G, INF = ROOT / "notebooks" / "problems", 9.81, float("inf")
 P, done = {}, {}
-for k in range(1, 7):
+for k in range(1, 10):
     data = tomllib.loads((HERE / f"{k:02}.toml").read_text(encoding="utf-8"))
-    assert set(data) == {"problem"} and [p["id"] for p in data["problem"]] == [f"{k}.{s}" for s in ("p1", "p2", "r1", "x1")]
+    assert set(data) == {"problem"} and all(re.fullmatch(rf"{k}\.[prx][12]", p["id"]) for p in data["problem"])
     for p in data["problem"]:
         kinds = {"p": "pencil", "r": "predict", "x": "live"}
-        assert set(p) == {"id", "kind", "title", "minutes", "level", "text", "unit", "answer", "within", "traps", "because"}
+        assert set(p) - {"also"} == {"id", "kind", "title", "minutes", "level", "text", "unit", "answer", "within", "traps", "because"}
         assert p["kind"] == kinds[p["id"].split(".")[1][0]] and len(p["title"]) <= 60 and p["level"] in (1, 2, 3)
-        assert 5 <= p["minutes"] <= 15 and 1 <= len(p["traps"]) <= 3 and all(set(t) == {"answer", "hint"} for t in p["traps"])
+        assert 5 <= p["minutes"] <= 15 and 1 <= len(p["traps"]) <= 4 and all(set(t) == {"answer", "hint"} for t in p["traps"])
         assert isinstance(p["answer"], float) and all(isinstance(t["answer"], float) for t in p["traps"]) and 0 < p["within"] < 0.1
         assert "—" not in p["text"] + p["because"] and all(p[s].count("$") % 2 == 0 for s in ("text", "because"))
         near = lambda a, b: abs(a - b) <= p["within"] * (abs(b) if b else 1)
@@ -33,7 +33,7 @@ for k in range(1, 7):
         assert not any(near(t, p["answer"]) or near(p["answer"], t) for t in numbers), p["id"]
         assert len(set(numbers)) == len(numbers), p["id"]  # of two near ones the nearest speaks
         if p["kind"] == "live": assert "](../live/" in p["text"]
-        if p["kind"] == "predict": assert "cargo run --release -- " in p["text"]
+        if p["kind"] == "predict": assert "cargo run --release -- " in p["text"] or "cell `" in p["text"]
         P[p["id"]] = p
 titles = [tomllib.loads(f.read_text())["problem"] for f in sorted(HERE.glob("[01][0-9].toml"))]
 titles = [p["title"] for s in titles for p in s]
@@ -244,7 +244,7 @@ A, b = column([1000, 1, 1]), np.array([[1, 0, 0], [-1, 1, 0], [0, -1, 1]]) @ [0,
 assert np.allclose(np.linalg.solve(A, -b), [1, 1, 0]) and np.allclose(out, [1, 1, 0], atol=1e-9)
 light = np.linalg.solve(column([1, 1, 1]), -b)
 assert np.allclose(light, [1, 1, 0])  # what the text says of 1 kg
-check("3.r1", out[0], [0, 1 / 1000], "commands; own A and b, Gauss; momentum")
+check("3.r1", out[0], [0, 1000, 1 / 1000], "commands; own A and b, Gauss; momentum")
 
 A = [[1, -1], [-1, 2]]
 pushes = {b1: solutions(A, [-1, F(round(10 * b1), 10)]) for b1 in slider(0, 4)}
@@ -282,7 +282,7 @@ assert abs(rho(A[np.ix_(free, free)]) - R6) < 1e-9 and abs(rho(A[:6, :6]) - R6) 
 e0 = np.abs(sweeps(A, b, np.zeros(10), 100) - xs).max()
 k = next(k for k in range(190, 215) if np.abs(sweeps(A, b, np.zeros(10), 100 + k) - xs).max() <= 1e-6 * e0)
 assert abs(k - need(R6)) <= 1, k
-check("4.p2", need(R6), [need(cos(pi / 20)**2), need(cos(pi / 14)**2), need(C3)], f"formulas; eigenvalues of the free rows; counted on such a problem: {k}")
+check("5.p1", need(R6), [need(cos(pi / 20)**2), need(cos(pi / 14)**2), need(C3)], f"formulas; eigenvalues of the free rows; counted on such a problem: {k}")
 assert round(6 * log(10) / -log(R6), 1) == 199.3
 
 run("4.r1", 0); up, down = iterations(run("4.r1", 1)), iterations(run("4.r1", 2))
@@ -305,7 +305,7 @@ best = min(table.values())
 assert {i for (i, M), d in table.items() if d == best} == {0} and all(table[0, M] == best for M in keys if M >= 100)
 assert digit([1.0] * 5) == 23 and abs(cos(pi / 8)**2 - 0.854) < 1e-3 and ceil(log(10) / -log(cos(pi / 8)**2)) == best and max(table.values()) > 9000
 top, middle = min(d for (i, _), d in table.items() if i == 4), min(d for (i, _), d in table.items() if i in (1, 3))
-check("4.x1", best, [top, middle, digit([1.0] * 5)], "eigenvalues for each box and mass; column of four; page")
+check("5.x1", best, [top, middle, digit([1.0] * 5)], "eigenvalues for each box and mass; column of four; page")
 
 # === 5 =============================================================================================================
 A, b = [[2, -1], [-1, 2]], [1, -3]
@@ -313,7 +313,7 @@ A, b = [[2, -1], [-1, 2]], [1, -3]
 assert x == [F(1, 3), F(5, 3)] and np.allclose(textbook.dantzig(np.array(A, float), np.array(b, float), np.zeros(2), np.full(2, INF)), [1 / 3, 5 / 3])
 moves = re.findall(r"Now x = \((.*)\)\.", lcplab.explain(A, b, solver="dantzig").text)
 assert moves[0] == "0, 1" and len(moves) == 2
-check("5.p1", float(x[1]), [3 / 2, 1], "cases in fractions; lcplab's moves; textbook")
+check("6.p1", float(x[1]), [3, 3 / 2, 1], "cases in fractions; lcplab's moves; textbook")
 
 def lemke(A, b):
     """Own walk along Lemke's path in fractions: the values of z0 at each stop; True at the end if a solution was found."""
@@ -342,10 +342,10 @@ stops, x = lemke([[2, -1], [-1, 2]], [-1, -4])
 assert x == [2, 3] and stops == [4, 2, 0]
 tableau = lcplab.explain([[2, -1], [-1, 2]], [-1, -4], solver="lemke").text
 assert re.search(r"Tableau 3[\s\S]*?z\s+2 ", tableau)
-check("5.p2", float(stops[1]), [float(stops[0]), 0, 1], "own tableau in fractions; lcplab's tableaux")
+check("7.p1", float(stops[1]), [float(stops[0]), 0, 1], "own tableau in fractions; lcplab's tableaux")
 assert np.allclose(textbook.lemke(np.array([[2.0, -1], [-1, 2]]), np.array([-1.0, -4])), [2, 3])
 
-run("5.r1", 0); one, blocks = iterations(run("5.r1", 1)), iterations(run("5.r1", 2))
+run("7.r1", 0); one, blocks = iterations(run("7.r1", 1)), iterations(run("7.r1", 2))
 U, e = np.triu(np.full((10, 10), 2.0), 1) + np.eye(10), -np.ones(10)
 def exchange(rule):
     free, count, tail, order = np.zeros(10, bool), 0, [], []
@@ -362,7 +362,7 @@ assert exchange("block")[2] == list(range(9, -1, -1))  # after each exchange one
 assert exchange("first")[3][::2] == [0] * 512  # every second exchange is row 0
 alternating = np.linalg.solve(U, np.ones(10))
 assert np.allclose(alternating, [(-1)**(9 - i) for i in range(10)])
-check("5.r1", blocks, [one, 1, 512], "commands; own exchanges, Murty's and by blocks")
+check("7.r1", blocks, [one, 1, 512], "commands; own exchanges, Murty's and by blocks")
 
 ray = {}
 for a in slider(-2, 4):
@@ -377,14 +377,14 @@ for a in slider(-2, 4):
 assert all(len(solutions([[1, -1], [2, F(round(10 * a), 10)]], [-1, F(-3, 2)])) == 1 for a in slider(-2, 2))
 first = max(a for a in ray if ray[a])
 assert all(ray[a] == (a <= first) for a in ray)
-check("5.x1", first, [0, first + 0.1, -2], "own tableau in fractions at every value of the slider; rates by hand; lcplab; page")
+check("7.x1", first, [0, first + 0.1, -2], "own tableau in fractions at every value of the slider; rates by hand; lcplab; page")
 
 # === 6 =============================================================================================================
 at = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)
 E = np.vstack([np.ones(4), at.T]); need = 10 * np.array([1, 0.4, 0.3])
 most, least = -linprog([-1, 0, 0, 0], A_eq=E, b_eq=need).fun, linprog([1, 0, 0, 0], A_eq=E, b_eq=need).fun
 middle = -linprog([-1, 0, 0, 0], A_eq=E, b_eq=10 * np.array([1, 0.5, 0.5])).fun
-check("6.p1", most, [10 * 0.6 * 0.7, least, middle], "linear program; t by hand; lcplab's judge on a table of its own")
+check("9.p1", most, [10 / 4, 10 * 0.6 * 0.7, least, middle], "linear program; t by hand; lcplab's judge on a table of its own")
 assert np.allclose(E @ [4.2, 2.8, 1.2, 1.8], need)  # that trap is a solution
 arms = at - [0.4, 0.3]
 J = np.array([[1, r[1], -r[0]] for r in arms])  # up, about x, about y
@@ -403,9 +403,9 @@ error = np.abs(Jb.T @ (x - [0.5, 0]))
 f = lambda x: 0.5 * x @ A @ x + b @ x
 assert np.allclose(sorted(error), [0.1, 0.1, 0.2]) and 0.5 * error @ error <= f(x) - f(np.array([0.5, 0])) + 1e-15 <= gap and error.max() < sqrt(2 * gap)
 assert abs(gap - (f(x) + 0.5 * x @ A @ x)) < 1e-15
-check("6.p2", sqrt(2 * gap), [gap, sqrt(gap), error.max()], "gap as x·w and as P − D; the true error is below it")
+check("8.p1", sqrt(2 * gap), [gap, sqrt(gap), error.max()], "gap as x·w and as P − D; the true error is below it")
 
-run("6.r1", 0); early, late = run("6.r1", 1), run("6.r1", 2)
+run("9.r1", 0); early, late = run("9.r1", 1), run("9.r1", 2)
 p = lcplab.Problem.generate("wedged", n=4)
 # lcplab gives the point from which the ray starts, one sweep before the last (iterate.rs, finish)
 x = sweeps(p.A, p.b, np.zeros(4), 99); own = scaled(p.A, p.b, x)
@@ -414,7 +414,7 @@ natural = lambda x: np.abs(np.minimum(x, p.A @ x + p.b)).max()
 assert abs(field(early, "scaled residual") - own) < 5e-6 and abs(field(late, "scaled residual") / last - 1) < 2e-3
 assert natural(x) == 2 and abs(natural(far) - 2) < 1e-6 and field(late, "natural residual") == field(early, "natural residual") == 2
 assert "no solution exists" in late and np.allclose(sweeps(p.A, p.b, far, 1) - far, 1)
-check("6.r1", field(late, "scaled residual"), [0.00505, 2], "commands; own sweeps and own residuals", rel=2e-3)
+check("9.r1", field(late, "scaled residual"), [0.00505, 2], "commands; own sweeps and own residuals", rel=2e-3)
 
 A, b = [[1, 2], [2, 1]], [-2, -2]
 ends = {(x0, x1): tuple(sweeps(A, b, [x0, x1], 30)) for x0 in (-4.0, 0.0, 0.7, 4.0) for x1 in slider(-4, 4)}
@@ -422,8 +422,18 @@ first = min(x1 for (x0, x1), end in ends.items() if end == (0, 2))
 assert all(end == ((0, 2) if x1 >= first else (2, 0)) for (_, x1), end in ends.items())
 assert sorted(solutions(A, b)) == [[0, 2], [F(2, 3), F(2, 3)], [2, 0]]
 assert np.allclose(sorted(np.linalg.eigvalsh(np.array(A, float))), [-1, 3])  # a saddle
-check("6.x1", first, [round(first - 0.1, 1), 1.0], "own sweeps from every start on the grid; x1 ← 4 x1 − 2; lcplab's judge; page")
+check("9.x1", first, [round(first - 0.1, 1), 1.0], "own sweeps from every start on the grid; x1 ← 4 x1 − 2; lcplab's judge; page")
 assert all(lcplab.judge(A, b, [float(v) for v in s]) for s in solutions(A, b)) and sweeps(A, b, [0, 1], 1)[1] == 2
+
+x = det_solve([[1, -1, 0], [-1, 2, 0], [0, 0, 1]], [1, 0, 1])
+assert lcplab.judge([[1, -1, 0], [-1, 2, 0], [0, 0, 1]], [-1, 0, -1], [float(v) for v in x])
+check("6.p2", float(x[0]), [4, 3, 1], "Gauss in fractions; lcplab's judge; balls that fall, and the row alone")
+
+A, b = np.array([[2.0, 1], [1, 2]]), np.array([-2.0, 1])
+right = [x for x in ([1, 0], [5 / 3, -4 / 3], [2, 0], [0, 0]) if lcplab.judge(A, b, [float(v) for v in x])]
+assert right == [[1, 0]]
+w = A @ [2, 0] + b
+check("8.p2", max(min(2, w[0]), min(0, w[1]), key=abs), [w[1], min(0, w[1])], "w by hand; lcplab's judge of all four")
 
 assert set(done) == set(P), set(P) - set(done)
 
@@ -440,9 +450,9 @@ if "pages" in sys.argv[1:]:
         ("1.x1", "", "One solution: (7/6, 4/3)"), ("1.x1", "a01=2.9&a10=2.9", "One solution"), ("1.x1", "a01=3&a10=3", "Solutions: (1/2, 0), (0, 3/4)."), ("1.x1", "a01=3.1&a10=3.1", "(0.472371, 0.0178253)"),
         ("2.x1", "step=1", "w = (0, 1)"), ("2.x1", "b1=-1.9", "One solution"), ("2.x1", "b1=-2", "Infinitely many solutions"), ("2.x1", "b1=-2.1", "One solution"),
         ("3.x1", "b1=0.9", "One solution: (1.1, 0.1)"), ("3.x1", "b1=1", "One solution: (1, 0)"),
-        ("4.x1", "", "23 sweeps a digit"), ("4.x1", "masses=100,1,1,1,1", "15 sweeps a digit"), ("4.x1", "masses=1000,1,1,1,1", "15 sweeps a digit"), ("4.x1", "masses=1,1,1,1,0.1", "16 sweeps a digit"), ("4.x1", "masses=1,1,1,0.5,1", "22 sweeps a digit"),
-        ("5.x1", "", "One solution: (1, 0). solved"), ("5.x1", "a11=-0.9", "One solution: (1, 0). solved"), ("5.x1", "a11=-1", "One solution: (1, 0). a ray"), ("5.x1", "a11=-2", "One solution: (1, 0). a ray"),
-        ("6.x1", "", "Solutions: (2, 0), (0, 2), (2/3, 2/3)"), ("6.x1", "x1=0.6&step=30", "x = (2, 0)"), ("6.x1", "x1=0.7&step=30", "x = (0, 2)"), ("6.x1", "x0=-3&x1=0.7&step=30", "x = (0, 2)"),
+        ("5.x1", "", "23 sweeps a digit"), ("5.x1", "masses=100,1,1,1,1", "15 sweeps a digit"), ("5.x1", "masses=1000,1,1,1,1", "15 sweeps a digit"), ("5.x1", "masses=1,1,1,1,0.1", "16 sweeps a digit"), ("5.x1", "masses=1,1,1,0.5,1", "22 sweeps a digit"),
+        ("7.x1", "", "One solution: (1, 0). solved"), ("7.x1", "a11=-0.9", "One solution: (1, 0). solved"), ("7.x1", "a11=-1", "One solution: (1, 0). a ray"), ("7.x1", "a11=-2", "One solution: (1, 0). a ray"),
+        ("9.x1", "", "Solutions: (2, 0), (0, 2), (2/3, 2/3)"), ("9.x1", "x1=0.6&step=30", "x = (2, 0)"), ("9.x1", "x1=0.7&step=30", "x = (0, 2)"), ("9.x1", "x0=-3&x1=0.7&step=30", "x = (0, 2)"),
     ]:
         text = page(id, more)
         assert says in text, (id, more, says, text)
