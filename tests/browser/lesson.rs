@@ -32,10 +32,10 @@ fn one_switch_turns_all_programs_of_a_page_to_rust() {
         find('[data-language=rust]').click();
         return [before, [shows('rust'), shows('python')], all('.switch [aria-pressed=true]').map((node) => node.textContent)];";
     let found = lesson("2", "02_jacobians.html").seen(1280, script);
-    let (yes, no) = (json!([true; 4]), json!([false; 4]));
+    let (yes, no) = (json!([true, true, true, true]), json!([false, false, false, false]));
     assert_eq!(found[0], json!([no, yes]));
     assert_eq!(found[1], json!([yes, no]));
-    assert_eq!(found[2], json!(["Rust"; 4]));
+    assert_eq!(found[2], json!(["Rust", "Rust", "Rust", "Rust"]));
 }
 
 #[test]
