@@ -1,7 +1,7 @@
 //! What does a sweep over a dense A cost beside reading A once?
 //!
-//! The eigenvalues of A are 1/n, 2/n, …, 1, and half of the rows are free. The read adds up the entries
-//! of the very memory that the sweeps read, in three ways, of which the fastest counts.
+//! The eigenvalues of A are 1/n, 2/n, …, 1, and half of the rows are free. The read adds up the
+//! entries of the very memory that the sweeps read, in three ways, of which the fastest counts.
 
 use std::hint::black_box;
 

@@ -1,5 +1,5 @@
-//! What do direct and Newton-like methods cost on definite problems beside clarabel, and what is the
-//! last active set worth?
+//! What do direct and Newton-like methods cost on definite problems beside clarabel, and what is
+//! the last active set worth?
 
 mod contest;
 
@@ -28,8 +28,8 @@ fn definite(criterion: &mut Criterion) {
     }
 }
 
-/// b moves by about a hundredth and the active set of the answer stays: block pivoting cold, and with
-/// the set and factor of the problem before.
+/// b moves by about a hundredth and the active set of the answer stays: block pivoting cold, and
+/// with the set and factor of the problem before.
 fn warm_factor(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("block pivoting, b moved");
     group.sample_size(10).measurement_time(Duration::from_secs(1));

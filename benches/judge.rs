@@ -8,7 +8,8 @@ use lcplab::lcp::{Lcp, Matrix};
 use lcplab::solver::{Dantzig, Settings, Solver, Start};
 use nalgebra::DMatrix;
 
-/// A = JJᵀ + 1 with 53-bit entries from a fixed sequence, b so that about half of the rows are free.
+/// A = JJᵀ + 1 with 53-bit entries from a fixed sequence, b so that about half of the rows are
+/// free.
 fn problem(n: usize) -> Lcp {
     let mut state = 1u64;
     let mut next = || {

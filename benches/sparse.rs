@@ -1,7 +1,7 @@
 //! What does an exact answer cost where A is large and sparse, beside clarabel?
 //!
-//! A net is equations only; a tower has contacts, with friction bounds frozen where some sweeps have led
-//! to. Ours and clarabel, both by rows, with A, and by velocities, with the factors of A:
+//! A net is equations only; a tower has contacts, with friction bounds frozen where some sweeps
+//! have led to. Ours and clarabel, both by rows, with A, and by velocities, with the factors of A:
 //!
 //! ```text
 //! (A + D) dx = r      or      (1 + Ĵᵀ D⁻¹ Ĵ) v = Ĵᵀ D⁻¹ r,   A = Ĵ Ĵᵀ

@@ -1,5 +1,5 @@
-//! What does a whole step cost, and how does that grow from 700 to 20,000 cubes? Finding what touches,
-//! making rows, sweeping, moving, by the stepper with a fixed number of sweeps.
+//! What does a whole step cost, and how does that grow from 700 to 20,000 cubes? Finding what
+//! touches, making rows, sweeping, moving, by the stepper with a fixed number of sweeps.
 //!
 //! One and two threads must give the same bits before anything is timed.
 

@@ -1,7 +1,8 @@
 //! What does a sweep over a tower of 700 cubes cost, and what does a tolerance?
 //!
-//! A is not formed. Eight pairs at a time need another order of the rows, and with it another number of
-//! sweeps, so the sweeps to a part of the first natural residual are counted and timed too.
+//! A is not formed. Eight pairs at a time need another order of the rows, and with it another
+//! number of sweeps, so the sweeps to a part of the first natural residual are counted and timed
+//! too.
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use lcplab::lcp::{Lcp, merit};

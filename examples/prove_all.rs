@@ -1,5 +1,6 @@
-//! Proofs of every problem of the library and of every shipped scene at steps 1, 10 and 60, with at most so many
-//! rows: `cargo run --release --example prove_all -- FOLDER [ROWS]`. Then `python3 proofs/lcpcheck.py FOLDER` checks them.
+//! Proofs of every problem of the library and of every shipped scene at steps 1, 10 and 60, with at
+//! most so many rows: `cargo run --release --example prove_all -- FOLDER [ROWS]`. Then `python3
+//! proofs/lcpcheck.py FOLDER` checks them.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -1,6 +1,6 @@
-//! Every verdict as a line of JSON, for a judge of one's own: the problems of the library, random hostile
-//! ones and steps of the shipped scenes, each with the answers of all solvers and some that nobody
-//! would give, what the judge says of them, and what the diagnosis says of the problem.
+//! Every verdict as a line of JSON, for a judge of one's own: the problems of the library, random
+//! hostile ones and steps of the shipped scenes, each with the answers of all solvers and some that
+//! nobody would give, what the judge says of them, and what the diagnosis says of the problem.
 //!
 //! ```console
 //! $ cargo run --example verdicts -- 2000 > verdicts.jsonl

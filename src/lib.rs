@@ -6,9 +6,9 @@
 //! w = A x + b,   lo ≤ x ≤ hi,   w_i > 0 ⇒ x_i = lo_i,   w_i < 0 ⇒ x_i = hi_i
 //! ```
 //!
-//! with A = J M⁻¹ Jᵀ. lcplab makes such problems from scenes in several formulations, solves them by
-//! several methods, and has every answer judged by code that knows the problem and the answer but
-//! not the solver. It follows Kenwright & Morgan, *Practical Introduction to Rigid Body Linear
+//! with A = J M⁻¹ Jᵀ. lcplab makes such problems from scenes in several formulations, solves them
+//! by several methods, and has every answer judged by code that knows the problem and the answer
+//! but not the solver. It follows Kenwright & Morgan, *Practical Introduction to Rigid Body Linear
 //! Complementary Problem (LCP) Constraint Solvers*, cited as K&M; where that chapter errs, its
 //! erratum's number stands beside the code (E06).
 //!
@@ -30,10 +30,12 @@
 //! ```
 //!
 //! The modules follow the flow of data. Physics: [`body`], [`constraint`], [`scene`], [`assembly`].
-//! Numbers: [`lcp`], [`storage`], [`solver`], [`mod@reference`], [`certificate`]. Physics and numbers meet in
-//! [`formulation`]; [`plugin`] lets programs in other languages solve, [`hunt`] asks whether the solvers are honest, [`simulation`] takes many steps, [`trace`], [`plot`] and [`report`] show them,
-//! [`explain`] derives a step line by line, [`diagnosis`] says why one cannot be taken, [`chapter`] shows
-//! what K&M print beside what holds, [`lesson`] teaches it, and [`live`] lets one touch it.
+//! Numbers: [`lcp`], [`storage`], [`solver`], [`mod@reference`], [`certificate`]. Physics and
+//! numbers meet in [`formulation`]; [`plugin`] lets programs in other languages solve, [`hunt`]
+//! asks whether the solvers are honest, [`simulation`] takes many steps, [`trace`], [`plot`] and
+//! [`report`] show them, [`explain`] derives a step line by line, [`diagnosis`] says why one cannot
+//! be taken, [`chapter`] shows what K&M print beside what holds, [`lesson`] teaches it, and
+//! [`live`] lets one touch it.
 
 pub use lcplab_judge as certificate;
 pub use lcplab_judge::reference;

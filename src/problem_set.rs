@@ -1,5 +1,5 @@
-//! A set of problems that can be cited: the library, steps of the shipped scenes and what physics engines pose, as
-//! files with a card of each.
+//! A set of problems that can be cited: the library, steps of the shipped scenes and what physics
+//! engines pose, as files with a card of each.
 
 use std::path::Path;
 
@@ -180,7 +180,8 @@ fn record(problem: &Problem, name: &str, hash: &str) -> [String; 11] {
     ]
 }
 
-/// What is known of its solutions: by construction, or by the judge's word on the default solver's answer.
+/// What is known of its solutions: by construction, or by the judge's word on the default solver's
+/// answer.
 fn truth(problem: &Problem) -> String {
     match Expected::of(problem) {
         Some(expected) if expected.is_impossible() => "no solution".into(),

@@ -1,5 +1,5 @@
-//! What the storages and the stepper say of their memory, beside what the allocator saw. A program of
-//! its own: it replaces the global allocator by one that counts, thread by thread.
+//! What the storages and the stepper say of their memory, beside what the allocator saw. A program
+//! of its own: it replaces the global allocator by one that counts, thread by thread.
 
 use allocation_counter::measure;
 use lcplab::lcp::{Lcp, Matrix};

@@ -11,7 +11,8 @@ struct Peer {
     shim: &'static str,
     /// Its name for pkg-config, if it has one.
     package: Option<&'static str>,
-    /// A header, and the folder of headers below a prefix: without pkg-config it is there if this is.
+    /// A header, and the folder of headers below a prefix: without pkg-config it is there if this
+    /// is.
     header: &'static str,
     folder: &'static str,
     /// What else the compiler is to know.

@@ -1,4 +1,5 @@
-//! What the benchmarks share: their problems, and the recorded run beside other engines with its table.
+//! What the benchmarks share: their problems, and the recorded run beside other engines with its
+//! table.
 
 pub mod problems;
 pub mod recording;

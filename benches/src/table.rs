@@ -51,7 +51,8 @@ pub fn goals() -> Result<Vec<Goal>> {
 /// Libraries as the names of contenders and engines begin, ours first.
 const LIBRARIES: [&str; 7] = ["lcplab", "ODE", "DART", "Bullet", "Siconos", "clarabel", "Rapier"];
 
-/// The table in Markdown: the least time in ms of each library's methods, a dash where none answered.
+/// The table in Markdown: the least time in ms of each library's methods, a dash where none
+/// answered.
 pub fn markdown(recording: &Recording) -> String {
     let mut text = String::from("| problem | rows |");
     LIBRARIES.iter().for_each(|library| _ = write!(text, " {library} |"));

@@ -1,6 +1,6 @@
-//! Times side by side: in each round every contender has its turn, so that whatever else the machine
-//! does meets all of them alike. Medians, and the best of all rounds: the median contains other
-//! people's work, the best hardly any, so ratios of bests repeat.
+//! Times side by side: in each round every contender has its turn, so that whatever else the
+//! machine does meets all of them alike. Medians, and the best of all rounds: the median contains
+//! other people's work, the best hardly any, so ratios of bests repeat.
 
 use std::time::Instant;
 

@@ -1,4 +1,5 @@
-//! A stack, a chain and a pile for 100 000 steps: no energy out of nothing, no drift, no more memory.
+//! A stack, a chain and a pile for 100 000 steps: no energy out of nothing, no drift, no more
+//! memory.
 //!
 //! `cargo run --release --example long_run [STEPS]`; a broken bound ends it with exit code 1.
 

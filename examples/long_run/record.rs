@@ -25,8 +25,9 @@ pub struct LongRun {
     pub creep: f64,
 }
 
-/// The runs. What the first step leaves undone, from impulses 0, stays: the shipped stack and pile feed no
-/// error back. The chain falls from level and cannot get farther than twice its length, 2 m.
+/// The runs. What the first step leaves undone, from impulses 0, stays: the shipped stack and pile
+/// feed no error back. The chain falls from level and cannot get farther than twice its length, 2
+/// m.
 pub const RUNS: [LongRun; 3] = [
     LongRun { scene: "stack", gain: 1e-9, penetration: 2e-3, drift: 0.0, creep: 2e-3 },
     LongRun { scene: "chain", gain: 1e-9, penetration: 0.0, drift: 4e-2, creep: 4.1 },

@@ -1,5 +1,6 @@
-//! The targets without coverage to guide them, on any toolchain: random bytes, or the corpus with random
-//! changes. `cargo run --release --example blind -- TARGET SECONDS SEED`, or a file in place of SECONDS.
+//! The targets without coverage to guide them, on any toolchain: random bytes, or the corpus with
+//! random changes. `cargo run --release --example blind -- TARGET SECONDS SEED`, or a file in place
+//! of SECONDS.
 
 use std::panic::catch_unwind;
 use std::time::{Duration, Instant};

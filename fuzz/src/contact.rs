@@ -1,5 +1,5 @@
-//! Bytes as one contact whose A is diagonal, so that its laws are solved by hand: the judge accepts that
-//! answer and none that is far from it, and no solver claims another one.
+//! Bytes as one contact whose A is diagonal, so that its laws are solved by hand: the judge accepts
+//! that answer and none that is far from it, and no solver claims another one.
 
 use arbitrary::{Result, Unstructured};
 use lcplab::certificate::{Demand, judge_cone, judge_friction};
@@ -38,8 +38,8 @@ impl One {
         FrictionProblem::new(lcp.expect("finite"), vec![contact]).expect("one contact")
     }
 
-    /// What holds the rows in place, and no more than friction can: of each tangent in a box, of both
-    /// together in Coulomb's cone.
+    /// What holds the rows in place, and no more than friction can: of each tangent in a box, of
+    /// both together in Coulomb's cone.
     fn answer(&self, is_cone: bool) -> [f64; 3] {
         let [n, t1, t2] = [0, 1, 2].map(|i| -self.b[i] / self.a[i]);
         let (n, most) = (n.max(0.0), self.mu * n.max(0.0));

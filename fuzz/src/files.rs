@@ -13,8 +13,8 @@ const NEXT: &[u8] = b"\n=== ";
 /// What a reader may take.
 const MOST: Memory = Memory::bytes(100_000_000);
 
-/// Reads the bytes in a format: the main file, then after a line `=== part` each that goes with it. What
-/// was read must survive our own format.
+/// Reads the bytes in a format: the main file, then after a line `=== part` each that goes with it.
+/// What was read must survive our own format.
 pub fn read(format: &str, bytes: &[u8]) {
     let format = Format::by_name(format).expect("a known format");
     let main = save(format, bytes);

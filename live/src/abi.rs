@@ -1,4 +1,5 @@
-//! Three functions for a page that has nothing but WebAssembly: memory for a question, the question, and the memory back.
+//! Three functions for a page that has nothing but WebAssembly: memory for a question, the
+//! question, and the memory back.
 
 #![allow(unsafe_code)]
 
@@ -8,8 +9,8 @@ pub extern "C" fn room(length: usize) -> *mut u8 {
     Box::into_raw(vec![0u8; length].into_boxed_slice()).cast()
 }
 
-/// Answers the question in this room, which it takes back. The answer begins with its length in four bytes, the
-/// lowest first; it is given back by [`back`].
+/// Answers the question in this room, which it takes back. The answer begins with its length in
+/// four bytes, the lowest first; it is given back by [`back`].
 ///
 /// # Safety
 /// The room must be one that [`room`] has given for so many bytes, and is not used any more.

@@ -79,8 +79,8 @@ fn one() -> f64 {
 }
 
 impl Motion {
-    /// After each step: how far each body has sunk (m), the impulses (N s), and the part of the weight that the
-    /// ground does not carry.
+    /// After each step: how far each body has sunk (m), the impulses (N s), and the part of the
+    /// weight that the ground does not carry.
     pub fn answer(self) -> Answer {
         let column = Column { masses: self.masses, dt: self.dt };
         let (m, n, dt) = (&column.masses, column.masses.len(), column.dt);

@@ -1,7 +1,8 @@
-//! What the live pages ask, as JSON in and out: the same solvers and the same judge as everywhere else.
+//! What the live pages ask, as JSON in and out: the same solvers and the same judge as everywhere
+//! else.
 //!
-//! A page sends a question as text and gets the answer as text, natively by [`answer`], in a browser through
-//! the three functions of [`abi`]. Numbers keep all their bits on the way.
+//! A page sends a question as text and gets the answer as text, natively by [`answer`], in a
+//! browser through the three functions of [`abi`]. Numbers keep all their bits on the way.
 
 #![deny(missing_docs)]
 

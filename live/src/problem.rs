@@ -46,8 +46,8 @@ pub struct Prove {
 }
 
 impl Solve {
-    /// The answer as `solve --json` prints it, the steps, the derivation where the method is one of those that are
-    /// derived, and the list of methods.
+    /// The answer as `solve --json` prints it, the steps, the derivation where the method is one of
+    /// those that are derived, and the list of methods.
     pub fn answer(self) -> Answer {
         let question = read(self.problem)?;
         let (problem, lcp) = (question.problem(), boxed(&question)?);

@@ -1,5 +1,5 @@
-//! Painlevé's rod: how many forces hold its end, which impulses do, and how it goes on. Mass, half length and g
-//! are 1; `lcplab_problem::library::painleve` derives the rows.
+//! Painlevé's rod: how many forces hold its end, which impulses do, and how it goes on. Mass, half
+//! length and g are 1; `lcplab_problem::library::painleve` derives the rows.
 
 use lcplab_problem::exact::all_solutions;
 use lcplab_problem::friction::{FrictionProblem, Model};
@@ -40,8 +40,8 @@ pub struct Run {
 }
 
 impl Rod {
-    /// The one row w = a x + b of the forces with all its answers, the critical friction, and what the first step of
-    /// several lengths does.
+    /// The one row w = a x + b of the forces with all its answers, the critical friction, and what
+    /// the first step of several lengths does.
     pub fn answer(&self) -> Answer {
         self.checked()?;
         let (s, c) = self.directions();
@@ -124,7 +124,8 @@ impl State {
         dot(row, self.velocity)
     }
 
-    /// The impulses of a step of this length and what they leave: w = J (u + dt f) + A x, with the gap of each end.
+    /// The impulses of a step of this length and what they leave: w = J (u + dt f) + A x, with the
+    /// gap of each end.
     fn touch(&self, mu: f64, dt: f64) -> Result<(Vec<f64>, Vec<f64>), String> {
         let rows = self.rows();
         let half = libm::sin(self.place[2]);

@@ -77,8 +77,9 @@ impl Question {
     }
 }
 
-/// What a sweep leaves of the error while no row changes sides: the spectral radius of the free rows' iteration
-/// matrix G, as (|G^2k| / |G^k|)^(1/k) for k = 2¹² (Gelfand); a module without eigenvalues is smaller by a quarter.
+/// What a sweep leaves of the error while no row changes sides: the spectral radius of the free
+/// rows' iteration matrix G, as (|G^2k| / |G^k|)^(1/k) for k = 2¹² (Gelfand); a module without
+/// eigenvalues is smaller by a quarter.
 fn rate(solver: &str, omega: f64, lcp: &Lcp, x: &[f64]) -> Option<f64> {
     let omega = match solver {
         "pgs" => 1.0,

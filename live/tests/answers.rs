@@ -88,7 +88,8 @@ fn a_rod_has_one_force_below_the_critical_friction_and_none_or_two_above() {
     for (mu, omega, count) in [(1.3, 0.0, 1), (1.4, 0.0, 0), (1.4, 1.5, 2), (1.3, 1.5, 1)] {
         assert_eq!(rod(mu, omega)["forces"].as_array().unwrap().len(), count, "{mu} {omega}");
     }
-    // Without a force the impulse of a short step does not vanish with it: x_n → ¾ sin θ cos θ = 0.3.
+    // Without a force the impulse of a short step does not vanish with it: x_n → ¾ sin θ cos θ =
+    // 0.3.
     let last = &rod(2.0, 0.0)["steps"][2];
     assert!((last["x"][0].as_f64().unwrap() - 0.3).abs() < 1e-3, "{last}");
     // Where there is one it is (1 − ω² sin θ) dt / a = dt / 0.4 for μ = 1.

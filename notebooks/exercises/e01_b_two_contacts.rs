@@ -1,9 +1,10 @@
 //! Find the bug 1.b: two contacts.
 //!
-//! The program goes through the four cases of the lesson and should return the x ≥ 0 with w = A x + b ≥ 0 and x[i]
-//! w[i] = 0 for both rows; A is symmetric, positive definite. Its users say: "Contacts that do not feel each other
-//! are always right. Three balls in a line are right most of the time, but sometimes a contact that should hold
-//! goes on closing, or one pulls." There is exactly one mistake.
+//! The program goes through the four cases of the lesson and should return the x ≥ 0 with w = A x +
+//! b ≥ 0 and x[i] w[i] = 0 for both rows; A is symmetric, positive definite. Its users say:
+//! "Contacts that do not feel each other are always right. Three balls in a line are right most of
+//! the time, but sometimes a contact that should hold goes on closing, or one pulls." There is
+//! exactly one mistake.
 
 /// The answer of the two-row problem.
 pub fn answer(a: [[f64; 2]; 2], b: [f64; 2]) -> [f64; 2] {

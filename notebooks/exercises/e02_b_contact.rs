@@ -1,9 +1,10 @@
 //! Find the bug 2.b: the row of a contact.
 //!
-//! Two bodies touch at a point. Given are their centers, the point (all in m), and a normal that points from body 0
-//! to body 1, of any length. The program should return the row J with ċ = J u, u = (v0, ω0, v1, ω1): how fast the
-//! gap opens. Its users say: "Balls that meet are right. But a box that comes down on an edge starts to turn the
-//! wrong way round, and the edge goes on into the ground." There is exactly one mistake.
+//! Two bodies touch at a point. Given are their centers, the point (all in m), and a normal that
+//! points from body 0 to body 1, of any length. The program should return the row J with ċ = J u,
+//! u = (v0, ω0, v1, ω1): how fast the gap opens. Its users say: "Balls that meet are right. But a
+//! box that comes down on an edge starts to turn the wrong way round, and the edge goes on into the
+//! ground." There is exactly one mistake.
 
 /// J, twelve numbers.
 pub fn answer(centers: [[f64; 3]; 2], point: [f64; 3], normal: [f64; 3]) -> [f64; 12] {

@@ -1,9 +1,10 @@
 //! Find the bug 3.b: one step of two bodies on a line.
 //!
-//! Body 1 is above body 0, velocities count upwards (m/s), each body has its inverse mass (1/kg; 0 for a table that
-//! cannot move) and its force (N). The gap opens at J u with J = [-1, 1]. The program should return the velocities
-//! after a step of dt (s). Its users say: "With steps of 1 s everything is right. With steps of 0.01 s a book that
-//! lies on a table flies up as if it had been kicked." There is exactly one mistake.
+//! Body 1 is above body 0, velocities count upwards (m/s), each body has its inverse mass (1/kg; 0
+//! for a table that cannot move) and its force (N). The gap opens at J u with J = [-1, 1]. The
+//! program should return the velocities after a step of dt (s). Its users say: "With steps of 1 s
+//! everything is right. With steps of 0.01 s a book that lies on a table flies up as if it had been
+//! kicked." There is exactly one mistake.
 
 /// The velocities of the two bodies after the step.
 pub fn answer(inverse_mass: [f64; 2], u: [f64; 2], force: [f64; 2], dt: f64) -> [f64; 2] {

@@ -1,9 +1,9 @@
 //! Find the bug 8.b: sweeps that know when to stop.
 //!
-//! The program should sweep over contacts, w = A x + b ≥ 0, x ≥ 0, x w = 0, until the natural residual is at most
-//! the tolerance, and return x and the number of sweeps. Its users say: "The answers are right. But as soon as a
-//! contact opens it does all of its thousand sweeps, though the first few were enough." There is exactly one
-//! mistake.
+//! The program should sweep over contacts, w = A x + b ≥ 0, x ≥ 0, x w = 0, until the natural
+//! residual is at most the tolerance, and return x and the number of sweeps. Its users say: "The
+//! answers are right. But as soon as a contact opens it does all of its thousand sweeps, though the
+//! first few were enough." There is exactly one mistake.
 
 /// x, and the number of sweeps that were done.
 pub fn answer(a: &[Vec<f64>], b: &[f64], tolerance: f64) -> (Vec<f64>, usize) {

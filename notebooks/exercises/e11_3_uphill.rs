@@ -1,7 +1,8 @@
 //! Exercise 11.3: a block is kicked up a slope.
 //!
-//! It starts uphill with the speed v0 ≥ 0. Friction works against the sliding: downhill at first. When
-//! the block has stopped, it may stay, or slide back. g = 9.81 m/s²; the angle θ is in radians.
+//! It starts uphill with the speed v0 ≥ 0. Friction works against the sliding: downhill at first.
+//! When the block has stopped, it may stay, or slide back. g = 9.81 m/s²; the angle θ is in
+//! radians.
 
 /// Its velocity after the time t (s), counted uphill.
 pub fn answer(theta: f64, mu: f64, v0: f64, t: f64) -> f64 {

@@ -1,9 +1,10 @@
 //! Exercise 15.3: what a mass ratio costs.
 //!
-//! Two bodies, one contact each, `below` and `above` their masses. Each sweep of PGS multiplies the error of
-//! the upper contact's impulse by ρ, which you can find from A.
+//! Two bodies, one contact each, `below` and `above` their masses. Each sweep of PGS multiplies the
+//! error of the upper contact's impulse by ρ, which you can find from A.
 
-/// The least number of sweeps after which the error is at most `reduction` (between 0 and 1) of what it was.
+/// The least number of sweeps after which the error is at most `reduction` (between 0 and 1) of
+/// what it was.
 pub fn answer(below: f64, above: f64, reduction: f64) -> usize {
     todo!()
 }

@@ -1,4 +1,5 @@
-//! One file an exercise: fill the hole or find the bug, then run `cargo run --release -- exercise 1.1`.
+//! One file an exercise: fill the hole or find the bug, then run `cargo run --release -- exercise
+//! 1.1`.
 
 pub mod e01_1_hand;
 pub mod e01_2_one_row;

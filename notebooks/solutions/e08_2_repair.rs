@@ -1,12 +1,12 @@
 //! Exercise 8.2: is there an exact answer near this x?
 //!
-//! Two contacts, w = A x + b ≥ 0, x ≥ 0, x w = 0; A is symmetric, positive definite. A solver has returned an x
-//! that is about right. Read off its active set: row i is free if a[i][i] x[i] > w[i]. Solve the equations of this
-//! set without error: free rows have w = 0, the others x = 0. If the signs fit, that is an exact answer; how far is
-//! x from it?
+//! Two contacts, w = A x + b ≥ 0, x ≥ 0, x w = 0; A is symmetric, positive definite. A solver has
+//! returned an x that is about right. Read off its active set: row i is free if a[i][i] x[i] >
+//! w[i]. Solve the equations of this set without error: free rows have w = 0, the others x = 0. If
+//! the signs fit, that is an exact answer; how far is x from it?
 
-/// The exact answer, and the largest change of an entry; `None` if the signs of the set do not fit (for w, -1e-12 is
-/// still 0).
+/// The exact answer, and the largest change of an entry; `None` if the signs of the set do not fit
+/// (for w, -1e-12 is still 0).
 pub fn answer(a: [[f64; 2]; 2], b: [f64; 2], x: [f64; 2]) -> Option<([f64; 2], f64)> {
     let w = |x: [f64; 2], i: usize| a[i][0] * x[0] + a[i][1] * x[1] + b[i];
     let exact = match [0, 1].map(|i| a[i][i] * x[i] > w(x, i)) {

@@ -1,7 +1,8 @@
 //! Exercise 11.2: the nearest point of the friction cone.
 //!
-//! The cone is all [x_n, x_t1, x_t2] with |x_t| ≤ μ x_n. Three cases: the point lies in it; its nearest
-//! point is the tip, [0, 0, 0]; or its nearest point lies on the surface, where x_n changes too!
+//! The cone is all [x_n, x_t1, x_t2] with |x_t| ≤ μ x_n. Three cases: the point lies in it; its
+//! nearest point is the tip, [0, 0, 0]; or its nearest point lies on the surface, where x_n changes
+//! too!
 
 /// The point of the cone that is nearest to p = [p_n, p_t1, p_t2]; μ > 0.
 pub fn answer(p: [f64; 3], mu: f64) -> [f64; 3] {

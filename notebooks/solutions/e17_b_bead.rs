@@ -1,10 +1,11 @@
 //! Find the bug 17.b: a bead that rubs on a wire.
 //!
-//! A bead of mass m (kg) starts at rest on a straight wire z = slope x and rubs on it with the friction μ. The
-//! constraint is c = z - slope x, one equation, so its impulse may have either sign. The program should return the
-//! speed along the wire after so many steps of dt (s), to the right positive. Its users say: "On a level wire, and
-//! without friction, it is right. On a slope the bead gets too fast, and it slides where it should stay: at 30°
-//! with μ = 0.6." There is exactly one mistake.
+//! A bead of mass m (kg) starts at rest on a straight wire z = slope x and rubs on it with the
+//! friction μ. The constraint is c = z - slope x, one equation, so its impulse may have either
+//! sign. The program should return the speed along the wire after so many steps of dt (s), to the
+//! right positive. Its users say: "On a level wire, and without friction, it is right. On a slope
+//! the bead gets too fast, and it slides where it should stay: at 30° with μ = 0.6." There is
+//! exactly one mistake.
 
 /// The speed along the wire (m/s).
 pub fn answer(slope: f64, mu: f64, m: f64, dt: f64, steps: usize) -> f64 {

@@ -18,8 +18,8 @@ use pyo3::types::PyDict;
 
 use crate::{arrays, refused, waiting};
 
-/// `solver(A, b, lo, hi, **settings)`, which returns x, or yields iterates of which the last one is x, or returns
-/// `None` where it found nothing.
+/// `solver(A, b, lo, hi, **settings)`, which returns x, or yields iterates of which the last one is
+/// x, or returns `None` where it found nothing.
 #[derive(Clone, Copy)]
 struct Callable {
     name: &'static str,
@@ -44,7 +44,8 @@ struct Function {
 /// Functions as solvers, by their addresses. They are kept, and so is their place.
 static KNOWN: Mutex<Option<HashMap<usize, Function>>> = Mutex::new(None);
 
-/// The methods of a solver by its name, or of a function: for boxes, and for cones if it has a parameter `model`.
+/// The methods of a solver by its name, or of a function: for boxes, and for cones if it has a
+/// parameter `model`.
 pub fn methods(solver: &Bound<'_, PyAny>) -> PyResult<Vec<Method>> {
     if let Ok(name) = solver.extract::<String>() {
         return library::named(&name).map_err(refused);
@@ -52,7 +53,8 @@ pub fn methods(solver: &Bound<'_, PyAny>) -> PyResult<Vec<Method>> {
     Ok(known(solver)?.methods())
 }
 
-/// The method of a solver by its name, or of a function, for a model of friction, or for LCPs without any.
+/// The method of a solver by its name, or of a function, for a model of friction, or for LCPs
+/// without any.
 pub fn method(solver: &Bound<'_, PyAny>, model: Option<Model>) -> PyResult<Method> {
     if let Ok(name) = solver.extract::<String>() {
         let named = match model {
@@ -91,8 +93,8 @@ fn known(solver: &Bound<'_, PyAny>) -> PyResult<Function> {
     Ok(*known.entry(address).or_insert_with(|| Callable::new(solver).into_function()))
 }
 
-/// Whether a function has a parameter of this name; a keyword that only its `**settings` would take does not count, since
-/// such a function need not look at it.
+/// Whether a function has a parameter of this name; a keyword that only its `**settings` would take
+/// does not count, since such a function need not look at it.
 fn has_parameter(function: &Bound<'_, PyAny>, name: &str) -> bool {
     let parameters = || {
         let inspect = function.py().import("inspect")?;
@@ -256,7 +258,8 @@ impl Told<'_> {
 }
 
 impl Set {
-    /// Asks the function; whether it ended with an x. One that would yield more iterates than it may has not.
+    /// Asks the function; whether it ended with an x. One that would yield more iterates than it
+    /// may has not.
     fn answer(
         &self,
         py: Python<'_>,

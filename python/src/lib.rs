@@ -1,8 +1,8 @@
 //! lcplab for Python: what the package `lcplab` is built on.
 //!
-//! Arrays come in as NumPy's and go out as NumPy's; what is not an array goes out as the JSON that the command
-//! line prints, which the package reads. While Rust works, Python's other threads run; a function of the
-//! user's that is called from Rust is called with the interpreter held.
+//! Arrays come in as NumPy's and go out as NumPy's; what is not an array goes out as the JSON that
+//! the command line prints, which the package reads. While Rust works, Python's other threads run;
+//! a function of the user's that is called from Rust is called with the interpreter held.
 
 mod arrays;
 mod callable;

@@ -27,10 +27,12 @@ Exit codes:
   0  written
   2  bad input or usage")]
 pub struct Convert {
-    /// Problem: a file, a folder, the common beginning of the names of several files, or - for standard input
+    /// Problem: a file, a folder, the common beginning of the names of several files, or - for
+    /// standard input
     #[arg(value_name = "FROM", required_unless_present = "list")]
     source: Option<PathBuf>,
-    /// File to write, with further files next to it where the format has several; - for standard output
+    /// File to write, with further files next to it where the format has several; - for standard
+    /// output
     #[arg(value_name = "TO", required_unless_present = "list")]
     target: Option<PathBuf>,
     /// Format of FROM

@@ -27,7 +27,8 @@ use super::plugin::Plugins;
 use super::scene::Changes;
 use super::{Outcome, print, read_problem};
 
-/// Explain why bodies sink, why a problem has no solution or several, or which mistake produced an answer
+/// Explain why bodies sink, why a problem has no solution or several, or which mistake produced an
+/// answer
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
@@ -61,8 +62,8 @@ Exit codes:
   1  a problem cannot be solved, or the judge rejects the answer
   2  bad input or usage")]
 pub struct Diagnose {
-    /// Scene file, name of a shipped scene, problem file, folder of problem files, or - for a JSON problem from
-    /// standard input
+    /// Scene file, name of a shipped scene, problem file, folder of problem files, or - for a JSON
+    /// problem from standard input
     #[arg(
         required = false,
         required_unless_present = "mistakes",
@@ -72,7 +73,8 @@ pub struct Diagnose {
     /// Answer to the problem, a file with the key x: find the known mistakes that produce it
     #[arg(conflicts_with_all = ["step", "format", "out"])]
     answer: Option<PathBuf>,
-    /// Answer to the previous step, from which the solver should have started: a file with the key x
+    /// Answer to the previous step, from which the solver should have started: a file with the key
+    /// x
     #[arg(long, value_name = "ANSWER", requires = "answer")]
     last: Option<PathBuf>,
     /// List the known mistakes: what each computes, and what to check
@@ -168,7 +170,8 @@ impl Diagnose {
         Ok((diagnosis, Some(Examined { found, practice, scene: Some(scene) })))
     }
 
-    /// Writes what was found for people: words, or a page with pictures and the problems of the worst steps beside it.
+    /// Writes what was found for people: words, or a page with pictures and the problems of the
+    /// worst steps beside it.
     fn write(&self, mut document: Document, examined: Option<&Examined>) -> Result<Outcome> {
         let Some(Examined { found, practice, scene }) = examined else {
             return self.writing.write(&document);
@@ -281,7 +284,8 @@ struct Examined {
     scene: Option<Scene>,
 }
 
-/// Writes the problems of the worst steps beside a page: the name of each file, and why it is there.
+/// Writes the problems of the worst steps beside a page: the name of each file, and why it is
+/// there.
 fn worst_problems(
     scene: &Scene,
     found: &Examination,

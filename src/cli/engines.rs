@@ -1,4 +1,5 @@
-//! `report engines --engine NAMES`: the Python package runs physics engines before the page is drawn.
+//! `report engines --engine NAMES`: the Python package runs physics engines before the page is
+//! drawn.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus};
@@ -20,11 +21,12 @@ const ALL: &str = "all";
 /// How often it is looked whether the engines are through, or it is time to stop.
 const LOOK: Duration = Duration::from_millis(50);
 
-/// Runs these engines, with commas between them, on every phenomenon; returns the record, which is in this folder, or why
-/// they were stopped.
+/// Runs these engines, with commas between them, on every phenomenon; returns the record, which is
+/// in this folder, or why they were stopped.
 ///
 /// # Errors
-/// If no engine is named, there is no interpreter or package, an engine is not installed, or no record was written.
+/// If no engine is named, there is no interpreter or package, an engine is not installed, or no
+/// record was written.
 pub fn run(
     names: &str,
     folder: &Path,

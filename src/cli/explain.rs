@@ -42,7 +42,8 @@ Exit codes:
   1  the judge rejects an answer, or a step cannot be taken
   2  bad input or usage")]
 pub struct Explain {
-    /// Scene file, name of a shipped scene, problem file, or - for a JSON problem from standard input
+    /// Scene file, name of a shipped scene, problem file, or - for a JSON problem from standard
+    /// input
     input: String,
     /// pgs, sor, dantzig or lemke [default: the scene's, or dantzig; lemke where A is not
     /// symmetric]
@@ -84,7 +85,8 @@ enum Level {
 /// The most instants in the picture of a motion.
 const FRAMES: usize = 6;
 
-/// The bodies before the first of the steps and after each, with the forces that act; nothing where no step can be taken.
+/// The bodies before the first of the steps and after each, with the forces that act; nothing where
+/// no step can be taken.
 fn motion(scene: &Scene, solver: &str, first: usize, last: usize) -> Result<Option<Section>> {
     let mut scene = scene.clone();
     scene.solver.name = solver.into();

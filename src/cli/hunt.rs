@@ -14,7 +14,8 @@ use super::plugin::Plugins;
 use super::search::{Quarry, Target};
 use super::{Outcome, bar, print, say};
 
-/// Search for false claims of solvers on random hostile problems, or for the smallest problem that breaks one
+/// Search for false claims of solvers on random hostile problems, or for the smallest problem that
+/// breaks one
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
@@ -44,8 +45,8 @@ pub struct Challenge {
     /// Examine this solver (repeatable) and the plug-ins [default: all solvers]
     #[arg(long)]
     solver: Vec<String>,
-    /// Use problems with friction under this model: frozen-box, coupled-box, polygon-4 (or 8, 12, …),
-    /// associated-cone, coulomb-cone [default: with --from the model of the files]
+    /// Use problems with friction under this model: frozen-box, coupled-box, polygon-4 (or 8, 12,
+    /// …), associated-cone, coulomb-cone [default: with --from the model of the files]
     #[arg(long)]
     model: Option<Model>,
     /// Maximum number of sweeps or pivots

@@ -40,8 +40,8 @@ pub struct Problems {
     /// File to write the problem to [default: standard output]
     #[arg(long, requires = "name", value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Write the library and some steps of the shipped scenes into this folder: one file per problem, and
-    /// index.csv with the known properties of each
+    /// Write the library and some steps of the shipped scenes into this folder: one file per
+    /// problem, and index.csv with the known properties of each
     #[arg(long, value_name = "FOLDER", conflicts_with = "name")]
     export: Option<PathBuf>,
     /// Print the JSON schema of problem files

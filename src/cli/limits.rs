@@ -1,7 +1,8 @@
 //! What a command may use: `--time-limit`, `--max-memory`, and the patience of who types Ctrl-C.
 //!
-//! Commands that can stop halfway ask for the [`Stop`](Limits::stop): then Ctrl-C or SIGTERM raises it,
-//! and they write what they have. The others end at once, by the system's own means or at the time limit.
+//! Commands that can stop halfway ask for the [`Stop`](Limits::stop): then Ctrl-C or SIGTERM raises
+//! it, and they write what they have. The others end at once, by the system's own means or at the
+//! time limit.
 
 use std::process;
 use std::sync::Arc;
@@ -16,8 +17,8 @@ use lcplab::solver::{Reason, Stop};
 
 use super::{code, say};
 
-/// How long after the limit a command that asks is still waited for: it waits itself for what cannot
-/// be cut short, such as a factorisation, and then has to write.
+/// How long after the limit a command that asks is still waited for: it waits itself for what
+/// cannot be cut short, such as a factorisation, and then has to write.
 const PATIENCE: Duration = GRACE.saturating_mul(2);
 
 /// How long a command may take.
@@ -63,8 +64,8 @@ impl Limits {
         limits
     }
 
-    /// When to stop, for a command that asks; from now on a signal is one of the reasons. A second one
-    /// ends at once.
+    /// When to stop, for a command that asks; from now on a signal is one of the reasons. A second
+    /// one ends at once.
     pub fn stop(&self) -> &Stop {
         if self.asks.swap(true, Ordering::Relaxed) {
             return &self.stop; // it listens already
@@ -87,8 +88,8 @@ impl Limits {
     }
 }
 
-/// Does this at each Ctrl-C and SIGTERM; where nothing can listen to them, they end at once. SIGHUP is
-/// left alone: `nohup` has it ignored.
+/// Does this at each Ctrl-C and SIGTERM; where nothing can listen to them, they end at once. SIGHUP
+/// is left alone: `nohup` has it ignored.
 #[cfg(unix)]
 fn at_signals(mut act: impl FnMut() + Send + 'static) {
     use signal_hook::consts::{SIGINT, SIGTERM};

@@ -146,8 +146,8 @@ fn code(reason: Reason) -> u8 {
     }
 }
 
-/// Runs the command line of these arguments, the program's name first, and returns the exit code; at once where they
-/// are for help or cannot be used.
+/// Runs the command line of these arguments, the program's name first, and returns the exit code;
+/// at once where they are for help or cannot be used.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let words: Vec<String> =

@@ -41,7 +41,8 @@ pub struct Choices {
     /// Seed of --order shuffled [default: the scene's, or 1]
     #[arg(long)]
     pub seed: Option<u64>,
-    /// Step length of jacobi, above 0 and below 2 [default: one that converges for every semidefinite A]
+    /// Step length of jacobi, above 0 and below 2 [default: one that converges for every
+    /// semidefinite A]
     #[arg(long, allow_negative_numbers = true)]
     pub damping: Option<f64>,
 }

@@ -64,7 +64,8 @@ impl Browser {
     fn print_to(&self, part: &Path, page: &Path) -> Result<()> {
         let address = page.canonicalize().map_err(|cause| Error::file(page, &cause))?;
         let profile = private_folder()?;
-        // Without a sandbox, as it may be the superuser who prints; the page is ours and fetches nothing.
+        // Without a sandbox, as it may be the superuser who prints; the page is ours and fetches
+        // nothing.
         let output = Command::new(&self.0)
             .args(["--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer"])
             .arg(format!("--user-data-dir={}", profile.path().display()))
@@ -83,7 +84,8 @@ impl Browser {
     }
 }
 
-/// A folder with a private name, removed when it is dropped: what the browser needs while it prints.
+/// A folder with a private name, removed when it is dropped: what the browser needs while it
+/// prints.
 fn private_folder() -> Result<TempDir> {
     tempfile::tempdir().map_err(|cause| Error::file(&env::temp_dir(), &cause))
 }

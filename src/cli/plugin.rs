@@ -11,8 +11,8 @@ use super::say;
 /// Programs that solve problems.
 #[derive(Debug, Args)]
 pub struct Plugins {
-    /// Run this command as a solver (repeatable): it reads problems and writes answers, see docs/plugins.md.
-    /// The solver is named after its file; NAME=COMMAND sets another name
+    /// Run this command as a solver (repeatable): it reads problems and writes answers, see
+    /// docs/plugins.md. The solver is named after its file; NAME=COMMAND sets another name
     #[arg(long, value_name = "COMMAND")]
     plugin: Vec<String>,
     /// Time limit for each answer of a plug-in

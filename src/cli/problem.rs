@@ -53,12 +53,12 @@ Exit codes:
 pub struct Solve {
     /// Problem file in the format of its extension; - reads JSON from standard input
     problem: PathBuf,
-    /// Solver [default: try a sequence of methods until one succeeds, starting with dantzig for symmetric A,
-    /// lemke for other A, and apgd or cone-pgs for friction cones]
+    /// Solver [default: try a sequence of methods until one succeeds, starting with dantzig for
+    /// symmetric A, lemke for other A, and apgd or cone-pgs for friction cones]
     #[arg(long)]
     solver: Option<String>,
-    /// Friction model: frozen-box, coupled-box, polygon-4 (or 8, 12, …), associated-cone, coulomb-cone
-    /// [default: the file's]
+    /// Friction model: frozen-box, coupled-box, polygon-4 (or 8, 12, …), associated-cone,
+    /// coulomb-cone [default: the file's]
     #[arg(long)]
     model: Option<Model>,
     /// Try an exact proof for up to 150 rows instead of 50

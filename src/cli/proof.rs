@@ -44,7 +44,8 @@ pub struct Prove {
     /// Friction model [default: the file's]
     #[arg(long)]
     model: Option<Model>,
-    /// Prove only this kind: one of those below, or frozen-motion (motion with the friction limits of the answer)
+    /// Prove only this kind: one of those below, or frozen-motion (motion with the friction limits
+    /// of the answer)
     #[arg(long)]
     kind: Option<Kind>,
     /// File to write; a page if it ends in .html [default: standard output]

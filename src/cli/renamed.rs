@@ -26,7 +26,8 @@ const OPTIONS: [(&str, &str, &str); 13] = [
     ("report", "--sweeps", "diagnose FOLDER --sweeps N"),
 ];
 
-/// What replaces the command or option that clap does not know; `words` are those of the command line.
+/// What replaces the command or option that clap does not know; `words` are those of the command
+/// line.
 pub fn instead(error: &clap::Error, words: &[String]) -> Option<String> {
     let unknown = |kind| match error.get(kind) {
         Some(ContextValue::String(word)) => Some(word.as_str()),

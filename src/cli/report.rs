@@ -60,35 +60,39 @@ pub struct Report {
     /// Report file, name of a shipped report, or results.json of a report to draw again
     #[arg(value_name = "REPORT")]
     report: Option<String>,
-    /// With a report: print its tables on the terminal and write no files. Without: list the shipped reports
-    /// and the kinds of studies
+    /// With a report: print its tables on the terminal and write no files. Without: list the
+    /// shipped reports and the kinds of studies
     #[arg(long, conflicts_with_all = ["compare", "out"])]
     list: bool,
-    /// Print the file of a shipped report, to start your own from; or schema, the JSON schema of report files
+    /// Print the file of a shipped report, to start your own from; or schema, the JSON schema of
+    /// report files
     #[arg(long, value_name = "NAME", conflicts_with_all = ["report", "list", "compare"])]
     print: Option<String>,
-    /// List the differences between two results files other than times. Numbers pass if they differ by at
-    /// most TOLERANCE, relative to the larger one [default: 0]
+    /// List the differences between two results files other than times. Numbers pass if they differ
+    /// by at most TOLERANCE, relative to the larger one [default: 0]
     #[arg(long, num_args = 2..=3, value_names = ["OLD", "NEW", "TOLERANCE"])]
     compare: Vec<String>,
-    /// Run only this section, given by its id: the name of the study, or the anchor in the address of the page
+    /// Run only this section, given by its id: the name of the study, or the anchor in the address
+    /// of the page
     #[arg(long, value_name = "ID", conflicts_with = "compare")]
     section: Option<String>,
-    /// Write only this figure, given by its id, to the file of --out: .svg, .pdf, or its data as .csv
+    /// Write only this figure, given by its id, to the file of --out: .svg, .pdf, or its data as
+    /// .csv
     #[arg(long, value_name = "ID", requires = "out", conflicts_with_all = ["compare", "proofs"])]
     figure: Option<String>,
-    /// Folder of the report [default: reports/NAME]; or a .pdf file, to which a Chromium or Chrome on the PATH
-    /// prints the page
+    /// Folder of the report [default: reports/NAME]; or a .pdf file, to which a Chromium or Chrome
+    /// on the PATH prints the page
     #[arg(long, conflicts_with = "compare")]
     out: Option<PathBuf>,
     /// Number of threads [default: one per processor]
     #[arg(long, value_parser = threads())]
     threads: Option<u16>,
-    /// Write a proof file for each row that shows the verdict on one problem; a button on the page checks it
+    /// Write a proof file for each row that shows the verdict on one problem; a button on the page
+    /// checks it
     #[arg(long, conflicts_with_all = ["compare", "list"])]
     proofs: bool,
-    /// For the report engines: first run these installed physics engines, separated by commas, or all
-    /// [default: draw the recorded results]
+    /// For the report engines: first run these installed physics engines, separated by commas, or
+    /// all [default: draw the recorded results]
     #[arg(long, value_name = "NAMES|all", conflicts_with_all = ["compare", "section"])]
     engine: Option<String>,
     #[command(flatten)]
@@ -160,7 +164,8 @@ impl Report {
         engines::run(names, &folder_of(self.folder(), "reports", ENGINES)?, limits.stop())
     }
 
-    /// Writes the page, of a record if there is one; returns how the report came out, and the page's path.
+    /// Writes the page, of a record if there is one; returns how the report came out, and the
+    /// page's path.
     fn page(&self, record: Option<&Path>, limits: &Limits) -> Result<(Outcome, Option<PathBuf>)> {
         if self.name() == HANDOUT.name {
             return self.handout();
@@ -226,7 +231,8 @@ impl Report {
         words.join(" ")
     }
 
-    /// Writes the page, with proofs if they are asked for, and prints the summary; or a figure alone, or tables.
+    /// Writes the page, with proofs if they are asked for, and prints the summary; or a figure
+    /// alone, or tables.
     fn shown(&self, results: &Results, folder: &Path) -> Result<(Outcome, Option<PathBuf>)> {
         let mut document = view::document(results)?;
         if let (Some(id), Some(file)) = (&self.figure, &self.out) {
@@ -344,8 +350,8 @@ fn alone(document: &view::Document, id: &str, file: &Path) -> Result<()> {
     }
 }
 
-/// The sections of an interrupted run that have not been edited since; nothing if there is no such run, or it
-/// is not readable.
+/// The sections of an interrupted run that have not been edited since; nothing if there is no such
+/// run, or it is not readable.
 fn interrupted(path: &Path) -> Option<Results> {
     let results: Results = serde_json::from_value(difference::read(path).ok()?).ok()?;
     if results.is_complete() {

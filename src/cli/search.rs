@@ -22,22 +22,23 @@ use super::{Outcome, bar, print, say, warn};
 /// What to look for, and where.
 #[derive(Debug, Args)]
 pub struct Quarry {
-    /// Search for the smallest problem on which the solver makes a false claim (lie), fails (failure), takes many
-    /// iterations (iterations), is accepted far from the exact solution (error), or takes many times the
-    /// iterations of another solver (ratio A:B)
+    /// Search for the smallest problem on which the solver makes a false claim (lie), fails
+    /// (failure), takes many iterations (iterations), is accepted far from the exact solution
+    /// (error), or takes many times the iterations of another solver (ratio A:B)
     #[arg(long, num_args = 1..=2, value_names = ["MEASURE", "A:B"])]
     measure: Vec<String>,
     /// Number of rows
     #[arg(long, value_name = "LEAST..MOST", default_value = "1..6", value_parser = rows, requires = "measure")]
     n: RangeInclusive<usize>,
-    /// Class of the matrix, decided in exact arithmetic [default: definite; with --from the narrowest class of
-    /// the given problems]
+    /// Class of the matrix, decided in exact arithmetic [default: definite; with --from the
+    /// narrowest class of the given problems]
     #[arg(long, value_enum, requires = "measure")]
     class: Option<Class>,
     /// Search only problems with friction: contacts with a normal and two tangents
     #[arg(long, requires = "measure")]
     friction: bool,
-    /// Start from these problems: a file, a folder or a pattern (repeatable). Problems of any size are shrunk
+    /// Start from these problems: a file, a folder or a pattern (repeatable). Problems of any size
+    /// are shrunk
     #[arg(long, value_name = "FILES", requires = "measure")]
     from: Vec<String>,
     /// Number of problems to try before the best one is shrunk

@@ -23,8 +23,8 @@ pub struct Frame {
     pub heat: Vec<f64>,
 }
 
-/// A force of a contact or constraint on a moving body: of a contact on the body that it pushes against gravity, the upper
-/// one, else on body 1 of the two where that moves.
+/// A force of a contact or constraint on a moving body: of a contact on the body that it pushes
+/// against gravity, the upper one, else on body 1 of the two where that moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Force {
     /// Where it acts (m, world).

@@ -56,7 +56,8 @@ impl<'a> Ink<'a> {
         self.out
     }
 
-    /// A half space: its patch, or its cut where it is seen from the edge; only the grid from behind.
+    /// A half space: its patch, or its cut where it is seen from the edge; only the grid from
+    /// behind.
     pub fn ground(&mut self, patch: &Patch) {
         let towards = self.lens.camera.project(&patch.normal);
         if towards.z.abs() <= EDGE_ON {
@@ -85,7 +86,8 @@ impl<'a> Ink<'a> {
         self.line(&style, [start, end]);
     }
 
-    /// Solids in the order of painting; what nothing is seen of is left out. Bodies are as red as `heat` says, if it does.
+    /// Solids in the order of painting; what nothing is seen of is left out. Bodies are as red as
+    /// `heat` says, if it does.
     pub fn solids(&mut self, bodies: &[Body], heat: &[f64], solids: &[&Solid]) {
         let mut coverage = Coverage::new(self.lens.width, self.lens.height);
         let mut seen: Vec<Vec<Vec<Place>>> = Vec::new();

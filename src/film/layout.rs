@@ -83,7 +83,8 @@ impl Window {
 }
 
 impl Layout {
-    /// As few rows as show the window nearly as large as any number of rows would, in cells at least as wide as a label.
+    /// As few rows as show the window nearly as large as any number of rows would, in cells at
+    /// least as wide as a label.
     pub fn new(window: &Window, frames: usize, label: f64) -> Self {
         let mut best = Layout::in_rows(window, frames, 1);
         for rows in 2..=frames {

@@ -7,9 +7,9 @@
 //!
 //! A [`Frame`] is one instant; a [`Strip`] lays several out and is a [`Figure`] like any other. All
 //! bodies are convex, so a plane separates any two that do not overlap: the order of painting is
-//! that of the sides of those planes, and what is hidden is not written. A new shape is one function
-//! in `solid.rs`. A [`Film`] is the same motion instant by instant, by several solvers, as data for a
-//! player that draws what a strip draws.
+//! that of the sides of those planes, and what is hidden is not written. A new shape is one
+//! function in `solid.rs`. A [`Film`] is the same motion instant by instant, by several solvers, as
+//! data for a player that draws what a strip draws.
 
 mod arrow;
 mod camera;

@@ -33,8 +33,8 @@ pub(super) enum Part {
 }
 
 impl Solid {
-    /// The solids of a body, one but of a compound; a point gets the radius `dot` (m), and a half space has
-    /// none.
+    /// The solids of a body, one but of a compound; a point gets the radius `dot` (m), and a half
+    /// space has none.
     pub fn of(index: usize, body: &Body, pose: &Pose, dot: f64) -> Vec<Self> {
         Solid::of_shape(Part::Body(index), &body.shape, pose, dot)
     }

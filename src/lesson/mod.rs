@@ -1,11 +1,12 @@
-//! Lessons: notebooks with cells in Python, and cells in Rust that are compiled with the crate, run, and
-//! shown with what they put out.
+//! Lessons: notebooks with cells in Python, and cells in Rust that are compiled with the crate,
+//! run, and shown with what they put out.
 //!
-//! A lesson is one Markdown file ([`source`]). The build turns its Rust cells into a [`Program`]; running
-//! it gives a [`Record`] of outputs, from which follow a page ([`Program::page`]) and Jupyter notebooks
-//! in Python ([`Program::notebook`]) and in Rust ([`Program::rust_notebook`]). In a Rust cell `println!` writes a line, [`show`] a [`table`], a [`Plot`], a scene
-//! or an erratum's exhibit, and [`put`] gives the prose a value that it quotes as `{{name}}`. The same
-//! calls work in a Jupyter kernel for Rust.
+//! A lesson is one Markdown file ([`source`]). The build turns its Rust cells into a [`Program`];
+//! running it gives a [`Record`] of outputs, from which follow a page ([`Program::page`]) and
+//! Jupyter notebooks in Python ([`Program::notebook`]) and in Rust ([`Program::rust_notebook`]). In
+//! a Rust cell `println!` writes a line, [`show`] a [`table`], a [`Plot`], a scene or an erratum's
+//! exhibit, and [`put`] gives the prose a value that it quotes as `{{name}}`. The same calls work
+//! in a Jupyter kernel for Rust.
 //!
 //! [`exercise`] checks programs of students, [`problem`] numbers that they have found.
 
@@ -80,7 +81,8 @@ impl Program {
     }
 }
 
-/// The prose with what it quotes: values by name, errata by number as a note in the margin, the problem set.
+/// The prose with what it quotes: values by name, errata by number as a note in the margin, the
+/// problem set.
 fn quoted(program: &Program, prose: &str, record: &Record) -> Result<String> {
     let mut pieces = prose.split("{{");
     let mut out = pieces.next().unwrap_or_default().to_string();

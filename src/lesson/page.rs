@@ -50,8 +50,8 @@ impl Program {
         Ok(page)
     }
 
-    /// Prose begins a section at each of its headings of the second level. Drawings and live pages follow the
-    /// paragraphs that show them.
+    /// Prose begins a section at each of its headings of the second level. Drawings and live pages
+    /// follow the paragraphs that show them.
     fn add_prose(&self, page: &mut Page, text: &str) -> Result<()> {
         let mut pieces =
             format!("\n{text}").split("\n## ").map(String::from).collect::<Vec<_>>().into_iter();
@@ -106,8 +106,8 @@ fn drawing(line: &str) -> Option<(&str, &str)> {
     line.strip_prefix("![")?.strip_suffix(')')?.split_once("](drawings/")
 }
 
-/// Notebooks stand beside the folder of live pages and link to each other; pages have it in their own, and end
-/// otherwise.
+/// Notebooks stand beside the folder of live pages and link to each other; pages have it in their
+/// own, and end otherwise.
 fn on_page(text: &str) -> String {
     text.replace("](../live/", "](live/")
         .replace("](README.md)", "](index.html)")
@@ -123,8 +123,8 @@ fn printed(code: &str, output: &str) -> Vec<(String, String)> {
     pieces
 }
 
-/// A Rust cell with what it put out. Where it has a twin, what it printed stands with its code; elsewhere its
-/// code is folded away, for Python carries the lesson.
+/// A Rust cell with what it put out. Where it has a twin, what it printed stands with its code;
+/// elsewhere its code is folded away, for Python carries the lesson.
 fn add_cell(
     page: &mut Page,
     code: &str,

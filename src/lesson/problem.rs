@@ -1,7 +1,8 @@
 //! Problem sets: questions whose answer is a number.
 //!
-//! Each lesson has a file `notebooks/problems/NN.toml`. A problem states the question in Markdown, the answer and
-//! how near one must come, and the answers that typical mistakes lead to, each with a hint.
+//! Each lesson has a file `notebooks/problems/NN.toml`. A problem states the question in Markdown,
+//! the answer and how near one must come, and the answers that typical mistakes lead to, each with
+//! a hint.
 
 use serde::Deserialize;
 

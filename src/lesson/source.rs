@@ -12,8 +12,8 @@
 //! ```text                      anything else in fences belongs to the prose
 //! ```
 //!
-//! The build script reads notebooks by the same code, to turn their Rust cells into programs. The tests
-//! of the Python package run the Python cells and compare what they print.
+//! The build script reads notebooks by the same code, to turn their Rust cells into programs. The
+//! tests of the Python package run the Python cells and compare what they print.
 
 /// A notebook, cut into prose and cells.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,5 +1,5 @@
-//! The live pages: problems that are dragged, methods that are stepped through, by the same solvers compiled to
-//! WebAssembly. `live/README.md` says how the module is built.
+//! The live pages: problems that are dragged, methods that are stepped through, by the same solvers
+//! compiled to WebAssembly. `live/README.md` says how the module is built.
 
 use std::path::Path;
 use std::sync::LazyLock;
@@ -95,7 +95,8 @@ impl Page {
     }
 }
 
-/// The live pages to which words link, as `[a stack](live/stack.html#solver=pgs)`, to be opened in place.
+/// The live pages to which words link, as `[a stack](live/stack.html#solver=pgs)`, to be opened in
+/// place.
 pub fn linked(text: &str) -> Vec<Live> {
     let links = text.split("](live/").skip(1).map(|after| after.split(')').next().unwrap_or(""));
     let live = |link: &str| {

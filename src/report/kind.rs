@@ -75,7 +75,8 @@ impl Kind {
 /// Kinds that other programs have [added](add).
 static ADDED: RwLock<Vec<&'static Kind>> = RwLock::new(Vec::new());
 
-/// Lets report files of this process ask for more kinds: those of a program with studies of its own.
+/// Lets report files of this process ask for more kinds: those of a program with studies of its
+/// own.
 pub fn add(kinds: &'static [Kind]) {
     ADDED.write().unwrap_or_else(PoisonError::into_inner).extend(kinds);
 }

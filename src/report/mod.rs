@@ -1,6 +1,7 @@
 //! Results as pages, tables and JSON: [`experiment`] says what is to be found out by [`study`]s of
 //! which [`kind`], [`run`] finds it out, [`results`] holds it, [`view`] shows it and
-//! [`write`](mod@write) puts it on disk, [`proofs`] beside it; [`difference`] says what changed between two runs.
+//! [`write`](mod@write) puts it on disk, [`proofs`] beside it; [`difference`] says what changed
+//! between two runs.
 
 pub mod difference;
 pub mod experiment;

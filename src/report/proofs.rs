@@ -117,7 +117,8 @@ impl Proofs {
         Ok(())
     }
 
-    /// Links each row to its proof, which stands at the end of its section with a button that checks it.
+    /// Links each row to its proof, which stands at the end of its section with a button that
+    /// checks it.
     pub fn onto(&self, document: &mut Document) {
         for section in &mut document.page.sections {
             let id = section.id.clone();

@@ -58,7 +58,8 @@ pub struct Part {
     /// The study's tasks.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub tasks: Vec<Task>,
-    /// Of what was found out so far, as long as others are to go on from it: see [`Results::sealed`].
+    /// Of what was found out so far, as long as others are to go on from it: see
+    /// [`Results::sealed`].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub checksum: Option<String>,
 }
@@ -176,7 +177,8 @@ impl Results {
             .then(|| format!("{over} of {all} tasks done; run the same command again to continue"))
     }
 
-    /// Takes over what an earlier run of the same version found out for the same settings, with the same plug-ins.
+    /// Takes over what an earlier run of the same version found out for the same settings, with the
+    /// same plug-ins.
     pub fn resume(&mut self, earlier: &Results) {
         let by = |results: &Results| {
             (results.version.clone(), results.libraries.clone(), results.plugins.clone())

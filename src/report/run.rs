@@ -14,8 +14,8 @@ use crate::solver::Stop;
 /// Results are saved no more often than this while the report runs.
 const PAUSE: Duration = Duration::from_secs(1);
 
-/// Runs every task that `earlier` results lack, until it is time to stop; `save` gets the results as
-/// they grow.
+/// Runs every task that `earlier` results lack, until it is time to stop; `save` gets the results
+/// as they grow.
 ///
 /// The findings do not depend on the number of threads. A task that fails is a row with its reason.
 ///

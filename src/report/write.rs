@@ -39,8 +39,8 @@ pub fn results(results: &Results, folder: &Path) -> Result<()> {
 /// Writes a document's page, figures and tables; returns the path of the page.
 ///
 /// # Errors
-/// If an equation cannot be set or a name cannot be that of a file, and then nothing is written; or if
-/// a file cannot be written.
+/// If an equation cannot be set or a name cannot be that of a file, and then nothing is written; or
+/// if a file cannot be written.
 pub fn document(document: &Document, folder: &Path) -> Result<PathBuf> {
     check_names(document)?;
     let html = document.page.render()?;

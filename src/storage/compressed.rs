@@ -1,9 +1,9 @@
 //! Columns and values of all entries in two arrays, row by row, and where each row begins: faer's
 //! compressed rows.
 //!
-//! 12 bytes an entry and 4 a row, in three arrays that are read from front to back. What it is bad at
-//! is a new entry: everything behind it moves. So it is loaded, row by row, when the pattern is known,
-//! and [`set`](Storage::set) is for values.
+//! 12 bytes an entry and 4 a row, in three arrays that are read from front to back. What it is bad
+//! at is a new entry: everything behind it moves. So it is loaded, row by row, when the pattern is
+//! known, and [`set`](Storage::set) is for values.
 
 use faer::sparse::{SparseRowMat, SymbolicSparseRowMat};
 

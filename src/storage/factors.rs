@@ -6,7 +6,8 @@ use crate::assembly::{Assembly, Block};
 use crate::solver::kernel::impulses::{Row, WIDTH};
 use crate::storage::Entry;
 
-/// The factors of A = J M⁻¹ Jᵀ with six columns a moving body; a point mass leaves its last three empty.
+/// The factors of A = J M⁻¹ Jᵀ with six columns a moving body; a point mass leaves its last three
+/// empty.
 ///
 /// ```
 /// use lcplab::storage::Factors;

@@ -1,12 +1,13 @@
 //! One list of entries, each with its row, its column, its value and its links.
 //!
-//! An entry takes 24 bytes: 4 each for row, column and the two links, 8 for the value. The chapter's
-//! takes 28 beside numbers of 4, so a full list is 7 times the dense matrix, not 28 times, half a list
-//! 3.5 times, and the break-even lies at a fill of 1/7 (E57). Here it is 24 beside 8: 3 times, 1/3.
+//! An entry takes 24 bytes: 4 each for row, column and the two links, 8 for the value. The
+//! chapter's takes 28 beside numbers of 4, so a full list is 7 times the dense matrix, not 28
+//! times, half a list 3.5 times, and the break-even lies at a fill of 1/7 (E57). Here it is 24
+//! beside 8: 3 times, 1/3.
 //!
 //! The list is sorted by row and column. `get` walks from the head, so its cost grows linearly with
-//! the entries before it (E57: not exponentially). `set` begins at the entry set last, the caching that
-//! the chapter recommends: entries that come in ascending order go in without a search.
+//! the entries before it (E57: not exponentially). `set` begins at the entry set last, the caching
+//! that the chapter recommends: entries that come in ascending order go in without a search.
 
 use super::slots::{NONE, Slots};
 use super::{

@@ -1,12 +1,13 @@
 //! A sorted map of rows, each a sorted map of columns: Code 11, corrected.
 //!
-//! What is corrected: `clear` where `empty` is printed, which empties nothing (E52); numbers are read
-//! row by row as Code 10 does (E53); zeros are dropped (E54). K&M call the form compressed rows, as
-//! MATLAB has it; it is a dictionary, and MATLAB compresses columns (E56).
+//! What is corrected: `clear` where `empty` is printed, which empties nothing (E52); numbers are
+//! read row by row as Code 10 does (E53); zeros are dropped (E54). K&M call the form compressed
+//! rows, as MATLAB has it; it is a dictionary, and MATLAB compresses columns (E56).
 //!
-//! A row costs a node of 144 bytes for up to 11 entries, which is 13 bytes an entry in a full node and 144
-//! for a single one; and a third of a node of 320 bytes is paid for the row's map. An entry is found in
-//! about log₂(rows) + log₂(entries of the row) comparisons. Nodes cannot be kept for the next step.
+//! A row costs a node of 144 bytes for up to 11 entries, which is 13 bytes an entry in a full node
+//! and 144 for a single one; and a third of a node of 320 bytes is paid for the row's map. An entry
+//! is found in about log₂(rows) + log₂(entries of the row) comparisons. Nodes cannot be kept for
+//! the next step.
 
 use std::collections::BTreeMap;
 

@@ -1,9 +1,9 @@
 //! The chapter's matrices: one small set of operations, and the ways to keep what stands behind it.
 //!
-//! K&M build their solver on a dense matrix class (Codes 8-10), then put a map of maps under the same
-//! face (Code 11) and name what else could stand there. Here the dense matrix, the map of maps, the
-//! chapter's linked list and compressed rows stand behind [`Storage`], so that one program runs on each
-//! and gives the same bits:
+//! K&M build their solver on a dense matrix class (Codes 8-10), then put a map of maps under the
+//! same face (Code 11) and name what else could stand there. Here the dense matrix, the map of
+//! maps, the chapter's linked list and compressed rows stand behind [`Storage`], so that one
+//! program runs on each and gives the same bits:
 //!
 //! ```
 //! use lcplab::storage::{self, MapOfMaps, Storage};
@@ -25,10 +25,11 @@
 //! ```
 //!
 //! An entry that is zero is no entry: setting one to zero removes it (E54), and a row's entries are
-//! those that are not zero, columns ascending, in every storage. [`triple_product`] assembles A through
-//! any of them, [`sweep`] runs projected Gauss-Seidel over any of them, [`Pool`] keeps the buffers of the
-//! product from step to step, [`Factors`] has J and M⁻¹ for sweeps that never assemble A
-//! ([`impulses`](crate::solver::kernel::impulses)), and [`Ordering`] gives the fill of a factor of A.
+//! those that are not zero, columns ascending, in every storage. [`triple_product`] assembles A
+//! through any of them, [`sweep`] runs projected Gauss-Seidel over any of them, [`Pool`] keeps the
+//! buffers of the product from step to step, [`Factors`] has J and M⁻¹ for sweeps that never
+//! assemble A ([`impulses`](crate::solver::kernel::impulses)), and [`Ordering`] gives the fill of a
+//! factor of A.
 
 mod compressed;
 mod dense;
@@ -86,8 +87,8 @@ pub trait Storage {
     /// [`Error::Outside`].
     fn visit_row(&self, row: usize, visit: &mut dyn FnMut(usize, f64)) -> Result<()>;
 
-    /// Becomes a zero matrix of this size, and keeps the memory that it has where it can. (Code 11's
-    /// `SetToZero` leaves everything as it was, E52.)
+    /// Becomes a zero matrix of this size, and keeps the memory that it has where it can. (Code
+    /// 11's `SetToZero` leaves everything as it was, E52.)
     ///
     /// # Errors
     /// [`Error::TooLarge`] above a limit that was asked for.

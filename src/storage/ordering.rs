@@ -1,13 +1,13 @@
 //! In which order to eliminate: how many entries the factor of a sparse matrix gets.
 //!
-//! A direct method turns A into L Lᵀ (or L D Lᵀ), and L has entries where A has none: eliminating a row
-//! joins all rows that it still touches. How many depends on the order alone:
+//! A direct method turns A into L Lᵀ (or L D Lᵀ), and L has entries where A has none: eliminating a
+//! row joins all rows that it still touches. How many depends on the order alone:
 //!
 //! - *natural*: as the rows come.
 //! - *reverse Cuthill-McKee* (1969; reversed by George 1971): neighbours get near numbers, so that
 //!   everything stays near the diagonal.
-//! - *minimum degree* (Amestoy, Davis & Duff 1996, approximate; faer's): the row that touches the fewest
-//!   others is eliminated next.
+//! - *minimum degree* (Amestoy, Davis & Duff 1996, approximate; faer's): the row that touches the
+//!   fewest others is eliminated next.
 //!
 //! Sweeps need no factor and no order of this kind; pivoting methods do.
 
@@ -84,9 +84,9 @@ impl Graph {
         }
     }
 
-    /// Shows the places (row, column) of the factor L with the rows eliminated in this order. Row i of L
-    /// reaches from each entry of row i of A up the elimination tree, whose branches it makes on the way
-    /// (Liu 1986).
+    /// Shows the places (row, column) of the factor L with the rows eliminated in this order. Row i
+    /// of L reaches from each entry of row i of A up the elimination tree, whose branches it makes
+    /// on the way (Liu 1986).
     pub fn visit_factor(&self, order: &[usize], visit: &mut dyn FnMut(usize, usize)) {
         let place = inverse(order);
         let mut parent = vec![usize::MAX; self.len()];
@@ -143,7 +143,8 @@ impl Graph {
         (rows, distance.last().copied().unwrap_or(0))
     }
 
-    /// A row at the rim of the part that `row` belongs to: as far as can be from the row found before.
+    /// A row at the rim of the part that `row` belongs to: as far as can be from the row found
+    /// before.
     fn rim(&self, mut row: usize) -> usize {
         let mut eccentricity = 0;
         loop {

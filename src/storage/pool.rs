@@ -1,9 +1,10 @@
 //! The chapter's matrix manager: buffers that are given back are used again.
 //!
 //! A step asks for the same few buffers as the step before, a little shorter or longer as contacts
-//! come and go. The pool hands out the smallest one that is long enough and, where there is none, makes
-//! one with room to spare, up to the next power of two. So only a step that is larger than all before it
-//! asks the system for memory. Storages do the same inside: see [`Storage::reset`](super::Storage::reset).
+//! come and go. The pool hands out the smallest one that is long enough and, where there is none,
+//! makes one with room to spare, up to the next power of two. So only a step that is larger than
+//! all before it asks the system for memory. Storages do the same inside: see
+//! [`Storage::reset`](super::Storage::reset).
 
 /// Buffers of T between their uses.
 ///

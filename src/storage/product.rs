@@ -1,9 +1,9 @@
 //! A = J M⁻¹ Jᵀ from matrices in any storage: the line of Codes 4, 7 and 8.
 //!
-//! Row by row (Gustavson 1978): the response M⁻¹ J_iᵀ is gathered in a dense row, then its product with
-//! each row of J that shares a column with it. The work is that of the entries that meet, not of the
-//! sizes. Sums run over ascending columns, so A has the same bits whatever J, M⁻¹ and A are kept in; it
-//! is symmetric up to rounding.
+//! Row by row (Gustavson 1978): the response M⁻¹ J_iᵀ is gathered in a dense row, then its product
+//! with each row of J that shares a column with it. The work is that of the entries that meet, not
+//! of the sizes. Sums run over ascending columns, so A has the same bits whatever J, M⁻¹ and A are
+//! kept in; it is symmetric up to rounding.
 
 use super::{Entry, Pool, Result, Storage, check_length};
 

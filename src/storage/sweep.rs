@@ -4,8 +4,8 @@
 //! x_i ← Π_i( x_i − w_i / a_ii ),   w_i = Σ_j a_ij x_j + b_i with the newest x,   i = 1 … n
 //! ```
 //!
-//! The sum runs over ascending columns, as in [`Pgs`](crate::solver), so x has the same bits in every
-//! storage.
+//! The sum runs over ascending columns, as in [`Pgs`](crate::solver), so x has the same bits in
+//! every storage.
 
 use super::{Error, Result, Storage, check_length};
 use crate::lcp::Lcp;

@@ -1,5 +1,5 @@
-//! The addresses of live pages: one that means nothing is answered by a sentence and the page as it usually begins, one
-//! that a page wrote is shown as it was.
+//! The addresses of live pages: one that means nothing is answered by a sentence and the page as it
+//! usually begins, one that a page wrote is shown as it was.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -10,7 +10,8 @@ use serde_json::{Value, json};
 use super::driver::Page;
 use super::live::{READY, page};
 
-/// The keys of each page's address, each with a value that changes what is shown and with values that it may not have.
+/// The keys of each page's address, each with a value that changes what is shown and with values
+/// that it may not have.
 const KEYS: [(&str, &[(&str, &str, &[&str])]); 5] = [
     (
         "two_rows",

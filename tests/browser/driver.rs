@@ -5,8 +5,8 @@
 //! page + script ─→ frame.html in index.html ─→ chromium --dump-dom ─→ what the script saw, as JSON
 //! ```
 //!
-//! Time is virtual, so that a film of seconds is over at once. Frames are not drawn then, so callbacks
-//! of `requestAnimationFrame` come from a timer.
+//! Time is virtual, so that a film of seconds is over at once. Frames are not drawn then, so
+//! callbacks of `requestAnimationFrame` come from a timer.
 
 use std::fs;
 use std::path::{Path, PathBuf};

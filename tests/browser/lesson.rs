@@ -1,5 +1,5 @@
-//! What a lesson's page does beside being read: live pages open in place, programs change their language, the part
-//! for readers of the chapter is folded.
+//! What a lesson's page does beside being read: live pages open in place, programs change their
+//! language, the part for readers of the chapter is folded.
 
 use serde_json::json;
 

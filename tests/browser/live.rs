@@ -1,5 +1,5 @@
-//! The live pages: what their module answers is what the native program answers, bit for bit, and their controls work.
-//! The variable LCPLAB_LIVE names a module that was built afresh.
+//! The live pages: what their module answers is what the native program answers, bit for bit, and
+//! their controls work. The variable LCPLAB_LIVE names a module that was built afresh.
 
 use lcplab::live::PAGES;
 use serde_json::{Value, json};
@@ -31,8 +31,8 @@ fn hash(text: &str) -> u32 {
     text.bytes().fold(2_166_136_261, |h, byte| (h ^ u32::from(byte)).wrapping_mul(16_777_619))
 }
 
-/// Every question of a page, answered natively. The sign of a zero is left out: which one the larger of −0 and 0 is, IEEE 754
-/// leaves to the machine.
+/// Every question of a page, answered natively. The sign of a zero is left out: which one the
+/// larger of −0 and 0 is, IEEE 754 leaves to the machine.
 fn compare(asked: &Value, least: usize) {
     let asked = asked.as_array().unwrap();
     assert!(asked.len() >= least, "{} questions", asked.len());
@@ -89,8 +89,9 @@ fn painleve_says_what_the_native_program_says_after_every_click() {
 
 #[test]
 fn a_problem_that_is_brought_is_answered_as_the_native_program_does_it() {
-    // A step of the sequence changes an entry of b, an x, the example or the method, or asks for a proof. Methods that
-    // factor with faer are left out: it multiplies and adds in one rounding where the processor can.
+    // A step of the sequence changes an entry of b, an x, the example or the method, or asks for a
+    // proof. Methods that factor with faer are left out: it multiplies and adds in one rounding
+    // where the processor can.
     let acts = "const exact = ['', 'pgs', 'sor', 'ssor', 'jacobi', 'block-pgs', 'nncg', 'anderson-pgs', 'mprgp', 'apgd', 'spectral', 'dantzig', 'lemke'];
         const edit = (change) => { const read = JSON.parse(find('#text').value); change(read); take(JSON.stringify(read), {}); };
         const acts = [() => choose('#example'), () => set('#solver', exact[below(exact.length)]), () => find('#prove').click(), () => find('#next').click(),
@@ -233,8 +234,8 @@ fn a_stack_sinks_under_ten_cold_sweeps_and_stands_under_pivoting() {
 
 #[test]
 fn a_drawing_of_a_problem_takes_less_than_a_frame() {
-    // 8 boxes, 60 sweeps of them traced: the largest that the page draws while a mass is dragged. In wall time
-    // the fastest of many says what the page costs, not what the machine does besides.
+    // 8 boxes, 60 sweeps of them traced: the largest that the page draws while a mass is dragged.
+    // In wall time the fastest of many says what the page costs, not what the machine does besides.
     let script = "for (let k = 0; k < 3; k++) find('#more').click();
         let best = 1e9;
         for (let k = 0; k < 20; k++) { const start = performance.now(); press(find('#mass7'), 'ArrowRight'); best = Math.min(best, performance.now() - start); }

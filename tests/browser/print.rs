@@ -63,8 +63,8 @@ fn the_standard_report_has_at_most_thirty_sheets_and_every_figure_on_them_has_it
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let count = pages(&fs::read(folder.path().join("report.pdf")).unwrap());
     assert!((10..=30).contains(&count), "{count} sheets");
-    // The rules for print, applied to the screen: of every figure that is not folded away, something of each kind of mark
-    // has a size.
+    // The rules for print, applied to the screen: of every figure that is not folded away,
+    // something of each kind of mark has a size.
     let page = folder.path().join("reports/standard/index.html");
     let page = fs::read_to_string(page).unwrap();
     let page = page.replace("@media print", "@media all").replace("@media screen", "@media print");

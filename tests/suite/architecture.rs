@@ -1,11 +1,11 @@
-//! Who may import whom. Between crates Cargo sees to it, by their manifests; within a crate a module may use
-//! those of the rows above its own, never a neighbour's.
+//! Who may import whom. Between crates Cargo sees to it, by their manifests; within a crate a
+//! module may use those of the rows above its own, never a neighbour's.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The libraries, and those of ours that each may use. The judge must not see a solver, a page neither
-/// solvers nor scenes.
+/// The libraries, and those of ours that each may use. The judge must not see a solver, a page
+/// neither solvers nor scenes.
 const CRATES: [(&str, &[&str]); 10] = [
     ("problem", &[]),
     ("solver", &["problem"]),

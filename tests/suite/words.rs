@@ -54,7 +54,8 @@ fn literals(source: &str) -> Vec<String> {
     texts
 }
 
-/// The doc comments of a Rust source, each as one line: clap prints those of commands and options as help.
+/// The doc comments of a Rust source, each as one line: clap prints those of commands and options
+/// as help.
 fn doc_comments(source: &str) -> Vec<String> {
     let mut texts = vec![String::new()];
     for line in source.lines() {

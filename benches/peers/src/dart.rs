@@ -1,7 +1,8 @@
 //! DART's Dantzig solver, out of its Python wheel.
 //!
-//! The wheel's own call takes each array for one number, so it solves one row. But the library exports the function, and
-//! this program calls it there, in the same process and under the same clock as all others.
+//! The wheel's own call takes each array for one number, so it solves one row. But the library
+//! exports the function, and this program calls it there, in the same process and under the same
+//! clock as all others.
 
 use std::os::raw::c_int;
 use std::process::Command;
@@ -21,7 +22,8 @@ const WHERE: &str = "import importlib.metadata as m, importlib.util as u, os, sy
 print(m.version('dartpy')); print(u.find_spec('dartpy').origin)
 print(os.path.join(s.get_config_var('LIBDIR'), s.get_config_var('INSTSONAME')))";
 
-/// `bool dart::lcpsolver::dantzig::solveLcp<double>(n, A, x, b, w, nub, lo, hi, findex, earlyTermination)`
+/// `bool dart::lcpsolver::dantzig::solveLcp<double>(n, A, x, b, w, nub, lo, hi, findex,
+/// earlyTermination)`
 const NAME: &[u8] = b"_ZN4dart9lcpsolver7dantzig8solveLcpIdEEbiPT_S4_S4_S4_iS4_S4_Pib";
 
 type Solve = unsafe extern "C" fn(
@@ -58,8 +60,9 @@ fn load() -> Option<Wheel> {
     let answer = Command::new(python).args(["-c", WHERE]).output().ok()?;
     let answer = String::from_utf8(answer.stdout).ok()?;
     let [version, wheel, interpreter] = answer.lines().collect::<Vec<_>>().try_into().ok()?;
-    // SAFETY: both are libraries that Python loads in this order too; what they do when loaded touches nothing of ours.
-    // They are never unloaded. The type is that of the name, which spells all parameters.
+    // SAFETY: both are libraries that Python loads in this order too; what they do when loaded
+    // touches nothing of ours. They are never unloaded. The type is that of the name, which spells
+    // all parameters.
     unsafe {
         std::mem::forget(Library::open(Some(interpreter), RTLD_LAZY | RTLD_GLOBAL).ok()?);
         let library = Library::open(Some(wheel), RTLD_LAZY | RTLD_LOCAL).ok()?;
@@ -78,7 +81,8 @@ pub fn solvers(raw: &Raw) -> Vec<Contender<'_>> {
             let mut findex = vec![-1; raw.rows()];
             let (mut x, mut w) = (vec![0.0; raw.rows()], vec![0.0; raw.rows()]);
             let start = Instant::now();
-            // SAFETY: rows of A begin every fourth number, all other arrays have n; it keeps no pointer.
+            // SAFETY: rows of A begin every fourth number, all other arrays have n; it keeps no
+            // pointer.
             let is_solved = unsafe {
                 (wheel.solve)(
                     own.n,

@@ -14,7 +14,8 @@ pub const TOLERANCE: f64 = 1e-9;
 /// The methods that end with an exact answer, by their names in the registry.
 const NAMES: [&str; 5] = ["dantzig", "block-pivoting", "lemke", "newton", "interior-point"];
 
-/// All of them on a problem. Their time contains all that they do: setup, solve, the look at the residual.
+/// All of them on a problem. Their time contains all that they do: setup, solve, the look at the
+/// residual.
 pub fn solvers(lcp: &Lcp) -> Result<Vec<Contender<'_>>> {
     let settings = Settings { tolerance: TOLERANCE, ..Settings::default() };
     let options = Options { settings, ..Options::default() };

@@ -18,7 +18,8 @@ const ONE_SIDED: [usize; 4] = [50, 200, 500, 1000];
 const TWO_SIDED: [usize; 2] = [200, 500];
 /// The condition of A.
 const CONDITION: f64 = 400.0;
-/// Cubes of the stacks, whose A is singular unless it is regularised by a part of its mean diagonal.
+/// Cubes of the stacks, whose A is singular unless it is regularised by a part of its mean
+/// diagonal.
 const BOXES: [usize; 4] = [5, 10, 20, 50];
 const FRICTION: [f64; 2] = [0.0, 0.5];
 const COMPLIANCE: [f64; 2] = [0.0, 1e-8];

@@ -15,8 +15,8 @@ pub struct Raw {
     pub hi: Vec<f64>,
 }
 
-/// A solver behind C's calling convention: n, A, b, lo, hi, then x and the number of complaints, which it
-/// writes. It returns the seconds.
+/// A solver behind C's calling convention: n, A, b, lo, hi, then x and the number of complaints,
+/// which it writes. It returns the seconds.
 pub type Solver = unsafe extern "C" fn(
     c_int,
     *const f64,
@@ -52,7 +52,8 @@ impl Raw {
         Raw { n, a, b: lcp.b().to_vec(), lo: lcp.lo().to_vec(), hi: lcp.hi().to_vec() }
     }
 
-    /// A copy for a solver in which A x = b + w, and a row of A begins every so many numbers or a multiple of that.
+    /// A copy for a solver in which A x = b + w, and a row of A begins every so many numbers or a
+    /// multiple of that.
     pub fn padded(&self, every: usize) -> Raw {
         let (rows, stride) = (self.rows(), self.rows().next_multiple_of(every));
         let mut a = vec![0.0; rows * stride];

@@ -11,8 +11,8 @@ use crate::contender::{Contender, Run};
 const SECONDS: f64 = 1.5;
 /// Rounds, at least and at most.
 const ROUNDS: [usize; 2] = [3, 101];
-/// A run this short (s) is done twice in a turn, and the better one counts: the first reads again what
-/// the others have pushed out of the cache.
+/// A run this short (s) is done twice in a turn, and the better one counts: the first reads again
+/// what the others have pushed out of the cache.
 const SHORT: f64 = 2e-2;
 
 /// A contender and how its first run came out.

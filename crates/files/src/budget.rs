@@ -5,8 +5,8 @@ use std::cell::Cell;
 use lcplab_problem::error::Result;
 use lcplab_problem::memory::Memory;
 
-/// What a number takes beside its bytes until it stands in the problem: as a float or an index, with its
-/// row and column in a list of entries, and in the matrix made of that (bytes).
+/// What a number takes beside its bytes until it stands in the problem: as a float or an index,
+/// with its row and column in a list of entries, and in the matrix made of that (bytes).
 const PLACE: usize = 48;
 
 /// The memory of a file's arrays, taken before they are read.

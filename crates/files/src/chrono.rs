@@ -1,8 +1,8 @@
 //! Project Chrono's matrix dumps: masses, Jacobian and forces, one file each.
 //!
 //! Defined by `ChSystemDescriptor` (src/chrono/solver/ChSystemDescriptor.cpp), whose
-//! `WriteMatrixBlocks(path, prefix)`, once `DumpLastMatrices` with the prefix `dump`, writes what the
-//! last step solved, and by `StreamOut` in src/chrono/core/ChMatrix.h:
+//! `WriteMatrixBlocks(path, prefix)`, once `DumpLastMatrices` with the prefix `dump`, writes what
+//! the last step solved, and by `StreamOut` in src/chrono/core/ChMatrix.h:
 //!
 //! | file | what is in it |
 //! | --- | --- |
@@ -13,25 +13,25 @@
 //! | `dump_b.dat` | b, a number a line |
 //! | `dump_fric.dat` | μ in the normal row of a contact, −1 in its tangents, −2 in any other row |
 //!
-//! The problem is given as their folder, as `dump`, or as `dump_Cq.dat`. With impulses l, velocities v
-//! and w = Cq v + b + |E| l,
+//! The problem is given as their folder, as `dump`, or as `dump_Cq.dat`. With impulses l,
+//! velocities v and w = Cq v + b + |E| l,
 //!
 //! ```text
 //! H v = f + Cqᵀ l        A = Cq H⁻¹ Cqᵀ + |E|        b ← Cq H⁻¹ f + b
 //! ```
 //!
 //! A contact stands as n, t1, t2; rows with −2 are equations. Chrono's iterative solvers meet the
-//! *associated* cone (Tasora & Anitescu 2011), so that is the `model`; take `--model coulomb-cone` for
-//! Coulomb's law.
+//! *associated* cone (Tasora & Anitescu 2011), so that is the `model`; take `--model coulomb-cone`
+//! for Coulomb's law.
 //!
 //! Traps: b has the opposite sign of the lower half of Chrono's assembled right-hand side
-//! (`dump_rhs.dat`), and so have its unknowns −l. E is written as +cfm where the comments say −cfm; a
-//! compliance is never negative, so its size is taken. Indices begin with 1 in old dumps and with 0 in
-//! those of today, unless `one_indexed` was asked for: they count from 0 if any index is 0. Today's
-//! Chrono does not write `dump_fric.dat` any more, without which nobody can tell a joint from a
-//! contact: write one by hand, a number a line. A limit of a joint is marked −2 like a joint, and would
-//! be read as an equation. Numbers have twelve digits or so: the answer is no better. Dumps are only
-//! read, since a problem does not tell what H and Cq its A was made of.
+//! (`dump_rhs.dat`), and so have its unknowns −l. E is written as +cfm where the comments say −cfm;
+//! a compliance is never negative, so its size is taken. Indices begin with 1 in old dumps and with
+//! 0 in those of today, unless `one_indexed` was asked for: they count from 0 if any index is 0.
+//! Today's Chrono does not write `dump_fric.dat` any more, without which nobody can tell a joint
+//! from a contact: write one by hand, a number a line. A limit of a joint is marked −2 like a
+//! joint, and would be read as an equation. Numbers have twelve digits or so: the answer is no
+//! better. Dumps are only read, since a problem does not tell what H and Cq its A was made of.
 
 use super::delassus::{Entry, Motion, is_symmetric};
 use super::words::Words;

@@ -1,5 +1,5 @@
-//! The rows of a problem as programs for friction list them: contact after contact, each as n, t1, t2,
-//! then the equations.
+//! The rows of a problem as programs for friction list them: contact after contact, each as n, t1,
+//! t2, then the equations.
 
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::{Entries, Parts, Problem};

@@ -77,8 +77,8 @@ impl Input {
     }
 }
 
-/// The file of a `part` beside the file of the part `main`: `b.mtx` beside `A.mtx`, `x_b.mtx` beside
-/// `x_A.mtx` and beside `x.mtx`.
+/// The file of a `part` beside the file of the part `main`: `b.mtx` beside `A.mtx`, `x_b.mtx`
+/// beside `x_A.mtx` and beside `x.mtx`.
 pub(super) fn beside(path: &Path, main: &str, part: &str) -> PathBuf {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let ending = path.extension().map(|ending| format!(".{}", ending.to_string_lossy()));

@@ -30,12 +30,12 @@
 //! ```
 //!
 //! Problems of a scene's own kind, MuJoCo's, come as `json`: `examples/python/mujoco_contacts.py`
-//! writes them with Python's `lcplab.receipt`. MuJoCo's contacts are soft, so that A + R is the matrix,
-//! not A.
+//! writes them with Python's `lcplab.receipt`. MuJoCo's contacts are soft, so that A + R is the
+//! matrix, not A.
 //!
 //! Memory is bounded by what the files hold: no size that a file claims is believed before as many
-//! numbers have been read, and what is packed is unpacked only if all of it together stays within the
-//! limit ([`read_within`]).
+//! numbers have been read, and what is packed is unpacked only if all of it together stays within
+//! the limit ([`read_within`]).
 
 mod budget;
 pub mod chrono;
@@ -131,8 +131,8 @@ impl Format {
         })
     }
 
-    /// The format that a file's name ends like, in capitals or not, the longest ending first: `_Cq.dat`
-    /// is not `.dat`.
+    /// The format that a file's name ends like, in capitals or not, the longest ending first:
+    /// `_Cq.dat` is not `.dat`.
     pub fn of(path: &Path) -> Option<&'static Format> {
         let name = path.file_name()?.to_str()?.to_ascii_lowercase();
         let ends = |ending: &&&str| name.ends_with(&ending.to_ascii_lowercase());
@@ -141,8 +141,8 @@ impl Format {
     }
 }
 
-/// Whether a name is that of a problem file: standard input, a known ending, or a folder or a stem of
-/// several files.
+/// Whether a name is that of a problem file: standard input, a known ending, or a folder or a stem
+/// of several files.
 pub fn is_problem(path: &Path) -> bool {
     path == Path::new("-") || Format::of(path).is_some() || main_file(path).is_some()
 }
@@ -168,12 +168,12 @@ pub fn read_within(path: &Path, format: Option<&Format>, most: Memory) -> Result
     (format.read)(&Input::new(path, most)).map_err(|error| foreign::explained(error, path, format))
 }
 
-/// Writes a problem, over several files where the format has several; returns what the reader of the
-/// files should know. Without a format the ending decides.
+/// Writes a problem, over several files where the format has several; returns what the reader of
+/// the files should know. Without a format the ending decides.
 ///
 /// # Errors
-/// If the format cannot carry the problem, is only read, a file cannot be written, or one stands there
-/// that would be read as part of the problem and is none.
+/// If the format cannot carry the problem, is only read, a file cannot be written, or one stands
+/// there that would be read as part of the problem and is none.
 pub fn write(problem: &Problem, path: &Path, format: Option<&Format>) -> Result<Vec<String>> {
     let format = match format.or_else(|| Format::of(path)) {
         Some(format) => format,
@@ -210,8 +210,8 @@ pub fn encode(problem: &Problem, format: &Format) -> Result<Output> {
     Ok(output)
 }
 
-/// The model of friction that a problem has, and the one that files of a format mean, where they are
-/// not the same: in that format it is another problem, with other solutions.
+/// The model of friction that a problem has, and the one that files of a format mean, where they
+/// are not the same: in that format it is another problem, with other solutions.
 pub fn remodelled(problem: &Problem, format: &Format) -> Option<(Model, Model)> {
     let own = model(problem)?;
     let meant = format.law.unwrap_or(Model::CoupledBox);
@@ -232,7 +232,8 @@ fn left_behind(problem: &Problem) -> Option<String> {
     (!left.is_empty()).then(|| format!("left behind: {}", left.join(", ")))
 }
 
-/// The file with the matrix, if `path` is the folder of several files or what their names begin with.
+/// The file with the matrix, if `path` is the folder of several files or what their names begin
+/// with.
 fn main_file(path: &Path) -> Option<PathBuf> {
     let several = || ALL.iter().filter_map(|format| Some((format, format.in_folder?)));
     if path.is_dir() {

@@ -1,10 +1,11 @@
 //! Matrix Market: a matrix as text, with the vectors in files beside it.
 //!
 //! The format is Boisvert, Pozo & Remington, *The Matrix Market Exchange Formats: Initial Design*,
-//! NISTIR 5935 (1996); it knows one matrix a file. Beside the matrix, in `problem.mtx`, `problem_A.mtx`
-//! or `A.mtx`, stand `problem_b.mtx` (or `b.mtx`), as in the SuiteSparse collection, `lo` and `hi`, 0
-//! and ∞ where there is no file; with friction `friction_index` (rows counted from 0, −1 for none) and
-//! `mu`. They mean what they mean in [`file`](lcplab_problem::file): w = A x + b.
+//! NISTIR 5935 (1996); it knows one matrix a file. Beside the matrix, in `problem.mtx`,
+//! `problem_A.mtx` or `A.mtx`, stand `problem_b.mtx` (or `b.mtx`), as in the SuiteSparse
+//! collection, `lo` and `hi`, 0 and ∞ where there is no file; with friction `friction_index` (rows
+//! counted from 0, −1 for none) and `mu`. They mean what they mean in
+//! [`file`](lcplab_problem::file): w = A x + b.
 //!
 //! ```text
 //! %%MatrixMarket matrix coordinate real symmetric      %%MatrixMarket matrix array real general
@@ -16,11 +17,11 @@
 //! ```
 //!
 //! Traps: indices begin with 1; an `array` is listed column by column; a `symmetric` file holds the
-//! lower triangle only, an entry above the diagonal is an error; infinite bounds are words, for which
-//! the format has none: `inf`, `Infinity` (SciPy) and the same with a sign are read, `inf` is written.
-//! Read are `real` and `integer`, `general` and `symmetric`; entries at the same place add up.
-//! `complex` and `pattern` files, which have no real numbers, are refused. Written is `general`, an
-//! `array` for a dense A, with the fewest digits that read back as the same bits.
+//! lower triangle only, an entry above the diagonal is an error; infinite bounds are words, for
+//! which the format has none: `inf`, `Infinity` (SciPy) and the same with a sign are read, `inf` is
+//! written. Read are `real` and `integer`, `general` and `symmetric`; entries at the same place add
+//! up. `complex` and `pattern` files, which have no real numbers, are refused. Written is
+//! `general`, an `array` for a dense A, with the fewest digits that read back as the same bits.
 
 use super::output::decimal;
 use super::table::{Table, by_rows, parts};

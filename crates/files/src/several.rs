@@ -6,9 +6,9 @@ use lcplab_problem::error::{Error, Result};
 
 use super::is_problem;
 
-/// The files that a name stands for, in the order of their names: those of a folder that are `wanted`, or all that
-/// match a pattern, `*` being any letters within a name and `**` any folders. `None` for the name of one file, or of
-/// something else.
+/// The files that a name stands for, in the order of their names: those of a folder that are
+/// `wanted`, or all that match a pattern, `*` being any letters within a name and `**` any folders.
+/// `None` for the name of one file, or of something else.
 ///
 /// ```
 /// use lcplab_files::{is_problem, several};

@@ -50,11 +50,11 @@ pub struct Certificate {
 /// What exact arithmetic shows beside the verdict.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Evidence {
-    /// With the verdict *proved*: a direction in which x* can be moved without moving any w. Redundant
-    /// contacts share a load in many ways.
+    /// With the verdict *proved*: a direction in which x* can be moved without moving any w.
+    /// Redundant contacts share a load in many ways.
     NotUnique(Vec<RBig>),
-    /// With the verdict *within tolerance*: the active set of x carries an exact solution, but so far
-    /// from x that it is no proof of it.
+    /// With the verdict *within tolerance*: the active set of x carries an exact solution, but so
+    /// far from x that it is no proof of it.
     FarSolution {
         /// max_i |x_i − x*_i|, rounded up.
         distance: f64,

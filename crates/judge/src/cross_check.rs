@@ -1,7 +1,7 @@
 //! How far is an answer from clarabel's, in impulses and in motion?
 //!
-//! Where contacts are redundant, x is not unique but w and the velocities u are; so each is compared
-//! on its own.
+//! Where contacts are redundant, x is not unique but w and the velocities u are; so each is
+//! compared on its own.
 
 use super::residual::Rows;
 use super::{Certificate, Demand, judge};

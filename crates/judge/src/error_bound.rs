@@ -55,7 +55,8 @@ pub fn error_bound(lcp: &Lcp, x: &[f64]) -> Option<f64> {
     Some(mul_up(bound, largest)).filter(|bound| bound.is_finite())
 }
 
-/// Whether A is symmetric and verified to be positive definite: without coupled rows x is unique then.
+/// Whether A is symmetric and verified to be positive definite: without coupled rows x is unique
+/// then.
 pub fn is_definite(lcp: &Lcp) -> bool {
     let n = lcp.len();
     let least = |d: Vec<f64>| {

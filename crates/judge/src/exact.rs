@@ -1,11 +1,12 @@
 //! Proof that an active set carries a solution, in exact arithmetic.
 //!
 //! Floating-point numbers are exact rationals. From x and w the active set is read off: row i is at
-//! its lower bound, at its upper bound or free according to Π_i(x_i − w_i/s_i), where a coupled row has
-//! the bounds ±μ x_k of x. Then the equations of these sides are solved over the rationals
-//! ([`lcp::exact`](lcplab_problem::exact)), and the point is held against the problem as it was posed: every
-//! bound, that of a coupled row with the x_k of the point itself, and every sign of w is decided exactly.
-//! Where the equations are singular, the unknowns that they leave open keep the value they have in x.
+//! its lower bound, at its upper bound or free according to Π_i(x_i − w_i/s_i), where a coupled row
+//! has the bounds ±μ x_k of x. Then the equations of these sides are solved over the rationals
+//! ([`lcp::exact`](lcplab_problem::exact)), and the point is held against the problem as it was
+//! posed: every bound, that of a coupled row with the x_k of the point itself, and every sign of w
+//! is decided exactly. Where the equations are singular, the unknowns that they leave open keep the
+//! value they have in x.
 //!
 //! A failed proof refutes nothing: the active set may have been misread where x_i − w_i/s_i lies
 //! within rounding of a bound. So the active sets that x itself shows, its ties among them, are
@@ -35,8 +36,8 @@ pub struct Proof {
     /// max_i |x_i − x*_i|, rounded up.
     pub distance: f64,
     /// A direction d with A d = 0 among rows strictly between their bounds, if there is one: x* can
-    /// be moved along it without moving any w, so it is not the only solution. Rows that slide follow
-    /// the row that bounds them.
+    /// be moved along it without moving any w, so it is not the only solution. Rows that slide
+    /// follow the row that bounds them.
     pub null_direction: Option<Vec<RBig>>,
 }
 

@@ -1,9 +1,9 @@
 //! Intervals that contain the exact result of every operation.
 //!
-//! The rounding error of a sum and of a product is itself a floating-point number (Knuth, Dekker); its
-//! sign says on which side of the rounded value the exact one lies, and only that bound is moved to
-//! the next number. So the bounds are those of directed rounding, and what needs no rounding, such as
-//! sums of small whole numbers, stays a single point.
+//! The rounding error of a sum and of a product is itself a floating-point number (Knuth, Dekker);
+//! its sign says on which side of the rounded value the exact one lies, and only that bound is
+//! moved to the next number. So the bounds are those of directed rounding, and what needs no
+//! rounding, such as sums of small whole numbers, stays a single point.
 
 use std::ops::{Add, Mul, Neg, Sub};
 

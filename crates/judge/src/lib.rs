@@ -2,11 +2,11 @@
 //!
 //! [`judge`] recomputes everything from (A, b, lo, hi, x) in compensated arithmetic and decides:
 //!
-//! - *proved*: within tolerance, and x was shown in exact rational arithmetic to have a solution x* of the
-//!   problem as it was posed beside it, at a stated distance ([`exact`]);
-//! - *within tolerance*: the scaled residual is at most the tolerance, x is worth something (nearer to a
-//!   solution than doing nothing, by a factor of ten), and no proof was found that there is no solution
-//!   ([`refutation`](refutation()));
+//! - *proved*: within tolerance, and x was shown in exact rational arithmetic to have a solution x*
+//!   of the problem as it was posed beside it, at a stated distance ([`exact`]);
+//! - *within tolerance*: the scaled residual is at most the tolerance, x is worth something (nearer
+//!   to a solution than doing nothing, by a factor of ten), and no proof was found that there is no
+//!   solution ([`refutation`](refutation()));
 //! - *not a solution*: row i misses by so much, or one of the other two.
 //!
 //! ```
@@ -184,8 +184,8 @@ pub(crate) fn distance(x: &[f64], y: &[f64]) -> f64 {
     x.iter().zip(y).map(|(x, y)| interval::add_up(x.max(*y), -x.min(*y))).fold(0.0, f64::max)
 }
 
-/// The certificate of an x within the tolerance whose active set carries no solution, after a search for
-/// one elsewhere.
+/// The certificate of an x within the tolerance whose active set carries no solution, after a
+/// search for one elsewhere.
 fn searched(at: &Rows<'_>, within: Certificate) -> Certificate {
     match existence(at.lcp, &[at.x]) {
         Existence::None(refutation) => within.refuted_by(refutation),

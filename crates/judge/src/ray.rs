@@ -8,8 +8,8 @@
 //! dᵀw = (Aᵀd)ᵀx + bᵀd ≤ max { (Aᵀd)ᵀx : lo ≤ x ≤ hi } + bᵀd
 //! ```
 //!
-//! If the right side is negative, no solution exists (Farkas). Of a coupled x_j nothing is known, so
-//! (Aᵀd)_j must be 0. All of it is decided in exact arithmetic, for every A.
+//! If the right side is negative, no solution exists (Farkas). Of a coupled x_j nothing is known,
+//! so (Aᵀd)_j must be 0. All of it is decided in exact arithmetic, for every A.
 
 use dashu_ratio::RBig;
 
@@ -29,9 +29,9 @@ pub struct Farkas {
 
 /// Tries to prove from a solver's ray, or any other guess of d, that a problem has no solution.
 ///
-/// `row` is the driven row. Where d is no proof as it is given, rounding in the other entries is repaired:
-/// as many of them as the equations (Aᵀd)_j = 0 determine are solved anew, exactly. The ray of a
-/// method for symmetric A is a d; with any other A it need not be.
+/// `row` is the driven row. Where d is no proof as it is given, rounding in the other entries is
+/// repaired: as many of them as the equations (Aᵀd)_j = 0 determine are solved anew, exactly. The
+/// ray of a method for symmetric A is a d; with any other A it need not be.
 pub fn refute(lcp: &Lcp, row: usize, direction: &[f64]) -> Option<Farkas> {
     if direction.len() != lcp.len() || direction.iter().any(|d| !d.is_finite()) {
         return None;

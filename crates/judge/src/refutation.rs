@@ -1,9 +1,9 @@
 //! Does the problem have a solution at all?
 //!
-//! A small residual does not say so: far out, where the terms of a row are large, a wall that nothing can
-//! hold looks held. So where no exact solution was found near x, the judge looks for a proof that there is
-//! none: a vector ([`ray`](super::ray)), read off x, off a solver's ray or off the solution of a linear
-//! program, and else a [case split](super::cases).
+//! A small residual does not say so: far out, where the terms of a row are large, a wall that
+//! nothing can hold looks held. So where no exact solution was found near x, the judge looks for a
+//! proof that there is none: a vector ([`ray`](super::ray)), read off x, off a solver's ray or off
+//! the solution of a linear program, and else a [case split](super::cases).
 
 use super::cases::{Search, search};
 use super::ray::{Farkas, refute};
@@ -41,7 +41,8 @@ pub(super) enum Existence {
     Unknown,
 }
 
-/// Proves that a problem has no solution, if it can: `hints` are a solver's ray or any other vectors.
+/// Proves that a problem has no solution, if it can: `hints` are a solver's ray or any other
+/// vectors.
 ///
 /// ```
 /// use lcplab_judge::{Refutation, refutation};
@@ -62,8 +63,8 @@ pub fn refutation(lcp: &Lcp, hints: &[&[f64]]) -> Option<Refutation> {
     }
 }
 
-/// The same by a vector alone: it holds for every model of friction, since it says nothing of the rows
-/// that have some.
+/// The same by a vector alone: it holds for every model of friction, since it says nothing of the
+/// rows that have some.
 pub fn refuting_vector(lcp: &Lcp, hints: &[&[f64]]) -> Option<Farkas> {
     let proof = |d: &[f64]| refute(lcp, largest(lcp, d), d);
     hints.iter().find_map(|d| proof(d)).or_else(|| {

@@ -4,15 +4,15 @@
 //! Ã = D A D,   D = diag(1/√s_i),   s_i = |a_ii|, or max_j |a_ij|, |a_ji| where a_ii = 0;   Ã = U Σ Vᵀ
 //! ```
 //!
-//! A is first multiplied by powers of two, which loses no digit, so that numbers near the ends of the range of doubles
-//! neither overflow nor lose digits on the way.
+//! A is first multiplied by powers of two, which loses no digit, so that numbers near the ends of
+//! the range of doubles neither overflow nor lose digits on the way.
 //!
-//! The rank is the number of singular values above rounding, the condition number the quotient of the
-//! largest and the least of those. A column u of U with σ = 0 makes d = D u a vector with dᵀA = 0: the
-//! rows with d_i ≠ 0 depend on each other. D takes units and masses out of the decision. The d come as a
-//! reduced echelon form, so that each has few entries: for a box on four equal feet (1, −1, 1, −1). K&M
-//! ask for this in "Debugging"; they propose the determinant, which depends on units and can be small or
-//! large for any matrix, E10.
+//! The rank is the number of singular values above rounding, the condition number the quotient of
+//! the largest and the least of those. A column u of U with σ = 0 makes d = D u a vector with dᵀA =
+//! 0: the rows with d_i ≠ 0 depend on each other. D takes units and masses out of the decision. The
+//! d come as a reduced echelon form, so that each has few entries: for a box on four equal feet (1,
+//! −1, 1, −1). K&M ask for this in "Debugging"; they propose the determinant, which depends on
+//! units and can be small or large for any matrix, E10.
 
 #![allow(non_snake_case)]
 
@@ -79,8 +79,8 @@ pub fn regularity(a: &Matrix) -> Option<Regularity> {
     })
 }
 
-/// The least eigenvalue of the scaled matrix: negative for no J M⁻¹ Jᵀ. `None` if A is not symmetric but for
-/// rounding, or has no rows.
+/// The least eigenvalue of the scaled matrix: negative for no J M⁻¹ Jᵀ. `None` if A is not
+/// symmetric but for rounding, or has no rows.
 pub fn least_eigenvalue(lcp: &Lcp) -> Option<f64> {
     if lcp.is_empty() || !lcp.matrix().is_nearly_symmetric() {
         return None;

@@ -5,14 +5,14 @@ use lcplab_problem::number::{readable, superscript};
 /// The judge's decision about x.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Verdict {
-    /// An exact solution was shown to exist this far from x (max norm, in the unit of x), at most 1e-6
-    /// of the largest entry of x.
+    /// An exact solution was shown to exist this far from x (max norm, in the unit of x), at most
+    /// 1e-6 of the largest entry of x.
     Proved {
         /// max_i |x_i − x*_i|, rounded up.
         distance: f64,
     },
-    /// The scaled residual is at most the tolerance, x is at least ten times closer to a solution than
-    /// x = 0, and no proof was found that there is no solution.
+    /// The scaled residual is at most the tolerance, x is at least ten times closer to a solution
+    /// than x = 0, and no proof was found that there is no solution.
     WithinTolerance,
     /// x is not a solution.
     NotASolution {
@@ -30,8 +30,8 @@ pub enum Verdict {
 pub enum Refusal {
     /// The residual is above the tolerance.
     Residual,
-    /// The residual is small compared with the terms of x, but the longest step |x_i − Π(x_i − w_i/s_i)| √s_i
-    /// is more than a tenth of that at Π(0).
+    /// The residual is small compared with the terms of x, but the longest step |x_i − Π(x_i −
+    /// w_i/s_i)| √s_i is more than a tenth of that at Π(0).
     NoBetterThanZero,
     /// The problem has no solution.
     Impossible,
@@ -64,8 +64,8 @@ impl Verdict {
         }
     }
 
-    /// The verdict once it is known that the problem has no solution. An x with a residual above the
-    /// tolerance is rejected for its residual.
+    /// The verdict once it is known that the problem has no solution. An x with a residual above
+    /// the tolerance is rejected for its residual.
     pub(crate) fn refused(self, row: usize, amount: f64) -> Verdict {
         let why = match self {
             Verdict::NotASolution { why: Refusal::Residual, .. } => Refusal::Residual,

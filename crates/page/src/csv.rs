@@ -1,7 +1,7 @@
 //! Comma-separated values (RFC 4180, with line feeds alone).
 
-/// Appends one record; a field with a comma, quote or line break is quoted, and one that a spreadsheet
-/// would take for a formula gets an apostrophe before it.
+/// Appends one record; a field with a comma, quote or line break is quoted, and one that a
+/// spreadsheet would take for a formula gets an apostrophe before it.
 pub fn record<I>(out: &mut String, fields: I)
 where
     I: IntoIterator,

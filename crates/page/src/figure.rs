@@ -8,8 +8,8 @@ pub trait Figure {
     /// One line, drawn above the picture.
     fn title(&self) -> &str;
 
-    /// What the reader should see in the picture, in a sentence or two; it stands beside the picture,
-    /// not in it, and may carry the markup of a page.
+    /// What the reader should see in the picture, in a sentence or two; it stands beside the
+    /// picture, not in it, and may carry the markup of a page.
     fn caption(&self) -> &str;
 
     /// The caption, or the title where there is none.

@@ -4,8 +4,8 @@ use std::borrow::Cow;
 
 use super::page::{Align, Table};
 
-/// The text with a mark in place of every character that would steer a terminal; line feeds and tabs
-/// stay. Names and labels come from files of strangers.
+/// The text with a mark in place of every character that would steer a terminal; line feeds and
+/// tabs stay. Names and labels come from files of strangers.
 ///
 /// ```
 /// assert_eq!(lcplab_page::text::printable("a\x1b[2Jb\n"), "a\u{fffd}[2Jb\n");

@@ -6,13 +6,13 @@
 //! plug-in →  {"x": [0.5, 0]}
 //! ```
 //!
-//! One line of JSON is a problem, the next line out is its answer; then comes the next problem, so that
-//! the start of the program is paid once. What a plug-in says is a claim, as any solver's is: the judge looks at
-//! x. One that hangs, crashes or writes what nobody can read is ended, with [`Status::NoAnswer`] and the
-//! reason, and begins anew with the next problem.
+//! One line of JSON is a problem, the next line out is its answer; then comes the next problem, so
+//! that the start of the program is paid once. What a plug-in says is a claim, as any solver's is:
+//! the judge looks at x. One that hangs, crashes or writes what nobody can read is ended, with
+//! [`Status::NoAnswer`] and the reason, and begins anew with the next problem.
 //!
-//! A plug-in gets boxes. It gets friction cones only if its answer to the first problem names them under the key
-//! `models`: then the key `model` of a problem says which law holds.
+//! A plug-in gets boxes. It gets friction cones only if its answer to the first problem names them
+//! under the key `models`: then the key `model` of a problem says which law holds.
 //!
 //! `docs/plugins.md` has the protocol key by key.
 
@@ -37,7 +37,8 @@ use lcplab_solver::{
 use self::message::Answer;
 use self::process::{Process, Trouble};
 
-/// A program that solves problems, in the registry for as long as this lives; the program ends with it.
+/// A program that solves problems, in the registry for as long as this lives; the program ends with
+/// it.
 #[derive(Debug)]
 pub struct Plugin {
     name: &'static str,
@@ -81,8 +82,8 @@ impl Declaration {
 }
 
 impl Plugin {
-    /// Starts what a command line names: a command, or `NAME=COMMAND`. Without a name it is called like its file.
-    /// An answer must come within `time_limit` seconds.
+    /// Starts what a command line names: a command, or `NAME=COMMAND`. Without a name it is called
+    /// like its file. An answer must come within `time_limit` seconds.
     ///
     /// # Errors
     /// As [`Plugin::declared`].
@@ -95,8 +96,8 @@ impl Plugin {
     /// [solvers of cones](lcplab_solver::added_cones) if its first answer names their models.
     ///
     /// # Errors
-    /// If the command, the class, the limit or the name cannot be used, or the program does not answer a problem of
-    /// one row.
+    /// If the command, the class, the limit or the name cannot be used, or the program does not
+    /// answer a problem of one row.
     pub fn declared(name: &str, declaration: &Declaration) -> Result<Plugin> {
         let Declaration { command, class, settings, time_limit } = declaration;
         let mut defects = Defects::default();
@@ -197,8 +198,8 @@ struct Program {
 }
 
 impl Program {
-    /// One problem of one row, so that what follows is not late because the program has to begin. The answer says which
-    /// laws of friction cones the program takes.
+    /// One problem of one row, so that what follows is not late because the program has to begin.
+    /// The answer says which laws of friction cones the program takes.
     fn greet(&self) -> std::result::Result<Vec<Law>, String> {
         let one = [1.0];
         let lcp =
@@ -272,7 +273,8 @@ impl ConeSolver for Outside {
             Law::Associated => Model::AssociatedCone,
             Law::Coulomb => Model::CoulombCone,
         };
-        // friction_index and mu tell the contacts, as in a problem file; the model says what they mean.
+        // friction_index and mu tell the contacts, as in a problem file; the model says what they
+        // mean.
         let told = problem.friction().coupled_box();
         self.answered(&told, Some(model), start.point(problem), start, observer)
     }

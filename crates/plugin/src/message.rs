@@ -20,8 +20,8 @@ const SHORT: usize = 1 << 16;
 /// And never longer than this.
 const LONG: usize = 1 << 30;
 
-/// A problem file in one line, with what is demanded of an answer, and the plug-in's own settings. The `model` says what
-/// `friction_index` and `mu` mean.
+/// A problem file in one line, with what is demanded of an answer, and the plug-in's own settings.
+/// The `model` says what `friction_index` and `mu` mean.
 pub(super) fn request(
     lcp: &Lcp,
     model: Option<Model>,

@@ -1,7 +1,7 @@
 //! A process that answers a line with a line, and cannot harm who asks.
 //!
-//! Threads of their own write to it and read from it, so that one that neither reads nor writes is noticed by
-//! the clock. What it writes is taken up to a length; of its complaints the end is kept.
+//! Threads of their own write to it and read from it, so that one that neither reads nor writes is
+//! noticed by the clock. What it writes is taken up to a length; of its complaints the end is kept.
 
 use std::collections::VecDeque;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -16,7 +16,8 @@ use super::message::brief;
 
 /// So much (bytes) of what it writes to its standard error is kept.
 const COMPLAINT: usize = 4096;
-/// How long a process that has closed its output gets to end by itself, so that its end can be told.
+/// How long a process that has closed its output gets to end by itself, so that its end can be
+/// told.
 const LAST_WORDS: Duration = Duration::from_millis(200);
 
 /// A running process.
@@ -89,7 +90,8 @@ impl Process {
         Ok(Process { child, requests, lines, complaint })
     }
 
-    /// The line that follows a request, of at most `longest` bytes and within a time; or why there is none.
+    /// The line that follows a request, of at most `longest` bytes and within a time; or why there
+    /// is none.
     pub fn ask(
         &mut self,
         request: &str,

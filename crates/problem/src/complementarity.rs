@@ -5,8 +5,8 @@ use super::{Lcp, merit};
 /// Find x in K with w = A x + b pointing out of K nowhere: w·(y − x) ≥ 0 for all y in K.
 ///
 /// K is a box for an [`Lcp`], a product of cones and intervals for a
-/// [`ConeProblem`](super::friction::ConeProblem). K may depend on x (coupled rows), or w may be shifted
-/// by something that depends on x (Coulomb's law); *frozen* at an x, neither does.
+/// [`ConeProblem`](super::friction::ConeProblem). K may depend on x (coupled rows), or w may be
+/// shifted by something that depends on x (Coulomb's law); *frozen* at an x, neither does.
 pub trait Complementarity: Sized {
     /// A and b.
     fn lcp(&self) -> &Lcp;
@@ -17,22 +17,22 @@ pub trait Complementarity: Sized {
     /// The largest dimensionless residual, 0 exactly at the solutions.
     fn scaled_residual(&self, x: &[f64]) -> f64;
 
-    /// Whether that is at most the tolerance, in compensated sums too; `first` is a hint where to look first, and
-    /// kept from one look to the next.
+    /// Whether that is at most the tolerance, in compensated sums too; `first` is a hint where to
+    /// look first, and kept from one look to the next.
     fn is_within(&self, x: &[f64], tolerance: f64, first: &mut usize) -> bool;
 
     /// Whether neither K nor w's shift depends on x.
     fn is_frozen(&self) -> bool;
 
-    /// The problem with what depends on x fixed as it is at this x. x solves this one if and only if
-    /// it solves that one.
+    /// The problem with what depends on x fixed as it is at this x. x solves this one if and only
+    /// if it solves that one.
     fn frozen_at(&self, x: &[f64]) -> Self;
 
     /// Whether x + t d stays in K for all t ≥ 0, from every x in K; never where w is shifted.
     fn recedes(&self, d: &[f64]) -> bool;
 
-    /// Whether x is nearer to a solution than x = Π(0): else it has run off, and its residual is small
-    /// only beside its terms.
+    /// Whether x is nearer to a solution than x = Π(0): else it has run off, and its residual is
+    /// small only beside its terms.
     fn is_worth_something(&self, _x: &[f64], _tolerance: f64) -> bool {
         true
     }

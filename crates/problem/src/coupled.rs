@@ -1,14 +1,14 @@
 //! Contacts with friction, and the same as rows whose bounds are ±μ times another row's x.
 //!
-//! Row i is a tangential direction of a contact, row k its normal one, and
-//! −μ_i max(x_k, 0) ≤ x_i ≤ μ_i max(x_k, 0): the box model of dry friction. Open Dynamics Engine calls k
-//! the `findex` of i. Rows may also be coupled that make no contact: a single tangent, or two with a μ
-//! each.
+//! Row i is a tangential direction of a contact, row k its normal one, and −μ_i max(x_k, 0) ≤ x_i ≤
+//! μ_i max(x_k, 0): the box model of dry friction. Open Dynamics Engine calls k the `findex` of i.
+//! Rows may also be coupled that make no contact: a single tangent, or two with a μ each.
 
 use crate::error::{Defects, Result};
 use crate::friction::Contact;
 
-/// The contacts of a problem, and for each coupled row i the row k and the coefficient μ that bound it.
+/// The contacts of a problem, and for each coupled row i the row k and the coefficient μ that bound
+/// it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Coupling {
     contacts: Vec<Contact>,
@@ -22,8 +22,8 @@ impl Coupling {
     /// The coupling with `index[i] = Some(k)` for −μ_i max(x_k, 0) ≤ x_i ≤ μ_i max(x_k, 0).
     ///
     /// # Errors
-    /// Lists each row where k is out of range, k = i, row k is coupled itself, or μ is negative, and
-    /// each μ that is not finite.
+    /// Lists each row where k is out of range, k = i, row k is coupled itself, or μ is negative,
+    /// and each μ that is not finite.
     pub fn new(index: Vec<Option<usize>>, mu: Vec<f64>) -> Result<Self> {
         let mut defects = Defects::default();
         let n = index.len();

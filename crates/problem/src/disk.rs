@@ -16,8 +16,8 @@ pub fn is_there(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|found| !found.is_dir())
 }
 
-/// Whether this can be the name of a file in a folder of ours: letters, digits, `_` and `-`, so that it
-/// leads nowhere else.
+/// Whether this can be the name of a file in a folder of ours: letters, digits, `_` and `-`, so
+/// that it leads nowhere else.
 pub fn is_name(name: &str) -> bool {
     let is_allowed = |c: char| c.is_ascii_alphanumeric() || "_-".contains(c);
     !name.is_empty() && name.chars().all(is_allowed)

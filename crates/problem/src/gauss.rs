@@ -58,8 +58,8 @@ impl fmt::Display for Level {
 /// The data of the primal program; u has k entries, there are n rows.
 #[derive(Debug, Clone, Default)]
 pub struct Gauss {
-    /// The upper triangle (row ≤ column) of M (k × k), each entry once, positive definite; immovable
-    /// bodies are left out.
+    /// The upper triangle (row ≤ column) of M (k × k), each entry once, positive definite;
+    /// immovable bodies are left out.
     pub mass: Vec<(usize, usize, f64)>,
     /// The n rows of J, each as entries (column, value), each column once.
     pub jacobian: Vec<Vec<(usize, f64)>>,

@@ -9,8 +9,9 @@ const SCALE: f64 = f64::from_bits((1023 - 600) << 52);
 /// Beside 1 the square of this is nothing: 2⁻⁵⁴.
 const NOTHING: f64 = f64::from_bits((1023 - 54) << 52);
 
-/// √(a² + b²) without overflow, corrected by one step of Newton's method on what rounding has left (Borges 2019),
-/// so that it is nearly always the nearest number. The standard library's calls that of the system.
+/// √(a² + b²) without overflow, corrected by one step of Newton's method on what rounding has left
+/// (Borges 2019), so that it is nearly always the nearest number. The standard library's calls that
+/// of the system.
 ///
 /// ```
 /// assert_eq!(lcplab_problem::hypot(3.0, -4.0), 5.0);

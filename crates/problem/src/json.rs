@@ -1,5 +1,5 @@
-//! JSON from a file that a stranger may have written: a key that is given twice is an error, where most
-//! readers take the last one without a word.
+//! JSON from a file that a stranger may have written: a key that is given twice is an error, where
+//! most readers take the last one without a word.
 
 use std::fmt;
 

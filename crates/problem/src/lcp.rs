@@ -6,8 +6,9 @@ use crate::error::{Defects, Error, Result};
 use crate::friction::Contact;
 use crate::{Coupling, Matrix};
 
-/// A boxed LCP, with its contacts if there is friction. It is valid from construction on: sizes agree, all numbers of A and b are finite,
-/// no bound is NaN and lo ≤ hi, so no solver checks again.
+/// A boxed LCP, with its contacts if there is friction. It is valid from construction on: sizes
+/// agree, all numbers of A and b are finite, no bound is NaN and lo ≤ hi, so no solver checks
+/// again.
 #[derive(Debug, Clone)]
 pub struct Lcp {
     /// Shared, so that the same problem with other bounds costs no copy of A.
@@ -76,10 +77,10 @@ impl Lcp {
 
     /// The same problem with the size of x that counts as something.
     ///
-    /// Where all terms of a row are rounding, of 1e-19 m/s beside 1 m/s of other rows, say, nothing can
-    /// be said of its w. So a row whose terms are below s_i times this is measured by s_i times this
-    /// ([`RowTerms`](crate::merit::RowTerms)). Scenes state the impulse of their lightest body's weight in a step;
-    /// the default 0 measures each row by its own terms.
+    /// Where all terms of a row are rounding, of 1e-19 m/s beside 1 m/s of other rows, say, nothing
+    /// can be said of its w. So a row whose terms are below s_i times this is measured by s_i times
+    /// this ([`RowTerms`](crate::merit::RowTerms)). Scenes state the impulse of their lightest
+    /// body's weight in a step; the default 0 measures each row by its own terms.
     ///
     /// # Errors
     /// If it is negative or not finite.

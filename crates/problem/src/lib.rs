@@ -6,8 +6,8 @@
 //!
 //! (K&M (1) with the signs settled, E01.) A row with bounds 0 and ∞ is a contact, one with −∞ and ∞
 //! an equation w_i = 0, one with lo = hi pins x_i and leaves w_i free. A row may be *coupled* to
-//! another one ([`Coupling`]): its bounds are then ±μ times that row's x, which is dry friction in one of
-//! the four models of [`friction`].
+//! another one ([`Coupling`]): its bounds are then ±μ times that row's x, which is dry friction in
+//! one of the four models of [`friction`].
 
 pub mod accurate;
 mod complementarity;

@@ -1,8 +1,8 @@
 //! How much memory one thing may take, so that what would take more is refused before it is made.
 //!
 //! What grows with the input asks first: a file before it is read, the A of a step before it is
-//! assembled, a dense factor before it is allocated. Each is held against the limit by itself, by an
-//! estimate that is not too small by more than a few vectors.
+//! assembled, a dense factor before it is allocated. Each is held against the limit by itself, by
+//! an estimate that is not too small by more than a few vectors.
 
 use std::fmt;
 use std::str::FromStr;

@@ -12,8 +12,8 @@ pub fn superscript(exponent: i32) -> String {
     exponent.to_string().chars().map(raise).collect()
 }
 
-/// The value in at most so many significant digits, without idle zeros: as a plain number while that
-/// is short and as mantissa times power of ten otherwise.
+/// The value in at most so many significant digits, without idle zeros: as a plain number while
+/// that is short and as mantissa times power of ten otherwise.
 ///
 /// ```
 /// use lcplab_problem::number::readable;
@@ -34,7 +34,8 @@ pub fn significant(value: f64, digits: usize) -> String {
     written(value, digits, |_, text| text)
 }
 
-/// The same for the cells of a table: zeros at the end are left out where the number has no more digits.
+/// The same for the cells of a table: zeros at the end are left out where the number has no more
+/// digits.
 ///
 /// ```
 /// use lcplab_problem::number::tabular;

@@ -1,8 +1,8 @@
 //! A problem together with the friction model under which its answers are judged.
 //!
-//! The same A, b and contacts have different solutions under different models: a coupled box, a polygon, a cone.
-//! Every command that solves, judges, explains or proves takes a [`Question`], so that the model that a file states
-//! is never lost on the way.
+//! The same A, b and contacts have different solutions under different models: a coupled box, a
+//! polygon, a cone. Every command that solves, judges, explains or proves takes a [`Question`], so
+//! that the model that a file states is never lost on the way.
 //!
 //! ```
 //! use lcplab_problem::Question;
@@ -35,13 +35,14 @@ pub struct Question {
 }
 
 impl Question {
-    /// The problem under the model that was asked for; without one, under the model that the problem states; without
-    /// that, as the LCP that it is, friction rows being coupled rows.
+    /// The problem under the model that was asked for; without one, under the model that the
+    /// problem states; without that, as the LCP that it is, friction rows being coupled rows.
     ///
     /// `input` is the name of the file in errors.
     ///
     /// # Errors
-    /// If a model is asked for or stated and the problem has no friction rows, or cannot be posed under that model.
+    /// If a model is asked for or stated and the problem has no friction rows, or cannot be posed
+    /// under that model.
     pub fn new(problem: &Problem, asked: Option<Model>, input: &str) -> Result<Self> {
         let problem = problem.clone();
         let Some(model) = asked.or(problem.model) else {
@@ -78,7 +79,8 @@ impl Question {
         &self.posed
     }
 
-    /// The LCP whose solution x itself is: none for polygons, which have unknowns of their own, and for cones.
+    /// The LCP whose solution x itself is: none for polygons, which have unknowns of their own, and
+    /// for cones.
     pub fn boxed(&self) -> Option<&Lcp> {
         match &self.posed {
             Posed::Boxed(lcp) => Some(lcp),
@@ -89,7 +91,8 @@ impl Question {
     /// The LCP of a question that needs one.
     ///
     /// # Errors
-    /// If the model is a polygon or a cone; `what` says what cannot be done then, as in "proofs are".
+    /// If the model is a polygon or a cone; `what` says what cannot be done then, as in "proofs
+    /// are".
     pub fn require_boxed(&self, what: &str, input: &str) -> Result<&Lcp> {
         self.boxed().ok_or_else(|| {
             let model = self.model().map(|model| model.to_string()).unwrap_or_default();

@@ -1,5 +1,5 @@
-//! Proofs about a problem as files: an exact solution, that it is the only one or not, that there is none,
-//! what a floating-point answer misses, how far its motion is from the exact one.
+//! Proofs about a problem as files: an exact solution, that it is the only one or not, that there
+//! is none, what a floating-point answer misses, how far its motion is from the exact one.
 //!
 //! [`prove`] finds the strongest [`Claim`] that it can prove of a problem under its friction model,
 //! [`Proof::to_json`] writes it, and [`check`] checks a proof of the problem in exact arithmetic.

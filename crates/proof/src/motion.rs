@@ -189,8 +189,8 @@ fn equations(data: &Gauss) -> Vec<usize> {
     (0..data.bias.len()).filter(is_equation).collect()
 }
 
-/// Equations that follow from others, but for rounding, get bounds: so a motion is found near which the exact
-/// one may be.
+/// Equations that follow from others, but for rounding, get bounds: so a motion is found near which
+/// the exact one may be.
 fn relaxed(data: &Gauss, x: &[f64]) -> Gauss {
     let mut relaxed = data.clone();
     let mut basis: Vec<Vec<f64>> = Vec::new();

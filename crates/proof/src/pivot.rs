@@ -1,13 +1,14 @@
 //! The sides of an exact solution, by pivoting in 320 bits.
 //!
-//! Where contacts are redundant, A is singular but for its rounding. Of the many x that hold the bodies the exact
-//! problem has one or a few, and which rows these hold at w = 0 is decided by the last digits of A: no
-//! method in double precision can see it. So Lemke's method pivots with so many digits that rounding decides
-//! nothing, and the sides at its end are then held against the exact problem by those who ask.
+//! Where contacts are redundant, A is singular but for its rounding. Of the many x that hold the
+//! bodies the exact problem has one or a few, and which rows these hold at w = 0 is decided by the
+//! last digits of A: no method in double precision can see it. So Lemke's method pivots with so
+//! many digits that rounding decides nothing, and the sides at its end are then held against the
+//! exact problem by those who ask.
 //!
-//! With x_i = lo_i + y_i, hi_i − y_i, or −μ_i x_k + y_i, rows with one bound are complementary pairs y_i, v_i = ±w_i. A row with
-//! two has a second pair: v_i = w_i + u_i, and the room s_i that y_i has to the upper bound, with u_i. Rows without bounds are
-//! solved for first.
+//! With x_i = lo_i + y_i, hi_i − y_i, or −μ_i x_k + y_i, rows with one bound are complementary
+//! pairs y_i, v_i = ±w_i. A row with two has a second pair: v_i = w_i + u_i, and the room s_i that
+//! y_i has to the upper bound, with u_i. Rows without bounds are solved for first.
 
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
@@ -21,7 +22,8 @@ type Real = FBig<HalfEven, 2>;
 const BITS: usize = 320;
 /// What is below it beside the numbers of the problem is 0.
 const ZERO: isize = -200;
-/// By so much, times distinct factors, the problem is changed, so that no two rows meet their bounds at once.
+/// By so much, times distinct factors, the problem is changed, so that no two rows meet their
+/// bounds at once.
 const CHANGE: isize = -150;
 /// With more pairs, pivoting takes minutes.
 const MOST_PAIRS: usize = 240;
@@ -62,7 +64,8 @@ enum Form {
 
 /// A dictionary: every basic variable as a constant and a sum over the others.
 ///
-/// Pair p has the variables p, its y or u, and p + pairs, its v or s; the last variable is that of Lemke.
+/// Pair p has the variables p, its y or u, and p + pairs, its v or s; the last variable is that of
+/// Lemke.
 struct Table {
     forms: Vec<Form>,
     pairs: usize,
@@ -154,7 +157,8 @@ impl Table {
         std::mem::swap(&mut self.basic[r], &mut self.other[c]);
     }
 
-    /// Brings the y of all equations into the basis, the largest pivot first, and leaves out what is then 0.
+    /// Brings the y of all equations into the basis, the largest pivot first, and leaves out what
+    /// is then 0.
     fn solve_equations(&mut self) -> Option<()> {
         let mut open: Vec<usize> =
             (0..self.forms.len()).filter(|&i| self.forms[i] == Form::Equation).collect();
@@ -203,7 +207,8 @@ impl Table {
             .max();
         let change = most.unwrap_or(real(1.0)) * power(CHANGE);
         for &r in &rows {
-            // distinct factors between 1 and 2: the fractional parts of multiples of the golden section
+            // distinct factors between 1 and 2: the fractional parts of multiples of the golden
+            // section
             let factor = 1.0 + (0.618_033_988_749_894_9 * (r + 1) as f64).fract();
             self.rows[r][last] += &change * real(factor);
         }

@@ -1,8 +1,9 @@
 //! Methods for circular friction cones, behind a trait of their own.
 //!
-//! They differ from the others in the feasible set alone: the nearest point of a cone takes the place
-//! of the nearest point of an interval. Under [`Law::Associated`] both are descent methods for the same
-//! convex problem, under [`Law::Coulomb`] one freezes the De Saxcé shift and one carries it along.
+//! They differ from the others in the feasible set alone: the nearest point of a cone takes the
+//! place of the nearest point of an interval. Under [`Law::Associated`] both are descent methods
+//! for the same convex problem, under [`Law::Coulomb`] one freezes the De Saxcé shift and one
+//! carries it along.
 
 use std::sync::{PoisonError, RwLock};
 
@@ -17,8 +18,8 @@ pub trait ConeSolver: Send + Sync {
 
     /// Solves the problem from a start, telling the observer of each iterate. `Solved` is claimed
     /// for a scaled residual
-    /// ([`Complementarity::scaled_residual`](lcplab_problem::Complementarity::scaled_residual)) within
-    /// the tolerance.
+    /// ([`Complementarity::scaled_residual`](lcplab_problem::Complementarity::scaled_residual))
+    /// within the tolerance.
     fn solve(
         &self,
         problem: &ConeProblem,

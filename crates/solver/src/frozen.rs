@@ -6,11 +6,11 @@
 //! ```
 //!
 //! A fixed point solves the problem itself. Of coupled rows the bounds ±μ max(x_n, 0) are frozen
-//! (models 1 and 2), of cones under Coulomb's law the shift μ |w_t| (model 4). One contact
-//! with A = 1 and cones contracts by μ²/(1 + μ²) a round. In general the map contracts for small μ;
-//! for large μ a fixed point need not be reached, and then the answer is `Stalled`, not `Solved`: in most
-//! cases as soon as an x comes back, because all that follows would come back too (Brent 1980), and at
-//! the latest after 200 rounds.
+//! (models 1 and 2), of cones under Coulomb's law the shift μ |w_t| (model 4). One contact with A =
+//! 1 and cones contracts by μ²/(1 + μ²) a round. In general the map contracts for small μ; for
+//! large μ a fixed point need not be reached, and then the answer is `Stalled`, not `Solved`: in
+//! most cases as soon as an x comes back, because all that follows would come back too (Brent
+//! 1980), and at the latest after 200 rounds.
 
 use super::{Observer, Part, Settings, Solution, Status};
 use lcplab_problem::{Complementarity, Lcp};

@@ -19,8 +19,9 @@ const SHORT: f64 = 1e-7;
 /// are counted from `first`, which is above 0 when an earlier loop was continued with other bounds.
 ///
 /// Where there is no solution x runs off along a ray, and the residual becomes small *beside x*; so
-/// the last step, and the whole way from the start, are looked at before an end is given a name; and
-/// an x that is no nearer to a solution than Π(0) is not taken for one: at the limit it has `Diverged`.
+/// the last step, and the whole way from the start, are looked at before an end is given a name;
+/// and an x that is no nearer to a solution than Π(0) is not taken for one: at the limit it has
+/// `Diverged`.
 pub(super) fn iterate(
     problem: &impl Complementarity,
     x: Vec<f64>,

@@ -1,8 +1,8 @@
 //! Methods that solve an LCP, one a file, all behind one trait.
 //!
 //! A solver sees numbers only: no body, no contact. What it says of its own answer is its
-//! [`Status`]; whether the answer is one is for the judge, the crate `lcplab-judge`, to decide. Methods
-//! for circular friction cones have a trait of their own, [`ConeSolver`].
+//! [`Status`]; whether the answer is one is for the judge, the crate `lcplab-judge`, to decide.
+//! Methods for circular friction cones have a trait of their own, [`ConeSolver`].
 //!
 //! # Four groups, a page a method
 //!
@@ -13,8 +13,8 @@
 //! | [`newton`] | Newton on two kinds of equations, interior point | a linear system |
 //! | [`pivot`] | Dantzig, Lemke, Murty, blocks, enumeration | a row changes its bound |
 //!
-//! They stand on factorisations in [`linalg`] and on [`kernel`]s, the same sweeps and pivots arranged for
-//! speed. [`theory`] predicts how fast they converge, [`trace`] records what they do.
+//! They stand on factorisations in [`linalg`] and on [`kernel`]s, the same sweeps and pivots
+//! arranged for speed. [`theory`] predicts how fast they converge, [`trace`] records what they do.
 //!
 //! The same methods as a student writes them are in [`textbook`].
 //!

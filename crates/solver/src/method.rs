@@ -1,9 +1,9 @@
 //! Boxed and cone solvers side by side: what can be asked to solve a friction problem.
 //!
-//! Models 1 and 2 of friction are boxed LCPs, and every solver of [`ALL`] may try. Model 3 is an LCP
-//! whose matrix is not symmetric and has zeros on the diagonal: solvers that are made for such
-//! matrices. Model 4 is for those of [`CONES`]. So a new entry in either list is at once a method for
-//! the models that it fits.
+//! Models 1 and 2 of friction are boxed LCPs, and every solver of [`ALL`] may try. Model 3 is an
+//! LCP whose matrix is not symmetric and has zeros on the diagonal: solvers that are made for such
+//! matrices. Model 4 is for those of [`CONES`]. So a new entry in either list is at once a method
+//! for the models that it fits.
 
 use super::{
     ALL, CONES, Choice, Class, ConeEntry, Entry, Group, MatrixClass, Observer, Options, Solution,

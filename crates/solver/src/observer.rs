@@ -137,14 +137,14 @@ pub struct Move<'a> {
     pub to: Side,
 }
 
-/// A move to the middle in Dantzig's method: x_j by a length, x_C by the same times `direction`, along which
-/// A d = 0.
+/// A move to the middle in Dantzig's method: x_j by a length, x_C by the same times `direction`,
+/// along which A d = 0.
 #[derive(Debug, Clone, Copy)]
 pub struct Centring<'a> {
     /// The row j, which depends on C and is idle from now on.
     pub row: usize,
-    /// The row of C that has met a bound and, since x moves, stays in C; `None` where row j itself has
-    /// just been looked at.
+    /// The row of C that has met a bound and, since x moves, stays in C; `None` where row j itself
+    /// has just been looked at.
     pub keeps: Option<usize>,
     /// x before, n entries.
     pub x: &'a [f64],

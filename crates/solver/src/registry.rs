@@ -1,5 +1,5 @@
-//! The list of solvers: one entry each, kept by the group that it belongs to. Command line, comparison, report
-//! and tests read it, so that a new solver is its file and its entry.
+//! The list of solvers: one entry each, kept by the group that it belongs to. Command line,
+//! comparison, report and tests read it, so that a new solver is its file and its entry.
 
 use std::sync::{PoisonError, RwLock};
 
@@ -200,7 +200,8 @@ pub fn by_name(name: &str, options: &Options) -> Result<Box<dyn Solver>> {
 /// What was added to the registry while the program ran.
 static ADDED: RwLock<Vec<&'static Entry>> = RwLock::new(Vec::new());
 
-/// Adds a solver to the registry, so that it can be named wherever a solver is; it stays until the program ends.
+/// Adds a solver to the registry, so that it can be named wherever a solver is; it stays until the
+/// program ends.
 ///
 /// # Errors
 /// If there is one of this name.
@@ -236,7 +237,8 @@ pub fn entry(name: &str) -> Result<&'static Entry> {
     })
 }
 
-/// The solver to take where none is named: Dantzig's for A symmetric but for rounding, Lemke's for any other.
+/// The solver to take where none is named: Dantzig's for A symmetric but for rounding, Lemke's for
+/// any other.
 pub fn default_for(lcp: &Lcp) -> &'static str {
     if lcp.matrix().is_nearly_symmetric() { "dantzig" } else { "lemke" }
 }

@@ -18,8 +18,8 @@ pub struct Solution {
     pub iterations: usize,
     /// What else than the method itself had a part in it; none by default.
     pub fallback: Option<Fallback>,
-    /// Whether *solved* is only implied: a plug-in or a function gave x and no status. Such an x may be the last
-    /// iterate of a solver that ran out of sweeps.
+    /// Whether *solved* is only implied: a plug-in or a function gave x and no status. Such an x
+    /// may be the last iterate of a solver that ran out of sweeps.
     pub is_claim_implied: bool,
 }
 

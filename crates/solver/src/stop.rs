@@ -1,8 +1,9 @@
 //! When to stop: a flag that someone raises, and a deadline.
 //!
-//! Whoever works for long asks a [`Stop`] between steps and tasks, and lets it [`watch`](Stop::watch)
-//! the solves: they end with [`Status::Stopped`](super::Status::Stopped) at their next iterate. What
-//! lies between two iterates is not cut short: a sweep, a pivot, a factorisation.
+//! Whoever works for long asks a [`Stop`] between steps and tasks, and lets it
+//! [`watch`](Stop::watch) the solves: they end with [`Status::Stopped`](super::Status::Stopped) at
+//! their next iterate. What lies between two iterates is not cut short: a sweep, a pivot, a
+//! factorisation.
 
 use std::fmt;
 use std::ops::ControlFlow;

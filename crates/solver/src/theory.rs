@@ -22,12 +22,14 @@
 //! ρ_GS = ρ_J²,   ω* = 2 / (1 + √(1 − ρ_J²)),   ρ(ω*) = ω* − 1
 //! ```
 //!
-//! Where A is singular, G keeps the null vectors of A and ρ = 1; w does not feel them. The *contraction* leaves them
-//! out: for symmetric A with A V = V Λ over the range (Λ without zeros) it is the spectral radius of Vᵀ G V.
+//! Where A is singular, G keeps the null vectors of A and ρ = 1; w does not feel them. The
+//! *contraction* leaves them out: for symmetric A with A V = V Λ over the range (Λ without zeros)
+//! it is the spectral radius of Vᵀ G V.
 //!
-//! *Ostrowski and Reich* (1954, 1949): for symmetric A with a positive diagonal Gauss-Seidel contracts every error that
-//! w feels exactly if A is semidefinite. Multiplying rows and columns by S turns G into S⁻¹ G S, whose eigenvalues are
-//! the same; so G is computed from the [balanced](Matrix::balanced) A, and no unit decides.
+//! *Ostrowski and Reich* (1954, 1949): for symmetric A with a positive diagonal Gauss-Seidel
+//! contracts every error that w feels exactly if A is semidefinite. Multiplying rows and columns by
+//! S turns G into S⁻¹ G S, whose eigenvalues are the same; so G is computed from the
+//! [balanced](Matrix::balanced) A, and no unit decides.
 
 use nalgebra::DMatrix;
 
@@ -108,8 +110,8 @@ pub fn contraction(g: &DMatrix<f64>) -> f64 {
     g.eigenvalues().map_or(f64::NAN, largest)
 }
 
-/// The contraction of a registered method with these options while exactly the rows `free` are inside their bounds; `None`
-/// where the method is no linear iteration, or does not contract.
+/// The contraction of a registered method with these options while exactly the rows `free` are
+/// inside their bounds; `None` where the method is no linear iteration, or does not contract.
 ///
 /// ```
 /// use lcplab_problem::library;
@@ -139,9 +141,9 @@ pub fn rate(method: &str, options: &Options, lcp: &Lcp, free: &[usize]) -> Optio
     Some(contraction_of(&block, &matrix)).filter(|rate| *rate < 1.0)
 }
 
-/// What a sweep of Gauss-Seidel over all rows leaves of the error in the long run, null vectors of A aside, in
-/// whatever units the rows are. `None` where that is not below 1 or cannot be computed: then A is not symmetric and
-/// semidefinite with a positive diagonal.
+/// What a sweep of Gauss-Seidel over all rows leaves of the error in the long run, null vectors of
+/// A aside, in whatever units the rows are. `None` where that is not below 1 or cannot be computed:
+/// then A is not symmetric and semidefinite with a positive diagonal.
 ///
 /// ```
 /// use lcplab_problem::Matrix;
@@ -202,8 +204,8 @@ pub fn optimal_omega(jacobi_radius: f64) -> f64 {
     2.0 / (1.0 + (1.0 - jacobi_radius * jacobi_radius).sqrt())
 }
 
-/// Young's ρ(ω) of SOR from the spectral radius of the undamped Jacobi matrix, for a consistently ordered A: by
-/// how much a sweep shrinks the error in the long run.
+/// Young's ρ(ω) of SOR from the spectral radius of the undamped Jacobi matrix, for a consistently
+/// ordered A: by how much a sweep shrinks the error in the long run.
 ///
 /// ```
 /// use lcplab_solver::theory::sor_radius;

@@ -9,13 +9,13 @@ use super::pivot::free_rows::FreeRows;
 /// similar problem.
 ///
 /// The caller holds it and passes it with each [`Start`](super::Start); empty at first. Principal
-/// pivoting begins with the set and goes on from there, and leaves its own last one. The other methods
-/// have no use for it.
+/// pivoting begins with the set and goes on from there, and leaves its own last one. The other
+/// methods have no use for it.
 ///
-/// [`BlockPivoting`](super::BlockPivoting) uses the factor only while the free rows and the matrix are the
-/// same: *the same matrix*, not an equal one, that is one which the problems share, as
-/// [`Lcp::with_b`](lcplab_problem::Lcp::with_b) makes them. A matrix never changes, and this one is held
-/// here, so that no other one can take its place.
+/// [`BlockPivoting`](super::BlockPivoting) uses the factor only while the free rows and the matrix
+/// are the same: *the same matrix*, not an equal one, that is one which the problems share, as
+/// [`Lcp::with_b`](lcplab_problem::Lcp::with_b) makes them. A matrix never changes, and this one is
+/// held here, so that no other one can take its place.
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};

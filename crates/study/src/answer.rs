@@ -33,8 +33,8 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// Has a solution judged; where the solver has ended on a ray or says that there is no solution, the
-    /// judge looks for a proof of that.
+    /// Has a solution judged; where the solver has ended on a ray or says that there is no
+    /// solution, the judge looks for a proof of that.
     pub fn judged(lcp: &Lcp, solver: &'static str, solution: Solution, demand: &Demand) -> Self {
         let certificate = judge(lcp, &solution.x, demand);
         let certificate = match proof_of_denial(lcp, &solution.status, demand) {
@@ -113,8 +113,8 @@ pub fn first_answer(lcp: &Lcp) -> Vec<f64> {
     solve_boxed_by_sequence(lcp, &Start::default(), &Options::default(), &mut ()).solution.x
 }
 
-/// A verdict with the name of its row and the physical value of its w, if the problem states them: `normal ground
-/// box1 0: approach velocity 0.017 m/s, 0.17 mm per step`.
+/// A verdict with the name of its row and the physical value of its w, if the problem states them:
+/// `normal ground box1 0: approach velocity 0.017 m/s, 0.17 mm per step`.
 pub fn labelled(verdict: &Verdict, w: &[f64], problem: &Problem) -> String {
     let Verdict::NotASolution { row, .. } = *verdict else { return verdict.to_string() };
     let known = |key: &str| problem.extra.get("rows")?.get(row)?.get(key)?.as_str();
@@ -137,8 +137,8 @@ pub fn labelled(verdict: &Verdict, w: &[f64], problem: &Problem) -> String {
     format!("{verdict} ({label}: {meaning})")
 }
 
-/// What the judge finds where a solver has ended on a ray or says that there is no solution: its own vector proves
-/// it at any size, another proof is looked for in problems that are small enough.
+/// What the judge finds where a solver has ended on a ray or says that there is no solution: its
+/// own vector proves it at any size, another proof is looked for in problems that are small enough.
 pub fn proof_of_denial(lcp: &Lcp, status: &Status, demand: &Demand) -> Option<Refutation> {
     let vector = match status {
         Status::Ray { direction, .. } => Some(direction.as_slice()),
@@ -151,7 +151,8 @@ pub fn proof_of_denial(lcp: &Lcp, status: &Status, demand: &Demand) -> Option<Re
     vector.and_then(|vector| ray::checked(lcp, vector)).map(Refutation::Vector)
 }
 
-/// A solver's claim, in one of four words and in a sentence. `infeasible` is said only with a proof.
+/// A solver's claim, in one of four words and in a sentence. `infeasible` is said only with a
+/// proof.
 pub fn claim(
     status: &Status,
     refutation: Option<&Refutation>,

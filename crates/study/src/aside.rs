@@ -7,7 +7,8 @@ use std::time::{Duration, Instant};
 
 use lcplab_solver::Stop;
 
-/// What asks when to stop, but cannot be cut short at every place, has so much time to come to its end.
+/// What asks when to stop, but cannot be cut short at every place, has so much time to come to its
+/// end.
 pub const GRACE: Duration = Duration::from_secs(2);
 
 /// How often it is looked whether to stop while no result comes.
@@ -16,8 +17,8 @@ const LOOK: Duration = Duration::from_millis(50);
 const WAITING: usize = 1;
 
 /// The results of work on a thread of its own. They end when the work does; or, once it is time to
-/// stop, when no more have come within the time of grace: then the thread is left behind, and what it
-/// has under way comes to nothing.
+/// stop, when no more have come within the time of grace: then the thread is left behind, and what
+/// it has under way comes to nothing.
 pub struct Aside<T> {
     results: Receiver<T>,
     thread: Option<JoinHandle<()>>,

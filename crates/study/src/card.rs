@@ -1,4 +1,5 @@
-//! What can be said of a problem before anyone solves it: its size, the class of A, rank and condition.
+//! What can be said of a problem before anyone solves it: its size, the class of A, rank and
+//! condition.
 
 use dashu_ratio::RBig;
 use serde::Serialize;
@@ -87,8 +88,8 @@ impl Card {
     }
 }
 
-/// The narrowest class that A belongs to, decided in exact arithmetic; [`MatrixClass::General`] says that it is in none
-/// of definite, semidefinite and P. `None` where A is too large to decide.
+/// The narrowest class that A belongs to, decided in exact arithmetic; [`MatrixClass::General`]
+/// says that it is in none of definite, semidefinite and P. `None` where A is too large to decide.
 pub(crate) fn class_of(a: &Matrix) -> Option<MatrixClass> {
     let n = a.len();
     if n > EXACT_ROWS {
@@ -118,8 +119,8 @@ fn exact(a: &Matrix, rows: &[usize]) -> Vec<Vec<RBig>> {
     rows.iter().map(row).collect()
 }
 
-/// How many pivots of a symmetric A are 0 where all the others are positive, by symmetric elimination; `None` if A is
-/// not semidefinite.
+/// How many pivots of a symmetric A are 0 where all the others are positive, by symmetric
+/// elimination; `None` if A is not semidefinite.
 fn pivots(mut a: Vec<Vec<RBig>>) -> Option<usize> {
     let n = a.len();
     let mut zeros = 0;

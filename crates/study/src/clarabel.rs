@@ -1,10 +1,10 @@
 //! The reference code clarabel as one more method in comparisons.
 //!
-//! Solvers must not know the reference that checks them, so it is not in their registry; here, where
-//! both are known, it gets an entry like theirs. What clarabel calls solved is `Solved` only if the
-//! scaled residual of its point says so too: it stops on another quantity, and a point in the
-//! interior is near its bounds, not on them. It takes no start, and its
-//! point is the one iterate that is observed.
+//! Solvers must not know the reference that checks them, so it is not in their registry; here,
+//! where both are known, it gets an entry like theirs. What clarabel calls solved is `Solved` only
+//! if the scaled residual of its point says so too: it stops on another quantity, and a point in
+//! the interior is near its bounds, not on them. It takes no start, and its point is the one
+//! iterate that is observed.
 
 use lcplab_judge::reference::{Reference, box_qp_within, cone_qp_within};
 use lcplab_problem::friction::{ConeProblem, Law};
@@ -123,8 +123,8 @@ impl Clarabel {
     }
 }
 
-/// Room for the upper half of A as a list, in clarabel's columns, in its equations and in their factor
-/// without fill: a dozen numbers an entry.
+/// Room for the upper half of A as a list, in clarabel's columns, in its equations and in their
+/// factor without fill: a dozen numbers an entry.
 fn needs(lcp: &Lcp) -> Memory {
     Memory::numbers(lcp.matrix().stored()).times(6)
 }

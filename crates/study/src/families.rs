@@ -103,7 +103,8 @@ impl Row {
 pub struct Contender {
     /// Its methods, which share a name.
     pub methods: Vec<Method>,
-    /// Whether someone asked for it: then it has a row, with the reason, also where it is not made for the problem.
+    /// Whether someone asked for it: then it has a row, with the reason, also where it is not made
+    /// for the problem.
     pub is_named: bool,
 }
 
@@ -128,11 +129,11 @@ impl Contender {
     }
 }
 
-/// Why a named solver was of no use in a comparison, a sentence each: it has not solved a single problem that it might
-/// have solved.
+/// Why a named solver was of no use in a comparison, a sentence each: it has not solved a single
+/// problem that it might have solved.
 ///
-/// A solver that always fails, or that is made for none of the problems, makes no false claim either: a comparison that
-/// only counts false claims would pass it.
+/// A solver that always fails, or that is made for none of the problems, makes no false claim
+/// either: a comparison that only counts false claims would pass it.
 pub fn useless(rows: &[Row], contenders: &[Contender]) -> Vec<String> {
     let sentence = |contender: &Contender| {
         let name = contender.name();
@@ -155,7 +156,8 @@ pub fn useless(rows: &[Row], contenders: &[Contender]) -> Vec<String> {
 pub struct Requirement {
     /// The solver.
     pub solver: String,
-    /// How many of its answers the judge must accept at least; all those to problems that may have a solution without it.
+    /// How many of its answers the judge must accept at least; all those to problems that may have
+    /// a solution without it.
     pub at_least: Option<usize>,
 }
 
@@ -233,9 +235,11 @@ pub fn run(
 /// Under which models the problems with friction are solved.
 #[derive(Debug, Clone, Copy)]
 pub enum Models<'a> {
-    /// Under each of these, which nobody asked for: a solver takes part under those that it is made for.
+    /// Under each of these, which nobody asked for: a solver takes part under those that it is made
+    /// for.
     Usual(&'a [Model]),
-    /// Under each of these, which were asked for; under the one that the first of the problems states if there are none.
+    /// Under each of these, which were asked for; under the one that the first of the problems
+    /// states if there are none.
     Stated(&'a [Model]),
 }
 
@@ -257,12 +261,14 @@ pub struct Limits<'a> {
     pub tick: &'a (dyn Fn() + Sync),
 }
 
-/// Runs each method on the problems of each name that it takes; on problems with friction under each of the models.
+/// Runs each method on the problems of each name that it takes; on problems with friction under
+/// each of the models.
 ///
-/// A solver that was named has a row with the reason where none of its methods takes the model that was asked for or
-/// that the problem states, or none of the usual ones.
+/// A solver that was named has a row with the reason where none of its methods takes the model that
+/// was asked for or that the problem states, or none of the usual ones.
 ///
-/// Plug-ins run one after another and beside nothing else: each has one process, and waiting for it would count as time.
+/// Plug-ins run one after another and beside nothing else: each has one process, and waiting for it
+/// would count as time.
 pub fn run_on(
     problems: &[(String, Vec<Problem>)],
     models: Models<'_>,
@@ -303,9 +309,9 @@ impl Participation<'_> {
     }
 }
 
-/// The rows of a solver under one posing: one for each method that takes it, or else, where it was named, the reason
-/// why none does. Under models that nobody asked for the reason is due only if the solver takes none of them, and then
-/// once.
+/// The rows of a solver under one posing: one for each method that takes it, or else, where it was
+/// named, the reason why none does. Under models that nobody asked for the reason is due only if
+/// the solver takes none of them, and then once.
 fn participations<'a>(
     posing: &'a Posing<'a>,
     contender: &Contender,

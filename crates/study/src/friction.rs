@@ -20,8 +20,8 @@ const SLIP: f64 = 1e-6;
 /// Contacts that are printed at most.
 const PRINTED: usize = 20;
 
-/// The model to take: the one asked for, else the problem's own, else Coulomb's law for a solver that is
-/// made for cones only. Without any, friction rows are rows of a boxed LCP like others.
+/// The model to take: the one asked for, else the problem's own, else Coulomb's law for a solver
+/// that is made for cones only. Without any, friction rows are rows of a boxed LCP like others.
 pub fn model(asked: Option<Model>, solver: Option<&str>, problem: &Problem) -> Option<Model> {
     let is_for_cones = |name: &&str| {
         methods::entry(name).is_err() && methods::by_name(name, Model::CoulombCone).is_ok()
@@ -84,8 +84,8 @@ pub struct Judged {
 }
 
 impl Judged {
-    /// Judges an answer, one number a row of the problem, under the model of the question. Without contacts, Coulomb's
-    /// law asks nothing more than the problem does.
+    /// Judges an answer, one number a row of the problem, under the model of the question. Without
+    /// contacts, Coulomb's law asks nothing more than the problem does.
     pub fn of(question: &Question, x: &[f64], demand: &Demand) -> Self {
         match question.friction() {
             Some(friction) => Judged::at_contacts(friction, question.posed(), x, demand),

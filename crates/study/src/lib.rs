@@ -1,10 +1,10 @@
 //! What is found out about solvers, problems and scenes.
 //!
-//! [`answer`] and [`friction`] put one answer and its verdict into words and JSON, [`explain`] derives it
-//! line by line, [`diagnosis`] says why there is none, [`families`] and [`profiles`] compare the
-//! solvers on problems, `comparison` on scenes, and [`hunt`] asks whether they are honest. What needs scenes is behind
-//! the feature `mechanics`.
-//! [`methods`] are the solvers of the registry, with the feature `clarabel` the reference beside them.
+//! [`answer`] and [`friction`] put one answer and its verdict into words and JSON, [`explain`]
+//! derives it line by line, [`diagnosis`] says why there is none, [`families`] and [`profiles`]
+//! compare the solvers on problems, `comparison` on scenes, and [`hunt`] asks whether they are
+//! honest. What needs scenes is behind the feature `mechanics`. [`methods`] are the solvers of the
+//! registry, with the feature `clarabel` the reference beside them.
 
 pub mod answer;
 pub mod aside;

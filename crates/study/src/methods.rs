@@ -6,8 +6,8 @@ use lcplab_problem::error::{Error, Result};
 use lcplab_problem::friction::Model;
 use lcplab_solver::{ALL, Entry, Method, SPECIMENS, added, methods};
 
-/// One of each kind: sweeps, Newton, gradients, an interior point, two pivoting methods, sweeps for cones, and the
-/// reference.
+/// One of each kind: sweeps, Newton, gradients, an interior point, two pivoting methods, sweeps for
+/// cones, and the reference.
 pub const USUAL: [&str; 8] =
     ["pgs", "newton", "apgd", "interior-point", "dantzig", "lemke", "cone-pgs", "clarabel"];
 
@@ -17,7 +17,8 @@ const REFERENCE: [Method; 2] = [Method::Boxed(clarabel::BOX_QP), Method::Cone(cl
 #[cfg(not(feature = "clarabel"))]
 const REFERENCE: [Method; 0] = [];
 
-/// The registered methods, then clarabel for boxes and for cones; what was added is asked for by name.
+/// The registered methods, then clarabel for boxes and for cones; what was added is asked for by
+/// name.
 pub fn all() -> Vec<Method> {
     methods().into_iter().chain(REFERENCE).collect()
 }
@@ -66,7 +67,8 @@ pub fn by_name(name: &str, model: Model) -> Result<Method> {
     })
 }
 
-/// Why the methods of this name are not made for a model; `None` if there is no such name, or one of them is.
+/// Why the methods of this name are not made for a model; `None` if there is no such name, or one
+/// of them is.
 fn refusal(name: &str, model: Option<Model>) -> Option<String> {
     let specimens = SPECIMENS.iter().copied().map(Method::Boxed);
     let named: Vec<Method> =

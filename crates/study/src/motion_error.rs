@@ -3,9 +3,9 @@
 //!
 //! A relative residual is no physical tolerance. Where the file has the key `motion`, [Gauss's
 //! principle](Gauss) bounds the error of the motion itself: |u(x) − û|_M, u(x) = u* + M⁻¹Jᵀx, in
-//! the norm whose half square is an energy (of velocities). It is compared with what the constraints
-//! change, |û − u*|_M. Where rows are coupled, û is the motion with the friction limits that x
-//! itself gives. Under associated cones, whose rows all have compliance, the [duality
+//! the norm whose half square is an energy (of velocities). It is compared with what the
+//! constraints change, |û − u*|_M. Where rows are coupled, û is the motion with the friction limits
+//! that x itself gives. Under associated cones, whose rows all have compliance, the [duality
 //! gap](lcplab_judge::gap_bound) bounds it; Coulomb's law has no bound, as it minimizes nothing.
 
 use serde_json::{Value, json};
@@ -61,8 +61,8 @@ impl MotionError {
         Some(error.map_err(|why| why.to_string()))
     }
 
-    /// The line of text that commands print; nothing where the problem does not state its masses and
-    /// rows.
+    /// The line of text that commands print; nothing where the problem does not state its masses
+    /// and rows.
     pub fn text(question: &Question, x: &[f64]) -> String {
         let (value, meaning) = match MotionError::of(question, x) {
             None => return String::new(),

@@ -9,8 +9,8 @@
 //!
 //! so ρ_s(1) is the share of its problems on which s is the cheapest, and ρ_s(∞) the share that it
 //! solves. *Solved* means claimed and accepted by the judge. What a solver says is not for it is no
-//! attempt; whether it counts against the solver is asked both ways ([`of_all`]), and each curve states of how many problems
-//! it is.
+//! attempt; whether it counts against the solver is asked both ways ([`of_all`]), and each curve
+//! states of how many problems it is.
 
 use serde::{Deserialize, Serialize};
 
@@ -97,8 +97,9 @@ pub fn profiles(costs: &[Vec<Cost>]) -> Vec<Profile> {
     (0..solvers).map(profile).collect()
 }
 
-/// The costs of the problems that have a solution, at the tolerance of this number, counted by `measure` from the rows
-/// and an attempt. Where that is NaN, as multiplications that nobody counts, it is as if the solver had not tried.
+/// The costs of the problems that have a solution, at the tolerance of this number, counted by
+/// `measure` from the rows and an attempt. Where that is NaN, as multiplications that nobody
+/// counts, it is as if the solver had not tried.
 pub fn costs(
     tried: &[Tried],
     tolerance: usize,
@@ -127,8 +128,8 @@ pub fn iterations(_rows: usize, attempt: &Attempt) -> f64 {
     attempt.iterations.max(1) as f64
 }
 
-/// The same costs where a problem that a solver did not try counts as one that it did not solve: the share is of all
-/// problems then. A solver that tried none stays out.
+/// The same costs where a problem that a solver did not try counts as one that it did not solve:
+/// the share is of all problems then. A solver that tried none stays out.
 pub fn of_all(costs: &[Vec<Cost>]) -> Vec<Vec<Cost>> {
     let has_tried = |solver: usize| costs.iter().any(|row| row[solver] != Cost::NotTried);
     let strict = |(solver, cost): (usize, &Cost)| match cost {

@@ -15,13 +15,14 @@ pub struct Tasks<T> {
     pub together: Vec<T>,
     /// Those that run after them, one after the other, because they are timed.
     pub alone: Vec<T>,
-    /// How long those under way are waited for when it is time to stop: not at all if they do not ask.
+    /// How long those under way are waited for when it is time to stop: not at all if they do not
+    /// ask.
     pub grace: Duration,
 }
 
 impl<T: Send + 'static> Tasks<T> {
-    /// Does the `work` of every task and gives `note` each end as it comes. When it is time to stop, no
-    /// more are begun.
+    /// Does the `work` of every task and gives `note` each end as it comes. When it is time to
+    /// stop, no more are begun.
     ///
     /// # Errors
     /// What `note` says; then no more are begun either.

@@ -4,8 +4,8 @@
 //! u⁺ = u + dt M⁻¹ F,   s⁺ = s + dt S u⁺        K&M (21), (22)
 //! ```
 //!
-//! The new velocity moves the positions: semi-implicit Euler. The listing stands; what its F lacks, the
-//! gyroscopic torque (E26), is its caller's.
+//! The new velocity moves the positions: semi-implicit Euler. The listing stands; what its F lacks,
+//! the gyroscopic torque (E26), is its caller's.
 #![allow(non_snake_case)]
 
 use nalgebra::{DMatrix, DVector};

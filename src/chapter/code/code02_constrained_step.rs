@@ -7,8 +7,8 @@
 //! ```
 //!
 //! Listing and equation differ by dt, and each is right with its own x only (E28). Both take x away
-//! where the library adds it, so that x ≥ 0 pulls where J is the derivative of a gap (E30). The listing's
-//! comment still calls this the step without constraints (E60).
+//! where the library adds it, so that x ≥ 0 pulls where J is the derivative of a gap (E30). The
+//! listing's comment still calls this the step without constraints (E60).
 #![allow(non_snake_case)]
 
 use nalgebra::{DMatrix, DVector};

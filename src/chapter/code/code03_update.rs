@@ -1,8 +1,8 @@
 //! Code 3: what is done in each frame.
 //!
-//! First all forces are added up, then the constraints are solved; the step itself is left to the latter,
-//! Code 7, which returns before it if there is no constraint (E32). In print the call passes dt to a
-//! function that takes no argument (E36).
+//! First all forces are added up, then the constraints are solved; the step itself is left to the
+//! latter, Code 7, which returns before it if there is no constraint (E32). In print the call
+//! passes dt to a function that takes no argument (E36).
 
 use super::code05_rigid_body::RigidBody;
 use super::code07_whole_step::{WholeStep, World};

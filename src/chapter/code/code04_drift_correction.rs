@@ -5,8 +5,9 @@
 //! corrected   A x = −(J u* + β/dt c)    u⁺ by its corrected form has J u⁺ = −β/dt c
 //! ```
 //!
-//! β is to be the part of the error that goes in a step; without 1/dt it is a rate in 1/s, and at 60 steps
-//! a second 60 times weaker (E34). And c must have the sign of J (E35). Equations only: no bounds.
+//! β is to be the part of the error that goes in a step; without 1/dt it is a rate in 1/s, and at
+//! 60 steps a second 60 times weaker (E34). And c must have the sign of J (E35). Equations only: no
+//! bounds.
 #![allow(non_snake_case)]
 
 use nalgebra::{DMatrix, DVector};
@@ -48,7 +49,8 @@ pub fn printed(
     code06_solver::printed(&matrix(blocks, J), &b, None, None, sweeps)
 }
 
-/// x that pushes where it is positive, for [the corrected step](super::code02_constrained_step::corrected).
+/// x that pushes where it is positive, for [the corrected
+/// step](super::code02_constrained_step::corrected).
 ///
 /// # Errors
 /// If a number is not finite.

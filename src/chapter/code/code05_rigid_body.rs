@@ -5,10 +5,11 @@
 //! corrected   R I⁻¹ Rᵀ     R for column vectors
 //! ```
 //!
-//! The listing is written for a library of row vectors, v' = v T, whose T is the Rᵀ of column vectors: there
-//! it is right. Taken over word by word where vectors are columns it turns the inertia the wrong way.
-//! Its forces lack the gyroscopic torque −ω × I ω (E26), and its caption names an integrator that is not
-//! in it (E60). In print the function is not `const` but is called through a pointer to a constant (E36).
+//! The listing is written for a library of row vectors, v' = v T, whose T is the Rᵀ of column
+//! vectors: there it is right. Taken over word by word where vectors are columns it turns the
+//! inertia the wrong way. Its forces lack the gyroscopic torque −ω × I ω (E26), and its caption
+//! names an integrator that is not in it (E60). In print the function is not `const` but is called
+//! through a pointer to a constant (E36).
 
 use nalgebra::{DMatrix, Matrix3, Quaternion, UnitQuaternion, Vector3};
 
@@ -22,7 +23,8 @@ pub(in crate::chapter) const LISTING: Listing = Listing {
     errata: &["E26", "E36", "E60"],
 };
 
-/// A rigid body; a point mass has `inverse_inertia` 0, one that never moves `inverse_mass` 0 as well.
+/// A rigid body; a point mass has `inverse_inertia` 0, one that never moves `inverse_mass` 0 as
+/// well.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RigidBody {
     /// The centre of mass (m, world).

@@ -1,9 +1,9 @@
 //! Code 6: the iterative solver, of which the library has both forms.
 //!
-//! As printed it is [`Code6`], which clamps after the whole sweep (E06); corrected it
-//! is [`Pgs`], which clamps each row as it is updated. Here both take the dense
-//! matrices of the listings and make so many sweeps, whatever comes of it. The listing solves A x = b,
-//! its corrected form poses w = A x + b as the library does (E02).
+//! As printed it is [`Code6`], which clamps after the whole sweep (E06); corrected it is [`Pgs`],
+//! which clamps each row as it is updated. Here both take the dense matrices of the listings and
+//! make so many sweeps, whatever comes of it. The listing solves A x = b, its corrected form poses
+//! w = A x + b as the library does (E02).
 #![allow(non_snake_case)]
 
 use nalgebra::{DMatrix, DVector};
@@ -24,7 +24,8 @@ pub(in crate::chapter) const LISTING: Listing = Listing {
 /// The listing's number of sweeps.
 pub const SWEEPS: usize = 10;
 
-/// The listing: x of A x = b after so many sweeps from 0; bounds as the listing takes them, or none.
+/// The listing: x of A x = b after so many sweeps from 0; bounds as the listing takes them, or
+/// none.
 ///
 /// # Errors
 /// If a number is not finite or a lower bound above its upper one.

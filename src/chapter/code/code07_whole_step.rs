@@ -5,11 +5,11 @@
 //! corrected   w = A x + J u* + β/dt e,         u⁺ = u* + M⁻¹ Jᵀ x,   lo ≤ x ≤ hi
 //! ```
 //!
-//! Six things in it need correction, and a reader may choose the form of each: it returns before the step
-//! if there is no body or no constraint (E32); it adds the penalty e once for each body of a constraint
-//! (E33); β lacks 1/dt (E34); there are no bounds (E31); x is new and 0 in each frame (E12); and x has
-//! another sign than the comment above it says (E29, E30). It also lacks the gyroscopic torque (E26).
-//! In print dt is used and never declared (E36).
+//! Six things in it need correction, and a reader may choose the form of each: it returns before
+//! the step if there is no body or no constraint (E32); it adds the penalty e once for each body of
+//! a constraint (E33); β lacks 1/dt (E34); there are no bounds (E31); x is new and 0 in each frame
+//! (E12); and x has another sign than the comment above it says (E29, E30). It also lacks the
+//! gyroscopic torque (E26). In print dt is used and never declared (E36).
 #![allow(non_snake_case)]
 
 use nalgebra::{DMatrix, DVector, Quaternion, Vector3};
@@ -227,7 +227,8 @@ pub fn gathered(bodies: &[RigidBody], gyroscopic: Form) -> Blocks {
     blocks
 }
 
-/// The last part: velocities and positions back into the bodies, quaternions of length 1, no forces.
+/// The last part: velocities and positions back into the bodies, quaternions of length 1, no
+/// forces.
 fn scatter(bodies: &mut [RigidBody], u: &DVector<f64>, s: &DVector<f64>) {
     let three = |from: &DVector<f64>, k: usize| Vector3::new(from[k], from[k + 1], from[k + 2]);
     for (i, body) in bodies.iter_mut().enumerate() {

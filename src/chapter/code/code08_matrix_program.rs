@@ -5,8 +5,8 @@
 //! ```
 //!
 //! That a formula can be written down as it stands is the listing's point, and it holds here too:
-//! the operators are nalgebra's. Its statements are in the wrong order, though, a dt is missing, and
-//! its velocities lie beside each other where Code 6 wants them in one column (E27, E49).
+//! the operators are nalgebra's. Its statements are in the wrong order, though, a dt is missing,
+//! and its velocities lie beside each other where Code 6 wants them in one column (E27, E49).
 
 use nalgebra::DMatrix;
 
@@ -35,8 +35,8 @@ pub mod printed {
 
     use super::System;
 
-    /// A and b of m bodies under n constraints. `inverse_mass` is m × m; `velocity` and `force` have
-    /// a body a row, 6 wide; `jacobian` (n × m) is what J is filled with.
+    /// A and b of m bodies under n constraints. `inverse_mass` is m × m; `velocity` and `force`
+    /// have a body a row, 6 wide; `jacobian` (n × m) is what J is filled with.
     ///
     /// The transpose is taken of the empty J, before the data come in: Jᵀ, and with it A, is 0.
     ///

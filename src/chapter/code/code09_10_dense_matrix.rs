@@ -1,11 +1,12 @@
 //! Codes 9 and 10: a dense matrix of floats with checks, row after row in one piece of memory.
 //!
 //! Code 9 has the three members and nothing else; Code 10 adds constructor, destructor and access.
-//! What its assertions stop is an [`Error`](crate::error::Error) here, so that a program can show it.
+//! What its assertions stop is an [`Error`](crate::error::Error) here, so that a program can show
+//! it.
 //!
-//! One fault of Code 10 cannot be built in safe Rust: the class owns a raw pointer and says nothing of
-//! copies, so a copy shares the memory and the destructors free it twice (E51). A `Vec` is moved or
-//! cloned, never shared by accident.
+//! One fault of Code 10 cannot be built in safe Rust: the class owns a raw pointer and says nothing
+//! of copies, so a copy shares the memory and the destructors free it twice (E51). A `Vec` is moved
+//! or cloned, never shared by accident.
 
 use super::Listing;
 

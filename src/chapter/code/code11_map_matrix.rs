@@ -1,8 +1,8 @@
 //! Code 11: a sparse matrix as a map of rows, each a map from column to entry.
 //!
-//! `std::map` is a `BTreeMap` here. The listing clears nothing (E52), reads its data column by column
-//! where Code 10 reads row by row (E53), and keeps every entry that was ever touched (E54). That a
-//! product of three is no valid C++ (E55) has no counterpart: Rust lends a temporary.
+//! `std::map` is a `BTreeMap` here. The listing clears nothing (E52), reads its data column by
+//! column where Code 10 reads row by row (E53), and keeps every entry that was ever touched (E54).
+//! That a product of three is no valid C++ (E55) has no counterpart: Rust lends a temporary.
 
 use std::collections::BTreeMap;
 
@@ -56,8 +56,8 @@ pub mod printed {
         /// A matrix of this size, filled from `data`, which is read column by column.
         ///
         /// # Errors
-        /// What the listing asserts: sizes from [`LIMIT`] on, and a size of 0 beside one that is not;
-        /// also what it leaves to chance, data of another length.
+        /// What the listing asserts: sizes from [`LIMIT`] on, and a size of 0 beside one that is
+        /// not; also what it leaves to chance, data of another length.
         pub fn new(num_rows: usize, num_cols: usize, data: Option<&[f32]>) -> Result<Self> {
             let stop = |place: &str, reason: String| Err(Error::invalid("Code 11", place, reason));
             for (place, size) in [("numRows", num_rows), ("numCols", num_cols)] {

@@ -1,10 +1,12 @@
-//! The class `Constraint_c`, from which all constraints of the listings derive, and its method `IsEquality`.
+//! The class `Constraint_c`, from which all constraints of the listings derive, and its method
+//! `IsEquality`.
 //!
-//! A constraint says how many rows it has, its block of J for a body, and its penalty, the position error
-//! that is fed back. In print nothing says what x may be but a method that answers "no equation" unless
-//! it is overridden, and Code 7 never asks (E31). Corrected, each row states its bounds, and there is no
-//! default. Where the listing returns an empty matrix for a body that is not concerned (E59), we return
-//! `None`; where it stops the program in a method that was not overridden, Rust wants the method.
+//! A constraint says how many rows it has, its block of J for a body, and its penalty, the position
+//! error that is fed back. In print nothing says what x may be but a method that answers "no
+//! equation" unless it is overridden, and Code 7 never asks (E31). Corrected, each row states its
+//! bounds, and there is no default. Where the listing returns an empty matrix for a body that is
+//! not concerned (E59), we return `None`; where it stops the program in a method that was not
+//! overridden, Rust wants the method.
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
@@ -39,8 +41,8 @@ pub trait Constraint: std::fmt::Debug {
     fn bounds(&self) -> Vec<(f64, f64)>;
 }
 
-/// Two points, one on each body or in the world, kept together or apart along axes of the world: a ball
-/// joint or nail with three axes, a contact with one.
+/// Two points, one on each body or in the world, kept together or apart along axes of the world: a
+/// ball joint or nail with three axes, a contact with one.
 ///
 /// ```text
 /// c = n · d,   d = (p1 + r1) − (p0 + r0),   ∂c/∂s = [−n, −r0×n, n, r1×n]
@@ -62,8 +64,8 @@ pub struct Joint {
 }
 
 impl Joint {
-    /// A row along the world's z between the centres of two bodies that are to be `length` (m) apart;
-    /// J = ∂c/∂s.
+    /// A row along the world's z between the centres of two bodies that are to be `length` (m)
+    /// apart; J = ∂c/∂s.
     pub fn rod(bodies: [Option<usize>; 2], length: f64) -> Self {
         Joint {
             bodies,

@@ -1,8 +1,9 @@
 //! The chapter's listings in Rust, each as printed beside its corrected form.
 //!
-//! A file follows its listing line by line where the listing computes something, in f64 and on nalgebra's
-//! dense matrices: these are specimens, small and slow. What is printed keeps the listing's own signs; what
-//! is corrected has those of the library: J = ∂c/∂s, w = A x + b, u⁺ = u* + M⁻¹ Jᵀ x, and x ≥ 0 pushes.
+//! A file follows its listing line by line where the listing computes something, in f64 and on
+//! nalgebra's dense matrices: these are specimens, small and slow. What is printed keeps the
+//! listing's own signs; what is corrected has those of the library: J = ∂c/∂s, w = A x + b, u⁺ =
+//! u* + M⁻¹ Jᵀ x, and x ≥ 0 pushes.
 
 pub mod code01_unconstrained_step;
 pub mod code02_constrained_step;

@@ -13,7 +13,8 @@ const DT: f64 = 0.01;
 /// Time between two points of the figure (s).
 const SHOWN: f64 = 0.2;
 
-/// The flight of the body over two seconds, with this update of its position from the last one and the new velocity.
+/// The flight of the body over two seconds, with this update of its position from the last one and
+/// the new velocity.
 fn flight(update: impl Fn(f64, f64) -> f64) -> Vec<(f64, f64)> {
     let (mut x, mut v) = (X, V);
     let mut points = vec![(0.0, x)];

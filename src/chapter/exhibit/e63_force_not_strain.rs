@@ -5,7 +5,8 @@ use super::setting::{DT, G};
 use super::{Finding, Measure};
 use crate::error::Result;
 
-/// λ of a ball of 1 kg at rest on the floor, with these units of length (m), time (s) and mass (kg).
+/// λ of a ball of 1 kg at rest on the floor, with these units of length (m), time (s) and mass
+/// (kg).
 fn load(length: f64, time: f64, mass: f64) -> Result<f64> {
     let (m, g, dt) = (1.0 / mass, G / length * time * time, DT / time);
     let x = answer("pgs", &contacts(&[1.0 / m], &[-g * dt])?)?;

@@ -13,7 +13,8 @@ pub struct Finding {
     pub example: String,
     /// What was measured. All of it must tell the two forms apart, unless `agrees` says otherwise.
     pub measures: Vec<Measure>,
-    /// Answers of both forms to one LCP, by the judge's word: `(problem in words, printed, corrected)`.
+    /// Answers of both forms to one LCP, by the judge's word: `(problem in words, printed,
+    /// corrected)`.
     pub judged: Vec<(String, Verdict, Verdict)>,
     /// What else is to be seen in numbers; says nothing about which form holds.
     pub tables: Vec<Table>,
@@ -38,7 +39,8 @@ pub struct Measure {
     pub source: &'static str,
     /// Largest difference from the truth, in the unit, that counts as right.
     pub tolerance: f64,
-    /// Whether the printed form gives the right answer here too: a case in which the fault is hidden.
+    /// Whether the printed form gives the right answer here too: a case in which the fault is
+    /// hidden.
     pub agrees: bool,
 }
 
@@ -63,8 +65,8 @@ impl Finding {
         self
     }
 
-    /// With the judge's word on both forms' answers x to one problem: the printed one must be refuted,
-    /// the corrected one accepted.
+    /// With the judge's word on both forms' answers x to one problem: the printed one must be
+    /// refuted, the corrected one accepted.
     pub fn judged(
         mut self,
         problem: impl Into<String>,

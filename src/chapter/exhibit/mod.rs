@@ -1,9 +1,9 @@
 //! The errata as exhibits: what is printed, what holds, and an example that tells them apart.
 //!
-//! An exhibit compares both with a truth found in a third way: a closed form, exact arithmetic, dual
-//! numbers, another method. Nothing about the outcome is stored: the example runs when the exhibit is
-//! looked at, and [`Finding::is_shown`] says whether the printed form failed and the corrected one
-//! held.
+//! An exhibit compares both with a truth found in a third way: a closed form, exact arithmetic,
+//! dual numbers, another method. Nothing about the outcome is stored: the example runs when the
+//! exhibit is looked at, and [`Finding::is_shown`] says whether the printed form failed and the
+//! corrected one held.
 //!
 //! ```
 //! use lcplab::chapter::exhibit;

@@ -1,5 +1,5 @@
-//! A row for each equation, listing, figure, note, claim, demonstration and suggestion of the chapter:
-//! what it says, whether that holds, and where the library has it.
+//! A row for each equation, listing, figure, note, claim, demonstration and suggestion of the
+//! chapter: what it says, whether that holds, and where the library has it.
 //!
 //! ```
 //! use lcplab::chapter::inventory::{Verdict, named};
@@ -27,8 +27,9 @@ use crate::error::{Error, Result};
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Entry {
-    /// Its number: `(16)`, `Code 6`, `Fig 7`; U for equations without number, N for notes, T for claims
-    /// and techniques, D for demonstrations, W for further work, K for the key terms, numbered here.
+    /// Its number: `(16)`, `Code 6`, `Fig 7`; U for equations without number, N for notes, T for
+    /// claims and techniques, D for demonstrations, W for further work, K for the key terms,
+    /// numbered here.
     pub id: String,
     /// Whether it holds.
     pub verdict: Verdict,
@@ -38,8 +39,8 @@ pub struct Entry {
     /// The exhibits that show what does not.
     #[serde(default)]
     pub errata: Vec<String>,
-    /// Where the library has it: a module or item (`lcp::merit`), `scene fig7`, a command
-    /// (`lcplab report verification`), `test solver::pgs`, `bench pivoting` or `example own_solver`.
+    /// Where the library has it: a module or item (`lcp::merit`), `scene fig7`, a command (`lcplab
+    /// report verification`), `test solver::pgs`, `bench pivoting` or `example own_solver`.
     #[serde(default)]
     pub code: Vec<String>,
     /// The lessons that teach it.
@@ -96,8 +97,8 @@ pub fn all() -> impl Iterator<Item = &'static Entry> {
     groups().iter().flat_map(|group| &group.entries)
 }
 
-/// The entry of this number with its group, in either case of letters; the brackets of an equation may
-/// be left out.
+/// The entry of this number with its group, in either case of letters; the brackets of an equation
+/// may be left out.
 ///
 /// # Errors
 /// If there is none.

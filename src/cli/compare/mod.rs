@@ -91,7 +91,8 @@ impl Compare {
         self.on_scene(scene, limits)
     }
 
-    /// The scene, if the input is one: a single name that is neither a problem family nor a file or folder of problems.
+    /// The scene, if the input is one: a single name that is neither a problem family nor a file or
+    /// folder of problems.
     fn scene_name(&self) -> Option<String> {
         let [input] = &self.inputs[..] else { return None };
         let path = Path::new(input);

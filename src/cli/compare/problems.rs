@@ -33,8 +33,8 @@ pub struct ProblemArgs {
     /// Abandon a solve by a built-in solver after this time [default: no limit]
     #[arg(long, value_name = "SECONDS")]
     solve_time_limit: Option<f64>,
-    /// Write a performance profile of the wall times as NAME.svg, NAME.csv and NAME.tex, and all results as
-    /// NAME_problems.csv
+    /// Write a performance profile of the wall times as NAME.svg, NAME.csv and NAME.tex, and all
+    /// results as NAME_problems.csv
     #[arg(long, value_name = "NAME")]
     profile: Option<PathBuf>,
     /// Exit with 1 unless the judge accepts this solver's answer to every problem that may have a

@@ -10,8 +10,8 @@ use lcplab::plot::{Axis, Figure};
 use lcplab::report::study::families::Row;
 use lcplab::report::study::profiles::{Cost, Profile, of_all, profiles};
 
-/// Writes NAME.svg, NAME.csv and NAME.tex: Dolan & Moré's profile of the wall times, once of all rows, where what was
-/// not attempted is not solved, and once of those that the solver took on.
+/// Writes NAME.svg, NAME.csv and NAME.tex: Dolan & Moré's profile of the wall times, once of all
+/// rows, where what was not attempted is not solved, and once of those that the solver took on.
 pub fn write(name: &Path, rows: &[Row]) -> Result<()> {
     let solvers = distinct(rows.iter().map(|row| row.solver.as_str()));
     let costs = costs(rows, &solvers);
@@ -71,7 +71,8 @@ fn distinct<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
     found
 }
 
-/// By problem, or family, under a model, and then by solver. Where no solution exists there is nothing to win.
+/// By problem, or family, under a model, and then by solver. Where no solution exists there is
+/// nothing to win.
 fn costs(rows: &[Row], solvers: &[&str]) -> Vec<Vec<Cost>> {
     let mut posings: Vec<(&str, Option<&str>)> = Vec::new();
     for row in rows {

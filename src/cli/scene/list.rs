@@ -19,8 +19,8 @@ Example:
 pub struct Scenes {
     /// Print this scene's file
     name: Option<String>,
-    /// Print a shipped scene or a scene file as JSON in full: each body of a structure, gravity instead of a
-    /// tilt, and every mass, moment of inertia, quaternion and coefficient
+    /// Print a shipped scene or a scene file as JSON in full: each body of a structure, gravity
+    /// instead of a tilt, and every mass, moment of inertia, quaternion and coefficient
     #[arg(long, requires = "name")]
     json: bool,
     /// Print the JSON schema of the scene format

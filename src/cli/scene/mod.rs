@@ -1,4 +1,5 @@
-//! Commands on a scene, one a file, and what they have in common: the scene, and what to change in it.
+//! Commands on a scene, one a file, and what they have in common: the scene, and what to change in
+//! it.
 
 mod export;
 mod list;
@@ -90,8 +91,8 @@ impl SolveArgs {
 /// Fields of the scene file to set.
 #[derive(Debug, Args)]
 pub struct Changes {
-    /// Set a field of the scene file, such as mu=0.3, angle=17, dt=0.001, contact.restitution=0.5 or
-    /// bodies.crate.velocity=[1,0,0] (repeatable)
+    /// Set a field of the scene file, such as mu=0.3, angle=17, dt=0.001, contact.restitution=0.5
+    /// or bodies.crate.velocity=[1,0,0] (repeatable)
     #[arg(long = "set", value_name = "KEY=VALUE", value_parser = key_and_value)]
     set: Vec<(String, String)>,
 }
@@ -172,8 +173,8 @@ impl SceneArgs {
         }
     }
 
-    /// The solver of this name. One that is asked for must be made for the friction model; if the scene's own
-    /// is not, another one is used and the output names it.
+    /// The solver of this name. One that is asked for must be made for the friction model; if the
+    /// scene's own is not, another one is used and the output names it.
     fn method(&self, name: &str, scene: &Scene) -> Result<Method> {
         match scene.contact.model {
             Model::CoupledBox | Model::FrozenBox => Ok(Method::Boxed(*entry(name)?)),

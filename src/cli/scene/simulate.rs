@@ -129,8 +129,8 @@ impl Simulate {
         }
     }
 
-    /// Records the steps; returns why they ended early. They are taken on a thread of their own: one
-    /// that cannot be cut short in time is left behind, and those before it are not lost.
+    /// Records the steps; returns why they ended early. They are taken on a thread of their own:
+    /// one that cannot be cut short in time is left behind, and those before it are not lost.
     fn record(
         &self,
         steps: usize,

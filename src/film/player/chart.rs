@@ -84,7 +84,8 @@ fn most(film: &Film, measure: Measure) -> f64 {
     }
 }
 
-/// The values at the bottom and the top of a plot. What is beyond what it could be has left the picture.
+/// The values at the bottom and the top of a plot. What is beyond what it could be has left the
+/// picture.
 pub(super) fn range(film: &Film, measure: Measure) -> (f64, f64) {
     let most = most(film, measure);
     let all = film.takes.iter().flat_map(|take| values(take, measure));

@@ -68,8 +68,8 @@ pub(super) fn json(film: &Film) -> Value {
     })
 }
 
-/// The parts of each body, one but of a compound, with corners and faces in the body's own frame; none where
-/// nothing is drawn.
+/// The parts of each body, one but of a compound, with corners and faces in the body's own frame;
+/// none where nothing is drawn.
 fn bodies(scene: &Scene, lens: &Lens) -> Vec<Value> {
     let dot = joint::dot(scene, lens) / lens.scale;
     let part = |k: usize, body: &Body, solid: Solid| {
@@ -132,7 +132,8 @@ fn take(film: &Film, take: &Take, stage: &Stage, unit: f64) -> Value {
     })
 }
 
-/// The channels of a body: x, y, z, and the parts w, i, j, k of its quaternion unless it is a point.
+/// The channels of a body: x, y, z, and the parts w, i, j, k of its quaternion unless it is a
+/// point.
 fn poses(film: &Film, take: &Take, body: usize, unit: f64) -> Vec<Vec<i64>> {
     let mut last = nalgebra::Quaternion::identity();
     let rows = take.shots.iter().map(|shot| {
@@ -175,7 +176,8 @@ fn heat(film: &Film, take: &Take) -> Vec<Vec<i64>> {
     (0..film.scene.bodies.len()).map(body).collect()
 }
 
-/// Seven numbers a force: origin, where it acts in units, and its arrow in tenths of a px along the world's axes.
+/// Seven numbers a force: origin, where it acts in units, and its arrow in tenths of a px along the
+/// world's axes.
 fn forces(forces: &[Force], stage: &Stage, unit: f64) -> Vec<i64> {
     let Some(newton) = stage.newton else { return Vec::new() };
     let drawn = forces.iter().filter_map(|force| {

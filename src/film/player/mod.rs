@@ -150,8 +150,8 @@ impl Film {
         self.longest().iter().map(|shot| shot.motion.time).collect()
     }
 
-    /// The instant that is shown first: the one at which takes are farthest apart, or of a single take the one at which its
-    /// forces are largest; the first of them.
+    /// The instant that is shown first: the one at which takes are farthest apart, or of a single
+    /// take the one at which its forces are largest; the first of them.
     pub fn telling(&self) -> usize {
         let shot = |take: &Take, k: usize| take.shots.get(k).map(|shot| shot.frame.clone());
         let apart = |one: &Frame, other: &Frame| {

@@ -36,7 +36,8 @@ pub(super) struct Stage {
     pub newton: Option<f64>,
     /// The ground.
     pub patches: Vec<Patch>,
-    /// What a camera that is turned turns about (m, world): the middle of the picture, as deep as the motion is.
+    /// What a camera that is turned turns about (m, world): the middle of the picture, as deep as
+    /// the motion is.
     pub pivot: Vector3<f64>,
     origins: Vec<Origin>,
     /// The force (N) whose arrow is as long as arrows should be.

@@ -2,8 +2,8 @@
 
 use super::Verdict;
 
-/// A box, a hand and the ground: the box is moved by the impulses of the answer, and each step is held against
-/// the three sentences of the lesson.
+/// A box, a hand and the ground: the box is moved by the impulses of the answer, and each step is
+/// held against the three sentences of the lesson.
 ///
 /// # Errors
 /// Says in which step which sentence is broken, or that the ground reaches up.

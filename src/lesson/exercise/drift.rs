@@ -82,8 +82,8 @@ pub fn spring(answer: fn(f64, f64, f64) -> [f64; 2]) -> Verdict {
     Ok(())
 }
 
-/// Bug 10.b, a bob on a rod with feedback: held against the decay of an error by 1 − β a step, and against the error
-/// that stays while it swings, v² dt² / (2 l β).
+/// Bug 10.b, a bob on a rod with feedback: held against the decay of an error by 1 − β a step, and
+/// against the error that stays while it swings, v² dt² / (2 l β).
 ///
 /// # Errors
 /// Says how long the rod is instead.

@@ -5,8 +5,8 @@ use super::Verdict;
 type Boxed =
     (&'static [&'static [f64]], &'static [f64], &'static [f64], &'static [f64], &'static [f64]);
 
-/// The scaled residual: of each row the middle one of a (x − lo), w and a (x − hi) is missed, in size; and other units
-/// change nothing.
+/// The scaled residual: of each row the middle one of a (x − lo), w and a (x − hi) is missed, in
+/// size; and other units change nothing.
 ///
 /// # Errors
 /// Says at which x it is wrong, or which units change it.
@@ -82,7 +82,8 @@ pub fn scaled(answer: fn(&[Vec<f64>], &[f64], &[f64], &[f64], &[f64]) -> f64) ->
     }
     Ok(())
 }
-/// The exact answer of an active set: held against complementarity, and against sets whose signs are known.
+/// The exact answer of an active set: held against complementarity, and against sets whose signs
+/// are known.
 ///
 /// # Errors
 /// Says what is wrong with an answer, or why there should be one or none.
@@ -136,8 +137,8 @@ pub fn repair(answer: fn([[f64; 2]; 2], [f64; 2], [f64; 2]) -> Option<([f64; 2],
     Ok(())
 }
 
-/// A proof of infeasibility: held against problems whose solvability is known by construction, and vectors
-/// that miss one condition each.
+/// A proof of infeasibility: held against problems whose solvability is known by construction, and
+/// vectors that miss one condition each.
 ///
 /// # Errors
 /// Says which vector was misjudged.

@@ -3,8 +3,8 @@
 use super::Verdict;
 use crate::lcp::{Lcp, Matrix};
 use crate::solver::{Options, Start, by_name};
-/// Three figures: of each, no point may lie farther out in the direction from the answer to the wanted point. A
-/// square, a disc and a diamond have a formula for how far out they go.
+/// Three figures: of each, no point may lie farther out in the direction from the answer to the
+/// wanted point. A square, a disc and a diamond have a formula for how far out they go.
 ///
 /// # Errors
 /// Says which figure the answer leaves, or in which another point is nearer.
@@ -50,8 +50,8 @@ pub fn nearest(answer: fn([f64; 2], f64) -> [[f64; 2]; 3]) -> Verdict {
     Ok(())
 }
 
-/// The nearest point of a cone: held against what distinguishes it, that it lies in the cone and that no
-/// point of a fine net of the cone is nearer.
+/// The nearest point of a cone: held against what distinguishes it, that it lies in the cone and
+/// that no point of a fine net of the cone is nearer.
 ///
 /// # Errors
 /// Says which of the two fails.

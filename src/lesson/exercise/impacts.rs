@@ -65,7 +65,8 @@ pub fn all_answers(answer: fn(f64, f64) -> Vec<f64>) -> Verdict {
     Ok(())
 }
 
-/// The critical friction: held against the sign of a just below and just above, a = J_n M⁻¹ (J_n + μ J_t)ᵀ.
+/// The critical friction: held against the sign of a just below and just above, a = J_n M⁻¹ (J_n +
+/// μ J_t)ᵀ.
 ///
 /// # Errors
 /// Says at which angle the sign does not change.
@@ -91,7 +92,8 @@ pub fn critical_friction(answer: fn(f64, f64) -> f64) -> Verdict {
     Ok(())
 }
 
-/// Bug 12.b, a ball that falls on the ground: each step is held against free flight and restitution.
+/// Bug 12.b, a ball that falls on the ground: each step is held against free flight and
+/// restitution.
 ///
 /// # Errors
 /// Says in which step the ball leaves with another speed than it should.

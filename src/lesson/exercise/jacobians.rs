@@ -65,7 +65,8 @@ pub fn nail(answer: fn([f64; 3]) -> [[f64; 6]; 3]) -> Verdict {
     }
     Ok(())
 }
-/// The row of a rod between two bodies: held against bodies that really are moved and turned a little.
+/// The row of a rod between two bodies: held against bodies that really are moved and turned a
+/// little.
 ///
 /// # Errors
 /// Says for which motion the ends part otherwise.

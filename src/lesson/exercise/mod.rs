@@ -1,9 +1,10 @@
 //! Exercises: a student's answer against an independent one.
 //!
-//! An exercise is a small file with a hole or a bug (`notebooks/exercises`), and a check here that calls the
-//! student's function and says on which input it misses, what law it breaks or which number was
-//! expected to have which property, but not how to mend it. A check knows nothing of the solution that is
-//! kept apart (`notebooks/solutions`); it compares with a closed form, exact arithmetic or a law.
+//! An exercise is a small file with a hole or a bug (`notebooks/exercises`), and a check here that
+//! calls the student's function and says on which input it misses, what law it breaks or which
+//! number was expected to have which property, but not how to mend it. A check knows nothing of the
+//! solution that is kept apart (`notebooks/solutions`); it compares with a closed form, exact
+//! arithmetic or a law.
 // The type of an answer is the statement of its exercise, and is read where it stands.
 #![allow(clippy::type_complexity)]
 

@@ -6,7 +6,8 @@ use super::Verdict;
 type Triple = [f64; 3];
 /// Three rows of three entries.
 type Square = [Triple; 3];
-/// A column of balls: the impulses of the answer are applied, and each contact is held against complementarity.
+/// A column of balls: the impulses of the answer are applied, and each contact is held against
+/// complementarity.
 ///
 /// # Errors
 /// Says which contact closes, pulls, or pushes though it opens.

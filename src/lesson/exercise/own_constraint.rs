@@ -5,7 +5,8 @@ use super::Verdict;
 /// A hill: its name, its height, and slope and bend as formulas.
 type Hill = (&'static str, fn(f64) -> f64, fn(f64) -> [f64; 2]);
 
-/// The ground's force on a skier: held against how the gap to the hill really bends, by differences of the height.
+/// The ground's force on a skier: held against how the gap to the hill really bends, by differences
+/// of the height.
 ///
 /// # Errors
 /// Says what the force does to the skier instead.
@@ -40,7 +41,8 @@ pub fn skier(answer: fn(f64, f64, f64, f64) -> [f64; 2]) -> Verdict {
             if !(f_z >= 0.0) {
                 return Err(format!("{at}, and it pulls the skier down"));
             }
-            // The gap z − h(x) shortly before and after, on the way that this force and gravity make.
+            // The gap z − h(x) shortly before and after, on the way that this force and gravity
+            // make.
             let acceleration = [f_x / m, f_z / m - 9.81];
             let gap = |t: f64| {
                 let x_t = x + speed * t + 0.5 * acceleration[0] * t * t;

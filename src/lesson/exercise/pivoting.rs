@@ -61,8 +61,8 @@ pub fn murty(answer: fn(&[f64], &[f64]) -> Option<usize>) -> Verdict {
     Ok(())
 }
 
-/// The ratio test: with the step that it allows, no variable may be negative; of several that become 0 together the
-/// first is asked for.
+/// The ratio test: with the step that it allows, no variable may be negative; of several that
+/// become 0 together the first is asked for.
 ///
 /// # Errors
 /// Says which variable is, or that the row is not the first of several.
@@ -105,7 +105,8 @@ pub fn ratio(answer: fn(&[f64], &[f64]) -> Option<usize>) -> Verdict {
     Ok(())
 }
 
-/// Bug 6.b, the step of Dantzig's method: all rows but the last are satisfied, and must be so after the step.
+/// Bug 6.b, the step of Dantzig's method: all rows but the last are satisfied, and must be so after
+/// the step.
 ///
 /// # Errors
 /// Says which row breaks what, after a step of which length.

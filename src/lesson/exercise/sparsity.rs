@@ -1,7 +1,8 @@
 //! Checks of exercises: sparsity and storage.
 
 use super::Verdict;
-/// A sweep without A: held against the definition of the sweep, row by row, with the A that the program does not need.
+/// A sweep without A: held against the definition of the sweep, row by row, with the A that the
+/// program does not need.
 ///
 /// # Errors
 /// Says which row is not satisfied at its turn.
@@ -57,7 +58,8 @@ pub fn bodies(answer: fn(&[[Option<usize>; 2]], &[f64], &[f64], Vec<f64>) -> Vec
     }
     Ok(())
 }
-/// Colors: rows of one color must share no body, and each row must have the first color that was still free.
+/// Colors: rows of one color must share no body, and each row must have the first color that was
+/// still free.
 ///
 /// # Errors
 /// Says which rows are in each other's way, or which row could have had an earlier color.
@@ -137,7 +139,8 @@ pub fn pattern(answer: fn(&[[Option<usize>; 2]]) -> usize) -> Verdict {
     Ok(())
 }
 
-/// Bug 14.b, A put together body by body: held against bodies that are given unit impulses, row by row.
+/// Bug 14.b, A put together body by body: held against bodies that are given unit impulses, row by
+/// row.
 ///
 /// # Errors
 /// Says which entry is not the response to an impulse.

@@ -28,8 +28,8 @@ pub fn layers(answer: fn(&[f64], f64, f64) -> Vec<f64>) -> Verdict {
     }
     Ok(())
 }
-/// A leaning tower: held against the balance of forces and of moments of each box, and against towers that are known to
-/// stand or to fall.
+/// A leaning tower: held against the balance of forces and of moments of each box, and against
+/// towers that are known to stand or to fall.
 ///
 /// # Errors
 /// Says which box is not in balance, or which tower was misjudged.
@@ -128,8 +128,8 @@ fn counted(below: f64, above: f64, reduction: f64) -> usize {
     sweeps
 }
 
-/// Bug 15.b, a column that keeps its impulses: after many steps each contact must carry what lies on it, and nothing
-/// may have sunk much.
+/// Bug 15.b, a column that keeps its impulses: after many steps each contact must carry what lies
+/// on it, and nothing may have sunk much.
 ///
 /// # Errors
 /// Says what a contact carries, or how deep the column is in the ground.

@@ -2,8 +2,9 @@
 
 use super::Verdict;
 
-/// One sweep of PGS: held against the definition of the sweep, row by row. When row i is done, the rows
-/// before it have their new x and those behind it their old one, and row i alone must satisfy its LCP.
+/// One sweep of PGS: held against the definition of the sweep, row by row. When row i is done, the
+/// rows before it have their new x and those behind it their old one, and row i alone must satisfy
+/// its LCP.
 ///
 /// # Errors
 /// Says which row is not satisfied at its turn.

@@ -1,7 +1,8 @@
 //! Cells as the evcxr kernel can run them.
 //!
-//! The kernel keeps variables from cell to cell, but neither closures nor what borrows from another variable. So a cell
-//! becomes a block whose value is what later cells use, and a closure is said again in each cell that calls it.
+//! The kernel keeps variables from cell to cell, but neither closures nor what borrows from another
+//! variable. So a cell becomes a block whose value is what later cells use, and a closure is said
+//! again in each cell that calls it.
 
 /// The cells with what the kernel needs around them.
 pub(super) fn cells(codes: &[&str]) -> Vec<String> {
@@ -33,7 +34,8 @@ struct Statement<'a> {
 }
 
 enum Kind {
-    /// `use`, `fn`, `struct`, `impl`: no value, and it has to stand outside of blocks to be seen later.
+    /// `use`, `fn`, `struct`, `impl`: no value, and it has to stand outside of blocks to be seen
+    /// later.
     Item,
     /// Binds a closure.
     Closure(String),
@@ -116,8 +118,9 @@ impl Statement<'_> {
     }
 }
 
-/// Cuts a cell where a line without indentation begins something new; cells are formatted, so it is a statement unless
-/// it closes one. Comments and attributes stand before what they belong to, and raw strings have lines of their own.
+/// Cuts a cell where a line without indentation begins something new; cells are formatted, so it is
+/// a statement unless it closes one. Comments and attributes stand before what they belong to, and
+/// raw strings have lines of their own.
 fn statements(code: &str) -> Vec<Statement<'_>> {
     let (mut start, mut at) = (0, 0);
     let (mut is_string, mut is_attached) = (false, false);
@@ -180,7 +183,8 @@ fn names(pattern: &str) -> Vec<(String, bool)> {
     names
 }
 
-/// Whether a text uses a variable of this name that it has not made itself: where the name comes first, it is not bound.
+/// Whether a text uses a variable of this name that it has not made itself: where the name comes
+/// first, it is not bound.
 fn is_free(text: &str, name: &str) -> bool {
     let Some(at) = places(text, name).find(|&at| !text[at + name.len()..].starts_with(": ")) else {
         return false;
@@ -226,7 +230,8 @@ fn bare(text: &str) -> String {
     out
 }
 
-/// Where a text has this word as a variable or a function: not as a field, a method or a part of a path.
+/// Where a text has this word as a variable or a function: not as a field, a method or a part of a
+/// path.
 fn places<'a>(text: &'a str, word: &'a str) -> impl Iterator<Item = usize> + 'a {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     text.match_indices(word).map(|(at, _)| at).filter(move |&at| {

@@ -149,7 +149,8 @@ impl Reader<'_> {
     }
 }
 
-/// In a list of tables, one whose `scene` or `problem` is a folder or a pattern becomes one for each of its files.
+/// In a list of tables, one whose `scene` or `problem` is a folder or a pattern becomes one for
+/// each of its files.
 fn spread(section: &mut Spanned<DeValue<'_>>) -> Result<()> {
     let is_wanted = |file: &Path| {
         file.extension().is_some_and(|ending| ending == "toml") || exchange::is_problem(file)

@@ -71,8 +71,8 @@ pub struct Axis {
 }
 
 impl Grid {
-    /// What a setting is called: its label, or the last part of its path where no other axis has the
-    /// same.
+    /// What a setting is called: its label, or the last part of its path where no other axis has
+    /// the same.
     pub fn label(&self, path: &str) -> String {
         let last = |path: &str| path.rsplit('.').next().unwrap_or(path).replace('_', " ");
         let paths = || self.axes.iter().flat_map(|axis| &axis.paths);

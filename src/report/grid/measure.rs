@@ -1,4 +1,5 @@
-//! What is measured at a point: claims, verdicts and residuals of its solves, and how a scene moved.
+//! What is measured at a point: claims, verdicts and residuals of its solves, and how a scene
+//! moved.
 
 use crate::simulation;
 use crate::simulation::Simulation;
@@ -68,15 +69,16 @@ pub const MEASURES: [Measure; 16] = [
     measure("optimum", "", "the value at which the closed form has its smallest rate"),
 ];
 
-/// The wall time of stepping and solving, which is recorded apart from what is the same on every machine.
+/// The wall time of stepping and solving, which is recorded apart from what is the same on every
+/// machine.
 pub static SECONDS: Measure =
     measure("seconds", "s", "the wall time of stepping and solving, on a shared machine");
 
 /// What was found at a point; the same on every machine.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Finding {
-    /// `solved`, or the solver's word on the last LCP that it did not solve; `no LCP` where none was
-    /// posed.
+    /// `solved`, or the solver's word on the last LCP that it did not solve; `no LCP` where none
+    /// was posed.
     pub status: String,
     /// The judge's word on the worst answer.
     pub verdict: String,

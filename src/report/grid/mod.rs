@@ -1,8 +1,8 @@
 //! Grids of settings: a scene or a problem family at every point.
 //!
 //! A grid file ([`Grid`]) says what varies; its [`Plan`] numbers the points. Each is a task that
-//! needs no other one, on whichever thread or machine ([`measure`](mod@measure)); a [`Folder`] keeps
-//! their results, and [`collect`] puts them together, the same bits however they were found.
+//! needs no other one, on whichever thread or machine ([`measure`](mod@measure)); a [`Folder`]
+//! keeps their results, and [`collect`] puts them together, the same bits however they were found.
 //!
 //! ```toml
 //! title = "A block on a slope"
@@ -29,16 +29,18 @@
 //! solver.omega = "ω"
 //! ```
 //!
-//! `scale = "linear"` or `"log"` spreads the measures on their axis, which else depends on the values;
-//! `theory` names a closed form to draw beside them ([`Theory`]). The measure `rate` has its problem solved once more.
+//! `scale = "linear"` or `"log"` spreads the measures on their axis, which else depends on the
+//! values; `theory` names a closed form to draw beside them ([`Theory`]). The measure `rate` has
+//! its problem solved once more.
 //!
-//! A setting is the path of a field of the scene file: of lists the item's number from 0 or its name,
-//! or neither if there is one item. Of a family it is a parameter, or a field of `solver` as scenes
-//! have it. `scene`, `family` and `steps` may be axes themselves. A family's problem is solved once,
-//! from 0.
+//! A setting is the path of a field of the scene file: of lists the item's number from 0 or its
+//! name, or neither if there is one item. Of a family it is a parameter, or a field of `solver` as
+//! scenes have it. `scene`, `family` and `steps` may be axes themselves. A family's problem is
+//! solved once, from 0.
 //!
 //! What is random draws from a seed of the task, which follows from `seed`, the repetition, and the
-//! settings that make the problem: tasks that differ in `solver` or `step` alone get the same problem.
+//! settings that make the problem: tasks that differ in `solver` or `step` alone get the same
+//! problem.
 
 mod collect;
 mod file;

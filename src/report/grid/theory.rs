@@ -10,21 +10,24 @@ use crate::solver::{Damping, Options, Order};
 /// A closed form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Theory {
-    /// Young (1950), sweeps on a column of n equal masses, standing on the ground or hung at one end:
+    /// Young (1950), sweeps on a column of n equal masses, standing on the ground or hung at one
+    /// end:
     ///
     /// ```text
     /// ρ_J = cos(π/2n),   ρ_GS = ρ_J²,   ω* = 2/(1 + √(1 − ρ_J²)),   ρ(ω) = ω − 1 for ω ≥ ω*,
     /// ρ(ω) = ((ω ρ_J + √(ω² ρ_J² − 4(ω − 1)))/2)² below
     /// ```
     ///
-    /// It knows the rate, and by the rate the iterations, ln(tolerance)/ln ρ sweeps: a rule of thumb, since the start may
-    /// have more or less of the slowest kind of error. Where the column falls onto the ground (b is 0 but in the first row),
-    /// Gauss-Seidel leaves (2/n) b ρᵏ in the ground's row, whose terms add up to 2 n b: the scaled residual is ε after
-    /// ln(ε n²)/ln ρ sweeps. Applies where A is a multiple of tridiag(−1, 2, −1) with 1 in the first place, and the solver is
-    /// SOR, PGS or Jacobi's method without damping.
+    /// It knows the rate, and by the rate the iterations, ln(tolerance)/ln ρ sweeps: a rule of
+    /// thumb, since the start may have more or less of the slowest kind of error. Where the column
+    /// falls onto the ground (b is 0 but in the first row), Gauss-Seidel leaves (2/n) b ρᵏ in the
+    /// ground's row, whose terms add up to 2 n b: the scaled residual is ε after ln(ε n²)/ln ρ
+    /// sweeps. Applies where A is a multiple of tridiag(−1, 2, −1) with 1 in the first place, and
+    /// the solver is SOR, PGS or Jacobi's method without damping.
     Young,
-    /// Gauss-Seidel on two bodies, the upper one r times as heavy (the family `stack` with n = 2): a sweep leaves
-    /// ρ = r/(1 + r) of the error, and the scaled residual after k sweeps is ρᵏ/(2 (1 + r)).
+    /// Gauss-Seidel on two bodies, the upper one r times as heavy (the family `stack` with n = 2):
+    /// a sweep leaves ρ = r/(1 + r) of the error, and the scaled residual after k sweeps is ρᵏ/(2
+    /// (1 + r)).
     MassRatio,
 }
 
@@ -50,11 +53,13 @@ pub(super) struct Prediction {
 
 /// Eigenvalues are known to this: where two of them meet, at ω*, to the root of the precision only.
 const EIGENVALUE: f64 = 1e-5;
-/// Sweeps that are counted and those that the slowest kind of error needs differ by this part at most, and by a sweep.
+/// Sweeps that are counted and those that the slowest kind of error needs differ by this part at
+/// most, and by a sweep.
 const SWEEPS: f64 = 0.05;
 /// The rounding of an error of size 1.
 const ROUNDING: f64 = 1e-12;
-/// A scaled residual is a claim once it is this small for two bodies; before, a solver takes it back.
+/// A scaled residual is a claim once it is this small for two bodies; before, a solver takes it
+/// back.
 const SMALL: f64 = 0.05;
 
 impl Theory {
@@ -74,7 +79,8 @@ impl Theory {
         Theory::ALL.into_iter().find(|theory| theory.name() == name)
     }
 
-    /// What it says of a task's problem, solved by this solver in so many iterations; nothing where it does not apply.
+    /// What it says of a task's problem, solved by this solver in so many iterations; nothing where
+    /// it does not apply.
     pub(super) fn predict(
         self,
         task: &Task,

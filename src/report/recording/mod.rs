@@ -103,8 +103,8 @@ impl Record {
         record
     }
 
-    /// The same with a table of every pose, motion and force of each `every`th step; they grow from step
-    /// to step.
+    /// The same with a table of every pose, motion and force of each `every`th step; they grow from
+    /// step to step.
     pub fn with_tables(mut self, simulation: &Simulation, every: usize) -> Self {
         self.every = every;
         let mut tables = Tables::new();
@@ -246,7 +246,8 @@ impl Record {
         Some(json!({ "step": passage.step, "bodies": passage.bodies }))
     }
 
-    /// Who gave the answers, or would have, had a step posed a problem; nobody where the scheme poses none.
+    /// Who gave the answers, or would have, had a step posed a problem; nobody where the scheme
+    /// poses none.
     fn solver(&self) -> Option<String> {
         let asked = match self.solvers.as_slice() {
             [] => self.scene.solver.name.clone(),

@@ -1,7 +1,7 @@
 //! Engine cards: what physics engines did with one scene a phenomenon, beside its law.
 //!
-//! Nothing is run here. `python -m lcplab.cards` runs the engines and writes a record; a report draws it, the
-//! shipped one unless the file names another.
+//! Nothing is run here. `python -m lcplab.cards` runs the engines and writes a record; a report
+//! draws it, the shipped one unless the file names another.
 
 use std::path::{Path, PathBuf};
 

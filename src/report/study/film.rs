@@ -49,8 +49,8 @@ impl Actor {
     }
 }
 
-/// Steps a scene by each of these, and keeps as many instants as a film needs; those until it is time
-/// to stop.
+/// Steps a scene by each of these, and keeps as many instants as a film needs; those until it is
+/// time to stop.
 pub fn film(
     id: &str,
     scene: &Scene,

@@ -18,7 +18,8 @@ use lcplab_study::methods;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
-    /// Problem files, folders of them, or patterns; each is solved from the answer to the one before.
+    /// Problem files, folders of them, or patterns; each is solved from the answer to the one
+    /// before.
     pub files: Vec<String>,
     /// The solver.
     #[serde(default = "pgs")]

@@ -1,6 +1,7 @@
 //! A grid as a section of a report: its points are tasks like those of any study.
 //!
-//! `lcplab grid` does the same points one file each, for machines that share a folder and nothing else.
+//! `lcplab grid` does the same points one file each, for machines that share a folder and nothing
+//! else.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

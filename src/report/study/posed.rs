@@ -1,5 +1,5 @@
-//! The LCPs that studies of solvers are about, as settings: a step of a scene, a problem file, a problem of
-//! the library, or a stack with a heavy load on top.
+//! The LCPs that studies of solvers are about, as settings: a step of a scene, a problem file, a
+//! problem of the library, or a stack with a heavy load on top.
 
 use crate::simulation;
 use std::collections::BTreeMap;

@@ -11,8 +11,8 @@ use crate::memory::Memory;
 /// Problems that are compared as one.
 pub type Named = (String, Vec<Problem>);
 
-/// The problems of a family of the library, with the seeds 1 … `seeds` where it has random numbers; of a file; or of
-/// each file of a folder or a pattern ([`exchange::several`]).
+/// The problems of a family of the library, with the seeds 1 … `seeds` where it has random numbers;
+/// of a file; or of each file of a folder or a pattern ([`exchange::several`]).
 ///
 /// # Errors
 /// If there is no such file and no such family, or a file has defects or takes more than `most`.

@@ -24,7 +24,8 @@ pub use lcplab_study::profiles::{
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
-    /// Families of the library, problem files, folders of them, or patterns; the whole library without it.
+    /// Families of the library, problem files, folders of them, or patterns; the whole library
+    /// without it.
     #[serde(default)]
     pub families: Vec<String>,
     /// Of families with random numbers, problems with the seeds 1 … `seeds`.
@@ -61,8 +62,8 @@ fn limit() -> usize {
 pub struct Seconds {
     /// The family.
     pub family: String,
-    /// By tolerance; in each by solver the sum over the problems that have a solution, `None` if it did not solve all of
-    /// them. Solvers that say of one that it is not for them are not there.
+    /// By tolerance; in each by solver the sum over the problems that have a solution, `None` if it
+    /// did not solve all of them. Solvers that say of one that it is not for them are not there.
     pub seconds: Vec<BTreeMap<String, Option<f64>>>,
 }
 
@@ -109,8 +110,8 @@ impl Study for Plan {
     }
 }
 
-/// What a family took each solver, at the tolerance of this number; `clocks` holds the times (s) by problem, tolerance
-/// and solver.
+/// What a family took each solver, at the tolerance of this number; `clocks` holds the times (s) by
+/// problem, tolerance and solver.
 pub fn seconds(
     posed: &[Posed],
     clocks: &[Vec<Vec<f64>>],

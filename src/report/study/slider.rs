@@ -1,9 +1,9 @@
-//! The shipped scene "sliding" under each model of friction: where the block goes, and where geometry
-//! says that it stops.
+//! The shipped scene "sliding" under each model of friction: where the block goes, and where
+//! geometry says that it stops.
 //!
-//! Friction is the corner of the model's figure that lies nearest to the direction of the slip. So the
-//! slip turns away from that corner, until it has turned to the middle of an edge; from there on the
-//! two corners of the edge share, and the block goes straight:
+//! Friction is the corner of the model's figure that lies nearest to the direction of the slip. So
+//! the slip turns away from that corner, until it has turned to the middle of an edge; from there
+//! on the two corners of the edge share, and the block goes straight:
 //!
 //! ```text
 //! a = r μ g,   β = half the angle of an edge,   ψ = from its middle to the slip at the start
@@ -12,8 +12,8 @@
 //! (v sin ψ) t − a sin β t²/2                      across it
 //! ```
 //!
-//! On the disc it is straight at once, for v²/(2 μ g). Where what slides floats, the block starts at the
-//! height dt μ v at which it does: from the floor it would be thrown up.
+//! On the disc it is straight at once, for v²/(2 μ g). Where what slides floats, the block starts
+//! at the height dt μ v at which it does: from the floor it would be thrown up.
 
 use crate::simulation::Simulation;
 use std::f64::consts::TAU;

@@ -1,7 +1,8 @@
 //! A block pushed from all sides and a rod on two feet, under each model of friction.
 //!
-//! The block has unit mass and is pressed so that friction is at most μ x_n = 1 N s; its rows do not
-//! feel each other, A = I. So friction is the point nearest to the push of what the model allows:
+//! The block has unit mass and is pressed so that friction is at most μ x_n = 1 N s; its rows do
+//! not feel each other, A = I. So friction is the point nearest to the push of what the model
+//! allows:
 //!
 //! ```text
 //! box       the square |x_t1|, |x_t2| ≤ 1           corners at √2, 45° from the tangents
@@ -9,8 +10,8 @@
 //! cone      the circle
 //! ```
 //!
-//! The rod's rows do feel each other: friction at one foot changes the load of both. The block of the
-//! scene "sliding" goes a way of its own under each model, see [`slider`].
+//! The rod's rows do feel each other: friction at one foot changes the load of both. The block of
+//! the scene "sliding" goes a way of its own under each model, see [`slider`].
 
 use std::f64::consts::{FRAC_PI_4, SQRT_2, TAU};
 

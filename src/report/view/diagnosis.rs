@@ -14,7 +14,8 @@ use crate::report::page::{Block, Page, Picture, markup};
 use crate::scene::Scene;
 use crate::simulation::{Simulation, Step};
 
-/// The body that moves most in a pattern is drawn so far from its place, as a part of the thinnest body.
+/// The body that moves most in a pattern is drawn so far from its place, as a part of the thinnest
+/// body.
 const SWING: f64 = 0.5;
 
 /// What the film shows.

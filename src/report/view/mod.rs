@@ -1,8 +1,8 @@
 //! Results as pages: tables, figures and what to see in them. Nothing is solved here.
 //!
-//! Each study has a view in Rust. Five were tried as tables of plain rows with a TOML sheet that one interpreter draws:
-//! their 1,631 lines became 1,539 in two languages, with an interpreter of 808, and a wrong name of a column was no longer
-//! an error of the compiler.
+//! Each study has a view in Rust. Five were tried as tables of plain rows with a TOML sheet that
+//! one interpreter draws: their 1,631 lines became 1,539 in two languages, with an interpreter of
+//! 808, and a wrong name of a column was no longer an error of the compiler.
 
 pub mod attempt;
 mod cards;
@@ -73,8 +73,8 @@ pub trait View: Study {
     /// Adds what differs from machine to machine to the section of times.
     fn show_times(&self, _times: &[Self::Times], _document: &mut Document) {}
 
-    /// The problems whose verdicts a task's rows show, and the answers, for [proofs](super::proofs); `section` is the
-    /// section's id.
+    /// The problems whose verdicts a task's rows show, and the answers, for
+    /// [proofs](super::proofs); `section` is the section's id.
     ///
     /// # Errors
     /// If a problem cannot be posed again.
@@ -82,7 +82,8 @@ pub trait View: Study {
         Ok(Vec::new())
     }
 
-    /// The answer to the question that it was made for, in a sentence or two for the top of the page.
+    /// The answer to the question that it was made for, in a sentence or two for the top of the
+    /// page.
     fn answer(&self, _findings: &[Self::Finding]) -> Option<String> {
         None
     }

@@ -110,7 +110,8 @@ impl View for Plan {
 }
 
 impl Plan {
-    /// By multiplications: of all problems at each precision, and at the last of those that a solver took on.
+    /// By multiplications: of all problems at each precision, and at the last of those that a
+    /// solver took on.
     fn by_work(&self, tried: &[Tried], solvers: &[String]) -> Profiles {
         let mut columns = Vec::new();
         for (k, precision) in self.tolerances.iter().enumerate() {
@@ -139,7 +140,8 @@ impl Plan {
         drawn("performance_profiles_iterations", "iterations", caption, solvers, columns)
     }
 
-    /// By wall time, at the last precision; a family is won by who solved all of its problems in the least time.
+    /// By wall time, at the last precision; a family is won by who solved all of its problems in
+    /// the least time.
     fn by_time(&self, times: &[Seconds]) -> Option<Profiles> {
         let of_family = |own: &Seconds| own.seconds.last().cloned().unwrap_or_default();
         let times: Vec<_> = times.iter().map(of_family).collect();
@@ -466,7 +468,8 @@ fn matrix(tried: &[Tried], solvers: &[String], k: usize, value: f64) -> Table {
     }
 }
 
-/// The formulas of costs, as the registry has them: one row for the methods of a group that share one.
+/// The formulas of costs, as the registry has them: one row for the methods of a group that share
+/// one.
 fn iteration_costs() -> Table {
     let mut rows: Vec<(Vec<&str>, &Entry)> = Vec::new();
     for entry in ALL {

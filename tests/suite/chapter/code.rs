@@ -1,5 +1,5 @@
-//! The listings: what of them stands is right, what does not fails as theory says, and the corrected
-//! forms are what the library does.
+//! The listings: what of them stands is right, what does not fails as theory says, and the
+//! corrected forms are what the library does.
 
 use lcplab::body::{Mass, Pose, State};
 use lcplab::chapter::code::code01_unconstrained_step::{self as code01, Blocks};
@@ -164,7 +164,8 @@ proptest! {
 fn both_forms_of_code_6_are_gauss_seidel_without_bounds() {
     let a = DMatrix::from_row_slice(2, 2, &[2.0, -1.0, -1.0, 2.0]);
     let b = DVector::from_column_slice(&[1.0, 1.0]);
-    // The error starts at 1 and, by hand, is ½ and ¼ after the first sweep; then a quarter each sweep.
+    // The error starts at 1 and, by hand, is ½ and ¼ after the first sweep; then a quarter each
+    // sweep.
     let x = code06::printed(&a, &b, None, None, 3).unwrap();
     assert_eq!(x.as_slice(), [1.0 - 0.5 / 16.0, 1.0 - 0.25 / 16.0]);
     assert_eq!(code06::corrected(&a, &-b, None, None, 3).unwrap(), x);
@@ -373,7 +374,8 @@ fn code_7_as_printed_glues_what_parts() {
     assert_eq!(speed(&bounded, vec![Joint { jacobian: -1.0, ..contact().remove(0) }]), 1.0);
 }
 
-/// A row that says it is an equation is one for Code 7 with bounds by `IsEquality`; x in the listing's sign.
+/// A row that says it is an equation is one for Code 7 with bounds by `IsEquality`; x in the
+/// listing's sign.
 #[test]
 fn the_default_of_is_equality_releases_a_nail() {
     #[derive(Debug)]
@@ -411,7 +413,8 @@ fn the_default_of_is_equality_releases_a_nail() {
     assert!(fallen[1].abs() < 1e-12);
 }
 
-/// A stack of two at rest, one sweep a frame: with x kept frame k has made k sweeps, else always one.
+/// A stack of two at rest, one sweep a frame: with x kept frame k has made k sweeps, else always
+/// one.
 #[test]
 fn code_7_as_printed_starts_each_frame_from_nothing() {
     let push = DT * G;

@@ -117,7 +117,8 @@ fn exists(place: &str) -> bool {
     }
 }
 
-/// Where the modules of `lcplab` are that have a crate of their own or are part of one; the others are in `src`.
+/// Where the modules of `lcplab` are that have a crate of their own or are part of one; the others
+/// are in `src`.
 const HOMES: [(&str, &str); 18] = [
     ("lcp::exchange", "files/src"),
     ("lcp", "problem/src"),

@@ -42,8 +42,8 @@ fn e29_the_comments_force_in_the_codes_step_pulls() {
 }
 
 /// By hand: x = Π(−s_b s_J u*) and u⁺ = u* + s_u s_J x. An x that is not clamped stops the body if
-/// s_u s_b = 1, and doubles its speed if not; s_J s_b and the bound decide whether approach is clamped
-/// or parting.
+/// s_u s_b = 1, and doubles its speed if not; s_J s_b and the bound decide whether approach is
+/// clamped or parting.
 #[test]
 fn e30_four_of_sixteen_combinations_are_right() {
     let finding = found("E30");
@@ -151,9 +151,9 @@ fn thrown_from(depth: f64) -> f64 {
     top
 }
 
-/// By hand: after the first step the body is at −0.8 d and rises at 12 d; the flight of the steps after
-/// it takes it up by at most (12 d)²/2g − 12 d dt/2 and an eighth of g dt². That is more than 0.8 d from
-/// d = 0.9 · 2g/144 = 0.1226 on. From 0.1 m it goes no further than the ground.
+/// By hand: after the first step the body is at −0.8 d and rises at 12 d; the flight of the steps
+/// after it takes it up by at most (12 d)²/2g − 12 d dt/2 and an eighth of g dt². That is more than
+/// 0.8 d from d = 0.9 · 2g/144 = 0.1226 on. From 0.1 m it goes no further than the ground.
 #[test]
 fn e39_only_a_deep_overlap_throws_a_body_out() {
     assert!(thrown_from(0.1) <= 1e-12, "{}", thrown_from(0.1));

@@ -1,4 +1,5 @@
-//! Other people's solvers as plug-ins, where their packages are installed for the Python of `LCPLAB_PYTHON` (python3 without it).
+//! Other people's solvers as plug-ins, where their packages are installed for the Python of
+//! `LCPLAB_PYTHON` (python3 without it).
 
 use std::process::Command;
 
@@ -6,8 +7,8 @@ use serde_json::Value;
 
 use super::{err, out, run};
 
-/// The adapters, the packages that they need, and a family that they are not made for: a matrix that is not
-/// symmetric, or rows that may pull.
+/// The adapters, the packages that they need, and a family that they are not made for: a matrix
+/// that is not symmetric, or rows that may pull.
 const ADAPTERS: [(&str, &str, &str); 6] = [
     ("use_osqp", "numpy, osqp, scipy", "murty"),
     ("use_quadprog", "numpy, quadprog", "murty"),

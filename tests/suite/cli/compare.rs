@@ -23,7 +23,8 @@ fn the_comparison_has_clarabel_beside_the_solvers_and_a_row_a_model() {
     assert_eq!(err(&none), "error: options: --model: none of these families has friction\n");
 }
 
-/// A mass on the ground in the plane, one tangent: x_n = 2, and friction of μ x_n = 1 does not hold it.
+/// A mass on the ground in the plane, one tangent: x_n = 2, and friction of μ x_n = 1 does not hold
+/// it.
 const PLANE: &str = r#"{"A": {"dense": [[1, 0], [0, 1]]}, "b": [-2, -3], "friction_index": [-1, 0], "mu": [0, 0.5]}"#;
 
 #[test]
@@ -80,8 +81,8 @@ fn a_named_solver_that_is_not_made_for_the_problem_is_a_row_with_the_reason() {
     // Beside one that takes part it is a row all the same, and still solves nothing.
     let (rows, code, _) = compare(&["family:stack", "--solver", "cone-pgs", "--solver", "dantzig"]);
     assert_eq!((rows.len(), code), (2, Some(1)));
-    // Under a model that was asked for the reason is due under that model; under the usual ones a solver is not
-    // expected under all of them.
+    // Under a model that was asked for the reason is due under that model; under the usual ones a
+    // solver is not expected under all of them.
     let cones = ["pushed-mass", "--model", "coulomb-cone"];
     let named = ["--solver", "pgs", "--solver", "cone-pgs"];
     let (rows, code, _) = compare(&[&cones[..], &named[..]].concat());

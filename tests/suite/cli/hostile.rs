@@ -1,5 +1,5 @@
-//! Files of strangers: whatever they are called and whatever is in them, they write where they may, and
-//! steer no terminal.
+//! Files of strangers: whatever they are called and whatever is in them, they write where they may,
+//! and steer no terminal.
 
 use std::fs;
 use std::path::Path;

@@ -46,7 +46,8 @@ fn a_folder_of_problems_shows_which_claims_are_wrong_and_in_which_row() {
     let of = |file: &str, solver: &str, accepted: u32, trouble: Value| {
         (file.to_string(), Value::from(solver), Value::from(accepted), trouble)
     };
-    // x_t = 3 lies 2 beyond its bound; a friction force reaches as far as μ times the 4 of row 0's terms.
+    // x_t = 3 lies 2 beyond its bound; a friction force reaches as far as μ times the 4 of row 0's
+    // terms.
     let beyond = "not a solution: scaled residual 1 in row 1";
     assert_eq!(
         refused,
@@ -63,7 +64,8 @@ fn a_folder_of_problems_shows_which_claims_are_wrong_and_in_which_row() {
 /// A solver of friction cones, of the documentation too.
 const CONES: &str = concat!("python3 '", env!("CARGO_MANIFEST_DIR"), "/examples/plugins/cones.py'");
 
-/// A mass of 1, pressed with 2 and pushed with 3 along both tangents, µ = ½: friction takes 1 of it, along (1, 1)/√2.
+/// A mass of 1, pressed with 2 and pushed with 3 along both tangents, µ = ½: friction takes 1 of
+/// it, along (1, 1)/√2.
 const CONE: &str = r#"{"A": {"dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, "b": [-2, -3, -3],
     "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5], "model": "coulomb-cone"}"#;
 

@@ -224,7 +224,8 @@ fn a_figure_alone_is_that_of_the_page() {
     assert!(refused("ratio_error", "a.png").contains("must end in .svg, .pdf or .csv"));
 }
 
-/// In place of Python: a script that notes how it was called and writes the shipped record, or fails.
+/// In place of Python: a script that notes how it was called and writes the shipped record, or
+/// fails.
 #[cfg(unix)]
 fn report_on_engines(folder: &Path, script: &str, more: &[&str]) -> Output {
     use std::os::unix::fs::PermissionsExt;

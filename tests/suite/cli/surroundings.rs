@@ -1,5 +1,5 @@
-//! Hostile surroundings: full disks, folders that cannot be written, inputs that are no files or never
-//! end. One message, the exit code of the help, and what was there before is still there.
+//! Hostile surroundings: full disks, folders that cannot be written, inputs that are no files or
+//! never end. One message, the exit code of the help, and what was there before is still there.
 
 use std::fs;
 use std::os::unix::fs::FileTypeExt;

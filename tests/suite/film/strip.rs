@@ -177,8 +177,8 @@ fn a_ball_tipped_towards_the_viewer_shows_its_equator_sag() {
             arc.split(['M', '"']).next()?.split(' ').map_while(|x| x.parse().ok()).collect();
         (numbers.len() == 7).then_some(numbers)
     });
-    // The equator is seen as half an ellipse, r by r sin 30°; counter-clockwise from left to right is
-    // below.
+    // The equator is seen as half an ellipse, r by r sin 30°; counter-clockwise from left to right
+    // is below.
     let close = |a: f64, b: f64| (a - b).abs() <= 1.0;
     let equator = |arc: &Vec<f64>| close(arc[0], r) && close(arc[1], r / 2.0) && arc[4] == 0.0;
     assert!(arcs.into_iter().any(|arc| equator(&arc)), "{svg}");

@@ -1,4 +1,5 @@
-//! Each solution passes; each hole, each bug and two typical mistakes fail, with words that say why.
+//! Each solution passes; each hole, each bug and two typical mistakes fail, with words that say
+//! why.
 
 use lcplab::lesson::exercise::{Exercise, exercises};
 

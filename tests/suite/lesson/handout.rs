@@ -1,4 +1,5 @@
-//! The handout goes through the whole chapter: every equation, figure, listing and erratum is in it.
+//! The handout goes through the whole chapter: every equation, figure, listing and erratum is in
+//! it.
 
 use std::fs;
 

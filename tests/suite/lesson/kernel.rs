@@ -1,9 +1,11 @@
-//! What a Jupyter kernel for Rust gets: it keeps variables from cell to cell, but no closures and nothing borrowed.
+//! What a Jupyter kernel for Rust gets: it keeps variables from cell to cell, but no closures and
+//! nothing borrowed.
 
 use lcplab::lesson::Program;
 use serde_json::Value;
 
-/// The code cells of a notebook made of these cells, the first one, which loads the library, left out.
+/// The code cells of a notebook made of these cells, the first one, which loads the library, left
+/// out.
 fn cells(codes: &[&str]) -> Vec<String> {
     let text: String = codes.iter().map(|code| format!("```rust\n{code}\n```\n\n")).collect();
     let text: &'static str = format!("# A lesson\n\n{text}").leak();

@@ -19,7 +19,8 @@ fn run(arguments: &[&str]) {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
-/// The notebook of this lesson for the Rust kernel, with the outputs of its cells; all are written when the first is wanted.
+/// The notebook of this lesson for the Rust kernel, with the outputs of its cells; all are written
+/// when the first is wanted.
 fn written(name: &str) -> String {
     const FOLDER: &str = concat!(env!("CARGO_TARGET_TMPDIR"), "/notebooks");
     static WRITTEN: LazyLock<()> =

@@ -1,4 +1,5 @@
-//! Problem sets: what is right is taken, what is a typical mistake gets its own hint, and each set is complete.
+//! Problem sets: what is right is taken, what is a typical mistake gets its own hint, and each set
+//! is complete.
 
 use std::process::Command;
 
@@ -94,7 +95,8 @@ fn a_prediction_cannot_be_found_by_halving() {
     }
 }
 
-/// The largest speed of one of three balls whose momentum is 0 and whose energy is E: v, −v/2, −v/2, so ¾ m v² = E.
+/// The largest speed of one of three balls whose momentum is 0 and whose energy is E: v, −v/2,
+/// −v/2, so ¾ m v² = E.
 #[test]
 fn right_answers_by_a_sharper_argument_or_another_sign_are_taken() {
     let all: Vec<Problem> = sets().into_iter().flat_map(|(_, problems)| problems).collect();

@@ -1,4 +1,5 @@
-//! Sentences of the lessons that no cell can hold: what plots show, and formulas with other numbers.
+//! Sentences of the lessons that no cell can hold: what plots show, and formulas with other
+//! numbers.
 
 use std::f64::consts::PI;
 use std::fs;

@@ -25,8 +25,8 @@ fn every_status_is_claimed_by_a_solver_and_told_in_words() {
     let no_float = contacts(&[&[1.0, 1.0], &[1.0, 3.0]], &[-0.334, -1.001]);
     let exactly = Settings { tolerance: 0.0, ..usual() };
     let one_sweep = Settings { max_iterations: 1, ..usual() };
-    // A row coupled with μ = 2 and pushed beyond its bound: x_t = 2 x_n, x_n ← max(0, 1 − x_t). Frozen
-    // bounds make x_n go 0, 1, 0, 1, …
+    // A row coupled with μ = 2 and pushed beyond its bound: x_t = 2 x_n, x_n ← max(0, 1 − x_t).
+    // Frozen bounds make x_n go 0, 1, 0, 1, …
     let matrix = Matrix::dense(2, &[1.0, 1.0, 1.0, 2.0]);
     let rubbing = Lcp::new(matrix, vec![-1.0, -100.0], vec![0.0, -INF], vec![INF; 2]).unwrap();
     let coupling = Coupling::new(vec![None, Some(0)], vec![0.0, 2.0]).unwrap();

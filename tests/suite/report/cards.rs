@@ -1,4 +1,5 @@
-//! Engine cards: the shipped record, held against closed forms that share nothing with the Python that wrote it.
+//! Engine cards: the shipped record, held against closed forms that share nothing with the Python
+//! that wrote it.
 
 use std::f64::consts::TAU;
 use std::path::PathBuf;
@@ -35,8 +36,8 @@ fn laws(record: &Record, name: &str) -> Vec<f64> {
     all[0].clone()
 }
 
-/// The time from φ0 to 0 by ∫ dφ/√(2 ω² (cos φ − cos φ0)), four times: the substitution sin(φ/2) = k sin ψ
-/// leaves no singularity, and Simpson's rule does the rest.
+/// The time from φ0 to 0 by ∫ dφ/√(2 ω² (cos φ − cos φ0)), four times: the substitution sin(φ/2) =
+/// k sin ψ leaves no singularity, and Simpson's rule does the rest.
 fn period(square: f64, start: f64) -> f64 {
     let (k, count) = ((start / 2.0).sin(), 1000);
     let f = |psi: f64| 1.0 / (1.0 - (k * psi.sin()).powi(2)).sqrt();
@@ -50,8 +51,9 @@ fn period(square: f64, start: f64) -> f64 {
     4.0 * sum / square.sqrt()
 }
 
-/// By how many degrees a plate of 0.6 × 0.6 × 0.05 m and 1 kg goes round in 10 s on a stem of 0.2 m, at 30° from the
-/// vertical and with 13.94011 rad/s about its axis: the root of m g l = Ω (I₃ ω₃ − I₁ Ω cos θ) by bisection.
+/// By how many degrees a plate of 0.6 × 0.6 × 0.05 m and 1 kg goes round in 10 s on a stem of 0.2
+/// m, at 30° from the vertical and with 13.94011 rad/s about its axis: the root of m g l = Ω (I₃ ω₃
+/// − I₁ Ω cos θ) by bisection.
 fn top_goes_round() -> f64 {
     let (along, across) = (2.0 * 0.36 / 12.0, (0.36 + 0.0025) / 12.0 + 0.04);
     let pull = |rate: f64| {
@@ -65,8 +67,8 @@ fn top_goes_round() -> f64 {
     (10.0 * low).to_degrees()
 }
 
-/// Twice the time from rest to rest at acceleration level: between the last step down and the first one back the kinetic
-/// energy is least, and a parabola through three steps has the instant.
+/// Twice the time from rest to rest at acceleration level: between the last step down and the first
+/// one back the kinetic energy is least, and a parabola through three steps has the instant.
 fn bricards_period(record: &Record) -> f64 {
     let mut scene = phenomenon(record, "bricard").scene().unwrap();
     scene.step.scheme = Scheme::Acceleration;
@@ -104,7 +106,8 @@ fn the_laws_of_the_record_are_those_of_mechanics() {
     assert_laws(&record, "rolling", &[10.0 / 7.0, 0.0]);
     assert_laws(&record, "free_fall", &[3.0 - G / 2.0, 3f64.sqrt().to_degrees()]);
     assert_laws(&record, "weight", &[100.0]);
-    // The last flight above a hundredth of the drop of 1 m is the third: it begins when two are over.
+    // The last flight above a hundredth of the drop of 1 m is the third: it begins when two are
+    // over.
     let (speed, e) = ((2.0 * G).sqrt(), 0.5);
     let third = speed / G * (1.0 + 2.0 * e + 2.0 * e * e);
     let arrival = (e.powi(3) * speed + (e.powi(6) * speed * speed - 2.0 * G * 0.01).sqrt()) / G;
@@ -121,7 +124,8 @@ fn the_laws_of_the_record_are_those_of_mechanics() {
     assert_laws(&record, "spring", &[TAU / 50f64.sqrt(), 0.0]);
     assert_laws(&record, "bricard", &[bricards_period(&record), 0.0, 0.0]);
     let [held, slides] = laws(&record, "capstan")[..] else { panic!("two loads") };
-    // T₂/T₁ of a thin chain of twelve links; the weight and the thickness of this one are worth a tenth.
+    // T₂/T₁ of a thin chain of twelve links; the weight and the thickness of this one are worth a
+    // tenth.
     let part = 0.3 * (TAU / 48.0).tan();
     let ratio = ((1.0 + part) / (1.0 - part)).powi(12);
     let thin = 1e3 * G * (3.0 - ratio) / (3.0 + ratio) * 0.4f64.powi(2) / 2.0;
@@ -177,17 +181,19 @@ fn lcplabs_schemes_keep_every_law_that_their_theory_lets_them_keep() {
             .map(|own| own.name.as_str())
             .collect()
     };
-    // A spring is a soft row, taken implicitly: 1 − e^(−ω²ht) of its energy is gone, and with ω² = 50/s² in 9.3 s a hundredth
-    // of it asks for h = 0.02 ms. The rows of Bricard's hinges become independent as errors of positions grow: then he locks,
-    // or forces grow without bound, as at the acceleration level with 5 ms, which fails and so measures nothing.
-    // A contact is a row from 0.05 m on, and a step of the bullet is longer; only the acceleration level looks for the
+    // A spring is a soft row, taken implicitly: 1 − e^(−ω²ht) of its energy is gone, and with ω² =
+    // 50/s² in 9.3 s a hundredth of it asks for h = 0.02 ms. The rows of Bricard's hinges become
+    // independent as errors of positions grow: then he locks, or forces grow without bound, as at
+    // the acceleration level with 5 ms, which fails and so measures nothing. A contact is a row
+    // from 0.05 m on, and a step of the bullet is longer; only the acceleration level looks for the
     // instant at which bodies meet.
     assert_eq!(missed("velocity, cone"), ["spring", "bullet", "bricard"]);
     // A box rubs with up to √2 times its coefficient: all other schemes have one.
     assert_eq!(missed("velocity"), ["spring", "directions", "bullet", "bricard"]);
     assert_eq!(missed("acceleration"), ["spring", "directions"]);
-    // What is compliant yields to a thousandfold load, and joints to theirs, of a chain as over a post. XPBD's few sweeps leave some of
-    // it, and its velocities, which are differences of positions, damp what turns.
+    // What is compliant yields to a thousandfold load, and joints to theirs, of a chain as over a
+    // post. XPBD's few sweeps leave some of it, and its velocities, which are differences of
+    // positions, damp what turns.
     let yields = ["spring", "capstan", "directions", "mass_ratio", "bullet", "chain", "bricard"];
     assert_eq!(missed("soft"), yields);
     let of_positions = [
@@ -245,7 +251,8 @@ fn two_reported_findings_are_in_the_record_as_their_formulas_say() {
         let of = |own: &&Column| own.engine == "mujoco" && own.settings == "defaults";
         phenomenon(&record, name).columns.iter().find(of).unwrap().measured[0].value
     };
-    // (1 − d)/d · g sin θ/b with d = 0.95 and b = 2/(0.95 · 0.02 s), in µm/s: the impedance is a little less.
+    // (1 − d)/d · g sin θ/b with d = 0.95 and b = 2/(0.95 · 0.02 s), in µm/s: the impedance is a
+    // little less.
     let creep = 1e6 * (0.05 / 0.95) * G * 20f64.to_radians().sin() * (0.95 * 0.02 / 2.0);
     assert!((mujoco("creep") / creep - 1.0).abs() < 0.1, "{} beside {creep}", mujoco("creep"));
     // What leaves the ground with μ v rises by (μ v)²/2g; a softened contact leaves a part of that.
@@ -287,7 +294,8 @@ fn the_judge_says_of_an_engines_answer_what_the_record_says() {
     }
 }
 
-/// A is definite and no row coupled: there is one solution, and the engine stops a millionth of it off.
+/// A is definite and no row coupled: there is one solution, and the engine stops a millionth of it
+/// off.
 #[test]
 fn the_default_solver_finds_what_an_engine_finds_where_there_is_one_solution() {
     let frames = shipped().frames;

@@ -20,8 +20,8 @@ fn line(text: &str, what: &str) -> usize {
     1 + text[..text.find(what).unwrap()].matches('\n').count()
 }
 
-/// The keys of sections that stand on a line of their own: number of the line, from 0, and key. What a section changes in
-/// a scene is none: its keys are those of scenes.
+/// The keys of sections that stand on a line of their own: number of the line, from 0, and key.
+/// What a section changes in a scene is none: its keys are those of scenes.
 fn settings(text: &str) -> Vec<(usize, &str)> {
     let is_key = |c: char| c.is_ascii_lowercase() || c == '_';
     let mut is_section = false;

@@ -76,7 +76,8 @@ fn written(scene: &Scene) -> tempfile::TempDir {
 proptest! {
     #![proptest_config(cases(12))]
 
-    /// Newton's law, by the tables alone: the impulses of all rows of a body are what its momentum gained beside gravity.
+    /// Newton's law, by the tables alone: the impulses of all rows of a body are what its momentum
+    /// gained beside gravity.
     #[test]
     fn the_impulses_of_the_rows_of_a_body_are_what_its_momentum_gains(
         text in pile(),

@@ -1,6 +1,7 @@
 //! The standard report as it is committed: a change in behaviour is a difference here.
 //!
-//! After a change that is meant, `cargo run --release -- report --out reports/reference` writes it anew.
+//! After a change that is meant, `cargo run --release -- report --out reports/reference` writes it
+//! anew.
 
 use std::path::Path;
 

@@ -149,8 +149,8 @@ fn problems_without_solution_are_in_the_tables_and_not_in_the_profiles() {
     }
 }
 
-/// A column of n rows: Dantzig's method frees one row after another, with n²/2 entries of its tableau to bring up to
-/// date each time; Gauss-Seidel has 3 n − 2 entries and n divisions a sweep.
+/// A column of n rows: Dantzig's method frees one row after another, with n²/2 entries of its
+/// tableau to bring up to date each time; Gauss-Seidel has 3 n − 2 entries and n divisions a sweep.
 #[test]
 fn work_is_what_the_formulas_say() {
     let n = 6;
@@ -179,8 +179,8 @@ fn work_is_what_the_formulas_say() {
     assert_eq!(multiplications, n.powi(3) / 6.0 + steps * n * n);
 }
 
-/// From the top down, row i gets the impulse of the ground in sweep i; from the ground up, x_i = b/2ⁱ after one sweep, and
-/// row i is off by the x_{i+1} that came after it.
+/// From the top down, row i gets the impulse of the ground in sweep i; from the ground up, x_i =
+/// b/2ⁱ after one sweep, and row i is off by the x_{i+1} that came after it.
 #[test]
 fn an_impulse_climbs_one_row_a_sweep_or_the_whole_column_at_once() {
     let plan: Plan = settings("[rows]\nbodies = 8\nsweeps = 9\nmethods = [\"up\", \"down\"]");

@@ -1,4 +1,5 @@
-//! The interior point on velocities, and by rows in another order: the same steps, eliminated otherwise.
+//! The interior point on velocities, and by rows in another order: the same steps, eliminated
+//! otherwise.
 
 use lcplab::formulation::Problem;
 use lcplab::lcp::{Lcp, Matrix, merit};
@@ -212,7 +213,8 @@ fn what_would_take_too_much_memory_is_refused_in_both_forms() {
     }
 }
 
-/// D = 10⁻⁸ a_ii moves x by that part, and costs the elimination digits worth 2⁻⁵³/10⁻⁸, as much again.
+/// D = 10⁻⁸ a_ii moves x by that part, and costs the elimination digits worth 2⁻⁵³/10⁻⁸, as much
+/// again.
 #[test]
 fn a_single_step_meets_equations_to_seven_digits() {
     let entry = |i: usize| 0.7 + 0.1 * i as f64;
@@ -232,7 +234,8 @@ fn a_single_step_meets_equations_to_seven_digits() {
     }
 }
 
-/// Rows between random bodies, A = Ĵ Ĵᵀ, and x*, w* chosen first; entries are quarters, so A is exact.
+/// Rows between random bodies, A = Ĵ Ĵᵀ, and x*, w* chosen first; entries are quarters, so A is
+/// exact.
 fn manufactured(bodies: usize, n: usize) -> impl Strategy<Value = (Vec<Row>, Lcp, Vec<f64>)> {
     let quarter = |range: std::ops::RangeInclusive<i32>| range.prop_map(|k| f64::from(k) / 4.0);
     let jacobian = proptest::array::uniform12(quarter(-4..=4));

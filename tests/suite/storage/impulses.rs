@@ -38,7 +38,8 @@ fn stack() -> Problem {
     generated("kind = \"stack\", count = 6, size = 1, mass = 1")
 }
 
-/// A problem with its rows of Ĵ, with friction that follows the normal force and with frozen friction.
+/// A problem with its rows of Ĵ, with friction that follows the normal force and with frozen
+/// friction.
 fn cases(problem: &Problem) -> [(Factors, Lcp); 2] {
     let lcp = &problem.lcp;
     let load: Vec<f64> = (0..lcp.len()).map(|i| 0.01 * (1 + i % 5) as f64).collect();
@@ -115,8 +116,8 @@ fn all_of_a_tower_of_equal_pairs_is_swept_in_every_order() {
     assert_eq!(order, (0..rows.len()).collect::<Vec<_>>());
 }
 
-/// The layer of each row of a tower in the order of a sweep, 0 at the ground, above it that of its lower body; the bodies
-/// have other numbers in the system.
+/// The layer of each row of a tower in the order of a sweep, 0 at the ground, above it that of its
+/// lower body; the bodies have other numbers in the system.
 fn layers(problem: &Problem, renumbered: impl Fn(usize) -> usize) -> Vec<usize> {
     let factors = Factors::of(&problem.assembly);
     let rows = factors.scaled_rows();
@@ -145,7 +146,8 @@ fn a_tower_is_swept_from_the_ground_up_whatever_its_bodies_numbers() {
     }
 }
 
-/// Cubes one on another: by layers every octet would hold one pair, by colours it holds up to eight.
+/// Cubes one on another: by layers every octet would hold one pair, by colours it holds up to
+/// eight.
 #[test]
 fn a_lone_stack_is_swept_by_colours() {
     let problem = stack();
@@ -202,7 +204,8 @@ fn a_row_of_zeros_is_refused() {
     assert_eq!(System::new(1, &rows, &lcp).unwrap_err(), Status::ZeroDiagonal { row: 0 });
 }
 
-/// A crowd of bodies that all touch the first: more colours than a word has bits, pairs of all lengths.
+/// A crowd of bodies that all touch the first: more colours than a word has bits, pairs of all
+/// lengths.
 fn star(pairs: usize) -> (usize, Vec<Row>, Lcp) {
     let mut rows = Vec::new();
     for pair in 1..=pairs {
@@ -269,7 +272,8 @@ fn the_velocities_are_those_that_x_makes() {
     assert_close(v.as_flattened(), expected.as_flattened(), 1e-12);
 }
 
-/// Systems one after the other in the same memory: with other rows, with other pairs, with fewer bodies.
+/// Systems one after the other in the same memory: with other rows, with other pairs, with fewer
+/// bodies.
 #[test]
 fn a_kernel_that_is_started_again_sweeps_as_a_new_one() {
     let mut kept = EightPairs::idle(Width::widest(), 2);

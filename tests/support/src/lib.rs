@@ -17,8 +17,9 @@ use proptest::test_runner::{Config, FileFailurePersistence, RngSeed};
 /// ∞.
 pub const INF: f64 = f64::INFINITY;
 
-/// The configuration of every property test: failing cases are kept beside the tests, and every run tries the same
-/// cases, unless PROPTEST_RNG_SEED names others. LCPLAB_CASES=1000 tries a thousand times as many.
+/// The configuration of every property test: failing cases are kept beside the tests, and every run
+/// tries the same cases, unless PROPTEST_RNG_SEED names others. LCPLAB_CASES=1000 tries a thousand
+/// times as many.
 pub fn cases(count: u32) -> Config {
     let rng_seed = match Config::default().rng_seed {
         RngSeed::Random => RngSeed::Fixed(1),

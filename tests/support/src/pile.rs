@@ -2,8 +2,8 @@
 
 use proptest::prelude::*;
 
-/// A body of a pile: its shape, how tall it is (m), its mass (kg), its place beside the axis of the pile (m), how it is turned
-/// (degrees).
+/// A body of a pile: its shape, how tall it is (m), its mass (kg), its place beside the axis of the
+/// pile (m), how it is turned (degrees).
 type Piece = (usize, f64, f64, [f64; 2], [f64; 2]);
 
 fn piece() -> impl Strategy<Value = Piece> {
@@ -14,8 +14,9 @@ fn piece() -> impl Strategy<Value = Piece> {
     })
 }
 
-/// Stacks and heaps of boxes, balls and capsules on the ground or on a slab, straight or turned, their masses up to a
-/// thousand times apart. The bodies are listed in any order, what they stand on anywhere among them.
+/// Stacks and heaps of boxes, balls and capsules on the ground or on a slab, straight or turned,
+/// their masses up to a thousand times apart. The bodies are listed in any order, what they stand
+/// on anywhere among them.
 pub fn pile() -> impl Strategy<Value = String> {
     let pieces = proptest::collection::vec(piece(), 1..6);
     (pieces, any::<bool>(), 0..6_usize, any::<bool>(), 0.0..1.0).prop_map(

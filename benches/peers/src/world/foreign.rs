@@ -10,8 +10,8 @@ use super::{HALF, MASS, Setting, World};
 /// The functions that a shim exports.
 #[derive(Clone, Copy)]
 pub struct Calls {
-    /// Makes a world of cubes: their number, poses (position, quaternion with the scalar first), half edge,
-    /// mass, friction, length of a step, iterations.
+    /// Makes a world of cubes: their number, poses (position, quaternion with the scalar first),
+    /// half edge, mass, friction, length of a step, iterations.
     pub world:
         unsafe extern "C" fn(c_int, *const f64, f64, f64, f64, f64, c_int) -> *mut c_void,
     pub step: unsafe extern "C" fn(*mut c_void),

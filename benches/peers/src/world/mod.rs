@@ -1,8 +1,8 @@
 //! Whole scenes: cubes that should rest, in several engines.
 //!
-//! An engine that does less work a step is not faster if its bodies sink or creep. So each one gets as few
-//! iterations as keep, after two seconds, the overlap and the drift within the same bounds; then all step
-//! in turns under the clock.
+//! An engine that does less work a step is not faster if its bodies sink or creep. So each one gets
+//! as few iterations as keep, after two seconds, the overlap and the drift within the same bounds;
+//! then all step in turns under the clock.
 
 pub mod foreign;
 mod ours;
@@ -28,8 +28,8 @@ const LOOKS: usize = 4;
 const TIMED: usize = 40;
 /// The coefficient of friction.
 const FRICTION: f64 = 0.6;
-/// The part of an overlap that lcplab takes back in a step. It becomes velocity, which feeds the rocking of
-/// the cubes: with 0.2 the tower needs 32 sweeps row by row, with 0.02 it needs 8.
+/// The part of an overlap that lcplab takes back in a step. It becomes velocity, which feeds the
+/// rocking of the cubes: with 0.2 the tower needs 32 sweeps row by row, with 0.02 it needs 8.
 const BAUMGARTE: f64 = 0.02;
 /// What the cubes must keep to.
 const BOUNDS: Bounds = Bounds { penetration: 0.01, drift: 0.05 };

@@ -5,8 +5,8 @@
 //! R = argmin Σ |R (r_i − r̄) − (p_i − p̄)|²;   H = Σ (p_i − p̄)(r_i − r̄)ᵀ = U Σ Vᵀ,   R = U diag(1, 1, ±1) Vᵀ
 //! ```
 //!
-//! with the sign that makes det R = 1: the orthogonal factor of H's polar decomposition. Three points
-//! not in a line are enough, since a plane's two directions fix the third. Kabsch 1976.
+//! with the sign that makes det R = 1: the orthogonal factor of H's polar decomposition. Three
+//! points not in a line are enough, since a plane's two directions fix the third. Kabsch 1976.
 
 #![allow(non_snake_case)]
 

@@ -1,7 +1,8 @@
 //! How a body's spin carries on: the gyroscopic torque −ω × I ω, which the chapter leaves out.
 //!
-//! A torque-free body keeps its angular momentum L = I ω in the world, and ω changes as I turns with the
-//! body. In the body's frame, with Π = Rᵀ L, the implicit midpoint rule keeps both L and the energy:
+//! A torque-free body keeps its angular momentum L = I ω in the world, and ω changes as I turns
+//! with the body. In the body's frame, with Π = Rᵀ L, the implicit midpoint rule keeps both L and
+//! the energy:
 //!
 //! ```text
 //! I ω̄ + ½ h ω̄ × I ω̄ = Π,     q⁺ = q ⊗ (1, ½ h ω̄) normalised,     ω⁺ = I(q⁺)⁻¹ L
@@ -10,16 +11,16 @@
 //! (1, ½ h ω̄) is Cayley's rotation, which takes Π to Π⁺ = I ω̄ − ½ h ω̄ × I ω̄; so |Π⁺| = |Π|, and
 //! Π⁺·I⁻¹Π⁺ = Π·I⁻¹Π because the rule keeps quadratic invariants (Hairer, Lubich & Wanner, IV.2).
 //!
-//! The other choices put a torque into F and let q⁺ = q + h S ω. Taken at the old velocity it feeds energy
-//! into a spinning body, without bound; at the new one it is unconditionally stable, and loses energy
-//! (Catto, *Numerical Methods*, GDC 2015):
+//! The other choices put a torque into F and let q⁺ = q + h S ω. Taken at the old velocity it feeds
+//! energy into a spinning body, without bound; at the new one it is unconditionally stable, and
+//! loses energy (Catto, *Numerical Methods*, GDC 2015):
 //!
 //! ```text
 //! I ω⁺ + h ω⁺ × I ω⁺ = I ω
 //! ```
 //!
-//! Both equations are solved by Newton's method, f' = I + h ([ω⁺]× I − [I ω⁺]×), in the body's axes at
-//! the step's start, where I is constant.
+//! Both equations are solved by Newton's method, f' = I + h ([ω⁺]× I − [I ω⁺]×), in the body's axes
+//! at the step's start, where I is constant.
 
 use nalgebra::{Matrix3, Vector3};
 use schemars::JsonSchema;
@@ -69,8 +70,8 @@ impl Gyroscopic {
     }
 
     /// The state after h (s) without forces: s + h S(s) u, with the spin that the angular momentum
-    /// has in the new pose where it is conserved. A body that turns by more than a radian does so in parts,
-    /// 64 at most.
+    /// has in the new pose where it is conserved. A body that turns by more than a radian does so
+    /// in parts, 64 at most.
     pub fn advanced(self, mass: &Mass, state: &State, h: f64) -> State {
         let Some(inertia) = tumbling(self, mass) else { return state.advanced(h) };
         let momentum = mass.spin_momentum(state);
@@ -90,10 +91,11 @@ impl Gyroscopic {
         moved
     }
 
-    /// The same for a body that a joint keeps from turning about some axes: s + h S(s) u, so that it
-    /// turns about the axis that the joint leaves it. The midpoint rule would turn it about another
-    /// one where I is not the same about all axes, and the joint would come apart step by step. Where
-    /// angular momentum is conserved it is, and the joint's reaction is what changes it.
+    /// The same for a body that a joint keeps from turning about some axes: s + h S(s) u, so that
+    /// it turns about the axis that the joint leaves it. The midpoint rule would turn it about
+    /// another one where I is not the same about all axes, and the joint would come apart step by
+    /// step. Where angular momentum is conserved it is, and the joint's reaction is what changes
+    /// it.
     pub fn turned(self, mass: &Mass, state: &State, h: f64) -> State {
         let moved = state.advanced(h);
         match tumbling(self, mass) {
@@ -105,7 +107,8 @@ impl Gyroscopic {
     }
 
     /// The state at the end of a step of h (s) in which the body turned with the velocity that it
-    /// now has: where angular momentum is conserved that was ω̄, and ω⁺ = I⁻¹(I ω̄ − ½ h ω̄ × I ω̄).
+    /// now has: where angular momentum is conserved that was ω̄, and ω⁺ = I⁻¹(I ω̄ − ½ h ω̄ × I
+    /// ω̄).
     pub fn arrived(self, mass: &Mass, state: &State, h: f64) -> State {
         match tumbling(self, mass) {
             None => *state,

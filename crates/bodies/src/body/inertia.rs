@@ -1,5 +1,6 @@
-//! Volumes and principal moments of inertia of homogeneous shapes: closed forms, for a hull sums over the
-//! tetrahedra between its faces and a point within, for a compound the parallel axis theorem.
+//! Volumes and principal moments of inertia of homogeneous shapes: closed forms, for a hull sums
+//! over the tetrahedra between its faces and a point within, for a compound the parallel axis
+//! theorem.
 
 use nalgebra::{Matrix3, Rotation3, SymmetricEigen, UnitQuaternion, Vector3};
 
@@ -112,7 +113,8 @@ impl Solid {
         }
     }
 
-    /// The sum of the parts: with d from the centre of all to that of a part, C = Σ (R C_i Rᵀ + V_i d dᵀ).
+    /// The sum of the parts: with d from the centre of all to that of a part, C = Σ (R C_i Rᵀ + V_i
+    /// d dᵀ).
     fn of_parts(parts: &[Placed]) -> Self {
         let volumes: Vec<f64> = parts.iter().map(|p| volume(&p.shape).unwrap_or(0.0)).collect();
         let volume: f64 = volumes.iter().sum();

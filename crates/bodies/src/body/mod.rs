@@ -160,8 +160,9 @@ impl Mass {
         0.5 * state.omega.dot(&self.spin_momentum(state))
     }
 
-    /// The angular momentum I ω about the centre of mass (kg m²/s, world), by way of the body's axes: in
-    /// the world's the small moment of a thin body drowns in the rounding of the large ones.
+    /// The angular momentum I ω about the centre of mass (kg m²/s, world), by way of the body's
+    /// axes: in the world's the small moment of a thin body drowns in the rounding of the large
+    /// ones.
     pub(crate) fn spin_momentum(&self, state: &State) -> Vector3<f64> {
         let Mass::Rigid { moments, .. } = self else { return Vector3::zeros() };
         state.pose.q * moments.component_mul(&(state.pose.q.inverse() * state.omega))

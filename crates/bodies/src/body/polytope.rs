@@ -75,7 +75,8 @@ impl Polytope {
     }
 
     /// The box with these half edges (m). Bit i of a vertex's index is set where it lies on the
-    /// positive side of axis i; face 2i + 1 is on the positive side of axis i, face 2i on the other.
+    /// positive side of axis i; face 2i + 1 is on the positive side of axis i, face 2i on the
+    /// other.
     pub fn cuboid(half: &Vector3<f64>) -> Self {
         let corner =
             |k: usize| Vector3::from_fn(|i, _| if k >> i & 1 == 1 { half[i] } else { -half[i] });

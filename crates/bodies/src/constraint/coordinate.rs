@@ -7,8 +7,8 @@
 //! ```
 //!
 //! with e = (e_w, e_v), a and G of the relative orientation. φ is the twist of e about n: the part
-//! of it that is left when the shortest turn that moves n to its place (the swing) is taken off. With
-//! z = e_w + i s, φ = 2 arg z, and z' from e_w' = −½ e_v·a, e_v' = ½ G a:
+//! of it that is left when the shortest turn that moves n to its place (the swing) is taken off.
+//! With z = e_w + i s, φ = 2 arg z, and z' from e_w' = −½ e_v·a, e_v' = ½ G a:
 //!
 //! ```text
 //! φ'  = 2 Im(z'/z) = t·a,   t = (e_w Gᵀn + s e_v)/|z|²

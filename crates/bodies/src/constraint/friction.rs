@@ -8,8 +8,9 @@
 //! J'u = t·(ω1×ρ1' − ω0×ρ0') + (Ω×t)·slip,   ρ1' = ω1×r1 + toe',   ρ0' = v1 + ρ1' − v0
 //! ```
 //!
-//! where the toe, −R1 n of a ball, leads from anchor 1 to the touching point, and Ω carries the tangents along with n: body 0's ω where n is fixed to it, else n×n'. The
-//! touching point of a ball is not material, which is why ρ1' has toe' in it.
+//! where the toe, −R1 n of a ball, leads from anchor 1 to the touching point, and Ω carries the
+//! tangents along with n: body 0's ω where n is fixed to it, else n×n'. The touching point of a
+//! ball is not material, which is why ρ1' has toe' in it.
 
 use nalgebra::Vector3;
 

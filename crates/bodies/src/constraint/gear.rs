@@ -5,14 +5,14 @@
 //! J   = [0, (z0/z1) t0, 0, t1],   J'u likewise
 //! ```
 //!
-//! so ω1 = −(z0/z1) ω0, as wheels that touch from outside turn, and the torques are (z0/z1) x on body
-//! 0 and x on body 1, their ratio that of the teeth. For wheels that turn the same way (one inside
-//! the other, or a chain) give one axis the other sign.
+//! so ω1 = −(z0/z1) ω0, as wheels that touch from outside turn, and the torques are (z0/z1) x on
+//! body 0 and x on body 1, their ratio that of the teeth. For wheels that turn the same way (one
+//! inside the other, or a chain) give one axis the other sign.
 //!
 //! The state knows each φ only up to a turn, 2π, so it knows c only up to 2π/z1 when z0 and z1 have
-//! no common factor: one tooth of body 1. That is how wheels mesh, too; c is wrapped to within half a
-//! tooth, −π/z1 ≤ c ≤ π/z1. A gear that slips farther in one step is on the next tooth. With a common
-//! factor more would be known; the wheels would mesh all the same.
+//! no common factor: one tooth of body 1. That is how wheels mesh, too; c is wrapped to within half
+//! a tooth, −π/z1 ≤ c ≤ π/z1. A gear that slips farther in one step is on the next tooth. With a
+//! common factor more would be known; the wheels would mesh all the same.
 
 use std::f64::consts::PI;
 use std::sync::Arc;

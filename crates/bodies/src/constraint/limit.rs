@@ -25,7 +25,8 @@ use crate::body::{Pose, State};
 pub struct Limit {
     /// What is limited.
     pub coordinate: Coordinate,
-    /// The lower and the upper stop (m or rad); those of an angle are finite, less than a turn apart.
+    /// The lower and the upper stop (m or rad); those of an angle are finite, less than a turn
+    /// apart.
     pub stops: [f64; 2],
 }
 

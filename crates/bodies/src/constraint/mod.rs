@@ -94,8 +94,8 @@ pub trait Constraint: fmt::Debug + Send + Sync {
     /// [`Degenerate`] where c has no derivative.
     fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate>;
 
-    /// Adds the same rows to a list that is kept. Those whose steps are to ask for no memory add them
-    /// one by one.
+    /// Adds the same rows to a list that is kept. Those whose steps are to ask for no memory add
+    /// them one by one.
     ///
     /// # Errors
     /// As [`rows`](Constraint::rows); the list is then of no use.
@@ -104,8 +104,8 @@ pub trait Constraint: fmt::Debug + Send + Sync {
         Ok(())
     }
 
-    /// Where its force acts on each body, in the body's frame (m), so that it can be drawn; none for
-    /// one that has only torques.
+    /// Where its force acts on each body, in the body's frame (m), so that it can be drawn; none
+    /// for one that has only torques.
     fn anchors(&self) -> Option<[Vector3<f64>; 2]> {
         None
     }

@@ -5,9 +5,9 @@
 //! ```
 //!
 //! Below the limit the speed is reached within a step; at the limit the motor pushes with all it
-//! has: a = effort/m until then. A speed of 0 is a brake. The effort is a force (N) along an axis, a
-//! torque (N m) about one, and at velocity level its impulse is bounded by effort × dt. K&M: bounds
-//! on λ (T25); Catto, *Soft Constraints*, GDC 2011.
+//! has: a = effort/m until then. A speed of 0 is a brake. The effort is a force (N) along an axis,
+//! a torque (N m) about one, and at velocity level its impulse is bounded by effort × dt. K&M:
+//! bounds on λ (T25); Catto, *Soft Constraints*, GDC 2011.
 
 use std::sync::Arc;
 

@@ -6,9 +6,9 @@
 //! J'u = Σ (|v_k|² − (n_k·v_k)²)/|d_k|       since n' = (v − n (n·v))/|d|
 //! ```
 //!
-//! Under tension x < 0: it draws each body to its roller with −x. Where a body is at its roller n is not
-//! defined. The row is an equation, since the rope is taken as taut: two distances to
-//! points of the world, added.
+//! Under tension x < 0: it draws each body to its roller with −x. Where a body is at its roller n
+//! is not defined. The row is an equation, since the rope is taken as taut: two distances to points
+//! of the world, added.
 
 use std::sync::Arc;
 

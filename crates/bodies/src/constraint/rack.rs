@@ -5,11 +5,11 @@
 //! J   = [−n, −r t, n, 0],     centre of mass along n, r: the radius; J'u likewise
 //! ```
 //!
-//! so s1' − s0' = r φ', and under x the wheel feels −x n at its centre and the torque −r x. A yo-yo is a wheel
-//! whose rope is tied to what stands still. Two of them on one wheel, with n = ±z, are a
-//! pulley with mass. The wheel's axis and n are at rest in the world. The state knows φ only up to a
-//! turn and s wholly, so that c is wrapped to within half a turn, −π r ≤ c ≤ π r, as in a [gear](super::Gear).
-//! The row is an equation: the rope is taken as taut.
+//! so s1' − s0' = r φ', and under x the wheel feels −x n at its centre and the torque −r x. A yo-yo
+//! is a wheel whose rope is tied to what stands still. Two of them on one wheel, with n = ±z, are a
+//! pulley with mass. The wheel's axis and n are at rest in the world. The state knows φ only up to
+//! a turn and s wholly, so that c is wrapped to within half a turn, −π r ≤ c ≤ π r, as in a
+//! [gear](super::Gear). The row is an equation: the rope is taken as taut.
 
 use std::f64::consts::PI;
 use std::sync::Arc;

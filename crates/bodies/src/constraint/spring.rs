@@ -4,10 +4,11 @@
 //! x = −(k c + d ċ);   c, J, J'u those of the constraint that it softens
 //! ```
 //!
-//! taken at the end of the step, as [`Spring`] says, or as it is by integrators that can. A compliant rod is a spring with a damper
-//! beside it, a compliant rotation a torsion spring. The static deflection under a load f is f/k at
-//! any step; swinging at ω0 = √(k/m), a step h gives the frequency atan(h ω0)/h and damps by
-//! 1/√(1 + h²ω0²) a step, so it never gains. Catto, *Soft Constraints*, GDC 2011.
+//! taken at the end of the step, as [`Spring`] says, or as it is by integrators that can. A
+//! compliant rod is a spring with a damper beside it, a compliant rotation a torsion spring. The
+//! static deflection under a load f is f/k at any step; swinging at ω0 = √(k/m), a step h gives the
+//! frequency atan(h ω0)/h and damps by 1/√(1 + h²ω0²) a step, so it never gains. Catto, *Soft
+//! Constraints*, GDC 2011.
 
 use std::sync::Arc;
 

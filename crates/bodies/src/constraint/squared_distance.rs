@@ -6,10 +6,10 @@
 //! J'u = n·cent + |rel|²/l                      since c' = d·rel/l and d' = rel
 //! ```
 //!
-//! The chapter's |d|² − l² is 2l times this c, so its multiplier is 1/(2l) of this x; divided by 2l,
-//! c is a length and x a force, and at |d| = l both are the rod's. No root and no division by |d|;
-//! but off |d| = l a row of length |d|/l feels c as c (1 + c/2l), so corrections differ from the
-//! rod's in second order. At d = 0 the row vanishes: no direction there either.
+//! The chapter's |d|² − l² is 2l times this c, so its multiplier is 1/(2l) of this x; divided by
+//! 2l, c is a length and x a force, and at |d| = l both are the rod's. No root and no division by
+//! |d|; but off |d| = l a row of length |d|/l feels c as c (1 + c/2l), so corrections differ from
+//! the rod's in second order. At d = 0 the row vanishes: no direction there either.
 
 use std::sync::Arc;
 

@@ -1,9 +1,9 @@
 //! Is a constraint what it says? c, J and J'u of its rows against exact derivatives of c(s).
 //!
 //! Along p(t) = p + v t and q(t) = exp(ω t) q with constant v and ω, u' = 0, so c'(0) = J u and
-//! c''(0) = J'u. Second-order dual numbers give both to the last digits: no step to choose, as finite
-//! differences have, and no formula to trust but that of [`Position`]. J is tried along each velocity
-//! component alone, J'u along the states' own velocities.
+//! c''(0) = J'u. Second-order dual numbers give both to the last digits: no step to choose, as
+//! finite differences have, and no formula to trust but that of [`Position`]. J is tried along each
+//! velocity component alone, J'u along the states' own velocities.
 
 use std::fmt;
 
@@ -123,9 +123,9 @@ pub fn verify(constraint: &dyn Verifiable, states: [&State; 2]) -> Result<(), Mi
     Ok(())
 }
 
-/// c, ċ and c̈ of every row that has a position, as the bodies go on with their velocities unchanged:
-/// exact, by dual numbers and c(s) alone. Since u' = 0 there, ċ is J u and c̈ is J'u. Where a body is
-/// the world its state is [`State::WORLD`], whatever is given.
+/// c, ċ and c̈ of every row that has a position, as the bodies go on with their velocities
+/// unchanged: exact, by dual numbers and c(s) alone. Since u' = 0 there, ċ is J u and c̈ is J'u.
+/// Where a body is the world its state is [`State::WORLD`], whatever is given.
 ///
 /// ```
 /// use lcplab_bodies::body::State;

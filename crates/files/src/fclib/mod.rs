@@ -1,8 +1,8 @@
 //! FCLIB: Acary, Brémond and others' library of frictional contact problems, as HDF5.
 //!
-//! Defined by FCLIB's own `fclib.h` (FrictionalContactLibrary/fclib, src/fclib.h) and INRIA's report
-//! RT-0444 (Acary, Brémond, Koziara & Pérignon 2014). A file holds a *local* problem, in impulses alone, or a
-//! *global* one, in velocities too:
+//! Defined by FCLIB's own `fclib.h` (FrictionalContactLibrary/fclib, src/fclib.h) and INRIA's
+//! report RT-0444 (Acary, Brémond, Koziara & Pérignon 2014). A file holds a *local* problem, in
+//! impulses alone, or a *global* one, in velocities too:
 //!
 //! | local: `/fclib_local/` | global: `/fclib_global/` |
 //! | --- | --- |
@@ -10,8 +10,9 @@
 //! | 0 = Vᵀ r + R λ + s | u = Hᵀ v + w,  0 = Gᵀ v + b |
 //! | `W`, `V`, `R`; `vectors/q`, `s`, `mu` | `M`, `H`, `G`; `vectors/f`, `w`, `b`, `mu` |
 //!
-//! with r in Coulomb's cone of each contact and û = u + μ |u_t| n in its dual: model `coulomb-cone`.
-//! x = (r, λ); a contact stands as n, t1, t2, and the rows of λ, after all contacts, are equations.
+//! with r in Coulomb's cone of each contact and û = u + μ |u_t| n in its dual: model
+//! `coulomb-cone`. x = (r, λ); a contact stands as n, t1, t2, and the rows of λ, after all
+//! contacts, are equations.
 //!
 //! ```text
 //! local:  A = [W  V]    b = [q]          global:  A = [H G]ᵀ M⁻¹ [H G]    b = [H G]ᵀ M⁻¹ f + [w]
@@ -25,13 +26,15 @@
 //! (`fclib_global_rolling`) is refused.
 //!
 //! Traps: W may be unsymmetric in its last digits and is taken as it stands, not symmetrised. Of
-//! triplets, `fclib.h` says that `p` holds rows and `i` columns, while Siconos hands them to CSparse,
-//! which means the opposite: `p` columns, `i` rows. CSparse's meaning is taken; it matters to V, H and G.
-//! Contacts in the plane (`spacedim` 2) have one tangent, ours two: they are refused. Some collections
-//! store half of W with an attribute `symmetric_packed`: that is not FCLIB's format and is refused.
+//! triplets, `fclib.h` says that `p` holds rows and `i` columns, while Siconos hands them to
+//! CSparse, which means the opposite: `p` columns, `i` rows. CSparse's meaning is taken; it matters
+//! to V, H and G. Contacts in the plane (`spacedim` 2) have one tangent, ours two: they are
+//! refused. Some collections store half of W with an attribute `symmetric_packed`: that is not
+//! FCLIB's format and is refused.
 //!
-//! HDF5 is read and written in pure Rust (`hdf5-reader`, `hdf5-writer`) by the feature `fclib`, which is
-//! on unless `--no-default-features` takes it out; then both are refused. Written are local problems.
+//! HDF5 is read and written in pure Rust (`hdf5-reader`, `hdf5-writer`) by the feature `fclib`,
+//! which is on unless `--no-default-features` takes it out; then both are refused. Written are
+//! local problems.
 
 #[cfg(feature = "fclib")]
 mod leftover;

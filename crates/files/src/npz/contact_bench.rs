@@ -6,8 +6,8 @@
 //! | `g` | numbers, 3m or 3m × 1 | the speeds without impulses; b = g |
 //! | `mus` | numbers, m | the coefficients of friction |
 //!
-//! A contact's rows are t1, t2, n, the normal last, and stay in that order. The law is Coulomb's with the cone.
-//! `lam0`, which may stand beside them, is where a solver begins.
+//! A contact's rows are t1, t2, n, the normal last, and stay in that order. The law is Coulomb's
+//! with the cone. `lam0`, which may stand beside them, is where a solver begins.
 
 use std::collections::HashMap;
 

@@ -15,8 +15,8 @@
 //! contact solvers in robotics: contacts t1, t2, n with Coulomb's cone, A = G and b = g; `lam0`, a
 //! first guess, is not part of the problem, and is reported.
 //!
-//! An archive with `J_data` in place of A is a frame of an engine: J, M, R, u* and bias, from which A
-//! and b are made (`frame.rs` lists the arrays).
+//! An archive with `J_data` in place of A is a frame of an engine: J, M, R, u* and bias, from which
+//! A and b are made (`frame.rs` lists the arrays).
 //!
 //! ```text
 //! numpy.savez("problem.npz", A=A, b=b)                              # NumPy

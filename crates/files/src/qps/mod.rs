@@ -22,10 +22,11 @@
 //! For symmetric Q the minimum is where w = Q x + c is 0 inside the box and points outwards at its
 //! sides: A = Q, b = c. So a problem can be written if A is symmetric and no row is coupled.
 //!
-//! Traps: Q already holds the 2 of x² (the objective is *half* of xᵀQx). `QUADOBJ` is one triangle and
-//! must not hold the other one, `QMATRIX` is all of Q. An `UP` below 0 without an `LO` means 0 ≤ x for
-//! some readers and x free below for others: it is refused. Bounds from 1e20 on are infinite, as
-//! HiGHS and CPLEX have it. Refused are rows of constraints, integers and `OBJSENSE MAX`.
+//! Traps: Q already holds the 2 of x² (the objective is *half* of xᵀQx). `QUADOBJ` is one triangle
+//! and must not hold the other one, `QMATRIX` is all of Q. An `UP` below 0 without an `LO` means 0
+//! ≤ x for some readers and x free below for others: it is refused. Bounds from 1e20 on are
+//! infinite, as HiGHS and CPLEX have it. Refused are rows of constraints, integers and `OBJSENSE
+//! MAX`.
 
 mod reader;
 mod writer;

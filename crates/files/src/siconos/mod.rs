@@ -25,16 +25,16 @@
 //!                                          for each block its index and its numbers, by columns
 //! ```
 //!
-//! Nothing in a file says which kind it is. It is told from the numbers before the first matrix and from
-//! how many follow it, and a file is refused unless all of its numbers are understood. Two things may
-//! follow a problem: one number 0 or 1 after mu, with which many of Siconos' own files end and which
-//! Siconos leaves unread, and lines of text, which are taken as a comment and reported. An MLCP may hold
-//! its matrix in both ways, which must agree.
+//! Nothing in a file says which kind it is. It is told from the numbers before the first matrix and
+//! from how many follow it, and a file is refused unless all of its numbers are understood. Two
+//! things may follow a problem: one number 0 or 1 after mu, with which many of Siconos' own files
+//! end and which Siconos leaves unread, and lines of text, which are taken as a comment and
+//! reported. An MLCP may hold its matrix in both ways, which must agree.
 //!
-//! M of a GFC3D is factored in double precision, by Cholesky, or by LU where it is not symmetric, each
-//! column of H is solved for with one step of iterative refinement, and what lcplab proves is about the
-//! A that comes out. M is refused if it is singular, symmetric and not positive definite, or so badly
-//! conditioned that fewer than eight digits of A would be right.
+//! M of a GFC3D is factored in double precision, by Cholesky, or by LU where it is not symmetric,
+//! each column of H is solved for with one step of iterative refinement, and what lcplab proves is
+//! about the A that comes out. M is refused if it is singular, symmetric and not positive definite,
+//! or so badly conditioned that fewer than eight digits of A would be right.
 //!
 //! Refused by name are contacts in the plane (FC2D, GFC2D), rolling friction (RFC3D, GRFC3D),
 //! plasticity, problems over second-order cones (SOCLCP), generic mechanical problems, mixed LCPs

@@ -148,7 +148,8 @@ fn global(
     Ok(coulomb(entries, b, &mu))
 }
 
-/// The number 0 or 1 after mu that many of Siconos' own files end with; Siconos itself leaves it unread.
+/// The number 0 or 1 after mu that many of Siconos' own files end with; Siconos itself leaves it
+/// unread.
 fn flag(words: &mut Words, contacts: usize) -> Result<()> {
     let left = words.count();
     let is_flag = || matches!(words.clone().next(), Some("0" | "1"));

@@ -7,8 +7,8 @@ use lcplab_problem::friction::{Contact, Model};
 use super::{rows, sample};
 use lcplab_testing::INF;
 
-/// M = diag(1, 4, 4, 4), a contact n = e0, t1 = e1 + e3, t2 = e2 and an equation e3 − e0, first, with
-/// compliance ¼: all of A and b are short binary fractions, and so are the roots of M.
+/// M = diag(1, 4, 4, 4), a contact n = e0, t1 = e1 + e3, t2 = e2 and an equation e3 − e0, first,
+/// with compliance ¼: all of A and b are short binary fractions, and so are the roots of M.
 const A: [[f64; 4]; 4] =
     [[1.5, -1.0, 0.25, 0.0], [-1.0, 1.0, 0.0, 0.0], [0.25, 0.0, 0.5, 0.0], [0.0, 0.0, 0.0, 0.25]];
 

@@ -44,8 +44,8 @@ fn what_is_no_hdf5_is_refused() {
     assert!(message("fclib", "\u{89}HDF, but nothing else").starts_with("p: file: "));
 }
 
-/// A file of contacts without friction whose zeros are packed a thousandfold, with so many of them in
-/// each array of W, and rows that `columns` says.
+/// A file of contacts without friction whose zeros are packed a thousandfold, with so many of them
+/// in each array of W, and rows that `columns` says.
 fn packed(count: usize, columns: i32) -> Vec<u8> {
     let deflate = FilterDescription { id: 1, name: None, client_data: vec![9] };
     let mut file = Hdf5Builder::new();

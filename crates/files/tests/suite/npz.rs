@@ -68,7 +68,8 @@ fn integers(values: &[i64]) -> Vec<u8> {
     array("<i8", &format!("({},)", values.len()), &bytes)
 }
 
-/// [[2, 0], [1, 3]] as scipy.sparse stores it by rows, with b = (1, 2); some arrays in place of those.
+/// [[2, 0], [1, 3]] as scipy.sparse stores it by rows, with b = (1, 2); some arrays in place of
+/// those.
 fn read(other: &[(&str, Vec<u8>)]) -> Result<Problem, String> {
     let by_entries = other.iter().any(|(name, _)| *name == "row");
     let mut arrays = vec![("format", array("|S3", "()", b"csr")), ("shape", integers(&[2, 2]))];

@@ -1,8 +1,8 @@
 //! Linear programs in exact arithmetic: is there a y ≥ 0 with M y = r?
 //!
-//! The first phase of the simplex method, over the integers: all entries of the table have one denominator,
-//! the last pivot, and every division comes out even (Edmonds 1967). Bland's rule, by which the first column and
-//! the first row of all that may be taken are taken, ends always.
+//! The first phase of the simplex method, over the integers: all entries of the table have one
+//! denominator, the last pivot, and every division comes out even (Edmonds 1967). Bland's rule, by
+//! which the first column and the first row of all that may be taken are taken, ends always.
 
 use dashu_int::IBig;
 

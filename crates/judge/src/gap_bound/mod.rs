@@ -1,8 +1,8 @@
 //! A bound on the motion at an engine's own velocity, by the duality gap of Gauss's principle.
 //!
-//! An engine returns two things: forces x and the new velocity (or acceleration) v. With
-//! compliance γ > 0 on every row the exact motion û is unique, and one evaluation of the duality gap
-//! bounds both errors, for boxes and for the friction cones of a convex problem (associated cones):
+//! An engine returns two things: forces x and the new velocity (or acceleration) v. With compliance
+//! γ > 0 on every row the exact motion û is unique, and one evaluation of the duality gap bounds
+//! both errors, for boxes and for the friction cones of a convex problem (associated cones):
 //!
 //! ```text
 //! s = J v + bias,   p = the nearest point to −s/γ in the bounds and cones, in the norm Σ γ_i p_i²
@@ -12,9 +12,9 @@
 //! ```
 //!
 //! It holds for every x in the bounds and every r whose part is in the dual cone, whoever found
-//! them; p and r only make it small. So they are computed in floating point and moved, by a rounding,
-//! to where they verifiably are in their sets; the rest is interval arithmetic. Everything but M is
-//! used by its stored entries: thousands of rows take milliseconds.
+//! them; p and r only make it small. So they are computed in floating point and moved, by a
+//! rounding, to where they verifiably are in their sets; the rest is interval arithmetic.
+//! Everything but M is used by its stored entries: thousands of rows take milliseconds.
 //!
 //! An x outside its set is moved into it; |M⁻¹Jᵀ(x − Πx)|_M is added to the bound on u(x). A row
 //! without compliance has r = s, and no bound where s is on the side of an infinite bound.

@@ -1,8 +1,8 @@
 //! A bound on the motion, for problems whose x is not unique.
 //!
-//! Where contacts are redundant A is singular, and no residual bounds the distance to "the" solution
-//! x. The motion u = u* + M⁻¹Jᵀx is unique all the same, because it solves a strictly convex program,
-//! Gauss's principle, of which the LCP's program is the dual:
+//! Where contacts are redundant A is singular, and no residual bounds the distance to "the"
+//! solution x. The motion u = u* + M⁻¹Jᵀx is unique all the same, because it solves a strictly
+//! convex program, Gauss's principle, of which the LCP's program is the dual:
 //!
 //! ```text
 //! P(u, s) = ½ |u − u*|²_M + ½ Σ γ_i s_i² + Σ σ_i(−(J u + bias + γ s)_i)      over all u, s
@@ -10,8 +10,9 @@
 //! min P = P(û, ŝ) = −D(x̂) = −min D          |v|²_M = vᵀM v,   û = u(x̂),   u(x) = u* + M⁻¹Jᵀx
 //! ```
 //!
-//! P grows from its minimum at least by ½ |u − û|²_M. D grows at least by ½ (x − x̂)ᵀA (x − x̂), which is
-//! ½ |u(x) − û|²_M and more. So for any u, s where P is finite, and any x within its bounds,
+//! P grows from its minimum at least by ½ |u − û|²_M. D grows at least by ½ (x − x̂)ᵀA (x − x̂),
+//! which is ½ |u(x) − û|²_M and more. So for any u, s where P is finite, and any x within its
+//! bounds,
 //!
 //! ```text
 //! |u − û|²_M + |u(x) − û|²_M ≤ 2 (P(u, s) + D(x))
@@ -34,20 +35,21 @@
 //! ```
 //!
 //! **A feasible u.** A contact that is pressed in, w < 0 = ∞ − hi, makes P infinite, and so does an
-//! equation that is missed by a rounding error. So u(x) is repaired: the rows that push are
-//! brought to w = 0 by the smallest motion that does it, u ← u + M⁻¹J_Fᵀ y, with y from a
-//! pseudo-inverse of A_FF, which also makes the sum second order in the error of x; contacts get a
-//! margin of some roundings more, as lifting a table by 1e-16 m/s does; and if x was so wrong that the
-//! rows that push were misread, all of them are opened by as much as the worst is pressed in. An equation is met by a
-//! motion that is only known to exist: e = M⁻¹J_Eᵀ A_EE⁻¹ (−w_E), of length |e|_M ≤ |w_E| / √λ_min(A_EE).
+//! equation that is missed by a rounding error. So u(x) is repaired: the rows that push are brought
+//! to w = 0 by the smallest motion that does it, u ← u + M⁻¹J_Fᵀ y, with y from a pseudo-inverse of
+//! A_FF, which also makes the sum second order in the error of x; contacts get a margin of some
+//! roundings more, as lifting a table by 1e-16 m/s does; and if x was so wrong that the rows that
+//! push were misread, all of them are opened by as much as the worst is pressed in. An equation is
+//! met by a motion that is only known to exist: e = M⁻¹J_Eᵀ A_EE⁻¹ (−w_E), of length |e|_M ≤ |w_E|
+//! / √λ_min(A_EE).
 //!
-//! **Rounding.** u is floating-point numbers. w, M (u − u*) − Jᵀx and all sums are interval arithmetic;
-//! λ_min of M and of A_EE are bounded as in [`error_bound`](super::error_bound). How u was repaired needs
-//! no trust: a bad repair gives a large bound, never a wrong one.
+//! **Rounding.** u is floating-point numbers. w, M (u − u*) − Jᵀx and all sums are interval
+//! arithmetic; λ_min of M and of A_EE are bounded as in [`error_bound`](super::error_bound). How u
+//! was repaired needs no trust: a bad repair gives a large bound, never a wrong one.
 //!
-//! The bound is on the exact motion of the data (M, J, bias, u*, γ, lo, hi) as they stand. A margin m
-//! costs Σ x m, so √(2 Σ x m), about 1e-8 of the size of √(x u), is as small as it gets where the data
-//! need rounding.
+//! The bound is on the exact motion of the data (M, J, bias, u*, γ, lo, hi) as they stand. A margin
+//! m costs Σ x m, so √(2 Σ x m), about 1e-8 of the size of √(x u), is as small as it gets where the
+//! data need rounding.
 
 pub(crate) mod mass;
 mod repair;
@@ -60,8 +62,8 @@ use lcplab_problem::Gauss;
 use repair::Repair;
 use scaled::Scaled;
 
-/// Motions that are tried: u(x), its repair, and repairs with margins each four times the one before.
-/// The best counts.
+/// Motions that are tried: u(x), its repair, and repairs with margins each four times the one
+/// before. The best counts.
 const ATTEMPTS: i32 = 8;
 /// After so many, all contacts are lifted as long as one is violated.
 const IMPROVEMENTS: i32 = 4;

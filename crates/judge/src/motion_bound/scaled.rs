@@ -1,6 +1,7 @@
 //! Gauss's program with M near a unit diagonal, and its quantities enclosed in intervals.
 //!
-//! Columns are scaled by powers of two, which is exact: u = d ũ, M̃ = d M d, J̃ = J d. Norms |·|_M stay.
+//! Columns are scaled by powers of two, which is exact: u = d ũ, M̃ = d M d, J̃ = J d. Norms |·|_M
+//! stay.
 
 use faer::Mat;
 
@@ -163,8 +164,8 @@ impl<'a> Scaled<'a> {
         self.mass.length_of(&self.mass.solve(&middles), &force)
     }
 
-    /// An upper bound on √(M⁻¹)_jj, in the units of the problem: no entry j of a motion of length 1 is
-    /// larger.
+    /// An upper bound on √(M⁻¹)_jj, in the units of the problem: no entry j of a motion of length 1
+    /// is larger.
     pub(super) fn largest_motion(&self, j: usize) -> f64 {
         let mut unit = vec![0.0; self.target.len()];
         unit[j] = 1.0;

@@ -11,8 +11,8 @@ use super::Reference;
 use super::program::{MAX_ITERATIONS, Program};
 use lcplab_problem::Lcp;
 
-/// Solves the problem as a box QP; `None` where that is not the same problem: A is not symmetric, or
-/// a row is coupled (freeze the bounds first with [`Lcp::frozen_at`]).
+/// Solves the problem as a box QP; `None` where that is not the same problem: A is not symmetric,
+/// or a row is coupled (freeze the bounds first with [`Lcp::frozen_at`]).
 pub fn box_qp(lcp: &Lcp) -> Option<Reference> {
     box_qp_within(lcp, MAX_ITERATIONS)
 }

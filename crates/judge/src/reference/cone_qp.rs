@@ -11,8 +11,8 @@ use super::program::{MAX_ITERATIONS, Program};
 use lcplab_problem::Complementarity;
 use lcplab_problem::friction::ConeProblem;
 
-/// Solves the cone program; `None` where that is not the same problem: A is not symmetric, or the law
-/// is Coulomb's (freeze the shift first with [`ConeProblem`]'s
+/// Solves the cone program; `None` where that is not the same problem: A is not symmetric, or the
+/// law is Coulomb's (freeze the shift first with [`ConeProblem`]'s
 /// [`frozen_at`](lcplab_problem::Complementarity::frozen_at)).
 pub fn cone_qp(problem: &ConeProblem) -> Option<Reference> {
     cone_qp_within(problem, MAX_ITERATIONS)

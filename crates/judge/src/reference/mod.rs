@@ -2,8 +2,9 @@
 //!
 //! [`box_qp`] asks clarabel, an interior-point code, for the minimum of ½ xᵀAx + bᵀx over the box:
 //! the dual view, in impulses. [`gauss`] asks it for the motion of least constraint: the primal
-//! view, in velocities, in which A is never formed. [`cone_qp`] is the dual view with friction cones,
-//! [`velocity_qp_to`] the dual view with A in factors. [`farkas`] asks why there is no solution.
+//! view, in velocities, in which A is never formed. [`cone_qp`] is the dual view with friction
+//! cones, [`velocity_qp_to`] the dual view with A in factors. [`farkas`] asks why there is no
+//! solution.
 
 mod box_qp;
 mod cone_qp;

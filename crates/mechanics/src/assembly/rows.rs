@@ -17,10 +17,11 @@ pub enum Entering<'a> {
     Near,
     /// Those that [touch](crate::scene::Resting): impacts.
     Touching,
-    /// Those that touch and do not part faster than a resting contact may, or than α pushes an overlap
-    /// apart: the acceleration level.
+    /// Those that touch and do not part faster than a resting contact may, or than α pushes an
+    /// overlap apart: the acceleration level.
     Resting,
-    /// Those with these names and no others, wherever they are: within a step whose rows were chosen.
+    /// Those with these names and no others, wherever they are: within a step whose rows were
+    /// chosen.
     Only(&'a [RowId]),
 }
 
@@ -49,8 +50,8 @@ pub struct Row {
     pub id: RowId,
     /// What it keeps.
     pub kind: Kind,
-    /// Its bodies by index; `None` is the world. Those of a contact come in the order of the scene, on whichever of them
-    /// its normal lies; those of a constraint as the scene lists them.
+    /// Its bodies by index; `None` is the world. Those of a contact come in the order of the scene,
+    /// on whichever of them its normal lies; those of a constraint as the scene lists them.
     pub bodies: Bodies,
     /// c (m or rad).
     pub c: f64,
@@ -87,15 +88,16 @@ impl Row {
         self.parts.iter().flatten()
     }
 
-    /// What x = 1 puts on each of its two bodies (world), fixed ones included: what one gets the other gives.
+    /// What x = 1 puts on each of its two bodies (world), fixed ones included: what one gets the
+    /// other gives.
     pub fn pushes(&self) -> [Vector3<f64>; 2] {
         let [first, second] = self.parts.map(|part| part.map(|part| linear(&part.jacobian)));
         let other = |push: Option<Vector3<f64>>| push.map_or_else(Vector3::zeros, |push| -push);
         [first.unwrap_or_else(|| other(second)), second.unwrap_or_else(|| other(first))]
     }
 
-    /// The direction (world) in which a positive x pushes the second of [`bodies`](Row::bodies), of rows that push along
-    /// one; `None` of those that only turn.
+    /// The direction (world) in which a positive x pushes the second of [`bodies`](Row::bodies), of
+    /// rows that push along one; `None` of those that only turn.
     pub fn direction(&self) -> Option<Vector3<f64>> {
         let [first, second] = self.parts.map(|part| part.map(|part| linear(&part.jacobian)));
         second.or(first.map(|pull| -pull)).filter(|push| push.norm() > 0.0)
@@ -224,7 +226,8 @@ pub(super) fn rows(
                 places[component] = Some(rows.len());
                 let id = RowId { source, component };
                 let row = placed(row, id, bodies, blocks, pair, &places);
-                // A contact whose normal lies on the second body of its pair has its bodies the other way round.
+                // A contact whose normal lies on the second body of its pair has its bodies the
+                // other way round.
                 let is_turned =
                     matches!(source, Source::Contact(id) if bodies != id.bodies.map(Some));
                 rows.push(if is_turned { row.turned() } else { row });

@@ -2,8 +2,8 @@
 //!
 //! As it is made, a problem's friction rows are the coupled box (model 2). Any other model is posed
 //! from the same rows: [`FrictionProblem::of`] finds the contacts, [`Model::pose`] states the law.
-//! At velocity level and in impacts w_t is the slip after the step; at acceleration level its friction
-//! rows have w_t = slip⁺/dt, so the laws that look at the slip mean the same there.
+//! At velocity level and in impacts w_t is the slip after the step; at acceleration level its
+//! friction rows have w_t = slip⁺/dt, so the laws that look at the slip mean the same there.
 
 use super::{Problem, Stage};
 use lcplab_problem::error::Result;

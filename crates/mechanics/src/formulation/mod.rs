@@ -7,9 +7,9 @@
 //! A = J M⁻¹ Jᵀ + diag(γ),   b = J target + bias,   and the answer x moves them with   target + M⁻¹ Jᵀ x
 //! ```
 //!
-//! and only the target and the bias tell the stages apart: velocity.rs, acceleration.rs and position.rs
-//! have one formula each. γ > 0 where a row is a spring; forces that have a bound of their own act for a
-//! duration, dt for an impulse, and not at all in a blow. x ≥ 0 pushes apart.
+//! and only the target and the bias tell the stages apart: velocity.rs, acceleration.rs and
+//! position.rs have one formula each. γ > 0 where a row is a spring; forces that have a bound of
+//! their own act for a duration, dt for an impulse, and not at all in a blow. x ≥ 0 pushes apart.
 
 mod acceleration;
 mod delassus;
@@ -68,8 +68,8 @@ impl Stage {
         }
     }
 
-    /// The x below which a row is at rest: the [scale](Scene::scale) of the scene's forces, or what it
-    /// does in a step.
+    /// The x below which a row is at rest: the [scale](Scene::scale) of the scene's forces, or what
+    /// it does in a step.
     fn scale(self, scene: &Scene) -> f64 {
         let (force, dt) = (scene.scale(), scene.step.dt);
         match self {
@@ -106,7 +106,8 @@ pub struct Problem {
     /// The motion without constraints, one entry a column: velocities (m/s, rad/s), at the
     /// acceleration stage accelerations, at the position stage 0.
     pub target: Vec<f64>,
-    /// What is added to J target, one entry a row; of an equality that depends on others what follows from theirs.
+    /// What is added to J target, one entry a row; of an equality that depends on others what
+    /// follows from theirs.
     pub bias: Vec<f64>,
     /// γ, what springs add to the diagonal of A, one entry a row.
     pub compliance: Vec<f64>,
@@ -148,8 +149,8 @@ impl Problem {
         Problem::new(scene, Stage::Impact, assembly, target, bias, 0.0, Vec::new())
     }
 
-    /// The impulse LCP again, for w = J u⁺ + e J u⁻ ≥ 0 in the rows that closed under the first answer x
-    /// and had approached faster than `bounce_speed`; `None` if no row did.
+    /// The impulse LCP again, for w = J u⁺ + e J u⁻ ≥ 0 in the rows that closed under the first
+    /// answer x and had approached faster than `bounce_speed`; `None` if no row did.
     ///
     /// # Errors
     /// If a number is not finite.
@@ -277,8 +278,8 @@ impl Problem {
         self.assembly.advanced(&moved, dt)
     }
 
-    /// The problem of a file: its numbers, and the bodies and rows that they were made from. With sliding contacts A is
-    /// not that of a minimum, and the file says nothing of bodies.
+    /// The problem of a file: its numbers, and the bodies and rows that they were made from. With
+    /// sliding contacts A is not that of a minimum, and the file says nothing of bodies.
     pub fn in_numbers(&self, name: impl Into<String>) -> file::Problem {
         let motion = self.slides.is_empty().then(|| self.unbounded_by_friction());
         file::Problem { motion, ..file::Problem::new(name, self.lcp.clone()) }

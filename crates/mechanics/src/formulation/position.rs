@@ -1,4 +1,5 @@
-//! The position level: corrections y (kg m), w = c + J M⁻¹Jᵀ y (m), the errors after the move M⁻¹Jᵀy.
+//! The position level: corrections y (kg m), w = c + J M⁻¹Jᵀ y (m), the errors after the move
+//! M⁻¹Jᵀy.
 //!
 //! ```text
 //! bias = c                   equations, and gaps, which stay gaps

@@ -1,22 +1,22 @@
 //! Biases of equalities that fix some motion more than once.
 //!
-//! The bias of an equality asks for the motion that takes back an error. Two hinges on one axis ask for
-//! some of it twice: a row of the second is a sum of rows of the first, J_j = Σ z_c J_c, and a motion that
-//! does what both ask for exists only if their biases add up alike. They do to first order in the errors.
-//! They differ by the square of what has drifted, and by the rounding of places; β/dt or α² multiplies
-//! both, and the LCP has no solution. So a row that depends on those before it asks for what follows from
-//! them,
+//! The bias of an equality asks for the motion that takes back an error. Two hinges on one axis ask
+//! for some of it twice: a row of the second is a sum of rows of the first, J_j = Σ z_c J_c, and a
+//! motion that does what both ask for exists only if their biases add up alike. They do to first
+//! order in the errors. They differ by the square of what has drifted, and by the rounding of
+//! places; β/dt or α² multiplies both, and the LCP has no solution. So a row that depends on those
+//! before it asks for what follows from them,
 //!
 //! ```text
 //! bias_j ← Σ z_c bias_c        z = A_CC⁻¹ A_Cj,   C the rows before j that do not depend on others
 //! ```
 //!
-//! unless the two differ by more than that: constraints that contradict each other go on doing so. The
-//! rows of C keep all of their feedback, and where they hold exactly, so does row j: it is the same
-//! joint, seen twice.
+//! unless the two differ by more than that: constraints that contradict each other go on doing so.
+//! The rows of C keep all of their feedback, and where they hold exactly, so does row j: it is the
+//! same joint, seen twice.
 //!
-//! The rows of one joint are independent, and so are those of joints that form a tree. Only where bodies
-//! and joints close a loop, the world included, is there anything to look for.
+//! The rows of one joint are independent, and so are those of joints that form a tree. Only where
+//! bodies and joints close a loop, the world included, is there anything to look for.
 
 use std::collections::BTreeMap;
 
@@ -26,11 +26,11 @@ use lcplab_problem::Matrix;
 use lcplab_solver::linalg::envelope::Envelope;
 use lcplab_solver::linalg::ldlt::{Elimination, Ldlt};
 
-/// A row depends on others if its pivot, a_rr minus a sum of squares, has lost all but this part of a_rr.
-/// By rounding alone that much may be left: an entry of A is a sum of 12 products and a pivot one of c
-/// more, so its error is at most (c + 13) ε/2 a_rr κ², where κ, the sum of |z| in units of 1/√a, is what
-/// the lever arms of joints make of it; c = 40 and κ = 40 are 1e-11. Rows that are independent to less
-/// than that lie within 3e-6 rad of depending on each other.
+/// A row depends on others if its pivot, a_rr minus a sum of squares, has lost all but this part of
+/// a_rr. By rounding alone that much may be left: an entry of A is a sum of 12 products and a pivot
+/// one of c more, so its error is at most (c + 13) ε/2 a_rr κ², where κ, the sum of |z| in units of
+/// 1/√a, is what the lever arms of joints make of it; c = 40 and κ = 40 are 1e-11. Rows that are
+/// independent to less than that lie within 3e-6 rad of depending on each other.
 const INDEPENDENT: f64 = 1e-11;
 
 /// Biases that differ by this part of them have drifted apart. What differs more is meant:
@@ -123,8 +123,8 @@ impl Islands {
     }
 }
 
-/// Gives the rows that depend on those before them the bias that follows from theirs, if they differ
-/// by no more than drift and rounding.
+/// Gives the rows that depend on those before them the bias that follows from theirs, if they
+/// differ by no more than drift and rounding.
 fn follow(a: &Matrix, rows: &[usize], bias: &mut [f64], scale: f64) {
     let own = part(a, rows);
     if is_independent(&own) {
@@ -162,8 +162,8 @@ fn part(a: &Matrix, rows: &[usize]) -> Matrix {
     Matrix::sparse(rows.len(), &rows.iter().enumerate().flat_map(entries).collect::<Vec<_>>())
 }
 
-/// Whether no pivot of L D Lᵀ vanishes, rows taken as they come: of a long loop that is found for much less than the
-/// largest pivots.
+/// Whether no pivot of L D Lᵀ vanishes, rows taken as they come: of a long loop that is found for
+/// much less than the largest pivots.
 fn is_independent(own: &Matrix) -> bool {
     let mut factor = Envelope::of(own);
     let is_factored = factor.factor(own, &vec![0.0; own.len()], |_| false).is_ok();

@@ -1,4 +1,5 @@
-//! A contact that slides at acceleration level: friction is no unknown, it follows the normal force.
+//! A contact that slides at acceleration level: friction is no unknown, it follows the normal
+//! force.
 //!
 //! ```text
 //! x_t = −μ x_n v_t/|v_t|,   so   Jᵀx = (J_n − μ Σ_t v_t/|v_t| J_t)ᵀ x_n
@@ -6,9 +7,9 @@
 //! ```
 //!
 //! That is Coulomb's law exactly, as long as the contact slides. But A_nn may be negative: a rod
-//! pushed like chalk is turned into the ground by its own friction, more pressure more so, and there
-//! is no force that helps (Painlevé 1895; Baraff 1993). Row n then proves by itself that the problem
-//! has no solution.
+//! pushed like chalk is turned into the ground by its own friction, more pressure more so, and
+//! there is no force that helps (Painlevé 1895; Baraff 1993). Row n then proves by itself that the
+//! problem has no solution.
 
 use std::collections::BTreeMap;
 

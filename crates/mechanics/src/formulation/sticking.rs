@@ -1,14 +1,15 @@
 //! Static friction above kinetic friction: what sticks is decided with the answer.
 //!
-//! Every contact begins with μ_s. Where the answer slips all the same, static friction cannot hold it still
-//! to the end of the step: it gets μ, and the problem is solved again, until no further contact slips. So
+//! Every contact begins with μ_s. Where the answer slips all the same, static friction cannot hold
+//! it still to the end of the step: it gets μ, and the problem is solved again, until no further
+//! contact slips. So
 //!
 //! ```text
 //! |x_t| ≤ μ_s x_n   where J_t u⁺ = 0,       |x_t| ≤ μ x_n   where it is not
 //! ```
 //!
-//! whatever the model of friction does with its coefficient. A contact that has got μ keeps it in this step,
-//! so the rounds end. A contact whose friction is substituted slides, with μ.
+//! whatever the model of friction does with its coefficient. A contact that has got μ keeps it in
+//! this step, so the rounds end. A contact whose friction is substituted slides, with μ.
 
 use super::Problem;
 use crate::assembly::{Row, Source};
@@ -17,8 +18,8 @@ use crate::scene::Scene;
 use lcplab_problem::Coupling;
 use lcplab_problem::error::Result;
 
-/// A slip beside that which static friction could stop, above which a contact slips: below it the answer
-/// is as good as still, also one of sweeps that ended early.
+/// A slip beside that which static friction could stop, above which a contact slips: below it the
+/// answer is as good as still, also one of sweeps that ended early.
 const SLIPS: f64 = 1e-4;
 
 impl Problem {
@@ -35,8 +36,8 @@ impl Problem {
         }
     }
 
-    /// The problem with kinetic friction in the contacts that had static friction and slip under the answer
-    /// x, an entry a row; `None` if none does.
+    /// The problem with kinetic friction in the contacts that had static friction and slip under
+    /// the answer x, an entry a row; `None` if none does.
     ///
     /// # Errors
     /// If a coefficient is not finite.
@@ -61,7 +62,8 @@ impl Problem {
         self.clone().with_friction(own).map(Some)
     }
 
-    /// The problem with other coefficients of friction, each from its normal row, its row and what it was.
+    /// The problem with other coefficients of friction, each from its normal row, its row and what
+    /// it was.
     fn with_friction(mut self, own: impl Fn(usize, &Row, f64) -> f64) -> Result<Self> {
         let mut index = vec![None; self.lcp.len()];
         let mut coefficients = vec![0.0; self.lcp.len()];

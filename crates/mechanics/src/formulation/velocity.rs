@@ -10,8 +10,8 @@
 //! ```
 //!
 //! β/dt is the corrected feedback; the chapter prints others, see [`Feedback`]. A row that bounces
-//! has the bias e J u⁻ instead, never beside: a bias added to the bounce would turn a position error
-//! into energy. K&M Code 7 has −x (see the errata).
+//! has the bias e J u⁻ instead, never beside: a bias added to the bounce would turn a position
+//! error into energy. K&M Code 7 has −x (see the errata).
 
 use super::{Problem, Stage};
 use crate::assembly::{Assembly, Row};
@@ -103,8 +103,9 @@ pub(super) fn bouncing(problem: &Problem, scene: &Scene, x: &[f64]) -> Option<Ve
 /// Of the speed of its approach, a contact that has closed has kept no more than this part.
 const CLOSED: f64 = 1e-6;
 
-/// Whether a contact with the answer x and w has closed, after an approach with `velocity` = J u⁻ < 0. At a
-/// solution that is w = 0, which is unique where x is not; x > 0 says it where sweeps ended early.
+/// Whether a contact with the answer x and w has closed, after an approach with `velocity` = J u⁻
+/// < 0. At a solution that is w = 0, which is unique where x is not; x > 0 says it where sweeps
+/// ended early.
 pub(crate) fn has_closed(x: f64, w: f64, velocity: f64) -> bool {
     x > 0.0 || w <= CLOSED * -velocity
 }

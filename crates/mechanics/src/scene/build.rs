@@ -118,8 +118,8 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
     Ok(scene)
 }
 
-/// The description with nothing left to look up or to work out: structures as bodies, a tilt as gravity, and
-/// of each body its mass, moments, quaternion, coefficients and velocities.
+/// The description with nothing left to look up or to work out: structures as bodies, a tilt as
+/// gravity, and of each body its mass, moments, quaternion, coefficients and velocities.
 pub(super) fn written_out(name: &str, description: &Description) -> Result<Description> {
     let scene = scene(name, description)?;
     let mut whole = generate::expand(description, &mut Defects::default());

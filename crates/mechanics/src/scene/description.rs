@@ -37,8 +37,9 @@ pub struct Description {
     pub teaches: String,
     /// The acceleration of gravity (m/s²).
     pub gravity: [f64; 3],
-    /// How the whole scene leans, in degrees: `{ y = 17 }` makes a slope of 17 degrees, down along x, of a
-    /// level ground and all that stands on it. Coordinates stay along the slope; gravity is turned.
+    /// How the whole scene leans, in degrees: `{ y = 17 }` makes a slope of 17 degrees, down along
+    /// x, of a level ground and all that stands on it. Coordinates stay along the slope; gravity is
+    /// turned.
     pub tilt: Option<Rotation>,
     /// The time (s) at which the simulation begins, for forces and supports that depend on it.
     pub time: f64,
@@ -57,7 +58,8 @@ pub struct Description {
     /// The constraints; contacts are found, not written.
     #[schemars(schema_with = "one_or_several::<Constraint>")]
     pub constraints: Vec<Constraint>,
-    /// Where bodies are when the simulation begins, if not where joints were made: what `simulate` saves.
+    /// Where bodies are when the simulation begins, if not where joints were made: what `simulate`
+    /// saves.
     pub start: Vec<Start>,
     /// What pairs of bodies do to each other, in place of what follows from their surfaces.
     #[schemars(schema_with = "one_or_several::<Pair>")]
@@ -87,9 +89,9 @@ impl Description {
         }
     }
 
-    /// The same scene for a program that knows no defaults of this one: structures written out as bodies, a
-    /// tilt as gravity, and of each body mass, moments (unless its shape implies them), quaternion,
-    /// coefficients and velocities. `name` stands in the messages.
+    /// The same scene for a program that knows no defaults of this one: structures written out as
+    /// bodies, a tilt as gravity, and of each body mass, moments (unless its shape implies them),
+    /// quaternion, coefficients and velocities. `name` stands in the messages.
     ///
     /// # Errors
     /// As [`Scene::new`](super::Scene::new).
@@ -136,8 +138,8 @@ pub struct Body {
     pub name: String,
     /// What it looks like.
     pub shape: Shape,
-    /// Whether nothing moves it: it keeps its velocities, which are 0 for the ground, and not for a belt, a
-    /// turntable or a lift.
+    /// Whether nothing moves it: it keeps its velocities, which are 0 for the ground, and not for a
+    /// belt, a turntable or a lift.
     #[serde(default)]
     pub fixed: bool,
     /// Mass (kg).
@@ -165,18 +167,19 @@ pub struct Body {
     /// Coefficient of friction; by default that of `[contact]`. A pair has the geometric mean.
     #[serde(default)]
     pub friction: Option<f64>,
-    /// Coefficient of static friction, no less than `friction`; by default `friction` where the body
-    /// states it, else that of `[contact]`. A pair has the geometric mean.
+    /// Coefficient of static friction, no less than `friction`; by default `friction` where the
+    /// body states it, else that of `[contact]`. A pair has the geometric mean.
     #[serde(default)]
     pub static_friction: Option<f64>,
-    /// Coefficient of restitution, 0 to 1; by default that of `[contact]`. A pair has the geometric mean.
+    /// Coefficient of restitution, 0 to 1; by default that of `[contact]`. A pair has the geometric
+    /// mean.
     #[serde(default)]
     pub restitution: Option<f64>,
     /// A constant force (N, world), beside gravity.
     #[serde(default)]
     pub force: [f64; 3],
-    /// The point of the body on which the force acts (m, from `position`, in the body's axes); by default the
-    /// centre of mass.
+    /// The point of the body on which the force acts (m, from `position`, in the body's axes); by
+    /// default the centre of mass.
     #[serde(default)]
     pub force_at: Option<[f64; 3]>,
     /// A force (N, world) that is added to `force`, at the same point, as a function of time:
@@ -202,8 +205,8 @@ pub struct Pair {
     /// Coefficient of friction.
     #[serde(default)]
     pub friction: Option<f64>,
-    /// Coefficient of static friction, no less than `friction`; by default `friction` where the pair
-    /// states it.
+    /// Coefficient of static friction, no less than `friction`; by default `friction` where the
+    /// pair states it.
     #[serde(default)]
     pub static_friction: Option<f64>,
     /// Coefficient of restitution, 0 to 1.
@@ -243,13 +246,13 @@ pub enum Shape {
     Box([f64; 3]),
     /// A cylinder along z with half balls at its ends.
     Capsule(Capsule),
-    /// A cylinder along z, disc and wheel too: round on planes and on the faces of boxes and hulls, to all
-    /// else a prism with 32 sides.
+    /// A cylinder along z, disc and wheel too: round on planes and on the faces of boxes and hulls,
+    /// to all else a prism with 32 sides.
     Cylinder(Capsule),
     /// The convex hull of these points (m), which must span a volume.
     Hull(Vec<[f64; 3]>),
-    /// Several shapes that move as one, as `{ compound = [{ shape = { sphere = 0.2 }, position = [0, 0, 1] }] }`.
-    /// Where two overlap, the matter counts twice.
+    /// Several shapes that move as one, as `{ compound = [{ shape = { sphere = 0.2 }, position =
+    /// [0, 0, 1] }] }`. Where two overlap, the matter counts twice.
     Compound(Vec<Part>),
     /// The half space below a plane with this normal (any length); must be fixed.
     Plane([f64; 3]),
@@ -295,8 +298,8 @@ pub enum Rotation {
 
 /// A constraint. It holds at the initial positions, except for a distance with its own length; what
 /// has an angle or a displacement counts it from there.
-/// [`constraint::ALL`](crate::constraint::ALL), and `lcplab scenes --joints`, list the kinds and which
-/// fields each has.
+/// [`constraint::ALL`](crate::constraint::ALL), and `lcplab scenes --joints`, list the kinds and
+/// which fields each has.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Constraint {
@@ -319,9 +322,9 @@ pub struct Constraint {
     /// the start.
     #[serde(default)]
     pub axis: Option<[f64; 3]>,
-    /// Two axes (any length) in world axes at the start: of a universal joint the first on the first
-    /// of two bodies or the world, the second on the other body; of a gear those of its wheels, of a rack
-    /// that of its wheel and the direction of the other body.
+    /// Two axes (any length) in world axes at the start: of a universal joint the first on the
+    /// first of two bodies or the world, the second on the other body; of a gear those of its
+    /// wheels, of a rack that of its wheel and the direction of the other body.
     #[serde(default)]
     pub axes: Option<[[f64; 3]; 2]>,
     /// The half angle of a cone (rad).
@@ -334,8 +337,9 @@ pub struct Constraint {
     /// The speed of a motor (m/s or rad/s), that of the last body against the other.
     #[serde(default)]
     pub speed: Option<f64>,
-    /// The speed at which the last body starts to turn on a hinge (rad/s) or to move on a slider (m/s), against
-    /// the other body. Where that one has a `start_speed` too, its joint must come earlier in the file.
+    /// The speed at which the last body starts to turn on a hinge (rad/s) or to move on a slider
+    /// (m/s), against the other body. Where that one has a `start_speed` too, its joint must come
+    /// earlier in the file.
     #[serde(default)]
     pub start_speed: Option<f64>,
     /// The greatest force of a motor (N or N m).

@@ -1,8 +1,8 @@
 //! Bodies on which something acts that depends on time.
 //!
-//! A step of h (s) from t takes the mean force over [t, t + h], so that its impulse is exact; integrators with
-//! stages take the force at the time of each. A support is moved with the mean velocity over the step, so
-//! that it is where it should be at the end of each.
+//! A step of h (s) from t takes the mean force over [t, t + h], so that its impulse is exact;
+//! integrators with stages take the force at the time of each. A support is moved with the mean
+//! velocity over the step, so that it is where it should be at the end of each.
 
 use std::borrow::Cow;
 
@@ -24,7 +24,8 @@ pub struct Driven {
 }
 
 impl Scene {
-    /// The scene with the forces that act at a time (s), or their mean over the next `h` (s) if that is not 0.
+    /// The scene with the forces that act at a time (s), or their mean over the next `h` (s) if
+    /// that is not 0.
     pub fn forced(&self, time: f64, h: f64) -> Cow<'_, Scene> {
         if self.driven.iter().all(|driven| driven.force.is_none()) {
             return Cow::Borrowed(self);

@@ -93,11 +93,13 @@ pub struct Scene {
     pub bodies: Vec<Body>,
     /// The bodies' states at the start.
     pub states: Vec<State>,
-    /// What pairs of bodies, the lower index first, do to each other beside what follows from the bodies.
+    /// What pairs of bodies, the lower index first, do to each other beside what follows from the
+    /// bodies.
     pub pairs: BTreeMap<[usize; 2], Surface>,
     /// The constraints other than contacts.
     pub constraints: Vec<Arc<dyn Constraint>>,
-    /// What the matrix of a step, and what its solver makes of it, may take each; no file states it.
+    /// What the matrix of a step, and what its solver makes of it, may take each; no file states
+    /// it.
     pub memory: Memory,
 }
 
@@ -128,9 +130,10 @@ impl Scene {
         file::parse(path, text)
     }
 
-    /// The same with some of its fields set, such as `contact.friction` to `0.3` or `bodies.crate.mass` to
-    /// `2`. A field of a table or a list is named after a dot, the latter by its number from 0 or its name; `mu`,
-    /// `dt` and `angle` stand for `contact.friction`, `step.dt` and `tilt.y`.
+    /// The same with some of its fields set, such as `contact.friction` to `0.3` or
+    /// `bodies.crate.mass` to `2`. A field of a table or a list is named after a dot, the latter by
+    /// its number from 0 or its name; `mu`, `dt` and `angle` stand for `contact.friction`,
+    /// `step.dt` and `tilt.y`.
     ///
     /// # Errors
     /// As [`load`](Scene::load), or if there is no such field or it cannot have the value.

@@ -5,8 +5,8 @@ use std::f64::consts::SQRT_2;
 use super::{Integrator, Scene, Scheme, Solver, Step};
 
 impl Scene {
-    /// What of the settings the scheme does not read though nothing else stands in its place, and what
-    /// makes it unstable; one sentence each.
+    /// What of the settings the scheme does not read though nothing else stands in its place, and
+    /// what makes it unstable; one sentence each.
     pub fn notes(&self) -> Vec<String> {
         let (step, usual) = (&self.step, Step::default());
         let scheme = step.scheme;
@@ -70,7 +70,8 @@ impl Scene {
 /// The α dt from which on the error c'' = −2 α c' − α² c grows.
 ///
 /// Semi-implicit Euler has λ² − (2 − 2a − a²) λ + 1 − 2a = 0 with a = α dt, which reaches λ = −1 at
-/// a = 2 (√2 − 1); explicit Euler λ = 1 − a twice; Runge-Kutta the end of its stability on the real axis.
+/// a = 2 (√2 − 1); explicit Euler λ = 1 − a twice; Runge-Kutta the end of its stability on the real
+/// axis.
 fn most_alpha_dt(integrator: Integrator) -> f64 {
     match integrator {
         Integrator::SemiImplicitEuler => 2.0 * (SQRT_2 - 1.0),

@@ -1,15 +1,16 @@
 //! Which contacts rest at acceleration level: thresholds that follow from the scene.
 //!
-//! A force needs a contact that touches, c ≤ slop, and that does not part, ċ ≤ v_slop. Numbers that are
-//! never exact ask for both to be positive; too small, a contact is lost and the body falls until it hits
-//! again. A body that parts more slowly than it would fall back within the step has not parted:
+//! A force needs a contact that touches, c ≤ slop, and that does not part, ċ ≤ v_slop. Numbers that
+//! are never exact ask for both to be positive; too small, a contact is lost and the body falls
+//! until it hits again. A body that parts more slowly than it would fall back within the step has
+//! not parted:
 //!
 //! ```text
 //! a = max |g + f/m|,   v_slop = 2 a dt,   slop = a dt², at most 1/1000 of the smallest body
 //! ```
 //!
-//! And a body that bounces off with less than a dt/2, so that it would be back within the step, does not
-//! bounce: it would go on for ever, step by step.
+//! And a body that bounces off with less than a dt/2, so that it would be back within the step,
+//! does not bounce: it would go on for ever, step by step.
 
 use super::Scene;
 use crate::body::Shape;

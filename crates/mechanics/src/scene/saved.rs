@@ -8,9 +8,9 @@ use crate::body::{Body, Mass, Shape, State};
 use lcplab_problem::error::{Error, Result};
 
 /// The text of a scene file, or of a shipped scene, with some fields set as by
-/// [`Scene::load_with`], whose bodies begin with these states of the scene made of it,
-/// `elapsed` (s) after its beginning. Joints are still made
-/// where the file says, so that their lengths and angles are the same. Comments of the file are lost.
+/// [`Scene::load_with`], whose bodies begin with these states of the scene made of it, `elapsed`
+/// (s) after its beginning. Joints are still made where the file says, so that their lengths and
+/// angles are the same. Comments of the file are lost.
 ///
 /// # Errors
 /// As [`Scene::load_with`].

@@ -1,8 +1,8 @@
 //! The force below which a row of a scene is at rest.
 //!
-//! A residual counts beside the terms of its row. Where all of them are rounding, as in a joint that
-//! carries nothing, it would count beside itself; so a row's terms count as no smaller than those of
-//! a force that means something in the scene.
+//! A residual counts beside the terms of its row. Where all of them are rounding, as in a joint
+//! that carries nothing, it would count beside itself; so a row's terms count as no smaller than
+//! those of a force that means something in the scene.
 
 use super::Scene;
 use crate::body::Mass;
@@ -47,7 +47,8 @@ impl Scene {
         largest
     }
 
-    /// The force of a row's spring, or that with which its motor brings a body to its speed in a step.
+    /// The force of a row's spring, or that with which its motor brings a body to its speed in a
+    /// step.
     fn force_on(&self, body: usize, row: &Row) -> f64 {
         let inertia = match self.bodies[body].mass {
             Mass::Fixed => return 0.0,

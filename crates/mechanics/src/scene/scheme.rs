@@ -125,8 +125,8 @@ pub struct Soft {
     pub contact_hertz: f64,
     /// The damping ratio ζ of contacts and limits.
     pub contact_damping: f64,
-    /// No frequency is above this part of the rate of substeps: beyond it a single sweep cannot keep
-    /// up.
+    /// No frequency is above this part of the rate of substeps: beyond it a single sweep cannot
+    /// keep up.
     pub rate_limit: f64,
     /// The greatest speed (m/s) at which bodies that overlap are pushed apart.
     pub push_speed: f64,
@@ -152,7 +152,8 @@ impl Default for Soft {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Xpbd {
-    /// The compliance of every row without a spring of its own (m/N, for angles rad/(N m)); 0 is rigid.
+    /// The compliance of every row without a spring of its own (m/N, for angles rad/(N m)); 0 is
+    /// rigid.
     pub compliance: f64,
     /// Sweeps over the rows in a substep.
     pub sweeps: usize,

@@ -24,8 +24,8 @@ pub struct Step {
     pub scheme: Scheme,
     /// What becomes of the torque −ω × I ω.
     pub gyroscopic: Gyroscopic,
-    /// Velocity level and sequential impulses: the part β of the position error that is corrected in
-    /// a step, 0 to 1.
+    /// Velocity level and sequential impulses: the part β of the position error that is corrected
+    /// in a step, 0 to 1.
     pub baumgarte: f64,
     /// What β multiplies.
     pub feedback: Feedback,
@@ -33,8 +33,8 @@ pub struct Step {
     pub alpha: f64,
     /// Acceleration level: how accelerations become motion.
     pub integrator: Integrator,
-    /// Acceleration level: whether a step is divided where a body arrives at another one, so that it
-    /// hits there and does not enter.
+    /// Acceleration level: whether a step is divided where a body arrives at another one, so that
+    /// it hits there and does not enter.
     pub events: bool,
     /// XPBD, soft step and penalty method: into how many substeps a step is divided.
     pub substeps: usize,
@@ -113,9 +113,9 @@ pub struct Contacts {
     pub margin: Option<f64>,
     /// The coefficient of friction of bodies that do not state their own.
     pub friction: f64,
-    /// The coefficient of static friction of bodies that state no friction of their own, no less than
-    /// `friction`; without it the same. A contact that it can hold still to the end of a step sticks,
-    /// any other one slides and has `friction`.
+    /// The coefficient of static friction of bodies that state no friction of their own, no less
+    /// than `friction`; without it the same. A contact that it can hold still to the end of a step
+    /// sticks, any other one slides and has `friction`.
     pub static_friction: Option<f64>,
     /// The coefficient of restitution e, 0 to 1.
     pub restitution: f64,
@@ -123,18 +123,18 @@ pub struct Contacts {
     pub bounce_speed: f64,
     /// Velocity level: penetration up to this (m) is not corrected.
     pub slop: f64,
-    /// Acceleration level: a contact with a gap up to this (m) touches. Without it, the way that a body falls
-    /// in a step from rest, at most a thousandth of the smallest body.
+    /// Acceleration level: a contact with a gap up to this (m) touches. Without it, the way that a
+    /// body falls in a step from rest, at most a thousandth of the smallest body.
     pub resting_gap: Option<f64>,
-    /// Acceleration level: a touching contact that parts at up to this speed (m/s) rests. Without it, twice
-    /// the speed that a body gains in a step.
+    /// Acceleration level: a touching contact that parts at up to this speed (m/s) rests. Without
+    /// it, twice the speed that a body gains in a step.
     pub resting_speed: Option<f64>,
     /// How many points of a pair of bodies become contacts.
     pub manifold: Manifold,
     /// What of a step's impulses, those of joints too, is known in the next.
     pub persistence: Persistence,
-    /// The model of friction by its name, of polygons with the number of corners: `polygon-8`. Schemes that
-    /// solve no LCP know the coupled box only.
+    /// The model of friction by its name, of polygons with the number of corners: `polygon-8`.
+    /// Schemes that solve no LCP know the coupled box only.
     #[schemars(with = "String")]
     pub model: Model,
     /// Acceleration level: what friction does to a contact that slides.
@@ -197,11 +197,11 @@ pub struct Solver {
     pub tolerance: f64,
     /// The most sweeps or pivots a step may take.
     pub max_iterations: usize,
-    /// Whether `pgs` takes `max_iterations` sweeps in every step, no fewer, whatever the residual. No answer is
-    /// judged then, and no matrix is formed, which is many times faster.
+    /// Whether `pgs` takes `max_iterations` sweeps in every step, no fewer, whatever the residual.
+    /// No answer is judged then, and no matrix is formed, which is many times faster.
     pub fixed_sweeps: bool,
-    /// The force (N) below which a row is at rest: a residual beside smaller terms than those of this
-    /// force is rounding. The weight of the lightest body without it; see `docs/scenes.md`.
+    /// The force (N) below which a row is at rest: a residual beside smaller terms than those of
+    /// this force is rounding. The weight of the lightest body without it; see `docs/scenes.md`.
     pub scale: Option<f64>,
 }
 
@@ -222,8 +222,8 @@ impl Default for Solver {
 }
 
 impl Step {
-    /// What becomes of the gyroscopic torque: an acceleration is that of one instant, without a step to
-    /// be implicit in, so there it is part of F unless it is omitted.
+    /// What becomes of the gyroscopic torque: an acceleration is that of one instant, without a
+    /// step to be implicit in, so there it is part of F unless it is omitted.
     pub fn gyroscopic(&self) -> Gyroscopic {
         match (self.scheme, self.gyroscopic) {
             (Scheme::Acceleration, Gyroscopic::Implicit | Gyroscopic::Conserving) => {

@@ -28,8 +28,8 @@ pub struct Source<'a> {
 }
 
 impl Source<'_> {
-    /// The value as a `T`, or nothing and every defect: what is wrong is taken out, and the rest is read again. What
-    /// only follows from that, such as a missing field, is no defect.
+    /// The value as a `T`, or nothing and every defect: what is wrong is taken out, and the rest is
+    /// read again. What only follows from that, such as a missing field, is no defect.
     pub fn read<T: DeserializeOwned>(
         &self,
         value: Spanned<DeValue<'_>>,
@@ -122,7 +122,8 @@ fn field_at(table: &DeTable<'_>, at: usize) -> Option<String> {
     })
 }
 
-/// Takes the innermost key or item that has this byte out of a value; false if only the value itself has it.
+/// Takes the innermost key or item that has this byte out of a value; false if only the value
+/// itself has it.
 fn remove<'a>(value: &mut Spanned<DeValue<'a>>, at: usize) -> bool {
     match value.get_mut() {
         DeValue::Table(table) => {

@@ -1,8 +1,8 @@
-//! Friction and restitution of two bodies that touch: what is stated for the pair, else the geometric
-//! mean of both bodies' own.
+//! Friction and restitution of two bodies that touch: what is stated for the pair, else the
+//! geometric mean of both bodies' own.
 //!
-//! Static friction above kinetic friction is decided with the answer of a step, so it needs a scheme that
-//! has one: see [`held`](crate::formulation::Problem::held).
+//! Static friction above kinetic friction is decided with the answer of a step, so it needs a
+//! scheme that has one: see [`held`](crate::formulation::Problem::held).
 
 use std::collections::HashMap;
 

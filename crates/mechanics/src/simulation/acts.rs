@@ -1,7 +1,8 @@
 //! What acted on the bodies in a step, as the scheme that took the step wrote it down.
 //!
-//! A step is a row of impulses at fixed poses and of moves at fixed velocities. From them the work can be
-//! measured from outside, and held against the states that the step led to: see [`Ledger`](super::Ledger).
+//! A step is a row of impulses at fixed poses and of moves at fixed velocities. From them the work
+//! can be measured from outside, and held against the states that the step led to: see
+//! [`Ledger`](super::Ledger).
 
 use std::collections::BTreeMap;
 
@@ -40,7 +41,8 @@ pub struct Push {
     pub h: f64,
     /// X (N s, N m s), a row each.
     pub impulses: Vec<f64>,
-    /// What of J u⁺ (m/s), with its sign turned, a row owes to the feedback of errors or to its bounce.
+    /// What of J u⁺ (m/s), with its sign turned, a row owes to the feedback of errors or to its
+    /// bounce.
     pub feedback: Vec<f64>,
     /// Whether the feedback of contacts is a bounce, of all that have an impulse.
     pub bounces: bool,

@@ -54,8 +54,9 @@ impl Solvers<'_> {
         }
     }
 
-    /// The simulation's solver if it is made for A. Where that pivots and is led astray, by friction
-    /// limits that change on the way say, or is not made for A, the methods of the fallback sequence.
+    /// The simulation's solver if it is made for A. Where that pivots and is led astray, by
+    /// friction limits that change on the way say, or is not made for A, the methods of the
+    /// fallback sequence.
     fn boxed(
         self,
         lcp: &Lcp,
@@ -82,8 +83,8 @@ impl Solvers<'_> {
     }
 }
 
-/// Methods that end at a solution or nowhere. Others come nearer with every sweep, and where they end
-/// early that is what a user wants to see.
+/// Methods that end at a solution or nowhere. Others come nearer with every sweep, and where they
+/// end early that is what a user wants to see.
 const PIVOTING: [&str; 4] = ["dantzig", "block-pivoting", "murty", "lemke"];
 
 /// With more contacts than these, pivoting a polygon's LCP takes longer than sweeps.
@@ -97,9 +98,9 @@ type Answered = (&'static str, Solution);
 /// A way to get one.
 type Attempt<'a> = &'a dyn Fn(&mut dyn Observer) -> Answered;
 
-/// Sweeps and pivots, in the order that suits the number of contacts. Redundant contacts make the polyhedral
-/// LCP so degenerate that rounding leads pivots astray. Rows that yield are not redundant; an answer of
-/// theirs counts if it solves the rigid problem too.
+/// Sweeps and pivots, in the order that suits the number of contacts. Redundant contacts make the
+/// polyhedral LCP so degenerate that rounding leads pivots astray. Rows that yield are not
+/// redundant; an answer of theirs counts if it solves the rigid problem too.
 fn by_polygons(
     solver: &dyn Solver,
     polyhedral: &Polyhedral,

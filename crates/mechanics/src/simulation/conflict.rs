@@ -1,9 +1,9 @@
 //! Which rows fight: the constraints of a problem that has no solution (the chapter's Figure 8).
 //!
-//! A vector d with d_i ≠ 0 only where x_i has no bound, A d = 0 and bᵀd < 0 proves that the rows with
-//! d_i ≠ 0 cannot all be satisfied, whatever the forces ([`ray`](lcplab_judge::ray)). Leave one
-//! of them out and this proof is gone. Iterative solvers reach no best fit there: x grows along d for
-//! ever, and the order of the rows decides the motion. K&M "Bad Constraints", E61.
+//! A vector d with d_i ≠ 0 only where x_i has no bound, A d = 0 and bᵀd < 0 proves that the rows
+//! with d_i ≠ 0 cannot all be satisfied, whatever the forces ([`ray`](lcplab_judge::ray)). Leave
+//! one of them out and this proof is gone. Iterative solvers reach no best fit there: x grows along
+//! d for ever, and the order of the rows decides the motion. K&M "Bad Constraints", E61.
 
 use super::Solve;
 use crate::scene::Scene;

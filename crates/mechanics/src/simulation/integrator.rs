@@ -7,9 +7,9 @@
 //! implicit midpoint   k = f(y + h/2 k), by repetition;   y⁺ = y + h k
 //! ```
 //!
-//! q' = ½ (0, ω) ⊗ q is linear in q, so the stages take q as it comes: normalised between the stages
-//! the fourth order would be lost. The forces see the rotation of the direction of q. At the end of
-//! the step q is normalised. Hairer, Lubich & Wanner, *Geometric Numerical Integration*.
+//! q' = ½ (0, ω) ⊗ q is linear in q, so the stages take q as it comes: normalised between the
+//! stages the fourth order would be lost. The forces see the rotation of the direction of q. At the
+//! end of the step q is normalised. Hairer, Lubich & Wanner, *Geometric Numerical Integration*.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3, Vector6};
 
@@ -20,7 +20,8 @@ use crate::body::{Pose, State, angular, linear};
 const MAX_REPETITIONS: usize = 200;
 /// The change of h k, beside y, at which it has settled.
 const SETTLED: f64 = 1e-14;
-/// The change that is accepted if 200 repetitions do not reach `SETTLED`: the tolerance of a solver.
+/// The change that is accepted if 200 repetitions do not reach `SETTLED`: the tolerance of a
+/// solver.
 const SETTLED_ENOUGH: f64 = 1e-8;
 /// The change at which it never will settle.
 const HOPELESS: f64 = 1e6;
@@ -34,7 +35,8 @@ pub(super) struct Rate {
     omega: Vector3<f64>,
 }
 
-/// y' of all bodies at a stage, so long (s) after the beginning; its quaternions are not normalised.
+/// y' of all bodies at a stage, so long (s) after the beginning; its quaternions are not
+/// normalised.
 pub(super) type Field<'f> = &'f mut dyn FnMut(f64, &[State]) -> Result<Vec<Rate>, Cause>;
 
 impl Rate {

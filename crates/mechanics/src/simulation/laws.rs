@@ -24,11 +24,11 @@ pub struct Laws {
     /// The strongest pull of a contact or limit (N s, or N at acceleration level).
     pub attraction: f64,
     /// How far friction reaches out of the cone: the largest |x_t| − μ x_n beyond what the solver's
-    /// tolerance allows, in parts of the largest μ x_n of the solve. Up to √2 − 1 in the corners of a
-    /// box. Where the scheme poses no problem, of all contacts of two bodies together.
+    /// tolerance allows, in parts of the largest μ x_n of the solve. Up to √2 − 1 in the corners of
+    /// a box. Where the scheme poses no problem, of all contacts of two bodies together.
     pub cone_excess: f64,
-    /// The work that friction put in (J), 0 if it took some out, and where no ledger knows it. The belt of a
-    /// fixed body that moves may put some in.
+    /// The work that friction put in (J), 0 if it took some out, and where no ledger knows it. The
+    /// belt of a fixed body that moves may put some in.
     pub friction_gain: f64,
     /// The momentum (N s) that rows between two moving bodies made; where the scheme poses no
     /// problem, what is measured in a step in which nothing fixed pushes.

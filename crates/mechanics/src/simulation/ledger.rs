@@ -6,16 +6,17 @@
 //! ½ u⁺ᵀM u⁺ − ½ uᵀM u = ½ (u + u⁺)·P,      P = dt F + Jᵀ X,   X = x, or dt x for forces
 //! ```
 //!
-//! which splits into the work ½ X_i (J u + J u⁺)_i of each row. Where the row fulfils
-//! w = J u⁺ + bias, the part −½ X_i bias_i is the bias's doing, or the bounce's. Then the bodies move
-//! by dt u⁺ while gravity has worked along ½ dt (u + u⁺), which leaves −½ dt m g·(v⁺ − v), and the
-//! inertia turns with the body, which leaves ½ ω⁺·(I⁺ − I) ω⁺. Springs gain ½ k (c⁺² − c²); beside the work
-//! of their rows and of their dampers that leaves what the step itself takes. A body that is put elsewhere by d gains
-//! −m g·d, and what its inertia turns.
+//! which splits into the work ½ X_i (J u + J u⁺)_i of each row. Where the row fulfils w = J u⁺ +
+//! bias, the part −½ X_i bias_i is the bias's doing, or the bounce's. Then the bodies move by dt u⁺
+//! while gravity has worked along ½ dt (u + u⁺), which leaves −½ dt m g·(v⁺ − v), and the inertia
+//! turns with the body, which leaves ½ ω⁺·(I⁺ − I) ω⁺. Springs gain ½ k (c⁺² − c²); beside the work
+//! of their rows and of their dampers that leaves what the step itself takes. A body that is put
+//! elsewhere by d gains −m g·d, and what its inertia turns.
 //!
-//! All this is computed from the [acts](super::Act) that the scheme wrote down; the change is measured
-//! from the states before and after. What is missing between the two is a row of its own: rounding,
-//! unless something acted that nobody wrote down. A scheme that does not write its acts down has no ledger.
+//! All this is computed from the [acts](super::Act) that the scheme wrote down; the change is
+//! measured from the states before and after. What is missing between the two is a row of its own:
+//! rounding, unless something acted that nobody wrote down. A scheme that does not write its acts
+//! down has no ledger.
 
 use nalgebra::Vector3;
 
@@ -30,8 +31,8 @@ use crate::scene::Scene;
 /// A remainder up to this part of the scale is rounding.
 const ROUNDING: f64 = 1e-11;
 
-/// The change of kinetic, potential and springs' energy in a step (J), by cause. Gains are positive. What
-/// the springs of the penalty method store is not part of the energy.
+/// The change of kinetic, potential and springs' energy in a step (J), by cause. Gains are
+/// positive. What the springs of the penalty method store is not part of the energy.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Ledger {
     /// The change itself, measured from the states.
@@ -62,8 +63,8 @@ pub struct Ledger {
     pub integrator: f64,
     /// Bodies that were put elsewhere, by the corrections of split impulse and NGS.
     pub correction: f64,
-    /// The size (J) of the energies that all this was computed from, for rounding is a part of them:
-    /// kinetic energy, m |g·p| of each body, and the work of each row.
+    /// The size (J) of the energies that all this was computed from, for rounding is a part of
+    /// them: kinetic energy, m |g·p| of each body, and the work of each row.
     pub scale: f64,
 }
 
@@ -97,7 +98,8 @@ impl Ledger {
         self.remainder().abs() <= ROUNDING * self.scale
     }
 
-    /// The accounts of a step from what acted in it, and the change from its states before and after.
+    /// The accounts of a step from what acted in it, and the change from its states before and
+    /// after.
     pub fn of(
         scene: &Scene,
         before: &[State],
@@ -168,7 +170,8 @@ impl Ledger {
         }
     }
 
-    /// The work of gravity along the mean velocity, of external forces and of the gyroscopic torque.
+    /// The work of gravity along the mean velocity, of external forces and of the gyroscopic
+    /// torque.
     fn add_forces(&mut self, scene: &Scene, impulses: &Impulses) {
         let Impulses { assembly, h, .. } = impulses;
         for block in &assembly.blocks {
@@ -181,8 +184,8 @@ impl Ledger {
         }
     }
 
-    /// Moves the bodies with their velocities: the path along which gravity is the potential's, and the
-    /// inertia that turns.
+    /// Moves the bodies with their velocities: the path along which gravity is the potential's, and
+    /// the inertia that turns.
     fn advance(
         &mut self,
         scene: &Scene,

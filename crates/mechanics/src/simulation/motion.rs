@@ -68,8 +68,8 @@ impl Motion {
     }
 }
 
-/// The part of the weight that contacts, joints and springs carry between two instants, W being the weight of all that
-/// moves and F the upward part of the forces that bodies are given:
+/// The part of the weight that contacts, joints and springs carry between two instants, W being the
+/// weight of all that moves and F the upward part of the forces that bodies are given:
 ///
 /// ```text
 /// (ΔP + (W − F) Δt) / W Δt

@@ -14,7 +14,8 @@ use crate::scene::Scene;
 /// A path is looked at no more often than this.
 const MOST_LOOKS: usize = 256;
 
-/// How often to look at a path so that no body moves by more than half of the thinnest one in between.
+/// How often to look at a path so that no body moves by more than half of the thinnest one in
+/// between.
 pub(super) fn looks(scene: &Scene, before: &[State], after: &[State]) -> usize {
     let way = |(a, b): (&State, &State)| (b.pose.p - a.pose.p).norm();
     let longest = before.iter().zip(after).map(way).fold(0.0, f64::max);

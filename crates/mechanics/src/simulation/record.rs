@@ -37,11 +37,11 @@ pub struct Step {
     pub states: Vec<State>,
     /// Energy, momentum and errors at its end.
     pub motion: Motion,
-    /// What acted on the bodies, in its order; `None` where that is not written down: by XPBD, whose
-    /// velocities are what positions did, and by integrators with stages.
+    /// What acted on the bodies, in its order; `None` where that is not written down: by XPBD,
+    /// whose velocities are what positions did, and by integrators with stages.
     pub acts: Option<Vec<Act>>,
-    /// The impulse of each row (N s, N m s) where the scheme poses no problem: all that its substeps gave it
-    /// together, 0 for none.
+    /// The impulse of each row (N s, N m s) where the scheme poses no problem: all that its
+    /// substeps gave it together, 0 for none.
     pub pushed: Vec<(Row, f64)>,
     /// Where its energy went; `None` where nobody knows what acted.
     pub ledger: Option<Ledger>,
@@ -53,14 +53,14 @@ pub struct Step {
     pub touches: Vec<Touch>,
     /// Bounces across a gap that the step took at its beginning.
     pub unlocated: Vec<Unlocated>,
-    /// The start and the impulses of a step of a fixed number of sweeps, which has no solves of its own:
-    /// [`posed`](Step::posed) makes them.
+    /// The start and the impulses of a step of a fixed number of sweeps, which has no solves of its
+    /// own: [`posed`](Step::posed) makes them.
     pub swept: Option<Swept>,
 }
 
 impl Step {
-    /// The mean force (N, world) that contacts and joints put on each body during the step, as the scheme
-    /// has it; `None` where that is not written down: by integrators with stages.
+    /// The mean force (N, world) that contacts and joints put on each body during the step, as the
+    /// scheme has it; `None` where that is not written down: by integrators with stages.
     pub fn forces(&self, scene: &Scene) -> Option<Vec<Vector3<f64>>> {
         let world = scene.bodies.len();
         let mut sums = vec![Vector3::zeros(); world + 1];
@@ -153,8 +153,8 @@ pub enum Cause {
     NoSolution {
         /// A sliding contact's row that no forces can satisfy.
         row: String,
-        /// The vector that proves it, checked in exact arithmetic; without one, all active sets were
-        /// tried in exact arithmetic.
+        /// The vector that proves it, checked in exact arithmetic; without one, all active sets
+        /// were tried in exact arithmetic.
         proof: Option<Farkas>,
     },
     /// The equation of the implicit midpoint did not settle: the step is too long for it.

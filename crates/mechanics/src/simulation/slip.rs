@@ -8,8 +8,8 @@
 //! contacts of a pair that slip, and over those that do not. x are the impulses of the step, s is
 //! the slip at its end.
 //!
-//! What friction should not have done, the normals would have done: they carry a bar in a groove that
-//! friction across the groove carries, and Coulomb's friction along it grows with them. So the
+//! What friction should not have done, the normals would have done: they carry a bar in a groove
+//! that friction across the groove carries, and Coulomb's friction along it grows with them. So the
 //! error of a step counts with what the normals answer, δ ≥ −x_n, bodies taken as points:
 //!
 //! ```text
@@ -51,8 +51,8 @@ pub struct Slip {
     pub angle: f64,
     /// How far friction reaches out of the cone, in parts of μ x_n.
     pub excess: f64,
-    /// The impulse (N s, world) on the first body by which the step differs from one under Coulomb's
-    /// law: that of friction and of the normals that answer it.
+    /// The impulse (N s, world) on the first body by which the step differs from one under
+    /// Coulomb's law: that of friction and of the normals that answer it.
     pub error: Vector3<f64>,
 }
 

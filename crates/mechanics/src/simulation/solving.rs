@@ -61,7 +61,8 @@ impl Solving<'_> {
     }
 
     /// Poses a problem under the scene's model of friction, solves it from the x that rows of the
-    /// same name had at the same stage, and keeps it. Which contacts stick is decided with the answer.
+    /// same name had at the same stage, and keeps it. Which contacts stick is decided with the
+    /// answer.
     pub fn solve(&mut self, problem: Problem) -> Result<&Solve, Cause> {
         let mut solve = self.answered(problem.held(self.scene)?)?;
         while let Some(looser) = solve.problem.loosened(self.scene, &solve.solution.x)? {

@@ -62,8 +62,8 @@ impl Simulation {
         }
     }
 
-    /// The scene at its start, to be stepped by a method; what a cone solver is not made for, problems
-    /// without friction, is left to another one.
+    /// The scene at its start, to be stepped by a method; what a cone solver is not made for,
+    /// problems without friction, is left to another one.
     pub fn by(scene: &Scene, method: &Method) -> Self {
         let options = options(scene);
         match method {

@@ -1,5 +1,5 @@
-//! Steps of a fixed number of sweeps: the [`Stepper`] takes them without forming a matrix, and their
-//! problems are posed only for a reader who asks for them.
+//! Steps of a fixed number of sweeps: the [`Stepper`] takes them without forming a matrix, and
+//! their problems are posed only for a reader who asks for them.
 
 use std::borrow::Cow;
 
@@ -23,14 +23,15 @@ const SOLVER: &str = "pgs";
 pub struct Swept {
     before: Vec<State>,
     sweeps: usize,
-    /// Of the first solve, and of the one with bounces if something bounced: the x (N s, N m s) that it started
-    /// from, and its answer.
+    /// Of the first solve, and of the one with bounces if something bounced: the x (N s, N m s)
+    /// that it started from, and its answer.
     solves: Vec<[Vec<f64>; 2]>,
 }
 
 impl Simulation {
-    /// The scene at its start, stepped as it states: with `solver.fixed_sweeps` by a [`Stepper`], whose steps have no
-    /// solves, no ledger and no energy of impacts; otherwise as [`of`](Simulation::of).
+    /// The scene at its start, stepped as it states: with `solver.fixed_sweeps` by a [`Stepper`],
+    /// whose steps have no solves, no ledger and no energy of impacts; otherwise as
+    /// [`of`](Simulation::of).
     ///
     /// ```
     /// use lcplab_mechanics::{scene::Scene, simulation::Simulation};

@@ -34,7 +34,8 @@ fn orders(rows: &[&Row]) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// x = 1 of a row gives its second body an impulse along the direction, and the first one the opposite.
+/// x = 1 of a row gives its second body an impulse along the direction, and the first one the
+/// opposite.
 fn directions(step: &Step) -> Result<(), TestCaseError> {
     for assembly in step.solves.iter().map(|solve| &solve.problem.assembly) {
         let contacts =
@@ -92,7 +93,8 @@ fn no_two_rows_of_a_shipped_scene_have_one_label() {
     assert!(stepped > 50, "{stepped}");
 }
 
-/// A hinge, its motor and its limit are three constraints between the same two bodies, and all of them turn.
+/// A hinge, its motor and its limit are three constraints between the same two bodies, and all of
+/// them turn.
 #[test]
 fn constraints_between_the_same_bodies_are_told_apart() {
     let text = r#"

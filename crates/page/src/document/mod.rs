@@ -1,5 +1,5 @@
-//! Explanations and exhibits as plain data, and the forms in which they can be written: aligned text
-//! for a terminal, Markdown with LaTeX, and a page that needs nothing else.
+//! Explanations and exhibits as plain data, and the forms in which they can be written: aligned
+//! text for a terminal, Markdown with LaTeX, and a page that needs nothing else.
 
 mod html;
 mod markdown;
@@ -249,8 +249,8 @@ impl Table {
 }
 
 impl Grid {
-    /// The entries that are written, by `number`; `dots` are the signs for what follows to the right,
-    /// below, and in the corner.
+    /// The entries that are written, by `number`; `dots` are the signs for what follows to the
+    /// right, below, and in the corner.
     pub(super) fn cells(&self, number: fn(f64) -> String, dots: [&str; 3]) -> Vec<Vec<String>> {
         let is_wide = self.width > SHOWN;
         let line = |row: &Vec<f64>| {

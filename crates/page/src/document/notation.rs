@@ -55,8 +55,9 @@ pub fn set(rows: &[usize]) -> String {
     format!("{{{}{more}}}", shown.join(", "))
 }
 
-/// A sum of products and a last term with their value: `2·4 − 1·3 − 1 = 4`. Terms whose first factor
-/// is 0 are not written, and of many the last ones are added up: `2·4 + 5 (3 more) − 1 = 12`.
+/// A sum of products and a last term with their value: `2·4 − 1·3 − 1 = 4`. Terms whose first
+/// factor is 0 are not written, and of many the last ones are added up: `2·4 + 5 (3 more) − 1 =
+/// 12`.
 pub fn sum(products: &[(f64, f64)], last: f64, value: f64) -> String {
     let terms: Vec<(f64, f64)> = products.iter().copied().filter(|(a, _)| *a != 0.0).collect();
     let (written, rest) = terms.split_at(terms.len().min(TERMS));

@@ -166,8 +166,8 @@ fn table(table: &Table, ink: Ink) -> String {
     out
 }
 
-/// The columns' widths: those of their cells, and less for the widest as long as the table is too wide
-/// and their words can be parted.
+/// The columns' widths: those of their cells, and less for the widest as long as the table is too
+/// wide and their words can be parted.
 fn widths(table: &Table) -> Vec<usize> {
     let size = |words: &str| words.chars().count();
     let longest = |c: usize, of: &dyn Fn(&str) -> usize| {

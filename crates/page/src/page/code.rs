@@ -1,5 +1,5 @@
-//! Code on a page: words of the language, texts, numbers and comments each have a colour, and the imports before it fold
-//! away.
+//! Code on a page: words of the language, texts, numbers and comments each have a colour, and the
+//! imports before it fold away.
 
 use crate::escape::html;
 

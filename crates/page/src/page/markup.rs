@@ -138,8 +138,8 @@ impl<'a> Pictures<'a> {
     }
 }
 
-/// The lines between which something is folded away, the only HTML that passes: `<details>`, a `<summary>` of plain
-/// words, `</details>`.
+/// The lines between which something is folded away, the only HTML that passes: `<details>`, a
+/// `<summary>` of plain words, `</details>`.
 fn fold(line: &str) -> Option<CowStr<'static>> {
     let line = line.trim();
     let words = || line.strip_prefix("<summary>")?.strip_suffix("</summary>");

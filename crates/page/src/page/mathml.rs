@@ -1,14 +1,14 @@
-//! LaTeX as MathML by math-core, which copies the names of operators as they stand, calls itself for
-//! all that nests, and asserts what a stray `&` makes untrue: what it writes is checked, it gets a stack to
-//! suit, and a panic is an error.
+//! LaTeX as MathML by math-core, which copies the names of operators as they stand, calls itself
+//! for all that nests, and asserts what a stray `&` makes untrue: what it writes is checked, it
+//! gets a stack to suit, and a panic is an error.
 
 use std::panic;
 use std::thread;
 
 use math_core::{ConvertResult, LatexToMathML, MathDisplay};
 
-/// What math-core writes of its own accord: MathML, and what `\text{}` may look like. Whatever else is
-/// found was in the formula, and could be a script.
+/// What math-core writes of its own accord: MathML, and what `\text{}` may look like. Whatever else
+/// is found was in the formula, and could be a script.
 const ELEMENTS: &str = "math menclose mfrac mi mmultiscripts mn mo mover mpadded mphantom \
     mprescripts mroot mrow mspace msqrt msub msubsup msup mtable mtd mtext mtr munder munderover \
     b code em i s span u";
@@ -123,7 +123,8 @@ fn incomplete(mathml: &str) -> Option<&str> {
     None
 }
 
-/// Whether the names of attributes are: names and values take turns, as in `width="1em" class="a"/`.
+/// Whether the names of attributes are: names and values take turns, as in `width="1em"
+/// class="a"/`.
 fn are_own(attributes: &str) -> bool {
     let mut names = attributes.split('"').step_by(2).map(|name| name.trim_matches([' ', '/']));
     names.all(|name| name.is_empty() || name.strip_suffix('=').is_some_and(|n| has(ATTRIBUTES, n)))

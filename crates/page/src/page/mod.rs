@@ -1,9 +1,9 @@
 //! A page: a document as plain data, and its rendering to one self-contained HTML file.
 //!
 //! The file fetches nothing: equations are MathML, figures inline SVG, and the mathematics font is
-//! embedded. Its Content-Security-Policy holds a browser to that, and to the page's own script, whatever
-//! the text may hold. Titles, names and cells are plain text. A lead, text, note, caption, column title
-//! and "how to read" may carry [`markup`]. The same page gives the same bytes.
+//! embedded. Its Content-Security-Policy holds a browser to that, and to the page's own script,
+//! whatever the text may hold. Titles, names and cells are plain text. A lead, text, note, caption,
+//! column title and "how to read" may carry [`markup`]. The same page gives the same bytes.
 
 mod code;
 pub mod markup;
@@ -153,7 +153,8 @@ pub struct Live {
     pub name: String,
     /// What the reader opens.
     pub title: String,
-    /// The page as HTML; one of the same name is kept once. Its own Content-Security-Policy names the hash of its script.
+    /// The page as HTML; one of the same name is kept once. Its own Content-Security-Policy names
+    /// the hash of its script.
     pub html: String,
     /// What follows `#` in its address.
     pub state: String,
@@ -162,7 +163,8 @@ pub struct Live {
 /// A proof on a page.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Proof {
-    /// The anchor that a table's row points to; the proofs of a table are folded. Empty if nothing points to it.
+    /// The anchor that a table's row points to; the proofs of a table are folded. Empty if nothing
+    /// points to it.
     pub id: String,
     /// Whose answer it is about; empty if nobody's in particular.
     pub about: String,

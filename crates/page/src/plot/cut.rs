@@ -13,7 +13,8 @@ pub(super) fn cut(curve: &[(f64, f64)], x: (f64, f64), y: (f64, f64)) -> Vec<Vec
     parts
 }
 
-/// The part of the line from a to b that lies inside; its ends are a and b themselves where they do.
+/// The part of the line from a to b that lies inside; its ends are a and b themselves where they
+/// do.
 fn inside(
     a: (f64, f64),
     b: (f64, f64),

@@ -81,8 +81,8 @@ impl Series {
         Series { name: name.into(), points, look: Look::Points }
     }
 
-    /// A predicted curve. One called `theory, NAME`, or `theory, NAME: …`, belongs to the curve NAME:
-    /// on a page they are shown and hidden together.
+    /// A predicted curve. One called `theory, NAME`, or `theory, NAME: …`, belongs to the curve
+    /// NAME: on a page they are shown and hidden together.
     pub fn theory(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Series { name: name.into(), points, look: Look::Theory }
     }

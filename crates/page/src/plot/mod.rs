@@ -1,8 +1,8 @@
 //! Figures: plain data in, an SVG picture and its numbers as CSV out.
 //!
-//! A figure knows nothing of solvers or scenes. Whatever it shows, one name has one colour, dash and
-//! marker everywhere ([`style`]), the picture may leave out points that no eye can tell apart, and
-//! the CSV never does. The same figure gives the same bytes.
+//! A figure knows nothing of solvers or scenes. Whatever it shows, one name has one colour, dash
+//! and marker everywhere ([`style`]), the picture may leave out points that no eye can tell apart,
+//! and the CSV never does. The same figure gives the same bytes.
 
 mod axis;
 mod bars;

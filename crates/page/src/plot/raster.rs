@@ -28,14 +28,14 @@ pub struct Raster {
     pub nonzeros: usize,
     /// Entries along the side of a cell.
     pub block: usize,
-    /// A line of cells a string: `0` for an empty cell, `1` to `5` for shades, palest first; empty cells
-    /// at the end of a line are left out.
+    /// A line of cells a string: `0` for an empty cell, `1` to `5` for shades, palest first; empty
+    /// cells at the end of a line are left out.
     pub cells: Vec<String>,
 }
 
 impl Raster {
-    /// The picture of a rows × columns pattern in at most so many cells a side; `draw` marks each place
-    /// (row, column) that is not zero, once.
+    /// The picture of a rows × columns pattern in at most so many cells a side; `draw` marks each
+    /// place (row, column) that is not zero, once.
     pub fn new(
         (rows, columns): (usize, usize),
         side: usize,
@@ -84,8 +84,8 @@ impl Raster {
         self.cells.iter().enumerate().flat_map(line)
     }
 
-    /// The cells as SVG, from a corner on, an entry so many px wide and high: one path for each shade;
-    /// neighbours in a line are one rectangle.
+    /// The cells as SVG, from a corner on, an entry so many px wide and high: one path for each
+    /// shade; neighbours in a line are one rectangle.
     pub(super) fn markup(&self, (left, top): (f64, f64), (wide, high): (f64, f64)) -> String {
         let block = self.block;
         let mut paths = vec![String::new(); SHADES.len()];

@@ -69,8 +69,8 @@ impl Figure for Spies {
         canvas.finish(&self.id, &self.title, &names.join(", "))
     }
 
-    /// One record a cell that is not empty: the pattern, entries a side of its cells, line, place, shade
-    /// from 1 (pale) to 5.
+    /// One record a cell that is not empty: the pattern, entries a side of its cells, line, place,
+    /// shade from 1 (pale) to 5.
     fn csv(&self) -> String {
         let mut out = String::from("pattern,entries a side,line,place,shade\n");
         for Small { name, raster, .. } in &self.panels {

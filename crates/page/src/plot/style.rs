@@ -186,8 +186,8 @@ pub fn style(name: &str) -> Style {
     if parameter.is_some() || variant.trim().is_empty() {
         return Style { color, dash: DASHES[dash], marker: MARKERS[marker] };
     }
-    // dt is the palest, dt/2 and dt/4 come closer to the full colour: finer is stronger. Other variants
-    // have a colour of their own.
+    // dt is the palest, dt/2 and dt/4 come closer to the full colour: finer is stronger. Other
+    // variants have a colour of their own.
     let (white, turn, color) = match variant.rsplit('/').next().map(str::trim) {
         Some("2") if variant.contains('/') => (0.25, 1, color),
         Some("4") if variant.contains('/') => (0.0, 2, color),

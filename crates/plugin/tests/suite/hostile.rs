@@ -1,4 +1,5 @@
-//! Six plug-ins that must not get through: none is accepted, each is named in a line, none is left running.
+//! Six plug-ins that must not get through: none is accepted, each is named in a line, none is left
+//! running.
 
 use std::time::{Duration, Instant};
 

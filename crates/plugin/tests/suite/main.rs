@@ -35,7 +35,8 @@ impl Script {
         Script { folder, file }
     }
 
-    /// `answer` is the body of a loop over the problems p; the greeting of one row is answered beforehand.
+    /// `answer` is the body of a loop over the problems p; the greeting of one row is answered
+    /// beforehand.
     fn answering(name: &str, answer: &str) -> Script {
         let lines = format!(
             "import json, os, subprocess, sys, time\nfor line in sys.stdin:\n    p = json.loads(line)\n    n = len(p['b'])\n    \

@@ -16,8 +16,8 @@ impl Exact {
         })
     }
 
-    /// Whether x can be moved along d from a solution, both ways, without any w being moved and within
-    /// all bounds.
+    /// Whether x can be moved along d from a solution, both ways, without any w being moved and
+    /// within all bounds.
     pub fn is_free_along(&self, d: &Point, solution: &Point, sides: &[Side]) -> bool {
         let zero = |i: usize| *d.scaled(i) == Dyadic::ZERO;
         let inside = |i: usize| {

@@ -14,8 +14,8 @@ pub(super) enum System {
 
 /// Solves equations c·y + c₀ = 0, each a row of integers with c₀ last, in m unknowns.
 ///
-/// Gauss-Jordan elimination without fractions (Bareiss 1968): after each step all pivot rows have the
-/// same pivot, and every division comes out even.
+/// Gauss-Jordan elimination without fractions (Bareiss 1968): after each step all pivot rows have
+/// the same pivot, and every division comes out even.
 pub(super) fn solve(mut rows: Vec<Vec<IBig>>, m: usize) -> System {
     let mut pivot = IBig::ONE;
     let mut pivots = Vec::new();

@@ -9,8 +9,8 @@
 //! upper    x_i = hi_i    or    x_i = +μ_i x_k
 //! ```
 //!
-//! A choice of a side for every row is a *piece*. Its equations are solved in integers, and whether a
-//! point solves the problem is decided by the definition, row by row.
+//! A choice of a side for every row is a *piece*. Its equations are solved in integers, and whether
+//! a point solves the problem is decided by the definition, row by row.
 
 mod check;
 pub mod dyadic;
@@ -91,7 +91,8 @@ impl Exact {
     }
 
     /// The point of a piece where w = 0 in as many free rows as the equations determine; free rows
-    /// that they leave open keep their x. With it a null vector of the equations, if there is such a row.
+    /// that they leave open keep their x. With it a null vector of the equations, if there is such
+    /// a row.
     pub fn point(&self, sides: &[Side], x: &[f64]) -> Option<(Point, Option<Point>)> {
         if (0..self.len()).any(|i| self.is_at_infinity(i, sides[i])) {
             return None;
@@ -169,8 +170,8 @@ impl Exact {
         }
     }
 
-    /// Where each x comes from: sides give numbers or multiples, free rows are unknowns, or have this
-    /// x where they are not among these.
+    /// Where each x comes from: sides give numbers or multiples, free rows are unknowns, or have
+    /// this x where they are not among these.
     fn places(
         &self,
         sides: &[Side],

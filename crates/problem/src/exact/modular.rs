@@ -77,8 +77,8 @@ pub fn solve(a: &[Vec<IBig>], r: &[IBig]) -> Option<(Vec<IBig>, IBig)> {
     None
 }
 
-/// The entries of A other than 0 as words of 64 bits, equally many each: a product with a digit is summed in so many
-/// sums of 128 bits, without a number of its own for each term.
+/// The entries of A other than 0 as words of 64 bits, equally many each: a product with a digit is
+/// summed in so many sums of 128 bits, without a number of its own for each term.
 struct Words {
     /// Of each row the columns, with the sign and the place of the first word.
     rows: Vec<Vec<(usize, bool, usize)>>,

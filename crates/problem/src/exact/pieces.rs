@@ -1,10 +1,11 @@
 //! All pieces of a problem, one after the other.
 //!
 //! Each row is on one of its sides: 2ⁿ pieces for contacts, 3ⁿ for boxes, 18 for a contact with two
-//! tangents. Where the equations of a piece are singular, its solutions form a polyhedron. Its corners are
-//! found by asking w_D = 0 of as many more rows D as unknowns are left open, for every such D: a corner
-//! where a free x meets its bound belongs to the piece with that row at the bound, too. Of a row of
-//! solutions that has no corner (free rows that depend on each other), one is given: the dependent x are
+//! tangents. Where the equations of a piece are singular, its solutions form a polyhedron. Its
+//! corners are found by asking w_D = 0 of as many more rows D as unknowns are left open, for every
+//! such D: a corner where a free x meets its bound belongs to the piece with that row at the bound,
+//! too. Of a row of solutions that has no corner (free rows that depend on each other), one is
+//! given: the dependent x are
 //! 0. So there is no solution if no piece has one.
 
 use dashu_ratio::RBig;
@@ -110,8 +111,8 @@ impl Pieces {
     }
 }
 
-/// All solutions of a problem, exactly: every isolated one, and the corners of every connected family.
-/// `None` if there are more than 65536 pieces.
+/// All solutions of a problem, exactly: every isolated one, and the corners of every connected
+/// family. `None` if there are more than 65536 pieces.
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};

@@ -60,7 +60,8 @@ impl Point {
 
     /// max_i |x_i − x*_i| for finite x, rounded up.
     pub fn distance(&self, x: &[f64]) -> f64 {
-        // Of all entries times the denominator, so that one fraction is made, and reduced, in place of n.
+        // Of all entries times the denominator, so that one fraction is made, and reduced, in place
+        // of n.
         let distances =
             self.numerators.iter().zip(x).map(|(own, &x)| own - dyadic(x) * &self.denominator);
         let largest = distances.map(Abs::abs).max().unwrap_or(Dyadic::ZERO);

@@ -12,8 +12,8 @@ use super::Problem;
 /// {"solutions": [{"numerators": ["14", "0", "4", "6"], "denominator": "5"}], "complete": true}
 /// ```
 ///
-/// A solution solves the problem *exactly*, as the numbers of the file stand. The integers are written as text,
-/// because they may have any length.
+/// A solution solves the problem *exactly*, as the numbers of the file stand. The integers are
+/// written as text, because they may have any length.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Expected {
     /// The solutions.

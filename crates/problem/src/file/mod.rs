@@ -21,9 +21,9 @@
 //! | `name`, `source`, `dt`, `expected` | optional, kept as they are |
 //! | `hunt` | optional, kept: what a search for a wrong answer found, the `solver`, its `x` and the `right_x` |
 //!
-//! A *friction problem* is a file with friction rows in pairs: the tangents t1, t2 of a contact have the
-//! same μ and are bounded by the same row n. The exported steps of scenes are such files. A unit mass
-//! on the floor, pressed with 2 N s and pushed with 3 N s, under Coulomb's law:
+//! A *friction problem* is a file with friction rows in pairs: the tangents t1, t2 of a contact
+//! have the same μ and are bounded by the same row n. The exported steps of scenes are such files.
+//! A unit mass on the floor, pressed with 2 N s and pushed with 3 N s, under Coulomb's law:
 //!
 //! ```json
 //! {"A": {"dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, "b": [-2, -3, 0],
@@ -74,9 +74,11 @@ pub struct Problem {
     pub model: Option<Model>,
     /// The x at which model 1 freezes its boxes, n entries.
     pub frozen_at: Option<Vec<f64>>,
-    /// The bodies and rows that A and b were made from, if the file says so; it is bounded as the problem is.
+    /// The bodies and rows that A and b were made from, if the file says so; it is bounded as the
+    /// problem is.
     pub motion: Option<Gauss>,
-    /// Keys that are kept but not interpreted: `source`, `dt`, `rows`, `bodies`, `gravity`, `expected`, `hunt`.
+    /// Keys that are kept but not interpreted: `source`, `dt`, `rows`, `bodies`, `gravity`,
+    /// `expected`, `hunt`.
     pub extra: Map<String, Value>,
     /// What was ignored while reading.
     pub warnings: Vec<String>,

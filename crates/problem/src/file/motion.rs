@@ -12,7 +12,8 @@ const KEYS: [&str; 5] = ["mass", "jacobian", "bias", "compliance", "target"];
 /// The key that it may have.
 const LEVEL: &str = "level";
 
-/// The data of Gauss's principle under the key `motion`, if it is there; bounds are those of the problem.
+/// The data of Gauss's principle under the key `motion`, if it is there; bounds are those of the
+/// problem.
 pub(super) fn read(object: &Map<String, Value>, n: usize, defects: &mut Defects) -> Option<Gauss> {
     let Value::Object(motion) = object.get("motion")? else {
         defects.add("motion", "must be an object");

@@ -8,8 +8,8 @@ use crate::error::{Defects, Error, Result};
 use crate::friction::Model;
 use crate::{Coupling, Lcp};
 
-/// The keys of a problem file, each well-formed in itself; the entries are those of an n × n matrix,
-/// n the length of b.
+/// The keys of a problem file, each well-formed in itself; the entries are those of an n × n
+/// matrix, n the length of b.
 pub struct Parts {
     /// A.
     pub entries: Entries,

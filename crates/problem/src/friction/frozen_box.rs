@@ -4,11 +4,11 @@
 //! x_n ≥ 0,   −μ x̄_n ≤ x_t1, x_t2 ≤ μ x̄_n        x̄_n given, say the last step's
 //! ```
 //!
-//! With x̄_n from the last time step, or from the last sweep, friction is a boxed LCP with symmetric
-//! A, hence a convex quadratic program: w is unique, and every solver of this crate takes it. The
-//! price is a delay: a body that lands gets no friction in its first step, one that lifts off keeps
-//! some in its last, and x_t may lie outside the box of the x_n found. Repeating it with the x_n found
-//! until nothing changes leads to [`FrictionProblem::coupled_box`].
+//! With x̄_n from the last time step, or from the last sweep, friction is a boxed LCP with
+//! symmetric A, hence a convex quadratic program: w is unique, and every solver of this crate takes
+//! it. The price is a delay: a body that lands gets no friction in its first step, one that lifts
+//! off keeps some in its last, and x_t may lie outside the box of the x_n found. Repeating it with
+//! the x_n found until nothing changes leads to [`FrictionProblem::coupled_box`].
 
 use super::FrictionProblem;
 use crate::Lcp;

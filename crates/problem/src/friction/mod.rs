@@ -9,8 +9,8 @@
 //! w_t ≠ 0  ⇒  x_t = −μ x_n w_t / |w_t|     a sliding contact rubs with full force against the slip
 //! ```
 //!
-//! The third line is what makes it hard: it is neither linear nor the condition of any minimum. Each
-//! model gives up one thing:
+//! The third line is what makes it hard: it is neither linear nor the condition of any minimum.
+//! Each model gives up one thing:
 //!
 //! | model | x_t lies in | gives up | becomes |
 //! | --- | --- | --- | --- |
@@ -22,8 +22,8 @@
 //!
 //! [`Model`] names them, and [`Model::pose`] states a problem under one.
 //!
-//! A push along an edge of the square and one along its diagonal meet resistances of μ x_n and
-//! √2 μ x_n: the box rubs 41 % too much. A polygon with four corners on the disc rubs 29 % too little
+//! A push along an edge of the square and one along its diagonal meet resistances of μ x_n and √2 μ
+//! x_n: the box rubs 41 % too much. A polygon with four corners on the disc rubs 29 % too little
 //! across an edge, one with k corners 1 − cos(π/k).
 //!
 //! ```
@@ -92,8 +92,8 @@ impl FrictionProblem {
     /// The problem with these contacts among the rows of an LCP without coupling.
     ///
     /// # Errors
-    /// Lists each contact with a row that does not exist, is taken or has other bounds than 0 ≤ x_n,
-    /// x_t free, and each μ that is negative or not finite.
+    /// Lists each contact with a row that does not exist, is taken or has other bounds than 0 ≤
+    /// x_n, x_t free, and each μ that is negative or not finite.
     pub fn new(lcp: Lcp, contacts: Vec<Contact>) -> Result<Self> {
         let mut defects = Defects::default();
         if lcp.coupling().is_some() {

@@ -12,10 +12,11 @@ use crate::error::{Error, Result};
 /// The most corners of a polygon that a name can ask for.
 const MOST_DIRECTIONS: usize = 256;
 
-/// A model of friction: what the tangential impulse x_t of a contact may be, x_n being the normal one.
+/// A model of friction: what the tangential impulse x_t of a contact may be, x_n being the normal
+/// one.
 ///
-/// The same type in problem files, in scenes and for the judge; its text is its name there and on the
-/// command line. See [`friction`](crate::friction).
+/// The same type in problem files, in scenes and for the judge; its text is its name there and on
+/// the command line. See [`friction`](crate::friction).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub enum Model {

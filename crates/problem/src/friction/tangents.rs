@@ -1,4 +1,5 @@
-//! The two tangents of a contact, measured together: in which unit their impulses stand beside their w.
+//! The two tangents of a contact, measured together: in which unit their impulses stand beside
+//! their w.
 //!
 //! ```text
 //! s_t x_t                where the disc is wider than what the terms ask for, terms_t / s_t
@@ -64,8 +65,8 @@ impl Tangents {
         Tangents { w, magnitude, scale, has_scale, exponent, reach }
     }
 
-    /// What is measured in the unit of s_t, and in that of the disc where it is narrower, or where nothing moves with
-    /// x_t and s_t is no unit of it.
+    /// What is measured in the unit of s_t, and in that of the disc where it is narrower, or where
+    /// nothing moves with x_t and s_t is no unit of it.
     pub fn measured<T: Copy>(&self, measure: impl Fn(Unit) -> T) -> [T; 2] {
         let Tangents { magnitude, scale, has_scale, exponent, reach, .. } = *self;
         let own = Unit::Scale { scale, exponent };

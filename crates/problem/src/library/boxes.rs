@@ -1,5 +1,5 @@
-//! A stack of cubes with a contact at each corner: four rows, or twelve with friction, where three, or
-//! six, would do. A is singular, and pivots that should vanish are rounding.
+//! A stack of cubes with a contact at each corner: four rows, or twelve with friction, where three,
+//! or six, would do. A is singular, and pivots that should vanish are rounding.
 
 use super::contact::delassus;
 use super::random::Random;

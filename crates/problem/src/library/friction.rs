@@ -1,9 +1,9 @@
 //! Contacts with friction: files with friction rows, to be solved under any of the four models.
 //!
 //! Each contact has the rows n, t1, t2. The pile and the table have x and w chosen first: contacts
-//! part, slide against t1, or stick, so that x solves the problem under Coulomb's law, under the box
-//! and under every polygon with a corner on t1 alike. Under the associated law a contact that slides
-//! also parts, and x is another.
+//! part, slide against t1, or stick, so that x solves the problem under Coulomb's law, under the
+//! box and under every polygon with a corner on t1 alike. Under the associated law a contact that
+//! slides also parts, and x is another.
 
 use dashu_ratio::RBig;
 
@@ -89,8 +89,8 @@ fn pushed_rod(mu: f64) -> Problem {
     rubbing(a, b.collect(), mu, vec![0.46875, 0.0, 0.0, 0.53125, 0.0, 0.0])
 }
 
-/// Unit mass and inertia, points at ±1/2, ±3/2, …, in the plane of the centre. It comes down at 1 and
-/// slides against t1; each of n points can take 1/n of the load, and rub with μ/n.
+/// Unit mass and inertia, points at ±1/2, ±3/2, …, in the plane of the centre. It comes down at 1
+/// and slides against t1; each of n points can take 1/n of the load, and rub with μ/n.
 fn friction_table(side: usize, mu: f64) -> Problem {
     let place = |k: usize| k as f64 - (side - 1) as f64 / 2.0;
     let rows: Vec<Vec<(usize, f64)>> = (0..side * side)

@@ -1,9 +1,9 @@
 //! Problems whose solution was chosen first.
 //!
 //! x* and w* are chosen complementary (one of them at its bound in every row), then b = w* − A x*.
-//! (Choosing x* > 0 alone would exercise no complementarity.) All numbers are short binary fractions:
-//! x* and w* multiples of 1/8, A = J Jᵀ with the entries of J multiples of 2⁻¹⁷. So no sum is
-//! rounded, and x* solves the problem exactly.
+//! (Choosing x* > 0 alone would exercise no complementarity.) All numbers are short binary
+//! fractions: x* and w* multiples of 1/8, A = J Jᵀ with the entries of J multiples of 2⁻¹⁷. So no
+//! sum is rounded, and x* solves the problem exactly.
 
 use nalgebra::DMatrix;
 

@@ -1,9 +1,9 @@
 //! The problem library: LCPs to try solvers on, most of them with exact solutions.
 //!
 //! A [`Family`] makes a problem from a few parameters; the same parameters always make the same
-//! bits. What is known of the solutions stands under the key `expected` of the problem file ([`Expected`]). Families
-//! with friction are stated as model 2, the coupled box, and what they expect holds under every model but the
-//! associated one.
+//! bits. What is known of the solutions stands under the key `expected` of the problem file
+//! ([`Expected`]). Families with friction are stated as model 2, the coupled box, and what they
+//! expect holds under every model but the associated one.
 //!
 //! ```
 //! use lcplab_problem::file::Expected;

@@ -35,8 +35,8 @@
 //!
 //! In the inconsistent case the end sticks at once, with an impulse that does not vanish with the
 //! step: x_n → ¾ sc. Nothing approached, and yet it is an impact (Lecornu). In the indeterminate
-//! case all three may hold. The lists give one solution where only the parts of friction that cancel
-//! each other can be chosen.
+//! case all three may hold. The lists give one solution where only the parts of friction that
+//! cancel each other can be chosen.
 //!
 //! Painlevé 1895; Lecornu 1905; Génot & Brogliato 1999.
 

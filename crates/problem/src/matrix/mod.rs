@@ -55,8 +55,8 @@ impl Matrix {
         Matrix::Dense(Dense { n, entries: entries_by_rows.to_vec(), is_symmetric: OnceLock::new() })
     }
 
-    /// A sparse A from entries (row, column, value); entries at the same place add up exactly, and their
-    /// sum is rounded once.
+    /// A sparse A from entries (row, column, value); entries at the same place add up exactly, and
+    /// their sum is rounded once.
     ///
     /// ```
     /// # use lcplab_problem::Matrix;
@@ -147,8 +147,9 @@ impl Matrix {
         }
     }
 
-    /// Whether a_ij and a_ji differ by rounding at most, beside √(a_ii a_jj), which bounds both where A is
-    /// semidefinite: what a program computes as J M⁻¹ Jᵀ is seldom symmetric to the last bit.
+    /// Whether a_ij and a_ji differ by rounding at most, beside √(a_ii a_jj), which bounds both
+    /// where A is semidefinite: what a program computes as J M⁻¹ Jᵀ is seldom symmetric to the last
+    /// bit.
     pub fn is_nearly_symmetric(&self) -> bool {
         const ROUNDING: f64 = 1e-12;
         if self.is_symmetric() {
@@ -162,7 +163,8 @@ impl Matrix {
         (0..self.len()).all(is_close_row)
     }
 
-    /// [`Matrix::is_symmetric`], row by row: what stands right of the diagonal waits for its counterpart below.
+    /// [`Matrix::is_symmetric`], row by row: what stands right of the diagonal waits for its
+    /// counterpart below.
     fn meets_its_transpose(&self) -> bool {
         let nonzero = |i: usize| self.row(i).iter().filter(|&(_, a)| a != 0.0);
         let mut waiting: Vec<_> =

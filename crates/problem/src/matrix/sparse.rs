@@ -4,7 +4,8 @@ use std::sync::OnceLock;
 
 use dashu_ratio::RBig;
 
-/// Some entries of an n × n matrix, row by row, columns ascending in each row (compressed sparse rows).
+/// Some entries of an n × n matrix, row by row, columns ascending in each row (compressed sparse
+/// rows).
 #[derive(Debug, Clone)]
 pub struct Sparse {
     /// Where each row begins, and where the last one ends: n + 1 places.
@@ -43,8 +44,8 @@ impl Sparse {
     }
 }
 
-/// The entries with those at the same place as one. In floating point their sum would depend on their order,
-/// and what is proved of A would not hold for the file that A came from.
+/// The entries with those at the same place as one. In floating point their sum would depend on
+/// their order, and what is proved of A would not hold for the file that A came from.
 pub(super) fn summed(entries: &[(usize, usize, f64)]) -> Vec<(usize, usize, f64)> {
     let mut entries = entries.to_vec();
     let place = |&(row, col, _): &(usize, usize, f64)| (row, col);
@@ -56,7 +57,8 @@ pub(super) fn summed(entries: &[(usize, usize, f64)]) -> Vec<(usize, usize, f64)
     groups.map(|group| (group[0].0, group[0].1, exact_sum(group))).collect()
 }
 
-/// The sum of the values, rounded once; of values that are not all finite, as floating point has it.
+/// The sum of the values, rounded once; of values that are not all finite, as floating point has
+/// it.
 fn exact_sum(group: &[(usize, usize, f64)]) -> f64 {
     let values = || group.iter().map(|&(_, _, value)| value);
     if let [(_, _, value)] = group {

@@ -1,8 +1,8 @@
 //! How far is x from a solution? One function a measure, each with its definition.
 //!
-//! The bounds are those at x where rows are coupled. A measure is summed in plain floating point. Whether an x
-//! may be called a solution is decided by [compensated sums](crate::accurate), as the judge decides it: at the
-//! tolerance itself the last digit counts.
+//! The bounds are those at x where rows are coupled. A measure is summed in plain floating point.
+//! Whether an x may be called a solution is decided by [compensated sums](crate::accurate), as the
+//! judge decides it: at the tolerance itself the last digit counts.
 
 mod row;
 
@@ -11,7 +11,8 @@ pub(super) use row::{product, relative};
 
 use super::{Lcp, accurate};
 
-/// max_i r_i, the dimensionless residual that every stop test and the judge use; ∞ if x is not finite.
+/// max_i r_i, the dimensionless residual that every stop test and the judge use; ∞ if x is not
+/// finite.
 ///
 /// ```text
 /// terms_i = Σ_j |a_ij x_j| + |b_i|              at least s_i times the problem's scale, if it has one
@@ -23,11 +24,11 @@ use super::{Lcp, accurate};
 ///
 /// No unit and no scaling of a row or column changes it; rounding alone makes it about 1e-16.
 ///
-/// Where bounds do not say how large x_i is, e_i = terms_i / s_i, and
-/// r_i = |x_i − Π(x_i − w_i/s_i)| s_i / terms_i. Where they do, the step is no longer than they are:
-/// a motor of 1 N m that is asked for 10⁹ does not give 0 N m "to nine digits", and a slip whose terms
-/// are large is not without friction. In both cases r_i is |w_i| / terms_i for an x_i whose step ends
-/// between the bounds.
+/// Where bounds do not say how large x_i is, e_i = terms_i / s_i, and r_i = |x_i − Π(x_i −
+/// w_i/s_i)| s_i / terms_i. Where they do, the step is no longer than they are: a motor of 1 N m
+/// that is asked for 10⁹ does not give 0 N m "to nine digits", and a slip whose terms are large is
+/// not without friction. In both cases r_i is |w_i| / terms_i for an x_i whose step ends between
+/// the bounds.
 pub fn scaled_residual(lcp: &Lcp, x: &[f64]) -> f64 {
     worst(lcp.len(), |i| row_residual(lcp, i, x))
 }
@@ -37,8 +38,9 @@ fn row_residual(lcp: &Lcp, i: usize, x: &[f64]) -> f64 {
     RowTerms::at(lcp, i, x).scaled_residual(lcp, i, x)
 }
 
-/// Whether max_i r_i is at most the tolerance, in compensated sums. The rows are looked at from `first` on, where the
-/// last look found one that is not: while it is not, nothing else needs to be computed.
+/// Whether max_i r_i is at most the tolerance, in compensated sums. The rows are looked at from
+/// `first` on, where the last look found one that is not: while it is not, nothing else needs to be
+/// computed.
 pub fn is_within(lcp: &Lcp, x: &[f64], tolerance: f64, first: &mut usize) -> bool {
     let n = lcp.len();
     let mut largest: f64 = 0.0;
@@ -52,8 +54,9 @@ pub fn is_within(lcp: &Lcp, x: &[f64], tolerance: f64, first: &mut usize) -> boo
     outside.is_none() && (largest <= tolerance - rounding(n) || holds(lcp, x, tolerance))
 }
 
-/// A plain and a compensated sum of n products and b give r_i that differ by less than this: each sum is wrong by at
-/// most (n + 1) ε/2 beside the terms (Higham 2002, section 3.1), and r_i by no more than w_i and the terms together.
+/// A plain and a compensated sum of n products and b give r_i that differ by less than this: each
+/// sum is wrong by at most (n + 1) ε/2 beside the terms (Higham 2002, section 3.1), and r_i by no
+/// more than w_i and the terms together.
 fn rounding(n: usize) -> f64 {
     2.0 * (n as f64 + 2.0) * f64::EPSILON
 }
@@ -67,12 +70,12 @@ fn holds(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
 /// An answer whose steps are not below this part of those of Π(0) is none.
 const BETTER: f64 = 0.1;
 
-/// Whether x is nearer to a solution than doing nothing, x = Π(0), by a factor of ten: the longest step
-/// max_i |x_i − Π(x_i − w_i/s_i)| √s_i has fallen to a tenth. Where Π(0) is within the tolerance itself,
-/// every x is.
+/// Whether x is nearer to a solution than doing nothing, x = Π(0), by a factor of ten: the longest
+/// step max_i |x_i − Π(x_i − w_i/s_i)| √s_i has fallen to a tenth. Where Π(0) is within the
+/// tolerance itself, every x is.
 ///
-/// The scaled residual alone cannot tell: it becomes small for any x that is far enough away along a
-/// direction with A d = 0.
+/// The scaled residual alone cannot tell: it becomes small for any x that is far enough away along
+/// a direction with A d = 0.
 pub fn is_worth_something(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
     let terms = terms(lcp, x);
     is_nearer_than_nothing(lcp, x, &misses(lcp, x, &terms), tolerance)
@@ -117,8 +120,8 @@ fn misses_of_nothing(lcp: &Lcp, misses: &[Miss]) -> impl Iterator<Item = Miss> +
     })
 }
 
-/// Whether the longest of these steps is a tenth of the longest of those of Π(0) at most, or Π(0) is
-/// within the tolerance. Of Π(0) no more rows are looked at than it takes to tell.
+/// Whether the longest of these steps is a tenth of the longest of those of Π(0) at most, or Π(0)
+/// is within the tolerance. Of Π(0) no more rows are looked at than it takes to tell.
 pub(super) fn is_better(
     misses: &[Miss],
     mut of_nothing: impl Iterator<Item = Miss> + Clone,
@@ -135,7 +138,8 @@ pub fn is_solution(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
     is_solution_by(lcp, x, &misses(lcp, x, &terms(lcp, x)), tolerance)
 }
 
-/// [`is_solution`], by the misses of all rows at x in plain sums. What they leave open, compensated ones decide.
+/// [`is_solution`], by the misses of all rows at x in plain sums. What they leave open, compensated
+/// ones decide.
 pub fn is_solution_by(lcp: &Lcp, x: &[f64], misses: &[Miss], tolerance: f64) -> bool {
     let surely = tolerance - rounding(lcp.len());
     let is_within = misses.iter().all(|miss| miss.residual <= surely) || holds(lcp, x, tolerance);

@@ -5,7 +5,8 @@ use crate::{Lcp, Matrix};
 /// Terms in this range lose nothing to overflow or underflow, nor do their sums.
 const SAFE: std::ops::Range<f64> = 1e-250..1e250;
 
-/// The bounds ±μ x_k of a coupled row are rounded products: an x so near to one, in parts of it, is at it.
+/// The bounds ±μ x_k of a coupled row are rounded products: an x so near to one, in parts of it, is
+/// at it.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// What one row contributes to a residual: w_i with the sizes to measure it by.
@@ -13,8 +14,8 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 pub struct RowTerms {
     /// w_i = Σ_j a_ij x_j + b_i, in units of 2^`exponent`.
     pub w: f64,
-    /// Σ_j |a_ij x_j| + |b_i|: what w_i would be without cancellation, in units of 2^`exponent`; at least
-    /// s_i times the [scale](Lcp::scale) of the problem.
+    /// Σ_j |a_ij x_j| + |b_i|: what w_i would be without cancellation, in units of 2^`exponent`; at
+    /// least s_i times the [scale](Lcp::scale) of the problem.
     pub magnitude: f64,
     /// s_i = |a_ii|, or max_j |a_ij| where a_ii = 0: how much w_i moves with x_i.
     pub scale: f64,
@@ -106,11 +107,11 @@ impl RowTerms {
         self.miss_between(own, lo, hi, || self.reach(lcp, i, x))
     }
 
-    /// The same for an x_i between any bounds with their [reach](Self::reach). That is asked for only where
-    /// it matters: where x_i is not at the bound to which its step leads.
+    /// The same for an x_i between any bounds with their [reach](Self::reach). That is asked for
+    /// only where it matters: where x_i is not at the bound to which its step leads.
     ///
-    /// The step is the median of x − lo, w/s and x − hi: times s it needs no division by s, and in units
-    /// of e = R none by the terms.
+    /// The step is the median of x − lo, w/s and x − hi: times s it needs no division by s, and in
+    /// units of e = R none by the terms.
     #[inline]
     pub(crate) fn miss_between(
         &self,
@@ -153,8 +154,9 @@ impl RowTerms {
     /// R_i = μ_i max(x_k, e_k), ∞ if that is 0      where row i is coupled to row k
     /// ```
     ///
-    /// A bound of 0 has no size of its own, and none is below the [scale](Lcp::scale) of the problem. The
-    /// bounds of a coupled row may vanish with x_k, but x_k is not known better than beside e_k.
+    /// A bound of 0 has no size of its own, and none is below the [scale](Lcp::scale) of the
+    /// problem. The bounds of a coupled row may vanish with x_k, but x_k is not known better than
+    /// beside e_k.
     pub fn reach(&self, lcp: &Lcp, i: usize, x: &[f64]) -> f64 {
         if let Some((k, mu)) = lcp.coupled_to(i) {
             return reach_of_friction(mu, RowTerms::at(lcp, k, x).size(lcp, k, x));
@@ -221,8 +223,8 @@ impl Miss {
         Miss { size: 0.0, scale: 1.0, magnitude: 0.0, exponent: 0, residual }
     }
 
-    /// log₂ of the longest |x − Π(x − w/s)| √s, −∞ for nothing. Its square is an energy, whatever the units of x
-    /// and w.
+    /// log₂ of the longest |x − Π(x − w/s)| √s, −∞ for nothing. Its square is an energy, whatever
+    /// the units of x and w.
     pub(crate) fn longest_step(misses: &[Miss]) -> f64 {
         if misses.iter().all(|miss| miss.exponent == 0) {
             let longest = misses.iter().map(Miss::length).fold(0.0, f64::max);
@@ -288,8 +290,8 @@ pub fn row_scale(lcp: &Lcp, i: usize) -> f64 {
     }
 }
 
-/// The largest absolute row sum of these rows and columns of A, by which the modulus of their largest eigenvalue is
-/// bounded.
+/// The largest absolute row sum of these rows and columns of A, by which the modulus of their
+/// largest eigenvalue is bounded.
 pub fn block_scale(a: &Matrix, rows: &[usize]) -> f64 {
     let row_sum = |&i: &usize| rows.iter().map(|&j| a.entry(i, j).abs()).sum();
     rows.iter().map(row_sum).fold(0.0, f64::max)

@@ -105,7 +105,8 @@ fn the_unknowns_of_a_polygon_follow_from_x() {
 
 #[test]
 fn the_slip_of_a_polygon_belongs_to_its_contact_beside_smooth_ones() {
-    // Contacts with μ = 0, ½, 0, ¼: four x_n, two times four β, and a γ for the second and the fourth.
+    // Contacts with μ = 0, ½, 0, ¼: four x_n, two times four β, and a γ for the second and the
+    // fourth.
     let rows: Vec<Vec<f64>> =
         (0..12).map(|i| (0..12).map(|j| f64::from(i == j)).collect()).collect();
     let rows: Vec<&[f64]> = rows.iter().map(Vec::as_slice).collect();
@@ -209,7 +210,8 @@ proptest! {
     fn polyhedral_matrices_are_copositive(
         problem in rubbing(2, 4, 0.0), z in proptest::collection::vec(0.0..2.0, 21),
     ) {
-        // zᵀ M z = xᵀ A x + Σ μ x_n γ for 1 + 2 + 2·8 + 2 unknowns, less those of contacts with μ = 0.
+        // zᵀ M z = xᵀ A x + Σ μ x_n γ for 1 + 2 + 2·8 + 2 unknowns, less those of contacts with
+        // μ = 0.
         let polyhedral = Polyhedral::new(&problem, 8).unwrap();
         let rubbing = || problem.contacts().iter().enumerate().filter(|(_, c)| c.mu > 0.0);
         let z = &z[..3 + 9 * rubbing().count()];
@@ -309,7 +311,8 @@ fn the_smallest_numbers_are_seen_beside_rows_of_zeros() {
 
 #[test]
 fn a_polygon_s_proof_is_a_proof_of_x_and_not_of_the_slips_beside_it() {
-    // Pushed with 1e9 against μ x_n = 0.3: x_t = −0.3. The slip of 1e9 is part of z, and makes +0.3 near.
+    // Pushed with 1e9 against μ x_n = 0.3: x_t = −0.3. The slip of 1e9 is part of z, and makes +0.3
+    // near.
     let rows = [&[1.0, 0.0, 0.0][..], &[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0]];
     let lcp = boxed(&rows, &[-1.0, 1e9, 0.0], &[0.0, -INF, -INF], &[INF; 3]);
     let friction = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.3 }]).unwrap();

@@ -164,8 +164,8 @@ fn cubes_fall_as_gravity_lets_them_in_a_step() {
 
 #[test]
 fn the_corners_of_a_cube_move_as_a_rigid_body_lets_them() {
-    // Moments 1/6 and corners at ±1/2: a_ij = 1 + 6 (x_i x_j + y_i y_j), 4 for a corner itself, 1 for the two
-    // beside it, −2 for the opposite one.
+    // Moments 1/6 and corners at ±1/2: a_ij = 1 + 6 (x_i x_j + y_i y_j), 4 for a corner itself, 1
+    // for the two beside it, −2 for the opposite one.
     let problem = library::by_name("box-stack").unwrap().generate(&[("boxes", 1.0)]).unwrap();
     for i in 0..4 {
         let mut row: Vec<f64> = (0..4).map(|j| problem.lcp.matrix().entry(i, j)).collect();

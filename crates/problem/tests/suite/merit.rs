@@ -36,7 +36,8 @@ fn a_bound_is_missed_by_a_part_of_the_bound_and_not_of_the_terms() {
 
 #[test]
 fn friction_is_measured_beside_what_its_normal_may_be() {
-    // The normal is held at its bound of 1 by w = 10⁹, so that friction is at most ½ and opposes the slip.
+    // The normal is held at its bound of 1 by w = 10⁹, so that friction is at most ½ and opposes
+    // the slip.
     let lcp = coupled(&[&[1.0, 0.0], &[0.0, 1.0]], &[1e9, 1e9], [1.0, -INF], 0.5);
     assert_eq!(merit::scaled_residual(&lcp, &[1.0, -0.5]), 0.0);
     for wrong in [0.0, 0.5, -0.49] {
@@ -121,7 +122,8 @@ proptest! {
         digits in 0..16i32,
         mu in 0.0..2.0f64,
     ) {
-        // Near x*, so that the residual is anything from rounding to 1; in box form and with a coupled row.
+        // Near x*, so that the residual is anything from rounding to 1; in box form and with a
+        // coupled row.
         let x: Vec<f64> = m.x.iter().zip(&shift).map(|(x, d)| x + d * 10f64.powi(-digits)).collect();
         for lcp in [m.lcp.clone(), with_coupled_row(&m.lcp, mu)] {
             let compensated = |i| merit::RowTerms::summed::<accurate::Sum>(&lcp, i, &x).scaled_residual(&lcp, i, &x);

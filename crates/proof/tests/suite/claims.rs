@@ -58,8 +58,8 @@ fn a_solution_is_claimed_exactly_where_some_piece_has_one() {
 
 #[test]
 fn redundant_contacts_that_rounding_makes_regular_have_an_exact_solution() {
-    // Nine legs of a table under friction, with entries that are no short binary fractions: of rank 6 but for
-    // rounding.
+    // Nine legs of a table under friction, with entries that are no short binary fractions: of rank
+    // 6 but for rounding.
     let places = [0.3, -0.1, -0.3];
     let legs: Vec<[f64; 2]> = places.iter().flat_map(|&x| places.map(|y| [x, 2.3 * y])).collect();
     let rows_of_legs = 3 * legs.len();

@@ -34,7 +34,8 @@ fn mutated(text: &str, begin: usize, random: &mut Rand64) -> String {
     String::from_utf8(bytes).unwrap()
 }
 
-/// A proof about the residual of some answer: often on a bound, or so near to one that only rounding is between.
+/// A proof about the residual of some answer: often on a bound, or so near to one that only
+/// rounding is between.
 fn within(problem: &Problem, random: &mut Rand64) -> Option<Proof> {
     let lcp = &problem.lcp;
     let mut answer: Vec<f64> =

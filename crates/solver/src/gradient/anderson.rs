@@ -1,20 +1,21 @@
 //! Projected Gauss-Seidel with Anderson's acceleration.
 //!
-//! A sweep of [`Pgs`](crate::Pgs) is a map x → P(x), whose fixed points are the solutions. Anderson (1965) mixes the
-//! ends of the last sweeps so that their steps cancel as well as they can:
+//! A sweep of [`Pgs`](crate::Pgs) is a map x → P(x), whose fixed points are the solutions. Anderson
+//! (1965) mixes the ends of the last sweeps so that their steps cancel as well as they can:
 //!
 //! ```text
 //! f = P(x) − x,   γ = argmin |f − ΔF γ|_D,   y = Π( P(x) − ΔP γ )        the last five differences ΔF, ΔP
 //! x ← y if q(y) < q(P(x)), else P(x)                                     q = ½ xᵀAx + bᵀx
 //! ```
 //!
-//! While no row changes sides a sweep is a linear map, and this is a Krylov method on I − G (Walker & Ni 2011): the few slow
-//! parts of the error of a stack are found out in as many sweeps. The comparison makes it safe. q falls with every step
-//! as it does in the sweep alone, so it converges wherever Gauss-Seidel does. With coupled rows q says nothing; there the
-//! distance |P(y) − y|_D that another sweep would go decides, and no convergence is promised, as for Gauss-Seidel itself.
+//! While no row changes sides a sweep is a linear map, and this is a Krylov method on I − G (Walker
+//! & Ni 2011): the few slow parts of the error of a stack are found out in as many sweeps. The
+//! comparison makes it safe. q falls with every step as it does in the sweep alone, so it converges
+//! wherever Gauss-Seidel does. With coupled rows q says nothing; there the distance |P(y) − y|_D
+//! that another sweep would go decides, and no convergence is promised, as for Gauss-Seidel itself.
 //!
-//! An iteration is a sweep, and two products with A for the comparison. A row with a_ii ≤ 0 ends it with `ZeroDiagonal`;
-//! iterates that overflow with `Diverged`.
+//! An iteration is a sweep, and two products with A for the comparison. A row with a_ii ≤ 0 ends it
+//! with `ZeroDiagonal`; iterates that overflow with `Diverged`.
 
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
@@ -26,7 +27,8 @@ use lcplab_problem::{Lcp, dot};
 
 /// So many differences are remembered.
 const MEMORY: usize = 5;
-/// A difference that lies in the span of newer ones, up to this part of its square, is left out with all older ones.
+/// A difference that lies in the span of newer ones, up to this part of its square, is left out
+/// with all older ones.
 const RELATIVE_ZERO: f64 = 1e-12;
 
 /// Anderson-accelerated projected Gauss-Seidel.
@@ -110,8 +112,8 @@ impl Memory {
     }
 }
 
-/// γ with |f − Σ γ_k f_k|_D least, by orthogonalising the f_k one after another (Gram and Schmidt). It ends before the
-/// first that depends on those before it.
+/// γ with |f − Σ γ_k f_k|_D least, by orthogonalising the f_k one after another (Gram and Schmidt).
+/// It ends before the first that depends on those before it.
 fn least_squares(metric: &Metric, columns: &[&[f64]], f: &[f64]) -> Vec<f64> {
     let mut basis: Vec<Vec<f64>> = Vec::new();
     let mut triangle: Vec<Vec<f64>> = Vec::new(); // column k: its parts along the basis, then its own length

@@ -1,8 +1,9 @@
 //! First order: products with A and nothing else.
 //!
-//! For symmetric semidefinite A the problem is a minimisation over a box, and every method for that serves:
-//! gradients with memory ([`apgd`], [`spectral`]), conjugate gradients that know of bounds ([`mprgp`],
-//! [`nncg`]), sweeps that are mixed ([`anderson`]), operator splitting ([`admm`]). They need far fewer products than there are sweeps.
+//! For symmetric semidefinite A the problem is a minimisation over a box, and every method for that
+//! serves: gradients with memory ([`apgd`], [`spectral`]), conjugate gradients that know of bounds
+//! ([`mprgp`], [`nncg`]), sweeps that are mixed ([`anderson`]), operator splitting ([`admm`]). They
+//! need far fewer products than there are sweeps.
 
 pub mod admm;
 pub mod anderson;

@@ -5,17 +5,18 @@
 //! by columns:   x_i ← Π_i(x_i − ω w_i / a_ii),   w ← w + δ_i A_i,   δ_i the change of x_i
 //! ```
 //!
-//! By rows, all n² entries are read whatever happens, so reading them is all that it should cost.
-//! A sum of n terms is a chain of n/8 additions to the same eight lanes, which takes longer than the
-//! reading; four rows at a time have four chains. Their sums are taken at the old x and corrected by
-//! what the rows before them in the four have changed:
+//! By rows, all n² entries are read whatever happens, so reading them is all that it should cost. A
+//! sum of n terms is a chain of n/8 additions to the same eight lanes, which takes longer than the
+//! reading; four rows at a time have four chains. Their sums are taken at the old x and corrected
+//! by what the rows before them in the four have changed:
 //!
 //! ```text
 //! w_(i+r) = Σ_j a_(i+r)j x_j + b_(i+r) + Σ_(q<r) a_(i+r)(i+q) δ_(i+q)
 //! ```
 //!
-//! By columns, a row costs nothing but a look where x_i stays at its bound: for symmetric A only, whose
-//! columns are rows. w collects rounding, so it is made anew every [`RENEWED`] sweeps. For coupled rows: [`Pgs`](crate::Pgs).
+//! By columns, a row costs nothing but a look where x_i stays at its bound: for symmetric A only,
+//! whose columns are rows. w collects rounding, so it is made anew every [`RENEWED`] sweeps. For
+//! coupled rows: [`Pgs`](crate::Pgs).
 
 use super::lanes::{Lanes, Width, Work, sum};
 use crate::Status;
@@ -134,8 +135,8 @@ impl Work for RowSweep<'_> {
     }
 }
 
-/// The products of four rows with x: in one pass if there are registers enough, else one by one, which
-/// is the same to the bit.
+/// The products of four rows with x: in one pass if there are registers enough, else one by one,
+/// which is the same to the bit.
 #[inline(always)]
 fn products<V: Lanes>(rows: [&[f64]; TOGETHER], x: &[f64]) -> [f64; TOGETHER] {
     if V::WIDE {
@@ -188,8 +189,8 @@ impl<'a> Columns<'a> {
     /// The sweeps for this problem with relaxation ω, 0 < ω < 2.
     ///
     /// # Errors
-    /// [`Status::ZeroDiagonal`]; [`Status::OutsideClass`] if A is not dense or not symmetric, or rows
-    /// are coupled.
+    /// [`Status::ZeroDiagonal`]; [`Status::OutsideClass`] if A is not dense or not symmetric, or
+    /// rows are coupled.
     pub fn of(lcp: &'a Lcp, omega: f64, width: Width) -> Result<Self, Status> {
         if !lcp.matrix().is_symmetric() {
             return Err(Status::OutsideClass { reason: "A is not symmetric" });

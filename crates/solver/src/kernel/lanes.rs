@@ -1,14 +1,15 @@
 //! Eight numbers at a time: the one file with `unsafe`.
 //!
-//! A kernel is written once, over [`Lanes`]: eight `f64` with elementwise operations. [`Width::run`]
-//! compiles it for each set of instructions and picks one when it runs, because the compiler's default
-//! target knows no more than SSE2. All do the same IEEE operations in the same order, lane by lane, and
-//! none fuses a product with a sum, so the bits are the same on every processor.
+//! A kernel is written once, over [`Lanes`]: eight `f64` with elementwise operations.
+//! [`Width::run`] compiles it for each set of instructions and picks one when it runs, because the
+//! compiler's default target knows no more than SSE2. All do the same IEEE operations in the same
+//! order, lane by lane, and none fuses a product with a sum, so the bits are the same on every
+//! processor.
 //!
 //! # Why this is sound
-//! - AVX instructions are reached only through [`Avx2`] and [`Avx512`]. Both types are private to this
-//!   file, and only `with_avx2` and `with_avx512` name them, which are called after the processor was
-//!   asked whether it has the instructions.
+//! - AVX instructions are reached only through [`Avx2`] and [`Avx512`]. Both types are private to
+//!   this file, and only `with_avx2` and `with_avx512` name them, which are called after the
+//!   processor was asked whether it has the instructions.
 //! - Loads and stores go through `&[f64; 8]`, by instructions that ask for no alignment.
 #![allow(unsafe_code)]
 
@@ -67,8 +68,8 @@ pub(super) fn sum([a, b, c, d, e, f, g, h]: [f64; 8]) -> f64 {
     ((a + e) + (c + g)) + ((b + f) + (d + h))
 }
 
-/// Something to do with lanes of any kind; `run` must be `#[inline(always)]`, and so must all that it
-/// calls with them, or it is compiled without the instructions.
+/// Something to do with lanes of any kind; `run` must be `#[inline(always)]`, and so must all that
+/// it calls with them, or it is compiled without the instructions.
 pub(crate) trait Work {
     type Output;
     fn run<V: Lanes>(self) -> Self::Output;

@@ -1,8 +1,8 @@
 //! What takes the time, arranged for speed: same operations, other loops.
 //!
-//! [`Pgs`](super::Pgs) is a sweep as it is defined, and what the lessons show. A processor would rather
-//! have eight numbers at a time, memory in the order it lies in, and no result that waits for the last
-//! one. The kernels here are arranged so; tests hold each against the plain form.
+//! [`Pgs`](super::Pgs) is a sweep as it is defined, and what the lessons show. A processor would
+//! rather have eight numbers at a time, memory in the order it lies in, and no result that waits
+//! for the last one. The kernels here are arranged so; tests hold each against the plain form.
 //!
 //! | kernel | a sweep costs | what it gains |
 //! | --- | --- | --- |

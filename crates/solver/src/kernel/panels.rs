@@ -5,9 +5,10 @@
 //! ```
 //!
 //! So eight rows are eight lanes, whose sums are independent of one another and need no adding up
-//! across, and everything but the writing of one row is memory in the order it lies in. A panel begins
-//! at the first tile in which one of its rows has an entry: where neighbours touch neighbours only, as
-//! in a stack, that leaves a band (the *envelope* of George & Liu 1981), and all costs fall with it.
+//! across, and everything but the writing of one row is memory in the order it lies in. A panel
+//! begins at the first tile in which one of its rows has an entry: where neighbours touch
+//! neighbours only, as in a stack, that leaves a band (the *envelope* of George & Liu 1981), and
+//! all costs fall with it.
 
 use super::lanes::{Lanes, Width, Work, sum};
 
@@ -17,7 +18,8 @@ pub(crate) type Eight = [f64; 8];
 /// Eight columns of eight rows: `tile[column][row]`.
 pub(crate) type Tile = [Eight; 8];
 
-/// A unit lower triangular matrix. The unit diagonal is not stored; a row may be all zero beside it.
+/// A unit lower triangular matrix. The unit diagonal is not stored; a row may be all zero beside
+/// it.
 #[derive(Debug, Clone)]
 pub(crate) struct Panels {
     tiles: Vec<Tile>,
@@ -171,8 +173,8 @@ impl Work for Backward<'_> {
     }
 }
 
-/// L D Lᵀ + α v vᵀ with v the column k that goes (method C1 of Gill, Golub, Murray & Saunders 1974),
-/// which is stable because α > 0.
+/// L D Lᵀ + α v vᵀ with v the column k that goes (method C1 of Gill, Golub, Murray & Saunders
+/// 1974), which is stable because α > 0.
 struct Removal<'a> {
     l: &'a mut Panels,
     k: usize,

@@ -15,7 +15,8 @@ const AHEAD: usize = 16;
 pub enum Reading {
     /// From the first number to the last.
     InOrder,
-    /// The same, asking for each line of the cache 1 KiB ahead of its turn: the next level answers late.
+    /// The same, asking for each line of the cache 1 KiB ahead of its turn: the next level answers
+    /// late.
     AskingAhead,
     /// A quarter each at four places at once: four short ways are foreseen better than a long one.
     AtFourPlaces,

@@ -1,7 +1,7 @@
 //! Sums of rows of A.
 //!
-//! Each row is kept from its first entry to its last, as one run of numbers with the zeros between: a
-//! dense A as it lies in memory, the rows of a stack as bands.
+//! Each row is kept from its first entry to its last, as one run of numbers with the zeros between:
+//! a dense A as it lies in memory, the rows of a stack as bands.
 
 use std::borrow::Cow;
 use std::ops::Range;

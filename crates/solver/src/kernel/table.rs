@@ -1,7 +1,7 @@
 //! The entries T of a dictionary v_B = c + T v_N, and pivots that wait for each other.
 //!
-//! A pivot at row r and column c solves row r for the variable of column c and puts it into all other
-//! rows. With f the column as it was, and ρ the new row,
+//! A pivot at row r and column c solves row r for the variable of column c and puts it into all
+//! other rows. With f the column as it was, and ρ the new row,
 //!
 //! ```text
 //! ρ_j = −T_rj / T_rc,   ρ_c = 1 / T_rc
@@ -11,8 +11,8 @@
 //! Two operations an entry: a large table spends the time of a pivot on its way through memory. So
 //! f and ρ are put aside until eight pivots can be made on the way. A row or a column that is asked
 //! for meanwhile is brought up to date alone. Each entry sees the same operations in the same order
-//! as if no pivot waited, so the bits are the same; and a sum of which only rounding is left is 0, as in
-//! [`difference`].
+//! as if no pivot waited, so the bits are the same; and a sum of which only rounding is left is 0,
+//! as in [`difference`].
 
 use super::lanes::{Lanes, Width, Work};
 use super::rank_one::{Block, add_all, get, put, zeros};

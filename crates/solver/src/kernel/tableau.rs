@@ -6,16 +6,17 @@
 //! S_CC = −A_CC⁻¹,   S_CB = A_CC⁻¹ A_CB,   S_BB = A_BB − A_BC A_CC⁻¹ A_CB
 //! ```
 //!
-//! so that row i of B has all that a move of x_i asks for: d_C = −S_iC, Δw_B = S_iB, and s = S_ii. Row k enters or
-//! leaves C by a *sweep* (Beaton 1964; Goodnight 1979):
+//! so that row i of B has all that a move of x_i asks for: d_C = −S_iC, Δw_B = S_iB, and s = S_ii.
+//! Row k enters or leaves C by a *sweep* (Beaton 1964; Goodnight 1979):
 //!
 //! ```text
 //! s_ij ← s_ij − f_i s_kj,   s_ik ← ± f_i,   s_kk ← −1 / s_kk      f_i = s_ik / s_kk, + enters, − leaves
 //! ```
 //!
-//! A sweep costs n²/2 products, but one at a time it spends its time on the way to memory and back. So f and row k are put
-//! aside until several sweeps can be made on one way. A row that is asked for meanwhile is brought up to date
-//! alone. Each entry sees the same operations in the same order as if no sweep waited, so the bits are the same.
+//! A sweep costs n²/2 products, but one at a time it spends its time on the way to memory and back.
+//! So f and row k are put aside until several sweeps can be made on one way. A row that is asked
+//! for meanwhile is brought up to date alone. Each entry sees the same operations in the same order
+//! as if no sweep waited, so the bits are the same.
 
 use super::lanes::{Lanes, Width, Work};
 use super::rank_one::{Block, get, put, zeros};
@@ -24,14 +25,17 @@ use lcplab_problem::Matrix;
 /// Sweeps that are made on one way through the tableau.
 const TOGETHER: usize = 16;
 
-/// Rows that are brought up to date together, so that what is subtracted is loaded once for all of them.
+/// Rows that are brought up to date together, so that what is subtracted is loaded once for all of
+/// them.
 const ROWS: usize = 4;
 
-/// S, of which each row has the entries from its own block of eight on: what stands before is read from the column.
+/// S, of which each row has the entries from its own block of eight on: what stands before is read
+/// from the column.
 pub(crate) struct Tableau {
     /// The last row and column: its last entry is 0.
     border: Vec<f64>,
-    /// Blocks of a whole row: zeros right of the last column and below the last row make it so many.
+    /// Blocks of a whole row: zeros right of the last column and below the last row make it so
+    /// many.
     blocks: usize,
     /// Eight rows after eight rows, of the g-th eight the blocks from g on.
     entries: Vec<Block>,
@@ -122,8 +126,8 @@ impl Tableau {
         self.width.run(Read { tableau: self, i, row });
     }
 
-    /// Row k, which this is, enters C, sign = 1, or leaves it, sign = −1. `followed`, row i, was read before and is brought
-    /// up to date.
+    /// Row k, which this is, enters C, sign = 1, or leaves it, sign = −1. `followed`, row i, was
+    /// read before and is brought up to date.
     pub(crate) fn pivot(
         &mut self,
         k: usize,
@@ -166,7 +170,8 @@ impl Tableau {
         get(self.row(i), k - i / 8 * 8)
     }
 
-    /// Subtracts what the sweeps from `first` on take from row i: s_ji − f_j s_ki before its block, s_ij − f_i s_kj from there on.
+    /// Subtracts what the sweeps from `first` on take from row i: s_ji − f_j s_ki before its block,
+    /// s_ij − f_i s_kj from there on.
     #[inline(always)]
     fn subtract<V: Lanes>(&self, first: usize, i: usize, row: &mut [Block]) {
         let (before, own) = row.split_at_mut(i / 8);

@@ -4,8 +4,8 @@
 //! w_i = Σ_j a_ij x_j + b_i,   Σ_j |a_ij x_j| + |b_i|
 //! ```
 //!
-//! Both sums are taken of each product while it is at hand, four rows at a time; each w has the bits
-//! of [`Lcp::row_w`].
+//! Both sums are taken of each product while it is at hand, four rows at a time; each w has the
+//! bits of [`Lcp::row_w`].
 
 use super::lanes::{Lanes, Width, Work, sum};
 use lcplab_problem::merit::{RowTerms, row_scale};

@@ -1,8 +1,9 @@
-//! The factorisation A_FF = L Lᵀ of a principal block, in blocks that keep a processor busy (by faer).
+//! The factorisation A_FF = L Lᵀ of a principal block, in blocks that keep a processor busy (by
+//! faer).
 //!
-//! The block is gathered once, scaled by powers of two so that its diagonal lies between 1 and 4: units
-//! change no bit of L. A pivot that has lost all but a 1e-13th of its diagonal entry is zero; A_FF is
-//! then singular, or not positive semidefinite.
+//! The block is gathered once, scaled by powers of two so that its diagonal lies between 1 and 4:
+//! units change no bit of L. A pivot that has lost all but a 1e-13th of its diagonal entry is zero;
+//! A_FF is then singular, or not positive semidefinite.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt;
@@ -23,7 +24,8 @@ pub struct Cholesky {
 }
 
 impl Cholesky {
-    /// Factorises the block of these rows, ascending; only entries on and right of the diagonal are read.
+    /// Factorises the block of these rows, ascending; only entries on and right of the diagonal are
+    /// read.
     ///
     /// # Errors
     /// The first row whose pivot is zero or negative; there is no factor then.

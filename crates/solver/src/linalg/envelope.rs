@@ -6,8 +6,8 @@
 //!
 //! Row r of L begins where row r of A begins and has no entry before (George & Liu 1981: the
 //! *envelope* of A), so what lies between is kept as one run, and every sum is one of two runs. For
-//! contacts numbered along a stack or a chain an envelope is hardly larger than A, and the cost of n
-//! rows of b entries is n b²/2; a dense A is its own envelope. Rows are not reordered.
+//! contacts numbered along a stack or a chain an envelope is hardly larger than A, and the cost of
+//! n rows of b entries is n b²/2; a dense A is its own envelope. Rows are not reordered.
 
 use lcplab_problem::{Matrix, dot};
 

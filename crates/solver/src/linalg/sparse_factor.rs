@@ -4,11 +4,12 @@
 //! P K Pᵀ = L Lᵀ
 //! ```
 //!
-//! Eliminating a row ties all its neighbours together, which fills L; the order P decides how much. Taking
-//! the row with the fewest neighbours next is cheap and rarely far from the best (*approximate minimum
-//! degree*, Amestoy, Davis & Duff 1996). Where the entries of L will be depends on those of K alone, not
-//! on their values: that *analysis* is made once, and numbers follow as often as wanted. Columns of L that
-//! have the same rows are kept together as dense blocks (*supernodes*), if L is large enough for that to pay.
+//! Eliminating a row ties all its neighbours together, which fills L; the order P decides how much.
+//! Taking the row with the fewest neighbours next is cheap and rarely far from the best
+//! (*approximate minimum degree*, Amestoy, Davis & Duff 1996). Where the entries of L will be
+//! depends on those of K alone, not on their values: that *analysis* is made once, and numbers
+//! follow as often as wanted. Columns of L that have the same rows are kept together as dense
+//! blocks (*supernodes*), if L is large enough for that to pay.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltRegularization;
@@ -61,7 +62,8 @@ impl SparseFactor {
     /// The factors of matrices with entries in these places, rows to be eliminated in this order.
     ///
     /// # Panics
-    /// If `order` is no permutation of the rows, or the factors have more entries than indices can count.
+    /// If `order` is no permutation of the rows, or the factors have more entries than indices can
+    /// count.
     pub fn of(pattern: Pattern, order: &[usize]) -> Self {
         let n = pattern.ncols();
         let mut place = vec![0; n];
@@ -88,8 +90,8 @@ impl SparseFactor {
         self.symbolic.len_val()
     }
 
-    /// Factorises the matrix with these values in the places of the pattern; false if a pivot is not
-    /// positive.
+    /// Factorises the matrix with these values in the places of the pattern; false if a pivot is
+    /// not positive.
     pub fn factor(&mut self, values: &[f64]) -> bool {
         self.lower.resize(self.entries(), 0.0);
         let factors = self.symbolic.factorize_numeric_llt(

@@ -1,4 +1,5 @@
-//! Complementarity as equations H(x) = 0 with a kink, row by row; [`Newton`](crate::Newton) says which.
+//! Complementarity as equations H(x) = 0 with a kink, row by row; [`Newton`](crate::Newton) says
+//! which.
 
 /// The equations whose root is sought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

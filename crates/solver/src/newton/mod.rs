@@ -1,8 +1,8 @@
 //! Newton: complementarity as equations, and a linear system a step.
 //!
-//! The equations are not smooth, min(x, w) = 0 or Fischer-Burmeister's ([`equations`]); Newton's method solves
-//! them in a handful of steps ([`semismooth`]). [`interior_point`] smooths the corner and lets the smoothing go
-//! to zero.
+//! The equations are not smooth, min(x, w) = 0 or Fischer-Burmeister's ([`equations`]); Newton's
+//! method solves them in a handful of steps ([`semismooth`]). [`interior_point`] smooths the corner
+//! and lets the smoothing go to zero.
 
 pub mod equations;
 pub mod interior_point;

@@ -8,43 +8,47 @@
 //! ```
 //!
 //! vanish exactly at the solutions (a bound at infinity drops its φ; Billups 1995 for two finite
-//! ones), and no variable is doubled for the upper bounds. With J a generalised Jacobian at x, a step
-//! is a d that solves J d = −H. Whole steps are taken as long as |H| falls; of the minimum map, which has kinks, also up to ten
-//! that raise it (a *watchdog*: Chamberlain and others 1982), since a whole step ends at the point of an active set, and a
-//! shorter one at none. Where that does not lead below the least |H| so far, the step from there is halved until |H| falls
-//! enough.
+//! ones), and no variable is doubled for the upper bounds. With J a generalised Jacobian at x, a
+//! step is a d that solves J d = −H. Whole steps are taken as long as |H| falls; of the minimum
+//! map, which has kinks, also up to ten that raise it (a *watchdog*: Chamberlain and others 1982),
+//! since a whole step ends at the point of an active set, and a shorter one at none. Where that
+//! does not lead below the least |H| so far, the step from there is halved until |H| falls enough.
 //!
-//! For the minimum map row i of J is that of A where row i is free (F) and a unit row where it is at a
-//! bound: the step solves for the guessed active set, which is final once the guess is right. Where A is
-//! symmetric that takes the factor of A_FF that suits A (free_rows.rs) or, where redundant contacts make it singular, of
-//! A_FF + 2⁻²⁸ D_FF, D = diag(A), which leaves x where it is along a null direction:
+//! For the minimum map row i of J is that of A where row i is free (F) and a unit row where it is
+//! at a bound: the step solves for the guessed active set, which is final once the guess is right.
+//! Where A is symmetric that takes the factor of A_FF that suits A (free_rows.rs) or, where
+//! redundant contacts make it singular, of A_FF + 2⁻²⁸ D_FF, D = diag(A), which leaves x where it
+//! is along a null direction:
 //!
 //! ```text
 //! x_i + d_i = the bound of row i at a bound,   A_FF d_F = −w_F at x_F and these bounds
 //! ```
 //!
-//! At a kink it may be that no length of d, down to 1/16, reduces |H|. Then a proximal step begins (proximal.rs): ρ D (x − c)
-//! is added to w with c = x, and ρ grows until a length of d does. A root of these equations is the next c, and ρ
-//! falls again. From ρ = 1 on, and where A is not symmetric, d is halved further, and at last a sweep of
-//! [`Pgs`](crate::Pgs) taken instead, and the observer is told so (`Sweep` for `Step`).
+//! At a kink it may be that no length of d, down to 1/16, reduces |H|. Then a proximal step begins
+//! (proximal.rs): ρ D (x − c) is added to w with c = x, and ρ grows until a length of d does. A
+//! root of these equations is the next c, and ρ falls again. From ρ = 1 on, and where A is not
+//! symmetric, d is halved further, and at last a sweep of [`Pgs`](crate::Pgs) taken instead, and
+//! the observer is told so (`Sweep` for `Step`).
 //!
-//! For Fischer-Burmeister |H|² has no kink, so that d always leads downhill and the limit solves the
-//! LCP if A is a P0 matrix, as semidefinite ones are. Here J has all rows of A, and redundant contacts
-//! make it singular. The step is a least-squares solution, by QR, as it is for the minimum map where A is not
-//! symmetric:
+//! For Fischer-Burmeister |H|² has no kink, so that d always leads downhill and the limit solves
+//! the LCP if A is a P0 matrix, as semidefinite ones are. Here J has all rows of A, and redundant
+//! contacts make it singular. The step is a least-squares solution, by QR, as it is for the minimum
+//! map where A is not symmetric:
 //!
 //! ```text
 //! (JᵀJ + ν I) d = −Jᵀ H,   ν = 10⁻¹⁰ |H|² / Σ b_i²/a_ii
 //! ```
 //!
 //! The term ν (Levenberg-Marquardt) picks the least change of x if J is singular, and since it
-//! vanishes with |H|² it does not spoil the speed (Yamashita & Fukushima 2001). Near a solution both
-//! equations double the correct digits in each step (Qi & Sun 1993; De Luca, Facchinei & Kanzow 1996).
+//! vanishes with |H|² it does not spoil the speed (Yamashita & Fukushima 2001). Near a solution
+//! both equations double the correct digits in each step (Qi & Sun 1993; De Luca, Facchinei &
+//! Kanzow 1996).
 //!
 //! |H|² is summed as Σ a_ii H_i², an energy. A step costs f³/6 products for f free rows by Cholesky, fewer where A is
-//! sparse, and 5/3 n³ by QR, for A of any kind with a positive diagonal, up to 2000 rows. The bounds of coupled rows
-//! are part of H, with their derivatives; a coupled row at a bound that moves needs QR. `ZeroDiagonal`
-//! and `Diverged` as for PGS. The solution says whether proximal steps were taken ([`Fallback`]).
+//! sparse, and 5/3 n³ by QR, for A of any kind with a positive diagonal, up to 2000 rows. The
+//! bounds of coupled rows are part of H, with their derivatives; a coupled row at a bound that
+//! moves needs QR. `ZeroDiagonal` and `Diverged` as for PGS. The solution says whether proximal
+//! steps were taken ([`Fallback`]).
 
 use std::ops::ControlFlow;
 
@@ -60,7 +64,8 @@ use crate::{Event, Fallback, Observer, Settings, Solution, Solver, Start, Status
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 
-/// Halvings of a step before a proximal one is tried, and where there is none before it is given up.
+/// Halvings of a step before a proximal one is tried, and where there is none before it is given
+/// up.
 const HALVINGS: [i32; 2] = [4, 12];
 /// |H|² must fall by this part of what a linear H would give.
 const SUFFICIENT: f64 = 1e-4;
@@ -154,8 +159,9 @@ struct Softened {
     equations: FreeRows,
 }
 
-/// The point with the least |H|² so far, and how many whole steps may still be taken from there before it is less: to points
-/// where it is the same, as when a column adds contact to contact, and to points where it is more.
+/// The point with the least |H|² so far, and how many whole steps may still be taken from there
+/// before it is less: to points where it is the same, as when a column adds contact to contact, and
+/// to points where it is more.
 struct Watch {
     x: Vec<f64>,
     rows: Vec<Row>,
@@ -181,7 +187,8 @@ struct Next {
     rows: Vec<Row>,
     /// |H|².
     square: f64,
-    /// Whether H = 0 there but for rounding: the whole step was taken, and all rows are where the guess had them.
+    /// Whether H = 0 there but for rounding: the whole step was taken, and all rows are where the
+    /// guess had them.
     is_root: bool,
 }
 
@@ -215,7 +222,8 @@ impl<'a> Run<'a> {
         self.is_symmetric && self.equations == Equations::MinimumMap && !is_safe
     }
 
-    /// Begins a proximal step at x, with a larger ρ than the last one's; false if that does not help any more.
+    /// Begins a proximal step at x, with a larger ρ than the last one's; false if that does not
+    /// help any more.
     fn raise_rho(&mut self, x: &[f64]) -> bool {
         if !self.can_raise_rho() {
             return false;
@@ -245,8 +253,8 @@ impl<'a> Run<'a> {
         self.lcp.row_w(i, x) + self.diagonal[i] * added
     }
 
-    /// Where the whole step leads while the watch lasts; else x goes back to the point that is watched, and it is x + λ d with
-    /// the first λ = ½, ¼, … that reduces |H|² enough, if any does.
+    /// Where the whole step leads while the watch lasts; else x goes back to the point that is
+    /// watched, and it is x + λ d with the first λ = ½, ¼, … that reduces |H|² enough, if any does.
     fn newton_step(&mut self, x: &mut [f64], rows: &[Row]) -> Option<Next> {
         let square = self.square(rows);
         let mut watch = match self.watch.take() {
@@ -311,8 +319,8 @@ impl<'a> Run<'a> {
         rows.iter().enumerate().map(|(i, row)| self.diagonal[i] * row.value.powi(2)).sum()
     }
 
-    /// The solution of J d = −H for the minimum map, if A is symmetric and semidefinite and the bounds stay where they
-    /// are.
+    /// The solution of J d = −H for the minimum map, if A is symmetric and semidefinite and the
+    /// bounds stay where they are.
     fn active_set_direction(&mut self, x: &[f64], rows: &[Row]) -> Option<Vec<f64>> {
         let is_free = |i: &usize| rows[*i].by_w != 0.0;
         let moves = |i: usize| self.bound_slope(i, x).is_some_and(|(_, slope)| slope != 0.0);

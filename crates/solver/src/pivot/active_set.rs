@@ -45,8 +45,8 @@ impl ActiveSet {
         ActiveSet((0..lcp.len()).map(side).collect())
     }
 
-    /// The set of another problem, with every row at a bound that it has; none if the number of rows
-    /// is another.
+    /// The set of another problem, with every row at a bound that it has; none if the number of
+    /// rows is another.
     pub(crate) fn fitted(self, lcp: &Lcp) -> Option<Self> {
         let side = |(i, side): (usize, Side)| match side {
             _ if lcp.lo()[i] == lcp.hi()[i] => Side::Lower,

@@ -1,7 +1,7 @@
 //! The basic variables of a symmetric tableau and how far they can move.
 //!
-//! Each row has one that may move: x_j of a free row, w_j of a row at a bound. They keep between two
-//! limits, an x between its bounds, a w on the side of zero that its bound allows; so one test
+//! Each row has one that may move: x_j of a free row, w_j of a row at a bound. They keep between
+//! two limits, an x between its bounds, a w on the side of zero that its bound allows; so one test
 //! serves all.
 
 use super::dantzig::Side;
@@ -24,7 +24,8 @@ struct Eight {
     value: [f64; 8],
     low: [f64; 8],
     high: [f64; 8],
-    /// The speed is so many times the entry of the tableau: −1 for an x, 1 for a w, 0 where nothing is asked.
+    /// The speed is so many times the entry of the tableau: −1 for an x, 1 for a w, 0 where nothing
+    /// is asked.
     factor: [f64; 8],
     /// √a_jj for a w, 0 for an x: how large an entry is that only rounding leaves.
     rounding: [f64; 8],
@@ -32,8 +33,8 @@ struct Eight {
     weight: [f64; 8],
     /// Of the move under way.
     speed: [f64; 8],
-    /// Its length until the variable is at a limit, ∞ if it never is; known where `ends` is true, else it is beyond all that
-    /// is asked for.
+    /// Its length until the variable is at a limit, ∞ if it never is; known where `ends` is true,
+    /// else it is beyond all that is asked for.
     length: [f64; 8],
     ends: bool,
 }
@@ -47,7 +48,8 @@ pub(crate) const TRUSTED: f64 = 1e-11;
 /// And below this part of it s is rounding, and zero.
 pub(crate) const REDUNDANT: f64 = 1e-14;
 
-/// What is left of a sum below this part of its terms is rounding: sweeps leave more of it than a factor does.
+/// What is left of a sum below this part of its terms is rounding: sweeps leave more of it than a
+/// factor does.
 const ROUNDING: f64 = 1e-13;
 
 /// Rows of which nothing is asked.
@@ -69,7 +71,8 @@ impl Basic {
         Basic { eights: vec![IDLE; n.div_ceil(8)], used: 0, width: Width::widest() }
     }
 
-    /// Row j stands on this side from now on, at this x or w, whichever may move; √a_jj is its unit.
+    /// Row j stands on this side from now on, at this x or w, whichever may move; √a_jj is its
+    /// unit.
     pub(crate) fn put(
         &mut self,
         j: usize,
@@ -102,8 +105,8 @@ impl Basic {
         lanes.iter().sum()
     }
 
-    /// How far x_i, whose row of the tableau this is, can go up, sign = 1, or down before a variable meets a limit, if that
-    /// is within `most`; else ∞. `size` is that of the direction.
+    /// How far x_i, whose row of the tableau this is, can go up, sign = 1, or down before a
+    /// variable meets a limit, if that is within `most`; else ∞. `size` is that of the direction.
     pub(crate) fn reach(&mut self, row: &[Block], sign: f64, size: f64, most: f64) -> f64 {
         let eights = &mut self.eights[..self.used];
         self.width.run(Reach { eights, row, sign, rounding: ROUNDING * size, most })
@@ -127,7 +130,8 @@ impl Basic {
         self.eights[j / 8].value[j % 8]
     }
 
-    /// All variables go on for this length; exactly 0 where only rounding is left, or ties are missed.
+    /// All variables go on for this length; exactly 0 where only rounding is left, or ties are
+    /// missed.
     pub(crate) fn advance(&mut self, length: f64) {
         self.width.run(Advance { eights: &mut self.eights[..self.used], length });
     }

@@ -16,10 +16,10 @@
 //! what blocks do not settle is left to proximal steps (proximal.rs); and so is a singular A_FF,
 //! as redundant contacts make it. Where A is not symmetric a singular A_FF is the end: `Singular`.
 //!
-//! An exchange factorises A_FF by what suits A (free_rows.rs), at most O(f³); the
-//! same free rows need no new factor, and [`Warm`](crate::Warm) carries it to the next solve.
-//! Observers see `Exchange` for a block, `Pivot` for a single row and `Step` for a proximal step; the
-//! solution names what else than blocks had a part in it ([`Fallback`]). Coupled rows: see
+//! An exchange factorises A_FF by what suits A (free_rows.rs), at most O(f³); the same free rows
+//! need no new factor, and [`Warm`](crate::Warm) carries it to the next solve. Observers see
+//! `Exchange` for a block, `Pivot` for a single row and `Step` for a proximal step; the solution
+//! names what else than blocks had a part in it ([`Fallback`]). Coupled rows: see
 //! [`frozen`](crate::frozen).
 
 use std::ops::ControlFlow;

@@ -1,16 +1,17 @@
 //! Enumeration: tries every active set, in exact arithmetic.
 //!
-//! Each row is at its lower bound, free, or at its upper bound: 2ⁿ sets for contacts, 3ⁿ for boxes, and
-//! coupled rows at −μ x_k, free, or at +μ x_k. For each set the linear equations are solved over the
-//! rationals (every floating-point number is one) and all bounds and signs are decided exactly
-//! ([`exact`](lcplab_problem::exact)). So the answer is the truth: a solution, or `NoSolution`. It knows no
-//! class of matrices; it is the reference that the other methods are tested against, and the proof
-//! that the worst case of pivoting, 2ⁿ, is no worse than trying everything.
+//! Each row is at its lower bound, free, or at its upper bound: 2ⁿ sets for contacts, 3ⁿ for boxes,
+//! and coupled rows at −μ x_k, free, or at +μ x_k. For each set the linear equations are solved
+//! over the rationals (every floating-point number is one) and all bounds and signs are decided
+//! exactly ([`exact`](lcplab_problem::exact)). So the answer is the truth: a solution, or
+//! `NoSolution`. It knows no class of matrices; it is the reference that the other methods are
+//! tested against, and the proof that the worst case of pivoting, 2ⁿ, is no worse than trying
+//! everything.
 //!
-//! Exact elimination costs O(n³) a set, so the number of sets is limited: `OutsideClass` above 65536
-//! (16 contacts, 10 boxes), or three contacts with two tangents each; of more of these the bounds are [`frozen`], which
-//! may lead to a solution but proves nothing. Sets are counted with row 0 fastest. The start makes no
-//! difference but for frozen bounds.
+//! Exact elimination costs O(n³) a set, so the number of sets is limited: `OutsideClass` above
+//! 65536 (16 contacts, 10 boxes), or three contacts with two tangents each; of more of these the
+//! bounds are [`frozen`], which may lead to a solution but proves nothing. Sets are counted with
+//! row 0 fastest. The start makes no difference but for frozen bounds.
 
 use super::active_set::claim;
 use super::opening;

@@ -55,7 +55,8 @@ impl FreeRows {
         FreeRows { matrix, factor, free: None }
     }
 
-    /// Those that are kept, if they are of this problem's matrix: of the same one, not of an equal one.
+    /// Those that are kept, if they are of this problem's matrix: of the same one, not of an equal
+    /// one.
     pub(crate) fn kept<'a>(kept: &'a mut Option<Self>, lcp: &Lcp) -> &'a mut Self {
         let is_same = |kept: &Self| Arc::ptr_eq(&kept.matrix, lcp.shared_matrix());
         *kept = kept.take().filter(is_same);

@@ -85,9 +85,9 @@ pub(crate) struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Changes sides until all rows are satisfied. `point` finds the point of an active set; `rule` is
-    /// told how many rows are not satisfied, and chooses. `arrival` is what led to the first point, if
-    /// an observer is to be told of it.
+    /// Changes sides until all rows are satisfied. `point` finds the point of an active set; `rule`
+    /// is told how many rows are not satisfied, and chooses. `arrival` is what led to the first
+    /// point, if an observer is to be told of it.
     pub(crate) fn run(
         &mut self,
         lcp: &Lcp,
@@ -151,9 +151,9 @@ impl Search<'_> {
     }
 }
 
-/// Solves a problem by a method that goes from one active set to the next, `method(problem, search)`;
-/// one whose bounds depend on x by frozen ones. It begins with the set that is given, if that fits, and
-/// leaves its last one there.
+/// Solves a problem by a method that goes from one active set to the next, `method(problem,
+/// search)`; one whose bounds depend on x by frozen ones. It begins with the set that is given, if
+/// that fits, and leaves its last one there.
 pub(crate) fn solve(
     lcp: &Lcp,
     start: &Start<'_>,

@@ -5,21 +5,22 @@
 //! ```
 //!
 //! that is, it minimises ½ xᵀA x + bᵀx + ρ/2 |x − xᵏ|²_D in the box (Rockafellar 1976). A + ρ D is
-//! positive definite where A is semidefinite, so block pivoting solves each step, from the active set of
-//! the last one. This softens nothing: where x stays, the added term is zero, and what ends the steps is the
-//! residual of the problem as it was posed.
+//! positive definite where A is semidefinite, so block pivoting solves each step, from the active
+//! set of the last one. This softens nothing: where x stays, the added term is zero, and what ends
+//! the steps is the residual of the problem as it was posed.
 //!
-//! Along an eigenvector of D⁻¹A with the eigenvalue λ a step leaves the part ρ/(ρ + λ) of the error; for
-//! λ = 0 nothing is left to do, as x does not move w there. So with ρ = 2⁻²⁸ two or three steps are
-//! enough, and those after the first cost two triangular solves if their active set is the same. But
-//! the smaller ρ, the farther x runs in a wrong active set, and exchanges of blocks may
-//! not settle. Such a step is taken again with a larger ρ, a well-conditioned problem; then ρ falls
-//! again, in strides that halve after each failure. From ρ = 1 on Murty's rule ends every step.
+//! Along an eigenvector of D⁻¹A with the eigenvalue λ a step leaves the part ρ/(ρ + λ) of the
+//! error; for λ = 0 nothing is left to do, as x does not move w there. So with ρ = 2⁻²⁸ two or
+//! three steps are enough, and those after the first cost two triangular solves if their active set
+//! is the same. But the smaller ρ, the farther x runs in a wrong active set, and exchanges of
+//! blocks may not settle. Such a step is taken again with a larger ρ, a well-conditioned problem;
+//! then ρ falls again, in strides that halve after each failure. From ρ = 1 on Murty's rule ends
+//! every step.
 //!
 //! Each step is finite, for A + ρ D is a P-matrix. Their number is not bounded beforehand: x
-//! converges to a solution if there is one, linearly for any ρ and any A (the problem is polyhedral: Luque
-//! 1984), and stops with the residual at rounding, or where it falls no more. If there is no
-//! solution x runs off along a ray, A d = 0 and bᵀd < 0, and the status says so.
+//! converges to a solution if there is one, linearly for any ρ and any A (the problem is
+//! polyhedral: Luque 1984), and stops with the residual at rounding, or where it falls no more. If
+//! there is no solution x runs off along a ray, A d = 0 and bᵀd < 0, and the status says so.
 
 use std::ops::ControlFlow;
 
@@ -40,8 +41,8 @@ const PATIENCE: usize = 4;
 const STRIDES: [i32; 2] = [12, 4];
 /// Steps with the least ρ that need not better the residual.
 const IDLE: usize = 3;
-/// Rows that depend on each other and miss by more than this part contradict each other. What is less
-/// may be drift and rounding of redundant joints.
+/// Rows that depend on each other and miss by more than this part contradict each other. What is
+/// less may be drift and rounding of redundant joints.
 pub(crate) const NEARLY: f64 = 1e-3;
 /// What counts as better.
 const BETTER: f64 = 0.9;
@@ -130,9 +131,9 @@ fn is_solved(lcp: &Lcp, point: &Point, tolerance: f64) -> bool {
     point.is_solution(lcp, tolerance) && (is_nearer || nothing.is_solution(lcp, tolerance))
 }
 
-/// What proximal steps make of a problem with symmetric A that a method of pivots has given up: their
-/// solution, or the failed one. Rows of redundant joints that have drifted apart depend on each
-/// other so nearly that a single pivot cannot tell; along them A is small, not zero.
+/// What proximal steps make of a problem with symmetric A that a method of pivots has given up:
+/// their solution, or the failed one. Rows of redundant joints that have drifted apart depend on
+/// each other so nearly that a single pivot cannot tell; along them A is small, not zero.
 pub(crate) fn after(lcp: &Lcp, failed: Solution, settings: &Settings) -> Solution {
     use Status::{Inaccurate, Ray, Singular, Stalled};
     let is_given_up = matches!(failed.status, Ray { .. } | Inaccurate | Singular { .. } | Stalled);

@@ -1,8 +1,8 @@
-//! The ratio test: which variable of a dictionary becomes zero first, and the lexicographic rule for
-//! ties.
+//! The ratio test: which variable of a dictionary becomes zero first, and the lexicographic rule
+//! for ties.
 //!
-//! With the constants perturbed by (ε, ε², …), which stand for the variables that were basic at first,
-//! the constant of a row is the vector (c_r, B⁻¹_r), and no two ratios are the same:
+//! With the constants perturbed by (ε, ε², …), which stand for the variables that were basic at
+//! first, the constant of a row is the vector (c_r, B⁻¹_r), and no two ratios are the same:
 //!
 //! ```text
 //! B⁻¹_rv = −T_rv for a nonbasic v of the first basis,   1 for the basic one of row r,   else 0

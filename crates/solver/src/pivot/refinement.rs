@@ -11,8 +11,8 @@ pub(crate) const EXACT: f64 = 1e-14;
 /// Steps of refinement; all but the first with an accurate w.
 const STEPS: usize = 3;
 
-/// x as exact as rounding allows, or as the tolerance asks, with x_C ← x_C + S_CC w_C. Of idle rows,
-/// which depend on those of C, no more than the tolerance is asked.
+/// x as exact as rounding allows, or as the tolerance asks, with x_C ← x_C + S_CC w_C. Of idle
+/// rows, which depend on those of C, no more than the tolerance is asked.
 ///
 /// # Errors
 /// The last x, if it does not become so.

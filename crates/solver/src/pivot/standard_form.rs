@@ -1,4 +1,5 @@
-//! A boxed problem as a standard one: pairs of variables that are not negative and not both positive.
+//! A boxed problem as a standard one: pairs of variables that are not negative and not both
+//! positive.
 //!
 //! ```text
 //! pinned, lo = hi     x = lo                leaves the problem
@@ -9,15 +10,15 @@
 //! ```
 //!
 //! v is the force with which the upper bound pushes back. A row bounded from both sides needs one
-//! equation and one column all the same. t is y seen from the other bound; and v is not 0 only where t
-//! is 0, so that y and hence w + v ≠ 0 or v ≠ 0 but never both: v is −w, seen from there.
+//! equation and one column all the same. t is y seen from the other bound; and v is not 0 only
+//! where t is 0, so that y and hence w + v ≠ 0 or v ≠ 0 but never both: v is −w, seen from there.
 //! The dictionary has whichever of the two names must not be negative, and
 //! [mirrors](Dictionary::mirror_row) one into the other.
 //!
 //! Free rows are solved by elimination with complete pivoting, which puts the Schur complement of A
-//! in place of A. What is left of them when no pivot is left, because A is singular there, is split:
-//! x = y − v with 0 ≤ y ⟂ w ≥ 0 and 0 ≤ v ⟂ t = −w ≥ 0. None of this changes that A is positive
-//! semidefinite.
+//! in place of A. What is left of them when no pivot is left, because A is singular there, is
+//! split: x = y − v with 0 ≤ y ⟂ w ≥ 0 and 0 ≤ v ⟂ t = −w ≥ 0. None of this changes that A is
+//! positive semidefinite.
 
 use super::active_set::{ActiveSet, Side, unit};
 use super::dictionary::{Dictionary, Taken};
@@ -67,8 +68,8 @@ pub(crate) struct StandardForm {
 }
 
 impl StandardForm {
-    /// The standard form of a problem without coupling; the W are basic. The covering variable is in
-    /// the last column.
+    /// The standard form of a problem without coupling; the W are basic. The covering variable is
+    /// in the last column.
     pub(crate) fn of(lcp: &Lcp) -> Self {
         let n = lcp.len();
         let kind: Vec<Kind> = (0..n).map(|i| Kind::of(lcp.lo()[i], lcp.hi()[i])).collect();
@@ -149,7 +150,8 @@ impl StandardForm {
         }
     }
 
-    /// Gives a nonbasic variable this name, if it goes by the one of its mirror image; returns its column.
+    /// Gives a nonbasic variable this name, if it goes by the one of its mirror image; returns its
+    /// column.
     pub(crate) fn name_column(&mut self, variable: Variable) -> Option<usize> {
         let d = &mut self.dictionary;
         d.column_of(variable).or_else(|| {
@@ -218,8 +220,8 @@ fn needs_units(lcp: &Lcp) -> bool {
     most > FAR_APART * least
 }
 
-/// How fast the covering variable lifts the w of each row from the wrong side of zero: not at all where x is free or
-/// pinned.
+/// How fast the covering variable lifts the w of each row from the wrong side of zero: not at all
+/// where x is free or pinned.
 pub(crate) fn cover(lcp: &Lcp) -> Vec<f64> {
     let needs_units = needs_units(lcp);
     let lift = |i: usize| if needs_units { unit(lcp, i) } else { 1.0 };
@@ -231,7 +233,8 @@ pub(crate) fn cover(lcp: &Lcp) -> Vec<f64> {
     (0..lcp.len()).map(of_row).collect()
 }
 
-/// w = b + A x in these rows as equations of their y, with a column of zeros for the covering variable.
+/// w = b + A x in these rows as equations of their y, with a column of zeros for the covering
+/// variable.
 fn equations(lcp: &Lcp, rows: &[usize], base: &[f64], sign: &[f64]) -> Dictionary {
     let mut column = vec![None; lcp.len()];
     rows.iter().enumerate().for_each(|(c, &j)| column[j] = Some(c));

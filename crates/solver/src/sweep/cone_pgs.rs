@@ -8,14 +8,14 @@
 //! [`Pgs`](crate::Pgs) with a cone in place of an interval; s_c, a bound on the largest
 //! eigenvalue of the contact's block of A, is in place of a_ii. Each update uses the newest x.
 //!
-//! Under the associated law and for symmetric positive semidefinite A no update raises
-//! ½ xᵀAx + bᵀx, and x converges to a minimum (Tasora & Anitescu 2011). Under Coulomb's law the same
-//! line with ŵ is the projection of De Saxcé & Feng (1991): one sweep solves and freezes at once,
-//! where [`frozen`](crate) solves to the end before it freezes again. Nothing is guaranteed
-//! then, and little goes wrong as long as μ is not large. A contact on its own with A = 1 contracts by
+//! Under the associated law and for symmetric positive semidefinite A no update raises ½ xᵀAx +
+//! bᵀx, and x converges to a minimum (Tasora & Anitescu 2011). Under Coulomb's law the same line
+//! with ŵ is the projection of De Saxcé & Feng (1991): one sweep solves and freezes at once, where
+//! [`frozen`](crate) solves to the end before it freezes again. Nothing is guaranteed then, and
+//! little goes wrong as long as μ is not large. A contact on its own with A = 1 contracts by
 //! μ²/(1 + μ²) a sweep under Coulomb's law, and is solved by one update under the other. Like all
-//! sweeps it is slow where forces pass through many bodies, and where a contact is about to slide but
-//! hardly does: the surface of the cone is curved there, which intervals are not.
+//! sweeps it is slow where forces pass through many bodies, and where a contact is about to slide
+//! but hardly does: the surface of the cone is curved there, which intervals are not.
 //!
 //! A sweep costs one product A x. A contact whose block of A is not positive: `ZeroDiagonal`.
 

@@ -1,10 +1,10 @@
 //! Splitting: solve row i for x_i while the others wait, clamp, go on.
 //!
-//! After enough sweeps nothing moves any more. A sweep is cheap, can be stopped at any time, and starts from
-//! the last step's answer; but news travels one row at a time, so tall stacks and large mass ratios
-//! need thousands of sweeps ([`theory`](crate::theory) says how many). [`pgs`] has SOR, symmetric SOR and
-//! colours too, by [`order`]; [`code6`] is the chapter's listing as printed, which is something else. For
-//! friction: [`polygon_pgs`] and [`cone_pgs`], by contacts.
+//! After enough sweeps nothing moves any more. A sweep is cheap, can be stopped at any time, and
+//! starts from the last step's answer; but news travels one row at a time, so tall stacks and large
+//! mass ratios need thousands of sweeps ([`theory`](crate::theory) says how many). [`pgs`] has SOR,
+//! symmetric SOR and colours too, by [`order`]; [`code6`] is the chapter's listing as printed,
+//! which is something else. For friction: [`polygon_pgs`] and [`cone_pgs`], by contacts.
 
 pub mod block_pgs;
 pub mod code6;

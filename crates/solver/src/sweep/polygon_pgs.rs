@@ -6,11 +6,12 @@
 //! x_i ← Π(x_i − w_i/a_ii)                                              each other row
 //! ```
 //!
-//! The friction that dissipates most, among the impulses of a polygon, is a fixed point of the second line,
-//! and with it of the whole; β and γ of the [LCP](lcplab_problem::friction::Polyhedral) need not be known, and the
-//! matrix has a row for each of x alone. s_t bounds the eigenvalues of the contact's block of tangents. Each
-//! update uses the newest x. As the coupled box, which it is with four corners along the tangents turned by
-//! 45°, it has no minimum behind it: that a sweep comes nearer is seen, not proved.
+//! The friction that dissipates most, among the impulses of a polygon, is a fixed point of the
+//! second line, and with it of the whole; β and γ of the
+//! [LCP](lcplab_problem::friction::Polyhedral) need not be known, and the matrix has a row for each
+//! of x alone. s_t bounds the eigenvalues of the contact's block of tangents. Each update uses the
+//! newest x. As the coupled box, which it is with four corners along the tangents turned by 45°, it
+//! has no minimum behind it: that a sweep comes nearer is seen, not proved.
 //!
 //! What it claims is judged by the LCP, on the z that x leads back to.
 

@@ -2,9 +2,11 @@
 
 use super::{Matrix, Vector, point};
 
-/// The x of lo ≤ x ≤ hi with w > 0 only where x = lo and w < 0 only where x = hi; A symmetric and definite.
+/// The x of lo ≤ x ≤ hi with w > 0 only where x = lo and w < 0 only where x = hi; A symmetric and
+/// definite.
 ///
-/// Rows 0 … k − 1 are satisfied and stay so while row k moves: free rows keep w = 0, the others keep x.
+/// Rows 0 … k − 1 are satisfied and stay so while row k moves: free rows keep w = 0, the others
+/// keep x.
 pub fn dantzig(A: &Matrix, b: &Vector, lo: &Vector, hi: &Vector) -> Vector {
     let n = b.len();
     let mut x = Vector::from_fn(n, |i, _| 0.0_f64.clamp(lo[i], hi[i]));
@@ -19,7 +21,8 @@ pub fn dantzig(A: &Matrix, b: &Vector, lo: &Vector, hi: &Vector) -> Vector {
             }
             let d = direction(A, &free, k, (bound - x[k]).signum());
             let v = A * &d; // how fast w changes along d
-            // How far until w_k is 0, or x_k at its bound, or a row before it at the end of its side?
+            // How far until w_k is 0, or x_k at its bound, or a row before it at the end of its
+            // side?
             let mut first = (-w[k] / v[k], k, true);
             let mut ends_at = |length: f64, i: usize, becomes_free: bool| {
                 if length < first.0 {
@@ -48,8 +51,8 @@ pub fn dantzig(A: &Matrix, b: &Vector, lo: &Vector, hi: &Vector) -> Vector {
     x
 }
 
-/// The direction in which x_k goes one unit, up or down by the sign, free rows keep their w, and the others keep
-/// their x.
+/// The direction in which x_k goes one unit, up or down by the sign, free rows keep their w, and
+/// the others keep their x.
 fn direction(A: &Matrix, free: &[bool], k: usize, sign: f64) -> Vector {
     let mut d = point(A, &(sign * A.column(k)), free); // A_FF d_F = −A_Fk d_k
     d[k] = sign;

@@ -2,7 +2,8 @@
 
 use super::{Matrix, Vector, ldlt, solve};
 
-/// x after so many steps towards 0 ≤ x ⟂ A x + b ≥ 0, A symmetric and semidefinite: some thirty give all digits.
+/// x after so many steps towards 0 ≤ x ⟂ A x + b ≥ 0, A symmetric and semidefinite: some thirty
+/// give all digits.
 pub fn interior_point(A: &Matrix, b: &Vector, steps: usize) -> Vector {
     let n = b.len();
     let (mut x, mut w) = (Vector::repeat(n, 1.0), Vector::repeat(n, 1.0));

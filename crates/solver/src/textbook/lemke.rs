@@ -4,8 +4,8 @@ use super::{Matrix, Vector};
 
 /// The x of 0 ≤ x ⟂ A x + b ≥ 0, or `None` where the path ends on a ray.
 ///
-/// The tableau says w = A x + z₀ e + b. Variable i is w_i, n + i is x_i, 2n is the cover z₀; those of `basis`
-/// stand on the left, the others are 0.
+/// The tableau says w = A x + z₀ e + b. Variable i is w_i, n + i is x_i, 2n is the cover z₀; those
+/// of `basis` stand on the left, the others are 0.
 pub fn lemke(A: &Matrix, b: &Vector) -> Option<Vector> {
     let n = b.len();
     let mut T = Matrix::zeros(n, 2 * n + 2); // [I | −A | −e | b]: I w − A x − e z₀ = b

@@ -1,9 +1,9 @@
-//! The methods as a student writes them down: one function a method, on dense matrices, in the letters of the
-//! lessons.
+//! The methods as a student writes them down: one function a method, on dense matrices, in the
+//! letters of the lessons.
 //!
-//! There are no tolerances, no limits and no friction here, and a matrix that a method is not made for gives
-//! a wrong answer or none. The solvers of the same names are the ones to use; on problems without ties both
-//! give the same x, which the tests hold.
+//! There are no tolerances, no limits and no friction here, and a matrix that a method is not made
+//! for gives a wrong answer or none. The solvers of the same names are the ones to use; on problems
+//! without ties both give the same x, which the tests hold.
 //!
 //! | page | problem | strong twin |
 //! | --- | --- | --- |

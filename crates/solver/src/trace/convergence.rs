@@ -27,7 +27,8 @@ pub struct Convergence<'a> {
     lcp: &'a Lcp,
     /// Ask the solver to stop after this many iterations.
     pub limit: usize,
-    /// Ask the solver to stop once the natural residual is below this part of the first: what comes then is rounding.
+    /// Ask the solver to stop once the natural residual is below this part of the first: what comes
+    /// then is rounding.
     pub floor: f64,
     /// One record an iterate, the start first.
     pub records: Vec<Record>,
@@ -54,11 +55,12 @@ impl<'a> Convergence<'a> {
         Convergence { lcp, limit: usize::MAX, floor: 0.0, records: Vec::new() }
     }
 
-    /// The factor by which the natural residual shrinks an iteration: a straight line through its logarithms, by least
-    /// squares, over the last half of the records above the floor; `None` with fewer than ten of them.
+    /// The factor by which the natural residual shrinks an iteration: a straight line through its
+    /// logarithms, by least squares, over the last half of the records above the floor; `None` with
+    /// fewer than ten of them.
     ///
-    /// A line, since residuals may go up and down: those of Jacobi's method, whose eigenvalues come in pairs ±ρ, or of SOR
-    /// above ω*, where they are complex.
+    /// A line, since residuals may go up and down: those of Jacobi's method, whose eigenvalues come
+    /// in pairs ±ρ, or of SOR above ω*, where they are complex.
     pub fn rate(&self) -> Option<f64> {
         let residuals = self.records.iter().map(|record| record.natural_residual);
         let above: Vec<f64> =

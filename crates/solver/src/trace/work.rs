@@ -7,11 +7,11 @@ use lcplab_problem::{Lcp, merit};
 
 /// An observer that adds up the multiplications of a solve, as the formula of each method has them.
 ///
-/// Each entry of the registry states its [`Cost`]: a product A x is s multiplications, s being the stored
-/// entries of A, and a factorisation of f free rows f³/3.
+/// Each entry of the registry states its [`Cost`]: a product A x is s multiplications, s being the
+/// stored entries of A, and a factorisation of f free rows f³/3.
 ///
-/// That is the leading term of the method, not a count of instructions: stop tests, of which each is
-/// another product, line searches and additions are left out.
+/// That is the leading term of the method, not a count of instructions: stop tests, of which each
+/// is another product, line searches and additions are left out.
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};

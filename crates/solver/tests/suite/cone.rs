@@ -14,8 +14,8 @@ fn all() -> Vec<Box<dyn ConeSolver>> {
     CONES.iter().map(|entry| cone_by_name(entry.name, &settings).unwrap()).collect()
 }
 
-/// The solution by a solver, accepted by the judge; `None` where freezing Coulomb's shift stalls or takes too
-/// many steps: it is slow, and not guaranteed to end.
+/// The solution by a solver, accepted by the judge; `None` where freezing Coulomb's shift stalls or
+/// takes too many steps: it is slow, and not guaranteed to end.
 fn answer(solver: &dyn ConeSolver, problem: &ConeProblem) -> Option<Vec<f64>> {
     let solution = solver.solve(problem, &Start::default(), &mut ());
     let has_given_up = matches!(solution.status, Status::Stalled | Status::IterationLimit);

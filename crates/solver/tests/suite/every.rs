@@ -31,7 +31,8 @@ fn an_unknown_name_is_answered_with_names_that_are_taken() {
 
 #[test]
 fn no_two_take_the_same_path() {
-    // Contacts of unequal weight, some of which open; the first sweep is on the wrong side of several.
+    // Contacts of unequal weight, some of which open; the first sweep is on the wrong side of
+    // several.
     let a: [&[f64]; 5] = [
         &[4.0, -1.5, 0.5, 0.0, 0.25],
         &[-1.5, 3.0, -1.0, 0.5, 0.0],
@@ -147,8 +148,8 @@ fn a_mass_ratio_of_1e12_is_no_ray() {
     }
 }
 
-/// Whether each row has terms at x*: where all vanish, the rounding of other rows is never small beside
-/// them, and a solver that cannot meet 0 says that it has not.
+/// Whether each row has terms at x*: where all vanish, the rounding of other rows is never small
+/// beside them, and a solver that cannot meet 0 says that it has not.
 fn is_measurable(m: &Manufactured) -> bool {
     (0..m.x.len()).all(|i| RowTerms::at(&m.lcp, i, &m.x).magnitude > 0.0)
 }
@@ -243,8 +244,8 @@ proptest! {
         let lcp = Lcp::new(a, b, vec![-INF; 6], vec![INF; 6]).unwrap();
         for solver in all() {
             let status = solver.solve(&lcp, &Start::default(), &mut ()).status;
-            // Lemke eliminates the equations first and sees the rounding of that as a contradiction;
-            // no one can prove it.
+            // Lemke eliminates the equations first and sees the rounding of that as a
+            // contradiction; no one can prove it.
             let Status::Ray { row, direction } = &status else { continue };
             prop_assert!(solver.name() == "lemke", "{}: {status}", solver.name());
             prop_assert!(refute(&lcp, *row, direction).is_none());

@@ -4,7 +4,8 @@ use lcplab_solver::{Options, Part, Status, by_name};
 use lcplab_testing::{INF, boxed, parts};
 
 /// A normal row and a friction row that leans on it. As x_n goes 1, 0, 1, 0, …, friction of μ x_n
-/// carries the load at every other round: with A = [1 c; c 1] a round takes x_n to max(0, 1 − c μ x_n).
+/// carries the load at every other round: with A = [1 c; c 1] a round takes x_n to max(0, 1 − c μ
+/// x_n).
 fn rubbing(c: f64, mu: f64) -> Lcp {
     let a: [&[f64]; 2] = [&[1.0, c], &[c, 1.0]];
     let lcp = boxed(&a, &[-1.0, -10.0], &[0.0, -INF], &[INF; 2]);

@@ -8,8 +8,8 @@ use lcplab_testing::{
     manufactured, parts,
 };
 
-/// The solution and the rows of its pivots: by the tables, which are made if somebody asks for them, or by principal
-/// pivots where those can be trusted.
+/// The solution and the rows of its pivots: by the tables, which are made if somebody asks for
+/// them, or by principal pivots where those can be trusted.
 fn followed(lcp: &Lcp, asks: bool) -> (Solution, Vec<Event>) {
     if !asks {
         return events(&Lemke::default(), lcp);
@@ -39,8 +39,8 @@ fn ties_of_a_stack_are_broken_alike_by_principal_pivots_and_by_the_table() {
 
 #[test]
 fn a_second_path_is_named() {
-    // Twenty cubes on four corners each, with friction: 240 rows of which every second depends on the
-    // others, so that rounding leads the first path of tables astray.
+    // Twenty cubes on four corners each, with friction: 240 rows of which every second depends on
+    // the others, so that rounding leads the first path of tables astray.
     let stack = |boxes: f64| {
         let family = library::by_name("box-stack").unwrap();
         family.generate(&[("boxes", boxes), ("mu", 0.5)]).unwrap().lcp
@@ -71,8 +71,8 @@ fn lemke(lcp: &Lcp) -> Solution {
 
 #[test]
 fn published_problems_take_the_published_number_of_pivots() {
-    // Counted in exact arithmetic with the covering vector of ones and lexicographic ties, the first
-    // entering step included. The solutions are in the library and are proved here.
+    // Counted in exact arithmetic with the covering vector of ones and lexicographic ties, the
+    // first entering step included. The solutions are in the library and are proved here.
     for (name, pivots) in [
         ("murty", 2),
         ("murty-exponential", 64),
@@ -215,8 +215,8 @@ proptest! {
     ) {
         let (solution, pivots) = followed(&m.lcp, false);
         let (of_table, by_table) = followed(&m.lcp, true);
-        // Rows that have x at a bound and w = 0 at the solution end the path together with z₀, and rounding decides which
-        // of the two is first.
+        // Rows that have x at a bound and w = 0 at the solution end the path together with z₀, and
+        // rounding decides which of the two is first.
         let common = pivots.len().min(by_table.len()) - 1;
         prop_assert_eq!(&pivots[..common], &by_table[..common]);
         prop_assert!(pivots.len().abs_diff(by_table.len()) <= degenerate(&m), "{:?}", (pivots, by_table));

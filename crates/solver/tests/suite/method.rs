@@ -60,7 +60,8 @@ fn a_method_that_does_not_take_a_model_says_why() {
 
 #[test]
 fn friction_along_the_slip_is_no_solution_however_small_the_load() {
-    // Pressed with 1e-9 and pushed with 3: friction of 5e-10 is a rounding error of the slip, and counts.
+    // Pressed with 1e-9 and pushed with 3: friction of 5e-10 is a rounding error of the slip, and
+    // counts.
     let problem = pushed_mass(1e-9, 3.0, 0.0);
     let polygon = Polyhedral::new(&problem, 8).unwrap();
     let settings = Settings { tolerance: 1e-8, ..Settings::default() };

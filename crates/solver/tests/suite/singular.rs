@@ -1,5 +1,6 @@
-//! Stacks of cubes with a contact at each corner, 5 to 50 cubes with and without friction: eight singular
-//! problems at which the pivoting methods of physics engines give up, and the same regularised.
+//! Stacks of cubes with a contact at each corner, 5 to 50 cubes with and without friction: eight
+//! singular problems at which the pivoting methods of physics engines give up, and the same
+//! regularised.
 
 use lcplab_judge::{Demand, judge};
 use lcplab_problem::{Lcp, Matrix, library};

@@ -160,7 +160,8 @@ fn two_bodies_take_the_published_number_of_sweeps() {
 
 #[test]
 fn null_vectors_do_not_slow_w_down() {
-    // Two contacts that share a load, and one more: A = [[2, 2, 1], [2, 2, 1], [1, 1, 2]] has rank 2.
+    // Two contacts that share a load, and one more: A = [[2, 2, 1], [2, 2, 1], [1, 1, 2]] has
+    // rank 2.
     let a = Matrix::dense(3, &[2.0, 2.0, 1.0, 2.0, 2.0, 1.0, 1.0, 1.0, 2.0]);
     let g = sor_iteration_matrix(&a, 1.0);
     assert_close(spectral_radius(&g), 1.0, 1e-14);
@@ -238,8 +239,8 @@ proptest! {
     ) {
         let plain = gauss_seidel_rate(&Matrix::from(a.as_view())).unwrap();
         prop_assert_eq!(gauss_seidel_rate(&in_units(&a, &k)), Some(plain));
-        // Of rows that depend on each other those of a basis move w; their errors are those of a definite matrix
-        // only if the others stay, so what w feels is measured in sweeps.
+        // Of rows that depend on each other those of a basis move w; their errors are those of a
+        // definite matrix only if the others stay, so what w feels is measured in sweeps.
         let (n, sweeps) = (a.nrows(), sweeps_to(1e-8, plain));
         let mut error = DMatrix::from_fn(n, 1, |i, _| (1.0 + i as f64).sin());
         let size = |error: &DMatrix<f64>| (&a * error).amax();

@@ -3,8 +3,8 @@
 //! Nobody knows the exact motion of any scene, but half the step comes nearer to it: what halving
 //! changes is the error of the whole step. It is measured at the end of the run, and within it by
 //! what the bodies do: where they meet, by the velocities of a step taken in one and in two halves;
-//! where they spin freely, by angular momentum and energy; where they rest, by how far they are from
-//! touching.
+//! where they spin freely, by angular momentum and energy; where they rest, by how far they are
+//! from touching.
 
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::scene::Scene;

@@ -91,7 +91,8 @@ pub struct Run {
     pub rows: usize,
     /// Why the run ended early, or the last status that was not solved.
     pub trouble: Option<String>,
-    /// The part of the weight that contacts, joints and springs carry over the run, if there is a weight.
+    /// The part of the weight that contacts, joints and springs carry over the run, if there is a
+    /// weight.
     #[serde(default)]
     pub carried: Option<f64>,
     /// Which laws it kept.
@@ -124,8 +125,8 @@ pub const HELD: f64 = 0.01;
 /// About so many samples of a motion are kept.
 const SAMPLES: usize = 200;
 
-/// Samples at equal distances, the last one, and those at which a measure is largest or smallest, so
-/// that the extremes are still those of all samples.
+/// Samples at equal distances, the last one, and those at which a measure is largest or smallest,
+/// so that the extremes are still those of all samples.
 pub fn thinned(samples: &[Sample]) -> Vec<Sample> {
     let measures: [fn(&Sample) -> f64; 3] = [|s| s.energy, |s| s.drift, |s| s.penetration];
     let length = samples.len().div_ceil(SAMPLES).max(1);
@@ -178,10 +179,11 @@ const NONE: Entry = Entry {
     build: &|options| Box::new(Dantzig { settings: options.settings.clone() }),
 };
 
-/// Steps a scene with each of these solvers by each of these schemes; an entry need not be a registered one.
+/// Steps a scene with each of these solvers by each of these schemes; an entry need not be a
+/// registered one.
 ///
-/// Runs are spread over the threads of rayon's pool; none depends on another. `note` is called at the end of
-/// each.
+/// Runs are spread over the threads of rayon's pool; none depends on another. `note` is called at
+/// the end of each.
 pub fn compare(
     scene: &Scene,
     schemes: &[Scheme],
@@ -266,8 +268,8 @@ fn of_runs(scene: &Scene, steps: usize, ended: Vec<(Run, Timing)>) -> (Compariso
     (comparison, timings)
 }
 
-/// Why a method does not step a scene with this friction model; `None` if it does. The coupled box is what every boxed
-/// solver gets.
+/// Why a method does not step a scene with this friction model; `None` if it does. The coupled box
+/// is what every boxed solver gets.
 pub fn refusal(method: &Method, model: Model) -> Option<String> {
     match method {
         Method::Boxed(_) if model == Model::CoupledBox => None,
@@ -376,8 +378,8 @@ impl Run {
     }
 
     /// Whether it kept gaps and joints closed for so many steps: every answer was accepted, neither
-    /// drift nor overlap went beyond [`HELD`] of the size of the thinnest body (m), and no body went
-    /// through another one.
+    /// drift nor overlap went beyond [`HELD`] of the size of the thinnest body (m), and no body
+    /// went through another one.
     pub fn closes(&self, steps: usize, thinnest: f64) -> bool {
         let error = self.worst(|sample| sample.drift.max(sample.penetration));
         let is_whole = self.steps == steps && self.accepted == self.solves;

@@ -63,8 +63,8 @@ pub enum Cause {
         /// The sweeps to eight digits.
         sweeps: f64,
     },
-    /// The problem has more than one answer, found in exact arithmetic, and not because rows share a load:
-    /// the answer that is given is one of them.
+    /// The problem has more than one answer, found in exact arithmetic, and not because rows share
+    /// a load: the answer that is given is one of them.
     Several {
         /// How many corners the set of answers has.
         answers: usize,

@@ -1,10 +1,10 @@
 //! Rows that contradict each other.
 //!
-//! A d with dᵀA = 0 whose rows have no bounds gives dᵀw = dᵀb for every x; but w is 0 in such rows. So
-//! dᵀb ≠ 0 says that there is no solution. Where bounds have a part in it, the ray of a pivoting
+//! A d with dᵀA = 0 whose rows have no bounds gives dᵀw = dᵀb for every x; but w is 0 in such rows.
+//! So dᵀb ≠ 0 says that there is no solution. Where bounds have a part in it, the ray of a pivoting
 //! solver or a linear program leads to a d. Either is then checked in exact arithmetic; it may not
-//! lean on rows with friction, whose bounds depend on x. Small problems with such rows are tried piece by
-//! piece.
+//! lean on rows with friction, whose bounds depend on x. Small problems with such rows are tried
+//! piece by piece.
 
 use super::cause::Proof;
 use lcplab_judge::{Refutation, refutation, refuting_vector};
@@ -17,8 +17,8 @@ const PROVED: usize = 150;
 /// A dᵀb below this part of what its terms could be, each row in its own unit, counts as zero.
 const ROUNDING: f64 = 1e-9;
 
-/// The rows that contradict each other, and how that is known. `is_box` says that friction rows, if there
-/// are any, are those of the coupled box and of no other model.
+/// The rows that contradict each other, and how that is known. `is_box` says that friction rows, if
+/// there are any, are those of the coupled box and of no other model.
 pub(super) fn rows(
     lcp: &Lcp,
     dependencies: &[Vec<f64>],

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! with k velocity components of moving bodies (6 a rigid body, 3 a point mass) and J_E the rows of
-//! rigid equations. Counting rows instead of their rank is right only where the rows are independent:
-//! Bricard's mechanism has 30 of each and moves. K&M "Maximal coordinates", E19, E20.
+//! rigid equations. Counting rows instead of their rank is right only where the rows are
+//! independent: Bricard's mechanism has 30 of each and moves. K&M "Maximal coordinates", E19, E20.
 
 /// What the equations leave of the bodies' velocities.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

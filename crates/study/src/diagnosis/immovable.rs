@@ -1,15 +1,16 @@
 //! Rows that hardly anything can move.
 //!
-//! A diagonal entry a_ii is what an impulse of 1 changes of w_i: an inverse effective mass. A row whose a_ii lies far
-//! below those of all other rows, or below any mass that bodies have, asks for an impulse b_i/a_ii that no solver can be
-//! expected to return. Units alone are no such trouble: they multiply a_ii by s² and b_i by s, and leave b_i²/a_ii, twice
-//! the energy that the row takes by itself, as it is. So both are looked at.
+//! A diagonal entry a_ii is what an impulse of 1 changes of w_i: an inverse effective mass. A row
+//! whose a_ii lies far below those of all other rows, or below any mass that bodies have, asks for
+//! an impulse b_i/a_ii that no solver can be expected to return. Units alone are no such trouble:
+//! they multiply a_ii by s² and b_i by s, and leave b_i²/a_ii, twice the energy that the row takes
+//! by itself, as it is. So both are looked at.
 
 use super::cause::Cause;
 use lcplab_problem::Lcp;
 
-/// A diagonal entry below this part of the next larger one stands apart from it; so does an entry below this of a
-/// problem that has no others.
+/// A diagonal entry below this part of the next larger one stands apart from it; so does an entry
+/// below this of a problem that has no others.
 const APART: f64 = 1e-12;
 
 /// The causes of all such rows; `name` gives a row's name.
@@ -48,7 +49,8 @@ fn small_rows(lcp: &Lcp) -> Vec<bool> {
     is_small
 }
 
-/// The impulse that row i would take if it were alone, within its bounds; 0 for friction, whose bounds lie elsewhere.
+/// The impulse that row i would take if it were alone, within its bounds; 0 for friction, whose
+/// bounds lie elsewhere.
 fn own_impulse(lcp: &Lcp, i: usize) -> f64 {
     let diagonal = lcp.matrix().diagonal(i);
     if lcp.is_coupled(i) || diagonal <= 0.0 || lcp.b()[i] == 0.0 {
@@ -57,7 +59,8 @@ fn own_impulse(lcp: &Lcp, i: usize) -> f64 {
     (-lcp.b()[i] / diagonal).max(lcp.lo()[i]).min(lcp.hi()[i])
 }
 
-/// log₂ of x² a_ii at that impulse x, as the energy itself may be beyond all doubles; −∞ where x = 0.
+/// log₂ of x² a_ii at that impulse x, as the energy itself may be beyond all doubles; −∞ where
+/// x = 0.
 fn log_energy(lcp: &Lcp, i: usize) -> f64 {
     let impulse = own_impulse(lcp, i).abs().min(f64::MAX);
     2.0 * libm::log2(impulse) + libm::log2(lcp.matrix().diagonal(i))

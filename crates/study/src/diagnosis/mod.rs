@@ -72,11 +72,11 @@ pub struct Diagnosis {
     pub labels: Vec<String>,
     /// Degrees of freedom; of a scene only.
     pub freedoms: Option<Freedoms>,
-    /// Rank, condition and dependent rows of A; without it, no rows were reached, or the numbers in them
-    /// are too large or too small for singular values.
+    /// Rank, condition and dependent rows of A; without it, no rows were reached, or the numbers in
+    /// them are too large or too small for singular values.
     pub regularity: Option<Regularity>,
-    /// Whether x is unique: `true` only where that follows from a theorem whose assumptions were verified
-    /// (A symmetric and definite, no friction); otherwise nothing is known.
+    /// Whether x is unique: `true` only where that follows from a theorem whose assumptions were
+    /// verified (A symmetric and definite, no friction); otherwise nothing is known.
     pub is_unique: bool,
     /// Whether A is symmetric.
     pub is_symmetric: bool,
@@ -106,8 +106,8 @@ pub fn problem(problem: &Problem) -> Result<Diagnosis> {
     Ok(found)
 }
 
-/// That no friction from polygons with four corners satisfies the rows, where it is proved. The directions of more
-/// corners are rounded numbers, and nothing is proved of them.
+/// That no friction from polygons with four corners satisfies the rows, where it is proved. The
+/// directions of more corners are rounded numbers, and nothing is proved of them.
 fn impossible_polygons(problem: &Problem) -> Option<Cause> {
     let model = problem.model.filter(|model| *model == Model::Polyhedral { directions: 4 })?;
     let Ok(Posed::Polyhedral(polygons)) = model.pose(&problem.friction()?.ok()?, None) else {
@@ -120,8 +120,8 @@ fn impossible_polygons(problem: &Problem) -> Option<Cause> {
     Some(Cause::Impossible { rows: Vec::new(), proof })
 }
 
-/// The number of sweeps that theory predicts, if they are many. Of a matrix that Gauss-Seidel does not contract theory
-/// predicts none, and no number is given.
+/// The number of sweeps that theory predicts, if they are many. Of a matrix that Gauss-Seidel does
+/// not contract theory predicts none, and no number is given.
 fn slow(lcp: &Lcp) -> Option<Cause> {
     let a = lcp.matrix();
     if a.len() > SWEPT || (0..a.len()).any(|i| a.diagonal(i) <= 0.0) {
@@ -132,8 +132,8 @@ fn slow(lcp: &Lcp) -> Option<Cause> {
     (sweeps > MANY_SWEEPS).then_some(Cause::Slow { radius, sweeps })
 }
 
-/// The answers of a small problem with friction or a matrix that is not symmetric, if there are several.
-/// Where A is symmetric and nothing is coupled, redundant rows say as much.
+/// The answers of a small problem with friction or a matrix that is not symmetric, if there are
+/// several. Where A is symmetric and nothing is coupled, redundant rows say as much.
 fn several(lcp: &Lcp) -> Option<Cause> {
     if lcp.len() > ENUMERATED || (lcp.coupling().is_none() && lcp.matrix().is_symmetric()) {
         return None;

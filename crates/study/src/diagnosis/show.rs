@@ -33,7 +33,8 @@ impl Diagnosis {
         document
     }
 
-    /// The same for machines: counts are `null` where no rows were reached, freedoms also for a problem.
+    /// The same for machines: counts are `null` where no rows were reached, freedoms also for a
+    /// problem.
     pub fn to_json(&self) -> Value {
         let cause = |cause: &Cause| {
             let mut object = json!({

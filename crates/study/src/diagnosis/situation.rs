@@ -18,12 +18,13 @@ const RELATIVE_ZERO: f64 = 1e-9;
 /// An error c (m or rad) beyond this is worth a word.
 const APART: f64 = 1e-3;
 
-/// Examines the LCP of a scene at the beginning of a step, counted from 1: that of forces at acceleration
-/// level, that of impulses under all other schemes. The steps before it are taken as the scene says.
+/// Examines the LCP of a scene at the beginning of a step, counted from 1: that of forces at
+/// acceleration level, that of impulses under all other schemes. The steps before it are taken as
+/// the scene says.
 ///
 /// # Errors
-/// If the scene's solver does not exist, or the LCP has numbers that are not finite or more than 2000
-/// rows. What keeps a step from being taken is a cause, not an error.
+/// If the scene's solver does not exist, or the LCP has numbers that are not finite or more than
+/// 2000 rows. What keeps a step from being taken is a cause, not an error.
 pub fn scene(scene: &Scene, step: usize) -> Result<Diagnosis> {
     let mut found = Diagnosis::named(format!("{}, step {step}", scene.name), Vec::new());
     let mut simulation = Simulation::of(scene)?;

@@ -1,4 +1,5 @@
-//! Lemke's method: the tableaux, which variable enters, which leaves, and the ratios that decide it.
+//! Lemke's method: the tableaux, which variable enters, which leaves, and the ratios that decide
+//! it.
 
 use std::ops::ControlFlow;
 
@@ -137,8 +138,8 @@ fn chosen(count: usize, wanted: Option<usize>) -> Vec<usize> {
     chosen
 }
 
-/// How far the entering variable can go before the variable of row r gets to 0, or to the end of its
-/// range if it rises; the covering one must go as far for it to be no longer negative.
+/// How far the entering variable can go before the variable of row r gets to 0, or to the end of
+/// its range if it rises; the covering one must go as far for it to be no longer negative.
 fn ratio(own: &Tableau<'_>, r: usize) -> String {
     let Some(c) = own.entering else { return String::new() };
     let (value, rate, range) = (own.constant[r], own.rows[r][c], own.ranges[r]);

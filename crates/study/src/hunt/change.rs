@@ -1,6 +1,7 @@
 //! Small changes to a problem, at random: what a search climbs by.
 //!
-//! Half of them keep a symmetric semidefinite A what it is: A ← T A Tᵀ, other units, more on the diagonal.
+//! Half of them keep a symmetric semidefinite A what it is: A ← T A Tᵀ, other units, more on the
+//! diagonal.
 
 use super::numbers::{Numbers, Random};
 use lcplab_problem::Lcp;
@@ -9,8 +10,8 @@ use lcplab_problem::Lcp;
 const TRIES: usize = 20;
 
 impl Numbers {
-    /// The problem after one to three changes, with a number of rows within `rows`, if it is one that the search is about;
-    /// the same problem where no such change was found.
+    /// The problem after one to three changes, with a number of rows within `rows`, if it is one
+    /// that the search is about; the same problem where no such change was found.
     pub fn changed(
         &self,
         random: &mut Random,

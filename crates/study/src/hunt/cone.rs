@@ -6,9 +6,9 @@
 //! x_n = max(−b_n / a_n, 0),   x_t = −b_t / a_t, shortened to length μ x_n
 //! ```
 //!
-//! is Coulomb's law: the contact sticks where the disc holds what stops it, else it slides along b_t. The
-//! scales a_n, a_t and the loads come from 10⁻⁸ … 10⁸ each, so that a light load beside a heavy one, and a
-//! slip beside a large force, have to be seen.
+//! is Coulomb's law: the contact sticks where the disc holds what stops it, else it slides along
+//! b_t. The scales a_n, a_t and the loads come from 10⁻⁸ … 10⁸ each, so that a light load beside a
+//! heavy one, and a slip beside a large force, have to be seen.
 
 use rayon::prelude::*;
 
@@ -78,8 +78,8 @@ pub fn tallies(seed: u64, contacts: usize, settings: &Settings) -> Vec<Tally> {
     CONES.iter().map(of_entry).collect()
 }
 
-/// A claim is false where the judge refuses it, or where it is not the closed form; so is the judge where it
-/// refuses the closed form.
+/// A claim is false where the judge refuses it, or where it is not the closed form; so is the judge
+/// where it refuses the closed form.
 fn tally(entry: &ConeEntry, truth: &ConeTruth, number: usize, settings: &Settings) -> Tally {
     let solution = (entry.build)(settings).solve(&truth.problem, &Start::default(), &mut ());
     let accepts =

@@ -28,8 +28,8 @@ const DIGITS: usize = 7;
 /// A problem that breaks a solver, explained.
 #[derive(Debug, Clone)]
 pub struct Finding {
-    /// The problem under its friction model, with its exact solutions where all pieces could be tried, and with both answers
-    /// under the key `hunt`.
+    /// The problem under its friction model, with its exact solutions where all pieces could be
+    /// tried, and with both answers under the key `hunt`.
     pub problem: Problem,
     /// What happens on it, what it is like, and what is true.
     pub words: String,
@@ -37,8 +37,8 @@ pub struct Finding {
     pub answer: Option<Vec<f64>>,
     /// A right x to compare it with; `None` where none exists or none was found.
     pub right: Option<RightAnswer>,
-    /// A test in Rust that fails while it happens; of a plug-in, a command whose exit code is 1 while it does. It ends
-    /// without a newline.
+    /// A test in Rust that fails while it happens; of a plug-in, a command whose exit code is 1
+    /// while it does. It ends without a newline.
     pub test: String,
     /// The name of the solver.
     solver: &'static str,

@@ -1,5 +1,5 @@
-//! The problems that a search is given to begin with: which class and which friction model it keeps to, and what has to
-//! be changed in them first.
+//! The problems that a search is given to begin with: which class and which friction model it keeps
+//! to, and what has to be changed in them first.
 
 use lcplab_problem::Lcp;
 use lcplab_problem::error::{Defects, Result};
@@ -26,15 +26,17 @@ pub struct Given {
 }
 
 impl Given {
-    /// Prepares problems, each with the name that messages use, for a search within a class and under a model.
+    /// Prepares problems, each with the name that messages use, for a search within a class and
+    /// under a model.
     ///
-    /// Without `within` the search keeps to positive definite matrices if there are no problems, and else to the narrowest
-    /// of definite, semidefinite and general that all of them are in. A matrix that is semidefinite but for rounding is
-    /// made exactly definite, and a note says so. Without `model` the search keeps to the model that the problems state.
+    /// Without `within` the search keeps to positive definite matrices if there are no problems,
+    /// and else to the narrowest of definite, semidefinite and general that all of them are in. A
+    /// matrix that is semidefinite but for rounding is made exactly definite, and a note says so.
+    /// Without `model` the search keeps to the model that the problems state.
     ///
     /// # Errors
-    /// Lists each problem that is not in the class, cannot be stated under the model, or states another one than the
-    /// first.
+    /// Lists each problem that is not in the class, cannot be stated under the model, or states
+    /// another one than the first.
     ///
     /// ```
     /// use lcplab_problem::file::Problem;

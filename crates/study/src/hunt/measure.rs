@@ -86,8 +86,8 @@ pub struct Trial {
     pub rival: Option<Method>,
     /// The options of both.
     pub options: Options,
-    /// The friction model under which problems are solved and answers judged: only problems with friction then. Without
-    /// it they are LCPs, friction rows being coupled rows.
+    /// The friction model under which problems are solved and answers judged: only problems with
+    /// friction then. Without it they are LCPs, friction rows being coupled rows.
     pub model: Option<Model>,
     /// The class that the matrix must belong to, whatever the solver is made for.
     pub within: MatrixClass,
@@ -120,7 +120,8 @@ pub struct Score {
     pub is_found: bool,
     /// Whether the solver's claim is right: an answer that the judge accepts, or that none exists.
     pub is_right: bool,
-    /// Whether the solver gives an answer at all: it does not crash, hang or write what nobody reads.
+    /// Whether the solver gives an answer at all: it does not crash, hang or write what nobody
+    /// reads.
     pub is_answered: bool,
     /// What it took.
     pub iterations: usize,
@@ -161,8 +162,8 @@ impl Trial {
     /// Checks that the measure has what it needs.
     ///
     /// # Errors
-    /// If it lacks a rival, has one that it does not need, needs exact solutions that the friction model does not have, or
-    /// a solver is not made for the model.
+    /// If it lacks a rival, has one that it does not need, needs exact solutions that the friction
+    /// model does not have, or a solver is not made for the model.
     pub fn validate(&self) -> Result<()> {
         let wrong = |reason: String| Err(Error::invalid("search", "measure", reason));
         match (self.measure, &self.rival) {
@@ -238,7 +239,8 @@ impl Trial {
         Ok(self.solve(&self.solver, &posed, self.options.settings.max_iterations))
     }
 
-    /// What the solver does on the problem, in a sentence; `solution` is its [answer](Trial::answer).
+    /// What the solver does on the problem, in a sentence; `solution` is its
+    /// [answer](Trial::answer).
     pub fn words(&self, lcp: &Lcp, solution: &Solution) -> String {
         let name = self.solver.name();
         let Ok(posed) = pose(lcp, self.model) else { return format!("{name} is not tried") };
@@ -334,8 +336,8 @@ impl Trial {
         self.unfair(lcp).is_none()
     }
 
-    /// Why the problem may not be laid to the solver: it is not of the class or kind that was asked for, or, where a long
-    /// way is looked for, the solver or its rival is not made for it.
+    /// Why the problem may not be laid to the solver: it is not of the class or kind that was asked
+    /// for, or, where a long way is looked for, the solver or its rival is not made for it.
     pub(crate) fn unfair(&self, lcp: &Lcp) -> Option<Unfair> {
         let has_friction = lcp.coupling().is_some_and(|coupling| !coupling.is_empty());
         let is_barred = has_friction && self.friction == Friction::Never;
@@ -384,7 +386,8 @@ impl Trial {
         best
     }
 
-    /// The relaxation factors that the rival is tried with, the slowest to grow beyond its best first.
+    /// The relaxation factors that the rival is tried with, the slowest to grow beyond its best
+    /// first.
     fn omegas(&self) -> Vec<f64> {
         let has_omega = self.rival.is_some_and(|rival| rival.uses().contains(&Choice::Omega));
         if self.best_omega && has_omega {
@@ -406,7 +409,8 @@ fn lie(posed: &Posed, claim: &Claim, solution: &Solution) -> (f64, bool) {
     }
 }
 
-/// Whether the problem is known to have a solution: by exact arithmetic, or, with friction, because A is definite.
+/// Whether the problem is known to have a solution: by exact arithmetic, or, with friction, because
+/// A is definite.
 fn has_solution(lcp: &Lcp, posed: &Posed) -> bool {
     match posed {
         Posed::Boxed(lcp) => all_solutions(lcp).is_some_and(|solutions| !solutions.is_empty()),
@@ -415,8 +419,8 @@ fn has_solution(lcp: &Lcp, posed: &Posed) -> bool {
     }
 }
 
-/// Whether the method is made for the problem, as far as that can be decided. Every problem has bounds: one that
-/// does not heed them fails.
+/// Whether the method is made for the problem, as far as that can be decided. Every problem has
+/// bounds: one that does not heed them fails.
 fn is_in_class(method: &Method, lcp: &Lcp) -> bool {
     let class = match method {
         Method::Boxed(entry) => entry.class,

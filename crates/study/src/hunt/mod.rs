@@ -1,23 +1,24 @@
-//! Are the solvers honest? Random problems made to hurt, each given to every solver, each answer held
-//! against what is true.
+//! Are the solvers honest? Random problems made to hurt, each given to every solver, each answer
+//! held against what is true.
 //!
-//! A solver may fail; it must not say that it has not. Nor may the judge say what is not so. These count
-//! as a [`Lie`]:
+//! A solver may fail; it must not say that it has not. Nor may the judge say what is not so. These
+//! count as a [`Lie`]:
 //!
 //! - *solved*, and x is not finite, misses a row, or is no nearer to a solution than zero is;
 //! - *no solution*, and one exists;
 //! - accepted by the judge, and none exists; refused by the judge as impossible, and one exists.
 //!
 //! What is true is decided in rational numbers, by trying all pieces of the problem
-//! ([`all_solutions`](lcplab_problem::exact::all_solutions)), coupled rows included. *Solved* means that x
-//! solves a problem whose numbers differ by no more than the tolerance, and one without solution may
-//! have such a neighbour: a solver may take that for a solution, the judge may not
+//! ([`all_solutions`](lcplab_problem::exact::all_solutions)), coupled rows included. *Solved* means
+//! that x solves a problem whose numbers differ by no more than the tolerance, and one without
+//! solution may have such a neighbour: a solver may take that for a solution, the judge may not
 //! ([`Claim::Refused`]).
 //!
-//! Cones have closed forms instead: [`cone`]. Under a friction model the judge of that model decides.
+//! Cones have closed forms instead: [`cone`]. Under a friction model the judge of that model
+//! decides.
 //!
-//! An x without a status, as a plug-in may give it, counts as *solved* only where a solver that merely ran out of sweeps
-//! would have come nearer: [`Claim::under`].
+//! An x without a status, as a plug-in may give it, counts as *solved* only where a solver that
+//! merely ran out of sweeps would have come nearer: [`Claim::under`].
 //!
 //! ```
 //! use lcplab_solver::{Options, by_name};
@@ -32,8 +33,9 @@
 //! Problem k of a seed is the same in every hunt, on any number of threads: [`problem`].
 //!
 //! A [`Search`] goes on from there: it climbs from random problems towards one that breaks a solver
-//! ([`Measure`]) and makes that as small as it can; a [`Finding`] explains it. What a search begins with, and all that it
-//! reports, is of the class of matrices and under the friction model that were asked for: [`Given`].
+//! ([`Measure`]) and makes that as small as it can; a [`Finding`] explains it. What a search begins
+//! with, and all that it reports, is of the class of matrices and under the friction model that
+//! were asked for: [`Given`].
 
 mod change;
 pub mod cone;
@@ -105,8 +107,8 @@ impl Hunt {
         (0..self.problems).into_par_iter().map(one).reduce(empty, Record::and)
     }
 
-    /// What methods claim of problems with friction ([`contact_problem`]) under a model, and whether the judge of that
-    /// model agrees, until it is time to stop.
+    /// What methods claim of problems with friction ([`contact_problem`]) under a model, and
+    /// whether the judge of that model agrees, until it is time to stop.
     pub fn under(
         &self,
         model: Model,

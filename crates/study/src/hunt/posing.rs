@@ -4,11 +4,12 @@ use lcplab_problem::Lcp;
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::friction::{FrictionProblem, Model, Posed};
 
-/// The problem under a model; without one the LCP that it is, friction rows being coupled rows. The frozen box is frozen
-/// at [`frozen_at`].
+/// The problem under a model; without one the LCP that it is, friction rows being coupled rows. The
+/// frozen box is frozen at [`frozen_at`].
 ///
 /// # Errors
-/// If there is a model and the problem has no friction rows, or they are not the two tangents of contacts.
+/// If there is a model and the problem has no friction rows, or they are not the two tangents of
+/// contacts.
 pub fn pose(lcp: &Lcp, model: Option<Model>) -> Result<Posed> {
     let Some(model) = model else { return Ok(Posed::Boxed(lcp.clone())) };
     if lcp.coupling().is_none_or(|coupling| coupling.is_empty()) {
@@ -18,8 +19,8 @@ pub fn pose(lcp: &Lcp, model: Option<Model>) -> Result<Posed> {
     model.pose(&FrictionProblem::of(lcp)?, Some(&frozen_at(lcp)))
 }
 
-/// Normal impulses at which friction boxes can be frozen: what each row would need if it were alone,
-/// x_i = max(−b_i / a_ii, 0).
+/// Normal impulses at which friction boxes can be frozen: what each row would need if it were
+/// alone, x_i = max(−b_i / a_ii, 0).
 pub fn frozen_at(lcp: &Lcp) -> Vec<f64> {
     let alone = |i: usize| {
         let x = -lcp.b()[i] / lcp.matrix().diagonal(i);

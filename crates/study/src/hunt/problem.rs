@@ -1,8 +1,8 @@
 //! Small problems made to hurt: ties, dependent rows, masses far apart, numbers at the ends of the
 //! range, matrices of no class at all.
 //!
-//! Most entries are small whole numbers, so that sums cancel exactly: ties are ties, a dependent row is
-//! dependent, and a problem without solution misses one by more than rounding.
+//! Most entries are small whole numbers, so that sums cancel exactly: ties are ties, a dependent
+//! row is dependent, and a problem without solution misses one by more than rounding.
 
 use std::ops::RangeInclusive;
 
@@ -115,7 +115,8 @@ pub const KINDS: &[Kind] = &[
     },
 ];
 
-/// Problem k of a seed, and where the solvers start: from nothing, or from a guess as bad as can be.
+/// Problem k of a seed, and where the solvers start: from nothing, or from a guess as bad as can
+/// be.
 pub fn problem(seed: u64, k: usize) -> (Lcp, Option<Vec<f64>>) {
     let random = &mut Random::new(seed, k);
     let lcp = (KINDS[k % KINDS.len()].make)(random)
@@ -127,8 +128,9 @@ pub fn problem(seed: u64, k: usize) -> (Lcp, Option<Vec<f64>>) {
     (lcp, if is_cold { None } else { Some(start) })
 }
 
-/// Problem k of a seed with friction in pairs of tangents and A definite, for a friction model: in turns a contact with a
-/// cone that has a closed form, in units far apart ([`cone::contact`]), and a few contacts of small whole numbers.
+/// Problem k of a seed with friction in pairs of tangents and A definite, for a friction model: in
+/// turns a contact with a cone that has a closed form, in units far apart ([`cone::contact`]), and
+/// a few contacts of small whole numbers.
 pub fn contact_problem(seed: u64, k: usize) -> Lcp {
     if k.is_multiple_of(2) {
         return cone::contact(seed, k).problem.friction().coupled_box();
@@ -155,8 +157,8 @@ pub(super) fn whole(random: &mut Random, rows: RangeInclusive<usize>, own: Optio
 }
 
 impl Numbers {
-    /// The same rows as contacts with friction, each a normal and so many tangents with one μ; rows that are left are
-    /// contacts without.
+    /// The same rows as contacts with friction, each a normal and so many tangents with one μ; rows
+    /// that are left are contacts without.
     pub(super) fn with_contacts(mut self, random: &mut Random, tangents: usize) -> Numbers {
         let (n, rows) = (self.len(), 1 + tangents);
         let contacts = random.whole(1, (n / rows).max(1) as i64) as usize;
@@ -308,8 +310,8 @@ fn friction(random: &mut Random, most: i64, tangents: usize) -> Numbers {
     Numbers { lo, friction: Some((index, mu)), ..Numbers::new(a, b) }
 }
 
-/// The unknowns x_n, β₁ … β₄ and γ of one contact, as [`Polyhedral`](lcplab_problem::friction::Polyhedral)
-/// has them, along ±t1 and ±t2.
+/// The unknowns x_n, β₁ … β₄ and γ of one contact, as
+/// [`Polyhedral`](lcplab_problem::friction::Polyhedral) has them, along ±t1 and ±t2.
 fn polygon(random: &mut Random) -> Numbers {
     let Numbers { a, b, .. } = friction(random, 1, 2);
     let mu = random.one_of(&[0.0, 0.25, 1.0, 4.0]);
@@ -355,8 +357,8 @@ fn rank_one(random: &mut Random) -> Numbers {
     Numbers::new(a, b)
 }
 
-/// JJᵀ of whole numbers near 2²⁶ … 2³⁰ in two columns, so that determinants are differences of products
-/// of 60 bits and more.
+/// JJᵀ of whole numbers near 2²⁶ … 2³⁰ in two columns, so that determinants are differences of
+/// products of 60 bits and more.
 fn cancelling(random: &mut Random) -> Numbers {
     let n = random.whole(1, 3) as usize;
     let size = 2f64.powi(random.whole(26, 30) as i32);

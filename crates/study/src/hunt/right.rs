@@ -25,9 +25,9 @@ pub struct RightAnswer {
 }
 
 impl RightAnswer {
-    /// The right answer nearest to `own`: an exact solution, rounded, where all of them are known (`exact`) or can be
-    /// found, else one that the judge accepts from a solver of the library. `None` if there is no solution, or none is
-    /// found.
+    /// The right answer nearest to `own`: an exact solution, rounded, where all of them are known
+    /// (`exact`) or can be found, else one that the judge accepts from a solver of the library.
+    /// `None` if there is no solution, or none is found.
     pub fn of(
         posed: &Posed,
         model: Option<Model>,

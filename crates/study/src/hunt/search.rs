@@ -1,9 +1,12 @@
-//! The search for a problem that breaks a solver: random starts, a climb from each, and the best of all made small.
+//! The search for a problem that breaks a solver: random starts, a climb from each, and the best of
+//! all made small.
 //!
-//! A start is a problem of the [kinds](super::KINDS) or of a family of the library, if the search is about such problems,
-//! or JJᵀ of small whole numbers, + I where it must be definite. A climb makes small random changes and keeps what measures no less, until nothing has come of
-//! it for long. Climbs run side by side in rounds of a fixed size, each with random numbers of its own, so that the
-//! same seed and budget find the same problem on any number of threads; a time limit only ends it sooner.
+//! A start is a problem of the [kinds](super::KINDS) or of a family of the library, if the search
+//! is about such problems, or JJᵀ of small whole numbers, + I where it must be definite. A climb
+//! makes small random changes and keeps what measures no less, until nothing has come of it for
+//! long. Climbs run side by side in rounds of a fixed size, each with random numbers of its own, so
+//! that the same seed and budget find the same problem on any number of threads; a time limit only
+//! ends it sooner.
 
 use std::ops::RangeInclusive;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
@@ -28,7 +31,8 @@ const PATIENCE: usize = 500;
 const KEPT: f64 = 0.9;
 /// The same of what is there or is not: it may become small, but not too small to be seen.
 const KEPT_OF_A_LIE: f64 = 0.1;
-/// A change may multiply the iterations by so much and is measured to the end, once they are above the least.
+/// A change may multiply the iterations by so much and is measured to the end, once they are above
+/// the least.
 const GROWTH: usize = 4;
 const LEAST_ITERATIONS: usize = 2000;
 
@@ -83,8 +87,8 @@ pub struct Searched {
 }
 
 impl Searched {
-    /// Why the search says nothing of the solver: it has answered no problem at all rightly, or some
-    /// not at all.
+    /// Why the search says nothing of the solver: it has answered no problem at all rightly, or
+    /// some not at all.
     pub fn useless(&self, solver: &str) -> Option<String> {
         let trouble =
             self.trouble.as_ref().filter(|_| self.catch.is_none() && self.evaluations > 0)?;
@@ -131,8 +135,8 @@ impl Search {
     /// Whether it can be begun.
     ///
     /// # Errors
-    /// If the rows are none, more than exact arithmetic can follow, or too few for a contact with friction; or if a problem
-    /// to begin with is not one that the search is about.
+    /// If the rows are none, more than exact arithmetic can follow, or too few for a contact with
+    /// friction; or if a problem to begin with is not one that the search is about.
     pub fn validate(&self, trial: &Trial) -> Result<()> {
         let (least, most) = (*self.rows.start(), *self.rows.end());
         let mut defects = Defects::default();
@@ -285,7 +289,8 @@ impl Search {
         climb
     }
 
-    /// The problem where climb k begins: one that the search is about, if its class has such starts at all.
+    /// The problem where climb k begins: one that the search is about, if its class has such starts
+    /// at all.
     fn start(&self, trial: &Trial, k: usize, random: &mut Random) -> Numbers {
         let rows = self.rows.clone();
         if trial.needs_friction() {

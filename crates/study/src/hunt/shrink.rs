@@ -1,5 +1,5 @@
-//! The smallest problem that still shows it: fewer rows, plainer bounds, shorter numbers, as property-based
-//! testing shrinks a counterexample.
+//! The smallest problem that still shows it: fewer rows, plainer bounds, shorter numbers, as
+//! property-based testing shrinks a counterexample.
 
 use std::ops::Range;
 
@@ -18,7 +18,8 @@ fn parts(n: usize) -> impl Iterator<Item = Range<usize>> {
 
 /// What makes a problem simpler.
 pub(super) enum Simpler {
-    /// To leave out these rows. The problem is made when it is tried, for one of a thousand rows takes 8 MB.
+    /// To leave out these rows. The problem is made when it is tried, for one of a thousand rows
+    /// takes 8 MB.
     Without(Range<usize>),
     /// To put this problem in its place.
     Numbers(Numbers),

@@ -1,12 +1,13 @@
 //! Whether an answer without a status may be the last iterate of a solver that ran out of sweeps.
 //!
-//! Many plug-ins do a fixed number of sweeps and return x. Such an x need not be a claim that it solves the problem, and a
-//! search that counted every one as a false claim would find the hardest problem, not the bug. So an x without a
-//! status counts as a false claim only where plain projected Gauss-Seidel comes twice as near, both after as many sweeps
-//! and after half as many, in whichever order the rows are swept: forward, backward, both, or at random. With friction
-//! sweeps may go round in circles, so all iterates between the two are looked at. A method that is slower than that, as
-//! Jacobi's is where A is not diagonally dominant, is named. A solver that does not say how many sweeps it did is taken
-//! to do four.
+//! Many plug-ins do a fixed number of sweeps and return x. Such an x need not be a claim that it
+//! solves the problem, and a search that counted every one as a false claim would find the hardest
+//! problem, not the bug. So an x without a status counts as a false claim only where plain
+//! projected Gauss-Seidel comes twice as near, both after as many sweeps and after half as many, in
+//! whichever order the rows are swept: forward, backward, both, or at random. With friction sweeps
+//! may go round in circles, so all iterates between the two are looked at. A method that is slower
+//! than that, as Jacobi's is where A is not diagonally dominant, is named. A solver that does not
+//! say how many sweeps it did is taken to do four.
 
 use std::ops::ControlFlow;
 
@@ -27,8 +28,9 @@ const LOOKS: usize = 8;
 /// The same sweeps from another start differ by less than this factor.
 const LIKE: f64 = 2.0;
 
-/// The largest scaled residual that plain projected Gauss-Seidel leaves from half as many sweeps as the solution took up
-/// to as many, in any of several orders, times two; that of x = Π(0) where it cannot sweep.
+/// The largest scaled residual that plain projected Gauss-Seidel leaves from half as many sweeps as
+/// the solution took up to as many, in any of several orders, times two; that of x = Π(0) where it
+/// cannot sweep.
 pub(super) fn residual_left(posed: &Posed, solution: &Solution, tolerance: f64) -> f64 {
     let sweeps = if solution.iterations > 1 { solution.iterations.min(MOST) } else { USUAL };
     let stride = (sweeps / 2).div_ceil(LOOKS).max(1);

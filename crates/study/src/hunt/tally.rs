@@ -28,7 +28,8 @@ pub struct Tally {
     pub proved: usize,
     /// Answers within the tolerance.
     pub within: usize,
-    /// Answers within the tolerance to problems of which the judge proves that they have no solution.
+    /// Answers within the tolerance to problems of which the judge proves that they have no
+    /// solution.
     pub refused: usize,
     /// Problems of which it was proved that they have no solution.
     pub impossible: usize,

@@ -105,8 +105,9 @@ impl Claim {
 
     /// The claim of a solution under a friction model, as far as the judge can see.
     ///
-    /// An x without a status that the judge rejects is no claim where it may be the last iterate of a solver that ran out
-    /// of sweeps: where plain projected Gauss-Seidel, too, does not come twice as near after as many.
+    /// An x without a status that the judge rejects is no claim where it may be the last iterate of
+    /// a solver that ran out of sweeps: where plain projected Gauss-Seidel, too, does not come
+    /// twice as near after as many.
     pub fn under(posed: &Posed, solution: &Solution, tolerance: f64) -> Claim {
         match Claim::stated(posed, solution, tolerance) {
             Claim::Lie(Lie::Refuted { amount, .. })
@@ -160,7 +161,8 @@ impl Claim {
         }
     }
 
-    /// Whether the solver has answered the problem: with a solution, or rightly with the word that there is none.
+    /// Whether the solver has answered the problem: with a solution, or rightly with the word that
+    /// there is none.
     pub fn is_right(&self) -> bool {
         matches!(self, Claim::Proved | Claim::Within | Claim::Refused | Claim::Impossible)
     }
@@ -176,7 +178,8 @@ impl Claim {
     }
 }
 
-/// Whether the judge proves that there is no solution; `None` of cones and rounded polygons, of which it proves nothing.
+/// Whether the judge proves that there is no solution; `None` of cones and rounded polygons, of
+/// which it proves nothing.
 fn refuted(posed: &Posed, hints: &[&[f64]]) -> Option<bool> {
     match posed {
         Posed::Boxed(lcp) => Some(refutation(lcp, hints).is_some()),

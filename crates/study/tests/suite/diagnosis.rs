@@ -1,4 +1,5 @@
-//! Each cause of trouble that the chapter lists has an input that shows it and a message that names it.
+//! Each cause of trouble that the chapter lists has an input that shows it and a message that names
+//! it.
 
 use lcplab_judge::Demand;
 use lcplab_judge::regularity::regularity;
@@ -33,7 +34,8 @@ fn equations(rows: &[&[f64]], b: &[f64]) -> Lcp {
 
 #[test]
 fn friction_of_a_polygon_that_no_forces_satisfy_is_called_impossible() {
-    // Every piece of the polygon's LCP was tried by hand-written rational code too: none holds a solution.
+    // Every piece of the polygon's LCP was tried by hand-written rational code too: none holds a
+    // solution.
     let text = r#"{"A": {"dense": [[1, -1, 0], [0, -1, -2], [-2, 2, 2]]}, "b": [-2, 0, 0],
                    "friction_index": [-1, 0, 0], "mu": [0, 2, 2], "model": "polygon-4"}"#;
     let found = problem(&Problem::parse(text, "polygon").unwrap()).unwrap();

@@ -1,4 +1,5 @@
-//! Scenes in which nothing is wrong: no cause may be named, whatever acts in them and however they are stepped.
+//! Scenes in which nothing is wrong: no cause may be named, whatever acts in them and however they
+//! are stepped.
 
 use lcplab_mechanics::constraint::ALL;
 use lcplab_mechanics::scene::Scene;
@@ -89,7 +90,8 @@ fn four_bars() -> String {
         + &hinge(&["c"], 1.0, 0.0)
 }
 
-/// A body that hangs on each kind of joint, beside or under the point (0, 0, 1), with what holds the rest.
+/// A body that hangs on each kind of joint, beside or under the point (0, 0, 1), with what holds
+/// the rest.
 fn hanging() -> Vec<(String, String)> {
     let (post, across, along) = ("point = [0, 0, 1]\n", "axis = [0, 1, 0]\n", "axis = [1, 0, 0]\n");
     let nail = || joint("nail", &["body"], post);
@@ -388,7 +390,8 @@ fn examined(text: &str) -> Examination {
     examine_scene(&scene, None).unwrap()
 }
 
-/// Exact answers of motors, stops, springs, joints of each kind, loops and piles, with and without gravity, in every scheme.
+/// Exact answers of motors, stops, springs, joints of each kind, loops and piles, with and without
+/// gravity, in every scheme.
 #[test]
 fn of_scenes_in_which_nothing_is_wrong_no_cause_is_named() {
     let kinds = kinds();

@@ -71,7 +71,8 @@ fn a_denied_solution_is_noticed() {
 
 #[test]
 fn an_answer_far_away_to_a_problem_without_one_is_no_answer() {
-    // w = (x1 − x2 − 1, x2 − x1 − 1) ≥ 0 asks for x1 − x2 ≥ 1 and ≤ −1; 1e9 loses both in its terms.
+    // w = (x1 − x2 − 1, x2 − x1 − 1) ≥ 0 asks for x1 − x2 ≥ 1 and ≤ −1; 1e9 loses both in its
+    // terms.
     let lcp = boxed(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-1.0, -1.0], &[0.0; 2], &[INF; 2]);
     assert_eq!(all_solutions(&lcp).unwrap().len(), 0);
     assert_eq!(said(&lcp, Status::Solved, 1e9), Claim::Lie(Lie::Worthless));
@@ -87,8 +88,9 @@ fn an_answer_to_a_problem_that_misses_a_solution_by_less_than_the_tolerance_is_r
 
 #[test]
 fn a_bound_that_is_missed_is_seen_beside_terms_of_any_size() {
-    // w1 = −1e300 x1 + e x2, w2 = e x1 + 3, x1 ≥ 0, x2 ≥ −2, e = 5e-324: w2 > 0 asks for x2 = −2, and then
-    // w1 < 0 whatever x1. At 0 row 2 misses its bound by all of it, though in units of 3/e hardly at all.
+    // w1 = −1e300 x1 + e x2, w2 = e x1 + 3, x1 ≥ 0, x2 ≥ −2, e = 5e-324: w2 > 0 asks for x2 = −2,
+    // and then w1 < 0 whatever x1. At 0 row 2 misses its bound by all of it, though in units of 3/e
+    // hardly at all.
     let (a, e) = (-1e300, 5e-324);
     let lcp = boxed(&[&[a, e], &[e, 0.0]], &[0.0, 3.0], &[0.0, -2.0], &[INF; 2]);
     assert_eq!(all_solutions(&lcp).unwrap().len(), 0);

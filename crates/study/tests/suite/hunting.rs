@@ -1,5 +1,5 @@
-//! What a search reports is true: the problem is of the class that was asked for, a right solver is never accused, and the
-//! answer that is shown is the solver's own.
+//! What a search reports is true: the problem is of the class that was asked for, a right solver is
+//! never accused, and the answer that is shown is the solver's own.
 
 use dashu_ratio::RBig;
 use lcplab_problem::exact::all_solutions;
@@ -13,7 +13,8 @@ use lcplab_solver::{
 use lcplab_study::hunt::{Catch, Finding, Friction, Given, Measure, Search, Searched, Trial};
 use lcplab_testing::boxed;
 
-/// A solver that returns x and no status, as most plug-ins do: projected Gauss-Seidel with one mistake, or none.
+/// A solver that returns x and no status, as most plug-ins do: projected Gauss-Seidel with one
+/// mistake, or none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Sweeps {
     /// As it should be.
@@ -72,7 +73,8 @@ impl Sweeps {
     }
 }
 
-/// A solver that does so many sweeps and returns x without a status; `says` how many it did, or nothing.
+/// A solver that does so many sweeps and returns x without a status; `says` how many it did, or
+/// nothing.
 struct Engine {
     sweeps: Sweeps,
     count: usize,
@@ -168,8 +170,8 @@ fn rational(lcp: &Lcp) -> Vec<Vec<RBig>> {
     (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect()
 }
 
-/// The signs of LDLᵀ with the largest diagonal entry as the next pivot: whether a symmetric A is semidefinite, and
-/// whether it is definite.
+/// The signs of LDLᵀ with the largest diagonal entry as the next pivot: whether a symmetric A is
+/// semidefinite, and whether it is definite.
 fn definiteness(mut a: Vec<Vec<RBig>>) -> (bool, bool) {
     let n = a.len();
     let is_symmetric = (0..n).all(|i| (0..i).all(|j| a[i][j] == a[j][i]));

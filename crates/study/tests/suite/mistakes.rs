@@ -228,7 +228,8 @@ fn mistakes_that_have_to_do_with_the_last_frame_are_named() {
 
 #[test]
 fn friction_that_is_limited_by_the_last_normal_forces_is_named() {
-    // A block of weight 2 that is pushed by 3 with μ = ½, where the last frame carried 4: friction 2 in place of 1.
+    // A block of weight 2 that is pushed by 3 with μ = ½, where the last frame carried 4: friction
+    // 2 in place of 1.
     let matrix = Matrix::dense(2, &[1.0, 0.0, 0.0, 1.0]);
     let free = [f64::NEG_INFINITY, f64::INFINITY];
     let lcp = Lcp::new(matrix, vec![-2.0, -3.0], vec![0.0, free[0]], vec![free[1]; 2]).unwrap();

@@ -1,8 +1,9 @@
-//! What every solver answers on one problem of each family, pinned: status, count, verdict, x and w.
+//! What every solver answers on one problem of each family, pinned: status, count, verdict, x and
+//! w.
 //!
-//! A number is pinned only after the judge, which knows no solver, accepted the answer that it belongs to; of
-//! an answer that nobody claims only status and count are. Where the textbook has a twin of the method, its
-//! first iterates are pinned too, and they are the textbook's.
+//! A number is pinned only after the judge, which knows no solver, accepted the answer that it
+//! belongs to; of an answer that nobody claims only status and count are. Where the textbook has a
+//! twin of the method, its first iterates are pinned too, and they are the textbook's.
 
 use lcplab_judge::{Demand, Verdict, judge};
 use lcplab_page::number::significant;

@@ -1,4 +1,5 @@
-//! Proofs of problems that are made to mislead: the judge and the checkers that share nothing with it agree with them.
+//! Proofs of problems that are made to mislead: the judge and the checkers that share nothing with
+//! it agree with them.
 
 use std::path::Path;
 use std::process::Command;

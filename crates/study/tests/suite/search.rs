@@ -162,7 +162,8 @@ fn what_is_within_the_tolerance_that_was_asked_for_is_no_lie() {
     assert!(trial.score(&catch.lcp, 1000).is_found);
 }
 
-/// The same with an end to what is asked; `docs/hunt.md` has what the whole search finds, in its time.
+/// The same with an end to what is asked; `docs/hunt.md` has what the whole search finds, in its
+/// time.
 fn enough(trial: &Trial, rows: RangeInclusive<usize>, at_least: f64) -> Catch {
     let search =
         Search { rows, evaluations: 20_000, seed: 1, at_least: Some(at_least), from: Vec::new() };

@@ -1,4 +1,5 @@
-//! What an answer leaves undone is measured right, and the cause that was planted is the one that is named.
+//! What an answer leaves undone is measured right, and the cause that was planted is the one that
+//! is named.
 
 use lcplab_mechanics::scene::Scene;
 use lcplab_mechanics::simulation::problem_of;
@@ -41,7 +42,8 @@ fn dumped(name: &str, changes: &[(&str, &str)]) -> Problem {
     Problem::parse(&text, "dump").unwrap()
 }
 
-/// A column of n unit masses at rest on the ground, without friction: A = tridiag(−1, 2, −1) with a first entry of 1.
+/// A column of n unit masses at rest on the ground, without friction: A = tridiag(−1, 2, −1) with a
+/// first entry of 1.
 fn column(n: usize) -> Lcp {
     let mut entries = Vec::new();
     for i in 0..n {
@@ -235,7 +237,8 @@ fn the_planted_cause_is_named_first() {
         ("stack", 10, cold, "cold start"),
         ("stack", 30, cold, "cold start"),
         ("stack", 20, &[("contact.persistence", "none"), ("generate.count", "3")], "cold start"),
-        // In the worst step a start from 0 is better, over the run it is not; the bridge gains 378 J, without feedback none.
+        // In the worst step a start from 0 is better, over the run it is not; the bridge gains 378
+        // J, without feedback none.
         ("warm_start", 10, none, TALL),
         ("bridge", 10, none, "energy from Baumgarte feedback"),
         ("bridge", 10, &[("step.baumgarte", "0")], TALL),
@@ -246,7 +249,8 @@ fn the_planted_cause_is_named_first() {
     }
 }
 
-/// Balls on each other, each lighter than the one beneath, listed and so swept from the top down: impulses go up.
+/// Balls on each other, each lighter than the one beneath, listed and so swept from the top down:
+/// impulses go up.
 fn listed_from_the_top(count: i32, ratio: f64) -> Scene {
     let ball = |k: i32| {
         format!(
@@ -393,7 +397,8 @@ fn overlap(height: f64, beta: f64) -> String {
 #[test]
 fn contacts_that_yield_creep_by_their_compliance_times_their_load() {
     for gamma in [0.02, 0.1, 0.5] {
-        // A unit mass on one contact, g dt = 0.1: x (1 + γ) = 0.1, so that 0.1 γ/(1 + γ) of approach is left.
+        // A unit mass on one contact, g dt = 0.1: x (1 + γ) = 0.1, so that 0.1 γ/(1 + γ) of
+        // approach is left.
         let text = format!(
             r#"{{"A": {{"dense": [[{}]]}}, "b": [-0.1], "gravity": [0, 0, -0.1],
             "bodies": [{{"name": "box", "first": 0, "count": 3}}],

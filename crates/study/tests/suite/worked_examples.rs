@@ -6,7 +6,8 @@ use lcplab_solver::{ALL, Options, Settings, Start, by_name};
 
 use lcplab_testing::{assert_certified, assert_proved, contacts};
 
-/// Status, iterations, active set (L, F, U) and x of a solver's answer, after the judge accepted it.
+/// Status, iterations, active set (L, F, U) and x of a solver's answer, after the judge accepted
+/// it.
 fn certified(lcp: &Lcp, solver: &str) -> String {
     let settings = Settings { tolerance: 1e-10, ..Settings::default() };
     let solver = by_name(solver, &Options { settings, ..Options::default() }).unwrap();
@@ -36,9 +37,9 @@ fn figure_6_the_object_is_stopped_by_its_weight_and_its_momentum() {
 
 #[test]
 fn figure_7_the_stack_takes_up_the_blow() {
-    // Three unit masses, the middle one at −1, g = dt = 1. u* = (−1, −2, −1), b = J u* = (−1, −1, 1),
-    // A x = −b: x3 = 1 from the top mass, x2 − x3 = 2 from the middle, x1 − x2 = 1 from the bottom:
-    // x = (4, 3, 1).
+    // Three unit masses, the middle one at −1, g = dt = 1. u* = (−1, −2, −1), b = J u* = (−1, −1,
+    // 1), A x = −b: x3 = 1 from the top mass, x2 − x3 = 2 from the middle, x1 − x2 = 1 from the
+    // bottom: x = (4, 3, 1).
     let a: [&[f64]; 3] = [&[1.0, -1.0, 0.0], &[-1.0, 2.0, -1.0], &[0.0, -1.0, 2.0]];
     let lcp = contacts(&a, &[-1.0, -1.0, 1.0]);
     assert_proved(&lcp, &[4.0, 3.0, 1.0]);
@@ -55,8 +56,8 @@ fn figure_7_the_stack_takes_up_the_blow() {
 #[test]
 fn figure_7_as_each_solver_reaches_it() {
     // By hand: x = (4, 3, 1). Gauss-Seidel multiplies the error by cos²(π/6) = 3/4 a sweep, so the
-    // residual is 1e-10 of the terms after about ln(1e-10)/ln(3/4) = 80 sweeps; Dantzig drives three
-    // rows.
+    // residual is 1e-10 of the terms after about ln(1e-10)/ln(3/4) = 80 sweeps; Dantzig drives
+    // three rows.
     let a: [&[f64]; 3] = [&[1.0, -1.0, 0.0], &[-1.0, 2.0, -1.0], &[0.0, -1.0, 2.0]];
     let lcp = contacts(&a, &[-1.0, -1.0, 1.0]);
     insta::assert_snapshot!(certified(&lcp, "pgs"), @"solved after 73, FFF, x = 4.00000 3.00000 1.00000");

@@ -80,7 +80,8 @@ impl Curve<'_> {
         self.points.iter().map(|(x, _)| *x)
     }
 
-    /// A measure at the last two places, in the order of the file: where what grows or shrinks has got furthest.
+    /// A measure at the last two places, in the order of the file: where what grows or shrinks has
+    /// got furthest.
     pub fn end(&self, measure: &Measure) -> Option<[(f64, f64); 2]> {
         let mut points = self.measured(measure);
         if self.places().next() > self.places().last() {

@@ -41,7 +41,8 @@ pub fn document(grid: &Grid, plan: &Plan, collection: &Collection) -> Document {
     document
 }
 
-/// Adds figures and tables of these points to the section that is open; the names of their files begin with `id`.
+/// Adds figures and tables of these points to the section that is open; the names of their files
+/// begin with `id`.
 pub fn show(grid: &Grid, plan: &Plan, points: &[Point<'_>], id: &str, document: &mut Document) {
     if let Some(curves) = Curves::of(grid, plan, points) {
         for measure in &grid.measures {

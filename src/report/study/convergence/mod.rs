@@ -1,5 +1,6 @@
-//! How the residual falls: sweep by sweep at the rate that theory predicts ([`sweeps`]), by iteration,
-//! multiplication and second under several methods ([`methods`]), and row by row ([`rows`]).
+//! How the residual falls: sweep by sweep at the rate that theory predicts ([`sweeps`]), by
+//! iteration, multiplication and second under several methods ([`methods`]), and row by row
+//! ([`rows`]).
 
 pub mod methods;
 pub mod rows;

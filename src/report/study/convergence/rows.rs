@@ -1,8 +1,9 @@
-//! Where the error is: the residual of each row after each sweep, in a column of bodies on the ground.
+//! Where the error is: the residual of each row after each sweep, in a column of bodies on the
+//! ground.
 //!
 //! All bodies fall at the same speed, so at first only the lowest contact closes: the others do not
-//! know yet. In a sweep from the ground up each row sees the new impulse of the row below, and the news
-//! reaches the top at once, weaker by half a row; from the top down it climbs one row a sweep.
+//! know yet. In a sweep from the ground up each row sees the new impulse of the row below, and the
+//! news reaches the top at once, weaker by half a row; from the top down it climbs one row a sweep.
 
 use std::f64::consts::PI;
 use std::ops::ControlFlow;

@@ -1,11 +1,12 @@
-//! Where the energy of a motion goes, summed over its steps: the accounts of the simulation's ledger.
+//! Where the energy of a motion goes, summed over its steps: the accounts of the simulation's
+//! ledger.
 //!
 //! ```text
 //! change of kinetic + potential energy = Σ accounts + remainder
 //! ```
 //!
-//! The remainder is measured, and rounding unless something is forgotten. Families that do not write
-//! down what acted have no accounts.
+//! The remainder is measured, and rounding unless something is forgotten. Families that do not
+//! write down what acted have no accounts.
 
 use std::ops::ControlFlow;
 
@@ -53,7 +54,8 @@ pub struct Account {
     pub remainder: Option<f64>,
     /// The largest energy that was moved: kinetic energy, or a change of the potential one (J).
     pub turnover: f64,
-    /// The size of the energies that all this was computed from, for rounding is a part of them (J).
+    /// The size of the energies that all this was computed from, for rounding is a part of them
+    /// (J).
     pub scale: f64,
     /// Why it ended early, if it did.
     pub ending: Option<String>,

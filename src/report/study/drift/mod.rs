@@ -1,5 +1,6 @@
-//! Errors of energy and of constraints: over time with shorter and shorter steps ([`steps`]), by cause
-//! ([`ledger`]), and against the length of the step where the exact motion is known ([`order`]).
+//! Errors of energy and of constraints: over time with shorter and shorter steps ([`steps`]), by
+//! cause ([`ledger`]), and against the length of the step where the exact motion is known
+//! ([`order`]).
 
 pub mod ledger;
 pub mod order;

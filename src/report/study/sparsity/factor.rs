@@ -35,7 +35,8 @@ pub struct Ordered {
     pub bandwidth: usize,
     /// Entries of L, the diagonal included.
     pub entries: usize,
-    /// Multiplications of the factorization: Σ over columns of the entries below the diagonal, squared.
+    /// Multiplications of the factorization: Σ over columns of the entries below the diagonal,
+    /// squared.
     pub work: f64,
     /// The factor.
     pub picture: Raster,

@@ -1,5 +1,5 @@
-//! Where the matrices of scenes have entries: J and A in one step ([`pattern`]), A of all shipped scenes
-//! ([`gallery`]), and the factor of A under three orderings ([`factor`]).
+//! Where the matrices of scenes have entries: J and A in one step ([`pattern`]), A of all shipped
+//! scenes ([`gallery`]), and the factor of A under three orderings ([`factor`]).
 
 pub mod factor;
 pub mod gallery;
@@ -85,8 +85,8 @@ impl Study for Plan {
     }
 }
 
-/// The problem of a scene's step; `None` if the step has none. That of the first step needs no solution,
-/// so its solver stops after a sweep.
+/// The problem of a scene's step; `None` if the step has none. That of the first step needs no
+/// solution, so its solver stops after a sweep.
 fn problem(task: &AtStep) -> Result<Option<Problem>> {
     let mut scene = Scene::load(&task.scene)?;
     if !scene.step.scheme.solves_lcps() {

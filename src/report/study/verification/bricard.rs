@@ -15,8 +15,8 @@ use crate::solver::by_name;
 const ZERO: f64 = 1e-9;
 
 /// The rank of J is one below the number of rows, so that one freedom n is left, J n = 0. From rest
-/// the mechanism starts with the acceleration n (n·F)/(n·M n), whatever the forces in its hinges: by
-/// Dantzig's method, by Lemke's and by an interior point.
+/// the mechanism starts with the acceleration n (n·F)/(n·M n), whatever the forces in its hinges:
+/// by Dantzig's method, by Lemke's and by an interior point.
 pub(super) fn bricard(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("bricard", "bricard", size)?;
     let whole = (0.0, "a whole number; singular values below 1e-9 of the largest count as 0");

@@ -55,8 +55,9 @@ pub(super) fn blow(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A point that slides at 30° to the axes: each model by its own law. Coulomb's force is against the slip, the
-/// box's against both of its components, a polygon's that of its corners which opposes the slip most.
+/// A point that slides at 30° to the axes: each model by its own law. Coulomb's force is against
+/// the slip, the box's against both of its components, a polygon's that of its corners which
+/// opposes the slip most.
 pub(super) fn askew(size: Size) -> Result<Vec<Row>> {
     let (mu, speed, time) = (0.3, 2.0, 0.1);
     let angle = 30f64.to_radians();

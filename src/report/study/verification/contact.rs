@@ -110,8 +110,8 @@ fn rub(scene: &mut Scene, friction: f64) {
     scene.bodies.iter_mut().for_each(|body| body.friction = friction);
 }
 
-/// The push of the wall; whether the ladder holds 1 % above the critical friction; and how it starts
-/// to slide at nine tenths of it.
+/// The push of the wall; whether the ladder holds 1 % above the critical friction; and how it
+/// starts to slide at nine tenths of it.
 pub(super) fn ladder(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("ladder", "ladder", size)?;
     let (floor, ladder) = (0, 2);

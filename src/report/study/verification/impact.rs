@@ -6,9 +6,9 @@ use crate::error::Result;
 use crate::scene::catalogue::bounce::{Drop, chain_of_three};
 
 /// A ball falls from rest and bounces with e = 1/2: heights e² and e⁴ of the first. The fall of T
-/// takes whole steps, and so does each flight after it, 2 e T and 2 e² T: under integrators of second
-/// order and above it touches the ground to rounding. Semi-implicit Euler is a step too low, and has
-/// first order.
+/// takes whole steps, and so does each flight after it, 2 e T and 2 e² T: under integrators of
+/// second order and above it touches the ground to rounding. Semi-implicit Euler is a step too low,
+/// and has first order.
 pub(super) fn bouncing(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("bouncing-ball", "bouncing_ball", size)?;
     let radius = 0.1;
@@ -52,9 +52,9 @@ pub(super) fn bouncing(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Balls with gaps hit each other one after the other, and the last one leaves with v. Three that touch
-/// are one LCP, in which all pairs that press and approach bounce at once: another answer, decided by
-/// the law of restitution and not by Newton's cradle.
+/// Balls with gaps hit each other one after the other, and the last one leaves with v. Three that
+/// touch are one LCP, in which all pairs that press and approach bounce at once: another answer,
+/// decided by the law of restitution and not by Newton's cradle.
 pub(super) fn cradle(size: Size) -> Result<Vec<Row>> {
     let mut rows = Vec::new();
     let speeds = |scene: &crate::scene::Scene| {

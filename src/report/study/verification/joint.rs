@@ -8,8 +8,8 @@ use crate::scene::Scene;
 
 const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
 
-/// A rod that is too long, without gravity: with β its error falls to 1 − β of itself in each step; with
-/// α it dies down like a critically damped spring.
+/// A rod that is too long, without gravity: with β its error falls to 1 − β of itself in each step;
+/// with α it dies down like a critically damped spring.
 pub(super) fn feedback(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("feedback", "pendulum", size)?;
     let (beta, alpha, error, steps, time) = (0.2f64, 20.0, 0.01, 10, 0.15);
@@ -41,8 +41,8 @@ pub(super) fn feedback(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A weight on a spring: the period, and where it comes to rest with damping. The implicit step turns the
-/// motion by atan(ω dt) = ω dt − (ω dt)³/3 …: the frequency is of second order.
+/// A weight on a spring: the period, and where it comes to rest with damping. The implicit step
+/// turns the motion by atan(ω dt) = ω dt − (ω dt)³/3 …: the frequency is of second order.
 pub(super) fn spring(size: Size) -> Result<Vec<Row>> {
     let mut rows = Vec::new();
     for level in LEVELS {
@@ -71,9 +71,10 @@ pub(super) fn spring(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A mass on a spring without length, on the ellipse x = cos(ω t), y = ½ sin(ω t): an implicit step, which
-/// takes the spring's direction at its beginning, spoils its size at first order; integrators keep it at theirs,
-/// the midpoint exactly. The scene's energy has that of the spring: ½ k (x² + y²) + ½ m v² = ½ k (1 + ¼).
+/// A mass on a spring without length, on the ellipse x = cos(ω t), y = ½ sin(ω t): an implicit
+/// step, which takes the spring's direction at its beginning, spoils its size at first order;
+/// integrators keep it at theirs, the midpoint exactly. The scene's energy has that of the spring:
+/// ½ k (x² + y²) + ½ m v² = ½ k (1 + ¼).
 pub(super) fn ellipse(size: Size) -> Result<Vec<Row>> {
     let (omega, time): (f64, f64) = (4.0, 0.5);
     let text = "gravity = [0, 0, 0]\n[[bodies]]\nname = \"mass\"\nshape = \"point\"\nmass = 1\n\

@@ -104,8 +104,8 @@ impl Case {
         Case { name, scene, levels: size.levels() }
     }
 
-    /// The rows of quantities that one run of the scene measures, in the order of `known`; the scene
-    /// that `measure` gets has the method and the step length of the run.
+    /// The rows of quantities that one run of the scene measures, in the order of `known`; the
+    /// scene that `measure` gets has the method and the step length of the run.
     pub fn rows(
         &self,
         method: Method,

@@ -197,8 +197,8 @@ pub(super) fn belt(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Joints that say the same twice, off the axes of the world: a door on two hinges with one axis, and a
-/// ball on two sliders, each brought to its speed by a motor.
+/// Joints that say the same twice, off the axes of the world: a door on two hinges with one axis,
+/// and a ball on two sliders, each brought to its speed by a motor.
 pub(super) fn redundant(size: Size) -> Result<Vec<Row>> {
     let axis = nalgebra::Vector3::new(0.1, 0.2, 1.0).normalize();
     let hinge =
@@ -224,7 +224,8 @@ pub(super) fn redundant(size: Size) -> Result<Vec<Row>> {
         let mut case = Case::of("redundant-joints", Scene::from_toml(scene, text)?, size);
         case.scene.step.baumgarte = 0.1;
         for level in LEVELS {
-            // The state keeps L: I(q)⁻¹ L at the end of a step is u with the inertia turned by dt ω.
+            // The state keeps L: I(q)⁻¹ L at the end of a step is u with the inertia turned by dt
+            // ω.
             let turns = (scene, level) == ("door", Method::Velocity);
             let known = vec![match turns {
                 true => Known::order(1.0, quantity, formula, unit, 2.0),

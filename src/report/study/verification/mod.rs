@@ -8,8 +8,9 @@
 //! observed order = log2(|error(2h)| / |error(h)|),   within 0.1 of the derived one
 //! ```
 //!
-//! which no wrong constant can pass: an error that stays has the order 0. What it does not spoil must be
-//! right at every step length, within a tolerance that has a reason. Cases are one file a group.
+//! which no wrong constant can pass: an error that stays has the order 0. What it does not spoil
+//! must be right at every step length, within a tolerance that has a reason. Cases are one file a
+//! group.
 
 mod bricard;
 mod collisions;
@@ -230,8 +231,8 @@ const CASES: &[(&str, Case)] = &[
 /// A case with settings of its own.
 type Chosen = Box<dyn Fn(Size) -> Result<Vec<Row>> + Send + Sync>;
 
-/// A simulated minute each, a stack of ten and a pendulum by every scheme: an hour of work in all, so that they run only
-/// where a report file names them.
+/// A simulated minute each, a stack of ten and a pendulum by every scheme: an hour of work in all,
+/// so that they run only where a report file names them.
 fn long() -> Vec<(String, Chosen)> {
     let stack = |(scheme, model): (Scheme, Model)| -> (String, Chosen) {
         let name = format!("long-stack-{}-{model}", scheme.name());
@@ -246,7 +247,8 @@ pub fn names() -> Vec<&'static str> {
     CASES.iter().map(|(name, _)| *name).collect()
 }
 
-/// The rows of a case, a long one too, or of all but the long ones. They do not depend on the number of threads.
+/// The rows of a case, a long one too, or of all but the long ones. They do not depend on the
+/// number of threads.
 ///
 /// # Errors
 /// If there is no case of that name.

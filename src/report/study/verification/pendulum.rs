@@ -1,8 +1,8 @@
 //! Pendulums: period, tension and place, against elliptic integrals and reduced coordinates.
 //!
-//! From step to step the middle of semi-implicit Euler's two kicks is the leapfrog scheme, which runs the
-//! same backwards: a period, which does not ask at which half step one looks, is of second order, a
-//! place at a given time of first.
+//! From step to step the middle of semi-implicit Euler's two kicks is the leapfrog scheme, which
+//! runs the same backwards: a period, which does not ask at which half step one looks, is of second
+//! order, a place at a given time of first.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 

@@ -67,7 +67,8 @@ pub(super) fn atwood(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Atwood's machine with a wheel: its inertia moves with the weights, and the rope's two ends differ.
+/// Atwood's machine with a wheel: its inertia moves with the weights, and the rope's two ends
+/// differ.
 pub(super) fn massive_pulley(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("massive-pulley", "massive_pulley", size)?;
     let (g, time, radius) = (-case.scene.gravity.z, 0.5, 0.5);

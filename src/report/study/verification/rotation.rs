@@ -9,8 +9,8 @@ use crate::error::Result;
 use crate::scene::catalogue::spin::{FreeBody, SteadyTop};
 
 /// The first passage of the middle rate through 0, a quarter of the period after the start; energy
-/// and angular momentum half a second after it, when the brick has turned over. At velocity level the body
-/// turns by the midpoint rule, which is of second order and keeps both.
+/// and angular momentum half a second after it, when the brick has turned over. At velocity level
+/// the body turns by the midpoint rule, which is of second order and keeps both.
 pub(super) fn flip(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("flip", "dzhanibekov", size)?;
     let Mass::Rigid { moments, .. } = case.scene.bodies[0].mass else { return Ok(Vec::new()) };

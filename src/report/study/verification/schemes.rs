@@ -1,4 +1,5 @@
-//! What every scheme owes: a free body's momentum, a top that does not fall, a ball that comes to rest.
+//! What every scheme owes: a free body's momentum, a top that does not fall, a ball that comes to
+//! rest.
 
 use super::measure::{Case, Known, Method, ROUNDING, after, last, start};
 use super::{Row, Size};
@@ -19,7 +20,8 @@ const BOUNCING: [(Scheme, f64); 5] = [
 /// XPBD divides differences of positions by a substep.
 const SUMMED: (f64, &str) = (1e-9, "rounding of differences over substeps, summed");
 
-/// The brick that turns over, for ten seconds: the midpoint rule keeps its angular momentum and energy.
+/// The brick that turns over, for ten seconds: the midpoint rule keeps its angular momentum and
+/// energy.
 pub(super) fn free_body(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("free-body", "dzhanibekov", size)?;
     case.scene.step.dt = 0.01;
@@ -66,11 +68,11 @@ pub(super) fn lean(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A pendulum let go at 170 degrees, for a minute. Kutta's method and the midpoint rule lose energy at their
-/// order; what feeds the rod's stretch back keeps it within a part in a hundred, and the rod's
-/// length within a thousandth. NGS and
-/// split impulses, which move the bob back to its circle, keep the length to the last digit and lose a third
-/// of the energy, XPBD a tenth of it: at those their rows look at the length alone.
+/// A pendulum let go at 170 degrees, for a minute. Kutta's method and the midpoint rule lose energy
+/// at their order; what feeds the rod's stretch back keeps it within a part in a hundred, and the
+/// rod's length within a thousandth. NGS and split impulses, which move the bob back to its circle,
+/// keep the length to the last digit and lose a third of the energy, XPBD a tenth of it: at those
+/// their rows look at the length alone.
 pub(super) fn long_pendulum(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("long-pendulum", "pendulum", size)?;
     let (time, angle) = (60.0, 170f64.to_radians());
@@ -119,7 +121,8 @@ pub(super) fn long_stacks() -> impl Iterator<Item = (Scheme, Model)> {
     schemes.chain(models.map(|model| (Scheme::Velocity, model)))
 }
 
-/// Ten boxes for a minute: none moves aside, and the top one sinks by what the springs below it give.
+/// Ten boxes for a minute: none moves aside, and the top one sinks by what the springs below it
+/// give.
 pub(super) fn long_stack(scheme: Scheme, model: Model, size: Size) -> Result<Vec<Row>> {
     let stack = "contact.friction = 0.5\n[generate]\nkind = \"stack\"\ncount = 10\nsize = 1\nmass = 1\n\
                  [[bodies]]\nname = \"ground\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n";
@@ -146,8 +149,9 @@ pub(super) fn long_stack(scheme: Scheme, model: Model, size: Size) -> Result<Vec
             ["55 m g / (4 k)", r"\frac{55\,m g}{4 k}"],
             (1e-6, "where it swings to in the end"),
         ),
-        // A corner is a spring of ω²/a, and a = J M⁻¹ Jᵀ is 4/m on the ground and 8/m between two boxes:
-        // contact j from the top sinks by j m g / (4 ω² m / 8), the lowest one by half of that.
+        // A corner is a spring of ω²/a, and a = J M⁻¹ Jᵀ is 4/m on the ground and 8/m between two
+        // boxes: contact j from the top sinks by j m g / (4 ω² m / 8), the lowest one by half of
+        // that.
         Scheme::Soft => (
             100.0 * gravity / (std::f64::consts::TAU * case.scene.step.soft.contact_hertz).powi(2),
             ["100 g / ω^2", r"\frac{100\,g}{\omega^2}"],
@@ -173,8 +177,8 @@ pub(super) fn long_stack(scheme: Scheme, model: Model, size: Size) -> Result<Vec
     }))
 }
 
-/// The bouncing ball, until it lies: every scheme's second flight has the height e² h as near as its step
-/// finds the blow, and at the end the ball rests on the ground.
+/// The bouncing ball, until it lies: every scheme's second flight has the height e² h as near as
+/// its step finds the blow, and at the end the ball rests on the ground.
 pub(super) fn rest(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("bounce-to-rest", "bouncing_ball", size)?;
     let radius = 0.1;

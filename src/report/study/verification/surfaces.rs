@@ -70,7 +70,8 @@ pub(super) fn table(size: Size) -> Result<Vec<Row>> {
     });
     let what = "speed after 0.1 s, A ω² 2 % above μ_s g";
     let formula = ["-mu g t", "-\\mu\\,g\\,t"];
-    // In its first step the table gains half of a step's speed, so that the block leaves a step late.
+    // In its first step the table gains half of a step's speed, so that the block leaves a step
+    // late.
     let known = vec![Known::order(1.0, what, formula, "m/s", -0.3 * G * 0.1)];
     rows.extend(
         shaken(1.02)?.rows(Method::Velocity, known, |scene| Some(vec![after(scene, 0.1)?[1].v.x])),
@@ -111,7 +112,8 @@ pub(super) fn sine(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Two blocks on one slope and two balls on one floor, of which one each has its pair's coefficient.
+/// Two blocks on one slope and two balls on one floor, of which one each has its pair's
+/// coefficient.
 pub(super) fn pairs(size: Size) -> Result<Vec<Row>> {
     let slope = "tilt = { y = 20 }\ncontact.friction = 0.5\n[[bodies]]\nname = \"slope\"\nfixed = true\n\
         shape = { plane = [0, 0, 1] }\n[[bodies]]\nname = \"rough\"\nmass = 1\n\
@@ -156,8 +158,8 @@ pub(super) fn pairs(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A bar in a right-angled groove: Coulomb's cone holds it up to tan α = √2 μ, 35.26° at μ = 0.5, and
-/// above that it slides with what friction leaves.
+/// A bar in a right-angled groove: Coulomb's cone holds it up to tan α = √2 μ, 35.26° at μ = 0.5,
+/// and above that it slides with what friction leaves.
 pub(super) fn groove(size: Size) -> Result<Vec<Row>> {
     let (mu, time) = (0.5, 0.5);
     let bar = |angle: f64| {

@@ -1,4 +1,5 @@
-//! Which engine for what: the laws that a use rests on, who keeps all of them, and who misses them most.
+//! Which engine for what: the laws that a use rests on, who keeps all of them, and who misses them
+//! most.
 
 use super::{ACCURATE, DEFAULTS, OWN};
 use crate::number::readable;

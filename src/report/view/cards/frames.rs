@@ -1,4 +1,5 @@
-//! The contact problems that engines solve themselves: their own answers judged, and who else solves them.
+//! The contact problems that engines solve themselves: their own answers judged, and who else
+//! solves them.
 
 use crate::number::readable;
 use crate::report::page::{Cell, Column, Mark, Table};

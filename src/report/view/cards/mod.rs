@@ -17,14 +17,14 @@ const OWN: &str = "lcplab";
 /// What lcplab's own schemes are known to miss or to fail at; anything else that they miss is a
 /// fault.
 ///
-/// - A spring is a compliant row, taken implicitly, which loses energy; within the tolerance it would
-///   stay with steps of 0.02 ms only.
+/// - A spring is a compliant row, taken implicitly, which loses energy; within the tolerance it
+///   would stay with steps of 0.02 ms only.
 /// - Friction is a box, which holds up to √2 times its coefficient; the cone has no such miss.
 /// - The bullet flies farther in a step than the margin from which on a contact is a row; only the
 ///   acceleration level looks for the instant at which bodies meet.
 /// - The rows of Bricard's hinges become independent as errors of position grow.
-/// - Soft constraints yield to large loads, contacts as well as joints. XPBD's few sweeps leave some
-///   of the load, and its velocities, which are differences of positions, damp what turns.
+/// - Soft constraints yield to large loads, contacts as well as joints. XPBD's few sweeps leave
+///   some of the load, and its velocities, which are differences of positions, damp what turns.
 const KNOWN_MISSES: [(&str, &[&str]); 5] = [
     ("velocity", &["spring", "directions", "bullet", "bricard"]),
     ("velocity, cone", &["spring", "bullet", "bricard"]),
@@ -46,7 +46,8 @@ const KNOWN_MISSES: [(&str, &[&str]); 5] = [
         ],
     ),
 ];
-/// The phenomenon that shows whether an adapter gives an engine the right masses, gravity and steps.
+/// The phenomenon that shows whether an adapter gives an engine the right masses, gravity and
+/// steps.
 const FALL: &str = "free_fall";
 /// The phenomenon whose scene shows how fast an engine is.
 const PACED: &str = "tower";

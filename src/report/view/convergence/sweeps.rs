@@ -6,8 +6,8 @@ use crate::report::study::convergence::sweeps::{Curve, Rates};
 use crate::report::view::attempt::stem;
 use crate::report::view::{Document, Outcome};
 
-/// A measured rate, as digits a sweep, that differs from the predicted one by more than this part is
-/// marked.
+/// A measured rate, as digits a sweep, that differs from the predicted one by more than this part
+/// is marked.
 const AGREES: f64 = 0.1;
 
 pub(super) fn show(studies: &[&Rates], document: &mut Document) {

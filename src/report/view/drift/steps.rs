@@ -7,8 +7,8 @@ use crate::report::study::drift::steps::{Curve, Levels};
 use crate::report::view::attempt::stem;
 use crate::report::view::{Document, Outcome};
 
-/// Half the step divides an error by at least this much: by 2 where the method is of first order and
-/// the step is short, by somewhat less where it is not.
+/// Half the step divides an error by at least this much: by 2 where the method is of first order
+/// and the step is short, by somewhat less where it is not.
 const LEAST_GAIN: f64 = 1.5;
 /// Errors up to this are rounding: in parts of the largest kinetic energy, or in metres.
 const ROUNDING: f64 = 1e-9;

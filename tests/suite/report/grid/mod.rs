@@ -1,4 +1,5 @@
-//! Sweeps: what a file says, what is planned, how it is run, and what closed forms say of the results.
+//! Sweeps: what a file says, what is planned, how it is run, and what closed forms say of the
+//! results.
 
 mod file;
 mod folder;

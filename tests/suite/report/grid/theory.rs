@@ -117,7 +117,8 @@ fn columns_have_the_published_rates_by_theory_as_eigenvalues_and_as_slopes() {
             let lag = 1.0 - finding.get("rate").unwrap().ln() / published.ln();
             if solver == "sor" {
                 assert!((task.number("solver.omega").unwrap() - omega).abs() < 5e-7);
-                // The line of least squares through ln k over K/2 … K rises by 1.364/K; there ρ^K is about 1e-11.
+                // The line of least squares through ln k over K/2 … K rises by 1.364/K; there ρ^K
+                // is about 1e-11.
                 let late = 1.364 / -1e-11f64.ln();
                 assert!(0.5 * late < lag && lag < 2.0 * late, "n = {n}: {lag}, not {late}");
             } else {
@@ -145,7 +146,8 @@ fn columns_take_the_sweeps_of_the_formula_and_pivots_once_a_body() {
     assert!(all.iter().all(|(_, finding)| finding.claims().all(|held| held)));
 }
 
-/// Left of ω* the product of the two eigenvalues of SOR for ±ρ_J is (ω − 1)², and their sum is ω²ρ_J² − 2(ω − 1).
+/// Left of ω* the product of the two eigenvalues of SOR for ±ρ_J is (ω − 1)², and their sum is
+/// ω²ρ_J² − 2(ω − 1).
 #[test]
 fn the_relaxation_factor_does_what_young_says() {
     let text = "family = 'stack'\ntheory = 'young'\nmeasure = 'rate'\n[set]\nn = 10\n\

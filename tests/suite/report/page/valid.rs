@@ -1,5 +1,5 @@
-//! Pages as a browser and a screen reader find them: no parse error, every id once, every link leads
-//! somewhere, everything has a name.
+//! Pages as a browser and a screen reader find them: no parse error, every id once, every link
+//! leads somewhere, everything has a name.
 
 use std::collections::{BTreeMap, HashSet};
 use std::path::Path;

@@ -24,8 +24,9 @@ impl Drop {
     }
 }
 
-/// The speeds after the first of three equal balls that touch comes with v, by one LCP with Newton's
-/// law in the pair that approached and none in the pair that did not: v2 − v1 = e v, v3 = v2.
+/// The speeds after the first of three equal balls that touch comes with v, by one LCP with
+/// Newton's law in the pair that approached and none in the pair that did not: v2 − v1 = e v, v3 =
+/// v2.
 pub fn chain_of_three(speed: f64, restitution: f64) -> [f64; 3] {
     let others = (1.0 + restitution) * speed / 3.0;
     [(1.0 - 2.0 * restitution) * speed / 3.0, others, others]

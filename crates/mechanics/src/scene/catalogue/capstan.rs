@@ -1,16 +1,16 @@
 //! A rope around a post, pulled at both ends. The scene `capstan`.
 //!
-//! Points on the post's circle, each link turning by δ; c = cos(δ/2), s = sin(δ/2). A link's pull T is c
-//! along the post and s into it, so a point between two links, with friction μ N against its motion and
-//! the acceleration a along the post, has
+//! Points on the post's circle, each link turning by δ; c = cos(δ/2), s = sin(δ/2). A link's pull T
+//! is c along the post and s into it, so a point between two links, with friction μ N against its
+//! motion and the acceleration a along the post, has
 //!
 //! ```text
 //! N = (T + T⁺) s,   T⁺ c − T c − μ N = m a   ⇒   T⁺ = (T (c + μ s) + m a)/(c − μ s)
 //! ```
 //!
-//! and the ends, which are pulled along the post itself, one factor of it each. At rest on the point of
-//! sliding (a = 0) the pulls differ by ((1 + μ tan δ/2)/(1 − μ tan δ/2))^n, Euler's e^(μ n δ) for
-//! short links.
+//! and the ends, which are pulled along the post itself, one factor of it each. At rest on the
+//! point of sliding (a = 0) the pulls differ by ((1 + μ tan δ/2)/(1 − μ tan δ/2))^n, Euler's e^(μ n
+//! δ) for short links.
 
 use std::iter;
 
@@ -36,15 +36,16 @@ impl Capstan {
         self.pull(1.0, 0.0)
     }
 
-    /// The acceleration (m/s²) along the post, from rest, if the pulls (N) are `weak` and `strong`, and
-    /// the strong one wins.
+    /// The acceleration (m/s²) along the post, from rest, if the pulls (N) are `weak` and `strong`,
+    /// and the strong one wins.
     pub fn acceleration(&self, weak: f64, strong: f64) -> f64 {
         let [at_rest, slope] = [self.pull(weak, 0.0), self.pull(0.0, 1.0)];
         (strong - at_rest) / slope
     }
 
-    /// The rope from rest around a post of radius 1 m along y, its first point at −x, pulled with these forces (N).
-    /// Points do not touch each other, so that more turns than one lie in one plane.
+    /// The rope from rest around a post of radius 1 m along y, its first point at −x, pulled with
+    /// these forces (N). Points do not touch each other, so that more turns than one lie in one
+    /// plane.
     pub fn description(&self, weak: f64, strong: f64) -> Description {
         let step = self.angle / f64::from(self.links);
         let name = |k: u32| format!("p{k}");

@@ -1,7 +1,7 @@
 //! A ladder on a rough floor against a smooth wall. The scene `ladder`.
 //!
-//! A capsule of length L between the centres of its ends, radius r, at θ from the floor. Moments about
-//! the foot's centre: W L sin θ + μ N r = m g (L/2) cos θ at rest, where W = friction:
+//! A capsule of length L between the centres of its ends, radius r, at θ from the floor. Moments
+//! about the foot's centre: W L sin θ + μ N r = m g (L/2) cos θ at rest, where W = friction:
 //!
 //! ```text
 //! W = m g L cos θ / (2 (L sin θ + r)),   it holds while μ ≥ W/(m g)

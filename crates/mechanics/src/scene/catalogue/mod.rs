@@ -1,5 +1,5 @@
-//! The scenes that lcplab ships, embedded in the program: the files of the folder `scenes/`; and exact
-//! solutions of some.
+//! The scenes that lcplab ships, embedded in the program: the files of the folder `scenes/`; and
+//! exact solutions of some.
 
 pub mod bounce;
 pub mod capstan;

@@ -1,5 +1,6 @@
-//! Pendulums in reduced coordinates: angles in place of positions and rods, so that no constraint can
-//! drift. An oracle for the scenes `pendulum` and `double_pendulum` that shares nothing with them.
+//! Pendulums in reduced coordinates: angles in place of positions and rods, so that no constraint
+//! can drift. An oracle for the scenes `pendulum` and `double_pendulum` that shares nothing with
+//! them.
 //!
 //! ```text
 //! one mass      φ'' = −(g/l) sin φ,   period 2π √(l/g)/agm(1, cos(φ0/2)) from rest at φ0

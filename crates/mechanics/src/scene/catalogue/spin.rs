@@ -1,5 +1,5 @@
-//! Rigid bodies that turn: a free one, and a heavy symmetric top on a pivot. The scenes `dzhanibekov`
-//! and `top`.
+//! Rigid bodies that turn: a free one, and a heavy symmetric top on a pivot. The scenes
+//! `dzhanibekov` and `top`.
 //!
 //! ```text
 //! Euler's equations   I1 ω1' = (I2 − I3) ω2 ω3 and so on, I1 < I2 < I3, no torque.

@@ -1,9 +1,9 @@
 //! The pairs of convex parts that may touch: those whose boxes along the world's axes meet.
 //!
-//! Of a few boxes each is compared with each. Many lie in a tree (parry's bounding volume hierarchy), so
-//! that n bodies with few neighbours each cost n log n; it is built anew each time, in memory that is kept,
-//! so which pairs are found depends on where the bodies are and on nothing before. A half space may
-//! touch every body that is not wholly above it.
+//! Of a few boxes each is compared with each. Many lie in a tree (parry's bounding volume
+//! hierarchy), so that n bodies with few neighbours each cost n log n; it is built anew each time,
+//! in memory that is kept, so which pairs are found depends on where the bodies are and on nothing
+//! before. A half space may touch every body that is not wholly above it.
 
 use nalgebra::Vector3;
 use parry3d_f64::bounding_volume::{Aabb, BoundingVolume};

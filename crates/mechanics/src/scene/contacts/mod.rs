@@ -1,7 +1,8 @@
 //! Where bodies touch, or nearly: contact points with names that persist between steps.
 //!
 //! Every shape but the half space is a convex polytope with a radius around it ([`solid`]): a point
-//! for a ball, a segment for a capsule; a compound is several. So all pairs are one case. The data flow:
+//! for a ball, a segment for a capsule; a compound is several. So all pairs are one case. The data
+//! flow:
 //!
 //! ```text
 //! broad: pairs of bodies ─→ separation: the axis ─→ overlap: face on anything │ crossing: edges │
@@ -13,8 +14,8 @@
 //! name and how its normal moves depend on that.
 //!
 //! Bodies that a constraint joins do not collide, nor do two fixed ones, nor two points. The result
-//! depends on the states alone and comes in the order of the bodies. A [`Detector`] keeps its memory
-//! from step to step; warm, it asks for none.
+//! depends on the states alone and comes in the order of the bodies. A [`Detector`] keeps its
+//! memory from step to step; warm, it asks for none.
 
 mod broad;
 mod crossing;
@@ -218,8 +219,8 @@ impl Detector {
         Detector { solids, owners, arms, half_spaces, joined, broad, touches, found }
     }
 
-    /// All contact points with a gap up to `margin` (m), of the scene that it was made for. One entry
-    /// of `states` a body.
+    /// All contact points with a gap up to `margin` (m), of the scene that it was made for. One
+    /// entry of `states` a body.
     pub fn find(&mut self, scene: &Scene, states: &[State], margin: f64) -> &[Found] {
         self.find_pairs(scene, states, Reach::Gap(margin));
         self.find_points(scene, states, Reach::Gap(margin));
@@ -348,8 +349,8 @@ fn touches(
     }
 }
 
-/// The contact of two features; balls with one centre, which have no normal, are pushed apart along the
-/// world's z axis. None where there is no direction either.
+/// The contact of two features; balls with one centre, which have no normal, are pushed apart along
+/// the world's z axis. None where there is no direction either.
 fn point(
     scene: &Scene,
     states: &[State],

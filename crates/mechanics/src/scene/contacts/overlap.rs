@@ -25,8 +25,8 @@ const ALIGNED: f64 = 0.996;
 /// The second face must look at the first at no more than 60° from straight.
 const FACING: f64 = -0.5;
 
-/// Adds the corners of the overlap of a face of `a` and what `b` turns towards it: a face, or, where
-/// it has none, all its vertices and edges.
+/// Adds the corners of the overlap of a face of `a` and what `b` turns towards it: a face, or,
+/// where it has none, all its vertices and edges.
 pub(super) fn touches(a: &Solid, b: &Solid, face: usize, out: &mut Vec<Touch>) {
     let rim = RIM * a.size.max(b.size);
     let Some(other) = towards(b, &a.normals[face]) else {

@@ -7,8 +7,8 @@ use super::{Feature, Touch, rim};
 use crate::body::Pose;
 use crate::constraint::Normal;
 
-/// Adds every vertex of a solid over the plane through the origin of a body with this pose; `normal`
-/// in the body's axes.
+/// Adds every vertex of a solid over the plane through the origin of a body with this pose;
+/// `normal` in the body's axes.
 pub(super) fn touches(normal: &Vector3<f64>, pose: &Pose, solid: &Solid, out: &mut Vec<Touch>) {
     let n = pose.direction(normal);
     if rim::on_plane(normal, pose, solid, out) {

@@ -1,7 +1,8 @@
 //! A cylinder with its side on something flat: the ends of the line along which it touches.
 //!
-//! Each end is the lowest point of a circle around the axis, so that the cylinder rolls as a round one does. Where
-//! it stands on an end, and beside the rim of a face, the prism that stands for it touches instead.
+//! Each end is the lowest point of a circle around the axis, so that the cylinder rolls as a round
+//! one does. Where it stands on an end, and beside the rim of a face, the prism that stands for it
+//! touches instead.
 
 use nalgebra::Vector3;
 
@@ -13,7 +14,8 @@ use crate::constraint::{Normal, Rim};
 /// A cylinder whose axis is as near to the normal as this (as a sine) stands.
 const STANDS: f64 = 0.02;
 
-/// A flat surface: its unit normal in its body's axes and in the world's, and a point of it (m, world).
+/// A flat surface: its unit normal in its body's axes and in the world's, and a point of it (m,
+/// world).
 struct Flat {
     feature: usize,
     local: Vector3<f64>,
@@ -21,8 +23,8 @@ struct Flat {
     point: Vector3<f64>,
 }
 
-/// Adds the touches of a cylinder with the plane through the origin of a body with this pose; false if it is
-/// none or stands.
+/// Adds the touches of a cylinder with the plane through the origin of a body with this pose; false
+/// if it is none or stands.
 pub(super) fn on_plane(
     normal: &Vector3<f64>,
     pose: &Pose,

@@ -49,8 +49,9 @@ pub(super) fn by_faces(a: &Solid, b: &Solid) -> Option<FaceAxis> {
     best
 }
 
-/// The edges that part `a` and `b` best, each of which reaches farthest along the normal. Parallel edges have one normal
-/// with another edge, and only the farthest of them can reach farthest of all.
+/// The edges that part `a` and `b` best, each of which reaches farthest along the normal. Parallel
+/// edges have one normal with another edge, and only the farthest of them can reach farthest of
+/// all.
 pub(super) fn by_edges(a: &Solid, b: &Solid) -> Option<EdgeAxis> {
     let mut best: Option<EdgeAxis> = None;
     for of_a in a.parallels() {

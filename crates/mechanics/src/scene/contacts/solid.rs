@@ -140,7 +140,8 @@ impl Solid {
         &self.parallels
     }
 
-    /// Which of these edges, all along one direction across n, reaches farthest along n, and how far (m).
+    /// Which of these edges, all along one direction across n, reaches farthest along n, and how
+    /// far (m).
     pub fn farthest(&self, edges: &[usize], n: &Vector3<f64>) -> (usize, f64) {
         let height = |k: usize| n.dot(&self.vertices[self.polytope.edges[k].ends[0]]);
         let heights = edges.iter().map(|&k| (k, height(k)));
@@ -158,7 +159,8 @@ impl Solid {
         (to - from).norm()
     }
 
-    /// The cylinder that it stands for, in world axes, with the faces at its lower and its upper end.
+    /// The cylinder that it stands for, in world axes, with the faces at its lower and its upper
+    /// end.
     pub fn cylinder(&self) -> Option<(Cylinder, [usize; 2])> {
         let own = self.polytope.cylinder?;
         let centre = self.pose.point(&own.centre);

@@ -9,9 +9,9 @@ use crate::scene::description::{Body, Constraint, Description, Rotation, Shape};
 /// Planks `plank1`, `plank2`, … joined end to end by hinges about y, between the origin and
 /// (span, 0, 0), where the first and the last are hinged to the world.
 ///
-/// They hang in equilibrium. Half of a plank's weight acts at each of its ends, so the planks have the
-/// slopes of the links of a [`Rope`] of as many links whose masses are theirs. A straight bridge
-/// could not carry anything: its hinges would have to pull with an infinite force.
+/// They hang in equilibrium. Half of a plank's weight acts at each of its ends, so the planks have
+/// the slopes of the links of a [`Rope`] of as many links whose masses are theirs. A straight
+/// bridge could not carry anything: its hinges would have to pull with an infinite force.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Bridge {

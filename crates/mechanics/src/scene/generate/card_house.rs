@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use super::{Structure, solid};
 use crate::scene::description::{Body, Description, Rotation, Shape};
 
-/// Levels of tents, each of two cards that lean on each other, with level cards between; the top level
-/// has one tent. In the x–z plane, standing on z = 0.
+/// Levels of tents, each of two cards that lean on each other, with level cards between; the top
+/// level has one tent. In the x–z plane, standing on z = 0.
 ///
 /// ```text
 /// a card of thickness t and height h, leaning by α, reaches from its lower front edge

@@ -52,7 +52,8 @@ const MOST_BODIES: usize = 50_000;
 pub enum Generator {
     /// Wedges of stone in half a circle.
     Arch(Arch),
-    /// Equal boxes in a line, joined end to end by balls and sockets; the first hangs from the world.
+    /// Equal boxes in a line, joined end to end by balls and sockets; the first hangs from the
+    /// world.
     BallChain(BallChain),
     /// Planks joined by hinges between two fixed ends.
     Bridge(Bridge),

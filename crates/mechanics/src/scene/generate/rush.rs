@@ -8,8 +8,8 @@ use serde::{Deserialize, Serialize};
 use super::{Structure, solid};
 use crate::scene::description::{Constraint, Description, Shape};
 
-/// Balls `ball1`, `ball2`, … on rings about the origin in the x–z plane, each drawn to it by a spring
-/// as long as its radius.
+/// Balls `ball1`, `ball2`, … on rings about the origin in the x–z plane, each drawn to it by a
+/// spring as long as its radius.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Rush {

@@ -4,12 +4,12 @@
 //! u' = M⁻¹(F + Jᵀλ),   and an integrator;   semi-implicit: u⁺ = u + dt u',   s⁺ = s + dt S u⁺
 //! ```
 //!
-//! A step is divided where a body arrives at another one: it hits there, and the rest of the step goes on
-//! from what the impact left. Which contacts rest ([`Resting`](crate::scene::Resting)) is decided at the
-//! beginning of each part; each stage of an integrator solves for their forces anew. The gyroscopic
-//! torque is always part of F. Errors are fed back by α. Friction and motors look one dt ahead
-//! in every stage, so with them an integrator of higher order is of first order again; springs do so only under
-//! the semi-implicit Euler method.
+//! A step is divided where a body arrives at another one: it hits there, and the rest of the step
+//! goes on from what the impact left. Which contacts rest ([`Resting`](crate::scene::Resting)) is
+//! decided at the beginning of each part; each stage of an integrator solves for their forces anew.
+//! The gyroscopic torque is always part of F. Errors are fed back by α. Friction and motors look
+//! one dt ahead in every stage, so with them an integrator of higher order is of first order again;
+//! springs do so only under the semi-implicit Euler method.
 //!
 //! Where friction of sliding contacts is substituted, a contact whose slip would turn round within
 //! the step sticks. Restitution is part of the impacts. Baraff 1989, 1994; K&M (U2).
@@ -28,7 +28,8 @@ use crate::simulation::{Act, Cause, Solve};
 use lcplab_judge::ray::refute;
 use lcplab_solver::Status;
 
-/// A step is divided no more often than this; a ball that has nearly stopped bouncing would go on for ever.
+/// A step is divided no more often than this; a ball that has nearly stopped bouncing would go on
+/// for ever.
 const MOST_ARRIVALS: usize = 64;
 /// A contact that approaches faster than this part of the speed at which one rests is hit.
 const HIT: f64 = 1e-6;
@@ -88,8 +89,8 @@ impl Mark {
     }
 }
 
-/// The states after a part of h (s) of the step that begins so long after it, without arrivals, and the rows
-/// that took part.
+/// The states after a part of h (s) of the step that begins so long after it, without arrivals, and
+/// the rows that took part.
 fn part(
     solving: &mut Solving,
     states: &[State],

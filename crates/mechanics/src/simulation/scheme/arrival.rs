@@ -1,8 +1,8 @@
 //! Where within a step a body first arrives at another one.
 //!
-//! The [path](crate::simulation::path) is looked at so often that no body moves by more than half of the
-//! thinnest one in between; where a contact that is not at rest has become an overlap, the instant is found
-//! by bisection (Baraff 1989).
+//! The [path](crate::simulation::path) is looked at so often that no body moves by more than half
+//! of the thinnest one in between; where a contact that is not at rest has become an overlap, the
+//! instant is found by bisection (Baraff 1989).
 
 use crate::assembly::{RowId, Source};
 use crate::body::State;
@@ -24,8 +24,8 @@ pub(super) struct Way<'a> {
 }
 
 impl Way<'_> {
-    /// The part θ of the way, before 1, after which a contact or limit that is not among the resting
-    /// ones would become an overlap.
+    /// The part θ of the way, before 1, after which a contact or limit that is not among the
+    /// resting ones would become an overlap.
     pub fn arrival(&self, resting: &[RowId]) -> Option<f64> {
         let mut detector = Detector::new(self.scene);
         let known = self.overlaps(0.0, &mut detector);
@@ -44,8 +44,8 @@ impl Way<'_> {
         Some(low)
     }
 
-    /// Whether an overlap was not there at first, and is not that of a resting pair whose features have
-    /// changed their names.
+    /// Whether an overlap was not there at first, and is not that of a resting pair whose features
+    /// have changed their names.
     fn is_new(&self, overlap: &Overlap, known: &[Overlap], resting: &[RowId]) -> bool {
         let slop = self.scene.resting().gap;
         let is_same = |id: &RowId| *id == overlap.id;

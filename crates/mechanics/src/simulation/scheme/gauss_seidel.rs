@@ -7,9 +7,9 @@
 //! ```
 //!
 //! No linear problem is solved for the positions, so what curves is no trouble; but as in any
-//! Gauss-Seidel news travels one row at a time, and `sweeps` says how often it may. Velocities are not
-//! touched. Springs, motors and friction have no error to correct. Restitution: as at velocity level.
-//! Catto, *Box2D*, GDC 2007.
+//! Gauss-Seidel news travels one row at a time, and `sweeps` says how often it may. Velocities are
+//! not touched. Springs, motors and friction have no error to correct. Restitution: as at velocity
+//! level. Catto, *Box2D*, GDC 2007.
 
 use super::velocity;
 use crate::body::State;

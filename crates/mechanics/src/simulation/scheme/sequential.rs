@@ -4,9 +4,9 @@
 //! u = u* + M⁻¹Jᵀx,   then `sweeps` times for each row   x_i ← Π_i(x_i − w_i/a_i),   u follows x_i
 //! ```
 //!
-//! In exact arithmetic its sweeps are those of `pgs` on the LCP of the velocity level. It stops after
-//! a number of sweeps, not at a tolerance, as a game must; the LCP is written down beside it, so
-//! that the residual of what it reached is known. Restitution: the same again with the bouncing
+//! In exact arithmetic its sweeps are those of `pgs` on the LCP of the velocity level. It stops
+//! after a number of sweeps, not at a tolerance, as a game must; the LCP is written down beside it,
+//! so that the residual of what it reached is known. Restitution: the same again with the bouncing
 //! rows' aim. Catto, GDC 2005; K&M, the third of the chapter's schemes.
 
 use super::moved;

@@ -7,14 +7,14 @@
 //! ```
 //!
 //! The spring pulls errors in at its own pace, however heavy what it holds, and the relaxing sweep
-//! takes the speed of that out of u again. An impulse x is kept from sweep to sweep. A gap may close
-//! within a substep (bias c/h). One sweep a substep makes a spring on a light body under a heavy one
-//! unstable above some f: two particles with inverse masses 0.167 and 0.000995 at h = 1/60 s, ζ = 0,
-//! above 13.57 Hz, with one relaxing sweep above 20.94 Hz; hence `rate_limit`.
+//! takes the speed of that out of u again. An impulse x is kept from sweep to sweep. A gap may
+//! close within a substep (bias c/h). One sweep a substep makes a spring on a light body under a
+//! heavy one unstable above some f: two particles with inverse masses 0.167 and 0.000995 at h =
+//! 1/60 s, ζ = 0, above 13.57 Hz, with one relaxing sweep above 20.94 Hz; hence `rate_limit`.
 //!
-//! Restitution: contacts that pushed in a substep get the rest of e J u⁻ at the end of the step, and
-//! friction up to μ times it.
-//! Springs of the scene keep their own k and d. Catto, *Solver2D*, 2024 ("TGS soft").
+//! Restitution: contacts that pushed in a substep get the rest of e J u⁻ at the end of the step,
+//! and friction up to μ times it. Springs of the scene keep their own k and d. Catto, *Solver2D*,
+//! 2024 ("TGS soft").
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;

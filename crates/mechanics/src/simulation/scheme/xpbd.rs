@@ -8,20 +8,21 @@
 //! u = (s − s⁻)/h,   ω = 2 vec(q (q⁻)⁻¹)/(h w)          w, vec: the parts of q (q⁻)⁻¹
 //! ```
 //!
-//! The published multiplier is h x. A row of compliance α has β = 1 and γ = α/h²: rigid for α = 0. A
-//! spring k, d has the β and γ of the implicit spring, friction and motors have β = 0: they hold the
-//! slip of the substep. Contacts and limits keep x ≥ 0.
+//! The published multiplier is h x. A row of compliance α has β = 1 and γ = α/h²: rigid for α = 0.
+//! A spring k, d has the β and γ of the implicit spring, friction and motors have β = 0: they hold
+//! the slip of the substep. Contacts and limits keep x ≥ 0.
 //!
-//! Sweeps that end early leave errors that become velocities. The published method begins every substep
-//! with x = 0, and then a stack of ten boxes under friction gains 0.3 J in two seconds, with 20 sweeps in
-//! each of 8 substeps, until it falls. Here the x of a contact begins with that of the substep before,
-//! unless it parts: after a bounce that x would lift the body at each corner in turn and let it down in
-//! turn, and finite rotations do not take each other away: a box that landed flat turned with 0.2 rad/s.
+//! Sweeps that end early leave errors that become velocities. The published method begins every
+//! substep with x = 0, and then a stack of ten boxes under friction gains 0.3 J in two seconds,
+//! with 20 sweeps in each of 8 substeps, until it falls. Here the x of a contact begins with that
+//! of the substep before, unless it parts: after a bounce that x would lift the body at each corner
+//! in turn and let it down in turn, and finite rotations do not take each other away: a box that
+//! landed flat turned with 0.2 rad/s.
 //!
-//! A correction is a velocity: a joint that starts torn apart snaps together, with the speed c/h. At
-//! contacts the velocity is set afterwards, to −e J u⁻ if that bounces, else to 0, and the slip to 0 as far
-//! as μ x goes, so that bodies that overlap are moved and not thrown. Macklin, Müller & Chentanez 2016;
-//! Müller et al. 2020.
+//! A correction is a velocity: a joint that starts torn apart snaps together, with the speed c/h.
+//! At contacts the velocity is set afterwards, to −e J u⁻ if that bounces, else to 0, and the slip
+//! to 0 as far as μ x goes, so that bodies that overlap are moved and not thrown. Macklin, Müller &
+//! Chentanez 2016; Müller et al. 2020.
 
 use std::collections::BTreeMap;
 
@@ -39,8 +40,8 @@ use crate::simulation::solving::{Solving, assembled};
 const MOST_SWEEPS: usize = 100;
 /// And until a sweep changes them by less than this part of the approach.
 const SETTLED: f64 = 1e-10;
-/// A contact bounces, too, where this part of its way in the substep is left at the end: a flat face
-/// may arrive with a gap that is rounding, of which some corners have a push and others none.
+/// A contact bounces, too, where this part of its way in the substep is left at the end: a flat
+/// face may arrive with a gap that is rounding, of which some corners have a push and others none.
 const ARRIVED: f64 = 1e-6;
 
 pub(super) fn step(
@@ -217,9 +218,9 @@ fn with_rate(scene: &Scene, body: usize, old: &State, new: &State) -> State {
     scene.step.gyroscopic().arrived(&scene.bodies[body].mass, &mean, h)
 }
 
-/// A contact that pushed, or just arrived, neither throws nor holds: J u = −e J u⁻ where that bounces, else 0, as far
-/// as x stays a push; and it does not slip, as far as friction holds. Returns how much of a bounce
-/// was missing, as a part of the approach.
+/// A contact that pushed, or just arrived, neither throws nor holds: J u = −e J u⁻ where that
+/// bounces, else 0, as far as x stays a push; and it does not slip, as far as friction holds.
+/// Returns how much of a bounce was missing, as a part of the approach.
 fn settle(
     scene: &Scene,
     source: Source,

@@ -1,7 +1,9 @@
-//! The impulses of a step: from those of the step before, by sweeps, and again if something bounces.
+//! The impulses of a step: from those of the step before, by sweeps, and again if something
+//! bounces.
 //!
-//! A constraint's rows stand where they stood before. Contacts are known by their names, and come in the
-//! order of their bodies in every step: the old ones are found by going through both lists side by side.
+//! A constraint's rows stand where they stood before. Contacts are known by their names, and come
+//! in the order of their bodies in every step: the old ones are found by going through both lists
+//! side by side.
 
 use super::masses::Masses;
 use super::rows::{Place, Rows};
@@ -34,7 +36,8 @@ impl Impulses {
         if self.bounced.x.is_empty() { &self.first.x } else { &self.bounced.x }
     }
 
-    /// The x of the first solve, and of the one with bounces: what each started from, and its answer.
+    /// The x of the first solve, and of the one with bounces: what each started from, and its
+    /// answer.
     pub fn solves(&self) -> [[&[f64]; 2]; 2] {
         [&self.first, &self.bounced].map(|answer| [&*answer.start, &*answer.x])
     }

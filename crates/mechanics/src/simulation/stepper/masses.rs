@@ -4,8 +4,8 @@
 //! M⁻¹ = L Lᵀ,   L = diag(1/√m, R diag(1/√I)),   v = L⁻¹ u,   Ĵ = J L
 //! ```
 //!
-//! I are the principal moments, so the last three components of v are along the body's own axes. Any
-//! other L with the same L Lᵀ would do as well: A is the same.
+//! I are the principal moments, so the last three components of v are along the body's own axes.
+//! Any other L with the same L Lᵀ would do as well: A is the same.
 
 use nalgebra::{Matrix3, Vector3, Vector6};
 

@@ -1,17 +1,17 @@
-//! The velocity level at speed: what a [`Simulation`](super::Simulation) with `pgs` does in the scheme
-//! "velocity", without a matrix, without a record, in memory that is kept.
+//! The velocity level at speed: what a [`Simulation`](super::Simulation) with `pgs` does in the
+//! scheme "velocity", without a matrix, without a record, in memory that is kept.
 //!
 //! ```text
 //! pairs ─→ points ─→ rows Ĵ, b, bounds; x of the step before ─→ sweeps ─→ u⁺ = L v,  s⁺ = s + dt S u⁺
 //! ```
 //!
-//! A = Ĵ Ĵᵀ is never formed: a sweep changes the scaled velocities v = L⁻¹ u, which start at
-//! L⁻¹ (u + dt M⁻¹F) + Ĵᵀ x ([`impulses`](lcplab_solver::kernel::impulses)). So x need not be
-//! turned into velocities afterwards, and a step costs as much as its contacts, whatever they touch.
+//! A = Ĵ Ĵᵀ is never formed: a sweep changes the scaled velocities v = L⁻¹ u, which start at L⁻¹
+//! (u + dt M⁻¹F) + Ĵᵀ x ([`impulses`](lcplab_solver::kernel::impulses)). So x need not be turned
+//! into velocities afterwards, and a step costs as much as its contacts, whatever they touch.
 //!
 //! Once warm, a step asks for no memory: while there are no more pairs, contacts and rows than ever
-//! before, where joints are rods and balls (others make their rows in lists of their own). The order
-//! of the pairs is kept as long as they are the same.
+//! before, where joints are rods and balls (others make their rows in lists of their own). The
+//! order of the pairs is kept as long as they are the same.
 //!
 //! It does not stop early and does not judge: who wants to know how good so many sweeps are asks a
 //! simulation. Stewart & Trinkle 1996; Catto, *Iterative Dynamics with Temporal Coherence*, 2005.
@@ -107,8 +107,8 @@ impl Stepper {
     /// The scene at its start, with so many sweeps a step.
     ///
     /// # Errors
-    /// Lists what of the scene it does not do: other schemes than "velocity", other models of friction
-    /// than the coupled box, rows that yield.
+    /// Lists what of the scene it does not do: other schemes than "velocity", other models of
+    /// friction than the coupled box, rows that yield.
     pub fn new(scene: Scene, sweeps: usize, kernel: Kernel) -> Result<Self> {
         scope::check(&scene)?;
         Ok(Stepper {
@@ -152,19 +152,20 @@ impl Stepper {
         self.detector.found()
     }
 
-    /// The impulses of the last step (N s, N m s), one entry a row: constraints first, then contacts,
-    /// as an [`Assembly`] has them.
+    /// The impulses of the last step (N s, N m s), one entry a row: constraints first, then
+    /// contacts, as an [`Assembly`] has them.
     pub fn x(&self) -> &[f64] {
         self.impulses.x()
     }
 
-    /// The x of the last step's solves, the one with bounces empty if nothing bounced: what each started from,
-    /// and its answer.
+    /// The x of the last step's solves, the one with bounces empty if nothing bounced: what each
+    /// started from, and its answer.
     pub(super) fn solves(&self) -> [[&[f64]; 2]; 2] {
         self.impulses.solves()
     }
 
-    /// How far friction reached out of the cone in the last step, as [`Laws`](super::Laws) measures it.
+    /// How far friction reached out of the cone in the last step, as [`Laws`](super::Laws) measures
+    /// it.
     pub(super) fn cone_excess(&self) -> f64 {
         self.rows.cone_excess(self.x())
     }

@@ -13,7 +13,8 @@ fn later(s: &State, t: f64) -> State {
     State { pose: Pose { p: s.pose.p + s.v * t, q }, ..*s }
 }
 
-/// The slip velocity (m/s) of a ball on a face that is fixed to body 0, along a tangent fixed to it.
+/// The slip velocity (m/s) of a ball on a face that is fixed to body 0, along a tangent fixed to
+/// it.
 fn slip(s0: &State, s1: &State, n: &Vector3<f64>, t: &Vector3<f64>, radius: f64) -> f64 {
     let touching = s1.pose.p - radius * s0.pose.direction(n);
     let velocity = |s: &State| s.v + s.omega.cross(&(touching - s.pose.p));

@@ -17,8 +17,8 @@ fn driven(guide: &str, motor: &str, velocity: &str, level: Scheme) -> Scene {
     scene
 }
 
-/// From this speed on, the speed is that of constant effort until 3, and the effort reported 4, 0 or
-/// between.
+/// From this speed on, the speed is that of constant effort until 3, and the effort reported 4, 0
+/// or between.
 fn follows(
     scene: Scene,
     inertia: f64,

@@ -82,8 +82,8 @@ proptest! {
     fn the_squared_length_pulls_the_same_way_by_the_scale_of_the_chapter(
         a in state(), b in state(), length in 0.2..3.0,
     ) {
-        // c² = |d|² − l² of the chapter: J² = 2 |d| J of the rod, so at |d| = l x² = x/(2 l); ours is
-        // c²/(2l).
+        // c² = |d|² − l² of the chapter: J² = 2 |d| J of the rod, so at |d| = l x² = x/(2 l); ours
+        // is c²/(2l).
         let (bodies, anchors) = ([Some(0), Some(1)], [Vector3::x(), Vector3::y()]);
         let apart = (b.pose.point(&anchors[1]) - a.pose.point(&anchors[0])).norm();
         prop_assume!(apart > 0.1);

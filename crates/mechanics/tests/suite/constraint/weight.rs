@@ -1,6 +1,6 @@
-//! A body hung on each joint: the forces that its rows report are its weight, m g, and the torques of
-//! its angular rows balance m g times the lever. Exact but for rounding at both levels, since the body
-//! is at rest.
+//! A body hung on each joint: the forces that its rows report are its weight, m g, and the torques
+//! of its angular rows balance m g times the lever. Exact but for rounding at both levels, since
+//! the body is at rest.
 
 use lcplab_mechanics::assembly::Source;
 use lcplab_mechanics::constraint::Joint;

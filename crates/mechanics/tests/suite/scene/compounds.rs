@@ -65,7 +65,8 @@ fn two_halves_move_as_the_whole_in_flight_and_on_the_ground() {
         simulation.states()[1]
     };
     let (a, b) = (after(&whole), after(&halves));
-    // Height and fall are unique; how friction is shared between twelve points instead of eight is not.
+    // Height and fall are unique; how friction is shared between twelve points instead of eight is
+    // not.
     assert!((a.pose.p.z - b.pose.p.z).abs() < 1e-9 && (a.v.z - b.v.z).abs() < 1e-9);
     assert!(a.v.x > 0.5 && b.v.x > 0.5 && (a.v.x - b.v.x).abs() < 0.2, "{} {}", a.v.x, b.v.x);
     let flight = |scene: &Scene| {
@@ -107,7 +108,8 @@ fn parts_of_one_body_do_not_collide_and_those_of_two_do() {
     assert_eq!(pair("[1.6, 0, 5]"), 1); // one behind the other
 }
 
-/// Boxes over a box, corner, edge or face first: where they touch does not depend on what else belongs to the body.
+/// Boxes over a box, corner, edge or face first: where they touch does not depend on what else
+/// belongs to the body.
 #[test]
 fn a_part_touches_as_it_does_alone_however_far_from_the_middle_it_is() {
     let alone = "{ box = [1, 1, 1] }";

@@ -24,7 +24,8 @@ fn every_field_has_its_line() {
 fn the_example_slides_up_and_then_down_its_slope() {
     let example = PAGE.split("```toml").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
     let scene = Scene::from_toml("crate.toml", example).unwrap();
-    // Up: v²/(2 g (sin 17° + 0.25 cos 17°)), after which tan 17° = 0.306 > 0.25 takes it down again.
+    // Up: v²/(2 g (sin 17° + 0.25 cos 17°)), after which tan 17° = 0.306 > 0.25 takes it down
+    // again.
     let (sin, cos) = 17f64.to_radians().sin_cos();
     let top = -4.0 / (2.0 * 9.81 * (sin + 0.25 * cos));
     let solver = lcplab_solver::by_name("dantzig", &lcplab_solver::Options::default()).unwrap();

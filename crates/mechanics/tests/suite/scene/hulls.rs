@@ -63,8 +63,9 @@ fn a_capsule_without_length_weighs_as_a_ball() {
 
 #[test]
 fn a_right_tetrahedron_has_its_textbook_volume_centre_and_moments() {
-    // Legs of length 1 from the corner at the origin: V = 1/6, centre (¼, ¼, ¼); per mass ∫x² = 1/10
-    // and ∫xy = 1/20, so about the centre I_xx = 2 (1/10 − 1/16) = 3/40, I_xy = −(1/20 − 1/16) = 1/80.
+    // Legs of length 1 from the corner at the origin: V = 1/6, centre (¼, ¼, ¼); per mass ∫x² =
+    // 1/10 and ∫xy = 1/20, so about the centre I_xx = 2 (1/10 − 1/16) = 3/40, I_xy = −(1/20 −
+    // 1/16) = 1/80.
     let points = [Vector3::zeros(), Vector3::x(), Vector3::y(), Vector3::z()];
     let scene = scene(&format!("density = 6\nshape = {}", hull(&points)));
     assert!((scene.bodies[0].mass.mass() - 1.0).abs() < 1e-14);
@@ -121,8 +122,8 @@ proptest! {
         prop_assert_eq!(&hull, &Polytope::hull(&points).unwrap());
         let (v, e, f) = (hull.vertices.len(), hull.edges.len(), hull.faces.len());
         prop_assert_eq!(v + f, e + 2); // Euler
-        // Neighbouring faces whose normals differ by less than 1.8e-4 are one face, whose corners lie
-        // that much times their distance, at most √12, out of its plane.
+        // Neighbouring faces whose normals differ by less than 1.8e-4 are one face, whose corners
+        // lie that much times their distance, at most √12, out of its plane.
         for face in &hull.faces {
             let corner = hull.vertices[face.corners[0]];
             for point in &points {

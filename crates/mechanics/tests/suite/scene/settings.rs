@@ -76,7 +76,8 @@ const CRATE: &str = "
 
 #[test]
 fn a_force_at_a_point_turns_a_body_as_its_torque_does() {
-    // I_z = 6 (1 + 4)/12 = 2.5; a force of 5 N along y at (0.5, 0, 0) has the torque 2.5 N m about z.
+    // I_z = 6 (1 + 4)/12 = 2.5; a force of 5 N along y at (0.5, 0, 0) has the torque 2.5 N m about
+    // z.
     let at_point = format!("{CRATE}force = [0, 5, 0]\nforce_at = [0.5, 0, 0]\n");
     let torque = format!("{CRATE}force = [0, 5, 0]\ntorque = [0, 0, 2.5]\n");
     for text in [at_point, torque] {

@@ -76,8 +76,8 @@ fn a_fast_ball_hits_the_ground_where_it_is_and_enters_by_nothing() {
             top[bounce] = top[bounce].max(step.states[1].pose.p.z - 0.1);
         }
         assert!(deepest < 1e-8, "{integrator:?} {deepest:e}");
-        // A fall or rise at the speed v loses v dt/2 of its height by Euler's methods, and a bounce e² of it
-        // carries over. Between its steps the top is missed by g dt²/8 at most.
+        // A fall or rise at the speed v loses v dt/2 of its height by Euler's methods, and a bounce
+        // e² of it carries over. Between its steps the top is missed by g dt²/8 at most.
         let (mut lost, mut speed, e) = (0.0, (2.0 * 9.81f64).sqrt(), ball.restitution);
         for bounce in [1, 2] {
             let half = if integrator == Integrator::Rk4 { 0.0 } else { 0.5 * speed * 0.01 };

@@ -69,8 +69,8 @@ fn friction(model: Model, degrees: f64) -> (f64, f64) {
     (lost.xy().norm(), lost.y.atan2(lost.x).to_degrees())
 }
 
-/// What floats at dt μ v sinks as it slows down, and that takes load off: in step n
-/// x_n (1 + μ²) = m g dt + μ² times the x_n of the step before, which is 1 − (μ²/(1 + μ²))ⁿ of m g dt.
+/// What floats at dt μ v sinks as it slows down, and that takes load off: in step n x_n (1 + μ²) =
+/// m g dt + μ² times the x_n of the step before, which is 1 − (μ²/(1 + μ²))ⁿ of m g dt.
 fn sinking() -> f64 {
     1.0 - (MU * MU / (1.0 + MU * MU)).powi(3)
 }
@@ -241,8 +241,9 @@ fn friction_takes_energy_out_and_leaves_momentum_alone_under_every_model() {
     }
 }
 
-/// Drake's "pizza saver", a plate that turns on feet at a distance of 1.5 m: here four feet, 45° off
-/// the tangents or turned onto them. How fast it turns after a tenth of a second under a torque.
+/// Drake's "pizza saver", a plate that turns on feet at a distance of 1.5 m: here four feet, 45°
+/// off the tangents or turned onto them. How fast it turns after a tenth of a second under a
+/// torque.
 fn turning(model: Model, torque: f64, turned: f64) -> f64 {
     let text = format!(
         "gravity = [0, 0, -10]\n[step]\ndt = 0.01\n[contact]\nfriction = {}\n\

@@ -58,8 +58,8 @@ fn due(angle: f64) -> f64 {
 #[test]
 fn a_bar_that_slides_where_the_cone_holds_it_tells_the_error_of_its_speed() {
     // At 34 degrees it may rest: friction across the groove takes load from the faces, and so
-    // friction along it is too weak. All the speed of the bar is an error, and friction at its limit
-    // would take even more: −due t.
+    // friction along it is too weak. All the speed of the bar is an error, and friction at its
+    // limit would take even more: −due t.
     for scheme in [Scheme::Soft, Scheme::SequentialImpulses] {
         let scene = groove(34.0, scheme);
         let (slips, running) = slips(&scene, 100);
@@ -88,8 +88,9 @@ fn a_bar_that_rests_where_the_cone_holds_it_tells_nothing() {
 
 #[test]
 fn a_bar_that_slides_under_the_box_as_the_cone_has_it_tells_nothing() {
-    // Above 35.26 degrees. The box would allow it to rest, too: a bar that is pinched into the groove
-    // by μ x_n across it is held up to arctan(√2 μ/(1 − μ)) = 54.7 degrees. Nothing pinches this one.
+    // Above 35.26 degrees. The box would allow it to rest, too: a bar that is pinched into the
+    // groove by μ x_n across it is held up to arctan(√2 μ/(1 − μ)) = 54.7 degrees. Nothing pinches
+    // this one.
     let scene = groove(40.0, Scheme::Velocity);
     let (slips, running) = slips(&scene, 100);
     assert_near(running.states()[2].v.x, due(40.0), 1e-9);

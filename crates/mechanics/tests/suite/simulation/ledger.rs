@@ -119,7 +119,8 @@ fn every_shipped_scene_keeps_the_laws_of_contact_and_momentum() {
                 if ["bricard", "joint_grid"].contains(&shipped.name) {
                     continue; // loops of joints: their forces grow without bound as they drift
                 }
-                // A joint that drifts pulls at two points that are apart: a torque of drift × force.
+                // A joint that drifts pulls at two points that are apart: a torque of drift ×
+                // force.
                 let allowed = 1e-10 + 1e3 * step.motion.drift;
                 assert!(laws.internal_torque < allowed, "{} {level:?}: {laws:?}", shipped.name);
             }
@@ -239,7 +240,8 @@ fn an_impulse_that_is_not_written_down_is_missing_in_every_account() {
 
 #[test]
 fn a_position_that_is_corrected_in_secret_is_missing() {
-    // The pendulum has drifted: what the correction lifts is in the books only if it is written down.
+    // The pendulum has drifted: what the correction lifts is in the books only if it is written
+    // down.
     for scheme in [Scheme::SplitImpulse, Scheme::GaussSeidel] {
         let scene = scene("pendulum", scheme);
         let (before, step) = last_step(&scene, 30);
@@ -269,7 +271,8 @@ fn the_spring_of_a_penalty_gives_back_what_it_took() {
 
 #[test]
 fn rounding_beside_rounding_is_no_gap() {
-    // A ball at rest on the ground, 10 m above the origin's height: nothing moves, and m g h is 196 J.
+    // A ball at rest on the ground, 10 m above the origin's height: nothing moves, and m g h is 196
+    // J.
     for scheme in accounted() {
         let mut scene = ball(0.0, 0.0, 9.81, 0.0, scheme);
         scene.states.iter_mut().for_each(|state| state.pose.p.z += 10.0);
@@ -314,7 +317,8 @@ fn the_ledger_of_a_push_against_friction_closes() {
 
 #[test]
 fn an_implicit_step_takes_its_part_of_a_springs_energy() {
-    // k = 50, m = 1, a = ω dt: each step divides the energy by 1 + a², so that it takes a²/(1 + a²) of it.
+    // k = 50, m = 1, a = ω dt: each step divides the energy by 1 + a², so that it takes a²/(1 + a²)
+    // of it.
     for level in Scheme::LEVELS {
         let mut stretched = scene("spring", level);
         stretched.gravity = nalgebra::Vector3::zeros();

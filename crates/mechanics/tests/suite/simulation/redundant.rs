@@ -1,4 +1,5 @@
-//! Mechanisms with more rows than they need, turned at random: their rows agree but for rounding and drift.
+//! Mechanisms with more rows than they need, turned at random: their rows agree but for rounding
+//! and drift.
 
 use lcplab_judge::{Demand, judge};
 use lcplab_mechanics::scene::{Scene, Scheme};

@@ -85,8 +85,9 @@ fn a_line_of_touch_ends_where_its_face_ends() {
 
 #[test]
 fn a_coin_settles_as_eulers_disc_with_its_centre_at_rest() {
-    // A thin disc that leans by θ and turns about the vertical with Ω, its centre at rest, rolls without slip: it
-    // turns about the line t to the touching point with −Ω sin θ, and m r²/4 Ω² sin θ cos θ = m g r cos θ.
+    // A thin disc that leans by θ and turns about the vertical with Ω, its centre at rest, rolls
+    // without slip: it turns about the line t to the touching point with −Ω sin θ, and m r²/4 Ω²
+    // sin θ cos θ = m g r cos θ.
     let (radius, lean, half) = (0.2, 0.6_f64, 5e-5);
     let turn = (4.0 * 9.81 / (radius * lean.sin())).sqrt();
     let height = radius * lean.sin() + half * lean.cos();

@@ -91,8 +91,8 @@ fn a_stack_of_ten_under_xpbd_gains_no_energy_from_its_own_corrections() {
     let mut stack = simulation(Scene::from_toml("stack_of_ten.toml", text).unwrap());
     let start = stack.motion().energy();
     let end = (0..60).map(|_| stack.step().unwrap().motion.energy()).last().unwrap();
-    // A ten-thousandth. Contacts whose x begins every substep with 0 gain 0.13 J of 490 in this second, and more
-    // in each that follows.
+    // A ten-thousandth. Contacts whose x begins every substep with 0 gain 0.13 J of 490 in this
+    // second, and more in each that follows.
     assert!(end - start < 1e-4 * start, "{} J of {start}", end - start);
 }
 
@@ -330,7 +330,8 @@ fn every_family_that_knows_restitution_bounces_to_e() {
 
 #[test]
 fn every_family_slows_a_sliding_box_by_coulombs_law() {
-    // Friction along a tangent: a = g (sin θ − μ cos θ), once the penalty method's has grown to μ N.
+    // Friction along a tangent: a = g (sin θ − μ cos θ), once the penalty method's has grown to μ
+    // N.
     let theta = 20f64.to_radians();
     let exact = 9.81 * (theta.sin() - 0.3 * theta.cos());
     for scheme in Scheme::ALL {

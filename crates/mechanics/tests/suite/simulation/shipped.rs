@@ -12,8 +12,8 @@ fn every_shipped_scene_keeps_its_joints_together_and_its_bodies_apart() {
             if (shipped.name, level) == ("painleve", Scheme::Acceleration) {
                 continue; // provably has no solution: see painleve.rs
             }
-            // Starts with errors, has no solution, is too large to be solved to the end, or is for a
-            // soft step: see demonstrations.rs and stacking.rs.
+            // Starts with errors, has no solution, is too large to be solved to the end, or is for
+            // a soft step: see demonstrations.rs and stacking.rs.
             if ["stretched_chain", "overlap_recovery", "fig8", "tower", "joint_grid"]
                 .contains(&shipped.name)
             {

@@ -1,4 +1,5 @@
-//! Piles of bodies that only contacts and friction hold: Solver2D's scenes, and the chapter's tower.
+//! Piles of bodies that only contacts and friction hold: Solver2D's scenes, and the chapter's
+//! tower.
 
 use lcplab_mechanics::constraint::Kind;
 use lcplab_mechanics::scene::{Scene, Scheme};

@@ -12,7 +12,8 @@ use lcplab_solver::{Observer, Pgs, Settings, Solution, Solver, Start, Status};
 
 use super::{assert_near, changed, scene};
 
-/// Too few for most scenes: what is left to do is passed on from step to step, and must be the same.
+/// Too few for most scenes: what is left to do is passed on from step to step, and must be the
+/// same.
 const SWEEPS: usize = 6;
 
 /// Gauss-Seidel that makes all its sweeps.
@@ -81,7 +82,8 @@ fn go_together(scene: Scene, kernel: Kernel, steps: usize, tolerance: f64) {
     assert_near(stepper.time(), simulation.time(), 1e-15);
 }
 
-/// Where nothing is to be swept but the four thousand rows of a net or a tower, few steps are enough.
+/// Where nothing is to be swept but the four thousand rows of a net or a tower, few steps are
+/// enough.
 fn steps(name: &str) -> usize {
     if ["tower", "net", "stack50"].contains(&name) { 2 } else { 12 }
 }

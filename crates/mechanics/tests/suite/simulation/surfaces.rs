@@ -54,7 +54,8 @@ fn what_breaks_loose_has_kinetic_friction() {
 
 #[test]
 fn what_slides_is_held_again_only_when_it_has_stopped() {
-    // Pulled with 9 N, between both thresholds: at 1 m/s it speeds up by 0.576 m/s², at rest it rests.
+    // Pulled with 9 N, between both thresholds: at 1 m/s it speeds up by 0.576 m/s², at rest it
+    // rests.
     for scheme in TELLING {
         let mut scene = pulled(scheme, 9.0);
         scene.states[1].v.x = 1.0;
@@ -105,7 +106,8 @@ fn a_frozen_box_refuses_static_friction() {
     assert!(error.starts_with("pulled: contact.model: a frozen box is empty"), "{error}");
 }
 
-/// Two blocks side by side on a slope of 20°, of which the pair with the slope states one's friction.
+/// Two blocks side by side on a slope of 20°, of which the pair with the slope states one's
+/// friction.
 fn two_on_a_slope(scheme: Scheme) -> Scene {
     let text = "tilt = { y = 20 }\ncontact.friction = 0.5\n\
         [[bodies]]\nname = \"slope\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n\

@@ -179,8 +179,9 @@ fn bits(states: &[State]) -> u64 {
 }
 
 /// Scenes with the hash of their states after 500 steps by Dantzig's method: one of friction and
-/// resting contacts, one of joints, one of rolling and impacts. Sums, products, quotients and square
-/// roots in a fixed order, and sines of libm: every processor that keeps to IEEE 754 gets these.
+/// resting contacts, one of joints, one of rolling and impacts. Sums, products, quotients and
+/// square roots in a fixed order, and sines of libm: every processor that keeps to IEEE 754 gets
+/// these.
 const AFTER_500: [(&str, u64); 3] = [
     ("stack", 0xf679_d70f_7791_ee4e),
     ("double_pendulum", 0x983c_9e65_7ee1_d6d1),

@@ -31,7 +31,8 @@ impl ConeProblem {
         [normal, Miss { size: of_scale, scale, magnitude, exponent, residual }]
     }
 
-    /// The cone in coordinates in which both scales are s_t: p = (s_n x_n ρ, s_t x_t), ρ = √(s_t/s_n).
+    /// The cone in coordinates in which both scales are s_t: p = (s_n x_n ρ, s_t x_t), ρ =
+    /// √(s_t/s_n).
     pub(super) fn associated(
         &self,
         contact: &Contact,
@@ -59,8 +60,8 @@ impl ConeProblem {
         [miss(0, of_normal, load), miss(1, scale, tangents.magnitude)]
     }
 
-    /// s_t: the largest absolute row sum of the contact's 2 × 2 block of tangents; where that is 0 the
-    /// largest |a_ij| of both rows; `None` if they are all 0.
+    /// s_t: the largest absolute row sum of the contact's 2 × 2 block of tangents; where that is 0
+    /// the largest |a_ij| of both rows; `None` if they are all 0.
     fn tangential_scale(&self, contact: &Contact) -> Option<f64> {
         let a = self.friction.lcp.matrix();
         let [_, t1, t2] = contact.rows;

@@ -8,22 +8,23 @@
 //! 4b  K ∋ x ⟂ ŵ ∈ K*                 ŵ = w + μ |w_t| n
 //! ```
 //!
-//! 4a is what minimising ½ xᵀAx + bᵀx over the cones leads to, so for semidefinite A it is convex and
-//! solved reliably: by cone programming, by projected gradients. While a contact slides, x lies on the
-//! surface of K, so w is on that of K*: w_n = μ |w_t|. The bodies *separate* as they slide, at the
-//! slope of the cone; in a time step dt they float at a height dt μ |w_t|. The slip is opposite to
-//! friction, and no direction is preferred. (In plasticity such a flow rule is called associated.)
+//! 4a is what minimising ½ xᵀAx + bᵀx over the cones leads to, so for semidefinite A it is convex
+//! and solved reliably: by cone programming, by projected gradients. While a contact slides, x lies
+//! on the surface of K, so w is on that of K*: w_n = μ |w_t|. The bodies *separate* as they slide,
+//! at the slope of the cone; in a time step dt they float at a height dt μ |w_t|. The slip is
+//! opposite to friction, and no direction is preferred. (In plasticity such a flow rule is called
+//! associated.)
 //!
-//! De Saxcé & Feng (1991) take that separation out: with ŵ in place of w, sliding means
-//! ŵ_n = μ |w_t|, hence w_n = 0, and 4b is Coulomb's law exactly. Now the shift μ |w_t| depends on x,
-//! and there is no minimum behind it: the problem is not convex. But with the shift *frozen* at some x
-//! it is a 4a with another b_n ([`ConeProblem::frozen_at`]), and x solves 4b if and only if it solves
-//! the 4a frozen at x; so freezing, solving and repeating leads to Coulomb's law just as it leads from
-//! model 1 to model 2 (Acary, Cadoux, Lemaréchal & Malick 2011).
+//! De Saxcé & Feng (1991) take that separation out: with ŵ in place of w, sliding means ŵ_n = μ
+//! |w_t|, hence w_n = 0, and 4b is Coulomb's law exactly. Now the shift μ |w_t| depends on x, and
+//! there is no minimum behind it: the problem is not convex. But with the shift *frozen* at some x
+//! it is a 4a with another b_n ([`ConeProblem::frozen_at`]), and x solves 4b if and only if it
+//! solves the 4a frozen at x; so freezing, solving and repeating leads to Coulomb's law just as it
+//! leads from model 1 to model 2 (Acary, Cadoux, Lemaréchal & Malick 2011).
 //!
-//! Both are the same as being a fixed point of a projection, which measures how far x is from one. The
-//! normal and the tangents have a scale and terms each, so that a slip of a light body under a heavy
-//! load is seen beside its own terms, and not beside the load:
+//! Both are the same as being a fixed point of a projection, which measures how far x is from one.
+//! The normal and the tangents have a scale and terms each, so that a slip of a light body under a
+//! heavy load is seen beside its own terms, and not beside the load:
 //!
 //! ```text
 //! 4a  x = Π_K(x − S⁻¹ w) in the metric of S = diag(s_n, s_t, s_t)
@@ -32,9 +33,9 @@
 //! r_n = |x_n − its step| s_n / terms_n,   r_t = |x_t − its step| s_t / terms_t
 //! ```
 //!
-//! s_t is the scale of the tangents' block of A, but at least terms_t / R, so that no step is longer than
-//! the disc may be wide, and just that where both rows of A are 0: R = μ max(x_n, terms_n / s_n), as in a row with bounds
-//! ([`scaled_residual`](merit::scaled_residual)).
+//! s_t is the scale of the tangents' block of A, but at least terms_t / R, so that no step is
+//! longer than the disc may be wide, and just that where both rows of A are 0: R = μ max(x_n,
+//! terms_n / s_n), as in a row with bounds ([`scaled_residual`](merit::scaled_residual)).
 
 mod misses;
 
@@ -83,7 +84,8 @@ impl ConeProblem {
         }
     }
 
-    /// Π_K(x − ŵ / s): the contact's x after a step against ŵ. A solution is one that it leaves alone.
+    /// Π_K(x − ŵ / s): the contact's x after a step against ŵ. A solution is one that it leaves
+    /// alone.
     pub fn step(&self, contact: &Contact, x: [f64; 3], w: [f64; 3], s: f64) -> [f64; 3] {
         let shifted = [w[0] + self.shift(contact, w), w[1], w[2]];
         project(contact.mu, std::array::from_fn(|i| x[i] - shifted[i] / s))
@@ -192,9 +194,9 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// Π_K(v): the nearest point of the cone |v_t| ≤ μ v_n, for v = (n, t1, t2).
 ///
-/// Inside the cone v itself, in the opposite cone μ |v_t| ≤ −v_n its tip, elsewhere the nearest point
-/// of the side that faces v. What is outside the opposite cone by rounding counts as inside, so that a
-/// contact that slides and carries nothing carries 0 and not 10⁻¹⁷.
+/// Inside the cone v itself, in the opposite cone μ |v_t| ≤ −v_n its tip, elsewhere the nearest
+/// point of the side that faces v. What is outside the opposite cone by rounding counts as inside,
+/// so that a contact that slides and carries nothing carries 0 and not 10⁻¹⁷.
 ///
 /// ```
 /// use lcplab_problem::friction::project;

@@ -6,7 +6,8 @@
 //!
 //! k impulses β that can only push replace the two tangential ones: x_t lies in the polygon whose
 //! corners are μ x_n d_j. A third unknown of each contact, γ, is the largest speed of slip along a
-//! −d_j, and three rows of complementarity say what Coulomb says (⟂: both at least 0, one of them 0):
+//! −d_j, and three rows of complementarity say what Coulomb says (⟂: both at least 0, one of them
+//! 0):
 //!
 //! ```text
 //! x_n ⟂ w_n                      [ w_n ]   [ A_nn  A_nD  0 ] [ x_n ]   [ b_n    ]
@@ -14,20 +15,22 @@
 //! γ   ⟂ μ x_n − Σ_j β_j          [ w_γ ]   [ μ     −Eᵀ   0 ] [ γ   ]   [ 0      ]
 //! ```
 //!
-//! The second line makes γ at least the speed along every −d_j, and lets only those β push for which
-//! it is that speed: friction acts along the d_j most opposed to the slip. γ is the speed of sliding
+//! The second line makes γ at least the speed along every −d_j, and lets only those β push for
+//! which it is that speed: friction acts along the d_j most opposed to the slip. γ is the speed of
+//! sliding
 //! |w_t| where the slip runs along a −d_j, else less, down to cos(π/k) |w_t|. The third: a contact that
 //! slides, γ > 0, uses all of μ x_n. E has a column of k ones a contact.
 //!
 //! The matrix M is not symmetric, so there is no energy to minimise and sweeps have nothing to
 //! descend. It is copositive, zᵀM z = xᵀA x + Σ μ x_n γ ≥ 0 for z ≥ 0, which is what Lemke's method
-//! needs: it ends at a solution whenever b = J u*, for then xᵀA x = 0 implies Jᵀx = 0 and bᵀx = 0. The
-//! price is k + 2 unknowns a contact, and directions still: an edge of the polygon comes nearer to the
-//! centre than a corner by the factor cos(π/k), 29 % too little friction for k = 4, 8 % for 8, 2 % for
+//! needs: it ends at a solution whenever b = J u*, for then xᵀA x = 0 implies Jᵀx = 0 and bᵀx = 0.
+//! The price is k + 2 unknowns a contact, and directions still: an edge of the polygon comes nearer
+//! to the centre than a corner by the factor cos(π/k), 29 % too little friction for k = 4, 8 % for
+//! 8, 2 % for
 //! 16. A contact that slides between two directions rubs along the nearer one, up to 180°/k off.
 //!
-//! x alone says whether it is a solution: [`Polyhedral::z`] finds the β and γ that belong to it, if any
-//! do.
+//! x alone says whether it is a solution: [`Polyhedral::z`] finds the β and γ that belong to it, if
+//! any do.
 //!
 //! Stewart & Trinkle 1996; Anitescu & Potra 1997.
 
@@ -43,7 +46,8 @@ use crate::exact::dyadic::{Dyadic, dyadic};
 use crate::memory::Memory;
 use crate::{Lcp, Matrix};
 
-/// What an entry takes while the matrix is made (numbers): its place and value, twice, and the matrix.
+/// What an entry takes while the matrix is made (numbers): its place and value, twice, and the
+/// matrix.
 const ENTRY: usize = 8;
 
 /// The polyhedral LCP of a friction problem, and the way back.
@@ -60,8 +64,8 @@ pub struct Polyhedral {
 
 impl Polyhedral {
     /// The LCP with k directions: 4, 8, 12, …, the first one along t1. Its unknowns are the x of
-    /// rows that belong to no contact, all x_n, the k impulses β of each contact, and all γ; a contact
-    /// with μ = 0 has neither β nor γ.
+    /// rows that belong to no contact, all x_n, the k impulses β of each contact, and all γ; a
+    /// contact with μ = 0 has neither β nor γ.
     ///
     /// # Errors
     /// If k is not a positive multiple of 4, or the matrix would take more than 4 GB.
@@ -146,9 +150,9 @@ impl Polyhedral {
     /// The unknowns z that belong to impulses x: they solve the LCP if x is the friction of one of
     /// its solutions, and only then.
     ///
-    /// x_t lies between two neighbours among the d_j, and β are its components along them: no others
-    /// have a smaller sum. (z does not contain the x_t of a contact with μ = 0.) γ is the candidate
-    /// with the smallest residual.
+    /// x_t lies between two neighbours among the d_j, and β are its components along them: no
+    /// others have a smaller sum. (z does not contain the x_t of a contact with μ = 0.) γ is the
+    /// candidate with the smallest residual.
     pub fn z(&self, x: &[f64]) -> Vec<f64> {
         let mut z = self.z_at_rest(x);
         for contact in self.unknowns() {

@@ -37,8 +37,8 @@ pub(super) fn impulses(problem: &FrictionProblem, k: usize) -> Vec<Vec<(usize, f
     impulses
 }
 
-/// d_j = (cos 2πj/k, sin 2πj/k), each quarter being the one before turned by exactly 90°, and the halves of each
-/// being mirror images: what cancels along (1, −1) leaves no rounding.
+/// d_j = (cos 2πj/k, sin 2πj/k), each quarter being the one before turned by exactly 90°, and the
+/// halves of each being mirror images: what cancels along (1, −1) leaves no rounding.
 pub(super) fn direction(j: usize, k: usize) -> [f64; 2] {
     let (quarter, rest) = (j / (k / 4), j % (k / 4));
     let cos_sin = |rest: usize| {

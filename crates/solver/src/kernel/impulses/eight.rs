@@ -62,8 +62,9 @@ impl EightPairs {
         Ok(kernel)
     }
 
-    /// Starts at this x, and at these velocities with those that x adds. The order of the pairs is kept
-    /// as long as they are the same; memory is asked for where there is not enough from before.
+    /// Starts at this x, and at these velocities with those that x adds. The order of the pairs is
+    /// kept as long as they are the same; memory is asked for where there is not enough from
+    /// before.
     ///
     /// # Errors
     /// As [`EightPairs::new`].

@@ -1,13 +1,13 @@
 //! Which pairs can be taken at once: those of one group share no body.
 //!
-//! Pairs are taken layer by layer from the ground up, and each layer in as few colours as greed finds: a
-//! pair gets the least colour that neither of its bodies has in this layer. So one sweep carries what moves
-//! at the ground to the top of a tower. In a lone stack every layer has one pair, and seven of eight lanes
-//! would stay empty; so where layers make more than twice as many octets as colours alone, there are no
-//! layers: a sweep is cheaper then, and more are needed.
+//! Pairs are taken layer by layer from the ground up, and each layer in as few colours as greed
+//! finds: a pair gets the least colour that neither of its bodies has in this layer. So one sweep
+//! carries what moves at the ground to the top of a tower. In a lone stack every layer has one
+//! pair, and seven of eight lanes would stay empty; so where layers make more than twice as many
+//! octets as colours alone, there are no layers: a sweep is cheaper then, and more are needed.
 //!
-//! Within a group the pairs with the most rows come first, and eight follow each other in the same octet if
-//! the rows of each are bounded like the first rows of the longest.
+//! Within a group the pairs with the most rows come first, and eight follow each other in the same
+//! octet if the rows of each are bounded like the first rows of the longest.
 
 use super::System;
 
@@ -29,7 +29,8 @@ pub(super) struct Groups {
     pub pairs: Vec<Pair>,
     /// For each row of the system, the row that bounds it, counted from the first of its pair.
     pub follows: Vec<Option<usize>>,
-    /// For each row of the system, its bodies and the row that bounds it: what the groups were made of.
+    /// For each row of the system, its bodies and the row that bounds it: what the groups were made
+    /// of.
     made_of: Vec<([usize; 2], Option<usize>)>,
     /// How many pairs lead from each body to one that does not move.
     height: Vec<usize>,
@@ -47,8 +48,8 @@ const EMPTY_LANES: usize = 2;
 const WINDOW: usize = 64;
 
 impl Groups {
-    /// Whether the system's rows are between the same bodies, and bounded by the same rows, as those of
-    /// the last arrangement.
+    /// Whether the system's rows are between the same bodies, and bounded by the same rows, as
+    /// those of the last arrangement.
     pub fn fits(&self, system: &System) -> bool {
         self.height.len() == system.bodies && self.made_of.iter().copied().eq(shape(system))
     }
@@ -104,8 +105,8 @@ impl Groups {
         true
     }
 
-    /// The layers: a pair's is the height of its lower body. Heights sink, there and back through the pairs, to
-    /// the least that any way down gives.
+    /// The layers: a pair's is the height of its lower body. Heights sink, there and back through
+    /// the pairs, to the least that any way down gives.
     fn layer(&mut self, bodies: usize) {
         self.height.clear();
         self.height.resize(bodies, usize::MAX);
@@ -180,8 +181,9 @@ impl Groups {
     }
 }
 
-/// Gives each pair of a layer the least colour, from `first` on, that neither of its bodies has; returns the first that
-/// nobody has. A pair that finds none in a window waits for the next, which changes nothing for those that do.
+/// Gives each pair of a layer the least colour, from `first` on, that neither of its bodies has;
+/// returns the first that nobody has. A pair that finds none in a window waits for the next, which
+/// changes nothing for those that do.
 fn colour_layer(layer: &mut [Pair], taken: &mut [u64], first: usize) -> usize {
     layer.iter_mut().for_each(|pair| pair.group = usize::MAX);
     let (mut window, mut end) = (first, first);

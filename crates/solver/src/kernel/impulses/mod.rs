@@ -1,22 +1,23 @@
 //! Sweeps over A = J M⁻¹ Jᵀ that never form it: "sequential impulses".
 //!
-//! With M⁻¹ = L Lᵀ and velocities in units where all masses are 1, v = L⁻¹ u, every row of J has one
-//! row Ĵ_i of Ĵ = J L, at most two bodies and twelve entries long, and A = Ĵ Ĵᵀ:
+//! With M⁻¹ = L Lᵀ and velocities in units where all masses are 1, v = L⁻¹ u, every row of J has
+//! one row Ĵ_i of Ĵ = J L, at most two bodies and twelve entries long, and A = Ĵ Ĵᵀ:
 //!
 //! ```text
 //! w_i = Ĵ_i v + b_i,   x_i ← Π_i(x_i − w_i / a_ii),   v ← v + Ĵ_iᵀ δ_i,   a_ii = Ĵ_i Ĵ_iᵀ
 //! ```
 //!
 //! v − Ĵᵀ x is the same before and after: 0 for the LCP with this b, or the velocities without
-//! constraints where b is what is added to Ĵ v. That is Gauss-Seidel on A in exact arithmetic. A row
-//! costs 24 multiplications however many neighbours it has; a row of A has an entry for every row on the
-//! same two bodies. Once scaled, the same twelve numbers serve w and v, so a sweep reads half of what J and
-//! M⁻¹Jᵀ hold.
+//! constraints where b is what is added to Ĵ v. That is Gauss-Seidel on A in exact arithmetic. A
+//! row costs 24 multiplications however many neighbours it has; a row of A has an entry for every
+//! row on the same two bodies. Once scaled, the same twelve numbers serve w and v, so a sweep reads
+//! half of what J and M⁻¹Jᵀ hold.
 //!
-//! [`RowByRow`] waits for each row's sum before the next begins: some 60 cycles a row, nearly all of them
-//! latency. [`EightPairs`] takes eight pairs of bodies that share none at once: layer by layer from the
-//! ground up where enough pairs can go together, as in a tower, else, as in a lone stack, by colours alone.
-//! Another order needs another number of sweeps. Several threads may share a group of pairs, and the bits stay.
+//! [`RowByRow`] waits for each row's sum before the next begins: some 60 cycles a row, nearly all
+//! of them latency. [`EightPairs`] takes eight pairs of bodies that share none at once: layer by
+//! layer from the ground up where enough pairs can go together, as in a tower, else, as in a lone
+//! stack, by colours alone. Another order needs another number of sweeps. Several threads may share
+//! a group of pairs, and the bits stay.
 //!
 //! Compliance (γ on A's diagonal) is not in these sweeps.
 
@@ -39,8 +40,8 @@ pub const WIDTH: usize = 6;
 /// The velocity of a body in units where its mass is 1: √kg m/s, √(kg m²) rad/s.
 pub type Velocity = [f64; WIDTH];
 
-/// A row of Ĵ: two bodies, the first three entries of each for its motion, the others for its turning.
-/// A row with one moving body has zeros for the other.
+/// A row of Ĵ: two bodies, the first three entries of each for its motion, the others for its
+/// turning. A row with one moving body has zeros for the other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Row {
     /// The bodies, counted from 0; equal where there is only one.

@@ -1,10 +1,11 @@
 //! Eight pairs at once, one a lane.
 //!
-//! Pairs of one group share no body, so eight of them can go through their rows together: lane l holds
-//! the numbers of pair l, and the first rows of all eight are one vector operation after the other, then
-//! their second rows. No lane waits for a sum over another, which is what a single row spends its time
-//! on. Where a group has no eight pairs left, lanes stay empty: rows of zeros between bodies that are
-//! none. So do the last rows of a lane whose pair has fewer than the longest.
+//! Pairs of one group share no body, so eight of them can go through their rows together: lane l
+//! holds the numbers of pair l, and the first rows of all eight are one vector operation after the
+//! other, then their second rows. No lane waits for a sum over another, which is what a single row
+//! spends its time on. Where a group has no eight pairs left, lanes stay empty: rows of zeros
+//! between bodies that are none. So do the last rows of a lane whose pair has fewer than the
+//! longest.
 
 use std::ops::Range;
 

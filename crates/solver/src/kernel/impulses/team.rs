@@ -1,9 +1,9 @@
 //! Threads that are kept between sweeps and share the octets of each group.
 //!
-//! Before each call the shares go to the threads, afterwards they come back: no thread holds what it
-//! does not work on. Between two groups all threads wait for each other, looking again and again for
-//! a short while and then giving their turn away in between, so that threads without a processor of
-//! their own do not wait for one that spins.
+//! Before each call the shares go to the threads, afterwards they come back: no thread holds what
+//! it does not work on. Between two groups all threads wait for each other, looking again and again
+//! for a short while and then giving their turn away in between, so that threads without a
+//! processor of their own do not wait for one that spins.
 
 use std::hint::spin_loop;
 use std::sync::Arc;

@@ -18,12 +18,12 @@
 //! It is solved twice with one factorisation (Mehrotra 1992): first for μ = 0, to see how far that
 //! would get, say to μ'; then for (μ'/μ)³ μ, with the error dρ dz of the first step taken off r.
 //! Ten to thirty iterations whatever the size and the condition of A, for symmetric semidefinite A;
-//! singular is no difficulty, as the bounds add to the diagonal (rows without bounds get
-//! 10⁻¹² a_ii; without any bounds a single iteration is Cholesky's method). Each factorises a matrix with
-//! the pattern of A: n³/6 products for a dense A, n b²/2 where rows reach no farther than b. With the
-//! factors of A = J M⁻¹ Jᵀ at hand ([`InteriorPoint::solve_factored`]) the rows are eliminated instead, and
-//! what is factorised has six rows a body. Where solutions are not unique it finds one in their
-//! middle.
+//! singular is no difficulty, as the bounds add to the diagonal (rows without bounds get 10⁻¹²
+//! a_ii; without any bounds a single iteration is Cholesky's method). Each factorises a matrix with
+//! the pattern of A: n³/6 products for a dense A, n b²/2 where rows reach no farther than b. With
+//! the factors of A = J M⁻¹ Jᵀ at hand ([`InteriorPoint::solve_factored`]) the rows are eliminated
+//! instead, and what is factorised has six rows a body. Where solutions are not unique it finds one
+//! in their middle.
 //!
 //! Rows at a bound end beside it, by about μ/w_i: the answer is as exact as the tolerance and no
 //! more. A start is only used where it lies well inside. A not symmetric, or no Cholesky factor:
@@ -76,9 +76,9 @@ impl Solver for InteriorPoint {
 }
 
 impl InteriorPoint {
-    /// The same with the factors of A = Ĵ Ĵᵀ at hand: each step is solved for velocities, six a body, which
-    /// is less work than for rows wherever bodies have more than a few rows. The problem's own A is only asked
-    /// whether x solves it.
+    /// The same with the factors of A = Ĵ Ĵᵀ at hand: each step is solved for velocities, six a
+    /// body, which is less work than for rows wherever bodies have more than a few rows. The
+    /// problem's own A is only asked whether x solves it.
     pub fn solve_factored(
         &self,
         lcp: &Lcp,

@@ -8,8 +8,8 @@ use lcplab_problem::Lcp;
 
 /// The part of the way to the nearest bound that a step may use.
 const STAY_INSIDE: f64 = 0.995;
-/// A slack below this part of √(e / a_ii) is none: where push and slack vanish together, x comes no nearer to its bound than
-/// √μ, and beside its own terms that is never near.
+/// A slack below this part of √(e / a_ii) is none: where push and slack vanish together, x comes no
+/// nearer to its bound than √μ, and beside its own terms that is never near.
 const NONE: f64 = 1e-12;
 /// Steps shorter than this do not count as progress.
 const SHORTEST: f64 = 1e-10;
@@ -43,9 +43,9 @@ struct Direction {
 }
 
 impl<'a> Path<'a> {
-    /// Moves x inside its bounds and chooses the pushes such that every ρ z is the energy
-    /// e = Σ w_i² / a_ii, w = A Π(0) + b: bounds that exclude 0 count as b does. Distances are measured by
-    /// √(e / a_ii).
+    /// Moves x inside its bounds and chooses the pushes such that every ρ z is the energy e = Σ
+    /// w_i² / a_ii, w = A Π(0) + b: bounds that exclude 0 count as b does. Distances are measured
+    /// by √(e / a_ii).
     pub(super) fn from_inside(lcp: &'a Lcp, equations: &impl StepEquations, x: &mut [f64]) -> Self {
         let pinned: Vec<bool> = (0..x.len()).map(|i| lcp.lo()[i] == lcp.hi()[i]).collect();
         let mut least = vec![0.0; x.len()];

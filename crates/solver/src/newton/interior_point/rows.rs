@@ -1,7 +1,8 @@
 //! The linear equations of a step as they stand: one a row.
 //!
-//! Where rows reach far back for few entries, as in a net of many meshes, an envelope would hold little
-//! but zeros, and the rows are put in an order of their own ([`sparse_factor`](crate::linalg::sparse_factor)).
+//! Where rows reach far back for few entries, as in a net of many meshes, an envelope would hold
+//! little but zeros, and the rows are put in an order of their own
+//! ([`sparse_factor`](crate::linalg::sparse_factor)).
 
 use super::step::{LEAST, StepEquations};
 use crate::Status;
@@ -87,7 +88,8 @@ impl StepEquations for Rows<'_> {
     }
 }
 
-/// The lower triangle of A + diag(added) by columns, with those of the unit matrix where x is pinned.
+/// The lower triangle of A + diag(added) by columns, with those of the unit matrix where x is
+/// pinned.
 fn lower_triangle(matrix: &Matrix, added: &[f64], pinned: &[bool]) -> Vec<f64> {
     let mut values = Vec::with_capacity((matrix.stored() + matrix.len()) / 2);
     for i in 0..matrix.len() {

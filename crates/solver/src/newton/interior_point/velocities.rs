@@ -6,11 +6,11 @@
 //! (Ĵ Ĵᵀ + D) dx = r   ⇔   (1 + Ĵᵀ D⁻¹ Ĵ) v = Ĵᵀ D⁻¹ r,   dx = D⁻¹ (r − Ĵ v)
 //! ```
 //!
-//! The matrix on the right, K, has six rows a body however many contacts meet there, and a block for each two
-//! bodies that share a row: a pile of 700 cubes has 4200 equations in place of one for each of its
-//! 24 000 rows. K is positive definite, with no eigenvalue below 1. Its largest ones grow with 1/D, and D
-//! is no more than what is added where a row has no bounds; there 10⁻⁸ a_ii is added, and an iteration or two
-//! take back what that does to x.
+//! The matrix on the right, K, has six rows a body however many contacts meet there, and a block
+//! for each two bodies that share a row: a pile of 700 cubes has 4200 equations in place of one for
+//! each of its 24 000 rows. K is positive definite, with no eigenvalue below 1. Its largest ones
+//! grow with 1/D, and D is no more than what is added where a row has no bounds; there 10⁻⁸ a_ii is
+//! added, and an iteration or two take back what that does to x.
 
 use std::ops::Range;
 

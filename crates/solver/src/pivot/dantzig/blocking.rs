@@ -1,8 +1,9 @@
 //! How far x moves: what ends a move first.
 //!
-//! Where several things end a move at once, the driven row goes first, then a row that enters C, the
-//! one longest at its bound before the others, then a row that leaves C. The rule matters: Fathi's
-//! problem, all ties, takes n² − n + 1 pivots with it and 2ⁿ − 1 if ties go to the least index.
+//! Where several things end a move at once, the driven row goes first, then a row that enters C,
+//! the one longest at its bound before the others, then a row that leaves C. The rule matters:
+//! Fathi's problem, all ties, takes n² − n + 1 pivots with it and 2ⁿ − 1 if ties go to the least
+//! index.
 
 use std::ops::ControlFlow;
 
@@ -32,8 +33,8 @@ pub(super) struct Block {
 }
 
 impl Run<'_> {
-    /// The first thing that ends a move of x_i by sign · t, t ≥ 0; see above for ties. A row whose w
-    /// only rounding moves ends nothing, and its Δw is set to zero.
+    /// The first thing that ends a move of x_i by sign · t, t ≥ 0; see above for ties. A row whose
+    /// w only rounding moves ends nothing, and its Δw is set to zero.
     pub(super) fn blocking(
         &mut self,
         i: usize,

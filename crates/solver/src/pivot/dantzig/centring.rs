@@ -1,21 +1,23 @@
 //! What redundant contacts leave open: x moves to the middle of it.
 //!
 //! Where row j depends on C, A d = 0 along its direction d, and x may move along d without any w
-//! noticing. A vertex of what is possible, three corners of a box that stands on four, is left as soon as
-//! the load moves a little, and each corner that lets go makes its neighbour take hold: two pivots. From
-//! the middle all four carry, and C stays as it is. So x moves to the middle of what d leaves open, and
-//! row j is idle then,
+//! noticing. A vertex of what is possible, three corners of a box that stands on four, is left as
+//! soon as the load moves a little, and each corner that lets go makes its neighbour take hold: two
+//! pivots. From the middle all four carry, and C stays as it is. So x moves to the middle of what d
+//! leaves open, and row j is idle then,
 //!
 //! - where a row is looked at for the first time and rests: its x is at a bound, its w zero, and it
 //!   depends on C;
-//! - where an x of C meets a bound, and d leads away from it: row j is idle, or at a bound with w = 0.
+//! - where an x of C meets a bound, and d leads away from it: row j is idle, or at a bound with
+//!   w = 0.
 //!
-//! *Right.* Only x_j and x_C move. Their w are zero and A d = 0: neither w nor ½ xᵀA x + bᵀx changes, no
-//! bound is crossed, and the driven row is as far as it was. What is not unique is chosen, nothing else.
+//! *Right.* Only x_j and x_C move. Their w are zero and A d = 0: neither w nor ½ xᵀA x + bᵀx
+//! changes, no bound is crossed, and the driven row is as far as it was. What is not unique is
+//! chosen, nothing else.
 //!
-//! *Finite.* A row serves once while another is driven; then the x of C leaves as it does without this
-//! file. So a drive has at most n of these moves, and after the last of them the plain method's
-//! argument holds.
+//! *Finite.* A row serves once while another is driven; then the x of C leaves as it does without
+//! this file. So a drive has at most n of these moves, and after the last of them the plain
+//! method's argument holds.
 
 use std::ops::ControlFlow;
 
@@ -26,8 +28,8 @@ use super::run::Run;
 use crate::{Centring, Part, Status};
 
 impl Run<'_> {
-    /// Makes row i idle, in the middle, if it is at a bound, depends on C, and its w is zero; returns
-    /// whether it did.
+    /// Makes row i idle, in the middle, if it is at a bound, depends on C, and its w is zero;
+    /// returns whether it did.
     pub(super) fn settle_idle(&mut self, i: usize) -> bool {
         if !self.is_at_rest(i) {
             return false;
@@ -44,9 +46,9 @@ impl Run<'_> {
         self.state.side[i] == Side::Waiting && !(lo < x && x < hi) && self.is_level(i)
     }
 
-    /// Ends a move of x_i: x goes off the bound that the blocking row of C has met, to the middle of what
-    /// an idle row leaves open, or else that row leaves C. `served` are the rows that have been used so
-    /// already.
+    /// Ends a move of x_i: x goes off the bound that the blocking row of C has met, to the middle
+    /// of what an idle row leaves open, or else that row leaves C. `served` are the rows that have
+    /// been used so already.
     pub(super) fn centre_or_leave(
         &mut self,
         i: usize,

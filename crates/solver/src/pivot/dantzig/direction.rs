@@ -11,7 +11,8 @@ use lcplab_problem::merit;
 /// A number below this part of the terms it is summed from counts as zero.
 pub(super) const RELATIVE_ZERO: f64 = 1e-13;
 /// dᵀA d below this part of (Σ √a_jj |d_j|)² counts as zero, as does Δw_j beside the product of two
-/// such sums: so much the rounding of A and of its factor, some ten units in the last place, can do.
+/// such sums: so much the rounding of A and of its factor, some ten units in the last place, can
+/// do.
 pub(super) const ROUNDING: f64 = 2e-15;
 /// A part of a null direction below this part of its largest counts as zero.
 const NULL_ROUNDING: f64 = 1e-11;
@@ -99,8 +100,9 @@ impl Run<'_> {
         if slope.abs() <= LEVEL * magnitude { 0.0 } else { slope }
     }
 
-    /// Sets to zero what is only rounding in d where A d = 0: along such a d a move may be long, and
-    /// must not end at a bound that only rounding leads to. √a_jj d_j has the same unit in all rows.
+    /// Sets to zero what is only rounding in d where A d = 0: along such a d a move may be long,
+    /// and must not end at a bound that only rounding leads to. √a_jj d_j has the same unit in all
+    /// rows.
     fn clean_null_direction(&self, i: usize, d: &mut [f64]) {
         let size = |j: usize, d: f64| self.root[j] * d.abs();
         let sizes = self.basis.free.iter().zip(&*d).map(|(&j, &d)| size(j, d));

@@ -70,10 +70,11 @@ impl Run<'_> {
         self.put(row, Side::Free);
     }
 
-    /// Those of these rows that depend on the row at position k of C, so that one can take its place.
+    /// Those of these rows that depend on the row at position k of C, so that one can take its
+    /// place.
     ///
-    /// Row j is the sum of the rows of C times A_CC⁻¹ A_Cj. With z = A_CC⁻¹ e_k its part of row k is
-    /// zᵀA_Cj, and once k is gone its Schur complement is (zᵀA_Cj)² / z_k ≤ (zᵀA_Cj)² a_kk.
+    /// Row j is the sum of the rows of C times A_CC⁻¹ A_Cj. With z = A_CC⁻¹ e_k its part of row k
+    /// is zᵀA_Cj, and once k is gone its Schur complement is (zᵀA_Cj)² / z_k ≤ (zᵀA_Cj)² a_kk.
     pub(super) fn dependents(&self, k: usize, rows: Vec<usize>) -> Vec<usize> {
         if rows.is_empty() {
             return rows;

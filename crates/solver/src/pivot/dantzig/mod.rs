@@ -12,27 +12,29 @@
 //! A_CC = L D Lᵀ that each pivot brings up to date.
 //!
 //! Redundant contacts make A singular. Then s = 0 for a row that depends on C, and since A is
-//! semidefinite A d = 0: moving along d changes no w at all, and w_i is dᵀw. If that is zero the row
-//! is *idle*: C keeps its w at zero, and when a row leaves C an idle one takes its place. What x may move
-//! along d without harm is shared: x goes to the middle of it, so that few rows need leave C
-//! (centring.rs). If dᵀw is not zero x moves until a bound stops it and that row leaves C. If nothing
-//! stops it, a dᵀw within the tolerance is what the data of redundant joints are rounded to, and the row
-//! is idle too; a larger one, bᵀd < 0 with A d = 0, proves that no solution exists (`Ray`).
+//! semidefinite A d = 0: moving along d changes no w at all, and w_i is dᵀw. If that is zero the
+//! row is *idle*: C keeps its w at zero, and when a row leaves C an idle one takes its place. What
+//! x may move along d without harm is shared: x goes to the middle of it, so that few rows need
+//! leave C (centring.rs). If dᵀw is not zero x moves until a bound stops it and that row leaves C.
+//! If nothing stops it, a dᵀw within the tolerance is what the data of redundant joints are rounded
+//! to, and the row is idle too; a larger one, bᵀd < 0 with A d = 0, proves that no solution exists
+//! (`Ray`).
 //!
-//! Whether s is zero is decided without units, and by what rounding can do. A itself is rounded, each
-//! a_jk by up to ε √(a_jj a_kk), which moves s = dᵀA d by up to ε (Σ √a_jj |d_j|)²: an s below some
-//! ten times that is none. run.rs has the method, direction.rs the direction and this decision,
-//! blocking.rs what ends a move and the rule for ties, exchange.rs the pivot, polish.rs the end;
-//! [`textbook`](crate::textbook) has it on one page, for definite A and without regard to rounding.
+//! Whether s is zero is decided without units, and by what rounding can do. A itself is rounded,
+//! each a_jk by up to ε √(a_jj a_kk), which moves s = dᵀA d by up to ε (Σ √a_jj |d_j|)²: an s below
+//! some ten times that is none. run.rs has the method, direction.rs the direction and this
+//! decision, blocking.rs what ends a move and the rule for ties, exchange.rs the pivot, polish.rs
+//! the end; [`textbook`](crate::textbook) has it on one page, for definite A and without regard to
+//! rounding.
 //!
 //! Ends with the exact active set but for rounding, after at most a few n pivots on contact
-//! problems (2ⁿ in the worst case); a pivot costs O(c² + c n) for c free rows. Then x is refined with
-//! accurate w, if need be with C chosen anew by the largest pivot, and rows that rounding has left
-//! unsatisfied are driven once more. With mass ratios of 10⁶ rounding remains in the light bodies' rows;
-//! Gauss-Seidel sweeps remove it. Rows of joints that have drifted apart may depend on each other so
-//! nearly that no pivot can tell; then proximal steps (proximal.rs) have a try. The solution names
-//! either ([`Fallback`](crate::Fallback)). Not symmetric or not semidefinite A: `OutsideClass`.
-//! Coupled rows: see [`frozen`].
+//! problems (2ⁿ in the worst case); a pivot costs O(c² + c n) for c free rows. Then x is refined
+//! with accurate w, if need be with C chosen anew by the largest pivot, and rows that rounding has
+//! left unsatisfied are driven once more. With mass ratios of 10⁶ rounding remains in the light
+//! bodies' rows; Gauss-Seidel sweeps remove it. Rows of joints that have drifted apart may depend
+//! on each other so nearly that no pivot can tell; then proximal steps (proximal.rs) have a try.
+//! The solution names either ([`Fallback`](crate::Fallback)). Not symmetric or not semidefinite A:
+//! `OutsideClass`. Coupled rows: see [`frozen`].
 
 mod blocking;
 mod centring;

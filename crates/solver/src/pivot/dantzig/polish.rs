@@ -20,14 +20,14 @@ const SETTLING_SWEEPS: usize = 200;
 const REFINEMENTS: usize = 2;
 
 impl Run<'_> {
-    /// Takes one step of refinement with the factor at hand, if there is anything to refine; returns
-    /// whether nothing is left.
+    /// Takes one step of refinement with the factor at hand, if there is anything to refine;
+    /// returns whether nothing is left.
     pub(super) fn refine_once(&mut self) -> bool {
         self.project_and_measure() || !self.newton_step() && self.project_and_measure()
     }
 
-    /// Moves back to its bound what rounding has put beyond, and recomputes w; returns whether nothing is
-    /// left to refine.
+    /// Moves back to its bound what rounding has put beyond, and recomputes w; returns whether
+    /// nothing is left to refine.
     fn project_and_measure(&mut self) -> bool {
         self.lcp.project_all(&mut self.state.x);
         self.state.w = self.lcp.w(&self.state.x);
@@ -94,7 +94,8 @@ impl Run<'_> {
         blocked.is_some()
     }
 
-    /// A fresh factor and a refined x with w recomputed; returns the rows that are still not satisfied.
+    /// A fresh factor and a refined x with w recomputed; returns the rows that are still not
+    /// satisfied.
     pub(super) fn refine(&mut self) -> Vec<usize> {
         self.refactor();
         let mut steps = 0;

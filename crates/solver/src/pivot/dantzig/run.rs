@@ -175,7 +175,8 @@ impl<'a> Run<'a> {
         self.observer.observe(&iterate).map_break(|()| Status::Stopped)
     }
 
-    /// Tells an observer that asks that row i is satisfied as it stands, if no pivot came after this many.
+    /// Tells an observer that asks that row i is satisfied as it stands, if no pivot came after
+    /// this many.
     #[inline]
     pub(super) fn tell_satisfied(&mut self, i: usize, side: Side, pivots: usize) {
         if self.pivots == pivots && self.observer.asks_for_parts() {

@@ -8,8 +8,8 @@ const RELATIVE_ZERO: f64 = 1e-12;
 
 impl Dictionary {
     /// Exchanges these basic variables for these nonbasic ones, the largest entry first, until all
-    /// are exchanged or only zeros are left. Zero is an entry that has lost all its digits, compared
-    /// with the largest that it was on the way.
+    /// are exchanged or only zeros are left. Zero is an entry that has lost all its digits,
+    /// compared with the largest that it was on the way.
     pub(crate) fn exchange(
         &mut self,
         is_leaving: impl Fn(Variable) -> bool,

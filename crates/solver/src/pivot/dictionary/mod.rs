@@ -26,7 +26,8 @@ pub(crate) struct Dictionary {
     /// The largest terms that each constant was ever summed from, which is what its rounding errors
     /// are proportional to.
     terms: Vec<f64>,
-    /// A constant below this part of those terms is zero, not only one that cancels in a single sum.
+    /// A constant below this part of those terms is zero, not only one that cancels in a single
+    /// sum.
     pub(crate) forgives: f64,
     /// T.
     table: Table,
@@ -60,8 +61,8 @@ impl Dictionary {
         &self.nonbasic
     }
 
-    /// A number that tells this basis from others, but for a coincidence: which variables are basic, which not,
-    /// and by which of their names.
+    /// A number that tells this basis from others, but for a coincidence: which variables are
+    /// basic, which not, and by which of their names.
     pub(crate) fn basis(&self) -> u64 {
         let basic = self.basic.iter().map(|v| mixed(2 * v.number() as u64));
         let nonbasic = self.nonbasic.iter().map(|v| mixed(2 * v.number() as u64 + 1));

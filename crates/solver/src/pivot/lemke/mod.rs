@@ -21,16 +21,17 @@
 //! It also solves every problem whose A is a P-matrix and every problem with all bounds finite
 //! (there z̃ = 0 on a ray, so a second ray does not exist). Ties in "which one becomes zero" are
 //! broken lexicographically: c is perturbed by (ε, ε², …), which is read off the columns of the
-//! first basis, so degenerate problems do not cycle; z₀ itself leaves whenever it can. The number of
-//! pivots is about 2 n as a rule and 2ⁿ for Murty's matrix; each costs O(n²) on a condensed tableau.
-//! Where A is symmetric the path can be followed by principal pivots, which are cheaper and exacter
-//! (parametric.rs); if one of them cannot be trusted, or somebody wants to see the tableaux, they are made.
-//! Rows without bounds that depend on others, as in redundant joints, stay out of the tableau then.
+//! first basis, so degenerate problems do not cycle; z₀ itself leaves whenever it can. The number
+//! of pivots is about 2 n as a rule and 2ⁿ for Murty's matrix; each costs O(n²) on a condensed
+//! tableau. Where A is symmetric the path can be followed by principal pivots, which are cheaper
+//! and exacter (parametric.rs); if one of them cannot be trusted, or somebody wants to see the
+//! tableaux, they are made. Rows without bounds that depend on others, as in redundant joints, stay
+//! out of the tableau then.
 //!
 //! At the end x is computed afresh from the active set. Rounding piles up, and can even lead a path
-//! back to where it was. Such a path, and one of more than 50 pivots or with a very small pivot that
-//! ends at no solution, is followed once more, with a tableau that is made anew every 50 pivots; its
-//! pivots are counted on, and the solution says so ([`Fallback`]).
+//! back to where it was. Such a path, and one of more than 50 pivots or with a very small pivot
+//! that ends at no solution, is followed once more, with a tableau that is made anew every 50
+//! pivots; its pivots are counted on, and the solution says so ([`Fallback`]).
 //!
 //! Lemke 1965; Cottle, Pang & Stone 1992, algorithm 4.4.5. Coupled rows: see
 //! [`frozen`].
@@ -100,8 +101,8 @@ impl Solver for Lemke {
 }
 
 impl Lemke {
-    /// Follows the path by Lemke's tables, after so many pivots on other problems; a second time where rounding may have led
-    /// astray.
+    /// Follows the path by Lemke's tables, after so many pivots on other problems; a second time
+    /// where rounding may have led astray.
     fn by_tables(&self, lcp: &Lcp, before: usize, observer: &mut dyn Observer) -> Solution {
         let mut path = Path::new(lcp, before);
         let (x, status) = path.solve(&self.settings, observer);

@@ -1,19 +1,22 @@
 //! The path by principal pivots, for symmetric A.
 //!
-//! While z₀ falls, x solves the boxed problem with b + z₀ e in place of b. Between two pivots it moves along a line, as if z₀
-//! were one more x: with the border e the [tableau](crate::kernel::tableau) of the free rows has its speeds,
+//! While z₀ falls, x solves the boxed problem with b + z₀ e in place of b. Between two pivots it
+//! moves along a line, as if z₀ were one more x: with the border e the
+//! [tableau](crate::kernel::tableau) of the free rows has its speeds,
 //!
 //! ```text
 //! ( A   e )
 //! ( eᵀ  0 )      dx_C/dz₀ = −S_zC,   dw_B/dz₀ = S_zB
 //! ```
 //!
-//! Where w_r meets zero, row r enters C, and where x_r meets its bound, it leaves C; then z₀ falls on. So w_r has become
-//! nonbasic and x_r basic in one pivot, at s_rr, and the table stays symmetric: half the products of Lemke's own, and digits
-//! that its unsymmetric pivots lose. It needs an s_rr clear of rounding. Where that is not so the path is
-//! followed by Lemke's table from the start; it is the same path.
+//! Where w_r meets zero, row r enters C, and where x_r meets its bound, it leaves C; then z₀ falls
+//! on. So w_r has become nonbasic and x_r basic in one pivot, at s_rr, and the table stays
+//! symmetric: half the products of Lemke's own, and digits that its unsymmetric pivots lose. It
+//! needs an s_rr clear of rounding. Where that is not so the path is followed by Lemke's table from
+//! the start; it is the same path.
 //!
-//! Van de Panne & Whinston 1969 and Cottle 1972 go on so; for definite A each z₀ has one x, so z₀ only falls.
+//! Van de Panne & Whinston 1969 and Cottle 1972 go on so; for definite A each z₀ has one x, so z₀
+//! only falls.
 
 use std::ops::ControlFlow;
 
@@ -125,9 +128,9 @@ impl<'a> Parametric<'a> {
         }
     }
 
-    /// Solves w = 0 for the x of the rows without bounds. One that depends on those before it, as in
-    /// redundant joints, stays out of C: its w is a combination of theirs, whatever x is, and no row
-    /// that it depends on ever leaves C. Whether that w is zero is seen at the end.
+    /// Solves w = 0 for the x of the rows without bounds. One that depends on those before it, as
+    /// in redundant joints, stays out of C: its w is a combination of theirs, whatever x is, and no
+    /// row that it depends on ever leaves C. Whether that w is zero is seen at the end.
     fn solve_free_rows(&mut self) -> Option<()> {
         for row in 0..self.lcp.len() {
             if self.side[row] != Side::Waiting {
@@ -151,7 +154,8 @@ impl<'a> Parametric<'a> {
         Some(())
     }
 
-    /// Raises z₀ until no w is on the wrong side of zero; returns the row where one is zero, or none if z₀ = 0.
+    /// Raises z₀ until no w is on the wrong side of zero; returns the row where one is zero, or
+    /// none if z₀ = 0.
     fn enter_cover(&mut self) -> Option<usize> {
         let w = self.lcp.w(&self.x);
         let asked = |i: usize| if self.cover[i] == 0.0 { 0.0 } else { -w[i] / self.cover[i] };
@@ -213,8 +217,8 @@ impl<'a> Parametric<'a> {
         }
     }
 
-    /// How far z₀ can fall, and the row that meets its bound then, and which; no row if z₀ = 0 comes first. None if that
-    /// cannot be told.
+    /// How far z₀ can fall, and the row that meets its bound then, and which; no row if z₀ = 0
+    /// comes first. None if that cannot be told.
     fn blocking(&mut self) -> Option<(f64, Option<(usize, Side)>)> {
         let size = self.unit + self.basic.size(&self.speeds);
         let others = self.basic.reach(&self.speeds, -1.0, size, self.z);
@@ -235,7 +239,8 @@ impl<'a> Parametric<'a> {
         Some((others, Some((row, side))))
     }
 
-    /// Of rows that meet their bounds within this length the first if the w of the start are perturbed by (ε, ε², …).
+    /// Of rows that meet their bounds within this length the first if the w of the start are
+    /// perturbed by (ε, ε², …).
     fn least(&self, length: f64) -> Option<usize> {
         let tied: Vec<usize> = self.basic.all_within(length).collect();
         if tied.iter().any(|&row| row >= self.lcp.len()) {

@@ -149,8 +149,8 @@ impl<'a> Path<'a> {
         ControlFlow::Continue(left)
     }
 
-    /// The variable that becomes zero first when that of column c grows; the covering variable grows
-    /// until no other one is negative.
+    /// The variable that becomes zero first when that of column c grows; the covering variable
+    /// grows until no other one is negative.
     fn blocking(&self, c: usize) -> Option<Blocking> {
         let is_cover = self.form.dictionary.nonbasic()[c] == Variable::Cover;
         let candidates = if is_cover { self.lifted(c) } else { self.candidates(c) };

@@ -1,4 +1,5 @@
-//! The factor by panels, through the factorisation of a growing and shrinking set that is made of it.
+//! The factor by panels, through the factorisation of a growing and shrinking set that is made of
+//! it.
 
 use lcplab_solver::kernel::Width;
 use lcplab_solver::linalg::ldlt::{Elimination, Ldlt};

@@ -20,8 +20,8 @@ const PATTERNS: [(&str, Pattern); 5] = [
     ("blocks", |i, j| i / 9 == j / 9),
 ];
 
-/// The problem with the same solution and these entries only, dense and sparse; the diagonal is raised
-/// so that A stays definite (Gershgorin).
+/// The problem with the same solution and these entries only, dense and sparse; the diagonal is
+/// raised so that A stays definite (Gershgorin).
 fn cut(m: &Manufactured, keep: Pattern) -> [Lcp; 2] {
     let mut a = m.lcp.matrix().to_dense();
     for (i, j) in (0..N * N).map(|k| (k / N, k % N)).filter(|&(i, j)| !keep(i, j)) {

@@ -58,7 +58,8 @@ pub(super) fn with_last_normals(lcp: &Lcp, last: &[f64]) -> Option<Changed> {
     Changed::new(MistakeKind::LastNormals, what, frozen)
 }
 
-/// A + ε I instead of A, with the ε that makes w = −ε x in the free rows, as nearly as one number can.
+/// A + ε I instead of A, with the ε that makes w = −ε x in the free rows, as nearly as one number
+/// can.
 pub(super) fn compliant(lcp: &Lcp, x: &[f64]) -> Option<(f64, Lcp)> {
     let is_inside = |i: usize| {
         let (lo, hi) = lcp.bounds(i, x);
@@ -77,8 +78,8 @@ pub(super) fn compliant(lcp: &Lcp, x: &[f64]) -> Option<(f64, Lcp)> {
     Some((softness, with(lcp, Matrix::sparse(n, &entries), bounds)?))
 }
 
-/// b times the positive factor that brings the solution nearest to x. Only where all bounds are 0 or infinite, or friction,
-/// does the solution grow with b, so that the factor can be read off.
+/// b times the positive factor that brings the solution nearest to x. Only where all bounds are 0
+/// or infinite, or friction, does the solution grow with b, so that the factor can be read off.
 pub(super) fn with_factor(lcp: &Lcp, x: &[f64], solution: &[f64]) -> Option<(f64, Lcp)> {
     let grows = |bound: &f64| *bound == 0.0 || bound.is_infinite();
     if !lcp.lo().iter().chain(lcp.hi()).all(grows) {

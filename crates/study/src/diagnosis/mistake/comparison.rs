@@ -1,22 +1,25 @@
 //! Whether an answer is explained by a mistake, or by chance.
 //!
-//! Three things are asked. The mistake's answer y must agree with x as far as x has digits. It must be at least a hundred
-//! times nearer to x than the exact solution s is, at the precision of x. And the agreement must not be chance: of the
-//! answers around s that are as far from it as x is, one in
+//! Three things are asked. The mistake's answer y must agree with x as far as x has digits. It must
+//! be at least a hundred times nearer to x than the exact solution s is, at the precision of x. And
+//! the agreement must not be chance: of the answers around s that are as far from it as x is, one
+//! in
 //!
 //! ```text
 //! ∏_i  |x_i − s_i| / (2 |x_i − y_i|)
 //! ```
 //!
-//! comes as near to y in all entries. An entry that s explains as well counts nothing, and every number that was fitted
-//! to x, such as a factor of b, takes one entry away: on one row a factor fits any answer.
+//! comes as near to y in all entries. An entry that s explains as well counts nothing, and every
+//! number that was fitted to x, such as a factor of b, takes one entry away: on one row a factor
+//! fits any answer.
 
 use super::nearest::distance;
 use super::precision::Precision;
 
 /// A mistake is at least this many times nearer to x than the exact solution.
 const NEARER: f64 = 100.0;
-/// Numbers that agree to this part of the largest are the same, if they are known to as many digits.
+/// Numbers that agree to this part of the largest are the same, if they are known to as many
+/// digits.
 const SAME: f64 = 1e-6;
 /// Two numbers that should be one differ by this many units of rounding, beside the largest number.
 const ROUNDINGS: f64 = 4.0;
@@ -44,8 +47,8 @@ pub(super) struct Agreement {
 }
 
 impl Agreement {
-    /// Whether chance would have to be blamed less than once in a million times, where this many other answers were
-    /// compared that are as simple.
+    /// Whether chance would have to be blamed less than once in a million times, where this many
+    /// other answers were compared that are as simple.
     pub(crate) fn is_no_chance(&self, answers: usize) -> bool {
         self.chance * answers as f64 <= CHANCE
     }
@@ -82,7 +85,8 @@ impl<'a> Comparison<'a> {
     pub fn agreement(&self, y: &[f64], fitted: usize) -> Option<Agreement> {
         let (distance, distance_to_solution) =
             (distance(self.x, y), distance(self.x, self.solution));
-        // A mistake whose own answer is as short a number explains why x is: its digits are not rounded.
+        // A mistake whose own answer is as short a number explains why x is: its digits are not
+        // rounded.
         let is_decimal = matches!(self.precision, Precision::Decimal { .. });
         let is_short = is_decimal && distance <= self.rounding();
         let known = |i: usize| if is_short { self.rounding() } else { self.uncertainty(i) };

@@ -1,9 +1,10 @@
 //! Which known mistakes give exactly this x?
 //!
-//! Solvers that answer wrongly mostly do so in one of a few ways. Each of these is done here to the same problem, and its
-//! answer is compared with the x in question. The exact solution nearest to x is compared too: whatever is near a
-//! solution is near everything that leads to it. Only a mistake that explains x at least a hundred times better than the
-//! solution does, in more numbers than were fitted to x, is named; mistakes that explain it equally well are all named.
+//! Solvers that answer wrongly mostly do so in one of a few ways. Each of these is done here to the
+//! same problem, and its answer is compared with the x in question. The exact solution nearest to x
+//! is compared too: whatever is near a solution is near everything that leads to it. Only a mistake
+//! that explains x at least a hundred times better than the solution does, in more numbers than
+//! were fitted to x, is named; mistakes that explain it equally well are all named.
 //!
 //! ```
 //! use lcplab_problem::{Lcp, Matrix};
@@ -64,8 +65,8 @@ pub struct MistakeSearch {
     pub precision: Precision,
     /// How the search ended.
     pub conclusion: Conclusion,
-    /// The mistakes that give this x, all equally well as far as x has digits; the nearest first, at equal distance the
-    /// simplest.
+    /// The mistakes that give this x, all equally well as far as x has digits; the nearest first,
+    /// at equal distance the simplest.
     pub mistakes: Vec<Mistake>,
     /// How many sweeps were compared with x; 0 where nothing was compared.
     pub limits: SweepLimits,
@@ -100,8 +101,9 @@ pub enum Conclusion {
     },
 }
 
-/// The known mistakes that give this x. `last` is the answer of the frame before, where it is known: from it sweeps
-/// start, or should have started, and friction may still be limited by its normal forces.
+/// The known mistakes that give this x. `last` is the answer of the frame before, where it is
+/// known: from it sweeps start, or should have started, and friction may still be limited by its
+/// normal forces.
 ///
 /// # Panics
 /// If x or the last answer has not an entry a row.
@@ -147,7 +149,8 @@ pub fn find_mistakes(lcp: &Lcp, x: &[f64], last: Option<&[f64]>) -> MistakeSearc
     search
 }
 
-/// How near single precision can come: the scaled residuals of x and of the solution rounded to it, if a solver finds one.
+/// How near single precision can come: the scaled residuals of x and of the solution rounded to it,
+/// if a solver finds one.
 pub fn single_precision(lcp: &Lcp, x: &[f64]) -> Option<[f64; 2]> {
     let rounded: Vec<f64> = solution(lcp)?.iter().map(|&x| f64::from(x as f32)).collect();
     Some([merit::scaled_residual(lcp, x), merit::scaled_residual(lcp, &rounded)])

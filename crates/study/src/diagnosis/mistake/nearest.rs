@@ -1,7 +1,8 @@
 //! The exact solution nearest to an answer: what every mistake is compared with.
 //!
-//! The active sets of the answer itself, of solvers and of sweeps are each solved in exact arithmetic; where the
-//! equations leave an x open, it stays as it is in the answer. So of many solutions the one beside the answer is found.
+//! The active sets of the answer itself, of solvers and of sweeps are each solved in exact
+//! arithmetic; where the equations leave an x open, it stays as it is in the answer. So of many
+//! solutions the one beside the answer is found.
 
 use lcplab_problem::exact::{Exact, Side};
 use lcplab_problem::{Lcp, merit};
@@ -12,7 +13,8 @@ const EXACT_ROWS: usize = 50;
 /// With more rows not all active sets are tried.
 const ENUMERATED_ROWS: usize = 8;
 
-/// The solution nearest to x, of those that these points and solvers lead to; `None` if they lead to none.
+/// The solution nearest to x, of those that these points and solvers lead to; `None` if they lead
+/// to none.
 pub(super) fn nearest_solution(lcp: &Lcp, x: &[f64], points: &[Vec<f64>]) -> Option<Vec<f64>> {
     let tolerance = Settings::default().tolerance;
     let points: Vec<Vec<f64>> =

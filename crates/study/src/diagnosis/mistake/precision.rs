@@ -1,8 +1,8 @@
 //! How many digits an answer carries.
 //!
-//! An answer printed with three decimals agrees with everything that rounds to it. So before an answer is compared, its
-//! own numbers say how precisely they are known: whether they all have few decimal digits, all fit into 32 bits, or
-//! neither.
+//! An answer printed with three decimals agrees with everything that rounds to it. So before an
+//! answer is compared, its own numbers say how precisely they are known: whether they all have few
+//! decimal digits, all fit into 32 bits, or neither.
 
 /// Numbers with more decimal digits than this were not rounded to decimals.
 const MOST_DIGITS: i32 = 14;

@@ -104,7 +104,8 @@ pub(super) fn gauss_seidel(most: usize) -> Pgs {
     Pgs { omega: 1.0, order: Order::Natural, settings: settings(most) }
 }
 
-/// The methods whose sweeps are compared: what each is when it is stopped, its name, and the method.
+/// The methods whose sweeps are compared: what each is when it is stopped, its name, and the
+/// method.
 pub(super) fn methods(most: usize) -> [(MistakeKind, &'static str, Box<dyn Solver>); 6] {
     use MistakeKind::{Jacobi as AllAtOnce, LateClamp, StoppedSweeps};
     let pgs = |order| Box::new(Pgs { order, ..gauss_seidel(most) });

@@ -44,7 +44,8 @@ impl Without {
 /// Why sweeps come too slowly to the solution.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Slow {
-    /// The solver itself: after the same number of sweeps plain Gauss-Seidel leaves far less undone.
+    /// The solver itself: after the same number of sweeps plain Gauss-Seidel leaves far less
+    /// undone.
     Solver {
         /// The number of sweeps.
         sweeps: usize,
@@ -57,7 +58,8 @@ pub enum Slow {
         /// The known mistakes that give its answer, the nearest first.
         mistakes: Vec<Mistake>,
     },
-    /// Motors that do all that they may, against each other or against what blocks them; without them they do a hundredth.
+    /// Motors that do all that they may, against each other or against what blocks them; without
+    /// them they do a hundredth.
     Motors {
         /// The pairs of bodies between which they act.
         between: Vec<String>,
@@ -73,7 +75,8 @@ pub enum Slow {
         /// What equal masses do.
         without: Without,
     },
-    /// A tall column or a long chain. Without it no pair of bodies feels the others, masses being equal in both.
+    /// A tall column or a long chain. Without it no pair of bodies feels the others, masses being
+    /// equal in both.
     Tall {
         /// The bodies through which an impulse goes, one after the other, if they are known.
         bodies: Option<usize>,
@@ -108,8 +111,8 @@ impl Slow {
         }
     }
 
-    /// The place among the causes by how easily they are taken away: a solver, a start, an order, the limit of a motor,
-    /// masses, a height.
+    /// The place among the causes by how easily they are taken away: a solver, a start, an order,
+    /// the limit of a motor, masses, a height.
     pub(crate) fn ease(&self) -> usize {
         match self {
             Slow::Solver { .. } => 0,
@@ -201,7 +204,8 @@ impl fmt::Display for Slow {
     }
 }
 
-/// What moves bodies as they should not move, though every problem be solved; each is known by a run without it.
+/// What moves bodies as they should not move, though every problem be solved; each is known by a
+/// run without it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Moving {
     /// Every step starts from x = 0.

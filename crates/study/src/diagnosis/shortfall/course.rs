@@ -8,7 +8,8 @@ use super::frame::Frame;
 use super::linear::{Linear, Way};
 use super::yard::{Yard, start};
 
-/// A course goes on for so many times as many sweeps as are done in practice, and at least for some.
+/// A course goes on for so many times as many sweeps as are done in practice, and at least for
+/// some.
 const LONGER: usize = 4;
 const LEAST: usize = 40;
 const MOST: usize = 400;
@@ -27,7 +28,8 @@ pub struct Course {
     pub theory: Vec<Option<f64>>,
 }
 
-/// Gauss-Seidel with and without relaxation, and what else goes row by row, from Π(0) on. Empty if no solution is known.
+/// Gauss-Seidel with and without relaxation, and what else goes row by row, from Π(0) on. Empty if
+/// no solution is known.
 pub fn courses(frame: &Frame, practice: &Practice) -> Vec<Course> {
     let lcp = &frame.lcp;
     let Some(yard) = Yard::of(frame) else { return Vec::new() };

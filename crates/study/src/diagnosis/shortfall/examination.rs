@@ -37,8 +37,8 @@ const NOT_EXAMINED: &str = "contacts that open and close repeatedly, closed loop
 pub struct Note {
     /// The step, or the file.
     pub name: String,
-    /// What is missing in its answer, as a part of what the constraints have to do; `None` where it was not compared with
-    /// a solution.
+    /// What is missing in its answer, as a part of what the constraints have to do; `None` where it
+    /// was not compared with a solution.
     pub missing: Option<f64>,
     /// The upward impulse (N s) or force (N) that is missing over all bodies.
     pub uncarried: f64,
@@ -52,8 +52,8 @@ pub struct Note {
     pub energy: Option<f64>,
 }
 
-/// The step to look into: the first in which a good part of what is missing at most is missing, for what comes after follows
-/// from it. The first of all if nothing is.
+/// The step to look into: the first in which a good part of what is missing at most is missing, for
+/// what comes after follows from it. The first of all if nothing is.
 pub(crate) fn telling_step(notes: &[Note]) -> usize {
     let most = notes.iter().filter_map(|note| note.missing).fold(HEALTHY, f64::max);
     let is_telling = |note: &Note| note.missing.is_some_and(|missing| missing >= GOOD_PART * most);
@@ -106,8 +106,9 @@ impl Examination {
         let gave_up = self.gave_up.as_ref().map(|_| GAVE_UP).into_iter().chain(ended);
         let slow = self.shortfall.iter().flat_map(|found| &found.causes).map(|cause| cause.name());
         let moving = self.moving.iter().map(Moving::name);
-        // A solver that gives up or is worse than plain sweeps makes all else doubtful. A cold start has every step miss what a warm one
-        // does not, and energy that is fed in spoils all later steps: they come before what makes sweeps slow.
+        // A solver that gives up or is worse than plain sweeps makes all else doubtful. A cold
+        // start has every step miss what a warm one does not, and energy that is fed in spoils all
+        // later steps: they come before what makes sweeps slow.
         let place = |name: &str| match name {
             GAVE_UP | ENDED | "suspect the solver" => 0,
             "cold start" | "energy from Baumgarte feedback" => 1,
@@ -118,8 +119,8 @@ impl Examination {
         all
     }
 
-    /// The names of the problems to which no answer is known that the judge accepts: no method found
-    /// one to compare with, and that of the solver is beyond the tolerance.
+    /// The names of the problems to which no answer is known that the judge accepts: no method
+    /// found one to compare with, and that of the solver is beyond the tolerance.
     pub fn unsolved(&self, tolerance: f64) -> Vec<&str> {
         let is_unsolved = |note: &&Note| note.missing.is_none() && !(note.residual <= tolerance);
         self.notes.iter().filter(is_unsolved).map(|note| note.name.as_str()).collect()
@@ -233,7 +234,8 @@ impl Examination {
         (!section.blocks.is_empty()).then_some(section)
     }
 
-    /// The steps, the worst first by what is missing, and then the worst by each of the other measures.
+    /// The steps, the worst first by what is missing, and then the worst by each of the other
+    /// measures.
     fn steps(&self) -> Option<Section> {
         if self.notes.len() < 2 || !self.shortfall.as_ref().is_some_and(Shortfall::is_short) {
             return None;
@@ -283,7 +285,8 @@ impl Examination {
         Some(section)
     }
 
-    /// The worst step by each measure but what is missing: its name, and which it is. A measure that is 0 has none.
+    /// The worst step by each measure but what is missing: its name, and which it is. A measure
+    /// that is 0 has none.
     pub fn worst(&self) -> Vec<(&'static str, usize)> {
         let worst = |name: &'static str, measure: &dyn Fn(usize) -> Option<f64>| {
             let values = (0..self.notes.len()).filter_map(|k| Some((k, measure(k)?)));

@@ -30,7 +30,8 @@ const MOST: f64 = 0.5;
 /// To see what strong motors do, they may do this part of what they did.
 const WEAK: f64 = 0.01;
 
-/// A solver that misses so many times as much as plain Gauss-Seidel after as many sweeps is to be suspected.
+/// A solver that misses so many times as much as plain Gauss-Seidel after as many sweeps is to be
+/// suspected.
 const WORSE: f64 = 2.0;
 
 /// Sweeps are counted up to here, and up to so many multiplications.
@@ -66,7 +67,8 @@ impl Practice {
         (self.entry.build)(&self.options)
     }
 
-    /// Another solver with these settings, but for the number of steps of one that is there or nowhere.
+    /// Another solver with these settings, but for the number of steps of one that is there or
+    /// nowhere.
     pub fn other(&self, name: &str) -> Option<Box<dyn Solver>> {
         let mut options = self.options.clone();
         let entry = lcplab_solver::entry(name).ok()?;
@@ -127,7 +129,8 @@ pub struct Shortfall {
     pub is_accepted: bool,
     /// The same by theory, of sweeps.
     pub predicted: Option<f64>,
-    /// The whole weight that is carried, and that of each body and each pair; empty if that is not known.
+    /// The whole weight that is carried, and that of each body and each pair; empty if that is not
+    /// known.
     pub whole: Option<Load>,
     /// Body by body.
     pub bodies: Vec<Load>,
@@ -139,7 +142,8 @@ pub struct Shortfall {
     pub slowest: Option<Slowest>,
     /// The body that moves most in it, if bodies are known.
     pub mover: Option<String>,
-    /// The sweeps of Gauss-Seidel to a good answer, and whether they were done or follow from the last that were.
+    /// The sweeps of Gauss-Seidel to a good answer, and whether they were done or follow from the
+    /// last that were.
     pub sweeps: Option<(f64, bool)>,
     /// Why, the strongest first; empty if nothing is missing.
     pub causes: Vec<Slow>,
@@ -147,8 +151,8 @@ pub struct Shortfall {
     pub remedies: Vec<Remedy>,
 }
 
-/// Solves the problem of a frame as is the practice, from a start if there is one, and examines the answer. `None` if no
-/// solution is known to compare with, or A is not symmetric.
+/// Solves the problem of a frame as is the practice, from a start if there is one, and examines the
+/// answer. `None` if no solution is known to compare with, or A is not symmetric.
 pub fn examine(frame: &Frame, practice: &Practice, start: Option<&[f64]>) -> Option<Shortfall> {
     let lcp = &frame.lcp;
     let own = start.map_or_else(Start::default, Start::at);
@@ -273,8 +277,8 @@ impl Case<'_> {
         MOST_SWEEPS.min(MULTIPLICATIONS / (1 + self.frame.lcp.matrix().stored()))
     }
 
-    /// A changed problem, where gravity does `weight`: the sweeps that it needs, and what is missing when it is solved as
-    /// this one was.
+    /// A changed problem, where gravity does `weight`: the sweeps that it needs, and what is
+    /// missing when it is solved as this one was.
     fn changed(&self, lcp: &Lcp, weight: f64) -> Option<[f64; 2]> {
         let yard = Yard::new(lcp, weight)?;
         if !yard.is_needed() {
@@ -307,7 +311,8 @@ impl Case<'_> {
         causes.extend(from.and_then(|_| self.stale(missing)));
         let is_telling = |own: &Without| own.factor >= TELLING && own.share() >= WORTH * missing;
         causes.retain(|(without, _)| is_telling(without));
-        // Of those that explain most of it, each alone, the one that is taken away most easily comes first.
+        // Of those that explain most of it, each alone, the one that is taken away most easily
+        // comes first.
         let explains = |own: &Without| own.share() >= MOST * missing;
         let place = |(without, cause): &(Without, Slow)| match explains(without) {
             true => (cause.ease(), 0.0),
@@ -416,8 +421,8 @@ impl Case<'_> {
         Some((without, Slow::Motors { between: self.frame.between(&rows), without }))
     }
 
-    /// The other order. In the long run it is no faster (both ways a chain has the same eigenvalues): it counts in the first
-    /// sweeps, as many as bodies that an impulse goes through.
+    /// The other order. In the long run it is no faster (both ways a chain has the same
+    /// eigenvalues): it counts in the first sweeps, as many as bodies that an impulse goes through.
     fn order(&self) -> Option<(Without, Slow)> {
         let lcp = &self.frame.lcp;
         let mut reversed = self.practice.clone();

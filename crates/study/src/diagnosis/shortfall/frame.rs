@@ -45,9 +45,11 @@ pub struct Frame {
     pub bodies: Vec<Body>,
     /// Whether x are forces and w accelerations; else x are impulses and w velocities.
     pub is_of_forces: bool,
-    /// What gravity adds to each velocity of the motion without constraints (m/s; m/s² where x are forces), if there is any.
+    /// What gravity adds to each velocity of the motion without constraints (m/s; m/s² where x are
+    /// forces), if there is any.
     pub fall: Option<[f64; 3]>,
-    /// The speed (m/s; m/s² where x are forces) that the rounding of positions alone may ask for; 0 if that is not known.
+    /// The speed (m/s; m/s² where x are forces) that the rounding of positions alone may ask for; 0
+    /// if that is not known.
     pub position_rounding: f64,
 }
 
@@ -65,8 +67,9 @@ impl Frame {
         Frame { name, lcp, pairs, motion, bodies, is_of_forces, fall, position_rounding: 0.0 }
     }
 
-    /// The problem with other masses: M⁻¹ of body k times `mobility[k]`. A body with 0 is held: it does not move
-    /// whatever acts on it. `None` if the bodies are not known, or do not give the A of this problem.
+    /// The problem with other masses: M⁻¹ of body k times `mobility[k]`. A body with 0 is held: it
+    /// does not move whatever acts on it. `None` if the bodies are not known, or do not give the A
+    /// of this problem.
     pub fn with_mobility(&self, mobility: &[f64]) -> Option<Lcp> {
         let motion = self.motion.as_ref().filter(|_| !self.bodies.is_empty())?;
         let own = self.assembled(motion, &vec![1.0; self.bodies.len()])?;
@@ -112,7 +115,8 @@ impl Frame {
         self.with_rows(Matrix::sparse(n, &entries), b)
     }
 
-    /// A problem with these rows in which no pair of bodies feels the others: A without what stands between pairs.
+    /// A problem with these rows in which no pair of bodies feels the others: A without what stands
+    /// between pairs.
     pub(crate) fn by_pairs(&self, lcp: &Lcp) -> Option<Lcp> {
         let mut pair_of = vec![0; lcp.len()];
         for (k, pair) in self.pairs.iter().enumerate() {
@@ -124,7 +128,8 @@ impl Frame {
         self.with_rows(Matrix::sparse(lcp.len(), &entries), lcp.b().to_vec())
     }
 
-    /// The problem with contacts that do not yield: A without γ in one-sided rows. `None` if none yields.
+    /// The problem with contacts that do not yield: A without γ in one-sided rows. `None` if none
+    /// yields.
     pub fn rigid(&self) -> Option<Lcp> {
         let motion = self.motion.as_ref()?;
         let yields = |i: usize| {
@@ -234,8 +239,8 @@ impl Frame {
         self.bodies.iter().map(speed).collect()
     }
 
-    /// How fast each body moves by what is missing in x, as a part of what gravity adds to its velocity; of the fastest
-    /// where there is none.
+    /// How fast each body moves by what is missing in x, as a part of what gravity adds to its
+    /// velocity; of the fastest where there is none.
     pub fn left(&self, x: &[f64], exact: &[f64]) -> Vec<f64> {
         let error: Vec<f64> = exact.iter().zip(x).map(|(exact, x)| exact - x).collect();
         let speeds = self.speeds(&error);
@@ -251,7 +256,8 @@ impl Frame {
         -own.iter().zip(fall).map(|(p, fall)| p * fall).sum::<f64>() / length(fall)
     }
 
-    /// The size of what gravity does in all bodies, |M⁻¹F|_M, masses being `mass` times as large; 0 if that is not known.
+    /// The size of what gravity does in all bodies, |M⁻¹F|_M, masses being `mass` times as large; 0
+    /// if that is not known.
     pub fn weight(&self, mass: impl Fn(usize) -> f64) -> f64 {
         let masses = self.bodies.iter().enumerate().map(|(k, body)| mass(k) * body.mass);
         self.fall.map_or(0.0, length) * masses.sum::<f64>().sqrt()
@@ -298,7 +304,8 @@ fn bodies(problem: &Problem, motion: &Gauss) -> Vec<Body> {
     if covered == motion.target.len() { all } else { Vec::new() }
 }
 
-/// The rows by the two bodies that a file names for each, else each row alone, friction with its normal.
+/// The rows by the two bodies that a file names for each, else each row alone, friction with its
+/// normal.
 fn pairs(problem: &Problem) -> Vec<Pair> {
     let rows = problem.extra.get("rows").and_then(Value::as_array);
     let of = |i: usize, key: &str| rows.and_then(|rows| rows.get(i)?.get(key).cloned());
@@ -310,7 +317,8 @@ fn pairs(problem: &Problem) -> Vec<Pair> {
     for i in 0..problem.lcp.len() {
         let between = of(i, "bodies").and_then(|pair| {
             let (first, second) = (pair.get(0)?.as_str()?, pair.get(1)?.as_str()?);
-            // Either of the two may come first: all rows between them are one pair, named as its first row has it.
+            // Either of the two may come first: all rows between them are one pair, named as its
+            // first row has it.
             Some([format!("{first}–{second}"), format!("{second}–{first}")])
         });
         let normal = problem.lcp.coupling().and_then(|coupling| coupling.index(i));

@@ -1,8 +1,9 @@
 //! Sweeps while no row changes: what theory says of them.
 //!
-//! Rows that are free at the solution stay free, those at a bound stay there, and friction that slides follows its normal
-//! force. Then a sweep multiplies the error by a matrix G, and in the long run by the largest eigenvalue ρ below 1:
-//! its eigenvector is the pattern that goes slowest. Nothing is factored; the sweeps are done.
+//! Rows that are free at the solution stay free, those at a bound stay there, and friction that
+//! slides follows its normal force. Then a sweep multiplies the error by a matrix G, and in the
+//! long run by the largest eigenvalue ρ below 1: its eigenvector is the pattern that goes slowest.
+//! Nothing is factored; the sweeps are done.
 
 use lcplab_problem::Lcp;
 
@@ -75,7 +76,8 @@ impl<'a> Linear<'a> {
         Linear { yard, lcp, roles: (0..lcp.len()).map(role).collect() }
     }
 
-    /// What should be missing after so many sweeps from x on; `None` if rows change on the way, so that theory is silent.
+    /// What should be missing after so many sweeps from x on; `None` if rows change on the way, so
+    /// that theory is silent.
     pub fn missing(&self, x: &[f64], way: Way, sweeps: usize) -> Option<f64> {
         let mut x = self.placed(x);
         for _ in 0..sweeps {
@@ -87,7 +89,8 @@ impl<'a> Linear<'a> {
         (outside <= OUTSIDE * missing).then_some(missing)
     }
 
-    /// The pattern that is left in the end, looked for in at most so many sweeps; `None` if nothing is.
+    /// The pattern that is left in the end, looked for in at most so many sweeps; `None` if nothing
+    /// is.
     pub fn slowest(&self, start: &[f64], target: f64, most: usize) -> Option<Slowest> {
         let mut x = self.placed(start);
         let (mut before, mut rate, mut reached) = (self.yard.missing(&x), 0.0, None);

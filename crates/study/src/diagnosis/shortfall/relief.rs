@@ -1,4 +1,5 @@
-//! Remedies over a whole run, each one done: how far a body ends from its place, and what is missing.
+//! Remedies over a whole run, each one done: how far a body ends from its place, and what is
+//! missing.
 
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::scene::{Persistence, Scene};
@@ -95,7 +96,8 @@ fn changes(scene: &Scene) -> Vec<Change> {
 }
 
 impl Examination {
-    /// A start that is worse than none in the examined step is a cause only if the run is better without it.
+    /// A start that is worse than none in the examined step is a cause only if the run is better
+    /// without it.
     pub(super) fn clear_the_start(&mut self) {
         let of = |what: &str| self.reliefs.iter().find(|relief| relief.what == what);
         let (Some(own), Some(cold)) = (of(AS_IT_IS), of(COLD)) else { return };

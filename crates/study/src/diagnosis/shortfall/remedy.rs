@@ -15,8 +15,8 @@ pub(super) const METHODS: [&str; 4] = ["anderson-pgs", "block-pgs", "block-pivot
 /// Factors of relaxation that are tried.
 const OMEGAS: [f64; 3] = [1.3, 1.6, 1.9];
 
-/// So many times as many sweeps are tried. A problem that comes again in every step, and is started from its last answer,
-/// gets them in so many steps.
+/// So many times as many sweeps are tried. A problem that comes again in every step, and is started
+/// from its last answer, gets them in so many steps.
 const STEPS: [usize; 2] = [4, 40];
 
 /// A change and what came of it.
@@ -91,8 +91,8 @@ pub fn remedies(
     all
 }
 
-/// The sweeps of Gauss-Seidel after which so little is missing, and whether they were done: `most` of them and no more, the rest
-/// follows from the last two.
+/// The sweeps of Gauss-Seidel after which so little is missing, and whether they were done: `most`
+/// of them and no more, the rest follows from the last two.
 pub fn sweeps_to(
     lcp: &Lcp,
     yard: &Yard<'_>,

@@ -28,7 +28,8 @@ const LARGEST: usize = 300;
 /// With more rows not every step is compared.
 const EVERY_STEP: usize = 80;
 
-/// Errors of positions are worth a word from this part of the thinnest body on, energies from the work of all weights over it.
+/// Errors of positions are worth a word from this part of the thinnest body on, energies from the
+/// work of all weights over it.
 pub(super) const WORTH: f64 = 0.01;
 
 /// Of a run of which only the end counts so many steps are compared.
@@ -59,7 +60,8 @@ pub(super) struct End {
     pub is_compared: bool,
 }
 
-/// Examines a scene: its motion for a second, and the solve of a step, or of the first in which much is missing.
+/// Examines a scene: its motion for a second, and the solve of a step, or of the first in which
+/// much is missing.
 ///
 /// # Errors
 /// If its solver does not exist, or is none for boxes.
@@ -88,7 +90,8 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
             "the judge rejects the answer of {EXACT} in step {step}, so there is no run with exact answers"
         ));
     } else if went.end.is_compared && exactly.is_compared && exactly.steps == taken {
-        // Exact answers are no measure of another scheme, nor where they let rows drift apart themselves.
+        // Exact answers are no measure of another scheme, nor where they let rows drift apart
+        // themselves.
         let is_alike = is_of_impulses(scene.step.scheme);
         if is_alike && exactly.error <= WORTH * scene.thinnest().unwrap_or(1.0) {
             found.sunk = sunk(scene, &went.end.states, &exactly.states);

@@ -12,8 +12,8 @@ use super::examine::{Practice, creep, examine};
 use super::frame::Frame;
 use super::yard::{Yard, start};
 
-/// Examines problems in the order of their steps: rows of the same name start from the last answer. The first in which
-/// much is missing is examined.
+/// Examines problems in the order of their steps: rows of the same name start from the last answer.
+/// The first in which much is missing is examined.
 pub fn examine_sequence(problems: &[Problem], practice: &Practice) -> Examination {
     let solver = practice.solver();
     let (mut last, mut starts) = (BTreeMap::new(), Vec::new());
@@ -63,8 +63,8 @@ fn note(problem: &Problem, x: &[f64]) -> Note {
     }
 }
 
-/// The names of the rows: the label, or the number where there is none, and how many rows with the same one came before:
-/// files of other programs may give the corners of a box one label.
+/// The names of the rows: the label, or the number where there is none, and how many rows with the
+/// same one came before: files of other programs may give the corners of a box one label.
 fn names(problem: &Problem) -> Vec<(String, usize)> {
     let rows = problem.extra.get("rows").and_then(Value::as_array);
     let label = |i: usize| Some(rows?.get(i)?.get("label")?.as_str()?.to_string());

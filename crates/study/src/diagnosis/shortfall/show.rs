@@ -30,12 +30,14 @@ pub fn percent(part: f64) -> String {
 }
 
 impl Shortfall {
-    /// What is missing, as a part: of the weight where that is known, else of all that the constraints do.
+    /// What is missing, as a part: of the weight where that is known, else of all that the
+    /// constraints do.
     pub fn part(&self) -> f64 {
         self.whole.as_ref().map_or(self.missing, Load::missing)
     }
 
-    /// Whether something is missing that is worth a word; never in an answer that the judge accepts.
+    /// Whether something is missing that is worth a word; never in an answer that the judge
+    /// accepts.
     pub fn is_short(&self) -> bool {
         !self.is_accepted && (self.missing > HEALTHY || self.missing.is_nan())
     }
@@ -87,7 +89,8 @@ impl Shortfall {
         ))
     }
 
-    /// What to do: the remedy that leaves nothing undone at the least cost, else the one that leaves the least.
+    /// What to do: the remedy that leaves nothing undone at the least cost, else the one that
+    /// leaves the least.
     pub fn advice(&self) -> Option<String> {
         let cures = self.remedies.iter().filter(|remedy| remedy.missing <= HEALTHY);
         let cheapest = cures.min_by(|a, b| a.work.total_cmp(&b.work));

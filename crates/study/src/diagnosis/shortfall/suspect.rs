@@ -1,4 +1,5 @@
-//! What moves bodies as they should not move: each suspect is taken away, and the run is done again.
+//! What moves bodies as they should not move: each suspect is taken away, and the run is done
+//! again.
 
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::scene::{Persistence, Scene, Scheme};
@@ -27,8 +28,9 @@ pub(super) fn apart(one: &[State], other: &[State]) -> f64 {
     one.iter().zip(other).map(distance).fold(0.0, f64::max)
 }
 
-/// The energy (J) of which a part that is gained counts: the work of all weights over the thinnest body; without gravity the
-/// kinetic energy, or that of all bodies when they move by the thinnest one in the time of the run.
+/// The energy (J) of which a part that is gained counts: the work of all weights over the thinnest
+/// body; without gravity the kinetic energy, or that of all bodies when they move by the thinnest
+/// one in the time of the run.
 fn energy_scale(scene: &Scene, size: f64, own: &End) -> f64 {
     let mass: f64 = scene.bodies.iter().map(|body| body.mass.mass()).sum();
     let weight = mass * scene.gravity.norm();
@@ -36,7 +38,8 @@ fn energy_scale(scene: &Scene, size: f64, own: &End) -> f64 {
     if weight > 0.0 { weight * size } else { own.kinetic.max(0.5 * mass * speed * speed) }
 }
 
-/// What is left of a motion when what is suspected is taken away; each is a run of its own. Then what is innocent.
+/// What is left of a motion when what is suspected is taken away; each is a run of its own. Then
+/// what is innocent.
 pub(super) fn causes(
     scene: &Scene,
     count: usize,

@@ -4,18 +4,21 @@
 //! missing = ‖x − x*‖_A / max(‖Π(0) − x*‖_A, |M⁻¹F|_M, ‖x_D‖_A, ρ),   ‖e‖_A² = eᵀ A e = |M⁻¹ Jᵀ e|_M²
 //! ```
 //!
-//! with a solution x* that the judge accepts and the weights F. It compares motions: forces that redundant rows share in one
-//! way or another count as one. Doing nothing misses all of it, 1, where bodies rest; where next to nothing is to be done, an
-//! error is compared with what gravity does.
+//! with a solution x* that the judge accepts and the weights F. It compares motions: forces that
+//! redundant rows share in one way or another count as one. Doing nothing misses all of it, 1,
+//! where bodies rest; where next to nothing is to be done, an error is compared with what gravity
+//! does.
 //!
-//! Forces may cancel: a motor that presses a block against a wall changes no motion, and Π(0) − x* neither. So what motors
-//! at their limit and springs do by themselves, x_D, counts too, and what is left is compared with its rounding
+//! Forces may cancel: a motor that presses a block against a wall changes no motion, and Π(0) − x*
+//! neither. So what motors at their limit and springs do by themselves, x_D, counts too, and what
+//! is left is compared with its rounding
 //!
 //! ```text
 //! ρ = 2²⁰ ε (|(Σ_j |a_ij x*_j| + |b_i| + Σ_j |J_ij u*_j| + |bias_i|) / √a_ii| + √m |p|/dt)
 //! ```
 //!
-//! with the place |p| of the farthest body in a scene, so that a hundredth is missing where the terms of a row are wrong by ten thousand units in the last place.
+//! with the place |p| of the farthest body in a scene, so that a hundredth is missing where the
+//! terms of a row are wrong by ten thousand units in the last place.
 
 use std::ops::ControlFlow;
 
@@ -50,8 +53,8 @@ pub struct Yard<'a> {
 }
 
 impl<'a> Yard<'a> {
-    /// The yardstick of a problem with a symmetric A, where gravity does `weight`; `None` if no solution was found that the
-    /// judge accepts.
+    /// The yardstick of a problem with a symmetric A, where gravity does `weight`; `None` if no
+    /// solution was found that the judge accepts.
     pub fn new(lcp: &'a Lcp, weight: f64) -> Option<Self> {
         let none = vec![0.0; lcp.len()];
         Yard::beside(lcp, weight, &none, &none, 0.0)
@@ -92,7 +95,8 @@ impl<'a> Yard<'a> {
         }
     }
 
-    /// The forces of motors at their limits and of springs, 0 in all other rows: to the rest of the rows they are loads.
+    /// The forces of motors at their limits and of springs, 0 in all other rows: to the rest of the
+    /// rows they are loads.
     fn driving(&self, yielding: &[f64]) -> Vec<f64> {
         let motors = self.motors_at_limits();
         let is_spring = |i: usize| {
@@ -140,7 +144,8 @@ impl<'a> Yard<'a> {
         self.apart(x, &self.exact)
     }
 
-    /// The same of an answer to the problem: nothing that counts is missing in one that the judge accepts.
+    /// The same of an answer to the problem: nothing that counts is missing in one that the judge
+    /// accepts.
     pub(crate) fn missing_in_answer(&self, x: &[f64]) -> f64 {
         let missing = self.missing(x);
         if missing > HEALTHY && self.is_accepted(x) { 0.0 } else { missing }
@@ -161,7 +166,8 @@ impl<'a> Yard<'a> {
         (0..error.len()).map(product).sum::<f64>().max(0.0).sqrt()
     }
 
-    /// What is missing after each sweep, from `x` on, as many as it takes to `target` but at most `most`.
+    /// What is missing after each sweep, from `x` on, as many as it takes to `target` but at most
+    /// `most`.
     pub fn course(&self, solver: &dyn Solver, x: &[f64], target: f64) -> Vec<f64> {
         let mut course = Course { yard: self, target, missing: vec![self.missing(x)] };
         solver.solve(self.lcp, &Start::at(x), &mut course);
@@ -186,8 +192,8 @@ pub fn start(lcp: &Lcp) -> Vec<f64> {
     x
 }
 
-/// A solution that the judge accepts, by the first method that finds one with moderate effort: with friction some problems
-/// resist all of them.
+/// A solution that the judge accepts, by the first method that finds one with moderate effort: with
+/// friction some problems resist all of them.
 fn solution(lcp: &Lcp) -> Option<Vec<f64>> {
     EFFORTS.into_iter().find_map(|(name, max_iterations)| {
         let settings = Settings { tolerance: TOLERANCE, max_iterations, ..Settings::default() };

@@ -1,7 +1,8 @@
 //! From Newton's law to the LCP in the four steps of K&M Figure 4, with matrices filled in.
 //!
-//! Figure 4 prints F = J λ, a b of the other sign, and ≥ 0 without complementarity (E22); here
-//! F = Jᵀx, x ≥ 0 pushes apart, and w = A x + b holds with the conditions of the [problem](lcplab_problem).
+//! Figure 4 prints F = J λ, a b of the other sign, and ≥ 0 without complementarity (E22); here F =
+//! Jᵀx, x ≥ 0 pushes apart, and w = A x + b holds with the conditions of the
+//! [problem](lcplab_problem).
 
 mod columns;
 mod motion;

@@ -1,5 +1,5 @@
-//! Friction within circular cones: the problem stated, its answer contact by contact, and beside it the
-//! box, whose solver can be followed.
+//! Friction within circular cones: the problem stated, its answer contact by contact, and beside it
+//! the box, whose solver can be followed.
 
 use super::Answered;
 use crate::explain::answer;

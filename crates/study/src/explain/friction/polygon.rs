@@ -1,4 +1,5 @@
-//! Friction within polygons: the LCP of Stewart & Trinkle, written down and solved by Lemke's method.
+//! Friction within polygons: the LCP of Stewart & Trinkle, written down and solved by Lemke's
+//! method.
 
 use super::Answered;
 use crate::explain::answer::{self, Reading};

@@ -51,7 +51,8 @@ fn a_problem_without_solution_proves_nothing_of_any_x() {
 
 #[test]
 fn the_distance_is_to_a_solution_of_the_coupled_problem() {
-    // x_n = 1 + e, and x_t = x_n follows it: both are off by e, where frozen bounds would say 0 of x_t.
+    // x_n = 1 + e, and x_t = x_n follows it: both are off by e, where frozen bounds would say 0 of
+    // x_t.
     let lcp = contact(&[&[1.0, 0.0], &[0.0, 1.0]], &[-1.0, -5.0], 1.0);
     let e = 2f64.powi(-40);
     let Verdict::Proved { distance } = judged(&lcp, &[1.0 + e, 1.0 + e]).verdict else { panic!() };
@@ -114,7 +115,8 @@ fn rows_with_friction_have_no_part_in_a_proof_by_a_vector() {
     assert_eq!(farkas.vector[2], RBig::ZERO);
 }
 
-/// Small problems of one or two contacts in the plane or in space, of whole numbers: A = JJᵀ + shift.
+/// Small problems of one or two contacts in the plane or in space, of whole numbers: A = JJᵀ +
+/// shift.
 fn small(shift: f64) -> impl Strategy<Value = Lcp> {
     let numbers = |count| proptest::collection::vec(-3i32..=3, count);
     let mu = prop::sample::select(vec![0.0, 0.25, 0.5, 1.0, 2.0, 4.0]);
@@ -147,7 +149,8 @@ proptest! {
 
     #[test]
     fn what_is_proved_lies_as_near_as_it_says(lcp in small(1.0), noise in 0usize..3) {
-        // A is definite: the solutions form polytopes, and one corner is a solution that stands alone.
+        // A is definite: the solutions form polytopes, and one corner is a solution that stands
+        // alone.
         let Some(all) = all_solutions(&lcp) else { return Ok(()) };
         for x in &all {
             let shift = [0.0, 1e-12, 1e-10][noise];

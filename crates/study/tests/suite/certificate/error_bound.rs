@@ -21,8 +21,8 @@ fn a_matrix_that_is_definite_only_by_rounding_has_no_bound() {
 
 #[test]
 fn a_factor_proves_nothing_below_its_own_rounding() {
-    // Pairs of contacts that are almost copies: λ_min = ε, and a Cholesky factor of 200 rows with trace 200
-    // exists down to −4 · 202 · 2⁻⁵³ · 200 = −1.8e-11 (Rump 2006).
+    // Pairs of contacts that are almost copies: λ_min = ε, and a Cholesky factor of 200 rows with
+    // trace 200 exists down to −4 · 202 · 2⁻⁵³ · 200 = −1.8e-11 (Rump 2006).
     let pairs = |epsilon: f64| {
         let beside = |i: usize| if i.is_multiple_of(2) { i + 1 } else { i - 1 };
         let row = |i| [(i, i, 1.0), (i, beside(i), 1.0 - epsilon)];
@@ -35,7 +35,8 @@ fn a_factor_proves_nothing_below_its_own_rounding() {
 
 #[test]
 fn a_w_that_twice_the_precision_does_not_see_is_within_the_bound() {
-    // w_0 = 1 + 2⁻⁶⁰ + 2⁻¹²⁰ − 2⁻⁶⁰ − 1 is summed to 0, and x_0* = 1 − 2⁻¹²⁰; the other x are pinned.
+    // w_0 = 1 + 2⁻⁶⁰ + 2⁻¹²⁰ − 2⁻⁶⁰ − 1 is summed to 0, and x_0* = 1 − 2⁻¹²⁰; the other x are
+    // pinned.
     let (small, tiny) = (2f64.powi(-60), 2f64.powi(-120));
     let a: [&[f64]; 4] = [
         &[1.0, small, tiny, -small],

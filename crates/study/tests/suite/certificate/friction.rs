@@ -15,7 +15,8 @@ fn verdict(problem: &FrictionProblem, model: Model, x: &[f64]) -> Verdict {
 #[test]
 fn each_model_accepts_its_own_closed_form_and_no_other() {
     // Pressed with 2, pushed with 3 at 30°, μ = ½. Square: both tangents rub in full. Diamond: the
-    // nearer corner. Octagon: corner at 45° is 15° off, that at 0° is 30° off. Disc: against the push.
+    // nearer corner. Octagon: corner at 45° is 15° off, that at 0° is 30° off. Disc: against the
+    // push.
     let problem = pushed_mass(2.0, 3.0, 30.0);
     let (half, root) = (0.5f64.sqrt(), 0.75f64.sqrt());
     // Associated: x_n = (2 + 3/2)/(1 + 1/4) = 2.8, |x_t| = 1.4.
@@ -37,7 +38,8 @@ fn each_model_accepts_its_own_closed_form_and_no_other() {
 
 #[test]
 fn no_speed_of_the_slip_hides_friction_that_is_missing() {
-    // Pressed with 1, pushed with s v along the tangents, which weigh s: whatever v > 1, x = (1, ½, 0).
+    // Pressed with 1, pushed with s v along the tangents, which weigh s: whatever v > 1, x = (1, ½,
+    // 0).
     for (s, v) in [(1.0, 10.0), (1.0, 1e9), (1e-4, 1e8), (1e4, 1e10)] {
         let rows: [&[f64]; 3] = [&[1.0, 0.0, 0.0], &[0.0, s, 0.0], &[0.0, 0.0, s]];
         let lcp = boxed(&rows, &[-1.0, -s * v, 0.0], &[0.0, -INF, -INF], &[INF; 3]);
@@ -60,7 +62,8 @@ fn no_speed_of_the_slip_hides_friction_that_is_missing() {
 
 #[test]
 fn no_unit_and_no_mass_hides_friction_that_is_missing_or_pushes_with_the_slip() {
-    // Masses 1/a and 1/s, pressed with p and pushed with v p: x = p (1, ½, 0), in units of x from 2⁻⁶⁰ to 2⁶⁰.
+    // Masses 1/a and 1/s, pressed with p and pushed with v p: x = p (1, ½, 0), in units of x from
+    // 2⁻⁶⁰ to 2⁶⁰.
     let units = (-60..=60).step_by(12).map(|k| 2f64.powi(k));
     let weights = [1.0, 2f64.powi(-60), 2f64.powi(60)];
     let speeds = [1.0, 1e3, 1e14];
@@ -106,7 +109,8 @@ fn friction_that_no_row_feels_is_friction_all_the_same() {
 
 #[test]
 fn a_cone_that_no_row_feels_holds_friction_to_its_direction_in_any_unit() {
-    // Slip 1/p along t1 whatever x: x = p (1, −μ, 0), and w_n = 0 under Coulomb's law, μ/p under the associated one.
+    // Slip 1/p along t1 whatever x: x = p (1, −μ, 0), and w_n = 0 under Coulomb's law, μ/p under
+    // the associated one.
     for p in (-60..=60).step_by(12).map(|k| 2f64.powi(k)) {
         for (model, lift) in [(Model::CoulombCone, 0.0), (Model::AssociatedCone, 1.0 / p)] {
             let rows: [&[f64]; 3] = [&[1.0, 0.0, 0.0], &[0.0; 3], &[0.0; 3]];

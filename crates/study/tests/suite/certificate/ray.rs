@@ -24,7 +24,8 @@ fn a_ray_against_a_finite_bound_proves_nothing() {
 
 #[test]
 fn for_an_unsymmetric_matrix_the_columns_count() {
-    // d = (1, 0): w1 = −x1 − 2 x2 − 1 is never ≥ 0. With the transposed matrix x = (1/5, 2/5) solves.
+    // d = (1, 0): w1 = −x1 − 2 x2 − 1 is never ≥ 0. With the transposed matrix x = (1/5, 2/5)
+    // solves.
     let lcp = contacts(&[&[-1.0, -2.0], &[3.0, 1.0]], &[-1.0, 0.0]);
     assert!(refute(&lcp, 0, &[1.0, 0.0]).is_some());
     let transposed = contacts(&[&[-1.0, 3.0], &[-2.0, 1.0]], &[-1.0, 0.0]);
@@ -73,7 +74,8 @@ proptest! {
 
 #[test]
 fn a_vector_that_proves_is_found_up_to_150_rows_and_checked_at_any_size() {
-    // Pairs of walls: x_1 - x_2 >= 1 and x_2 - x_1 >= 1e-9 - 1; the rows of a pair add up to w = -1e-9.
+    // Pairs of walls: x_1 - x_2 >= 1 and x_2 - x_1 >= 1e-9 - 1; the rows of a pair add up to w =
+    // -1e-9.
     let walls = |pairs: usize| {
         let n = 2 * pairs;
         let entries: Vec<_> = (0..pairs)

@@ -19,7 +19,8 @@ fn a_solution_is_proved_and_a_point_beside_it_is_refuted() {
 
 #[test]
 fn what_a_solver_may_call_solved_the_judge_accepts_at_the_tolerance_itself() {
-    // Where (1 + t) x_1 = (1 − t) x_0 (1 + 1e-8), row 0 misses by t = 1e-8 of its terms but for rounding.
+    // Where (1 + t) x_1 = (1 − t) x_0 (1 + 1e-8), row 0 misses by t = 1e-8 of its terms but for
+    // rounding.
     let lcp = contacts(&[&[1.0 + 1e-8, -1.0], &[-1.0, 1.0 + 1e-8]], &[0.0, 0.0]);
     let (mut both, mut differ) = ([0; 2], 0);
     for k in 0..1000 {

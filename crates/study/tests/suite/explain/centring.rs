@@ -1,4 +1,5 @@
-//! Redundant contacts, pivot by pivot: two contacts at one place, and a third that takes their load.
+//! Redundant contacts, pivot by pivot: two contacts at one place, and a third that takes their
+//! load.
 
 use lcplab_page::document::Format;
 use lcplab_problem::file::Problem;

@@ -180,7 +180,8 @@ fn figure_7_by_the_moves_of_dantzig() {
 
 #[test]
 fn figure_7_by_the_pivots_of_lemke() {
-    // Each tableau by hand. Of the tied rows 0 and 1 the second is less when b is perturbed by (ε, ε², ε³).
+    // Each tableau by hand. Of the tied rows 0 and 1 the second is less when b is perturbed by (ε,
+    // ε², ε³).
     let document = explained("fig7", Scheme::Velocity, "lemke");
     let text = sections(&document, &["tableau by tableau"]);
     insta::assert_snapshot!(text, @r"
@@ -223,7 +224,8 @@ fn figure_7_by_the_pivots_of_lemke() {
 
 #[test]
 fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
-    // The blow stops the middle body, x = (1, 1, 0); then each row carries what lies above, (3, 2, 1) N.
+    // The blow stops the middle body, x = (1, 1, 0); then each row carries what lies above, (3,
+    // 2, 1) N.
     let document = explained("fig7", Scheme::Acceleration, "dantzig");
     let text = sections(&document, &["Newton", "answer", "motion"]);
     insta::assert_snapshot!(text, @r"

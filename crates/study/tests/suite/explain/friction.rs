@@ -84,8 +84,8 @@ fn cones_are_stated_and_the_box_stands_beside_them() {
 
 #[test]
 fn a_frozen_box_has_the_bounds_of_the_step_before() {
-    // From the second step on the box is pressed by m g cos 20° dt = 0.184368 N s, of which each of its
-    // four contacts has a quarter; in the first step nothing is known, and nothing rubs.
+    // From the second step on the box is pressed by m g cos 20° dt = 0.184368 N s, of which each of
+    // its four contacts has a quarter; in the first step nothing is known, and nothing rubs.
     let document = modelled("incline", Model::FrozenBox, 2);
     let first = sections(&document, &["Step 1, velocity: friction in a frozen box"]);
     assert_eq!(first.matches("= 0 N s   [0, 0] N s").count(), 8, "{first}");

@@ -1,4 +1,5 @@
-//! A problem as rows of numbers, and solvers as one writes them down: they share nothing with those under test.
+//! A problem as rows of numbers, and solvers as one writes them down: they share nothing with those
+//! under test.
 
 use lcplab_problem::{Coupling, Lcp, Matrix};
 use oorandom::Rand64;
@@ -103,7 +104,8 @@ pub enum Rows {
     Friction,
 }
 
-/// A random definite problem and a solution of it, which was chosen first: w is 0 in rows between their bounds.
+/// A random definite problem and a solution of it, which was chosen first: w is 0 in rows between
+/// their bounds.
 pub fn random(random: &mut Rand64, rows: Rows) -> (Plain, Vec<f64>) {
     let mut number = |least: f64, most: f64| least + (most - least) * random.rand_float();
     let n = match rows {

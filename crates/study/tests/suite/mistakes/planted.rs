@@ -9,7 +9,8 @@ use super::plain::{Clamp, Plain, Rows, random};
 /// How often each mistake is made.
 const TIMES: u64 = 12;
 
-/// A problem, the answer of the frame before where one is needed, and the answer that a mistake gives.
+/// A problem, the answer of the frame before where one is needed, and the answer that a mistake
+/// gives.
 type Planted = (Plain, Option<Vec<f64>>, Vec<f64>);
 
 /// Makes a mistake in a random problem; none if it changes nothing there, or cannot be made.

@@ -9,8 +9,8 @@
 //! slide   a box's way down a slope in ½ s                         g (sin θ − μ cos θ) t²/2
 //! ```
 //!
-//! The observed order is that of the two shortest steps whose error is not yet rounding; the fitted one is
-//! the slope of the line through all of them, with its standard error.
+//! The observed order is that of the two shortest steps whose error is not yet rounding; the fitted
+//! one is the slope of the line through all of them, with its standard error.
 
 mod curve;
 mod expected;

@@ -1,4 +1,5 @@
-//! Many bodies, and a few: neither the tree of boxes nor the comparison of each with each loses anything.
+//! Many bodies, and a few: neither the tree of boxes nor the comparison of each with each loses
+//! anything.
 
 use lcplab_mechanics::body::{Pose, State};
 use lcplab_mechanics::scene::{Scene, contacts};

@@ -5,8 +5,8 @@ use nalgebra::{UnitQuaternion, Vector3};
 
 use super::{CAPSULE, CUBE, OCTAHEDRON, PLANE, POINT, SPHERE, found, nearest, turned};
 
-/// The first body stands at the origin with the world's axes; the second at a distance from it along
-/// n, and `aside` from there.
+/// The first body stands at the origin with the world's axes; the second at a distance from it
+/// along n, and `aside` from there.
 struct Case {
     shapes: [&'static str; 2],
     /// The distance of the centres along n at which the bodies touch.

@@ -69,7 +69,8 @@ fn the_four_points_span_most_of_the_area_and_are_the_same_in_every_step() {
     let scene = resting(GROUNDS[0], Manifold::Four);
     let found = contacts(&scene, &scene.states, 0.01);
     let [a, b, c, d] = [0, 1, 2, 3].map(|k| found[k].point);
-    // Whatever the order of four points on a circle, the largest of the three products is the square.
+    // Whatever the order of four points on a circle, the largest of the three products is the
+    // square.
     let area = |p: Vector3<f64>, q: Vector3<f64>| 0.5 * p.cross(&q).norm();
     let areas = [area(c - a, d - b), area(b - a, d - c), area(b - a, c - d), area(d - a, c - b)];
     assert!((areas.into_iter().fold(0.0, f64::max) - 2.0).abs() < 1e-9, "{areas:?}");

@@ -86,7 +86,8 @@ proptest! {
         prop_assume!(contact.dist < -1e-3);
         let found = contacts(&scene, &states, 0.0);
         let depth = nearest(&found).gap;
-        // A face is preferred to edges that part the bodies better by up to a hundredth of the size.
+        // A face is preferred to edges that part the bodies better by up to a hundredth of the
+        // size.
         prop_assert!((depth - contact.dist).abs() < 0.012, "{depth} {}", contact.dist);
     }
 

@@ -65,8 +65,8 @@ fn a_ball_touches_a_face_an_edge_or_a_corner_of_a_box() {
 
 #[test]
 fn two_crossing_edges_touch_in_one_point() {
-    // The lower cube is turned about x, the upper about y, each by 45 degrees: an edge along x of the
-    // lower one meets an edge along y of the upper one in the middle.
+    // The lower cube is turned about x, the upper about y, each by 45 degrees: an edge along x of
+    // the lower one meets an edge along y of the upper one in the middle.
     let height = 2.0 * 0.5f64.sqrt() + 0.001;
     let turned =
         |axis: Vector3<f64>| UnitQuaternion::from_scaled_axis(axis * std::f64::consts::FRAC_PI_4);
