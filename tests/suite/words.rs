@@ -143,3 +143,38 @@ fn what_the_library_and_its_reports_print_has_none_of_the_phrases() {
         }
     }
 }
+
+/// The comment lines of a Rust source that are longer than 100 columns, without tables and blocks
+/// of code or formulas.
+fn wide_comments(source: &str) -> Vec<&str> {
+    let mut is_block = false;
+    let mut wide = Vec::new();
+    for line in source.lines() {
+        let text = line.trim_start();
+        let prose = ["///", "//!", "//"].iter().find_map(|mark| text.strip_prefix(mark));
+        let Some(prose) = prose.map(str::trim_start) else {
+            is_block = false;
+            continue;
+        };
+        if prose.starts_with("```") {
+            is_block = !is_block;
+        } else if !is_block && !prose.starts_with('|') && line.chars().count() > 100 {
+            wide.push(line);
+        }
+    }
+    wide
+}
+
+#[test]
+fn prose_in_comments_has_at_most_100_columns() {
+    let long = format!("/// {}", "word ".repeat(20));
+    let source = format!("{long}\n/// ```\n{long}\n/// ```\n{}", long.replace("/// w", "// | w"));
+    assert_eq!(wide_comments(&source), [long.as_str()]);
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for folder in ["src", "crates", "tests", "benches", "live", "examples", "python/src"] {
+        for path in files(&root.join(folder), "rs") {
+            let source = fs::read_to_string(&path).unwrap();
+            assert_eq!(wide_comments(&source), [""; 0], "{}", path.display());
+        }
+    }
+}
