@@ -97,7 +97,9 @@ impl MotionError {
     /// What the bound means, as the end of a line.
     fn meaning(&self) -> String {
         let of_what = match self.effect {
-            0.0 => "the constraints change nothing".to_string(),
+            effect if self.bound >= effect => {
+                format!("larger than what the constraints change ({})", readable(effect, 3))
+            }
             effect => format!(
                 "{} of what the constraints change ({})",
                 readable(self.relative(), 2),

@@ -153,14 +153,15 @@ impl Record {
         }
         self.laws = self.laws.worse(step.laws);
         self.slips.add(step);
-        for blow in self.blows.add(&self.scene, step) {
-            let is_worse = |known: &Blow| blow.error().abs() > known.error().abs();
-            if self.worst_blow.as_ref().is_none_or(is_worse) {
-                self.worst_blow = Some(blow);
-            }
-        }
+        let ended = self.blows.add(&self.scene, step);
+        self.worst_blow = worse_of(self.worst_blow.into_iter().chain(ended));
         self.books = self.books.zip(step.ledger).map(|(books, ledger)| books.with(&ledger));
         self.note(&step.motion);
+    }
+
+    /// The impact, ended or not, that missed the coefficient of restitution by most.
+    fn worst_blow(&self) -> Option<Blow> {
+        worse_of(self.worst_blow.into_iter().chain(self.blows.unfinished()))
     }
 
     /// Notes why the simulation ended early.
@@ -199,6 +200,7 @@ impl Record {
 
     /// The totals as JSON.
     pub fn summary(&self) -> Value {
+        let measured = |value: f64| (!self.scene.solver.fixed_sweeps).then(|| number(value));
         json!({
             "scene": self.scene.name,
             "scheme": self.scene.step.scheme.name(),
@@ -219,15 +221,16 @@ impl Record {
             "work": self.accounted(|books| books.by_account()),
             "remainder": self.accounted(|books| number(books.remainder)),
             "laws": {
-                "attraction": number(self.laws.attraction),
+                "attraction": measured(self.laws.attraction),
                 "cone_excess": number(self.laws.cone_excess),
-                "askew": number(self.slips.askew.map_or(0.0, |slip| slip.angle)),
+                "friction_angle":
+                    self.slips.askew.and_then(|slip| slip.angle).map(number),
                 "friction_speed_error":
                     self.slips.speed_error(&self.scene).map(|(_, error)| number(error)),
-                "restitution_error": self.worst_blow.map(|blow| number(blow.error())),
+                "restitution_error": self.worst_blow().map(|blow| number(blow.error())),
                 "friction_gain": self.accounted(|_| number(self.laws.friction_gain)),
-                "internal_impulse": number(self.laws.internal_impulse),
-                "internal_torque": number(self.laws.internal_torque),
+                "internal_impulse": measured(self.laws.internal_impulse),
+                "internal_torque": measured(self.laws.internal_torque),
             },
             "conflict": self.conflict,
             "first_passage": self.first_passage(),
@@ -288,4 +291,9 @@ impl Record {
         self.worst_penetration = self.worst_penetration.max(motion.penetration);
         self.last = motion.clone();
     }
+}
+
+/// The one with the largest error.
+fn worse_of(impacts: impl Iterator<Item = Blow>) -> Option<Blow> {
+    impacts.max_by(|a, b| a.error().abs().total_cmp(&b.error().abs()))
 }

@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::books::Books;
 use super::{NOT_ACCOUNTED, Record};
+use crate::body::{Body, State};
 use crate::lcp::friction::Model;
 use crate::number::readable;
 use crate::scene::{Resting, Scene, Scheme};
@@ -13,13 +14,16 @@ use crate::simulation::Slip;
 const SHOWN: usize = 12;
 /// Warnings that are printed.
 const WARNINGS: usize = 5;
-/// Friction that is so many percent too strong is worth a word.
+/// Smaller violations of the laws of friction and impact, in percent, are not reported.
 const MUCH: f64 = 1.0;
-/// Friction that is so many degrees beside the line of the slip is worth a word.
+/// Smaller angles between friction and the direction opposite to sliding, in degrees, are not
+/// reported.
 const ASKEW: f64 = 5.0;
-/// Angular momentum that appears from nowhere, beyond this part of all of it, is worth a word.
+/// Smaller changes of the angular momentum, relative to that of all bodies, are not reported.
 const TURNED: f64 = 1e-6;
-/// A drift or an overlap beyond this part of the scene's size is worth a word.
+/// What a run of a fixed number of sweeps prints for a law that it does not measure.
+const NOT_MEASURED: &str = "not measured";
+/// Smaller drifts and overlaps, relative to the scene's size, are not reported.
 const DRIFT: f64 = 1e-3;
 
 impl Record {
@@ -63,7 +67,10 @@ impl Record {
             self.drift_in_words(),
             readable(self.worst_penetration, 3),
             self.carried_in_words(),
-            readable(self.laws.attraction, 2),
+            match self.scene.solver.fixed_sweeps {
+                true => NOT_MEASURED.into(),
+                false => readable(self.laws.attraction, 2),
+            },
             readable(100.0 * self.laws.cone_excess, 2),
             match self.books {
                 Some(_) => format!("{} J", readable(self.laws.friction_gain, 2)),
@@ -109,6 +116,13 @@ impl Record {
             let depth = readable(self.first.penetration, 2);
             notes.push(format!("bodies overlap by {depth} m at the start"));
         }
+        if self.scene.solver.fixed_sweeps {
+            notes.push(
+                "with solver.fixed_sweeps the direction of friction, restitution and momentum are \
+                 not measured"
+                    .into(),
+            );
+        }
         notes.extend(self.friction_in_words());
         notes.extend(self.blow_in_words());
         notes.extend(self.turning_in_words());
@@ -123,21 +137,25 @@ impl Record {
             format!("of {body:?} on {other:?}")
         };
         let is_cone = matches!(model, Model::CoulombCone | Model::AssociatedCone);
-        let askew = self.slips.askew.filter(|slip| slip.angle.to_degrees() > ASKEW && !is_cone);
+        let degrees = |slip: &Slip| slip.angle.unwrap_or(0.0).to_degrees();
+        let askew = self.slips.askew.filter(|slip| degrees(slip) > ASKEW && !is_cone);
         let beyond = self.slips.beyond.filter(|slip| 100.0 * slip.excess > MUCH);
         let error = self.slips.speed_error(&self.scene);
         let mut says = Vec::new();
         says.extend(askew.map(|slip| {
-            let angle = slip.angle.to_degrees();
-            format!("acted up to {angle:.0}° away from the direction of the slip {}", pair(&slip))
+            format!(
+                "was up to {:.0}° from the direction opposite to sliding {}",
+                degrees(&slip),
+                pair(&slip)
+            )
         }));
         says.extend(beyond.map(|slip| {
             let excess = 100.0 * slip.excess;
-            format!("was up to {excess:.0} % outside Coulomb's cone {}", pair(&slip))
+            format!("was at least {excess:.0} % outside Coulomb's cone {}", pair(&slip))
         }));
         says.extend(error.map(|(body, error)| {
             format!(
-                "differs from Coulomb's by an impulse that changes the velocity of {1:?} by up to {0} m/s over the run",
+                "differs from Coulomb's by a total impulse that corresponds to about {} m/s of {:?}",
                 readable(error, 2),
                 self.scene.bodies[body].name
             )
@@ -155,6 +173,9 @@ impl Record {
             Model::Polyhedral { .. } => {
                 "more directions, or the model coulomb-cone, are more accurate"
             }
+            Model::CoulombCone | Model::AssociatedCone => {
+                "reduce solver.tolerance or raise solver.max_iterations"
+            }
             _ => "the model coulomb-cone has the correct strength and direction",
         };
         Some(format!("friction of the model {model} {how}; {remedy}"))
@@ -162,29 +183,35 @@ impl Record {
 
     /// The blow that missed the coefficient of restitution by most, where that can be seen.
     fn blow_in_words(&self) -> Option<String> {
-        let blow = self.worst_blow.filter(|blow| 100.0 * blow.error().abs() > MUCH)?;
+        let blow = self.worst_blow().filter(|blow| 100.0 * blow.error().abs() > MUCH)?;
+        let remedy = match self.scene.step.scheme {
+            Scheme::Velocity | Scheme::Acceleration => {
+                "the answer is not accurate enough: reduce solver.tolerance"
+            }
+            _ => "the schemes velocity and acceleration keep to it",
+        };
         let [body, other] = blow.bodies.map(|body| &self.scene.bodies[body].name);
         let [parting, approach, due] =
             [blow.parting, blow.approach, blow.restitution * blow.approach]
                 .map(|speed| readable(speed, 3));
         Some(format!(
-            "{body:?} and {other:?} came together at {approach} m/s in step {} and parted at \
-             {parting} m/s, where the restitution {} asks for {due} m/s; the schemes velocity and \
-             acceleration keep it",
+            "{body:?} and {other:?} met at {approach} m/s in step {} and separated at {parting} m/s; \
+             with the restitution {} it should be {due} m/s; {remedy}",
             blow.step, blow.restitution
         ))
     }
 
     /// The angular momentum that the contacts and joints of a scheme without an LCP made.
     fn turning_in_words(&self) -> Option<String> {
-        let size = self.first.angular_momentum.norm().max(self.last.angular_momentum.norm());
+        let sizes = [&self.scene.states, &self.states].map(|states| turning(&self.scene, states));
         let made = self.laws.internal_torque;
-        (made > TURNED * size && !self.scene.step.scheme.solves_lcps()).then(|| {
+        let is_made = made > TURNED * sizes[0].max(sizes[1]);
+        (is_made && !self.scene.step.scheme.solves_lcps()).then(|| {
             format!(
-                "contacts and joints between moving bodies made {} N m s of angular momentum in a \
-                 step, {} % of it: the scheme {} does not conserve it in contact; velocity does",
+                "in one step the total angular momentum changed by {} N m s, although only contacts \
+                 and joints between the bodies acted; the scheme {} does not conserve it, velocity \
+                 does",
                 readable(made, 2),
-                readable(100.0 * made / size, 2),
                 self.scene.step.scheme.name()
             )
         })
@@ -243,4 +270,14 @@ impl Record {
             "contacts, joints and springs support {mean} % of it, at least {least} % (step {step})"
         )
     }
+}
+
+/// Σ |p| m |v| + |I ω|: the size of the bodies' angular momenta, which may cancel.
+fn turning(scene: &Scene, states: &[State]) -> f64 {
+    let of_body = |(body, state): (&Body, &State)| {
+        let around = state.pose.p.norm() * body.mass.momentum(state).norm();
+        let spin = body.mass.angular_momentum(&State { v: Vector3::zeros(), ..*state });
+        around + spin.norm()
+    };
+    scene.bodies.iter().zip(states).map(of_body).sum()
 }

@@ -59,6 +59,6 @@ fn every_end_of_a_motion_is_reached_and_told_with_its_row_or_body() {
                 scene.contact.margin = Some(0.05); // so that the ground is not seen
                 (scene.states[1].pose.p.z, scene.states[1].v.z) = (1e3, 1e9);
             }),
-            "\"ball\" diverged; no row acts on it";
+            "\"ball\" diverged; no contact or joint impulse acts on it";
     }
 }

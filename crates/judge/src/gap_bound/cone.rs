@@ -23,6 +23,9 @@ impl EllipticCone {
     /// Moves x to the nearest point of the cone in the norm Σ γ_i x_i², to rounding, and verifiably
     /// into the cone.
     pub(super) fn project(&self, x: &mut [f64], compliance: &[f64]) {
+        for &(row, _) in self.friction.iter().filter(|(_, mu)| *mu == 0.0) {
+            x[row] = 0.0;
+        }
         let root = |row: usize| compliance[row].sqrt();
         let scale = root(self.normal);
         // In y = √γ x the cone is √(Σ (y_i/m_i)²) ≤ y_n and the norm is Euclid's.
@@ -32,7 +35,7 @@ impl EllipticCone {
         let length = |part: &dyn Fn(f64, f64) -> f64| {
             axes.iter().map(|&(y, m)| part(y, m).powi(2)).sum::<f64>().sqrt()
         };
-        let multiplier = if length(&outside) <= normal {
+        let multiplier = if length(&|y, m| if m == 0.0 { 0.0 } else { y / m }) <= normal {
             return self.enclose(x);
         } else if length(&|y, m| m * y) <= -normal {
             f64::INFINITY
@@ -61,11 +64,6 @@ impl EllipticCone {
         let part = |&(i, mu): &(usize, f64)| Interval::from(mu) * w[i].into();
         w[self.normal] = w[self.normal].max(norm_up(self.friction.iter().map(part)));
     }
-}
-
-/// y/m, where an axis without friction has no room.
-fn outside(y: f64, m: f64) -> f64 {
-    if y == 0.0 { 0.0 } else { y / m }
 }
 
 /// The λ > 0 with (1 − λ) N(λ) = y_n, of which the left side falls: Lagrange's multiplier of the

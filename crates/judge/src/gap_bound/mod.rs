@@ -45,7 +45,7 @@ pub struct GapBound {
 ///
 /// # Errors
 /// If M is not verifiably positive definite, numbers are not finite, or a row without compliance is
-/// violated; says which.
+/// violated or has a negative one; says which.
 ///
 /// # Panics
 /// If x has not n entries, or v has not k.
@@ -169,6 +169,9 @@ struct Motion {
 
 impl<'a> Problem<'a> {
     fn new(gauss: &'a Gauss, cones: &'a [EllipticCone]) -> Result<Self, Unproved> {
+        if let Some(row) = gauss.compliance.iter().position(|&soft| soft < 0.0) {
+            return Err(Unproved::NegativeCompliance { row });
+        }
         let mut cone = vec![None; gauss.bias.len()];
         for (c, own) in cones.iter().enumerate() {
             for row in own.rows() {
@@ -226,6 +229,7 @@ impl<'a> Problem<'a> {
             let left = s[i].middle() + gauss.compliance[i] * nearest[i];
             match self.cone[i] {
                 Some(_) => left,
+                None if gauss.lo[i] == gauss.hi[i] => left,
                 None if nearest[i] == gauss.lo[i] => left.max(0.0),
                 None if nearest[i] == gauss.hi[i] => left.min(0.0),
                 None => 0.0,

@@ -89,6 +89,11 @@ pub enum Unproved {
     TooLarge,
     /// M is not positive definite, as far as rounding can tell.
     Mass,
+    /// A compliance is negative.
+    NegativeCompliance {
+        /// The row.
+        row: usize,
+    },
     /// Equations depend on each other, so that rounding decides whether any motion obeys them all.
     DependentEquations,
     /// No motion was found that verifiably obeys this row and all others: they contradict each
@@ -105,6 +110,9 @@ impl fmt::Display for Unproved {
             Unproved::NotFinite => write!(f, "numbers are not finite"),
             Unproved::TooLarge => write!(f, "too large"),
             Unproved::Mass => write!(f, "M is not verifiably definite"),
+            Unproved::NegativeCompliance { row } => {
+                write!(f, "row {row} has a negative compliance")
+            }
             Unproved::DependentEquations => write!(f, "equations depend on each other"),
             Unproved::NoRoom { row } => write!(f, "row {row} leaves no room for rounding"),
         }

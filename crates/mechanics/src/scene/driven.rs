@@ -95,9 +95,6 @@ pub(super) fn check_scheme(defects: &mut Defects, scene: &Scene) {
     let moved = scene.driven.iter().find(|driven| driven.displacement.is_some());
     if let (Scheme::Acceleration, Some(driven)) = (scene.step.scheme, moved) {
         let place = format!("bodies[{}].displacement_over_time", driven.body);
-        defects.add(
-            place,
-            "the acceleration level does not support accelerated supports: use another scheme",
-        );
+        defects.add(place, "is not supported by the scheme acceleration; use another scheme");
     }
 }

@@ -45,8 +45,8 @@ impl Scene {
             || self.pairs.values().any(|pair| pair.restitution.is_some_and(|e| e > 0.0));
         unread(
             bounces && scheme == Scheme::Penalty,
-            "contact.restitution",
-            "step.penalty.damping decides how bodies bounce",
+            "the restitution of contacts, bodies and pairs",
+            "set step.penalty.damping instead",
         );
         let usual = Scene { solver: Solver { scale: None, ..self.solver.clone() }, ..self.clone() };
         if let Some(scale) = self.solver.scale.filter(|scale| *scale > usual.scale()) {

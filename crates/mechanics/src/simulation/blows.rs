@@ -96,6 +96,11 @@ struct Open {
 }
 
 impl Blows {
+    /// Those that have not ended, as they are so far.
+    pub fn unfinished(&self) -> impl Iterator<Item = Blow> {
+        self.open.values().map(|open| open.blow)
+    }
+
     /// Takes a step into account; returns the blows that have ended.
     pub fn add(&mut self, scene: &Scene, step: &Step) -> Vec<Blow> {
         let slack = scene.gravity.norm() * scene.step.dt;

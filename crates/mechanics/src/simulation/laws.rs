@@ -14,7 +14,7 @@ use nalgebra::Vector3;
 use super::slip::Totals;
 use super::{Ledger, Slip, Solve};
 use crate::assembly::{Assembly, Row};
-use crate::body::{Body, State, angular, linear};
+use crate::body::{Body, Gyroscopic, State, angular, linear};
 use crate::constraint::Bounds;
 use crate::scene::Scene;
 
@@ -31,10 +31,10 @@ pub struct Laws {
     /// belt of a fixed body that moves may put some in.
     pub friction_gain: f64,
     /// The momentum (N s) that rows between two moving bodies made; where the scheme poses no
-    /// problem, what is measured in a step in which nothing fixed pushes.
+    /// problem, what is measured in a step in which only such rows act.
     pub internal_impulse: f64,
     /// The angular momentum (N m s) that rows between two moving bodies made; likewise, and only
-    /// without gravity and forces.
+    /// without gravity and forces and where the integrator itself keeps it.
     pub internal_torque: f64,
 }
 
@@ -64,7 +64,8 @@ impl Laws {
         laws
     }
 
-    /// The same with what only a scheme that poses no problem has to be measured for.
+    /// The same, measured from the motion, for a scheme that poses no problem. Momentum counts in a
+    /// step in which contacts and joints between moving bodies act and no others.
     pub(super) fn of_pushes(
         self,
         scene: &Scene,
@@ -75,8 +76,9 @@ impl Laws {
         let cone_excess = slips.iter().map(|slip| slip.excess).fold(0.0, f64::max);
         let moves = |body: usize| scene.bodies[body].mass.dof() > 0;
         let is_internal = |row: &Row| row.bodies.iter().all(|body| body.is_some_and(moves));
-        let acts = |(row, impulse): &(Row, f64)| *impulse != 0.0 && !is_internal(row);
-        if totals.rows().any(acts) {
+        let acting: Vec<&Row> =
+            totals.rows().filter(|(_, impulse)| *impulse != 0.0).map(|(row, _)| row).collect();
+        if acting.is_empty() || !acting.iter().all(|row| is_internal(row)) {
             return Laws { cone_excess, ..self };
         }
         let bodies = || scene.bodies.iter().zip(before.iter().zip(after));
@@ -89,10 +91,15 @@ impl Laws {
         });
         let is_free = |body: &Body| body.force == Vector3::zeros() && body.torque == body.force;
         let is_free = scene.gravity == Vector3::zeros() && scene.bodies.iter().all(is_free);
+        let keeps_turning = scene.step.gyroscopic == Gyroscopic::Conserving;
         Laws {
             cone_excess,
             internal_impulse: gained.sum::<Vector3<f64>>().norm(),
-            internal_torque: if is_free { turned.sum::<Vector3<f64>>().norm() } else { 0.0 },
+            internal_torque: if is_free && keeps_turning {
+                turned.sum::<Vector3<f64>>().norm()
+            } else {
+                0.0
+            },
             ..self
         }
     }
@@ -109,15 +116,23 @@ impl Laws {
     }
 }
 
-/// The largest |x_t| − μ x_n beyond what is tolerated, over the largest μ x_n or |x_t|, at least 0.
 fn cone_excess(rows: &[Row], x: &[f64], tolerated: f64) -> f64 {
-    let (mut excess, mut limit, mut largest) = (0.0f64, 0.0f64, 0.0f64);
-    for (i, row) in rows.iter().enumerate() {
-        let Bounds::Friction { normal, mu } = row.bounds else { continue };
+    let contacts = rows.iter().enumerate().filter_map(|(i, row)| {
+        let Bounds::Friction { normal, mu } = row.bounds else { return None };
         let second = rows.get(i + 1).is_some_and(|next| next.bounds == row.bounds);
         let size = if second { x[i].hypot(x[i + 1]) } else { x[i].abs() };
-        excess = excess.max(size - mu * x[normal].max(0.0) - tolerated);
-        limit = limit.max(mu * x[normal]);
+        Some([size, mu * x[normal].max(0.0)])
+    });
+    excess_of(contacts, tolerated)
+}
+
+/// The largest |x_t| − μ x_n of contacts with these |x_t| and μ x_n beyond what is tolerated, over
+/// the largest μ x_n, or |x_t| where all limits are 0; at least 0.
+pub(super) fn excess_of(contacts: impl Iterator<Item = [f64; 2]>, tolerated: f64) -> f64 {
+    let (mut excess, mut limit, mut largest) = (0.0f64, 0.0f64, 0.0f64);
+    for [size, most] in contacts {
+        excess = excess.max(size - most - tolerated);
+        limit = limit.max(most);
         largest = largest.max(size);
     }
     let beside = if limit > 0.0 { limit } else { largest };

@@ -234,9 +234,9 @@ impl Simulation {
         let touches = Touch::of(&totals, &states);
         let unlocated = Unlocated::of(scene, &before, &totals);
         let laws = Laws::of(scene, &before, &solves, ledger.as_ref());
-        let laws = match solves.is_empty() {
-            true => laws.of_pushes(scene, [&before, &states], &totals, &slips),
-            false => laws,
+        let laws = match scene.step.scheme.solves_lcps() {
+            true => laws,
+            false => laws.of_pushes(scene, [&before, &states], &totals, &slips),
         };
         let impact_energy = ImpactEnergy::of(scene, &before, &solves, acts.as_deref());
         let scene = self.scene.forced(from, dt);

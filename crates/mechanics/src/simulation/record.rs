@@ -218,7 +218,7 @@ impl fmt::Display for Cause {
                 write!(f, "{body:?} diverged; the row with the largest impulse on it is {row:?}")
             }
             Cause::Diverged { body, row: None } => {
-                write!(f, "{body:?} diverged; no row acts on it")
+                write!(f, "{body:?} diverged; no contact or joint impulse acts on it")
             }
         }
     }

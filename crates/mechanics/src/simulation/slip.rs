@@ -1,4 +1,4 @@
-//! The friction of two bodies beside Coulomb's law, whatever the scheme and the model.
+//! Deviation of friction from Coulomb's law, for every scheme and friction model.
 //!
 //! ```text
 //! Coulomb   x_t = −μ x_n s/|s|   where the contact slips with s,   |x_t| ≤ μ x_n   where it does not
@@ -8,9 +8,9 @@
 //! contacts of a pair that slip, and over those that do not. x are the impulses of the step, s is
 //! the slip at its end.
 //!
-//! What friction should not have done, the normals would have done: they carry a bar in a groove
-//! that friction across the groove carries, and Coulomb's friction along it grows with them. So the
-//! error of a step counts with what the normals answer, δ ≥ −x_n, bodies taken as points:
+//! If friction carries load that it should not (for instance across a groove), the normal forces
+//! would carry it instead, and friction along the groove would grow with them. The error of a step
+//! includes this response δ of the normal impulses (δ ≥ −x_n; bodies are treated as point masses):
 //!
 //! ```text
 //! n·Δv = 0,   m Δv = Σ −(x_t − x_t') + δ (n − μ s/|s|)          x_t' = Coulomb's, n: the mean normal
@@ -28,10 +28,10 @@ use crate::body::State;
 use crate::constraint::{Bounds, Kind};
 use crate::scene::Scene;
 
-/// Friction below this part of its limit has no direction worth a word.
+/// Friction below this fraction of its limit has no reliable direction.
 const STRONG: f64 = 0.5;
 
-/// A speed below this part of the fastest one is not worth a word.
+/// Smaller speeds, relative to the fastest body, are not reported.
 const NOTABLE: f64 = 1e-2;
 
 /// Normals whose mean is longer than this are of one side.
@@ -47,9 +47,11 @@ const ANSWERED: f64 = 1e-6;
 pub struct Slip {
     /// Both bodies, the one that moves, or moves faster, first.
     pub bodies: [usize; 2],
-    /// The angle (rad) between friction and the line of the slip; 0 where nothing slips.
-    pub angle: f64,
-    /// How far friction reaches out of the cone, in parts of μ x_n.
+    /// The angle (rad) between friction and the direction opposite to sliding, if the contacts
+    /// slide against friction that is strong enough to have a direction.
+    pub angle: Option<f64>,
+    /// How far the friction of all contacts together is outside the cone, relative to μ x_n; that
+    /// of a single contact may be farther outside.
     pub excess: f64,
     /// The impulse (N s, world) on the first body by which the step differs from one under
     /// Coulomb's law: that of friction and of the normals that answer it.
@@ -80,11 +82,12 @@ impl Slip {
 /// The friction of a run beside Coulomb's law.
 #[derive(Debug, Clone, Default)]
 pub struct Slips {
-    /// The pair and step whose friction acted farthest beside the line of the slip.
+    /// The pair and step with the largest angle between friction and the direction opposite to
+    /// sliding; nothing if no contact slides.
     pub askew: Option<Slip>,
-    /// Those whose friction reached farthest out of the cone.
+    /// The pair and step whose friction was farthest outside the cone, if any was.
     pub beyond: Option<Slip>,
-    /// What friction did to each body beside Coulomb's law, in all steps together (N s).
+    /// The sum of the impulse errors on each body (N s).
     errors: BTreeMap<usize, Vector3<f64>>,
     /// The largest speed of a body (m/s).
     fastest: f64,
@@ -93,14 +96,11 @@ pub struct Slips {
 impl Slips {
     /// Takes a step into account.
     pub fn add(&mut self, step: &Step) {
-        let larger = |own: &Slip, known: &Option<Slip>, of: fn(&Slip) -> f64| {
-            of(own) > known.as_ref().map_or(0.0, of)
-        };
         for own in &step.slips {
-            if larger(own, &self.askew, |slip| slip.angle) {
+            if own.angle > self.askew.and_then(|slip| slip.angle) {
                 self.askew = Some(*own);
             }
-            if larger(own, &self.beyond, |slip| slip.excess) {
+            if own.excess > self.beyond.map_or(0.0, |slip| slip.excess) {
                 self.beyond = Some(*own);
             }
             let [first, second] = own.bodies;
@@ -111,10 +111,10 @@ impl Slips {
         self.fastest = speeds.fold(self.fastest, f64::max);
     }
 
-    /// The body whose speed friction beside Coulomb's law changed most, and by how much (m/s) over
-    /// the run; an upper bound, for a body that is faster or slower meets other friction
-    /// afterwards. `None` where it is less than a resting contact may have, or a part of 1 % of the
-    /// fastest body.
+    /// An estimate of how much the wrong friction changed the velocity of a body over the run
+    /// (m/s), for the body with the largest change: the sum of the impulse errors divided by its
+    /// mass, without joints and rotation. `None` where it is less than a resting contact may have,
+    /// or less than 1 % of the speed of the fastest body.
     pub fn speed_error(&self, scene: &Scene) -> Option<(usize, f64)> {
         let speed = |(&body, error): (&usize, &Vector3<f64>)| {
             let mass = scene.bodies[body].mass.mass();
@@ -180,7 +180,7 @@ impl Sums {
         error: Vector3<f64>,
     ) -> Slip {
         let is_strong = self.sliding.norm() > STRONG * self.limit && self.limit > 0.0;
-        let angle = if is_strong { self.sliding.angle(&self.coulomb) } else { 0.0 };
+        let angle = is_strong.then(|| self.sliding.angle(&self.coulomb));
         let [slides, holds] = self.beyond();
         let part = |beyond: f64, limit: f64| if limit > 0.0 { beyond / limit } else { 0.0 };
         let bodies = faster_first(scene, after, [first, second]);

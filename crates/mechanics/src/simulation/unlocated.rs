@@ -20,7 +20,7 @@ use crate::constraint::Kind;
 use crate::scene::{Scene, Scheme, step_contacts};
 use lcplab_problem::number::readable;
 
-/// A speed below this part of the approach is not worth a word.
+/// Smaller errors, relative to the speed of approach, are not reported.
 const NOTABLE: f64 = 5e-3;
 /// Newton's steps towards the instant of an impact, at most; each squares what is left.
 const NEWTON_STEPS: usize = 8;
@@ -43,13 +43,14 @@ pub struct Unlocated {
 impl Unlocated {
     /// Those of a step from these states; none of a scheme that divides the step at its impacts.
     pub(super) fn of(scene: &Scene, before: &[State], totals: &Totals) -> Vec<Unlocated> {
-        let takes_the_beginning = match scene.step.scheme {
-            Scheme::Velocity | Scheme::SplitImpulse => true,
-            Scheme::GaussSeidel | Scheme::SequentialImpulses => true,
-            Scheme::Acceleration | Scheme::Xpbd | Scheme::Soft | Scheme::Penalty => false,
-        };
-        if !takes_the_beginning {
-            return Vec::new();
+        match scene.step.scheme {
+            Scheme::Velocity
+            | Scheme::SplitImpulse
+            | Scheme::GaussSeidel
+            | Scheme::SequentialImpulses => {}
+            Scheme::Acceleration | Scheme::Xpbd | Scheme::Soft | Scheme::Penalty => {
+                return Vec::new();
+            }
         }
         let mut pairs: BTreeMap<[usize; 2], Unlocated> = BTreeMap::new();
         for contact in totals.contacts().filter(|contact| bounces(scene, contact)) {
@@ -68,10 +69,10 @@ impl Unlocated {
     pub fn message(&self, scene: &Scene, step: usize) -> String {
         let [body, other] = self.bodies.map(|body| &scene.bodies[body].name);
         format!(
-            "{body:?} and {other:?} met within step {step}, after a gap of {} m, and bounced at its \
-             beginning, in the direction that they had there: the velocity after it is off by {} \
-             m/s. A smaller step.dt makes this smaller; the scheme acceleration divides a step \
-             where bodies meet.",
+            "{body:?} and {other:?} met during step {step}, after closing a gap of {} m. The scheme \
+             applied the impact at the start of the step, with the contact normal there, so the \
+             velocity after it is off by about {} m/s. Reduce step.dt, or use the scheme acceleration \
+             with step.events = true.",
             readable(self.gap, DIGITS),
             readable(self.speed, DIGITS)
         )
@@ -86,7 +87,7 @@ fn bounces(scene: &Scene, contact: &Contact) -> bool {
 }
 
 /// By how much the bounce of a contact would differ where the bodies meet (m/s), if that is worth
-/// a word.
+/// reporting.
 fn off_by(scene: &Scene, before: &[State], row: &Row) -> Option<f64> {
     let here = kick(scene, before, row);
     let there = match meeting(scene, before, row)? {

@@ -166,7 +166,7 @@ impl Watch {
             angular_momentum: (is_alone && scene.gravity == Vector3::zeros())
                 .then(|| part(turned.norm(), turn)),
             restitution: self.restitution,
-            askew: self.slips.askew.map(|slip| slip.angle.to_degrees()),
+            askew: self.slips.askew.and_then(|slip| slip.angle).map(f64::to_degrees),
             beyond: self.slips.beyond.map_or(0.0, |slip| slip.excess),
         }
     }

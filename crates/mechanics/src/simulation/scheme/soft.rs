@@ -46,7 +46,8 @@ pub(super) fn step(
     let first = assembled(&scene, states, found, Entering::Near)?;
     let approach: Impulses = first.rows.iter().map(|row| (row.id, row.velocity)).collect();
     let mut impulses = named(&first, &solving.start(Stage::Velocity, &first));
-    // The impulse of a bounce is over: taken back corner by corner it would leave a body turning.
+    // Drop the impulse of a contact that separates: removing it corner by corner would leave the
+    // body rotating.
     let parts = |row: &&Row| row.kind == Kind::Normal && row.velocity > scene.resting().speed;
     let parted: BTreeSet<_> = first.rows.iter().filter(parts).map(|row| row.id.source).collect();
     for (id, x) in &mut impulses {

@@ -15,9 +15,9 @@
 //! Sweeps that end early leave errors that become velocities. The published method begins every
 //! substep with x = 0, and then a stack of ten boxes under friction gains 0.3 J in two seconds,
 //! with 20 sweeps in each of 8 substeps, until it falls. Here the x of a contact begins with that
-//! of the substep before, unless it parts: after a bounce that x would lift the body at each corner
-//! in turn and let it down in turn, and finite rotations do not take each other away: a box that
-//! landed flat turned with 0.2 rad/s.
+//! of the substep before, unless the contact separates: after a bounce the old impulses would lift
+//! the body at one corner after the other, and the rotations do not cancel (a box that landed flat
+//! turned at 0.2 rad/s).
 //!
 //! A correction is a velocity: a joint that starts torn apart snaps together, with the speed c/h.
 //! At contacts the velocity is set afterwards, to −e J u⁻ if that bounces, else to 0, and the slip
@@ -40,8 +40,9 @@ use crate::simulation::solving::{Solving, assembled};
 const MOST_SWEEPS: usize = 100;
 /// And until a sweep changes them by less than this part of the approach.
 const SETTLED: f64 = 1e-10;
-/// A contact bounces, too, where this part of its way in the substep is left at the end: a flat
-/// face may arrive with a gap that is rounding, of which some corners have a push and others none.
+/// A contact also bounces if its remaining gap is below this fraction of the distance it travels in
+/// the substep. A flat face may arrive with rounding-size gaps, and then only some of its corners
+/// have an impulse.
 const ARRIVED: f64 = 1e-6;
 
 pub(super) fn step(

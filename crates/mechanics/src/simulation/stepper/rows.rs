@@ -7,6 +7,7 @@ use crate::constraint::{self, Bounds, Constraint, Kind};
 use crate::formulation::Bias;
 use crate::scene::{ContactId, Found, Scene};
 use crate::simulation::Cause;
+use crate::simulation::laws::excess_of;
 use lcplab_problem::error::Error;
 use lcplab_solver::Status;
 use lcplab_solver::kernel::impulses::{Aim, Row, System};
@@ -92,15 +93,14 @@ impl Rows {
         Ok(())
     }
 
-    /// The largest |x_t| − μ x_n of a contact, over the largest μ x_n, at least 0.
+    /// How far friction is outside Coulomb's cone, as in [`Laws`](crate::simulation::Laws).
     pub fn cone_excess(&self, x: &[f64]) -> f64 {
-        let (mut excess, mut limit) = (0.0f64, 0.0f64);
-        for &Place { first, rows, .. } in self.contacts.iter().filter(|place| place.rows == 3) {
+        let with_friction = self.contacts.iter().filter(|place| place.rows == 3);
+        let sizes = with_friction.map(|&Place { first, .. }| {
             let most = self.system.aims()[first + 1].hi * x[first];
-            let size = x[first + 1].hypot(x[first + rows - 1]);
-            (excess, limit) = (excess.max(size - most), limit.max(most));
-        }
-        if limit > 0.0 { excess / limit } else { 0.0 }
+            [x[first + 1].hypot(x[first + 2]), most]
+        });
+        excess_of(sizes, 0.0)
     }
 
     /// The bytes that its arrays hold.

@@ -43,6 +43,11 @@ fn run(scene: Scene, steps: usize, mut show: impl FnMut(&Scene, &Step)) -> Simul
     running
 }
 
+/// The largest angle between friction and the direction opposite to sliding; 0 if nothing slides.
+fn angle(slips: &Slips) -> f64 {
+    slips.askew.and_then(|slip| slip.angle).unwrap_or(0.0)
+}
+
 fn slips(scene: &Scene, steps: usize) -> (Slips, Simulation) {
     let mut slips = Slips::default();
     let running = run(scene.clone(), steps, |_, step| slips.add(step));
@@ -73,7 +78,7 @@ fn a_bar_that_slides_where_the_cone_holds_it_tells_the_error_of_its_speed() {
         let askew = slips.askew.unwrap();
         assert_eq!(askew.bodies[0], 2);
         // Both tangents at their limits, in nearly all contacts.
-        assert_near(askew.angle.to_degrees(), 45.0, 0.5);
+        assert_near(askew.angle.unwrap().to_degrees(), 45.0, 0.5);
     }
 }
 
@@ -83,7 +88,7 @@ fn a_bar_that_rests_where_the_cone_holds_it_tells_nothing() {
     let scene = groove(34.0, Scheme::Velocity);
     let (slips, _) = slips(&scene, 50);
     assert!(slips.beyond.is_none_or(|slip| slip.excess < 1e-6), "{slips:?}");
-    assert!(slips.askew.is_none() && slips.speed_error(&scene).is_none(), "{slips:?}");
+    assert!(angle(&slips) < 1e-6 && slips.speed_error(&scene).is_none(), "{slips:?}");
 }
 
 #[test]
@@ -94,19 +99,19 @@ fn a_bar_that_slides_under_the_box_as_the_cone_has_it_tells_nothing() {
     let scene = groove(40.0, Scheme::Velocity);
     let (slips, running) = slips(&scene, 100);
     assert_near(running.states()[2].v.x, due(40.0), 1e-9);
-    assert!(slips.askew.is_none_or(|slip| slip.angle < 1e-6), "{slips:?}");
+    assert!(angle(&slips) < 1e-6, "{slips:?}");
     assert!(slips.speed_error(&scene).is_none(), "{slips:?}");
 }
 
 #[test]
 fn cones_miss_nothing_of_coulombs_law() {
-    for angle in [35.0, 36.0] {
-        let mut scene = groove(angle, Scheme::Velocity);
+    for degrees in [35.0, 36.0] {
+        let mut scene = groove(degrees, Scheme::Velocity);
         scene.contact.model = Model::CoulombCone;
         let (slips, _) = slips(&scene, 50);
-        assert!(slips.askew.is_none_or(|slip| slip.angle < 1e-3), "{angle}: {slips:?}");
-        assert!(slips.beyond.is_none_or(|slip| slip.excess < 1e-3), "{angle}: {slips:?}");
-        assert!(slips.speed_error(&scene).is_none(), "{angle}: {slips:?}");
+        assert!(angle(&slips) < 1e-3, "{degrees}: {slips:?}");
+        assert!(slips.beyond.is_none_or(|slip| slip.excess < 1e-3), "{degrees}: {slips:?}");
+        assert!(slips.speed_error(&scene).is_none(), "{degrees}: {slips:?}");
     }
 }
 

@@ -143,7 +143,7 @@ fn a_support_is_where_its_course_says_under_every_scheme_that_moves_it() {
 #[test]
 fn the_acceleration_level_refuses_a_support_that_moves_in_time() {
     let error = table(Scheme::Acceleration, 0.03).validate().unwrap_err().to_string();
-    let expected = "table: bodies[0].displacement_over_time: the acceleration level does not \
-                    support accelerated supports: use another scheme";
+    let expected = "table: bodies[0].displacement_over_time: is not supported by the scheme \
+                    acceleration; use another scheme";
     assert_eq!(error, expected);
 }

@@ -232,6 +232,40 @@ fn a_violated_contact_without_compliance_has_no_bound() {
 }
 
 #[test]
+fn a_row_with_a_fixed_force_has_any_speed() {
+    // x = 1 N s: û = −3 + 1/2 m/s, and w = û + x/2 = −2 m/s is negative although x is at both
+    // bounds.
+    let gauss = Gauss { lo: vec![1.0], hi: vec![1.0], ..stop() };
+    let exact = gap_bound(&gauss, &[], &[1.0], &[-2.5]).unwrap();
+    assert!(exact.motion < 1e-12 && exact.answer < 1e-12, "{exact:?}");
+}
+
+#[test]
+fn an_axis_without_friction_has_no_force_and_leaves_the_normal_force_alone() {
+    // M = J = 1, γ = ½: x = (3, 0, 0) leads to û = (3, 0, 0), and bias makes w = (0, 0.7, 0).
+    let gauss = Gauss {
+        mass: (0..3).map(|j| (j, j, 1.0)).collect(),
+        jacobian: (0..3).map(|j| vec![(j, 1.0)]).collect(),
+        bias: vec![-4.5, 0.7, 0.0],
+        compliance: vec![0.5; 3],
+        target: vec![0.0; 3],
+        lo: vec![0.0, -INF, -INF],
+        hi: vec![INF; 3],
+        level: None,
+    };
+    let cone = EllipticCone { normal: 0, friction: vec![(1, 0.0), (2, 0.5)] };
+    let bound = gap_bound(&gauss, &[cone], &[3.0, 1e-20, 0.0], &[3.0, 0.0, 0.0]).unwrap();
+    assert!(bound.motion < 1e-7 && bound.answer < 1e-7, "{bound:?}");
+}
+
+#[test]
+fn a_negative_compliance_has_no_bound() {
+    let gauss = Gauss { compliance: vec![-0.5], ..stop() };
+    let refused = gap_bound(&gauss, &[], &[3.0], &[-1.5]);
+    assert_eq!(refused, Err(Unproved::NegativeCompliance { row: 0 }));
+}
+
+#[test]
 fn thousands_of_sparse_rows_have_a_bound() {
     // A wall of spheres of 1 kg in a line, pressed together: x_i = i, û = 0, γ = 1/1024.
     let n = 5_000;
