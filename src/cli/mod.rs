@@ -26,6 +26,7 @@ mod report;
 mod scene;
 mod search;
 mod shell;
+mod test;
 mod trace;
 
 use std::ffi::OsString;
@@ -89,6 +90,7 @@ enum Command {
     Exercise(lesson::Answer),
     Live(live::Live),
     Hunt(hunt::Challenge),
+    Test(test::Test),
     #[command(hide = true)]
     Completions(shell::Completions),
     #[command(name = "man", hide = true)]
@@ -97,7 +99,7 @@ enum Command {
 
 /// The commands as the help lists them: first those that most people need.
 const GROUPS: [(&str, &[&str]); 5] = [
-    ("Most used", &["solve", "judge", "diagnose", "hunt", "simulate", "report", "lesson"]),
+    ("Most used", &["solve", "judge", "diagnose", "hunt", "test", "simulate", "report", "lesson"]),
     ("Problems", &["compare", "explain", "prove", "check", "problems", "convert"]),
     ("Scenes", &["scenes", "export"]),
     ("Learn", &["exercise", "live", "chapter"]),
@@ -185,6 +187,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Live(command) => command.run(),
         Command::Exercise(command) => command.run(),
         Command::Hunt(command) => command.run(&limits),
+        Command::Test(command) => command.run(&limits),
         Command::Completions(command) => command.run(),
         Command::Manual(command) => command.run(),
     };

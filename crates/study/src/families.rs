@@ -42,6 +42,9 @@ pub struct Row {
     /// Problems that the solver reports as infeasible and that are proved to have no solution.
     #[serde(default, skip_serializing_if = "crate::number::is_zero")]
     pub denied: usize,
+    /// Problems to which the solver gives no answer that can be read: it crashed or was too slow.
+    #[serde(default, skip_serializing_if = "crate::number::is_zero")]
+    pub unanswered: usize,
     /// Claims that the judge refutes: this must be 0.
     pub refuted_claims: usize,
     /// Claims on problems that are known to have no solution: this must be 0.
@@ -382,6 +385,7 @@ impl Posing<'_> {
             proved: 0,
             accepted: 0,
             denied: 0,
+            unanswered: 0,
             refuted_claims: 0,
             false_claims: 0,
             iterations: 0,
@@ -485,10 +489,12 @@ impl Row {
         let status = &solution.status;
         let is_outside = matches!(status, Status::OutsideClass { .. });
         // Without an answer x is the start, which the solver has no part in.
-        let answers = !is_outside && !matches!(status, Status::NoAnswer { .. });
+        let is_unanswered = matches!(status, Status::NoAnswer { .. });
+        let answers = !is_outside && !is_unanswered;
         let holds = answers && certificate.verdict.is_solution();
         let claims = *status == Status::Solved;
         self.outside += usize::from(is_outside);
+        self.unanswered += usize::from(is_unanswered);
         self.claimed += usize::from(claims);
         self.proved += usize::from(holds && certificate.verdict.distance().is_some());
         self.accepted += usize::from(holds);

@@ -2,9 +2,10 @@
 //!
 //! [`answer`] and [`friction`] put one answer and its verdict into words and JSON, [`explain`]
 //! derives it line by line, [`diagnosis`] says why there is none, [`families`] and [`profiles`]
-//! compare the solvers on problems, `comparison` on scenes, and [`hunt`] asks whether they are
-//! honest. What needs scenes is behind the feature `mechanics`. [`methods`] are the solvers of the
-//! registry, with the feature `clarabel` the reference beside them.
+//! compare the solvers on problems, [`regression`] with a recorded run, `comparison` on scenes, and
+//! [`hunt`] asks whether they are honest. What needs scenes is behind the feature `mechanics`.
+//! [`methods`] are the solvers of the registry, with the feature `clarabel` the reference beside
+//! them.
 
 pub mod answer;
 pub mod aside;
@@ -23,4 +24,5 @@ pub mod methods;
 pub mod motion_error;
 pub mod number;
 pub mod profiles;
+pub mod regression;
 pub mod tasks;

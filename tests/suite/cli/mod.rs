@@ -25,6 +25,7 @@ mod signals;
 mod solve;
 #[cfg(target_os = "linux")] // it has /dev/full, /dev/zero and /proc
 mod surroundings;
+mod test;
 mod usage;
 mod writing;
 

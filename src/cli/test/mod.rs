@@ -1,0 +1,215 @@
+//! `test`: a solver on problems, compared with a recorded run.
+
+mod exchange;
+
+use std::path::PathBuf;
+
+use clap::Args;
+use lcplab::error::{Error, Result};
+use lcplab::file;
+use lcplab::lcp::file::Problem;
+use lcplab::report::study::families::{self, Contender, Models};
+use lcplab::report::study::problems;
+use lcplab::report::study::regression::{Factors, Finding, Run, Verdict};
+use lcplab::solver::Method;
+use serde_json::json;
+
+use super::limits::Limits;
+use super::plugin::Plugins;
+use super::{Outcome, bar, print, say, warn};
+use crate::cli::options::SolverArgs;
+
+/// Test your solver on problems, and compare with a recorded run
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab test dumps --plugin \"python3 mine.py\"
+  lcplab test dumps --plugin \"python3 mine.py\" --baseline base.json --update  # record this run
+  lcplab test dumps --plugin \"python3 mine.py\" --baseline base.json           # in CI
+  lcplab test dumps pd stack --solver pgs --junit test.xml --sarif test.sarif
+
+A problem fails if its answer is not accepted: the solver claims a solution that the judge rejects, crashes, \
+is too slow, or finds no solution. With a baseline, a problem fails only if its result is worse than the \
+recorded one: an accepted answer is accepted no longer, or needs many more iterations or has a much larger \
+residual. Record the baseline in the folder in which the test runs: problems are compared by their paths.
+
+Exit codes:
+  0  no problem fails, or the baseline was written
+  1  a problem fails
+  2  bad input or usage")]
+pub struct Test {
+    /// Problem files, folders of them, patterns, or families that `problems` lists
+    #[arg(required = true)]
+    problems: Vec<String>,
+    /// Test this built-in solver (repeatable)
+    #[arg(long)]
+    solver: Vec<String>,
+    #[command(flatten)]
+    plugins: Plugins,
+    /// Recorded run to compare with
+    #[arg(long, value_name = "FILE")]
+    baseline: Option<PathBuf>,
+    /// Write this run to the baseline file
+    #[arg(long, requires = "baseline")]
+    update: bool,
+    /// A result is worse if it takes this many times the recorded iterations
+    #[arg(long, value_name = "FACTOR", default_value_t = 2.0, value_parser = factor)]
+    worse_iterations: f64,
+    /// A result is worse if its scaled residual is this many times the recorded one, and above a
+    /// thousandth of the tolerance
+    #[arg(long, value_name = "FACTOR", default_value_t = 10.0, value_parser = factor)]
+    worse_residual: f64,
+    /// Write the results as JUnit XML
+    #[arg(long, value_name = "FILE")]
+    junit: Option<PathBuf>,
+    /// Write the failures as SARIF
+    #[arg(long, value_name = "FILE")]
+    sarif: Option<PathBuf>,
+    #[command(flatten)]
+    solve: SolverArgs,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+/// A factor of at least 1.
+fn factor(text: &str) -> std::result::Result<f64, String> {
+    match text.parse() {
+        Ok(factor) if (1.0..f64::INFINITY).contains(&factor) => Ok(factor),
+        _ => Err("must be a number of at least 1".into()),
+    }
+}
+
+/// Seeds of a family with random problems.
+const SEEDS: u32 = 3;
+
+impl Test {
+    pub fn run(&self, limits: &Limits) -> Result<Outcome> {
+        let plugins = self.plugins.start()?;
+        let named = self.solver.iter().map(String::as_str);
+        let names = named.chain(plugins.iter().map(|plugin| -> &str { plugin.name() }));
+        let contenders = names.map(Contender::named).collect::<Result<Vec<_>>>()?;
+        if contenders.is_empty() {
+            let reason = "name the solver to test with --plugin COMMAND or --solver NAME";
+            return Err(Error::invalid("options", "--plugin", reason));
+        }
+        let baseline = self.recorded()?;
+        let problems = self.read()?;
+        let Some(run) = self.results(&problems, &contenders, limits)? else {
+            let stopped = limits.stop().reason();
+            return Ok(stopped.map_or(Outcome::Refuted, Outcome::Stopped));
+        };
+        if let (Some(path), true) = (&self.baseline, self.update) {
+            file::write(path, text_of(&run)?)?;
+        }
+        let Test { worse_iterations: iterations, worse_residual: residual, .. } = *self;
+        let findings = run.findings(baseline.as_ref(), Factors { iterations, residual });
+        let missing = baseline.map(|baseline| run.missing(&baseline)).unwrap_or_default();
+        if let Some(path) = &self.junit {
+            file::write(path, exchange::junit(&findings))?;
+        }
+        if let Some(path) = &self.sarif {
+            file::write(path, exchange::sarif(&findings))?;
+        }
+        for (solver, problem) in &missing {
+            say(&format!("warning: {problem} is in the baseline of {solver}, but was not tested"));
+        }
+        let fails = findings.iter().any(|finding| matches!(finding.verdict, Verdict::Failed(_)));
+        match self.json {
+            true => {
+                let object = json!({ "ok": !fails, "problems": findings, "missing": missing });
+                print(&format!("{object}\n"))?;
+            }
+            false => print(&words(&findings))?,
+        }
+        Ok(if fails && !self.update { Outcome::Refuted } else { Outcome::Good })
+    }
+
+    /// The baseline to compare with; none if this run becomes the baseline.
+    fn recorded(&self) -> Result<Option<Run>> {
+        let Some(path) = self.baseline.as_ref().filter(|_| !self.update) else { return Ok(None) };
+        let input = path.display().to_string();
+        let run = Run::from_json(&input, &file::read(path, file::WRITTEN_BY_HAND)?)?;
+        let tolerance = self.solve.demand().tolerance;
+        if run.tolerance != tolerance {
+            let reason = format!("is {:e}, this run has {tolerance:e}", run.tolerance);
+            return Err(Error::invalid(input, "tolerance", reason));
+        }
+        Ok(Some(run))
+    }
+
+    /// The problems, each under a name of its own.
+    fn read(&self) -> Result<Vec<(String, Vec<Problem>)>> {
+        let mut all = Vec::new();
+        for name in &self.problems {
+            for (name, problems) in problems::named(name, SEEDS, self.solve.memory())? {
+                problems.iter().for_each(warn);
+                let is_one = problems.len() == 1;
+                for (seed, problem) in (1..).zip(problems) {
+                    let name = if is_one { name.clone() } else { format!("{name}, seed {seed}") };
+                    all.push((name, vec![problem]));
+                }
+            }
+        }
+        Ok(all)
+    }
+
+    /// The results of all solvers; none if it was time to stop.
+    fn results(
+        &self,
+        problems: &[(String, Vec<Problem>)],
+        contenders: &[Contender],
+        limits: &Limits,
+    ) -> Result<Option<Run>> {
+        let methods: Vec<Method> =
+            contenders.iter().flat_map(|contender| &contender.methods).copied().collect();
+        let options = self.solve.options(&methods)?;
+        let progress = bar((problems.len() * contenders.len()) as u64, "problems");
+        let stop = limits.stop();
+        let all = families::Limits { stop, each: None, tick: &|| progress.inc(1) };
+        let rows = families::run_on(problems, Models::Stated(&[]), contenders, &options, &all);
+        limits.over();
+        progress.finish_and_clear();
+        let is_whole = stop.reason().is_none();
+        Ok(is_whole.then(|| Run::of(&rows, self.solve.demand().tolerance)))
+    }
+}
+
+/// The run as a baseline file.
+fn text_of(run: &Run) -> Result<String> {
+    let text = serde_json::to_string_pretty(run);
+    text.map(|text| text + "\n")
+        .map_err(|cause| Error::invalid("baseline", "record", cause.to_string()))
+}
+
+/// The counts of each solver, and a line for each problem that did not simply pass.
+fn words(findings: &[Finding]) -> String {
+    let mut text = String::new();
+    for own in findings.chunk_by(|a, b| a.solver == b.solver) {
+        let count = |word: &str| own.iter().filter(|finding| word_of(finding) == word).count();
+        let counts = ["passed", "fixed", "known", "failed"].map(|word| (count(word), word));
+        let counts = counts.iter().filter(|(count, _)| *count > 0);
+        let counts: Vec<String> = counts.map(|(count, word)| format!("{count} {word}")).collect();
+        let problems = if own.len() == 1 { "problem" } else { "problems" };
+        text += &format!("{}: {} {problems}, {}\n", own[0].solver, own.len(), counts.join(", "));
+        for finding in own {
+            let why = match &finding.verdict {
+                Verdict::Passed => continue,
+                Verdict::Fixed => "is accepted now: record the baseline again with --update",
+                Verdict::Known(why) | Verdict::Failed(why) => why,
+            };
+            text += &format!("  {:<6}  {}: {why}\n", word_of(finding), finding.problem);
+        }
+    }
+    text
+}
+
+/// The verdict in a word.
+fn word_of(finding: &Finding) -> &'static str {
+    match finding.verdict {
+        Verdict::Passed => "passed",
+        Verdict::Fixed => "fixed",
+        Verdict::Known(_) => "known",
+        Verdict::Failed(_) => "failed",
+    }
+}
