@@ -48,7 +48,7 @@ pub use warnings::{Amount, Warning, Warnings};
 use std::ops::ControlFlow;
 
 use crate::body::State;
-use crate::scene::{Detector, Passage, Scene, step_contacts};
+use crate::scene::{Detector, Found, Passage, Scene, step_contacts};
 use answering::Solvers;
 use interpenetration::Overlaps;
 use lcplab_solver::{Apgd, ConeSolver, Observer, Solver, Status, Stop};
@@ -240,14 +240,11 @@ impl Simulation {
         };
         let impact_energy = ImpactEnergy::of(scene, &before, &solves, acts.as_deref());
         let scene = self.scene.forced(from, dt);
-        let (interpenetrations, motion) = measured(
-            &mut self.detector,
-            &mut self.overlaps,
-            &scene,
-            &before,
-            &states,
-            self.steps + 1,
-        );
+        let passages = self.detector.passages(&scene, &before, &states);
+        let overlapping = self.detector.find(&scene, &states, 0.0);
+        let number = self.steps + 1;
+        let (interpenetrations, motion) =
+            measured(&mut self.overlaps, &scene, &states, number, &passages, overlapping);
         self.previous = answers;
         self.states.clone_from(&states);
         self.steps += 1;
@@ -304,17 +301,15 @@ impl Simulation {
 
 /// What bodies did to each other in a step, and energy, momentum and errors after it.
 fn measured(
-    detector: &mut Detector,
     overlaps: &mut Overlaps,
     scene: &Scene,
-    before: &[State],
     after: &[State],
     step: usize,
+    passages: &[Passage],
+    overlapping: &[Found],
 ) -> (Vec<Interpenetration>, Motion) {
-    let passages = detector.passages(scene, before, after);
     let of_passage = |passage: &Passage| Interpenetration::passed(scene, after, passage);
     let mut interpenetrations: Vec<_> = passages.iter().map(of_passage).collect();
-    let overlapping = detector.find(scene, after, 0.0);
     interpenetrations.extend(overlaps.update(scene, after, overlapping));
     (interpenetrations, Motion::overlapping(scene, after, step, overlapping))
 }

@@ -8,7 +8,7 @@ use super::{Cause, Failure, Laws, Simulation, Solve, Step, measured, solver};
 use crate::assembly::{Assembly, Entering};
 use crate::body::{Mass, State};
 use crate::formulation::Problem;
-use crate::scene::Scene;
+use crate::scene::{Found, Scene};
 use lcplab_problem::error;
 use lcplab_solver::{Solution, Status};
 
@@ -58,20 +58,26 @@ impl Simulation {
         Ok(Simulation { stepper, ..Simulation::new(scene.clone(), solver(scene)?) })
     }
 
-    /// Takes a step of sweeps.
+    /// Takes a step of sweeps. The contacts of the next one tell which bodies overlap after it.
     pub(super) fn swept_step(&mut self, stepper: &mut Stepper) -> Result<Step, Failure> {
         stepper.step()?;
-        let number = self.steps + 1;
-        let (scene, states) = (&self.scene, stepper.states());
+        let solves = stepper.solves().into_iter().filter(|[_, x]| !x.is_empty());
+        let solves = solves.map(|solve| solve.map(<[f64]>::to_vec)).collect();
+        let contacts = stepper.found().to_vec();
+        let cone_excess = stepper.cone_excess();
+        stepper.find_contacts(&mut |_| ());
+        let is_overlap = |found: &&Found| found.gap < 0.0;
+        let overlapping: Vec<Found> = stepper.found().iter().filter(is_overlap).cloned().collect();
+        let (number, scene, states) = (self.steps + 1, &self.scene, stepper.states());
+        let passages = self.detector.passages(scene, &self.states, states);
         let (interpenetrations, motion) =
-            measured(&mut self.detector, &mut self.overlaps, scene, &self.states, states, number);
+            measured(&mut self.overlaps, scene, states, number, &passages, &overlapping);
         let before = std::mem::replace(&mut self.states, states.to_vec());
         self.steps = number;
-        let solves = stepper.solves().into_iter().filter(|[_, x]| !x.is_empty());
         Ok(Step {
             number,
             solves: Vec::new(),
-            contacts: stepper.found().to_vec(),
+            contacts,
             interpenetrations,
             impact_energy: None,
             states: self.states.clone(),
@@ -79,15 +85,11 @@ impl Simulation {
             acts: None,
             pushed: Vec::new(),
             ledger: None,
-            laws: Laws { cone_excess: stepper.cone_excess(), ..Laws::default() },
+            laws: Laws { cone_excess, ..Laws::default() },
             slips: Vec::new(),
             touches: Vec::new(),
             unlocated: Vec::new(),
-            swept: Some(Swept {
-                before,
-                sweeps: scene.solver.max_iterations,
-                solves: solves.map(|solve| solve.map(<[f64]>::to_vec)).collect(),
-            }),
+            swept: Some(Swept { before, sweeps: scene.solver.max_iterations, solves }),
         })
     }
 }

@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::lcp::Lcp;
 use crate::report::study::settings::{AtStep, Given, first};
 use crate::solver::{Dantzig, Options, Order, Pgs, Settings, Solver, Start, theory};
-use crate::trace::{Convergence, Record};
+use crate::trace::Convergence;
 
 /// An LCP, and relaxation factors.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -58,8 +58,10 @@ pub struct Rates {
 pub struct Curve {
     /// ω.
     pub omega: f64,
-    /// The merits after each sweep.
-    pub records: Vec<Record>,
+    /// How many sweeps were recorded.
+    pub sweeps: usize,
+    /// Sweeps, the start being 0, and the natural residual after each: at most 200 of them.
+    pub residuals: Vec<(usize, f64)>,
     /// The largest modulus below 1 of an eigenvalue of the iteration matrix, on the rows that are
     /// free where the sweeps lead.
     pub predicted_rate: Option<f64>,
@@ -67,6 +69,8 @@ pub struct Curve {
     pub measured_rate: Option<f64>,
 }
 
+/// Most points of a curve that are kept, evenly spaced, and the last one.
+const POINTS: usize = 200;
 /// Most sweeps of a curve.
 const SWEEPS: usize = 1000;
 /// Residuals below this part of the first are rounding, not convergence.
@@ -101,10 +105,15 @@ fn curve(lcp: &Lcp, omega: f64) -> Curve {
         .solve(lcp, &Start::default(), &mut trace)
         .x;
     let options = Options { omega, ..Options::default() };
+    let records = &trace.records;
+    let every = records.len().div_ceil(POINTS - 1).max(1);
+    let is_kept = |k: usize| k.is_multiple_of(every) || k + 1 == records.len();
+    let kept = records.iter().enumerate().filter(|(k, _)| is_kept(*k));
     Curve {
         omega,
         measured_rate: trace.rate(),
-        records: trace.records,
+        sweeps: records.len().saturating_sub(1),
+        residuals: kept.map(|(_, record)| (record.iteration, record.natural_residual)).collect(),
         predicted_rate: theory::rate("sor", &options, lcp, &theory::rows_inside(lcp, &x)),
     }
 }

@@ -67,7 +67,7 @@ fn name(omega: f64) -> String {
 
 fn figure(study: &Rates) -> Lines {
     let residuals = |curve: &Curve| -> Vec<(f64, f64)> {
-        curve.records.iter().map(|r| (r.iteration as f64, r.natural_residual)).collect()
+        curve.residuals.iter().map(|(sweep, residual)| (*sweep as f64, *residual)).collect()
     };
     let mut series: Vec<Series> = study
         .curves
@@ -97,14 +97,10 @@ fn figure(study: &Rates) -> Lines {
 /// The predicted slope, laid through the middle of the measured curve.
 fn slope(curve: &Curve) -> Option<Series> {
     let rate = curve.predicted_rate?;
-    let middle = curve.records.get(curve.records.len() / 2)?;
-    let last = curve.records.last()?;
-    let at = |k: usize| {
-        let value = middle.natural_residual * rate.powf(k as f64 - middle.iteration as f64);
-        (k as f64, value)
-    };
+    let (middle, residual) = *curve.residuals.get(curve.residuals.len() / 2)?;
+    let at = |k: usize| (k as f64, residual * rate.powf(k as f64 - middle as f64));
     let name = format!("theory, {}: ρ = {rate:.4}", name(curve.omega));
-    Some(Series::theory(name, vec![at(curve.records[0].iteration), at(last.iteration)]))
+    Some(Series::theory(name, vec![at(0), at(curve.sweeps)]))
 }
 
 fn table(studies: &[&Rates]) -> Table {
@@ -146,7 +142,7 @@ fn cells(study: &Rates, curve: &Curve) -> Vec<Cell> {
         if optimal { Cell { text: format!("{} = ω*", omega.text), ..omega } } else { omega },
         rate(curve.predicted_rate),
         rate(curve.measured_rate),
-        Cell::count(curve.records.len().saturating_sub(1)),
+        Cell::count(curve.sweeps),
         agreement,
     ]
 }

@@ -97,6 +97,8 @@ pub struct Stepper {
     next: Vec<State>,
     steps: usize,
     detector: Detector,
+    /// Whether the contacts of the states now are found.
+    is_found: bool,
     masses: Masses,
     rows: Rows,
     sweeper: Sweeper,
@@ -116,6 +118,7 @@ impl Stepper {
             next: scene.states.clone(),
             steps: 0,
             detector: Detector::new(&scene),
+            is_found: false,
             masses: Masses::new(&scene),
             rows: Rows::default(),
             sweeper: Sweeper::new(kernel),
@@ -130,6 +133,7 @@ impl Stepper {
         self.states.clone_from(&self.scene.states);
         self.impulses.forget();
         self.steps = 0;
+        self.is_found = false;
     }
 
     /// The scene; its states are those at the start.
@@ -147,7 +151,7 @@ impl Stepper {
         self.steps as f64 * self.scene.step.dt
     }
 
-    /// The contacts at the beginning of the last step.
+    /// The contacts at the beginning of the last step, or of the next one if they are found already.
     pub fn found(&self) -> &[Found] {
         self.detector.found()
     }
@@ -202,13 +206,23 @@ impl Stepper {
         self.advance(done).map_err(|cause| Failure { step, time, cause })
     }
 
-    fn advance(&mut self, done: &mut dyn FnMut(Part)) -> std::result::Result<(), Cause> {
-        let Stepper { scene, states, next, detector, masses, rows, sweeper, impulses, .. } = self;
+    /// Finds the contacts of the next step, if they are not found yet.
+    pub(super) fn find_contacts(&mut self, done: &mut dyn FnMut(Part)) {
+        if self.is_found {
+            return;
+        }
+        let Stepper { scene, states, detector, .. } = self;
         let reach = Reach::of_step(scene);
         detector.find_pairs(scene, states, reach);
         done(Part::Pairs);
         detector.find_points(scene, states, reach);
         done(Part::Points);
+        self.is_found = true;
+    }
+
+    fn advance(&mut self, done: &mut dyn FnMut(Part)) -> std::result::Result<(), Cause> {
+        self.find_contacts(done);
+        let Stepper { scene, states, next, detector, masses, rows, sweeper, impulses, .. } = self;
         masses.turn(scene, states);
         rows.fill(scene, states, detector.found(), masses)?;
         done(Part::Rows);
@@ -220,6 +234,7 @@ impl Stepper {
             return Err(cause);
         }
         std::mem::swap(&mut self.states, &mut self.next);
+        self.is_found = false;
         self.steps += 1;
         done(Part::Motion);
         Ok(())
