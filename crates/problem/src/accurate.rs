@@ -1,8 +1,8 @@
-//! Sums of products as if computed in twice the precision.
+//! Compensated sums of products, as accurate as if computed in twice the precision.
 //!
 //! Each product and each sum is split without error into a rounded value and its rounding error
-//! (Dekker, Knuth); the errors are summed beside (`Dot2` of Ogita, Rump & Oishi 2005). The result
-//! is as good as a quadruple-precision sum rounded once.
+//! (Dekker, Knuth); the errors are summed separately (`Dot2` of Ogita, Rump & Oishi 2005). The
+//! result is as accurate as a quadruple-precision sum rounded once.
 
 use super::merit;
 
