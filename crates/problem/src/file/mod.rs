@@ -12,14 +12,14 @@
 //! | `b` | n numbers |
 //! | `lo`, `hi` | n numbers or `"inf"`, `"-inf"`; 0 and ∞ where the key is absent |
 //! | `friction_index`, `mu` | row i is bounded by ±mu\[i\]·max(x\[k\], 0) with k = friction_index\[i\]; −1 for none. Its lo and hi are absent or infinite |
-//! | `model` | under which model of friction x is a solution, such as `"coulomb-cone"`: see [`friction`](super::friction); `"coupled-box"` where the key is absent |
-//! | `frozen_at` | n numbers, of which the box of model 1, `"frozen-box"`, takes the normal impulses x\[k\] |
-//! | `scale` | the size of x that counts as something: a row whose terms are below s_i times this is at rest, and measured by that; see [`Lcp::with_scale`] |
-//! | `motion` | the bodies and rows that A and b were made from, `{"mass": triplets of M's upper triangle (k × k), "jacobian": triplets of J (n × k), "bias": n numbers, "compliance": n numbers γ, "target": k numbers u*, "level": optionally "velocity" (m/s) or "acceleration" (m/s²), which u is}`; see [`Gauss`] |
-//! | `rows` | optional, an object a row: its `label`, `kind`, `unit` and the names of its two `bodies` |
-//! | `bodies`, `gravity` | optional, beside `motion`: for each body that moves its `name`, its `first` column of M and their `count`; what gravity adds to each velocity in `target` |
+//! | `model` | the friction model under which x is a solution, such as `"coulomb-cone"`: see [`friction`](super::friction); `"coupled-box"` if the key is absent |
+//! | `frozen_at` | n numbers x; their normal impulses x\[k\] give the size of the boxes of model 1, `"frozen-box"` |
+//! | `scale` | the smallest significant size of x: a row whose terms are below s_i times this is measured by s_i times this; see [`Lcp::with_scale`] |
+//! | `motion` | the bodies and rows that A and b were made from, `{"mass": triplets of M's upper triangle (k × k), "jacobian": triplets of J (n × k), "bias": n numbers, "compliance": n numbers γ, "target": k numbers u*, "level": optionally "velocity" (m/s) or "acceleration" (m/s²), the meaning of u}`; see [`Gauss`] |
+//! | `rows` | optional, one object for each row: its `label`, `kind`, `unit` and the names of its two `bodies` |
+//! | `bodies`, `gravity` | optional, with `motion`: for each movable body its `name`, its `first` column of M and their `count`; the contribution of gravity to each velocity in `target` |
 //! | `name`, `source`, `dt`, `expected` | optional, kept as they are |
-//! | `hunt` | optional, kept: what a search for a wrong answer found, the `solver`, its `x` and the `right_x` |
+//! | `hunt` | optional, kept: the result of a search for a wrong answer: the `solver`, its `x` and the `right_x` |
 //!
 //! A *friction problem* is a file whose friction rows come in pairs: the tangents t1, t2 of a
 //! contact have the same μ and are bounded by the same row n. Exported steps of scenes are such
