@@ -159,7 +159,7 @@ impl Table {
     }
 
     /// Moves the y of all equations into the basis, largest pivot first, and removes the columns of
-    /// variables that are then 0.
+    /// their v, which are 0.
     fn solve_equations(&mut self) -> Option<()> {
         let mut open: Vec<usize> =
             (0..self.forms.len()).filter(|&i| self.forms[i] == Form::Equation).collect();
@@ -196,7 +196,7 @@ impl Table {
         is_of_a_pair && self.forms.get(variable % self.pairs) == Some(&Form::Equation)
     }
 
-    /// Lemke's method with a covering vector of nearly equal entries; `None` if it ends on a ray.
+    /// Lemke's method with a covering vector of ones; `None` if it ends on a ray.
     fn lemke(&mut self) -> Option<()> {
         let rows: Vec<usize> =
             (0..self.rows.len()).filter(|&r| !self.is_equation(self.basic[r])).collect();

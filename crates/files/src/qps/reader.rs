@@ -1,4 +1,4 @@
-//! QPS read line by line.
+//! Reads QPS line by line.
 
 use std::collections::{HashMap, HashSet};
 
@@ -7,7 +7,7 @@ use crate::words::{Words, brief};
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::{Entries, Parts, Problem};
 
-/// Bounds of this size are infinite.
+/// Bounds of at least this size are infinite.
 const INFINITE: f64 = 1e20;
 
 pub(super) fn read(input: &Input) -> Result<Problem> {
@@ -40,31 +40,31 @@ fn parse(text: &str, input: &str, stem: String) -> Result<Problem> {
     program.finish(input)
 }
 
-/// A result whose error is the reason that a line cannot be used.
+/// A result whose error is the reason that a line is invalid.
 type Checked<T = ()> = std::result::Result<T, String>;
 
-/// What has been read so far.
+/// The program read so far.
 #[derive(Default)]
 struct Program {
     name: String,
     objective: Option<String>,
     columns: HashMap<String, usize>,
-    /// What each column costs, where anything is said.
+    /// The cost of each column, if given.
     c: Vec<Option<f64>>,
     lo: Vec<f64>,
     hi: Vec<f64>,
-    /// Columns with a lower bound of their own.
+    /// Columns with an explicit lower bound.
     has_lower: HashSet<usize>,
-    /// The name of the bounds that count.
+    /// The name of the bound set in use.
     bounds: Option<String>,
     q: Vec<(usize, usize, f64)>,
-    /// The entries of Q that were there.
+    /// The positions of Q's entries read so far.
     places: HashSet<(usize, usize)>,
     is_full: bool,
 }
 
 impl Program {
-    /// A line that begins a section; true for the last one.
+    /// Reads a line that starts a section; returns true for the last one.
     fn section(&mut self, fields: &[&str]) -> Checked<bool> {
         match fields {
             ["ENDATA"] => return Ok(true),
@@ -140,7 +140,7 @@ impl Program {
         }
     }
 
-    /// The number of a column, a new one if it has none.
+    /// The index of a column; a new name gets the next index.
     fn column(&mut self, name: &str) -> usize {
         if let Some(i) = self.columns.get(name) {
             return *i;
@@ -200,7 +200,7 @@ impl Program {
         Ok(())
     }
 
-    /// The problem, once all has been read.
+    /// The problem, after the last line.
     fn finish(self, input: &str) -> Result<Problem> {
         let fault = |place: String, reason: &str| Err(Error::invalid(input, place, reason));
         let below = |i: &usize| self.hi[*i] < 0.0 && !self.has_lower.contains(i);
@@ -238,7 +238,7 @@ fn minimised(sense: &str) -> Checked {
     }
 }
 
-/// Names with a number each.
+/// Pairs of a name and a number.
 fn pairs<'a>(fields: &[&'a str]) -> Checked<Vec<(&'a str, f64)>> {
     if fields.len() % 2 == 1 {
         return Err(format!("must be names with a number each: {:?}", brief(&fields.join(" "))));

@@ -1,4 +1,4 @@
-//! QPS written in free form, columns x0, x1, …
+//! Writes QPS in free form, with columns x0, x1, ….
 
 use crate::Output;
 use crate::output::decimal;
@@ -34,7 +34,7 @@ pub(super) fn write(problem: &Problem) -> Result<Output> {
     Ok(Output::of(text + "ENDATA\n"))
 }
 
-/// The bounds of a column; none for 0 and ∞.
+/// The bound lines of a column; empty for 0 and ∞.
 fn bounds(i: usize, lo: f64, hi: f64) -> String {
     let line = |kind: &str, value: f64| format!(" {kind} bnd x{i} {}\n", decimal(value));
     let bare = |kind: &str| format!(" {kind} bnd x{i}\n");
