@@ -21,7 +21,6 @@ pub fn is_p(lcp: &Lcp) -> bool {
         (0..n).flat_map(|i| (0..n).map(move |j| dyadic(lcp.matrix().entry(i, j)))).collect();
     let a = integers(&a);
     // Each bit of `set` stands for a row.
-    // pivot.
     (1_usize..1 << n).all(|set| {
         let rows: Vec<usize> = (0..n).filter(|i| set >> i & 1 == 1).collect();
         let row = |&i: &usize| rows.iter().map(|&j| a[i * n + j].clone()).collect();
