@@ -2,7 +2,7 @@
 //!
 //! | format | file | written | bounds | friction | its unknowns and their order |
 //! | --- | --- | --- | --- | --- | --- |
-//! | `json`: [`file`](lcplab_problem::file) | `.json` | yes | any | any model | w = A x + b, a contact n, t1, t2 as the file says |
+//! | `json`: [`file`](lcplab_problem::file) | `.json` | yes | any | any model | w = A x + b, the file defines the contacts' rows |
 //! | [`matrix_market`] | `.mtx`, several | yes | any | coupled rows | as `json`; a matrix in full is listed by columns |
 //! | [`npz`] | `.npz` | yes | any | coupled rows | as `json`; by rows unless `fortran_order` |
 //! | [`qps`] | `.qps`, `.mps` | yes | any | none | min ½ xᵀQx + cᵀx: A = Q, b = c; Q by one triangle |

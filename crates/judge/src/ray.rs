@@ -31,7 +31,7 @@ pub struct Farkas {
 /// solution.
 ///
 /// `row` is the driven row. If d itself is not a proof, rounding in its other entries is repaired:
-/// a maximal independent set of the equations (Aᵀd)_j = 0 is solved exactly for as many of them.
+/// a maximal independent set of the equations (Aᵀd)_j = 0 is solved exactly for some of them.
 /// For symmetric A the ray of a method is such a d; for other A it need not be.
 pub fn refute(lcp: &Lcp, row: usize, direction: &[f64]) -> Option<Farkas> {
     if direction.len() != lcp.len() || direction.iter().any(|d| !d.is_finite()) {

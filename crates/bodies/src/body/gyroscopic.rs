@@ -5,7 +5,7 @@
 //! both L and the energy:
 //!
 //! ```text
-//! I ω̄ + ½ h ω̄ × I ω̄ = Π,     q⁺ = q ⊗ (1, ½ h ω̄) normalised,     ω⁺ = I(q⁺)⁻¹ L
+//! I ω̄ + ½ h ω̄ × I ω̄ = Π,     q⁺ = q ⊗ (1, ½ h ω̄) normalized,     ω⁺ = I(q⁺)⁻¹ L
 //! ```
 //!
 //! (1, ½ h ω̄) is Cayley's rotation, which maps Π to Π⁺ = I ω̄ − ½ h ω̄ × I ω̄; so |Π⁺| = |Π|, and

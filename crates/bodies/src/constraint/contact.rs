@@ -12,7 +12,7 @@
 //!
 //! ```text
 //! face     n = R0 n_body: J = [−n, −((r0+d)×n), n, r1×n], J'u = n·cent + 2(ω0×n)·rel + (ω0×(ω0×n))·d
-//! centres  n = d/|d|: a distance row
+//! centers  n = d/|d|: a distance row
 //! edge     n = h/|h|, h = d − e(e·d): the face's J and J'u, plus |h' − n(n·h')|²/|h| as n turns
 //! rim      n as of a face, c = n·d − R s with a across the circle, u = a·n, s = √(1 − u²):
 //!          J also ∓(R u/s) (a×n), J'u also R u'²/s³ + (R u/s) (ω1−ω0)·(a×n)'

@@ -1,7 +1,7 @@
 //! A motor: drives a coordinate at a speed, with a limited force or torque.
 //!
 //! ```text
-//! w = J u − v,   |x| ≤ effort;   J, J'u those of the coordinate y;   c = 0: any place will do
+//! w = J u − v,   |x| ≤ effort;   J, J'u those of the coordinate y;   c = 0: any position is allowed
 //! ```
 //!
 //! Below the limit the motor reaches the speed within one step; at the limit it pushes with its

@@ -1,7 +1,7 @@
 //! A massless, frictionless pulley: a rope over two rollers fixed in the world keeps its length.
 //!
 //! ```text
-//! c   = |d0| + |d1| − l,   d_k = p_k − w_k from roller k to the centre of body k,   n_k = d_k/|d_k|
+//! c   = |d0| + |d1| − l,   d_k = p_k − w_k from roller k to the center of body k,   n_k = d_k/|d_k|
 //! J   = [n0, 0, n1, 0]
 //! J'u = Σ (|v_k|² − (n_k·v_k)²)/|d_k|       since n' = (v − n (n·v))/|d|
 //! ```

@@ -1,8 +1,8 @@
 //! A rope wound on a wheel, or a rack and pinion: a body moves along an axis as the wheel rotates.
 //!
 //! ```text
-//! c   = s1 − s0 − r φ         φ: the twist of body 0 about its axis, s: the ways of body 1 and of the wheel's
-//! J   = [−n, −r t, n, 0],     centre of mass along n, r: the radius; J'u likewise
+//! c   = s1 − s0 − r φ         φ: the twist of body 0 about its axis, s: the displacements of body 1 and of the wheel's
+//! J   = [−n, −r t, n, 0],     center of mass along n, r: the radius; J'u likewise
 //! ```
 //!
 //! so s1' − s0' = r φ', and x exerts the force −x n at the wheel's center and the torque −r x on

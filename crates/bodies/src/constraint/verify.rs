@@ -58,7 +58,7 @@ pub enum Mistake {
     },
 }
 
-/// A number of a row.
+/// A quantity of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
     /// c.

@@ -1,7 +1,7 @@
 //! The LCP as a quadratic program over a box, by clarabel's interior-point method.
 //!
 //! ```text
-//! minimise ½ xᵀA x + bᵀx   subject to   lo ≤ x ≤ hi
+//! minimize ½ xᵀA x + bᵀx   subject to   lo ≤ x ≤ hi
 //! ```
 //!
 //! For symmetric positive semidefinite A its minimizers are the LCP's solutions; the multipliers of

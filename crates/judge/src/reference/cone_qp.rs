@@ -1,7 +1,7 @@
 //! The convex cone problem of friction as a second-order cone program, by clarabel.
 //!
 //! ```text
-//! minimise ½ xᵀA x + bᵀx   subject to   |x_t| ≤ μ x_n for each contact,   lo ≤ x ≤ hi elsewhere
+//! minimize ½ xᵀA x + bᵀx   subject to   |x_t| ≤ μ x_n for each contact,   lo ≤ x ≤ hi elsewhere
 //! ```
 //!
 //! This is model 4a. The multipliers of the cones are the w in their dual cones.

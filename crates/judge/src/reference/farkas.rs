@@ -2,7 +2,7 @@
 //! method.
 //!
 //! ```text
-//! minimise  bᵀd + hiᵀp − loᵀq   subject to   Aᵀd = p − q,   p, q ≥ 0,   |d_i| ≤ 1/√s_i
+//! minimize  bᵀd + hiᵀp − loᵀq   subject to   Aᵀd = p − q,   p, q ≥ 0,   |d_i| ≤ 1/√s_i
 //! ```
 //!
 //! d_i ≥ 0 if lo_i is finite, d_i ≤ 0 if hi_i is, p_j = 0 if hi_j = ∞, q_j = 0 if lo_j = −∞; d, p

@@ -1,7 +1,7 @@
 //! A convex quadratic program in clarabel's form, built up row by row.
 //!
 //! ```text
-//! minimise ½ zᵀP z + qᵀz   subject to   G z + s = h,   s = 0 or s ≥ 0 by rows, or s in a cone
+//! minimize ½ zᵀP z + qᵀz   subject to   G z + s = h,   s = 0 or s ≥ 0 by rows, or s in a cone
 //! ```
 
 use clarabel::algebra::CscMatrix;

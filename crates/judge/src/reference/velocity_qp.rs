@@ -2,7 +2,7 @@
 //! interior-point method.
 //!
 //! ```text
-//! minimise ½ |v|² + bᵀx   subject to   v = Ĵᵀ x,   lo ≤ x ≤ hi
+//! minimize ½ |v|² + bᵀx   subject to   v = Ĵᵀ x,   lo ≤ x ≤ hi
 //! ```
 //!
 //! This is the program of [`box_qp`](super::box_qp()) with A in factors: for a pile it has a few

@@ -5,7 +5,7 @@
 //!
 //! ```text
 //! associated  x = Π_K(x − S⁻¹ w) in the metric of S = diag(s_n, c, c),   K = { |x_t| ≤ μ x_n }
-//! Coulomb     x_n = max(x_n − w_n/s_n, 0),   x_t = the point of the disc |x_t| ≤ μ x_n nearest to x_t − w_t/c
+//! Coulomb     x_n = max(x_n − w_n/s_n, 0),   x_t = the point of the disk |x_t| ≤ μ x_n nearest to x_t − w_t/c
 //!
 //! r_n = |x_n − its step| s_n / T_n,   r_t = |x_t − its step| c / T_t,   T_t = |(T_t1, T_t2)|
 //! ```
@@ -120,7 +120,7 @@ fn tangential_scale(lcp: &Lcp, contact: &Contact) -> Option<Wide> {
     }
 }
 
-/// The point of the disc nearest to t.
+/// The point of the disk nearest to t.
 fn in_disc(radius: Wide, [t1, t2]: [Wide; 2]) -> [Wide; 2] {
     match t1.hypot(t2) {
         length if length <= radius => [t1, t2],

@@ -44,8 +44,8 @@ pub(super) fn panel(frame: &Frame, x: &Axis, y: Option<&Axis>) -> String {
 /// A point of a curve, and its position in px if it can be shown.
 pub(super) type Placed = ((f64, f64), Option<(f64, f64)>);
 
-/// The points of a curve: all points of a short curve; for a long one the first, the lowest and the
-/// highest point in each of several intervals across.
+/// The points of a curve: all points of a short curve; for a long one the first point in each of
+/// several intervals across, and the lowest and the highest point of all.
 pub(super) fn listed(points: &[Placed]) -> String {
     let placed: Vec<_> =
         points.iter().filter_map(|(point, at)| at.map(|at| (*point, at))).collect();

@@ -17,10 +17,10 @@
 //! | model | x_t lies in | gives up | becomes |
 //! | --- | --- | --- | --- |
 //! | 1 [`FrictionProblem::frozen_box`] | a square of fixed size | the present x_n | a boxed LCP, symmetric |
-//! | 2 [`FrictionProblem::coupled_box`] | a square of half-width μ x_n | that all directions are alike | a boxed LCP with [`Coupling`] |
+//! | 2 [`FrictionProblem::coupled_box`] | a square of half-width μ x_n | isotropy | a boxed LCP with [`Coupling`] |
 //! | 3 [`Polyhedral`] | a polygon with k corners | all but k directions | an LCP, not symmetric |
-//! | 4a [`ConeProblem`], [`Law::Associated`] | the disc | w_n = 0 while sliding | a convex cone program |
-//! | 4b [`ConeProblem`], [`Law::Coulomb`] | the disc | nothing | a cone problem, not convex |
+//! | 4a [`ConeProblem`], [`Law::Associated`] | the disk | w_n = 0 while sliding | a convex cone program |
+//! | 4b [`ConeProblem`], [`Law::Coulomb`] | the disk | nothing | a cone problem, not convex |
 //!
 //! [`Model`] lists them, and [`Model::pose`] states a problem under one of them.
 //!

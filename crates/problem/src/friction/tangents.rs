@@ -65,7 +65,7 @@ impl Tangents {
     }
 
     /// The measure in the unit of s_t, and in the unit of the disk if the disk is narrower or if
-    /// s_t is 0, so that it gives no unit.
+    /// both rows of A are 0, so that s_t gives no unit.
     pub fn measured<T: Copy>(&self, measure: impl Fn(Unit) -> T) -> [T; 2] {
         let Tangents { magnitude, scale, has_scale, exponent, reach, .. } = *self;
         let own = Unit::Scale { scale, exponent };

@@ -29,7 +29,7 @@
 //!
 //! ```text
 //! 4a  x = Π_K(x − S⁻¹ w) in the metric of S = diag(s_n, s_t, s_t)
-//! 4b  x_n = max(x_n − w_n/s_n, 0),   x_t = the point of the disc |x_t| ≤ μ x_n nearest to x_t − w_t/s_t
+//! 4b  x_n = max(x_n − w_n/s_n, 0),   x_t = the point of the disk |x_t| ≤ μ x_n nearest to x_t − w_t/s_t
 //!
 //! r_n = |x_n − its step| s_n / terms_n,   r_t = |x_t − its step| s_t / terms_t
 //! ```
