@@ -2,7 +2,7 @@
 //!
 //! If contacts are redundant, A is singular up to rounding. Of the many x that balance the bodies,
 //! the exact problem has one or a few, and the last digits of A decide which rows have w = 0 there:
-//! double precision cannot resolve this. Therefore Lemke's method pivots with so many digits that
+//! double precision cannot resolve this. Therefore Lemke's method pivots with enough digits that
 //! rounding decides nothing; the caller then checks the resulting sides in the exact problem.
 //!
 //! With x_i = lo_i + y_i, hi_i − y_i, or −μ_i x_k + y_i, rows with one bound are complementary

@@ -159,8 +159,8 @@ impl fmt::Display for Joint {
 }
 
 impl Placement {
-    /// The position of the joint in each body's frame (m): the given point, or the center of body
-    /// 1.
+    /// The position of the joint in each body's frame (m): the given point, otherwise body 1's
+    /// center.
     pub fn anchors(&self) -> [Vector3<f64>; 2] {
         self.local(&self.point.unwrap_or(self.poses[1].p))
     }

@@ -111,8 +111,8 @@ impl<'a> Scaled<'a> {
         self.gauss.compliance[i] == 0.0 && (lo.is_infinite() || hi.is_infinite())
     }
 
-    /// The sign of w_i that an inequality requires: 1 if x has no upper bound, −1 if it has no
-    /// lower bound, 0 for other rows.
+    /// The sign of w_i that an inequality requires: 1 if x has only a lower bound, −1 if it has
+    /// only an upper bound, 0 for other rows.
     pub(super) fn open_side(&self, i: usize) -> f64 {
         let is_infinite = |bound: f64| f64::from(u8::from(bound.is_infinite()));
         is_infinite(self.gauss.hi[i]) - is_infinite(self.gauss.lo[i])

@@ -23,8 +23,8 @@ impl Matrix {
         (0..n).map(size).collect()
     }
 
-    /// S A S and the exponents k_i of S = diag(2^-k_i), which bring every row size to between 1 and
-    /// 4.
+    /// S A S and the exponents k_i of S = diag(2^-k_i), which bring every row size into the range
+    /// from 1 to 4.
     ///
     /// Powers of two do not round the entries: the eigenvalues of D⁻¹A and everything derived from
     /// them stay the same, while numbers like 1e-310, whose reciprocal overflows, come into the
