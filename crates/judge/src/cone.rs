@@ -65,7 +65,7 @@ pub struct ConeCertificate {
 /// If x does not have n entries.
 pub fn judge_cone(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCertificate {
     let (lcp, contacts) = (problem.lcp(), problem.friction().contacts());
-    assert_eq!(x.len(), lcp.len(), "x needs one entry a row");
+    assert_eq!(x.len(), lcp.len(), "x needs one entry per row");
     let certificate = judge_as_given(problem, x, demand);
     if certificate.verdict.is_solution() || !x.iter().all(|x| x.is_finite()) {
         return certificate;

@@ -89,7 +89,7 @@ const NEAR: f64 = 1e-6;
 /// # Panics
 /// If x does not have n entries.
 pub fn judge(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
-    assert_eq!(x.len(), lcp.len(), "x needs one entry a row");
+    assert_eq!(x.len(), lcp.len(), "x needs one entry per row");
     let certificate = judge_as_given(lcp, x, demand);
     if certificate.verdict.is_solution() || !x.iter().all(|x| x.is_finite()) {
         return certificate;

@@ -26,7 +26,7 @@ fn walk(lcp: &Lcp, tree: &Tree, sides: &mut Sides) -> Result<(), String> {
             }
             let [has_lo, has_hi] = finite(lcp, row);
             if lo.is_some() != has_lo || hi.is_some() != has_hi {
-                return Err(format!("the tree has not the sides of row {row}"));
+                return Err(format!("the tree does not have the sides of row {row}"));
             }
             let ways =
                 [(Side::Lower, lo.as_ref()), (Side::Free, Some(free)), (Side::Upper, hi.as_ref())];

@@ -51,7 +51,7 @@ fn of_boxes(lcp: &Lcp, bodies: Option<&Gauss>, claim: &Claim) -> Result<(), Stri
             let (x, y) = (solution(lcp, x)?, solution(lcp, y)?);
             let is_same = |i| x.scaled(i) * y.denominator() == y.scaled(i) * x.denominator();
             match (0..lcp.len()).all(is_same) {
-                true => Err("the two solutions are one".into()),
+                true => Err("the two solutions are the same".into()),
                 false => Ok(()),
             }
         }
@@ -103,7 +103,7 @@ fn solution(lcp: &Lcp, x: &Vector) -> Result<Point, String> {
     let point = point(lcp, x)?;
     match Exact::new(lcp).is_solved_by(&point) {
         true => Ok(point),
-        false => Err("the point is no solution".into()),
+        false => Err("the point is not a solution".into()),
     }
 }
 

@@ -249,8 +249,7 @@ fn obeying_equations(data: &Gauss, motion: &[f64]) -> Result<Motion, String> {
         }
         if rows.iter().any(|&i| speed(data, &v, i) != RBig::ZERO) {
             return Err(
-                "no motion obeys all equations: in their last digits they contradict each other"
-                    .into(),
+                "no motion satisfies all equations: their last digits contradict each other".into(),
             );
         }
     }

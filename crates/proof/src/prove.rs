@@ -100,7 +100,7 @@ struct Prover<'a> {
 
 impl<'a> Prover<'a> {
     fn new(question: &'a Question, answer: &'a [f64]) -> Self {
-        assert_eq!(answer.len(), rows(question).len(), "an answer needs one entry a row");
+        assert_eq!(answer.len(), rows(question).len(), "an answer needs one entry per row");
         Prover { question, answer, solvable: OnceCell::new() }
     }
 
@@ -241,7 +241,7 @@ fn unique(lcp: &Lcp) -> Result<Reason, String> {
         return Ok(Reason::PMatrix);
     }
     Err(match lcp.len() {
-        n if n <= MOST_ROWS_OF_P => "A + Aᵀ is not definite, and A is no P-matrix".into(),
+        n if n <= MOST_ROWS_OF_P => "A + Aᵀ is not definite, and A is not a P-matrix".into(),
         n if n <= most => {
             format!("A + Aᵀ is not definite, and {n} rows are too many for all principal minors")
         }

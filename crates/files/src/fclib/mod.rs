@@ -54,7 +54,7 @@ pub const FORMAT: Format = Format {
     beside: &[],
     carries: "contacts under Coulomb's law and equations; sparse",
     law: Some(Model::CoulombCone),
-    trap: "W may be unsymmetric in its last digits; contacts in the plane are rejected",
+    trap: "W may be asymmetric in its last digits; contacts in the plane are rejected",
     #[cfg(feature = "fclib")]
     read: reader::read,
     #[cfg(feature = "fclib")]

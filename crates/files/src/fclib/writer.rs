@@ -40,7 +40,8 @@ fn check_coupling(lcp: &Lcp, order: &Arrangement) -> Result<()> {
         for (j, a) in lcp.matrix().row(i).iter().filter(|(j, _)| is_equation[i] != is_equation[*j])
         {
             if lcp.matrix().entry(j, i) != a {
-                let reason = "is not A of the other triangle: FCLIB holds the coupling V once";
+                let reason =
+                    "differs from A of the other triangle: FCLIB stores the coupling V once";
                 return Err(Error::invalid("fclib", format!("A[{i}][{j}]"), reason));
             }
         }

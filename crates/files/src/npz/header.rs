@@ -38,8 +38,8 @@ impl Header {
         let mut text = vec![0; size];
         file.read_exact(&mut text).map_err(|cause| cause.to_string())?;
         let text =
-            String::from_utf8(text).map_err(|_| "has a head that is not text".to_string())?;
-        parse(&text).ok_or_else(|| format!("has a head that is none: {:?}", text.trim_end()))
+            String::from_utf8(text).map_err(|_| "has a header that is not text".to_string())?;
+        parse(&text).ok_or_else(|| format!("has an invalid header: {:?}", text.trim_end()))
     }
 
     /// The header as bytes, padded with spaces so that the entries start at a multiple of 64.

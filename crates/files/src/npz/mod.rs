@@ -59,7 +59,7 @@ pub const FORMAT: Format = Format {
     beside: &[],
     carries: "any bounds, coupled rows, dense and sparse",
     law: None,
-    trap: "scipy.sparse.save_npz has no b; what fortran_order says is stored by columns",
+    trap: "scipy.sparse.save_npz writes no b; arrays with fortran_order are stored by columns",
     read,
     write: Some(write),
 };
@@ -121,7 +121,7 @@ fn check_names(names: &[String], known: &[&[&str]], input: &str) -> Result<()> {
 fn sparse(arrays: &Arrays, names: &[String], input: &str) -> Result<Table> {
     let get = |part: &str| {
         arrays.get(part).ok_or_else(|| {
-            let reason = "is missing: neither A nor a matrix as scipy.sparse stores it";
+            let reason = "is missing: there is neither A nor a scipy.sparse matrix";
             Error::invalid(input, part, reason)
         })
     };

@@ -36,7 +36,7 @@ use super::Format;
 /// Quadratic programs over boxes.
 pub const FORMAT: Format = Format {
     name: "qps",
-    about: "QPS: convex programmers' quadratic programs, over boxes only",
+    about: "QPS: quadratic programs, over boxes only",
     endings: &[".qps", ".mps"],
     in_folder: None,
     beside: &[],

@@ -118,8 +118,8 @@ impl Program {
                 }
                 Ok(())
             }
-            ("", _) => Err("stands before any section".into()),
-            _ => Err(format!("is no line of {section}: {:?}", brief(&fields.join(" ")))),
+            ("", _) => Err("is before the first section".into()),
+            _ => Err(format!("is not a line of {section}: {:?}", brief(&fields.join(" ")))),
         }
     }
 
@@ -164,7 +164,7 @@ impl Program {
             ("FR" | "MI" | "PL", [column]) => ("", column, 0.0),
             ("FR" | "MI" | "PL", [set, column] | [set, column, _]) => (*set, column, 0.0),
             ("BV" | "LI" | "UI" | "SC", _) => return Err("integers are not read".into()),
-            _ => return Err(format!("is no bound: {:?}", brief(kind))),
+            _ => return Err(format!("is not a bound: {:?}", brief(kind))),
         };
         if self.bounds.get_or_insert_with(|| set.to_string()) != set {
             return Err(format!("a second set of bounds, {:?}", brief(set)));

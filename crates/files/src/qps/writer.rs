@@ -8,11 +8,11 @@ use lcplab_problem::file::Problem;
 pub(super) fn write(problem: &Problem) -> Result<Output> {
     let lcp = &problem.lcp;
     if lcp.coupling().is_some() {
-        let reason = "is given: a box cannot grow with another unknown in a quadratic program";
+        let reason = "is given: in a quadratic program, bounds cannot depend on another unknown";
         return Err(Error::invalid("qps", "friction_index", reason));
     }
     if !lcp.matrix().is_symmetric() {
-        return Err(Error::invalid("qps", "A", "is not symmetric: no objective leads to it"));
+        return Err(Error::invalid("qps", "A", "is not symmetric, so no objective has it"));
     }
     let n = lcp.len();
     let name: Vec<&str> = problem.name.split_whitespace().collect();

@@ -80,8 +80,8 @@ pub fn gap_bound(
     x: &[f64],
     v: &[f64],
 ) -> Result<GapBound, Unproved> {
-    assert_eq!(x.len(), gauss.bias.len(), "x needs one entry a row");
-    assert_eq!(v.len(), gauss.target.len(), "v needs one entry a column of M");
+    assert_eq!(x.len(), gauss.bias.len(), "x needs one entry per row");
+    assert_eq!(v.len(), gauss.target.len(), "v needs one entry per column of M");
     let numbers = [x, v, &gauss.bias, &gauss.target, &gauss.compliance];
     if !numbers.into_iter().flatten().all(|number| number.is_finite()) {
         return Err(Unproved::NotFinite);
@@ -135,7 +135,7 @@ pub fn answer_bound(
     cones: &[EllipticCone],
     x: &[f64],
 ) -> Result<MotionBound, Unproved> {
-    assert_eq!(x.len(), gauss.bias.len(), "x needs one entry a row");
+    assert_eq!(x.len(), gauss.bias.len(), "x needs one entry per row");
     let problem = Problem::new(gauss, cones)?;
     let forces: Vec<f64> = problem.forces(x).iter().map(|f| f.middle()).collect();
     let change = problem.mass.solve(&forces);

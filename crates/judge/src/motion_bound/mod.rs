@@ -151,7 +151,7 @@ impl fmt::Display for Unproved {
 /// assert!((bound.energy_norm - 2.0 * 2f64.sqrt()).abs() < 1e-12);
 /// ```
 pub fn motion_bound(gauss: &Gauss, x: &[f64]) -> Result<MotionBound, Unproved> {
-    assert_eq!(x.len(), gauss.jacobian.len(), "x needs one entry a row");
+    assert_eq!(x.len(), gauss.jacobian.len(), "x needs one entry per row");
     if !x.iter().all(|x| x.is_finite()) {
         return Err(Unproved::NotFinite);
     }

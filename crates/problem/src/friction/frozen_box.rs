@@ -19,7 +19,7 @@ impl FrictionProblem {
     /// If there is not exactly one x̄_n for each contact.
     /// If there is not one x̄_n a contact.
     pub fn frozen_box(&self, normal: &[f64]) -> Lcp {
-        assert_eq!(normal.len(), self.contacts().len(), "one normal impulse a contact");
+        assert_eq!(normal.len(), self.contacts().len(), "one normal impulse per contact");
         let mut x = vec![0.0; self.lcp().len()];
         for (contact, normal) in self.contacts().iter().zip(normal) {
             x[contact.rows[0]] = *normal;

@@ -173,7 +173,7 @@ impl FrictionProblem {
 fn take_row(lcp: &Lcp, is_free: &mut [bool], i: usize, is_normal: bool) -> Option<String> {
     match is_free.get_mut(i) {
         None => return Some(format!("does not exist, there are only {} rows", lcp.len())),
-        Some(false) => return Some("is taken twice".to_string()),
+        Some(false) => return Some("is used twice".to_string()),
         Some(free) => *free = false,
     }
     let (lo, hi) = (lcp.lo()[i], lcp.hi()[i]);
