@@ -30,7 +30,7 @@ pub(super) fn explained(error: Error, path: &Path, format: &Format) -> Error {
 
 fn beginning(path: &Path) -> Option<Vec<u8>> {
     let mut start = Vec::new();
-    let is_file = path.is_file(); // a pipe has been read already
+    let is_file = path.is_file(); // a pipe cannot be read twice
     let file = is_file.then(|| File::open(path).ok()).flatten()?;
     file.take(32).read_to_end(&mut start).ok()?;
     Some(start)

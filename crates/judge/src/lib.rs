@@ -175,7 +175,7 @@ fn may_be_rounding(lcp: &Lcp, x: &[f64], bounds: &[f64]) -> bool {
         let of_w: f64 = lcp.matrix().row(i).iter().map(|(j, a)| moved(j, a)).sum();
         let of_bound = lcp.coupled_to(i).map_or(0.0, |(k, mu)| mu * bounds[k]);
         let scale = at.rows[i].scale.value();
-        let least = 2.0 * (of_w + scale * (bounds[i] + of_bound)); // twice, as this is rounded too
+        let least = 2.0 * (of_w + scale * (bounds[i] + of_bound)); // twice: this is rounded, too
         let size = at.residual(i).step * at.rows[i].scale.sqrt();
         !(size.value() > least)
     })
@@ -195,7 +195,7 @@ fn searched(at: &Rows<'_>, within: Certificate) -> Certificate {
             distance if is_near(at.x, distance) => {
                 Certificate { verdict: Verdict::Proved { distance }, ..within }
             }
-            _ => within, // one of many, which says nothing of x
+            _ => within, // one of several, which says nothing about x
         },
         Existence::Unknown => within,
     }

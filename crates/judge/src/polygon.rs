@@ -72,7 +72,7 @@ fn judge_as_given(polyhedral: &Polyhedral, x: &[f64], demand: &Demand) -> Fricti
         None if !is_worth_something(polyhedral, &found, demand.tolerance) => {
             refusal(worst_row, scaled_residual, Refusal::NoBetterThanZero)
         }
-        None if proof.is_some() => Verdict::WithinTolerance, // a solution elsewhere
+        None if proof.is_some() => Verdict::WithinTolerance, // the solution is too far from x
         None => return searched(polyhedral, x, &z, certificate, demand),
     };
     FrictionCertificate { verdict, ..certificate }
@@ -135,12 +135,12 @@ fn searched(
         return within;
     }
     match existence(polyhedral.lcp(), &[z]) {
-        Existence::None(_) => impossible(None), // by the rows of z, which no x can show
+        Existence::None(_) => impossible(None), // the proof is about the rows of z, not of x
         Existence::Solution(point) => match polyhedral.exact_x(&point).distance(x) {
             distance if is_near(x, distance) => {
                 FrictionCertificate { verdict: Verdict::Proved { distance }, ..within }
             }
-            _ => within, // one of many, which says nothing of x
+            _ => within, // one of several, which says nothing about x
         },
         Existence::Unknown => within,
     }

@@ -40,7 +40,7 @@ impl Drop for ProcessGroup {
         let _ = rustix::process::kill_process_group(
             rustix::process::Pid::from_child(&self.0),
             rustix::process::Signal::KILL,
-        ); // it may have ended
+        ); // the process may have ended already
         let _ = self.0.kill();
         let _ = self.0.wait();
     }

@@ -228,7 +228,7 @@ impl Program {
             Err(trouble) => Err(trouble),
         };
         let again = match process.take().map(ask) {
-            Some(Err(Trouble::Ended(_))) | None => ask(Process::start(&self.words)?), // made for one problem
+            Some(Err(Trouble::Ended(_))) | None => ask(Process::start(&self.words)?), // a new process
             Some(answered) => answered,
         };
         let (running, line) = again.map_err(Trouble::in_words)?;

@@ -192,7 +192,7 @@ impl Table {
 
     /// Whether a variable belongs to an equation: its y is unrestricted and its v is 0.
     fn is_equation(&self, variable: usize) -> bool {
-        let is_of_a_pair = variable < 2 * self.pairs; // not that of Lemke
+        let is_of_a_pair = variable < 2 * self.pairs; // not Lemke's artificial variable
         is_of_a_pair && self.forms.get(variable % self.pairs) == Some(&Form::Equation)
     }
 
@@ -257,7 +257,7 @@ impl Table {
         let is_basic = |variable: usize| self.basic.contains(&variable);
         match self.forms[i] {
             Form::Equation => Side::Free,
-            Form::Between(p) if is_basic(p) => Side::Upper, // u rises above 0
+            Form::Between(p) if is_basic(p) => Side::Upper, // u > 0
             Form::Down if !is_basic(i) => Side::Upper,
             _ if !is_basic(i) => Side::Lower,
             _ => Side::Free,

@@ -176,7 +176,7 @@ impl File<'_> {
         let (i, j) = match nz {
             -1 => (wholes(&i), unpacked(&p, cols, x.len())),
             -2 => (unpacked(&p, rows, x.len()), wholes(&i)),
-            _ => (wholes(&i), wholes(&p)), // as CSparse has them
+            _ => (wholes(&i), wholes(&p)), // CSparse's meaning
         };
         let (Some(i), Some(j)) = (i, j) else {
             return Err(fault("p and i do not determine the positions of the numbers"));

@@ -23,7 +23,7 @@ pub fn solve(mut rows: Vec<Vec<IBig>>, columns: usize) -> Found {
             row.iter_mut().for_each(|value| *value = -std::mem::take(value));
         }
         let right = row.pop().expect("its right side");
-        row.extend((0..m).map(|k| IBig::from(u8::from(k == i)))); // a variable that takes up what is missing
+        row.extend((0..m).map(|k| IBig::from(u8::from(k == i)))); // artificial variables
         row.push(right);
     }
     let width = columns + m + 1;
@@ -41,7 +41,7 @@ pub fn solve(mut rows: Vec<Vec<IBig>>, columns: usize) -> Found {
         };
         let rising = (0..m).filter(|&i| rows[i][c] > IBig::ZERO);
         let Some(r) = rising.reduce(|best, i| if ratio_is_less(i, best) { i } else { best }) else {
-            break; // the sum is at least 0, so that this cannot be
+            break; // impossible, because the sum is at least 0
         };
         let own = std::mem::take(&mut rows[r]);
         for row in rows.iter_mut().filter(|row| !row.is_empty()).chain([&mut costs]) {

@@ -17,7 +17,7 @@ use lcplab_problem::Lcp;
 pub fn farkas(lcp: &Lcp) -> Option<Vec<f64>> {
     let n = lcp.len();
     if n == 0 {
-        return None; // clarabel knows no empty program
+        return None; // clarabel does not accept an empty program
     }
     let zero = vec![0.0; n];
     let unit: Vec<f64> =

@@ -170,10 +170,10 @@ fn sums(products: impl Iterator<Item = (f64, f64)>) -> (f64, f64) {
     let (mut sum, mut error, mut terms) = (0.0f64, 0.0f64, 0.0);
     for (a, x) in products {
         let product = a * x;
-        error += a.mul_add(x, -product); // a x = product + this
+        error += a.mul_add(x, -product); // a x − product
         let next = sum + product;
         let part = next - sum;
-        error += (sum - (next - part)) + (product - part); // sum + product = next + this
+        error += (sum - (next - part)) + (product - part); // sum + product − next
         sum = next;
         terms += product.abs();
     }

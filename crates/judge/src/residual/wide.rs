@@ -29,7 +29,7 @@ impl Wide {
 
     /// The nearest `f64`, which may be 0 or ∞.
     pub fn value(self) -> f64 {
-        let most = 10_000; // beyond every exponent of a double
+        let most = 10_000; // larger than any exponent of an `f64`
         libm::ldexp(self.mantissa, self.exponent.clamp(-most, most) as i32)
     }
 

@@ -124,7 +124,7 @@ impl RowTerms {
         let scale = self.positive_scale();
         let slack = |bound: f64| match x - bound {
             distance if distance.is_infinite() && bound.is_finite() => {
-                product(scale, 0.5 * x - 0.5 * bound, 1 - self.exponent) // beyond the largest number
+                product(scale, 0.5 * x - 0.5 * bound, 1 - self.exponent) // x − bound overflows
             }
             distance => product(scale, distance, -self.exponent),
         };

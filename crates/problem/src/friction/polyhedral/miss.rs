@@ -101,7 +101,7 @@ impl<'a> ContactFriction<'a> {
         let normal = at(contact.normal).size(&polyhedral.lcp, contact.normal, z);
         let rounding = f64::EPSILON * z[contact.gamma];
         let row = |unknown: usize| match at(unknown) {
-            row if row.w().abs() <= rounding => RowTerms { w: 0.0, ..row }, // γ is its speed, rounded
+            row if row.w().abs() <= rounding => RowTerms { w: 0.0, ..row }, // γ is its speed
             row => row,
         };
         ContactFriction {
