@@ -71,7 +71,8 @@ const IMPROVEMENTS: i32 = 4;
 /// How far the motion of x is from the exact one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionBound {
-    /// |u(x) − û|_M is at most this: √J at velocity level, where ½ |v|²_M is a kinetic energy. x is the answer itself, even outside its bounds.
+    /// |u(x) − û|_M is at most this: √J at velocity level, where ½ |v|²_M is a kinetic energy. x is
+    /// the answer itself, even outside its bounds.
     pub energy_norm: f64,
     /// Every entry of u(x) − û is at most this (m/s and rad/s, or m/s² and rad/s²).
     pub largest_entry: f64,

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Each tangent obeys Coulomb's law in one dimension, independently of the other. Friction is
-//! therefore correct for a contact that slides along t1; at an oblique slip both rows apply their
+//! therefore correct for a contact that slides along t1; for an oblique slip both rows apply their
 //! full force, √2 μ x_n together, toward a corner of the square and not against the slip. Rotating
 //! the tangents changes the answer: the model is anisotropic, unlike Coulomb friction.
 //!

@@ -120,7 +120,7 @@ impl FrictionProblem {
     /// The problem with an LCP's [contacts](Lcp::contacts); its box model is that LCP.
     ///
     /// # Errors
-    /// Lists each row that does not bound exactly two others with the same μ; otherwise as
+    /// Lists each row that bounds others, but not exactly two with the same μ; otherwise as
     /// [`FrictionProblem::new`].
     pub fn of(lcp: &Lcp) -> Result<Self> {
         let mut defects = Defects::default();
