@@ -167,7 +167,8 @@ pub fn objective(lcp: &Lcp, x: &[f64]) -> f64 {
     (0..lcp.len()).map(|i| x[i] * (0.5 * lcp.matrix().row_dot(i, x) + lcp.b()[i])).sum()
 }
 
-/// |A x + b|₂ / |b|₂, the chapter's stopping test, K&M (4). A known-wrong variant: at a solution with an active bound it is not zero, because w is not (E04).
+/// |A x + b|₂ / |b|₂, the chapter's stopping test, K&M (4). A known-wrong variant: at a solution
+/// with an active bound it is not zero, because w is not (E04).
 pub fn km4(lcp: &Lcp, x: &[f64]) -> f64 {
     euclidean(&lcp.w(x)) / euclidean(lcp.b())
 }
