@@ -1,15 +1,15 @@
-//! What the arrays of one file may take together: a small file can hold, or claim, very large ones.
+//! Memory limit for all arrays of one file: a small file can contain, or claim, very large ones.
 
 use std::cell::Cell;
 
 use lcplab_problem::error::Result;
 use lcplab_problem::memory::Memory;
 
-/// What a number takes beside its bytes until it stands in the problem: as a float or an index,
-/// with its row and column in a list of entries, and in the matrix made of that (bytes).
+/// Memory for a number in addition to its stored bytes (bytes): as a float or an index, with its
+/// row and column in a list of entries, and in the resulting matrix.
 const PLACE: usize = 48;
 
-/// The memory of a file's arrays, taken before they are read.
+/// The memory still available to a file's arrays; it is reserved before they are read.
 pub(super) struct Budget {
     limit: Memory,
     taken: Cell<u64>,
@@ -20,10 +20,10 @@ impl Budget {
         Budget { limit, taken: Cell::new(0) }
     }
 
-    /// Takes room for `count` numbers of so many bytes each.
+    /// Reserves memory for `count` numbers of `size` bytes each.
     ///
     /// # Errors
-    /// If that and what was taken before are more than the limit.
+    /// If the total would exceed the limit.
     pub fn take(&self, what: impl Into<String>, count: usize, size: usize) -> Result<()> {
         let own = Memory::bytes(size.saturating_add(PLACE) as u64).times(count);
         let needs = self.taken.get().saturating_add(own.in_bytes());

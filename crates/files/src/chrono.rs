@@ -1,37 +1,38 @@
-//! Project Chrono's matrix dumps: masses, Jacobian and forces, one file each.
+//! Project Chrono's matrix dumps: one file each for masses, Jacobian and forces.
 //!
 //! Defined by `ChSystemDescriptor` (src/chrono/solver/ChSystemDescriptor.cpp), whose
-//! `WriteMatrixBlocks(path, prefix)`, once `DumpLastMatrices` with the prefix `dump`, writes what
-//! the last step solved, and by `StreamOut` in src/chrono/core/ChMatrix.h:
+//! `WriteMatrixBlocks(path, prefix)`, formerly `DumpLastMatrices` with the prefix `dump`, writes
+//! the problem solved in the last step, and by `StreamOut` in src/chrono/core/ChMatrix.h:
 //!
-//! | file | what is in it |
+//! | file | contents |
 //! | --- | --- |
-//! | `dump_H.dat`, once `dump_M.dat` | H, masses (and stiffness, damping) over the step; `row column value` a line |
-//! | `dump_Cq.dat` | Cq, the Jacobian of the constraints; `row column value` a line |
-//! | `dump_E.dat` | E, the constraints' compliance, a diagonal; none if there is no file |
-//! | `dump_f.dat` | f, a number a line |
-//! | `dump_b.dat` | b, a number a line |
+//! | `dump_H.dat`, formerly `dump_M.dat` | H, masses (and stiffness, damping) over the step; lines `row column value` |
+//! | `dump_Cq.dat` | Cq, the Jacobian of the constraints; lines `row column value` |
+//! | `dump_E.dat` | E, the constraints' compliance, a diagonal; optional |
+//! | `dump_f.dat` | f, one number per line |
+//! | `dump_b.dat` | b, one number per line |
 //! | `dump_fric.dat` | μ in the normal row of a contact, −1 in its tangents, −2 in any other row |
 //!
-//! The problem is given as their folder, as `dump`, or as `dump_Cq.dat`. With impulses l,
-//! velocities v and w = Cq v + b + |E| l,
+//! The path of the problem is their folder, `dump`, or `dump_Cq.dat`. With impulses l, velocities v
+//! and w = Cq v + b + |E| l,
 //!
 //! ```text
 //! H v = f + Cqᵀ l        A = Cq H⁻¹ Cqᵀ + |E|        b ← Cq H⁻¹ f + b
 //! ```
 //!
-//! A contact stands as n, t1, t2; rows with −2 are equations. Chrono's iterative solvers meet the
-//! *associated* cone (Tasora & Anitescu 2011), so that is the `model`; take `--model coulomb-cone`
-//! for Coulomb's law.
+//! A contact has the rows n, t1, t2; rows with −2 are equations. Chrono's iterative solvers use the
+//! *associated* cone (Tasora & Anitescu 2011), so that is the `model`; for Coulomb's law choose the
+//! model `coulomb-cone`.
 //!
 //! Traps: b has the opposite sign of the lower half of Chrono's assembled right-hand side
-//! (`dump_rhs.dat`), and so have its unknowns −l. E is written as +cfm where the comments say −cfm;
-//! a compliance is never negative, so its size is taken. Indices begin with 1 in old dumps and with
-//! 0 in those of today, unless `one_indexed` was asked for: they count from 0 if any index is 0.
-//! Today's Chrono does not write `dump_fric.dat` any more, without which nobody can tell a joint
-//! from a contact: write one by hand, a number a line. A limit of a joint is marked −2 like a
-//! joint, and would be read as an equation. Numbers have twelve digits or so: the answer is no
-//! better. Dumps are only read, since a problem does not tell what H and Cq its A was made of.
+//! (`dump_rhs.dat`), and so have its unknowns −l. E is written as +cfm although the comments say
+//! −cfm; since a compliance is never negative, the reader takes the absolute value. Indices start
+//! at 1 in old dumps and at 0 in current ones, unless `one_indexed` was set: the reader counts from
+//! 0 if any index is 0. Current versions of Chrono no longer write `dump_fric.dat`, which
+//! distinguishes joints from contacts: write it by hand, one number per line. A joint limit has −2
+//! like a joint, and is read as an equation. Numbers have about twelve digits, and answers cannot
+//! be more accurate. The format is import only, because a problem does not contain the H and Cq of
+//! its A.
 
 use super::delassus::{Entry, Motion, is_symmetric};
 use super::words::Words;
@@ -54,7 +55,7 @@ pub const FORMAT: Format = Format {
     write: None,
 };
 
-/// The part of a problem that the main file holds.
+/// The part of the problem in the main file.
 const MAIN: &str = "Cq";
 
 fn read(input: &Input) -> Result<Problem> {
@@ -127,7 +128,7 @@ fn blocks(files: &[Option<Input>; 3], [k, n]: [usize; 2]) -> Result<[Vec<Entry>;
     Ok(blocks)
 }
 
-/// The entries of a matrix, `row column value`.
+/// The entries of a matrix, lines `row column value`.
 fn entries(text: &str, input: &str) -> Result<Vec<Entry>> {
     let mut words = Words::new(text, input);
     let mut entries = Vec::new();
@@ -150,7 +151,7 @@ fn list(text: &str, input: &str) -> Result<Vec<f64>> {
     }
 }
 
-/// What the coefficients of friction say of the rows.
+/// The rows as classified by the coefficients of friction.
 struct Rows {
     lo: Vec<f64>,
     index: Vec<Option<usize>>,

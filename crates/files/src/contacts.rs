@@ -1,11 +1,11 @@
-//! The rows of a problem as programs for friction list them: contact after contact, each as n, t1,
-//! t2, then the equations.
+//! The row order of friction formats: one contact after the other, each as n, t1, t2, then the
+//! equations.
 
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::{Entries, Parts, Problem};
 
-/// A problem whose first rows are those of one contact after the other, with a mu each; the rest
-/// are equations. There must be three rows for each mu.
+/// A problem whose first rows are contacts, three rows and one mu each; the remaining rows are
+/// equations. There must be three rows for each mu.
 pub(super) fn coulomb(entries: Entries, b: Vec<f64>, mu: &[f64]) -> Parts {
     let (n, friction) = (b.len(), 3 * mu.len());
     let is_normal = |i: usize| i < friction && i.is_multiple_of(3);
@@ -20,9 +20,9 @@ pub(super) fn coulomb(entries: Entries, b: Vec<f64>, mu: &[f64]) -> Parts {
     }
 }
 
-/// Rows in that order.
+/// Rows in the order of a friction format.
 pub(super) struct Arrangement {
-    /// Which row of the problem stands where.
+    /// The problem's row at each position.
     pub rows: Vec<usize>,
     /// The coefficient of friction of each contact.
     pub mu: Vec<f64>,
@@ -32,7 +32,7 @@ impl Arrangement {
     /// The order of a problem's rows in a format.
     ///
     /// # Errors
-    /// If a row is neither one of a contact nor an equation.
+    /// If a row is neither a contact row nor an equation.
     pub fn of(problem: &Problem, format: &str) -> Result<Self> {
         let friction = problem.friction().unwrap_or_else(|| {
             Err(Error::invalid(format, "friction_index", "is missing: there are no contacts"))
@@ -50,12 +50,12 @@ impl Arrangement {
         })
     }
 
-    /// The rows of no contact.
+    /// The rows that belong to no contact.
     pub fn equations(&self) -> &[usize] {
         &self.rows[3 * self.mu.len()..]
     }
 
-    /// What the reader must know who finds the rows in this order.
+    /// A note for the user if the rows are written in another order.
     pub fn notes(order: &[usize]) -> Vec<String> {
         let is_kept = order.iter().enumerate().all(|(k, i)| k == *i);
         if is_kept { Vec::new() } else { vec![format!("rows are written in the order {order:?}")] }

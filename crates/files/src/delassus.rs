@@ -1,10 +1,10 @@
-//! From velocities to impulses: A = J M⁻¹ Jᵀ and J M⁻¹ f, where a file holds M, J and f.
+//! Computes A = J M⁻¹ Jᵀ and J M⁻¹ f, for files that store M, J and f.
 //!
-//! M is factored once, by sparse Cholesky where it is symmetric and by sparse LU where it is not,
-//! and each column of A is one solve, M y = J_iᵀ, and a product a row of J. A step of iterative
-//! refinement, y + M⁻¹ (J_iᵀ − M y), takes away most of the rounding of a solve and shows how much
-//! there was: an M so badly conditioned that few digits of A would be right is refused. Of a
-//! symmetric M the lower triangle of A is computed and mirrored, so A is symmetric to the last bit.
+//! M is factored once, by sparse Cholesky if it is symmetric, otherwise by sparse LU. Each column
+//! of A is one solve, M y = J_iᵀ, and one product per row of J. A step of iterative refinement, y +
+//! M⁻¹ (J_iᵀ − M y), removes most of the rounding error of a solve and estimates it: an M so badly
+//! conditioned that only a few digits of A would be correct is rejected. For symmetric M the lower
+//! triangle of A is computed and mirrored, so A is exactly symmetric.
 
 use faer::Mat;
 use faer::Side;
@@ -15,18 +15,18 @@ use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::Entries;
 use lcplab_problem::memory::Memory;
 
-/// A row, a column and the number there.
+/// Row, column and value.
 pub(super) type Entry = (usize, usize, f64);
 
-/// Up to this many rows A is dense, whatever its fill.
+/// Up to this number of rows A is always stored densely.
 const SMALL: usize = 32;
-/// Beyond SMALL, A is dense where at least this part of its entries is stored.
+/// Above SMALL rows, A is stored densely if at least this fraction of its entries is nonzero.
 const FULL: f64 = 0.25;
 
-/// The part of a solution by which a step of refinement may change it.
+/// Limit on the relative change of a solution in the refinement step.
 const INACCURATE: f64 = 1e-8;
 
-/// What an entry of A takes in a list of entries, and in the matrix made of that (bytes).
+/// Memory for an entry of A in a list of entries and in the resulting matrix (bytes).
 const ENTRY: usize = 48;
 
 /// A motion M v = f + Jᵀx with its constraints J.
@@ -40,12 +40,11 @@ pub(super) struct Motion {
 }
 
 impl Motion {
-    /// J M⁻¹ Jᵀ + diag(`compliance`), and J M⁻¹ f; messages call M `name`.
+    /// J M⁻¹ Jᵀ + diag(`compliance`), and J M⁻¹ f; messages refer to M as `name`.
     ///
     /// # Errors
-    /// If M is symmetric and not positive definite, one triangle of a matrix, or too badly
-    /// conditioned, or if A, which a file need not be large to ask for, takes more memory than
-    /// this.
+    /// If M is symmetric but not positive definite, a single triangle of a matrix, or too badly
+    /// conditioned, or if A exceeds the memory limit, which even a small file can cause.
     pub fn dual(
         &self,
         compliance: &[f64],
@@ -80,7 +79,7 @@ impl Motion {
         Ok((entries(self.jacobian.len(), triplets), b))
     }
 
-    /// M⁻¹ times a vector.
+    /// Factors M.
     fn factor(&self, is_symmetric: bool) -> std::result::Result<Factor, &'static str> {
         let k = self.force.len();
         let triplets: Vec<_> =
@@ -102,7 +101,7 @@ impl Motion {
         Ok(Box::new(move |right| factor.solve(right)))
     }
 
-    /// M⁻¹ times `right`, refined once.
+    /// M⁻¹ `right`, with one refinement step.
     fn solution(
         &self,
         factor: &Factor,
@@ -125,10 +124,10 @@ impl Motion {
     }
 }
 
-/// A factored matrix: its inverse times a vector.
+/// A factored matrix, as a function that solves with it.
 type Factor = Box<dyn Fn(&Mat<f64>) -> Mat<f64>>;
 
-/// Whether entries, of which several may stand at one place, are those of their transpose.
+/// Whether the entries, which may repeat positions, form a symmetric matrix.
 pub(super) fn is_symmetric(entries: &[Entry]) -> bool {
     let sorted = |key: fn(&Entry) -> Entry| {
         let mut entries: Vec<Entry> = entries.iter().map(key).filter(|e| e.2 != 0.0).collect();

@@ -1,8 +1,9 @@
-//! Files are written whole or not at all.
+//! Atomic writing of files: a file is written completely or not at all.
 //!
-//! A path that the user named may be a symbolic link, and is followed. A name that the program
-//! chose inside a folder may not: the folder may come from a stranger, and a link in it can lead to
-//! any file of the reader. So such a name goes through [`inside`], [`write_in`] or [`make_in`].
+//! A path given by the user may be a symbolic link and is followed. A name that the program chose
+//! inside a folder must not be a link: the folder may come from an untrusted source, and a link in
+//! it can point to any file of the user. Such names go through [`inside`], [`write_in`] or
+//! [`make_in`].
 
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -12,12 +13,12 @@ use tempfile::Builder;
 
 use lcplab_problem::error::{Error, Result};
 
-/// Writes a file that the user named, with the folders above it, under a temporary name that is
-/// then changed: a reader, or an interrupted run, never finds half a file. A device or a pipe is
-/// written to directly, a link stays a link.
+/// Writes a file whose path the user gave, and creates missing parent folders. It writes under a
+/// temporary name and then renames, so that readers and interrupted runs never leave half a file.
+/// Devices and pipes are written directly, and a link stays a link.
 ///
 /// # Errors
-/// If it cannot be written; then what was there before is still there.
+/// If it cannot be written; then the previous file is unchanged.
 pub fn write(path: &Path, text: impl AsRef<[u8]>) -> Result<()> {
     let bytes = text.as_ref();
     let is_special = fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir());
@@ -28,12 +29,12 @@ pub fn write(path: &Path, text: impl AsRef<[u8]>) -> Result<()> {
     written.map_err(|cause| Error::file(path, &plain(cause)))
 }
 
-/// Writes a file whose name the program chose into a folder, as [`write`](write()) does, but never
+/// Writes a file whose name the program chose into a folder, like [`write`](write()), but never
 /// through a link.
 ///
 /// # Errors
-/// If a part of the name is a link, or the file cannot be written; then what was there before is
-/// still there.
+/// If a part of the name is a link, or the file cannot be written; then the previous file is
+/// unchanged.
 ///
 /// ```
 /// use lcplab_files::disk;
@@ -71,8 +72,7 @@ pub fn inside(folder: &Path, name: impl AsRef<Path>) -> Result<PathBuf> {
     Ok(path)
 }
 
-/// Puts what `fill` writes into a file in the place of another one; a link at that place is
-/// replaced, not followed.
+/// Writes a file with `fill` and puts it at `place`; a link there is replaced, not followed.
 fn replace(place: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
     let folder = folder_of(place);
     fs::create_dir_all(&folder)?;
@@ -82,26 +82,26 @@ fn replace(place: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> io::
     Ok(())
 }
 
-/// The file that a path means: where it is a link, the file at the link's end.
+/// The file to write for a path: if it is a link, the link's target.
 fn followed(path: &Path) -> PathBuf {
     fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf())
 }
 
-/// Makes a folder and sees whether files of these names can be put there, before hours are spent on
-/// what they shall hold.
+/// Creates a folder and checks that files with these names can be written there, before hours are
+/// spent on computing them.
 ///
 /// # Errors
-/// If they cannot.
+/// If they cannot be written.
 pub fn prepare(folder: &Path, names: &[&str]) -> Result<()> {
     let tried = fs::create_dir_all(folder).and_then(|()| named_part().tempfile_in(folder));
     tried.map(drop).map_err(|cause| Error::file(folder, &plain(cause)))?;
     names.iter().try_for_each(|name| inside(folder, name).map(drop))
 }
 
-/// The files of a folder in the order of their names.
+/// The files of a folder, sorted by name.
 ///
 /// # Errors
-/// If it cannot be read.
+/// If the folder cannot be read.
 pub fn list(folder: &Path) -> Result<Vec<PathBuf>> {
     let read = || -> io::Result<Vec<PathBuf>> {
         fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect()
@@ -111,20 +111,19 @@ pub fn list(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(paths)
 }
 
-/// Has a file that the user named made by another program, under a temporary name that is then
-/// changed.
+/// Lets `make` create a file whose path the user gave, under a temporary name, then renames it.
 ///
 /// # Errors
-/// What `make` says; or if there is no such file then, or it cannot be renamed.
+/// The error of `make`; or if it created no file, or the file cannot be renamed.
 pub fn made_by(path: &Path, make: impl FnOnce(&Path) -> Result<()>) -> Result<()> {
     make_at(&followed(path), make)
 }
 
-/// The same for a file whose name the program chose inside a folder: see [`inside`]. Returns its
-/// path.
+/// Like [`made_by`], for a file whose name the program chose inside a folder: see [`inside`].
+/// Returns its path.
 ///
 /// # Errors
-/// If the name is a link; what `make` says; or if there is no such file then, or it cannot be
+/// If the name is a link; the error of `make`; or if it created no file, or the file cannot be
 /// renamed.
 pub fn make_in(
     folder: &Path,
@@ -143,7 +142,7 @@ fn make_at(path: &Path, make: impl FnOnce(&Path) -> Result<()>) -> Result<()> {
     part.persist(path).map_err(|cause| failed(cause.error))
 }
 
-/// A temporary file that others may read as far as the user lets them.
+/// A temporary file with the permissions that the user's umask allows.
 fn named_part() -> Builder<'static, 'static> {
     let mut builder = Builder::new();
     builder.prefix(".lcplab-");
@@ -155,7 +154,7 @@ fn named_part() -> Builder<'static, 'static> {
     builder
 }
 
-/// The folder that a file is in.
+/// The folder that contains a file.
 pub fn folder_of(path: &Path) -> PathBuf {
     match path.parent() {
         Some(folder) if folder != Path::new("") => folder.into(),
@@ -163,7 +162,7 @@ pub fn folder_of(path: &Path) -> PathBuf {
     }
 }
 
-/// What the operating system said, without the temporary file's name.
+/// The error of the operating system without the temporary file's name.
 fn plain(cause: io::Error) -> io::Error {
     match cause.raw_os_error() {
         Some(_) => cause,

@@ -1,4 +1,4 @@
-//! Files that a format cannot read because they are of another kind, told by how they begin.
+//! Recognizes files of another kind by their first bytes, for better error messages.
 
 use std::fs::File;
 use std::io::Read;
@@ -7,7 +7,7 @@ use std::path::Path;
 use super::Format;
 use lcplab_problem::error::Error;
 
-/// How files of a kind begin, the format that reads them, what they are and what to do with them.
+/// The first bytes of a kind of files, the format that reads them, and a message about them.
 const KINDS: [(&[u8], &str, &str); 4] = [
     (b"MATLAB ", "", "is a MATLAB file, which is not read: save A, b, lo and hi with numpy.savez"),
     (b"version https://git-lfs", "", "is a pointer of Git LFS: the file itself was not fetched"),
@@ -15,7 +15,8 @@ const KINDS: [(&[u8], &str, &str); 4] = [
     (b"PK\x03\x04", "npz", "is an archive of arrays, but its name does not end in .npz"),
 ];
 
-/// The error of a file that could not be read in a format; what the file is, if that is known.
+/// The error of a file that could not be read in a format; it names the file's kind if that is
+/// known.
 pub(super) fn explained(error: Error, path: &Path, format: &Format) -> Error {
     let Some(start) = beginning(path) else { return error };
     let is_other = |(beginning, reader, _): &&(&[u8], &str, &str)| {
@@ -29,7 +30,7 @@ pub(super) fn explained(error: Error, path: &Path, format: &Format) -> Error {
 
 fn beginning(path: &Path) -> Option<Vec<u8>> {
     let mut start = Vec::new();
-    let is_file = path.is_file(); // a pipe has been read already
+    let is_file = path.is_file(); // a pipe cannot be read twice
     let file = is_file.then(|| File::open(path).ok()).flatten()?;
     file.take(32).read_to_end(&mut start).ok()?;
     Some(start)

@@ -1,4 +1,4 @@
-//! Where a problem is read from.
+//! The source that a problem is read from.
 
 use std::path::{Path, PathBuf};
 
@@ -6,7 +6,7 @@ use lcplab_problem::disk;
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::memory::Memory;
 
-/// A file, with those that belong to it beside it, or standard input.
+/// A file, together with its companion files, or standard input.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Input {
     path: PathBuf,
@@ -14,7 +14,7 @@ pub struct Input {
 }
 
 impl Input {
-    /// The file at `path`, of no more bytes than `most`; `-` is standard input.
+    /// The file at `path`, of at most `most` bytes; `-` is standard input.
     pub fn new(path: &Path, most: Memory) -> Self {
         Input { path: path.to_path_buf(), most }
     }
@@ -24,17 +24,17 @@ impl Input {
         &self.path
     }
 
-    /// Its limit.
+    /// Its size limit.
     pub fn most(&self) -> Memory {
         self.most
     }
 
-    /// What messages call it.
+    /// Its name in messages.
     pub fn name(&self) -> String {
         self.path.display().to_string()
     }
 
-    /// The name of the file without its ending.
+    /// The name of the file without its extension.
     pub fn stem(&self) -> String {
         match self.path.file_stem() {
             Some(stem) if !self.is_standard() => stem.to_string_lossy().into_owned(),
@@ -42,7 +42,7 @@ impl Input {
         }
     }
 
-    /// Everything in it.
+    /// Its contents.
     ///
     /// # Errors
     /// If it cannot be read.
@@ -50,7 +50,7 @@ impl Input {
         disk::read_bytes(&self.path, self.most)
     }
 
-    /// Everything in it as text.
+    /// Its contents as text.
     ///
     /// # Errors
     /// If it cannot be read or is not UTF-8.
@@ -62,12 +62,12 @@ impl Input {
         })
     }
 
-    /// The file that goes with this one as its `part`: see [`beside`].
+    /// The file that stores `part` with this file: see [`beside`].
     pub(super) fn companion(&self, main: &str, part: &str) -> Input {
         Input { path: beside(&self.path, main, part), most: self.most }
     }
 
-    /// Whether there is such a file.
+    /// Whether the file exists.
     pub(super) fn exists(&self) -> bool {
         self.path.is_file()
     }
@@ -77,8 +77,8 @@ impl Input {
     }
 }
 
-/// The file of a `part` beside the file of the part `main`: `b.mtx` beside `A.mtx`, `x_b.mtx`
-/// beside `x_A.mtx` and beside `x.mtx`.
+/// The path of the file that stores `part` with the file of the part `main`: `b.mtx` for `A.mtx`,
+/// `x_b.mtx` for `x_A.mtx` and for `x.mtx`.
 pub(super) fn beside(path: &Path, main: &str, part: &str) -> PathBuf {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let ending = path.extension().map(|ending| format!(".{}", ending.to_string_lossy()));

@@ -1,8 +1,8 @@
-//! Problems from elsewhere and for elsewhere: the file formats of other programs.
+//! Reads and writes problems in the file formats of other programs.
 //!
 //! | format | file | written | bounds | friction | its unknowns and their order |
 //! | --- | --- | --- | --- | --- | --- |
-//! | `json`: [`file`](lcplab_problem::file) | `.json` | yes | any | any model | w = A x + b, a contact n, t1, t2 as the file says |
+//! | `json`: [`file`](lcplab_problem::file) | `.json` | yes | any | any model | w = A x + b, the file defines the contacts' rows |
 //! | [`matrix_market`] | `.mtx`, several | yes | any | coupled rows | as `json`; a matrix in full is listed by columns |
 //! | [`npz`] | `.npz` | yes | any | coupled rows | as `json`; by rows unless `fortran_order` |
 //! | [`qps`] | `.qps`, `.mps` | yes | any | none | min ½ xᵀQx + cᵀx: A = Q, b = c; Q by one triangle |
@@ -10,10 +10,10 @@
 //! | [`fclib`] | `.hdf5` | yes | equations | Coulomb's law | u = W r + q; n first; sparse by columns or rows |
 //! | [`chrono`] | `_Cq.dat`, several | no | equations | associated cone | A = Cq H⁻¹ Cqᵀ + E, b = Cq H⁻¹ f + b; n first |
 //!
-//! Each page says where the format is defined, how it is mapped to w = A x + b and what trips
-//! people up. None of them is guessed: a file is refused unless all that it holds is understood,
-//! with the file, the line or key, and the reason. What is known not to be part of the problem,
-//! such as an answer beside it, is reported as a warning.
+//! The page of each format gives its definition, its mapping to w = A x + b, and common mistakes.
+//! Nothing is guessed: a file with content that the reader does not understand is invalid input,
+//! and the error names the file, the line or key, and the reason. Content that is known not to be
+//! part of the problem, such as an answer stored with it, causes a warning.
 //!
 //! ```
 //! use lcplab_files as exchange;
@@ -29,12 +29,11 @@
 //! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 //!
-//! Problems of a scene's own kind, MuJoCo's, come as `json`: `examples/python/mujoco_contacts.py`
-//! writes them with Python's `lcplab.receipt`. MuJoCo's contacts are soft, so that A + R is the
-//! matrix, not A.
+//! MuJoCo's contact problems come as `json`: `examples/python/mujoco_contacts.py` writes them with
+//! Python's `lcplab.receipt`. MuJoCo's contacts are soft, so the matrix is A + R, not A.
 //!
-//! Memory is bounded by what the files hold: no size that a file claims is believed before as many
-//! numbers have been read, and what is packed is unpacked only if all of it together stays within
+//! The contents of a file bound the memory: the reader trusts a size that a file states only after
+//! reading that many numbers, and unpacks compressed data only if all of it together stays within
 //! the limit ([`read_within`]).
 
 mod budget;
@@ -68,25 +67,27 @@ use lcplab_problem::memory::Memory;
 /// A format of problem files.
 #[derive(Debug, Clone, Copy)]
 pub struct Format {
-    /// The name to choose it by.
+    /// The name to select it by.
     pub name: &'static str,
-    /// Whose it is, in one line.
+    /// The program or project it belongs to, in one line.
     pub about: &'static str,
-    /// How the names of its files end; of several files, the one with the matrix.
+    /// The endings of its file names; for a format of several files, those of the file with the
+    /// matrix.
     pub endings: &'static [&'static str],
-    /// If it has several files: how the name of the one with the matrix ends in a folder of them.
+    /// For a format of several files: the ending of the file with the matrix if they share a
+    /// folder.
     pub in_folder: Option<&'static str>,
-    /// The other files, by what they hold: those beside `A.mtx` are `b.mtx`, ….
+    /// The other files, named after their contents: with `A.mtx` come `b.mtx`, ….
     pub beside: &'static [&'static str],
-    /// What it can carry.
+    /// The problems it can represent.
     pub carries: &'static str,
-    /// The model of friction that its files mean, if they mean one.
+    /// The friction model that its files imply, if they imply one.
     pub law: Option<Model>,
-    /// What trips people up.
+    /// Common mistakes.
     pub trap: &'static str,
     /// Reads a problem.
     pub read: fn(&Input) -> Result<Problem>,
-    /// Writes one, as far as the format can carry it.
+    /// Writes a problem, as far as the format can represent it.
     pub write: Option<fn(&Problem) -> Result<Output>>,
 }
 
@@ -101,7 +102,7 @@ pub const ALL: &[Format] = &[
     chrono::FORMAT,
 ];
 
-/// What the file with the matrix holds, of a format that is written over several files.
+/// The contents of the file with the matrix, for a format of several files.
 const MATRIX: &str = "A";
 
 /// lcplab's own problem files.
@@ -131,8 +132,8 @@ impl Format {
         })
     }
 
-    /// The format that a file's name ends like, in capitals or not, the longest ending first:
-    /// `_Cq.dat` is not `.dat`.
+    /// The format whose ending the file name has, ignoring case; the longest ending is tried first,
+    /// because `_Cq.dat` is not `.dat`.
     pub fn of(path: &Path) -> Option<&'static Format> {
         let name = path.file_name()?.to_str()?.to_ascii_lowercase();
         let ends = |ending: &&&str| name.ends_with(&ending.to_ascii_lowercase());
@@ -141,15 +142,15 @@ impl Format {
     }
 }
 
-/// Whether a name is that of a problem file: standard input, a known ending, or a folder or a stem
-/// of several files.
+/// Whether a name is that of a problem file: standard input, a known ending, or the folder or
+/// common prefix of several files.
 pub fn is_problem(path: &Path) -> bool {
     path == Path::new("-") || Format::of(path).is_some() || main_file(path).is_some()
 }
 
-/// Reads a problem: a file, `-` for standard input, or, where a format has several files, their
-/// folder or what their names begin with. Without a format the ending decides, and a name without a
-/// known one is read as JSON.
+/// Reads a problem from a file, from standard input (`-`), or, for a format of several files, from
+/// their folder or their common prefix. Without a format the ending decides; a name without a known
+/// ending is read as JSON.
 ///
 /// # Errors
 /// If the files cannot be read or have defects.
@@ -157,10 +158,10 @@ pub fn read(path: &Path, format: Option<&Format>) -> Result<Problem> {
     read_within(path, format, Memory::default())
 }
 
-/// The same with another limit on the memory that a file may take.
+/// Like [`read`], with another limit on the memory that reading may take.
 ///
 /// # Errors
-/// As [`read`], or if it needs more.
+/// As [`read`], or if reading needs more memory.
 pub fn read_within(path: &Path, format: Option<&Format>, most: Memory) -> Result<Problem> {
     let found = main_file(path);
     let path = found.as_deref().unwrap_or(path);
@@ -168,12 +169,12 @@ pub fn read_within(path: &Path, format: Option<&Format>, most: Memory) -> Result
     (format.read)(&Input::new(path, most)).map_err(|error| foreign::explained(error, path, format))
 }
 
-/// Writes a problem, over several files where the format has several; returns what the reader of
-/// the files should know. Without a format the ending decides.
+/// Writes a problem, to several files if the format has several; returns warnings for the readers
+/// of the files. Without a format the ending decides.
 ///
 /// # Errors
-/// If the format cannot carry the problem, is only read, a file cannot be written, or one stands
-/// there that would be read as part of the problem and is none.
+/// If the format cannot represent the problem or is import only, if a file cannot be written, or if
+/// an existing file would be read as part of the problem although it is not.
 pub fn write(problem: &Problem, path: &Path, format: Option<&Format>) -> Result<Vec<String>> {
     let format = match format.or_else(|| Format::of(path)) {
         Some(format) => format,
@@ -195,10 +196,10 @@ pub fn write(problem: &Problem, path: &Path, format: Option<&Format>) -> Result<
     Ok(output.notes)
 }
 
-/// The files of a problem in a format, not written yet.
+/// The files of a problem in a format, without writing them.
 ///
 /// # Errors
-/// If the format cannot carry the problem or is only read.
+/// If the format cannot represent the problem or is import only.
 pub fn encode(problem: &Problem, format: &Format) -> Result<Output> {
     let Some(write) = format.write else {
         return Err(Error::invalid(format.name, "format", "can be read but not written"));
@@ -210,21 +211,21 @@ pub fn encode(problem: &Problem, format: &Format) -> Result<Output> {
     Ok(output)
 }
 
-/// The model of friction that a problem has, and the one that files of a format mean, where they
-/// are not the same: in that format it is another problem, with other solutions.
+/// The problem's friction model and the one that the format implies, if they differ: in that format
+/// it is a different problem with different solutions.
 pub fn remodelled(problem: &Problem, format: &Format) -> Option<(Model, Model)> {
     let own = model(problem)?;
     let meant = format.law.unwrap_or(Model::CoupledBox);
     (format.name != JSON.name && own != meant).then_some((own, meant))
 }
 
-/// The model of friction under which a problem is to be solved; none without friction.
+/// The friction model of a problem; `None` without friction.
 pub fn model(problem: &Problem) -> Option<Model> {
     problem.lcp.coupling().filter(|coupling| !coupling.is_empty())?;
     Some(problem.model.unwrap_or(Model::CoupledBox))
 }
 
-/// What is known of a problem and does not fit into a format.
+/// Information about a problem that the format cannot store.
 fn left_behind(problem: &Problem) -> Option<String> {
     let mut left: Vec<&str> = problem.extra.keys().map(String::as_str).collect();
     left.extend((problem.lcp.scale() > 0.0).then_some("scale"));
@@ -232,8 +233,7 @@ fn left_behind(problem: &Problem) -> Option<String> {
     (!left.is_empty()).then(|| format!("left behind: {}", left.join(", ")))
 }
 
-/// The file with the matrix, if `path` is the folder of several files or what their names begin
-/// with.
+/// The file with the matrix, if `path` is the folder or the common prefix of several files.
 fn main_file(path: &Path) -> Option<PathBuf> {
     let several = || ALL.iter().filter_map(|format| Some((format, format.in_folder?)));
     if path.is_dir() {

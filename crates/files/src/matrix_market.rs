@@ -1,11 +1,11 @@
-//! Matrix Market: a matrix as text, with the vectors in files beside it.
+//! Matrix Market: a matrix as text, with the vectors in separate files.
 //!
 //! The format is Boisvert, Pozo & Remington, *The Matrix Market Exchange Formats: Initial Design*,
-//! NISTIR 5935 (1996); it knows one matrix a file. Beside the matrix, in `problem.mtx`,
-//! `problem_A.mtx` or `A.mtx`, stand `problem_b.mtx` (or `b.mtx`), as in the SuiteSparse
-//! collection, `lo` and `hi`, 0 and ∞ where there is no file; with friction `friction_index` (rows
-//! counted from 0, −1 for none) and `mu`. They mean what they mean in
-//! [`file`](lcplab_problem::file): w = A x + b.
+//! NISTIR 5935 (1996); each file holds one matrix. The matrix is in `problem.mtx`, `problem_A.mtx`
+//! or `A.mtx`. Next to it are `problem_b.mtx` (or `b.mtx`), as in the SuiteSparse collection, `lo`
+//! and `hi` (0 and ∞ if the file is missing), and, with friction, `friction_index` (rows counted
+//! from 0, −1 for none) and `mu`. Their meaning is the same as in [`file`](lcplab_problem::file): w
+//! = A x + b.
 //!
 //! ```text
 //! %%MatrixMarket matrix coordinate real symmetric      %%MatrixMarket matrix array real general
@@ -16,12 +16,13 @@
 //! 2 2 2                                                2
 //! ```
 //!
-//! Traps: indices begin with 1; an `array` is listed column by column; a `symmetric` file holds the
-//! lower triangle only, an entry above the diagonal is an error; infinite bounds are words, for
-//! which the format has none: `inf`, `Infinity` (SciPy) and the same with a sign are read, `inf` is
-//! written. Read are `real` and `integer`, `general` and `symmetric`; entries at the same place add
-//! up. `complex` and `pattern` files, which have no real numbers, are refused. Written is
-//! `general`, an `array` for a dense A, with the fewest digits that read back as the same bits.
+//! Traps: indices start at 1; an `array` is listed column by column; a `symmetric` file holds the
+//! lower triangle only, and an entry above the diagonal is an error. The format does not define
+//! infinite bounds: the words `inf`, `Infinity` (SciPy) and the same with a sign are read, and
+//! `inf` is written. The reader accepts `real` and `integer`, `general` and `symmetric`; entries at
+//! the same place are summed. `complex` and `pattern` files, which have no real numbers, are
+//! rejected. The writer uses `general`, and an `array` for a dense A, with the fewest digits that
+//! are read back bitwise.
 
 use super::output::decimal;
 use super::table::{Table, by_rows, parts};
@@ -61,7 +62,7 @@ fn read(input: &Input) -> Result<Problem> {
     Ok(Problem::new(input.stem(), lcp))
 }
 
-/// What the first line says about the rest.
+/// The contents of the first line.
 struct Header {
     is_coordinate: bool,
     is_symmetric: bool,
@@ -106,7 +107,7 @@ fn header(words: &mut Words) -> Result<Header> {
     Ok(Header { is_coordinate: format == "coordinate", is_symmetric: symmetry == "symmetric" })
 }
 
-/// Rows and columns, and for coordinates the number of entries.
+/// The numbers of rows and columns, and for coordinates the number of entries.
 fn sizes(line: &str, header: &Header, words: &Words) -> Result<Vec<usize>> {
     let sizes: Option<Vec<usize>> = line.split_whitespace().map(|word| word.parse().ok()).collect();
     let expected = if header.is_coordinate { 3 } else { 2 };
@@ -166,12 +167,12 @@ fn array(words: &mut Words, rows: usize, cols: usize, header: &Header) -> Result
     Ok(Table { rows, cols, entries: Entries::Dense(by_rows(rows, cols, &by_columns)) })
 }
 
-/// The places (i, j) on and below the diagonal, column by column.
+/// The positions (i, j) on and below the diagonal, column by column.
 fn lower_triangle(n: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..n).flat_map(move |j| (j..n).map(move |i| (i, j)))
 }
 
-/// All n² entries from the lower triangle by columns.
+/// All n² entries, from the lower triangle by columns.
 fn mirrored(n: usize, lower: &[f64]) -> Vec<f64> {
     let mut entries = vec![0.0; n * n];
     for ((i, j), value) in lower_triangle(n).zip(lower) {

@@ -1,4 +1,4 @@
-//! What a problem is written as.
+//! The encoded files of a problem.
 
 use std::path::Path;
 
@@ -7,14 +7,14 @@ use super::input::beside;
 use crate::disk;
 use lcplab_problem::error::Result;
 
-/// The file of a problem, or several, in some format.
+/// The file or files of a problem in some format.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Output {
-    /// The file, of several the one with the matrix.
+    /// The file; for several files, the one with the matrix.
     pub main: Vec<u8>,
-    /// The files beside it: what each holds, and its text.
+    /// The companion files: the name of each part, and its text.
     pub parts: Vec<(&'static str, String)>,
-    /// What the reader of the files should know.
+    /// Warnings for the readers of the files.
     pub notes: Vec<String>,
 }
 
@@ -24,7 +24,7 @@ impl Output {
         Output { main: main.into(), ..Output::default() }
     }
 
-    /// Writes the file, and those beside it.
+    /// Writes the file and its companion files.
     ///
     /// # Errors
     /// If a file cannot be written.
@@ -38,7 +38,7 @@ impl Output {
     }
 }
 
-/// A number in the fewest digits that read back as the same bits; infinities as inf and -inf.
+/// A number with the fewest digits that are read back bitwise; infinities as inf and -inf.
 pub(super) fn decimal(value: f64) -> String {
     format!("{value:?}")
 }

@@ -1,4 +1,4 @@
-//! Names that stand for several files.
+//! Expands names that stand for several files.
 
 use std::path::Path;
 
@@ -6,9 +6,9 @@ use lcplab_problem::error::{Error, Result};
 
 use super::is_problem;
 
-/// The files that a name stands for, in the order of their names: those of a folder that are
-/// `wanted`, or all that match a pattern, `*` being any letters within a name and `**` any folders.
-/// `None` for the name of one file, or of something else.
+/// The files that a name stands for, sorted by name: the `wanted` files of a folder, or all files
+/// that match a pattern, in which `*` matches any letters within a name and `**` any folders.
+/// `None` if the name is a single file or does not name several files.
 ///
 /// ```
 /// use lcplab_files::{is_problem, several};
@@ -26,7 +26,7 @@ use super::is_problem;
 /// ```
 ///
 /// # Errors
-/// If there is none of these files, or the folder or the pattern cannot be read.
+/// If there are no such files, or the folder or the pattern cannot be read.
 pub fn several(name: &str, wanted: fn(&Path) -> bool) -> Result<Option<Vec<String>>> {
     let path = Path::new(name);
     let fault = |reason: String| Error::invalid(name, "files", reason);

@@ -1,9 +1,9 @@
-//! A table of numbers from a file, before anything is known of the problem.
+//! A table of numbers from a file, before its role in the problem is known.
 
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::{Entries, Parts};
 
-/// More rows than this are not believed of a table that is written down sparsely.
+/// Limit on the rows of a sparse table that is converted to a dense vector.
 const MOST_ROWS: usize = 10_000_000;
 
 /// A table of numbers.
@@ -23,7 +23,7 @@ impl Table {
         Err(Error::invalid(input, "A", format!("is {rows} × {cols}, b has {n} rows")))
     }
 
-    /// The entries that are not 0: row, column and value.
+    /// The nonzero entries: row, column and value.
     pub fn triplets(self) -> Vec<(usize, usize, f64)> {
         let cols = self.cols;
         let mut triplets: Vec<_> = match self.entries {
@@ -36,7 +36,7 @@ impl Table {
         triplets
     }
 
-    /// The numbers, if it has one column.
+    /// The numbers, if the table has one column.
     pub fn vector(self, input: &str) -> Result<Vec<f64>> {
         let Table { rows, cols, entries } = self;
         if cols != 1 {
@@ -60,12 +60,12 @@ impl Table {
     }
 }
 
-/// A by rows from the same numbers by columns.
+/// The entries by rows, from the entries by columns.
 pub(super) fn by_rows(rows: usize, cols: usize, by_columns: &[f64]) -> Vec<f64> {
     (0..rows * cols).map(|k| by_columns[k / cols + k % cols * rows]).collect()
 }
 
-/// The parts of a problem that a file holds by name: A, b and, where they are, lo, hi, mu and
+/// The parts of a problem stored under their names: A, b and, if present, lo, hi, mu and
 /// friction_index, −1 for none.
 pub(super) fn parts(
     matrix: Table,

@@ -1,17 +1,17 @@
-//! Text as words with the lines that they stand in.
+//! Splits text into words and keeps their line numbers.
 
 use std::fmt::Display;
 use std::str::FromStr;
 
 use lcplab_problem::error::{Error, Result};
 
-/// The words of a text that are still to be read.
+/// The words of a text that are still unread.
 #[derive(Clone)]
 pub(super) struct Words<'a> {
     input: &'a str,
     lines: std::iter::Enumerate<std::str::Lines<'a>>,
     words: std::str::SplitWhitespace<'a>,
-    /// The line of the last word, from 1.
+    /// The line of the last word, counted from 1.
     line: usize,
 }
 
@@ -21,7 +21,7 @@ impl<'a> Words<'a> {
         Words { input, lines: text.lines().enumerate(), words: "".split_whitespace(), line: 0 }
     }
 
-    /// The rest of the line, or the next line where nothing is left of it.
+    /// The rest of the line, or the next line if nothing is left.
     pub fn line(&mut self) -> Option<&'a str> {
         let (index, line) = self.lines.next()?;
         (self.line, self.words) = (index + 1, "".split_whitespace());
@@ -38,23 +38,23 @@ impl<'a> Words<'a> {
         }
     }
 
-    /// Whether any word is left.
+    /// Whether no words are left.
     pub fn is_empty(&self) -> bool {
         self.clone().next().is_none()
     }
 
-    /// How many words are left.
+    /// The number of words left.
     pub fn count(&self) -> usize {
         let mut rest = self.clone();
         std::iter::from_fn(|| rest.next()).count()
     }
 
-    /// The next word as a number; `what` says what it is.
+    /// The next word as a number; messages refer to it as `what`.
     pub fn number(&mut self, what: impl Display) -> Result<f64> {
         self.parse(what, "a number")
     }
 
-    /// As many numbers as the text must still have.
+    /// The next `count` numbers.
     pub fn numbers(&mut self, count: usize, what: &str) -> Result<Vec<f64>> {
         let mut numbers = Vec::new();
         for i in 0..count {
@@ -63,12 +63,12 @@ impl<'a> Words<'a> {
         Ok(numbers)
     }
 
-    /// The next word as a whole number ≥ 0.
+    /// The next word as a nonnegative integer.
     pub fn whole(&mut self, what: impl Display) -> Result<usize> {
         self.parse(what, "a whole number")
     }
 
-    /// As many whole numbers as the text must still have.
+    /// The next `count` nonnegative integers.
     pub fn wholes(&mut self, count: usize, what: &str) -> Result<Vec<usize>> {
         let mut numbers = Vec::new();
         for i in 0..count {
@@ -99,7 +99,7 @@ impl<'a> Words<'a> {
     }
 }
 
-/// A word for an error message, cut short.
+/// A word for an error message, shortened.
 pub(super) fn brief(word: &str) -> String {
     if word.chars().count() <= 40 {
         return word.to_string();

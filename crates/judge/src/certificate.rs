@@ -1,4 +1,4 @@
-//! Everything the judge found out about x: measured, and shown in exact arithmetic.
+//! The judge's full result on x: measured quantities, and what was proved in exact arithmetic.
 
 use dashu_ratio::RBig;
 
@@ -8,7 +8,7 @@ use lcplab_problem::merit::Sum as _;
 
 use crate::residual::{Residual, Rows, worst};
 
-/// Everything the judge found out about x.
+/// The judge's full result on x.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Certificate {
     /// w = A x + b.
@@ -19,59 +19,59 @@ pub struct Certificate {
     pub natural_residual: f64,
     /// max_i r_i, dimensionless: see [`scaled_residual`](lcplab_problem::merit::scaled_residual).
     pub scaled_residual: f64,
-    /// The row that has it.
+    /// The row with the largest scaled residual.
     pub worst_row: usize,
-    /// The size of x below which a row is at rest: [`Lcp::scale`](lcplab_problem::Lcp::scale), 0 if
-    /// the problem states none.
+    /// The smallest significant size of x: [`Lcp::scale`](lcplab_problem::Lcp::scale), 0 if the
+    /// problem states none.
     pub scale: f64,
     /// max_i of w_i⁺ (x_i − lo_i) and w_i⁻ (hi_i − x_i), over finite bounds.
     pub complementarity_gap: f64,
-    /// How far x lies outside its bounds: max_i of lo_i − x_i and x_i − hi_i, or 0.
+    /// The largest violation of a bound: max_i of lo_i − x_i and x_i − hi_i, or 0.
     pub bound_violation: f64,
-    /// max_i |w_i| where it pushes x_i towards an infinite bound: 0 at a solution.
+    /// max_i |w_i| over rows where w_i pushes x_i toward an infinite bound: 0 at a solution.
     pub dual_infeasibility: f64,
     /// ½ xᵀAx + bᵀx.
     pub objective: f64,
     /// Objective minus dual objective: Σ_i w_i⁺ (x_i − lo_i) + w_i⁻ (hi_i − x_i), over finite
-    /// bounds. With A symmetric semidefinite it bounds the objective's error. NaN where it bounds
-    /// nothing: x lies outside its bounds, a w pushes it towards infinity by more than the
-    /// tolerance, or no solution exists.
+    /// bounds. For symmetric semidefinite A it is an upper bound on the objective's error. NaN
+    /// where it is no bound: x lies outside its bounds, a w pushes it toward infinity by more than
+    /// the tolerance, or no solution exists.
     pub duality_gap: f64,
-    /// The decision.
+    /// The verdict.
     pub verdict: Verdict,
-    /// max |x − x'| where x itself misses the tolerance and the decision is about a point x' from
-    /// which it differs by rounding: an exact solution, or the rounded neighbor of x. The residuals
-    /// are those of x.
+    /// Set if x itself is above the tolerance and the verdict is about a point x' that differs from
+    /// it by rounding: an exact solution, or the rounded neighbor of x. Then it is max |x − x'|.
+    /// The residuals are those of x.
     pub rounded_by: Option<f64>,
-    /// What else was shown in exact arithmetic.
+    /// Further facts proved in exact arithmetic.
     pub evidence: Option<Evidence>,
 }
 
-/// What exact arithmetic shows beside the verdict.
+/// Facts that exact arithmetic proves in addition to the verdict.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Evidence {
-    /// With the verdict *proved*: a direction in which x* can be moved without moving any w.
-    /// Redundant contacts share a load in many ways.
+    /// With the verdict *proved*: a direction in which x* can move while every w stays the same.
+    /// Redundant contacts can share a load in many ways.
     NotUnique(Vec<RBig>),
-    /// With the verdict *within tolerance*: the active set of x carries an exact solution, but so
-    /// far from x that it is no proof of it.
+    /// With the verdict *within tolerance*: the active set of x has an exact solution, but too far
+    /// from x to prove it.
     FarSolution {
         /// max_i |x_i − x*_i|, rounded up.
         distance: f64,
     },
-    /// With the verdict *not a solution*: no x is one.
+    /// With the verdict *not a solution*: the problem has no solution.
     NoSolution(Refutation),
 }
 
 impl Certificate {
-    /// The same x as the answer to a problem that has no solution.
+    /// The certificate of the same x once it is known that the problem has no solution.
     pub fn refuted_by(self, refutation: Refutation) -> Self {
         let verdict = self.verdict.refused(self.worst_row, self.scaled_residual);
         let evidence = Some(Evidence::NoSolution(refutation));
         Certificate { verdict, evidence, rounded_by: None, duality_gap: f64::NAN, ..self }
     }
 
-    /// The direction in which the solution can be moved without moving any w, if one was shown.
+    /// A direction in which the solution can move while every w stays the same, if one was proved.
     pub fn null_direction(&self) -> Option<&[RBig]> {
         match &self.evidence {
             Some(Evidence::NotUnique(direction)) => Some(direction),
@@ -79,7 +79,7 @@ impl Certificate {
         }
     }
 
-    /// Why the problem has no solution, if that was shown.
+    /// Why the problem has no solution, if that was proved.
     pub fn refutation(&self) -> Option<&Refutation> {
         self.evidence.as_ref().and_then(Evidence::refutation)
     }
@@ -94,7 +94,7 @@ impl Evidence {
     }
 }
 
-/// The certificate of x before anything is proved, from its rows and their residuals.
+/// The certificate of x before any proof, from its rows and their residuals.
 pub(super) fn measure(at: &Rows<'_>, residuals: &[Residual], tolerance: f64) -> Certificate {
     let (lcp, x, all_w) = (at.lcp, at.x, at.w());
     let (worst_row, scaled_residual) = worst(residuals.iter().map(|own| own.relative));
@@ -139,7 +139,7 @@ pub(super) fn measure(at: &Rows<'_>, residuals: &[Residual], tolerance: f64) -> 
     }
 }
 
-/// NaN is as bad as a residual can be.
+/// Replaces NaN by ∞, the worst residual.
 fn finite_or_infinite(residual: f64) -> f64 {
     if residual.is_nan() { f64::INFINITY } else { residual }
 }

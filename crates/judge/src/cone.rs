@@ -1,10 +1,10 @@
-//! Is this x a solution of a friction problem with circular cones?
+//! Checks whether x solves a friction problem with circular cones.
 //!
-//! The same judge as for boxed problems: the terms of w in compensated arithmetic, and two scaled
-//! residuals a contact, how far its normal and its tangents are from their own projected step, each
-//! beside its own terms ([`ConeProblem`]). Where no contact slides, an exact solution can be shown
-//! in rational arithmetic ([`exact`]); a sliding contact's friction is in general an irrational
-//! point of its disc, so there is no proof then.
+//! The judge works as for boxed problems: it sums the terms of w in compensated arithmetic and
+//! computes two scaled residuals for each contact, the distances of its normal and of its tangents
+//! from their projected steps, each relative to its own terms ([`ConeProblem`]). If no contact
+//! slides, exact rational arithmetic can prove a solution ([`exact`]); the friction of a sliding
+//! contact is in general an irrational point of its disk, which cannot be proved this way.
 //!
 //! ```
 //! use lcplab_judge::{Demand, judge_cone};
@@ -35,7 +35,7 @@ use super::{Demand, Refusal, Verdict, is_near};
 use lcplab_problem::Complementarity;
 use lcplab_problem::friction::{ConeProblem, Contact};
 
-/// Everything the judge found out about x.
+/// The judge's full result on x.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConeCertificate {
     /// w = A x + b, without shift.
@@ -46,26 +46,26 @@ pub struct ConeCertificate {
     pub contact_residuals: Vec<f64>,
     /// The largest scaled residual of contacts and other rows.
     pub scaled_residual: f64,
-    /// The row that has it.
+    /// The row with the largest scaled residual.
     pub worst_row: usize,
-    /// The contact that has it, unless it is another row.
+    /// The contact with the largest scaled residual; `None` if another row has it.
     pub worst_contact: Option<usize>,
-    /// How far x lies outside the cones: max |x_t| − μ x_n over contacts, or 0.
+    /// The largest violation of a cone: max |x_t| − μ x_n over contacts, or 0.
     pub cone_violation: f64,
-    /// The decision; *proved* only where no contact slides.
+    /// The verdict; *proved* only if no contact slides.
     pub verdict: Verdict,
     /// As in [`Certificate::rounded_by`](super::Certificate::rounded_by).
     pub rounded_by: Option<f64>,
 }
 
-/// Judges x for a cone problem, under its law. An x that misses by rounding alone is accepted as in
+/// Judges x for a cone problem under its law. An x that is off only by rounding is accepted as in
 /// [`judge`](super::judge()).
 ///
 /// # Panics
-/// If x has not n entries.
+/// If x does not have n entries.
 pub fn judge_cone(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCertificate {
     let (lcp, contacts) = (problem.lcp(), problem.friction().contacts());
-    assert_eq!(x.len(), lcp.len(), "x needs one entry a row");
+    assert_eq!(x.len(), lcp.len(), "x needs one entry per row");
     let certificate = judge_as_given(problem, x, demand);
     if certificate.verdict.is_solution() || !x.iter().all(|x| x.is_finite()) {
         return certificate;
@@ -86,7 +86,7 @@ pub fn judge_cone(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCert
     }
 }
 
-/// Judges x without a look at its neighbors.
+/// Judges x itself, without its rounded neighbor.
 fn judge_as_given(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCertificate {
     let contacts = problem.friction().contacts();
     let (w, all) = cone::residuals(problem, x);
@@ -110,8 +110,8 @@ fn judge_as_given(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCert
     }
 }
 
-/// The row with the largest residual, and that residual. Both tangents of a contact have that of
-/// their plane: t2 counts.
+/// The last row with the largest residual, and that residual. Both tangents of a contact have the
+/// residual of their plane; this returns t2.
 fn last_worst(residuals: &[f64]) -> (usize, f64) {
     let larger =
         |best: (usize, f64), (i, &r): (usize, &f64)| if r >= best.1 { (i, r) } else { best };

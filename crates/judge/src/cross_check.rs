@@ -1,21 +1,21 @@
-//! How far is an answer from clarabel's, in impulses and in motion?
+//! Compares an answer with that of clarabel, in impulses and in motion.
 //!
-//! Where contacts are redundant, x is not unique but w and the velocities u are; so each is
-//! compared on its own.
+//! If contacts are redundant, x is not unique but w and the velocities u are; so each is compared
+//! separately.
 
 use super::residual::Rows;
 use super::{Certificate, Demand, judge};
 use crate::reference;
 use lcplab_problem::Lcp;
 
-/// The answer beside the box QP's.
+/// The comparison of an answer with the box QP's.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CrossCheck {
-    /// Clarabel's x, moved onto the bounds that its w pushes it to.
+    /// Clarabel's x, with entries moved onto the bounds that their w push them to.
     pub x: Vec<f64>,
     /// Clarabel's optimal value.
     pub objective: f64,
-    /// What the judge says of that x at [`REFERENCE_TOLERANCE`].
+    /// The judge's certificate of that x at [`REFERENCE_TOLERANCE`].
     pub certificate: Certificate,
     /// Clarabel's own status.
     pub status: String,
@@ -25,11 +25,11 @@ pub struct CrossCheck {
     pub w_difference: f64,
 }
 
-/// An interior point stops at a small duality gap; its residual is about the root of that.
+/// An interior-point method stops at a small duality gap; the residual is about its square root.
 pub const REFERENCE_TOLERANCE: f64 = 1e-5;
 
-/// Compares x with the box QP's solution; the bounds of coupled rows are those at x. `None` if the
-/// problem is not a QP (A not symmetric).
+/// Compares x with the solution of the box QP; the bounds of coupled rows are those at x. `None` if
+/// the problem is not a QP (A is not symmetric).
 pub fn cross_check(lcp: &Lcp, x: &[f64]) -> Option<CrossCheck> {
     let frozen = lcp.frozen_at(x);
     let reference = reference::box_qp(&frozen)?;
@@ -46,7 +46,7 @@ pub fn cross_check(lcp: &Lcp, x: &[f64]) -> Option<CrossCheck> {
     })
 }
 
-/// An interior point lies beside its bounds; puts x_i on the bound where Π_i(x_i − w_i/s_i) is.
+/// Moves x_i onto the bound where Π_i(x_i − w_i/s_i) is; an interior point lies slightly inside.
 fn onto_bounds(lcp: &Lcp, x: &[f64]) -> Vec<f64> {
     let at = Rows::at(lcp, x);
     let snap = |i: usize| {

@@ -1,4 +1,4 @@
-//! A bound on the distance to the solution that rounding cannot break.
+//! A bound on the distance to the solution that remains valid under rounding.
 //!
 //! For symmetric positive definite A the solution x* is unique, and with the natural residual
 //! r = x − Π(x − w)
@@ -7,9 +7,9 @@
 //! |x − x*|₂ ≤ (1 + |A|₂) / λ_min(A) · |r|₂
 //! ```
 //!
-//! (Pang 1987). The problem is scaled by powers of two to a diagonal near 1 first, so that
-//! units do not spoil the constant. Every quantity is then bounded to the safe side: |A|₂ by the
-//! largest row sum; λ_min by a Cholesky factorisation of A − σ, which cannot succeed in floating
+//! (Pang 1987). First the problem is scaled by powers of two to a diagonal near 1, so that the
+//! constant does not depend on units. Then every quantity is bounded conservatively: |A|₂ by the
+//! largest row sum; λ_min by a Cholesky factorization of A − σ, which cannot succeed in floating
 //! point unless λ_min ≥ σ − 4 (n + 2) u tr A (Rump 2006; u = 2⁻⁵³); w by the error of its
 //! compensated sum.
 
@@ -19,15 +19,15 @@ use super::interval::{Interval, add_up, div_up, mul_up, norm_up};
 use super::residual::Rows;
 use lcplab_problem::Lcp;
 
-/// Half the distance from 1 to the next number.
+/// The unit roundoff: half the distance from 1 to the next number.
 const U: f64 = f64::EPSILON / 2.0;
-/// Terms in this range were summed as plain numbers.
+/// Terms in this range are summed without scaling.
 const SAFE: std::ops::Range<f64> = 1e-250..1e250;
-/// Above this many rows a dense eigenvalue problem is too large.
+/// Problems with more rows are too large for a dense factorization.
 const MAX_ROWS: usize = 2_000;
 
-/// A bound on max_i |x_i − x*_i| (unit of x) for a problem without coupling; `None` where A is not
-/// symmetric and verifiably definite, or too large.
+/// A bound on max_i |x_i − x*_i| (unit of x) for a problem without coupling; `None` if A is not
+/// symmetric and verified to be positive definite, or is too large.
 ///
 /// ```
 /// use lcplab_judge::error_bound;
@@ -49,14 +49,14 @@ pub fn error_bound(lcp: &Lcp, x: &[f64]) -> Option<f64> {
     let norm = (0..n).map(|i| (0..n).map(|j| a[(i, j)].abs()).sum::<f64>()).fold(0.0, f64::max);
     let at = Rows::at(lcp, x);
     let residual = norm_up((0..n).map(|i| Interval::around_zero(residual(&at, i, d[i]))));
-    let slack = 1.0 + 8.0 * (n as f64 + 4.0) * U; // the roundings of this and the sums above
+    let slack = 1.0 + 8.0 * (n as f64 + 4.0) * U; // rounding errors of this and the sums above
     let bound = mul_up(mul_up(div_up(1.0 + norm, least), slack), residual);
     let largest = d.iter().copied().fold(0.0, f64::max);
     Some(mul_up(bound, largest)).filter(|bound| bound.is_finite())
 }
 
-/// Whether A is symmetric and verified to be positive definite: without coupled rows x is unique
-/// then.
+/// Whether A is symmetric and verified to be positive definite: then x is unique, without coupled
+/// rows.
 pub fn is_definite(lcp: &Lcp) -> bool {
     let n = lcp.len();
     let least = |d: Vec<f64>| {
@@ -74,7 +74,7 @@ fn scaling(lcp: &Lcp) -> Option<Vec<f64>> {
     (0..lcp.len()).map(power).collect()
 }
 
-/// A verified lower bound on the least eigenvalue, if it is positive.
+/// A verified lower bound on the smallest eigenvalue, if it is positive.
 pub(super) fn least_eigenvalue(a: &Mat<f64>) -> Option<f64> {
     let n = a.nrows();
     let guess =
@@ -92,7 +92,7 @@ fn residual(at: &Rows<'_>, i: usize, d: f64) -> f64 {
     let (lcp, w, terms) = (at.lcp, at.rows[i].w.value(), at.rows[i].terms.value());
     let n = lcp.len() as f64 + 2.0;
     if terms != 0.0 && !SAFE.contains(&terms) {
-        return f64::INFINITY; // too large or too small to bound in plain numbers
+        return f64::INFINITY; // too large or too small for unscaled numbers
     }
     let error = U * w.abs() + (n * U) * (n * U) * terms + f64::MIN_POSITIVE;
     let (w, x) = (d * w, at.x[i] / d);

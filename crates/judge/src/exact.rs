@@ -1,16 +1,16 @@
-//! Proof that an active set carries a solution, in exact arithmetic.
+//! Proves in exact arithmetic that an active set has a solution.
 //!
-//! Floating-point numbers are exact rationals. From x and w the active set is read off: row i is at
-//! its lower bound, at its upper bound or free according to Π_i(x_i − w_i/s_i), where a coupled row
-//! has the bounds ±μ x_k of x. Then the equations of these sides are solved over the rationals
-//! ([`lcp::exact`](lcplab_problem::exact)), and the point is held against the problem as it was
-//! posed: every bound, that of a coupled row with the x_k of the point itself, and every sign of w
-//! is decided exactly. Where the equations are singular, the unknowns that they leave open keep the
-//! value they have in x.
+//! Floating-point numbers are exact rationals. The active set is determined from x and w: row i is
+//! at its lower bound, at its upper bound or free according to Π_i(x_i − w_i/s_i), where a coupled
+//! row has the bounds ±μ x_k at x. The equations of these sides are solved over the rationals
+//! ([`lcp::exact`](lcplab_problem::exact)), and the resulting point is checked against the original
+//! problem: every bound (for a coupled row with the x_k of the point itself) and every sign of w is
+//! decided exactly. If the equations are singular, the unknowns that they leave open keep their
+//! value in x.
 //!
-//! A failed proof refutes nothing: the active set may have been misread where x_i − w_i/s_i lies
-//! within rounding of a bound. So the active sets that x itself shows, its ties among them, are
-//! tried too, and the nearest solution counts.
+//! A failed proof does not show that x is wrong: the active set is uncertain where x_i − w_i/s_i
+//! lies within rounding of a bound. Therefore the active set of x itself and the alternatives of
+//! such ties are tried too, and the nearest solution counts.
 
 use dashu_ratio::RBig;
 
@@ -20,15 +20,14 @@ use lcplab_problem::Lcp;
 use lcplab_problem::exact::dyadic::{dyadic, rational};
 use lcplab_problem::exact::{Exact, Point, Side};
 
-/// x_i − w_i/s_i this close to a bound, in parts of the terms that it is made of, may lie on either
-/// side of it.
+/// If x_i − w_i/s_i is this close to a bound, relative to its terms, it may lie on either side.
 const TIE: f64 = 64.0 * f64::EPSILON;
-/// Of more tied rows all are taken to be where x_i − w_i/s_i says, or where x_i itself is.
+/// If there are more ties, their alternatives are not tried.
 const MOST_TIES: usize = 4;
-/// From so many points that are no solutions their own active sets are tried, too.
+/// For this number of points that are not solutions their own active sets are tried, too.
 const MOST_STEPS: usize = 3;
 
-/// A solution that exists exactly, near the x it was read off from.
+/// An exact solution found near x.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Proof {
     /// The exact solution.
@@ -36,16 +35,16 @@ pub struct Proof {
     /// max_i |x_i − x*_i|, rounded up.
     pub distance: f64,
     /// A direction d with A d = 0 among rows strictly between their bounds, if there is one: x* can
-    /// be moved along it without moving any w, so it is not the only solution. Rows that slide
+    /// move along it while every w stays the same, so x* is not the only solution. Sliding rows
     /// follow the row that bounds them.
     pub null_direction: Option<Vec<RBig>>,
 }
 
-/// Proves that an active set of x carries a solution of the problem, if one does; the nearest one
+/// Proves, if possible, that an active set of x has an exact solution; returns the nearest one
 /// found.
 ///
-/// Costs one exact linear solve where the first active set has a solution within rounding of x,
-/// some twenty at most; of a problem of more than 150 rows only the first active set is tried.
+/// Costs one exact linear solve if the first active set has a solution within rounding of x, and
+/// about twenty at most; for problems with more than 150 rows only the first active set is tried.
 pub fn prove(lcp: &Lcp, x: &[f64]) -> Option<Proof> {
     let size = x.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
     let (nearest, distance) = nearest(lcp, x, size, |point| point.distance(x))?;
@@ -53,14 +52,14 @@ pub fn prove(lcp: &Lcp, x: &[f64]) -> Option<Proof> {
     Some(Proof { x: nearest.x.entries(), distance, null_direction })
 }
 
-/// An exact solution, and a direction along which it may be moved.
+/// An exact solution, and a direction along which it can move.
 pub(super) struct ExactSolution {
     pub x: Point,
     pub null_direction: Option<Point>,
 }
 
-/// The nearest exact solution on an active set of x, and its distance. `distance` measures a point,
-/// `size` is the size of x in the same unit.
+/// The nearest exact solution on an active set of x, and its distance. `distance` returns the
+/// distance of a point, `size` is the size of x in the same unit.
 pub(super) fn nearest(
     lcp: &Lcp,
     x: &[f64],
@@ -113,8 +112,8 @@ pub(super) fn is_within(x: &[f64], solution: &[RBig], bounds: &[f64]) -> bool {
     })
 }
 
-/// The active sets that x may stand for: where Π(x − w/s) lies; then where x itself lies; then both
-/// sides of the rows in which x − w/s cannot be told from a bound.
+/// Candidates for the active set of x: from Π(x − w/s); from x itself; and with both sides of each
+/// row in which x − w/s lies within rounding of a bound.
 fn active_sets(at: &Rows<'_>) -> Vec<Vec<Side>> {
     let first = sides(at);
     let own: Vec<Side> = (0..at.x.len()).map(|i| own_side(at, i)).collect();
@@ -138,7 +137,7 @@ fn active_sets(at: &Rows<'_>) -> Vec<Vec<Side>> {
     sets
 }
 
-/// Where Π(x − w/s) lies, row by row.
+/// The side of Π(x − w/s), row by row.
 pub(super) fn sides(at: &Rows<'_>) -> Vec<Side> {
     let side = |i: usize| {
         let (lo, hi) = at.lcp.bounds(i, at.x);
@@ -159,7 +158,7 @@ fn target(at: &Rows<'_>, i: usize) -> f64 {
     at.x[i] - (at.rows[i].w / at.rows[i].scale).value()
 }
 
-/// Where x_i itself lies between its bounds.
+/// The side of x_i itself.
 fn own_side(at: &Rows<'_>, i: usize) -> Side {
     let (lo, hi) = at.lcp.bounds(i, at.x);
     match at.x[i] {
@@ -169,7 +168,7 @@ fn own_side(at: &Rows<'_>, i: usize) -> Side {
     }
 }
 
-/// The two sides of a row whose x_i − w_i/s_i may lie on either side of a bound.
+/// The two sides of a row whose x_i − w_i/s_i lies within rounding of a bound.
 fn tied_sides(at: &Rows<'_>, i: usize) -> Option<[Side; 2]> {
     let (lo, hi) = at.lcp.bounds(i, at.x);
     let (row, target) = (&at.rows[i], Wide::from(target(at, i)));

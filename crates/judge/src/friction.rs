@@ -1,4 +1,4 @@
-//! Is this x a solution of a friction problem under one of the models?
+//! Checks whether x solves a friction problem under one of the models.
 //!
 //! Boxes are judged as any LCP ([`judge`](super::judge())) and *proved* where possible. For
 //! polygons the judge computes the unknowns β and γ that belong to x; it proves answers for four
@@ -27,34 +27,34 @@ use super::polygon::judge_polygon;
 use super::{Certificate, Demand, Evidence, Refutation, Verdict, judge, judge_cone};
 use lcplab_problem::friction::Posed;
 
-/// What the judge found out about x.
+/// The judge's result on x.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FrictionCertificate {
     /// w = A x + b of the friction problem.
     pub w: Vec<f64>,
-    /// The scaled residual of each row of x in the model's own problem: for polygons t1 has those
-    /// of its β, n that of γ.
+    /// The scaled residual of each row of x in the model's own problem. For polygons, t1 has the
+    /// residual of its β and n that of γ.
     pub residuals: Vec<f64>,
     /// The largest scaled residual of the model's own problem.
     pub scaled_residual: f64,
-    /// The row of x that has it, t1 for a β and n for a γ of a polygon.
+    /// The row of x with the largest scaled residual; for polygons t1 stands for a β and n for a γ.
     pub worst_row: usize,
-    /// The decision; its row is one of x, t1 for a β and n for a γ of a polygon.
+    /// The verdict; its row is a row of x, for polygons t1 for a β and n for a γ.
     pub verdict: Verdict,
     /// As in [`Certificate::rounded_by`]; the residuals are those of x.
     pub rounded_by: Option<f64>,
-    /// Exact evidence for boxes, or a proof that a problem with polygons has no solution.
+    /// Exact evidence for boxes, or a proof that a polygonal problem has no solution.
     pub evidence: Option<Evidence>,
 }
 
 impl FrictionCertificate {
-    /// The same x as the answer to a problem that has no solution.
+    /// The certificate of the same x once it is known that the problem has no solution.
     pub fn refuted_by(self, refutation: Refutation) -> Self {
         let verdict = self.verdict.refused(self.worst_row, self.scaled_residual);
         FrictionCertificate { verdict, evidence: Some(Evidence::NoSolution(refutation)), ..self }
     }
 
-    /// Why the problem has no solution, if that was shown.
+    /// Why the problem has no solution, if that was proved.
     pub fn refutation(&self) -> Option<&Refutation> {
         self.evidence.as_ref().and_then(Evidence::refutation)
     }
@@ -87,7 +87,7 @@ impl From<Certificate> for FrictionCertificate {
 /// Judges x under a model.
 ///
 /// # Panics
-/// If x has not an entry a row.
+/// If x does not have one entry per row.
 pub fn judge_friction(problem: &Posed, x: &[f64], demand: &Demand) -> FrictionCertificate {
     match problem {
         Posed::Boxed(lcp) => judge(lcp, x, demand).into(),

@@ -1,13 +1,13 @@
-//! Intervals that contain the exact result of every operation.
+//! Interval arithmetic: each result contains the exact result of the operation.
 //!
-//! The rounding error of a sum and of a product is itself a floating-point number (Knuth, Dekker);
-//! its sign says on which side of the rounded value the exact one lies, and only that bound is
-//! moved to the next number. So the bounds are those of directed rounding, and what needs no
-//! rounding, such as sums of small whole numbers, stays a single point.
+//! The rounding error of a sum or a product is itself a floating-point number (Knuth, Dekker); its
+//! sign says on which side of the rounded value the exact value lies, and only that bound is moved
+//! to the next number. The bounds are therefore those of directed rounding, and exact results, such
+//! as sums of small integers, remain single points.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// Products below this may have lost a part of their error to underflow.
+/// Products below this may have lost part of their error to underflow.
 const SMALL: f64 = 1e-250;
 
 /// All numbers from `lo` to `hi`.
@@ -25,12 +25,12 @@ impl Interval {
         Interval { lo: -radius, hi: radius }
     }
 
-    /// A number in the middle, rounded.
+    /// The midpoint, rounded.
     pub(super) fn middle(self) -> f64 {
         0.5 * self.lo + 0.5 * self.hi
     }
 
-    /// The largest absolute value of a number in it.
+    /// The largest absolute value in the interval.
     pub(super) fn magnitude(self) -> f64 {
         self.lo.abs().max(self.hi.abs())
     }
@@ -123,7 +123,7 @@ fn mul(a: f64, b: f64) -> Interval {
     enclosing(product, if product.abs() < SMALL { f64::NAN } else { a.mul_add(b, -product) })
 }
 
-/// value + error, of which only the sign of the error matters; NaN says that it is unknown.
+/// The interval around value + error; only the sign of the error matters, and NaN means unknown.
 fn enclosing(value: f64, error: f64) -> Interval {
     Interval {
         lo: if error >= 0.0 { value } else { value.next_down() },

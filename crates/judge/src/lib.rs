@@ -1,13 +1,15 @@
-//! Is this x a solution? The judge sees the problem and x, never the solver.
+//! Checks whether x solves a problem. The judge sees the problem and x, never the solver.
 //!
-//! [`judge`] recomputes everything from (A, b, lo, hi, x) in compensated arithmetic and decides:
+//! [`judge`] recomputes everything from (A, b, lo, hi, x) in compensated arithmetic and returns one
+//! of three verdicts:
 //!
-//! - *proved*: within tolerance, and x was shown in exact rational arithmetic to have a solution x*
-//!   of the problem as it was posed beside it, at a stated distance ([`exact`]);
-//! - *within tolerance*: the scaled residual is at most the tolerance, x is worth something (nearer
-//!   to a solution than doing nothing, by a factor of ten), and no proof was found that there is no
-//!   solution ([`refutation`](refutation()));
-//! - *not a solution*: row i misses by so much, or one of the other two.
+//! - *proved*: x is within tolerance, and exact rational arithmetic shows that the problem has an
+//!   exact solution x* at a stated distance from x ([`exact`]);
+//! - *within tolerance*: the scaled residual is at most the tolerance, x is at least ten times
+//!   closer to a solution than x = 0 projected onto the bounds, and the judge found no proof that
+//!   there is no solution ([`refutation`](refutation()));
+//! - *not a solution*: a row's residual is above the tolerance, or one of the other two conditions
+//!   fails.
 //!
 //! ```
 //! use lcplab_judge::{Verdict, judge, Demand};
@@ -55,17 +57,17 @@ use lcplab_problem::Lcp;
 use refutation::{Existence, existence};
 use residual::{Residual, Rows, improves_on_zero};
 
-/// What the judge asks of a solution.
+/// What the judge requires of a solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Demand {
-    /// The largest scaled residual that passes.
+    /// The largest scaled residual that is accepted.
     pub tolerance: f64,
-    /// Problems of up to this many rows are proved exactly.
+    /// Problems with up to this many rows are checked for an exact solution.
     pub prove_up_to: usize,
 }
 
 impl Demand {
-    /// A proof of so many rows takes seconds: what a user waits for who asks for one.
+    /// Row limit for an exact proof that the user requests; a proof of this size takes seconds.
     pub const EXACT_ROWS: usize = 150;
 }
 
@@ -75,19 +77,19 @@ impl Default for Demand {
     }
 }
 
-/// A solution farther from x than this part of max |x_i| proves nothing of x.
+/// A solution farther from x than this fraction of max |x_i| proves nothing about x.
 const NEAR: f64 = 1e-6;
 
 /// Judges x for a problem; coupled rows have the bounds they have at this x.
 ///
-/// An x that misses is judged once more before it is rejected: it is accepted if an exact solution
-/// lies within rounding of it, or if its rounded neighbor is accepted, the point where entries that
-/// differ from a bound or 0 by rounding alone are moved there.
+/// Before an x above the tolerance is rejected, two more checks can accept it: an exact solution
+/// lies within rounding of x, or the judge accepts the rounded neighbor of x, in which entries that
+/// differ from a bound or from 0 only by rounding are moved there.
 ///
 /// # Panics
-/// If x has not n entries.
+/// If x does not have n entries.
 pub fn judge(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
-    assert_eq!(x.len(), lcp.len(), "x needs one entry a row");
+    assert_eq!(x.len(), lcp.len(), "x needs one entry per row");
     let certificate = judge_as_given(lcp, x, demand);
     if certificate.verdict.is_solution() || !x.iter().all(|x| x.is_finite()) {
         return certificate;
@@ -112,7 +114,7 @@ pub fn judge(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
     }
 }
 
-/// Judges x without a look at its neighbors.
+/// Judges x itself, without its rounded neighbor.
 fn judge_as_given(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
     let at = Rows::at(lcp, x);
     let residuals = at.residuals();
@@ -134,7 +136,7 @@ fn judge_as_given(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
             let verdict = Verdict::NotASolution { row, amount, why: Refusal::NoBetterThanZero };
             Certificate { verdict, ..within }
         }
-        // Of a family of solutions, the one that was found says nothing.
+        // If there is a family of solutions, the distance to one of them says nothing about x.
         Some(exact::Proof { null_direction: Some(_), .. }) => within,
         Some(exact::Proof { distance, .. }) => {
             Certificate { evidence: Some(Evidence::FarSolution { distance }), ..within }
@@ -144,15 +146,15 @@ fn judge_as_given(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
     }
 }
 
-/// The residuals of Π(0), the answer of a solver that does nothing.
+/// The residuals at Π(0), which an answer must improve on.
 fn at_zero(lcp: &Lcp) -> Vec<Residual> {
     let mut zero = vec![0.0; lcp.len()];
     lcp.project_all(&mut zero);
     Rows::at(lcp, &zero).residuals()
 }
 
-/// An exact solution from which x differs by rounding alone, in each entry beside the largest of
-/// its component.
+/// An exact solution that differs from x only by rounding: each entry relative to the largest entry
+/// of its component.
 fn proof_within_rounding(lcp: &Lcp, x: &[f64], demand: &Demand) -> Option<exact::Proof> {
     if lcp.len() > demand.prove_up_to {
         return None;
@@ -164,8 +166,8 @@ fn proof_within_rounding(lcp: &Lcp, x: &[f64], demand: &Demand) -> Option<exact:
     exact::prove(lcp, x).filter(|proof| exact::is_within(x, &proof.x, &bounds))
 }
 
-/// Whether x may be this close to a solution: then no x_i is farther from its own step than by what
-/// these changes of x make of it. It spares an exact proof where it must fail.
+/// Whether x can be this close to a solution: only if each x_i is at most as far from its projected
+/// step as such changes of x allow. This check avoids an exact proof that must fail.
 fn may_be_rounding(lcp: &Lcp, x: &[f64], bounds: &[f64]) -> bool {
     let at = Rows::at(lcp, x);
     (0..x.len()).all(|i| {
@@ -173,7 +175,7 @@ fn may_be_rounding(lcp: &Lcp, x: &[f64], bounds: &[f64]) -> bool {
         let of_w: f64 = lcp.matrix().row(i).iter().map(|(j, a)| moved(j, a)).sum();
         let of_bound = lcp.coupled_to(i).map_or(0.0, |(k, mu)| mu * bounds[k]);
         let scale = at.rows[i].scale.value();
-        let least = 2.0 * (of_w + scale * (bounds[i] + of_bound)); // twice, as this is rounded too
+        let least = 2.0 * (of_w + scale * (bounds[i] + of_bound)); // twice: this is rounded, too
         let size = at.residual(i).step * at.rows[i].scale.sqrt();
         !(size.value() > least)
     })
@@ -184,8 +186,8 @@ pub(crate) fn distance(x: &[f64], y: &[f64]) -> f64 {
     x.iter().zip(y).map(|(x, y)| interval::add_up(x.max(*y), -x.min(*y))).fold(0.0, f64::max)
 }
 
-/// The certificate of an x within the tolerance whose active set carries no solution, after a
-/// search for one elsewhere.
+/// The certificate of an x within the tolerance whose active set has no solution, after a search
+/// for a solution elsewhere.
 fn searched(at: &Rows<'_>, within: Certificate) -> Certificate {
     match existence(at.lcp, &[at.x]) {
         Existence::None(refutation) => within.refuted_by(refutation),
@@ -193,13 +195,13 @@ fn searched(at: &Rows<'_>, within: Certificate) -> Certificate {
             distance if is_near(at.x, distance) => {
                 Certificate { verdict: Verdict::Proved { distance }, ..within }
             }
-            _ => within, // one of many, which says nothing of x
+            _ => within, // one of several, which says nothing about x
         },
         Existence::Unknown => within,
     }
 }
 
-/// Whether a solution at this distance says something of x.
+/// Whether a solution at this distance says something about x.
 fn is_near(x: &[f64], distance: f64) -> bool {
     distance <= NEAR * x.iter().fold(0.0, |most, x| f64::max(most, x.abs()))
 }

@@ -1,22 +1,22 @@
-//! The rounded neighbor of x: what x would be without the rounding error of its own digits.
+//! The rounded neighbor of x: x without the rounding errors of its entries.
 //!
-//! A row whose true terms are all 0, such as a joint without load, has nothing that its rounding
-//! error could be compared with: x_i = 2e-17 instead of 0 misses by all of its terms, although no
-//! solver can do better beside an x_j of 1. So an entry that lies within 16 · 2⁻⁵² of a bound or of
-//! 0, in parts of the largest entry that it is connected with, is moved there, and that point is
-//! judged.
+//! If all true terms of a row are 0, as at a joint without load, there is nothing to compare its
+//! rounding error with: x_i = 2e-17 instead of 0 has the relative residual 1, although no solver
+//! can do better if another x_j is 1. Therefore an entry within 16 · 2⁻⁵² of a bound or of 0,
+//! relative to the largest entry that it is connected with, is moved there, and the judge checks
+//! that point.
 
 use super::{Verdict, distance};
 use lcplab_problem::Lcp;
 use lcplab_problem::friction::Contact;
 
-/// An entry is moved by at most this part of the largest one in its component.
+/// An entry is moved by at most this fraction of the largest entry of its component.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
-/// A solution this close to x, in the same measure, is x but for rounding.
+/// A solution this close to x, measured in the same way, differs from x only by rounding.
 const SAME: f64 = 64.0 * f64::EPSILON;
 
-/// How large x is where a row is, row by row: the largest |x_j| of all rows that row i is connected
-/// with through A or friction; of all rows for a row that is connected with none.
+/// The reference size of each row: the largest |x_j| over the rows that row i is connected with
+/// through A or friction; over all rows if it is connected with none.
 pub(crate) fn sizes(lcp: &Lcp, contacts: &[Contact], x: &[f64]) -> Vec<f64> {
     let mut parent: Vec<usize> = (0..x.len()).collect();
     let mut is_connected = vec![false; x.len()];
@@ -56,8 +56,8 @@ fn root(parent: &mut [usize], mut i: usize) -> usize {
     i
 }
 
-/// The rounded neighbor of x where it differs from x. `contacts` are those whose friction is a cone
-/// or a polygon; the bounds of coupled rows are those at the neighbor.
+/// The rounded neighbor of x if it differs from x. `contacts` are those whose friction is a cone or
+/// a polygon; the bounds of coupled rows are those at the neighbor.
 pub(crate) fn rounded(lcp: &Lcp, contacts: &[Contact], x: &[f64]) -> Option<Vec<f64>> {
     let sizes = sizes(lcp, contacts, x);
     let nearest = |i: usize, bounds: [f64; 2]| {
@@ -75,8 +75,8 @@ pub(crate) fn rounded(lcp: &Lcp, contacts: &[Contact], x: &[f64]) -> Option<Vec<
     (moved != x).then_some(moved)
 }
 
-/// The verdict on the rounded neighbor of x, if there is one and it is accepted, and how far away
-/// that is.
+/// The verdict on the rounded neighbor of x and its distance from x, if the neighbor exists and is
+/// accepted.
 pub(crate) fn verdict(
     lcp: &Lcp,
     contacts: &[Contact],
@@ -88,8 +88,8 @@ pub(crate) fn verdict(
     Some((judged(&neighbor).of_point_at(moved)?, moved))
 }
 
-/// The largest part of the size of its component by which an entry may differ, for x to be a
-/// solution but for rounding: |x_i − x*_i| ≤ this.
+/// The bounds on |x_i − x*_i| within which x counts as a solution up to rounding, from the
+/// reference sizes.
 pub(crate) fn rounding_of(sizes: &[f64]) -> Vec<f64> {
     sizes.iter().map(|size| SAME * size).collect()
 }

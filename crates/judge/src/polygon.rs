@@ -1,9 +1,9 @@
-//! Is this x a solution of a problem whose friction is a polygon?
+//! Checks whether x solves a problem whose friction is a polygon.
 //!
-//! The judge computes the unknowns β (impulses) and γ (slip speed) that belong to x and measures
-//! the residuals of their LCP ([`residual::polygon`](super::residual::polygon)). Rounding and
-//! distances refer to x alone, because γ is a speed and not part of an answer. Exact solutions are
-//! found for polygons with four corners only: the directions of others are rounded numbers.
+//! The judge computes the unknowns β (impulses) and γ (slip speed) for x and the residuals of their
+//! LCP ([`residual::polygon`](super::residual::polygon)). Rounding and distances refer to x only,
+//! because γ is a speed and not part of an answer. Exact solutions are found for polygons with four
+//! corners only: the directions of other polygons are rounded numbers.
 
 use super::certificate::Evidence;
 use super::exact::{ExactSolution, is_within, nearest};
@@ -16,8 +16,8 @@ use lcplab_problem::friction::Polyhedral;
 /// The directions of a polygon with this number of corners are exact.
 const EXACT_CORNERS: usize = 4;
 
-/// Judges x for a problem whose friction is a polygon. Accepts an x that is off by rounding alone,
-/// as [`judge`](super::judge()) does.
+/// Judges x for a problem whose friction is a polygon. An x that is off only by rounding is
+/// accepted as in [`judge`](super::judge()).
 pub(super) fn judge_polygon(
     polyhedral: &Polyhedral,
     x: &[f64],
@@ -45,7 +45,7 @@ pub(super) fn judge_polygon(
     }
 }
 
-/// Judges x without a look at its neighbors.
+/// Judges x itself, without its rounded neighbor.
 fn judge_as_given(polyhedral: &Polyhedral, x: &[f64], demand: &Demand) -> FrictionCertificate {
     let z = polygon::unknowns(polyhedral, x);
     let found = polygon::residuals(polyhedral, x, &z);
@@ -72,7 +72,7 @@ fn judge_as_given(polyhedral: &Polyhedral, x: &[f64], demand: &Demand) -> Fricti
         None if !is_worth_something(polyhedral, &found, demand.tolerance) => {
             refusal(worst_row, scaled_residual, Refusal::NoBetterThanZero)
         }
-        None if proof.is_some() => Verdict::WithinTolerance, // a solution elsewhere
+        None if proof.is_some() => Verdict::WithinTolerance, // the solution is too far from x
         None => return searched(polyhedral, x, &z, certificate, demand),
     };
     FrictionCertificate { verdict, ..certificate }
@@ -82,7 +82,7 @@ fn refusal(row: usize, amount: f64, why: Refusal) -> Verdict {
     Verdict::NotASolution { row, amount, why }
 }
 
-/// The exact solution nearest to x that was found, and how far away it is.
+/// The nearest exact solution found, and its distance from x.
 fn proof(
     polyhedral: &Polyhedral,
     x: &[f64],
@@ -96,7 +96,7 @@ fn proof(
     nearest(polyhedral.lcp(), z, size, |point| polyhedral.exact_x(point).distance(x))
 }
 
-/// Whether x is ten times nearer to a solution than Π(0), where this was found of it.
+/// Whether x is ten times closer to a solution than Π(0), given the residuals of x.
 fn is_worth_something(
     polyhedral: &Polyhedral,
     found: &[(usize, Residual)],
@@ -112,7 +112,7 @@ fn is_worth_something(
 }
 
 /// The certificate of an x within the tolerance whose active set has no solution, after a search
-/// elsewhere.
+/// for a solution elsewhere.
 fn searched(
     polyhedral: &Polyhedral,
     x: &[f64],
@@ -135,12 +135,12 @@ fn searched(
         return within;
     }
     match existence(polyhedral.lcp(), &[z]) {
-        Existence::None(_) => impossible(None), // by the rows of z, which no x can show
+        Existence::None(_) => impossible(None), // the proof is about the rows of z, not of x
         Existence::Solution(point) => match polyhedral.exact_x(&point).distance(x) {
             distance if is_near(x, distance) => {
                 FrictionCertificate { verdict: Verdict::Proved { distance }, ..within }
             }
-            _ => within, // one of many, which says nothing of x
+            _ => within, // one of several, which says nothing about x
         },
         Existence::Unknown => within,
     }

@@ -1,15 +1,15 @@
-//! Proof that a problem has no solution, by one vector.
+//! Proves by one vector that a problem has no solution.
 //!
-//! A solution has w_i ≥ 0 where hi_i = ∞ and w_i ≤ 0 where lo_i = −∞. So let d be a vector with
-//! d_i > 0 only where hi_i = ∞, d_i < 0 only where lo_i = −∞, and d_i = 0 where row i is coupled to
-//! another one: then dᵀw ≥ 0 at every solution. But
+//! A solution has w_i ≥ 0 if hi_i = ∞ and w_i ≤ 0 if lo_i = −∞. Let d be a vector with d_i > 0 only
+//! if hi_i = ∞, d_i < 0 only if lo_i = −∞, and d_i = 0 if row i is coupled to another one: then dᵀw
+//! ≥ 0 at every solution. But
 //!
 //! ```text
 //! dᵀw = (Aᵀd)ᵀx + bᵀd ≤ max { (Aᵀd)ᵀx : lo ≤ x ≤ hi } + bᵀd
 //! ```
 //!
-//! If the right side is negative, no solution exists (Farkas). Of a coupled x_j nothing is known,
-//! so (Aᵀd)_j must be 0. All of it is decided in exact arithmetic, for every A.
+//! If the right side is negative, no solution exists (Farkas). The bounds of a coupled x_j are
+//! unknown, so (Aᵀd)_j must be 0. Everything is decided in exact arithmetic, for every A.
 
 use dashu_ratio::RBig;
 
@@ -17,7 +17,7 @@ use lcplab_problem::exact::dyadic::{Dyadic, dyadic};
 use lcplab_problem::exact::{Exact, Point};
 use lcplab_problem::{Lcp, Matrix};
 
-/// (Aᵀd)_j below this part of its terms is meant to be 0.
+/// (Aᵀd)_j below this fraction of its terms is intended to be 0.
 const MEANT_TO_BE_ZERO: f64 = 1e-6;
 
 /// A vector d that proves that no solution exists.
@@ -27,11 +27,12 @@ pub struct Farkas {
     pub vector: Vec<RBig>,
 }
 
-/// Tries to prove from a solver's ray, or any other guess of d, that a problem has no solution.
+/// Tries to prove from a solver's ray, or from any other guess of d, that a problem has no
+/// solution.
 ///
-/// `row` is the driven row. Where d is no proof as it is given, rounding in the other entries is
-/// repaired: as many of them as the equations (Aᵀd)_j = 0 determine are solved anew, exactly. The
-/// ray of a method for symmetric A is a d; with any other A it need not be.
+/// `row` is the driven row. If d itself is not a proof, rounding in its other entries is repaired:
+/// a maximal independent set of the equations (Aᵀd)_j = 0 is solved exactly for some of them.
+/// For symmetric A the ray of a method is such a d; for other A it need not be.
 pub fn refute(lcp: &Lcp, row: usize, direction: &[f64]) -> Option<Farkas> {
     if direction.len() != lcp.len() || direction.iter().any(|d| !d.is_finite()) {
         return None;
@@ -50,7 +51,7 @@ pub fn refute(lcp: &Lcp, row: usize, direction: &[f64]) -> Option<Farkas> {
     Some(Farkas { vector: d.entries() })
 }
 
-/// The vector, if it proves as it is given that no solution exists: checked exactly, at any size.
+/// The vector, if it proves without repair that no solution exists: checked exactly, at any size.
 pub fn checked(lcp: &Lcp, vector: &[f64]) -> Option<Farkas> {
     if vector.len() != lcp.len() || vector.iter().any(|d| !d.is_finite()) {
         return None;
@@ -60,7 +61,7 @@ pub fn checked(lcp: &Lcp, vector: &[f64]) -> Option<Farkas> {
     Some(Farkas { vector: d.entries() })
 }
 
-/// Equations with the matrix Aᵀ and b = 0.
+/// The equations with the matrix Aᵀ and b = 0.
 fn transposed(lcp: &Lcp) -> Option<Lcp> {
     let n = lcp.len();
     let row = |i: usize| lcp.matrix().row(i).iter().map(move |(j, a)| (j, i, a));
@@ -69,7 +70,7 @@ fn transposed(lcp: &Lcp) -> Option<Lcp> {
     Lcp::new(Matrix::sparse(n, &entries), vec![0.0; n], lo, hi).ok()
 }
 
-/// Whether (Aᵀd)_j must be 0: it all but is, or its sign asks for a bound at infinity.
+/// Whether (Aᵀd)_j must be 0: it nearly is, or its sign would need a bound at infinity.
 fn must_vanish(lcp: &Lcp, transposed: &Lcp, j: usize, d: &[f64]) -> bool {
     let terms = || transposed.matrix().row(j).iter().map(|(i, a)| a * d[i]);
     let (product, size) = (terms().sum::<f64>(), terms().map(f64::abs).sum::<f64>());
@@ -77,8 +78,8 @@ fn must_vanish(lcp: &Lcp, transposed: &Lcp, j: usize, d: &[f64]) -> bool {
     lcp.is_coupled(j) || bound.is_infinite() || product.abs() <= MEANT_TO_BE_ZERO * size
 }
 
-/// Whether max (Aᵀd)ᵀx + bᵀd < 0, with every d_i on an allowed side. All terms carry d's positive
-/// denominator.
+/// Whether max (Aᵀd)ᵀx + bᵀd < 0, with every d_i on an allowed side. All terms are multiplied by
+/// d's positive denominator.
 fn proves(lcp: &Lcp, dual: &Exact, d: &Point) -> bool {
     let mut bound = Dyadic::ZERO;
     for i in 0..lcp.len() {

@@ -1,48 +1,48 @@
-//! Does the problem have a solution at all?
+//! Searches for a proof that a problem has no solution.
 //!
-//! A small residual does not say so: far out, where the terms of a row are large, a wall that
-//! nothing can hold looks held. So where no exact solution was found near x, the judge looks for a
-//! proof that there is none: a vector ([`ray`](super::ray)), read off x, off a solver's ray or off
-//! the solution of a linear program, and else a [case split](super::cases).
+//! A small residual does not show that a solution exists: far from the origin the terms of a row
+//! are large, and a violation looks small compared with them. Therefore, if no exact solution was
+//! found near x, the judge searches for a proof that there is none: a vector ([`ray`](super::ray))
+//! derived from x, from a solver's ray or from the solution of a linear program, otherwise a [case
+//! split](super::cases).
 
 use super::cases::{Search, search};
 use super::ray::{Farkas, refute};
 use lcplab_problem::Lcp;
 use lcplab_problem::exact::Point;
 
-/// Of larger problems only the vectors that are at hand are tried.
+/// For problems with more rows only the given vectors are tried.
 const MOST_ROWS: usize = 150;
 
-/// Problems with more choices of active rows, such as four contacts with friction, are not split
+/// Problems with more combinations of sides, such as four contacts with friction, are not split
 /// into cases.
 const MOST_CHOICES: usize = 1 << 16;
-/// The judge solves no more linear programs than this.
+/// Limit on the judge's linear programs.
 const MOST_PROGRAMS: usize = 500;
 
 /// Why no x solves a problem.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Refutation {
-    /// By a vector.
+    /// A vector proves it.
     Vector(Farkas),
-    /// By a [case split](super::cases), each case being closed by a vector.
+    /// A [case split](super::cases) proves it; a vector excludes each case.
     CaseSplit {
         /// The number of cases.
         pieces: usize,
     },
 }
 
-/// What was found out.
+/// The result of the search.
 pub(super) enum Existence {
     /// A solution.
     Solution(Point),
-    /// That there is none.
+    /// A proof that no solution exists.
     None(Refutation),
-    /// Neither.
+    /// Neither was found.
     Unknown,
 }
 
-/// Proves that a problem has no solution, if it can: `hints` are a solver's ray or any other
-/// vectors.
+/// Tries to prove that a problem has no solution; `hints` are a solver's ray or any other vectors.
 ///
 /// ```
 /// use lcplab_judge::{Refutation, refutation};
@@ -63,8 +63,8 @@ pub fn refutation(lcp: &Lcp, hints: &[&[f64]]) -> Option<Refutation> {
     }
 }
 
-/// The same by a vector alone: it holds for every model of friction, since it says nothing of the
-/// rows that have some.
+/// Tries to prove it by a single vector. Such a proof is valid for every friction model, since the
+/// vector is 0 in rows with friction.
 pub fn refuting_vector(lcp: &Lcp, hints: &[&[f64]]) -> Option<Farkas> {
     let proof = |d: &[f64]| refute(lcp, largest(lcp, d), d);
     hints.iter().find_map(|d| proof(d)).or_else(|| {
@@ -77,13 +77,13 @@ pub fn refuting_vector(lcp: &Lcp, hints: &[&[f64]]) -> Option<Farkas> {
 #[cfg(feature = "clarabel")]
 use crate::reference::farkas as by_linear_program;
 
-/// Without clarabel there is no linear program to ask.
+/// Without the feature `clarabel` no linear program is solved.
 #[cfg(not(feature = "clarabel"))]
 fn by_linear_program(_: &Lcp) -> Option<Vec<f64>> {
     None
 }
 
-/// Looks for a proof that there is no solution, or for a solution.
+/// Searches for a proof that there is no solution, or for a solution.
 pub(super) fn existence(lcp: &Lcp, hints: &[&[f64]]) -> Existence {
     if let Some(farkas) = refuting_vector(lcp, hints) {
         return Existence::None(Refutation::Vector(farkas));
@@ -100,7 +100,7 @@ pub(super) fn existence(lcp: &Lcp, hints: &[&[f64]]) -> Existence {
     }
 }
 
-/// The number of ways to choose a side for each row: at its lower bound, free, at its upper bound.
+/// The number of combinations of sides: each row at its lower bound, free, or at its upper bound.
 fn choices(lcp: &Lcp) -> Option<usize> {
     let sides = |i: usize| match lcp.is_coupled(i) {
         true => 3,
@@ -109,7 +109,7 @@ fn choices(lcp: &Lcp) -> Option<usize> {
     (0..lcp.len()).try_fold(1usize, |count, i| count.checked_mul(sides(i)))
 }
 
-/// The row with the largest |d_i|, of those that can be part of a proof.
+/// The row with the largest |d_i|, among those that can be part of a proof.
 fn largest(lcp: &Lcp, d: &[f64]) -> usize {
     let rows = (0..d.len().min(lcp.len())).filter(|&i| !lcp.is_coupled(i));
     rows.max_by(|&i, &j| d[i].abs().total_cmp(&d[j].abs())).unwrap_or(0)

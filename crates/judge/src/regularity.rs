@@ -1,18 +1,18 @@
-//! How far a matrix is from being singular, and in which rows.
+//! Condition number and rank of a matrix, and the rows that depend on each other.
 //!
 //! ```text
 //! Ã = D A D,   D = diag(1/√s_i),   s_i = |a_ii|, or max_j |a_ij|, |a_ji| where a_ii = 0;   Ã = U Σ Vᵀ
 //! ```
 //!
-//! A is first multiplied by powers of two, which loses no digit, so that numbers near the ends of
-//! the range of doubles neither overflow nor lose digits on the way.
+//! A is first multiplied by powers of two, which is exact, so that numbers near the ends of the
+//! range of `f64` neither overflow nor lose digits.
 //!
-//! The rank is the number of singular values above rounding, the condition number the quotient of
-//! the largest and the least of those. A column u of U with σ = 0 makes d = D u a vector with dᵀA =
-//! 0: the rows with d_i ≠ 0 depend on each other. D takes units and masses out of the decision. The
-//! d come as a reduced echelon form, so that each has few entries: for a box on four equal feet (1,
-//! −1, 1, −1). K&M ask for this in "Debugging"; they propose the determinant, which depends on
-//! units and can be small or large for any matrix, E10.
+//! The rank is the number of singular values above rounding, the condition number the ratio of the
+//! largest to the smallest of those. A column u of U with σ = 0 gives a vector d = D u with dᵀA =
+//! 0: the rows with d_i ≠ 0 depend on each other. D removes units and masses from the decision. The
+//! d are in reduced echelon form, so that each has few nonzero entries: (1, −1, 1, −1) for a box on
+//! four equal feet. K&M recommend such a check in "Debugging", but with the determinant, which
+//! depends on units and can be small or large for any matrix, E10.
 
 #![allow(non_snake_case)]
 
@@ -20,10 +20,10 @@ use faer::Mat;
 
 use lcplab_problem::{Lcp, Matrix};
 
-/// A singular value below this part of the largest counts as zero.
+/// A singular value below this fraction of the largest counts as zero.
 const RELATIVE_ZERO: f64 = 1e-11;
 
-/// An entry of d below this part of its largest counts as zero.
+/// An entry of d below this fraction of its largest counts as zero.
 const NEGLIGIBLE: f64 = 1e-9;
 
 /// Rank, condition and dependent rows of a square matrix A.
@@ -31,16 +31,17 @@ const NEGLIGIBLE: f64 = 1e-9;
 pub struct Regularity {
     /// The number of independent rows.
     pub rank: usize,
-    /// The condition number among them, after scaling to a unit diagonal; 1 without rows.
+    /// The condition number of the independent part, after scaling to a unit diagonal; 1 without
+    /// rows.
     pub condition: f64,
-    /// Rows that have nothing but zeros: what they ask for, no x can give.
+    /// Rows of zeros: x cannot change their w.
     pub zero_rows: Vec<usize>,
-    /// Vectors d, n entries each and one of them 1, with dᵀA = 0; as many as rows are missing from
-    /// the rank, those of zero rows included.
+    /// Vectors d with dᵀA = 0, n entries each and one of them 1; there are n minus rank of them,
+    /// including those of zero rows.
     pub dependencies: Vec<Vec<f64>>,
 }
 
-/// Rank, condition and dependent rows of A; `None` if its singular values cannot be found.
+/// Rank, condition and dependent rows of A; `None` if its singular values cannot be computed.
 ///
 /// ```
 /// use lcplab_judge::regularity::regularity;
@@ -79,8 +80,8 @@ pub fn regularity(a: &Matrix) -> Option<Regularity> {
     })
 }
 
-/// The least eigenvalue of the scaled matrix: negative for no J M⁻¹ Jᵀ. `None` if A is not
-/// symmetric but for rounding, or has no rows.
+/// The smallest eigenvalue of the scaled matrix; it is not negative for J M⁻¹ Jᵀ. `None` if A is
+/// not symmetric up to rounding, or has no rows.
 pub fn least_eigenvalue(lcp: &Lcp) -> Option<f64> {
     if lcp.is_empty() || !lcp.matrix().is_nearly_symmetric() {
         return None;
@@ -99,8 +100,8 @@ fn unit_diagonal(a: &Matrix) -> (Mat<f64>, Vec<f64>) {
     (unit, d)
 }
 
-/// Gauss-Jordan elimination with complete pivoting: the same space, each vector with a 1 where the
-/// others have a 0, negligible entries removed.
+/// Gauss-Jordan elimination with complete pivoting: the same space, in a basis in which each vector
+/// has a 1 where the others have a 0; negligible entries are set to 0.
 fn echelon(mut vectors: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     for k in 0..vectors.len() {
         let entries = (k..vectors.len()).flat_map(|r| (0..vectors[r].len()).map(move |c| (r, c)));
@@ -125,7 +126,7 @@ fn echelon(mut vectors: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     vectors
 }
 
-/// d = D u, with its largest entry 1.
+/// d = D u, scaled so that its largest entry is 1.
 fn scale(vector: &mut [f64], factors: &[f64]) {
     vector.iter_mut().zip(factors).for_each(|(entry, factor)| *entry *= factor);
     let largest = vector

@@ -1,19 +1,20 @@
-//! Is x the only solution?
+//! Checks whether x is the only solution.
 //!
-//! With A symmetric positive semidefinite, w is the same for all solutions. x is unique if A_FF is
-//! regular, F being the rows strictly between their bounds; a null vector of A_FF is a direction in
-//! which x can be moved without moving anything: redundant contacts share a load in many ways.
+//! If A is symmetric positive semidefinite, w is the same for all solutions. x is unique if A_FF is
+//! regular; F are the rows strictly between their bounds. A null vector of A_FF is a direction in
+//! which x can change without changing the motion: redundant contacts can share a load in many
+//! ways.
 
 use faer::{Mat, Side};
 
 use lcplab_problem::Lcp;
 
-/// An eigenvalue below this part of the largest counts as zero.
+/// An eigenvalue below this fraction of the largest counts as zero.
 const RELATIVE_ZERO: f64 = 1e-11;
 
 /// The number of rows strictly between their bounds at x, and the numerical rank of A there.
 ///
-/// A is scaled to a unit diagonal first, so that units and masses do not enter the decision.
+/// A is first scaled to a unit diagonal, so that units and masses do not affect the decision.
 pub fn free_rank(lcp: &Lcp, x: &[f64]) -> (usize, usize) {
     let free: Vec<usize> = (0..lcp.len())
         .filter(|&i| {

@@ -1,4 +1,4 @@
-//! The verdict on an x, and how its bounds are printed.
+//! The verdict on an x, and the printing of its bounds.
 
 use lcplab_problem::number::{readable, superscript};
 
@@ -51,8 +51,8 @@ impl Verdict {
         }
     }
 
-    /// The verdict on a point this far from the one that has this verdict; none if that one is
-    /// rejected.
+    /// The verdict on a point at distance `away` from the point with this verdict; `None` if that
+    /// one is rejected.
     pub(crate) fn of_point_at(self, away: f64) -> Option<Verdict> {
         match self {
             Verdict::Proved { distance } => {
@@ -65,7 +65,7 @@ impl Verdict {
     }
 
     /// The verdict once it is known that the problem has no solution. An x with a residual above
-    /// the tolerance is rejected for its residual.
+    /// the tolerance is still rejected for its residual.
     pub(crate) fn refused(self, row: usize, amount: f64) -> Verdict {
         let why = match self {
             Verdict::NotASolution { why: Refusal::Residual, .. } => Refusal::Residual,
@@ -110,7 +110,7 @@ impl std::fmt::Display for Verdict {
     }
 }
 
-/// A bound with two digits, rounded up as a bound must be: 1.04×10⁻⁹ is `1.1×10⁻⁹`.
+/// A bound with two digits, rounded up: 1.04×10⁻⁹ gives `1.1×10⁻⁹`.
 ///
 /// ```
 /// use lcplab_judge::upper_bound;
@@ -140,7 +140,7 @@ pub fn upper_bound(bound: f64) -> String {
     }
 }
 
-/// A number that is at least the bound, also where its shortest decimal form is read exactly.
+/// A number whose shortest decimal form is at least the bound, read as an exact decimal.
 pub fn printed_up(bound: f64) -> f64 {
     let (shown, all) = (format!("{bound:e}"), format!("{bound:.800e}"));
     let parts = |text: &str| {

@@ -1,7 +1,7 @@
-//! Comma-separated values (RFC 4180, with line feeds alone).
+//! Writes comma-separated values (RFC 4180, with line feeds only).
 
-/// Appends one record; a field with a comma, quote or line break is quoted, and one that a
-/// spreadsheet would take for a formula gets an apostrophe before it.
+/// Appends one record. A field with a comma, quote or line break is quoted; a field that a
+/// spreadsheet would evaluate as a formula gets a leading apostrophe.
 pub fn record<I>(out: &mut String, fields: I)
 where
     I: IntoIterator,
@@ -22,12 +22,12 @@ where
     out.push('\n');
 }
 
-/// Whether a spreadsheet may compute it: it begins as a formula does, and is no number.
+/// Whether a spreadsheet may evaluate the field: it starts like a formula and is not a number.
 fn is_formula(field: &str) -> bool {
     field.starts_with(['=', '+', '-', '@', '\t', '\r']) && field.parse::<f64>().is_err()
 }
 
-/// The shortest decimal that reads back as the same number; `nan`, `inf`, `-inf` otherwise.
+/// The shortest decimal that is read back as the same number; `nan`, `inf` or `-inf` otherwise.
 pub fn number(value: f64) -> String {
     let text = format!("{value:?}").to_lowercase();
     text.strip_suffix(".0").map_or(text.clone(), str::to_string)

@@ -1,6 +1,6 @@
-//! Text in HTML and XML.
+//! Escapes text for HTML and XML.
 
-/// Text with every sign that means something in HTML replaced.
+/// Text with all special characters of HTML escaped.
 pub(crate) fn html(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

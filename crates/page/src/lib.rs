@@ -1,7 +1,7 @@
-//! What results are shown with: [`plot`] draws figures as SVG, a [`document`] is words, formulas
-//! and tables for a terminal, Markdown or HTML, a [`page`] one self-contained HTML file, and
-//! [`text`] a table on a terminal. Nothing here knows a solver or a scene. Without the feature
-//! `plots` nothing is drawn.
+//! Presentation of results: [`plot`] draws figures as SVG, [`document`] holds text, formulas and
+//! tables for a terminal, Markdown or HTML, [`page`] makes one self-contained HTML file, and
+//! [`text`] prints a table on a terminal. This crate does not depend on solvers or scenes. Without
+//! the feature `plots` it draws no figures.
 
 pub mod csv;
 pub mod document;

@@ -1,11 +1,11 @@
-//! Text for a terminal: tables, and what is safe to show there.
+//! Text for a terminal: tables and safe output.
 
 use std::borrow::Cow;
 
 use super::page::{Align, Table};
 
-/// The text with a mark in place of every character that would steer a terminal; line feeds and
-/// tabs stay. Names and labels come from files of strangers.
+/// Replaces every character that would control a terminal by a mark; line feeds and tabs are kept.
+/// Names and labels may come from untrusted files.
 ///
 /// ```
 /// assert_eq!(lcplab_page::text::printable("a\x1b[2Jb\n"), "a\u{fffd}[2Jb\n");
@@ -19,7 +19,7 @@ pub fn printable(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// The text filled up with spaces to a width, which may be more than a format string allows, 65535.
+/// The text padded with spaces to a width, which may exceed the limit of a format string, 65535.
 pub fn padded(text: &str, width: usize, align: Align) -> String {
     let space = " ".repeat(width.saturating_sub(text.chars().count()));
     match align {
@@ -28,7 +28,7 @@ pub fn padded(text: &str, width: usize, align: Align) -> String {
     }
 }
 
-/// The table with its title above and how to read it below.
+/// The table with its title above and its "how to read" below.
 pub fn table(table: &Table) -> String {
     let heading = |k: usize| {
         let column = &table.columns[k];

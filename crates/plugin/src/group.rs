@@ -1,10 +1,10 @@
-//! A process group: a child process that ends with its own children.
+//! Process groups: a child process that is stopped together with its own children.
 
 use std::io::Result;
 use std::ops::{Deref, DerefMut};
 use std::process::{Child, Command};
 
-/// A running process; it and its children end when this is dropped.
+/// A running process; dropping it stops it and its children.
 #[derive(Debug)]
 pub struct ProcessGroup(Child);
 
@@ -12,7 +12,7 @@ impl ProcessGroup {
     /// Starts a command.
     ///
     /// # Errors
-    /// Those of [`Command::spawn`].
+    /// As [`Command::spawn`].
     pub fn spawn(command: &mut Command) -> Result<Self> {
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(command, 0);
@@ -40,7 +40,7 @@ impl Drop for ProcessGroup {
         let _ = rustix::process::kill_process_group(
             rustix::process::Pid::from_child(&self.0),
             rustix::process::Signal::KILL,
-        ); // it may have ended
+        ); // the process may have ended already
         let _ = self.0.kill();
         let _ = self.0.wait();
     }

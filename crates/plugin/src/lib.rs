@@ -1,4 +1,4 @@
-//! Solvers in any language: a program that reads problems and writes answers, line by line.
+//! Solvers in any language: external programs that read problems and write answers, line by line.
 //!
 //! ```text
 //! lcplab  →  {"A": {"dense": [[2, -1], [-1, 2]]}, "b": [-1, 2], "lo": [0, 0], "hi": ["inf", "inf"],
@@ -6,15 +6,17 @@
 //! plug-in →  {"x": [0.5, 0]}
 //! ```
 //!
-//! One line of JSON is a problem, the next line out is its answer; then comes the next problem, so
-//! that the start of the program is paid once. What a plug-in says is a claim, as any solver's is:
-//! the judge looks at x. One that hangs, crashes or writes what nobody can read is ended, with
-//! [`Status::NoAnswer`] and the reason, and begins anew with the next problem.
+//! Each input line is one problem in JSON, each output line its answer. The program keeps running
+//! for the next problem, so that it starts only once. The judge checks the x of a plug-in as it
+//! checks any solver's. A plug-in that hangs, crashes or writes invalid output is stopped; the
+//! status is [`Status::NoAnswer`] with the reason, and the plug-in is restarted for the next
+//! problem.
 //!
-//! A plug-in gets boxes. It gets friction cones only if its answer to the first problem names them
-//! under the key `models`: then the key `model` of a problem says which law holds.
+//! A plug-in receives boxed problems. It receives friction cones only if its answer to the first
+//! problem lists their models under the key `models`: then the key `model` of a problem gives the
+//! friction law.
 //!
-//! `docs/plugins.md` has the protocol key by key.
+//! `docs/plugins.md` describes the protocol key by key.
 
 pub mod group;
 mod message;
@@ -37,15 +39,15 @@ use lcplab_solver::{
 use self::message::Answer;
 use self::process::{Process, Trouble};
 
-/// A program that solves problems, in the registry for as long as this lives; the program ends with
-/// it.
+/// An external program that solves problems. It is in the solver registry as long as this value
+/// lives; dropping the value ends the program.
 #[derive(Debug)]
 pub struct Plugin {
     name: &'static str,
     program: Arc<Program>,
 }
 
-/// A plug-in as a file declares it, under its name.
+/// A plug-in as declared in a file, under its name.
 ///
 /// ```toml
 /// [plugins.mine]
@@ -56,15 +58,15 @@ pub struct Plugin {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Declaration {
-    /// The command, split into words as a shell would, though none runs it.
+    /// The command, split into words as a shell does; no shell runs it.
     pub command: String,
-    /// The matrices that it is made for, [`MatrixClass::word`]; any without it.
+    /// The matrices it accepts, [`MatrixClass::word`]; any matrix if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub class: Option<String>,
-    /// What it is told with every problem, under the key `settings`.
+    /// Sent with every problem under the key `settings`.
     #[serde(default, skip_serializing_if = "Map::is_empty")]
     pub settings: Map<String, Value>,
-    /// An answer must come within so many seconds.
+    /// Time limit for one answer (s).
     #[serde(default = "ten")]
     pub time_limit: f64,
 }
@@ -74,7 +76,7 @@ fn ten() -> f64 {
 }
 
 impl Declaration {
-    /// A command, with all else as it is where nothing is said.
+    /// A declaration of this command, with defaults for everything else.
     pub fn of(command: impl Into<String>) -> Self {
         let (class, settings, time_limit) = (None, Map::new(), ten());
         Declaration { command: command.into(), class, settings, time_limit }
@@ -82,8 +84,8 @@ impl Declaration {
 }
 
 impl Plugin {
-    /// Starts what a command line names: a command, or `NAME=COMMAND`. Without a name it is called
-    /// like its file. An answer must come within `time_limit` seconds.
+    /// Starts the plug-in that a command line names: a command, or `NAME=COMMAND`. Without a name
+    /// it is named after its file. `time_limit` is the limit for one answer (s).
     ///
     /// # Errors
     /// As [`Plugin::declared`].
@@ -92,8 +94,8 @@ impl Plugin {
         Plugin::declared(&name, &Declaration { time_limit, ..Declaration::of(command) })
     }
 
-    /// Starts a program and adds it to the [registry](lcplab_solver::entry); also to the
-    /// [solvers of cones](lcplab_solver::added_cones) if its first answer names their models.
+    /// Starts a program and adds it to the [registry](lcplab_solver::entry); also to the [cone
+    /// solvers](lcplab_solver::added_cones) if its first answer lists their models.
     ///
     /// # Errors
     /// If the command, the class, the limit or the name cannot be used, or the program does not
@@ -117,7 +119,7 @@ impl Plugin {
             defects.add("class", cause.to_string());
         }
         defects.into_result(format!("plug-in {name}").trim_end())?;
-        // What it divides by is not known.
+        // Plug-ins do not say whether they divide by the diagonal; assume that they do.
         let class = Class { divides_by_diagonal: true, ..Class::of(matrix?) };
         let (settings, process) = (settings.clone(), Mutex::new(None));
         let program = Arc::new(Program { words, settings, time_limit: limit, process });
@@ -160,7 +162,7 @@ impl Plugin {
         Ok(Plugin { name, program })
     }
 
-    /// What it is called.
+    /// Its name.
     pub fn name(&self) -> &'static str {
         self.name
     }
@@ -187,7 +189,7 @@ fn is_name(name: &str) -> bool {
     !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || "_-".contains(c))
 }
 
-/// A command, and the process that runs it.
+/// A command and the process that runs it.
 #[derive(Debug)]
 struct Program {
     words: Vec<String>,
@@ -198,8 +200,8 @@ struct Program {
 }
 
 impl Program {
-    /// One problem of one row, so that what follows is not late because the program has to begin.
-    /// The answer says which laws of friction cones the program takes.
+    /// Sends a problem of one row, so that the program's start does not delay later answers. The
+    /// answer lists the friction cone laws that the program supports.
     fn greet(&self) -> std::result::Result<Vec<Law>, String> {
         let one = [1.0];
         let lcp =
@@ -209,7 +211,7 @@ impl Program {
         Ok(answer.laws)
     }
 
-    /// The answer to a problem, or why there is none. A process without an answer is ended.
+    /// The answer to a problem, or why there is none. A process that gives no answer is stopped.
     fn ask(
         &self,
         lcp: &Lcp,
@@ -226,7 +228,7 @@ impl Program {
             Err(trouble) => Err(trouble),
         };
         let again = match process.take().map(ask) {
-            Some(Err(Trouble::Ended(_))) | None => ask(Process::start(&self.words)?), // made for one problem
+            Some(Err(Trouble::Ended(_))) | None => ask(Process::start(&self.words)?), // a new process
             Some(answered) => answered,
         };
         let (running, line) = again.map_err(Trouble::in_words)?;
@@ -273,15 +275,15 @@ impl ConeSolver for Outside {
             Law::Associated => Model::AssociatedCone,
             Law::Coulomb => Model::CoulombCone,
         };
-        // friction_index and mu tell the contacts, as in a problem file; the model says what they
-        // mean.
+        // As in a problem file, friction_index and mu list the contacts, and the model says what
+        // they mean.
         let told = problem.friction().coupled_box();
         self.answered(&told, Some(model), start.point(problem), start, observer)
     }
 }
 
 impl Outside {
-    /// The program's answer as a solution, from the start `first`.
+    /// The program's answer as a solution; `first` is the starting point.
     fn answered(
         &self,
         lcp: &Lcp,

@@ -1,4 +1,4 @@
-//! The lines that go to and fro.
+//! The messages of the plug-in protocol: requests and answers.
 
 use std::time::Duration;
 
@@ -9,19 +9,19 @@ use lcplab_problem::friction::{Law, Model};
 use lcplab_problem::{Lcp, json as strict};
 use lcplab_solver::{Settings, Start, Status};
 
-/// Up to so many rows A is written row by row; above, its entries other than 0.
+/// Up to this number of rows A is written row by row; above, as a list of its nonzero entries.
 const DENSE_ROWS: usize = 1000;
-/// A number takes at most so many characters, with what is beside it.
+/// Upper bound on the characters of a number, including separators.
 const NUMBER: usize = 32;
-/// So many iterates may be told at most.
+/// Limit on the number of iterates in an answer.
 const ITERATES: usize = 10_000;
-/// A line may be this long (bytes) whatever the problem.
+/// A line of this length (bytes) is always allowed.
 const SHORT: usize = 1 << 16;
-/// And never longer than this.
+/// Limit on the length of any line (bytes).
 const LONG: usize = 1 << 30;
 
-/// A problem file in one line, with what is demanded of an answer, and the plug-in's own settings.
-/// The `model` says what `friction_index` and `mu` mean.
+/// The request: a problem file in one line, with the requirements on the answer and the plug-in's
+/// settings. The `model` gives the meaning of `friction_index` and `mu`.
 pub(super) fn request(
     lcp: &Lcp,
     model: Option<Model>,
@@ -53,27 +53,27 @@ pub(super) fn request(
     Value::Object(object).to_string() + "\n"
 }
 
-/// How long (bytes) an answer to a problem of n rows may be.
+/// Limit on the length (bytes) of an answer to a problem of n rows.
 pub(super) fn longest(n: usize) -> usize {
     NUMBER.saturating_mul(n).saturating_mul(ITERATES).clamp(SHORT, LONG)
 }
 
-/// What a plug-in says.
+/// A plug-in's answer.
 #[derive(Debug)]
 pub(super) struct Answer {
-    /// `None` where it claims nothing and gives none.
+    /// `None` if the plug-in gives no answer.
     pub x: Option<Vec<f64>>,
     pub status: Status,
-    /// Whether it gives x and no status.
+    /// Whether the answer has x but no status.
     pub is_claim_implied: bool,
     pub iterates: Vec<Vec<f64>>,
     pub iterations: usize,
-    /// The laws of friction cones that it says it takes.
+    /// The friction cone laws that the plug-in says it supports.
     pub laws: Vec<Law>,
 }
 
 impl Answer {
-    /// The answer in a line, for a problem of n rows.
+    /// Parses the answer in a line, for a problem of n rows.
     pub fn read(line: &[u8], n: usize) -> Result<Answer, String> {
         let text = str::from_utf8(line).map_err(|_| "its answer is not UTF-8")?;
         let object = match strict::parse(text) {
@@ -130,7 +130,7 @@ impl Answer {
     }
 }
 
-/// The laws of the cones among these models of friction. A plug-in gets boxes whatever it says.
+/// The cone laws among these friction models. A plug-in receives boxes whatever it lists.
 fn laws(models: &Value) -> Result<Vec<Law>, String> {
     let list = models.as_array().ok_or("\"models\" is not a list of strings")?;
     let mut laws = Vec::new();
@@ -151,7 +151,7 @@ fn laws(models: &Value) -> Result<Vec<Law>, String> {
     Ok(laws)
 }
 
-/// A number of iterations.
+/// A nonnegative integer: a number of iterations.
 fn whole(value: &Value) -> Option<usize> {
     const MOST: f64 = 9_007_199_254_740_992.0; // 2⁵³
     let count = as_number(value)?;
@@ -172,7 +172,7 @@ fn numbers(value: &Value, what: &str, n: usize) -> Result<Vec<f64>, String> {
     list.iter().enumerate().map(number).collect()
 }
 
-/// The beginning of a text in one line, without controls.
+/// The start of a text in one line, without control characters.
 pub(super) fn brief(text: &str) -> String {
     const SHOWN: usize = 80;
     let shown: String =

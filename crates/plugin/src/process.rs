@@ -1,7 +1,8 @@
-//! A process that answers a line with a line, and cannot harm who asks.
+//! A child process that answers each line with a line, with protection against misbehavior.
 //!
-//! Threads of their own write to it and read from it, so that one that neither reads nor writes is
-//! noticed by the clock. What it writes is taken up to a length; of its complaints the end is kept.
+//! Separate threads write to it and read from it, so that a timeout also applies to a process that
+//! neither reads nor writes. Its output lines are limited in length; of its standard error the end
+//! is kept.
 
 use std::collections::VecDeque;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -14,10 +15,10 @@ use std::time::Duration;
 use super::group::ProcessGroup;
 use super::message::brief;
 
-/// So much (bytes) of what it writes to its standard error is kept.
+/// The number of bytes kept from its standard error.
 const COMPLAINT: usize = 4096;
-/// How long a process that has closed its output gets to end by itself, so that its end can be
-/// told.
+/// The time for a process that has closed its output to end by itself, so that its exit status can
+/// be reported.
 const LAST_WORDS: Duration = Duration::from_millis(200);
 
 /// A running process.
@@ -29,12 +30,12 @@ pub(super) struct Process {
     complaint: Arc<Mutex<VecDeque<u8>>>,
 }
 
-/// Why there is no line.
+/// Why there is no answer line.
 #[derive(Debug)]
 pub(super) enum Trouble {
     /// The process has ended.
     Ended(String),
-    /// It runs, and cannot be relied on.
+    /// It runs but is unreliable.
     Other(String),
 }
 
@@ -46,18 +47,18 @@ impl Trouble {
     }
 }
 
-/// What came out.
+/// A line of output, or why there is none.
 #[derive(Debug)]
 enum Line {
     Whole(Vec<u8>),
-    /// With more after it, though nobody has asked.
+    /// A line with further output after it that was not requested.
     Several,
     TooLong,
     Closed,
 }
 
 impl Process {
-    /// Runs a command, or says why that cannot be.
+    /// Runs a command; the error says why that is impossible.
     pub fn start(words: &[String]) -> Result<Process, String> {
         let (program, arguments) = words.split_first().ok_or("no command")?;
         let mut command = Command::new(program);
@@ -90,8 +91,8 @@ impl Process {
         Ok(Process { child, requests, lines, complaint })
     }
 
-    /// The line that follows a request, of at most `longest` bytes and within a time; or why there
-    /// is none.
+    /// The line that follows a request, of at most `longest` bytes and within a time limit; or why
+    /// there is none.
     pub fn ask(
         &mut self,
         request: &str,
@@ -115,7 +116,7 @@ impl Process {
         }
     }
 
-    /// How it ended, with its last complaint.
+    /// How it ended, with the end of its standard error.
     fn ended(&mut self) -> String {
         thread::sleep(LAST_WORDS);
         let status = match self.child.try_wait() {
@@ -131,7 +132,7 @@ impl Process {
     }
 }
 
-/// Hands on a line for each length that is allowed, until there are no more.
+/// Sends a line for each requested maximum length, until there are no more requests.
 fn read_lines(
     mut output: BufReader<impl Read>,
     lengths: &Receiver<usize>,
@@ -153,7 +154,7 @@ fn read_lines(
     }
 }
 
-/// Reads all there is and keeps the end.
+/// Reads everything and keeps the end.
 fn keep_end(mut error: impl Read, kept: &Mutex<VecDeque<u8>>) {
     let mut part = [0; 1024];
     while let Ok(count @ 1..) = error.read(&mut part) {

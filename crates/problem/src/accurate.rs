@@ -1,8 +1,8 @@
-//! Sums of products as if computed in twice the precision.
+//! Compensated sums of products, as accurate as if computed in twice the precision.
 //!
 //! Each product and each sum is split without error into a rounded value and its rounding error
-//! (Dekker, Knuth); the errors are summed beside (`Dot2` of Ogita, Rump & Oishi 2005). The result
-//! is as good as a quadruple-precision sum rounded once.
+//! (Dekker, Knuth); the errors are summed separately (`Dot2` of Ogita, Rump & Oishi 2005). The
+//! result is as accurate as a quadruple-precision sum rounded once.
 
 use super::merit;
 
@@ -17,7 +17,7 @@ impl Sum {
     fn add(&mut self, term: f64) {
         let sum = self.value + term;
         let part = sum - self.value;
-        self.error += (self.value - (sum - part)) + (term - part); // value + term = sum + this
+        self.error += (self.value - (sum - part)) + (term - part); // value + term − sum
         self.value = sum;
     }
 }
@@ -25,7 +25,7 @@ impl Sum {
 impl merit::Sum for Sum {
     fn add_product(&mut self, a: f64, b: f64) {
         let product = a * b;
-        self.error += a.mul_add(b, -product); // a b = product + this
+        self.error += a.mul_add(b, -product); // a b − product
         self.add(product);
     }
 

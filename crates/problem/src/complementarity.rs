@@ -1,12 +1,12 @@
-//! What boxed LCPs and cone problems have in common.
+//! The common interface of boxed LCPs and cone problems.
 
 use super::{Lcp, merit};
 
-/// Find x in K with w = A x + b pointing out of K nowhere: w·(y − x) ≥ 0 for all y in K.
+/// Find x in K such that w = A x + b satisfies w·(y − x) ≥ 0 for all y in K.
 ///
-/// K is a box for an [`Lcp`], a product of cones and intervals for a
-/// [`ConeProblem`](super::friction::ConeProblem). K may depend on x (coupled rows), or w may be
-/// shifted by something that depends on x (Coulomb's law); *frozen* at an x, neither does.
+/// K is a box for an [`Lcp`], and a product of cones and intervals for a
+/// [`ConeProblem`](super::friction::ConeProblem). K may depend on x (coupled rows), or w may have a
+/// shift that depends on x (Coulomb's law); in the problem *frozen* at an x, both are constant.
 pub trait Complementarity: Sized {
     /// A and b.
     fn lcp(&self) -> &Lcp;
@@ -17,22 +17,22 @@ pub trait Complementarity: Sized {
     /// The largest dimensionless residual, 0 exactly at the solutions.
     fn scaled_residual(&self, x: &[f64]) -> f64;
 
-    /// Whether that is at most the tolerance, in compensated sums too; `first` is a hint where to
-    /// look first, and kept from one look to the next.
+    /// Whether the residual is at most the tolerance, also in compensated sums; `first` is the row
+    /// to check first, updated for the next call.
     fn is_within(&self, x: &[f64], tolerance: f64, first: &mut usize) -> bool;
 
     /// Whether neither K nor w's shift depends on x.
     fn is_frozen(&self) -> bool;
 
-    /// The problem with what depends on x fixed as it is at this x. x solves this one if and only
-    /// if it solves that one.
+    /// The problem with everything that depends on x fixed at its value at this x. x solves this
+    /// problem if and only if it solves the frozen one.
     fn frozen_at(&self, x: &[f64]) -> Self;
 
-    /// Whether x + t d stays in K for all t ≥ 0, from every x in K; never where w is shifted.
+    /// Whether x + t d stays in K for all t ≥ 0, from every x in K; false if w has a shift.
     fn recedes(&self, d: &[f64]) -> bool;
 
-    /// Whether x is nearer to a solution than x = Π(0): else it has run off, and its residual is
-    /// small only beside its terms.
+    /// Whether x is closer to a solution than x = Π(0). If not, x has diverged, and its residual is
+    /// small only relative to its terms.
     fn is_worth_something(&self, _x: &[f64], _tolerance: f64) -> bool {
         true
     }

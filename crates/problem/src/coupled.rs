@@ -1,8 +1,8 @@
-//! Contacts with friction, and the same as rows whose bounds are ±μ times another row's x.
+//! Coupled rows: their bounds are ±μ times another row's x, which is the box model of dry friction.
 //!
-//! Row i is a tangential direction of a contact, row k its normal one, and −μ_i max(x_k, 0) ≤ x_i ≤
-//! μ_i max(x_k, 0): the box model of dry friction. Open Dynamics Engine calls k the `findex` of i.
-//! Rows may also be coupled that make no contact: a single tangent, or two with a μ each.
+//! Row i is a tangential direction of a contact, row k its normal, and −μ_i max(x_k, 0) ≤ x_i ≤ μ_i
+//! max(x_k, 0). Open Dynamics Engine calls k the `findex` of i. Coupled rows need not form
+//! contacts: a row k can bound a single tangent, or two with different μ.
 
 use crate::error::{Defects, Result};
 use crate::friction::Contact;
@@ -12,9 +12,9 @@ use crate::friction::Contact;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Coupling {
     contacts: Vec<Contact>,
-    /// For each row the row that bounds it, if any.
+    /// For each row the index of the row that bounds it, if any.
     index: Vec<Option<usize>>,
-    /// For each row its coefficient of friction; unused where there is no index.
+    /// For each row its coefficient of friction; unused for rows that are not coupled.
     mu: Vec<f64>,
 }
 
@@ -51,7 +51,7 @@ impl Coupling {
         Ok(Coupling { contacts, index, mu })
     }
 
-    /// The coupling of these contacts among n rows, each of which is in one contact at most.
+    /// The coupling of these contacts among n rows; each row belongs to at most one contact.
     pub(crate) fn of_contacts(n: usize, contacts: Vec<Contact>) -> Self {
         let (mut index, mut mu) = (vec![None; n], vec![0.0; n]);
         for Contact { rows: [normal, tangents @ ..], mu: own } in &contacts {
@@ -62,7 +62,7 @@ impl Coupling {
         Coupling { contacts, index, mu }
     }
 
-    /// The contacts: a normal row, and the two rows with one μ that it alone bounds.
+    /// The contacts: a normal row that bounds exactly two rows, both with the same μ.
     pub fn contacts(&self) -> &[Contact] {
         &self.contacts
     }
@@ -118,7 +118,7 @@ impl Coupling {
     }
 }
 
-/// The contacts among coupled rows, by their normal rows.
+/// The contacts among coupled rows, ordered by their normal rows.
 fn pairs(index: &[Option<usize>], mu: &[f64]) -> Vec<Contact> {
     let mut tangents = vec![Vec::new(); index.len()];
     for (t, normal) in index.iter().enumerate().filter_map(|(t, k)| k.map(|k| (t, k))) {

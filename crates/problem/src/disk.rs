@@ -1,4 +1,4 @@
-//! Files are read whole, but not beyond a size.
+//! Reads whole files, up to a size limit.
 
 use std::fs::{self, File};
 use std::io::{self, Read};
@@ -7,23 +7,23 @@ use std::path::Path;
 use crate::error::{Error, Result};
 use crate::memory::Memory;
 
-/// A file that people write, such as a scene, is not larger than this.
+/// Size limit for files that people write, such as scenes.
 pub const WRITTEN_BY_HAND: Memory = Memory::bytes(100_000_000);
 
-/// Whether there is something to read: a file, a pipe, a device, but no folder, which may have the
-/// name of something that is shipped.
+/// Whether the path can be read: a file, a pipe or a device, but not a folder, which may have the
+/// same name as a built-in scene or problem.
 pub fn is_there(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|found| !found.is_dir())
 }
 
-/// Whether this can be the name of a file in a folder of ours: letters, digits, `_` and `-`, so
-/// that it leads nowhere else.
+/// Whether this is allowed as the name of a file in one of lcplab's folders: letters, digits, `_`
+/// and `-`, so that it cannot lead to another folder.
 pub fn is_name(name: &str) -> bool {
     let is_allowed = |c: char| c.is_ascii_alphanumeric() || "_-".contains(c);
     !name.is_empty() && name.chars().all(is_allowed)
 }
 
-/// What to say of a name that is none.
+/// Explains why a name is not allowed.
 ///
 /// # Errors
 /// If it [cannot be](is_name) the name of a file.
@@ -62,7 +62,7 @@ pub fn read_bytes(path: &Path, most: Memory) -> Result<Vec<u8>> {
     }
 }
 
-/// All bytes; nothing if there are more than `most`.
+/// All bytes; `None` if there are more than `most`.
 fn read_from(source: impl Read, most: Memory) -> io::Result<Option<Vec<u8>>> {
     let mut bytes = Vec::new();
     source.take(most.in_bytes().saturating_add(1)).read_to_end(&mut bytes)?;

@@ -1,11 +1,11 @@
-//! Everything that can be wrong with an input, as a value.
+//! Errors of inputs, as values.
 //!
-//! Trouble that arises while solving is not an error: it is a `Status` in
-//! the solution. An [`Error`] says that the input itself cannot be used, where, and why.
+//! Failures during a solve are not errors: they are a `Status` in the solution. An [`Error`] says
+//! that the input itself cannot be used, where, and why.
 
 use std::fmt;
 
-/// At most this many defects are listed in one message; the rest is counted.
+/// At most this many defects are listed in one message; the message counts the rest.
 const LISTED: usize = 20;
 
 /// A result whose error is an [`Error`].
@@ -19,15 +19,15 @@ pub enum Error {
     File {
         /// The path as the user gave it.
         path: String,
-        /// What the operating system said.
+        /// The reason given by the operating system.
         reason: String,
     },
     /// A name that is not in a list: a solver, a scene, a report.
     #[error("there is no {kind} named {name:?}; there are {}", known.join(", "))]
     Unknown {
-        /// What kind of thing was asked for.
+        /// The kind of thing requested.
         kind: &'static str,
-        /// The name that was asked for.
+        /// The name requested.
         name: String,
         /// The names that exist.
         known: Vec<String>,
@@ -35,19 +35,19 @@ pub enum Error {
     /// An input with defects, all of them found in one pass.
     #[error("{}", list(input, defects))]
     Invalid {
-        /// The file, or the name of the thing that was to be made.
+        /// The file, or the name of the object to be made.
         input: String,
         /// What is wrong with it.
         defects: Vec<Defect>,
     },
-    /// Something that would take more memory than it may.
+    /// An object that would exceed its memory limit.
     #[error("{what} needs {}; the limit is {}", size(*needs), size(*limit))]
     TooLarge {
-        /// What it is, with the sizes that make it large.
+        /// The object, with the sizes that make it large.
         what: String,
-        /// How much it would take (bytes).
+        /// Memory needed (bytes).
         needs: u64,
-        /// How much it may take (bytes).
+        /// Memory limit (bytes).
         limit: u64,
     },
 }
@@ -57,7 +57,7 @@ pub enum Error {
 pub struct Defect {
     /// The line, field or row, for example `lo[3]` or `line 12: bodies[2].mass`.
     pub place: String,
-    /// The reason, with the offending numbers in it.
+    /// The reason, including the offending numbers.
     pub reason: String,
 }
 
@@ -86,17 +86,17 @@ impl Defects {
         self.0.push(Defect { place: place.into(), reason: reason.into() });
     }
 
-    /// How many were found so far.
+    /// The number of defects found so far.
     pub fn len(&self) -> usize {
         self.0.len()
     }
 
-    /// Whether nothing was found wrong so far.
+    /// Whether no defect was found so far.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// `Ok` if nothing was found wrong with the `input` named so far.
+    /// `Ok` if `input` has no defects so far.
     pub fn result(&mut self, input: impl Into<String>) -> Result<()> {
         if self.0.is_empty() {
             return Ok(());
@@ -104,7 +104,7 @@ impl Defects {
         Err(Error::Invalid { input: input.into(), defects: std::mem::take(&mut self.0) })
     }
 
-    /// `Ok` if nothing was found wrong with the `input` named.
+    /// `Ok` if `input` has no defects.
     pub fn into_result(mut self, input: impl Into<String>) -> Result<()> {
         self.result(input)
     }
@@ -123,7 +123,7 @@ impl Error {
         }
     }
 
-    /// The same defects, of an input with another name: the file that the parts came from.
+    /// The same defects under another input's name: the file that contains the defective part.
     pub fn within(self, input: &str) -> Self {
         match self {
             Error::Invalid { defects, .. } => Error::Invalid { input: input.to_string(), defects },
@@ -131,7 +131,7 @@ impl Error {
         }
     }
 
-    /// A failed operation on a file.
+    /// The error of a failed file operation.
     pub fn file(path: &std::path::Path, cause: &std::io::Error) -> Self {
         Error::File { path: path.display().to_string(), reason: cause.to_string() }
     }

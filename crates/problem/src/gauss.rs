@@ -5,13 +5,13 @@
 //! σ_i(t) = max { x t : lo_i ≤ x ≤ hi_i }
 //! ```
 //!
-//! Its optimal value is minus that of the LCP's quadratic program with A = J M⁻¹ Jᵀ + diag(γ) and
-//! b = J u* + bias, and u = u* + M⁻¹ Jᵀ x. It never forms A, so it checks the assembly of A as well
+//! Its optimal value is minus that of the LCP's quadratic program with A = J M⁻¹ Jᵀ + diag(γ) and b
+//! = J u* + bias, and u = u* + M⁻¹ Jᵀ x. It never forms A, so it checks the assembly of A as well
 //! as the solver.
 
 use std::fmt;
 
-/// What the motion u is, which decides the units of every number that is said of it.
+/// What the motion u is; this decides the units of every reported number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Level {
     /// m/s and rad/s; x are impulses.
@@ -24,7 +24,7 @@ impl Level {
     /// All levels.
     pub const ALL: [Level; 2] = [Level::Velocity, Level::Acceleration];
 
-    /// The word in problem files.
+    /// The word used in problem files.
     pub fn name(self) -> &'static str {
         match self {
             Level::Velocity => "velocity",
@@ -40,7 +40,7 @@ impl Level {
         }
     }
 
-    /// The unit of √(uᵀM u): the root of an energy, or that a second.
+    /// The unit of √(uᵀM u): the square root of an energy, or the same per second.
     pub fn norm_unit(self) -> &'static str {
         match self {
             Level::Velocity => "√J",
@@ -55,7 +55,7 @@ impl fmt::Display for Level {
     }
 }
 
-/// The data of the primal program; u has k entries, there are n rows.
+/// The data of the primal program; u has k entries, and there are n rows.
 #[derive(Debug, Clone, Default)]
 pub struct Gauss {
     /// The upper triangle (row ≤ column) of M (k × k), each entry once, positive definite;
@@ -73,6 +73,6 @@ pub struct Gauss {
     pub lo: Vec<f64>,
     /// The n upper bounds on x.
     pub hi: Vec<f64>,
-    /// What u is, if that is known.
+    /// What u is, if known.
     pub level: Option<Level>,
 }

@@ -1,17 +1,17 @@
-//! √(a² + b²), with the same bits on every machine.
+//! √(a² + b²), bitwise identical on every machine.
 
-/// Beyond it squares overflow.
+/// Squares of larger numbers overflow.
 const LARGE: f64 = f64::from_bits((1023 + 511) << 52);
-/// Below it squares lose digits.
+/// Squares of smaller numbers lose digits.
 const SMALL: f64 = f64::from_bits((1023 - 459) << 52);
-/// By so much numbers are brought near 1: 2⁻⁶⁰⁰.
+/// Factor that brings large numbers close to 1: 2⁻⁶⁰⁰.
 const SCALE: f64 = f64::from_bits((1023 - 600) << 52);
-/// Beside 1 the square of this is nothing: 2⁻⁵⁴.
+/// The square of this number is negligible compared with 1: 2⁻⁵⁴.
 const NOTHING: f64 = f64::from_bits((1023 - 54) << 52);
 
-/// √(a² + b²) without overflow, corrected by one step of Newton's method on what rounding has left
-/// (Borges 2019), so that it is nearly always the nearest number. The standard library's calls that
-/// of the system.
+/// √(a² + b²) without overflow. One step of Newton's method corrects the rounding error (Borges
+/// 2019), so that the result is nearly always the nearest `f64`. The standard library calls the
+/// system's function, whose last digit varies.
 ///
 /// ```
 /// assert_eq!(lcplab_problem::hypot(3.0, -4.0), 5.0);
@@ -36,10 +36,10 @@ pub fn hypot(a: f64, b: f64) -> f64 {
     corrected(a, b)
 }
 
-/// The same for a ≥ b > 0 whose squares are ordinary numbers.
+/// `hypot` for a ≥ b > 0 whose squares neither overflow nor lose digits.
 fn corrected(a: f64, b: f64) -> f64 {
     let h = (a * a + b * b).sqrt();
-    // h² − a² − b², so arranged that hardly anything is lost
+    // h² − a² − b², in an order that loses hardly any digits
     let excess = if h <= 2.0 * b {
         let d = h - b;
         a * (2.0 * d - a) + (d - 2.0 * (a - b)) * d

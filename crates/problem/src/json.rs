@@ -1,12 +1,12 @@
-//! JSON from a file that a stranger may have written: a key that is given twice is an error, where
-//! most readers take the last one without a word.
+//! Reads JSON from untrusted files: a duplicate key is an error, while most readers silently take
+//! the last value.
 
 use std::fmt;
 
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Number, Value};
 
-/// The value that a text holds.
+/// The JSON value of a text.
 ///
 /// ```
 /// let twice = lcplab_problem::json::parse(r#"{"b": [1], "b": [2]}"#).unwrap_err();
@@ -14,12 +14,12 @@ use serde_json::{Map, Number, Value};
 /// ```
 ///
 /// # Errors
-/// If it is not JSON, or an object in it has a key twice.
+/// If it is not JSON, or an object in it has a duplicate key.
 pub fn parse(text: &str) -> serde_json::Result<Value> {
     serde_json::from_str(text).map(|Unique(value)| value)
 }
 
-/// A value whose objects have each key once.
+/// A value whose objects have no duplicate keys.
 struct Unique(Value);
 
 impl<'de> Deserialize<'de> for Unique {

@@ -1,4 +1,4 @@
-//! The boxed LCP itself: A, b, the bounds, and what friction couples.
+//! The boxed LCP: A, b, the bounds and the coupling of friction rows.
 
 use std::sync::Arc;
 
@@ -6,12 +6,11 @@ use crate::error::{Defects, Error, Result};
 use crate::friction::Contact;
 use crate::{Coupling, Matrix};
 
-/// A boxed LCP, with its contacts if there is friction. It is valid from construction on: sizes
-/// agree, all numbers of A and b are finite, no bound is NaN and lo ≤ hi, so no solver checks
-/// again.
+/// A boxed LCP, with its contacts if there is friction. The constructor checks that sizes agree,
+/// all numbers of A and b are finite, no bound is NaN and lo ≤ hi, so solvers need no checks.
 #[derive(Debug, Clone)]
 pub struct Lcp {
-    /// Shared, so that the same problem with other bounds costs no copy of A.
+    /// Shared, so that the same problem with other bounds does not copy A.
     pub(crate) matrix: Arc<Matrix>,
     pub(crate) b: Vec<f64>,
     pub(crate) lo: Vec<f64>,
@@ -23,8 +22,7 @@ pub struct Lcp {
 impl Lcp {
     /// The problem with matrix A (n × n), offset b and bounds lo ≤ x ≤ hi (n each).
     ///
-    /// The unit of b is that of w (a velocity or an acceleration), the unit of x that of an impulse
-    /// or a force.
+    /// b has the unit of w (a velocity or an acceleration), x that of an impulse or a force.
     ///
     /// # Errors
     /// One [`Error::Invalid`] that lists every defect.
@@ -70,20 +68,20 @@ impl Lcp {
     }
 
     /// The contacts with friction: normal, two tangents, μ. Coupled rows that do not come in pairs
-    /// with one μ are in none.
+    /// with one μ belong to no contact.
     pub fn contacts(&self) -> &[Contact] {
         self.coupling.as_ref().map_or(&[], Coupling::contacts)
     }
 
-    /// The same problem with the size of x that counts as something.
+    /// The same problem with the smallest significant size of x.
     ///
-    /// Where all terms of a row are rounding, of 1e-19 m/s beside 1 m/s of other rows, say, nothing
-    /// can be said of its w. So a row whose terms are below s_i times this is measured by s_i times
-    /// this ([`RowTerms`](crate::merit::RowTerms)). Scenes state the impulse of their lightest
-    /// body's weight in a step; the default 0 measures each row by its own terms.
+    /// If all terms of a row are rounding errors, say 1e-19 m/s while other rows have 1 m/s, its w
+    /// is meaningless. Therefore a row whose terms are below s_i times `scale` is measured by s_i
+    /// times `scale` ([`RowTerms`](crate::merit::RowTerms)). Scenes set `scale` to the impulse of
+    /// their lightest body's weight in one step; the default 0 measures each row by its own terms.
     ///
     /// # Errors
-    /// If it is negative or not finite.
+    /// If `scale` is negative or not finite.
     pub fn with_scale(self, scale: f64) -> Result<Self> {
         if !(scale >= 0.0 && scale.is_finite()) {
             let reason = format!("must be finite and not negative, is {scale}");
@@ -92,7 +90,7 @@ impl Lcp {
         Ok(Lcp { scale, ..self })
     }
 
-    /// The size of x that counts as something, 0 if the problem does not state one.
+    /// The smallest significant size of x, 0 if the problem does not state one.
     pub fn scale(&self) -> f64 {
         self.scale
     }
@@ -112,7 +110,7 @@ impl Lcp {
         &self.matrix
     }
 
-    /// The matrix as it is shared with the problems that were made of this one.
+    /// The matrix as shared with the problems derived from this one.
     pub fn shared_matrix(&self) -> &Arc<Matrix> {
         &self.matrix
     }
@@ -148,14 +146,14 @@ impl Lcp {
         self.coupling.as_ref().is_some_and(|coupling| coupling.index(i).is_some())
     }
 
-    /// The row k that bounds row i by ±μ max(x_k, 0), and μ, if there is one.
+    /// The row k that bounds row i by ±μ max(x_k, 0), and μ, if row i is coupled.
     #[inline]
     pub fn coupled_to(&self, i: usize) -> Option<(usize, f64)> {
         let coupling = self.coupling.as_ref()?;
         Some((coupling.index(i)?, coupling.mu(i)))
     }
 
-    /// The bounds of row i at x: those of the file, or ±μ max(x_k, 0) for a coupled row.
+    /// The bounds of row i at x: lo_i and hi_i, or ±μ max(x_k, 0) for a coupled row.
     #[inline]
     pub fn bounds(&self, i: usize, x: &[f64]) -> (f64, f64) {
         self.coupling
@@ -171,7 +169,7 @@ impl Lcp {
         value.max(lo).min(hi)
     }
 
-    /// x ← Π(x). A friction row is clamped by the x its normal row has after that.
+    /// x ← Π(x). A friction row is clamped with the projected x of its normal row.
     pub fn project_all(&self, x: &mut [f64]) {
         for i in 0..x.len() {
             x[i] = x[i].max(self.lo[i]).min(self.hi[i]);
@@ -204,11 +202,11 @@ impl Lcp {
         Ok(Lcp { b, ..self.clone() })
     }
 
-    /// The same b and bounds with this part of each diagonal entry of A added to it: every row is
-    /// a little compliant.
+    /// The same b and bounds with each diagonal entry of A increased by this fraction of itself:
+    /// every row becomes slightly compliant.
     ///
     /// # Errors
-    /// If an entry is not finite then.
+    /// If an increased entry is not finite.
     pub fn softened(&self, part: f64) -> Result<Lcp> {
         let matrix = self.matrix.softened(part);
         let mut defects = Defects::default();
@@ -223,7 +221,7 @@ impl Lcp {
         Lcp { b: vec![0.0; self.len()], scale: 0.0, ..self.clone() }
     }
 
-    /// The boxed problem without coupling whose bounds are those of this one at x.
+    /// The uncoupled boxed problem with the bounds that this one has at x.
     pub fn frozen_at(&self, x: &[f64]) -> Lcp {
         let (lo, hi) = (0..self.len()).map(|i| self.bounds(i, x)).unzip();
         Lcp { lo, hi, coupling: None, ..self.clone() }

@@ -1,13 +1,13 @@
-//! Problems in numbers alone: the boxed linear complementarity problem.
+//! The boxed linear complementarity problem (LCP), its friction models and its file format.
 //!
 //! ```text
 //! w = A x + b,   lo ≤ x ≤ hi,   w_i > 0 ⇒ x_i = lo_i,   w_i < 0 ⇒ x_i = hi_i
 //! ```
 //!
-//! (K&M (1) with the signs settled, E01.) A row with bounds 0 and ∞ is a contact, one with −∞ and ∞
-//! an equation w_i = 0, one with lo = hi pins x_i and leaves w_i free. A row may be *coupled* to
-//! another one ([`Coupling`]): its bounds are then ±μ times that row's x, which is dry friction in
-//! one of the four models of [`friction`].
+//! (K&M (1) with its sign errors corrected, E01.) A row with bounds 0 and ∞ is a contact; a row
+//! with bounds −∞ and ∞ is an equation w_i = 0; lo = hi fixes x_i and leaves w_i free. A row can be
+//! *coupled* to another row ([`Coupling`]): its bounds are then ±μ times that row's x. This is dry
+//! friction in one of the four models of [`friction`].
 
 pub mod accurate;
 mod complementarity;

@@ -1,15 +1,15 @@
-//! How much memory one thing may take, so that what would take more is refused before it is made.
+//! Memory limits, which reject large requests before anything is allocated.
 //!
-//! What grows with the input asks first: a file before it is read, the A of a step before it is
-//! assembled, a dense factor before it is allocated. Each is held against the limit by itself, by
-//! an estimate that is not too small by more than a few vectors.
+//! The limit is checked before anything that grows with the input: before a file is read, before
+//! the A of a step is assembled, before a dense factor is allocated. Each is checked separately, by
+//! an estimate that is too small by a few vectors at most.
 
 use std::fmt;
 use std::str::FromStr;
 
 use crate::error::{Error, Result, size};
 
-/// An amount of memory; as a limit, 4 GB unless told otherwise.
+/// An amount of memory; the default limit is 4 GB.
 ///
 /// ```
 /// use lcplab_problem::memory::Memory;
@@ -31,22 +31,22 @@ impl Default for Memory {
 }
 
 impl Memory {
-    /// So many bytes.
+    /// This number of bytes.
     pub const fn bytes(bytes: u64) -> Self {
         Memory(bytes)
     }
 
-    /// Room for so many numbers.
+    /// Memory for this number of `f64` values.
     pub const fn numbers(count: usize) -> Self {
         Memory((count as u64).saturating_mul(size_of::<f64>() as u64))
     }
 
-    /// Room for a dense n × n matrix.
+    /// Memory for a dense n × n matrix.
     pub const fn square(n: usize) -> Self {
         Memory::numbers(n.saturating_mul(n))
     }
 
-    /// So many times as much.
+    /// This amount times a factor.
     pub const fn times(self, factor: usize) -> Self {
         Memory(self.0.saturating_mul(factor as u64))
     }
@@ -56,10 +56,10 @@ impl Memory {
         self.0
     }
 
-    /// Whether what needs so much stays within this limit.
+    /// Checks that `needs` is within this limit.
     ///
     /// # Errors
-    /// [`Error::TooLarge`] if it does not.
+    /// [`Error::TooLarge`] if it is not.
     pub fn check(self, what: impl Into<String>, needs: Memory) -> Result<()> {
         if needs <= self {
             return Ok(());
@@ -74,7 +74,7 @@ impl fmt::Display for Memory {
     }
 }
 
-/// The units, in bytes.
+/// The units in bytes.
 const UNITS: [(&str, f64); 7] = [
     ("B", 1.0),
     ("kB", 1e3),
@@ -85,7 +85,7 @@ const UNITS: [(&str, f64); 7] = [
     ("GiB", 1024.0 * 1024.0 * 1024.0),
 ];
 
-/// A number with a unit; MB without one.
+/// A number with a unit; without a unit in MB.
 impl FromStr for Memory {
     type Err = String;
 

@@ -1,4 +1,4 @@
-//! Numbers as people read them: `1.3×10⁻⁸`, `−0.25`.
+//! Readable numbers: `1.3×10⁻⁸`, `−0.25`.
 
 /// The exponent in superscript digits: −8 gives `⁻⁸`.
 pub fn superscript(exponent: i32) -> String {
@@ -12,8 +12,8 @@ pub fn superscript(exponent: i32) -> String {
     exponent.to_string().chars().map(raise).collect()
 }
 
-/// The value in at most so many significant digits, without idle zeros: as a plain number while
-/// that is short and as mantissa times power of ten otherwise.
+/// The value with at most `digits` significant digits, without trailing zeros: as a plain number if
+/// that is short, otherwise as mantissa times power of ten.
 ///
 /// ```
 /// use lcplab_problem::number::readable;
@@ -29,13 +29,13 @@ pub fn readable(value: f64, digits: usize) -> String {
     written(value, digits, |_, text| trimmed(text))
 }
 
-/// The same with all its significant digits, so that numbers compare: `3.0×10⁻⁸`.
+/// [`readable`] with all significant digits, so that numbers can be compared: `3.0×10⁻⁸`.
 pub fn significant(value: f64, digits: usize) -> String {
     written(value, digits, |_, text| text)
 }
 
-/// The same for the cells of a table: zeros at the end are left out where the number has no more
-/// digits.
+/// [`readable`] for the cells of a table: trailing zeros are omitted only if the number itself has
+/// no more digits.
 ///
 /// ```
 /// use lcplab_problem::number::tabular;
@@ -52,10 +52,10 @@ pub fn tabular(value: f64, digits: usize) -> String {
     })
 }
 
-/// Numbers that differ by this part are the same but for rounding.
+/// Numbers with at most this relative difference count as equal, because rounding explains it.
 const SAME: f64 = 1e-11;
 
-/// `shorter` takes a value and its decimal form.
+/// The value as text; `shorter` selects the part of its decimal form to print.
 fn written(value: f64, digits: usize, shorter: fn(f64, &str) -> &str) -> String {
     if value.is_nan() {
         return "not a number".into();

@@ -2,7 +2,7 @@
 //!
 //! The same A, b and contacts have different solutions under different models: a coupled box, a
 //! polygon, a cone. Every command that solves, judges, explains or proves takes a [`Question`], so
-//! that the model that a file states is never lost on the way.
+//! that the model stated in a file is never lost.
 //!
 //! ```
 //! use lcplab_problem::Question;
@@ -35,13 +35,13 @@ pub struct Question {
 }
 
 impl Question {
-    /// The problem under the model that was asked for; without one, under the model that the
-    /// problem states; without that, as the LCP that it is, friction rows being coupled rows.
+    /// The problem under the requested model; without one, under the model that the problem states;
+    /// without that, as an LCP whose friction rows are coupled rows.
     ///
     /// `input` is the name of the file in errors.
     ///
     /// # Errors
-    /// If a model is asked for or stated and the problem has no friction rows, or cannot be posed
+    /// If a model is requested or stated and the problem has no friction rows or cannot be stated
     /// under that model.
     pub fn new(problem: &Problem, asked: Option<Model>, input: &str) -> Result<Self> {
         let problem = problem.clone();
@@ -64,23 +64,23 @@ impl Question {
         &self.problem
     }
 
-    /// The friction model; none if neither the caller nor the problem names one.
+    /// The friction model; `None` if neither the caller nor the problem names one.
     pub fn model(&self) -> Option<Model> {
         self.under.as_ref().map(|(model, _)| *model)
     }
 
-    /// The contacts with friction, where a model is named.
+    /// The contacts with friction, if a model is named.
     pub fn friction(&self) -> Option<&FrictionProblem> {
         self.under.as_ref().map(|(_, friction)| friction)
     }
 
-    /// The mathematical problem that the model makes of it.
+    /// The problem as the model states it.
     pub fn posed(&self) -> &Posed {
         &self.posed
     }
 
-    /// The LCP whose solution x itself is: none for polygons, which have unknowns of their own, and
-    /// for cones.
+    /// The LCP whose solution is x itself: `None` for cones, and for polygons, which have other
+    /// unknowns.
     pub fn boxed(&self) -> Option<&Lcp> {
         match &self.posed {
             Posed::Boxed(lcp) => Some(lcp),
@@ -88,10 +88,10 @@ impl Question {
         }
     }
 
-    /// The LCP of a question that needs one.
+    /// The LCP, for operations that require one.
     ///
     /// # Errors
-    /// If the model is a polygon or a cone; `what` says what cannot be done then, as in "proofs
+    /// If the model is a polygon or a cone; `what` names the unavailable operation, as in "proofs
     /// are".
     pub fn require_boxed(&self, what: &str, input: &str) -> Result<&Lcp> {
         self.boxed().ok_or_else(|| {

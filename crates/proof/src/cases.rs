@@ -1,4 +1,4 @@
-//! Checks a case split that shows that no solution exists. The judge finds them:
+//! Checks case splits, which prove that no solution exists. The judge finds them:
 //! [`lcplab_judge::cases`].
 
 use dashu_int::IBig;
@@ -8,10 +8,10 @@ use lcplab_problem::Lcp;
 use lcplab_problem::exact::Side;
 use lcplab_problem::exact::dyadic::{Dyadic, dyadic, whole};
 
-/// Holds a tree against the problem, as `docs/proofs.md` says.
+/// Checks a tree against the problem, by the rules of `docs/proofs.md`.
 ///
 /// # Errors
-/// What is wrong with it.
+/// Why the tree proves nothing.
 pub fn check(lcp: &Lcp, tree: &Tree) -> Result<(), String> {
     walk(lcp, tree, &mut vec![None; lcp.len()])
 }
@@ -26,7 +26,7 @@ fn walk(lcp: &Lcp, tree: &Tree, sides: &mut Sides) -> Result<(), String> {
             }
             let [has_lo, has_hi] = finite(lcp, row);
             if lo.is_some() != has_lo || hi.is_some() != has_hi {
-                return Err(format!("the tree has not the sides of row {row}"));
+                return Err(format!("the tree does not have the sides of row {row}"));
             }
             let ways =
                 [(Side::Lower, lo.as_ref()), (Side::Free, Some(free)), (Side::Upper, hi.as_ref())];
@@ -41,7 +41,7 @@ fn walk(lcp: &Lcp, tree: &Tree, sides: &mut Sides) -> Result<(), String> {
     }
 }
 
-/// Whether a row has a lower and an upper side.
+/// Whether a row has a lower and whether it has an upper side.
 fn finite(lcp: &Lcp, row: usize) -> [bool; 2] {
     match lcp.is_coupled(row) {
         true => [true; 2],
@@ -49,12 +49,12 @@ fn finite(lcp: &Lcp, row: usize) -> [bool; 2] {
     }
 }
 
-/// The row that a row is coupled to, and μ.
+/// The row that this row is coupled to, and μ.
 fn coupled(lcp: &Lcp, row: usize) -> Option<(usize, Dyadic)> {
     lcp.coupled_to(row).map(|(k, mu)| (k, dyadic(mu)))
 }
 
-/// Whether d shows that no solution has these sides.
+/// Whether d proves that no solution has these sides.
 fn leaf(lcp: &Lcp, sides: &Sides, d: &[(usize, IBig)]) -> Result<(), String> {
     let mut c = vec![Dyadic::ZERO; lcp.len()];
     let mut sum = Dyadic::ZERO;

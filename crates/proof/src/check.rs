@@ -1,4 +1,4 @@
-//! Whether a proof proves its claim, by the definitions and in exact arithmetic.
+//! Checks a proof, by the definitions and in exact arithmetic.
 
 use dashu_ratio::RBig;
 
@@ -13,15 +13,15 @@ use crate::hash::{model, rows};
 use crate::motion::{NO_BODIES, Squares};
 use crate::{cases, hash, minors, residual};
 
-/// With more rows a proof by definiteness is refused: checking it takes minutes.
+/// Proofs by definiteness with more rows are rejected: checking them takes minutes.
 pub(crate) const MOST_ROWS_OF_DEFINITE: usize = 500;
-/// With more rows not all principal minors are looked at.
+/// With more rows, not all principal minors can be checked.
 pub(crate) const MOST_ROWS_OF_P: usize = 12;
 
 /// Checks a proof of a problem under its friction model.
 ///
 /// # Errors
-/// Why it proves nothing of this problem.
+/// Why it proves nothing about this problem.
 pub fn check(question: &Question, proof: &Proof) -> Result<(), String> {
     let (own, other) = (model(question), proof.model.unwrap_or_default());
     if own != other {
@@ -36,7 +36,7 @@ pub fn check(question: &Question, proof: &Proof) -> Result<(), String> {
     }
 }
 
-/// What holds for boxes, coupled or frozen.
+/// Checks a claim about boxes, coupled or frozen.
 fn of_boxes(lcp: &Lcp, bodies: Option<&Gauss>, claim: &Claim) -> Result<(), String> {
     match claim {
         Claim::Solution { x, near } => {
@@ -51,7 +51,7 @@ fn of_boxes(lcp: &Lcp, bodies: Option<&Gauss>, claim: &Claim) -> Result<(), Stri
             let (x, y) = (solution(lcp, x)?, solution(lcp, y)?);
             let is_same = |i| x.scaled(i) * y.denominator() == y.scaled(i) * x.denominator();
             match (0..lcp.len()).all(is_same) {
-                true => Err("the two solutions are one".into()),
+                true => Err("the two solutions are the same".into()),
                 false => Ok(()),
             }
         }
@@ -75,8 +75,7 @@ fn of_boxes(lcp: &Lcp, bodies: Option<&Gauss>, claim: &Claim) -> Result<(), Stri
     }
 }
 
-/// What holds under every friction model: that there is no solution, where one vector alone shows
-/// it.
+/// Checks a claim that is valid under every friction model: no solution exists, by one vector.
 fn of_any_model(rows: &Lcp, model: Model, claim: &Claim) -> Result<(), String> {
     match claim {
         Claim::NoSolution { tree: tree @ Tree::Leaf(_) } => cases::check(rows, tree),
@@ -87,7 +86,7 @@ fn of_any_model(rows: &Lcp, model: Model, claim: &Claim) -> Result<(), String> {
     }
 }
 
-/// Why there is no proof of a kind under a model that is no box.
+/// Why a model other than a box has no proofs of this kind.
 pub(crate) fn about_boxes(kind: Kind, model: Model) -> String {
     format!("proofs of the kind {kind} are about boxes, the problem's model is {model}")
 }
@@ -104,11 +103,11 @@ fn solution(lcp: &Lcp, x: &Vector) -> Result<Point, String> {
     let point = point(lcp, x)?;
     match Exact::new(lcp).is_solved_by(&point) {
         true => Ok(point),
-        false => Err("the point is no solution".into()),
+        false => Err("the point is not a solution".into()),
     }
 }
 
-/// A vector as a point: entries at bounds are worked out, those of coupled rows after the others.
+/// The exact point of a vector: entries at bounds are evaluated, those of coupled rows last.
 fn point(lcp: &Lcp, x: &Vector) -> Result<Point, String> {
     has_rows(lcp, x.entries.len())?;
     let denominator = whole(x.denominator.clone());

@@ -1,4 +1,4 @@
-//! What a proof claims, with the numbers that show it.
+//! The claims of proofs, with the numbers that prove them.
 
 use std::fmt;
 use std::str::FromStr;
@@ -17,15 +17,15 @@ use lcplab_problem::friction::Model;
 pub struct Proof {
     /// The [hash](crate::hash) of the problem.
     pub problem: String,
-    /// The friction model of the problem; none stands for the coupled box, also of problems without
-    /// friction.
+    /// The friction model of the problem; `None` stands for the coupled box, and for problems
+    /// without friction.
     pub model: Option<Model>,
-    /// What is claimed of it.
+    /// The claim about it.
     pub claim: Claim,
 }
 
 impl Proof {
-    /// What is claimed, in a sentence that names the friction model if the proof does.
+    /// The claim as a sentence, with the friction model if the proof states one.
     pub fn sentence(&self) -> String {
         let claim = self.claim.sentence();
         match self.model {
@@ -35,38 +35,38 @@ impl Proof {
     }
 }
 
-/// What is claimed, with what shows it.
+/// A claim with its proof.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Claim {
     /// x is a solution.
     Solution {
-        /// It.
+        /// The solution.
         x: Vector,
-        /// An answer in floating point, and how far it is from x.
+        /// A floating-point answer and its distance from x.
         near: Option<Near>,
     },
     /// x is the only solution.
     Unique {
-        /// It.
+        /// The solution.
         x: Vector,
         /// Why there is no other.
         by: Reason,
     },
     /// There are at least two solutions.
     NotUnique {
-        /// One.
+        /// One solution.
         x: Vector,
-        /// Another.
+        /// Another solution.
         y: Vector,
     },
     /// There is no solution.
     NoSolution {
-        /// The ways that a solution could take, and what is wrong at the end of each.
+        /// The case distinction; a vector excludes each case.
         tree: Tree,
     },
-    /// The motion that an answer leads to is near the exact one.
+    /// The motion of an answer is close to the exact one.
     Motion(Bounded),
-    /// The same with the bounds of coupled rows that the answer gives them.
+    /// The same if coupled rows have the bounds that the answer gives them.
     FrozenMotion(Bounded),
     /// The scaled residual of an answer is this fraction.
     Within {
@@ -91,7 +91,7 @@ impl Claim {
         }
     }
 
-    /// The claim in a sentence.
+    /// The claim as a sentence.
     fn sentence(&self) -> String {
         match self {
             Claim::Solution { near: Some(near), .. } if near.distance == 0.0 => {
@@ -127,27 +127,28 @@ impl Claim {
     }
 }
 
-/// The kinds of claims, the strongest first.
+/// The kinds of claims, strongest first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     /// There is no solution.
     NoSolution,
-    /// There is one.
+    /// There is exactly one solution.
     Unique,
-    /// There are several.
+    /// There are several solutions.
     NotUnique,
-    /// There is at least one.
+    /// There is at least one solution.
     Solution,
     /// A bound on the motion of an answer.
     Motion,
     /// The residual of an answer.
     Within,
-    /// A bound on the motion under frozen friction, which proves nothing of the problem itself.
+    /// A bound on the motion under frozen friction, which proves nothing about the original
+    /// problem.
     FrozenMotion,
 }
 
 impl Kind {
-    /// All of them, the strongest first.
+    /// All kinds, strongest first.
     pub const ALL: [Kind; 7] = [
         Kind::NoSolution,
         Kind::Unique,
@@ -190,41 +191,41 @@ impl FromStr for Kind {
     }
 }
 
-/// An answer, and what shows how far its motion is from the exact one.
+/// An answer, and the proof of how far its motion is from the exact one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bounded {
     /// The answer.
     pub answer: Vec<f64>,
-    /// A motion that obeys all rows.
+    /// A motion that satisfies all rows.
     pub motion: Motion,
-    /// |u(answer) − û|_M is at most this; finite, not negative.
+    /// |u(answer) − û|_M is at most this; finite and nonnegative.
     pub bound: f64,
 }
 
-/// Velocities over one denominator.
+/// Velocities over a common denominator.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Motion {
-    /// Positive.
+    /// Always positive.
     pub denominator: IBig,
-    /// An entry a column.
+    /// One entry per column of M.
     pub numerators: Vec<IBig>,
 }
 
 impl Motion {
-    /// These, in lowest terms together.
+    /// These velocities, with the smallest common denominator.
     pub fn of(entries: &[RBig]) -> Motion {
         let (numerators, denominator) = over_one_denominator(entries);
         Motion { denominator, numerators }
     }
 
-    /// Each as a fraction of its own.
+    /// Each velocity as a fraction.
     pub fn entries(&self) -> Vec<RBig> {
         let denominator = RBig::from(self.denominator.clone());
         self.numerators.iter().map(|own| RBig::from(own.clone()) / &denominator).collect()
     }
 }
 
-/// Fractions as integers over one denominator, the least.
+/// The fractions as integers over their smallest common denominator.
 pub fn over_one_denominator(x: &[RBig]) -> (Vec<IBig>, IBig) {
     let denominator = x.iter().fold(IBig::ONE, |common, x| {
         let own = IBig::from(x.denominator().clone());
@@ -235,12 +236,12 @@ pub fn over_one_denominator(x: &[RBig]) -> (Vec<IBig>, IBig) {
     (x.iter().map(numerator).collect(), denominator)
 }
 
-/// An answer in floating point near an exact solution.
+/// A floating-point answer near an exact solution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Near {
     /// The answer.
     pub answer: Vec<f64>,
-    /// No entry is farther from the solution's; finite, not negative.
+    /// Upper bound on the distance of each entry; finite and nonnegative.
     pub distance: f64,
 }
 
@@ -256,9 +257,9 @@ pub enum Reason {
 /// An exact vector.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Vector {
-    /// Positive.
+    /// Always positive.
     pub denominator: IBig,
-    /// An entry a row.
+    /// One entry per row.
     pub entries: Vec<Entry>,
 }
 
@@ -273,17 +274,17 @@ pub enum Entry {
     Hi,
 }
 
-/// A fraction of integers that is not negative; the denominator is positive.
+/// A nonnegative fraction of integers; the denominator is positive.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fraction {
-    /// Above the line.
+    /// The numerator.
     pub numerator: IBig,
-    /// Below it.
+    /// The denominator.
     pub denominator: IBig,
 }
 
 impl Fraction {
-    /// The least floating-point number that is not below it.
+    /// The smallest `f64` that is at least the fraction.
     pub fn rounded_up(&self) -> f64 {
         use dashu_int::ops::UnsignedAbs;
         let (p, q) = (self.numerator.clone(), self.denominator.clone().unsigned_abs());

@@ -1,4 +1,4 @@
-//! Proofs as JSON, written and read as strictly as `docs/proofs.md` says.
+//! Reads and writes proofs as JSON, strictly by the rules of `docs/proofs.md`.
 
 use dashu_int::IBig;
 use serde_json::{Map, Value, json};
@@ -10,11 +10,11 @@ use lcplab_problem::json::parse;
 
 use crate::claim::{Bounded, Claim, Entry, Fraction, Motion, Near, Proof, Reason, Vector};
 
-/// The key `format`.
+/// The value of the key `format`.
 const FORMAT: &str = "lcplab-proof-1";
-/// The keys of every kind; `model` may be left out.
+/// The keys of every kind; `model` is optional.
 const COMMON: [&str; 4] = ["format", "problem", "model", "kind"];
-/// No path through a tree has more branches.
+/// Limit on the branches of a path through a tree.
 const MOST_BRANCHES: usize = 100;
 
 impl Proof {
@@ -59,7 +59,7 @@ impl Proof {
     /// Reads a proof from the text of a file called `input`.
     ///
     /// # Errors
-    /// If the text is not what the format asks for.
+    /// If the text violates the format.
     pub fn parse(text: &str, input: &str) -> Result<Proof> {
         let wrong = |(key, reason): (String, String)| Error::invalid(input, key, reason);
         let value = parse(text).map_err(|cause| wrong(("file".into(), cause.to_string())))?;
@@ -111,7 +111,7 @@ fn branches(tree: &Tree) -> Value {
     }
 }
 
-/// What is read, or the key that is wrong and why.
+/// The value, or the invalid key and the reason.
 type Read<T> = std::result::Result<T, (String, String)>;
 
 fn wrong<T>(key: &str, reason: impl Into<String>) -> Read<T> {
@@ -201,7 +201,7 @@ fn read_bounded(object: &Map<String, Value>) -> Read<Bounded> {
     Ok(Bounded { answer: numbers(object, "answer")?, motion, bound: size(object, "bound")? })
 }
 
-/// That an object has no other keys.
+/// Checks that an object has no other keys.
 fn only(object: &Map<String, Value>, keys: &[&str], name: &str) -> Read<()> {
     match object.keys().find(|key| !keys.contains(&key.as_str())) {
         Some(key) => wrong(name, format!("has the key {key:?}, which is unknown")),
@@ -233,7 +233,7 @@ fn read_point(object: &Map<String, Value>, key: &str) -> Read<Vector> {
     })
 }
 
-/// A tree with at most this number of branches on a path.
+/// A tree with at most `left` branches on a path.
 fn read_tree(value: Option<&Value>, left: usize) -> Read<Tree> {
     let Some(Value::Object(object)) = value else { return wrong("tree", "must be an object") };
     if object.contains_key("d") {
@@ -257,7 +257,7 @@ fn read_tree(value: Option<&Value>, left: usize) -> Read<Tree> {
     Ok(Tree::Branch { row, lo: side("lo")?, free, hi: side("hi")? })
 }
 
-/// A row as a key.
+/// Parses a key that is a row number.
 fn index(text: &str) -> Read<usize> {
     match text.parse::<usize>() {
         Ok(row) if row.to_string() == text => Ok(row),
@@ -288,7 +288,7 @@ fn not_negative(value: Option<&Value>, key: &str) -> Read<IBig> {
     }
 }
 
-/// A number that is not negative; −0 is 0.
+/// A nonnegative number; −0 is read as 0.
 fn size(object: &Map<String, Value>, key: &str) -> Read<f64> {
     match object.get(key).and_then(Value::as_f64) {
         Some(number) if number.is_finite() && number >= 0.0 => Ok(number + 0.0),

@@ -1,4 +1,4 @@
-//! What a proof is about: the bits of a problem.
+//! The hash of a problem, which ties a proof to it.
 
 use sha2::{Digest, Sha256};
 
@@ -10,13 +10,13 @@ pub(crate) fn model(question: &Question) -> Model {
     question.model().unwrap_or_default()
 }
 
-/// The rows that a proof is about: of a cone or a polygon, those of the file.
+/// The rows that a proof is about: the LCP of a box; for a cone or a polygon the rows of the file.
 pub(crate) fn rows(question: &Question) -> &Lcp {
     question.boxed().unwrap_or(&question.problem().lcp)
 }
 
-/// The numbers of a problem, and its model if that is not the coupled box, in the one order and
-/// form that `docs/proofs.md` states.
+/// The numbers of a problem, and its model if that is not the coupled box, in the canonical order
+/// and format of `docs/proofs.md`.
 pub fn canonical_bytes(question: &Question) -> Vec<u8> {
     let mut bytes = numbers(question);
     let model = model(question);
@@ -63,7 +63,7 @@ fn numbers(question: &Question) -> Vec<u8> {
     bytes
 }
 
-/// A row of a matrix by rising column.
+/// A row of a matrix in order of increasing columns.
 fn row(bytes: &mut Vec<u8>, entries: impl Iterator<Item = (usize, f64)>) {
     let mut entries: Vec<(usize, f64)> = entries.filter(|&(_, value)| value != 0.0).collect();
     entries.sort_by_key(|&(j, _)| j);

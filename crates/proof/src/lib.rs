@@ -1,10 +1,10 @@
-//! Proofs about a problem as files: an exact solution, that it is the only one or not, that there
-//! is none, what a floating-point answer misses, how far its motion is from the exact one.
+//! Proof files: an exact solution, whether it is the only one, that no solution exists, the exact
+//! residual of a floating-point answer, and how far its motion is from the exact one.
 //!
-//! [`prove`] finds the strongest [`Claim`] that it can prove of a problem under its friction model,
-//! [`Proof::to_json`] writes it, and [`check`] checks a proof of the problem in exact arithmetic.
-//! The format, and why each check proves its claim, stand in `docs/proofs.md`; `proofs/lcpcheck.py`
-//! checks the same files and shares no code with this crate.
+//! [`prove`] finds the strongest [`Claim`] that it can prove about a problem under its friction
+//! model, [`Proof::to_json`] writes it, and [`check`] checks a proof against the problem in exact
+//! arithmetic. `docs/proofs.md` describes the format and why each check proves its claim;
+//! `proofs/lcpcheck.py` checks the same files and shares no code with this crate.
 //!
 //! ```
 //! use lcplab_problem::file::Problem;

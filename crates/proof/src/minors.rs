@@ -20,7 +20,7 @@ pub fn is_p(lcp: &Lcp) -> bool {
     let a: Vec<Dyadic> =
         (0..n).flat_map(|i| (0..n).map(move |j| dyadic(lcp.matrix().entry(i, j)))).collect();
     let a = integers(&a);
-    // All sets of rows are sets with a last row; the leading minors of each chain end with it.
+    // Each bit of `set` stands for a row.
     (1_usize..1 << n).all(|set| {
         let rows: Vec<usize> = (0..n).filter(|i| set >> i & 1 == 1).collect();
         let row = |&i: &usize| rows.iter().map(|&j| a[i * n + j].clone()).collect();
@@ -28,7 +28,7 @@ pub fn is_p(lcp: &Lcp) -> bool {
     })
 }
 
-/// Bareiss's elimination without exchanges: its pivots are the leading principal minors.
+/// Bareiss elimination without row exchanges: its pivots are the leading principal minors.
 fn has_positive_leading_minors(mut m: Vec<Vec<IBig>>) -> bool {
     let mut last = IBig::ONE;
     for c in 0..m.len() {
@@ -41,7 +41,7 @@ fn has_positive_leading_minors(mut m: Vec<Vec<IBig>>) -> bool {
     true
 }
 
-/// The sign of a determinant, rows being exchanged where a pivot is 0.
+/// Whether a determinant is positive; rows are exchanged if a pivot is 0.
 fn determinant_is_positive(mut m: Vec<Vec<IBig>>) -> bool {
     let (mut last, mut is_positive) = (IBig::ONE, true);
     for c in 0..m.len() {
@@ -56,7 +56,7 @@ fn determinant_is_positive(mut m: Vec<Vec<IBig>>) -> bool {
     (last > IBig::ZERO) == is_positive
 }
 
-/// Column c below the pivot to 0; every division comes out even (Bareiss 1968).
+/// Eliminates column c below the pivot; every division is exact (Bareiss 1968).
 fn eliminate(m: &mut [Vec<IBig>], c: usize, last: &IBig) {
     let (upper, lower) = m.split_at_mut(c + 1);
     let own = &upper[c];

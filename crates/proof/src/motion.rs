@@ -1,4 +1,5 @@
-//! How far the motion of an answer is from the exact one, by Gauss's principle in fractions.
+//! Bounds the distance of an answer's motion from the exact one, by Gauss's principle in rational
+//! arithmetic.
 //!
 //! ```text
 //! |u(x) − û|_M ≤ √S + √G,   S = |M⁻¹Jᵀ(x − p)|²_M,   G = 2 (P(v) + D(p)) = fᵀM⁻¹f + 2 Σ g_i
@@ -7,8 +8,8 @@
 //!       at most w_i² / 2γ_i
 //! ```
 //!
-//! √G bounds the motion of p, the answer moved into its bounds, and √S is the motion that lies
-//! between the answer and p. `docs/proofs.md` shows both.
+//! √G bounds the error of the motion of p, the answer projected onto its bounds, and √S is the
+//! difference between the motions of the answer and of p. `docs/proofs.md` derives both.
 
 use std::collections::BTreeMap;
 
@@ -23,11 +24,11 @@ use lcplab_problem::{Gauss, Lcp};
 
 use crate::claim::{Bounded, Motion};
 
-/// With more rows the equations are not solved.
+/// With more rows the equations are not solved exactly.
 const MOST_EQUATIONS: usize = 500;
-/// What is left of an equation that follows from others, beside its length.
+/// An equation whose remainder, relative to its length, is below this depends on others.
 const DEPENDENT: f64 = 1e-9;
-/// Why nothing is said of the motion.
+/// The reason if the problem has no data for a claim about the motion.
 pub(crate) const NO_BODIES: &str = "the problem has no key motion";
 
 fn exact(value: f64) -> RBig {
@@ -36,14 +37,15 @@ fn exact(value: f64) -> RBig {
 
 /// The squares of the two parts of the bound.
 pub struct Squares {
-    /// S, of the motion between the answer and p.
+    /// S: the difference between the motions of the answer and of p.
     beyond: RBig,
-    /// G, the bound on the motion of p.
+    /// G: the bound on the error of the motion of p.
     within: RBig,
 }
 
 impl Squares {
-    /// Those of an answer x and a motion v, with the bounds that coupled rows have at this x.
+    /// The squares for an answer x and a motion v, with the bounds that coupled rows have at this
+    /// x.
     ///
     /// # Errors
     /// If M is not positive definite, or P(v) is infinite.
@@ -69,16 +71,16 @@ impl Squares {
         Ok(Squares { beyond: square(data, beyond)?, within })
     }
 
-    /// Whether √S + √G ≤ bound, without a root: 4 S G ≤ (bound² − S − G)², and that is not
-    /// negative.
+    /// Whether √S + √G ≤ bound, without square roots: 4 S G ≤ (bound² − S − G)², and bound² − S − G
+    /// ≥ 0.
     pub fn prove(&self, bound: f64) -> bool {
         let rest = exact(bound) * exact(bound) - &self.beyond - &self.within;
         let product = RBig::from(4) * &self.beyond * &self.within;
         bound >= 0.0 && rest >= RBig::ZERO && product <= &rest * &rest
     }
 
-    /// A bound that they prove, the least floating-point number but for a few; not finite if there
-    /// is none.
+    /// A bound that these squares prove, within a few units in the last place of the smallest one;
+    /// not finite if there is none.
     fn bound(&self) -> f64 {
         let mut bound = rounded_up(&self.beyond).sqrt() + rounded_up(&self.within).sqrt();
         while bound.is_finite() && !self.prove(bound) {
@@ -93,7 +95,7 @@ fn speed(data: &Gauss, v: &[RBig], i: usize) -> RBig {
     data.jacobian[i].iter().fold(exact(data.bias[i]), |sum, &(j, value)| sum + exact(value) * &v[j])
 }
 
-/// A row's bounds, as far as they are finite.
+/// A row's bounds; `None` if infinite.
 type Bounds = (Option<RBig>, Option<RBig>);
 
 /// The bounds of row i at x.
@@ -114,7 +116,7 @@ fn moved_into((lo, hi): Bounds, x: &RBig) -> RBig {
     hi.map_or(above.clone(), |hi| hi.min(above))
 }
 
-/// g_i of a p_i between these bounds.
+/// g_i for a p_i within these bounds.
 fn row_gap((lo, hi): Bounds, data: &Gauss, p: &RBig, v: &[RBig], i: usize) -> Result<RBig, String> {
     let compliance = exact(data.compliance[i]);
     let w = speed(data, v, i) + &compliance * p;
@@ -157,7 +159,7 @@ fn square(data: &Gauss, mut f: Vec<RBig>) -> Result<RBig, String> {
     Ok(sum)
 }
 
-/// A bound on the motion of an answer, and what shows it.
+/// A bound on the motion of an answer, and its proof.
 ///
 /// # Errors
 /// Why there is none.
@@ -181,7 +183,7 @@ pub fn search(lcp: &Lcp, data: Option<&Gauss>, answer: &[f64]) -> Result<Bounded
     }
 }
 
-/// The rows that a motion has to obey exactly.
+/// The rows that a motion must satisfy exactly.
 fn equations(data: &Gauss) -> Vec<usize> {
     let is_equation = |i: &usize| {
         data.compliance[*i] == 0.0 && data.lo[*i].is_infinite() && data.hi[*i].is_infinite()
@@ -189,8 +191,8 @@ fn equations(data: &Gauss) -> Vec<usize> {
     (0..data.bias.len()).filter(is_equation).collect()
 }
 
-/// Equations that follow from others, but for rounding, get bounds: so a motion is found near which
-/// the exact one may be.
+/// The data with equations that depend on others up to rounding turned into bounds, so that a
+/// motion can be found close to a possible exact motion.
 fn relaxed(data: &Gauss, x: &[f64]) -> Gauss {
     let mut relaxed = data.clone();
     let mut basis: Vec<Vec<f64>> = Vec::new();
@@ -214,14 +216,14 @@ fn relaxed(data: &Gauss, x: &[f64]) -> Gauss {
     relaxed
 }
 
-/// The motion in floating point, moved in some columns to where it obeys all equations exactly.
+/// The floating-point motion, with some columns changed so that it satisfies all equations exactly.
 fn obeying_equations(data: &Gauss, motion: &[f64]) -> Result<Motion, String> {
     let rows = equations(data);
     if rows.len() > MOST_EQUATIONS {
         return Err(format!("{} equations are too many", rows.len()));
     }
     let mut v: Vec<RBig> = motion.iter().map(|&v| exact(v)).collect();
-    // J e = −w, each row of J and its w as integers.
+    // J e = −w; each row of J and its w are scaled to integers.
     let equation = |&i: &usize| {
         let mut row = vec![dyadic(0.0); motion.len()];
         data.jacobian[i].iter().for_each(|&(j, value)| row[j] = dyadic(value));
@@ -247,8 +249,7 @@ fn obeying_equations(data: &Gauss, motion: &[f64]) -> Result<Motion, String> {
         }
         if rows.iter().any(|&i| speed(data, &v, i) != RBig::ZERO) {
             return Err(
-                "no motion obeys all equations: in their last digits they contradict each other"
-                    .into(),
+                "no motion satisfies all equations: their last digits contradict each other".into(),
             );
         }
     }

@@ -1,14 +1,14 @@
-//! The sides of an exact solution, by pivoting in 320 bits.
+//! Finds the sides of an exact solution by pivoting with 320-bit numbers.
 //!
-//! Where contacts are redundant, A is singular but for its rounding. Of the many x that hold the
-//! bodies the exact problem has one or a few, and which rows these hold at w = 0 is decided by the
-//! last digits of A: no method in double precision can see it. So Lemke's method pivots with so
-//! many digits that rounding decides nothing, and the sides at its end are then held against the
-//! exact problem by those who ask.
+//! If contacts are redundant, A is singular up to rounding. Of the many x that balance the bodies,
+//! the exact problem has one or a few, and the last digits of A decide which rows have w = 0 there:
+//! double precision cannot resolve this. Therefore Lemke's method pivots with enough digits that
+//! rounding decides nothing; the caller then checks the resulting sides in the exact problem.
 //!
 //! With x_i = lo_i + y_i, hi_i − y_i, or −μ_i x_k + y_i, rows with one bound are complementary
-//! pairs y_i, v_i = ±w_i. A row with two has a second pair: v_i = w_i + u_i, and the room s_i that
-//! y_i has to the upper bound, with u_i. Rows without bounds are solved for first.
+//! pairs y_i, v_i = ±w_i. A row with two bounds has a second pair: v_i = w_i + u_i, and u_i is
+//! complementary to s_i, the distance of x_i from its upper bound. Rows without bounds are solved
+//! first.
 
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
@@ -18,14 +18,15 @@ use lcplab_problem::exact::Side;
 
 type Real = FBig<HalfEven, 2>;
 
-/// Digits of the calculation.
+/// Precision of the calculation (bits).
 const BITS: usize = 320;
-/// What is below it beside the numbers of the problem is 0.
+/// Numbers below 2 to this power, relative to the numbers of the problem, count as 0.
 const ZERO: isize = -200;
-/// By so much, times distinct factors, the problem is changed, so that no two rows meet their
+/// The problem is perturbed by 2 to this power, times distinct factors, so that no two rows reach
+/// their bounds at the same time.
 /// bounds at once.
 const CHANGE: isize = -150;
-/// With more pairs, pivoting takes minutes.
+/// With more pairs pivoting takes minutes.
 const MOST_PAIRS: usize = 240;
 
 /// The sides of a solution, if Lemke's method finds one.
@@ -49,31 +50,31 @@ fn is_zero(x: &Real, unit: &Real) -> bool {
     size <= unit * power(ZERO)
 }
 
-/// How x_i depends on its y_i.
+/// The form of x_i as a function of y_i.
 #[derive(Clone, Copy, PartialEq)]
 enum Form {
     /// lo + y.
     Up,
     /// hi − y.
     Down,
-    /// y, w = 0.
+    /// y, with w = 0.
     Equation,
-    /// Between two bounds; the number of its second pair.
+    /// Between two bounds, with the index of its second pair.
     Between(usize),
 }
 
-/// A dictionary: every basic variable as a constant and a sum over the others.
+/// A dictionary: every basic variable as a constant plus a linear combination of the nonbasic ones.
 ///
-/// Pair p has the variables p, its y or u, and p + pairs, its v or s; the last variable is that of
-/// Lemke.
+/// Pair p has the variables p (its y or u) and p + pairs (its v or s); the last variable is Lemke's
+/// artificial variable.
 struct Table {
     forms: Vec<Form>,
     pairs: usize,
-    /// The coefficients of the others, then the constant.
+    /// The coefficients of the nonbasic variables, then the constant.
     rows: Vec<Vec<Real>>,
     basic: Vec<usize>,
     other: Vec<usize>,
-    /// The largest number of the problem.
+    /// The largest absolute entry of A.
     unit: Real,
 }
 
@@ -136,7 +137,7 @@ impl Table {
         Some(Table { forms, pairs, rows, basic, other, unit })
     }
 
-    /// Exchanges the basic variable of row r with the other one of column c.
+    /// Exchanges the basic variable of row r with the nonbasic one of column c.
     fn pivot(&mut self, r: usize, c: usize) {
         let mut own = std::mem::take(&mut self.rows[r]);
         let inverse = real(1.0) / &own[c];
@@ -157,8 +158,8 @@ impl Table {
         std::mem::swap(&mut self.basic[r], &mut self.other[c]);
     }
 
-    /// Brings the y of all equations into the basis, the largest pivot first, and leaves out what
-    /// is then 0.
+    /// Moves the y of all equations into the basis, largest pivot first, and removes the columns of
+    /// their v, which are 0.
     fn solve_equations(&mut self) -> Option<()> {
         let mut open: Vec<usize> =
             (0..self.forms.len()).filter(|&i| self.forms[i] == Form::Equation).collect();
@@ -189,13 +190,13 @@ impl Table {
         Some(())
     }
 
-    /// Whether a variable is one of an equation: its y has no sign, its v is 0.
+    /// Whether a variable belongs to an equation: its y is unrestricted and its v is 0.
     fn is_equation(&self, variable: usize) -> bool {
-        let is_of_a_pair = variable < 2 * self.pairs; // not that of Lemke
+        let is_of_a_pair = variable < 2 * self.pairs; // not Lemke's artificial variable
         is_of_a_pair && self.forms.get(variable % self.pairs) == Some(&Form::Equation)
     }
 
-    /// Lemke's method with a covering vector of ones; `None` where it ends on a ray.
+    /// Lemke's method with a covering vector of ones; `None` if it ends on a ray.
     fn lemke(&mut self) -> Option<()> {
         let rows: Vec<usize> =
             (0..self.rows.len()).filter(|&r| !self.is_equation(self.basic[r])).collect();
@@ -229,7 +230,7 @@ impl Table {
         self.pivot(lowest, last);
         for _ in 0..50 * self.pairs {
             let c = self.other.iter().position(|&variable| variable == entering)?;
-            // The rows that fall while it rises, each by its ratio.
+            // The rows that decrease as the entering variable increases, each with its ratio.
             let falls = |r: &usize| {
                 let value = &self.rows[*r][c];
                 *value < Real::ZERO && !is_zero(value, &self.unit)
@@ -251,12 +252,12 @@ impl Table {
         if variable < self.pairs { variable + self.pairs } else { variable - self.pairs }
     }
 
-    /// Where row i stands.
+    /// The side of row i.
     fn side(&self, i: usize) -> Side {
         let is_basic = |variable: usize| self.basic.contains(&variable);
         match self.forms[i] {
             Form::Equation => Side::Free,
-            Form::Between(p) if is_basic(p) => Side::Upper, // u rises above 0
+            Form::Between(p) if is_basic(p) => Side::Upper, // u > 0
             Form::Down if !is_basic(i) => Side::Upper,
             _ if !is_basic(i) => Side::Lower,
             _ => Side::Free,

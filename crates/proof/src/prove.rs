@@ -1,4 +1,4 @@
-//! The strongest claim that can be proved.
+//! Searches for the strongest claim that can be proved.
 
 use std::cell::OnceCell;
 
@@ -16,24 +16,24 @@ use crate::claim::{Claim, Entry, Kind, Near, Proof, Reason, Vector, over_one_den
 use crate::hash::{model, rows};
 use crate::{hash, minors, motion, pivot, residual};
 
-/// With more rows no exact solution is looked for: it would take hours.
+/// With more rows no exact solution is searched for: it would take hours.
 const MOST_ROWS: usize = 500;
 /// With more rows it is not decided whether A + Aᵀ is definite: elimination takes too long.
 const MOST_ROWS_TO_ELIMINATE: usize = 150;
-/// With more rows a second solution is not looked for in all pieces.
+/// With more rows not all pieces are searched for a second solution.
 const MOST_ROWS_OF_PIECES: usize = 8;
 
-/// What was found.
+/// The result of a search for a proof.
 #[derive(Debug, Clone)]
 pub struct Found {
     /// The strongest proof; `None` if there is not even a finite residual.
     pub proof: Option<Proof>,
-    /// The kinds that were looked for before, and why there is no proof of them.
+    /// The stronger kinds that were tried, and why there is no proof of them.
     pub missing: Vec<(Kind, String)>,
 }
 
 impl Found {
-    /// Why nothing was proved of a problem whose model is no box, if that is so.
+    /// Why nothing was proved about a problem whose model is not a box, if that is the case.
     pub fn refusal(&self, question: &Question) -> Option<String> {
         if self.proof.is_some() || question.boxed().is_some() {
             return None;
@@ -51,12 +51,12 @@ impl Found {
     }
 }
 
-/// Looks for the strongest proof: `no-solution`, `unique`, `not-unique`, `solution`, `motion`,
-/// `within`, in this order. The answer is where it begins. Under a model that is no box, a polygon
-/// or a cone, only `no-solution` is possible, by a vector that shows it for every model.
+/// Searches for the strongest proof: `no-solution`, `unique`, `not-unique`, `solution`, `motion`,
+/// `within`, in this order, starting from the answer. Under a polygon or a cone only `no-solution`
+/// is possible, by a vector that proves it for every model.
 ///
 /// # Panics
-/// If the answer has not an entry a row.
+/// If the answer does not have one entry per row.
 pub fn prove(question: &Question, answer: &[f64]) -> Found {
     let prover = Prover::new(question, answer);
     let mut missing = Vec::new();
@@ -69,10 +69,10 @@ pub fn prove(question: &Question, answer: &[f64]) -> Found {
     Found { proof: None, missing }
 }
 
-/// Looks for a proof of this kind alone.
+/// Searches for a proof of this kind only.
 ///
 /// # Panics
-/// If the answer has not an entry a row.
+/// If the answer does not have one entry per row.
 pub fn prove_kind(question: &Question, answer: &[f64], kind: Kind) -> Found {
     match Prover::new(question, answer).proof(kind) {
         Ok(proof) => Found { proof: Some(proof), missing: Vec::new() },
@@ -80,7 +80,7 @@ pub fn prove_kind(question: &Question, answer: &[f64], kind: Kind) -> Found {
     }
 }
 
-/// An exact solution, and a direction in which it can be moved if one was seen.
+/// An exact solution, and a direction in which it can move if one was found.
 struct Solution {
     x: Vec<RBig>,
     direction: Option<Vec<RBig>>,
@@ -94,17 +94,17 @@ enum Solvable {
 struct Prover<'a> {
     question: &'a Question,
     answer: &'a [f64],
-    /// Whether there is a solution, found out once.
+    /// Whether there is a solution, computed once.
     solvable: OnceCell<Result<Solvable, String>>,
 }
 
 impl<'a> Prover<'a> {
     fn new(question: &'a Question, answer: &'a [f64]) -> Self {
-        assert_eq!(answer.len(), rows(question).len(), "an answer needs one entry a row");
+        assert_eq!(answer.len(), rows(question).len(), "an answer needs one entry per row");
         Prover { question, answer, solvable: OnceCell::new() }
     }
 
-    /// The proof of a claim, which is checked before it is given away.
+    /// The proof of a claim of this kind; it is checked before it is returned.
     fn proof(&self, kind: Kind) -> Result<Proof, String> {
         let claim = match self.question.boxed() {
             Some(lcp) => self.of_boxes(lcp, kind)?,
@@ -117,7 +117,7 @@ impl<'a> Prover<'a> {
         Ok(proof)
     }
 
-    /// A claim that holds under every friction model.
+    /// A claim that is valid under every friction model.
     fn of_any_model(&self, kind: Kind) -> Result<Claim, String> {
         if kind != Kind::NoSolution {
             return Err(about_boxes(kind, model(self.question)));
@@ -181,7 +181,7 @@ impl<'a> Prover<'a> {
     }
 }
 
-/// A solution or a proof that there is none, or why there is neither.
+/// A solution, a proof that there is none, or the reason why neither was found.
 fn solvable(lcp: &Lcp, answer: &[f64]) -> Result<Solvable, String> {
     let at = |x| Ok(Solvable::Yes(Solution { x, direction: None }));
     if lcp.len() > MOST_ROWS {
@@ -217,7 +217,7 @@ fn solvable(lcp: &Lcp, answer: &[f64]) -> Result<Solvable, String> {
     }
 }
 
-/// How far a finite answer is from x, if that is a number.
+/// The distance of a finite answer from x, if it is a finite number.
 fn near(answer: &[f64], x: &[RBig]) -> Option<Near> {
     if !answer.iter().all(|x| x.is_finite()) {
         return None;
@@ -241,7 +241,7 @@ fn unique(lcp: &Lcp) -> Result<Reason, String> {
         return Ok(Reason::PMatrix);
     }
     Err(match lcp.len() {
-        n if n <= MOST_ROWS_OF_P => "A + Aᵀ is not definite, and A is no P-matrix".into(),
+        n if n <= MOST_ROWS_OF_P => "A + Aᵀ is not definite, and A is not a P-matrix".into(),
         n if n <= most => {
             format!("A + Aᵀ is not definite, and {n} rows are too many for all principal minors")
         }
@@ -249,7 +249,7 @@ fn unique(lcp: &Lcp) -> Result<Reason, String> {
     })
 }
 
-/// Another solution.
+/// Finds another solution.
 fn another(lcp: &Lcp, solution: &Solution) -> Result<Vec<RBig>, String> {
     let exact = Exact::new(lcp);
     let moved = |step: &RBig, d: &[RBig]| -> Vec<RBig> {
@@ -278,7 +278,7 @@ fn point(x: &[RBig]) -> Point {
     Point::new(numerators.into_iter().map(whole).collect(), whole(denominator))
 }
 
-/// The shortest way to write it: a bound other than 0 by its name.
+/// The shortest notation: an entry at a nonzero bound is written as that bound.
 fn vector(lcp: &Lcp, x: &[RBig]) -> Vector {
     let exact = |bound: f64| bound.is_finite().then(|| rational(&dyadic(bound)));
     let bounds = |i: usize| match lcp.coupled_to(i) {
@@ -302,7 +302,7 @@ fn vector(lcp: &Lcp, x: &[RBig]) -> Vector {
     Vector { denominator, entries }
 }
 
-/// A direction as integers; entries that are 0 are left out.
+/// A direction as integers with their rows; entries equal to 0 are omitted.
 fn integers(d: &[RBig]) -> Vec<(usize, IBig)> {
     let (numerators, _) = over_one_denominator(d);
     numerators.into_iter().enumerate().filter(|(_, d)| *d != IBig::ZERO).collect()

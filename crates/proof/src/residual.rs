@@ -1,4 +1,4 @@
-//! The scaled residual of an answer without rounding.
+//! The scaled residual of an answer, in exact arithmetic.
 
 use dashu_int::ops::Abs;
 use dashu_ratio::RBig;

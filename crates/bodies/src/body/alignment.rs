@@ -1,22 +1,22 @@
-//! The orientation of a cloud of points: how three points without orientation carry one (the
+//! The orientation of a cloud of points, for example of a body represented by three particles (the
 //! chapter's Figure 10).
 //!
 //! ```text
 //! R = argmin Σ |R (r_i − r̄) − (p_i − p̄)|²;   H = Σ (p_i − p̄)(r_i − r̄)ᵀ = U Σ Vᵀ,   R = U diag(1, 1, ±1) Vᵀ
 //! ```
 //!
-//! with the sign that makes det R = 1: the orthogonal factor of H's polar decomposition. Three
-//! points not in a line are enough, since a plane's two directions fix the third. Kabsch 1976.
+//! The sign makes det R = 1; R is the orthogonal factor of H's polar decomposition. Three points
+//! not on a line are sufficient, since two directions in a plane determine the third. Kabsch 1976.
 
 #![allow(non_snake_case)]
 
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
-/// Less than this part of the cloud's length across it, and it counts as a line.
+/// A cloud whose width is below this fraction of its length counts as a line.
 const FLAT: f64 = 1e-9;
 
-/// The rotation that carries reference points to points best, wherever both lie; `None` if they lie
-/// in a line or are not as many.
+/// The rotation that best maps the reference points to the points, up to a translation; `None` if
+/// they lie on a line or their numbers differ.
 ///
 /// ```
 /// use lcplab_bodies::body::alignment;

@@ -1,26 +1,27 @@
-//! How a body's spin carries on: the gyroscopic torque −ω × I ω, which the chapter leaves out.
+//! Integration of a body's rotation with the gyroscopic torque −ω × I ω, which the chapter omits.
 //!
-//! A torque-free body keeps its angular momentum L = I ω in the world, and ω changes as I turns
-//! with the body. In the body's frame, with Π = Rᵀ L, the implicit midpoint rule keeps both L and
-//! the energy:
+//! A torque-free body conserves its angular momentum L = I ω in the world, and ω changes as I
+//! rotates with the body. In the body's frame, with Π = Rᵀ L, the implicit midpoint rule conserves
+//! both L and the energy:
 //!
 //! ```text
-//! I ω̄ + ½ h ω̄ × I ω̄ = Π,     q⁺ = q ⊗ (1, ½ h ω̄) normalised,     ω⁺ = I(q⁺)⁻¹ L
+//! I ω̄ + ½ h ω̄ × I ω̄ = Π,     q⁺ = q ⊗ (1, ½ h ω̄) normalized,     ω⁺ = I(q⁺)⁻¹ L
 //! ```
 //!
-//! (1, ½ h ω̄) is Cayley's rotation, which takes Π to Π⁺ = I ω̄ − ½ h ω̄ × I ω̄; so |Π⁺| = |Π|, and
-//! Π⁺·I⁻¹Π⁺ = Π·I⁻¹Π because the rule keeps quadratic invariants (Hairer, Lubich & Wanner, IV.2).
+//! (1, ½ h ω̄) is Cayley's rotation, which maps Π to Π⁺ = I ω̄ − ½ h ω̄ × I ω̄; so |Π⁺| = |Π|, and
+//! Π⁺·I⁻¹Π⁺ = Π·I⁻¹Π because the rule conserves quadratic invariants (Hairer, Lubich & Wanner,
+//! IV.2).
 //!
-//! The other choices put a torque into F and let q⁺ = q + h S ω. Taken at the old velocity it feeds
-//! energy into a spinning body, without bound; at the new one it is unconditionally stable, and
-//! loses energy (Catto, *Numerical Methods*, GDC 2015):
+//! The other variants add a torque to F and use q⁺ = q + h S ω. Evaluated at the old velocity, the
+//! torque adds energy to a spinning body without bound; at the new velocity the step is
+//! unconditionally stable and loses energy (Catto, *Numerical Methods*, GDC 2015):
 //!
 //! ```text
 //! I ω⁺ + h ω⁺ × I ω⁺ = I ω
 //! ```
 //!
-//! Both equations are solved by Newton's method, f' = I + h ([ω⁺]× I − [I ω⁺]×), in the body's axes
-//! at the step's start, where I is constant.
+//! Newton's method solves both equations, f' = I + h ([ω⁺]× I − [I ω⁺]×), in the body's axes at the
+//! start of the step, where I is constant.
 
 use nalgebra::{Matrix3, Vector3};
 use schemars::JsonSchema;
@@ -28,28 +29,28 @@ use serde::{Deserialize, Serialize};
 
 use super::{Mass, Pose, State};
 
-/// The most parts of a step, for bodies that turn by more than a radian in it.
+/// The largest number of substeps, for bodies that rotate by more than a radian in a step.
 const PARTS: usize = 64;
 
-/// Newton's method converges quadratically from ω; a body that turns by less than a radian a step
-/// needs four of these.
+/// Limit on Newton steps. The method converges quadratically from ω; a body that rotates by less
+/// than a radian per step needs four.
 const NEWTON_STEPS: usize = 20;
 
-/// A correction of this size beside ω is rounding.
+/// A correction of this relative size is a rounding error.
 const ROUNDING: f64 = 1e-15;
 
-/// What becomes of the gyroscopic torque.
+/// The treatment of the gyroscopic torque.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Gyroscopic {
-    /// It is left out, as in the chapter: a free body keeps ω, not its angular momentum.
+    /// Omitted, as in the chapter: a free body keeps ω, not its angular momentum.
     Omitted,
-    /// At the velocity before the step; gains energy.
+    /// Evaluated at the velocity before the step; gains energy.
     Explicit,
-    /// At the velocity after the step; loses energy, never diverges.
+    /// Evaluated at the velocity after the step; loses energy, never diverges.
     Implicit,
-    /// The body turns by the midpoint rule and keeps its angular momentum: a free body keeps its
-    /// energy too, as long as it turns by less than some 64 radians a step.
+    /// The midpoint rule rotates the body and conserves its angular momentum: a free body also
+    /// conserves its energy, up to about 64 radians per step.
     #[default]
     Conserving,
 }
@@ -69,9 +70,9 @@ impl Gyroscopic {
         }
     }
 
-    /// The state after h (s) without forces: s + h S(s) u, with the spin that the angular momentum
-    /// has in the new pose where it is conserved. A body that turns by more than a radian does so
-    /// in parts, 64 at most.
+    /// The state after h (s) without forces: s + h S(s) u; if angular momentum is conserved, ω
+    /// follows from it in the new pose. A body that rotates by more than a radian takes up to 64
+    /// substeps.
     pub fn advanced(self, mass: &Mass, state: &State, h: f64) -> State {
         let Some(inertia) = tumbling(self, mass) else { return state.advanced(h) };
         let momentum = mass.spin_momentum(state);
@@ -91,11 +92,11 @@ impl Gyroscopic {
         moved
     }
 
-    /// The same for a body that a joint keeps from turning about some axes: s + h S(s) u, so that
-    /// it turns about the axis that the joint leaves it. The midpoint rule would turn it about
-    /// another one where I is not the same about all axes, and the joint would come apart step by
-    /// step. Where angular momentum is conserved it is, and the joint's reaction is what changes
-    /// it.
+    /// [`advanced`](Self::advanced) for a body whose joint prevents rotation about some axes: s + h
+    /// S(s) u, so that it rotates about the axis that the joint leaves free. If its moments of
+    /// inertia differ, the midpoint rule would rotate it about another axis and pull the joint
+    /// apart step by step. If angular momentum is conserved, it is conserved here too; the joint's
+    /// reaction changes it.
     pub fn turned(self, mass: &Mass, state: &State, h: f64) -> State {
         let moved = state.advanced(h);
         match tumbling(self, mass) {
@@ -106,9 +107,8 @@ impl Gyroscopic {
         }
     }
 
-    /// The state at the end of a step of h (s) in which the body turned with the velocity that it
-    /// now has: where angular momentum is conserved that was ω̄, and ω⁺ = I⁻¹(I ω̄ − ½ h ω̄ × I
-    /// ω̄).
+    /// The state at the end of a step of h (s) in which the body rotated with its present velocity:
+    /// if angular momentum is conserved, that velocity was ω̄, and ω⁺ = I⁻¹(I ω̄ − ½ h ω̄ × I ω̄).
     pub fn arrived(self, mass: &Mass, state: &State, h: f64) -> State {
         match tumbling(self, mass) {
             None => *state,
@@ -121,7 +121,7 @@ impl Gyroscopic {
     }
 }
 
-/// I in the body's axes, if ω changes although L does not: not for a ball or a cube.
+/// I in the body's axes, if ω changes while L is constant: not for a ball or a cube.
 fn tumbling(gyroscopic: Gyroscopic, mass: &Mass) -> Option<Matrix3<f64>> {
     match mass {
         Mass::Rigid { moments, .. } if gyroscopic == Gyroscopic::Conserving => {
@@ -131,7 +131,7 @@ fn tumbling(gyroscopic: Gyroscopic, mass: &Mass) -> Option<Matrix3<f64>> {
     }
 }
 
-/// I⁻¹ L (rad/s, world), by way of the body's axes.
+/// I⁻¹ L (rad/s, world), computed in the body's axes.
 fn spin(inertia: &Matrix3<f64>, pose: &Pose, momentum: &Vector3<f64>) -> Vector3<f64> {
     pose.q * (pose.q.inverse() * momentum).component_div(&inertia.diagonal())
 }

@@ -1,15 +1,15 @@
-//! Volumes and principal moments of inertia of homogeneous shapes: closed forms, for a hull sums
-//! over the tetrahedra between its faces and a point within, for a compound the parallel axis
-//! theorem.
+//! Volumes and principal moments of inertia of homogeneous shapes: closed forms for simple shapes,
+//! sums over the tetrahedra between the faces and an interior point for hulls, and the parallel
+//! axis theorem for compounds.
 
 use nalgebra::{Matrix3, Rotation3, SymmetricEigen, UnitQuaternion, Vector3};
 
 use super::{Placed, Polytope, Pose, Shape};
 
-/// Products of inertia below this part of the moments are rounding.
+/// Products of inertia below this fraction of the moments are rounding errors.
 const DIAGONAL: f64 = 1e-12;
 
-/// The volume (m³); none for a point and a half space.
+/// The volume (m³); `None` for a point and a half space.
 pub fn volume(shape: &Shape) -> Option<f64> {
     match shape {
         Shape::Sphere { radius } => Some(ball(*radius)),
@@ -23,8 +23,8 @@ pub fn volume(shape: &Shape) -> Option<f64> {
     }
 }
 
-/// The principal moments (kg m²) of a homogeneous body of this mass (kg): ⅖ m r² for a sphere,
-/// m (b² + c²)/3 about the axis along a of a box with half edges a, b, c; none for a point and a
+/// The principal moments (kg m²) of a homogeneous body of this mass (kg): ⅖ m r² for a sphere, m
+/// (b² + c²)/3 about the axis along a for a box with half edges a, b, c; `None` for a point and a
 /// half space.
 ///
 /// ```
@@ -47,13 +47,13 @@ pub fn moments(shape: &Shape, mass: f64) -> Option<Vector3<f64>> {
     }
 }
 
-/// The frame of a homogeneous polytope, in the polytope's own axes: its origin is the centre of
-/// mass and its axes are principal. Axes that are principal already stay.
+/// The frame of a homogeneous polytope, in the polytope's own axes: the origin is the center of
+/// mass, the axes are principal. If its own axes are principal, they are kept.
 pub fn principal_frame(polytope: &Polytope) -> Pose {
     Solid::of(polytope).frame()
 }
 
-/// The same of homogeneous parts together; where two overlap, the matter counts twice.
+/// The same for several homogeneous parts; where two parts overlap, the mass counts twice.
 pub fn principal_frame_of_parts(parts: &[Placed]) -> Pose {
     Solid::of_parts(parts).frame()
 }
@@ -66,7 +66,8 @@ fn cylinder(half_length: f64, radius: f64) -> f64 {
     2.0 * half_length * std::f64::consts::PI * radius * radius
 }
 
-/// A cylinder of mass m_c and two half balls of mass m_s together, l the half length:
+/// The moments of a cylinder of mass m_c and two half balls of mass m_s together; l is the half
+/// length:
 ///
 /// ```text
 /// I_z = m_c r²/2 + ⅖ m_s r²,   I_x = m_c (l²/3 + r²/4) + m_s (⅖ r² + l² + ¾ l r)
@@ -83,13 +84,13 @@ fn capsule(l: f64, r: f64, mass: f64) -> Vector3<f64> {
 struct Solid {
     volume: f64,
     centre: Vector3<f64>,
-    /// ∫ (x − centre)(x − centre)ᵀ dV.
+    /// ∫ (x − center)(x − center)ᵀ dV.
     second: Matrix3<f64>,
 }
 
 impl Solid {
-    /// Sums over the tetrahedra (0, a, b, c) between a point within and the triangles of the faces:
-    /// V = a·(b×c)/6, ∫x = V s/4, ∫x xᵀ = V (aaᵀ + bbᵀ + ccᵀ + ssᵀ)/20 with s = a + b + c.
+    /// Sums over the tetrahedra (0, a, b, c) between an interior point and the triangles of the
+    /// faces: V = a·(b×c)/6, ∫x = V s/4, ∫x xᵀ = V (aaᵀ + bbᵀ + ccᵀ + ssᵀ)/20 with s = a + b + c.
     fn of(polytope: &Polytope) -> Self {
         let vertices = &polytope.vertices;
         let within = vertices.iter().sum::<Vector3<f64>>() / vertices.len() as f64;
@@ -113,8 +114,8 @@ impl Solid {
         }
     }
 
-    /// The sum of the parts: with d from the centre of all to that of a part, C = Σ (R C_i Rᵀ + V_i
-    /// d dᵀ).
+    /// The sum of the parts: C = Σ (R C_i Rᵀ + V_i d dᵀ) with d from the common center to that of a
+    /// part.
     fn of_parts(parts: &[Placed]) -> Self {
         let volumes: Vec<f64> = parts.iter().map(|p| volume(&p.shape).unwrap_or(0.0)).collect();
         let volume: f64 = volumes.iter().sum();
@@ -130,17 +131,17 @@ impl Solid {
         Solid { volume, centre, second }
     }
 
-    /// The tensor of inertia about the centre for density 1: tr(C) 1 − C.
+    /// The inertia tensor about the center for density 1: tr(C) 1 − C.
     fn inertia(&self) -> Matrix3<f64> {
         Matrix3::identity() * self.second.trace() - self.second
     }
 
-    /// The moments (kg m²) about its axes, which are principal, for this mass (kg).
+    /// The moments (kg m²) about its axes, which must be principal, for this mass (kg).
     fn moments(&self, mass: f64) -> Vector3<f64> {
         self.inertia().diagonal() * (mass / self.volume)
     }
 
-    /// The frame in which its axes are principal.
+    /// The frame with principal axes.
     fn frame(&self) -> Pose {
         let inertia = self.inertia();
         let products = inertia - Matrix3::from_diagonal(&inertia.diagonal());

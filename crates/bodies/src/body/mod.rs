@@ -1,7 +1,7 @@
-//! One rigid body: what it weighs, what it looks like, where it is and how it moves.
+//! A rigid body: its mass properties, its shape, its pose and its velocity.
 //!
-//! World axes are right-handed, z is up by custom. A body's frame has its origin in the centre of
-//! mass and its axes along the principal axes of inertia. SI units throughout.
+//! World axes are right-handed, by convention with z up. The origin of a body's frame is its center
+//! of mass, and its axes are the principal axes of inertia. SI units throughout.
 
 mod alignment;
 mod gyroscopic;
@@ -18,47 +18,49 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3, Vector6};
 
-/// A body of a scene. Its state is kept apart, because it changes and this does not.
+/// A body of a scene. Its state is stored separately, because it changes and these properties do
+/// not.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Body {
     /// The name by which constraints and reports refer to it.
     pub name: String,
-    /// How it answers to forces.
+    /// Its mass properties.
     pub mass: Mass,
-    /// What it looks like to collision detection.
+    /// Its shape for collision detection.
     pub shape: Shape,
-    /// The coefficient of dry friction of its surface; that of a pair is the geometric mean.
+    /// The coefficient of dry friction of its surface; a pair of bodies uses the geometric mean.
     pub friction: f64,
-    /// That of static friction, no less, where one is stated; that of a pair is the geometric mean.
+    /// The coefficient of static friction, if given, at least `friction`; a pair uses the geometric
+    /// mean.
     pub static_friction: Option<f64>,
-    /// The coefficient of restitution of its surface; that of the scene without it.
+    /// The coefficient of restitution of its surface; `None` for the scene's value.
     pub restitution: Option<f64>,
-    /// A constant force (N, world), beside gravity.
+    /// A constant force (N, world), in addition to gravity.
     pub force: Vector3<f64>,
-    /// The point on which it acts (m, in the body's frame).
+    /// The point where the force acts (m, in the body's frame).
     pub force_at: Vector3<f64>,
     /// A constant torque (N m, world).
     pub torque: Vector3<f64>,
 }
 
 impl Body {
-    /// The constant force and torque on the centre of mass, [f; τ] (N, N m), in this pose.
+    /// The constant force and torque about the center of mass, [f; τ] (N, N m), in this pose.
     pub fn wrench(&self, pose: &Pose) -> Vector6<f64> {
         stack(self.force, pose.direction(&self.force_at).cross(&self.force) + self.torque)
     }
 }
 
-/// How a body answers to forces: the blocks of M and M⁻¹.
+/// The mass properties of a body: its blocks of M and M⁻¹.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Mass {
-    /// Does not move: M⁻¹ = 0, and no velocity components.
+    /// Immovable: M⁻¹ = 0, and no velocity components.
     Fixed,
-    /// Has a place but no orientation: 3 velocity components.
+    /// A particle without orientation: 3 velocity components.
     Point {
         /// Mass (kg), positive.
         mass: f64,
     },
-    /// Has 6 velocity components u = [v; ω].
+    /// A rigid body with 6 velocity components u = [v; ω].
     Rigid {
         /// Mass (kg), positive.
         mass: f64,
@@ -70,14 +72,14 @@ pub enum Mass {
 /// The shape of a body, in its own frame.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Shape {
-    /// A point; touches everything but other points.
+    /// A point; it collides with all shapes except other points.
     Point,
     /// A ball.
     Sphere {
         /// Radius (m).
         radius: f64,
     },
-    /// A box with faces across the body's axes.
+    /// A box with faces perpendicular to the body's axes.
     Box {
         /// Half of each edge length (m).
         half: Vector3<f64>,
@@ -89,13 +91,13 @@ pub enum Shape {
         /// Radius (m).
         radius: f64,
     },
-    /// A convex polytope with its centre of mass at the origin and principal axes.
+    /// A convex polytope with its center of mass at the origin and principal axes.
     Hull(Arc<Polytope>),
-    /// Several convex shapes that move as one, the centre of mass of all at the origin.
+    /// Several convex shapes that move together, with their common center of mass at the origin.
     Compound(Arc<Vec<Placed>>),
     /// The half space behind a plane through the body's origin.
     Plane {
-        /// The unit normal, pointing out of the matter.
+        /// The unit normal, pointing out of the half space.
         normal: Vector3<f64>,
     },
 }
@@ -105,7 +107,7 @@ pub enum Shape {
 pub struct Placed {
     /// Its shape.
     pub shape: Shape,
-    /// Where it is in the body's frame.
+    /// Its pose in the body's frame.
     pub pose: Pose,
 }
 
@@ -120,7 +122,7 @@ impl Mass {
         }
     }
 
-    /// The mass (kg); 0 for a fixed body, which takes no part in energy and momentum.
+    /// The mass (kg); 0 for a fixed body, which does not contribute to energy and momentum.
     pub fn mass(&self) -> f64 {
         match *self {
             Mass::Fixed => 0.0,
@@ -128,12 +130,12 @@ impl Mass {
         }
     }
 
-    /// I_world = R diag(moments) Rᵀ (kg m²); 0 for a body that cannot turn.
+    /// I_world = R diag(moments) Rᵀ (kg m²); 0 for a body that cannot rotate.
     pub fn world_inertia(&self, pose: &Pose) -> Matrix3<f64> {
         self.turned(pose, |moment| moment)
     }
 
-    /// M⁻¹ times a force and torque [f; τ]: the acceleration they cause; 0 for a fixed body.
+    /// M⁻¹ times a force and torque [f; τ]: the resulting acceleration; 0 for a fixed body.
     pub fn accelerate(&self, pose: &Pose, wrench: &Vector6<f64>) -> Vector6<f64> {
         let inverse_mass = match self {
             Mass::Fixed => return Vector6::zeros(),
@@ -144,8 +146,8 @@ impl Mass {
         stack(linear, angular)
     }
 
-    /// The angular velocity I⁻¹ L (rad/s, world) of an angular momentum L about the centre of mass
-    /// (kg m²/s, world); 0 for a body that cannot turn.
+    /// The angular velocity I⁻¹ L (rad/s, world) for an angular momentum L about the center of mass
+    /// (kg m²/s, world); 0 for a body that cannot rotate.
     pub fn spin(&self, pose: &Pose, momentum: &Vector3<f64>) -> Vector3<f64> {
         self.turned(pose, f64::recip) * momentum
     }
@@ -155,14 +157,14 @@ impl Mass {
         0.5 * self.mass() * state.v.norm_squared() + self.spin_energy(state)
     }
 
-    /// Its part ½ ω·I ω (J).
+    /// The rotational kinetic energy ½ ω·I ω (J).
     pub fn spin_energy(&self, state: &State) -> f64 {
         0.5 * state.omega.dot(&self.spin_momentum(state))
     }
 
-    /// The angular momentum I ω about the centre of mass (kg m²/s, world), by way of the body's
-    /// axes: in the world's the small moment of a thin body drowns in the rounding of the large
-    /// ones.
+    /// The angular momentum I ω about the center of mass (kg m²/s, world), computed in the body's
+    /// axes: in world axes the small moment of a thin body is lost in the rounding errors of the
+    /// large ones.
     pub(crate) fn spin_momentum(&self, state: &State) -> Vector3<f64> {
         let Mass::Rigid { moments, .. } = self else { return Vector3::zeros() };
         state.pose.q * moments.component_mul(&(state.pose.q.inverse() * state.omega))
@@ -178,7 +180,7 @@ impl Mass {
         state.pose.p.cross(&self.momentum(state)) + self.spin_momentum(state)
     }
 
-    /// R diag(f(moments)) Rᵀ, made exactly symmetric: rounding alone would leave A unsymmetric.
+    /// R diag(f(moments)) Rᵀ, made exactly symmetric; rounding would otherwise make A asymmetric.
     fn turned(&self, pose: &Pose, f: impl Fn(f64) -> f64) -> Matrix3<f64> {
         let Mass::Rigid { moments, .. } = self else { return Matrix3::zeros() };
         let r = pose.q.to_rotation_matrix();

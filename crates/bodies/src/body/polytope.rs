@@ -1,7 +1,7 @@
-//! Convex polytopes: the corners, edges and faces that contacts are named after.
+//! Convex polytopes: the vertices, edges and faces between which contacts are found.
 //!
-//! A point and a segment count too, without faces: with a radius around them they are a ball and a
-//! capsule.
+//! A point and a segment are polytopes without faces: with a radius around them they are a ball and
+//! a capsule.
 
 use std::collections::BTreeMap;
 
@@ -11,28 +11,28 @@ use parry3d_f64::shape::ConvexPolyhedron;
 
 use super::Pose;
 
-/// Points whose hull is thinner than this part of its length span no volume.
+/// Points whose hull is thinner than this fraction of its length span no volume.
 const FLAT: f64 = 1e-9;
 
 /// The convex hull of its vertices (m, body frame).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Polytope {
-    /// The corners.
+    /// The vertices.
     pub vertices: Vec<Vector3<f64>>,
-    /// The edges; faces on either side of each, but for the edge of a segment.
+    /// The edges; each has a face on either side, except the edge of a segment.
     pub edges: Vec<Edge>,
     /// The faces; none for a point and a segment.
     pub faces: Vec<Face>,
-    /// The cylinder that it stands for, if it is the prism of one.
+    /// The cylinder that the polytope approximates as a prism, if it does.
     pub cylinder: Option<Cylinder>,
 }
 
-/// A cylinder in the axes of its polytope.
+/// A cylinder in its polytope's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cylinder {
-    /// Its centre (m).
+    /// Its center (m).
     pub centre: Vector3<f64>,
-    /// The unit vector along it.
+    /// Its unit axis.
     pub axis: Vector3<f64>,
     /// Half of its length (m).
     pub half_length: f64,
@@ -43,26 +43,26 @@ pub struct Cylinder {
 /// An edge of a polytope.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Edge {
-    /// The vertices it joins.
+    /// The two vertices it joins.
     pub ends: [usize; 2],
-    /// The faces it joins; the first has it from end 0 to end 1, seen from outside
-    /// counterclockwise.
+    /// The two faces it joins. Seen from outside, it runs counterclockwise from end 0 to end 1
+    /// around the first one.
     pub faces: Option<[usize; 2]>,
 }
 
 /// A face of a polytope.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Face {
-    /// The unit normal, pointing outwards.
+    /// The unit normal, pointing outward.
     pub normal: Vector3<f64>,
-    /// The vertices around it, seen from outside counterclockwise.
+    /// The vertices around it, counterclockwise as seen from outside.
     pub corners: Vec<usize>,
     /// The edges around it; edge k joins corner k to the next.
     pub edges: Vec<usize>,
 }
 
 impl Polytope {
-    /// The origin alone.
+    /// The origin as a polytope.
     pub fn point() -> Self {
         Polytope { vertices: vec![Vector3::zeros()], edges: vec![], faces: vec![], cylinder: None }
     }
@@ -74,9 +74,9 @@ impl Polytope {
         Polytope { vertices: vec![-end, end], edges: vec![edge], faces: vec![], cylinder: None }
     }
 
-    /// The box with these half edges (m). Bit i of a vertex's index is set where it lies on the
+    /// The box with these half edges (m). Bit i of a vertex's index is set if the vertex is on the
     /// positive side of axis i; face 2i + 1 is on the positive side of axis i, face 2i on the
-    /// other.
+    /// negative side.
     pub fn cuboid(half: &Vector3<f64>) -> Self {
         let corner =
             |k: usize| Vector3::from_fn(|i, _| if k >> i & 1 == 1 { half[i] } else { -half[i] });
@@ -91,7 +91,7 @@ impl Polytope {
         polytope.unwrap_or_else(Polytope::point)
     }
 
-    /// The convex hull of these points (m); none if they span no volume or are not finite.
+    /// The convex hull of these points (m); `None` if they span no volume or are not finite.
     pub fn hull(points: &[Vector3<f64>]) -> Option<Self> {
         if !spans_volume(points) {
             return None;
@@ -107,8 +107,8 @@ impl Polytope {
         Polytope::of_faces(vertices, faces.collect())
     }
 
-    /// The polytope with these corners around its faces; vertices of no face are left out. None if
-    /// the faces do not close.
+    /// The polytope with these corners around its faces, without vertices that belong to no face.
+    /// `None` if the surface is not closed.
     fn of_faces(vertices: Vec<Vector3<f64>>, around: Vec<Vec<usize>>) -> Option<Self> {
         let mut kept: Vec<usize> = around.concat();
         kept.sort_unstable();
@@ -138,7 +138,7 @@ impl Polytope {
         Some(Polytope { vertices, edges, faces, cylinder: None })
     }
 
-    /// The same polytope in the axes of a frame that has this pose in its own.
+    /// The same polytope in the axes of `frame`, whose pose is given in the polytope's own axes.
     pub fn seen_from(&self, frame: &Pose) -> Self {
         let mut seen = self.clone();
         seen.vertices.iter_mut().for_each(|vertex| *vertex = frame.local(vertex));
@@ -152,19 +152,19 @@ impl Polytope {
     }
 }
 
-/// Each corner with the next.
+/// Each corner with the next one around the face.
 fn around_pairs(corners: &[usize]) -> impl Iterator<Item = (usize, usize)> {
     (0..corners.len()).map(move |k| (corners[k], corners[(k + 1) % corners.len()]))
 }
 
-/// Twice the area of a polygon along its normal.
+/// Twice the vector area of a polygon.
 fn area(vertices: &[Vector3<f64>], corners: &[usize]) -> Vector3<f64> {
     let origin = vertices[corners[0]];
     let triangle = |(a, b): (usize, usize)| (vertices[a] - origin).cross(&(vertices[b] - origin));
     around_pairs(corners).map(triangle).sum()
 }
 
-/// Whether points are finite and reach into three directions.
+/// Whether the points are finite and not on a common plane.
 fn spans_volume(points: &[Vector3<f64>]) -> bool {
     let farthest = |distance: &dyn Fn(&Vector3<f64>) -> f64| {
         points.iter().max_by(|a, b| distance(a).total_cmp(&distance(b))).copied()

@@ -1,15 +1,15 @@
-//! Where a body is and how it moves: s = [p; q] and u = [v; ω].
+//! The state of a body: pose s = [p; q] and velocity u = [v; ω].
 
 use nalgebra::{Quaternion, RealField, UnitQuaternion, Vector3, Vector6};
 
 use super::{angular, linear, stack};
 
-/// Position and orientation. The scalar is free so that tests can put dual numbers in.
+/// Position and orientation. The scalar type is generic so that tests can use dual numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pose<T: RealField + Copy = f64> {
-    /// The centre of mass (m, world).
+    /// The center of mass (m, world).
     pub p: Vector3<T>,
-    /// Rotates body to world.
+    /// The rotation from body to world axes.
     pub q: UnitQuaternion<T>,
 }
 
@@ -27,7 +27,7 @@ impl<T: RealField + Copy> Pose<T> {
     }
 }
 
-/// The world's own: at the origin, unturned.
+/// The identity: at the origin, not rotated.
 impl Default for Pose {
     fn default() -> Self {
         State::WORLD.pose
@@ -41,12 +41,12 @@ impl Pose {
         self.q.inverse() * (world - self.p)
     }
 
-    /// The pose in the world of what has this pose in the body's frame.
+    /// The world pose of an object whose pose in the body's frame is `inner`.
     pub fn after(&self, inner: &Pose) -> Pose {
         Pose { p: self.point(&inner.p), q: self.q * inner.q }
     }
 
-    /// The pose that undoes this one.
+    /// The inverse pose.
     pub fn inverse(&self) -> Pose {
         let q = self.q.inverse();
         Pose { p: -(q * self.p), q }
@@ -58,7 +58,7 @@ impl Pose {
 pub struct State {
     /// Position and orientation.
     pub pose: Pose,
-    /// Velocity of the centre of mass (m/s, world).
+    /// Velocity of the center of mass (m/s, world).
     pub v: Vector3<f64>,
     /// Angular velocity (rad/s, world).
     pub omega: Vector3<f64>,
@@ -81,7 +81,7 @@ impl State {
         stack(self.v, self.omega)
     }
 
-    /// The same place with another velocity u = [v; ω].
+    /// The same pose with another velocity u = [v; ω].
     pub fn with_velocity(&self, u: &Vector6<f64>) -> State {
         State { pose: self.pose, v: linear(u), omega: angular(u) }
     }
@@ -91,14 +91,14 @@ impl State {
         (self.v, Quaternion::from_imag(self.omega) * self.pose.q.into_inner() * 0.5)
     }
 
-    /// s + dt S(s) u with the quaternion normalised; the velocity stays.
+    /// s + dt S(s) u with the quaternion normalized; the velocity is unchanged.
     pub fn advanced(&self, dt: f64) -> State {
         let (p_rate, q_rate) = self.rate();
         let q = UnitQuaternion::new_normalize(self.pose.q.into_inner() + q_rate * dt);
         State { pose: Pose { p: self.pose.p + p_rate * dt, q }, ..*self }
     }
 
-    /// The pose moved by S(s) d for a small displacement d = [Δp; Δθ]; the velocity stays.
+    /// The pose moved by S(s) d for a small displacement d = [Δp; Δθ]; the velocity is unchanged.
     pub fn displaced(&self, d: &Vector6<f64>) -> State {
         State { pose: self.with_velocity(d).advanced(1.0).pose, ..*self }
     }

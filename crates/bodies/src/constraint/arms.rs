@@ -1,4 +1,4 @@
-//! Two anchors and how they move: what all point constraints share.
+//! The relative motion of two anchors, which all point constraints use.
 //!
 //! ```text
 //! r = R r_body,   d = (p1 + r1) − (p0 + r0),   rel = v1 + ω1×r1 − v0 − ω0×r0,
@@ -11,7 +11,7 @@ use crate::body::{Pose, State, stack};
 
 /// Two anchors at one instant; all vectors in world axes.
 pub(super) struct Arms {
-    /// From each centre of mass to its anchor (m).
+    /// From each center of mass to its anchor (m).
     pub r: [Vector3<f64>; 2],
     /// From anchor 0 to anchor 1 (m).
     pub d: Vector3<f64>,
@@ -34,23 +34,23 @@ impl Arms {
         }
     }
 
-    /// The row of n · d' for a direction n that does not move: [−n, −(r0×n), n, r1×n].
+    /// The row of n · d' for a constant direction n: [−n, −(r0×n), n, r1×n].
     #[inline]
     pub fn row(&self, n: &Vector3<f64>) -> [Vector6<f64>; 2] {
         let [r0, r1] = &self.r;
         [stack(-n, -r0.cross(n)), stack(*n, r1.cross(n))]
     }
 
-    /// The row of (n · d)' for a direction n fixed to body 0, whose turning moves n too:
-    /// [−n, −((r0+d)×n), n, r1×n].
+    /// The row of (n · d)' for a direction n fixed to body 0, which rotates with it: [−n,
+    /// −((r0+d)×n), n, r1×n].
     #[inline]
     pub(crate) fn row_with_normal_on_body_0(&self, n: &Vector3<f64>) -> [Vector6<f64>; 2] {
         let [r0, r1] = &self.r;
         [stack(-n, -(r0 + self.d).cross(n)), stack(*n, r1.cross(n))]
     }
 
-    /// J'u of c = n · d with n fixed to body 0 (a unit vector or not):
-    /// n·cent + 2 (ω0×n)·rel + (ω0×(ω0×n))·d.
+    /// J'u of c = n · d with n fixed to body 0 (not necessarily a unit vector): n·cent + 2
+    /// (ω0×n)·rel + (ω0×(ω0×n))·d.
     #[inline]
     pub(crate) fn product_with_normal_on_body_0(
         &self,
@@ -74,7 +74,7 @@ pub(super) fn turning_row(m: &Vector3<f64>) -> [Vector6<f64>; 2] {
     [stack(Vector3::zeros(), -m), stack(Vector3::zeros(), *m)]
 }
 
-/// d over any real scalar.
+/// d for any real scalar type.
 pub(super) fn separation<T: RealField + Copy>(
     poses: [&Pose<T>; 2],
     anchors: &[Vector3<f64>; 2],

@@ -1,13 +1,13 @@
 //! One degree of freedom locked: no translation along an axis, or no rotation about it.
 //!
-//! The axis n is fixed to body 0, which makes it a world axis when body 0 is the world.
+//! The axis n is fixed to body 0; if body 0 is the world, n is a world axis.
 //!
 //! ```text
 //! translation  c = n·d − offset     J, J'u as of a contact with n fixed to body 0
 //! rotation     c = 2 n·e_v          the component along n of the relative orientation
 //! ```
 //!
-//! A slider is two translation locks and an orientation.
+//! A slider consists of two translation locks and an orientation.
 
 use std::sync::Arc;
 
@@ -21,30 +21,30 @@ use super::{
 };
 use crate::body::{Pose, State};
 
-/// One motion of body 1 relative to body 0 is locked: 1 row.
+/// Locks one motion of body 1 relative to body 0: 1 row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AxisLock {
     /// The bodies.
     pub bodies: Bodies,
     /// The unit axis, in body 0's frame.
     pub axis: Vector3<f64>,
-    /// Which motion is locked.
+    /// The locked motion.
     pub motion: Motion,
 }
 
 /// A motion along or about an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Motion {
-    /// A point of body 1 stays in a plane across the axis.
+    /// A point of body 1 stays in a plane perpendicular to the axis.
     Translation {
         /// A point of each body, in its frame (m).
         anchors: [Vector3<f64>; 2],
-        /// n·d (m) at which c = 0.
+        /// The value of n·d (m) at which c = 0.
         offset: f64,
     },
-    /// The rotation vector of body 1 against `relative` has no component along the axis.
+    /// The rotation vector of body 1 relative to `relative` has no component along the axis.
     Rotation {
-        /// The orientation that is compared with.
+        /// The reference orientation.
         relative: Orientation,
     },
 }
@@ -79,10 +79,10 @@ pub(super) const ROTATION: Joint = Joint {
 };
 
 impl AxisLock {
-    /// A point of body 1 stays on the line through a placement's point along its axis.
+    /// A point of body 1 stays on the line through the placement's point along its axis.
     ///
     /// # Errors
-    /// Without an axis.
+    /// If the placement has no axis.
     pub fn on_line(at: &Placement) -> Result<[AxisLock; 2], Fault> {
         let (bodies, anchors) = (at.bodies, at.anchors());
         let motion = Motion::Translation { anchors, offset: 0.0 };

@@ -1,4 +1,4 @@
-//! Two points coincide: the ball and socket; with the world as body 0 the *nail*.
+//! Two points coincide: a ball joint; with the world as body 0 a *nail*.
 //!
 //! ```text
 //! c   = d                              (3 rows, along the world's axes)
@@ -6,7 +6,7 @@
 //! J'u = cent = ω1×(ω1×r1) − ω0×(ω0×r0)
 //! ```
 //!
-//! Row k is the row of n · d with n the k-th world axis, which does not move. K&M (13).
+//! Row k is the row of n · d with n the k-th world axis, which is constant. K&M (13).
 
 use std::sync::Arc;
 
@@ -25,7 +25,7 @@ pub struct Coincidence {
     pub anchors: [Vector3<f64>; 2],
 }
 
-/// A point that two bodies share.
+/// A point shared by two bodies.
 pub(super) const BALL: Joint = Joint {
     name: "ball",
     title: "ball and socket between two bodies",
@@ -36,7 +36,7 @@ pub(super) const BALL: Joint = Joint {
     build: |at| Ok(Arc::new(Coincidence { bodies: at.bodies, anchors: at.anchors() })),
 };
 
-/// A point of a body that stays where it is in the world. K&M (35).
+/// A point of a body fixed in the world. K&M (35).
 pub(super) const NAIL: Joint = Joint {
     name: "nail",
     title: "ball and socket between a body and the world",

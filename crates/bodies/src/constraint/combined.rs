@@ -1,18 +1,19 @@
-//! Joints made of joints: the rows of a pair, or of an array, are those of its members, in order.
+//! Combined joints: the rows of a pair or an array of constraints are those of its members, in
+//! order.
 //!
 //! ```text
 //! c = (c of the first, c of the second, …);   J and J'u likewise
 //! ```
 //!
-//! So a hinge is written down as `(Coincidence, [Perpendicular; 2])` and needs no code of its own.
-//! All members join the same two bodies. K&M: constraints "snap" together (T27).
+//! For example, a hinge is `(Coincidence, [Perpendicular; 2])` and needs no code of its own. All
+//! members join the same two bodies. K&M: constraints "snap" together (T27).
 
 use nalgebra::{RealField, Vector3};
 
 use super::{Bodies, Bounds, Constraint, Degenerate, Position, Row};
 use crate::body::{Pose, State};
 
-/// Adds the rows of another member; friction refers to a row of its own member.
+/// Appends the rows of another member; friction rows refer to a row of their own member.
 fn append(rows: &mut Vec<Row>, member: Vec<Row>) {
     let before = rows.len();
     rows.extend(member.into_iter().map(|row| match row.bounds {
@@ -49,7 +50,7 @@ impl<A: Position, B: Position> Position for (A, B) {
 }
 
 impl<A: Constraint, const N: usize> Constraint for [A; N] {
-    /// Those of the first member; an empty array joins nothing to nothing.
+    /// The bodies of the first member; `[None, None]` for an empty array.
     fn bodies(&self) -> Bodies {
         self.first().map_or([None, None], Constraint::bodies)
     }

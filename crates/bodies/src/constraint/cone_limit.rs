@@ -1,4 +1,5 @@
-//! An axis of body 1 stays within a cone about an axis of body 0: the swing of a shoulder.
+//! A cone limit: an axis of body 1 stays within a cone about an axis of body 0, like a shoulder's
+//! swing.
 //!
 //! ```text
 //! c   = θ − φ ≥ 0,   φ = angle of e0 and e1 = atan2(|e0×e1|, e0·e1),   x ≥ 0
@@ -6,11 +7,11 @@
 //! J'u = −m'·(ω1 − ω0),   m' = (h' − m (m·h'))/|h|,   h = e0×e1,   h' = (ω0×e0)×e1 + e0×(ω1×e1)
 //! ```
 //!
-//! At the apex, e1 = e0, m is not defined and every direction is as far from the cone as any other.
-//! There any m across e0 will do, and one is taken: the row says m·swing ≤ θ, a half plane that
-//! contains the whole disc |swing| ≤ θ, so it never pushes where the cone would not. At e1 = −e0
-//! there is no such choice. A cone, a ball and a rotation limit about e0 (whose angle is the twist
-//! without the swing) make the cone-twist joint of a ragdoll. Baerlocher & Boulic 2001.
+//! At the apex, e1 = e0, m is not defined and all directions are equally far from the cone. There
+//! the row uses an arbitrary m perpendicular to e0: it states m·swing ≤ θ, a half plane that
+//! contains the whole disk |swing| ≤ θ, so it never acts inside the cone. At e1 = −e0 no such
+//! choice exists. A cone limit, a ball and a rotation limit about e0 (whose angle is the twist
+//! without the swing) form the cone-twist joint of a ragdoll. Baerlocher & Boulic 2001.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -23,7 +24,7 @@ use super::{
 };
 use crate::body::{Pose, State};
 
-/// Two directions, one on each body, at most an angle apart: 1 row.
+/// Keeps the angle between two directions, one on each body, below a maximum: 1 row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConeLimit {
     /// The bodies.
@@ -37,7 +38,7 @@ pub struct ConeLimit {
 /// |e0×e1| below which the axes count as parallel.
 const PARALLEL: f64 = 1e-9;
 
-/// A cone that an axis stays in.
+/// A cone limit for an axis.
 pub(super) const CONE: Joint = Joint {
     name: "limit_cone",
     title: "an axis stays within a cone of this half angle",

@@ -1,16 +1,18 @@
-//! Two bodies do not enter each other: one unilateral row along a unit normal n from body 0 to 1.
+//! A contact: two bodies do not interpenetrate; one unilateral row along the unit normal n from
+//! body 0 to body 1.
 //!
 //! ```text
 //! c = n·d − (R0 + R1)
 //! ```
 //!
-//! d joins the anchors, which are material points where a vertex touches, and the centre of a ball,
-//! whose radius R is taken off: a ball's touching point is not material, and with it J'u of a
-//! rolling ball would be wrong by |ω|²R. What n depends on makes the kinds of [`Normal`]:
+//! d joins the anchors: material points where a vertex touches, or the center of a ball, whose
+//! radius R is subtracted. The touching point of a ball is not material; with it J'u of a rolling
+//! ball would be wrong by |ω|²R. The quantity that determines n distinguishes the kinds of
+//! [`Normal`]:
 //!
 //! ```text
 //! face     n = R0 n_body: J = [−n, −((r0+d)×n), n, r1×n], J'u = n·cent + 2(ω0×n)·rel + (ω0×(ω0×n))·d
-//! centres  n = d/|d|: a distance row
+//! centers  n = d/|d|: a distance row
 //! edge     n = h/|h|, h = d − e(e·d): the face's J and J'u, plus |h' − n(n·h')|²/|h| as n turns
 //! rim      n as of a face, c = n·d − R s with a across the circle, u = a·n, s = √(1 − u²):
 //!          J also ∓(R u/s) (a×n), J'u also R u'²/s³ + (R u/s) (ω1−ω0)·(a×n)'
@@ -30,51 +32,53 @@ use crate::body::{Pose, State, stack};
 /// A contact point: 1 row, or 3 (normal and two tangents) with friction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contact {
-    /// The bodies; body 0 is the one that carries the normal.
+    /// The bodies; the normal of a face or an edge belongs to body 0.
     pub bodies: Bodies,
-    /// The anchors in the bodies' frames (m): material points, or centres of balls.
+    /// The anchors in the bodies' frames (m): material points, or centers of balls.
     pub anchors: [Vector3<f64>; 2],
     /// The radii of balls around the anchors (m), 0 for material points.
     pub radii: [f64; 2],
-    /// What the normal depends on.
+    /// The quantity that determines the normal.
     pub normal: Normal,
     /// The coefficient of friction μ; without friction there are no tangential rows.
     pub friction: f64,
 }
 
-/// What the normal of a contact depends on. Vectors are unit vectors in their body's frame.
+/// The quantity that determines the normal of a contact. Vectors are unit vectors in their body's
+/// frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Normal {
-    /// It is the normal of a face of body 0.
+    /// The normal of a face of body 0.
     Face(Vector3<f64>),
-    /// It points from anchor 0 to anchor 1.
+    /// The direction from anchor 0 to anchor 1.
     Centres,
-    /// It points from an edge of body 0 with this direction to anchor 1.
+    /// Perpendicular to an edge of body 0 with this direction, toward anchor 1.
     Edge(Vector3<f64>),
-    /// It is across an edge of body 0 and one of body 1, along e0 × e1.
+    /// Perpendicular to an edge of body 0 and one of body 1, along e0 × e1.
     Edges([Vector3<f64>; 2]),
-    /// It is the normal of a face of body 0, under which the circle around anchor 1 of body 1 lies.
+    /// The normal of a face of body 0 that a circle around anchor 1 of body 1 touches.
     Rim(Rim),
 }
 
-/// A circle of body 1 that touches with whichever point lies lowest.
+/// A circle of body 1 that touches with its lowest point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rim {
     /// The unit normal of the face, in the frame of body 0.
     pub normal: Vector3<f64>,
-    /// The unit vector across the circle, in the frame of body 1; not along the normal.
+    /// The unit axis of the circle, perpendicular to its plane, in the frame of body 1; not
+    /// parallel to the normal.
     pub axis: Vector3<f64>,
     /// The circle's radius (m).
     pub radius: f64,
 }
 
-/// The normal of a contact at one instant, and how it moves.
+/// The normal of a contact at one instant, and its motion.
 pub(super) struct Frame {
     /// n (world).
     pub n: Vector3<f64>,
     /// n' (1/s).
     pub n_rate: Vector3<f64>,
-    /// The angular velocity (rad/s) with which the tangents follow n.
+    /// The angular velocity (rad/s) of the tangents, which follow n.
     pub turn: Vector3<f64>,
     /// From anchor 1 to the touching point (m), and its rate (m/s).
     pub toe: Vector3<f64>,
@@ -99,7 +103,7 @@ impl Contact {
         Ok(Frame { toe, toe_rate, ..frame })
     }
 
-    /// c under the normal of a frame.
+    /// c with the normal of this frame.
     fn separation(&self, arms: &Arms, frame: &Frame) -> f64 {
         match self.normal {
             Normal::Rim(_) => frame.n.dot(&(arms.d + frame.toe)),
@@ -107,10 +111,10 @@ impl Contact {
         }
     }
 
-    /// The point of body 1 that touches (m, world).
+    /// The touching point of body 1 (m, world).
     ///
     /// # Errors
-    /// Where n is not defined.
+    /// If n is not defined.
     pub fn point(&self, states: [&State; 2]) -> Result<Vector3<f64>, Degenerate> {
         let arms = Arms::new(states, &self.anchors);
         let toe = self.frame(&arms, states)?.toe;
@@ -120,7 +124,7 @@ impl Contact {
     /// c and n at these states.
     ///
     /// # Errors
-    /// Where n is not defined.
+    /// If n is not defined.
     #[inline]
     pub fn gap(&self, states: [&State; 2]) -> Result<(f64, Vector3<f64>), Degenerate> {
         let arms = Arms::new(states, &self.anchors);
@@ -170,8 +174,8 @@ fn face(arms: &Arms, states: [&State; 2], n: Vector3<f64>) -> Frame {
     }
 }
 
-/// n points from an edge of body 0 along `axis`, or from anchor 0 without one, to anchor 1: a face
-/// whose normal moves in body 0's frame.
+/// n points to anchor 1 from an edge of body 0 along `axis`, or from anchor 0 if there is no axis:
+/// like a face whose normal moves in body 0's frame.
 fn round(
     arms: &Arms,
     states: [&State; 2],
@@ -192,7 +196,7 @@ fn round(
     })
 }
 
-/// n is across the edge e0 of body 0 and the edge e1 of body 1.
+/// n is perpendicular to the edge e0 of body 0 and the edge e1 of body 1.
 fn edges(
     arms: &Arms,
     states: [&State; 2],
@@ -227,7 +231,7 @@ fn edges(
     })
 }
 
-/// n is fixed to body 0, and what touches is the lowest point of a circle of body 1.
+/// n is fixed to body 0, and the lowest point of a circle of body 1 touches.
 fn rim(arms: &Arms, states: [&State; 2], of: &Rim) -> Result<Frame, Degenerate> {
     let [omega0, omega1] = [states[0].omega, states[1].omega];
     let (n, a) = (states[0].pose.direction(&of.normal), states[1].pose.direction(&of.axis));
@@ -257,7 +261,7 @@ fn rim(arms: &Arms, states: [&State; 2], of: &Rim) -> Result<Frame, Degenerate> 
     })
 }
 
-/// A circle whose axis is as near to the normal as this (as a sine) lies flat.
+/// A circle lies flat if its axis is this close to the normal (sine of the angle).
 const FLAT: f64 = 1e-9;
 
 const PARALLEL: Degenerate =

@@ -1,5 +1,5 @@
-//! How far body 1 has moved along an axis n of body 0, or turned about it: what limits bound,
-//! motors drive, springs pull on and gears couple.
+//! The displacement of body 1 along an axis of body 0, or its rotation about it. Limits, motors,
+//! springs and gears act on such coordinates.
 //!
 //! ```text
 //! translation   c = n·d (m)            J, J'u as of a contact with n fixed to body 0
@@ -7,8 +7,8 @@
 //! ```
 //!
 //! with e = (e_w, e_v), a and G of the relative orientation. φ is the twist of e about n: the part
-//! of it that is left when the shortest turn that moves n to its place (the swing) is taken off.
-//! With z = e_w + i s, φ = 2 arg z, and z' from e_w' = −½ e_v·a, e_v' = ½ G a:
+//! of the rotation that remains after removing the shortest rotation that moves n to its place (the
+//! swing). With z = e_w + i s, φ = 2 arg z, and z' from e_w' = −½ e_v·a, e_v' = ½ G a:
 //!
 //! ```text
 //! φ'  = 2 Im(z'/z) = t·a,   t = (e_w Gᵀn + s e_v)/|z|²
@@ -16,9 +16,9 @@
 //! J'u = −R0 t·(ω0×ω1) − 2 φ' |z|'/|z|
 //! ```
 //!
-//! by φ'' = 2 Im(z''/z − (z'/z)²), z'' = −¼ |a|² z + (linear in a'), and Re(z'/z) = |z|'/|z|. Where
-//! the axes coincide, as on a hinge, t = n and φ is the angle. Where body 1 is turned over
-//! (|z| = 0) the twist is not defined. The state knows φ only up to whole turns. Diebel 2006,
+//! by φ'' = 2 Im(z''/z − (z'/z)²), z'' = −¼ |a|² z + (linear in a'), and Re(z'/z) = |z|'/|z|. If
+//! the axes coincide, as on a hinge, t = n and φ is the angle. If body 1 is upside down (|z| = 0),
+//! the twist is not defined. The state determines φ only up to whole turns. Diebel 2006,
 //! *Representing Attitude*.
 
 use nalgebra::{RealField, Vector3};
@@ -30,31 +30,31 @@ use super::{
 };
 use crate::body::{Pose, State};
 
-/// One coordinate of body 1 relative to body 0; as a constraint, it is to be 0: 1 row.
+/// One coordinate of body 1 relative to body 0; as a constraint it keeps it at 0: 1 row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Coordinate {
     /// The bodies.
     pub bodies: Bodies,
     /// The unit axis n, in body 0's frame.
     pub axis: Vector3<f64>,
-    /// Along it or about it, and from where; positive about n as the right hand turns.
+    /// The motion along or about the axis and its zero; positive about n by the right-hand rule.
     pub motion: Motion,
 }
 
 impl Coordinate {
-    /// The displacement (m) along the axis of a placement, from where its bodies are.
+    /// The displacement (m) along the axis of a placement, 0 at the placement's poses.
     ///
     /// # Errors
-    /// Without an axis.
+    /// If the placement has no axis.
     pub fn along(at: &Placement) -> Result<Self, Fault> {
         let motion = Motion::Translation { anchors: at.anchors(), offset: 0.0 };
         Ok(Coordinate { bodies: at.bodies, axis: at.axis()?, motion })
     }
 
-    /// The angle (rad) about the axis of a placement, from where its bodies are.
+    /// The angle (rad) about the axis of a placement, 0 at the placement's poses.
     ///
     /// # Errors
-    /// Without an axis.
+    /// If the placement has no axis.
     pub fn about(at: &Placement) -> Result<Self, Fault> {
         let relative = Orientation { bodies: at.bodies, relative: at.relative() };
         Ok(Coordinate {
@@ -64,7 +64,7 @@ impl Coordinate {
         })
     }
 
-    /// Whether it is an angle.
+    /// Whether the coordinate is an angle.
     pub(crate) fn is_angle(&self) -> bool {
         matches!(self.motion, Motion::Rotation { .. })
     }

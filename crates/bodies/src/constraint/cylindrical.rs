@@ -1,10 +1,10 @@
-//! The cylindrical joint: body 1 moves along an axis n of body 0 and turns about it.
+//! The cylindrical joint: body 1 moves along an axis n of body 0 and rotates about it.
 //!
 //! ```text
 //! c = (t1·d, t2·d, t1·a, t2·a),   4 rows; J and J'u likewise
 //! ```
 //!
-//! The slider's translation locks and the hinge's parallel axes. K&M T27.
+//! It consists of the slider's translation locks and the hinge's parallel axes. K&M T27.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! Two points keep their distance: a massless rod.
+//! A massless rod: two points keep their distance.
 //!
 //! ```text
 //! c   = |d| − l,   n = d/|d|
@@ -6,7 +6,7 @@
 //! J'u = n·cent + (|rel|² − (n·rel)²)/|d|      since n' = (rel − n (n·rel))/|d|
 //! ```
 //!
-//! x ≥ 0 pushes the ends apart: a rod under tension has x < 0. Where the ends coincide n is not
+//! x ≥ 0 pushes the ends apart: a rod under tension has x < 0. If the ends coincide, n is not
 //! defined.
 
 use std::sync::Arc;
@@ -42,10 +42,10 @@ pub(super) const DISTANCE: Joint = Joint {
 };
 
 impl Distance {
-    /// The rod between the ends of a placement, of its length or as long as they are apart.
+    /// The rod between the ends of a placement, with its length or, without one, their distance.
     ///
     /// # Errors
-    /// Without ends, or without length.
+    /// If the placement has no ends, or the length is 0.
     pub fn of(at: &Placement) -> Result<Self, Fault> {
         let (anchors, apart) = at.ends()?;
         let length = at.length.unwrap_or(apart);

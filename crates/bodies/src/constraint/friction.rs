@@ -1,6 +1,6 @@
 //! The tangential rows of a contact: dry friction as a box, |x_t| ≤ μ x_n along two tangents.
 //!
-//! There is no position: c = 0, and the row's velocity is the slip at the touching point
+//! They have no position: c = 0, and the row's velocity is the slip at the touching point
 //!
 //! ```text
 //! ρ1 = r1 + toe,   ρ0 = p1 + ρ1 − p0
@@ -8,9 +8,9 @@
 //! J'u = t·(ω1×ρ1' − ω0×ρ0') + (Ω×t)·slip,   ρ1' = ω1×r1 + toe',   ρ0' = v1 + ρ1' − v0
 //! ```
 //!
-//! where the toe, −R1 n of a ball, leads from anchor 1 to the touching point, and Ω carries the
-//! tangents along with n: body 0's ω where n is fixed to it, else n×n'. The touching point of a
-//! ball is not material, which is why ρ1' has toe' in it.
+//! where the vector toe (−R1 n for a ball) leads from anchor 1 to the touching point, and Ω is the
+//! angular velocity of the tangents as they follow n: body 0's ω if n is fixed to it, else n×n'.
+//! The touching point of a ball is not material; therefore ρ1' contains toe'.
 
 use nalgebra::Vector3;
 
@@ -36,8 +36,8 @@ pub(super) fn rows(contact: &Contact, arms: &Arms, frame: &Frame, states: [&Stat
     })
 }
 
-/// Two unit tangents with t1 × t2 = n: t1 is the world's x axis as seen along n, or the y axis
-/// where n is nearly x. On a slope that falls along x, t1 points down or up the slope.
+/// Two unit tangents with t1 × t2 = n: t1 is the world's x axis projected along n, or the y axis if
+/// n is nearly x. On a slope that falls along x, t1 points down or up the slope.
 pub fn tangents(n: &Vector3<f64>) -> [Vector3<f64>; 2] {
     let axis = if n.x.abs() < 0.9 { Vector3::x() } else { Vector3::y() };
     let t1 = (axis - n * n.dot(&axis)).normalize();

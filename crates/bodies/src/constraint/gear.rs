@@ -1,18 +1,19 @@
-//! Two wheels that turn about axes at rest in the world mesh: z0 and z1 teeth.
+//! A gear: two meshing wheels with z0 and z1 teeth and axes at rest in the world.
 //!
 //! ```text
 //! c   = φ1 + (z0/z1) φ0                        φ_k: the twist of body k against the world
 //! J   = [0, (z0/z1) t0, 0, t1],   J'u likewise
 //! ```
 //!
-//! so ω1 = −(z0/z1) ω0, as wheels that touch from outside turn, and the torques are (z0/z1) x on
-//! body 0 and x on body 1, their ratio that of the teeth. For wheels that turn the same way (one
-//! inside the other, or a chain) give one axis the other sign.
+//! so ω1 = −(z0/z1) ω0, as for wheels that touch externally, and the torques are (z0/z1) x on body
+//! 0 and x on body 1; their ratio is that of the teeth. For wheels that rotate in the same sense
+//! (one inside the other, or a chain) give one axis the other sign.
 //!
-//! The state knows each φ only up to a turn, 2π, so it knows c only up to 2π/z1 when z0 and z1 have
-//! no common factor: one tooth of body 1. That is how wheels mesh, too; c is wrapped to within half
-//! a tooth, −π/z1 ≤ c ≤ π/z1. A gear that slips farther in one step is on the next tooth. With a
-//! common factor more would be known; the wheels would mesh all the same.
+//! The state determines each φ only up to a turn, 2π, and therefore c only up to 2π/z1 (one tooth
+//! of body 1) if z0 and z1 have no common factor. This is also how wheels mesh: c is wrapped to
+//! −π/z1 ≤ c ≤ π/z1, half a tooth. A gear that slips farther in one step engages at the next tooth.
+//! With a common factor c would be determined over a longer period; it is wrapped to half a tooth
+//! anyway.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -25,12 +26,12 @@ use super::{
 };
 use crate::body::{Pose, State};
 
-/// Two wheels that mesh: 1 row.
+/// Two meshing wheels: 1 row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gear {
     /// Body 0, then body 1.
     pub bodies: Bodies,
-    /// The angle of each about its axis, against the world.
+    /// The angle of each about its axis, relative to the world.
     pub wheels: [Coordinate; 2],
     /// The numbers of their teeth z0, z1.
     pub teeth: [u32; 2],
@@ -62,7 +63,7 @@ impl Gear {
         f64::from(self.teeth[0]) / f64::from(self.teeth[1])
     }
 
-    /// c to within half a tooth of body 1.
+    /// c wrapped to within half a tooth of body 1.
     fn meshed(&self, c: f64) -> f64 {
         wrapped(c, PI / f64::from(self.teeth[1]))
     }

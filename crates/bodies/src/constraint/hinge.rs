@@ -1,11 +1,11 @@
-//! The hinge (revolute joint): body 1 turns about an axis n through a point of body 0.
+//! The hinge (revolute joint): body 1 rotates about an axis n through a point of body 0.
 //!
 //! ```text
 //! c = (c of the coincidence, t1·a, t2·a),   5 rows; J and J'u likewise
 //! ```
 //!
-//! a is the axis on body 1, t1 and t2 are two directions across the axis on body 0: both
-//! perpendicular to a leave a = ±n, and the motion keeps the sign. K&M T27.
+//! a is the axis on body 1, t1 and t2 are two directions on body 0 perpendicular to the axis: if
+//! both are perpendicular to a, then a = ±n, and the motion preserves the sign. K&M T27.
 
 use std::sync::Arc;
 

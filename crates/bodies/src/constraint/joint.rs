@@ -1,4 +1,4 @@
-//! The constraints by the names that scene files use, and how each is made of what a file states.
+//! The constraints by their names in scene files, and their construction from the fields of a file.
 //!
 //! A new constraint is one file, with its derivation and a [`Joint`], and one line in [`ALL`].
 
@@ -14,7 +14,7 @@ use super::{
 };
 use crate::body::Pose;
 
-/// Every constraint that a scene file can name; contacts are found, not named.
+/// Every constraint that a scene file can name; contacts are detected instead.
 pub const ALL: &[&Joint] = &[
     &coincidence::BALL,
     &coincidence::NAIL,
@@ -41,29 +41,31 @@ pub const ALL: &[&Joint] = &[
     &rack::RACK,
 ];
 
-/// A constraint as scene files write it.
+/// A constraint as scene files state it.
 #[derive(Debug)]
 pub struct Joint {
-    /// The word in the file.
+    /// The name in the file.
     pub name: &'static str,
-    /// One line for lists.
+    /// A one-line description for lists.
     pub title: &'static str,
-    /// The least and the greatest number of bodies it names; one is joined to the world.
+    /// The smallest and the largest number of bodies it names; a single body is joined to the
+    /// world.
     pub bodies: (usize, usize),
-    /// How many of its bodies, the first ones, need an orientation, which a point mass has not.
+    /// The number of its bodies, counted from the first, that need an orientation; a point mass has
+    /// none.
     pub turns: usize,
-    /// The fields it must have.
+    /// The required fields.
     pub needs: &'static [Field],
-    /// The fields it may have besides.
+    /// The optional fields.
     pub takes: &'static [Field],
-    /// Makes it.
+    /// Constructs it.
     pub build: fn(&Placement) -> Result<Arc<dyn Verifiable>, Fault>,
 }
 
 /// A field of a constraint in a scene file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Field {
-    /// The joint's place.
+    /// The position of the joint.
     Point,
     /// The two ends.
     Points,
@@ -75,13 +77,13 @@ pub enum Field {
     Length,
     /// The half angle of a cone.
     Angle,
-    /// The lower and the upper stop.
+    /// The lower and the upper limit.
     Limits,
     /// The speed of a motor.
     Speed,
-    /// The speed at the start.
+    /// The initial speed.
     StartSpeed,
-    /// The greatest force or torque of a motor.
+    /// The largest force or torque of a motor.
     Effort,
     /// The stiffness of a spring.
     Stiffness,
@@ -91,15 +93,15 @@ pub enum Field {
     Teeth,
 }
 
-/// Where a constraint is put: its bodies at the start, and the fields given, each good by itself.
-/// Points and axes are in world coordinates at the start.
+/// The placement of a constraint: the initial poses of its bodies and the given fields, each valid
+/// by itself. Points and axes are in world coordinates at the start.
 #[derive(Debug, Clone, Default)]
 pub struct Placement {
     /// The bodies.
     pub bodies: Bodies,
-    /// Their poses at the start; that of the world is the identity.
+    /// Their initial poses; that of the world is the identity.
     pub poses: [Pose; 2],
-    /// The joint's place (m).
+    /// The position of the joint (m).
     pub point: Option<Vector3<f64>>,
     /// The two ends (m), in the order of the bodies.
     pub points: Option<[Vector3<f64>; 2]>,
@@ -111,11 +113,11 @@ pub struct Placement {
     pub length: Option<f64>,
     /// The half angle of a cone (rad), positive.
     pub angle: Option<f64>,
-    /// The lower and the upper stop (m or rad); ∓∞ for none.
+    /// The lower and the upper limit (m or rad); ∓∞ for none.
     pub limits: Option<[f64; 2]>,
     /// The speed of a motor (m/s or rad/s).
     pub speed: Option<f64>,
-    /// The greatest force of a motor (N or N m), positive.
+    /// The largest force or torque of a motor (N or N m), positive.
     pub effort: Option<f64>,
     /// The stiffness of a spring (N/m or N m/rad), at least 0.
     pub stiffness: Option<f64>,
@@ -125,12 +127,12 @@ pub struct Placement {
     pub teeth: Option<[u32; 2]>,
 }
 
-/// Why a constraint cannot be made of its fields.
+/// Why a constraint cannot be constructed from its fields.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fault {
-    /// The field at fault.
+    /// The invalid field.
     pub field: Field,
-    /// What is wrong with it.
+    /// The reason.
     pub reason: String,
 }
 
@@ -141,7 +143,7 @@ impl Joint {
     }
 }
 
-/// One line for lists: name, title, fields; those in brackets need not be given.
+/// One line for lists: name, title, fields; optional fields are in brackets.
 impl fmt::Display for Joint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let bodies = match self.bodies {
@@ -157,13 +159,14 @@ impl fmt::Display for Joint {
 }
 
 impl Placement {
-    /// The joint's place in each body's frame (m): the point given, else the centre of body 1.
+    /// The position of the joint in each body's frame (m): the given point, otherwise body 1's
+    /// center.
     pub fn anchors(&self) -> [Vector3<f64>; 2] {
         self.local(&self.point.unwrap_or(self.poses[1].p))
     }
 
-    /// The two ends, each in its body's frame (m), and their distance (m): the points given, else
-    /// the centres of two bodies.
+    /// The two ends, each in its body's frame (m), and their distance (m): the given points, or the
+    /// centers of the two bodies.
     ///
     /// # Errors
     /// If only one body is named and no points are given.
@@ -207,7 +210,7 @@ impl Placement {
 }
 
 impl Field {
-    /// All of them, in the order of the scene format.
+    /// All fields, in the order of the scene format.
     pub const ALL: [Field; 13] = [
         Field::Point,
         Field::Points,
@@ -224,7 +227,7 @@ impl Field {
         Field::Teeth,
     ];
 
-    /// The word in the file.
+    /// The name in the file.
     pub fn name(self) -> &'static str {
         match self {
             Field::Point => "point",
@@ -246,12 +249,12 @@ impl Field {
     /// The value given for this field.
     ///
     /// # Errors
-    /// Without one.
+    /// If it is missing.
     pub fn given<T>(self, value: Option<T>) -> Result<T, Fault> {
         value.ok_or_else(|| self.fault("is missing"))
     }
 
-    /// Something wrong with this field.
+    /// An error in this field.
     pub fn fault(self, reason: impl Into<String>) -> Fault {
         Fault { field: self, reason: reason.into() }
     }

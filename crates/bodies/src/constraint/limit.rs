@@ -1,13 +1,13 @@
-//! A coordinate stays between a lower and an upper stop: the ends of a slider or of a hinge.
+//! Limits of a coordinate: the stops of a slider or a hinge.
 //!
 //! ```text
 //! c_lower = y − lower ≥ 0,   c_upper = upper − y ≥ 0,   x ≥ 0 each;   J, J'u = ± those of y
 //! ```
 //!
-//! y is the [`Coordinate`], 0 at the start. Both rows are always there, at most one of them pushes;
-//! a stop at infinity has none. An angle is known only up to a turn, so it is counted from the
-//! middle between the stops, where a turn more or less is farthest off: a body that passes a stop
-//! by more than half of what the stops leave out is seen beyond the other one.
+//! y is the [`Coordinate`], 0 at the start. Both rows are always present, and at most one of them
+//! acts; an infinite stop has no row. An angle is known only up to whole turns, so it is measured
+//! from the middle between the stops: if a body passes a stop by more than half of the forbidden
+//! range, it appears beyond the other stop.
 
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
@@ -23,14 +23,14 @@ use crate::body::{Pose, State};
 /// Two stops of a coordinate: a row for each that is finite, the lower first.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limit {
-    /// What is limited.
+    /// The limited coordinate.
     pub coordinate: Coordinate,
-    /// The lower and the upper stop (m or rad); those of an angle are finite, less than a turn
+    /// The lower and the upper stop (m or rad); for an angle they are finite and less than a turn
     /// apart.
     pub stops: [f64; 2],
 }
 
-/// Stops along an axis.
+/// Limits along an axis.
 pub(super) const TRANSLATION: Joint = Joint {
     name: "limit_translation",
     title: "two stops for the motion along an axis",
@@ -41,7 +41,7 @@ pub(super) const TRANSLATION: Joint = Joint {
     build: |at| Ok(Arc::new(Limit { coordinate: Coordinate::along(at)?, stops: stops(at)? })),
 };
 
-/// Stops about an axis.
+/// Limits about an axis.
 pub(super) const ROTATION: Joint = Joint {
     name: "limit_rotation",
     title: "two stops for the rotation about an axis",
@@ -67,7 +67,7 @@ fn stops(at: &Placement) -> Result<[f64; 2], Fault> {
 }
 
 impl Limit {
-    /// What to add to the coordinate so that it is counted from the middle between the stops.
+    /// The correction that measures the coordinate from the middle between the stops.
     fn turns(&self, value: f64) -> f64 {
         if !self.coordinate.is_angle() {
             return 0.0;

@@ -1,14 +1,15 @@
-//! What bodies must not do to each other, one constraint a file.
+//! Constraints between bodies, one file for each.
 //!
-//! A constraint gives for each of its rows the position c(s), the row of J with dc/dt = J u, and
-//! the velocity product J'u with d²c/dt² = J u' + J'u. It acts between body 0 and body 1, the sign
-//! is body 1 minus body 0, and the world may take the place of either. Larger joints are combined
-//! of these, never special-cased.
+//! For each of its rows a constraint gives the position c(s), the row of J with dc/dt = J u, and
+//! the velocity product J'u with d²c/dt² = J u' + J'u. It acts between body 0 and body 1, either of
+//! which may be the world; the sign is body 1 minus body 0. Larger joints are combinations of
+//! these, without special cases.
 //!
-//! [`Constraint`] is what assembly sees. [`Position`] is c(s) again, over any real scalar, so that
-//! [`verify()`] can hold every J and J'u against exact derivatives, yours too.
+//! [`Constraint`] is the interface for assembly. [`Position`] computes c(s) for any real scalar
+//! type, so that [`verify()`] can compare J and J'u of every constraint, including your own, with
+//! exact derivatives.
 //!
-//! | primitive | c | made of it |
+//! | primitive | c | used for |
 //! | --- | --- | --- |
 //! | [`Coincidence`] | two points together | ball, nail |
 //! | [`Orientation`] | no relative rotation | [`Weld`] |
@@ -19,8 +20,8 @@
 //! | [`ConeLimit`] | an axis within a cone | with a ball and a limit: cone-twist |
 //! | [`Contact`] | two surfaces apart | friction |
 //!
-//! A pair or an array of constraints is a constraint, and [`Elastic`] makes any of them yield.
-//! Limits and motors are constraints beside the joint that they serve, not parts of it.
+//! A pair or an array of constraints is a constraint, and [`Elastic`] makes any constraint
+//! compliant. Limits and motors are separate constraints, not parts of the joint that they act on.
 
 mod arms;
 mod axis_lock;
@@ -85,43 +86,43 @@ pub type Bodies = [Option<usize>; 2];
 
 /// A constraint between two bodies, or between a body and the world.
 pub trait Constraint: fmt::Debug + Send + Sync {
-    /// The bodies whose states [`rows`](Constraint::rows) wants, in this order.
+    /// The bodies whose states [`rows`](Constraint::rows) takes, in this order.
     fn bodies(&self) -> Bodies;
 
-    /// The rows at these states; always as many, in the same order.
+    /// The rows at these states; their number and order never change.
     ///
     /// # Errors
-    /// [`Degenerate`] where c has no derivative.
+    /// [`Degenerate`] if c has no derivative.
     fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate>;
 
-    /// Adds the same rows to a list that is kept. Those whose steps are to ask for no memory add
-    /// them one by one.
+    /// Appends the rows to an existing list. Override it to avoid allocations in every step.
     ///
     /// # Errors
-    /// As [`rows`](Constraint::rows); the list is then of no use.
+    /// As [`rows`](Constraint::rows); the list is then invalid.
     fn add_rows(&self, states: [&State; 2], rows: &mut Vec<Row>) -> Result<(), Degenerate> {
         rows.extend(self.rows(states)?);
         Ok(())
     }
 
-    /// Where its force acts on each body, in the body's frame (m), so that it can be drawn; none
-    /// for one that has only torques.
+    /// The points where its force acts on each body, in the body's frame (m), for drawing; `None`
+    /// if it has only torques.
     fn anchors(&self) -> Option<[Vector3<f64>; 2]> {
         None
     }
 }
 
-/// c(s) of a constraint over any real scalar; one entry a row, as in [`Constraint::rows`]. Friction
-/// rows, which have no position, are left out; a motor, whose c is 0, gives what it drives.
+/// c(s) of a constraint for any real scalar type, with one entry per row, as in
+/// [`Constraint::rows`]. Friction rows, which have no position, are omitted; a motor, whose c is 0,
+/// returns the driven coordinate.
 pub trait Position {
-    /// c(s) in metres or radians.
+    /// c(s) in meters or radians.
     fn c<T: RealField + Copy>(&self, poses: [&Pose<T>; 2]) -> Vec<T>;
 }
 
 /// One row of a constraint at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Row {
-    /// What the row keeps.
+    /// The kind of the row.
     pub kind: Kind,
     /// The position c (m or rad); 0 for a friction row.
     pub c: f64,
@@ -129,16 +130,16 @@ pub struct Row {
     pub jacobian: [Vector6<f64>; 2],
     /// The velocity product J'u (m/s² or rad/s²).
     pub velocity_product: f64,
-    /// What the row's force may be.
+    /// The bounds of the row's force.
     pub bounds: Bounds,
-    /// What J u is to be (m/s or rad/s): 0 but for motors.
+    /// The target of J u (m/s or rad/s): 0 except for motors.
     pub speed: f64,
-    /// Its spring and damper; a row without is rigid.
+    /// Its spring and damper; `None` for a rigid row.
     pub spring: Option<Spring>,
 }
 
-/// A compliant row: x = −(k c + d ċ), taken at the end of the step so that no stiffness is too
-/// large for it.
+/// A compliant row: x = −(k c + d ċ), evaluated at the end of the step, so that any stiffness is
+/// stable.
 ///
 /// ```text
 /// over a step h:   w = J u⁺ + β/h c + γ x,   γ = 1/(h (d + h k)),   β = h k/(d + h k)
@@ -149,12 +150,13 @@ pub struct Row {
 pub struct Spring {
     /// k (N/m or N m/rad), at least 0.
     pub stiffness: f64,
-    /// d (N s/m or N m s/rad), at least 0; not both are 0.
+    /// d (N s/m or N m s/rad), at least 0; k and d are not both 0.
     pub damping: f64,
 }
 
 impl Spring {
-    /// γ (m/s per N s, or rad/s per N m s) over a step of h (s): what the row adds to A's diagonal.
+    /// γ (m/s per N s, or rad/s per N m s) over a step of h (s): the row's contribution to the
+    /// diagonal of A.
     pub fn compliance(&self, h: f64) -> f64 {
         1.0 / (h * (self.damping + h * self.stiffness))
     }
@@ -166,14 +168,14 @@ impl Spring {
 }
 
 impl Row {
-    /// Whether it keeps bodies from turning and does nothing else, as two rows of a hinge do.
+    /// Whether it is a rigid equation that only prevents rotation, like two rows of a hinge.
     pub fn holds_axis(&self) -> bool {
         let only_turns = |j: &Vector6<f64>| linear(j) == Vector3::zeros();
         let is_rigid = self.bounds == Bounds::Bilateral && self.spring.is_none();
         is_rigid && self.jacobian.iter().all(only_turns)
     }
 
-    /// A row of an equation c = 0: any x, no drive, no spring.
+    /// A row of an equation c = 0: any x, no target speed, no spring.
     pub fn equation(
         kind: Kind,
         c: f64,
@@ -194,7 +196,7 @@ impl Row {
         Row { bounds: Bounds::Unilateral, ..Row::equation(kind, c, jacobian, velocity_product) }
     }
 
-    /// The row of −c: what an upper limit is to a lower one.
+    /// The row of −c: turns a lower limit into an upper one.
     pub fn negated(self) -> Self {
         Row {
             c: -self.c,
@@ -205,33 +207,33 @@ impl Row {
     }
 }
 
-/// What a row keeps.
+/// The kind of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
-    /// Two points together, along a world axis.
+    /// Two points coincide, along a world axis.
     Coincidence,
-    /// Two points at a distance: exactly, at most, or by a spring.
+    /// The distance of two points: fixed, limited, or with a spring.
     Distance,
     /// The motion of a point along an axis of body 0.
     Translation,
-    /// The turning of one body against the other.
+    /// The rotation of one body relative to the other.
     Rotation,
-    /// Two bodies apart: the normal row of a contact.
+    /// Two bodies do not overlap: the normal row of a contact.
     Normal,
     /// A tangential row of a contact.
     Friction,
 }
 
-/// What a row's force (or impulse) x may be; x ≥ 0 pushes body 1 away from body 0.
+/// The bounds of a row's force (or impulse) x; x ≥ 0 pushes body 1 away from body 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Bounds {
     /// Any x: an equation.
     Bilateral,
-    /// x ≥ 0: pushes only.
+    /// x ≥ 0: only pushes.
     Unilateral,
     /// |x| ≤ this force (N) or torque (N m): a motor.
     Effort(f64),
-    /// |x| ≤ μ x_n with x_n of another row of the same constraint.
+    /// |x| ≤ μ x_n; x_n belongs to another row of the same constraint.
     Friction {
         /// The index of the normal row among the rows of this constraint.
         normal: usize,
@@ -241,7 +243,7 @@ pub enum Bounds {
 }
 
 impl Kind {
-    /// One word for tables.
+    /// The word used in tables.
     pub fn name(self) -> &'static str {
         match self {
             Kind::Coincidence => "coincidence",
@@ -253,14 +255,14 @@ impl Kind {
         }
     }
 
-    /// Whether c is an angle, x a torque or an angular impulse.
+    /// Whether c is an angle, and x a torque or an angular impulse.
     pub fn is_angular(self) -> bool {
         self == Kind::Rotation
     }
 }
 
 impl Bounds {
-    /// The least and the greatest force (N or N m) of an uncoupled row, ∓∞ for a friction row.
+    /// The smallest and the largest force (N or N m) of an uncoupled row, ∓∞ for a friction row.
     pub fn interval(self) -> (f64, f64) {
         match self {
             Bounds::Unilateral => (0.0, f64::INFINITY),
@@ -270,10 +272,10 @@ impl Bounds {
     }
 }
 
-/// A state in which a constraint has no direction to push in.
+/// A state in which a constraint's direction is not defined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Degenerate {
-    /// What went wrong.
+    /// The reason.
     pub reason: &'static str,
 }
 
@@ -285,17 +287,17 @@ impl fmt::Display for Degenerate {
     }
 }
 
-/// An angle or another cyclic quantity to within half its period on either side of 0.
+/// An angle or another periodic quantity, wrapped to within half a period of 0.
 fn wrapped(value: f64, half: f64) -> f64 {
     value - 2.0 * half * (value / (2.0 * half)).round()
 }
 
-/// The value of a scalar without its derivatives.
+/// The value of a scalar, without derivatives.
 fn plain<T: RealField + Copy>(value: T) -> f64 {
     nalgebra::try_convert(value).unwrap_or(f64::NAN)
 }
 
-/// The f64 constant in another scalar.
+/// An f64 constant in another scalar type.
 fn constant<T: RealField + Copy>(value: f64) -> T {
     nalgebra::convert(value)
 }

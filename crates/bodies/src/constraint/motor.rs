@@ -1,13 +1,13 @@
-//! A motor drives a coordinate at a speed, with an effort that it cannot exceed.
+//! A motor: drives a coordinate at a speed, with a limited force or torque.
 //!
 //! ```text
-//! w = J u − v,   |x| ≤ effort;   J, J'u those of the coordinate y;   c = 0: any place will do
+//! w = J u − v,   |x| ≤ effort;   J, J'u those of the coordinate y;   c = 0: any position is allowed
 //! ```
 //!
-//! Below the limit the speed is reached within a step; at the limit the motor pushes with all it
-//! has: a = effort/m until then. A speed of 0 is a brake. The effort is a force (N) along an axis,
-//! a torque (N m) about one, and at velocity level its impulse is bounded by effort × dt. K&M:
-//! bounds on λ (T25); Catto, *Soft Constraints*, GDC 2011.
+//! Below the limit the motor reaches the speed within one step; at the limit it pushes with its
+//! full effort, a = effort/m, until then. A speed of 0 is a brake. The effort is a force (N) along
+//! an axis or a torque (N m) about one; at velocity level the impulse is limited to effort × dt.
+//! K&M: bounds on λ (T25); Catto, *Soft Constraints*, GDC 2011.
 
 use std::sync::Arc;
 
@@ -18,18 +18,18 @@ use super::{
 };
 use crate::body::{Pose, State};
 
-/// A drive of a coordinate: 1 row.
+/// A motor: 1 row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Motor {
-    /// What is driven.
+    /// The driven coordinate.
     pub coordinate: Coordinate,
     /// The speed v (m/s or rad/s) of body 1 relative to body 0.
     pub speed: f64,
-    /// The greatest force (N) or torque (N m), positive.
+    /// The largest force (N) or torque (N m), positive.
     pub effort: f64,
 }
 
-/// A drive along an axis.
+/// A motor along an axis.
 pub(super) const TRANSLATION: Joint = Joint {
     name: "motor_translation",
     title: "a motor along an axis: a speed, and a force that it cannot exceed",
@@ -40,7 +40,7 @@ pub(super) const TRANSLATION: Joint = Joint {
     build: |at| Ok(Arc::new(motor(at, Coordinate::along(at)?)?)),
 };
 
-/// A drive about an axis.
+/// A motor about an axis.
 pub(super) const ROTATION: Joint = Joint {
     name: "motor_rotation",
     title: "a motor about an axis: a speed, and a torque that it cannot exceed",

@@ -8,7 +8,7 @@
 //! J'u = −½ |a|² e_v − G R0ᵀ (ω0×ω1)
 //! ```
 //!
-//! The first term of J'u is G' a: e_w' = −½ e_v·a and e_v' = ½ G a leave −½ |a|² e_v, the second is
+//! The first term of J'u is G' a: e_w' = −½ e_v·a and e_v' = ½ G a give −½ |a|² e_v; the second is
 //! G times the velocity part of a'. At c = 0, G = I.
 
 use std::sync::Arc;
@@ -19,7 +19,7 @@ use super::arms::turning_row;
 use super::{Bodies, Constraint, Degenerate, Joint, Kind, Position, Row, constant};
 use crate::body::{Pose, State};
 
-/// Body 1 does not turn relative to body 0: 3 rows.
+/// Body 1 does not rotate relative to body 0: 3 rows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Orientation {
     /// The bodies.
@@ -36,7 +36,7 @@ impl Orientation {
         let to_body_0 = s0.pose.q.inverse();
         let a = to_body_0 * (s1.omega - s0.omega);
         let g = Matrix3::from_diagonal_element(e_w) - e_v.cross_matrix();
-        // axisᵀ G R0ᵀ, as a column.
+        // axisᵀ G R0ᵀ as a column.
         let along = s0.pose.q * (g.transpose() * axis);
         let turning = g * (to_body_0 * s0.omega.cross(&s1.omega));
         Row::equation(

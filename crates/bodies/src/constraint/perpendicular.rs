@@ -7,9 +7,9 @@
 //! J'u = m'·(ω1 − ω0),   m' = (ω1×e1)×e0 + e1×(ω0×e0)
 //! ```
 //!
-//! by the identity a·(b×c) = b·(c×a). One such row is the cross of a universal joint, two with
-//! directions across an axis make the axes of a hinge parallel. Near c = 0 the cosine is the angle
-//! that is missing to a right one. K&M §Constraints, combined; Cline & Pai 2003.
+//! by the identity a·(b×c) = b·(c×a). One such row is the cross of a universal joint; two, with
+//! directions perpendicular to an axis, make the axes of a hinge parallel. Near c = 0 the cosine is
+//! the deviation of the angle from 90°. K&M §Constraints, combined; Cline & Pai 2003.
 
 use nalgebra::{RealField, Vector3};
 
@@ -27,10 +27,10 @@ pub struct Perpendicular {
 }
 
 impl Perpendicular {
-    /// The axis of a placement stays parallel on both bodies.
+    /// Keeps the axis of a placement parallel on both bodies.
     ///
     /// # Errors
-    /// Without an axis.
+    /// If the placement has no axis.
     pub fn parallel(at: &Placement) -> Result<[Perpendicular; 2], Fault> {
         let [axis, on_body_1] = at.axis_on_both()?;
         let directions = tangents(&axis).map(|across| [across, on_body_1]);

@@ -1,14 +1,14 @@
-//! A rope over two rollers of the world keeps its length: a pulley without mass and friction.
+//! A massless, frictionless pulley: a rope over two rollers fixed in the world keeps its length.
 //!
 //! ```text
-//! c   = |d0| + |d1| − l,   d_k = p_k − w_k from roller k to the centre of body k,   n_k = d_k/|d_k|
+//! c   = |d0| + |d1| − l,   d_k = p_k − w_k from roller k to the center of body k,   n_k = d_k/|d_k|
 //! J   = [n0, 0, n1, 0]
 //! J'u = Σ (|v_k|² − (n_k·v_k)²)/|d_k|       since n' = (v − n (n·v))/|d|
 //! ```
 //!
-//! Under tension x < 0: it draws each body to its roller with −x. Where a body is at its roller n
-//! is not defined. The row is an equation, since the rope is taken as taut: two distances to points
-//! of the world, added.
+//! Under tension x < 0: the rope pulls each body toward its roller with −x. If a body is at its
+//! roller, n is not defined. The row is an equation, because the rope is assumed to be taut: the
+//! sum of two distances to points of the world.
 
 use std::sync::Arc;
 
@@ -19,14 +19,14 @@ use super::{
 };
 use crate::body::{Pose, State, stack};
 
-/// The ways from two rollers to the centres of two bodies have a constant sum: 1 row.
+/// The distances of two bodies' centers from two rollers have a constant sum: 1 row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pulley {
     /// The bodies.
     pub bodies: Bodies,
-    /// Where the rope leaves the rollers, in the order of the bodies (m, world).
+    /// The points where the rope leaves the rollers, in the order of the bodies (m, world).
     pub rollers: [Vector3<f64>; 2],
-    /// The length l (m) of both free parts together, positive.
+    /// The total length l (m) of both free parts, positive.
     pub length: f64,
 }
 

@@ -1,15 +1,15 @@
-//! A rope wound on a wheel, or a rack on a pinion: a body moves along an axis as the wheel turns.
+//! A rope wound on a wheel, or a rack and pinion: a body moves along an axis as the wheel rotates.
 //!
 //! ```text
-//! c   = s1 − s0 − r φ         φ: the twist of body 0 about its axis, s: the ways of body 1 and of the wheel's
-//! J   = [−n, −r t, n, 0],     centre of mass along n, r: the radius; J'u likewise
+//! c   = s1 − s0 − r φ         φ: the twist of body 0 about its axis, s: the displacements of body 1 and of the wheel's
+//! J   = [−n, −r t, n, 0],     center of mass along n, r: the radius; J'u likewise
 //! ```
 //!
-//! so s1' − s0' = r φ', and under x the wheel feels −x n at its centre and the torque −r x. A yo-yo
-//! is a wheel whose rope is tied to what stands still. Two of them on one wheel, with n = ±z, are a
-//! pulley with mass. The wheel's axis and n are at rest in the world. The state knows φ only up to
-//! a turn and s wholly, so that c is wrapped to within half a turn, −π r ≤ c ≤ π r, as in a
-//! [gear](super::Gear). The row is an equation: the rope is taken as taut.
+//! so s1' − s0' = r φ', and x exerts the force −x n at the wheel's center and the torque −r x on
+//! it. A yo-yo is a wheel whose rope is tied to a fixed body. Two racks on one wheel, with n = ±z,
+//! are a pulley with mass. The wheel's axis and n are fixed in the world. The state determines φ
+//! only up to a turn but s fully, so c is wrapped to −π r ≤ c ≤ π r, half a turn, as in a
+//! [gear](super::Gear). The row is an equation: the rope is assumed to be taut.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -22,16 +22,16 @@ use super::{
 };
 use crate::body::{Pose, State};
 
-/// A wheel and what it winds up: 1 row.
+/// A wheel and the body that it moves: 1 row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rack {
-    /// The wheel, then the body that moves.
+    /// The wheel, then the moved body.
     pub bodies: Bodies,
-    /// The angle of the wheel against the world, about its axis.
+    /// The angle of the wheel about its axis, relative to the world.
     pub wheel: Coordinate,
-    /// The way of the body, along its direction.
+    /// The displacement of the moved body along its direction.
     pub way: Coordinate,
-    /// The way of the wheel's centre, along the same.
+    /// The displacement of the wheel's center along the same direction.
     pub centre: Coordinate,
     /// The radius r (m), positive.
     pub radius: f64,
@@ -62,7 +62,7 @@ pub(super) const RACK: Joint = Joint {
 };
 
 impl Rack {
-    /// c to within half a turn of the wheel.
+    /// c wrapped to within half a turn of the wheel.
     fn wound(&self, c: f64) -> f64 {
         wrapped(c, PI * self.radius)
     }

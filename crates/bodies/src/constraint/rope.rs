@@ -1,4 +1,4 @@
-//! Two points are at most a length apart: a rope without mass and stretch.
+//! A massless, inextensible rope: two points are at most a length apart.
 //!
 //! ```text
 //! c = l − |d| ≥ 0,   x ≥ 0        the rod's row, negated:   J = −J_rod,   J'u = −J'u_rod
@@ -13,7 +13,7 @@ use nalgebra::{RealField, Vector3};
 use super::{Bodies, Bounds, Constraint, Degenerate, Distance, Field, Joint, Position, Row};
 use crate::body::{Pose, State};
 
-/// The rod that the rope is when it is taut: 1 row.
+/// The rod that the taut rope is equivalent to: 1 row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rope(pub Distance);
 

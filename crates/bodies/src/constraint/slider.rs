@@ -1,16 +1,16 @@
-//! The slider (prismatic joint): body 1 moves along an axis n of body 0 and does not turn.
+//! The slider (prismatic joint): body 1 moves along an axis n of body 0 and does not rotate.
 //!
 //! ```text
 //! c = (t1·d, t2·d, c of the orientation),   5 rows; J and J'u likewise
 //! ```
 //!
-//! t1 and t2 are two directions across the axis on body 0. K&M T27.
+//! t1 and t2 are two directions on body 0 perpendicular to the axis. K&M T27.
 
 use std::sync::Arc;
 
 use super::{AxisLock, Field, Joint, Orientation};
 
-/// No translation across the axis and no rotation: 5 rows.
+/// No translation perpendicular to the axis and no rotation: 5 rows.
 pub type Slider = ([AxisLock; 2], Orientation);
 
 /// A slider.

@@ -1,14 +1,14 @@
-//! Any constraint made to yield: its rows with a stiffness k and a damping d.
+//! Compliant constraints: the rows of any constraint with a stiffness k and a damping d.
 //!
 //! ```text
 //! x = −(k c + d ċ);   c, J, J'u those of the constraint that it softens
 //! ```
 //!
-//! taken at the end of the step, as [`Spring`] says, or as it is by integrators that can. A
-//! compliant rod is a spring with a damper beside it, a compliant rotation a torsion spring. The
-//! static deflection under a load f is f/k at any step; swinging at ω0 = √(k/m), a step h gives the
-//! frequency atan(h ω0)/h and damps by 1/√(1 + h²ω0²) a step, so it never gains. Catto, *Soft
-//! Constraints*, GDC 2011.
+//! The force is evaluated at the end of the step, see [`Spring`], or exactly by integrators that
+//! can. A compliant rod is a spring with a parallel damper, a compliant orientation a torsion
+//! spring. The static deflection under a load f is f/k for any step; an oscillation at ω0 = √(k/m)
+//! with step h has the frequency atan(h ω0)/h and decays by 1/√(1 + h²ω0²) per step, so it never
+//! gains energy. Catto, *Soft Constraints*, GDC 2011.
 
 use std::sync::Arc;
 
@@ -23,7 +23,7 @@ use crate::body::{Pose, State};
 /// A compliant constraint.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Elastic<C> {
-    /// What is at rest where its c is 0.
+    /// The constraint whose c the spring returns to 0.
     pub held: C,
     /// The spring and damper of each of its rows.
     pub spring: Spring,

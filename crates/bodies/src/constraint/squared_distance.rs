@@ -1,4 +1,4 @@
-//! Two points keep their distance, written with its square: the chapter's other form of a rod (W4).
+//! A massless rod by the squared distance of its ends: the chapter's other form of a rod (W4).
 //!
 //! ```text
 //! c   = (|d|² − l²)/(2l)
@@ -7,9 +7,10 @@
 //! ```
 //!
 //! The chapter's |d|² − l² is 2l times this c, so its multiplier is 1/(2l) of this x; divided by
-//! 2l, c is a length and x a force, and at |d| = l both are the rod's. No root and no division by
-//! |d|; but off |d| = l a row of length |d|/l feels c as c (1 + c/2l), so corrections differ from
-//! the rod's in second order. At d = 0 the row vanishes: no direction there either.
+//! 2l, c is a length and x a force, and at |d| = l both are equal to the rod's. This form needs no
+//! square root and no division by |d|. But for |d| ≠ l its c is that of the rod times (1 + c/2l)
+//! and its row has the length |d|/l, so corrections differ from the rod's in second order. At d = 0
+//! the row is zero: this form has no direction there either.
 
 use std::sync::Arc;
 
@@ -22,7 +23,7 @@ use super::{
 };
 use crate::body::{Pose, State};
 
-/// A point of body 1 stays at a distance from a point of body 0, by the squares: 1 row.
+/// Keeps a point of body 1 at a distance from a point of body 0, by the squares: 1 row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SquaredDistance {
     /// The bodies.
@@ -33,7 +34,7 @@ pub struct SquaredDistance {
     pub length: f64,
 }
 
-/// A massless rod by squares.
+/// A massless rod by the squared distance.
 pub(super) const SQUARED_DISTANCE: Joint = Joint {
     name: "squared_distance",
     title: "a massless rod, with the square of its length in c",

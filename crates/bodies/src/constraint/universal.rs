@@ -1,21 +1,21 @@
-//! The universal (Cardan's, Hooke's) joint: two perpendicular axes through a point, the first on
-//! body 0, the second on body 1.
+//! The universal joint (Cardan, Hooke): two perpendicular axes through a point, the first on body
+//! 0, the second on body 1.
 //!
 //! ```text
 //! c = (c of the coincidence, e0·e1),   4 rows; J and J'u likewise
 //! ```
 //!
-//! What is locked is the rotation across both arms of the cross; where the arms would align (the
-//! joint folded by 90°, which c = 0 does not allow) the row would vanish. K&M T27.
+//! The joint locks the rotation about the normal of its cross. If the arms of the cross were
+//! aligned (folded by 90°, which c = 0 does not allow), the row would be zero. K&M T27.
 
 use std::sync::Arc;
 
 use super::{Coincidence, Field, Joint, Perpendicular};
 
-/// A shared point and two axes that stay perpendicular: 4 rows.
+/// A shared point and two perpendicular axes: 4 rows.
 pub type Universal = (Coincidence, Perpendicular);
 
-/// How far from a right angle (rad) the axes of a file may be; they are made perpendicular.
+/// Largest deviation from a right angle (rad) of the axes in a file; they are made perpendicular.
 const SQUARE: f64 = 1e-3;
 
 /// A universal joint.

@@ -1,8 +1,9 @@
-//! Is a constraint what it says? c, J and J'u of its rows against exact derivatives of c(s).
+//! Verifies constraints: compares c, J and J'u of their rows with exact derivatives of c(s).
 //!
 //! Along p(t) = p + v t and q(t) = exp(ω t) q with constant v and ω, u' = 0, so c'(0) = J u and
-//! c''(0) = J'u. Second-order dual numbers give both to the last digits: no step to choose, as
-//! finite differences have, and no formula to trust but that of [`Position`]. J is tried along each
+//! c''(0) = J'u. Second-order dual numbers compute both to full accuracy: there is no step size to
+//! choose, unlike for finite differences, and the only trusted formula is that of [`Position`]. J
+//! is checked with each velocity component separately, J'u with the states' own velocities.
 //! velocity component alone, J'u along the states' own velocities.
 
 use std::fmt;
@@ -13,12 +14,13 @@ use num_dual::Dual2_64;
 use super::{Bounds, Constraint, Degenerate, Position};
 use crate::body::{Pose, State};
 
-/// A difference up to this, relative to 1 or the exact number if that is larger, is rounding.
+/// Differences up to this, relative to the exact number or 1 if that is larger, are rounding
+/// errors.
 const ROUNDING: f64 = 1e-9;
 
-/// A constraint whose position is known: every [`Constraint`] that is a [`Position`] is one.
+/// A constraint with a known position: every [`Constraint`] with [`Position`] implements it.
 pub trait Verifiable: Constraint {
-    /// c(s) over dual numbers.
+    /// c(s) with dual numbers.
     fn dual(&self, poses: [&Pose<Dual2_64>; 2]) -> Vec<Dual2_64>;
 }
 
@@ -28,10 +30,10 @@ impl<C: Constraint + Position> Verifiable for C {
     }
 }
 
-/// What is wrong with a constraint at some states.
+/// An error of a constraint at some states.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Mistake {
-    /// It has no rows there: try other states.
+    /// The constraint is not defined at these states: try others.
     #[error("{0}")]
     Undefined(Degenerate),
     /// Fewer rows than positions.
@@ -42,26 +44,26 @@ pub enum Mistake {
         /// The number of entries of c(s).
         positions: usize,
     },
-    /// A number that is not what c(s) and its derivatives say.
+    /// A number that differs from c(s) or its derivative.
     #[error("row {row}: {quantity} is {ours}, by dual numbers {exact}")]
     Wrong {
         /// The row, from 0.
         row: usize,
-        /// Which of its numbers.
+        /// The quantity that is wrong.
         quantity: Quantity,
         /// Its value in the row.
         ours: f64,
-        /// What it should be.
+        /// The exact value.
         exact: f64,
     },
 }
 
-/// A number of a row.
+/// A quantity of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
     /// c.
     Position,
-    /// An entry of J: of this body's [v; ω], the component from 0 to 5.
+    /// An entry of J: the body, and the component of its [v; ω] from 0 to 5.
     Jacobian(usize, usize),
     /// J'u.
     VelocityProduct,
@@ -77,9 +79,9 @@ impl fmt::Display for Quantity {
     }
 }
 
-/// Compares all rows that have a position with dual numbers, at these states; where a body is the
-/// world its state is [`State::WORLD`], whatever is given. The c of a motor's row is not compared:
-/// it is 0, whatever place its position tells.
+/// Compares all rows that have a position with dual numbers, at these states; for the world the
+/// state is [`State::WORLD`], whatever is given. The c of a motor's row is not compared, because it
+/// is always 0.
 ///
 /// # Errors
 /// The first [`Mistake`].
@@ -123,9 +125,9 @@ pub fn verify(constraint: &dyn Verifiable, states: [&State; 2]) -> Result<(), Mi
     Ok(())
 }
 
-/// c, ċ and c̈ of every row that has a position, as the bodies go on with their velocities
-/// unchanged: exact, by dual numbers and c(s) alone. Since u' = 0 there, ċ is J u and c̈ is J'u.
-/// Where a body is the world its state is [`State::WORLD`], whatever is given.
+/// c, ċ and c̈ of every row that has a position, for bodies that move with constant velocities:
+/// exact, by dual numbers and c(s) only. Since u' = 0, ċ is J u and c̈ is J'u. For the world the
+/// state is [`State::WORLD`], whatever is given.
 ///
 /// ```
 /// use lcplab_bodies::body::State;
@@ -151,7 +153,7 @@ fn compare(row: usize, quantity: Quantity, ours: f64, exact: f64) -> Result<(), 
     Err(Mistake::Wrong { row, quantity, ours, exact })
 }
 
-/// p + v t and exp(ω t) q at t = 0 with their first two derivatives: with q' = ½ (0, ω) q and ω
+/// p + v t and exp(ω t) q at t = 0 with their first two derivatives: since q' = ½ (0, ω) q and ω is
 /// constant, q'' = −¼ |ω|² q.
 fn moving(state: &State) -> Pose<Dual2_64> {
     let (p, q) = (state.pose.p, state.pose.q.into_inner());

@@ -1,4 +1,4 @@
-//! Body 1 is fixed to body 0: the weld, and with the world as body 0 the chapter's *fixed*.
+//! The weld: body 1 is fixed to body 0; with the world as body 0 it is the chapter's *fixed*.
 //!
 //! ```text
 //! c = (c of the coincidence, c of the orientation),   6 rows; J and J'u likewise

@@ -1,4 +1,4 @@
-//! Whether anything in a file of FCLIB was not understood.
+//! Checks whether a file of FCLIB has contents that the reader did not use.
 
 use std::collections::HashSet;
 
@@ -10,15 +10,15 @@ use lcplab_problem::error::{Error, Result};
 
 /// Groups of answers, which are not part of the problem.
 const ANSWERS: [&str; 2] = ["guesses", "solution"];
-/// What FCLIB says of a matrix beside its entries.
+/// Metadata that FCLIB stores with a matrix.
 const REMARKS: [&str; 5] = ["nzmax", "comment", "conditioning", "determinant", "rank"];
 /// Files with more groups and datasets than this are not searched.
 const MOST: usize = 1000;
 
-/// What to say of the answers that a file holds beside its problem, the group `kind`.
+/// A warning about the answers that the file stores with its problem, the group `kind`.
 ///
 /// # Errors
-/// If there is a dataset that is none of the `read` ones, no remark and no answer.
+/// If there is a dataset that was not `read` and is neither metadata nor an answer.
 pub(super) fn check(
     file: &Hdf5File,
     read: &HashSet<String>,
@@ -43,8 +43,8 @@ pub(super) fn check(
     }
 }
 
-/// The paths of all datasets but those of answers, and the groups of answers; none if there are too
-/// many.
+/// The paths of all datasets except those of answers, and the groups of answers; `None` if there
+/// are too many.
 fn search(file: &Hdf5File) -> Hdf5Result<Option<(Vec<String>, Vec<String>)>> {
     let (mut datasets, mut answers) = (Vec::new(), Vec::new());
     let mut groups: Vec<(String, Group)> = vec![(String::new(), file.root_group()?)];

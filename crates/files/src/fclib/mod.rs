@@ -1,8 +1,8 @@
-//! FCLIB: Acary, Brémond and others' library of frictional contact problems, as HDF5.
+//! FCLIB: the frictional contact library of Acary, Brémond and others, as HDF5 files.
 //!
-//! Defined by FCLIB's own `fclib.h` (FrictionalContactLibrary/fclib, src/fclib.h) and INRIA's
-//! report RT-0444 (Acary, Brémond, Koziara & Pérignon 2014). A file holds a *local* problem, in
-//! impulses alone, or a *global* one, in velocities too:
+//! Defined by FCLIB's `fclib.h` (FrictionalContactLibrary/fclib, src/fclib.h) and INRIA's report
+//! RT-0444 (Acary, Brémond, Koziara & Pérignon 2014). A file holds a *local* problem, in impulses
+//! only, or a *global* one, which also has velocities:
 //!
 //! | local: `/fclib_local/` | global: `/fclib_global/` |
 //! | --- | --- |
@@ -11,7 +11,7 @@
 //! | `W`, `V`, `R`; `vectors/q`, `s`, `mu` | `M`, `H`, `G`; `vectors/f`, `w`, `b`, `mu` |
 //!
 //! with r in Coulomb's cone of each contact and û = u + μ |u_t| n in its dual: model
-//! `coulomb-cone`. x = (r, λ); a contact stands as n, t1, t2, and the rows of λ, after all
+//! `coulomb-cone`. x = (r, λ); a contact has the rows n, t1, t2, and the rows of λ, after all
 //! contacts, are equations.
 //!
 //! ```text
@@ -19,22 +19,21 @@
 //!             [Vᵀ R]        [s]                                                              [b]
 //! ```
 //!
-//! A matrix is a group of `m` rows, `n` columns, `nz` and the arrays `p`, `i`, `x`: compressed
+//! A matrix is a group with `m` rows, `n` columns, `nz` and the arrays `p`, `i`, `x`: compressed
 //! columns for nz = −1, compressed rows for −2, else nz triplets. Names and texts are under
-//! `info/`. Known answers, under `solution/` and `guesses/`, are not part of the problem and are
-//! reported. A file with any other dataset, with two problems, or with rolling friction
-//! (`fclib_global_rolling`) is refused.
+//! `info/`. Known answers, under `solution/` and `guesses/`, are not part of the problem and cause
+//! a warning. A file with any other dataset, with two problems, or with rolling friction
+//! (`fclib_global_rolling`) is invalid input.
 //!
-//! Traps: W may be unsymmetric in its last digits and is taken as it stands, not symmetrised. Of
-//! triplets, `fclib.h` says that `p` holds rows and `i` columns, while Siconos hands them to
-//! CSparse, which means the opposite: `p` columns, `i` rows. CSparse's meaning is taken; it matters
-//! to V, H and G. Contacts in the plane (`spacedim` 2) have one tangent, ours two: they are
-//! refused. Some collections store half of W with an attribute `symmetric_packed`: that is not
-//! FCLIB's format and is refused.
+//! Traps: W may be asymmetric in its last digits and is used unchanged. For triplets, `fclib.h`
+//! says that `p` holds rows and `i` columns, while Siconos passes them to CSparse with the opposite
+//! meaning: `p` columns, `i` rows. The reader follows CSparse; this matters for V, H and G.
+//! Contacts in the plane (`spacedim` 2) have one tangent, while lcplab's have two: they are
+//! rejected. Some collections store half of W with an attribute `symmetric_packed`: that is not
+//! FCLIB's format and is rejected.
 //!
-//! HDF5 is read and written in pure Rust (`hdf5-reader`, `hdf5-writer`) by the feature `fclib`,
-//! which is on unless `--no-default-features` takes it out; then both are refused. Written are
-//! local problems.
+//! HDF5 is read and written in pure Rust (`hdf5-reader`, `hdf5-writer`) with the feature `fclib`,
+//! which is enabled by default; without it both are errors. Only local problems are written.
 
 #[cfg(feature = "fclib")]
 mod leftover;
@@ -55,7 +54,7 @@ pub const FORMAT: Format = Format {
     beside: &[],
     carries: "contacts under Coulomb's law and equations; sparse",
     law: Some(Model::CoulombCone),
-    trap: "W may be unsymmetric in its last digits; contacts in the plane are rejected",
+    trap: "W may be asymmetric in its last digits; contacts in the plane are rejected",
     #[cfg(feature = "fclib")]
     read: reader::read,
     #[cfg(feature = "fclib")]

@@ -1,4 +1,4 @@
-//! FCLIB's problems read from HDF5.
+//! Reads FCLIB's problems from HDF5.
 
 use std::cell::RefCell;
 use std::collections::HashSet;
@@ -18,7 +18,7 @@ use lcplab_problem::memory::Memory;
 
 pub(super) fn read(input: &Input) -> Result<Problem> {
     let name = input.name();
-    // An array may be small, and the chunk that it is cut from large.
+    // A small array may be stored in a large chunk.
     let most = usize::try_from(input.most().in_bytes()).unwrap_or(usize::MAX);
     let chunk_cache_bytes = 0; // every array is read once
     let usual = OpenOptions { chunk_cache_bytes, max_read_bytes: most, ..OpenOptions::default() };
@@ -56,10 +56,10 @@ pub(super) fn read(input: &Input) -> Result<Problem> {
     Ok(Problem { model, warnings, ..Problem::new(title, lcp) })
 }
 
-/// The groups of the kinds of problems.
+/// The groups of the problem kinds.
 const KINDS: [&str; 3] = ["/fclib_local", "/fclib_global", "/fclib_global_rolling"];
 
-/// A local problem, or what a global one comes to.
+/// A local problem, or a global one converted to local form.
 struct Contents {
     entries: Entries,
     b: Vec<f64>,
@@ -73,13 +73,13 @@ struct Sparse {
     entries: Vec<(usize, usize, f64)>,
 }
 
-/// A file, and what messages call it.
+/// An HDF5 file and its name in messages.
 struct File<'a> {
     file: &'a Hdf5File,
     input: &'a str,
     most: Memory,
     budget: Budget,
-    /// The paths of the datasets that were read.
+    /// The paths of the datasets read so far.
     read: RefCell<HashSet<String>>,
 }
 
@@ -152,7 +152,7 @@ impl File<'_> {
         Err(self.fault(path, format!("is {is}, must be {} × {}", must[0], must[1])))
     }
 
-    /// The matrix of a group.
+    /// The matrix stored in a group.
     fn matrix(&self, path: &str) -> Result<Sparse> {
         let part = |part: &str| format!("{path}/{part}");
         let group = self.file.group(path).map_err(|cause| self.fault(path, cause.to_string()))?;
@@ -176,7 +176,7 @@ impl File<'_> {
         let (i, j) = match nz {
             -1 => (wholes(&i), unpacked(&p, cols, x.len())),
             -2 => (unpacked(&p, rows, x.len()), wholes(&i)),
-            _ => (wholes(&i), wholes(&p)), // as CSparse has them
+            _ => (wholes(&i), wholes(&p)), // CSparse's meaning
         };
         let (Some(i), Some(j)) = (i, j) else {
             return Err(fault("p and i do not determine the positions of the numbers"));
@@ -205,7 +205,7 @@ impl File<'_> {
         self.read(path, count, integers)
     }
 
-    /// So many finite numbers.
+    /// `n` finite numbers.
     fn numbers(&self, path: &str, n: usize) -> Result<Vec<f64>> {
         let numbers: Vec<f64> = self.read(path, Some(n), floats)?;
         match numbers.iter().find(|number| !number.is_finite()) {
@@ -214,7 +214,8 @@ impl File<'_> {
         }
     }
 
-    /// The values of a dataset, of which there must be so many if that is known, and room for them.
+    /// The values of a dataset, checked against the expected length, if known, and the memory
+    /// limit.
     fn read<T>(
         &self,
         path: &str,
@@ -238,7 +239,7 @@ impl File<'_> {
     }
 }
 
-/// Numbers stored with 4 or 8 bytes.
+/// Floats stored in 4 or 8 bytes.
 fn floats(dataset: &Dataset) -> hdf5_reader::error::Result<Vec<f64>> {
     match dataset.dtype() {
         Datatype::FloatingPoint { size: 4, .. } => {
@@ -248,7 +249,7 @@ fn floats(dataset: &Dataset) -> hdf5_reader::error::Result<Vec<f64>> {
     }
 }
 
-/// Integers stored with 4 or 8 bytes.
+/// Integers stored in 4 or 8 bytes.
 fn integers(dataset: &Dataset) -> hdf5_reader::error::Result<Vec<i64>> {
     match dataset.dtype() {
         Datatype::FixedPoint { size: 8, .. } => {
@@ -262,7 +263,7 @@ fn wholes(values: &[i64]) -> Option<Vec<usize>> {
     values.iter().map(|value| usize::try_from(*value).ok()).collect()
 }
 
-/// The line of each of `count` numbers, from where each line begins and the last one ends.
+/// The line of each of `count` numbers, from the start index of each line and the end of the last.
 fn unpacked(starts: &[i64], lines: usize, count: usize) -> Option<Vec<usize>> {
     let starts = wholes(starts)?;
     let spans = (starts.first(), starts.last()) == (Some(&0), Some(&count));

@@ -1,4 +1,4 @@
-//! FCLIB's local problems written as HDF5.
+//! Writes FCLIB's local problems as HDF5.
 
 use hdf5_writer::{DatasetBuilder, H5WriteElement, Hdf5Builder, WriteOptions};
 
@@ -32,7 +32,7 @@ pub(super) fn write(problem: &Problem) -> Result<Output> {
     Ok(Output { notes: Arrangement::notes(&order.rows), ..Output::of(bytes) })
 }
 
-/// V is written once: what couples contacts and equations must be the same both ways.
+/// Checks that contacts and equations are coupled symmetrically, because V is written only once.
 fn check_coupling(lcp: &Lcp, order: &Arrangement) -> Result<()> {
     let mut is_equation = vec![false; lcp.len()];
     order.equations().iter().for_each(|i| is_equation[*i] = true);
@@ -40,7 +40,8 @@ fn check_coupling(lcp: &Lcp, order: &Arrangement) -> Result<()> {
         for (j, a) in lcp.matrix().row(i).iter().filter(|(j, _)| is_equation[i] != is_equation[*j])
         {
             if lcp.matrix().entry(j, i) != a {
-                let reason = "is not A of the other triangle: FCLIB holds the coupling V once";
+                let reason =
+                    "differs from A of the other triangle: FCLIB stores the coupling V once";
                 return Err(Error::invalid("fclib", format!("A[{i}][{j}]"), reason));
             }
         }
@@ -51,7 +52,7 @@ fn check_coupling(lcp: &Lcp, order: &Arrangement) -> Result<()> {
 struct File(Hdf5Builder);
 
 impl File {
-    /// A list of numbers.
+    /// Adds a list of numbers.
     fn add<T: H5WriteElement>(&mut self, path: &str, values: &[T]) -> Result<()> {
         let path = format!("fclib_local/{path}");
         let dataset = DatasetBuilder::typed_data(path, vec![values.len() as u64], values);
@@ -59,7 +60,7 @@ impl File {
         Ok(())
     }
 
-    /// The part of A with these rows and columns, by compressed columns.
+    /// The block of A with these rows and columns, as compressed columns.
     fn matrix(&mut self, name: &str, lcp: &Lcp, rows: &[usize], cols: &[usize]) -> Result<()> {
         let mut column_of = vec![None; lcp.len()];
         cols.iter().enumerate().for_each(|(k, j)| column_of[*j] = Some(k));

@@ -1,4 +1,4 @@
-//! One array of numbers, or a word.
+//! An array of numbers or a word, as a `.npy` file.
 
 use std::io::Read;
 
@@ -6,17 +6,17 @@ use super::header::Header;
 use crate::table::{Table, by_rows};
 use lcplab_problem::file::Entries;
 
-/// The longest word.
+/// The maximum length of a word.
 const MOST_LETTERS: usize = 4096;
 
-/// Why an array cannot be used.
+/// Why an array is invalid.
 pub(super) type Reason = String;
 
 /// An array.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Array {
     shape: Vec<usize>,
-    /// Whether the first index runs fastest.
+    /// Whether the first index varies fastest.
     by_columns: bool,
     values: Values,
 }
@@ -28,14 +28,14 @@ enum Values {
     Word(String),
 }
 
-/// What stands before the entries of an array, so that their size is known before they are read.
+/// The header of an array, so that its size is known before its entries are read.
 pub(super) struct Outline {
     head: Header,
     kind: Kind,
 }
 
 impl Outline {
-    /// The beginning of a `.npy` file.
+    /// Reads the header of a `.npy` file.
     pub fn read(file: &mut dyn Read) -> Result<Self, Reason> {
         let head = Header::read(file)?;
         let kind = Kind::of(&head.descr)?;
@@ -47,16 +47,16 @@ impl Outline {
         &self.head.shape
     }
 
-    /// How many entries there are, and the bytes of each.
+    /// The number of entries, and the bytes of each.
     pub fn size(&self) -> (usize, usize) {
         (self.shape().iter().fold(1, |all, length| all.saturating_mul(*length)), self.kind.size)
     }
 
-    /// The array, from the rest of the file.
+    /// The array, with entries from the rest of the file.
     pub fn filled(self, file: &mut dyn Read) -> Result<Array, Reason> {
         let (count, entry) = self.size();
         let (size, mut bytes) = (count.saturating_mul(entry), Vec::new());
-        let most = (size as u64).saturating_add(1); // one byte too many shows that there are more
+        let most = (size as u64).saturating_add(1); // one more, to detect excess bytes
         file.take(most).read_to_end(&mut bytes).map_err(|cause| cause.to_string())?;
         let Header { fortran_order, shape, .. } = self.head;
         if bytes.len() < size {
@@ -75,22 +75,22 @@ impl Array {
         Array { shape: vec![values.len()], by_columns: false, values: Values::Floats(values) }
     }
 
-    /// A list of whole numbers.
+    /// A list of integers.
     pub fn integers(values: Vec<i64>) -> Self {
         Array { shape: vec![values.len()], by_columns: false, values: Values::Integers(values) }
     }
 
-    /// A word, as an array without axes.
+    /// A word, as a zero-dimensional array.
     pub fn word(word: &str) -> Self {
         Array { shape: Vec::new(), by_columns: false, values: Values::Word(word.to_string()) }
     }
 
-    /// The same numbers by rows in another shape.
+    /// The same numbers, in row order, with another shape.
     pub fn shaped(self, shape: Vec<usize>) -> Self {
         Array { shape, ..self }
     }
 
-    /// The numbers of a list or of a single column.
+    /// The numbers of a list or a column vector.
     pub fn vector(&self) -> Result<Vec<f64>, Reason> {
         match self.shape[..] {
             [_] | [_, 1] => self.numbers(),
@@ -98,7 +98,7 @@ impl Array {
         }
     }
 
-    /// The numbers of a table.
+    /// The numbers of a matrix.
     pub fn table(&self) -> Result<Table, Reason> {
         let [rows, cols] = self.shape[..] else {
             return Err(format!("must be a matrix, has the shape {:?}", self.shape));
@@ -108,7 +108,7 @@ impl Array {
         Ok(Table { rows, cols, entries: Entries::Dense(dense) })
     }
 
-    /// The whole numbers ≥ 0 of a list.
+    /// The nonnegative integers of a list.
     pub fn wholes(&self) -> Result<Vec<usize>, Reason> {
         let (Values::Integers(values), [_]) = (&self.values, &self.shape[..]) else {
             return Err("must be a list of integers".into());
@@ -119,7 +119,7 @@ impl Array {
         values.iter().map(whole).collect()
     }
 
-    /// The number.
+    /// The number of a zero-dimensional array.
     pub fn number(&self) -> Result<f64, Reason> {
         match (&self.numbers()?[..], &self.shape[..]) {
             ([value], [] | [1]) => Ok(*value),
@@ -127,7 +127,7 @@ impl Array {
         }
     }
 
-    /// The word.
+    /// The word of a zero-dimensional array.
     pub fn text(&self) -> Result<String, Reason> {
         match &self.values {
             Values::Word(word) => Ok(word.clone()),
@@ -159,12 +159,12 @@ impl Array {
 struct Kind {
     is_big_endian: bool,
     letter: u8,
-    /// Its bytes.
+    /// The size of an entry in bytes.
     size: usize,
 }
 
 impl Kind {
-    /// The type of NumPy's name: byte order, letter, size.
+    /// Parses NumPy's type name: byte order, letter, size.
     fn of(descr: &str) -> Result<Self, Reason> {
         let unknown = || format!("has entries of the type {descr:?}, not numbers or words");
         let [order @ (b'<' | b'>' | b'|' | b'='), letter, size @ ..] = descr.as_bytes() else {
@@ -174,7 +174,7 @@ impl Kind {
         let size = match (letter, size) {
             (b'f', Some(size @ (4 | 8))) | (b'i' | b'u', Some(size @ (1 | 2 | 4 | 8))) => size,
             (b'S', Some(size @ 1..=MOST_LETTERS)) => size,
-            (b'U', Some(size @ 1..=MOST_LETTERS)) => 4 * size, // one character in four bytes
+            (b'U', Some(size @ 1..=MOST_LETTERS)) => 4 * size, // four bytes per character
             _ => return Err(unknown()),
         };
         Ok(Kind { is_big_endian: *order == b'>', letter: *letter, size })
@@ -190,7 +190,7 @@ impl Kind {
                 Values::Integers(entries.map(whole).collect::<Result<_, _>>()?)
             }
             b'i' => {
-                let unused = 64 - 8 * self.size as u32; // the sign is that of the highest bit used
+                let unused = 64 - 8 * self.size as u32; // the highest used bit is the sign
                 Values::Integers(entries.map(|e| ((e << unused) as i64) >> unused).collect())
             }
             _ => {
@@ -200,7 +200,7 @@ impl Kind {
         })
     }
 
-    /// The bytes of a number of at most eight, the highest one first.
+    /// The bits of a number of at most eight bytes, most significant byte first.
     fn ordered(&self, entry: &[u8]) -> u64 {
         let shift = |bits: u64, byte: &u8| bits << 8 | u64::from(*byte);
         match self.is_big_endian {

@@ -6,8 +6,8 @@
 //! | `g` | numbers, 3m or 3m × 1 | the speeds without impulses; b = g |
 //! | `mus` | numbers, m | the coefficients of friction |
 //!
-//! A contact's rows are t1, t2, n, the normal last, and stay in that order. The law is Coulomb's
-//! with the cone. `lam0`, which may stand beside them, is where a solver begins.
+//! The rows of a contact are t1, t2, n, with the normal last, and keep this order. The law is
+//! Coulomb's with the cone. An additional array `lam0` is a solver's starting point.
 
 use std::collections::HashMap;
 
@@ -19,10 +19,10 @@ use lcplab_problem::friction::Model;
 /// The names of the arrays.
 pub(super) const ARRAYS: [&str; 3] = ["G", "g", "mus"];
 
-/// The name of the array with a first guess of the impulses.
+/// The name of the array with an initial guess of the impulses.
 pub(super) const GUESS: &str = "lam0";
 
-/// The problem of these arrays.
+/// The problem stored in these arrays.
 pub(super) fn problem(arrays: &HashMap<&str, Array>, name: String, input: &str) -> Result<Problem> {
     let get = |part: &str| {
         arrays.get(part).ok_or_else(|| Error::invalid(input, part, "is missing beside G"))

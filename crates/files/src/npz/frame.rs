@@ -1,4 +1,4 @@
-//! Frames: one step of an engine as its bodies and rows, from which A and b are made.
+//! Frames: one step of an engine as bodies and rows, from which A and b are computed.
 //!
 //! ```text
 //! w = A x + b,   A = J M⁻¹ Jᵀ + diag(R),   b = J u* + bias,   x ≥ 0 pushes bodies apart
@@ -50,7 +50,7 @@ pub(super) const ARRAYS: [&str; 18] = [
     "source",
 ];
 
-/// The problem of these arrays, with the bodies and rows under the key `motion`.
+/// The problem stored in these arrays, with the bodies and rows under the key `motion`.
 pub(super) fn problem(
     arrays: &Arrays<'_>,
     name: String,
@@ -116,7 +116,7 @@ impl Frame<'_> {
         }
     }
 
-    /// The entries of a matrix that is stored by rows.
+    /// The entries of a matrix stored by rows.
     fn matrix(&self, parts: [&str; 3], rows: usize, cols: usize) -> Result<Vec<Entry>> {
         let [data, indices, indptr] = parts;
         let (values, columns) = (self.numbers(data)?, self.wholes(indices)?);
@@ -147,7 +147,7 @@ impl Frame<'_> {
         parts(table, vector, self.input)?.into_lcp().map_err(|error| error.within(self.input))
     }
 
-    /// The problem with its model, its scale, and what is kept of the rest.
+    /// The problem with its model, its scale and the other keys that are kept.
     fn with_words(&self, problem: Problem) -> Result<Problem> {
         let cone = self.word("cone")?;
         let model = match (cone.as_str(), problem.lcp.coupling()) {

@@ -1,26 +1,26 @@
-//! The head of a `.npy` file: type, order and shape, as a Python dictionary.
+//! The header of a `.npy` file: type, order and shape, as a Python dictionary.
 
 use std::io::Read;
 
 use super::array::Reason;
 
-/// Heads longer than this are not believed.
+/// Limit on the length of a header.
 const LONGEST: usize = 1 << 16;
 const MAGIC: &[u8; 6] = b"\x93NUMPY";
 
-/// What an array file says of its bytes.
+/// The header of an array file.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Header {
-    /// NumPy's name of the type of one entry, such as `<f8`.
+    /// NumPy's name for the type of an entry, such as `<f8`.
     pub descr: String,
-    /// Whether the first index runs fastest.
+    /// Whether the first index varies fastest.
     pub fortran_order: bool,
     /// The length along each axis.
     pub shape: Vec<usize>,
 }
 
 impl Header {
-    /// The head at the beginning of a file, versions 1 to 3.
+    /// Reads the header at the start of a file, versions 1 to 3.
     pub fn read(file: &mut dyn Read) -> Result<Self, Reason> {
         let mut start = [0; 8];
         file.read_exact(&mut start).map_err(|cause| cause.to_string())?;
@@ -38,11 +38,11 @@ impl Header {
         let mut text = vec![0; size];
         file.read_exact(&mut text).map_err(|cause| cause.to_string())?;
         let text =
-            String::from_utf8(text).map_err(|_| "has a head that is not text".to_string())?;
-        parse(&text).ok_or_else(|| format!("has a head that is none: {:?}", text.trim_end()))
+            String::from_utf8(text).map_err(|_| "has a header that is not text".to_string())?;
+        parse(&text).ok_or_else(|| format!("has an invalid header: {:?}", text.trim_end()))
     }
 
-    /// The head as bytes, filled up with spaces so that the entries begin at a multiple of 64.
+    /// The header as bytes, padded with spaces so that the entries start at a multiple of 64.
     pub(crate) fn to_bytes(&self) -> Vec<u8> {
         let order = if self.fortran_order { "True" } else { "False" };
         let shape: String = self.shape.iter().map(|length| format!("{length}, ")).collect();

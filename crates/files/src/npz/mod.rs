@@ -1,4 +1,4 @@
-//! NumPy's `.npz`: a zip archive with one array a file.
+//! NumPy's `.npz`: a zip archive with one array per file.
 //!
 //! The formats are NumPy's NEP 1 (`.npy`, versions 1 to 3) and the archive of `numpy.savez` and
 //! `numpy.savez_compressed`; a sparse matrix is stored as `scipy.sparse.save_npz` stores it.
@@ -11,12 +11,12 @@
 //! | `lo`, `hi` | numbers, n | bounds; 0 and ∞ where they are absent |
 //! | `friction_index`, `mu` | integers and numbers, n | as in [`file`](lcplab_problem::file): rows from 0, −1 for none |
 //!
-//! An archive with `G`, `g` and `mus` in their place is one of ContactBench, the benchmark of
-//! contact solvers in robotics: contacts t1, t2, n with Coulomb's cone, A = G and b = g; `lam0`, a
-//! first guess, is not part of the problem, and is reported.
+//! An archive with `G`, `g` and `mus` instead comes from ContactBench, the benchmark of contact
+//! solvers in robotics: contacts t1, t2, n with Coulomb's cone, A = G and b = g; `lam0`, an initial
+//! guess, is not part of the problem and causes a warning.
 //!
-//! An archive with `J_data` in place of A is a frame of an engine: J, M, R, u* and bias, from which
-//! A and b are made (`frame.rs` lists the arrays).
+//! An archive with `J_data` instead of A is a frame of an engine: J, M, R, u* and bias, from which
+//! A and b are computed (`frame.rs` lists the arrays).
 //!
 //! ```text
 //! numpy.savez("problem.npz", A=A, b=b)                              # NumPy
@@ -24,12 +24,12 @@
 //!             shape=A.shape, format="csr", b=b)                     # a scipy.sparse.csr_array
 //! ```
 //!
-//! What is written is read by `numpy.load`, and a sparse A by `scipy.sparse.load_npz` too.
+//! `numpy.load` reads the written files, and `scipy.sparse.load_npz` reads a sparse A from them.
 //!
-//! Traps: `scipy.sparse.save_npz` writes the matrix alone, so that b is missing; `A.T` and what
-//! Fortran made are stored by columns, `fortran_order`, and are read so; half of a symmetric matrix
-//! (`scipy.sparse.tril`) is taken as it stands; arrays of objects are pickles and are refused, and
-//! so is an archive with an array that is not named here.
+//! Traps: `scipy.sparse.save_npz` writes the matrix only, so b is missing. `A.T` and arrays from
+//! Fortran are stored by columns, `fortran_order`, and are read accordingly. Half of a symmetric
+//! matrix (`scipy.sparse.tril`) is not completed. Arrays of objects are pickles and are rejected,
+//! and so is an archive with an array that is not listed here.
 
 mod array;
 mod contact_bench;
@@ -59,7 +59,7 @@ pub const FORMAT: Format = Format {
     beside: &[],
     carries: "any bounds, coupled rows, dense and sparse",
     law: None,
-    trap: "scipy.sparse.save_npz has no b; what fortran_order says is stored by columns",
+    trap: "scipy.sparse.save_npz writes no b; arrays with fortran_order are stored by columns",
     read,
     write: Some(write),
 };
@@ -100,13 +100,13 @@ fn read(input: &Input) -> Result<Problem> {
     Ok(Problem::new(input.stem(), lcp))
 }
 
-/// The arrays that stand beside the matrix.
+/// The arrays stored with the matrix.
 const VECTORS: [&str; 5] = ["b", "lo", "hi", "mu", "friction_index"];
 
 /// The arrays of a sparse matrix.
 const SPARSE: [&str; 7] = ["format", "shape", "data", "indices", "indptr", "row", "col"];
 
-/// Refuses an archive with an array that none of the `known` ones is.
+/// Rejects an archive with an array that is not in `known`.
 fn check_names(names: &[String], known: &[&[&str]], input: &str) -> Result<()> {
     match names.iter().find(|name| known.iter().all(|known| !known.contains(&name.as_str()))) {
         None => Ok(()),
@@ -121,7 +121,7 @@ fn check_names(names: &[String], known: &[&[&str]], input: &str) -> Result<()> {
 fn sparse(arrays: &Arrays, names: &[String], input: &str) -> Result<Table> {
     let get = |part: &str| {
         arrays.get(part).ok_or_else(|| {
-            let reason = "is missing: neither A nor a matrix as scipy.sparse stores it";
+            let reason = "is missing: there is neither A nor a scipy.sparse matrix";
             Error::invalid(input, part, reason)
         })
     };
@@ -158,7 +158,7 @@ fn sparse(arrays: &Arrays, names: &[String], input: &str) -> Result<Table> {
     Ok(Table { rows, cols, entries: Entries::Sparse(triplets) })
 }
 
-/// The line of each number, from where each line begins and the last one ends.
+/// The line of each number, from the start index of each line and the end of the last one.
 fn unpacked(
     starts: &[usize],
     lines: usize,
@@ -176,7 +176,7 @@ fn unpacked(
     Ok(starts.windows(2).enumerate().flat_map(line).collect())
 }
 
-/// Arrays by their names.
+/// Arrays by name.
 type Arrays<'a> = std::collections::HashMap<&'a str, Array>;
 
 /// The archive of a file called `input`.
@@ -204,7 +204,7 @@ impl<'a> Archive<'a> {
         names
     }
 
-    /// The arrays of these names that are there.
+    /// Those of these arrays that exist.
     fn arrays<'b>(&mut self, parts: &[&'b str]) -> Result<Arrays<'b>> {
         let mut arrays = Arrays::new();
         for part in parts {
@@ -215,7 +215,7 @@ impl<'a> Archive<'a> {
         Ok(arrays)
     }
 
-    /// The array of this name, if there is one.
+    /// The array with this name, if it exists.
     fn array(&mut self, part: &str) -> Result<Option<Array>> {
         let fault = |reason: String| Error::invalid(self.input, part, reason);
         let mut file = match self.zip.by_name(&format!("{part}.npy")) {

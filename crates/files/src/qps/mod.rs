@@ -1,32 +1,32 @@
-//! QPS: quadratic programs over boxes, an extension of the linear programmers' MPS.
+//! QPS: quadratic programs over boxes, an extension of the MPS format of linear programming.
 //!
 //! Defined by Maros & Mészáros, *A Repository of Convex Quadratic Programming Problems* (1999), the
-//! section `QUADOBJ`, and by today's solvers (CPLEX, Gurobi, HiGHS), which add `QMATRIX`. Words are
-//! separated by spaces ("free MPS"); columns are numbered as they first appear.
+//! section `QUADOBJ`, and by current solvers (CPLEX, Gurobi, HiGHS), which add `QMATRIX`. Words are
+//! separated by spaces ("free MPS"); columns are numbered in order of first appearance.
 //!
 //! ```text
 //! NAME box                     min  ½ xᵀQx + cᵀx    with lo ≤ x ≤ hi
 //! ROWS
-//!  N obj                       the objective, and no row else
+//!  N obj                       the objective; no other rows
 //! COLUMNS
 //!  x0 obj -1                   c
 //! RHS
-//!  rhs obj 5                   minus a constant of the objective: no matter
+//!  rhs obj 5                   minus a constant of the objective; ignored
 //! BOUNDS
-//!  UP bnd x0 4                 UP LO FX FR MI PL; 0 ≤ x where nothing is said
+//!  UP bnd x0 4                 UP LO FX FR MI PL; the default is 0 ≤ x
 //! QUADOBJ
 //!  x0 x0 2                     Q: each entry of one triangle once
 //! ENDATA
 //! ```
 //!
-//! For symmetric Q the minimum is where w = Q x + c is 0 inside the box and points outwards at its
-//! sides: A = Q, b = c. So a problem can be written if A is symmetric and no row is coupled.
+//! For symmetric Q, w = Q x + c is 0 at the minimum if it is inside the box, and points outward at
+//! the sides of the box: A = Q, b = c. A problem can therefore be written if A is symmetric and no
+//! row is coupled.
 //!
-//! Traps: Q already holds the 2 of x² (the objective is *half* of xᵀQx). `QUADOBJ` is one triangle
-//! and must not hold the other one, `QMATRIX` is all of Q. An `UP` below 0 without an `LO` means 0
-//! ≤ x for some readers and x free below for others: it is refused. Bounds from 1e20 on are
-//! infinite, as HiGHS and CPLEX have it. Refused are rows of constraints, integers and `OBJSENSE
-//! MAX`.
+//! Traps: Q contains the factor 2 of x² (the objective is *half* of xᵀQx). `QUADOBJ` is one
+//! triangle and must not contain the other one, `QMATRIX` is all of Q. For a negative `UP` without
+//! an `LO` some readers assume 0 ≤ x and others −∞: it is rejected. Bounds of 1e20 or more are
+//! infinite, as in HiGHS and CPLEX. Constraint rows, integers and `OBJSENSE MAX` are rejected.
 
 mod reader;
 mod writer;
@@ -36,7 +36,7 @@ use super::Format;
 /// Quadratic programs over boxes.
 pub const FORMAT: Format = Format {
     name: "qps",
-    about: "QPS: convex programmers' quadratic programs, over boxes only",
+    about: "QPS: quadratic programs, over boxes only",
     endings: &[".qps", ".mps"],
     in_folder: None,
     beside: &[],

@@ -1,4 +1,4 @@
-//! QPS read line by line.
+//! Reads QPS line by line.
 
 use std::collections::{HashMap, HashSet};
 
@@ -7,7 +7,7 @@ use crate::words::{Words, brief};
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::{Entries, Parts, Problem};
 
-/// Bounds of this size are infinite.
+/// Bounds of at least this size are infinite.
 const INFINITE: f64 = 1e20;
 
 pub(super) fn read(input: &Input) -> Result<Problem> {
@@ -40,31 +40,31 @@ fn parse(text: &str, input: &str, stem: String) -> Result<Problem> {
     program.finish(input)
 }
 
-/// A result whose error is the reason that a line cannot be used.
+/// A result whose error is the reason that a line is invalid.
 type Checked<T = ()> = std::result::Result<T, String>;
 
-/// What has been read so far.
+/// The program read so far.
 #[derive(Default)]
 struct Program {
     name: String,
     objective: Option<String>,
     columns: HashMap<String, usize>,
-    /// What each column costs, where anything is said.
+    /// The cost of each column, if given.
     c: Vec<Option<f64>>,
     lo: Vec<f64>,
     hi: Vec<f64>,
-    /// Columns with a lower bound of their own.
+    /// Columns with an explicit lower bound.
     has_lower: HashSet<usize>,
-    /// The name of the bounds that count.
+    /// The name of the bound set in use.
     bounds: Option<String>,
     q: Vec<(usize, usize, f64)>,
-    /// The entries of Q that were there.
+    /// The positions of Q's entries read so far.
     places: HashSet<(usize, usize)>,
     is_full: bool,
 }
 
 impl Program {
-    /// A line that begins a section; true for the last one.
+    /// Reads a line that starts a section; returns true for the last one.
     fn section(&mut self, fields: &[&str]) -> Checked<bool> {
         match fields {
             ["ENDATA"] => return Ok(true),
@@ -118,8 +118,8 @@ impl Program {
                 }
                 Ok(())
             }
-            ("", _) => Err("stands before any section".into()),
-            _ => Err(format!("is no line of {section}: {:?}", brief(&fields.join(" ")))),
+            ("", _) => Err("is before the first section".into()),
+            _ => Err(format!("is not a line of {section}: {:?}", brief(&fields.join(" ")))),
         }
     }
 
@@ -140,7 +140,7 @@ impl Program {
         }
     }
 
-    /// The number of a column, a new one if it has none.
+    /// The index of a column; a new name gets the next index.
     fn column(&mut self, name: &str) -> usize {
         if let Some(i) = self.columns.get(name) {
             return *i;
@@ -164,7 +164,7 @@ impl Program {
             ("FR" | "MI" | "PL", [column]) => ("", column, 0.0),
             ("FR" | "MI" | "PL", [set, column] | [set, column, _]) => (*set, column, 0.0),
             ("BV" | "LI" | "UI" | "SC", _) => return Err("integers are not read".into()),
-            _ => return Err(format!("is no bound: {:?}", brief(kind))),
+            _ => return Err(format!("is not a bound: {:?}", brief(kind))),
         };
         if self.bounds.get_or_insert_with(|| set.to_string()) != set {
             return Err(format!("a second set of bounds, {:?}", brief(set)));
@@ -200,7 +200,7 @@ impl Program {
         Ok(())
     }
 
-    /// The problem, once all has been read.
+    /// The problem, after the last line.
     fn finish(self, input: &str) -> Result<Problem> {
         let fault = |place: String, reason: &str| Err(Error::invalid(input, place, reason));
         let below = |i: &usize| self.hi[*i] < 0.0 && !self.has_lower.contains(i);
@@ -238,7 +238,7 @@ fn minimised(sense: &str) -> Checked {
     }
 }
 
-/// Names with a number each.
+/// Pairs of a name and a number.
 fn pairs<'a>(fields: &[&'a str]) -> Checked<Vec<(&'a str, f64)>> {
     if fields.len() % 2 == 1 {
         return Err(format!("must be names with a number each: {:?}", brief(&fields.join(" "))));

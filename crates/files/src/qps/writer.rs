@@ -1,4 +1,4 @@
-//! QPS written in free form, columns x0, x1, …
+//! Writes QPS in free form, with columns x0, x1, ….
 
 use crate::Output;
 use crate::output::decimal;
@@ -8,11 +8,11 @@ use lcplab_problem::file::Problem;
 pub(super) fn write(problem: &Problem) -> Result<Output> {
     let lcp = &problem.lcp;
     if lcp.coupling().is_some() {
-        let reason = "is given: a box cannot grow with another unknown in a quadratic program";
+        let reason = "is given: in a quadratic program, bounds cannot depend on another unknown";
         return Err(Error::invalid("qps", "friction_index", reason));
     }
     if !lcp.matrix().is_symmetric() {
-        return Err(Error::invalid("qps", "A", "is not symmetric: no objective leads to it"));
+        return Err(Error::invalid("qps", "A", "is not symmetric, so no objective has it"));
     }
     let n = lcp.len();
     let name: Vec<&str> = problem.name.split_whitespace().collect();
@@ -34,7 +34,7 @@ pub(super) fn write(problem: &Problem) -> Result<Output> {
     Ok(Output::of(text + "ENDATA\n"))
 }
 
-/// The bounds of a column; none for 0 and ∞.
+/// The bound lines of a column; empty for 0 and ∞.
 fn bounds(i: usize, lo: f64, hi: f64) -> String {
     let line = |kind: &str, value: f64| format!(" {kind} bnd x{i} {}\n", decimal(value));
     let bare = |kind: &str| format!(" {kind} bnd x{i}\n");

@@ -1,11 +1,11 @@
-//! Which kind of problem a file of Siconos holds: no file says so, but the numbers before its first
-//! matrix do.
+//! Recognizes the kind of problem in a file of Siconos. Files do not state it, but the numbers
+//! before the first matrix determine it.
 
 use super::matrix::size_ahead;
 use crate::words::Words;
 use lcplab_problem::error::{Error, Result};
 
-/// The kinds that are read.
+/// The supported kinds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     /// An LCP or a relay problem: n, then the matrix.
@@ -19,7 +19,7 @@ pub(super) enum Kind {
 /// The kind of a file.
 ///
 /// # Errors
-/// If it is none that is read; the message names the kind that it seems to be.
+/// If it is not supported; the message names the kind that it appears to be.
 pub(super) fn kind(words: &Words) -> Result<Kind> {
     let mut ahead = words.clone();
     let lead: Vec<usize> = std::iter::from_fn(|| ahead.next()?.parse().ok()).take(5).collect();
@@ -35,7 +35,7 @@ pub(super) fn kind(words: &Words) -> Result<Kind> {
         [n, _, ..] if is_square(2, n) => refused("a problem over second-order cones (SOCLCP)"),
         [3, _, 1 | 2, ..] if has_matrix(3) => refused("a problem of plasticity"),
         _ if has_matrix(0) => refused("a generic mechanical problem (GMP), or a matrix alone"),
-        [n, 0..=2, m, ..] if n == m => Ok(Kind::Boxes), // with a defect, of which its reader knows more
+        [n, 0..=2, m, ..] if n == m => Ok(Kind::Boxes), // defective; its reader reports details
         _ => {
             let reason = "does not begin like a problem of Siconos: an LCP, a relay problem, a mixed LCP, or \
              contacts";
@@ -44,7 +44,7 @@ pub(super) fn kind(words: &Words) -> Result<Kind> {
     }
 }
 
-/// The refusal of a file of this kind.
+/// The error for a file of this unsupported kind.
 pub(super) fn refusal(words: &Words, kind: &str) -> Error {
     words.fault_ahead(format!(
         "this seems to be {kind}, which is not read: only LCPs, relay problems, mixed LCPs and \

@@ -1,4 +1,4 @@
-//! A matrix as Siconos lists it: its storage, its size, its numbers.
+//! Reads a matrix in Siconos' format: its storage, its size, its numbers.
 
 use crate::table::{Table, by_rows};
 use crate::words::Words;
@@ -9,7 +9,7 @@ const DENSE: usize = 0;
 const BLOCKS: usize = 1;
 const SPARSE: usize = 2;
 
-/// The rows and columns of a matrix that stands after so many words, if one begins there.
+/// The size of the matrix that starts after this number of words, if one does.
 pub(super) fn size_ahead(words: &Words, after: usize) -> Option<[usize; 2]> {
     let mut ahead = words.clone();
     for _ in 0..after {
@@ -105,7 +105,7 @@ fn blocks(words: &mut Words, rows: usize, cols: usize) -> Result<Table> {
     Ok(Table { rows, cols, entries: Entries::Sparse(triplets) })
 }
 
-/// Where a block begins and how long it is, from where all of them end.
+/// The start and the length of block k, given where each block ends.
 fn span(ends: &[usize], k: usize, most: usize) -> Option<(usize, usize)> {
     let start = if k == 0 { 0 } else { *ends.get(k - 1)? };
     let end = *ends.get(k)?;

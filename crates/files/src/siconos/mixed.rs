@@ -1,4 +1,4 @@
-//! Mixed LCPs: equations and complementary rows in one matrix, as a whole, by its parts, or both.
+//! Mixed LCPs: equations and complementary rows, stored as one matrix, in parts, or both.
 
 use super::matrix;
 use crate::table::Table;
@@ -6,7 +6,7 @@ use crate::words::Words;
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::{Entries, Parts};
 
-/// A mixed LCP after nothing else; what follows it is left.
+/// Reads a mixed LCP; any words after it remain unread.
 pub(super) fn read(words: &mut Words, input: &str) -> Result<Parts> {
     let has_whole = words.whole("the flag of M and q")? == 1;
     let has_parts = words.whole("the flag of A, B, C, D, a and b")? == 1;
@@ -61,7 +61,7 @@ fn whole(words: &mut Words, equations: usize, n: usize) -> Result<Parts> {
     Ok(Parts { entries, b, lo: Some(lo), hi: None, index: None, mu: None })
 }
 
-/// A, B, C, D, a and b, row by row: M is [A C; D B], q is (a, b).
+/// A, B, C, D, a and b, each row by row: M is [A C; D B], q is (a, b).
 fn by_parts(words: &mut Words, equations: usize, n: usize) -> Result<Parts> {
     let count = n.checked_mul(n).and_then(|count| count.checked_add(n));
     if count.is_none_or(|count| words.count() < count) {
@@ -88,7 +88,7 @@ fn by_parts(words: &mut Words, equations: usize, n: usize) -> Result<Parts> {
     Ok(Parts { entries, b, lo: Some(lo), hi: None, index: None, mu: None })
 }
 
-/// The one problem that a file holds in both ways.
+/// Checks that both forms in a file are the same problem, and returns it.
 fn same(whole: Parts, parts: Parts, input: &str) -> Result<Parts> {
     let n = whole.b.len();
     let differs = |place: String, reason: String| Err(Error::invalid(input, place, reason));

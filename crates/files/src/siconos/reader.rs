@@ -1,4 +1,4 @@
-//! The problems of Siconos' files, each of whose numbers must be understood.
+//! Reads the problems of Siconos' files; every number in a file must be understood.
 
 use super::kind::{self, Kind, refusal};
 use super::{matrix, mixed};
@@ -37,7 +37,7 @@ pub(super) fn read(input: &Input) -> Result<Problem> {
     Ok(problem)
 }
 
-/// The text of the numbers, and the lines of text behind them.
+/// The text with the numbers, and the lines of text after it.
 fn split(text: &str) -> (&str, &str) {
     let mut end = text.len();
     for line in text.split_inclusive('\n').rev() {
@@ -49,8 +49,8 @@ fn split(text: &str) -> (&str, &str) {
     text.split_at(end)
 }
 
-/// Whether a line begins with a word and has more words than numbers: a name with numbers behind it
-/// is data.
+/// Whether a line starts with a word and has more words than numbers; a name followed by numbers is
+/// data.
 fn is_comment(line: &str) -> bool {
     let is_number = |word: &str| word.parse::<f64>().is_ok();
     let count = line.split_whitespace().count();
@@ -58,7 +58,7 @@ fn is_comment(line: &str) -> bool {
     line.split_whitespace().next().is_some_and(|first| !is_number(first)) && count > 2 * numbers
 }
 
-/// What to say of a comment.
+/// The warning about a comment.
 fn comment_found(numbers: &str, comment: &str, input: &str) -> Option<String> {
     let lines = comment.lines().enumerate();
     let (k, text) = lines.map(|(k, line)| (k, line.trim())).find(|(_, line)| !line.is_empty())?;
@@ -120,7 +120,7 @@ fn local(words: &mut Words, matrix: Table, contacts: usize, input: &str) -> Resu
     Ok(coulomb(matrix.square(n, input)?, b, &mu))
 }
 
-/// H, q, b and mu, after M: the problem in impulses alone.
+/// H, q, b and mu, after M: converted to the problem in impulses only.
 fn global(
     words: &mut Words,
     mass: Table,
@@ -148,8 +148,7 @@ fn global(
     Ok(coulomb(entries, b, &mu))
 }
 
-/// The number 0 or 1 after mu that many of Siconos' own files end with; Siconos itself leaves it
-/// unread.
+/// The number 0 or 1 after mu at the end of many of Siconos' own files; Siconos does not read it.
 fn flag(words: &mut Words, contacts: usize) -> Result<()> {
     let left = words.count();
     let is_flag = || matches!(words.clone().next(), Some("0" | "1"));

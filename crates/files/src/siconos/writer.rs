@@ -1,4 +1,4 @@
-//! Siconos' files written densely.
+//! Writes Siconos' files with dense matrices.
 
 use crate::Output;
 use crate::contacts::Arrangement;
@@ -7,7 +7,7 @@ use lcplab_problem::Lcp;
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::Problem;
 
-/// Matrices of more rows are not written: n² numbers would not be read by anyone.
+/// Matrices with more rows are not written: a file of n² numbers would be too large to be useful.
 const MOST_ROWS: usize = 5000;
 
 pub(super) fn write(problem: &Problem) -> Result<Output> {
@@ -27,7 +27,7 @@ pub(super) fn write(problem: &Problem) -> Result<Output> {
     Ok(Output { notes: Arrangement::notes(&rows), ..Output::of(text) })
 }
 
-/// The rows of a problem with friction, if all of them are those of contacts.
+/// The rows of a problem with friction, if all of them belong to contacts.
 fn contacts(problem: &Problem) -> Result<Arrangement> {
     let arrangement = Arrangement::of(problem, "siconos")?;
     match arrangement.equations().first() {
@@ -39,7 +39,7 @@ fn contacts(problem: &Problem) -> Result<Arrangement> {
     }
 }
 
-/// A and b, the rows and columns in this order.
+/// A and b, with rows and columns in this order.
 fn numbers(lcp: &Lcp, order: &[usize]) -> String {
     let n = order.len();
     let mut text = format!("0\n{n}\n{n}\n{n}\t{n}\n");
@@ -49,7 +49,7 @@ fn numbers(lcp: &Lcp, order: &[usize]) -> String {
     text + &line(order.iter().map(|&i| lcp.b()[i]))
 }
 
-/// The bounds of a relay problem; nothing for those of an LCP, 0 and ∞.
+/// The bounds of a relay problem; empty for 0 and ∞, the bounds of an LCP.
 fn bounds(lcp: &Lcp) -> Result<String> {
     let rows = || lcp.lo().iter().zip(lcp.hi());
     if rows().all(|bounds| bounds == (&0.0, &f64::INFINITY)) {

@@ -1,10 +1,10 @@
-//! That no solution exists, case by case: a tree of sides, with a vector at the end of each path.
+//! Proves by case distinction that no solution exists: a tree of sides, with a vector at each leaf.
 //!
 //! Each row of a solution is at its lower side (x_i = lo_i, w_i ≥ 0), free (w_i = 0) or at its
-//! upper side. A linear program in exact arithmetic says whether some x obeys all that the sides
-//! chosen so far ask for. If not, its multipliers show it; if so, the tree branches at the first
-//! row where that x is no solution. This is complete, also for coupled rows and for A that are not
-//! symmetric, and shares nothing with the solver `enumeration`.
+//! upper side. A linear program in exact arithmetic decides whether some x satisfies the conditions
+//! of all sides chosen so far. If not, its multipliers prove it; if so, the tree branches at the
+//! first row where that x does not satisfy the complementarity conditions. The method is complete,
+//! also for coupled rows and nonsymmetric A, and shares no code with the solver `enumeration`.
 
 mod program;
 
@@ -14,35 +14,35 @@ use lcplab_problem::Lcp;
 use lcplab_problem::exact::dyadic::{Dyadic, dyadic, integers, whole};
 use lcplab_problem::exact::{Exact, Point, Side};
 
-/// More rows are not split into cases.
+/// Problems with more rows are not split into cases.
 pub const MOST_ROWS: usize = 24;
-/// A proof that is asked for solves no more linear programs than this: some ten seconds.
+/// Limit on the linear programs of a proof that the user requests: about ten seconds.
 pub const MOST_PROGRAMS: usize = 4096;
 
-/// The sides of the rows on a path, for those that have one.
+/// The sides chosen so far, for the rows that have one.
 pub type Sides = [Option<Side>];
 
-/// A case split.
+/// A case distinction.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Tree {
-    /// d, row by row, integers; the other entries are 0. It shows that no solution has the sides of
-    /// the path.
+    /// d as integers with their rows; the other entries are 0. It proves that no solution has the
+    /// sides chosen on the path to this leaf.
     Leaf(Vec<(usize, IBig)>),
-    /// A row and the trees of its sides: `None` for a side that it has not.
+    /// A row and one tree for each of its sides; `None` if the row does not have that side.
     Branch {
         /// The row.
         row: usize,
-        /// Where x_row is at its lower side.
+        /// x_row is at its lower side.
         lo: Option<Box<Tree>>,
-        /// Where w_row = 0.
+        /// w_row = 0.
         free: Box<Tree>,
-        /// Where x_row is at its upper side.
+        /// x_row is at its upper side.
         hi: Option<Box<Tree>>,
     },
 }
 
 impl Tree {
-    /// The number of cases, each closed by a vector.
+    /// The number of cases, each with a vector that excludes it.
     pub fn leaves(&self) -> usize {
         match self {
             Tree::Leaf(_) => 1,
@@ -54,7 +54,7 @@ impl Tree {
     }
 }
 
-/// Whether a row has a lower and an upper side.
+/// Whether a row has a lower and whether it has an upper side.
 pub fn finite(lcp: &Lcp, row: usize) -> [bool; 2] {
     match lcp.is_coupled(row) {
         true => [true; 2],
@@ -62,24 +62,25 @@ pub fn finite(lcp: &Lcp, row: usize) -> [bool; 2] {
     }
 }
 
-/// The row that a row is coupled to, and μ.
+/// The row that this row is coupled to, and μ.
 pub fn coupled(lcp: &Lcp, row: usize) -> Option<(usize, Dyadic)> {
     lcp.coupled_to(row).map(|(k, mu)| (k, dyadic(mu)))
 }
 
-/// What a search through the cases has found.
+/// The result of a search through the cases.
 pub enum Search {
     /// A solution.
     Solution(Point),
-    /// That there is none.
+    /// A proof that no solution exists.
     None(Tree),
 }
 
-/// Looks for a solution, or for a tree that shows that there is none; `None` where it gives up.
+/// Searches for a solution, or for a tree that proves that none exists; `None` if the limits are
+/// reached.
 ///
-/// A linear program says whether some x obeys all that the sides so far ask for. If not, its
-/// multipliers are the d of a leaf; if so, the tree branches at the first row where that x is no
-/// solution.
+/// At each node a linear program decides whether some x satisfies the sides chosen so far. If not,
+/// its multipliers are the d of a leaf; if so, the tree branches at the first row where that x does
+/// not satisfy the complementarity conditions.
 pub fn search(lcp: &Lcp, most_programs: usize) -> Option<Search> {
     if lcp.len() > MOST_ROWS {
         return None;
@@ -88,8 +89,9 @@ pub fn search(lcp: &Lcp, most_programs: usize) -> Option<Search> {
     Cases { lcp, exact: Exact::new(lcp) }.search(&mut vec![None; lcp.len()], &mut programs)
 }
 
-/// Looks for a single vector that shows that there is no solution, without a case; `None` where
-/// there is none, or too many rows. It is integers, row by row; the other entries are 0.
+/// Searches for a single vector that proves, without cases, that no solution exists; `None` if none
+/// exists or the problem has too many rows. The vector holds integers with their rows; the other
+/// entries are 0.
 pub fn single_vector(lcp: &Lcp) -> Option<Vec<(usize, IBig)>> {
     if lcp.len() > MOST_ROWS {
         return None;
@@ -137,20 +139,19 @@ impl Cases<'_> {
         Some(Search::None(Tree::Branch { row, lo, free: free?, hi }))
     }
 
-    /// Whether a row's w and x agree; x is within its bounds.
+    /// Whether a row's x and w are complementary; x must be within its bounds.
     fn is_solved(&self, i: usize, point: &Point) -> bool {
         let (w, (lo, hi)) = (self.exact.scaled_w(i, point), self.exact.scaled_bounds(i, point));
         (w <= Dyadic::ZERO || lo.as_ref() == Some(point.scaled(i)))
             && (w >= Dyadic::ZERO || hi.as_ref() == Some(point.scaled(i)))
     }
 
-    /// An x within its bounds that obeys what the sides ask of w, or the d that shows that there is
-    /// none.
+    /// An x within its bounds whose w satisfies the sides, or the d that proves that there is none.
     fn relaxed(&self, sides: &Sides) -> Result<Point, Vec<(usize, IBig)>> {
         let lcp = self.lcp;
         let n = lcp.len();
         let form = Form::of(lcp, sides);
-        // What is asked of w_i: its sign, or 0.
+        // The required sign of w_i, or 0.
         let asked: Vec<(usize, i8)> =
             (0..n).filter_map(|i| Some((i, asked(lcp, sides, i)?))).collect();
         let slacks = asked.iter().filter(|(_, sign)| *sign != 0).count() + form.limits.len();
@@ -203,7 +204,7 @@ impl Cases<'_> {
     }
 }
 
-/// The sign that w_i must have, 0 for w_i = 0; `None` if nothing is asked.
+/// The required sign of w_i, 0 for w_i = 0; `None` if w_i may have any sign.
 fn asked(lcp: &Lcp, sides: &Sides, i: usize) -> Option<i8> {
     match (sides[i], finite(lcp, i)) {
         (Some(Side::Lower), _) | (None, [true, false]) => Some(1),
@@ -213,18 +214,18 @@ fn asked(lcp: &Lcp, sides: &Sides, i: usize) -> Option<i8> {
     }
 }
 
-/// A number that depends on unknowns y ≥ 0.
+/// An affine function of unknowns y ≥ 0.
 #[derive(Clone)]
 struct Affine {
     terms: Vec<(usize, Dyadic)>,
     constant: Dyadic,
 }
 
-/// x by unknowns y ≥ 0, so that it is on its sides and above its lower bounds.
+/// x as affine functions of unknowns y ≥ 0, which satisfy the sides of x and the lower bounds.
 struct Form {
     x: Vec<Affine>,
     unknowns: usize,
-    /// Terms plus a constant, which must be at most 0: the upper bounds.
+    /// The upper bounds: terms plus a constant, which must be at most 0.
     limits: Vec<(Vec<(usize, Dyadic)>, Dyadic)>,
 }
 
@@ -273,7 +274,7 @@ impl Form {
         }
     }
 
-    /// −μ x_k, or μ x_k, or between: −μ x_k + y with y ≤ 2 μ x_k.
+    /// −μ x_k at the lower side, μ x_k at the upper; in between −μ x_k + y with y ≤ 2 μ x_k.
     fn rubbing(&mut self, side: Option<Side>, k: usize, mu: &Dyadic) -> Affine {
         let times = |factor: Dyadic, x: &Affine| Affine {
             terms: x.terms.iter().map(|(u, own)| (*u, own * &factor)).collect(),
@@ -295,7 +296,7 @@ impl Form {
     }
 }
 
-/// The same direction by smaller integers.
+/// The same direction, divided by the common factor of its integers.
 fn shortened(mut d: Vec<(usize, IBig)>) -> Vec<(usize, IBig)> {
     use dashu_int::ops::Gcd;
     let common = d.iter().fold(IBig::ZERO, |common, (_, d)| {

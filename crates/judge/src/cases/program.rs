@@ -1,20 +1,20 @@
 //! Linear programs in exact arithmetic: is there a y ≥ 0 with M y = r?
 //!
-//! The first phase of the simplex method, over the integers: all entries of the table have one
-//! denominator, the last pivot, and every division comes out even (Edmonds 1967). Bland's rule, by
-//! which the first column and the first row of all that may be taken are taken, ends always.
+//! Phase one of the simplex method, over the integers: all entries of the tableau have one
+//! denominator, the last pivot, and every division is exact (Edmonds 1967). Bland's rule (take the
+//! first eligible column and row) guarantees termination.
 
 use dashu_int::IBig;
 
-/// What was found.
+/// The result of a linear program.
 pub enum Found {
     /// y, over a positive denominator.
     Point(Vec<IBig>, IBig),
-    /// p with pᵀM ≤ 0 and pᵀr > 0, so that there is no y: times a positive number.
+    /// p with pᵀM ≤ 0 and pᵀr > 0, times a positive number: it proves that there is no y.
     Multipliers(Vec<IBig>),
 }
 
-/// Decides M y = r, y ≥ 0, each row of M with its r last.
+/// Decides whether M y = r, y ≥ 0 has a solution; each row holds M's entries, then r's.
 pub fn solve(mut rows: Vec<Vec<IBig>>, columns: usize) -> Found {
     let m = rows.len();
     let signs: Vec<bool> = rows.iter().map(|row| row[columns] < IBig::ZERO).collect();
@@ -23,11 +23,11 @@ pub fn solve(mut rows: Vec<Vec<IBig>>, columns: usize) -> Found {
             row.iter_mut().for_each(|value| *value = -std::mem::take(value));
         }
         let right = row.pop().expect("its right side");
-        row.extend((0..m).map(|k| IBig::from(u8::from(k == i)))); // a variable that takes up what is missing
+        row.extend((0..m).map(|k| IBig::from(u8::from(k == i)))); // artificial variables
         row.push(right);
     }
     let width = columns + m + 1;
-    // The sum of what is missing, as it falls with each column.
+    // The sum of the infeasibilities, and its rate of change with each column.
     let mut costs: Vec<IBig> =
         (0..width).map(|j| rows.iter().fold(IBig::ZERO, |sum, row| sum - &row[j])).collect();
     costs[columns..columns + m].iter_mut().for_each(|cost| *cost = IBig::ZERO);
@@ -41,7 +41,7 @@ pub fn solve(mut rows: Vec<Vec<IBig>>, columns: usize) -> Found {
         };
         let rising = (0..m).filter(|&i| rows[i][c] > IBig::ZERO);
         let Some(r) = rising.reduce(|best, i| if ratio_is_less(i, best) { i } else { best }) else {
-            break; // the sum is at least 0, so that this cannot be
+            break; // impossible, because the sum is at least 0
         };
         let own = std::mem::take(&mut rows[r]);
         for row in rows.iter_mut().filter(|row| !row.is_empty()).chain([&mut costs]) {
@@ -55,7 +55,7 @@ pub fn solve(mut rows: Vec<Vec<IBig>>, columns: usize) -> Found {
         basis[r] = c;
     }
     if costs[width - 1] < IBig::ZERO {
-        // The cost of row i's own variable is 1 − p_i.
+        // The reduced cost of row i's artificial variable is 1 − p_i.
         let multiplier = |i: usize| {
             let p = &denominator - &costs[columns + i];
             if signs[i] { -p } else { p }

@@ -5,9 +5,9 @@
 //! sticks  w_n = w_t = 0      x_n ≥ 0 and |x_t| ≤ μ x_n, that is x_t1² + x_t2² ≤ μ² x_n²
 //! ```
 //!
-//! These are linear equations and polynomial inequalities with rational numbers, which are decided
-//! exactly. A contact with μ = 0 has x_t = 0, and its w_t may be anything. A sliding contact obeys
-//! √ of rationals: nothing is shown then.
+//! These are linear equations and polynomial inequalities with rational coefficients, which can be
+//! decided exactly. A contact with μ = 0 has x_t = 0 and any w_t. The equations of a sliding
+//! contact contain square roots; nothing is proved then.
 
 use dashu_ratio::RBig;
 
@@ -18,7 +18,7 @@ use lcplab_problem::exact::{Exact, Point, Side};
 use lcplab_problem::friction::{ConeProblem, Contact, Law};
 
 /// The distance max |x − x*|, rounded up, of an exact solution x* in which each contact is open or
-/// sticks as in x. `bounds` are how far each entry may be from it, if there is such a demand.
+/// sticks as in x. `bounds`, if given, limits the distance of each entry.
 pub fn prove(problem: &ConeProblem, x: &[f64], bounds: Option<&[f64]>) -> Option<f64> {
     let friction = problem.friction();
     let boxed = friction.coupled_box();
@@ -39,8 +39,8 @@ pub fn prove(problem: &ConeProblem, x: &[f64], bounds: Option<&[f64]>) -> Option
     (solves && is_close).then(|| point.distance(x))
 }
 
-/// A point and the problem that it may solve; all numbers carry the positive denominator of the
-/// point.
+/// A point and the problem to check it against; all numbers are multiplied by the point's positive
+/// denominator.
 struct Judged<'a> {
     exact: &'a Exact,
     point: &'a Point,
@@ -84,7 +84,7 @@ fn is_in_cone(mu: &Dyadic, x: &[Dyadic; 3]) -> bool {
     x[0] >= Dyadic::ZERO && squares(x) <= &limit * &limit
 }
 
-/// The square of the tangential part.
+/// The squared length of the tangential part.
 fn squares([_, t1, t2]: &[Dyadic; 3]) -> Dyadic {
     t1 * t1 + t2 * t2
 }

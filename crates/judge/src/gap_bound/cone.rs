@@ -1,11 +1,11 @@
-//! Friction cones whose axes may have coefficients of their own, and projections onto them.
+//! Friction cones that may have a different coefficient for each axis, and projections onto them.
 
 use crate::interval::{Interval, norm_up};
 
-/// Halvings of the multiplier's range: the result has the digits of floating point.
+/// The number of bisection steps for the multiplier: full floating-point accuracy.
 const HALVINGS: usize = 64;
 
-/// A contact's rows: all x with √(Σ (x_i/μ_i)²) ≤ x_n.
+/// A contact's cone: all x with √(Σ (x_i/μ_i)²) ≤ x_n.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EllipticCone {
     /// The row of the normal force n.
@@ -15,20 +15,20 @@ pub struct EllipticCone {
 }
 
 impl EllipticCone {
-    /// Its rows, the normal one first.
+    /// Its rows, the normal row first.
     pub(super) fn rows(&self) -> impl Iterator<Item = usize> + '_ {
         [self.normal].into_iter().chain(self.friction.iter().map(|&(row, _)| row))
     }
 
-    /// Moves x to the nearest point of the cone in the norm Σ γ_i x_i², to rounding, and verifiably
-    /// into the cone.
+    /// Moves x to the nearest point of the cone in the norm Σ γ_i x_i², up to rounding, then
+    /// verifiably into the cone.
     pub(super) fn project(&self, x: &mut [f64], compliance: &[f64]) {
         for &(row, _) in self.friction.iter().filter(|(_, mu)| *mu == 0.0) {
             x[row] = 0.0;
         }
         let root = |row: usize| compliance[row].sqrt();
         let scale = root(self.normal);
-        // In y = √γ x the cone is √(Σ (y_i/m_i)²) ≤ y_n and the norm is Euclid's.
+        // In y = √γ x the cone is √(Σ (y_i/m_i)²) ≤ y_n and the norm is Euclidean.
         let axes: Vec<(f64, f64)> =
             self.friction.iter().map(|&(i, mu)| (root(i) * x[i], root(i) * mu / scale)).collect();
         let normal = scale * x[self.normal];
@@ -66,10 +66,10 @@ impl EllipticCone {
     }
 }
 
-/// The λ > 0 with (1 − λ) N(λ) = y_n, of which the left side falls: Lagrange's multiplier of the
-/// nearest point.
+/// The Lagrange multiplier of the nearest point: the λ > 0 with (1 − λ) N(λ) = y_n, whose left side
+/// is decreasing.
 fn multiplier(normal: f64, length: &dyn Fn(f64) -> f64) -> f64 {
-    let (mut low, mut high) = (0.0, 1.0); // of λ / (1 + λ)
+    let (mut low, mut high) = (0.0, 1.0); // the range of λ / (1 + λ)
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
         let factor = middle / (1.0 - middle);

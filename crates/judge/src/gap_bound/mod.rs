@@ -1,8 +1,9 @@
-//! A bound on the motion at an engine's own velocity, by the duality gap of Gauss's principle.
+//! Bounds the error of an engine's velocity by the duality gap of Gauss's principle.
 //!
-//! An engine returns two things: forces x and the new velocity (or acceleration) v. With compliance
-//! γ > 0 on every row the exact motion û is unique, and one evaluation of the duality gap bounds
-//! both errors, for boxes and for the friction cones of a convex problem (associated cones):
+//! An engine returns two results: forces x and the new velocity (or acceleration) v. With
+//! compliance γ > 0 on every row the exact motion û is unique, and one evaluation of the duality
+//! gap bounds both errors, for boxes and for the friction cones of a convex problem (associated
+//! cones):
 //!
 //! ```text
 //! s = J v + bias,   p = the nearest point to −s/γ in the bounds and cones, in the norm Σ γ_i p_i²
@@ -11,13 +12,14 @@
 //! u(x) = u* + M⁻¹Jᵀx;   rᵀx of a box row is r⁺ (x − lo) + r⁻ (hi − x)
 //! ```
 //!
-//! It holds for every x in the bounds and every r whose part is in the dual cone, whoever found
-//! them; p and r only make it small. So they are computed in floating point and moved, by a
-//! rounding, to where they verifiably are in their sets; the rest is interval arithmetic.
-//! Everything but M is used by its stored entries: thousands of rows take milliseconds.
+//! This holds for every x in its set (bounds and cones) and every r in the dual cones, however they
+//! were found; the choice of p and r only makes the bound small. Therefore they are computed in
+//! floating point and then moved by a rounding error until they verifiably lie in their sets; the
+//! rest is interval arithmetic. All matrices except M are used by their stored entries: thousands
+//! of rows take milliseconds.
 //!
-//! An x outside its set is moved into it; |M⁻¹Jᵀ(x − Πx)|_M is added to the bound on u(x). A row
-//! without compliance has r = s, and no bound where s is on the side of an infinite bound.
+//! An x outside its set is projected into it; |M⁻¹Jᵀ(x − Πx)|_M is added to the bound on u(x). A
+//! row without compliance has r = s, and there is no bound if s pushes it toward an infinite bound.
 
 mod cone;
 
@@ -28,27 +30,27 @@ use crate::motion_bound::mass::Mass;
 use crate::motion_bound::{MotionBound, Unproved};
 use lcplab_problem::Gauss;
 
-/// How far an engine's motion, and the motion that its forces lead to, are from the exact one.
+/// How far an engine's motion, and the motion that its forces produce, are from the exact one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GapBound {
     /// |v − û|_M is at most this.
     pub motion: f64,
     /// |u(x) − û|_M is at most this.
     pub answer: f64,
-    /// |v − u(x)|_M is at most this: an engine that returns a v that is not that of its forces.
+    /// |v − u(x)|_M is at most this: nonzero if an engine returns a v that its forces do not produce.
     pub closure: f64,
-    /// The row that adds most to the gap of x, if any adds something.
+    /// The row that contributes most to the gap of x, if any does.
     pub row: Option<usize>,
 }
 
-/// Bounds the errors of a motion v and of forces x; rows of cones are bounded by their cones alone.
+/// Bounds the errors of a motion v and of forces x; rows of cones are bounded by their cones only.
 ///
 /// # Errors
-/// If M is not verifiably positive definite, numbers are not finite, or a row without compliance is
-/// violated or has a negative one; says which.
+/// If M is not verifiably positive definite, numbers are not finite, a row without compliance is
+/// violated, or a compliance is negative; the error says which.
 ///
 /// # Panics
-/// If x has not n entries, or v has not k.
+/// If x does not have n entries, or v does not have k.
 ///
 /// ```
 /// use lcplab_judge::gap_bound::gap_bound;
@@ -78,8 +80,8 @@ pub fn gap_bound(
     x: &[f64],
     v: &[f64],
 ) -> Result<GapBound, Unproved> {
-    assert_eq!(x.len(), gauss.bias.len(), "x needs one entry a row");
-    assert_eq!(v.len(), gauss.target.len(), "v needs one entry a column of M");
+    assert_eq!(x.len(), gauss.bias.len(), "x needs one entry per row");
+    assert_eq!(v.len(), gauss.target.len(), "v needs one entry per column of M");
     let numbers = [x, v, &gauss.bias, &gauss.target, &gauss.compliance];
     if !numbers.into_iter().flatten().all(|number| number.is_finite()) {
         return Err(Unproved::NotFinite);
@@ -91,7 +93,7 @@ pub fn gap_bound(
     let beyond = problem.mass.length(&problem.push(&beyond));
     let forces = problem.forces(&inside);
     let given = problem.at(v)?;
-    // Where the forces lead to: v without the part of it that they do not explain.
+    // The motion that the forces produce: v minus the part that they do not explain.
     let unexplained: Vec<f64> =
         difference(&given.needed, &forces).iter().map(|f| f.middle()).collect();
     let explained: Vec<f64> = problem
@@ -111,7 +113,7 @@ pub fn gap_bound(
     let motion = from_given.min(problem.distance(&given, &given.nearest, &nearest)?);
     let closure = problem.mass.length(&difference(&given.needed, &forces));
     let bound = GapBound {
-        // v may be near the exact motion by way of u(x), too.
+        // v may also be close to the exact motion because u(x) is.
         motion: motion.min(add_up(closure, from_answer)),
         answer: add_up(beyond, from_given.min(from_answer)),
         closure: add_up(closure, beyond),
@@ -121,19 +123,19 @@ pub fn gap_bound(
     if is_finite { Ok(bound) } else { Err(Unproved::NoRoom { row: row.unwrap_or(0) }) }
 }
 
-/// Bounds the error of the motion u(x) that the forces lead to, which is returned with it.
+/// Bounds the error of the motion u(x) that the forces produce, and returns that motion.
 ///
 /// # Errors
 /// As [`gap_bound`].
 ///
 /// # Panics
-/// If x has not n entries.
+/// If x does not have n entries.
 pub fn answer_bound(
     gauss: &Gauss,
     cones: &[EllipticCone],
     x: &[f64],
 ) -> Result<MotionBound, Unproved> {
-    assert_eq!(x.len(), gauss.bias.len(), "x needs one entry a row");
+    assert_eq!(x.len(), gauss.bias.len(), "x needs one entry per row");
     let problem = Problem::new(gauss, cones)?;
     let forces: Vec<f64> = problem.forces(x).iter().map(|f| f.middle()).collect();
     let change = problem.mass.solve(&forces);
@@ -146,7 +148,7 @@ pub fn answer_bound(
     Ok(MotionBound { energy_norm, largest_entry, motion })
 }
 
-/// The data, scaled by powers of two in the columns of M.
+/// The data, with the columns of M scaled by powers of two.
 struct Problem<'a> {
     gauss: &'a Gauss,
     cones: &'a [EllipticCone],
@@ -155,15 +157,15 @@ struct Problem<'a> {
     cone: Vec<Option<usize>>,
 }
 
-/// A motion, and what is computed from it.
+/// A motion and quantities computed from it.
 struct Motion {
     /// s = J v + bias.
     s: Vec<Interval>,
-    /// M (v − u*), scaled.
+    /// The required forces M (v − u*), scaled.
     needed: Vec<Interval>,
     /// p.
     nearest: Vec<f64>,
-    /// r, verifiably in its set; of a row without compliance nothing.
+    /// r, verifiably in its set; unused for a row without compliance.
     left: Vec<f64>,
 }
 
@@ -185,7 +187,7 @@ impl<'a> Problem<'a> {
         Ok(Problem { gauss, cones, mass, cone })
     }
 
-    /// The nearest point in bounds and cones.
+    /// The nearest point in the bounds and cones.
     fn projected(&self, x: &[f64]) -> Vec<f64> {
         let gauss = self.gauss;
         let boxed = |i: usize| match self.cone[i] {
@@ -222,7 +224,7 @@ impl<'a> Problem<'a> {
         Ok(Motion { needed: self.mass.times(&change), s, nearest, left })
     }
 
-    /// r = s + γ p, moved to where it is allowed.
+    /// r = s + γ p, moved into its allowed set.
     fn left(&self, s: &[Interval], nearest: &[f64]) -> Vec<f64> {
         let gauss = self.gauss;
         let own = |i: usize| {
@@ -255,14 +257,14 @@ impl<'a> Problem<'a> {
         self.push(&x.iter().map(|&x| x.into()).collect::<Vec<_>>())
     }
 
-    /// √(|v − u(x)|²_M + gaps) for an x in its bounds, with Jᵀx.
+    /// √(|v − u(x)|²_M + gaps) for an x within its bounds; `forces` is Jᵀx.
     fn distance(&self, at: &Motion, x: &[f64], forces: &[Interval]) -> Result<f64, Unproved> {
         let closure = self.mass.length(&difference(&at.needed, forces));
         let gaps = self.gaps(at, x)?.into_iter().fold(0.0, add_up);
         Ok(sqrt_up(add_up(mul_up(closure, closure), gaps.max(0.0))))
     }
 
-    /// What each row, and each cone at its normal row, adds to the square.
+    /// The contribution of each row, and of each cone at its normal row, to the square.
     fn gaps(&self, at: &Motion, x: &[f64]) -> Result<Vec<f64>, Unproved> {
         let mut gaps: Vec<f64> = (0..x.len()).map(|i| self.gap(i, at, x[i])).collect();
         for cone in self.cones {
@@ -278,7 +280,7 @@ impl<'a> Problem<'a> {
         Ok(gaps)
     }
 
-    /// Of one row: of a box all of it, of a cone the square alone.
+    /// The contribution of one row: complete for a box row; for a cone row only the square.
     fn gap(&self, i: usize, at: &Motion, x: f64) -> f64 {
         let (gauss, s) = (self.gauss, at.s[i]);
         let soft = gauss.compliance[i];
@@ -305,7 +307,7 @@ fn difference(a: &[Interval], b: &[Interval]) -> Vec<Interval> {
     a.iter().zip(b).map(|(&a, &b)| a - b).collect()
 }
 
-/// The index of the largest entry, if it is above 0.
+/// The index of the largest entry, if it is positive.
 fn largest(values: &[f64]) -> Option<usize> {
     let most = (0..values.len()).max_by(|&i, &j| values[i].total_cmp(&values[j]))?;
     (values[most] > 0.0).then_some(most)

@@ -1,4 +1,4 @@
-//! M, body by body, scaled to a diagonal near 1.
+//! The mass matrix M in blocks, scaled to a diagonal near 1.
 
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, Side};
@@ -7,14 +7,14 @@ use super::Unproved;
 use crate::error_bound::least_eigenvalue;
 use crate::interval::{Interval, add_up, div_up, norm_up, sqrt_up};
 
-/// d M d for powers of two d, in blocks that no entry joins.
+/// d M d for powers of two d, split into independent diagonal blocks.
 pub(crate) struct Mass {
     /// d.
     pub(crate) scales: Vec<f64>,
     /// √λ_min, rounded down.
     pub(crate) least_root: f64,
     rows: Vec<Vec<(usize, f64)>>,
-    /// The first column of each block, and its factor.
+    /// The first column of each block, and its Cholesky factor.
     blocks: Vec<(usize, Llt<f64>)>,
 }
 
@@ -82,7 +82,8 @@ impl Mass {
         self.length_of(&guess, f)
     }
 
-    /// An upper bound on |M⁻¹ f|_M, `guess` being about M⁻¹ f: |guess|_M + |f − M guess| / √λ_min.
+    /// An upper bound on |M⁻¹ f|_M with an approximation `guess` of M⁻¹ f: |guess|_M + |f − M
+    /// guess| / √λ_min.
     pub(crate) fn length_of(&self, guess: &[f64], f: &[Interval]) -> f64 {
         let guess: Vec<Interval> = guess.iter().map(|&v| v.into()).collect();
         let product = self.times(&guess);
@@ -97,7 +98,7 @@ pub(crate) fn power(a: f64) -> Option<f64> {
     (a > 0.0 && a.is_finite()).then(|| 2f64.powi((0.5 - 0.5 * a.log2()).floor() as i32))
 }
 
-/// The shortest ranges of columns that no entry leaves.
+/// The column ranges of the smallest independent diagonal blocks.
 fn ranges(rows: &[Vec<(usize, f64)>]) -> Vec<std::ops::Range<usize>> {
     let (mut ranges, mut first, mut last) = (Vec::new(), 0, 0);
     for (i, row) in rows.iter().enumerate() {

@@ -1,8 +1,8 @@
-//! A bound on the motion, for problems whose x is not unique.
+//! Bounds the error of the motion, for problems whose x is not unique.
 //!
-//! Where contacts are redundant A is singular, and no residual bounds the distance to "the"
-//! solution x. The motion u = u* + M⁻¹Jᵀx is unique all the same, because it solves a strictly
-//! convex program, Gauss's principle, of which the LCP's program is the dual:
+//! If contacts are redundant, A is singular, and no residual bounds the distance to "the" solution
+//! x. The motion u = u* + M⁻¹Jᵀx is still unique, because it solves a strictly convex program,
+//! Gauss's principle; the LCP's program is its dual:
 //!
 //! ```text
 //! P(u, s) = ½ |u − u*|²_M + ½ Σ γ_i s_i² + Σ σ_i(−(J u + bias + γ s)_i)      over all u, s
@@ -10,46 +10,46 @@
 //! min P = P(û, ŝ) = −D(x̂) = −min D          |v|²_M = vᵀM v,   û = u(x̂),   u(x) = u* + M⁻¹Jᵀx
 //! ```
 //!
-//! P grows from its minimum at least by ½ |u − û|²_M. D grows at least by ½ (x − x̂)ᵀA (x − x̂),
-//! which is ½ |u(x) − û|²_M and more. So for any u, s where P is finite, and any x within its
+//! P grows from its minimum by at least ½ |u − û|²_M. D grows by at least ½ (x − x̂)ᵀA (x − x̂),
+//! which is at least ½ |u(x) − û|²_M. So for any u, s where P is finite, and any x within its
 //! bounds,
 //!
 //! ```text
 //! |u − û|²_M + |u(x) − û|²_M ≤ 2 (P(u, s) + D(x))
 //! ```
 //!
-//! whoever found u and x, and by whatever means. The sum is not computed as it stands, as the
-//! difference of two almost equal numbers, but as what is left when u(x) is put in, where every
-//! term is at least 0:
+//! however u and x were found. Computing the sum directly would subtract two nearly equal numbers.
+//! Inserting u(x) gives a form in which every term is at least 0:
 //!
 //! ```text
 //! P(u, s) + D(x) = ½ |u − u(x)|²_M + Σ g_i(w_i),     w = J u + bias + γ x
 //! g_i(w) = (x_i − lo_i) w for w > 0,  (hi_i − x_i) |w| for w < 0;   at most w² / 2γ_i  for the best s_i
 //! ```
 //!
-//! **An x beyond its bounds.** The program says nothing of it, but of Πx, and u(x) − u(Πx) is
-//! linear in what lies beyond:
+//! **An x outside its bounds.** The program applies to Πx only, and u(x) − u(Πx) is linear in the
+//! part outside:
 //!
 //! ```text
 //! |u(x) − û|_M ≤ |M⁻¹Jᵀ(x − Πx)|_M + |u(Πx) − û|_M
 //! ```
 //!
-//! **A feasible u.** A contact that is pressed in, w < 0 = ∞ − hi, makes P infinite, and so does an
-//! equation that is missed by a rounding error. So u(x) is repaired: the rows that push are brought
-//! to w = 0 by the smallest motion that does it, u ← u + M⁻¹J_Fᵀ y, with y from a pseudo-inverse of
-//! A_FF, which also makes the sum second order in the error of x; contacts get a margin of some
-//! roundings more, as lifting a table by 1e-16 m/s does; and if x was so wrong that the rows that
-//! push were misread, all of them are opened by as much as the worst is pressed in. An equation is
-//! met by a motion that is only known to exist: e = M⁻¹J_Eᵀ A_EE⁻¹ (−w_E), of length |e|_M ≤ |w_E|
-//! / √λ_min(A_EE).
+//! **A feasible u.** A penetrating contact, w < 0 with hi = ∞, makes P infinite, and so does an
+//! equation with a rounding error. Therefore u(x) is repaired: the active rows F are moved to w = 0
+//! by the smallest sufficient motion, u ← u + M⁻¹J_Fᵀ y, with y from a pseudo-inverse of A_FF; this
+//! also makes the sum second order in the error of x. Contacts get an extra margin of a few
+//! rounding errors, like lifting a table at 1e-16 m/s. If x is so wrong that the choice of the
+//! active rows fails, all contacts are opened at the speed of the worst penetration. An equation is
+//! satisfied by a motion that is only known to exist: e = M⁻¹J_Eᵀ A_EE⁻¹ (−w_E), of length |e|_M ≤
+//! |w_E| / √λ_min(A_EE).
 //!
-//! **Rounding.** u is floating-point numbers. w, M (u − u*) − Jᵀx and all sums are interval
-//! arithmetic; λ_min of M and of A_EE are bounded as in [`error_bound`](super::error_bound). How u
-//! was repaired needs no trust: a bad repair gives a large bound, never a wrong one.
+//! **Rounding.** u consists of floating-point numbers. w, M (u − u*) − Jᵀx and all sums are
+//! computed in interval arithmetic; λ_min of M and of A_EE are bounded as in
+//! [`error_bound`](super::error_bound). The repair of u need not be trusted: a bad repair gives a
+//! large bound, never a wrong one.
 //!
-//! The bound is on the exact motion of the data (M, J, bias, u*, γ, lo, hi) as they stand. A margin
-//! m costs Σ x m, so √(2 Σ x m), about 1e-8 of the size of √(x u), is as small as it gets where the
-//! data need rounding.
+//! The bound refers to the exact motion of the given data (M, J, bias, u*, γ, lo, hi). A margin m
+//! costs Σ x m, so the smallest possible bound is √(2 Σ x m), about 1e-8 of the size of √(x u), if
+//! the data need rounding.
 
 pub(crate) mod mass;
 mod repair;
@@ -62,42 +62,42 @@ use lcplab_problem::Gauss;
 use repair::Repair;
 use scaled::Scaled;
 
-/// Motions that are tried: u(x), its repair, and repairs with margins each four times the one
-/// before. The best counts.
+/// The number of motions tried from each starting point: u(x), its repair, and repairs whose
+/// margins grow by a factor of four. The best one counts.
 const ATTEMPTS: i32 = 8;
-/// After so many, all contacts are lifted as long as one is violated.
+/// After this many attempts, all contacts are lifted as long as one is violated.
 const IMPROVEMENTS: i32 = 4;
 
-/// How far the motion that x leads to is from the exact one.
+/// How far the motion of x is from the exact one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionBound {
     /// |u(x) − û|_M is at most this: √J at velocity level, where ½ |v|²_M is a kinetic energy. x is
-    /// the answer itself, also where it is beyond its bounds.
+    /// the answer itself, even outside its bounds.
     pub energy_norm: f64,
-    /// No entry of u(x) − û is larger (m/s and rad/s, or m/s² and rad/s²).
+    /// Every entry of u(x) − û is at most this (m/s and rad/s, or m/s² and rad/s²).
     pub largest_entry: f64,
-    /// The motion that obeys all rows and proves it; |u − û|_M has the same bound.
+    /// A motion that satisfies all rows and proves the bound; |u − û|_M has the same bound.
     pub motion: Vec<f64>,
 }
 
 /// Why there is no bound.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unproved {
-    /// x or the data are not finite, or too large to calculate with.
+    /// x or the data are not finite, or too large for floating-point arithmetic.
     NotFinite,
-    /// More rows or columns than dense matrices are made for.
+    /// Too many rows or columns for dense matrices.
     TooLarge,
-    /// M is not positive definite, as far as rounding can tell.
+    /// M cannot be verified to be positive definite.
     Mass,
     /// A compliance is negative.
     NegativeCompliance {
         /// The row.
         row: usize,
     },
-    /// Equations depend on each other, so that rounding decides whether any motion obeys them all.
+    /// Equations depend on each other, so rounding decides whether any motion satisfies them all.
     DependentEquations,
-    /// No motion was found that verifiably obeys this row and all others: they contradict each
-    /// other, or leave no room for rounding, as a body pinched from two sides.
+    /// No motion was found that verifiably satisfies this row and all others: they contradict each
+    /// other, or leave no room for rounding, like a body clamped from two sides.
     NoRoom {
         /// The row.
         row: usize,
@@ -123,10 +123,10 @@ impl fmt::Display for Unproved {
 /// its bounds or not.
 ///
 /// # Errors
-/// If no motion was found that verifiably obeys all rows; says why.
+/// If no motion was found that verifiably satisfies all rows; the error says why.
 ///
 /// # Panics
-/// If x has not n entries.
+/// If x does not have n entries.
 ///
 /// ```
 /// use lcplab_judge::motion_bound::motion_bound;
@@ -152,7 +152,7 @@ impl fmt::Display for Unproved {
 /// assert!((bound.energy_norm - 2.0 * 2f64.sqrt()).abs() < 1e-12);
 /// ```
 pub fn motion_bound(gauss: &Gauss, x: &[f64]) -> Result<MotionBound, Unproved> {
-    assert_eq!(x.len(), gauss.jacobian.len(), "x needs one entry a row");
+    assert_eq!(x.len(), gauss.jacobian.len(), "x needs one entry per row");
     if !x.iter().all(|x| x.is_finite()) {
         return Err(Unproved::NotFinite);
     }
@@ -187,7 +187,7 @@ pub fn motion_bound(gauss: &Gauss, x: &[f64]) -> Result<MotionBound, Unproved> {
     Ok(MotionBound { energy_norm, largest_entry, motion: problem.unscaled(&motion) })
 }
 
-/// A motion u, and what it proves.
+/// A motion u and the terms of its bound.
 struct Trial {
     /// w_i = (J u + bias + γ x)_i.
     w: Vec<Interval>,

@@ -1,33 +1,34 @@
-//! A motion near u(x) that obeys the rows, found in plain floating point.
+//! Finds a motion near u(x) that satisfies the rows, in plain floating point.
 
 use faer::{Mat, Side};
 
 use super::scaled::Scaled;
 use crate::interval::Interval;
 
-/// An eigenvalue below this part of the largest counts as zero.
+/// An eigenvalue below this fraction of the largest counts as zero.
 const RELATIVE_ZERO: f64 = 1e-12;
 
 pub(super) struct Repair<'a> {
     problem: &'a Scaled<'a>,
-    /// The rows F that are brought to w = 0, ascending.
+    /// The rows F that are moved to w = 0, ascending.
     rows: Vec<usize>,
     inverse: Option<PseudoInverse>,
-    /// What has been applied in each row so far.
+    /// The impulses applied in each row so far.
     applied: Vec<f64>,
     /// u.
     pub(super) motion: Vec<f64>,
-    /// u − u(x), about.
+    /// u − u(x), approximately.
     pub(super) change: Vec<f64>,
 }
 
 impl<'a> Repair<'a> {
-    /// Begins at u(x) with the rows that push after a step against w: right where x is nearly so.
+    /// Starts at u(x) with the rows that are free after a projected step: correct if x is nearly
+    /// correct.
     pub(super) fn of_pushing(problem: &'a Scaled<'a>) -> Self {
         Self::with(problem, |i, u| pushes(problem, i, u))
     }
 
-    /// Begins at u(x) with the rows that x loads.
+    /// Starts at u(x) with the rows whose x is strictly between its bounds.
     pub(super) fn of_loaded(problem: &'a Scaled<'a>) -> Self {
         let (x, lo, hi) = (problem.x, &problem.gauss.lo, &problem.gauss.hi);
         Self::with(problem, |i, _| lo[i] < x[i] && x[i] < hi[i])
@@ -41,8 +42,8 @@ impl<'a> Repair<'a> {
         Repair { problem, rows, inverse: None, applied, motion, change }
     }
 
-    /// Brings the rows F and those that are violated to w = 0: contacts to a margin above it, this
-    /// part of the largest terms of their w.
+    /// Moves the rows F and the violated rows to w = 0; contacts to a margin above it, relative to
+    /// the largest terms of their w.
     pub(super) fn improve(&mut self, w: &[Interval], violated: &[usize], margin: f64) {
         let problem = self.problem;
         let margin = margin * self.size();
@@ -54,8 +55,8 @@ impl<'a> Repair<'a> {
         self.apply(self.rows.iter().map(missing).collect());
     }
 
-    /// Opens all contacts at the same speed, that of the worst violation and the margin: where the
-    /// rows F were misread, they may contradict each other.
+    /// Opens all contacts at the same speed, the worst violation plus the margin: if the rows F
+    /// were chosen wrongly, they may contradict each other.
     pub(super) fn lift(&mut self, w: &[Interval], violated: &[usize], margin: f64) {
         let problem = self.problem;
         let worst = violated.iter().map(|&i| w[i].magnitude()).fold(0.0, f64::max);
@@ -88,7 +89,7 @@ impl<'a> Repair<'a> {
         }
     }
 
-    /// Moves the rows F by these w.
+    /// Changes w in the rows F by these amounts.
     fn apply(&mut self, missing: Vec<f64>) {
         let Some(inverse) = &self.inverse else { return };
         let y = inverse.times(&missing);
@@ -102,7 +103,7 @@ impl<'a> Repair<'a> {
     }
 }
 
-/// Whether Π_i(x_i − w_i/a_ii) lies between the bounds of row i.
+/// Whether x_i − w_i/a_ii lies strictly between the bounds of row i.
 fn pushes(problem: &Scaled<'_>, i: usize, u: &[f64]) -> bool {
     let (lo, hi) = (problem.gauss.lo[i], problem.gauss.hi[i]);
     let target = problem.x[i] - problem.w(i, u).middle() / problem.delassus(&[i])[(0, 0)];

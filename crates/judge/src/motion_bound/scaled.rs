@@ -1,7 +1,7 @@
-//! Gauss's program with M near a unit diagonal, and its quantities enclosed in intervals.
+//! Gauss's program with M scaled to a diagonal near 1, and interval enclosures of its quantities.
 //!
 //! Columns are scaled by powers of two, which is exact: u = d ũ, M̃ = d M d, J̃ = J d. Norms |·|_M
-//! stay.
+//! do not change.
 
 use faer::Mat;
 
@@ -11,12 +11,12 @@ use crate::error_bound::least_eigenvalue;
 use crate::interval::{Interval, add_up, div_up, mul_up, norm_up, sqrt_up};
 use lcplab_problem::Gauss;
 
-/// Above this many rows or columns dense matrices are too large.
+/// Problems with more rows or columns are too large for dense matrices.
 const MOST: usize = 2_000;
 
 pub(super) struct Scaled<'a> {
     pub(super) gauss: &'a Gauss,
-    /// Πx: the proposed x, moved into its bounds.
+    /// Πx: the given x, projected onto its bounds.
     pub(super) x: &'a [f64],
     /// Jᵀx.
     impulse: Vec<Interval>,
@@ -24,8 +24,8 @@ pub(super) struct Scaled<'a> {
     jacobian: Vec<Vec<(usize, f64)>>,
     target: Vec<f64>,
     equations: Vec<usize>,
-    /// 1 / √λ_min(A_EE) with rows scaled by these powers of two, rounded up; `None` if it cannot be
-    /// bounded.
+    /// 1 / √λ_min(A_EE) with rows scaled by these powers of two, rounded up; `None` if no bound was
+    /// found.
     stiffness: Option<(f64, Vec<f64>)>,
 }
 
@@ -95,7 +95,7 @@ impl<'a> Scaled<'a> {
         Interval::dot(row) + self.gauss.bias[i].into() + soft
     }
 
-    /// Σ |J_ij u_j| + |bias_i|: what w_i would be without cancellation.
+    /// Σ |J_ij u_j| + |bias_i|: the size of w_i without cancellation.
     pub(super) fn size(&self, i: usize, u: &[f64]) -> f64 {
         let row = self.jacobian[i].iter().map(|&(j, value)| (value * u[j]).abs());
         row.sum::<f64>() + self.gauss.bias[i].abs()
@@ -105,20 +105,20 @@ impl<'a> Scaled<'a> {
         self.equations.binary_search(&i).is_ok()
     }
 
-    /// Whether some w_i make P infinite.
+    /// Whether some values of w_i make P infinite.
     pub(super) fn is_hard(&self, i: usize) -> bool {
         let (lo, hi) = (self.gauss.lo[i], self.gauss.hi[i]);
         self.gauss.compliance[i] == 0.0 && (lo.is_infinite() || hi.is_infinite())
     }
 
-    /// The sign of w_i that an inequality asks for: 1 where x can only push, −1 where it can only
-    /// pull, 0 for other rows.
+    /// The sign of w_i that an inequality requires: 1 if x has only a lower bound, −1 if it has
+    /// only an upper bound, 0 for other rows.
     pub(super) fn open_side(&self, i: usize) -> f64 {
         let is_infinite = |bound: f64| f64::from(u8::from(bound.is_infinite()));
         is_infinite(self.gauss.hi[i]) - is_infinite(self.gauss.lo[i])
     }
 
-    /// An upper bound on √A_ii without γ: how far a motion of length 1 moves the row.
+    /// An upper bound on √A_ii without γ: the change of the row under a motion of length 1.
     pub(super) fn row_length(&self, i: usize) -> f64 {
         div_up(norm_up(self.jacobian[i].iter().map(|&(_, v)| v.into())), self.mass.least_root)
     }
@@ -134,7 +134,7 @@ impl<'a> Scaled<'a> {
         cost(w.hi, add_up(x, -lo)).max(cost(-w.lo, add_up(hi, -x)))
     }
 
-    /// An upper bound on |e|_M of the motion e that brings the equations from these w to 0.
+    /// An upper bound on |e|_M of the motion e that moves the equations from these w to 0.
     pub(super) fn length_of_correction(&self, w: &[Interval]) -> Result<f64, Unproved> {
         if self.equations.iter().all(|&i| w[i] == Interval::ZERO) {
             return Ok(0.0);
@@ -144,7 +144,7 @@ impl<'a> Scaled<'a> {
         Ok(mul_up(norm_up(scaled), *stiffness))
     }
 
-    /// An upper bound on |u − u(x)|_M, `change` being about u − u(x).
+    /// An upper bound on |u − u(x)|_M; `change` approximates u − u(x).
     pub(super) fn deviation(&self, u: &[f64], change: &[f64]) -> f64 {
         let moved: Vec<Interval> =
             u.iter().zip(&self.target).map(|(&u, &t)| Interval::from(u) - t.into()).collect();
@@ -153,7 +153,7 @@ impl<'a> Scaled<'a> {
         self.mass.length_of(change, &force)
     }
 
-    /// An upper bound on |M⁻¹Jᵀ(x − Πx)|_M, where Πx is the x of this problem.
+    /// An upper bound on |M⁻¹Jᵀ(x − Πx)|_M; Πx is the x of this problem.
     pub(super) fn motion_beyond_bounds(&self, x: &[f64]) -> f64 {
         let mut force = vec![Interval::ZERO; self.target.len()];
         for (i, row) in self.jacobian.iter().enumerate().filter(|(i, _)| x[*i] != self.x[*i]) {
@@ -164,8 +164,8 @@ impl<'a> Scaled<'a> {
         self.mass.length_of(&self.mass.solve(&middles), &force)
     }
 
-    /// An upper bound on √(M⁻¹)_jj, in the units of the problem: no entry j of a motion of length 1
-    /// is larger.
+    /// An upper bound on √(M⁻¹)_jj in the units of the problem: entry j of a motion of length 1 is
+    /// at most this.
     pub(super) fn largest_motion(&self, j: usize) -> f64 {
         let mut unit = vec![0.0; self.target.len()];
         unit[j] = 1.0;
@@ -180,7 +180,7 @@ impl<'a> Scaled<'a> {
     }
 }
 
-/// 1 / √λ_min of A_EE from λ_min(J_E J_Eᵀ) / λ_max(M), rows scaled to a unit diagonal.
+/// 1 / √λ_min of A_EE from λ_min(J_E J_Eᵀ) / λ_max(M), with rows scaled to a unit diagonal.
 fn stiffness(
     mass: &Mass,
     jacobian: &[Vec<(usize, f64)>],
@@ -188,7 +188,7 @@ fn stiffness(
 ) -> Option<(f64, Vec<f64>)> {
     let (n, k) = (equations.len(), mass.scales.len());
     if n == 0 {
-        return None; // nothing needs it
+        return None; // not needed
     }
     let square = |&i: &usize| jacobian[i].iter().map(|&(_, v)| v * v).sum::<f64>();
     let scales: Vec<f64> = equations.iter().map(square).map(power).collect::<Option<_>>()?;

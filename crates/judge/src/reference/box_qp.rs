@@ -1,18 +1,18 @@
 //! The LCP as a quadratic program over a box, by clarabel's interior-point method.
 //!
 //! ```text
-//! minimise ½ xᵀA x + bᵀx   subject to   lo ≤ x ≤ hi
+//! minimize ½ xᵀA x + bᵀx   subject to   lo ≤ x ≤ hi
 //! ```
 //!
-//! For symmetric positive semidefinite A its minimisers are the LCP's solutions: the multipliers of
-//! the bounds are the parts of w.
+//! For symmetric positive semidefinite A its minimizers are the LCP's solutions; the multipliers of
+//! the bounds are the positive and negative parts of w.
 
 use super::Reference;
 use super::program::{MAX_ITERATIONS, Program};
 use lcplab_problem::Lcp;
 
-/// Solves the problem as a box QP; `None` where that is not the same problem: A is not symmetric,
-/// or a row is coupled (freeze the bounds first with [`Lcp::frozen_at`]).
+/// Solves the problem as a box QP; `None` if the LCP is not a QP: A is not symmetric, or a row is
+/// coupled (freeze the bounds first with [`Lcp::frozen_at`]).
 pub fn box_qp(lcp: &Lcp) -> Option<Reference> {
     box_qp_within(lcp, MAX_ITERATIONS)
 }
@@ -22,7 +22,7 @@ pub fn box_qp_within(lcp: &Lcp, max_iterations: usize) -> Option<Reference> {
     Some(program(lcp)?.solve_within(max_iterations))
 }
 
-/// [`box_qp`] to another tolerance on gap and feasibility: 1e-8 is what clarabel asks of itself.
+/// [`box_qp`] with another tolerance on gap and feasibility; clarabel's own default is 1e-8.
 pub fn box_qp_to(lcp: &Lcp, tolerance: f64) -> Option<Reference> {
     Some(program(lcp)?.solve_to(tolerance, MAX_ITERATIONS))
 }

@@ -1,18 +1,18 @@
 //! The convex cone problem of friction as a second-order cone program, by clarabel.
 //!
 //! ```text
-//! minimise ½ xᵀA x + bᵀx   subject to   |x_t| ≤ μ x_n for each contact,   lo ≤ x ≤ hi elsewhere
+//! minimize ½ xᵀA x + bᵀx   subject to   |x_t| ≤ μ x_n for each contact,   lo ≤ x ≤ hi elsewhere
 //! ```
 //!
-//! Model 4. The multipliers of the cones are the w in their dual cones.
+//! This is model 4a. The multipliers of the cones are the w in their dual cones.
 
 use super::Reference;
 use super::program::{MAX_ITERATIONS, Program};
 use lcplab_problem::Complementarity;
 use lcplab_problem::friction::ConeProblem;
 
-/// Solves the cone program; `None` where that is not the same problem: A is not symmetric, or the
-/// law is Coulomb's (freeze the shift first with [`ConeProblem`]'s
+/// Solves the cone program; `None` if the problem is not convex: A is not symmetric, or the law is
+/// Coulomb's (freeze the shift first with [`ConeProblem`]'s
 /// [`frozen_at`](lcplab_problem::Complementarity::frozen_at)).
 pub fn cone_qp(problem: &ConeProblem) -> Option<Reference> {
     cone_qp_within(problem, MAX_ITERATIONS)

@@ -1,23 +1,23 @@
-//! A guess at a vector that proves that a problem has no solution, by clarabel's interior-point
+//! Guesses a vector that proves that a problem has no solution, by clarabel's interior-point
 //! method.
 //!
 //! ```text
-//! minimise  bᵀd + hiᵀp − loᵀq   subject to   Aᵀd = p − q,   p, q ≥ 0,   |d_i| ≤ 1/√s_i
+//! minimize  bᵀd + hiᵀp − loᵀq   subject to   Aᵀd = p − q,   p, q ≥ 0,   |d_i| ≤ 1/√s_i
 //! ```
 //!
-//! d_i ≥ 0 where lo_i is finite, d_i ≤ 0 where hi_i is, p_j = 0 where hi_j = ∞, q_j = 0 where
-//! lo_j = −∞; of a coupled row d, p and q are 0. A negative optimum is Farkas' proof, up to
-//! rounding. Rows are in units in which a_ii is about 1.
+//! d_i ≥ 0 if lo_i is finite, d_i ≤ 0 if hi_i is, p_j = 0 if hi_j = ∞, q_j = 0 if lo_j = −∞; d, p
+//! and q are 0 in a coupled row. A negative optimum is a Farkas proof, up to rounding. Rows are in
+//! units in which a_ii is about 1.
 
 use super::program::{MAX_ITERATIONS, Program};
 use crate::residual::Rows;
 use lcplab_problem::Lcp;
 
-/// d, if the optimum seems to be negative.
+/// d, if the optimum appears to be negative.
 pub fn farkas(lcp: &Lcp) -> Option<Vec<f64>> {
     let n = lcp.len();
     if n == 0 {
-        return None; // clarabel knows no empty program
+        return None; // clarabel does not accept an empty program
     }
     let zero = vec![0.0; n];
     let unit: Vec<f64> =

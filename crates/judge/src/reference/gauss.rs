@@ -1,7 +1,7 @@
 //! Gauss's principle of least constraint, by clarabel's interior-point method.
 //!
-//! Each row's term σ(−(J u + bias + γ s)) becomes linear constraints: with z = J u + bias + γ s it
-//! is −lo z where z ≥ 0, −hi z where z ≤ 0, and an infinite bound forbids that side.
+//! Each row's term σ(−(J u + bias + γ s)) becomes linear constraints: with z = J u + bias + γ s the
+//! term is −lo z for z ≥ 0 and −hi z for z ≤ 0, and an infinite bound forbids that side.
 
 use super::{Reference, program::Program};
 use lcplab_problem::Gauss;

@@ -1,10 +1,10 @@
-//! Independent answers to the same problem, by methods that share no code with our solvers.
+//! Independent reference solutions, by methods that share no code with lcplab's solvers.
 //!
-//! [`box_qp`] asks clarabel, an interior-point code, for the minimum of ½ xᵀAx + bᵀx over the box:
-//! the dual view, in impulses. [`gauss`] asks it for the motion of least constraint: the primal
-//! view, in velocities, in which A is never formed. [`cone_qp`] is the dual view with friction
-//! cones, [`velocity_qp_to`] the dual view with A in factors. [`farkas`] asks why there is no
-//! solution.
+//! [`box_qp`] lets clarabel, an interior-point code, minimize ½ xᵀAx + bᵀx over the box: the dual
+//! program, in impulses. [`gauss`] computes the motion of least constraint: the primal program, in
+//! velocities, which never forms A. [`cone_qp`] is the dual program with friction cones,
+//! [`velocity_qp_to`] the dual program with A in factors. [`farkas`] guesses a proof that there is
+//! no solution.
 
 mod box_qp;
 mod cone_qp;
@@ -19,17 +19,17 @@ pub use farkas::farkas;
 pub use gauss::gauss;
 pub use velocity_qp::velocity_qp_to;
 
-/// A reference answer.
+/// A reference solution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reference {
-    /// The minimiser: x for the box QP, u for Gauss's principle.
+    /// The minimizer: x for the box QP, u for Gauss's principle.
     pub point: Vec<f64>,
-    /// The optimal value as clarabel gives it.
+    /// The optimal value as clarabel reports it.
     pub objective: f64,
     /// Interior-point iterations.
     pub iterations: usize,
     /// Clarabel's own status.
     pub status: String,
-    /// Whether clarabel calls it solved, to full or reduced accuracy.
+    /// Whether clarabel reports success, at full or reduced accuracy.
     pub solved: bool,
 }

@@ -1,7 +1,7 @@
 //! A convex quadratic program in clarabel's form, built up row by row.
 //!
 //! ```text
-//! minimise ½ zᵀP z + qᵀz   subject to   G z + s = h,   s = 0 or s ≥ 0 by rows, or s in a cone
+//! minimize ½ zᵀP z + qᵀz   subject to   G z + s = h,   s = 0 or s ≥ 0 by rows, or s in a cone
 //! ```
 
 use clarabel::algebra::CscMatrix;
@@ -14,10 +14,10 @@ use lcplab_problem::Lcp;
 
 /// Tolerance on gap and feasibility: tight, because the answer is a reference.
 const TOLERANCE: f64 = 1e-10;
-/// Clarabel's own limit on iterations.
+/// Clarabel's default limit on iterations.
 pub(super) const MAX_ITERATIONS: usize = 200;
 
-/// The program so far.
+/// The program built so far.
 #[derive(Debug, Default)]
 pub(super) struct Program {
     /// q; its length is the number of variables.
@@ -26,12 +26,12 @@ pub(super) struct Program {
     pub(super) quadratic: Vec<(usize, usize, f64)>,
     equations: Vec<(Vec<(usize, f64)>, f64)>,
     inequalities: Vec<(Vec<(usize, f64)>, f64)>,
-    /// Rows in threes, each three a cone.
+    /// Rows in groups of three; each group is one cone.
     cones: Vec<(Vec<(usize, f64)>, f64)>,
 }
 
 impl Program {
-    /// A program without constraints in as many variables as there are linear costs.
+    /// A program without constraints; each linear cost defines a variable.
     pub(super) fn with_costs(linear: Vec<f64>) -> Self {
         Program { linear, ..Program::default() }
     }
@@ -79,7 +79,7 @@ impl Program {
         self.cones.extend(rows.map(|(i, value)| (vec![(i, -value)], 0.0)));
     }
 
-    /// Whether all numbers are.
+    /// Whether all numbers are finite.
     pub(super) fn is_finite(&self) -> bool {
         let rows = || self.equations.iter().chain(&self.inequalities).chain(&self.cones);
         let coefficients = rows().flat_map(|(g, h)| g.iter().map(|&(_, g)| g).chain([*h]));

@@ -2,19 +2,19 @@
 //! interior-point method.
 //!
 //! ```text
-//! minimise ½ |v|² + bᵀx   subject to   v = Ĵᵀ x,   lo ≤ x ≤ hi
+//! minimize ½ |v|² + bᵀx   subject to   v = Ĵᵀ x,   lo ≤ x ≤ hi
 //! ```
 //!
-//! The program of [`box_qp`](super::box_qp()) with A in factors: a pile has a few unknowns more and
-//! far fewer entries.
+//! This is the program of [`box_qp`](super::box_qp()) with A in factors: for a pile it has a few
+//! more unknowns and far fewer entries.
 
 use super::Reference;
 use super::program::{MAX_ITERATIONS, Program};
 use lcplab_problem::Lcp;
 
 /// Solves the problem with b and the bounds of the LCP and these entries (row, column, value) of Ĵ,
-/// to a tolerance on gap and feasibility; `None` where a row is coupled (freeze the bounds first
-/// with [`Lcp::frozen_at`]).
+/// to a tolerance on gap and feasibility; `None` if a row is coupled (freeze the bounds first with
+/// [`Lcp::frozen_at`]).
 ///
 /// # Panics
 /// If an entry lies outside the rows or `velocities` columns.

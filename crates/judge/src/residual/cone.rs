@@ -5,20 +5,20 @@
 //!
 //! ```text
 //! associated  x = Π_K(x − S⁻¹ w) in the metric of S = diag(s_n, c, c),   K = { |x_t| ≤ μ x_n }
-//! Coulomb     x_n = max(x_n − w_n/s_n, 0),   x_t = the point of the disc |x_t| ≤ μ x_n nearest to x_t − w_t/c
+//! Coulomb     x_n = max(x_n − w_n/s_n, 0),   x_t = the point of the disk |x_t| ≤ μ x_n nearest to x_t − w_t/c
 //!
 //! r_n = |x_n − its step| s_n / T_n,   r_t = |x_t − its step| c / T_t,   T_t = |(T_t1, T_t2)|
 //! ```
 //!
-//! c is s_t, the scale of the tangents' block of A, or T_t / R where that is larger, R = μ max(x_n,
-//! e_n): no step is longer than the disc may be wide.
+//! c is s_t, the scale of the tangential block of A, or T_t / R if that is larger, with R = μ
+//! max(x_n, e_n): no step is longer than the possible width of the disk.
 
 use lcplab_problem::Lcp;
 use lcplab_problem::friction::{ConeProblem, Contact, Law};
 
 use super::{Residual, Row, Rows, Wide, friction_reach};
 
-/// The residuals of all rows; both tangents of a contact have that of their plane.
+/// The residuals of all rows; both tangents of a contact have the residual of their plane.
 pub(crate) fn residuals(problem: &ConeProblem, x: &[f64]) -> (Vec<f64>, Vec<Residual>) {
     let at = Rows::at(problem.friction().lcp(), x);
     let mut residuals: Vec<Residual> = at.residuals();
@@ -42,7 +42,7 @@ struct OnCone {
     x: [Wide; 3],
     /// T_t.
     terms: Wide,
-    /// s_t; none if both rows of A are 0.
+    /// s_t; `None` if both rows of A are 0.
     scale: Option<Wide>,
     /// R.
     reach: Wide,
@@ -62,7 +62,7 @@ impl OnCone {
         }
     }
 
-    /// s_t, or 1, and the unit c in which the residual is measured.
+    /// s_t (or 1), and the unit c of the residual.
     fn units(&self) -> [Wide; 2] {
         let scale = self.scale.unwrap_or(1.0.into());
         let is_felt = !self.terms.is_zero() && self.reach.is_finite();
@@ -81,7 +81,8 @@ impl OnCone {
         [normal, self.tangential(of_scale, of_unit)]
     }
 
-    /// In coordinates in which both scales are c: p = (s_n x_n ρ, c x_t), ρ = √(c/s_n).
+    /// The associated law, in coordinates in which both scales are c: p = (s_n x_n ρ, c x_t), ρ =
+    /// √(c/s_n).
     fn associated(&self) -> [Residual; 2] {
         let p_n = self.normal.scale * self.x[0];
         let [of_scale, of_unit] = self.units().map(|unit| {
@@ -106,8 +107,8 @@ fn length(size: Wide, scale: Wide) -> Wide {
     if size.is_zero() { Wide::ZERO } else { size / scale.sqrt() }
 }
 
-/// s_t: the largest absolute row sum of the contact's 2 × 2 block of tangents; where that is 0 the
-/// largest |a_ij| of both rows; none if they are all 0.
+/// s_t: the largest absolute row sum of the contact's 2 × 2 tangential block; if that is 0, the
+/// largest |a_ij| of both rows; `None` if all entries are 0.
 fn tangential_scale(lcp: &Lcp, contact: &Contact) -> Option<Wide> {
     let a = lcp.matrix();
     let tangents = [contact.rows[1], contact.rows[2]];
@@ -119,7 +120,7 @@ fn tangential_scale(lcp: &Lcp, contact: &Contact) -> Option<Wide> {
     }
 }
 
-/// The point of the disc nearest to t.
+/// The point of the disk nearest to t.
 fn in_disc(radius: Wide, [t1, t2]: [Wide; 2]) -> [Wide; 2] {
     match t1.hypot(t2) {
         length if length <= radius => [t1, t2],
@@ -127,12 +128,11 @@ fn in_disc(radius: Wide, [t1, t2]: [Wide; 2]) -> [Wide; 2] {
     }
 }
 
-/// The part of μ |v_t| by which v_n may exceed −μ |v_t| and be rounding.
+/// v_n may exceed −μ |v_t| by this fraction of μ |v_t| because of rounding.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// Π_K(v): the nearest point of the cone |v_t| ≤ μ v_n. Where v is outside of the opposite cone by
-/// no more than rounding, that is its tip: a contact that slides and carries nothing carries 0 and
-/// not 10⁻¹⁷.
+/// Π_K(v): the nearest point of the cone |v_t| ≤ μ v_n. If v is outside the opposite cone only by
+/// rounding, this is the tip: a sliding contact without load has the impulse 0, not 10⁻¹⁷.
 fn project(mu: Wide, [n, t1, t2]: [Wide; 3]) -> [Wide; 3] {
     let t = t1.hypot(t2);
     if n + mu * t <= Wide::from(ROUNDING) * (mu * t) {

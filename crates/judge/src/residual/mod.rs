@@ -1,4 +1,4 @@
-//! How far x is from a solution, row by row: the judge's own computation, which no solver uses.
+//! The judge's own residuals, row by row: how far x is from a solution. No solver uses this code.
 //!
 //! ```text
 //! w_i = Σ_j a_ij x_j + b_i        T_i = max(Σ_j |a_ij x_j| + |b_i|, s_i · the problem's scale)
@@ -7,8 +7,8 @@
 //! r_i = |x_i − Π_i(x_i − e_i w_i / T_i)| / e_i        0/0 = 0
 //! ```
 //!
-//! w is summed as if in twice the precision (Dot2 of Ogita, Rump & Oishi 2005). A row of a cone or
-//! of a polygon is measured with its contact: [`cone`], [`polygon`].
+//! w is summed as if in twice the precision (Dot2 of Ogita, Rump & Oishi 2005). The rows of a cone
+//! or a polygon are measured together, per contact: [`cone`], [`polygon`].
 
 pub(crate) mod cone;
 pub(crate) mod polygon;
@@ -18,26 +18,26 @@ pub(crate) use wide::Wide;
 
 use lcplab_problem::Lcp;
 
-/// Sums of terms in this range neither overflow nor lose anything to underflow.
+/// Sums of terms in this range neither overflow nor lose digits to underflow.
 const SAFE: std::ops::Range<f64> = 1e-250..1e250;
-/// A bound ±μ x_k is a rounded product: an x_i within this part of it is at it.
+/// A bound ±μ x_k is a rounded product: an x_i within this fraction of it counts as being at it.
 const PRODUCT_ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// w_i with the sizes that it is measured by.
+/// w_i and the sizes it is compared with.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Row {
     /// w_i = (A x + b)_i.
     pub w: Wide,
     /// T_i: the size of the terms that add up to w_i.
     pub terms: Wide,
-    /// s_i: how much w_i changes with x_i; 1 for a row of zeros.
+    /// s_i: the change of w_i per change of x_i; 1 for a row of zeros.
     pub scale: Wide,
 }
 
-/// How far a row or the tangents of a contact are from where their own w moves them.
+/// The distance of a row, or of the tangents of a contact, from its projected step.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Residual {
-    /// |x − Π(x − w/s)| √s: the root of an energy, whatever the units of x and w.
+    /// |x − Π(x − w/s)| √s: the square root of an energy in any units of x and w.
     pub step: Wide,
     /// r_i.
     pub relative: f64,
@@ -60,12 +60,12 @@ impl<'a> Rows<'a> {
         self.rows.iter().map(|row| row.w.value()).collect()
     }
 
-    /// The residuals of all rows within their bounds at x.
+    /// The residuals of all rows with their bounds at x.
     pub fn residuals(&self) -> Vec<Residual> {
         (0..self.rows.len()).map(|i| self.residual(i)).collect()
     }
 
-    /// The residual of row i within its bounds at x.
+    /// The residual of row i with its bounds at x.
     pub fn residual(&self, i: usize) -> Residual {
         let (lo, hi) = self.lcp.bounds(i, self.x);
         let is_at = |bound: f64| {
@@ -92,7 +92,7 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// max(x_k, e_k): how large x_k is, as far as it is known.
+    /// max(x_k, e_k): the size of x_k, or of its uncertainty if that is larger.
     pub fn size(&self, k: usize) -> Wide {
         let row = &self.rows[k];
         (row.terms / row.scale).min(self.reach(k)).max(self.x[k].into())
@@ -124,11 +124,11 @@ pub(crate) fn friction_reach(mu: f64, normal: Wide) -> Wide {
     }
 }
 
-/// Whether x is at least ten times nearer to a solution than Π(0): its longest step is at most a
-/// tenth of that of Π(0). Where Π(0) is within the tolerance itself, every x is.
+/// Whether x is at least ten times closer to a solution than Π(0): its longest step is at most a
+/// tenth of that of Π(0). Always true if Π(0) is within the tolerance.
 ///
-/// The relative residual alone cannot tell: it becomes small for any x that is far enough away
-/// along a direction with A d = 0.
+/// The relative residual alone is not sufficient: it becomes small for any x that is far enough
+/// away along a direction with A d = 0.
 pub(crate) fn improves_on_zero(
     residuals: &[Residual],
     at_zero: &[Residual],
@@ -139,7 +139,7 @@ pub(crate) fn improves_on_zero(
         || at_zero.iter().all(|residual| residual.relative <= tolerance)
 }
 
-/// The row with the largest residual, the first of several, and that residual.
+/// The first row with the largest residual, and that residual.
 pub(crate) fn worst(residuals: impl Iterator<Item = f64>) -> (usize, f64) {
     residuals.enumerate().fold((0, 0.0), |worst, (i, r)| if r > worst.1 { (i, r) } else { worst })
 }
@@ -170,17 +170,18 @@ fn sums(products: impl Iterator<Item = (f64, f64)>) -> (f64, f64) {
     let (mut sum, mut error, mut terms) = (0.0f64, 0.0f64, 0.0);
     for (a, x) in products {
         let product = a * x;
-        error += a.mul_add(x, -product); // a x = product + this
+        error += a.mul_add(x, -product); // a x − product
         let next = sum + product;
         let part = next - sum;
-        error += (sum - (next - part)) + (product - part); // sum + product = next + this
+        error += (sum - (next - part)) + (product - part); // sum + product − next
         sum = next;
         terms += product.abs();
     }
     (sum + error, terms)
 }
 
-/// The same where products overflow or vanish: in units of a power of two near the largest of them.
+/// The same sums in units of a power of two near the largest product, if products overflow or
+/// underflow.
 fn scaled_sums(products: Vec<(f64, f64)>) -> (Wide, Wide) {
     let products = products.into_iter().filter(|&(a, x)| a != 0.0 && x != 0.0);
     let pairs: Vec<[(f64, i64); 2]> =

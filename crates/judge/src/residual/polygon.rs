@@ -1,21 +1,22 @@
 //! Residuals of contacts whose friction is a polygon, each contact in its own units.
 //!
-//! The unknowns z = (other rows, x_n, β, γ) of the polygon's LCP ([`Polyhedral`]) follow from x. A
-//! row of γ has its own residual, because it compares a speed, γ, with an impulse, μ x_n − Σ β.
+//! The unknowns z = (other rows, x_n, β, γ) of the polygon's LCP ([`Polyhedral`]) are computed from
+//! x. A row of γ has its own residual, because it compares a speed, γ, with an impulse, μ x_n − Σ
+//! β.
 //!
 //! ```text
 //! r_β = |min(β, e w_β/T_β)| / e            e = min(T_β/s_β, R),   R = μ max(x_n, T_n/s_n)
 //! r_γ = |min((μ x_n − Σ β)/R, min_β γ/T_β)|
 //! ```
 //!
-//! γ is 0, the largest slip speed along any −d_j, or the slip speed along the −d_j of a positive β:
-//! the one with the smallest residual.
+//! γ is the candidate with the smallest residual: 0, the largest slip speed along any −d_j, or the
+//! slip speed along the −d_j of a positive β.
 
 use lcplab_problem::friction::{Polyhedral, Unknowns};
 
 use super::{Residual, Row, Rows, Wide, friction_reach};
 
-/// The unknowns z that belong to x.
+/// The unknowns z for x.
 pub(crate) fn unknowns(polyhedral: &Polyhedral, x: &[f64]) -> Vec<f64> {
     let mut z = polyhedral.z_at_rest(x);
     let at_rest = Rows::at(polyhedral.lcp(), &z);
@@ -43,7 +44,7 @@ pub(crate) fn residuals(polyhedral: &Polyhedral, x: &[f64], z: &[f64]) -> Vec<(u
     others.chain(friction).chain(of_smooth(polyhedral, x)).collect()
 }
 
-/// Those of each x_t where there is no friction, of which z says nothing: it must be 0.
+/// The residuals of the x_t of contacts with μ = 0: they must be 0, and z does not contain them.
 fn of_smooth(polyhedral: &Polyhedral, x: &[f64]) -> Vec<(usize, Residual)> {
     let contacts = polyhedral.friction().contacts();
     let smooth = contacts.iter().filter(|contact| contact.mu == 0.0);
@@ -60,7 +61,7 @@ fn of_smooth(polyhedral: &Polyhedral, x: &[f64]) -> Vec<(usize, Residual)> {
 /// The friction of a contact at some z.
 struct OnPolygon {
     beta: Vec<f64>,
-    /// Those of β.
+    /// The rows of β.
     rows: Vec<Row>,
     /// μ x_n − Σ β.
     left: Wide,
@@ -71,7 +72,7 @@ impl OnPolygon {
     fn of(at: &Rows<'_>, contact: &Unknowns) -> Self {
         let rounding = Wide::from(f64::EPSILON * at.x[contact.gamma]);
         let row = |row: &Row| match row.w.abs() <= rounding {
-            true => Row { w: Wide::ZERO, ..*row }, // γ is the speed of this β, rounded
+            true => Row { w: Wide::ZERO, ..*row }, // γ is the rounded speed of this β
             false => *row,
         };
         OnPolygon {
@@ -82,14 +83,14 @@ impl OnPolygon {
         }
     }
 
-    /// The same where γ is this and not 0.
+    /// The same friction with this γ instead of 0.
     fn sliding_at(&self, gamma: f64) -> Self {
         let gamma = Wide::from(gamma);
         let slides = |row: &Row| Row { w: row.w + gamma, terms: row.terms + gamma, ..*row };
         OnPolygon { beta: self.beta.clone(), rows: self.rows.iter().map(slides).collect(), ..*self }
     }
 
-    /// The γ with the smallest residual; γ is 0 in these rows.
+    /// The γ with the smallest residual; these rows were computed with γ = 0.
     fn best_gamma(&self) -> f64 {
         let speed = |row: &Row| (-row.w.value()).max(0.0);
         let fastest = self.rows.iter().map(speed).fold(0.0, f64::max);
@@ -102,7 +103,7 @@ impl OnPolygon {
         speeds.min_by(|a, b| left(*a).total_cmp(&left(*b))).unwrap_or(0.0)
     }
 
-    /// Those of each β and of γ, which has no step.
+    /// The residuals of each β and of γ, which has no step.
     fn residuals(&self, gamma: f64) -> Vec<Residual> {
         let push = |(&beta, row): (&f64, &Row)| row.residual(beta, 0.0, f64::INFINITY, self.reach);
         let slip = |row: &Row| Wide::from(gamma).relative_to(row.terms);

@@ -1,13 +1,13 @@
-//! Floating-point numbers whose exponent has no limits.
+//! Floating-point numbers with an unlimited exponent.
 //!
-//! A row in units of 1e-300 or 1e300 is a row like others: products and sums of its numbers must
-//! not overflow or vanish on the way to a ratio. In the range of the doubles every operation gives
-//! the same bits as that of `f64`.
+//! Products and sums of a row in units of 1e-300 or 1e300 must not overflow or underflow before
+//! their ratio is taken. Within the range of `f64` every operation gives bitwise the same result as
+//! `f64`.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// mantissa · 2^exponent. The mantissa is 0, ±∞, NaN, or its size is in [½, 1).
+/// mantissa · 2^exponent. The mantissa is 0, ±∞ or NaN, or its absolute value is in [½, 1).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wide {
     mantissa: f64,
@@ -27,13 +27,13 @@ impl Wide {
         Wide { mantissa, exponent: exponent + i64::from(own) }
     }
 
-    /// The nearest double, which may be 0 or ∞.
+    /// The nearest `f64`, which may be 0 or ∞.
     pub fn value(self) -> f64 {
-        let most = 10_000; // beyond every exponent of a double
+        let most = 10_000; // larger than any exponent of an `f64`
         libm::ldexp(self.mantissa, self.exponent.clamp(-most, most) as i32)
     }
 
-    /// The mantissa, and the exponent of 2 beside it.
+    /// The mantissa and the exponent.
     pub fn parts(self) -> (f64, i64) {
         (self.mantissa, self.exponent)
     }
@@ -66,7 +66,7 @@ impl Wide {
         if other > self || self.mantissa.is_nan() { other } else { self }
     }
 
-    /// √(a² + b²), without a detour through the squares.
+    /// √(a² + b²) without computing the squares.
     pub fn hypot(self, other: Self) -> Self {
         let exponent = self.exponent.max(other.exponent);
         let at = |x: Wide| Wide { exponent: x.exponent - exponent, ..x }.value();
@@ -77,7 +77,7 @@ impl Wide {
         }
     }
 
-    /// self / other with 0/0 = 0; anything else that has no value counts as ∞.
+    /// self / other with 0/0 = 0; any other undefined ratio counts as ∞.
     pub(crate) fn relative_to(self, other: Self) -> f64 {
         match (self / other).value() {
             _ if self.is_zero() => 0.0,

@@ -1,4 +1,4 @@
-//! A document as a page of the report: MathML, nothing fetched.
+//! Writes a document as a page in HTML: formulas are MathML, and the page loads no other files.
 
 use super::Document;
 use super::markdown::formula;
@@ -23,7 +23,7 @@ pub(super) fn written(document: &Document) -> Result<String> {
 }
 
 impl super::Block {
-    /// As a piece of a page.
+    /// The picture, formula or table as a block of a page.
     pub fn on_page(&self) -> Block {
         match self {
             super::Block::Text(words) => Block::Text(literal(words)),

@@ -1,4 +1,4 @@
-//! A document as Markdown with LaTeX between dollar signs.
+//! Writes a document as Markdown, with LaTeX between dollar signs.
 
 use super::notation::latex;
 use super::{Block, Document, Formula, Piece, Table};
@@ -15,7 +15,7 @@ pub(super) fn written(document: &Document) -> String {
 }
 
 impl Block {
-    /// As Markdown, an empty line before it.
+    /// The Markdown, preceded by an empty line.
     pub fn markdown(&self) -> String {
         match self {
             Block::Text(words) => format!("\n{}\n", escaped(words)),
@@ -26,7 +26,7 @@ impl Block {
     }
 }
 
-/// A formula in LaTeX, with its unit and what is left out of it as words.
+/// A formula in LaTeX, followed by its unit and a note on omitted entries as text.
 pub(super) fn formula(formula: &Formula) -> String {
     let piece = |piece: &Piece| match piece {
         Piece::Symbols { latex, .. } => latex.clone(),
@@ -64,7 +64,7 @@ fn table(table: &Table) -> String {
     out
 }
 
-/// Words that read as themselves where Markdown is understood.
+/// Text with Markdown's special characters escaped.
 fn escaped(words: &str) -> String {
     let mut out = String::new();
     for c in words.chars() {

@@ -1,5 +1,5 @@
-//! Explanations and exhibits as plain data, and the forms in which they can be written: aligned
-//! text for a terminal, Markdown with LaTeX, and a page that needs nothing else.
+//! Documents for explanations and other results, as plain data, and their output formats: aligned
+//! text for a terminal, Markdown with LaTeX, and a self-contained page.
 
 mod html;
 mod markdown;
@@ -15,36 +15,36 @@ use crate::page::Picture;
 use lcplab_problem::error::Result;
 use notation::{latex, plain};
 
-/// At most so many rows and columns of a matrix, and lines of a table, are written.
+/// The largest number of rows and columns of a matrix, and of rows of a table, that are written.
 pub const SHOWN: usize = 12;
 
-/// The forms in which a document can be written.
+/// The output formats of a document.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
     /// Aligned lines for a terminal.
     Text,
-    /// The same with bold headings and faint marks, by ANSI escapes.
+    /// Aligned lines with bold headings and faint marks, by ANSI escape sequences.
     ColouredText,
     /// Markdown with formulas in LaTeX between dollar signs.
     Markdown,
-    /// A page that needs nothing else, with formulas as MathML.
+    /// A self-contained page, with formulas as MathML.
     Html,
 }
 
-/// Words, formulas, tables and pictures, in sections.
+/// Text, formulas, tables and pictures, in sections.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Document {
     /// The heading.
     pub title: String,
-    /// What is explained, in a sentence or two.
+    /// The subject, in a sentence or two.
     pub lead: String,
-    /// The parts, in the order of the derivation.
+    /// The sections, in the order of the derivation.
     pub sections: Vec<Section>,
-    /// Whether every answer in it was accepted, by the judge's word.
+    /// Whether the judge accepted every answer in the document.
     pub is_accepted: bool,
 }
 
-/// A part with a heading.
+/// A section with a heading.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Section {
     /// The heading.
@@ -53,7 +53,7 @@ pub struct Section {
     pub blocks: Vec<Block>,
 }
 
-/// A piece of a section. Words are plain text; no sign in them means anything but itself.
+/// A block of a section. Text is plain: it contains no markup.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Block {
     /// A paragraph.
@@ -71,14 +71,14 @@ pub enum Block {
 pub struct Formula {
     /// Symbols, numbers and matrices.
     pub pieces: Vec<Piece>,
-    /// The unit of what it says; empty without one.
+    /// The unit of the result; empty if it has none.
     pub unit: String,
 }
 
-/// A piece of a formula.
+/// A part of a formula.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Piece {
-    /// Symbols, as they are read on a terminal and in LaTeX.
+    /// Symbols, for a terminal and in LaTeX.
     Symbols {
         /// Unicode.
         text: String,
@@ -89,32 +89,32 @@ pub enum Piece {
     Grid(Grid),
 }
 
-/// A matrix of numbers, of which the first [`SHOWN`] rows and columns are written.
+/// A matrix of numbers; at most [`SHOWN`] rows and columns are written.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Grid {
-    /// The entries that are written, by rows.
+    /// The entries to write, by rows.
     pub entries: Vec<Vec<f64>>,
-    /// The number of rows that there are.
+    /// The number of rows of the whole matrix.
     pub height: usize,
-    /// The number of columns that there are.
+    /// The number of columns of the whole matrix.
     pub width: usize,
 }
 
 /// A table.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Table {
-    /// One line that no other table of the document has.
+    /// One line, unique among the tables of the document.
     pub title: String,
-    /// The headings, units included.
+    /// The headings, including units.
     pub columns: Vec<String>,
-    /// The lines; each has a cell a column.
+    /// The rows; each has one cell per column.
     pub rows: Vec<Vec<String>>,
-    /// How many more lines there would be.
+    /// The number of omitted rows.
     pub left_out: usize,
 }
 
 impl Section {
-    /// A part without contents yet.
+    /// A section without contents.
     pub fn new(title: impl Into<String>) -> Self {
         Section { title: title.into(), blocks: Vec::new() }
     }
@@ -134,7 +134,7 @@ impl Section {
         self.blocks.push(Block::Figure(picture));
     }
 
-    /// Adds a table, of which at most [`SHOWN`] lines are kept, and no column without an entry.
+    /// Adds a table; keeps at most [`SHOWN`] rows, and omits empty columns.
     pub fn table(&mut self, title: &str, columns: &[&str], mut rows: Vec<Vec<String>>) {
         let left_out = rows.len().saturating_sub(SHOWN);
         rows.truncate(SHOWN);
@@ -147,10 +147,10 @@ impl Section {
 }
 
 impl Document {
-    /// The document in one of its forms.
+    /// The document in one of its output formats.
     ///
     /// # Errors
-    /// If a formula cannot be set as MathML.
+    /// If a formula cannot be converted to MathML.
     pub fn written(&self, format: Format) -> Result<String> {
         match format {
             Format::Text => Ok(text::written(self, text::Ink::Plain)),
@@ -160,7 +160,7 @@ impl Document {
         }
     }
 
-    /// Adds a part; its title and those of its tables get this before them, so that no two agree.
+    /// Adds a section; `place` precedes its title and those of its tables, to keep titles unique.
     pub fn add(&mut self, place: &str, mut section: Section) {
         let titled = |title: &str| match place {
             "" => capitalised(title),
@@ -183,7 +183,7 @@ fn capitalised(words: &str) -> String {
 }
 
 impl Formula {
-    /// Adds symbols: as they are read on a terminal, and in LaTeX.
+    /// Adds symbols: for a terminal, and in LaTeX.
     pub fn symbols(mut self, text: &str, latex: &str) -> Self {
         self.pieces.push(Piece::Symbols { text: text.into(), latex: latex.into() });
         self
@@ -212,12 +212,12 @@ impl Formula {
         self.matrix(values.len(), 1, |i, _| values[i])
     }
 
-    /// Says the unit.
+    /// Sets the unit.
     pub fn unit(self, unit: impl Into<String>) -> Self {
         Formula { unit: unit.into(), ..self }
     }
 
-    /// How much of its matrices is not written, in words; empty if nothing.
+    /// A note on the omitted rows and columns of its matrices; empty if nothing is omitted.
     pub fn left_out(&self) -> String {
         let grids = self.pieces.iter().filter_map(|piece| match piece {
             Piece::Grid(grid) => Some((grid.height, grid.width)),
@@ -238,7 +238,7 @@ impl Formula {
 }
 
 impl Table {
-    /// Whether a column has nothing but numbers.
+    /// Whether a column contains only numbers.
     pub(super) fn is_numeric(&self, column: usize) -> bool {
         let number = |cell: &String| {
             !cell.is_empty()
@@ -249,8 +249,8 @@ impl Table {
 }
 
 impl Grid {
-    /// The entries that are written, by `number`; `dots` are the signs for what follows to the
-    /// right, below, and in the corner.
+    /// The entries to write, formatted by `number`; `dots` mark omitted entries to the right,
+    /// below, and in the corner.
     pub(super) fn cells(&self, number: fn(f64) -> String, dots: [&str; 3]) -> Vec<Vec<String>> {
         let is_wide = self.width > SHOWN;
         let line = |row: &Vec<f64>| {

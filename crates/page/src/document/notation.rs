@@ -1,19 +1,19 @@
-//! How numbers, indices and vectors are written.
+//! The notation of numbers, indices and vectors.
 
 use super::SHOWN;
 use crate::number::readable;
 
 /// Significant digits.
 const DIGITS: usize = 6;
-/// More terms of a sum than these are left out.
+/// The number of terms of a sum that are written out.
 const TERMS: usize = 6;
 
-/// A number for reading: `−0.25`, `1.5×10⁻⁹`, `∞`.
+/// A number for display: `−0.25`, `1.5×10⁻⁹`, `∞`.
 pub fn plain(value: f64) -> String {
     readable(value, DIGITS)
 }
 
-/// The same in LaTeX.
+/// The number in LaTeX.
 pub fn latex(value: f64) -> String {
     let text = plain(value).replace('−', "-").replace('∞', "\\infty").replace('\u{202f}', "\\,");
     let Some(at) = text.rfind("10").filter(|&at| text[at + 2..].chars().any(is_raised)) else {
@@ -39,7 +39,7 @@ pub fn indexed(name: &str, index: usize) -> String {
     name.to_string() + &index.to_string().chars().map(lower).collect::<String>()
 }
 
-/// A vector on one line: `(4, 3, 1)`; what is long is cut.
+/// A vector on one line: `(4, 3, 1)`; a long one is shortened.
 pub fn vector(values: &[f64]) -> String {
     let shown: Vec<String> = values.iter().take(SHOWN).map(|&value| plain(value)).collect();
     let more = if values.len() > SHOWN { ", …" } else { "" };
@@ -55,9 +55,8 @@ pub fn set(rows: &[usize]) -> String {
     format!("{{{}{more}}}", shown.join(", "))
 }
 
-/// A sum of products and a last term with their value: `2·4 − 1·3 − 1 = 4`. Terms whose first
-/// factor is 0 are not written, and of many the last ones are added up: `2·4 + 5 (3 more) − 1 =
-/// 12`.
+/// A sum of products and a last term with its value: `2·4 − 1·3 − 1 = 4`. Terms whose first factor
+/// is 0 are omitted, and a long sum combines its last products: `2·4 + 5 (3 more) − 1 = 12`.
 pub fn sum(products: &[(f64, f64)], last: f64, value: f64) -> String {
     let terms: Vec<(f64, f64)> = products.iter().copied().filter(|(a, _)| *a != 0.0).collect();
     let (written, rest) = terms.split_at(terms.len().min(TERMS));
@@ -75,7 +74,7 @@ pub fn sum(products: &[(f64, f64)], last: f64, value: f64) -> String {
     format!("{text} = {}", plain(value))
 }
 
-/// A number as a factor or divisor: brackets around a negative one.
+/// A number as a factor or divisor: in brackets if negative.
 pub fn bracketed(value: f64) -> String {
     let text = plain(value);
     if text.starts_with('−') { format!("({text})") } else { text }

@@ -1,4 +1,4 @@
-//! What can stand in a document, piece by piece.
+//! Content that can be part of a document, as blocks.
 
 use lcplab_problem::error::Result;
 
@@ -6,12 +6,12 @@ use super::{Block, Document, Section, Table};
 use crate::figure::Figure;
 use crate::page::Picture;
 
-/// Something that can stand in a document.
+/// Content that can be part of a document.
 pub trait Show {
-    /// Its pieces from top to bottom.
+    /// Its blocks from top to bottom.
     ///
     /// # Errors
-    /// If it has to be computed and cannot be.
+    /// If the content has to be computed first and that fails.
     fn blocks(&self) -> Result<Vec<Block>>;
 }
 

@@ -1,11 +1,11 @@
-//! A document for a terminal: aligned, with matrices drawn in brackets.
+//! Writes a document for a terminal: aligned, with matrices in brackets.
 
 use super::notation::plain;
 use super::{Block, Document, Formula, Grid, Piece, Table};
 use crate::page::Align;
 use crate::text::{padded, printable};
 
-/// Whether escapes are used.
+/// Whether escape sequences are used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Ink {
     Plain,
@@ -29,11 +29,11 @@ impl Ink {
     }
 }
 
-/// Lines of a paragraph are not longer than this.
+/// The largest width of a paragraph.
 const WIDTH: usize = 96;
-/// Tables are not wider than this, where their words can be parted.
+/// The largest width of a table, if its cells can be wrapped.
 const TABLE: usize = 128;
-/// The margin of a table, and what stands between its columns.
+/// The margin of a table, and the gap between its columns.
 const MARGIN: usize = 4;
 const GAP: usize = 3;
 
@@ -49,7 +49,7 @@ pub(super) fn written(document: &Document, ink: Ink) -> String {
 }
 
 impl Block {
-    /// As lines for a terminal, without colours.
+    /// The document as lines for a terminal, without colors.
     pub fn text(&self) -> String {
         inked(self, Ink::Plain)
     }
@@ -68,7 +68,7 @@ fn paragraph(words: &str) -> String {
     wrapped(words, WIDTH).join("\n") + "\n"
 }
 
-/// Words in lines of this width, without escapes of their own; at least one line.
+/// Text wrapped to this width, made printable; at least one line.
 fn wrapped(words: &str, width: usize) -> Vec<String> {
     let words = printable(words);
     let (mut lines, mut line, mut length) = (Vec::new(), String::new(), 0);
@@ -88,7 +88,7 @@ fn wrapped(words: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// A formula: its pieces side by side, symbols on the middle line of the matrices.
+/// A formula: its parts side by side, with symbols at the middle row of the matrices.
 fn formula(formula: &Formula, ink: Ink) -> String {
     let drawn: Vec<Vec<String>> = formula.pieces.iter().map(piece).collect();
     let height = drawn.iter().map(Vec::len).max().unwrap_or(1);
@@ -137,7 +137,7 @@ fn grid(grid: &Grid) -> Vec<String> {
     cells.iter().enumerate().map(line).collect()
 }
 
-/// A table with its title above; columns of words to the left, of numbers to the right.
+/// A table with its title above; text columns are left-aligned, numbers right-aligned.
 fn table(table: &Table, ink: Ink) -> String {
     let widths = widths(table);
     let align = |c: usize| if table.is_numeric(c) { Align::Right } else { Align::Left };
@@ -166,8 +166,8 @@ fn table(table: &Table, ink: Ink) -> String {
     out
 }
 
-/// The columns' widths: those of their cells, and less for the widest as long as the table is too
-/// wide and their words can be parted.
+/// The columns' widths: those of their cells; while the table is too wide, the widest column that
+/// can be wrapped is narrowed.
 fn widths(table: &Table) -> Vec<usize> {
     let size = |words: &str| words.chars().count();
     let longest = |c: usize, of: &dyn Fn(&str) -> usize| {

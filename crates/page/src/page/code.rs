@@ -1,26 +1,26 @@
-//! Code on a page: words of the language, texts, numbers and comments each have a colour, and the
-//! imports before it fold away.
+//! Listings on a page: keywords, strings, numbers and comments are colored, and leading imports are
+//! collapsed.
 
 use crate::escape::html;
 
-/// Words of Rust that have a meaning of their own.
+/// Keywords of Rust.
 const RUST: [&str; 31] = [
     "as", "break", "const", "continue", "crate", "dyn", "else", "enum", "false", "fn", "for", "if",
     "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub", "ref", "return", "self",
     "static", "struct", "trait", "true", "use", "where", "while",
 ];
 
-/// And of Python.
+/// Keywords of Python.
 const PYTHON: [&str; 29] = [
     "False", "None", "True", "and", "as", "assert", "break", "class", "continue", "def", "del",
     "elif", "else", "except", "for", "from", "if", "import", "in", "is", "lambda", "not", "or",
     "pass", "raise", "return", "while", "with", "yield",
 ];
 
-/// Fewer lines of imports are not folded.
+/// Fewer lines of imports are not collapsed.
 const FEW: usize = 2;
 
-/// A listing. Of a language that is not known nothing is coloured.
+/// A listing; one in an unknown language is not colored.
 pub(super) fn code(language: &str, text: &str) -> String {
     let text = text.trim_end();
     let imports = imports(language, text);
@@ -43,7 +43,7 @@ fn listing(language: &str, text: &str) -> String {
     )
 }
 
-/// How many bytes the imports at the beginning take.
+/// The length in bytes of the imports at the beginning.
 fn imports(language: &str, text: &str) -> usize {
     let starts: &[&str] = match language {
         "rust" => &["use "],
@@ -64,7 +64,7 @@ fn imports(language: &str, text: &str) -> usize {
     end
 }
 
-/// Code with a span around each piece that has a colour.
+/// Code with a span around each colored piece.
 fn coloured(language: &str, text: &str) -> String {
     let (words, comment): (&[&str], &str) = match language {
         "rust" => (&RUST, "//"),
@@ -96,7 +96,7 @@ fn coloured(language: &str, text: &str) -> String {
     out
 }
 
-/// The length of a text in quotation marks; of one that does not end, the mark alone.
+/// The length of a string literal; if it is not closed, that of the quotation mark.
 fn quoted(text: &str, mark: char) -> usize {
     let mut is_escaped = false;
     for (at, c) in text.char_indices().skip(1) {

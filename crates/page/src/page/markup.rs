@@ -4,7 +4,7 @@
 //! *word*, **word**, `word`, [word](address), lists, tables, $x^2$, $$x^2$$ on a line of its own
 //! ```
 //!
-//! HTML is shown, not obeyed. A page loads nothing, so that a picture, ![words](address), is its
+//! HTML is shown as text. A page loads no other files, so a picture, ![words](address), becomes its
 //! words and a link.
 
 use math_core::{LatexToMathML, MathDisplay};
@@ -13,7 +13,7 @@ use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html::push_htm
 use super::mathml;
 use crate::escape::html;
 
-/// Text that reads as itself where markup is understood, whatever signs it has.
+/// Text with all markup characters escaped.
 pub fn literal(text: &str) -> String {
     let mut out = String::new();
     for c in text.chars() {
@@ -25,11 +25,11 @@ pub fn literal(text: &str) -> String {
     out
 }
 
-/// Before a text it keeps the first signs from starting a list or a heading.
+/// At the start of a text, it prevents a list or a heading.
 const WORD_JOINER: &str = "\u{2060}";
 
-/// Turns markup into HTML and equations into MathML. An error is a sentence that quotes the
-/// offending piece.
+/// Turns markup into HTML and equations into MathML. An error is a sentence that quotes the invalid
+/// part.
 #[derive(Default)]
 pub(super) struct Renderer {
     math: LatexToMathML,
@@ -40,7 +40,7 @@ impl Renderer {
     pub fn blocks(&self, text: &str) -> Result<String, String> {
         let mut out = String::new();
         push_html(&mut out, self.events(text)?.into_iter());
-        // No tag is the text's own, so these are those of tables. A wide one scrolls in a frame.
+        // The text cannot contain HTML tags, so these are tables. A wide one scrolls in a frame.
         let frame = "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table\">";
         let out = out.replace("<table>", &format!("{frame}<table>"));
         let out = out.replace("</table>", "</table></div>");
@@ -49,7 +49,7 @@ impl Renderer {
             .replace("<th style", "<th scope=\"col\" style"))
     }
 
-    /// Text within a line.
+    /// Inline text.
     pub fn inline(&self, text: &str) -> Result<String, String> {
         let line = format!("{WORD_JOINER}{}", text.replace('\n', " "));
         let html = self.blocks(&line)?.replace(WORD_JOINER, "");
@@ -70,7 +70,8 @@ impl Renderer {
         Ok(events)
     }
 
-    /// The event with mathematics set, HTML disarmed, and addresses and dollar signs checked.
+    /// The event with mathematics converted and HTML escaped, after checking addresses and dollar
+    /// signs.
     fn event<'a>(&self, event: Event<'a>, text: &str, at: usize) -> Result<Event<'a>, String> {
         let html = |mathml: String| Event::InlineHtml(CowStr::from(mathml));
         match event {
@@ -94,17 +95,17 @@ impl Renderer {
     }
 }
 
-/// Where in the links and pictures of a text a reader is.
+/// The open links and pictures at a position in a text.
 #[derive(Default)]
 struct Pictures<'a> {
     /// The links to the pictures whose words are being read.
     open: Vec<Tag<'a>>,
-    /// How many links they stand in: a link cannot hold another one.
+    /// The number of links around them: links cannot be nested.
     links: usize,
 }
 
 impl<'a> Pictures<'a> {
-    /// The event; of a picture its words, and its address in parentheses.
+    /// The event; for a picture its words, and its address in parentheses.
     fn linked(&mut self, event: Event<'a>) -> Vec<Event<'a>> {
         match event {
             Event::Start(Tag::Image { link_type, dest_url, title, id }) => {
@@ -138,7 +139,7 @@ impl<'a> Pictures<'a> {
     }
 }
 
-/// The lines between which something is folded away, the only HTML that passes: `<details>`, a
+/// The lines that delimit collapsed text, the only HTML that is passed on: `<details>`, a
 /// `<summary>` of plain words, `</details>`.
 fn fold(line: &str) -> Option<CowStr<'static>> {
     let line = line.trim();
@@ -149,7 +150,7 @@ fn fold(line: &str) -> Option<CowStr<'static>> {
     }
 }
 
-/// The address, unless it could run something or is none.
+/// The address, if it is a web address or a relative one; others could run scripts.
 fn safe(address: &str) -> Result<&str, String> {
     let scheme = address.split(['/', '#', '?']).next().and_then(|start| start.split_once(':'));
     match scheme {

@@ -1,31 +1,31 @@
-//! LaTeX as MathML by math-core, which copies the names of operators as they stand, calls itself
-//! for all that nests, and asserts what a stray `&` makes untrue: what it writes is checked, it
-//! gets a stack to suit, and a panic is an error.
+//! Converts LaTeX to MathML with math-core. math-core copies operator names unchanged, recurses on
+//! nested input, and panics on a stray `&`; therefore the output is checked, the stack size is
+//! chosen to suit, and a panic becomes an error.
 
 use std::panic;
 use std::thread;
 
 use math_core::{ConvertResult, LatexToMathML, MathDisplay};
 
-/// What math-core writes of its own accord: MathML, and what `\text{}` may look like. Whatever else
-/// is found was in the formula, and could be a script.
+/// The elements that math-core itself writes: MathML, and the possible output of `\text{}`. Any
+/// other element comes from the formula and could be a script.
 const ELEMENTS: &str = "math menclose mfrac mi mmultiscripts mn mo mover mpadded mphantom \
     mprescripts mroot mrow mspace msqrt msub msubsup msup mtable mtd mtext mtr munder munderover \
     b code em i s span u";
 
-/// Neither an address nor what to do at an event.
+/// The allowed attributes: none of them is an address or an event handler.
 const ATTRIBUTES: &str = "accent accentunder class display displaystyle form height largeop \
     linethickness lspace mathvariant maxsize minsize movablelimits notation rspace scriptlevel \
     stretchy style symmetric width";
 
-/// A longer formula is none (bytes).
+/// Limit on the length of a formula (bytes).
 const LONGEST: usize = 20_000;
-/// A formula of so many bytes fits into the stack of any thread.
+/// A formula of this length (bytes) fits into the stack of any thread.
 const SHORT: usize = 100;
-/// More stack than a byte of LaTeX takes, in a build that is not optimised (bytes).
+/// An upper bound on the stack per byte of LaTeX, in an unoptimized build (bytes).
 const STACK: usize = 16_384;
 
-/// The formula as MathML, or why not, in words that quote it.
+/// The formula as MathML, or the error, which quotes the formula.
 pub(super) fn converted(
     math: &LatexToMathML,
     latex: &str,
@@ -61,7 +61,7 @@ fn unset<T>() -> Result<T, String> {
     Err("an equation cannot be typeset".into())
 }
 
-/// Does it on a thread with so much stack (bytes).
+/// Runs the work on a thread with this stack size (bytes).
 fn with_stack<T: Send>(
     size: usize,
     work: impl FnOnce() -> Result<T, String> + Send,
@@ -73,7 +73,8 @@ fn with_stack<T: Send>(
     })
 }
 
-/// The first tag that is not math-core's own, or does not close what was opened.
+/// The first tag that math-core does not write itself, or that closes another element than the open
+/// one.
 fn foreign(mathml: &str) -> Option<&str> {
     let mut open = Vec::new();
     let tags = mathml.split('<').skip(1).map(|piece| piece.split('>').next().unwrap_or(piece));
@@ -89,7 +90,7 @@ fn foreign(mathml: &str) -> Option<&str> {
     })
 }
 
-/// Elements that have so many parts, no more and no fewer.
+/// Elements with a fixed number of children.
 const PARTS: [(&str, usize); 8] = [
     ("mfrac", 2),
     ("mroot", 2),
@@ -101,7 +102,7 @@ const PARTS: [(&str, usize); 8] = [
     ("munderover", 3),
 ];
 
-/// The first element that lacks a part: a power of nothing, say.
+/// The first element with a missing child, for example a power without a base.
 fn incomplete(mathml: &str) -> Option<&str> {
     let mut open: Vec<(&str, usize)> = Vec::new();
     for tag in mathml.split('<').skip(1) {
@@ -123,8 +124,8 @@ fn incomplete(mathml: &str) -> Option<&str> {
     None
 }
 
-/// Whether the names of attributes are: names and values take turns, as in `width="1em"
-/// class="a"/`.
+/// Whether all attribute names are allowed; names and values alternate, as in
+/// `width="1em" class="a"/`.
 fn are_own(attributes: &str) -> bool {
     let mut names = attributes.split('"').step_by(2).map(|name| name.trim_matches([' ', '/']));
     names.all(|name| name.is_empty() || name.strip_suffix('=').is_some_and(|n| has(ATTRIBUTES, n)))

@@ -1,9 +1,10 @@
-//! A page: a document as plain data, and its rendering to one self-contained HTML file.
+//! Pages: documents as plain data, rendered to one self-contained HTML file each.
 //!
-//! The file fetches nothing: equations are MathML, figures inline SVG, and the mathematics font is
-//! embedded. Its Content-Security-Policy holds a browser to that, and to the page's own script,
-//! whatever the text may hold. Titles, names and cells are plain text. A lead, text, note, caption,
-//! column title and "how to read" may carry [`markup`]. The same page gives the same bytes.
+//! The file loads nothing: equations are MathML, figures inline SVG, and the mathematics font is
+//! embedded. Its Content-Security-Policy makes the browser enforce this and allow only the page's
+//! own script, whatever the text contains. Titles, names and cells are plain text. A lead, text,
+//! note, caption, column title and "how to read" may contain [`markup`]. The same page gives
+//! bitwise the same file.
 
 mod code;
 pub mod markup;
@@ -20,7 +21,7 @@ pub use origin::Origin;
 pub use player::{Chart, Pane, Player, Reel, SPEEDS, speed};
 pub use render::base64;
 
-/// A document.
+/// A page.
 ///
 /// ```
 /// use lcplab_page::page::{Block, Page, Section};
@@ -34,17 +35,17 @@ pub use render::base64;
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct Page {
-    /// The heading, and the name of the browser's tab.
+    /// The heading, and the title of the browser tab.
     pub title: String,
-    /// What the page shows and concludes, in a few sentences.
+    /// The content and conclusions of the page, in a few sentences.
     pub lead: String,
     /// The numbered sections.
     pub sections: Vec<Section>,
-    /// Facts about the run for the foot of the page: a name and a value each.
+    /// Facts about the run for the page's footer: names and values.
     pub facts: Vec<(String, String)>,
 }
 
-/// A numbered part of a page.
+/// A numbered section of a page.
 #[derive(Debug, Clone, Default)]
 pub struct Section {
     /// The anchor, unique on the page: letters, digits, `-` and `_`.
@@ -53,24 +54,24 @@ pub struct Section {
     pub title: String,
     /// The contents.
     pub blocks: Vec<Block>,
-    /// What of it is folded away.
+    /// The part of it that is collapsed.
     pub fold: Fold,
 }
 
-/// What of a section is folded away: on a screen until it is asked for, on paper for good.
+/// The part of a section that is collapsed on the screen, and not printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Fold {
     /// Nothing.
     #[default]
     Nothing,
-    /// Tables and proofs, which come last.
+    /// Tables and proofs, which come last in the section.
     Tables,
-    /// Everything after so many blocks.
+    /// Everything after this number of blocks.
     After(usize),
 }
 
 impl Fold {
-    /// Whether this block of a section is folded away.
+    /// Whether this block of a section is collapsed.
     fn takes(self, place: usize, block: &Block) -> bool {
         match self {
             Fold::Nothing => false,
@@ -80,14 +81,14 @@ impl Fold {
     }
 }
 
-/// A piece of a section.
+/// A block of a section.
 #[derive(Debug, Clone)]
 pub enum Block {
     /// Paragraphs and lists.
     Text(String),
-    /// The same, folded away under a few words, on the screen alone.
+    /// Paragraphs and lists, collapsed under a short title; not printed.
     Aside {
-        /// What opens it.
+        /// The title.
         title: String,
         /// The paragraphs and lists.
         text: String,
@@ -101,96 +102,96 @@ pub enum Block {
     },
     /// A picture.
     Figure(Picture),
-    /// A film of a scene.
+    /// An animation of a scene.
     Player(Box<Player>),
     /// A table.
     Table(Table),
-    /// Program text or output.
+    /// Source code or program output.
     Code {
         /// The language, `text` for output.
         language: String,
         /// The lines.
         text: String,
     },
-    /// The same, folded away.
+    /// Source code, collapsed.
     FoldedCode {
         /// The language.
         language: String,
         /// The lines.
         text: String,
     },
-    /// Programs that say the same in two languages, of which one is shown at a time.
+    /// Equivalent programs in two languages; one is shown at a time.
     Twin {
-        /// Language and text of each piece in Python: a program and what it prints.
+        /// Language and text of each piece in Python: a program and its output.
         python: Vec<(String, String)>,
-        /// The same in Rust.
+        /// The same pieces in Rust.
         rust: Vec<(String, String)>,
     },
-    /// A drawing that is part of the text.
+    /// A drawing that belongs to the text.
     Drawing {
-        /// The SVG document, with a style of its own.
+        /// The SVG document, with its own style.
         svg: String,
-        /// What it shows, for those who cannot see it.
+        /// An alternative text for screen readers.
         alt: String,
     },
     /// A remark set apart from the text.
     Note(String),
-    /// A page with a program of its own, which opens in place.
+    /// A page with its own script, which opens in place.
     Live(Live),
-    /// Proofs about one problem that the reader can have checked by the page itself.
+    /// Proofs about one problem that the reader can check within the page.
     Proofs {
         /// The problem file, as text.
         problem: String,
-        /// What is proved of it.
+        /// The proofs about it.
         proofs: Vec<Proof>,
     },
 }
 
-/// A live page in another page.
+/// A live page embedded in another page.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Live {
     /// Its name: letters, digits, `-` and `_`.
     pub name: String,
-    /// What the reader opens.
+    /// The title that the reader opens.
     pub title: String,
-    /// The page as HTML; one of the same name is kept once. Its own Content-Security-Policy names
-    /// the hash of its script.
+    /// The page as HTML; pages with the same name are stored once. Its own Content-Security-Policy
+    /// states the hash of its script.
     pub html: String,
-    /// What follows `#` in its address.
+    /// The part of its address after `#`.
     pub state: String,
 }
 
 /// A proof on a page.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Proof {
-    /// The anchor that a table's row points to; the proofs of a table are folded. Empty if nothing
-    /// points to it.
+    /// The anchor that a table's row links to; the proofs of a table are collapsed. Empty if
+    /// nothing links to it.
     pub id: String,
-    /// Whose answer it is about; empty if nobody's in particular.
+    /// The solver whose answer it is about; empty if it is about none in particular.
     pub about: String,
-    /// What it proves, in a sentence.
+    /// The claim it proves, in a sentence.
     pub claim: String,
     /// The proof file, as text.
     pub text: String,
-    /// The address of this file beside the page; empty if it stands in the page alone.
+    /// The address of this file, relative to the page; empty if it is only in the page.
     pub file: String,
 }
 
 /// A numbered picture with its caption.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Picture {
-    /// An SVG document, put on the page as it is.
+    /// An SVG document, put on the page unchanged.
     pub svg: String,
-    /// What to see in it.
+    /// The finding that it shows.
     pub caption: String,
-    /// Files behind it: the name of the link and its address, relative to the page.
+    /// Files with its data: the name of each link and its address, relative to the page.
     pub files: Vec<(String, String)>,
-    /// How it was obtained.
+    /// How it was computed.
     pub origin: Option<Origin>,
 }
 
 impl Picture {
-    /// The figure of a plot whose picture and numbers lie in `directory` beside the page.
+    /// The figure of a plot whose picture and numbers are in `directory` next to the page.
     pub fn of(plot: &dyn Figure, directory: &str) -> Self {
         let file = |kind: &str| format!("{directory}/{}.{kind}", plot.id());
         Picture {
@@ -205,17 +206,17 @@ impl Picture {
 /// A numbered table.
 #[derive(Debug, Clone, Default)]
 pub struct Table {
-    /// One line that no other table of the page has.
+    /// One line, unique among the tables of the page.
     pub title: String,
     /// How to read it, in a sentence.
     pub how_to_read: String,
     /// The columns.
     pub columns: Vec<Column>,
-    /// The rows; each has a cell a column.
+    /// The rows; each has one cell per column.
     pub rows: Vec<Vec<Cell>>,
-    /// Files behind it, as for a [`Picture`].
+    /// Files with its data, as for a [`Picture`].
     pub files: Vec<(String, String)>,
-    /// How it was obtained.
+    /// How it was computed.
     pub origin: Option<Origin>,
 }
 
@@ -224,15 +225,15 @@ pub struct Table {
 pub struct Column {
     /// The heading.
     pub title: String,
-    /// The unit of its numbers; empty if there is none.
+    /// The unit of its numbers; empty if they have none.
     pub unit: String,
-    /// How its cells are set.
+    /// The alignment of its cells.
     pub align: Align,
-    /// Whether it is left out on paper, where a wide table would be too small to read.
+    /// Whether it is omitted in print, where a wide table would be too small to read.
     pub screen_only: bool,
 }
 
-/// How the cells of a column are set.
+/// The alignment of the cells in a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Align {
     /// Words.
@@ -244,54 +245,54 @@ pub enum Align {
 /// A cell of a table.
 #[derive(Debug, Clone, Default)]
 pub struct Cell {
-    /// What is read.
+    /// The text of the cell.
     pub text: String,
-    /// The number behind the text, by which rows are sorted and which the CSV has in full.
+    /// The number that the text shows, used to sort rows, with all digits in the CSV.
     pub value: Option<f64>,
-    /// Whether it stands out.
+    /// How it is marked.
     pub mark: Mark,
-    /// Where more is said: an address relative to the page; empty if nowhere.
+    /// An address with details, relative to the page; empty if there is none.
     pub link: String,
 }
 
-/// What is said of a cell, by colour and sign.
+/// The marking of a cell, by color and symbol.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Mark {
     /// Nothing.
     #[default]
     Plain,
-    /// It is as it should be.
+    /// As it should be.
     Good,
-    /// It is not.
+    /// Not as it should be.
     Bad,
-    /// It needs a look.
+    /// Needs attention.
     Note,
 }
 
 impl Column {
-    /// A column of words.
+    /// A text column.
     pub fn words(title: impl Into<String>) -> Self {
         Column { title: title.into(), unit: String::new(), align: Align::Left, screen_only: false }
     }
 
-    /// A column of numbers in a unit; an empty one for pure numbers.
+    /// A column of numbers in a unit; an empty unit for pure numbers.
     pub fn numbers(title: impl Into<String>, unit: impl Into<String>) -> Self {
         Column { title: title.into(), unit: unit.into(), align: Align::Right, screen_only: false }
     }
 
-    /// The same, left out on paper.
+    /// The column, omitted in print.
     pub fn on_screen(self) -> Self {
         Column { screen_only: true, ..self }
     }
 }
 
 impl Cell {
-    /// A cell of words.
+    /// A text cell.
     pub fn text(text: impl Into<String>) -> Self {
         Cell { text: text.into(), ..Cell::default() }
     }
 
-    /// A number, shown with so many significant digits.
+    /// A number, shown with this number of significant digits.
     pub fn number(value: f64, digits: usize) -> Self {
         Cell { text: number::tabular(value, digits), value: Some(value), ..Cell::default() }
     }
@@ -310,7 +311,7 @@ impl Cell {
 }
 
 impl Table {
-    /// The table as CSV, numbers in full.
+    /// The table as CSV, with all digits of its numbers.
     pub fn csv(&self) -> String {
         let mut out = String::new();
         let heading = |column: &Column| match column.unit.as_str() {

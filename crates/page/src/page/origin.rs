@@ -1,22 +1,22 @@
-//! How what a figure or table shows was obtained.
+//! The origin of a figure or table: how it was computed.
 
 use serde::{Deserialize, Serialize};
 
 use super::{Block, Section};
 
-/// The way from nothing to a figure or table; what is empty is not shown.
+/// The origin of a figure or table; empty fields are not shown.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Origin {
     /// The scene or problem.
     pub scene: String,
-    /// Solver, scheme and numbers, in words.
+    /// Solver, scheme and parameters, as text.
     pub settings: String,
-    /// What to type to get it again, for example `lcplab simulate stack --steps 100`.
+    /// The command that computes it again, for example `lcplab simulate stack --steps 100`.
     pub command: String,
 }
 
 impl Origin {
-    /// What is known: a name and the words.
+    /// The fields that are set: their names and texts.
     pub(super) fn parts(&self) -> impl Iterator<Item = (&'static str, &str)> {
         let parts = [("scene", self.scene.as_str()), ("settings", &self.settings)];
         parts.into_iter().filter(|(_, words)| !words.is_empty())
@@ -24,8 +24,7 @@ impl Origin {
 }
 
 impl Section {
-    /// Says of every figure, film and table so far that it was obtained in this way, unless it has
-    /// an origin of its own.
+    /// Sets the origin of every figure, animation and table so far that has none of its own.
     ///
     /// ```
     /// use lcplab_page::page::{Block, Origin, Section, Table};

@@ -1,73 +1,73 @@
-//! A film on a page: stages side by side, controls, and the measures beneath with a cursor. Without
-//! script, or in print, a strip of frames stands for each take.
+//! Animations on a page: scenes side by side, controls, and below them time plots with a cursor.
+//! Without a script, or in print, a strip of frames replaces each scene.
 
 use askama::Template;
 
 use super::Origin;
 use crate::escape::html;
 
-/// A film, drawn: what a page plays, whatever it is of.
+/// An animation, drawn: everything that a page plays.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reel {
-    /// How many takes stand side by side.
+    /// The number of panes side by side.
     pub columns: usize,
-    /// The width and height of a take's stage in px.
+    /// The width and height of a pane in px.
     pub size: (f64, f64),
-    /// The instants (s).
+    /// The times of the frames (s).
     pub times: Vec<f64>,
-    /// The takes.
+    /// The panes.
     pub panes: Vec<Pane>,
-    /// What is measured over time, a curve a take.
+    /// Quantities over time, with one curve per pane.
     pub charts: Vec<Chart>,
-    /// Some instants of each take as an SVG document, for print and where no script runs.
+    /// Some frames of each pane as an SVG document, for print and for browsers without scripts.
     pub strips: Vec<String>,
-    /// All that the script needs, as one JSON object.
+    /// The data for the script, as one JSON object.
     pub data: String,
 }
 
-/// One take of a film.
+/// One pane of an animation.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Pane {
-    /// The take's name.
+    /// The pane's name.
     pub name: String,
-    /// The colour of its curves, `#0072b2`.
+    /// The color of its curves, such as `#0072b2`.
     pub color: String,
-    /// What never moves, as markup in px.
+    /// The static background, as markup in px.
     pub backdrop: String,
-    /// How it went, in a sentence.
+    /// The outcome, in a sentence.
     pub description: String,
 }
 
-/// A measure over time.
+/// A quantity over time.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Chart {
-    /// What is measured.
+    /// The quantity.
     pub name: String,
     /// Its unit.
     pub unit: String,
-    /// The curves as an SVG element, for a page that has the colours.
+    /// The curves as an SVG element, for a page with the same colors.
     pub svg: String,
 }
 
-/// A numbered film with its caption.
+/// A numbered animation with its caption.
 #[derive(Debug, Clone)]
 pub struct Player {
-    /// What is played.
+    /// The animation.
     pub reel: Reel,
-    /// What to see in it.
+    /// The finding that it shows.
     pub caption: String,
-    /// Files behind it: the name of the link and its address, relative to the page.
+    /// Files with its data: the name of each link and its address, relative to the page.
     pub files: Vec<(String, String)>,
-    /// How it was obtained.
+    /// How it was computed.
     pub origin: Option<Origin>,
 }
 
-/// Playing speeds: seconds of motion in a second.
+/// Playback speeds: simulated seconds per second.
 pub const SPEEDS: [f64; 7] = [1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625];
-/// A film should take so many seconds, if slowing it down can do that.
+/// The shortest duration (s) that an animation should have, if slow motion can achieve it.
 const LONG_ENOUGH: f64 = 4.0;
 
-/// The speed, of [`SPEEDS`], at which a motion is long enough to be seen: never faster than it is.
+/// The fastest of [`SPEEDS`] that makes a motion long enough to watch; never faster than real time.
 ///
 /// ```
 /// use lcplab_page::page::speed;
@@ -95,7 +95,7 @@ struct View<'a> {
     data: String,
 }
 
-/// The film as HTML.
+/// The animation as HTML.
 pub(super) fn rendered(
     player: &Player,
     number: usize,
@@ -119,7 +119,7 @@ pub(super) fn rendered(
     view.render().map_err(|error| error.to_string())
 }
 
-/// `1×`, `1⁄4×`.
+/// The label of a speed: `1×`, `1⁄4×`.
 fn name(speed: f64) -> String {
     match speed {
         1.0 => "1×".into(),

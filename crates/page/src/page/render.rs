@@ -1,4 +1,4 @@
-//! A page as HTML. All that is wrong with it is reported at once, with the place.
+//! Renders a page as HTML. Reports all errors in it at once, with their places.
 
 use askama::Template;
 use sha2::{Digest, Sha256};
@@ -13,16 +13,16 @@ use lcplab_problem::error::{Defects, Error, Result};
 
 const FONT: &[u8] = include_bytes!("../assets/lcplab-math.woff2");
 
-/// A cell of more characters than this is broken into lines.
+/// A cell with more characters than this is wrapped.
 const LONG: usize = 28;
 
-/// A table of more rows than this scrolls in a frame of its own beneath its heads.
+/// A table with more rows than this scrolls in its own frame under a fixed header.
 const TALL: usize = 40;
 
-/// A table of more rows than this may be broken on paper.
+/// A table with more rows than this may break across printed pages.
 const LONG_TABLE: usize = 20;
 
-/// A table of more columns than this is printed smaller.
+/// A table with more columns than this is printed smaller.
 const WIDE: usize = 9;
 
 #[derive(Template)]
@@ -30,17 +30,17 @@ const WIDE: usize = 9;
 struct Document<'a> {
     page: &'a Page,
     lead: String,
-    /// Each section with its blocks as HTML.
+    /// Each section, and its blocks as HTML.
     sections: Vec<(&'a Section, Vec<String>)>,
     font: String,
     style: [&'static str; 3],
     dark: &'static str,
     script: String,
-    /// The script's hash: no other one runs, but those of live pages.
+    /// The hash of the script; the browser runs no other script, except those of live pages.
     sha256: String,
-    /// Each live page once: its name and its text as JSON.
+    /// Each live page once: its name and its HTML as JSON.
     lives: Vec<(String, String)>,
-    /// The hashes of their scripts.
+    /// The hashes of the live pages' scripts.
     hashes: Vec<&'a str>,
 }
 
@@ -52,7 +52,7 @@ struct FigureView<'a> {
     caption: String,
 }
 
-/// What blocks hold, in words.
+/// The number of figures and tables in the blocks, as text.
 fn contents<'a>(blocks: impl Iterator<Item = &'a Block> + Clone) -> String {
     let counted = |is: fn(&&Block) -> bool, one: &str| match blocks.clone().filter(is).count() {
         0 => None,
@@ -67,7 +67,7 @@ fn contents<'a>(blocks: impl Iterator<Item = &'a Block> + Clone) -> String {
     if parts.is_empty() { "this part".into() } else { parts.join(" and ") }
 }
 
-/// The same checker that Node.js runs.
+/// The proof checker, the same file that runs in Node.js.
 const CHECKER: &str = include_str!("lcpcheck.js");
 
 #[derive(Template)]
@@ -83,22 +83,22 @@ impl ProofsView<'_> {
     }
 }
 
-/// Opens a pair of programs, with the buttons that choose one.
+/// The start of a pair of programs, with the buttons that select one.
 const SWITCH: &str = "<div class=\"twin\"><div class=\"switch\" role=\"group\" aria-label=\"Language\">\
     <button type=\"button\" data-language=\"python\" aria-pressed=\"true\">Python</button>\
     <button type=\"button\" data-language=\"rust\" aria-pressed=\"false\">Rust</button></div>\n";
 
-/// JSON that ends no script element.
+/// JSON without `<`, so that it cannot close a script element.
 fn data(json: &str) -> String {
     json.trim_end().replace('<', "\\u003c")
 }
 
-/// A text as JSON that ends no script element.
+/// A text as JSON that cannot close a script element.
 fn quoted(text: &str) -> String {
     data(&serde_json::Value::from(text).to_string())
 }
 
-/// The hash of the script that a page allows itself, with its quotation marks.
+/// The hash of the script that a page allows, with its quotation marks.
 fn script_hash(page: &str) -> Option<&str> {
     let (_, after) = page.split_once("script-src ")?;
     after.split([' ', ';']).find(|word| word.starts_with("'sha256-"))
@@ -118,8 +118,8 @@ impl Page {
     /// The page as one HTML document.
     ///
     /// # Errors
-    /// Lists every equation and piece of markup that cannot be read, every row with too many or too
-    /// few cells, and every section whose id is impossible or taken.
+    /// Lists every invalid equation and markup, every row with too many or too few cells, and every
+    /// section with an invalid or duplicate id.
     pub fn render(&self) -> Result<String> {
         let mut writer = Writer::default();
         let lead = writer.checked("lead", |markup| markup.blocks(&self.lead));
@@ -174,13 +174,13 @@ impl Page {
     }
 }
 
-/// Writes blocks, counts figures and tables, collects what is wrong.
+/// Writes blocks, counts figures and tables, collects errors.
 #[derive(Default)]
 struct Writer {
     markup: Renderer,
     defects: Defects,
     figures: usize,
-    /// Whether there is a picture, a film, and a proof.
+    /// Whether there is a figure, an animation, and a proof.
     plots: bool,
     plays: bool,
     proofs: bool,
@@ -311,7 +311,7 @@ impl Writer {
         self.checked(place, |_| written(&TableView { number, table, how_to_read, columns }))
     }
 
-    /// The HTML, or nothing and one more defect.
+    /// The HTML, or an empty text and one more defect.
     fn checked(
         &mut self,
         place: &str,
@@ -351,7 +351,7 @@ fn finished(document: &Document) -> Result<String> {
     written(document).map_err(|reason| Error::invalid("page", document.page.title.as_str(), reason))
 }
 
-/// Bytes as base64 (RFC 4648), as addresses that begin with `data:` have them.
+/// Bytes as base64 (RFC 4648), as used in `data:` addresses.
 ///
 /// ```
 /// assert_eq!(lcplab_page::page::base64(b"lcp"), "bGNw");

@@ -1,8 +1,8 @@
-//! An axis: its words, where a value lies on it, and which values get a label.
+//! Axes: the label, the position of a value, and the ticks.
 
 use crate::number::{readable, superscript};
 
-/// What an axis shows.
+/// An axis.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Axis {
     /// The quantity, for example `natural residual`.
@@ -13,20 +13,20 @@ pub struct Axis {
     pub scale: Scale,
 }
 
-/// How values are spread along an axis.
+/// The scale of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scale {
-    /// Equal differences are equal distances.
+    /// Equal differences have equal distances.
     Linear,
-    /// Equal ratios are equal distances; only positive values have a place.
+    /// Equal ratios have equal distances; only positive values can be shown.
     Log,
 }
 
-/// A labelled place on an axis.
+/// A labeled position on an axis.
 pub struct Tick {
-    /// Where.
+    /// The position.
     pub at: f64,
-    /// What stands there.
+    /// The label.
     pub label: String,
 }
 
@@ -51,17 +51,18 @@ impl Axis {
 }
 
 impl Scale {
-    /// Where a value lies: itself, or its decimal logarithm. `None` if it has no place.
+    /// The position of a value: the value itself, or its decimal logarithm. `None` if it cannot be
+    /// shown.
     pub(super) fn position(self, value: f64) -> Option<f64> {
         let position = match self {
             Scale::Linear => value,
             Scale::Log => value.log10(),
         };
-        // Beyond 1e300 the length of the axis itself would overflow.
+        // Above 1e300 the length of the axis itself would overflow.
         (position.is_finite() && position.abs() < 1e300).then_some(position)
     }
 
-    /// The range of positions to show for these ones, a little wider; `None` if there are none.
+    /// The range of the axis for these positions, slightly wider; `None` if there are none.
     pub(super) fn range(self, positions: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
         let (lo, hi) = positions
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), p| (lo.min(p), hi.max(p)));
@@ -78,7 +79,7 @@ impl Scale {
         Some((lo - margin, hi + margin))
     }
 
-    /// The labelled places between two positions, about `wanted` of them.
+    /// The ticks between two positions, about `wanted` of them.
     pub fn ticks(self, (lo, hi): (f64, f64), wanted: usize) -> Vec<Tick> {
         match self {
             Scale::Log if hi - lo > 2.2 => decades(lo, hi, wanted),
@@ -88,7 +89,8 @@ impl Scale {
     }
 }
 
-/// The least of 1, 2 and 5 times a power of ten that is not less than a positive number.
+/// The smallest number of the form 1, 2 or 5 times a power of ten that is at least `rough`, for
+/// positive `rough`.
 pub fn round_step(rough: f64) -> f64 {
     let power = 10f64.powf(rough.log10().floor());
     let step = [1.0, 2.0, 5.0, 10.0].map(|m| m * power).into_iter().find(|step| *step >= rough);

@@ -1,4 +1,4 @@
-//! Named amounts as bars, side by side for comparison.
+//! Bar charts of named values.
 
 use plotters::prelude::*;
 
@@ -10,12 +10,12 @@ use crate::csv;
 use crate::figure::Figure;
 use crate::number::readable;
 
-/// Height of a bar and distance to the next one in px.
+/// Height of a bar and distance between the tops of two bars in px.
 const THICKNESS: f64 = 18.0;
 const PITCH: f64 = 30.0;
 const TOP: f64 = 46.0;
 
-/// Horizontal bars, in the order given.
+/// A horizontal bar chart, in the given order.
 #[derive(Debug, Clone)]
 pub struct Bars {
     /// See [`Figure::id`].
@@ -24,18 +24,18 @@ pub struct Bars {
     pub title: String,
     /// See [`Figure::caption`].
     pub caption: String,
-    /// What the length of a bar means.
+    /// The axis of the values.
     pub x: Axis,
     /// From top to bottom.
     pub bars: Vec<Bar>,
 }
 
-/// A named amount.
+/// A named value.
 #[derive(Debug, Clone)]
 pub struct Bar {
-    /// The name beside the bar; it decides the colour ([`style::style`]).
+    /// The name next to the bar; it determines the color ([`style::style`]).
     pub name: String,
-    /// The amount; one without a place on the axis is written, not drawn.
+    /// The value; one that the axis cannot show is written as a number.
     pub value: f64,
 }
 
@@ -92,7 +92,7 @@ impl Figure for Bars {
             let (from, _) = frame.place((start, 0.0));
             let end = self.x.scale.position(bar.value).map(|at| frame.place((at, 0.0)).0);
             let to = end.unwrap_or(from);
-            // Where the bar lies, as a share of the frame's height from below.
+            // The position of the bar, as a fraction of the frame's height from below.
             let up = 1.0 - (k as f64 + 0.5) / self.bars.len() as f64;
             canvas.raw(&format!(
                 "<g class=\"series\" data-series=\"{}\" data-points=\"{}\">\n",

@@ -1,8 +1,9 @@
-//! The sheet a figure is drawn on: layers drawn by plotters, grouped, with our own text.
+//! The drawing surface of a figure: layers drawn by plotters, in groups, with text written
+//! directly.
 //!
-//! plotters writes whole numbers, so a layer is drawn in tenths of a px and scaled down. What its
-//! backend cannot say (dashes, joins, marker outlines, which line is which) stands on the group
-//! around a layer, from which the shapes inherit it.
+//! plotters writes integers, so a layer is drawn in tenths of a px and scaled down. Properties that
+//! its backend does not support (dashes, joins, marker outlines, the name of a line) are attributes
+//! of the group around a layer, which the shapes inherit.
 
 use std::fmt::Write;
 
@@ -13,24 +14,24 @@ use plotters::prelude::*;
 use super::style::{self, FONTS, PAPER, WIDTH};
 use crate::escape::html;
 
-/// Tenths of a px.
+/// The number of drawing units per px.
 const FINE: f64 = 10.0;
 
-/// What plotters draws on.
+/// The drawing area of plotters.
 pub type Layer<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
-/// A layer addressed by axis positions.
+/// A layer with axis positions as coordinates.
 pub(super) type Plane<'a> =
     DrawingArea<SVGBackend<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
-/// Where a text is held.
+/// The reference point of a text.
 #[derive(Clone, Copy)]
 pub enum Anchor {
-    /// At its beginning.
+    /// Its start.
     Start,
-    /// In the middle.
+    /// Its middle.
     Middle,
-    /// At its end.
+    /// Its end.
     End,
 }
 
@@ -45,7 +46,7 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    /// The layer, addressed by axis positions.
+    /// The layer with axis positions as coordinates.
     pub fn plane<'a>(&self, layer: &Layer<'a>) -> Plane<'a> {
         let columns = fine(self.left)..fine(self.right);
         let rows = fine(self.bottom)..fine(self.top);
@@ -53,7 +54,7 @@ impl Frame {
         layer.clone().apply_coord_spec(coordinates)
     }
 
-    /// The place in px of a point given by its axis positions.
+    /// The point in px at these axis positions.
     pub fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
         let across = (x - self.x.0) / (self.x.1 - self.x.0);
         let up = (y - self.y.0) / (self.y.1 - self.y.0);
@@ -61,14 +62,14 @@ impl Frame {
     }
 }
 
-/// An SVG document in the making.
+/// An SVG document under construction.
 pub struct Canvas {
     height: f64,
     body: String,
 }
 
 impl Canvas {
-    /// Paper of the usual width and this height (px).
+    /// A canvas of the usual width and this height (px).
     pub fn new(height: f64) -> Self {
         let mut canvas = Canvas { height, body: String::new() };
         let corner = (fine(WIDTH), fine(height));
@@ -78,7 +79,7 @@ impl Canvas {
         canvas
     }
 
-    /// The same with a title at its top left.
+    /// A canvas with a title at its top left.
     pub fn titled(height: f64, title: &str) -> Self {
         let mut canvas = Canvas::new(height);
         canvas.text((style::EDGE, 28.0), Anchor::Start, style::TITLE, style::INK, title);
@@ -104,7 +105,7 @@ impl Canvas {
         }
     }
 
-    /// Writes a text whose baseline is at y.
+    /// Writes a text with its baseline at y.
     pub fn text(&mut self, at: (f64, f64), anchor: Anchor, size: f64, color: RGBColor, text: &str) {
         let anchor = match anchor {
             Anchor::Start => "start",
@@ -123,13 +124,13 @@ impl Canvas {
         );
     }
 
-    /// Writes markup as it is.
+    /// Appends markup unchanged.
     pub fn raw(&mut self, markup: &str) {
         self.body.push_str(markup);
     }
 
-    /// The document, with its title and description for those who do not see it; without a title it
-    /// is called by its description.
+    /// The document, with its title and description for screen readers; without a title the
+    /// description is its name.
     pub fn finish(self, id: &str, title: &str, description: &str) -> String {
         let title = if title.is_empty() { description } else { title };
         let (id, title, description) = (escape(id), escape(title), escape(description));
@@ -144,7 +145,7 @@ impl Canvas {
     }
 }
 
-/// A length in px as plotters wants it.
+/// A length in px in plotters' units.
 pub fn fine(px: f64) -> i32 {
     (px * FINE).round() as i32
 }
@@ -154,7 +155,7 @@ pub fn stroke(color: RGBColor, width: f64) -> ShapeStyle {
     color.stroke_width(fine(width) as u32)
 }
 
-/// The group attributes of a dashed line.
+/// The group attributes for a dashed line.
 pub(super) fn dashes(pattern: &[u32]) -> String {
     let lengths: Vec<_> = pattern.iter().map(|length| fine((*length).into()).to_string()).collect();
     let dash = match lengths.is_empty() {
@@ -164,12 +165,12 @@ pub(super) fn dashes(pattern: &[u32]) -> String {
     format!("stroke-linejoin=\"round\"{dash}")
 }
 
-/// `#0072b2`.
+/// A color as `#0072b2`.
 pub fn hex((r, g, b): (u8, u8, u8)) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// A line of text in XML: signs that mean something replaced, control characters removed.
+/// A line of text for XML: special characters are escaped, control characters removed.
 pub fn escape(text: &str) -> String {
     let line = text.replace(['\t', '\n', '\r'], " ");
     let is_allowed = |c: &char| !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}');

@@ -1,6 +1,6 @@
-//! A curve cut off at a rectangle, piece by piece (Liang and Barsky 1984).
+//! Clips a curve to a rectangle (Liang and Barsky 1984).
 
-/// The parts of a curve with x and y in the ranges given, each as the points that are joined.
+/// The parts of a curve with x and y in the given ranges, each as its points in order.
 pub(super) fn cut(curve: &[(f64, f64)], x: (f64, f64), y: (f64, f64)) -> Vec<Vec<(f64, f64)>> {
     let mut parts: Vec<Vec<(f64, f64)>> = Vec::new();
     for ends in curve.windows(2) {
@@ -13,8 +13,8 @@ pub(super) fn cut(curve: &[(f64, f64)], x: (f64, f64), y: (f64, f64)) -> Vec<Vec
     parts
 }
 
-/// The part of the line from a to b that lies inside; its ends are a and b themselves where they
-/// do.
+/// The part of the line from a to b inside the rectangle; ends that lie inside stay exactly the
+/// same.
 fn inside(
     a: (f64, f64),
     b: (f64, f64),

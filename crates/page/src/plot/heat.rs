@@ -1,7 +1,8 @@
-//! A quantity by row and sweep as shades: where it is large, and how it moves.
+//! Heat maps: a quantity by row and sweep as shades, which show where it is large and how it moves.
 //!
 //! The shades are those of *cividis* (Nuñez, Anderton & Renslow 2018), pale for small and dark for
-//! large: their lightness changes evenly, so that they read the same with any eyes and in grey.
+//! large values: their lightness changes evenly, so they are readable for color-blind readers and
+//! in gray.
 
 use std::fmt::Write;
 
@@ -14,21 +15,21 @@ use crate::csv;
 use crate::figure::Figure;
 use crate::number::{count, readable};
 
-/// Cividis from its dark end to its pale one.
+/// Cividis from dark to pale.
 const SHADES: [(u8, u8, u8); 6] =
     [(0, 32, 77), (49, 68, 107), (102, 105, 112), (149, 143, 120), (203, 186, 105), (255, 234, 70)];
-/// Steps of the scale.
+/// The number of shades of the scale.
 const STEPS: usize = 30;
-/// Decades below the largest value that have shades of their own.
+/// The number of decades below the largest value that the scale covers.
 const DECADES: f64 = 12.0;
 
-/// Between panels, and for the words of each, in px.
+/// The gap between panels, and the height of their titles, in px.
 const GAP: f64 = 22.0;
 const LEFT: f64 = 34.0;
 const TOP: f64 = 92.0;
 const BELOW: f64 = 44.0;
 
-/// Shades by row and sweep, on one logarithmic scale for all panels.
+/// A heat map with one logarithmic scale for all panels.
 #[derive(Debug, Clone)]
 pub struct Heat {
     /// See [`Figure::id`].
@@ -37,28 +38,29 @@ pub struct Heat {
     pub title: String,
     /// See [`Figure::caption`].
     pub caption: String,
-    /// What lies along a panel, from left to right: the places are 0, 1, …
+    /// The quantity along a panel, from left to right, with the values 0, 1, …
     pub across: String,
-    /// What lies upwards, from the bottom: the places are 0, 1, …
+    /// The quantity from the bottom upward, with the values 0, 1, …
     pub upwards: String,
-    /// What is shown, at least 0; a value that is not finite is drawn as the largest.
+    /// The quantity shown as shades, at least 0; a value that is not finite is drawn as the
+    /// largest.
     pub value: Axis,
-    /// A value up to this is 0 but for rounding, and drawn white.
+    /// Values up to this are 0 up to rounding and are drawn white.
     pub zero: f64,
-    /// Two side by side, then down.
+    /// The panels, two in a line.
     pub panels: Vec<Shaded>,
 }
 
 /// One panel.
 #[derive(Debug, Clone)]
 pub struct Shaded {
-    /// What it is of.
+    /// Its title.
     pub name: String,
-    /// The values by row, from the bottom; in each by place from the left.
+    /// The values by row, from the bottom; within a row from left to right.
     pub rows: Vec<Vec<f64>>,
 }
 
-/// The decimal logarithms of the ends of the scale.
+/// The limits of the scale as decimal logarithms, and the largest value that counts as 0.
 #[derive(Debug, Clone, Copy)]
 struct Range {
     least: f64,
@@ -67,7 +69,7 @@ struct Range {
 }
 
 impl Range {
-    /// Which step a value has: `None` for 0.
+    /// The index of a value's shade: `None` for 0.
     fn step(self, value: f64) -> Option<usize> {
         if value <= self.zero {
             return None;
@@ -78,7 +80,7 @@ impl Range {
     }
 }
 
-/// The colour of a step, 0 the palest.
+/// The color of a shade, 0 the palest.
 fn shade(step: usize) -> (u8, u8, u8) {
     let place = (1.0 - (step as f64 + 0.5) / STEPS as f64) * (SHADES.len() - 1) as f64;
     let k = (place as usize).min(SHADES.len() - 2);
@@ -109,7 +111,7 @@ impl Heat {
             canvas.raw(&format!(
                 "<rect x=\"{:.2}\" y=\"{top}\" width=\"{:.2}\" height=\"{height}\" fill=\"{}\"/>\n",
                 left + step * k as f64,
-                step + 0.3, // no gaps between neighbours
+                step + 0.3, // no gaps between shades
                 hex(shade(k))
             ));
         }
@@ -189,7 +191,7 @@ impl Figure for Heat {
         canvas.finish(&self.id, &self.title, &description)
     }
 
-    /// One record a cell: panel, place upwards, place across, value.
+    /// One record per cell: panel, position upward, position across, value.
     fn csv(&self) -> String {
         let mut out = String::new();
         csv::record(&mut out, ["panel", &self.upwards, &self.across, &self.value.heading()]);
@@ -206,7 +208,7 @@ impl Figure for Heat {
 }
 
 impl Shaded {
-    /// The number of places across.
+    /// The number of positions across.
     fn places(&self) -> usize {
         self.rows.iter().map(Vec::len).max().unwrap_or(0)
     }
@@ -238,7 +240,7 @@ impl Shaded {
         }
     }
 
-    /// One path a shade; neighbours of one shade in a row are one rectangle.
+    /// One path for each shade; adjacent cells of the same shade in a row are one rectangle.
     fn paths(&self, range: Range) -> String {
         let mut paths = vec![String::new(); STEPS];
         for (i, row) in self.rows.iter().enumerate() {
@@ -266,7 +268,7 @@ fn outline(canvas: &mut Canvas, (left, top): (f64, f64), (width, height): (f64, 
     });
 }
 
-/// Round places among so many, about as many as a side of this length has room for.
+/// Round positions below `places`, about as many as fit along a side of this length.
 fn whole(places: usize, length: f64) -> Vec<(usize, String)> {
     let wanted = ((length / 60.0) as usize).max(1);
     let ticks = Scale::Linear.ticks((0.0, places as f64 - 0.5), wanted);

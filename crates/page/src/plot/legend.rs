@@ -1,4 +1,4 @@
-//! The names above a line figure, and how each is drawn in it.
+//! The legend of a line figure: the names and the drawing style of each.
 
 use std::collections::BTreeMap;
 
@@ -9,20 +9,20 @@ use super::line::{Lines, Look, RIGHT, ROW};
 use super::marker::{draw_markers, draw_zeros};
 use super::style::{self, FAINT_INK, INK, Marker, Style, TEXT, THEORY, width};
 
-/// What the legend says of the mark for a zero that a logarithmic axis has no place for.
+/// The legend's text for the mark of a zero, which a logarithmic axis cannot show.
 const EXACTLY_ZERO: &str = "exactly 0";
 
-/// How a curve of this name is drawn in this figure.
+/// The drawing style of a name in this figure.
 pub(super) struct Drawn {
     pub color: RGBColor,
-    /// 0 for markers alone.
+    /// The line width; 0 for markers only.
     pub width: f64,
     pub dash: &'static [u32],
     marker: Option<Marker>,
 }
 
 impl Drawn {
-    /// Draws the curve's markers at these places in px.
+    /// Draws the curve's markers at these points in px.
     pub fn mark(&self, canvas: &mut Canvas, spots: &[(f64, f64)]) {
         if let Some(marker) = self.marker {
             draw_markers(canvas, spots, marker, self.color);
@@ -30,9 +30,9 @@ impl Drawn {
     }
 }
 
-/// The names above the panels, and how each is drawn.
+/// The names above the panels, and the drawing style of each.
 pub(super) struct Legend<'a> {
-    /// In the order they come, with their places in px.
+    /// The names in order of appearance, with their positions in px.
     entries: Vec<(&'a str, (f64, f64))>,
     pub looks: BTreeMap<&'a str, Drawn>,
     pub rows: usize,
@@ -110,7 +110,8 @@ impl<'a> Legend<'a> {
         canvas.text(at, Anchor::Start, TEXT, INK, name);
     }
 
-    /// The group of an entry, with the curve that it belongs to if it is that curve's theory.
+    /// The opening tag of an entry's group; for a theory curve it names the curve that it belongs
+    /// to.
     fn opening(&self, name: &str) -> String {
         let of = self.entries.iter().map(|(other, _)| *other).find(|other| belongs(name, other));
         let of = of.map_or(String::new(), |of| format!(" data-of=\"{}\"", escape(of)));
@@ -118,7 +119,7 @@ impl<'a> Legend<'a> {
     }
 }
 
-/// Whether a name says that it is the theory of a curve: `theory, NAME` or `theory, NAME: …`.
+/// Whether a name marks the theory of a curve: `theory, NAME` or `theory, NAME: …`.
 fn belongs(theory: &str, curve: &str) -> bool {
     let rest = theory.strip_prefix("theory, ").and_then(|rest| rest.strip_prefix(curve));
     rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(':'))

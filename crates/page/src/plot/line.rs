@@ -1,4 +1,4 @@
-//! Curves over one axis, in one panel or in several stacked ones.
+//! Line charts over a common x axis, in one panel or several stacked ones.
 
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ use crate::csv;
 use crate::figure::Figure;
 use crate::number::{count, readable};
 
-/// Where the plots end, in px.
+/// The right edge of the plots in px.
 pub(super) const RIGHT: f64 = style::WIDTH - 12.0;
 
 /// Height of a line of the legend in px.
@@ -30,7 +30,7 @@ pub struct Lines {
     pub title: String,
     /// See [`Figure::caption`].
     pub caption: String,
-    /// The axis all panels share.
+    /// The common x axis of all panels.
     pub x: Axis,
     /// From top to bottom.
     pub panels: Vec<Panel>,
@@ -41,32 +41,32 @@ pub struct Lines {
 pub struct Panel {
     /// The vertical axis.
     pub y: Axis,
-    /// The curves; a name may return in another panel and looks the same there.
+    /// The curves; a name looks the same in every panel.
     pub series: Vec<Series>,
 }
 
 /// A named curve.
 #[derive(Debug, Clone)]
 pub struct Series {
-    /// The name in the legend; it decides the colour ([`style::style`]).
+    /// The name in the legend; it determines the color ([`style::style`]).
     pub name: String,
-    /// In the order in which they are joined. A point without a place on its axis (not finite, or
-    /// not positive on a logarithmic one) breaks the line.
+    /// The points in drawing order. A point that an axis cannot show (not finite, or not positive
+    /// on a logarithmic axis) breaks the line.
     pub points: Vec<(f64, f64)>,
-    /// What kind of curve it is.
+    /// The kind of the curve.
     pub look: Look,
 }
 
-/// What a curve is, and so how it is drawn.
+/// The kind of a curve, which determines how it is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Look {
-    /// Something that happened: coloured, with markers. Measured curves decide the axes' ranges.
+    /// Measured or computed data: colored, with markers. They determine the ranges of the axes.
     Measured,
-    /// The same where the points do not form a line: a marker each. They decide the ranges too.
+    /// Measured points that do not form a line: one marker each. They determine the ranges, too.
     Points,
-    /// What a formula predicts: dashed, in grey, cut off at the frame.
+    /// The prediction of a formula: dashed, in gray, clipped at the frame.
     Theory,
-    /// A known value or limit: a thin dark line, cut off at the frame.
+    /// A known value or limit: a thin dark line, clipped at the frame.
     Reference,
 }
 
@@ -81,8 +81,8 @@ impl Series {
         Series { name: name.into(), points, look: Look::Points }
     }
 
-    /// A predicted curve. One called `theory, NAME`, or `theory, NAME: …`, belongs to the curve
-    /// NAME: on a page they are shown and hidden together.
+    /// A predicted curve. One with the name `theory, NAME`, or `theory, NAME: …`, belongs to the
+    /// curve NAME: a page shows and hides them together.
     pub fn theory(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Series { name: name.into(), points, look: Look::Theory }
     }
@@ -145,7 +145,7 @@ impl Figure for Lines {
         canvas.finish(&self.id, &self.title, &self.description())
     }
 
-    /// One record a point: series, kind, x, and y in the column of its panel.
+    /// One record per point: series, kind, x, and y in the column of its panel.
     fn csv(&self) -> String {
         let mut out = String::new();
         let mut heads = vec!["series".to_string(), "kind".to_string(), self.x.heading()];
@@ -168,7 +168,7 @@ impl Figure for Lines {
 }
 
 impl Look {
-    /// Whether it happened.
+    /// Whether it is measured data.
     pub(super) fn is_measured(self) -> bool {
         matches!(self, Look::Measured | Look::Points)
     }
@@ -183,7 +183,7 @@ impl Look {
 }
 
 impl Lines {
-    /// What the picture shows, in words.
+    /// A description of the picture in words.
     fn description(&self) -> String {
         let mut text = String::new();
         for panel in &self.panels {
@@ -249,7 +249,7 @@ impl Lines {
             .split(Option::is_none)
             .map(|run| thin(run.iter().flatten().copied(), |point| frame.place(point)))
             .collect();
-        // Predictions end at the frame, which measured curves have made wide enough for themselves.
+        // Predictions are clipped at the frame; measured curves have determined its size.
         let inside: Vec<_> = runs.iter().flat_map(|run| cut(run, frame.x, frame.y)).collect();
         canvas.layer(&dashes(drawn.dash), |layer| {
             let plane = frame.plane(layer);
@@ -260,7 +260,8 @@ impl Lines {
         runs.into_iter().flatten().map(|point| frame.place(point)).collect()
     }
 
-    /// The points of a curve with their places in px; a zero without one lies on the frame.
+    /// The points of a curve with their positions in px; a zero that the axis cannot show lies on
+    /// the frame.
     fn places(&self, frame: &Frame, panel: &Panel, series: &Series) -> Vec<Placed> {
         let place = |&(x, y): &(f64, f64)| {
             let zero = (y == 0.0).then_some(frame.y.0);
@@ -270,7 +271,7 @@ impl Lines {
         series.points.iter().map(|point| (*point, place(point))).collect()
     }
 
-    /// Where on x a curve is exactly zero although its axis has no place for zero.
+    /// The x at which a curve is exactly zero although its axis cannot show zero.
     fn zeros<'a>(&self, panel: &Panel, series: &'a Series) -> impl Iterator<Item = f64> + 'a {
         let (across, shown) = (self.x.scale, panel.y.scale == Scale::Log);
         let zeros = series.points.iter().filter(move |(_, y)| shown && *y == 0.0);
@@ -340,8 +341,8 @@ fn draw_grid(canvas: &mut Canvas, frame: &Frame, columns: &[Tick], rows: &[Tick]
     }
 }
 
-/// Of the points that fall into one column of pixels in a row, keeps the first, the lowest, the
-/// highest and the last: the line drawn through them is the same.
+/// Among consecutive points in the same pixel column, keeps the first, the lowest, the highest and
+/// the last: the drawn line is the same.
 fn thin(
     points: impl Iterator<Item = (f64, f64)>,
     place: impl Fn((f64, f64)) -> (f64, f64),

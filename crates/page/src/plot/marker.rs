@@ -8,8 +8,8 @@ use super::style::{self, Marker};
 /// Distance between two markers of one curve in px.
 const MARKER_DISTANCE: f64 = 92.0;
 
-/// The points of the k-th curve that get a marker: all of a short one, else one each so many px,
-/// where its neighbours have none.
+/// The points of the k-th curve that get a marker: all points of a short curve, otherwise one per
+/// [`MARKER_DISTANCE`], staggered between curves.
 pub(super) fn marker_places(points: &[(f64, f64)], left: f64, k: usize) -> Vec<(f64, f64)> {
     if points.len() <= 8 {
         return points.to_vec();
@@ -30,7 +30,7 @@ pub(super) fn marker_places(points: &[(f64, f64)], left: f64, k: usize) -> Vec<(
     }
 }
 
-/// Markers with a rim of paper, so that they stand out from the line.
+/// Draws markers with a white rim, so that they stand out from the line.
 pub(super) fn draw_markers(
     canvas: &mut Canvas,
     spots: &[(f64, f64)],
@@ -44,7 +44,7 @@ pub(super) fn draw_markers(
     });
 }
 
-/// Hollow wedges: there a curve is exactly zero on a logarithmic axis.
+/// Draws hollow wedges where a curve is exactly zero on a logarithmic axis.
 pub(super) fn draw_zeros(canvas: &mut Canvas, spots: &[(f64, f64)], color: RGBColor) {
     let outline = hex((color.0, color.1, color.2));
     canvas.layer(&format!("stroke=\"{outline}\" stroke-width=\"14\""), |layer| {
@@ -55,7 +55,7 @@ pub(super) fn draw_zeros(canvas: &mut Canvas, spots: &[(f64, f64)], color: RGBCo
 }
 
 impl Marker {
-    /// The corners around a centre given in px, in the units of a layer.
+    /// The corners around a center given in px, in the units of a layer.
     fn outline(self, (x, y): (f64, f64)) -> Vec<(i32, i32)> {
         const R: f64 = style::MARKER;
         let turned = |corners: u32, radius: f64, start: f64| {

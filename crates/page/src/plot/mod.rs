@@ -1,8 +1,8 @@
 //! Figures: plain data in, an SVG picture and its numbers as CSV out.
 //!
-//! A figure knows nothing of solvers or scenes. Whatever it shows, one name has one colour, dash
-//! and marker everywhere ([`style`]), the picture may leave out points that no eye can tell apart,
-//! and the CSV never does. The same figure gives the same bytes.
+//! Figures do not depend on solvers or scenes. A name has the same color, dash and marker in every
+//! figure ([`style`]). The picture may omit points that cannot be distinguished by eye; the CSV
+//! contains all of them. The same figure gives bitwise the same output.
 
 mod axis;
 mod bars;

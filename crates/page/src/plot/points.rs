@@ -1,4 +1,4 @@
-//! What a script on a page needs to say what a point of a figure is, as attributes of the markup.
+//! Attributes of a figure's markup from which a script on a page can label points.
 //!
 //! ```text
 //! <g class="panel" data-frame="left right top bottom"              px
@@ -7,19 +7,20 @@
 //!   <g class="series" data-series="pgs" data-points="1 0.25 2 0.125">      x y x y …
 //! ```
 //!
-//! A position is a value, or its decimal logarithm. The picture is complete without any of this.
+//! A position is a value, or its decimal logarithm. The picture is complete without these
+//! attributes.
 
 use super::axis::{Axis, Scale};
 use super::canvas::{Frame, escape};
 use crate::csv;
 
-/// A curve of more points than this lists one for each so many px along it.
+/// The largest number of points of a curve that are all listed.
 const ALL: usize = 400;
 const APART: f64 = 2.0;
 /// Significant digits of x and y.
 const DIGITS: (usize, usize) = (6, 4);
 
-/// Opens the group of one plot; an axis without a name (that of bars) is not spoken of.
+/// Opens the group of one plot; an axis without a name (that of bars) has no attributes.
 pub(super) fn panel(frame: &Frame, x: &Axis, y: Option<&Axis>) -> String {
     let scale = |axis: &Axis, (lo, hi): (f64, f64)| {
         let word = if axis.scale == Scale::Log { "log" } else { "linear" };
@@ -40,11 +41,11 @@ pub(super) fn panel(frame: &Frame, x: &Axis, y: Option<&Axis>) -> String {
     )
 }
 
-/// A point of a curve, and its place in px if it has one.
+/// A point of a curve, and its position in px if it can be shown.
 pub(super) type Placed = ((f64, f64), Option<(f64, f64)>);
 
-/// The points of a curve: all of a short curve; of a long
-/// one the first in each stretch across, the lowest and the highest.
+/// The points of a curve: all points of a short curve; for a long one the first point in each of
+/// several intervals across, and the lowest and the highest point of all.
 pub(super) fn listed(points: &[Placed]) -> String {
     let placed: Vec<_> =
         points.iter().filter_map(|(point, at)| at.map(|at| (*point, at))).collect();
@@ -69,7 +70,7 @@ pub(super) fn listed(points: &[Placed]) -> String {
     kept.into_iter().map(pair).collect::<Vec<_>>().join(" ")
 }
 
-/// The value with so many significant digits, as short as can be.
+/// The value with this number of significant digits, as short as possible.
 fn rounded(value: f64, digits: usize) -> String {
     let near = format!("{value:.*e}", digits - 1).parse().unwrap_or(value);
     csv::number(if f64::is_finite(near) { near } else { value })

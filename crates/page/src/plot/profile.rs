@@ -1,5 +1,5 @@
-//! Performance profiles, many methods in a grid of panels: a line of panels a group of methods, a
-//! column a precision. In each panel the methods of the other groups are pale behind its own.
+//! Performance profiles of many methods in a grid of panels: one line of panels per group of
+//! methods, one column per precision. Each panel also shows the methods of the other groups, pale.
 
 use plotters::prelude::*;
 
@@ -31,34 +31,34 @@ pub struct Profiles {
     pub caption: String,
     /// The ratio τ ≥ 1, logarithmic.
     pub x: Axis,
-    /// The share of problems, from 0 to 1.
+    /// The fraction of problems, from 0 to 1.
     pub y: Axis,
-    /// What the columns are, from left to right.
+    /// The titles of the columns, from left to right.
     pub columns: Vec<String>,
-    /// From top to bottom.
+    /// The groups, from top to bottom.
     pub groups: Vec<Group>,
 }
 
 /// A line of panels.
 #[derive(Debug, Clone)]
 pub struct Group {
-    /// What its methods are.
+    /// The name of the group.
     pub name: String,
-    /// One a method.
+    /// One for each method.
     pub curves: Vec<Curve>,
 }
 
 /// The profiles of one method.
 #[derive(Debug, Clone)]
 pub struct Curve {
-    /// The method; it decides the colour ([`style::style`]).
+    /// The method; it determines the color ([`style::style`]).
     pub name: String,
-    /// The steps (τ, share), τ rising, and the number of problems that share is of; one a column.
+    /// For each column the steps (τ, fraction), with τ increasing, and the number of problems.
     pub columns: Vec<(Vec<(f64, f64)>, usize)>,
 }
 
 impl Curve {
-    /// The name with the numbers of problems: `pgs (40)`, or `pgs (40, 38)` where they differ.
+    /// The name with the numbers of problems: `pgs (40)`, or `pgs (40, 38)` if they differ.
     fn label(&self) -> String {
         let mut counts: Vec<String> = self.columns.iter().map(|(_, n)| n.to_string()).collect();
         counts.dedup();
@@ -67,7 +67,7 @@ impl Curve {
 }
 
 impl Profiles {
-    /// The decimal logarithms of 1 and of the largest τ of all.
+    /// The decimal logarithms of 1 and of the largest τ.
     fn range(&self) -> (f64, f64) {
         let steps = self.groups.iter().flat_map(|group| &group.curves).flat_map(|c| &c.columns);
         let taus = steps.flat_map(|(steps, _)| steps).map(|(tau, _)| tau.log10());
@@ -132,7 +132,7 @@ impl Figure for Profiles {
         canvas.finish(&self.id, &self.title, &self.description())
     }
 
-    /// One record a step: column, method, problems, τ, share.
+    /// One record per step: column, method, problems, τ, fraction.
     fn csv(&self) -> String {
         let mut out = String::new();
         let heads = ["panel", "method", "problems", &self.x.heading(), &self.y.heading()];
@@ -225,7 +225,7 @@ impl Group {
     }
 }
 
-/// The names above a line of panels, and their places.
+/// The names above a line of panels, and their positions.
 struct Legend {
     entries: Vec<(String, (f64, f64))>,
     lines: usize,

@@ -1,4 +1,4 @@
-//! A sparsity pattern in cells, each a square of entries: small enough to be stored and drawn.
+//! A sparsity pattern as a raster of square cells, small enough to be stored and drawn.
 
 use std::fmt::Write;
 
@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::canvas::hex;
 
-/// Shades of a cell by the share of its entries that are not zero, palest first.
+/// The shades of cells by the fraction of nonzero entries, palest first.
 const SHADES: [(f64, (u8, u8, u8)); 5] = [
     (0.05, (158, 202, 225)),
     (0.15, (107, 174, 214)),
@@ -14,28 +14,28 @@ const SHADES: [(f64, (u8, u8, u8)); 5] = [
     (0.7, (8, 81, 156)),
     (f64::INFINITY, (8, 40, 94)),
 ];
-/// The shade where a cell is an entry.
+/// The shade if a cell is a single entry.
 const ENTRY: usize = SHADES.len() - 2;
 
-/// A pattern in cells.
+/// A pattern as a raster.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Raster {
     /// Rows of the matrix.
     pub rows: usize,
     /// Its columns.
     pub columns: usize,
-    /// Entries that are not zero.
+    /// Nonzero entries.
     pub nonzeros: usize,
-    /// Entries along the side of a cell.
+    /// Entries along a side of a cell.
     pub block: usize,
-    /// A line of cells a string: `0` for an empty cell, `1` to `5` for shades, palest first; empty
-    /// cells at the end of a line are left out.
+    /// One string per line of cells: `0` for an empty cell, `1` to `5` for shades, palest first;
+    /// empty cells at the end of a line are omitted.
     pub cells: Vec<String>,
 }
 
 impl Raster {
-    /// The picture of a rows × columns pattern in at most so many cells a side; `draw` marks each
-    /// place (row, column) that is not zero, once.
+    /// The raster of a rows × columns pattern with at most `side` cells along each side; `draw`
+    /// marks each nonzero position (row, column) exactly once.
     pub fn new(
         (rows, columns): (usize, usize),
         side: usize,
@@ -46,7 +46,7 @@ impl Raster {
         let mut counts = vec![0_usize; lines * width];
         draw(&mut |row, column| counts[row / block * width + column / block] += 1);
         let digit = |line: usize, cell: usize| {
-            // A cell at the edge may be smaller.
+            // A cell at the edge may have fewer entries.
             let entries = block.min(rows - line * block) * block.min(columns - cell * block);
             let shade = match counts[line * width + cell] {
                 0 => return '0',
@@ -66,13 +66,13 @@ impl Raster {
         Raster { rows, columns, nonzeros: counts.iter().sum(), block, cells }
     }
 
-    /// The share of entries that are not zero, in per cent; 0 for an empty matrix.
+    /// The percentage of nonzero entries; 0 for an empty matrix.
     pub fn fill(&self) -> f64 {
         let all = self.rows as f64 * self.columns as f64;
         if all > 0.0 { 100.0 * self.nonzeros as f64 / all } else { 0.0 }
     }
 
-    /// The cells that are not empty: line, place in it, shade from 0.
+    /// The nonempty cells: line, position in the line, shade from 0.
     fn shaded(&self) -> impl Iterator<Item = (usize, usize, usize)> {
         let line = |(line, cells): (usize, &String)| {
             let shades: Vec<u8> = cells.bytes().collect();
@@ -84,15 +84,15 @@ impl Raster {
         self.cells.iter().enumerate().flat_map(line)
     }
 
-    /// The cells as SVG, from a corner on, an entry so many px wide and high: one path for each
-    /// shade; neighbours in a line are one rectangle.
+    /// The cells as SVG, from the top left corner; an entry is `wide` × `high` px. One path for
+    /// each shade; adjacent cells of the same shade in a line are one rectangle.
     pub(super) fn markup(&self, (left, top): (f64, f64), (wide, high): (f64, f64)) -> String {
         let block = self.block;
         let mut paths = vec![String::new(); SHADES.len()];
         let shaded: Vec<_> = self.shaded().collect();
         let joined =
             shaded.chunk_by(|a, b| block > 1 && a.0 == b.0 && a.1 + 1 == b.1 && a.2 == b.2);
-        // Single entries are drawn a little smaller than their place, so that each is seen.
+        // Single entries are drawn slightly smaller, so that each is visible.
         let gap = if block == 1 { 0.08 } else { 0.0 };
         for run in joined {
             let (i, j, shade) = run[0];
@@ -111,7 +111,7 @@ impl Raster {
         markup + "</g>\n"
     }
 
-    /// A record a cell that is not empty: name, line, place, shade.
+    /// One record per nonempty cell: line, position, shade.
     pub(super) fn records(&self) -> impl Iterator<Item = [String; 3]> {
         self.shaded().map(|(line, cell, shade)| [line, cell, shade + 1].map(|k| k.to_string()))
     }

@@ -1,4 +1,4 @@
-//! Many sparsity patterns side by side, each in a small square.
+//! Sparsity patterns side by side, each in a small square.
 
 use plotters::prelude::*;
 
@@ -8,11 +8,11 @@ use super::style::{self, FAINT_INK, INK, TEXT};
 use crate::csv;
 use crate::figure::Figure;
 
-/// Between panels, and for the two lines of words above each, in px.
+/// The gap between panels, and the height of the two lines of text above each, in px.
 const GAP: f64 = 16.0;
 const WORDS: f64 = 40.0;
 const TOP: f64 = 44.0;
-/// Size of the second line in px.
+/// Text size of the second line in px.
 const SMALL: f64 = 12.0;
 
 /// Patterns in a grid of panels.
@@ -24,18 +24,18 @@ pub struct Spies {
     pub title: String,
     /// See [`Figure::caption`].
     pub caption: String,
-    /// Panels side by side, above 0.
+    /// The number of panels side by side, positive.
     pub across: usize,
-    /// From left to right, then down.
+    /// The panels, from left to right, then down.
     pub panels: Vec<Small>,
 }
 
-/// A small picture of a pattern.
+/// A small picture of a sparsity pattern.
 #[derive(Debug, Clone)]
 pub struct Small {
-    /// What it is.
+    /// Its title.
     pub name: String,
-    /// A few words more.
+    /// A short note.
     pub note: String,
     /// The pattern.
     pub raster: Raster,
@@ -69,8 +69,8 @@ impl Figure for Spies {
         canvas.finish(&self.id, &self.title, &names.join(", "))
     }
 
-    /// One record a cell that is not empty: the pattern, entries a side of its cells, line, place,
-    /// shade from 1 (pale) to 5.
+    /// One record per nonempty cell: the pattern, entries along a side of its cells, line,
+    /// position, shade from 1 (pale) to 5.
     fn csv(&self) -> String {
         let mut out = String::from("pattern,entries a side,line,place,shade\n");
         for Small { name, raster, .. } in &self.panels {

@@ -1,4 +1,4 @@
-//! The sparsity pattern of a matrix: where it is not zero.
+//! The sparsity pattern of a matrix: its nonzero entries.
 
 use std::fmt::Write;
 
@@ -13,13 +13,13 @@ use crate::figure::Figure;
 use crate::number::{count, readable};
 use lcplab_problem::error::{Defects, Result};
 
-/// Cells along the longer side; beyond that, several entries share a cell.
+/// The number of cells along the longer side; in larger matrices several entries share a cell.
 const CELLS: usize = 160;
-/// The longest sides of the drawing in px.
+/// The largest width and height of the drawing in px.
 const WIDTH: f64 = 560.0;
 const HEIGHT: f64 = 440.0;
 
-/// The nonzeros of a matrix, seen from above.
+/// The sparsity pattern of a matrix.
 #[derive(Debug, Clone)]
 pub struct Spy {
     id: String,
@@ -33,7 +33,7 @@ pub struct Spy {
 
 impl Spy {
     /// The pattern of a `rows` × `columns` matrix with these entries (row, column), counted from 0;
-    /// one that comes twice counts once.
+    /// duplicates count once.
     ///
     /// # Errors
     /// Lists every entry outside the matrix.
@@ -56,12 +56,12 @@ impl Spy {
         Ok(Spy { id: id.into(), title, caption: caption.into(), rows, columns, entries })
     }
 
-    /// How many entries are not zero.
+    /// The number of nonzero entries.
     pub fn nonzeros(&self) -> usize {
         self.entries.len()
     }
 
-    /// The share of the entries that are not zero, in per cent; 0 for an empty matrix.
+    /// The percentage of nonzero entries; 0 for an empty matrix.
     pub fn fill(&self) -> f64 {
         let all = self.rows as f64 * self.columns as f64;
         if all > 0.0 { 100.0 * self.entries.len() as f64 / all } else { 0.0 }
@@ -108,7 +108,7 @@ impl Figure for Spy {
     fn svg(&self) -> String {
         let (rows, columns) = (self.rows.max(1) as f64, self.columns.max(1) as f64);
         let scale = (WIDTH / columns).min(HEIGHT / rows).min(24.0);
-        // A long thin matrix keeps a visible side.
+        // A long thin matrix keeps a visible width.
         let (width, height) = ((columns * scale).max(12.0), (rows * scale).max(12.0));
         let (left, top) = ((style::WIDTH - width) / 2.0 + 20.0, 96.0);
         let raster = self.raster();
@@ -136,7 +136,7 @@ impl Figure for Spy {
         canvas.finish(&self.id, &self.title, &subtitle)
     }
 
-    /// One record an entry, counted from 0.
+    /// One record per entry, counted from 0.
     fn csv(&self) -> String {
         let mut out = String::from("row,column\n");
         for (i, j) in &self.entries {
@@ -146,7 +146,7 @@ impl Figure for Spy {
     }
 }
 
-/// Whole round indices along a side of this length, each with the place of its middle in px.
+/// Round indices along a side of this length, each with the position of its middle in px.
 fn indices(size: usize, length: f64) -> Vec<(usize, f64)> {
     if size == 0 {
         return Vec::new();

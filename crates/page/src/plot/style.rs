@@ -1,14 +1,14 @@
-//! One style for all figures: what a name looks like, and the measures and greys around it.
+//! The common style of all figures: the look of each name, sizes and gray tones.
 //!
-//! The hues are those of Okabe and Ito, told apart by colour-blind readers; dash and marker repeat
-//! the difference for print in grey. SOR is one family, darker with growing ω. A variant
-//! written after a comma (`velocity, dt/2`) keeps the colour of the name before it.
+//! The hues are those of Okabe and Ito, which color-blind readers can distinguish; dash and marker
+//! repeat the difference for gray prints. SOR is one family, darker with increasing ω. A variant
+//! after a comma (`velocity, dt/2`) keeps the color of the name before it.
 
 use plotters::style::RGBColor;
 
 /// Width of every figure in px.
 pub const WIDTH: f64 = 720.0;
-/// Size of all text but the title in px.
+/// Size of all text except the title in px.
 pub const TEXT: f64 = 14.0;
 /// Size of the title in px.
 pub const TITLE: f64 = 17.0;
@@ -21,31 +21,31 @@ pub const EDGE: f64 = 6.0;
 /// Radius of a marker in px.
 pub const MARKER: f64 = 4.2;
 
-/// Paper.
+/// The background.
 pub(crate) const PAPER: RGBColor = RGBColor(255, 255, 255);
-/// Ink.
+/// The main text color.
 pub const INK: RGBColor = RGBColor(34, 38, 45);
-/// Ink of what matters less.
+/// The color of less important text.
 pub const FAINT_INK: RGBColor = RGBColor(92, 98, 108);
 /// Lines of the grid.
 pub const GRID: RGBColor = RGBColor(228, 230, 234);
 /// Lines of theory.
 pub(crate) const THEORY: RGBColor = RGBColor(112, 112, 112);
 
-/// Fonts that are on the reader's machine.
+/// Fonts available on the reader's machine.
 pub(crate) const FONTS: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', \
                                 'Noto Sans', 'Liberation Sans', Arial, sans-serif";
 
 /// Dash patterns in px; the first is a solid line.
 const DASHES: [&[u32]; 6] = [&[], &[9, 4], &[2, 3], &[9, 3, 2, 3], &[5, 3], &[12, 3, 2, 3, 2, 3]];
 
-/// Dash patterns of theory lines, in the order they come in a figure.
+/// Dash patterns of theory lines, in order of appearance in a figure.
 pub(super) const THEORY_DASHES: [&[u32]; 3] = [&[6, 4], &[2, 3], &[8, 3, 2, 3]];
 
-/// A shape drawn on a line here and there.
+/// The shape of the markers on a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Marker {
-    /// A disc.
+    /// A disk.
     Circle,
     /// A square.
     Square,
@@ -68,7 +68,7 @@ const MARKERS: [Marker; 6] = [
     Marker::Plus,
 ];
 
-/// What a line or bar looks like.
+/// The look of a line or bar.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Style {
     /// Red, green, blue.
@@ -90,10 +90,10 @@ const OCHRE: Rgb = (176, 134, 0);
 const BLACK: Rgb = (45, 45, 50);
 const VERMILION: Rgb = (205, 85, 0);
 
-/// The colours of names that are not known, in turn.
+/// The colors of unknown names.
 const HUES: [Rgb; 6] = [BLUE, VERMILION, GREEN, PURPLE, OCHRE, SKY];
 
-/// Colour, index of the dash, index of the marker.
+/// Name, color, index of the dash, index of the marker.
 const KNOWN: &[(&str, Rgb, usize, usize)] = &[
     ("pgs", BLUE, 0, 0),
     ("ssor", VERMILION, 5, 0),
@@ -158,7 +158,8 @@ const KNOWN: &[(&str, Rgb, usize, usize)] = &[
     ("r_=_10000", PURPLE, 4, 4),
 ];
 
-/// SOR by its ω: colours at some ω, blended between them, and a dash and a marker from each on.
+/// The look of SOR by its ω: colors at some ω, interpolated between them, and a dash and a marker
+/// for each interval.
 const SOR: [(f64, Rgb, usize, usize); 6] = [
     (0.4, (232, 190, 110), 2, 5),
     (0.95, (226, 156, 36), 4, 4),
@@ -186,8 +187,8 @@ pub fn style(name: &str) -> Style {
     if parameter.is_some() || variant.trim().is_empty() {
         return Style { color, dash: DASHES[dash], marker: MARKERS[marker] };
     }
-    // dt is the palest, dt/2 and dt/4 come closer to the full colour: finer is stronger. Other
-    // variants have a colour of their own.
+    // dt is the palest, dt/2 and dt/4 come closer to the full color: finer is stronger. Other
+    // variants have their own color.
     let (white, turn, color) = match variant.rsplit('/').next().map(str::trim) {
         Some("2") if variant.contains('/') => (0.25, 1, color),
         Some("4") if variant.contains('/') => (0.0, 2, color),
@@ -215,8 +216,8 @@ fn sor(omega: f64) -> (Rgb, usize, usize) {
     (color, dash, marker)
 }
 
-/// The looks of several names in one figure: each as [`style`] has it, unless one before it looks
-/// the same; then the next free dash and marker.
+/// The looks of several names in one figure: that of [`style`], unless an earlier name has it; then
+/// the next free dash and marker.
 pub fn styles(names: &[&str]) -> Vec<Style> {
     let mut taken: Vec<Style> = Vec::new();
     for name in names {
@@ -234,7 +235,7 @@ pub fn styles(names: &[&str]) -> Vec<Style> {
     taken
 }
 
-/// Width of a text in px, near enough to lay out labels without a font at hand.
+/// The estimated width of a text in px, sufficient to lay out labels without a font.
 pub fn width(text: &str, size: f64) -> f64 {
     let em = |c: char| match c {
         '⁰'..='⁹' | '¹' | '²' | '³' | '⁻' => 0.4,

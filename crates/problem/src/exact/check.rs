@@ -1,4 +1,4 @@
-//! Whether a point solves a problem, by the definition, row by row.
+//! Checks whether a point solves a problem, by the definition, row by row.
 
 use super::dyadic::Dyadic;
 use super::{Bounds, Exact, Point, Side};
@@ -16,8 +16,8 @@ impl Exact {
         })
     }
 
-    /// Whether x can be moved along d from a solution, both ways, without any w being moved and
-    /// within all bounds.
+    /// Whether x can be moved from a solution along both d and −d within all bounds, with w
+    /// unchanged.
     pub fn is_free_along(&self, d: &Point, solution: &Point, sides: &[Side]) -> bool {
         let zero = |i: usize| *d.scaled(i) == Dyadic::ZERO;
         let inside = |i: usize| {

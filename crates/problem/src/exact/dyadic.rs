@@ -1,4 +1,4 @@
-//! Binary fractions: every floating-point number is one, and so are their sums and products.
+//! Exact binary fractions: every finite floating-point number is one, and so are sums and products.
 
 use dashu_float::FBig;
 use dashu_float::round::mode::Zero;
@@ -9,22 +9,22 @@ use dashu_ratio::RBig;
 /// An exact binary fraction.
 pub type Dyadic = FBig<Zero, 2>;
 
-/// A finite number, exactly.
+/// A finite number as an exact binary fraction.
 pub fn dyadic(x: f64) -> Dyadic {
     exact_precision(Dyadic::try_from(x + 0.0).expect("a finite number")) // + 0 turns −0 into 0
 }
 
-/// An integer, exactly.
+/// An integer as an exact binary fraction.
 pub fn whole(x: IBig) -> Dyadic {
     exact_precision(Dyadic::from(x))
 }
 
-/// Precision 0 stands for unlimited: sums and products are exact from then on.
+/// Sets precision 0, which means unlimited: all later sums and products are exact.
 fn exact_precision(x: Dyadic) -> Dyadic {
     x.with_precision(0).value()
 }
 
-/// The same number as a fraction.
+/// The same number as a rational.
 pub fn rational(x: &Dyadic) -> RBig {
     let (significand, exponent) = x.repr().clone().into_parts();
     let power = IBig::ONE << exponent.unsigned_abs();
@@ -35,7 +35,7 @@ pub fn rational(x: &Dyadic) -> RBig {
     }
 }
 
-/// The numbers of an equation times the power of two that makes all of them integers.
+/// The numbers of an equation times a power of two that makes all of them integers.
 pub fn integers(equation: &[Dyadic]) -> Vec<IBig> {
     let nonzero = || equation.iter().filter(|x| **x != Dyadic::ZERO);
     let least = nonzero().map(|x| x.repr().exponent()).min().unwrap_or(0);
@@ -49,7 +49,7 @@ pub fn integers(equation: &[Dyadic]) -> Vec<IBig> {
     equation.iter().map(integer).collect()
 }
 
-/// The least number that is not below x.
+/// The smallest `f64` that is at least x.
 ///
 /// ```
 /// use lcplab_problem::exact::rounded_up;

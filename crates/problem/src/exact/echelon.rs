@@ -1,21 +1,21 @@
-//! Elimination over the integers.
+//! Gauss-Jordan elimination over the integers.
 
 use dashu_int::IBig;
 
-/// What a system of linear equations leaves of its unknowns.
+/// The solution set of a system of linear equations.
 pub(super) enum System {
     /// The equations contradict each other.
     None,
     /// One solution: numerators over a positive denominator.
     One(Vec<IBig>, IBig),
-    /// So many unknowns can be chosen.
+    /// More than one solution: `open` unknowns can be chosen freely.
     Many { open: usize },
 }
 
-/// Solves equations c·y + c₀ = 0, each a row of integers with c₀ last, in m unknowns.
+/// Solves the equations c·y + c₀ = 0 in m unknowns; each row holds the integers c, then c₀.
 ///
-/// Gauss-Jordan elimination without fractions (Bareiss 1968): after each step all pivot rows have
-/// the same pivot, and every division comes out even.
+/// Fraction-free Gauss-Jordan elimination (Bareiss 1968): after each step all pivot rows have the
+/// same pivot, and every division is exact.
 pub(super) fn solve(mut rows: Vec<Vec<IBig>>, m: usize) -> System {
     let mut pivot = IBig::ONE;
     let mut pivots = Vec::new();

@@ -1,7 +1,7 @@
-//! A problem in exact arithmetic: floating-point numbers are binary fractions.
+//! LCPs in exact arithmetic: floating-point numbers are binary fractions.
 //!
-//! Each row of a solution stands on one of three sides. A side is a linear equation, also where
-//! a row is coupled to another one:
+//! In a solution each row is on one of three sides. A side is a linear equation, even if the row is
+//! coupled to another one:
 //!
 //! ```text
 //! lower    x_i = lo_i    or    x_i = −μ_i x_k
@@ -9,8 +9,8 @@
 //! upper    x_i = hi_i    or    x_i = +μ_i x_k
 //! ```
 //!
-//! A choice of a side for every row is a *piece*. Its equations are solved in integers, and whether
-//! a point solves the problem is decided by the definition, row by row.
+//! A choice of a side for every row is a *piece*. The equations of a piece are solved in integers;
+//! the definition, row by row, decides whether a point solves the problem.
 
 mod check;
 pub mod dyadic;
@@ -27,7 +27,7 @@ pub use point::Point;
 use super::Lcp;
 use dyadic::{Dyadic, dyadic, integers};
 
-/// Where a row stands.
+/// The side of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
     /// x at its lower bound, w ≥ 0.
@@ -38,15 +38,15 @@ pub enum Side {
     Upper,
 }
 
-/// A problem in binary fractions.
+/// An LCP in binary fractions.
 pub struct Exact {
-    /// The entries of A other than 0, row by row.
+    /// The nonzero entries of A, row by row.
     a: Vec<Vec<(usize, Dyadic)>>,
     b: Vec<Dyadic>,
     bounds: Vec<Bounds>,
 }
 
-/// What bounds a row's x.
+/// The bounds of a row's x.
 enum Bounds {
     /// Numbers; `None` for infinity.
     Box(Option<Dyadic>, Option<Dyadic>),
@@ -54,17 +54,17 @@ enum Bounds {
     Coupled(usize, Dyadic),
 }
 
-/// Where the x of a row comes from, once every row has a side.
+/// How the x of a row is determined once every row has a side.
 #[derive(Clone)]
 enum Place {
-    /// A number.
+    /// It is this number.
     Known(Dyadic),
-    /// An unknown times a factor.
+    /// It is an unknown times a factor.
     Times(usize, Dyadic),
 }
 
 impl Exact {
-    /// The problem, exactly as it stands.
+    /// Converts the problem exactly.
     pub fn new(lcp: &Lcp) -> Self {
         let row = |i: usize| lcp.matrix().row(i).iter().filter(|&(_, a)| a != 0.0);
         let number = |x: f64| x.is_finite().then(|| dyadic(x));
@@ -90,9 +90,8 @@ impl Exact {
         self.b.len()
     }
 
-    /// The point of a piece where w = 0 in as many free rows as the equations determine; free rows
-    /// that they leave open keep their x. With it a null vector of the equations, if there is such
-    /// a row.
+    /// The point of a piece where w = 0 in a maximal independent set of free rows; the x of the
+    /// other free rows are kept. If there are other free rows, also a null vector of the equations.
     pub fn point(&self, sides: &[Side], x: &[f64]) -> Option<(Point, Option<Point>)> {
         if (0..self.len()).any(|i| self.is_at_infinity(i, sides[i])) {
             return None;
@@ -111,7 +110,7 @@ impl Exact {
         Some((point, null))
     }
 
-    /// x with w = 0 in as many of these rows as these entries of x, changed, can bring about.
+    /// Changes these entries of x so that w = 0 in a maximal independent set of these rows.
     pub fn repaired(&self, x: &[f64], rows: &[usize], entries: &[usize]) -> Option<Point> {
         let sides = vec![Side::Free; self.len()];
         let (rows, unknowns) = self.independent(&sides, rows, entries);
@@ -119,7 +118,7 @@ impl Exact {
         self.solve(&rows, &places, unknowns.len())
     }
 
-    /// Rows and unknowns among these whose equations are independent, as many as there are.
+    /// A maximal set of these rows and unknowns whose equations are independent.
     fn independent(
         &self,
         sides: &[Side],
@@ -134,7 +133,7 @@ impl Exact {
         (of(rows, &profile.rows), of(unknowns, &profile.columns))
     }
 
-    /// The same with b and all finite bounds 0: its solutions are directions.
+    /// The problem with b and all finite bounds set to 0: its solutions are directions.
     fn homogeneous(&self) -> Exact {
         let zero = |bound: &Option<Dyadic>| bound.as_ref().map(|_| Dyadic::ZERO);
         let bounds = |bounds: &Bounds| match bounds {
@@ -170,8 +169,8 @@ impl Exact {
         }
     }
 
-    /// Where each x comes from: sides give numbers or multiples, free rows are unknowns, or have
-    /// this x where they are not among these.
+    /// How each x is determined: by its side as a number or a multiple; for a free row as an
+    /// unknown, or as the given x if the row is not in the list.
     fn places(
         &self,
         sides: &[Side],
@@ -201,7 +200,7 @@ impl Exact {
         (0..self.len()).map(place).collect()
     }
 
-    /// w_i as the coefficients of m unknowns and a constant.
+    /// w_i as the coefficients of m unknowns, followed by a constant.
     fn equation(&self, i: usize, places: &[Place], m: usize) -> Vec<Dyadic> {
         let mut equation = vec![Dyadic::ZERO; m + 1];
         equation[m] = self.b[i].clone();
@@ -214,7 +213,7 @@ impl Exact {
         equation
     }
 
-    /// The point where w = 0 in these rows, as many as there are unknowns.
+    /// The point where w = 0 in these rows; there are as many rows as unknowns.
     fn solve(&self, rows: &[usize], places: &[Place], m: usize) -> Option<Point> {
         let equations = rows.iter().map(|&i| integers(&self.equation(i, places, m)));
         let (a, c): (Vec<_>, Vec<_>) = equations

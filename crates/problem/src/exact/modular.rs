@@ -6,9 +6,9 @@
 //! x_k = C r_k mod p,   r_{k+1} = (r_k − A x_k) / p,   x = Σ x_k p^k  (mod p^K)
 //! ```
 //!
-//! Fractions are read off x mod p^K by rational reconstruction and then *verified* in A x = r, so
-//! the answer does not hang on a bound. A step costs n² operations on small integers, where
-//! elimination over the integers multiplies numbers of thousands of digits.
+//! The fractions are reconstructed from x mod p^K and then *verified* in A x = r, so the answer
+//! does not depend on a bound. A step costs n² operations on small integers; elimination over the
+//! integers multiplies numbers of thousands of digits.
 
 use dashu_int::IBig;
 use dashu_int::ops::{Abs, BitTest, UnsignedAbs};
@@ -24,7 +24,7 @@ pub struct RankProfile {
     pub columns: Vec<usize>,
 }
 
-/// Gaussian elimination mod p. Rows and columns come out in ascending order.
+/// Gaussian elimination mod p. The rows and columns are in ascending order.
 pub fn rank_profile(a: &[Vec<IBig>]) -> RankProfile {
     let mut m: Vec<Vec<u64>> = a.iter().map(|row| row.iter().map(residue).collect()).collect();
     let mut order: Vec<usize> = (0..m.len()).collect();
@@ -77,14 +77,14 @@ pub fn solve(a: &[Vec<IBig>], r: &[IBig]) -> Option<(Vec<IBig>, IBig)> {
     None
 }
 
-/// The entries of A other than 0 as words of 64 bits, equally many each: a product with a digit is
-/// summed in so many sums of 128 bits, without a number of its own for each term.
+/// The nonzero entries of A as 64-bit words, the same number of words for each. The product with a
+/// digit is accumulated in 128-bit sums, one per word, without allocating a number for each term.
 struct Words {
-    /// Of each row the columns, with the sign and the place of the first word.
+    /// For each row the columns, each with its sign and the position of its first word.
     rows: Vec<Vec<(usize, bool, usize)>>,
-    /// The least word of an entry first.
+    /// The words, least significant first within each entry.
     words: Vec<u64>,
-    /// How many an entry has.
+    /// The number of words per entry.
     count: usize,
 }
 
@@ -105,7 +105,7 @@ impl Words {
         Words { rows: a.iter().map(row).collect(), words, count }
     }
 
-    /// The product of a row with x, digits below 2⁶¹.
+    /// The product of a row with x, whose digits are below 2⁶¹.
     fn product(&self, row: &[(usize, bool, usize)], x: &[u64]) -> IBig {
         let mut sums = [vec![0_u128; self.count + 1], vec![0_u128; self.count + 1]];
         for &(j, is_negative, first) in row {
@@ -124,12 +124,13 @@ impl Words {
     }
 }
 
-/// The number of up to eight bytes, the least first.
+/// The number in up to eight bytes, least significant first.
 fn word(bytes: &[u8]) -> u64 {
     bytes.iter().rev().fold(0, |word, &byte| word << 8 | u64::from(byte))
 }
 
-/// Digits that suffice for every numerator and denominator, by Cramer's rule and Hadamard's bound.
+/// A number of digits sufficient for every numerator and denominator, by Cramer's rule and
+/// Hadamard's bound.
 fn bound_in_digits(a: &[Vec<IBig>], r: &[IBig]) -> usize {
     let norm_bits = |row: &[IBig]| {
         row.iter().map(BitTest::bit_len).max().unwrap_or(0) + row.len().ilog2() as usize / 2 + 1
@@ -145,7 +146,7 @@ fn digit(inverse: &[Vec<u64>], rest: &[IBig]) -> Vec<u64> {
     inverse.iter().map(row).collect()
 }
 
-/// Numerators N_i and one denominator D with N_i / D ≡ x_i mod m, all of them small.
+/// Small numerators N_i and one small denominator D with N_i / D ≡ x_i mod m.
 fn reconstruct(x: &[IBig], m: &IBig) -> Option<(Vec<IBig>, IBig)> {
     let limit = IBig::ONE << ((m.bit_len() - 2) / 2);
     let mut denominator = IBig::ONE;
@@ -184,7 +185,7 @@ fn satisfies(a: &[Vec<IBig>], r: &[IBig], (numerators, denominator): &(Vec<IBig>
     a.iter().zip(r).all(|(row, r)| product(row) == r * denominator)
 }
 
-/// The representative of x mod m of least absolute value.
+/// The representative of x mod m with the smallest absolute value.
 fn symmetric(x: IBig, m: &IBig) -> IBig {
     let x = x % m;
     let twice = &x + &x;

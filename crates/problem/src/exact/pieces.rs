@@ -1,12 +1,12 @@
-//! All pieces of a problem, one after the other.
+//! Enumerates all pieces of a problem.
 //!
 //! Each row is on one of its sides: 2ⁿ pieces for contacts, 3ⁿ for boxes, 18 for a contact with two
-//! tangents. Where the equations of a piece are singular, its solutions form a polyhedron. Its
-//! corners are found by asking w_D = 0 of as many more rows D as unknowns are left open, for every
-//! such D: a corner where a free x meets its bound belongs to the piece with that row at the bound,
-//! too. Of a row of solutions that has no corner (free rows that depend on each other), one is
-//! given: the dependent x are
-//! 0. So there is no solution if no piece has one.
+//! tangents. If the equations of a piece are singular, its solutions form a polyhedron. To find the
+//! corners, w_D = 0 is added for a set D of further rows, as many as there are open unknowns, for
+//! every such set: a corner where a free x meets its bound also belongs to the piece with that row
+//! at the bound. A polyhedron without corners (free rows that depend on each other) is represented
+//! by the solution whose dependent x are 0. Therefore the problem has no solution if no piece has
+//! one.
 
 use dashu_ratio::RBig;
 
@@ -15,7 +15,7 @@ use super::echelon::{self, System};
 use super::{Bounds, Exact, Place, Point, Side};
 use crate::Lcp;
 
-/// More pieces than this are not tried.
+/// Limit on the number of pieces.
 pub const MAX_PIECES: usize = 1 << 16;
 
 /// The pieces of a problem.
@@ -23,7 +23,7 @@ pub struct Pieces {
     exact: Exact,
     /// The sides of each row.
     choices: Vec<Vec<Side>>,
-    /// Free rows whose column of A depends on those of other free rows; their x is 0.
+    /// Free rows whose column of A depends on those of other free rows; their x is set to 0.
     dependent: Vec<usize>,
     count: usize,
 }
@@ -42,7 +42,7 @@ impl Pieces {
         Some(pieces)
     }
 
-    /// How many there are.
+    /// The number of pieces.
     pub fn count(&self) -> usize {
         self.count
     }
@@ -91,7 +91,7 @@ impl Pieces {
         echelon::solve(rows.iter().map(equation).collect(), m)
     }
 
-    /// Free rows that can be moved, together with other free rows, without any w being moved.
+    /// Free rows that can move together with other free rows while every w stays the same.
     fn dependent_rows(&self) -> Vec<usize> {
         let exact = self.exact.homogeneous();
         let is_free = |&i: &usize| matches!(exact.bounds[i], Bounds::Box(None, None));
@@ -111,7 +111,7 @@ impl Pieces {
     }
 }
 
-/// All solutions of a problem, exactly: every isolated one, and the corners of every connected
+/// All solutions of a problem, exactly: every isolated solution, and the corners of every connected
 /// family. `None` if there are more than 65536 pieces.
 ///
 /// ```

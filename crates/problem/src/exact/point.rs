@@ -11,7 +11,7 @@ use super::dyadic::{Dyadic, dyadic, rational, rounded_up, whole};
 #[derive(Debug, Clone)]
 pub struct Point {
     numerators: Vec<Dyadic>,
-    /// Positive.
+    /// Always positive.
     denominator: Dyadic,
 }
 
@@ -21,7 +21,7 @@ impl Point {
         Point { numerators, denominator }
     }
 
-    /// The point where the unknowns have these numerators.
+    /// The point at which the unknowns have these values (numerators over the denominator).
     pub(super) fn of(places: &[Place], numerators: Vec<IBig>, denominator: IBig) -> Self {
         let numerators: Vec<Dyadic> = numerators.into_iter().map(whole).collect();
         let denominator = whole(denominator);
@@ -37,7 +37,7 @@ impl Point {
         self.numerators.len()
     }
 
-    /// Whether there are none.
+    /// Whether there are no entries.
     pub fn is_empty(&self) -> bool {
         self.numerators.is_empty()
     }
@@ -47,7 +47,7 @@ impl Point {
         &self.numerators[i]
     }
 
-    /// The denominator that all entries have.
+    /// The common denominator of all entries.
     pub fn denominator(&self) -> &Dyadic {
         &self.denominator
     }
@@ -60,8 +60,8 @@ impl Point {
 
     /// max_i |x_i − x*_i| for finite x, rounded up.
     pub fn distance(&self, x: &[f64]) -> f64 {
-        // Of all entries times the denominator, so that one fraction is made, and reduced, in place
-        // of n.
+        // The differences are scaled by the denominator, so that one fraction is reduced instead of
+        // n.
         let distances =
             self.numerators.iter().zip(x).map(|(own, &x)| own - dyadic(x) * &self.denominator);
         let largest = distances.map(Abs::abs).max().unwrap_or(Dyadic::ZERO);

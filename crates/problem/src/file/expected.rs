@@ -1,4 +1,4 @@
-//! What is known of a problem's solutions: the key `expected` of its file.
+//! Known solutions of a problem: the key `expected` of its file.
 
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
@@ -12,14 +12,14 @@ use super::Problem;
 /// {"solutions": [{"numerators": ["14", "0", "4", "6"], "denominator": "5"}], "complete": true}
 /// ```
 ///
-/// A solution solves the problem *exactly*, as the numbers of the file stand. The integers are
-/// written as text, because they may have any length.
+/// A solution solves the problem *exactly*, with the numbers as written in the file. The integers
+/// are written as text because they may have any length.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Expected {
     /// The solutions.
     pub solutions: Vec<Vec<RBig>>,
-    /// Whether there are no others, apart from segments between these and rays from them; with no
-    /// solution, whether none exists.
+    /// Whether there are no others, apart from segments between the listed solutions and rays from
+    /// them. With no listed solution: whether none exists.
     pub complete: bool,
 }
 
@@ -34,7 +34,8 @@ impl Expected {
         Expected { solutions: vec![x], complete: false }
     }
 
-    /// What a problem says; `None` if it says nothing, or something else than this.
+    /// The expected solutions stored in a problem; `None` if there are none or they have another
+    /// form.
     pub fn of(problem: &Problem) -> Option<Self> {
         let expected = problem.extra.get("expected")?;
         let solutions = expected["solutions"].as_array()?.iter().map(solution);

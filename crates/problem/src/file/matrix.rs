@@ -1,4 +1,4 @@
-//! The two ways to write a matrix down: all of it, or its entries.
+//! The two notations of a matrix: dense, or as a list of entries.
 
 use serde_json::{Map, Value};
 
@@ -6,12 +6,12 @@ use super::value::{as_number, brief};
 use crate::Matrix;
 use crate::error::Defects;
 
-/// The keys of an object that holds a matrix.
+/// The keys of a matrix object.
 const KEYS: [&str; 4] = ["dense", "rows", "cols", "triplets"];
 
-/// The entries of a matrix, as they are written.
+/// The entries of a matrix as given in a file.
 pub enum Entries {
-    /// Row by row, n² of them.
+    /// All n² entries, row by row.
     Dense(Vec<f64>),
     /// Row, column and value.
     Sparse(Vec<(usize, usize, f64)>),
@@ -88,7 +88,7 @@ fn sparse(a: &Map<String, Value>, n: usize, defects: &mut Defects) -> Vec<(usize
     triplets(&a["triplets"], "A.triplets", (n, n), defects)
 }
 
-/// The numbers of rows and columns, where they are given.
+/// Checks the numbers of rows and columns, if given.
 fn check_sizes(a: &Map<String, Value>, n: usize, defects: &mut Defects) {
     for key in ["rows", "cols"] {
         if let Some(value) = a.get(key).filter(|value| value.as_u64() != Some(n as u64)) {
@@ -97,7 +97,7 @@ fn check_sizes(a: &Map<String, Value>, n: usize, defects: &mut Defects) {
     }
 }
 
-/// The list under a key of a matrix with so many rows and columns.
+/// The triplets under a key, for a matrix with this number of rows and columns.
 pub(super) fn triplets(
     list: &Value,
     key: &str,

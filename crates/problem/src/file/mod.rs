@@ -12,29 +12,30 @@
 //! | `b` | n numbers |
 //! | `lo`, `hi` | n numbers or `"inf"`, `"-inf"`; 0 and ∞ where the key is absent |
 //! | `friction_index`, `mu` | row i is bounded by ±mu\[i\]·max(x\[k\], 0) with k = friction_index\[i\]; −1 for none. Its lo and hi are absent or infinite |
-//! | `model` | under which model of friction x is a solution, such as `"coulomb-cone"`: see [`friction`](super::friction); `"coupled-box"` where the key is absent |
-//! | `frozen_at` | n numbers, of which the box of model 1, `"frozen-box"`, takes the normal impulses x\[k\] |
-//! | `scale` | the size of x that counts as something: a row whose terms are below s_i times this is at rest, and measured by that; see [`Lcp::with_scale`] |
-//! | `motion` | the bodies and rows that A and b were made from, `{"mass": triplets of M's upper triangle (k × k), "jacobian": triplets of J (n × k), "bias": n numbers, "compliance": n numbers γ, "target": k numbers u*, "level": optionally "velocity" (m/s) or "acceleration" (m/s²), which u is}`; see [`Gauss`] |
-//! | `rows` | optional, an object a row: its `label`, `kind`, `unit` and the names of its two `bodies` |
-//! | `bodies`, `gravity` | optional, beside `motion`: for each body that moves its `name`, its `first` column of M and their `count`; what gravity adds to each velocity in `target` |
+//! | `model` | the friction model under which x is a solution, such as `"coulomb-cone"`: see [`friction`](super::friction); `"coupled-box"` if the key is absent |
+//! | `frozen_at` | n numbers x; their normal impulses x\[k\] give the size of the boxes of model 1, `"frozen-box"` |
+//! | `scale` | the smallest significant size of x: a row whose terms are below s_i times this is measured by s_i times this; see [`Lcp::with_scale`] |
+//! | `motion` | the bodies and rows that A and b were made from, `{"mass": triplets of M's upper triangle (k × k), "jacobian": triplets of J (n × k), "bias": n numbers, "compliance": n numbers γ, "target": k numbers u*, "level": optionally "velocity" (m/s) or "acceleration" (m/s²), the meaning of u}`; see [`Gauss`] |
+//! | `rows` | optional, one object for each row: its `label`, `kind`, `unit` and the names of its two `bodies` |
+//! | `bodies`, `gravity` | optional, with `motion`: for each movable body its `name`, its `first` column of M and their `count`; the contribution of gravity to each velocity in `target` |
 //! | `name`, `source`, `dt`, `expected` | optional, kept as they are |
-//! | `hunt` | optional, kept: what a search for a wrong answer found, the `solver`, its `x` and the `right_x` |
+//! | `hunt` | optional, kept: the result of a search for a wrong answer: the `solver`, its `x` and the `right_x` |
 //!
-//! A *friction problem* is a file with friction rows in pairs: the tangents t1, t2 of a contact
-//! have the same μ and are bounded by the same row n. The exported steps of scenes are such files.
-//! A unit mass on the floor, pressed with 2 N s and pushed with 3 N s, under Coulomb's law:
+//! A *friction problem* is a file whose friction rows come in pairs: the tangents t1, t2 of a
+//! contact have the same μ and are bounded by the same row n. Exported steps of scenes are such
+//! files. Example: a unit mass on the floor under a normal impulse of 2 N s and a tangential one of
+//! 3 N s, with Coulomb's law:
 //!
 //! ```json
 //! {"A": {"dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, "b": [-2, -3, 0],
 //!  "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5], "model": "coulomb-cone"}
 //! ```
 //!
-//! Other programs' files are read and written by the crate `lcplab-files`. Other keys are ignored
-//! with a warning, which names the key that may have been meant; in `A` they are an error, and so
-//! is a key given twice. Memory is bounded: n is checked against the length of b before anything of
-//! that size is made, and a file that would take more than is allowed ([`Problem::read_within`]) is
-//! refused before it is parsed.
+//! The crate `lcplab-files` reads and writes the files of other programs. Unknown keys are ignored
+//! with a warning that suggests the most similar known key; in `A` they are an error, and so is a
+//! duplicate key. Memory is bounded: n is compared with the length of b before anything of size n
+//! is allocated, and a file that would exceed the limit ([`Problem::read_within`]) is rejected
+//! before it is parsed.
 
 mod expected;
 mod matrix;
@@ -63,28 +64,28 @@ use crate::error::{Defects, Error, Result};
 use crate::json;
 use crate::memory::Memory;
 
-/// A problem as it stands in a file.
+/// A problem as stored in a file.
 #[derive(Debug, Clone)]
 pub struct Problem {
-    /// What it is called; empty without a name.
+    /// Its name; empty without a name.
     pub name: String,
-    /// The numbers.
+    /// A, b and the bounds.
     pub lcp: Lcp,
-    /// Under which model of friction it is to be solved, if the file says so.
+    /// The friction model under which to solve it, if the file states one.
     pub model: Option<Model>,
     /// The x at which model 1 freezes its boxes, n entries.
     pub frozen_at: Option<Vec<f64>>,
-    /// The bodies and rows that A and b were made from, if the file says so; it is bounded as the
-    /// problem is.
+    /// The bodies and rows that A and b were made from, if the file has them; the bounds are those
+    /// of the problem.
     pub motion: Option<Gauss>,
     /// Keys that are kept but not interpreted: `source`, `dt`, `rows`, `bodies`, `gravity`,
     /// `expected`, `hunt`.
     pub extra: Map<String, Value>,
-    /// What was ignored while reading.
+    /// Warnings about ignored keys.
     pub warnings: Vec<String>,
 }
 
-/// The format as a JSON schema.
+/// The JSON schema of the format.
 ///
 /// ```
 /// let schema: serde_json::Value = serde_json::from_str(lcplab_problem::file::SCHEMA).unwrap();
@@ -97,7 +98,7 @@ const READ: [&str; 11] =
     ["name", "A", "b", "lo", "hi", "friction_index", "mu", "model", "frozen_at", "scale", "motion"];
 
 impl Problem {
-    /// A problem with a name and nothing else.
+    /// A problem with a name and an LCP only.
     pub fn new(name: impl Into<String>, lcp: Lcp) -> Self {
         let (model, frozen_at, motion) = (None, None, None);
         let (extra, warnings) = (Map::new(), Vec::new());
@@ -107,7 +108,7 @@ impl Problem {
     /// The contacts with friction, if there are any friction rows.
     ///
     /// # Errors
-    /// If the friction rows are not the two tangents of contacts each.
+    /// If the friction rows are not the two tangents of contacts.
     pub fn friction(&self) -> Option<Result<FrictionProblem>> {
         let coupling = self.lcp.coupling()?;
         (!coupling.is_empty()).then(|| FrictionProblem::of(&self.lcp))
@@ -121,10 +122,10 @@ impl Problem {
         Self::read_within(path, Memory::default())
     }
 
-    /// The same with another limit on the memory that it takes to read it.
+    /// Like [`read`](Problem::read), with another limit on the memory for reading.
     ///
     /// # Errors
-    /// As [`read`](Problem::read), or if it needs more.
+    /// As [`read`](Problem::read), or if it needs more memory.
     pub fn read_within(path: &Path, most: Memory) -> Result<Self> {
         Self::parse(&read_text(path, most)?, &path.display().to_string())
     }
@@ -148,7 +149,7 @@ impl Problem {
         for key in ["A", "b"].into_iter().filter(|key| !object.contains_key(*key)) {
             defects.add(key, "is missing");
         }
-        defects.result(input)?; // without both there are no sizes to check by
+        defects.result(input)?; // A and b give the sizes for all later checks
         let parts = Parts::read(&object, &mut defects);
         let model = model(&object, &mut defects);
         let frozen_at = frozen_at(&object, parts.b.len(), &mut defects);
@@ -172,8 +173,8 @@ impl Problem {
         Ok(Problem { name, lcp, model, frozen_at, motion, extra, warnings })
     }
 
-    /// The problem as JSON, sparse if its matrix is stored sparsely. Reading it back gives the same
-    /// bits.
+    /// The problem as JSON, sparse if its matrix is stored sparsely. Reading it back gives bitwise
+    /// the same problem.
     pub fn to_json(&self) -> Value {
         let lcp = &self.lcp;
         let n = lcp.len();
@@ -218,7 +219,7 @@ impl Problem {
     }
 }
 
-/// The vector under the key `x` of an answer file, any JSON object that has one.
+/// The vector under the key `x` of an answer file, which is any JSON object with this key.
 ///
 /// # Errors
 /// If the file cannot be read within this memory or has no such vector of `n` numbers.
@@ -226,19 +227,19 @@ pub fn read_answer(path: &Path, n: usize, most: Memory) -> Result<Vec<f64>> {
     read_answers(path, n, most).map(|answers| answers.x)
 }
 
-/// What an answer file holds.
+/// The contents of an answer file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answers {
     /// The answer.
     pub x: Vec<f64>,
-    /// What led to it, under the key `iterates`; none without the key.
+    /// The iterates before the answer, under the key `iterates`; empty without the key.
     pub iterates: Vec<Vec<f64>>,
 }
 
 /// The vectors under the keys `x` and `iterates` of an answer file.
 ///
 /// # Errors
-/// As [`read_answer`], and if an iterate is no vector of `n` numbers.
+/// As [`read_answer`], and if an iterate is not a vector of `n` numbers.
 pub fn read_answers(path: &Path, n: usize, most: Memory) -> Result<Answers> {
     let input = path.display().to_string();
     let mut object = parse_object(&read_text(path, most)?, &input)?;
@@ -268,10 +269,11 @@ pub fn read_answers(path: &Path, n: usize, most: Memory) -> Result<Answers> {
     Ok(Answers { x, iterates })
 }
 
-/// What a JSON value takes while it is read, with its place in a list and in the matrix (bytes).
+/// Memory of one JSON value during reading, including its entry in a list and in the matrix
+/// (bytes).
 const VALUE: usize = 64;
 
-/// The text of a file that can be read within this memory.
+/// The text of a file, if reading it stays within this memory limit.
 fn read_text(path: &Path, most: Memory) -> Result<String> {
     let text = disk::read(path, most)?;
     let values = 1 + text.bytes().filter(|byte| b",[{".contains(byte)).count();

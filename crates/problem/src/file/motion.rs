@@ -7,12 +7,12 @@ use super::value::{brief, numbers};
 use crate::error::Defects;
 use crate::{Gauss, Lcp, Level};
 
-/// The keys that the object must have.
+/// The required keys.
 const KEYS: [&str; 5] = ["mass", "jacobian", "bias", "compliance", "target"];
-/// The key that it may have.
+/// The optional key.
 const LEVEL: &str = "level";
 
-/// The data of Gauss's principle under the key `motion`, if it is there; bounds are those of the
+/// The data of Gauss's principle under the key `motion`, if present; the bounds are those of the
 /// problem.
 pub(super) fn read(object: &Map<String, Value>, n: usize, defects: &mut Defects) -> Option<Gauss> {
     let Value::Object(motion) = object.get("motion")? else {
@@ -72,7 +72,7 @@ pub(super) fn read(object: &Map<String, Value>, n: usize, defects: &mut Defects)
     Some(Gauss { mass, jacobian, bias, compliance, target, lo, hi, level })
 }
 
-/// What the motion is.
+/// The value of the key `level`.
 fn level(value: &Value, defects: &mut Defects) -> Option<Level> {
     let known = Level::ALL.into_iter().find(|level| value.as_str() == Some(level.name()));
     if known.is_none() {
@@ -82,12 +82,12 @@ fn level(value: &Value, defects: &mut Defects) -> Option<Level> {
     known
 }
 
-/// The same with the bounds of the problem.
+/// The motion with the bounds of the problem.
 pub(super) fn within_bounds(motion: Gauss, lcp: &Lcp) -> Gauss {
     Gauss { lo: lcp.lo().to_vec(), hi: lcp.hi().to_vec(), ..motion }
 }
 
-/// As it stands in a file.
+/// The motion as written in a file.
 pub(super) fn to_json(motion: &Gauss) -> Value {
     let jacobian = motion.jacobian.iter().enumerate();
     let jacobian: Vec<(usize, usize, f64)> =

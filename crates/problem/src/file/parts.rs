@@ -1,4 +1,4 @@
-//! The keys of a problem file one by one, and what they make together.
+//! The keys of a problem file one by one, and the LCP they form.
 
 use serde_json::{Map, Value};
 
@@ -8,16 +8,15 @@ use crate::error::{Defects, Error, Result};
 use crate::friction::Model;
 use crate::{Coupling, Lcp};
 
-/// The keys of a problem file, each well-formed in itself; the entries are those of an n × n
-/// matrix, n the length of b.
+/// The keys of a problem file, each valid by itself; n is the length of b.
 pub struct Parts {
     /// A.
     pub entries: Entries,
     /// b, n numbers.
     pub b: Vec<f64>,
-    /// lo; 0 without it.
+    /// lo; 0 if absent.
     pub lo: Option<Vec<f64>>,
-    /// hi; ∞ without it.
+    /// hi; ∞ if absent.
     pub hi: Option<Vec<f64>>,
     /// The key `friction_index`.
     pub index: Option<Vec<Option<usize>>>,
@@ -26,7 +25,7 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// The keys, as far as they are well-formed; both A and b are there.
+    /// Reads the keys and collects their defects; A and b must be present.
     pub fn read(object: &Map<String, Value>, defects: &mut Defects) -> Self {
         let b = numbers(object, "b", defects).unwrap_or_default();
         let entries = Entries::read(&object["A"], b.len(), defects);
@@ -40,10 +39,10 @@ impl Parts {
         }
     }
 
-    /// The problem they make.
+    /// The LCP that the keys form.
     ///
     /// # Errors
-    /// If they do not fit together.
+    /// If the keys contradict each other.
     pub fn into_lcp(self) -> Result<Lcp> {
         let n = self.b.len();
         let matrix = self.entries.matrix(n);
@@ -64,7 +63,7 @@ impl Parts {
     }
 }
 
-/// The number under the key `scale`, positive; 0 without it.
+/// The positive number under the key `scale`; 0 if absent.
 pub(super) fn scale(object: &Map<String, Value>, defects: &mut Defects) -> f64 {
     match object.get("scale").map(|value| (value.as_f64(), value)) {
         None => 0.0,
@@ -76,7 +75,7 @@ pub(super) fn scale(object: &Map<String, Value>, defects: &mut Defects) -> f64 {
     }
 }
 
-/// The model of friction under the key `model`.
+/// The friction model under the key `model`.
 pub(super) fn model(object: &Map<String, Value>, defects: &mut Defects) -> Option<Model> {
     let value = object.get("model")?;
     let model = value.as_str().map(str::parse::<Model>);

@@ -1,8 +1,8 @@
-//! Which key of a problem file an unknown one may have been meant to be.
+//! Suggests the known key of a problem file that an unknown key was probably meant to be.
 
 use super::READ;
 
-/// Other names of what a problem file holds, as programs and textbooks use them.
+/// Names that other programs and textbooks use for the keys of a problem file.
 const OTHER_NAMES: [(&str, &[&str]); 5] = [
     ("b", &["q"]),
     ("lo", &["l", "lb", "low", "lower", "min"]),
@@ -11,23 +11,23 @@ const OTHER_NAMES: [(&str, &[&str]); 5] = [
     ("friction_index", &["findex"]),
 ];
 
-/// Changed letters up to which a key is taken for a misspelt one.
+/// A key with at most this many changed letters counts as misspelled.
 const MOST_CHANGES: usize = 2;
 
-/// The known key that is most like this one, if any is.
+/// The known key most similar to this one, if any is similar.
 pub(super) fn similar(key: &str) -> Option<&'static str> {
     let key = key.to_lowercase().replace('-', "_");
     let is_other = |(_, others): &&(&str, &[&str])| others.contains(&key.as_str());
     if let Some((known, _)) = OTHER_NAMES.iter().find(is_other) {
         return Some(known);
     }
-    // Two changes make any short word of any other.
+    // Two changes turn any short word into any other.
     let long = READ.into_iter().filter(|known| known.len() > 2 * MOST_CHANGES);
     let nearest = long.map(|known| (changes(&key, known), known)).min()?;
     (nearest.0 <= MOST_CHANGES).then_some(nearest.1)
 }
 
-/// How many letters must be changed, added or removed to make one word of another.
+/// The number of letters to change, add or remove to turn one word into the other.
 fn changes(from: &str, to: &str) -> usize {
     let to: Vec<char> = to.chars().collect();
     let mut row: Vec<usize> = (0..=to.len()).collect();

@@ -1,4 +1,4 @@
-//! JSON values that problem files are made of: numbers with words for what is not finite.
+//! JSON values of problem files: numbers, and words for infinities and NaN.
 
 use serde_json::{Map, Value, json};
 
@@ -15,7 +15,7 @@ pub fn number(value: f64) -> Value {
     }
 }
 
-/// The number that a JSON value stands for: a number, or one of the words "inf", "-inf" and "nan".
+/// The value of a JSON number, or of one of the words "inf", "-inf" and "nan".
 pub fn as_number(value: &Value) -> Option<f64> {
     match value {
         Value::Number(number) => number.as_f64(),
@@ -29,7 +29,7 @@ pub fn as_number(value: &Value) -> Option<f64> {
     }
 }
 
-/// The list of numbers under a key, if it is there.
+/// The list of numbers under a key, if present.
 pub(super) fn numbers(
     object: &Map<String, Value>,
     key: &str,
@@ -48,7 +48,7 @@ pub(super) fn numbers(
     Some(values.iter().enumerate().map(number).collect())
 }
 
-/// A value for an error message, cut short.
+/// A value for an error message, shortened.
 pub(super) fn brief(value: &Value) -> String {
     let text = value.to_string();
     if text.chars().count() <= 40 {

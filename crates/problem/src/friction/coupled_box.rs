@@ -1,17 +1,17 @@
-//! Model 2: a box that grows with the normal impulse.
+//! Model 2: a box whose size is proportional to the normal impulse.
 //!
 //! ```text
 //! x_n ≥ 0,   −μ x_n ≤ x_t1, x_t2 ≤ μ x_n        as a pyramid over a square
 //! ```
 //!
-//! Both tangents are treated as contacts of their own, each with Coulomb's law in one dimension. So
-//! a contact that slides along t1 rubs rightly; one that slides at an angle is braked by both rows
-//! in full, by √2 μ x_n in all, in the direction of a corner of the square and not against the
-//! slip. Rotating the tangents changes the answer: the model has directions that nature has not.
+//! Each tangent obeys Coulomb's law in one dimension, independently of the other. Friction is
+//! therefore correct for a contact that slides along t1; for an oblique slip both rows apply their
+//! full force, √2 μ x_n together, toward a corner of the square and not against the slip. Rotating
+//! the tangents changes the answer: the model is anisotropic, unlike Coulomb friction.
 //!
-//! A solution is a fixed point of [`FrictionProblem::frozen_box`]: x̄_n in, x_n out. It need not be
-//! unique, and freezing need not lead to it, when μ is large. Open Dynamics Engine's `findex` and
-//! most game engines are this model.
+//! A solution is a fixed point of [`FrictionProblem::frozen_box`], which maps x̄_n to x_n. If μ is
+//! large, it need not be unique, and repeated freezing need not converge to it. Open Dynamics
+//! Engine's `findex` and most game engines use this model.
 
 use super::FrictionProblem;
 use crate::{Coupling, Lcp};

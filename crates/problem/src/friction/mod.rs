@@ -1,30 +1,32 @@
 //! Dry friction at contacts: one problem, four models.
 //!
-//! A contact has three rows of A, its normal n and two tangents t1, t2. x_n presses, x_t rubs; w_n
+//! A contact has three rows of A, its normal n and two tangents t1, t2. x_n is the normal and x_t
+//! the friction impulse or force; w_n and w_t are the resulting velocities or accelerations.
+//! Coulomb's law for each contact:
 //! and w_t are the velocities (or accelerations) they lead to. Coulomb's law says of each contact:
 //!
 //! ```text
-//! x_n ≥ 0,  w_n ≥ 0,  x_n w_n = 0          it neither pulls nor is pressed in
-//! |x_t| ≤ μ x_n                            friction stays within a cone
-//! w_t ≠ 0  ⇒  x_t = −μ x_n w_t / |w_t|     a sliding contact rubs with full force against the slip
+//! x_n ≥ 0,  w_n ≥ 0,  x_n w_n = 0          no tension, no penetration
+//! |x_t| ≤ μ x_n                            friction lies within a cone
+//! w_t ≠ 0  ⇒  x_t = −μ x_n w_t / |w_t|     full friction opposite to the slip
 //! ```
 //!
-//! The third line is what makes it hard: it is neither linear nor the condition of any minimum.
-//! Each model gives up one thing:
+//! The third line makes the problem hard: it is neither linear nor the optimality condition of a
+//! minimization. Each model gives up one property:
 //!
 //! | model | x_t lies in | gives up | becomes |
 //! | --- | --- | --- | --- |
 //! | 1 [`FrictionProblem::frozen_box`] | a square of fixed size | the present x_n | a boxed LCP, symmetric |
-//! | 2 [`FrictionProblem::coupled_box`] | a square of half-width μ x_n | that all directions are alike | a boxed LCP with [`Coupling`] |
+//! | 2 [`FrictionProblem::coupled_box`] | a square of half-width μ x_n | isotropy | a boxed LCP with [`Coupling`] |
 //! | 3 [`Polyhedral`] | a polygon with k corners | all but k directions | an LCP, not symmetric |
-//! | 4a [`ConeProblem`], [`Law::Associated`] | the disc | w_n = 0 while sliding | a convex cone program |
-//! | 4b [`ConeProblem`], [`Law::Coulomb`] | the disc | nothing | a cone problem, not convex |
+//! | 4a [`ConeProblem`], [`Law::Associated`] | the disk | w_n = 0 while sliding | a convex cone program |
+//! | 4b [`ConeProblem`], [`Law::Coulomb`] | the disk | nothing | a cone problem, not convex |
 //!
-//! [`Model`] names them, and [`Model::pose`] states a problem under one.
+//! [`Model`] lists them, and [`Model::pose`] states a problem under one of them.
 //!
-//! A push along an edge of the square and one along its diagonal meet resistances of μ x_n and √2 μ
-//! x_n: the box rubs 41 % too much. A polygon with four corners on the disc rubs 29 % too little
-//! across an edge, one with k corners 1 − cos(π/k).
+//! Along an edge of the square the box model gives the resistance μ x_n, along its diagonal √2 μ
+//! x_n: 41 % too much. A polygon with four corners on the disk gives 29 % too little across an
+//! edge, one with k corners a fraction 1 − cos(π/k) too little.
 //!
 //! ```
 //! use lcplab_problem::{Lcp, Matrix};
@@ -63,12 +65,12 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// The contact's entries n, t1, t2 of a vector with an entry a row.
+    /// The contact's entries n, t1, t2 of a vector with one entry per row.
     pub fn of(&self, values: &[f64]) -> [f64; 3] {
         self.rows.map(|i| values[i])
     }
 
-    /// Puts the contact's entries n, t1, t2 into a vector with an entry a row.
+    /// Writes the contact's entries n, t1, t2 into a vector with one entry per row.
     pub fn put(&self, entries: [f64; 3], values: &mut [f64]) {
         for (i, entry) in self.rows.into_iter().zip(entries) {
             values[i] = entry;
@@ -76,9 +78,9 @@ impl Contact {
     }
 }
 
-/// w = A x + b with some contacts; the other rows have bounds of their own. It is valid from
-/// construction on: a contact's rows belong to it alone, x_n is bounded by 0 from below, and x_t by
-/// the model of friction only.
+/// w = A x + b with some contacts; the other rows have their own bounds. The constructor checks
+/// that each contact has rows of its own, that x_n ≥ 0 is the only bound of x_n, and that only
+/// friction bounds x_t.
 #[derive(Debug, Clone)]
 pub struct FrictionProblem {
     /// A, b and the bounds without friction; no coupling.
@@ -89,11 +91,11 @@ pub struct FrictionProblem {
 }
 
 impl FrictionProblem {
-    /// The problem with these contacts among the rows of an LCP without coupling.
+    /// The problem with these contacts among the rows of an uncoupled LCP.
     ///
     /// # Errors
-    /// Lists each contact with a row that does not exist, is taken or has other bounds than 0 ≤
-    /// x_n, x_t free, and each μ that is negative or not finite.
+    /// Lists each contact with a row that does not exist, belongs to another contact or has bounds
+    /// other than 0 ≤ x_n, x_t free, and each μ that is negative or not finite.
     pub fn new(lcp: Lcp, contacts: Vec<Contact>) -> Result<Self> {
         let mut defects = Defects::default();
         if lcp.coupling().is_some() {
@@ -115,10 +117,10 @@ impl FrictionProblem {
         Ok(FrictionProblem { lcp, contacts, others })
     }
 
-    /// The problem of an LCP's [contacts](Lcp::contacts), whose box model is that LCP.
+    /// The problem with an LCP's [contacts](Lcp::contacts); its box model is that LCP.
     ///
     /// # Errors
-    /// Lists each row that bounds not exactly two others, or two with different μ; otherwise as
+    /// Lists each row that bounds others, but not exactly two with the same μ; otherwise as
     /// [`FrictionProblem::new`].
     pub fn of(lcp: &Lcp) -> Result<Self> {
         let mut defects = Defects::default();
@@ -141,16 +143,16 @@ impl FrictionProblem {
         FrictionProblem::new(Lcp { coupling: None, ..lcp.clone() }, lcp.contacts().to_vec())
     }
 
-    /// A, b and the bounds that are left without friction: 0 ≤ x_n, x_t free.
+    /// A, b and the bounds without friction: 0 ≤ x_n, x_t free.
     pub fn lcp(&self) -> &Lcp {
         &self.lcp
     }
 
-    /// The problem with this part of each diagonal entry of A added to it: every row is a
-    /// little compliant, and no load can be shared in two ways any more.
+    /// The problem with each diagonal entry of A increased by this fraction of itself: every row
+    /// becomes slightly compliant, which makes the distribution of the load unique.
     ///
     /// # Errors
-    /// If an entry is not finite then.
+    /// If an increased entry is not finite.
     pub fn softened(&self, part: f64) -> Result<Self> {
         let lcp = self.lcp.softened(part)?;
         Ok(FrictionProblem { lcp, ..self.clone() })
@@ -167,11 +169,11 @@ impl FrictionProblem {
     }
 }
 
-/// Marks row i as taken; says why, if a contact cannot have it.
+/// Marks row i as used; returns the reason if a contact cannot use it.
 fn take_row(lcp: &Lcp, is_free: &mut [bool], i: usize, is_normal: bool) -> Option<String> {
     match is_free.get_mut(i) {
         None => return Some(format!("does not exist, there are only {} rows", lcp.len())),
-        Some(false) => return Some("is taken twice".to_string()),
+        Some(false) => return Some("is used twice".to_string()),
         Some(free) => *free = false,
     }
     let (lo, hi) = (lcp.lo()[i], lcp.hi()[i]);

@@ -1,4 +1,4 @@
-//! The models by name, and a friction problem as each of them states it.
+//! The friction models by name, and the problem that each of them states.
 
 use std::fmt;
 use std::str::FromStr;
@@ -9,30 +9,30 @@ use super::{ConeProblem, FrictionProblem, Law, Polyhedral};
 use crate::Lcp;
 use crate::error::{Error, Result};
 
-/// The most corners of a polygon that a name can ask for.
+/// The largest number of polygon corners allowed in a name.
 const MOST_DIRECTIONS: usize = 256;
 
-/// A model of friction: what the tangential impulse x_t of a contact may be, x_n being the normal
-/// one.
+/// A friction model: the set of friction impulses x_t allowed at a contact with the normal impulse
+/// x_n.
 ///
-/// The same type in problem files, in scenes and for the judge; its text is its name there and on
-/// the command line. See [`friction`](crate::friction).
+/// Problem files, scenes and the judge use this type; it is printed as its name there and on the
+/// command line. See [`friction`](crate::friction).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub enum Model {
-    /// 1: a box frozen at normal impulses that are known beforehand.
+    /// 1: a box frozen at known normal impulses.
     FrozenBox,
     /// 2: a box of half-width μ x_n.
     #[default]
     CoupledBox,
     /// 3: a polygon.
     Polyhedral {
-        /// Its corners.
+        /// The number of corners.
         directions: usize,
     },
-    /// 4a: the disc, as a convex problem.
+    /// 4a: the disk, as a convex problem.
     AssociatedCone,
-    /// 4b: the disc, Coulomb's law.
+    /// 4b: the disk, Coulomb's law.
     CoulombCone,
 }
 
@@ -49,10 +49,10 @@ impl Model {
     ];
 
     /// The problem that x solves under this model; model 1 freezes its boxes at the x_n of
-    /// `frozen_at`, a vector with an entry a row.
+    /// `frozen_at`, a vector with one entry per row.
     ///
     /// # Errors
-    /// If a number of directions cannot be used, or model 1 has nothing to freeze its boxes at.
+    /// If the number of directions is not allowed, or model 1 has no `frozen_at`.
     pub fn pose(self, problem: &FrictionProblem, frozen_at: Option<&[f64]>) -> Result<Posed> {
         let cone = |law| Posed::Cone(ConeProblem::new(problem.clone(), law));
         Ok(match self {
@@ -73,12 +73,12 @@ impl Model {
     }
 }
 
-/// A friction problem under a model, for the same x.
+/// A friction problem stated under a model; x means the same in all of them.
 #[derive(Debug, Clone)]
 pub enum Posed {
     /// Models 1 and 2; also any LCP without friction.
     Boxed(Lcp),
-    /// Model 3: x is found by way of the unknowns z.
+    /// Model 3: its LCP has unknowns z, from which x is computed.
     Polyhedral(Polyhedral),
     /// Model 4.
     Cone(ConeProblem),

@@ -1,33 +1,32 @@
-//! The two tangents of a contact, measured together: in which unit their impulses stand beside
-//! their w.
+//! The residual of a contact's two tangents together: the unit that makes x_t comparable with w_t.
 //!
 //! ```text
-//! s_t x_t                where the disc is wider than what the terms ask for, terms_t / s_t
-//! (terms_t / R) x_t      where it is narrower: then no step is longer than the disc is wide
+//! s_t x_t                where the disk is wider than terms_t / s_t
+//! (terms_t / R) x_t      where it is narrower: then no step is longer than the disk's width
 //! ```
 
 use crate::merit::{self, RowTerms, reach_of_friction};
 
-/// The tangents' w and the sizes to measure them by, in units of 2^`exponent`.
+/// The w_t of a contact and the sizes it is compared with, in units of 2^`exponent`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Tangents {
     pub w: [f64; 2],
-    /// The terms of both.
+    /// The terms of both rows.
     pub magnitude: f64,
-    /// s_t, or 1 where both rows of A are 0.
+    /// s_t, or 1 if both rows of A are 0.
     pub scale: f64,
     has_scale: bool,
     pub exponent: i32,
-    /// R: how wide the disc may be, as far as the normal is known.
+    /// R: the possible radius of the disk, given the accuracy of the normal impulse.
     reach: f64,
 }
 
-/// What turns x_t into a number to hold beside w_t.
+/// The factor that makes x_t comparable with w_t.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Unit {
     /// s_t, in units of 2^`exponent`.
     Scale { scale: f64, exponent: i32 },
-    /// terms_t / R, which may be beyond the largest number.
+    /// terms_t / R, which may exceed the largest `f64`.
     Reach { magnitude: f64, reach: f64, exponent: i32 },
 }
 
@@ -49,7 +48,7 @@ impl Unit {
 }
 
 impl Tangents {
-    /// Those with these terms and s_t under a normal of this size.
+    /// The tangents of these rows with this s_t, under a normal impulse of this size.
     pub fn new(
         rows: [RowTerms; 2],
         scale: Option<f64>,
@@ -65,8 +64,8 @@ impl Tangents {
         Tangents { w, magnitude, scale, has_scale, exponent, reach }
     }
 
-    /// What is measured in the unit of s_t, and in that of the disc where it is narrower, or where
-    /// nothing moves with x_t and s_t is no unit of it.
+    /// The measure in the unit of s_t, and in the unit of the disk if the disk is narrower or if
+    /// both rows of A are 0, so that s_t gives no unit.
     pub fn measured<T: Copy>(&self, measure: impl Fn(Unit) -> T) -> [T; 2] {
         let Tangents { magnitude, scale, has_scale, exponent, reach, .. } = *self;
         let own = Unit::Scale { scale, exponent };

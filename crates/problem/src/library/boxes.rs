@@ -1,5 +1,6 @@
-//! A stack of cubes with a contact at each corner: four rows, or twelve with friction, where three,
-//! or six, would do. A is singular, and pivots that should vanish are rounding.
+//! A stack of cubes with a contact at each corner: four rows for each pair of cubes where three
+//! would suffice, or twelve with friction where six would. A is singular, and pivots that should be
+//! zero are rounding errors.
 
 use super::contact::delassus;
 use super::random::Random;
@@ -19,11 +20,11 @@ pub(super) const FAMILIES: &[Generated] = &[Generated {
     make: box_stack,
 }];
 
-/// Seconds and m/s²: what cubes at rest have gained after a step.
+/// The speed that a cube gains in one step of 1/60 s under gravity (m/s).
 const FALL: f64 = 9.81 / 60.0;
-/// Standard deviation of the other velocities.
+/// Standard deviation of the random part of the velocities.
 const JITTER: f64 = 0.1;
-/// Sweeps after which the normal impulses are taken for friction's bounds.
+/// The number of sweeps for the normal impulses that set the friction bounds.
 const SWEEPS: usize = 1000;
 /// The corners of a face, and the directions of a contact's rows.
 const CORNERS: [[f64; 2]; 4] = [[-0.5, -0.5], [-0.5, 0.5], [0.5, -0.5], [0.5, 0.5]];
@@ -48,7 +49,7 @@ fn box_stack(values: &Values) -> Problem {
     Problem::new("", Lcp::new(a, b, lo, hi).expect("a family makes valid problems"))
 }
 
-/// A and b = J u of the contacts' rows in these directions.
+/// A and b = J u of the contact rows in these directions.
 fn problem(boxes: usize, velocity: &[f64], directions: &[[f64; 3]]) -> (Matrix, Vec<f64>) {
     let mut rows: Vec<Vec<(usize, f64)>> = Vec::new();
     for body in 0..boxes {
@@ -66,18 +67,18 @@ fn problem(boxes: usize, velocity: &[f64], directions: &[[f64; 3]]) -> (Matrix, 
         }
     }
     let b = rows.iter().map(|row| row.iter().map(|&(k, j)| j * velocity[k]).sum()).collect();
-    // a cube's moments are a sixth of its mass times the square of its edge
+    // a cube's moment of inertia is mass × edge² / 6
     (delassus(&rows, |k| if k % 6 < 3 { 1.0 } else { 6.0 }), b)
 }
 
-/// ± (d, r × d): how a point at r from the centre moves along d with its body.
+/// ± (d, r × d): the velocity along d of a point at r from the center of a body.
 fn part(body: usize, sign: f64, [x, y, z]: [f64; 3], [d, e, f]: &[f64; 3]) -> Vec<(usize, f64)> {
     let entries = [*d, *e, *f, y * f - z * e, z * d - x * f, x * e - y * d];
     let nonzero = entries.into_iter().enumerate().filter(|(_, entry)| *entry != 0.0);
     nonzero.map(|(k, entry)| (6 * body + k, sign * entry)).collect()
 }
 
-/// Normal impulses, all but solved for.
+/// Normal impulses, nearly converged.
 fn loads(normal: &Lcp) -> Vec<f64> {
     let mut x = vec![0.0; normal.len()];
     for _ in 0..SWEEPS {

@@ -1,4 +1,4 @@
-//! The matrices of contact problems, without the bodies: stacks, tables, friction, random piles.
+//! Matrices of contact problems without bodies: stacks, tables, friction, random piles.
 
 use dashu_ratio::RBig;
 
@@ -77,14 +77,14 @@ pub(super) fn delassus(rows: &[Vec<(usize, f64)>], inverse_mass: impl Fn(usize) 
     Matrix::sparse(rows.len(), &entries)
 }
 
-/// Contact i carries all bodies above it: x_i = n − 1 − i + the top mass.
+/// Contact i supports all bodies above it: x_i = n − 1 − i + the top mass.
 fn stack(n: usize, ratio: f64) -> Problem {
     let inverse = 1.0 / ratio;
     let rows: Vec<Vec<(usize, f64)>> = (0..n)
         .map(|i| if i == 0 { vec![(0, 1.0)] } else { vec![(i, 1.0), (i - 1, -1.0)] })
         .collect();
     let a = delassus(&rows, |body| if body + 1 == n { inverse } else { 1.0 });
-    // the top mass that the rounded sum 1 + 1/ratio stands for
+    // the top mass that corresponds to the rounded sum 1 + 1/ratio
     let below = if n > 1 { RBig::ONE } else { RBig::ZERO };
     let top = RBig::ONE / (rational(a.diagonal(n - 1)) - below);
     let x = (0..n).map(|i| &top + RBig::from(n - 1 - i)).collect();
@@ -93,7 +93,8 @@ fn stack(n: usize, ratio: f64) -> Problem {
     contacts(a, b, &Expected::unique(x))
 }
 
-/// Unit mass and inertia, points at ±1/2, ±3/2, …: a_ij = 1 + y_i y_j + x_i x_j, each carries 1/n.
+/// Unit mass and inertia, points at ±1/2, ±3/2, …: a_ij = 1 + y_i y_j + x_i x_j, and each point
+/// supports 1/n of the weight.
 fn table(side: usize) -> Problem {
     let place = |k: usize| k as f64 - (side - 1) as f64 / 2.0;
     let rows: Vec<Vec<(usize, f64)>> = (0..side * side)
@@ -104,7 +105,7 @@ fn table(side: usize) -> Problem {
     contacts(delassus(&rows, |_| 1.0), vec![-1.0; n], &Expected::one_of_several(vec![load; n]))
 }
 
-/// The copy of a contact also turns a small wheel, by 2^−bits; every row carries its share.
+/// The copy of a contact also turns a small wheel, by 2^−bits; every row supports its share.
 fn near_duplicate(n: usize, bits: usize) -> Problem {
     let gap = 2f64.powi(-(bits as i32));
     let rows: Vec<Vec<(usize, f64)>> = (0..2 * n)
@@ -126,7 +127,7 @@ fn near_duplicate(n: usize, bits: usize) -> Problem {
 /// w_n = v_n ⟂ x_n,   w_d = v_d + γ ⟂ β_d,   w_γ = μ x_n − Σ β_d ⟂ γ
 /// ```
 ///
-/// Contacts part, slide along −t, or stick, in turns.
+/// In turn, contacts separate, slide along −t, or stick.
 fn friction_blocks(values: &Values) -> Problem {
     let (count, mu) = (values.whole("contacts"), 0.5);
     let n = 6 * count;
@@ -156,7 +157,7 @@ fn friction_blocks(values: &Values) -> Problem {
             _ => (x[first], x[first + 1], w[slack]) = (load, mu * load / 2.0, mu * load / 2.0),
         }
         if k % 3 < 2 {
-            // v_t = −γ, v_s = 0
+            // sliding: v_t = −γ, v_s = 0
             x[slack] = speed;
             (w[first + 2], w[first + 3], w[first + 4]) = (speed, 2.0 * speed, speed);
         }
@@ -168,8 +169,8 @@ fn friction_blocks(values: &Values) -> Problem {
     contacts(a, b, &Expected::one_of_several(x.into_iter().map(rational).collect()))
 }
 
-/// Three velocity components a body; a contact joins two bodies, or one to the ground, along a
-/// random direction; all fall with random velocities.
+/// Three velocity components for each body; a contact joins two bodies, or one body to the ground,
+/// along a random direction; the velocities are random.
 fn contact_graph(values: &Values) -> Problem {
     let (bodies, count) = (values.whole("bodies") as i64, values.whole("contacts"));
     let mut random = Random::new(values.whole("seed"));

@@ -1,9 +1,10 @@
-//! Contacts with friction: files with friction rows, to be solved under any of the four models.
+//! Contacts with friction: files with friction rows that can be solved under any of the four
+//! models.
 //!
-//! Each contact has the rows n, t1, t2. The pile and the table have x and w chosen first: contacts
-//! part, slide against t1, or stick, so that x solves the problem under Coulomb's law, under the
-//! box and under every polygon with a corner on t1 alike. Under the associated law a contact that
-//! slides also parts, and x is another.
+//! Each contact has the rows n, t1, t2. In the pile and the table x and w were chosen first:
+//! contacts separate, slide against t1, or stick, so that the same x solves the problem under
+//! Coulomb's law, under the box and under every polygon with a corner on t1. Under the associated
+//! law a sliding contact also separates, and the solution is another x.
 
 use dashu_ratio::RBig;
 
@@ -57,7 +58,7 @@ pub(super) const FAMILIES: &[Generated] = &[
     },
 ];
 
-/// The problem with contacts of these rows, three each, and one μ; its boxes freeze at x.
+/// The problem with three rows for each contact and one μ; model 1 freezes its boxes at x.
 fn rubbing(a: Matrix, b: Vec<f64>, mu: f64, frozen_at: Vec<f64>) -> Problem {
     let n = b.len();
     let lo = (0..n).map(|i| if i % 3 == 0 { 0.0 } else { f64::NEG_INFINITY }).collect();
@@ -77,20 +78,20 @@ fn pushed_mass(values: &Values) -> Problem {
     rubbing(identity, b, values.real("mu"), vec![press, 0.0, 0.0])
 }
 
-/// Unit mass and length 2 along t1, radius of gyration ½; the ends are ¼ below the centre. The
-/// components of velocity are v_n, v_t1, v_t2, ω about t2, ω about n.
+/// Unit mass, length 2 along t1, radius of gyration ½; the ends are ¼ below the center. The
+/// velocity components are v_n, v_t1, v_t2, ω about t2, ω about n.
 fn pushed_rod(mu: f64) -> Problem {
     let end = |x: f64| [vec![(0, 1.0), (3, -x)], vec![(1, 1.0), (3, 0.25)], vec![(2, 1.0), (4, x)]];
     let rows = [end(-1.0), end(1.0)].concat();
     let velocity = [-1.0, 0.75, 0.5, 0.25, 0.125];
     let b = rows.iter().map(|row| row.iter().map(|&(k, entry)| entry * velocity[k]).sum());
     let a = delassus(&rows, |k| if k < 3 { 1.0 } else { 4.0 });
-    // Without friction the ends stop at the normal impulses that undo −1 ± ¼.
+    // Without friction the ends stop at the normal impulses that cancel −1 ± ¼.
     rubbing(a, b.collect(), mu, vec![0.46875, 0.0, 0.0, 0.53125, 0.0, 0.0])
 }
 
-/// Unit mass and inertia, points at ±1/2, ±3/2, …, in the plane of the centre. It comes down at 1
-/// and slides against t1; each of n points can take 1/n of the load, and rub with μ/n.
+/// Unit mass and inertia, points at ±1/2, ±3/2, … in the plane of the center. The table descends at
+/// speed 1 and slides against t1; each of n points can take 1/n of the load, with friction μ/n.
 fn friction_table(side: usize, mu: f64) -> Problem {
     let place = |k: usize| k as f64 - (side - 1) as f64 / 2.0;
     let rows: Vec<Vec<(usize, f64)>> = (0..side * side)
@@ -101,7 +102,7 @@ fn friction_table(side: usize, mu: f64) -> Problem {
         })
         .collect();
     let n = side * side;
-    let b = [-1.0, -1.0 - mu, 0.0].repeat(n); // Σ x_n = 1 stops the fall, Σ x_t = μ leaves a slip
+    let b = [-1.0, -1.0 - mu, 0.0].repeat(n); // Σ x_n = 1 stops the fall; with Σ x_t = μ it slips
     let load = RBig::ONE / RBig::from(n);
     let each = [load.clone(), load * rational(mu), RBig::ZERO];
     let x = (0..3 * n).map(|i| each[i % 3].clone()).collect();
@@ -111,8 +112,8 @@ fn friction_table(side: usize, mu: f64) -> Problem {
     problem
 }
 
-/// Three velocity components a body; a contact joins two bodies, or one to the ground, along three
-/// random directions.
+/// Three velocity components for each body; a contact joins two bodies, or one body to the ground,
+/// along three random directions.
 fn friction_pile(values: &Values) -> Problem {
     let (bodies, count, mu) = (values.whole("bodies") as i64, values.whole("contacts"), 0.5);
     let mut random = Random::new(values.whole("seed"));

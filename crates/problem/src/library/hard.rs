@@ -1,4 +1,4 @@
-//! Problems that are hard for some method, and easy to write down.
+//! Problems that are hard for some method and easy to write down.
 
 use dashu_int::UBig;
 use dashu_ratio::RBig;
@@ -86,7 +86,7 @@ pub(super) const FAMILIES: &[Generated] = &[
     },
 ];
 
-/// Murty's matrix U.
+/// The triangular matrix of Murty's example.
 fn murty(n: usize) -> DMatrix<f64> {
     DMatrix::from_fn(n, n, |i, j| f64::from(u8::from(i <= j) + u8::from(i < j)))
 }
@@ -95,7 +95,7 @@ fn triangular(n: usize, is_reversed: bool) -> Problem {
     last_unit(n, murty(n), is_reversed)
 }
 
-/// b = −1 with the solution e_n, or e_1 when the rows are numbered backwards.
+/// b = −1 with the solution e_n, or e_1 if the rows are numbered backward.
 fn last_unit(n: usize, a: DMatrix<f64>, is_reversed: bool) -> Problem {
     let place = |i: usize| if is_reversed { n - 1 - i } else { i };
     let a = DMatrix::from_fn(n, n, |i, j| a[(place(i), place(j))]);
@@ -111,7 +111,7 @@ fn power_of_two(k: usize) -> RBig {
     RBig::from(UBig::ONE << k)
 }
 
-/// L / (i + j − 1) with L the least common multiple of 1, 2, …, 2n − 1.
+/// The Hilbert matrix times L: L / (i + j − 1), L the least common multiple of 1, 2, …, 2n − 1.
 fn hilbert(n: usize) -> Problem {
     let gcd = |mut a: u64, mut b: u64| {
         while b != 0 {
@@ -128,7 +128,7 @@ fn hilbert(n: usize) -> Problem {
     contacts(a, b, &Expected::unique(x.into_iter().map(super::rational).collect()))
 }
 
-/// Each pair is solved by (2, 0), (0, 2) and (2/3, 2/3).
+/// Each pair has the solutions (2, 0), (0, 2) and (2/3, 2/3).
 fn several(pairs: usize) -> Problem {
     let n = 2 * pairs;
     let entry = |i: usize, j: usize| match (i == j, i / 2 == j / 2) {

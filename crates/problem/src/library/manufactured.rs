@@ -1,9 +1,9 @@
-//! Problems whose solution was chosen first.
+//! Manufactured problems: the solution is chosen first.
 //!
 //! x* and w* are chosen complementary (one of them at its bound in every row), then b = w* − A x*.
-//! (Choosing x* > 0 alone would exercise no complementarity.) All numbers are short binary
-//! fractions: x* and w* multiples of 1/8, A = J Jᵀ with the entries of J multiples of 2⁻¹⁷. So no
-//! sum is rounded, and x* solves the problem exactly.
+//! (With x* > 0 alone there would be no complementarity to test.) All numbers are short binary
+//! fractions: x* and w* are multiples of 1/8, and A = J Jᵀ with the entries of J multiples of 2⁻¹⁷.
+//! No sum is rounded, and x* solves the problem exactly.
 
 use nalgebra::DMatrix;
 
@@ -82,7 +82,7 @@ fn manufactured(values: &Values) -> Problem {
     if boxes == 0 { problem } else { put_into_boxes(problem, &pairs, &mut random, boxes) }
 }
 
-/// (x_i, w_i), one of them zero and the other positive, or both zero.
+/// (x_i, w_i): one is zero and the other positive, or both are zero.
 fn pairs(random: &mut Random, n: usize, active: f64, degenerate: f64) -> Vec<(f64, f64)> {
     let share = |part: f64| (part * n as f64).round() as usize;
     let kinds = (0..n).map(|i| match i {
@@ -102,8 +102,8 @@ fn solved_by(a: Matrix, pairs: &[(f64, f64)], is_unique: bool) -> Problem {
     contacts(a, b, &expected)
 }
 
-/// Gives some rows an upper bound, and turns every other active one of them upside down: x at its
-/// upper bound, w < 0.
+/// Gives some rows an upper bound. Every second one of them, if x was 0, is moved to it: x at its
+/// upper bound, w ≤ 0.
 fn put_into_boxes(
     problem: Problem,
     pairs: &[(f64, f64)],
@@ -128,7 +128,7 @@ fn put_into_boxes(
     boxed(a, b, vec![0.0; n], hi, &expected)
 }
 
-/// J Jᵀ of this rank with about these eigenvalues (all at most 1), exact in floating point.
+/// J Jᵀ of this rank with approximately these eigenvalues (all at most 1), exact in floating point.
 fn gram(random: &mut Random, n: usize, rank: usize, eigenvalue: impl Fn(usize) -> f64) -> Matrix {
     let q = random.orthonormal(n, rank);
     let quantum = 2f64.powi(17);
@@ -137,7 +137,7 @@ fn gram(random: &mut Random, n: usize, rank: usize, eigenvalue: impl Fn(usize) -
     Matrix::from((&j * j.transpose()).as_view())
 }
 
-/// 6 on the diagonal, −1 for each of the six neighbours of a cell.
+/// 6 on the diagonal, −1 for each of the six neighbors of a cell.
 fn laplacian(n: usize) -> Matrix {
     let mut entries = Vec::new();
     for cell in 0..n * n * n {

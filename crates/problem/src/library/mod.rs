@@ -1,9 +1,9 @@
-//! The problem library: LCPs to try solvers on, most of them with exact solutions.
+//! The problem library: LCPs for testing solvers, most of them with exact solutions.
 //!
-//! A [`Family`] makes a problem from a few parameters; the same parameters always make the same
-//! bits. What is known of the solutions stands under the key `expected` of the problem file
-//! ([`Expected`]). Families with friction are stated as model 2, the coupled box, and what they
-//! expect holds under every model but the associated one.
+//! A [`Family`] makes a problem from a few parameters; the same parameters always give a bitwise
+//! identical problem. The key `expected` of the problem file stores known solutions ([`Expected`]).
+//! Families with friction are stated as model 2, the coupled box; their expected solutions hold
+//! under every model except the associated one.
 //!
 //! ```
 //! use lcplab_problem::file::Expected;
@@ -33,25 +33,25 @@ use crate::error::{Defects, Error, Result};
 
 /// A family of problems.
 pub trait Family: Sync {
-    /// The name to choose it by.
+    /// The name to select it by.
     fn name(&self) -> &'static str;
 
-    /// What it is and what it teaches, in one line.
+    /// What it is and what it tests, in one line.
     fn about(&self) -> &'static str;
 
-    /// Where it comes from.
+    /// Its source.
     fn source(&self) -> &'static str;
 
-    /// What can be chosen.
+    /// Its parameters.
     fn parameters(&self) -> &'static [Parameter];
 
-    /// The problem with these values, one for each parameter and each in its range.
+    /// The problem with these values, one for each parameter and each within its range.
     fn make(&self, values: &Values) -> Problem;
 
-    /// The problem with the given values, and the defaults of the other parameters.
+    /// The problem with the given values, and the defaults for the other parameters.
     ///
     /// # Errors
-    /// Lists each value that is not in its range or belongs to no parameter.
+    /// Lists each value that is out of range or belongs to no parameter.
     fn generate(&self, given: &[(&str, f64)]) -> Result<Problem> {
         let values = Values::new(self.parameters(), given).map_err(|e| e.within(self.name()))?;
         let mut problem = self.make(&values);
@@ -61,20 +61,20 @@ pub trait Family: Sync {
     }
 }
 
-/// Something that can be chosen about a family.
+/// A parameter of a family.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parameter {
     /// Its name.
     pub name: &'static str,
     /// What it means.
     pub about: &'static str,
-    /// Its value if nothing is said.
+    /// Its default value.
     pub default: f64,
-    /// The least value allowed.
+    /// The smallest allowed value.
     pub least: f64,
-    /// The greatest value allowed.
+    /// The largest allowed value.
     pub most: f64,
-    /// Whether only whole numbers are allowed.
+    /// Whether only integers are allowed.
     pub is_whole: bool,
 }
 
@@ -136,7 +136,7 @@ impl Values {
     }
 }
 
-/// A family that is made by a function.
+/// A family whose problems a function makes.
 #[derive(Debug, Clone, Copy)]
 struct Generated {
     name: &'static str,
@@ -185,7 +185,7 @@ pub fn all() -> impl Iterator<Item = &'static dyn Family> {
 /// The family of this name.
 ///
 /// # Errors
-/// If there is none.
+/// If there is no such family.
 pub fn by_name(name: &str) -> Result<&'static dyn Family> {
     all().find(|family| family.name() == name).ok_or_else(|| Error::Unknown {
         kind: "problem family",
@@ -194,7 +194,7 @@ pub fn by_name(name: &str) -> Result<&'static dyn Family> {
     })
 }
 
-/// A problem with bounds 0 and ∞; the caller's numbers are finite and the sizes agree.
+/// A problem with bounds 0 and ∞; the numbers must be finite and the sizes must agree.
 fn contacts(matrix: Matrix, b: Vec<f64>, expected: &Expected) -> Problem {
     let n = b.len();
     boxed(matrix, b, vec![0.0; n], vec![f64::INFINITY; n], expected)
@@ -207,12 +207,12 @@ fn boxed(matrix: Matrix, b: Vec<f64>, lo: Vec<f64>, hi: Vec<f64>, expected: &Exp
     problem
 }
 
-/// A floating-point number as the rational that it is.
+/// The exact rational value of a floating-point number.
 fn rational(x: f64) -> RBig {
     RBig::try_from(x).expect("a finite number")
 }
 
-/// w − A x, which makes x a solution with this w. Exact where the sums are.
+/// b = w − A x, so that x is a solution with this w. Exact if the sums are exact.
 fn offset(matrix: &Matrix, x: &[f64], w: &[f64]) -> Vec<f64> {
     (0..x.len()).map(|i| w[i] - matrix.row_dot(i, x)).collect()
 }

@@ -1,31 +1,30 @@
-//! Painlevé's rod: dry friction that leaves a rigid body without a motion, or with several.
+//! Painlevé's rod: dry friction for which rigid-body dynamics has no solution, or several.
 //!
 //! A uniform rod of mass m and length 2a slides with one end on the ground, at the angle θ to it.
-//! Units are m = a = 1 and g = 1, and the rod leans to the right. With the moment of inertia 1/3
-//! and c = cos θ, s = sin θ the end has
+//! Units are m = a = 1 and g = 1, and the rod leans to the right. With the moment of inertia 1/3, c
+//! = cos θ and s = sin θ, the end has
 //!
 //! ```text
 //! J_n = (0, 1, −c),   J_t = (1, 0, s)      A_nn = 1 + 3c²,   A_nt = −3sc,   A_tt = 1 + 3s²
 //! ```
 //!
 //! (A = J M⁻¹ Jᵀ with M⁻¹ = diag(1, 1, 3); A_nn A_tt − A_nt² = 4.) It slides to the left, so
-//! friction is x_t = μ x_n, and the normal row alone is an LCP of one number:
+//! friction is x_t = μ x_n, and the normal row is an LCP with one unknown:
 //!
 //! ```text
 //! w = a x + b,   a = A_nn + μ A_nt = 1 + 3c² − 3μ sc,   b = spin − 1       spin = ω² s
 //! ```
 //!
 //! Friction turns the rod into the ground. For μ above (1 + 3c²) / 3sc = (4 + tan²θ) / (3 tan θ),
-//! which is least at tan θ = 2 where it is 4/3, it does so faster than the push lifts it: a < 0,
+//! whose minimum is 4/3 at tan θ = 2, it does so faster than the normal force lifts the end: a < 0,
 //! and
 //!
-//! - b < 0: no solution; with a x ≤ 0, d = 1 is a Farkas vector
-//!   (the judge proves it);
+//! - b < 0: no solution; with a x ≤ 0, d = 1 is a Farkas vector (the judge proves it);
 //! - b > 0: two, x = 0 and x = b / |a|.
 //!
-//! Forces do not suffice, impulses do. The same rod with a time step, b_n = −fall, slip −1 and the
-//! four-sided cone of [`Polyhedral`] always has a solution, because its matrix is copositive
-//! (Stewart & Trinkle):
+//! Finite forces are not enough; an impulse is needed. The same rod with a time step, b_n = −fall,
+//! slip −1 and the four-sided cone of [`Polyhedral`] always has a solution, because its matrix is
+//! copositive (Stewart & Trinkle):
 //!
 //! ```text
 //! apart    x = 0                                       if fall ≤ 0
@@ -34,9 +33,9 @@
 //! ```
 //!
 //! In the inconsistent case the end sticks at once, with an impulse that does not vanish with the
-//! step: x_n → ¾ sc. Nothing approached, and yet it is an impact (Lecornu). In the indeterminate
-//! case all three may hold. The lists give one solution where only the parts of friction that
-//! cancel each other can be chosen.
+//! step size: x_n → ¾ sc. This is an impact without approach (Lecornu). In the indeterminate case
+//! all three can hold. If a solution leaves only the mutually canceling parts of friction free, the
+//! list has one solution.
 //!
 //! Painlevé 1895; Lecornu 1905; Génot & Brogliato 1999.
 
@@ -81,7 +80,7 @@ pub(super) const FAMILIES: &[Generated] = &[
     },
 ];
 
-/// A_nn, A_nt and A_tt, from sc = t / (1 + t²) and c² = 1 / (1 + t²).
+/// A_nn, A_nt and A_tt, from sc = t / (1 + t²) and c² = 1 / (1 + t²) with t = tan θ.
 fn delassus(tan: f64) -> [f64; 3] {
     let square = 1.0 + tan * tan;
     [(square + 3.0) / square, -3.0 * tan / square, (1.0 + 4.0 * tan * tan) / square]
@@ -103,11 +102,11 @@ fn forces(values: &Values) -> Problem {
     contacts(Matrix::dense(1, &[a]), vec![b], &Expected { solutions, complete: true })
 }
 
-/// The velocity level: x_n, four directions, the speed of slip γ along one of them.
+/// The velocity level: x_n, four directions, the slip speed γ along one of them.
 fn impulses(values: &Values) -> Problem {
     let (mu, fall) = (values.real("mu"), values.real("fall"));
     let [a_nn, a_nt, a_tt] = delassus(values.real("tan"));
-    // Across its plane the rod is as hard to move as by any push at right angles to it: 1 + 3.
+    // Perpendicular to its plane the rod moves with the inverse mass 1 + 3.
     let a = Matrix::dense(3, &[a_nn, a_nt, 0.0, a_nt, a_tt, 0.0, 0.0, 0.0, 4.0]);
     let (lo, hi) = (vec![0.0, f64::NEG_INFINITY, f64::NEG_INFINITY], vec![f64::INFINITY; 3]);
     let rod = Lcp::new(a, vec![-fall, -1.0, 0.0], lo, hi)
@@ -121,7 +120,7 @@ fn impulses(values: &Values) -> Problem {
     problem
 }
 
-/// The unknowns (x_n, β_1 … β_4, γ) of the motions that are possible: apart, slide, stick.
+/// The unknowns (x_n, β_1 … β_4, γ) of the possible motions: apart, slide, stick.
 fn motions([a_nn, a_nt, a_tt, mu, fall]: [RBig; 5]) -> Vec<Vec<RBig>> {
     let unknowns = |x_n: RBig, x_t: RBig, speed: RBig| {
         let [left, right] = if x_t < RBig::ZERO { [RBig::ZERO, -x_t] } else { [x_t, RBig::ZERO] };

@@ -1,7 +1,7 @@
 //! Small problems from the literature and from other projects' tests, with all their solutions.
 //!
-//! The solutions are those of exact enumeration, as fractions. Siconos stores A by columns; here it
-//! stands by rows.
+//! Exact enumeration gave the solutions, as fractions. Siconos stores A by columns; here it is
+//! stored by rows.
 
 use super::{Expected, Family, Parameter, Values, boxed};
 use crate::Matrix;
@@ -15,9 +15,9 @@ pub(super) struct Published {
     source: &'static str,
     a: &'static [&'static [f64]],
     b: &'static [f64],
-    /// 0 and ∞ if there are none.
+    /// 0 and ∞ if empty.
     bounds: &'static [(f64, f64)],
-    /// The entries of each solution, or of each corner where solutions form a segment.
+    /// The entries of each solution, or of each corner of a segment of solutions.
     solutions: &'static [&'static str],
 }
 

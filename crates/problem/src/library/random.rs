@@ -10,7 +10,7 @@ impl Random {
         Random(oorandom::Rand64::new(seed as u128))
     }
 
-    /// A whole number in least … most.
+    /// An integer in least … most.
     pub(super) fn whole(&mut self, least: i64, most: i64) -> i64 {
         least + self.0.rand_range(0..(most - least + 1) as u64) as i64
     }
@@ -34,7 +34,7 @@ impl Random {
         elements
     }
 
-    /// n × k with orthonormal columns, every direction alike.
+    /// An n × k matrix with orthonormal columns in uniformly distributed directions.
     pub(super) fn orthonormal(&mut self, n: usize, k: usize) -> DMatrix<f64> {
         DMatrix::from_fn(n, k, |_, _| self.normal()).qr().q()
     }

@@ -1,11 +1,11 @@
-//! A in units of its own: rows and columns multiplied by powers of two.
+//! Balancing of A: rows and columns multiplied by powers of two.
 
 use super::{Dense, Matrix, Sparse};
 use std::sync::OnceLock;
 
 impl Matrix {
-    /// How large each row is in its own unit: |a_ii|, or the largest |a_ij| and |a_ji| where a_ii =
-    /// 0; 1 where the row and the column hold nothing but zeros.
+    /// The size of each row in its own unit: |a_ii|, or the largest |a_ij| and |a_ji| if a_ii = 0;
+    /// 1 if the row and the column are zero.
     pub fn row_sizes(&self) -> Vec<f64> {
         let n = self.len();
         let mut reach = vec![0.0_f64; n];
@@ -23,12 +23,12 @@ impl Matrix {
         (0..n).map(size).collect()
     }
 
-    /// S A S and the exponents k_i of S = diag(2^-k_i), which bring every row size to between 1
-    /// and 4.
+    /// S A S and the exponents k_i of S = diag(2^-k_i), which bring every row size into the range
+    /// from 1 to 4.
     ///
-    /// Powers of two change no digit of an entry, so that eigenvalues of D⁻¹A and all that follows
-    /// from them stay as they are, while numbers like 1e-310, whose reciprocal is no double, become
-    /// ordinary ones.
+    /// Powers of two do not round the entries: the eigenvalues of D⁻¹A and everything derived from
+    /// them stay the same, while numbers like 1e-310, whose reciprocal overflows, come into the
+    /// normal range.
     ///
     /// ```
     /// use lcplab_problem::Matrix;

@@ -1,7 +1,7 @@
-//! The square matrix A of an LCP: dense or sparse behind one set of operations.
+//! The square matrix A of an LCP: dense or sparse storage with one set of operations.
 //!
-//! Every solver needs the same few things of A, one row at a time: the product of a row with x, the
-//! diagonal, and the entries of a row. Rows are contiguous in both storages.
+//! Solvers access A by rows: the product of a row with x, the diagonal, and the entries of a row.
+//! Rows are contiguous in both kinds of storage.
 
 #[cfg(feature = "nalgebra")]
 use nalgebra::{DMatrix, DMatrixView};
@@ -55,8 +55,8 @@ impl Matrix {
         Matrix::Dense(Dense { n, entries: entries_by_rows.to_vec(), is_symmetric: OnceLock::new() })
     }
 
-    /// A sparse A from entries (row, column, value); entries at the same place add up exactly, and
-    /// their sum is rounded once.
+    /// A sparse A from entries (row, column, value); entries at the same place are summed exactly
+    /// and rounded once.
     ///
     /// ```
     /// # use lcplab_problem::Matrix;
@@ -135,7 +135,7 @@ impl Matrix {
         }
     }
 
-    /// Whether a_ij = a_ji for all entries, exactly. The entries are looked at once, whoever asks.
+    /// Whether a_ij = a_ji for all entries, exactly. The result is computed once and cached.
     pub fn is_symmetric(&self) -> bool {
         match self {
             Matrix::Dense(Dense { n, entries, is_symmetric: known }) => {
@@ -147,9 +147,8 @@ impl Matrix {
         }
     }
 
-    /// Whether a_ij and a_ji differ by rounding at most, beside √(a_ii a_jj), which bounds both
-    /// where A is semidefinite: what a program computes as J M⁻¹ Jᵀ is seldom symmetric to the last
-    /// bit.
+    /// Whether a_ij and a_ji differ at most by rounding relative to √(a_ii a_jj), which bounds both
+    /// if A is semidefinite. A computed J M⁻¹ Jᵀ is seldom symmetric to the last bit.
     pub fn is_nearly_symmetric(&self) -> bool {
         const ROUNDING: f64 = 1e-12;
         if self.is_symmetric() {
@@ -163,8 +162,8 @@ impl Matrix {
         (0..self.len()).all(is_close_row)
     }
 
-    /// [`Matrix::is_symmetric`], row by row: what stands right of the diagonal waits for its
-    /// counterpart below.
+    /// [`Matrix::is_symmetric`] in one pass over the rows: entries right of the diagonal are kept
+    /// until the row of their counterpart.
     fn meets_its_transpose(&self) -> bool {
         let nonzero = |i: usize| self.row(i).iter().filter(|&(_, a)| a != 0.0);
         let mut waiting: Vec<_> =
@@ -179,7 +178,7 @@ impl Matrix {
         waiting.iter_mut().all(|row| row.next().is_none())
     }
 
-    /// The same with a_ii (1 + part) on the diagonal.
+    /// The same matrix with a_ii (1 + part) on the diagonal.
     pub fn softened(&self, part: f64) -> Self {
         let mut softened = self.clone();
         for i in 0..self.len() {
@@ -194,7 +193,7 @@ impl Matrix {
         softened
     }
 
-    /// The matrix as dense nalgebra matrix (n² entries are allocated).
+    /// The matrix as a dense nalgebra matrix (allocates n² entries).
     #[cfg(feature = "nalgebra")]
     pub fn to_dense(&self) -> DMatrix<f64> {
         let mut dense = DMatrix::zeros(self.len(), self.len());
@@ -204,7 +203,7 @@ impl Matrix {
         dense
     }
 
-    /// The places (i, j) of the nonzero entries, row by row.
+    /// The positions (i, j) of the nonzero entries, row by row.
     pub fn pattern(&self) -> Vec<(usize, usize)> {
         let nonzero = |i| self.row(i).iter().filter(|&(_, a)| a != 0.0).map(move |(j, _)| (i, j));
         (0..self.len()).flat_map(|i| nonzero(i).collect::<Vec<_>>()).collect()
@@ -226,7 +225,8 @@ pub struct Row<'a> {
 }
 
 impl<'a> Row<'a> {
-    /// The entries of these columns, ascending, in their order; 0 where none is stored.
+    /// Writes the entries of these columns, which must be ascending, into `entries`; 0 if not
+    /// stored.
     #[inline]
     pub fn gather(self, columns: &[usize], entries: &mut [f64]) {
         let Some(stored) = self.columns else {
@@ -248,7 +248,8 @@ impl<'a> Row<'a> {
     }
 }
 
-/// Whether the n × n entries are symmetric: tile by tile, so that both halves stay at hand.
+/// Whether the n × n entries are symmetric; compared tile by tile, to keep both halves in the
+/// cache.
 fn is_symmetric(a: &[f64], n: usize) -> bool {
     const TILE: usize = 16;
     let tiles = (0..n).step_by(TILE).flat_map(|r| (0..=r).step_by(TILE).map(move |c| (r, c)));
@@ -261,8 +262,8 @@ fn is_symmetric(a: &[f64], n: usize) -> bool {
     })
 }
 
-/// xᵀy with eight partial sums in a fixed order: the same bits on every processor, and a form that
-/// compilers turn into vector instructions.
+/// xᵀy with eight partial sums in a fixed order: bitwise identical on every processor, and in a
+/// form that compilers vectorize.
 #[inline]
 pub fn dot(x: &[f64], y: &[f64]) -> f64 {
     let mut lanes = [0.0; 8];

@@ -8,17 +8,17 @@ use dashu_ratio::RBig;
 /// rows).
 #[derive(Debug, Clone)]
 pub struct Sparse {
-    /// Where each row begins, and where the last one ends: n + 1 places.
+    /// The index of each row's first entry, then the number of entries: n + 1 numbers.
     pub(super) starts: Vec<usize>,
     pub(super) columns: Vec<usize>,
     pub(super) values: Vec<f64>,
-    /// Of each row, where a_ii is; none where it is not stored.
+    /// For each row the index of a_ii; `None` if it is not stored.
     pub(super) diagonal: Vec<Option<usize>>,
     pub(super) is_symmetric: OnceLock<bool>,
 }
 
 impl Sparse {
-    /// From entries in order, no two at the same place.
+    /// From sorted entries, no two at the same place.
     pub(super) fn new(n: usize, entries: &[(usize, usize, f64)]) -> Self {
         let mut starts = vec![0; n + 1];
         for &(row, column, _) in entries {
@@ -38,14 +38,14 @@ impl Sparse {
         Sparse { starts, columns, values, diagonal, is_symmetric: OnceLock::new() }
     }
 
-    /// Where the entries of row i are.
+    /// The indices of the entries of row i.
     pub(super) fn row(&self, i: usize) -> std::ops::Range<usize> {
         self.starts[i]..self.starts[i + 1]
     }
 }
 
-/// The entries with those at the same place as one. In floating point their sum would depend on
-/// their order, and what is proved of A would not hold for the file that A came from.
+/// The entries, with those at the same place summed into one. A floating-point sum would depend on
+/// their order, and proofs about A would not hold for the file that A came from.
 pub(super) fn summed(entries: &[(usize, usize, f64)]) -> Vec<(usize, usize, f64)> {
     let mut entries = entries.to_vec();
     let place = |&(row, col, _): &(usize, usize, f64)| (row, col);
@@ -57,8 +57,7 @@ pub(super) fn summed(entries: &[(usize, usize, f64)]) -> Vec<(usize, usize, f64)
     groups.map(|group| (group[0].0, group[0].1, exact_sum(group))).collect()
 }
 
-/// The sum of the values, rounded once; of values that are not all finite, as floating point has
-/// it.
+/// The sum of the values, rounded once; the floating-point sum if not all values are finite.
 fn exact_sum(group: &[(usize, usize, f64)]) -> f64 {
     let values = || group.iter().map(|&(_, _, value)| value);
     if let [(_, _, value)] = group {

@@ -1,8 +1,8 @@
-//! How far is x from a solution? One function a measure, each with its definition.
+//! Merit functions: measures of how far x is from a solution, one function for each.
 //!
-//! The bounds are those at x where rows are coupled. A measure is summed in plain floating point.
-//! Whether an x may be called a solution is decided by [compensated sums](crate::accurate), as the
-//! judge decides it: at the tolerance itself the last digit counts.
+//! For coupled rows the bounds are those at x. A measure is summed in plain floating point.
+//! [Compensated sums](crate::accurate) decide whether an x counts as a solution, as in the judge,
+//! because at the tolerance itself the last digit matters.
 
 mod row;
 
@@ -11,7 +11,7 @@ pub(super) use row::{product, relative};
 
 use super::{Lcp, accurate};
 
-/// max_i r_i, the dimensionless residual that every stop test and the judge use; ∞ if x is not
+/// max_i r_i, the dimensionless residual that every stopping test and the judge use; ∞ if x is not
 /// finite.
 ///
 /// ```text
@@ -20,15 +20,16 @@ use super::{Lcp, accurate};
 /// r_i = |x_i − Π(x_i − e_i w_i / terms_i)| / e_i,   0/0 = 0
 /// ```
 ///
-/// An x_i that is at a bound ±μ_i x_k but for the rounding of the product counts as at it.
+/// An x_i within rounding of a bound ±μ_i x_k counts as being at the bound.
 ///
-/// No unit and no scaling of a row or column changes it; rounding alone makes it about 1e-16.
+/// The residual does not depend on units or on the scaling of rows and columns; rounding errors
+/// alone make it about 1e-16.
 ///
-/// Where bounds do not say how large x_i is, e_i = terms_i / s_i, and r_i = |x_i − Π(x_i −
-/// w_i/s_i)| s_i / terms_i. Where they do, the step is no longer than they are: a motor of 1 N m
-/// that is asked for 10⁹ does not give 0 N m "to nine digits", and a slip whose terms are large is
-/// not without friction. In both cases r_i is |w_i| / terms_i for an x_i whose step ends between
-/// the bounds.
+/// If the bounds do not limit the size of x_i, e_i = terms_i / s_i, and r_i = |x_i − Π(x_i −
+/// w_i/s_i)| s_i / terms_i. If they do, the step is no longer than they are, so that a small force
+/// is not lost next to large terms: a motor with a limit of 1 N m and a target that would need 10⁹
+/// N m is not accepted at 0 N m "to nine digits", nor a slip with large terms without friction. In
+/// both cases r_i is |w_i| / terms_i for an x_i whose step ends between the bounds.
 pub fn scaled_residual(lcp: &Lcp, x: &[f64]) -> f64 {
     worst(lcp.len(), |i| row_residual(lcp, i, x))
 }
@@ -38,9 +39,8 @@ fn row_residual(lcp: &Lcp, i: usize, x: &[f64]) -> f64 {
     RowTerms::at(lcp, i, x).scaled_residual(lcp, i, x)
 }
 
-/// Whether max_i r_i is at most the tolerance, in compensated sums. The rows are looked at from
-/// `first` on, where the last look found one that is not: while it is not, nothing else needs to be
-/// computed.
+/// Whether max_i r_i is at most the tolerance, in compensated sums. The search starts at row
+/// `first`, where the last call found a violation, and stops at the first violation.
 pub fn is_within(lcp: &Lcp, x: &[f64], tolerance: f64, first: &mut usize) -> bool {
     let n = lcp.len();
     let mut largest: f64 = 0.0;
@@ -54,9 +54,9 @@ pub fn is_within(lcp: &Lcp, x: &[f64], tolerance: f64, first: &mut usize) -> boo
     outside.is_none() && (largest <= tolerance - rounding(n) || holds(lcp, x, tolerance))
 }
 
-/// A plain and a compensated sum of n products and b give r_i that differ by less than this: each
-/// sum is wrong by at most (n + 1) ε/2 beside the terms (Higham 2002, section 3.1), and r_i by no
-/// more than w_i and the terms together.
+/// Upper bound on the difference of r_i between a plain and a compensated sum of n products and b:
+/// each sum has an error of at most (n + 1) ε/2 relative to the terms (Higham 2002, section 3.1),
+/// and the error of r_i is at most that of w_i and of the terms together.
 fn rounding(n: usize) -> f64 {
     2.0 * (n as f64 + 2.0) * f64::EPSILON
 }
@@ -67,22 +67,22 @@ fn holds(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
     (0..lcp.len()).all(|i| residual(i) <= tolerance)
 }
 
-/// An answer whose steps are not below this part of those of Π(0) is none.
+/// An answer is accepted only if its step is at most this fraction of the step at Π(0).
 const BETTER: f64 = 0.1;
 
-/// Whether x is nearer to a solution than doing nothing, x = Π(0), by a factor of ten: the longest
-/// step max_i |x_i − Π(x_i − w_i/s_i)| √s_i has fallen to a tenth. Where Π(0) is within the
-/// tolerance itself, every x is.
+/// Whether x is at least ten times closer to a solution than x = Π(0): the longest step max_i |x_i
+/// − Π(x_i − w_i/s_i)| √s_i is at most a tenth of that at Π(0). Always true if Π(0) is within the
+/// tolerance.
 ///
-/// The scaled residual alone cannot tell: it becomes small for any x that is far enough away along
-/// a direction with A d = 0.
+/// The scaled residual alone is not sufficient: it becomes small for any x that is far enough away
+/// along a direction with A d = 0.
 pub fn is_worth_something(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
     let terms = terms(lcp, x);
     is_nearer_than_nothing(lcp, x, &misses(lcp, x, &terms), tolerance)
 }
 
-/// The same by the misses of all rows at x in plain sums. What their rounding leaves open,
-/// compensated sums decide.
+/// [`is_worth_something`], given the residuals of all rows at x in plain sums. If rounding makes
+/// the comparison uncertain, compensated sums decide.
 fn is_nearer_than_nothing(lcp: &Lcp, x: &[f64], plain: &[Miss], tolerance: f64) -> bool {
     let of_nothing = misses_of_nothing(lcp, plain);
     let rounding = rounding(lcp.len());
@@ -102,12 +102,12 @@ fn terms(lcp: &Lcp, x: &[f64]) -> Vec<RowTerms> {
     (0..lcp.len()).map(|i| RowTerms::at(lcp, i, x)).collect()
 }
 
-/// The misses of all rows at x, where these are their terms.
+/// The residuals of all rows at x, given their terms.
 pub fn misses(lcp: &Lcp, x: &[f64], terms: &[RowTerms]) -> Vec<Miss> {
     terms.iter().enumerate().map(|(i, terms)| terms.miss(lcp, i, x)).collect()
 }
 
-/// The misses at Π(0), row by row; the scales are those of these misses.
+/// The residuals at Π(0), row by row, with the scales of `misses`.
 fn misses_of_nothing(lcp: &Lcp, misses: &[Miss]) -> impl Iterator<Item = Miss> + Clone {
     let mut nothing = vec![0.0; lcp.len()];
     lcp.project_all(&mut nothing);
@@ -120,8 +120,8 @@ fn misses_of_nothing(lcp: &Lcp, misses: &[Miss]) -> impl Iterator<Item = Miss> +
     })
 }
 
-/// Whether the longest of these steps is a tenth of the longest of those of Π(0) at most, or Π(0)
-/// is within the tolerance. Of Π(0) no more rows are looked at than it takes to tell.
+/// Whether the longest step of `misses` is at most a tenth of the longest one at Π(0), or Π(0) is
+/// within the tolerance. Evaluates only as many rows at Π(0) as the decision needs.
 pub(super) fn is_better(
     misses: &[Miss],
     mut of_nothing: impl Iterator<Item = Miss> + Clone,
@@ -132,14 +132,14 @@ pub(super) fn is_better(
         || all.all(|miss| miss.residual <= tolerance)
 }
 
-/// Whether x may be called a solution: the scaled residual is within the tolerance, and x is worth
-/// something.
+/// Whether x counts as a solution: the scaled residual is within the tolerance, and x is ten times
+/// closer to a solution than Π(0).
 pub fn is_solution(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
     is_solution_by(lcp, x, &misses(lcp, x, &terms(lcp, x)), tolerance)
 }
 
-/// [`is_solution`], by the misses of all rows at x in plain sums. What they leave open, compensated
-/// ones decide.
+/// [`is_solution`], given the residuals of all rows at x in plain sums. If rounding makes the
+/// decision uncertain, compensated sums decide.
 pub fn is_solution_by(lcp: &Lcp, x: &[f64], misses: &[Miss], tolerance: f64) -> bool {
     let surely = tolerance - rounding(lcp.len());
     let is_within = misses.iter().all(|miss| miss.residual <= surely) || holds(lcp, x, tolerance);
@@ -152,7 +152,7 @@ pub fn natural_residual(lcp: &Lcp, x: &[f64]) -> f64 {
 }
 
 /// max_i |φ_i| with the Fischer-Burmeister function φ(a, b) = a + b − √(a² + b²) of the distance to
-/// each bound and the w that pushes to it (Billups' form for two finite bounds).
+/// each bound and the w that pushes toward it (Billups' form for two finite bounds).
 pub fn fischer_burmeister(lcp: &Lcp, x: &[f64]) -> f64 {
     let phi = |a: f64, b: f64| if a.is_infinite() { b } else { a + b - crate::hypot(a, b) };
     worst(lcp.len(), |i| {
@@ -161,14 +161,14 @@ pub fn fischer_burmeister(lcp: &Lcp, x: &[f64]) -> f64 {
     })
 }
 
-/// ½ xᵀ A x + bᵀ x, which solving an LCP with symmetric positive semidefinite A minimises. For
+/// ½ xᵀ A x + bᵀ x; an LCP with symmetric positive semidefinite A is solved by its minimum. For
 /// impulses and velocities its unit is the joule.
 pub fn objective(lcp: &Lcp, x: &[f64]) -> f64 {
     (0..lcp.len()).map(|i| x[i] * (0.5 * lcp.matrix().row_dot(i, x) + lcp.b()[i])).sum()
 }
 
-/// |A x + b|₂ / |b|₂, the chapter's stop test. K&M (4), kept as a specimen: at a solution with an
-/// active bound it does not vanish, because w does not (E04).
+/// |A x + b|₂ / |b|₂, the chapter's stopping test, K&M (4). A known-wrong variant: at a solution
+/// with an active bound it is not zero, because w is not (E04).
 pub fn km4(lcp: &Lcp, x: &[f64]) -> f64 {
     euclidean(&lcp.w(x)) / euclidean(lcp.b())
 }

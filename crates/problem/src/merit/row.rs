@@ -1,29 +1,30 @@
-//! One row: its w with the sizes to measure it by, and how far its x is from where it should be.
+//! Residual of one row: its w, the sizes it is compared with, and the distance of x from its
+//! projected step.
 
 use crate::{Lcp, Matrix};
 
-/// Terms in this range lose nothing to overflow or underflow, nor do their sums.
+/// Terms in this range and their sums neither overflow nor lose digits to underflow.
 const SAFE: std::ops::Range<f64> = 1e-250..1e250;
 
-/// The bounds ±μ x_k of a coupled row are rounded products: an x so near to one, in parts of it, is
-/// at it.
+/// The bounds ±μ x_k of a coupled row are rounded products: an x that differs from one by at most
+/// this fraction counts as being at it.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// What one row contributes to a residual: w_i with the sizes to measure it by.
+/// The terms of one row in a residual: w_i and the sizes it is compared with.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RowTerms {
     /// w_i = Σ_j a_ij x_j + b_i, in units of 2^`exponent`.
     pub w: f64,
-    /// Σ_j |a_ij x_j| + |b_i|: what w_i would be without cancellation, in units of 2^`exponent`; at
+    /// Σ_j |a_ij x_j| + |b_i|, the size of w_i without cancellation, in units of 2^`exponent`; at
     /// least s_i times the [scale](Lcp::scale) of the problem.
     pub magnitude: f64,
-    /// s_i = |a_ii|, or max_j |a_ij| where a_ii = 0: how much w_i moves with x_i.
+    /// s_i = |a_ii|, or max_j |a_ij| if a_ii = 0: the change of w_i per change of x_i.
     pub scale: f64,
-    /// 0 unless the terms are so large or so small that they would overflow or vanish.
+    /// 0 unless the terms are so large or small that they would overflow or underflow.
     pub exponent: i32,
 }
 
-/// How the terms of a row are added up.
+/// How the terms of a row are summed.
 pub trait Sum: Default {
     /// Adds a b.
     fn add_product(&mut self, a: f64, b: f64);
@@ -48,7 +49,7 @@ impl RowTerms {
         Self::summed::<f64>(lcp, i, x)
     }
 
-    /// The terms whose sums were taken elsewhere; none if those may have overflowed or vanished.
+    /// The terms from sums computed elsewhere; `None` if those may have overflowed or underflowed.
     #[inline]
     pub fn of_sums(lcp: &Lcp, w: f64, magnitude: f64, scale: f64) -> Option<Self> {
         let rest = lcp.scale() * scale;
@@ -56,7 +57,7 @@ impl RowTerms {
         SAFE.contains(&magnitude).then(terms)
     }
 
-    /// The terms of row i at x, added up by S.
+    /// The terms of row i at x, summed by S.
     pub fn summed<S: Sum>(lcp: &Lcp, i: usize, x: &[f64]) -> Self {
         let products =
             || lcp.matrix().row(i).iter().map(|(j, a)| (a, x[j])).chain([(lcp.b()[i], 1.0)]);
@@ -92,13 +93,13 @@ impl RowTerms {
         RowTerms { w: self.w + term, magnitude: self.magnitude + term.abs(), ..*self }
     }
 
-    /// r_i at x, where these terms were taken ([`scaled_residual`](super::scaled_residual)).
+    /// r_i at the x of these terms ([`scaled_residual`](super::scaled_residual)).
     #[inline]
     pub fn scaled_residual(&self, lcp: &Lcp, i: usize, x: &[f64]) -> f64 {
         self.miss(lcp, i, x).residual
     }
 
-    /// How far x_i is from its own projected step, between the bounds of row i at x.
+    /// The distance of x_i from its projected step, between the bounds of row i at x.
     #[inline]
     pub fn miss(&self, lcp: &Lcp, i: usize, x: &[f64]) -> Miss {
         let (lo, hi) = lcp.bounds(i, x);
@@ -107,11 +108,11 @@ impl RowTerms {
         self.miss_between(own, lo, hi, || self.reach(lcp, i, x))
     }
 
-    /// The same for an x_i between any bounds with their [reach](Self::reach). That is asked for
-    /// only where it matters: where x_i is not at the bound to which its step leads.
+    /// [`RowTerms::miss`] for an x_i with any bounds and their [reach](Self::reach), which is
+    /// computed only if x_i is not at the bound to which its step leads.
     ///
-    /// The step is the median of x − lo, w/s and x − hi: times s it needs no division by s, and in
-    /// units of e = R none by the terms.
+    /// The step is the median of x − lo, w/s and x − hi: multiplied by s it needs no division by s,
+    /// and in units of e = R no division by the terms.
     #[inline]
     pub(crate) fn miss_between(
         &self,
@@ -123,7 +124,7 @@ impl RowTerms {
         let scale = self.positive_scale();
         let slack = |bound: f64| match x - bound {
             distance if distance.is_infinite() && bound.is_finite() => {
-                product(scale, 0.5 * x - 0.5 * bound, 1 - self.exponent) // beyond the largest number
+                product(scale, 0.5 * x - 0.5 * bound, 1 - self.exponent) // x − bound overflows
             }
             distance => product(scale, distance, -self.exponent),
         };
@@ -146,7 +147,7 @@ impl RowTerms {
         Miss { size, scale, magnitude: self.magnitude, exponent: self.exponent, residual }
     }
 
-    /// R_i: the largest x_i that the bounds of row i speak of, where these are its terms
+    /// R_i: the largest size of x_i that the bounds of row i imply, from these terms of the row
     /// ([`scaled_residual`](super::scaled_residual)).
     ///
     /// ```text
@@ -154,9 +155,8 @@ impl RowTerms {
     /// R_i = μ_i max(x_k, e_k), ∞ if that is 0      where row i is coupled to row k
     /// ```
     ///
-    /// A bound of 0 has no size of its own, and none is below the [scale](Lcp::scale) of the
-    /// problem. The bounds of a coupled row may vanish with x_k, but x_k is not known better than
-    /// beside e_k.
+    /// A bound of 0 implies no size, and R_i is never below the [scale](Lcp::scale) of the problem.
+    /// The bounds of a coupled row may vanish with x_k, but the accuracy of x_k is relative to e_k.
     pub fn reach(&self, lcp: &Lcp, i: usize, x: &[f64]) -> f64 {
         if let Some((k, mu)) = lcp.coupled_to(i) {
             return reach_of_friction(mu, RowTerms::at(lcp, k, x).size(lcp, k, x));
@@ -168,23 +168,23 @@ impl RowTerms {
         }
     }
 
-    /// max(x_k, e_k): how large x_k is, as far as it is known.
+    /// max(x_k, e_k): the size of x_k, or of its uncertainty if that is larger.
     pub fn size(&self, lcp: &Lcp, k: usize, x: &[f64]) -> f64 {
         self.natural().min(self.reach(lcp, k, x)).max(x[k])
     }
 
-    /// terms_i / s_i: the x that the terms ask for.
+    /// terms_i / s_i: the size of x that corresponds to the terms.
     fn natural(&self) -> f64 {
         libm::ldexp(self.magnitude / self.positive_scale(), self.exponent)
     }
 
-    /// s_i, or 1 where the whole row is 0.
+    /// s_i, or 1 if the whole row is 0.
     #[inline]
     pub(crate) fn positive_scale(&self) -> f64 {
         if self.scale == 0.0 { 1.0 } else { self.scale }
     }
 
-    /// w_i itself, which may overflow.
+    /// w_i without the exponent; may overflow.
     #[inline]
     pub fn w(&self) -> f64 {
         match self.exponent {
@@ -202,7 +202,7 @@ pub fn reach_of_friction(mu: f64, normal: f64) -> f64 {
     }
 }
 
-/// How far a row or a contact is from its own projected step.
+/// The distance of a row or a contact from its projected step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Miss {
     /// |x − Π(x − w/s)| s, in units of 2^`exponent`.
@@ -211,20 +211,20 @@ pub struct Miss {
     pub scale: f64,
     /// The size of the terms that w is the sum of, in units of 2^`exponent`.
     pub magnitude: f64,
-    /// 0 unless the terms are so large or so small that they would overflow or vanish.
+    /// 0 unless the terms are so large or small that they would overflow or underflow.
     pub exponent: i32,
     /// The scaled residual; NaN counts as ∞.
     pub residual: f64,
 }
 
 impl Miss {
-    /// A miss that has no step.
+    /// A residual without a step.
     pub(crate) fn of_residual(residual: f64) -> Self {
         Miss { size: 0.0, scale: 1.0, magnitude: 0.0, exponent: 0, residual }
     }
 
-    /// log₂ of the longest |x − Π(x − w/s)| √s, −∞ for nothing. Its square is an energy, whatever
-    /// the units of x and w.
+    /// log₂ of the longest |x − Π(x − w/s)| √s, −∞ for an empty list. Its square is an energy in
+    /// any units of x and w.
     pub(crate) fn longest_step(misses: &[Miss]) -> f64 {
         if misses.iter().all(|miss| miss.exponent == 0) {
             let longest = misses.iter().map(Miss::length).fold(0.0, f64::max);
@@ -244,7 +244,7 @@ impl Miss {
     }
 }
 
-/// The size beside the terms, with its sign, 0/0 = 0; NaN counts as ∞.
+/// size / magnitude with the sign of size, 0/0 = 0; NaN counts as ∞.
 #[inline]
 pub fn relative(size: f64, magnitude: f64) -> f64 {
     match size / magnitude {
@@ -255,7 +255,7 @@ pub fn relative(size: f64, magnitude: f64) -> f64 {
     }
 }
 
-/// a b 2^shift, which does not overflow on the way.
+/// a b 2^shift without overflow of intermediate results.
 #[inline]
 pub fn product(a: f64, b: f64, shift: i32) -> f64 {
     match shift {
@@ -267,12 +267,12 @@ pub fn product(a: f64, b: f64, shift: i32) -> f64 {
     }
 }
 
-/// The exponent of a b, unless it is 0.
+/// The exponent of a b; `None` if the product is 0.
 fn exponent(a: f64, b: f64) -> Option<i32> {
     (a != 0.0 && b != 0.0).then(|| libm::frexp(a).1 + libm::frexp(b).1)
 }
 
-/// Two factors whose product is a b 2^shift, neither of them extreme if the product is not.
+/// Two factors whose product is a b 2^shift, neither extreme unless the product is.
 fn shifted(a: f64, b: f64, shift: i32) -> (f64, f64) {
     if a == 0.0 || b == 0.0 || !b.is_finite() {
         return (a, b);
@@ -290,8 +290,8 @@ pub fn row_scale(lcp: &Lcp, i: usize) -> f64 {
     }
 }
 
-/// The largest absolute row sum of these rows and columns of A, by which the modulus of their
-/// largest eigenvalue is bounded.
+/// The largest absolute row sum of these rows and columns of A, an upper bound on the modulus of
+/// their eigenvalues.
 pub fn block_scale(a: &Matrix, rows: &[usize]) -> f64 {
     let row_sum = |&i: &usize| rows.iter().map(|&j| a.entry(i, j).abs()).sum();
     rows.iter().map(row_sum).fold(0.0, f64::max)

@@ -1,4 +1,4 @@
-//! How far a contact is from its own step, under either law.
+//! Residuals of a contact under either cone law.
 
 use super::{ConeProblem, project};
 use crate::friction::Contact;
@@ -6,7 +6,7 @@ use crate::friction::tangents::Tangents;
 use crate::merit::{self, Miss, RowTerms};
 
 impl ConeProblem {
-    /// The normal as a contact without friction, the tangents against their disc.
+    /// Coulomb's law: the normal as a contact without friction, the tangents with their disk.
     pub(super) fn coulomb(
         &self,
         contact: &Contact,
@@ -31,8 +31,8 @@ impl ConeProblem {
         [normal, Miss { size: of_scale, scale, magnitude, exponent, residual }]
     }
 
-    /// The cone in coordinates in which both scales are s_t: p = (s_n x_n ρ, s_t x_t), ρ =
-    /// √(s_t/s_n).
+    /// The associated law, in coordinates in which both scales are s_t: p = (s_n x_n ρ, s_t x_t), ρ
+    /// = √(s_t/s_n).
     pub(super) fn associated(
         &self,
         contact: &Contact,
@@ -60,8 +60,8 @@ impl ConeProblem {
         [miss(0, of_normal, load), miss(1, scale, tangents.magnitude)]
     }
 
-    /// s_t: the largest absolute row sum of the contact's 2 × 2 block of tangents; where that is 0
-    /// the largest |a_ij| of both rows; `None` if they are all 0.
+    /// s_t: the largest absolute row sum of the contact's 2 × 2 tangential block; if that is 0, the
+    /// largest |a_ij| of both rows; `None` if all entries are 0.
     fn tangential_scale(&self, contact: &Contact) -> Option<f64> {
         let a = self.friction.lcp.matrix();
         let [_, t1, t2] = contact.rows;
@@ -73,7 +73,7 @@ impl ConeProblem {
     }
 }
 
-/// The point of the disc nearest to t.
+/// The point of the disk nearest to t.
 fn in_disc(radius: f64, [t1, t2]: [f64; 2]) -> [f64; 2] {
     match crate::hypot(t1, t2) {
         length if length <= radius => [t1, t2],
@@ -81,7 +81,8 @@ fn in_disc(radius: f64, [t1, t2]: [f64; 2]) -> [f64; 2] {
     }
 }
 
-/// The unit 2^exponent in which none of these rows overflows; a row of zeros has none.
+/// The exponent of a common unit 2^exponent in which none of these rows overflows; rows of zeros
+/// are skipped.
 fn common_exponent(rows: &[RowTerms]) -> i32 {
     let rows = rows.iter().filter(|row| row.magnitude > 0.0);
     rows.map(|row| row.exponent).max().unwrap_or(0)

@@ -1,41 +1,43 @@
-//! Model 4: the circular cone itself.
+//! Model 4: the circular friction cone.
 //!
 //! ```text
-//! K  = { x : |x_t| ≤ μ x_n }         Coulomb's cone, where the impulse lies
+//! K  = { x : |x_t| ≤ μ x_n }         Coulomb's cone, which contains the impulse
 //! K* = { w : w_n ≥ μ |w_t| }         its dual: all w with x·w ≥ 0 for every x in K
 //!
 //! 4a  K ∋ x ⟂ w ∈ K*                 w = A x + b
 //! 4b  K ∋ x ⟂ ŵ ∈ K*                 ŵ = w + μ |w_t| n
 //! ```
 //!
-//! 4a is what minimising ½ xᵀAx + bᵀx over the cones leads to, so for semidefinite A it is convex
-//! and solved reliably: by cone programming, by projected gradients. While a contact slides, x lies
-//! on the surface of K, so w is on that of K*: w_n = μ |w_t|. The bodies *separate* as they slide,
-//! at the slope of the cone; in a time step dt they float at a height dt μ |w_t|. The slip is
-//! opposite to friction, and no direction is preferred. (In plasticity such a flow rule is called
-//! associated.)
+//! For semidefinite A, 4a is the optimality condition of minimizing ½ xᵀAx + bᵀx over the cones: a
+//! convex problem that cone programming and projected gradient methods solve reliably. When a
+//! contact slides, x lies on the surface of K and w on that of K*: w_n = μ |w_t|. The bodies
+//! *separate* as they slide, at the slope of the cone; in a time step dt they end up at a height of
+//! dt μ |w_t|. Friction is opposite to the slip, and the model is isotropic. (In plasticity such a
+//! flow rule is called associated.)
 //!
-//! De Saxcé & Feng (1991) take that separation out: with ŵ in place of w, sliding means ŵ_n = μ
-//! |w_t|, hence w_n = 0, and 4b is Coulomb's law exactly. Now the shift μ |w_t| depends on x, and
-//! there is no minimum behind it: the problem is not convex. But with the shift *frozen* at some x
-//! it is a 4a with another b_n ([`ConeProblem::frozen_at`]), and x solves 4b if and only if it
-//! solves the 4a frozen at x; so freezing, solving and repeating leads to Coulomb's law just as it
+//! De Saxcé & Feng (1991) remove that separation: with ŵ instead of w, sliding means ŵ_n = μ |w_t|,
+//! hence w_n = 0, and 4b is Coulomb's law exactly. Now the shift μ |w_t| depends on x, and no
+//! function is minimized: the problem is not convex. But with the shift *frozen* at some x it is a
+//! 4a with another b_n ([`ConeProblem::frozen_at`]), and x solves 4b if and only if it solves the
+//! 4a frozen at x. Freezing, solving and repeating therefore leads to Coulomb's law, just as it
 //! leads from model 1 to model 2 (Acary, Cadoux, Lemaréchal & Malick 2011).
 //!
-//! Both are the same as being a fixed point of a projection, which measures how far x is from one.
-//! The normal and the tangents have a scale and terms each, so that a slip of a light body under a
-//! heavy load is seen beside its own terms, and not beside the load:
+//! The solutions of both are the fixed points of a projection; the residual measures the distance
+//! of x from its projected step. The normal and the tangents have a scale and terms each, so that
+//! the slip of a light body under a heavy load is compared with its own terms and not with the
+//! load:
 //!
 //! ```text
 //! 4a  x = Π_K(x − S⁻¹ w) in the metric of S = diag(s_n, s_t, s_t)
-//! 4b  x_n = max(x_n − w_n/s_n, 0),   x_t = the point of the disc |x_t| ≤ μ x_n nearest to x_t − w_t/s_t
+//! 4b  x_n = max(x_n − w_n/s_n, 0),   x_t = the point of the disk |x_t| ≤ μ x_n nearest to x_t − w_t/s_t
 //!
 //! r_n = |x_n − its step| s_n / terms_n,   r_t = |x_t − its step| s_t / terms_t
 //! ```
 //!
-//! s_t is the scale of the tangents' block of A, but at least terms_t / R, so that no step is
-//! longer than the disc may be wide, and just that where both rows of A are 0: R = μ max(x_n,
-//! terms_n / s_n), as in a row with bounds ([`scaled_residual`](merit::scaled_residual)).
+//! s_t is the scale of the tangential block of A, but at least terms_t / R, so that no step is
+//! longer than the possible width of the disk, and exactly terms_t / R if both rows of A are 0. R =
+//! μ max(x_n, terms_n / s_n), as for a row with bounds
+//! ([`scaled_residual`](merit::scaled_residual)).
 
 mod misses;
 
@@ -44,12 +46,12 @@ use crate::accurate;
 use crate::merit::{self, Miss, RowTerms};
 use crate::{Complementarity, Lcp};
 
-/// What a sliding contact does along its normal.
+/// The normal velocity of a sliding contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Law {
-    /// 4a: it separates, w_n = μ |w_t|; x minimises ½ xᵀAx + bᵀx.
+    /// 4a: the bodies separate, w_n = μ |w_t|; x minimizes ½ xᵀAx + bᵀx.
     Associated,
-    /// 4b: it stays, w_n = 0; Coulomb's law.
+    /// 4b: the bodies stay in contact, w_n = 0; Coulomb's law.
     Coulomb,
 }
 
@@ -76,7 +78,7 @@ impl ConeProblem {
         self.law
     }
 
-    /// What is added to the w_n of a contact: μ |w_t| under Coulomb's law, else nothing.
+    /// The shift added to the w_n of a contact: μ |w_t| under Coulomb's law, otherwise 0.
     pub fn shift(&self, contact: &Contact, [_, w1, w2]: [f64; 3]) -> f64 {
         match self.law {
             Law::Associated => 0.0,
@@ -84,15 +86,15 @@ impl ConeProblem {
         }
     }
 
-    /// Π_K(x − ŵ / s): the contact's x after a step against ŵ. A solution is one that it leaves
-    /// alone.
+    /// Π_K(x − ŵ / s): the contact's x after a projected step. x is a solution if this step does
+    /// not change it.
     pub fn step(&self, contact: &Contact, x: [f64; 3], w: [f64; 3], s: f64) -> [f64; 3] {
         let shifted = [w[0] + self.shift(contact, w), w[1], w[2]];
         project(contact.mu, std::array::from_fn(|i| x[i] - shifted[i] / s))
     }
 
-    /// s: the largest absolute row sum of the contact's 3 × 3 block of A, by which its largest
-    /// eigenvalue is bounded; 1 for a block of zeros.
+    /// s: the largest absolute row sum of the contact's 3 × 3 block of A, an upper bound on its
+    /// largest eigenvalue; 1 for a block of zeros.
     pub fn scale(&self, contact: &Contact) -> f64 {
         match merit::block_scale(self.friction.lcp.matrix(), &contact.rows) {
             0.0 => 1.0,
@@ -100,8 +102,8 @@ impl ConeProblem {
         }
     }
 
-    /// How far each row is from its own step, from the terms of all rows at x; both tangents of a
-    /// contact have that of their plane.
+    /// The residual of each row, from the terms of all rows at x; both tangents of a contact have
+    /// the residual of their plane.
     pub fn misses(&self, terms: &[RowTerms], x: &[f64]) -> Vec<Miss> {
         let mut misses: Vec<Miss> =
             (0..x.len()).map(|i| terms[i].miss(&self.friction.lcp, i, x)).collect();
@@ -123,7 +125,7 @@ impl ConeProblem {
         self.misses(terms, x).iter().map(|miss| miss.residual).collect()
     }
 
-    /// What all rows miss, their terms added up by S.
+    /// The residuals of all rows, their terms summed by S.
     fn all_misses<S: merit::Sum>(&self, x: &[f64]) -> Vec<Miss> {
         let lcp = &self.friction.lcp;
         let terms: Vec<_> = (0..x.len()).map(|i| RowTerms::summed::<S>(lcp, i, x)).collect();
@@ -189,14 +191,14 @@ impl Complementarity for ConeProblem {
     }
 }
 
-/// The part of μ |v_t| by which v_n may exceed −μ |v_t| and be rounding.
+/// v_n may exceed −μ |v_t| by this fraction of μ |v_t| because of rounding.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// Π_K(v): the nearest point of the cone |v_t| ≤ μ v_n, for v = (n, t1, t2).
 ///
-/// Inside the cone v itself, in the opposite cone μ |v_t| ≤ −v_n its tip, elsewhere the nearest
-/// point of the side that faces v. What is outside the opposite cone by rounding counts as inside,
-/// so that a contact that slides and carries nothing carries 0 and not 10⁻¹⁷.
+/// v itself inside the cone, the tip in the opposite cone μ |v_t| ≤ −v_n, otherwise the nearest
+/// point of the side that faces v. A v that is outside the opposite cone only by rounding counts as
+/// inside it, so that a sliding contact without load has the impulse 0, not 10⁻¹⁷.
 ///
 /// ```
 /// use lcplab_problem::friction::project;

@@ -1,8 +1,8 @@
-//! Residuals of the friction of a polygon, each contact in its own units.
+//! Residuals of polygonal friction, each contact in its own units.
 //!
 //! A row of γ has its own residual, because it compares a speed, γ, with an impulse, μ x_n − Σ β. A
 //! contact may use less than μ x_n or slip, but not both: the residual is the smaller of the two,
-//! each in parts of its terms.
+//! each relative to its terms.
 
 use std::ops::Range;
 
@@ -10,7 +10,7 @@ use super::Polyhedral;
 use crate::accurate;
 use crate::merit::{Miss, RowTerms, is_better, reach_of_friction, relative};
 
-/// Where the unknowns of a contact with friction are among those of the LCP, and its μ.
+/// The positions of a contact's unknowns in the LCP, and its μ. Only for contacts with μ > 0.
 #[derive(Debug, Clone)]
 pub struct Unknowns {
     /// x_n.
@@ -40,7 +40,7 @@ impl Polyhedral {
     }
 
     /// Whether x counts as a solution: no residual of its z is above the tolerance, and x is ten
-    /// times closer to a solution than Π(0) is.
+    /// times closer to a solution than Π(0).
     pub fn is_solution(&self, x: &[f64], tolerance: f64) -> bool {
         let misses = self.misses(&self.z(x));
         let nothing = || {
@@ -52,7 +52,7 @@ impl Polyhedral {
             && is_better(&misses, nothing().into_iter(), tolerance)
     }
 
-    /// The misses of the rows of z; those of γ have a residual only.
+    /// The residuals of the rows of z; those of γ have no step size.
     fn misses(&self, z: &[f64]) -> Vec<Miss> {
         let at = |unknown: usize| RowTerms::summed::<accurate::Sum>(&self.lcp, unknown, z);
         let others = (0..self.first_beta()).map(|i| at(i).miss(&self.lcp, i, z));
@@ -83,7 +83,7 @@ impl Polyhedral {
 /// The friction of one contact at a z.
 struct ContactFriction<'a> {
     beta: &'a [f64],
-    /// Those of β.
+    /// The terms of the rows of β.
     rows: Vec<RowTerms>,
     /// μ x_n − Σ β.
     left: f64,
@@ -101,7 +101,7 @@ impl<'a> ContactFriction<'a> {
         let normal = at(contact.normal).size(&polyhedral.lcp, contact.normal, z);
         let rounding = f64::EPSILON * z[contact.gamma];
         let row = |unknown: usize| match at(unknown) {
-            row if row.w().abs() <= rounding => RowTerms { w: 0.0, ..row }, // γ is its speed, rounded
+            row if row.w().abs() <= rounding => RowTerms { w: 0.0, ..row }, // γ is its speed
             row => row,
         };
         ContactFriction {
@@ -112,12 +112,12 @@ impl<'a> ContactFriction<'a> {
         }
     }
 
-    /// The same where γ is this and not 0.
+    /// The same friction with this γ instead of 0.
     fn sliding_at(&self, gamma: f64) -> Self {
         ContactFriction { rows: self.rows.iter().map(|row| row.plus(gamma)).collect(), ..*self }
     }
 
-    /// The misses of each β and of γ.
+    /// The residuals of each β and of γ.
     fn misses(&self, gamma: f64) -> Vec<Miss> {
         let push = |(&beta, row): (&f64, &RowTerms)| {
             row.miss_between(beta, 0.0, f64::INFINITY, || self.reach)

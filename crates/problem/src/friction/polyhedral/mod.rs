@@ -1,13 +1,12 @@
-//! Model 3: a polygon in place of the disc, and an LCP without approximation otherwise.
+//! Model 3: a polygon instead of the disk; the rest of the problem is an LCP without approximation.
 //!
 //! ```text
 //! x_t = D β,   β ≥ 0,   Σ_j β_j ≤ μ x_n          D = k unit vectors d_1 … d_k around the tangent plane
 //! ```
 //!
-//! k impulses β that can only push replace the two tangential ones: x_t lies in the polygon whose
-//! corners are μ x_n d_j. A third unknown of each contact, γ, is the largest speed of slip along a
-//! −d_j, and three rows of complementarity say what Coulomb says (⟂: both at least 0, one of them
-//! 0):
+//! k nonnegative impulses β replace the two tangential ones: x_t lies in the polygon with corners μ
+//! x_n d_j. A third unknown of each contact, γ, is the largest slip speed along a −d_j, and three
+//! complementarity conditions state Coulomb's law (⟂: both are at least 0 and one of them is 0):
 //!
 //! ```text
 //! x_n ⟂ w_n                      [ w_n ]   [ A_nn  A_nD  0 ] [ x_n ]   [ b_n    ]
@@ -15,22 +14,21 @@
 //! γ   ⟂ μ x_n − Σ_j β_j          [ w_γ ]   [ μ     −Eᵀ   0 ] [ γ   ]   [ 0      ]
 //! ```
 //!
-//! The second line makes γ at least the speed along every −d_j, and lets only those β push for
-//! which it is that speed: friction acts along the d_j most opposed to the slip. γ is the speed of
-//! sliding
-//! |w_t| where the slip runs along a −d_j, else less, down to cos(π/k) |w_t|. The third: a contact that
-//! slides, γ > 0, uses all of μ x_n. E has a column of k ones a contact.
+//! The second line makes γ at least the speed along every −d_j, and allows β_j > 0 only if γ is
+//! equal to that speed: friction acts along the d_j most opposed to the slip. γ is the slip speed
+//! |w_t| if the slip is along a −d_j, otherwise less, down to cos(π/k) |w_t|. The third line says
+//! that a sliding contact, γ > 0, uses all of μ x_n. E has one column of k ones for each contact.
 //!
-//! The matrix M is not symmetric, so there is no energy to minimise and sweeps have nothing to
-//! descend. It is copositive, zᵀM z = xᵀA x + Σ μ x_n γ ≥ 0 for z ≥ 0, which is what Lemke's method
-//! needs: it ends at a solution whenever b = J u*, for then xᵀA x = 0 implies Jᵀx = 0 and bᵀx = 0.
-//! The price is k + 2 unknowns a contact, and directions still: an edge of the polygon comes nearer
-//! to the centre than a corner by the factor cos(π/k), 29 % too little friction for k = 4, 8 % for
-//! 8, 2 % for
-//! 16. A contact that slides between two directions rubs along the nearer one, up to 180°/k off.
+//! The matrix M is not symmetric, so no energy is minimized and sweep methods have no descent
+//! property. M is copositive, zᵀM z = xᵀA x + Σ μ x_n γ ≥ 0 for z ≥ 0, as Lemke's method requires:
+//! it ends at a solution whenever b = J u*, because then xᵀA x = 0 implies Jᵀx = 0 and bᵀx = 0. The
+//! costs are k + 2 unknowns for each contact and a remaining anisotropy: an edge of the polygon is
+//! closer to the center than a corner by the factor cos(π/k), which gives 29 % too little friction
+//! for k = 4, 8 % for k = 8 and 2 % for k = 16. At a contact that slides between two directions,
+//! friction acts along the closer one, up to 180°/k off.
 //!
-//! x alone says whether it is a solution: [`Polyhedral::z`] finds the β and γ that belong to it, if
-//! any do.
+//! x alone determines whether it is a solution: [`Polyhedral::z`] computes the matching β and γ, if
+//! they exist.
 //!
 //! Stewart & Trinkle 1996; Anitescu & Potra 1997.
 
@@ -46,26 +44,26 @@ use crate::exact::dyadic::{Dyadic, dyadic};
 use crate::memory::Memory;
 use crate::{Lcp, Matrix};
 
-/// What an entry takes while the matrix is made (numbers): its place and value, twice, and the
-/// matrix.
+/// Memory for each entry while the matrix is made (in numbers): its position and value, twice, and
+/// the matrix.
 const ENTRY: usize = 8;
 
-/// The polyhedral LCP of a friction problem, and the way back.
+/// The polyhedral LCP of a friction problem, and the conversions between x and z.
 #[derive(Debug, Clone)]
 pub struct Polyhedral {
     lcp: Lcp,
-    /// For each unknown that is an impulse the entries (row, value) of x that it adds to.
+    /// For each unknown that is an impulse the entries (row, value) of x that it contributes to.
     impulses: Vec<Vec<(usize, f64)>>,
-    /// What it was made from.
+    /// The original problem.
     friction: FrictionProblem,
-    /// k.
+    /// The number of directions, k.
     directions: usize,
 }
 
 impl Polyhedral {
     /// The LCP with k directions: 4, 8, 12, …, the first one along t1. Its unknowns are the x of
     /// rows that belong to no contact, all x_n, the k impulses β of each contact, and all γ; a
-    /// contact with μ = 0 has neither β nor γ.
+    /// contact with μ = 0 has no β and no γ.
     ///
     /// # Errors
     /// If k is not a positive multiple of 4, or the matrix would take more than 4 GB.
@@ -102,12 +100,12 @@ impl Polyhedral {
         Ok(Polyhedral { lcp, impulses, friction: problem.clone(), directions: k })
     }
 
-    /// The friction problem that it was made from.
+    /// The original friction problem.
     pub fn friction(&self) -> &FrictionProblem {
         &self.friction
     }
 
-    /// k.
+    /// The number of directions, k.
     pub fn directions(&self) -> usize {
         self.directions
     }
@@ -117,10 +115,10 @@ impl Polyhedral {
         &self.lcp
     }
 
-    /// The same of a problem whose rows yield a little, see [`FrictionProblem::softened`].
+    /// The model with a slightly more compliant A, see [`FrictionProblem::softened`].
     ///
     /// # Errors
-    /// If an entry is not finite then.
+    /// If an increased entry is not finite.
     pub fn softened(&self, part: f64) -> Result<Self> {
         Polyhedral::new(&self.friction.softened(part)?, self.directions)
     }
@@ -136,7 +134,7 @@ impl Polyhedral {
         x
     }
 
-    /// The same in exact arithmetic.
+    /// [`Polyhedral::x`] in exact arithmetic.
     pub fn exact_x(&self, z: &Point) -> Point {
         let mut x = vec![Dyadic::ZERO; self.friction.lcp().len()];
         for (unknown, impulse) in self.impulses.iter().enumerate() {
@@ -147,12 +145,12 @@ impl Polyhedral {
         Point::new(x, z.denominator().clone())
     }
 
-    /// The unknowns z that belong to impulses x: they solve the LCP if x is the friction of one of
-    /// its solutions, and only then.
+    /// The unknowns z for impulses x: they solve the LCP if and only if x is the friction of one of
+    /// its solutions.
     ///
-    /// x_t lies between two neighbours among the d_j, and β are its components along them: no
-    /// others have a smaller sum. (z does not contain the x_t of a contact with μ = 0.) γ is the
-    /// candidate with the smallest residual.
+    /// x_t lies between two adjacent d_j, and β are its components along them, which have the
+    /// smallest sum. (z does not contain the x_t of a contact with μ = 0.) γ is the candidate with
+    /// the smallest residual.
     pub fn z(&self, x: &[f64]) -> Vec<f64> {
         let mut z = self.z_at_rest(x);
         for contact in self.unknowns() {
@@ -161,7 +159,7 @@ impl Polyhedral {
         z
     }
 
-    /// The same with γ = 0 for all contacts.
+    /// [`Polyhedral::z`] with γ = 0 for all contacts.
     pub fn z_at_rest(&self, x: &[f64]) -> Vec<f64> {
         let (contacts, others) = (self.friction.contacts(), self.friction.others());
         let normals = contacts.iter().map(|contact| contact.rows[0]);
@@ -172,7 +170,7 @@ impl Polyhedral {
         z
     }
 
-    /// The unknowns before this one are the x of other rows and all x_n.
+    /// The index of the first β: the x of the other rows and all x_n come before it.
     fn first_beta(&self) -> usize {
         self.friction.others().len() + self.friction.contacts().len()
     }
@@ -212,7 +210,7 @@ impl Polyhedral {
         beyond.min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(p)
     }
 
-    /// The row of x that an unknown belongs to: its own, t1 for β, n for γ.
+    /// The row of x for an unknown: its own row, t1 for β, n for γ.
     pub fn row(&self, unknown: usize) -> usize {
         let rubbing = self.friction.contacts().iter().filter(|contact| contact.mu > 0.0);
         let mut normals = rubbing.map(|contact| contact.rows[0]);

@@ -1,4 +1,4 @@
-//! The unknowns β of a polygon: which x they add to, and the products that make A of them.
+//! The unknowns β of a polygon: their contributions to x, and the products that form the matrix.
 
 use std::cmp::Ordering;
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 use crate::Matrix;
 use crate::friction::FrictionProblem;
 
-/// The β of a contact's x: all 0 but two neighbours.
+/// The β of a contact's x: at most two adjacent ones are not 0.
 pub(super) fn beta([_, x1, x2]: [f64; 3], k: usize) -> Vec<f64> {
     let cross = |[p1, p2]: [f64; 2], [q1, q2]: [f64; 2]| p1 * q2 - p2 * q1;
     let components = |j: usize| {
@@ -21,7 +21,7 @@ pub(super) fn beta([_, x1, x2]: [f64; 3], k: usize) -> Vec<f64> {
     beta
 }
 
-/// What each unknown adds to x: unit vectors of the other rows and the normals, then the d_j.
+/// The contribution of each unknown to x: unit vectors for other rows and normals, then the d_j.
 pub(super) fn impulses(problem: &FrictionProblem, k: usize) -> Vec<Vec<(usize, f64)>> {
     let (contacts, others) = (problem.contacts(), problem.others());
     let normals = contacts.iter().map(|contact| contact.rows[0]);
@@ -37,8 +37,8 @@ pub(super) fn impulses(problem: &FrictionProblem, k: usize) -> Vec<Vec<(usize, f
     impulses
 }
 
-/// d_j = (cos 2πj/k, sin 2πj/k), each quarter being the one before turned by exactly 90°, and the
-/// halves of each being mirror images: what cancels along (1, −1) leaves no rounding.
+/// d_j = (cos 2πj/k, sin 2πj/k). Each quarter is the previous one turned by exactly 90°, and its
+/// halves are mirror images, so that symmetric sums cancel without rounding errors.
 pub(super) fn direction(j: usize, k: usize) -> [f64; 2] {
     let (quarter, rest) = (j / (k / 4), j % (k / 4));
     let cos_sin = |rest: usize| {
@@ -56,7 +56,7 @@ pub(super) fn direction(j: usize, k: usize) -> [f64; 2] {
     (0..quarter).fold(first, |[d1, d2], _| [-d2, d1])
 }
 
-/// The entries u_pᵀ A u_q other than 0 for the impulses u.
+/// The nonzero entries u_pᵀ A u_q for the impulses u.
 pub(super) fn delassus(a: &Matrix, impulses: &[Vec<(usize, f64)>]) -> Vec<(usize, usize, f64)> {
     let mut entries = Vec::new();
     for (p, u_p) in impulses.iter().enumerate() {
