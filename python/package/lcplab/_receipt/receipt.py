@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from lcplab._receipt import files, solver, work
+from lcplab._receipt.files import number
 from lcplab._receipt.findings import STAGES, Finding, Report
-from lcplab._receipt.limits import NOTABLE, limit_of
+from lcplab._receipt.limits import NOTABLE
 from lcplab._receipt.solver import Bounds
 from lcplab._receipt.step import Step
 
@@ -41,7 +43,7 @@ class Receipt:
 
     def __init__(self, step: Step, bounds: Bounds | str, report: Report, limit: float | None = None) -> None:
         self.step = step
-        self.limit = limit_of(step.method, step.bits) if limit is None else limit
+        self.limit = solver.limit_for(step, limit)
         self.solution: work.Solution | None = None
         if isinstance(bounds, Bounds) and len(step) and not solver.is_sharp(step, bounds, self.limit):
             self.solution = work.solve(step)
@@ -66,7 +68,8 @@ class Receipt:
             if len(self.step) == 0:
                 return "no rows"
             return "ok" if self.bound is not None else "not checked"
-        if self.rejected.stage == "solver" and not self.step.has_converged:
+        is_finite = math.isfinite(self.rejected.error)
+        if self.rejected.stage == "solver" and is_finite and not self.step.has_converged:
             # The engine stopped at its iteration cap. That is an error only if its method needs far fewer iterations.
             self.work = work.compare(self.step, self.solution)
             if not self.work.is_excessive:
@@ -139,13 +142,14 @@ class Receipt:
         """The receipt as JSON."""
         step = self.step
         return {
-            "engine": step.engine, "version": step.version, "name": step.name, "time": step.time,
+            "engine": step.engine, "version": step.version, "name": step.name, "time": number(step.time),
             "rows": len(step), "method": step.method, "bits": step.bits, "iterations": step.iterations,
             "verdict": self.verdict, "stage": self.stage, "row": self.row, "bodies": list(self.bodies),
-            "motion_error": self.motion_error, "limit": self.limit, "bound": self.bound, "effect": self.effect,
+            "motion_error": number(self.motion_error), "limit": number(self.limit), "bound": number(self.bound),
+            "effect": number(self.effect),
             "unit": self.unit, "not_checked": self.not_checked,
             "findings": [
-                {"stage": f.stage, "what": f.what, "error": f.error, "limit": f.limit, "row": f.row,
+                {"stage": f.stage, "what": f.what, "error": number(f.error), "limit": number(f.limit), "row": f.row,
                  "bodies": list(f.bodies)}
                 for f in self.findings
             ],
@@ -177,4 +181,6 @@ def _line(step: Step, finding: Finding) -> str:
         where = f"; row {finding.row}"
     elif finding.bodies:
         where = f"; {', '.join(finding.bodies)}"
+    if not math.isfinite(finding.error):
+        return f"{finding.what}{where}"
     return f"{finding.what}: {finding.error:.2g}, limit {finding.limit:.1g}{where}"
