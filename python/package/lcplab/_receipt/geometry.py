@@ -23,6 +23,8 @@ class Shape:
     center: Array
     axes: Array
     name: str = ""
+    #: The distance (m) from which on it has contacts; negative if only where it overlaps more.
+    margin: float = 0.0
 
     def local(self, point: Array) -> Array:
         """A point in its axes."""

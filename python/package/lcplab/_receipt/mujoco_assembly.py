@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lcplab._receipt import mujoco as reader
 from lcplab._receipt.findings import Finding, Report
@@ -20,6 +21,10 @@ from lcplab._receipt.step import Array, Step
 FIRST, SECOND, REFERENCE = 1e-5, 1e-4, 1e-2
 #: The largest number of degrees of freedom: with more, differences of poses take too long.
 MOST_DOFS = 2_000
+#: Actuators of groups 0 to 30 can be disabled.
+GROUPS = 31
+
+Flags = NDArray[np.bool_]
 
 
 def check(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Report:
@@ -33,14 +38,23 @@ def check(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Report
     motion = Kinematics(model, data, qpos)
     report.add(_mass(model, data, motion))
     report.add(_bias_forces(model, data, step, motion, qvel))
-    report.add(_free_motion(model, data, step, motion))
-    report.add(_actuators(model, data, step))
+    if reader.has_effective_mass(model):
+        report.not_checked.append("assembly: u* and reference accelerations, which contain the integrator's effective mass")
+    else:
+        report.add(_free_motion(model, data, step, motion))
+    report.add(_actuators(model, data))
     report.add(_passive(model, data, step, qpos, qvel))
     if len(step):
         report.add(_contacts(model, data, step, motion))
-        report.add(_references(model, data, step, qpos, qvel))
+    if len(step) and not reader.has_effective_mass(model):
+        report.add(_references(model, data, step, motion, qvel))
         report.add(_dual(model, data, step))
     return report
+
+
+def _has_armature(model: Any) -> bool:
+    """Whether tendons or actuators have armature, which adds to M and to the bias forces."""
+    return _has_any(model, "tendon_armature", "actuator_armature")
 
 
 def _worst(what: str, difference: Array, terms: Array, limit: float, row: int | None = None) -> Finding:
@@ -57,8 +71,8 @@ def _inertia(model: Any, motion: Kinematics) -> Array:
 
 
 def _mass(model: Any, data: Any, motion: Kinematics) -> Report:
-    if np.any(getattr(model, "tendon_armature", np.zeros(0))):
-        return Report(not_checked=["assembly: M with armature of tendons"])
+    if _has_armature(model):
+        return Report(not_checked=["assembly: M and bias forces, because of armature of tendons or actuators"])
     own = np.einsum("b,bij,bik->jk", model.body_mass, motion.linear, motion.linear)
     own += np.einsum("bij,bil,blk->jk", motion.angular, _inertia(model, motion), motion.angular)
     own += np.diag(model.dof_armature)
@@ -68,8 +82,10 @@ def _mass(model: Any, data: Any, motion: Kinematics) -> Report:
 
 
 def _bias_forces(model: Any, data: Any, step: Step, motion: Kinematics, qvel: Array) -> Report:
+    if _has_armature(model):
+        return Report()
     linear, angular = motion.accelerations(qvel)
-    gravity = np.zeros(3) if _is_disabled(model, "GRAVITY") else np.asarray(model.opt.gravity)
+    gravity = np.zeros(3) if reader.is_disabled(model, "GRAVITY") else np.asarray(model.opt.gravity)
     inertia = _inertia(model, motion)
     turning = motion.angular @ qvel
     forces = model.body_mass[:, None] * (linear - gravity)
@@ -108,22 +124,46 @@ def _free_motion(model: Any, data: Any, step: Step, motion: Kinematics) -> Repor
     return Report([_force(what, model, data, step, needed - np.sum(parts, axis=0), FIRST)])
 
 
-def _actuators(model: Any, data: Any, step: Step) -> Report:
+def _actuators(model: Any, data: Any) -> Report:
     """Forces of actuators without dynamics and with a gain that is a number, from the controls."""
+    if model.nu == 0 or reader.is_disabled(model, "ACTUATION"):
+        return Report()
+    if len(data.actuator_force) != model.nu or len(model.actuator_gainprm) != model.nu:
+        return Report(not_checked=["assembly: forces of actuators, some of which have several controls or outputs"])
+    plain = _are_plain(model)
+    report = Report()
+    if not plain.all():
+        why = "dynamics, gains that are not constant, or a limit of their tendon's force"
+        report.not_checked.append(f"assembly: forces of {int(np.sum(~plain))} actuators with {why}")
+    force, terms = _forces(model, data)
+    difference = np.where(plain, data.actuator_force - force, 0.0)
+    what = "the force of an actuator does not follow from its control"
+    report.findings.append(_worst(what, difference, terms, FIRST))
+    return report
+
+
+def _are_plain(model: Any) -> Flags:
+    """The actuators whose force follows from their control, length and velocity, (nu,)."""
     import mujoco
 
-    if model.nu == 0 or _is_disabled(model, "ACTUATION"):
-        return Report()
     plain = (model.actuator_dyntype == int(mujoco.mjtDyn.mjDYN_NONE)) & (
         model.actuator_gaintype == int(mujoco.mjtGain.mjGAIN_FIXED)
     )
     plain &= model.actuator_biastype <= int(mujoco.mjtBias.mjBIAS_AFFINE)
     delayed = np.asarray(getattr(model, "actuator_history", np.zeros((model.nu, 1)))).reshape(model.nu, -1)
     plain &= ~delayed.any(axis=1)
-    report = Report()
-    if not plain.all():
-        report.not_checked.append(f"assembly: {int(np.sum(~plain))} actuators with dynamics, or with gains that are not constant")
-    limited = np.asarray(model.actuator_ctrllimited, dtype=bool) & (not _is_disabled(model, "CLAMPCTRL"))
+    limited = np.asarray(getattr(model, "tendon_actfrclimited", np.zeros(model.ntendon)), dtype=bool)
+    is_tendon = model.actuator_trntype == int(mujoco.mjtTrn.mjTRN_TENDON)
+    tendons = model.actuator_trnid[is_tendon, 0]
+    plain[is_tendon] &= ~limited[tendons]
+    return plain
+
+
+def _forces(model: Any, data: Any) -> tuple[Array, Array]:
+    """The forces of plain actuators, 0 in disabled groups, and the sums of the sizes of their terms, (nu,)."""
+    import mujoco
+
+    limited = np.asarray(model.actuator_ctrllimited, dtype=bool) & (not reader.is_disabled(model, "CLAMPCTRL"))
     low, high = model.actuator_ctrlrange.T
     control = np.where(limited, np.clip(data.ctrl, low, high), data.ctrl)
     bias = model.actuator_biasprm[:, :3].copy()
@@ -134,10 +174,9 @@ def _actuators(model: Any, data: Any, step: Step) -> Report:
     bounded = np.asarray(model.actuator_forcelimited, dtype=bool)
     low, high = model.actuator_forcerange.T
     force = np.where(bounded, np.clip(force, low, high), force)
-    difference = np.where(plain, data.actuator_force - force, 0.0)
-    what = "the force of an actuator does not follow from its control"
-    report.findings.append(_worst(what, difference, np.abs(terms).sum(axis=0), FIRST))
-    return report
+    groups = np.asarray(model.actuator_group)
+    disabled = (groups >= 0) & (groups < GROUPS) & ((int(model.opt.disableactuator) >> np.clip(groups, 0, GROUPS)) & 1 > 0)
+    return np.where(disabled, 0.0, force), np.abs(terms).sum(axis=0)
 
 
 def _passive(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Report:
@@ -145,19 +184,23 @@ def _passive(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Rep
     import mujoco
 
     others = {
-        "tendons": model.ntendon and (np.any(model.tendon_stiffness) or np.any(model.tendon_damping)),
+        "tendons": model.ntendon and (_has_any(
+            model, "tendon_stiffness", "tendon_damping", "tendon_stiffnesspoly", "tendon_dampingpoly")),
         "fluid": model.opt.density or model.opt.viscosity,
         "flexes": getattr(model, "nflex", 0),
         "gravity compensation": np.any(model.body_gravcomp),
         "plug-ins": model.nplugin,
         "adhesion": np.any(getattr(data, "qfrc_adhesion", 0.0)),
+        "actuators with damping": np.any(getattr(model, "actuator_damping", 0.0)),
+        "plastic springs": getattr(model, "nplastic", 0),
     }
     stiffness, damping = _linear(model.jnt_stiffness), _linear(model.dof_damping)
     turning = np.isin(model.jnt_type, [int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_BALL)])
     found = [name for name, has in others.items() if has]
-    if stiffness is None or damping is None or np.any(stiffness[turning] if stiffness is not None else 0):
+    is_linear = not _has_any(model, "jnt_stiffnesspoly", "dof_dampingpoly", "actuator_dampingpoly")
+    if not is_linear or stiffness is None or damping is None or np.any(stiffness[turning]):
         found.append("springs and dampers that are not linear")
-    if _is_disabled(model, "PASSIVE", "SPRING", "DAMPER"):
+    if reader.is_disabled(model, "PASSIVE", "SPRING", "DAMPER"):
         found.append("disabled passive forces")
     if found or stiffness is None or damping is None:
         return Report(not_checked=[f"assembly: passive forces, because of {', '.join(found)}"])
@@ -167,6 +210,11 @@ def _passive(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Rep
         spring[model.jnt_dofadr[joint]] = -stiffness[joint] * (qpos[place] - model.qpos_spring[place])
     what = "the passive forces differ from those of the joints' springs and dampers"
     return Report([_force(what, model, data, step, data.qfrc_passive - spring - damper, FIRST)])
+
+
+def _has_any(model: Any, *names: str) -> bool:
+    """Whether one of these arrays, as far as this version has them, has an entry that is not 0."""
+    return any(np.any(getattr(model, name, 0.0)) for name in names)
 
 
 def _linear(coefficients: Any) -> Array | None:
@@ -192,7 +240,7 @@ def _contacts(model: Any, data: Any, step: Step, motion: Kinematics) -> Report:
         own, terms = _contact_rows(model, contact, motion)
         rows = np.arange(contact.efc_address, contact.efc_address + len(own))
         errors = np.abs(whole[rows] - own).max(axis=1) / np.maximum(terms, 1e-300)
-        if errors.max() > worst.error:
+        if not errors.max() <= worst.error:
             row = int(rows[np.argmax(errors)])
             what = "a contact's row of J differs from the velocity of its point along its axis"
             bodies = step.rows[row].bodies if row < len(step.rows) else ()
@@ -222,7 +270,7 @@ def _contact_rows(model: Any, contact: Any, motion: Kinematics) -> tuple[Array, 
     return np.array(sides), np.array([sizes[0] + abs(slope) * sizes[axis] for slope, axis in edges])
 
 
-def _references(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Report:
+def _references(model: Any, data: Any, step: Step, motion: Kinematics, qvel: Array) -> Report:
     """J and the reference accelerations of equalities and limits, from differences of their violations."""
     n = len(step)
     kinds, ids = np.array(data.efc_type[:n]), np.array(data.efc_id[:n])
@@ -235,7 +283,7 @@ def _references(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> 
     equality = kinds == reader.EQUALITY
     bends = np.zeros(n)
     if equality.any():
-        first, second = _along(model, data, kinds, qpos, qvel)
+        first, second = _along(model, data, kinds, motion.qpos, qvel)
         if first is None or second is None:
             report.not_checked.append("assembly: J and J̇v of equalities, whose number of rows changes")
             return report
@@ -248,15 +296,30 @@ def _references(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> 
         bends[np.flatnonzero(equality)[~bent]] = 0.0
     own -= bends
     sizes = np.abs(terms).sum(axis=0) + np.abs(bends)
-    difference = np.array(data.efc_aref[:n]) - own
+    difference = np.abs(np.array(data.efc_aref[:n]) - own)
+    moving = _with_surface_velocity(data, n)
+    if moving.any():
+        report.not_checked.append("assembly: reference accelerations of contacts with a surface velocity")
+        difference[moving] = 0.0
     scale = np.maximum(sizes, 1e-6 * max(float(sizes.max(initial=0.0)), step.gravity))
-    errors = np.abs(difference) / np.maximum(scale, 1e-300)
+    scale += np.where(equality, motion.rounding(qvel) / REFERENCE, 0.0)
+    errors = difference / np.maximum(scale, 1e-300)
     worst = int(np.argmax(errors))
     what = "the reference acceleration of a row does not follow from its spring, damper and J̇v"
     report.findings.append(
         Finding("assembly", what, float(errors[worst]), REFERENCE, worst, step.rows[worst].bodies)
     )
     return report
+
+
+def _with_surface_velocity(data: Any, n: int) -> Flags:
+    """The rows of contacts whose surface moves, which their rates J v do not contain, (n,)."""
+    moving = np.zeros(n, dtype=bool)
+    for number in range(data.ncon):
+        contact = data.contact[number]
+        if np.any(getattr(contact, "surfacevel", 0.0)) and contact.efc_address >= 0:
+            moving |= (np.arange(n) >= contact.efc_address) & (data.efc_id[:n] == number)
+    return moving
 
 
 def _along(model: Any, data: Any, kinds: Any, qpos: Array, qvel: Array) -> tuple[Array | None, Array | None]:
@@ -283,19 +346,10 @@ def _along(model: Any, data: Any, kinds: Any, qpos: Array, qvel: Array) -> tuple
 
 def _dual(model: Any, data: Any, step: Step) -> Report:
     """A + R where the engine makes it: for its dual solver."""
-    told = np.asarray(getattr(data, "efc_AR", np.zeros(0))).reshape(-1)
-    if step.method != "pgs" or len(told) != len(step) ** 2:
+    reported = np.asarray(getattr(data, "efc_AR", np.zeros(0))).reshape(-1)
+    if step.method != "pgs" or len(reported) != len(step) ** 2:
         return Report()
     whole = reader.jacobian(model, data)
     own = whole @ np.linalg.solve(reader.full_mass(model, data), whole.T) + np.diag(step.compliance)
     scale = np.sqrt(np.outer(np.diag(own), np.diag(own)))
-    return Report([_worst("A is not J M⁻¹Jᵀ + R", told.reshape(own.shape) - own, scale, FIRST)])
-
-
-def _is_disabled(model: Any, *names: str) -> bool:
-    """Whether one of these flags is set, as far as this version has them."""
-    import mujoco
-
-    flags = mujoco.mjtDisableBit
-    bits = [getattr(flags, f"mjDSBL_{name}", None) for name in names]
-    return any(bit is not None and model.opt.disableflags & int(bit) for bit in bits)
+    return Report([_worst("A is not J M⁻¹Jᵀ + R", reported.reshape(own.shape) - own, scale, FIRST)])

@@ -11,7 +11,7 @@ from typing import Any
 
 from lcplab._lcplab import InputError
 from lcplab._receipt import files
-from lcplab._receipt.checks import Adapter, of_world, read, worlds
+from lcplab._receipt.checks import Adapter, of_step, of_world, read, worlds
 from lcplab._receipt.findings import Report
 from lcplab._receipt.limits import limit_of
 from lcplab._receipt.receipt import Receipt
@@ -209,7 +209,8 @@ def _read(frames: Iterable[Any], adapter: Adapter | None) -> Iterator[tuple[str,
     for frame in frames:
         if isinstance(frame, (str, os.PathLike)):
             for path in frame_files(Path(frame)):
-                yield str(path), files.read(path), Report(not_checked=["collision", "assembly"])
+                step = files.read(path)
+                yield str(path), step, of_step(step)
         elif isinstance(frame, tuple):
             model, data, *before = frame
             if worlds(data) > 1:

@@ -150,10 +150,9 @@ class Step:
         given.end()
         return step.with_motion_of_forces() if motion is None else step
 
-    def with_motion_of_forces(self) -> Step:
+    def with_motion_of_forces(self, part: str = "write-back: the motion, which the engine does not report") -> Step:
         """The same step with the motion that its forces cause, for an engine that does not report its motion."""
         change = np.linalg.solve(self.dense_mass(), self.push(self.forces)) if len(self.target) else 0.0
-        part = "write-back: the motion, which the engine does not report"
         return replace(self, motion=self.target + change, not_checked=[*self.not_checked, part])
 
     def __len__(self) -> int:
