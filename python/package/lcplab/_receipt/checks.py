@@ -6,11 +6,23 @@ from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
-from lcplab._receipt import closure, kinematics, mjx, mujoco, mujoco_assembly, mujoco_shapes, warp
+from lcplab._receipt import (
+    closure,
+    finite,
+    kinematics,
+    mjx,
+    mujoco,
+    mujoco_assembly,
+    mujoco_shapes,
+    mujoco_state,
+    warp,
+)
 from lcplab._receipt.findings import Report
 from lcplab._receipt.step import Array, Step
 
 State = tuple[Array, Array]
+VELOCITY = "write-back: the velocity after the step; pass before=(qpos, qvel)"
+POSITION = "write-back: the position after the step"
 
 
 @runtime_checkable
@@ -27,12 +39,15 @@ def read(model: Any, data: Any, adapter: Adapter | None, before: State | None) -
     Raises
     ------
     TypeError
-        If no adapter reads this kind of model.
+        If no adapter reads this kind of model, or the adapter returns something else than a step.
     """
     if isinstance(model, Step):
-        return model, Report(not_checked=["collision", "assembly"])
+        return model, of_step(model)
     if adapter is not None:
-        return adapter.problem(model, data), Report(not_checked=["collision", "assembly"])
+        step = adapter.problem(model, data)
+        if not isinstance(step, Step):
+            raise TypeError(f"adapter: problem() returned a {type(step).__name__}, must return an EngineStep")
+        return step, of_step(step)
     if mujoco.is_mine(model):
         return _of_mujoco(model, data, before)
     raise TypeError(
@@ -41,7 +56,14 @@ def read(model: Any, data: Any, adapter: Adapter | None, before: State | None) -
     )
 
 
+def of_step(step: Step) -> Report:
+    """What is not checked of a step that an adapter or a file describes."""
+    parts = ["collision", "assembly", POSITION]
+    return Report(not_checked=parts if step.level == "velocity" else [*parts, "write-back: the velocity after the step"])
+
+
 def _of_mujoco(model: Any, data: Any, before: State | None) -> tuple[Step, Report]:
+    mujoco_state.check_before(model, data, before)
     if mjx.is_mine(data):
         return _of_mjx(model, data, before)
     if warp.is_mine(data):
@@ -49,21 +71,38 @@ def _of_mujoco(model: Any, data: Any, before: State | None) -> tuple[Step, Repor
             raise TypeError("data has several worlds: use receipts([(model, data)]), which checks all of them")
         return of_world(model, data, 0)
     step = mujoco.read(model, data)
+    if finite.of_step(step):
+        return step, Report()
+    broken = mujoco_state.not_finite(data, step, before)
+    if broken:
+        return step, Report([broken], [finite.REST])
+    if int(model.opt.integrator) == mujoco.RK4 and not kinematics.is_at(model, data, np.array(data.qpos)):
+        step = step.with_motion_of_forces("which is a mean of the stages of RK4")
     report = mujoco_shapes.check(model, data)
+    report.add(_at_state(model, data, step, before))
+    report.not_checked += mujoco.never_checked(model, data)
+    return step, report
+
+
+def _at_state(model: Any, data: Any, step: Step, before: State | None) -> Report:
+    """Assembly and write-back, which need the state at which the step was solved."""
     qpos, qvel = before or (np.array(data.qpos), np.array(data.qvel))
     if kinematics.is_at(model, data, qpos):
-        report.add(mujoco_assembly.check(model, data, step, qpos, qvel))
-    else:
-        report.not_checked.append("assembly: the state is that after the step; pass before=(qpos, qvel)")
-    if before is not None:
-        report.add(closure.check(model, data, step, qvel))
-    return step, report
+        report = mujoco_assembly.check(model, data, step, qpos, qvel)
+        report.add(Report(not_checked=[VELOCITY]) if before is None else closure.check(model, data, step, qvel))
+        return report
+    if before is None:
+        return Report(not_checked=["assembly: the state is that after the step; pass before=(qpos, qvel)", VELOCITY])
+    why = "the poses in the data are not those of before"
+    return Report(not_checked=[f"assembly: {why}", f"write-back: the velocity after the step, because {why}"])
 
 
 def _of_mjx(model: Any, data: Any, before: State | None) -> tuple[Step, Report]:
     step = mjx.read(model, data, before[0] if before else np.array(data.qpos, dtype=float))
-    report = Report(not_checked=["collision", "assembly"])
-    if before is not None:
+    if before is None:
+        return step, Report(not_checked=["collision", "assembly", VELOCITY, POSITION])
+    report = Report(not_checked=["collision", "assembly", POSITION])
+    if not finite.of_step(step):
         report.add(closure.check(model, data, step, before[1]))
     return step, report
 
@@ -75,4 +114,4 @@ def worlds(data: Any) -> int:
 
 def of_world(model: Any, data: Any, world: int) -> tuple[Step, Report]:
     """The step of one of several worlds."""
-    return warp.read(model, data, world), Report(not_checked=["collision", "assembly"])
+    return warp.read(model, data, world), Report(not_checked=["collision", "assembly", VELOCITY, POSITION])

@@ -37,23 +37,30 @@ def check(
         first, second = shapes[one], shapes[other]
         gap = distance(first, second)
         if gap is None:
-            unknown.add(" and ".join(sorted((first.kind, second.kind))))
+            unknown.add(_kinds(first, second))
             continue
-        told = contacts.get((one, other))
+        reported = contacts.get((one, other))
         size = min(_size(first), _size(second))
         bodies = (first.name, second.name)
-        if told is None:
-            error = max(0.0, -gap) / size
-            if error > missing.error:
+        if reported is None:
+            ignored = -min(first.margin, 0.0) - min(second.margin, 0.0)
+            error = max(0.0, -gap - ignored) / size
+            if not error <= missing.error:
                 what = f"two shapes overlap by {-gap:.2g} m without a contact"
                 missing = Finding("collision", what, error, LIMIT, None, bodies)
         elif _is_exact(first, second, gap):
-            error = abs(told - gap) / size
-            if error > wrong.error:
-                what = f"the distance of a contact is {told:.4g} m, but that of its shapes is {gap:.4g} m"
+            error = abs(reported - gap) / size
+            if not error <= wrong.error:
+                what = f"the distance of a contact is {reported:.4g} m, but that of its shapes is {gap:.4g} m"
                 wrong = Finding("collision", what, error, LIMIT, None, bodies)
+        else:
+            unknown.add(_kinds(first, second))
     not_checked = [f"collision: distances of {pair}" for pair in sorted(unknown)]
     return Report([missing, wrong] if near else [], not_checked)
+
+
+def _kinds(first: Shape, second: Shape) -> str:
+    return " and ".join(sorted((first.kind, second.kind)))
 
 
 def _size(shape: Shape) -> float:

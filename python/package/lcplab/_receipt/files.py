@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,8 @@ from lcplab._receipt.step import Array, Row, Rows, Step, Triplets
 
 #: The largest number of rows for which A is written.
 MOST_ROWS = 5_000
+#: The end of the name of an answer's file.
+ANSWER = ".x.json"
 
 
 def problem(step: Step) -> dict[str, Any]:
@@ -30,24 +33,24 @@ def problem(step: Step) -> dict[str, Any]:
     file: dict[str, Any] = {
         "name": f"{step.name} at {step.time:.4g} s",
         "source": source(step),
-        "A": {"dense": matrix(step).tolist()},
-        "b": (step.along(step.target) + step.bias).tolist(),
-        "lo": ["-inf" if friction else _number(lo) for lo, friction in zip(step.lo, is_friction)],
-        "hi": [_number(hi) for hi in step.hi],
+        "A": {"dense": [numbers(row) for row in matrix(step)]},
+        "b": numbers(step.along(step.target) + step.bias),
+        "lo": ["-inf" if friction else number(lo) for lo, friction in zip(step.lo, is_friction)],
+        "hi": [number(hi) for hi in step.hi],
         "rows": [
             {"label": row.label, "kind": row.kind, "unit": unit, "bodies": list(row.bodies)} for row in step.rows
         ],
         "motion": {
             "mass": _entries(step.mass),
             "jacobian": _entries(step.jacobian),
-            "bias": step.bias.tolist(),
-            "compliance": step.compliance.tolist(),
-            "target": step.target.tolist(),
+            "bias": numbers(step.bias),
+            "compliance": numbers(step.compliance),
+            "target": numbers(step.target),
             "level": step.level,
         },
     }
     if is_friction.any():
-        file |= {"friction_index": step.friction_index.tolist(), "mu": step.mu.tolist()}
+        file |= {"friction_index": step.friction_index.tolist(), "mu": numbers(step.mu)}
         file |= {"model": step.model} if step.model is not None else {}
     return file
 
@@ -75,10 +78,15 @@ def source(step: Step) -> dict[str, Any]:
 def write(step: Step, problem_path: Path, answer_path: Path) -> None:
     """Write both files."""
     problem_path.write_text(json.dumps(problem(step)) + "\n", encoding="utf-8")
-    answer = {"x": step.forces.tolist(), "motion": step.motion.tolist(), "solver": f"{step.engine} {step.version}"}
+    answer = {"x": numbers(step.forces), "motion": numbers(step.motion), "solver": f"{step.engine} {step.version}"}
     if step.reported_push is not None:
-        answer["reported_push"] = step.reported_push.tolist()
+        answer["reported_push"] = numbers(step.reported_push)
     answer_path.write_text(json.dumps(answer) + "\n", encoding="utf-8")
+
+
+def answer_of(path: Path) -> Path:
+    """The file with the answer to a problem file: ``STEM.x.json`` for ``STEM.json``."""
+    return path.with_name(f"{path.stem}{ANSWER}")
 
 
 def read(path: Path) -> Step:
@@ -89,19 +97,31 @@ def read(path: Path) -> Step:
     InputError
         If a file cannot be read, or has no key ``motion``.
     """
-    object_, answer = _load(path), _load(path.with_name(f"{path.stem}.x.json"))
+    object_, answer = _load(path), _load(answer_of(path))
     motion = object_.get("motion")
     if not isinstance(motion, dict):
         raise InputError(f"{path}: motion: is missing; it states the masses and rows that the check needs")
     if "x" not in answer:
-        raise InputError(f"{path.stem}.x.json: x: is missing")
-    told = object_.get("source")
-    words = told if isinstance(told, dict) else {}
+        raise InputError(f"{answer_of(path)}: x: is missing")
+    try:
+        step = _step(path, object_, motion, answer)
+        _check_lengths(step)
+        return step if "motion" in answer else step.with_motion_of_forces()
+    except KeyError as error:
+        raise InputError(f"{path}: {error.args[0]}: is missing") from error
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{path}: {error}") from error
+
+
+def _step(path: Path, object_: dict[str, Any], motion: dict[str, Any], answer: dict[str, Any]) -> Step:
+    """The step of a problem, its key ``motion``, and an answer."""
+    source_ = object_.get("source")
+    words = source_ if isinstance(source_, dict) else {}
     n = len(object_["b"])
     index = np.array(object_.get("friction_index", [-1] * n), dtype=np.int64)
     mass, jacobian = _triplets(motion["mass"]), _triplets(motion["jacobian"])
     forces, target = np.array(answer["x"], dtype=float), np.array(motion["target"], dtype=float)
-    step = Step(
+    return Step(
         engine=str(words.get("engine", "engine")),
         version=str(words.get("version", "")),
         level=str(motion.get("level", "velocity")),
@@ -132,7 +152,16 @@ def read(path: Path) -> Step:
         name=str(words.get("name", object_.get("name", path.stem))),
         time=float(words.get("time", 0.0)),
     )
-    return step if "motion" in answer else step.with_motion_of_forces()
+
+
+def _check_lengths(step: Step) -> None:
+    n, k = len(step), len(step.target)
+    vectors = {"motion": k} | dict.fromkeys(("compliance", "lo", "hi", "mu", "forces", "friction_index"), n)
+    vectors |= {} if step.reported_push is None else {"reported_push": k}
+    for name, size in vectors.items():
+        length = len(getattr(step, name))
+        if length != size:
+            raise ValueError(f"{'x' if name == 'forces' else name}: has {length} entries, must have {size}")
 
 
 def _load(path: Path) -> dict[str, Any]:
@@ -155,11 +184,11 @@ def _check_cones(step: Step) -> None:
             )
 
 
-def _entries(triplets: Triplets) -> list[list[float]]:
-    return [[int(row), int(column), float(value)] for row, column, value in zip(*triplets)]
+def _entries(triplets: Triplets) -> list[list[Any]]:
+    return [[int(row), int(column), number(value)] for row, column, value in zip(*triplets)]
 
 
-def _triplets(entries: list[list[float]]) -> Triplets:
+def _triplets(entries: list[list[Any]]) -> Triplets:
     columns: list[Any] = [list(column) for column in zip(*entries)] or [[], [], []]
     rows: Rows = np.array(columns[0], dtype=np.int64)
     return rows, np.array(columns[1], dtype=np.int64), np.array(columns[2], dtype=float)
@@ -169,8 +198,14 @@ def _bounds(values: Any, n: int, otherwise: float) -> Array:
     return np.array([otherwise] * n if values is None else [float(value) for value in values])
 
 
-def _number(value: float) -> float | str:
-    return float(value) if np.isfinite(value) else ("inf" if value > 0 else "-inf")
+def number(value: float | None) -> float | str | None:
+    """A number for JSON: ``"nan"``, ``"inf"`` or ``"-inf"`` if it is not finite, None for None."""
+    return value if value is None else float(value) if math.isfinite(value) else str(float(value))
+
+
+def numbers(values: Array) -> list[float | str | None]:
+    """A vector for JSON."""
+    return values.tolist() if np.isfinite(values).all() else [number(value) for value in values]
 
 
 def _plain(value: Any) -> Any:

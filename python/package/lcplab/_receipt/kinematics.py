@@ -11,8 +11,10 @@ import numpy as np
 
 from lcplab._receipt.step import Array
 
-#: Time steps (s) of central differences, accurate to about ten digits, and of second differences, to about nine.
-FIRST, SECOND = 1e-6, 1e-3
+#: The time step (s) of second differences, which are accurate to about nine digits.
+SECOND = 1e-3
+#: The relative rounding error of a position.
+EPSILON = float(np.finfo(float).eps)
 #: Poses that differ by less than this (m, rad) are the same.
 SAME = 1e-9
 
@@ -26,6 +28,8 @@ class Kinematics:
     ----------
     centers, axes : (bodies, 3) and (bodies, 3, 3)
         Centers of mass (m) and the principal axes of inertia, in columns, of the step.
+    first : float
+        The time step of first differences (s).
     linear, angular : (bodies, 3, k)
         Velocities of the centers (m/s) and angular velocities (rad/s) that each degree of freedom gives.
     """
@@ -34,13 +38,16 @@ class Kinematics:
         self.model, self.scratch = model, scratch(model, data)
         self.qpos = qpos
         self.centers, self.axes = self.poses(qpos)
+        self.reach = max(1.0, float(np.abs(self.centers).max(initial=0.0)))
+        # The truncation error, size² of a rotation, equals the rounding error, EPSILON * reach / size.
+        self.first = size = float(np.cbrt(EPSILON * self.reach))
         linear, angular = np.zeros((2, model.nbody, 3, model.nv))
         unit = np.zeros(model.nv)
         for dof in range(model.nv):
             unit[dof] = 1.0
-            (p, after), (q, before) = self.along(unit, FIRST), self.along(unit, -FIRST)
-            linear[:, :, dof] = (p - q) / (2 * FIRST)
-            angular[:, :, dof] = turn(after, before) / (2 * FIRST)
+            (p, after), (q, before) = self.along(unit, size), self.along(unit, -size)
+            linear[:, :, dof] = (p - q) / (2 * size)
+            angular[:, :, dof] = turn(after, before) / (2 * size)
             unit[dof] = 0.0
         self.linear, self.angular = linear, angular
 
@@ -70,13 +77,13 @@ class Kinematics:
 
     def rounding(self, velocity: Array) -> float:
         """The error of these accelerations by rounding of the poses (m/s²)."""
-        reach = max(1.0, float(np.abs(self.centers).max(initial=0.0)))
-        return 8 * float(np.finfo(float).eps) * reach / interval(velocity) ** 2
+        return 8 * EPSILON * self.reach / interval(velocity) ** 2
 
     def point(self, body: int, at: Array) -> Array:
         """The velocity of a body's point that each degree of freedom gives, (3, k)."""
-        arm = at - self.centers[body]
-        return np.asarray(self.linear[body] + np.cross(self.angular[body].T, arm).T)
+        x, y, z = at - self.centers[body]
+        turning = np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]])  # turning @ w = w × arm
+        return np.asarray(self.linear[body] + turning @ self.angular[body])
 
 
 def interval(velocity: Array) -> float:

@@ -14,6 +14,7 @@ import numpy as np
 from lcplab._receipt.step import Array, Row, Rows, Step, stored
 
 METHODS = {0: "pgs", 1: "cg", 2: "newton"}
+RK4, IMPLICIT_FAST = 1, 3
 EQUALITY, FRICTION_DOF, FRICTION_TENDON, LIMIT_JOINT, LIMIT_TENDON, FRICTIONLESS, PYRAMID, ELLIPTIC = range(8)
 
 
@@ -51,7 +52,7 @@ def read(model: Any, data: Any) -> Step:
         friction_index=index,
         mu=mu,
         rows=_rows(model, data, kinds),
-        gravity=float(np.linalg.norm(model.opt.gravity) * np.sqrt(_moving_mass(model))),
+        gravity=_gravity(model),
         method=METHODS[int(model.opt.solver)],
         iterations=iterations,
         has_converged=iterations < most,
@@ -61,7 +62,8 @@ def read(model: Any, data: Any) -> Step:
         name=model.names.split(b"\0")[0].decode() or "model",
         time=float(data.time),
         dof_bodies=[_name(model, mujoco.mjtObj.mjOBJ_BODY, body) for body in model.dof_bodyid],
-        not_checked=_not_checked(model, data),
+        not_checked=["solver: some trees are asleep"] if are_asleep(data) else [],
+        no_bound=_no_bound(model, kinds),
     )
 
 
@@ -120,28 +122,35 @@ def _cones(data: Any, kinds: Rows) -> tuple[Rows, Array]:
 
 
 def _rows(model: Any, data: Any, kinds: Rows) -> list[Row]:
+    numbers = np.array(data.efc_id[: len(kinds)]).tolist()
+    own: dict[tuple[int, int], Row] = {}
+    for kind, number in dict.fromkeys(zip(kinds.tolist(), numbers)):
+        own[kind, number] = _row(model, data, kind, number)
+    return [own[pair] for pair in zip(kinds.tolist(), numbers)]
+
+
+def _row(model: Any, data: Any, kind: int, number: int) -> Row:
+    """The names of the rows of an equality, a limit, a friction loss or a contact."""
     import mujoco
 
     objects = mujoco.mjtObj
-    bodies = [_name(model, objects.mjOBJ_BODY, body) for body in range(model.nbody)]
-    rows = []
-    for kind, number in zip(kinds, np.array(data.efc_id[: len(kinds)])):
-        word = mujoco.mjtConstraint(int(kind)).name.removeprefix("mjCNSTR_").lower().replace("_", " ")
-        if kind == EQUALITY:
-            rows.append(Row(f"{word} {_name(model, objects.mjOBJ_EQUALITY, number)}", word))
-        elif kind == FRICTION_DOF:
-            rows.append(Row(f"{word} {number}", word, (bodies[model.dof_bodyid[number]],)))
-        elif kind == LIMIT_JOINT:
-            label = f"{word} {_name(model, objects.mjOBJ_JOINT, number)}"
-            rows.append(Row(label, word, (bodies[model.jnt_bodyid[number]],)))
-        elif kind in (FRICTION_TENDON, LIMIT_TENDON):
-            rows.append(Row(f"{word} {_name(model, objects.mjOBJ_TENDON, number)}", word))
-        else:
-            pair = tuple(
-                bodies[model.geom_bodyid[geom]] if geom >= 0 else "flex" for geom in shapes_of(data.contact[number])
-            )
-            rows.append(Row(f"{word} {number}: {pair[0]}, {pair[1]}", word, pair))
-    return rows
+    word = mujoco.mjtConstraint(kind).name.removeprefix("mjCNSTR_").lower().replace("_", " ")
+
+    def body(place: int) -> str:
+        return _name(model, objects.mjOBJ_BODY, place)
+
+    if kind == EQUALITY:
+        return Row(f"{word} {_name(model, objects.mjOBJ_EQUALITY, number)}", word)
+    if kind == FRICTION_DOF:
+        return Row(f"{word} {number}", word, (body(model.dof_bodyid[number]),))
+    if kind == LIMIT_JOINT:
+        label = f"{word} {_name(model, objects.mjOBJ_JOINT, number)}"
+        return Row(label, word, (body(model.jnt_bodyid[number]),))
+    if kind in (FRICTION_TENDON, LIMIT_TENDON):
+        return Row(f"{word} {_name(model, objects.mjOBJ_TENDON, number)}", word)
+    shapes = shapes_of(data.contact[number])
+    pair = tuple(body(model.geom_bodyid[geom]) if geom >= 0 else "flex" for geom in shapes)
+    return Row(f"{word} {number}: {pair[0]}, {pair[1]}", word, pair)
 
 
 def shapes_of(contact: Any) -> tuple[int, ...]:
@@ -156,8 +165,12 @@ def _name(model: Any, kind: Any, number: int) -> str:
     return str(mujoco.mj_id2name(model, kind, int(number)) or f"{word} {int(number)}")
 
 
-def _moving_mass(model: Any) -> float:
-    return float(np.sum(model.body_mass[model.body_weldid > 0]))
+def _gravity(model: Any) -> float:
+    """The change of the motion by gravity, in the norm of M, 0 where it is disabled."""
+    if is_disabled(model, "GRAVITY"):
+        return 0.0
+    moving = float(np.sum(model.body_mass[model.body_weldid > 0]))
+    return float(np.linalg.norm(model.opt.gravity) * np.sqrt(moving))
 
 
 def _settings(model: Any) -> dict[str, Any]:
@@ -166,10 +179,47 @@ def _settings(model: Any) -> dict[str, Any]:
     return {name: getattr(model.opt, name) for name in names if hasattr(model.opt, name)}
 
 
-def _not_checked(model: Any, data: Any) -> list[str]:
-    parts = []
-    if model.opt.noslip_iterations:
-        parts.append("solver: noslip iterations change the forces after the solve")
-    if np.any(getattr(data, "tree_asleep", np.array([-1])) >= 0):
-        parts.append("solver: some trees are asleep")
+def _no_bound(model: Any, kinds: Rows) -> str:
+    """Why the motion of these rows has no bound; "" if it has one."""
+    if model.opt.noslip_iterations and np.isin(kinds, [FRICTION_DOF, FRICTION_TENDON, PYRAMID, ELLIPTIC]).any():
+        return "because noslip iterations change the forces after the solve"
+    if has_effective_mass(model):
+        return "because the integrator solves with an effective mass, which lcplab does not read"
+    return ""
+
+
+def has_effective_mass(model: Any) -> bool:
+    """Whether u* and the solve use M + h B + h² K: the integrator ``discrete``, and others that are newer."""
+    return int(model.opt.integrator) > IMPLICIT_FAST
+
+
+def never_checked(model: Any, data: Any) -> list[str]:
+    """The parts of a step of this model that no check covers."""
+    parts = ["write-back: the position after the step"]
+    if data.ncon:
+        parts.append("collision: positions and normals of contacts")
+    if data.nefc:
+        parts.append("assembly: coefficients of friction, and compliance of rows (solref, solimp)")
+    if np.any(model.jnt_limited) or np.any(model.tendon_limited):
+        parts.append("assembly: rows of limits (presence, J, distance)")
+    if np.any(model.dof_frictionloss) or np.any(model.tendon_frictionloss):
+        parts.append("assembly: rows of friction losses (presence, J, bounds)")
+    if model.neq:
+        parts.append("assembly: rows of equalities (presence)")
+    if model.nu:
+        parts.append("assembly: transmissions of actuators")
     return parts
+
+
+def are_asleep(data: Any) -> bool:
+    """Whether some trees are asleep."""
+    return bool(np.any(getattr(data, "tree_asleep", np.array([-1])) >= 0))
+
+
+def is_disabled(model: Any, *names: str) -> bool:
+    """Whether one of these flags is set, as far as this version has them."""
+    import mujoco
+
+    flags = mujoco.mjtDisableBit
+    bits = [getattr(flags, f"mjDSBL_{name}", None) for name in names]
+    return any(bit is not None and model.opt.disableflags & int(bit) for bit in bits)

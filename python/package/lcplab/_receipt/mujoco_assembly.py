@@ -10,16 +10,23 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lcplab._receipt import mujoco as reader
 from lcplab._receipt.findings import Finding, Report
 from lcplab._receipt.kinematics import Kinematics, interval, scratch
-from lcplab._receipt.step import Array, Step
+from lcplab._receipt.step import Array, Rows, Step
 
 #: The largest accepted errors of first and second differences of poses, and of reference accelerations.
 FIRST, SECOND, REFERENCE = 1e-5, 1e-4, 1e-2
 #: The largest number of degrees of freedom: with more, differences of poses take too long.
 MOST_DOFS = 2_000
+#: Equalities whose reference contains J̇v: connect and weld.
+BENT = (0, 1)
+#: Actuators of groups 0 to 30 can be disabled.
+GROUPS = 31
+
+Flags = NDArray[np.bool_]
 
 
 def check(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Report:
@@ -33,20 +40,31 @@ def check(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Report
     motion = Kinematics(model, data, qpos)
     report.add(_mass(model, data, motion))
     report.add(_bias_forces(model, data, step, motion, qvel))
-    report.add(_free_motion(model, data, step, motion))
-    report.add(_actuators(model, data, step))
+    if reader.has_effective_mass(model):
+        report.not_checked.append("assembly: u* and reference accelerations, which contain the integrator's effective mass")
+    else:
+        report.add(_free_motion(model, data, step, motion))
+    report.add(_actuators(model, data))
     report.add(_passive(model, data, step, qpos, qvel))
     if len(step):
         report.add(_contacts(model, data, step, motion))
-        report.add(_references(model, data, step, qpos, qvel))
+        report.add(_equalities(model, data, step, motion))
+    if len(step) and not reader.has_effective_mass(model):
+        report.add(_references(model, data, step, motion, qvel))
         report.add(_dual(model, data, step))
     return report
 
 
-def _worst(what: str, difference: Array, terms: Array, limit: float, row: int | None = None) -> Finding:
+def _has_armature(model: Any) -> bool:
+    """Whether tendons or actuators have armature, which adds to M and to the bias forces."""
+    return _has_any(model, "tendon_armature", "actuator_armature")
+
+
+def _worst(what: str, difference: Array, terms: Array, limit: float, rows: Rows | None = None) -> Finding:
     """The largest difference relative to its terms, which count at least a millionth of the largest."""
     floor = 1e-6 * max(float(np.abs(terms).max(initial=0.0)), 1e-300)
     errors = np.abs(difference) / np.maximum(np.abs(terms), floor)
+    row = None if rows is None else int(rows[np.argmax(errors)])
     return Finding("assembly", what, float(errors.max(initial=0.0)), limit, row)
 
 
@@ -57,8 +75,8 @@ def _inertia(model: Any, motion: Kinematics) -> Array:
 
 
 def _mass(model: Any, data: Any, motion: Kinematics) -> Report:
-    if np.any(getattr(model, "tendon_armature", np.zeros(0))):
-        return Report(not_checked=["assembly: M with armature of tendons"])
+    if _has_armature(model):
+        return Report(not_checked=["assembly: M and bias forces, because of armature of tendons or actuators"])
     own = np.einsum("b,bij,bik->jk", model.body_mass, motion.linear, motion.linear)
     own += np.einsum("bij,bil,blk->jk", motion.angular, _inertia(model, motion), motion.angular)
     own += np.diag(model.dof_armature)
@@ -68,8 +86,10 @@ def _mass(model: Any, data: Any, motion: Kinematics) -> Report:
 
 
 def _bias_forces(model: Any, data: Any, step: Step, motion: Kinematics, qvel: Array) -> Report:
+    if _has_armature(model):
+        return Report()
     linear, angular = motion.accelerations(qvel)
-    gravity = np.zeros(3) if _is_disabled(model, "GRAVITY") else np.asarray(model.opt.gravity)
+    gravity = np.zeros(3) if reader.is_disabled(model, "GRAVITY") else np.asarray(model.opt.gravity)
     inertia = _inertia(model, motion)
     turning = motion.angular @ qvel
     forces = model.body_mass[:, None] * (linear - gravity)
@@ -108,22 +128,45 @@ def _free_motion(model: Any, data: Any, step: Step, motion: Kinematics) -> Repor
     return Report([_force(what, model, data, step, needed - np.sum(parts, axis=0), FIRST)])
 
 
-def _actuators(model: Any, data: Any, step: Step) -> Report:
+def _actuators(model: Any, data: Any) -> Report:
     """Forces of actuators without dynamics and with a gain that is a number, from the controls."""
+    if model.nu == 0 or reader.is_disabled(model, "ACTUATION"):
+        return Report()
+    if len(data.actuator_force) != model.nu or len(model.actuator_gainprm) != model.nu:
+        return Report(not_checked=["assembly: forces of actuators, some of which have several controls or outputs"])
+    plain = _are_plain(model)
+    report = Report()
+    if not plain.all():
+        why = "dynamics, gains that are not constant, or a limit of their tendon's force"
+        report.not_checked.append(f"assembly: forces of {int(np.sum(~plain))} actuators with {why}")
+    force, terms = _forces(model, data)
+    difference = np.where(plain, data.actuator_force - force, 0.0)
+    what = "the force of an actuator does not follow from its control"
+    report.findings.append(_worst(what, difference, terms, FIRST))
+    return report
+
+
+def _are_plain(model: Any) -> Flags:
+    """The actuators whose force follows from their control, length and velocity, (nu,)."""
     import mujoco
 
-    if model.nu == 0 or _is_disabled(model, "ACTUATION"):
-        return Report()
-    plain = (model.actuator_dyntype == int(mujoco.mjtDyn.mjDYN_NONE)) & (
-        model.actuator_gaintype == int(mujoco.mjtGain.mjGAIN_FIXED)
-    )
+    plain: Flags = np.asarray(model.actuator_dyntype) == int(mujoco.mjtDyn.mjDYN_NONE)
+    plain &= model.actuator_gaintype == int(mujoco.mjtGain.mjGAIN_FIXED)
     plain &= model.actuator_biastype <= int(mujoco.mjtBias.mjBIAS_AFFINE)
     delayed = np.asarray(getattr(model, "actuator_history", np.zeros((model.nu, 1)))).reshape(model.nu, -1)
     plain &= ~delayed.any(axis=1)
-    report = Report()
-    if not plain.all():
-        report.not_checked.append(f"assembly: {int(np.sum(~plain))} actuators with dynamics, or with gains that are not constant")
-    limited = np.asarray(model.actuator_ctrllimited, dtype=bool) & (not _is_disabled(model, "CLAMPCTRL"))
+    limited = np.asarray(getattr(model, "tendon_actfrclimited", np.zeros(model.ntendon)), dtype=bool)
+    is_tendon = model.actuator_trntype == int(mujoco.mjtTrn.mjTRN_TENDON)
+    tendons = model.actuator_trnid[is_tendon, 0]
+    plain[is_tendon] &= ~limited[tendons]
+    return plain
+
+
+def _forces(model: Any, data: Any) -> tuple[Array, Array]:
+    """The forces of plain actuators, 0 in disabled groups, and the sums of the sizes of their terms, (nu,)."""
+    import mujoco
+
+    limited = np.asarray(model.actuator_ctrllimited, dtype=bool) & (not reader.is_disabled(model, "CLAMPCTRL"))
     low, high = model.actuator_ctrlrange.T
     control = np.where(limited, np.clip(data.ctrl, low, high), data.ctrl)
     bias = model.actuator_biasprm[:, :3].copy()
@@ -134,10 +177,9 @@ def _actuators(model: Any, data: Any, step: Step) -> Report:
     bounded = np.asarray(model.actuator_forcelimited, dtype=bool)
     low, high = model.actuator_forcerange.T
     force = np.where(bounded, np.clip(force, low, high), force)
-    difference = np.where(plain, data.actuator_force - force, 0.0)
-    what = "the force of an actuator does not follow from its control"
-    report.findings.append(_worst(what, difference, np.abs(terms).sum(axis=0), FIRST))
-    return report
+    groups = np.asarray(model.actuator_group)
+    disabled = (groups >= 0) & (groups < GROUPS) & ((int(model.opt.disableactuator) >> np.clip(groups, 0, GROUPS)) & 1 > 0)
+    return np.where(disabled, 0.0, force), np.abs(terms).sum(axis=0)
 
 
 def _passive(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Report:
@@ -145,19 +187,23 @@ def _passive(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Rep
     import mujoco
 
     others = {
-        "tendons": model.ntendon and (np.any(model.tendon_stiffness) or np.any(model.tendon_damping)),
+        "tendons": model.ntendon and (_has_any(
+            model, "tendon_stiffness", "tendon_damping", "tendon_stiffnesspoly", "tendon_dampingpoly")),
         "fluid": model.opt.density or model.opt.viscosity,
         "flexes": getattr(model, "nflex", 0),
         "gravity compensation": np.any(model.body_gravcomp),
         "plug-ins": model.nplugin,
         "adhesion": np.any(getattr(data, "qfrc_adhesion", 0.0)),
+        "actuators with damping": np.any(getattr(model, "actuator_damping", 0.0)),
+        "plastic springs": getattr(model, "nplastic", 0),
     }
     stiffness, damping = _linear(model.jnt_stiffness), _linear(model.dof_damping)
     turning = np.isin(model.jnt_type, [int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_BALL)])
     found = [name for name, has in others.items() if has]
-    if stiffness is None or damping is None or np.any(stiffness[turning] if stiffness is not None else 0):
+    is_linear = not _has_any(model, "jnt_stiffnesspoly", "dof_dampingpoly", "actuator_dampingpoly")
+    if not is_linear or stiffness is None or damping is None or np.any(stiffness[turning]):
         found.append("springs and dampers that are not linear")
-    if _is_disabled(model, "PASSIVE", "SPRING", "DAMPER"):
+    if reader.is_disabled(model, "PASSIVE", "SPRING", "DAMPER"):
         found.append("disabled passive forces")
     if found or stiffness is None or damping is None:
         return Report(not_checked=[f"assembly: passive forces, because of {', '.join(found)}"])
@@ -167,6 +213,11 @@ def _passive(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Rep
         spring[model.jnt_dofadr[joint]] = -stiffness[joint] * (qpos[place] - model.qpos_spring[place])
     what = "the passive forces differ from those of the joints' springs and dampers"
     return Report([_force(what, model, data, step, data.qfrc_passive - spring - damper, FIRST)])
+
+
+def _has_any(owner: Any, *names: str) -> bool:
+    """Whether one of these arrays, as far as this version has them, has an entry that is not 0."""
+    return any(np.any(getattr(owner, name, 0.0)) for name in names)
 
 
 def _linear(coefficients: Any) -> Array | None:
@@ -192,7 +243,7 @@ def _contacts(model: Any, data: Any, step: Step, motion: Kinematics) -> Report:
         own, terms = _contact_rows(model, contact, motion)
         rows = np.arange(contact.efc_address, contact.efc_address + len(own))
         errors = np.abs(whole[rows] - own).max(axis=1) / np.maximum(terms, 1e-300)
-        if errors.max() > worst.error:
+        if not errors.max() <= worst.error:
             row = int(rows[np.argmax(errors)])
             what = "a contact's row of J differs from the velocity of its point along its axis"
             bodies = step.rows[row].bodies if row < len(step.rows) else ()
@@ -222,35 +273,41 @@ def _contact_rows(model: Any, contact: Any, motion: Kinematics) -> tuple[Array, 
     return np.array(sides), np.array([sizes[0] + abs(slope) * sizes[axis] for slope, axis in edges])
 
 
-def _references(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Report:
-    """J and the reference accelerations of equalities and limits, from differences of their violations."""
+def _equalities(model: Any, data: Any, step: Step, motion: Kinematics) -> Report:
+    """J of equalities, from differences of their violations along a velocity with all degrees of freedom."""
+    rows = np.flatnonzero(np.array(data.efc_type[: len(step)]) == reader.EQUALITY)
+    if len(rows) == 0:
+        return Report()
+    velocity = np.random.default_rng(0).normal(size=model.nv)
+    size = motion.first / float(np.abs(velocity).max())
+    violations = _violations(model, data, len(rows), motion.qpos, velocity, size)
+    if violations is None:
+        return Report(not_checked=["assembly: J of equalities, whose number of rows changes"])
+    rate = (violations[2] - violations[0]) / (2 * size)
+    scale = step.size_along(velocity)[rows] + np.abs(rate)
+    what = "J of an equality is not the rate of its violation"
+    return Report([_worst(what, step.along(velocity)[rows] - rate, scale, SECOND, rows)])
+
+
+def _references(model: Any, data: Any, step: Step, motion: Kinematics, qvel: Array) -> Report:
+    """The reference accelerations of all rows, from their springs and dampers, and J̇v of equalities."""
     n = len(step)
-    kinds, ids = np.array(data.efc_type[:n]), np.array(data.efc_id[:n])
-    report = Report()
-    speed = step.along(qvel)
     spring, damper, impedance = np.array(data.efc_KBIP[:n]).reshape(n, 4)[:, :3].T
     position = np.array(data.efc_pos[:n]) - np.array(data.efc_margin[:n])
-    terms = np.array([damper * speed, spring * impedance * position])
-    own = -terms.sum(axis=0)
-    equality = kinds == reader.EQUALITY
-    bends = np.zeros(n)
-    if equality.any():
-        first, second = _along(model, data, kinds, qpos, qvel)
-        if first is None or second is None:
-            report.not_checked.append("assembly: J and J̇v of equalities, whose number of rows changes")
-            return report
-        what = "J of an equality is not the rate of its violation"
-        scale = step.size_along(qvel)[equality] + np.abs(first)
-        difference = speed[equality] - first
-        report.findings.append(_worst(what, difference, scale, SECOND, int(np.flatnonzero(equality)[0])))
-        bends[equality] = second
-        bent = np.isin(np.array(model.eq_type)[ids[equality]], [0, 1])
-        bends[np.flatnonzero(equality)[~bent]] = 0.0
-    own -= bends
-    sizes = np.abs(terms).sum(axis=0) + np.abs(bends)
-    difference = np.array(data.efc_aref[:n]) - own
+    bends = _bends(model, data, n, motion, qvel)
+    if bends is None:
+        return Report(not_checked=["assembly: reference accelerations, because the number of equality rows changes"])
+    terms = np.array([damper * step.along(qvel), spring * impedance * position, bends])
+    sizes = np.abs(terms).sum(axis=0)
+    difference = np.abs(np.array(data.efc_aref[:n]) + terms.sum(axis=0))
+    report = Report()
+    special = _with_own_references(data, n)
+    if special.any():
+        report.not_checked.append("assembly: reference accelerations of contacts with adhesion or a surface velocity")
+        difference[special] = 0.0
     scale = np.maximum(sizes, 1e-6 * max(float(sizes.max(initial=0.0)), step.gravity))
-    errors = np.abs(difference) / np.maximum(scale, 1e-300)
+    scale += np.where(bends != 0, motion.rounding(qvel) / REFERENCE, 0.0)
+    errors = difference / np.maximum(scale, 1e-300)
     worst = int(np.argmax(errors))
     what = "the reference acceleration of a row does not follow from its spring, damper and J̇v"
     report.findings.append(
@@ -259,43 +316,60 @@ def _references(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> 
     return report
 
 
-def _along(model: Any, data: Any, kinds: Any, qpos: Array, qvel: Array) -> tuple[Array | None, Array | None]:
-    """The rate of the equalities' violations along a motion with constant velocity, and the rate of that."""
+def _bends(model: Any, data: Any, n: int, motion: Kinematics, qvel: Array) -> Array | None:
+    """J̇v of the rows of connect and weld, 0 of others, (n,); None if the number of equality rows changes."""
+    bends, size = np.zeros(n), interval(qvel)
+    rows = np.flatnonzero(np.array(data.efc_type[:n]) == reader.EQUALITY)
+    if len(rows) == 0:
+        return bends
+    violations = _violations(model, data, len(rows), motion.qpos, qvel, size)
+    if violations is None:
+        return None
+    before, now, after = violations
+    has_bend = np.isin(np.array(model.eq_type)[np.array(data.efc_id)[rows]], BENT)
+    bends[rows] = np.where(has_bend, (after - 2 * now + before) / size**2, 0.0)
+    return bends
+
+
+def _with_own_references(data: Any, n: int) -> Flags:
+    """The rows of contacts with adhesion or a surface velocity, which enter their references too, (n,)."""
+    special = np.zeros(n, dtype=bool)
+    for number in range(data.ncon):
+        contact = data.contact[number]
+        if contact.efc_address >= 0 and _has_any(contact, "adhesion", "surfacevel"):
+            special |= (np.arange(n) >= contact.efc_address) & (data.efc_id[:n] == number)
+    return special
+
+
+def _violations(
+    model: Any, data: Any, count: int, qpos: Array, velocity: Array, size: float
+) -> tuple[Array, Array, Array] | None:
+    """The violations of equalities a time step before, at, and after a position that moves with a constant velocity.
+
+    None if their number is not ``count``.
+    """
     import mujoco
 
     own = scratch(model, data)
-    count = int(np.sum(kinds == reader.EQUALITY))
-    size = interval(qvel)
     own.eq_active[:] = data.eq_active
-    own.qvel[:] = qvel
-    violations = []
+    found = []
     for time in (-size, 0.0, size):
         moved = qpos.copy()
-        mujoco.mj_integratePos(model, moved, np.ascontiguousarray(qvel), time)
+        mujoco.mj_integratePos(model, moved, np.ascontiguousarray(velocity), time)
         own.qpos[:] = moved
         mujoco.mj_fwdPosition(model, own)
         if int(own.ne) != count:
-            return None, None
-        violations.append(np.array(own.efc_pos[:count]))
-    before, now, after = violations
-    return (after - before) / (2 * size), (after - 2 * now + before) / size**2
+            return None
+        found.append(np.array(own.efc_pos[:count]))
+    return found[0], found[1], found[2]
 
 
 def _dual(model: Any, data: Any, step: Step) -> Report:
     """A + R where the engine makes it: for its dual solver."""
-    told = np.asarray(getattr(data, "efc_AR", np.zeros(0))).reshape(-1)
-    if step.method != "pgs" or len(told) != len(step) ** 2:
+    reported = np.asarray(getattr(data, "efc_AR", np.zeros(0))).reshape(-1)
+    if step.method != "pgs" or len(reported) != len(step) ** 2:
         return Report()
     whole = reader.jacobian(model, data)
     own = whole @ np.linalg.solve(reader.full_mass(model, data), whole.T) + np.diag(step.compliance)
     scale = np.sqrt(np.outer(np.diag(own), np.diag(own)))
-    return Report([_worst("A is not J M⁻¹Jᵀ + R", told.reshape(own.shape) - own, scale, FIRST)])
-
-
-def _is_disabled(model: Any, *names: str) -> bool:
-    """Whether one of these flags is set, as far as this version has them."""
-    import mujoco
-
-    flags = mujoco.mjtDisableBit
-    bits = [getattr(flags, f"mjDSBL_{name}", None) for name in names]
-    return any(bit is not None and model.opt.disableflags & int(bit) for bit in bits)
+    return Report([_worst("A is not J M⁻¹Jᵀ + R", reported.reshape(own.shape) - own, scale, FIRST)])

@@ -5,67 +5,107 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lcplab._receipt import collision
 from lcplab._receipt import mujoco as reader
-from lcplab._receipt.findings import Report
+from lcplab._receipt.findings import Finding, Report
 from lcplab._receipt.geometry import Shape
+from lcplab._receipt.step import Array
 
 KINDS = {0: "plane", 2: "sphere", 3: "capsule", 6: "box"}
 OTHERS = {1: "height field", 4: "ellipsoid", 5: "cylinder", 7: "mesh", 8: "signed distance field"}
+#: Values of a contact's ``exclude``: it has rows, or it is farther apart than its margin without the gap.
+INCLUDED, IN_GAP = 0, 1
 #: More shapes than these have too many pairs.
 MOST = 400
 
 
 def check(model: Any, data: Any) -> Report:
     """The stage collision of the poses that the engine's contacts were found at."""
-    import mujoco
-
-    flags = mujoco.mjtDisableBit
-    if model.opt.disableflags & int(flags.mjDSBL_CONTACT):
+    if reader.is_disabled(model, "CONTACT", "CONSTRAINT"):
         return Report(not_checked=["collision: contacts are disabled"])
     if model.ngeom > MOST:
         return Report(not_checked=[f"collision: the model has more than {MOST} shapes"])
-    shapes = _shapes(model, data)
-    if np.any(getattr(data, "tree_asleep", np.array([-1])) >= 0):
+    if reader.are_asleep(data):
         return Report(not_checked=["collision: some trees are asleep"])
-    return collision.check(shapes, _pairs(model), _contacts(data))
+    report = collision.check(_shapes(model, data), _pairs(model), _contacts(data))
+    report.findings += _without_rows(model, data)
+    return report
+
+
+def _without_rows(model: Any, data: Any) -> list[Finding]:
+    """A contact within its margin that has no constraint rows, although the engine does not exclude it."""
+    for number in range(data.ncon):
+        contact = data.contact[number]
+        shapes = reader.shapes_of(contact)
+        is_included = contact.exclude == INCLUDED or (contact.exclude == IN_GAP and contact.dist < contact.includemargin)
+        if contact.efc_address < 0 and is_included and min(shapes) >= 0:
+            bodies = tuple(_body(model, geom) for geom in shapes)
+            return [Finding("assembly", f"contact {number} has no constraint rows", np.inf, 0.0, None, bodies)]
+    return []
 
 
 def _shapes(model: Any, data: Any) -> dict[int, Shape]:
-    import mujoco
-
     shapes = {}
+    margins = _margins(model)
     for geom, kind in enumerate(model.geom_type):
-        body = mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_BODY, int(model.geom_bodyid[geom]))
         shapes[geom] = Shape(
             KINDS.get(int(kind), OTHERS.get(int(kind), "shape")),
             np.array(model.geom_size[geom]),
             np.array(data.geom_xpos[geom]),
             np.array(data.geom_xmat[geom]).reshape(3, 3),
-            body or f"body {int(model.geom_bodyid[geom])}",
+            _body(model, geom),
+            float(margins[geom]),
         )
     return shapes
 
 
-def _pairs(model: Any) -> list[tuple[int, int]]:
-    """Pairs by MuJoCo's documentation, "Collision detection": types, welded bodies, parents, exclusions."""
+def _margins(model: Any) -> Array:
+    """The margin of each shape (m), (ngeom,)."""
     import mujoco
 
+    if model.opt.enableflags & int(mujoco.mjtEnableBit.mjENBL_OVERRIDE):
+        return np.full(model.ngeom, float(model.opt.o_margin))
+    return np.array(model.geom_margin, dtype=float)
+
+
+def _body(model: Any, geom: int) -> str:
+    import mujoco
+
+    body = int(model.geom_bodyid[geom])
+    return mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_BODY, body) or f"body {body}"
+
+
+def _pairs(model: Any) -> list[tuple[int, int]]:
+    """Pairs by MuJoCo's documentation, "Collision detection": types, welded bodies, parents, exclusions.
+
+    Two bodies that cannot move, such as the world and a mocap body, do not collide.
+    """
     types, affinities = np.asarray(model.geom_contype), np.asarray(model.geom_conaffinity)
     bodies = np.asarray(model.geom_bodyid)
     roots = np.asarray(model.body_weldid)[bodies]
     above = np.asarray(model.body_weldid)[np.asarray(model.body_parentid)[roots]]
     collide = (types[:, None] & affinities) | (affinities[:, None] & types) != 0
-    collide &= roots[:, None] != roots
-    if not model.opt.disableflags & int(mujoco.mjtDisableBit.mjDSBL_FILTERPARENT):
+    movable = _are_movable(model)[bodies]
+    collide &= (roots[:, None] != roots) & (movable[:, None] | movable)
+    if not reader.is_disabled(model, "FILTERPARENT"):
         is_parent = (roots[:, None] == above) | (above[:, None] == roots)
         collide &= ~(is_parent & (roots[:, None] != 0) & (roots != 0))
     least, most = np.minimum(bodies[:, None], bodies), np.maximum(bodies[:, None], bodies)
     collide &= ~np.isin((least << 16) + most, np.asarray(model.exclude_signature))
-    for one, other in zip(model.pair_geom1, model.pair_geom2):
-        collide[one, other] = collide[other, one] = True
+    for one, other, margin in zip(model.pair_geom1, model.pair_geom2, model.pair_margin):
+        # A pair with a negative margin has no contact where it overlaps less.
+        collide[one, other] = collide[other, one] = margin >= 0
     return [(int(one), int(other)) for one, other in zip(*np.nonzero(np.triu(collide, 1)))]
+
+
+def _are_movable(model: Any) -> NDArray[np.bool_]:
+    """Whether a body or one of its ancestors has degrees of freedom, (nbody,)."""
+    movable = np.asarray(model.body_dofnum) > 0
+    for body, parent in enumerate(model.body_parentid):
+        movable[body] |= movable[parent]
+    return movable
 
 
 def _contacts(data: Any) -> dict[tuple[int, int], float]:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from lcplab._receipt import files, solver, work
+from lcplab._receipt.files import number
 from lcplab._receipt.findings import STAGES, Finding, Report
-from lcplab._receipt.limits import NOTABLE, limit_of
+from lcplab._receipt.limits import NOTABLE
 from lcplab._receipt.solver import Bounds
 from lcplab._receipt.step import Step
 
@@ -41,7 +43,7 @@ class Receipt:
 
     def __init__(self, step: Step, bounds: Bounds | str, report: Report, limit: float | None = None) -> None:
         self.step = step
-        self.limit = limit_of(step.method, step.bits) if limit is None else limit
+        self.limit = solver.limit_for(step, limit)
         self.solution: work.Solution | None = None
         if isinstance(bounds, Bounds) and len(step) and not solver.is_sharp(step, bounds, self.limit):
             self.solution = work.solve(step)
@@ -56,22 +58,26 @@ class Receipt:
         self.bound: float | None = bounds.motion if isinstance(bounds, Bounds) and has_bound else None
         self.motion_error = None if self.bound is None else step.relative(self.bound)
         rejected = [finding for finding in self.findings if finding.is_rejected]
-        self.rejected: Finding | None = rejected[0] if rejected else None
-        self.stage = self.rejected.stage if self.rejected else None
         self.work: work.Work | None = None
-        self.verdict = self._verdict()
+        is_excused = bool(rejected) and self._is_excused(rejected[0])
+        # Errors of other stages are not excused by the iteration cap, and count first.
+        wrong = [finding for finding in rejected if finding.stage != "solver"] if is_excused else rejected
+        self.rejected: Finding | None = next(iter(wrong or rejected), None)
+        self.stage = self.rejected.stage if self.rejected else None
+        self.verdict = "wrong" if wrong else "unconverged" if is_excused else self._accepted()
 
-    def _verdict(self) -> str:
-        if self.rejected is None:
-            if len(self.step) == 0:
-                return "no rows"
-            return "ok" if self.bound is not None else "not checked"
-        if self.rejected.stage == "solver" and not self.step.has_converged:
-            # The engine stopped at its iteration cap. That is an error only if its method needs far fewer iterations.
-            self.work = work.compare(self.step, self.solution)
-            if not self.work.is_excessive:
-                return "unconverged"
-        return "wrong"
+    def _is_excused(self, finding: Finding) -> bool:
+        """Whether the solver's error is one of an engine at its iteration cap, whose method needs that many iterations."""
+        if finding.stage != "solver" or self.step.has_converged or not math.isfinite(finding.error):
+            return False
+        self.work = work.compare(self.step, self.solution)
+        return not self.work.is_excessive
+
+    def _accepted(self) -> str:
+        """The verdict of a step without rejected findings."""
+        if len(self.step) == 0:
+            return "no rows"
+        return "ok" if self.bound is not None else "not checked"
 
     @property
     def ok(self) -> bool:
@@ -139,13 +145,14 @@ class Receipt:
         """The receipt as JSON."""
         step = self.step
         return {
-            "engine": step.engine, "version": step.version, "name": step.name, "time": step.time,
+            "engine": step.engine, "version": step.version, "name": step.name, "time": number(step.time),
             "rows": len(step), "method": step.method, "bits": step.bits, "iterations": step.iterations,
             "verdict": self.verdict, "stage": self.stage, "row": self.row, "bodies": list(self.bodies),
-            "motion_error": self.motion_error, "limit": self.limit, "bound": self.bound, "effect": self.effect,
+            "motion_error": number(self.motion_error), "limit": number(self.limit), "bound": number(self.bound),
+            "effect": number(self.effect),
             "unit": self.unit, "not_checked": self.not_checked,
             "findings": [
-                {"stage": f.stage, "what": f.what, "error": f.error, "limit": f.limit, "row": f.row,
+                {"stage": f.stage, "what": f.what, "error": number(f.error), "limit": number(f.limit), "row": f.row,
                  "bodies": list(f.bodies)}
                 for f in self.findings
             ],
@@ -177,4 +184,6 @@ def _line(step: Step, finding: Finding) -> str:
         where = f"; row {finding.row}"
     elif finding.bodies:
         where = f"; {', '.join(finding.bodies)}"
+    if not math.isfinite(finding.error):
+        return f"{finding.what}{where}"
     return f"{finding.what}: {finding.error:.2g}, limit {finding.limit:.1g}{where}"

@@ -11,7 +11,7 @@ from typing import Any
 
 from lcplab._lcplab import InputError
 from lcplab._receipt import files
-from lcplab._receipt.checks import Adapter, of_world, read, worlds
+from lcplab._receipt.checks import Adapter, of_step, of_world, read, worlds
 from lcplab._receipt.findings import Report
 from lcplab._receipt.limits import limit_of
 from lcplab._receipt.receipt import Receipt
@@ -36,19 +36,23 @@ class Run:
     Attributes
     ----------
     ok : bool
-        Whether there are frames, the baseline lists all rejected ones, and no quantile of the motion error is worse
-        than the baseline's by more than its spread.
+        Whether some frames were checked, the baseline lists all rejected ones, and no quantile of the motion error is
+        worse than the baseline's by more than its spread.
     receipts : dict of str to Receipt
         By the names of the frames.
     rejected, known, unconverged : list of str
-        The rejected frames, those of them that the baseline lists, and frames above their limit at the engine's
-        iteration cap.
+        The rejected frames, those of them that the baseline lists with the same stage, and frames above their limit
+        at the engine's iteration cap.
     counts : dict of str to int
         The number of frames with a motion error above 1e-6, 1e-5, 1e-4 and 1e-3.
     quantiles : dict of str to float
         Of the motion errors.
+    fixed : list of str
+        Frames that the baseline lists as rejected, and that no longer are.
     worse : list of str
         The quantiles that are worse than the baseline's, as sentences.
+    unchecked : str or None
+        Why no frame counts as checked, as a sentence: each is unconverged, or has no rows, or nothing of it was compared.
     """
 
     def __init__(self, receipts: Mapping[str, Receipt], baseline: Mapping[str, Any] | None = None) -> None:
@@ -61,18 +65,27 @@ class Run:
         self.unconverged = [name for name, receipt in every if receipt.verdict == "unconverged"]
         self.not_checked = [name for name, receipt in every if receipt.verdict == "not checked"]
         self.without_rows = [name for name, receipt in every if receipt.verdict == "no rows"]
-        known = set(baseline["rejected"]) if baseline else set()
-        self.known = [name for name in self.rejected if name in known]
-        self.mended = sorted(name for name in known - set(self.rejected) if name in self.receipts)
+        known = baseline["rejected"] if baseline else {}
+        self.known = [name for name in self.rejected if is_known(name, self.receipts[name], known)]
+        self.fixed = sorted(name for name in known.keys() - set(self.rejected) if name in self.receipts)
         self.worse = _worse(self.errors, baseline, self._floor()) if baseline else []
+        self.unchecked = self._unchecked()
 
     def _floor(self) -> float:
         return FLOOR * min((receipt.limit for receipt in self.receipts.values()), default=0.0)
 
+    def _unchecked(self) -> str | None:
+        without = [name for name in self.not_checked if not self.receipts[name].findings]
+        kinds = {"unconverged": self.unconverged, "without any comparison": without, "without rows": self.without_rows}
+        if sum(map(len, kinds.values())) < len(self.receipts):
+            return None
+        counts = ", ".join(f"{len(names)} {kind}" for kind, names in kinds.items() if names)
+        return f"no frame was checked: {counts or 'there are no frames'}"
+
     @property
     def ok(self) -> bool:
-        """Whether the baseline lists all rejected frames, and no quantile is worse than its own."""
-        return bool(self.receipts) and len(self.known) == len(self.rejected) and not self.worse
+        """Whether some frames were checked, the baseline lists all rejected ones, and no quantile is worse than its own."""
+        return self.unchecked is None and len(self.known) == len(self.rejected) and not self.worse
 
     @property
     def worst(self) -> list[str]:
@@ -110,8 +123,8 @@ class Run:
         if self.quantiles:
             lines.append("quantiles " + ", ".join(f"{part}: {value:.1e}" for part, value in self.quantiles.items()))
         lines += [f"rejected at {stage}: {count}" for stage, count in self.stages.items()]
-        lines += self.worse
-        lines += [f"{name} is no longer rejected: record the baseline again" for name in self.mended]
+        lines += [*([self.unchecked] if self.unchecked else []), *self.worse]
+        lines += [f"{name} is no longer rejected: record the baseline again" for name in self.fixed]
         for name in self.worst:
             receipt = self.receipts[name]
             if receipt.is_rejected or receipt.verdict == "unconverged":
@@ -166,6 +179,11 @@ def receipts(
     -------
     Run
 
+    Raises
+    ------
+    InputError
+        If a file is invalid, or a file of a folder has no partner.
+
     Examples
     --------
     >>> import lcplab
@@ -186,6 +204,11 @@ def receipts(
             waiting = []
     found |= _bounded(waiting, limit)
     return Run(found, known)
+
+
+def is_known(name: str, receipt: Receipt, rejected: Mapping[str, str | None]) -> bool:
+    """Whether a baseline lists this frame as rejected at the same stage."""
+    return name in rejected and rejected[name] == receipt.stage
 
 
 def load(path: str | os.PathLike[str]) -> dict[str, Any]:
@@ -209,7 +232,8 @@ def _read(frames: Iterable[Any], adapter: Adapter | None) -> Iterator[tuple[str,
     for frame in frames:
         if isinstance(frame, (str, os.PathLike)):
             for path in frame_files(Path(frame)):
-                yield str(path), files.read(path), Report(not_checked=["collision", "assembly"])
+                step = files.read(path)
+                yield str(path), step, of_step(step)
         elif isinstance(frame, tuple):
             model, data, *before = frame
             if worlds(data) > 1:
@@ -221,10 +245,25 @@ def _read(frames: Iterable[Any], adapter: Adapter | None) -> Iterator[tuple[str,
 
 
 def frame_files(path: Path) -> list[Path]:
-    """The problem files of a folder that have an answer next to them, or the file itself."""
+    """The problem files of a folder, or the file itself.
+
+    Raises
+    ------
+    InputError
+        If a problem of the folder has no answer next to it, or an answer has no problem; one line for each. Files
+        ``receipt.json``, which ``Receipt.save`` writes, are neither.
+    """
     if not path.is_dir():
         return [path]
-    return [file for file in sorted(path.rglob("*.json")) if file.with_name(f"{file.stem}.x.json").exists()]
+    frames = {file for file in path.rglob("*.json") if file.name != "receipt.json"}
+    answers = {file for file in frames if file.name.endswith(files.ANSWER)}
+    problems = {files.answer_of(file): file for file in frames - answers}
+    alone = [f"{problems[own]}: its answer {own.name} is missing" for own in problems.keys() - answers]
+    stems = ((own, own.name.removesuffix(files.ANSWER)) for own in answers - problems.keys())
+    alone += [f"{own}: its problem {stem}.json is missing" for own, stem in stems]
+    if alone:
+        raise InputError("\n".join(sorted(alone)))
+    return sorted(problems.values())
 
 
 def _bounded(waiting: list[tuple[str, Step, Report]], limit: float | None) -> dict[str, Receipt]:

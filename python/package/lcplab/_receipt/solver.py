@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 
 from lcplab import _lcplab
-from lcplab._receipt import files, work
+from lcplab._receipt import files, finite, work
 from lcplab._receipt.findings import Finding, Report
-from lcplab._receipt.limits import ROUNDING
+from lcplab._receipt.limits import ROUNDING, limit_of
 from lcplab._receipt.step import Array, Step
 from lcplab._receipt.work import Solution
 
@@ -39,9 +39,17 @@ class Bounds:
 
 def bounds_of(steps: list[Step]) -> list[Bounds | str]:
     """The bounds of each step, or the reason why it has none; computed on all processors, with the GIL released."""
-    told = _lcplab.motion_bounds([step.arrays() for step in steps])
-    bounds = [Bounds(*bounds) if bounds else str(why) for bounds, why in told]
-    return [own if step.is_associated else NOT_ASSOCIATED for step, own in zip(steps, bounds)]
+    reasons = [_no_bound(step) for step in steps]
+    posed = [step.arrays() for step, reason in zip(steps, reasons) if not reason]
+    computed = (Bounds(*bounds) if bounds else str(why) for bounds, why in _lcplab.motion_bounds(posed))
+    return [reason or next(computed) for reason in reasons]
+
+
+def _no_bound(step: Step) -> str:
+    """Why the motion of this step has no bound; "" if lcplab tries to compute one."""
+    if finite.of_step(step):
+        return "because a number is not finite"
+    return step.no_bound or ("" if step.is_associated else NOT_ASSOCIATED)
 
 
 def difference(step: Step) -> float | None:
@@ -51,7 +59,7 @@ def difference(step: Step) -> float | None:
     """
     from lcplab import Problem, solve
 
-    if len(step) > MOST_ROWS or len(step) == 0 or not np.isfinite([*step.motion, *step.forces]).all():
+    if len(step) > MOST_ROWS or len(step) == 0 or step.no_bound or finite.of_step(step):
         return None
     is_friction = step.friction_index >= 0
     friction: dict[str, Any] = {}
@@ -81,22 +89,29 @@ def sharpened(step: Step, bounds: Bounds, solution: Solution | None) -> Bounds:
 
 def is_sharp(step: Step, bounds: Bounds, limit: float) -> bool:
     """Whether both bounds are below the limit, so that they need not be tightened."""
-    return step.relative(max(bounds.motion, bounds.answer)) <= allowed(step, limit)
+    return step.relative(max(bounds.motion, bounds.answer)) <= limit
 
 
-def allowed(step: Step, limit: float) -> float:
-    """The limit, or the engine's own tolerance if that is looser."""
-    return max(limit, step.own_tolerance / step.effect) if step.effect else limit
+def limit_for(step: Step, limit: float | None) -> float:
+    """The given limit; without one that of the solver's kind, or the engine's own tolerance if that is looser."""
+    if limit is None:
+        usual = limit_of(step.method, step.bits)
+        return max(usual, step.own_tolerance / step.effect) if step.effect > 0 else usual
+    if not limit >= 0:
+        raise ValueError(f"limit: is {limit}, must be 0 or larger")
+    return limit
 
 
 def check(step: Step, bounds: Bounds | str, limit: float) -> Report:
     """Compare the bounds with the limit, and the motion and the reported generalized forces with the forces."""
+    broken = finite.of_step(step)
+    if broken:
+        return Report([broken], [finite.REST])
     report = Report()
+    if len(step) == 0 and step.no_bound:
+        return Report(not_checked=[f"solver and write-back, {step.no_bound}"])
     if len(step) == 0:
         report.add(_free(step))
-    elif not (np.isfinite(step.motion).all() and np.isfinite(step.forces).all()):
-        what = "the motion or the forces are not finite numbers"
-        report.findings.append(Finding("solver", what, np.inf, limit))
     elif isinstance(bounds, str):
         report.not_checked.append(f"solver: no bound on the motion, {bounds}")
         if not np.any(step.compliance > 0):
@@ -107,6 +122,8 @@ def check(step: Step, bounds: Bounds | str, limit: float) -> Report:
         report.not_checked.append("write-back: generalized forces, which the engine does not report")
     elif len(step):
         report.findings.append(_push(step, step.reported_push))
+    else:
+        report.findings.append(_no_push(step, step.reported_push))
     return report
 
 
@@ -118,8 +135,7 @@ def _free(step: Step) -> Report:
 
 
 def _motion(step: Step, bounds: Bounds, limit: float) -> Finding:
-    most = allowed(step, limit)
-    is_wrong = [step.relative(bound) > most for bound in (bounds.motion, bounds.answer)]
+    is_wrong = [not step.relative(bound) <= limit for bound in (bounds.motion, bounds.answer)]
     if is_wrong[0] == is_wrong[1] or work.are_forces_of_motion(step):
         stage, what = "solver", "the motion does not solve the problem that the engine posed"
         error = bounds.motion
@@ -134,7 +150,7 @@ def _motion(step: Step, bounds: Bounds, limit: float) -> Finding:
         error = bounds.answer
     row = bounds.row
     bodies = step.rows[row].bodies if row is not None and row < len(step.rows) else ()
-    return Finding(stage, what, step.relative(error), most, row, bodies)
+    return Finding(stage, what, step.relative(error), limit, row, bodies)
 
 
 def is_motion_of_forces(step: Step) -> bool:
@@ -159,3 +175,11 @@ def _push(step: Step, reported: Array) -> Finding:
     bodies = (step.dof_bodies[worst],) if worst < len(step.dof_bodies) else ()
     what = f"the reported generalized force of degree of freedom {worst} is not Jᵀx"
     return Finding("write-back", what, float(error[worst]) if len(error) else 0.0, ROUNDING[step.bits], None, bodies)
+
+
+def _no_push(step: Step, reported: Array) -> Finding:
+    """Without rows, constraints have no generalized forces: the motion that the reported ones cause, against gravity's."""
+    change = np.asarray(np.linalg.solve(step.dense_mass(), reported), dtype=float)
+    error = step.norm(change) / max(step.norm(step.target), step.gravity, 1e-300)
+    what = "there are no rows, but the reported generalized forces of constraints are not 0"
+    return Finding("write-back", what, error, ROUNDING[step.bits])

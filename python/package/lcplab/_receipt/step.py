@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lcplab._lcplab import InputError
+from lcplab._receipt.given import Given
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.int64]
@@ -83,6 +84,9 @@ class Step:
     #: Stages and parts that the engine does not report.
     not_checked: Sequence[str] = ()
 
+    #: Why the motion of this step has no bound, although its friction model allows one; "" if it has one.
+    no_bound: str = ""
+
     def __post_init__(self) -> None:
         if self.model not in (None, "associated-cone", "coulomb-cone"):
             raise InputError(f"model: {self.model!r} is neither associated-cone nor coulomb-cone nor None")
@@ -109,6 +113,12 @@ class Step:
     ) -> Step:
         """A step from dense arrays; a number instead of an array applies to all rows.
 
+        Raises
+        ------
+        InputError
+            If an array has another shape or kind than the step needs; one line for each defect. Numbers that are not
+            finite are no invalid input but a wrong step: its receipt is rejected.
+
         Examples
         --------
         >>> step = Step.of("mine", mass=[[2.0]], jacobian=[[1.0]], bias=[0.0], compliance=0.5, target=[-3.0],
@@ -116,37 +126,34 @@ class Step:
         >>> len(step), step.norm(step.motion - step.target)
         (1, 2.1213203435596424)
         """
-        offsets = np.asarray(bias, dtype=float)
-        n, free = len(offsets), np.asarray(target, dtype=float)
-
-        def rows(values: ArrayLike) -> Array:
-            return np.array(np.broadcast_to(np.asarray(values, dtype=float), (n,)))
-
-        index = np.array(np.broadcast_to(np.asarray(friction_index, dtype=np.int64), (n,)))
+        given = Given()
+        offsets, free = given.vector("bias", bias), given.vector("target", target)
+        n, k = len(offsets), len(free)
         step = cls(
             engine=engine,
             version=version,
             level=level,
-            mass=stored(np.triu(np.asarray(mass, dtype=float))),
-            jacobian=stored(np.asarray(jacobian, dtype=float).reshape(n, len(free))),
+            mass=stored(np.triu(given.symmetric("mass", mass, k))),
+            jacobian=stored(given.array("jacobian", jacobian, (n, k))),
             bias=offsets,
-            compliance=rows(compliance),
+            compliance=given.rows("compliance", compliance, n),
             target=free,
-            motion=free if motion is None else np.asarray(motion, dtype=float),
-            forces=np.asarray(forces, dtype=float),
-            lo=rows(lo),
-            hi=rows(hi),
-            friction_index=index,
-            mu=rows(mu),
+            motion=free if motion is None else given.array("motion", motion, (k,)),
+            forces=given.array("forces", forces, (n,)),
+            lo=given.rows("lo", lo, n),
+            hi=given.rows("hi", hi, n),
+            friction_index=given.normal_rows(friction_index, n),
+            mu=given.rows("mu", mu, n),
             **more,
         )
+        given.check_settings(step)
+        given.end()
         return step.with_motion_of_forces() if motion is None else step
 
-    def with_motion_of_forces(self) -> Step:
-        """The same step with the motion that its forces cause, for an engine that does not report its motion."""
+    def with_motion_of_forces(self, why: str = "which the engine does not report") -> Step:
+        """The same step with the motion that its forces cause instead of the engine's, which is then not checked."""
         change = np.linalg.solve(self.dense_mass(), self.push(self.forces)) if len(self.target) else 0.0
-        part = "write-back: the motion, which the engine does not report"
-        return replace(self, motion=self.target + change, not_checked=[*self.not_checked, part])
+        return replace(self, motion=self.target + change, not_checked=[*self.not_checked, f"write-back: the motion, {why}"])
 
     def __len__(self) -> int:
         return len(self.bias)
@@ -188,8 +195,9 @@ class Step:
         return np.asarray(product + np.bincount(columns[lower], (values * motion[rows])[lower], size), dtype=float)
 
     def norm(self, motion: Array) -> float:
-        """√(vᵀM v): the root of twice a kinetic energy, if v is a velocity."""
-        return math.sqrt(max(0.0, float(motion @ self.times_mass(motion))))
+        """√(vᵀM v): the root of twice a kinetic energy, if v is a velocity. It is NaN where v or M is."""
+        square = float(motion @ self.times_mass(motion))
+        return 0.0 if square < 0 else math.sqrt(square)
 
     @property
     def is_associated(self) -> bool:
