@@ -108,7 +108,7 @@ function drawControls() {
   find("#row").disabled = find("#sweep").disabled = find("#all").disabled = state.at >= moves.length - 1 && !film;
   find("#row").textContent = isSweep() && state.solver !== "jacobi" ? "Row" : isSweep() ? "Sweep " : "Pivot";
   find("#sweep").hidden = !isSweep() || state.solver === "jacobi";
-  find("#motion").textContent = timer ? "Stop" : "Let it stand for 2 s";
+  find("#motion").textContent = timer ? "Stop" : "Simulate 2 s";
 }
 
 function stop() { clearInterval(timer); timer = undefined; film = undefined; }
