@@ -20,7 +20,7 @@ def row(bad, mended):
 @pytest.mark.parametrize(
     ("bad", "mended", "outcome"),
     [
-        (told(1), told(0), "told apart"),
+        (told(1), told(0), "detected"),
         (told(0), told(0), "missed"),
         (told(1, "assembly"), told(0), "missed"),
         (told(1), told(1), "false alarm"),

@@ -27,12 +27,12 @@ def row(defect: Defect, place: Path) -> dict[str, Any]:
 
 
 def outcome(told: dict[str, Any]) -> str:
-    """``"told apart"``, ``"missed"``, ``"false alarm"`` or ``"skipped"``."""
+    """``"detected"``, ``"missed"``, ``"false alarm"`` or ``"skipped"``."""
     if any("unavailable" in told[side] for side in ("bad", "mended")):
         return "skipped"
     if told["mended"]["refused"]:
         return "false alarm"
-    return "told apart" if told["bad"]["refused"] and told["bad"]["stage"] == told["stage"] else "missed"
+    return "detected" if told["bad"]["refused"] and told["bad"]["stage"] == told["stage"] else "missed"
 
 
 def line(told: dict[str, Any]) -> str:
@@ -48,7 +48,7 @@ def line(told: dict[str, Any]) -> str:
 
 
 def main() -> int:
-    """Replay the defects that are named, or all; 1 if one that runs is not told apart."""
+    """Replay the defects that are named, or all; 1 if one that runs is not detected."""
     words = "Replay released defects of physics engines."
     parser = argparse.ArgumentParser(prog="python -m lcplab.defects", description=words)
     names = ", ".join(defect.name for defect in DEFECTS)
@@ -69,7 +69,7 @@ def main() -> int:
     if options.out:
         record = {"python": platform.python_version(), "defects": [{**told, "outcome": outcome(told)} for told in rows]}
         options.out.write_text(json.dumps(record, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
-    return 0 if all(outcome(told) in ("told apart", "skipped") for told in rows) else 1
+    return 0 if all(outcome(told) in ("detected", "skipped") for told in rows) else 1
 
 
 if __name__ == "__main__":
