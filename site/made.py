@@ -20,7 +20,7 @@ REPORTS = {
     "schemes": "Time-stepping schemes compared: drift, penetration, energy, order of accuracy.",
     "friction": "Friction models compared with closed-form solutions, and Painlevé's rod, for which no forces exist.",
     "verification": "Closed-form and reference solutions compared with the computed values.",
-    "scenes": "Animations of the built-in scenes, with their forces.",
+    "scenes": "Animations of the shipped scenes, with their forces.",
     "chapter": "The chapter by Kenwright & Morgan, with every example and figure recomputed.",
 }
 DRAWN = ["engines"]  # without solving: recorded results
