@@ -101,7 +101,7 @@ fn laws(run: &Run) -> Vec<String> {
 fn energy(run: &Run) -> String {
     let [end, most] =
         [run.energy_at_end(), run.energy_change()].map(|change| joules(change, run.laws.kinetic));
-    let change = format!("energy {end} J at the end, {most} J on the way");
+    let change = format!("energy change {end} J at the end, at most {most} J");
     let due = match (run.laws.energy, keeps_energy(run)) {
         (Energy::Stays, true) => return format!("{change}, kept"),
         (_, true) => return change,
