@@ -92,7 +92,7 @@ class Phenomenon:
 
     #: The name in options; the scene is ``scenes/NAME.toml``.
     name: str
-    #: What it asks, and why somebody should care; plain sentences.
+    #: What it asks, and why it matters; plain sentences.
     question: str
     matters: str
     #: The law, as TeX, and the tolerance, in words with TeX between dollars.
