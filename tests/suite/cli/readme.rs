@@ -61,6 +61,7 @@ fn the_examples_of_the_page_on_commands_are_those_of_a_run() {
     run(&["export", "stack", "--step", "1", "--out", &stack]);
     let output = out(&run(&["solve", &stack, "--solver", "pgs"]));
     assert_eq!(shown(page, "lcplab solve stack.json --solver pgs", 4), lines(&output, 4));
+    assert!(output.contains("e-") && !output.contains("×10"), "powers of ten: {output}");
     let row = output.lines().find(|line| line.trim_start().starts_with("row ")).unwrap();
     assert!(page.contains(row), "{row}");
     for arguments in [
