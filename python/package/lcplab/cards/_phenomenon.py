@@ -49,7 +49,7 @@ class Run:
         return [body["name"] for body in self.scene["bodies"]].index(name)
 
     def place(self, name: str) -> Array:
-        """Where the body's centre was, (steps + 1, 3)."""
+        """Where the body's center was, (steps + 1, 3)."""
         return np.asarray(self.poses[:, self.number(name), :3])
 
     def carried(self, name: str, vector: Sequence[float] | Array) -> Array:
