@@ -50,7 +50,7 @@ pub(super) fn figure(
     Some(Lines {
         id: format!("{id}{}", measure.name),
         title: format!(
-            "{}: {} across {}",
+            "{}: {} against {}",
             grid.title,
             measure.name.replace('_', " "),
             curves.across
