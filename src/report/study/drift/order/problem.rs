@@ -40,7 +40,7 @@ impl Problem {
             Problem::Fall => &[("height", "m")],
             Problem::Swing => &[("position", "m"), ("energy", "J"), ("length of the rod", "m")],
             Problem::Bounce => &[("height after a bounce", "m")],
-            Problem::Slide => &[("way", "m")],
+            Problem::Slide => &[("distance", "m")],
         }
     }
 
