@@ -58,7 +58,7 @@ function tell() {
   bold.textContent = name;
   span.className = accepted === of ? "good" : "bad";
   span.textContent = `${accepted} of ${of} steps accepted`;
-  said.replaceChildren(bold, sunk > 0 ? `: the top box sinks ${sunk / 10} cm.` : ": the top box stays.", document.createElement("br"), span);
+  said.replaceChildren(bold, sunk > 0 ? `: the top box sinks ${sunk / 10} cm.` : ": the top box does not sink.", document.createElement("br"), span);
 }
 
 figure.querySelector("fieldset").hidden = false;

@@ -101,20 +101,20 @@ def picture(maker: Maker) -> str:
     )
     return f"""<figure class="stacks" data-pagefind-ignore>
 <figcaption><b>Four boxes of 1, 10, 100 and 1000 kg, one second after they were stacked.</b>
-Left, projected Gauss-Seidel with a fixed number of sweeps a step; right, Dantzig's pivoting method.</figcaption>
+Left, projected Gauss-Seidel with a fixed number of sweeps per step; right, Dantzig's pivoting method.</figcaption>
 <div class="scenes">
 <div><svg id="left" viewBox="-1.6 -4.35 3.2 4.65" role="img" aria-label="The stack stepped by projected Gauss-Seidel">{still(first["poses"][-1])}</svg>
 <p id="said" aria-live="polite">{said(first)}</p></div>
 <div><svg id="right" viewBox="-1.6 -4.35 3.2 4.65" role="img" aria-label="The stack stepped by Dantzig's method">{still(exact[-1])}</svg>
 <p>{said(runs[-1])}</p></div>
 </div>
-<fieldset hidden><legend>Sweeps a step</legend>{choices}<button type="button" id="play">Play</button></fieldset>
+<fieldset hidden><legend>Sweeps per step</legend>{choices}<button type="button" id="play">Play</button></fieldset>
 </figure>
 {island("runs", runs)}"""
 
 
 def said(found: dict) -> str:
-    sinks = f"sinks {found['sunk'] / 10:g} cm" if found["sunk"] > 0 else "stays"
+    sinks = f"sinks {found['sunk'] / 10:g} cm" if found["sunk"] > 0 else "does not sink"
     good = found["accepted"] == found["of"]
     mark = "good" if good else "bad"
     return f'<b>{found["name"]}</b>: the top box {sinks}.<br><span class="{mark}">{found["accepted"]} of {found["of"]} steps accepted</span>'
@@ -170,12 +170,13 @@ def page(maker: Maker, sections: list[Section]) -> Page:
         )
     everything = []
     for section in sections:
-        items = "".join(
-            f'<li><a href="{page.address}">{html.escape(page.label)}</a></li>' for page in section.order
-        )
-        everything.append(
-            f'<div><h3><a href="{section.address}">{section.title}</a></h3><ul>{items}</ul></div>'
-        )
+        parts = [f'<h3><a href="{section.address}">{section.title}</a></h3>']
+        for group in section.groups:
+            pages = [page for page in group.pages if page.listed]
+            items = "".join(f'<li><a href="{page.address}">{html.escape(page.label)}</a></li>' for page in pages)
+            if items:
+                parts.append(f"<h4>{html.escape(group.title)}</h4><ul>{items}</ul>")
+        everything.append(f"<div>{''.join(parts)}</div>")
     body = f"""<div class="hero">
 <div class="claim"><h1>Does your contact solver tell the truth?</h1>
 <p class="lead">lcplab solves the contact problems of rigid-body simulation with twenty methods and checks every answer independently,

@@ -15,21 +15,21 @@ FONT = "lcplab-math.woff2"
 # Shipped reports, with what each answers.
 REPORTS = {
     "standard": "Which solver for a stack with a heavy load, and are lcplab's results correct?",
-    "engines": "Which law of mechanics holds in which physics engine?",
-    "solvers": "Every solver on every family of problems: which succeed, what they cost, what theory predicts.",
+    "engines": "Which laws of mechanics do physics engines obey?",
+    "solvers": "Every solver on every problem family: which succeed, what they cost, and what theory predicts.",
     "schemes": "Time-stepping schemes compared: drift, penetration, energy, order of accuracy.",
-    "friction": "Models of friction on a plane, and where forces have no solution.",
-    "verification": "Every number with a closed form, compared with the computed one.",
-    "scenes": "The shipped scenes in motion, with their forces.",
-    "chapter": "The chapter by Kenwright & Morgan from end to end, everything computed.",
+    "friction": "Friction models compared with closed-form solutions, and Painlevé's rod, for which no forces exist.",
+    "verification": "Closed-form and reference solutions compared with the computed values.",
+    "scenes": "Animations of the shipped scenes, with their forces.",
+    "chapter": "The chapter by Kenwright & Morgan, with every example and figure recomputed.",
 }
 DRAWN = ["engines"]  # without solving: recorded results
 LIVE = {
-    "two_rows": "Turn A and b, and watch six methods in the plane of x.",
-    "stack": "Drag masses, step through rows, sweeps and pivots, and let the stack stand.",
-    "friction": "Drag the push, and see the nearest points of square, polygon and disc.",
-    "painleve": "The rod for which one, no or two contact forces exist.",
-    "problem": "Type a problem of up to 60 rows: solve it, judge any x, prove it.",
+    "two_rows": "Change A and b, and follow six methods in the plane of x.",
+    "stack": "Change masses, step through rows, sweeps and pivots, and simulate two seconds.",
+    "friction": "Drag the push, and compare the friction of the square, the polygon and the disc.",
+    "painleve": "A sliding rod for which one, no or two contact forces exist.",
+    "problem": "Enter a problem of up to 60 rows, solve it, and check or prove any answer x.",
 }
 AROUND = {
     "guide": "A plan of 45 minutes for each lesson.",
@@ -38,7 +38,6 @@ AROUND = {
 }
 CHAPTER = {
     "errata": "What is printed, what is right, and an example that runs.",
-    "glossary": "Key terms of the chapter, and where lcplab computes them.",
     "references": "The literature that lcplab follows.",
 }
 

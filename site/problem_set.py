@@ -13,7 +13,7 @@ from pathlib import Path
 from made import Maker
 from pages import Page
 
-# Proofs are written up to so many rows; larger ones take minutes.
+# The largest number of rows with a proof; larger problems take minutes.
 MOST_ROWS = 50
 
 CLAIMS = {

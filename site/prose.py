@@ -69,6 +69,7 @@ def render(text: str, source: str, link: Callable[[str], str]) -> Prose:
     frame = '<div class="scroll" tabindex="0" role="region" aria-label="Table {}"><table>'
     body = re.sub("<table>", lambda _: frame.format(next(numbers)), body)
     body = body.replace("</table>", "</table></div>").replace("<pre>", '<pre tabindex="0">')
+    body = re.sub(r"<td(.*?)>(.*?)</td>", wide, body, flags=re.DOTALL)
     body = re.sub(r"<th( style=\"[^\"]*\")?></th>", r"<td\1></td>", body)
     titles = [
         (t.attrGet("id"), plain(tokens[i + 1])) for i, t in enumerate(tokens) if t.type == "heading_open"
@@ -78,6 +79,15 @@ def render(text: str, source: str, link: Callable[[str], str]) -> Prose:
         (str(name), title) for (name, title), level in zip(titles, levels, strict=True) if level == "h2"
     ]
     return Prose(titles[0][1] if titles else source, body, headings)
+
+
+LONG = 60
+
+
+def wide(cell: re.Match[str]) -> str:
+    """A cell with a sentence gets room for it."""
+    words = re.sub("<.*?>", "", cell[2])
+    return f'<td{cell[1]} class="long">{cell[2]}</td>' if len(words) > LONG else cell[0]
 
 
 def plain(heading) -> str:

@@ -11,4 +11,4 @@ import numpy as np
 
 def answer(m, pull, dt):
     """The impulse of the ground in each step (N s)."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

@@ -8,4 +8,4 @@ import numpy as np
 
 def answer(a, b, lo, hi):
     """The answer of the one-row problem."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

@@ -12,4 +12,4 @@ import numpy as np
 
 def answer(m, u):
     """The impulse of each contact (N s)."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

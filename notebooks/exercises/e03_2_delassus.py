@@ -9,4 +9,4 @@ import numpy as np
 
 def answer(J, inverse_mass):
     """A = J M⁻¹ Jᵀ (1/kg)."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

@@ -12,4 +12,4 @@ def answer(m, l, g, phi, omega, dt):
     """The impulse x (N s) of one step dt (s) at velocity level, and the force λ (N) at acceleration
     level.
     """
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

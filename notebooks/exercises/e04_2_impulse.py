@@ -10,4 +10,4 @@ import numpy as np
 
 def answer(v, inverse_mass, total):
     """The velocity and the total impulse after the correction."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

@@ -11,4 +11,4 @@ import numpy as np
 
 def answer(sweeps):
     """x after infinitely many sweeps."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

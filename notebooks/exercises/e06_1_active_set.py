@@ -9,4 +9,4 @@ import numpy as np
 
 def answer(A, b, free):
     """x of the active set."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

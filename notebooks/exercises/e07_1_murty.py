@@ -9,4 +9,4 @@ import numpy as np
 
 def answer(x, w):
     """The row that changes sides next; None if no row is wrong."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

@@ -11,4 +11,4 @@ import numpy as np
 
 def answer(constant, rate):
     """The row whose variable becomes 0 first; None if none ever does: a ray."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

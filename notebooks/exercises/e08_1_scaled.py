@@ -12,4 +12,4 @@ import numpy as np
 
 def answer(A, b, lo, hi, x):
     """The scaled residual of x."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

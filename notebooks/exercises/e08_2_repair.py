@@ -13,4 +13,4 @@ def answer(A, b, x):
     """The exact answer, and the largest change of an entry; None if the signs of the set do not fit
     (for w, -1e-12 is still 0).
     """
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

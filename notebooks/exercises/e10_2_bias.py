@@ -17,4 +17,4 @@ import numpy as np
 
 def answer(c, dt, beta, slop):
     """The bias (m/s)."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

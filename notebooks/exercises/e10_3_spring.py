@@ -9,4 +9,4 @@ import numpy as np
 
 def answer(k, d, dt):
     """γ (1/kg) and β for the stiffness k (N/m), the damping d (N s/m) and the step dt (s)."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

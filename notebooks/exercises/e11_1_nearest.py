@@ -11,4 +11,4 @@ import numpy as np
 
 def answer(wanted, limit):
     """The nearest points of the square, the disc and the diamond, in this order."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

@@ -9,4 +9,4 @@ import numpy as np
 
 def answer(p, mu):
     """The point of the cone that is nearest to p = [p_n, p_t1, p_t2]; μ > 0."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

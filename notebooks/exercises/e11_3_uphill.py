@@ -9,4 +9,4 @@ import numpy as np
 
 def answer(theta, mu, v0, t):
     """Its velocity after the time t (s), counted uphill."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

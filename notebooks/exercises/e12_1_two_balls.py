@@ -9,4 +9,4 @@ import numpy as np
 
 def answer(m, v, e):
     """The velocities after the blow."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

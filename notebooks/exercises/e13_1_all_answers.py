@@ -9,4 +9,4 @@ import numpy as np
 
 def answer(a, b):
     """All x that solve it, in any order."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

@@ -10,4 +10,4 @@ import numpy as np
 
 def answer(theta, k):
     """The μ at which a = A_nn + μ A_nt is 0; A = J M⁻¹ Jᵀ."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

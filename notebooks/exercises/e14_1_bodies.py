@@ -11,4 +11,4 @@ import numpy as np
 
 def answer(rows, inverse_mass, b, x):
     """x after one sweep."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

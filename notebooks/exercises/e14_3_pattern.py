@@ -8,4 +8,4 @@ import numpy as np
 
 def answer(rows):
     """How many entries of A = J M⁻¹ Jᵀ may differ from zero."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

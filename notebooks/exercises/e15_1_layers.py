@@ -9,4 +9,4 @@ import numpy as np
 
 def answer(masses, g, dt):
     """The impulses between ground and lowest body, lowest and second, and so on: one a body."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

@@ -12,4 +12,4 @@ import numpy as np
 
 def answer(x, m, dt):
     """The impulses of each layer at its left and right end (N s); None if the tower falls."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

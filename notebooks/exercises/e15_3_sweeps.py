@@ -11,4 +11,4 @@ def answer(below, above, reduction):
     """The least number of sweeps after which the error is at most reduction (between 0 and 1) of what
     it was.
     """
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

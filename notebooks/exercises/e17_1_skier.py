@@ -11,4 +11,4 @@ import numpy as np
 
 def answer(m, slope, bend, v_x):
     """The force of the snow on her, [F_x, F_z] (N)."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

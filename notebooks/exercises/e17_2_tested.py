@@ -11,4 +11,4 @@ import numpy as np
 
 def answer(c, p, j):
     """The number of the first wrong entry; None if all are right."""
-    raise NotImplementedError("the hole is still there")
+    raise NotImplementedError("the gap is not filled in yet")

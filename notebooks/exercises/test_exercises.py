@@ -3,7 +3,7 @@
     pytest notebooks/exercises -k e04_1     # exercise 4.1
     pytest notebooks/exercises -k e04       # all of lesson 4
 
-Each eLESSON_NUMBER_….py has a hole or a bug. Mend it, and run the check. It says what is wrong, not how to mend it.
+Each eLESSON_NUMBER_….py has a gap or a bug. Fill or fix it, and run the check. It says what is wrong, not how to mend it.
 """
 
 import importlib.util

@@ -1,4 +1,4 @@
-//! Find the bug 17.b: a bead that rubs on a wire.
+//! Find the bug 17.b: a bead with friction on a wire.
 //!
 //! A bead of mass m (kg) starts at rest on a straight wire z = slope x and rubs on it with the
 //! friction μ. The constraint is c = z - slope x, one equation, so its impulse may have either

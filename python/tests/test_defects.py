@@ -20,7 +20,7 @@ def row(bad, mended):
 @pytest.mark.parametrize(
     ("bad", "mended", "outcome"),
     [
-        (reported(1), reported(0), "told apart"),
+        (reported(1), reported(0), "detected"),
         (reported(0), reported(0), "missed"),
         (reported(1, "assembly"), reported(0), "missed"),
         (reported(1), reported(1), "false alarm"),

@@ -36,7 +36,7 @@ Example:
   lcplab diagnose frames/ --solver pgs --sweeps 10       # the same for problem files, one per step
   lcplab diagnose fig8                      # three rows that contradict each other, proved
   lcplab diagnose stack --step 10
-  lcplab diagnose mass_ratio3 --sweeps 10 --out why.html # with animation, patterns and problem files
+  lcplab diagnose mass_ratio3 --sweeps 10 --out why.html # a page with an animation
   lcplab diagnose fig8 --json
   lcplab problems fathi | lcplab diagnose - --format markdown
   lcplab diagnose problem.json answer.json  # which known mistake produces exactly this x?

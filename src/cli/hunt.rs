@@ -53,7 +53,7 @@ pub struct Challenge {
     #[arg(long, visible_alias = "sweeps", default_value_t = 2000)]
     max_iterations: usize,
     /// Largest scaled residual that counts as solved
-    #[arg(long, default_value_t = Settings::default().tolerance)]
+    #[arg(long, default_value = "1e-8")]
     tolerance: f64,
     #[command(flatten)]
     quarry: Quarry,

@@ -46,7 +46,7 @@ pub struct Judge {
     #[arg(long)]
     model: Option<Model>,
     /// Largest scaled residual that counts as solved
-    #[arg(long, allow_negative_numbers = true, default_value_t = Demand::default().tolerance)]
+    #[arg(long, allow_negative_numbers = true, default_value = "1e-8")]
     tolerance: f64,
     /// Exit with 1 if a verdict is this or worse
     #[arg(long, value_enum, default_value_t = Worst::NotASolution)]

@@ -39,6 +39,7 @@ use lcplab::file;
 use lcplab::lcp::exchange;
 use lcplab::lcp::file::Problem;
 use lcplab::memory::Memory;
+use lcplab::number::plain;
 use lcplab::report::text::printable;
 use lcplab::solver::Reason;
 
@@ -219,7 +220,7 @@ fn hint(error: &Error, matches: &ArgMatches) -> &'static str {
 /// Prints a line to standard error, without escapes; a failure to print is ignored.
 fn say(line: &str) {
     use std::io::Write;
-    let _ = writeln!(std::io::stderr().lock(), "{}", printable(line));
+    let _ = writeln!(std::io::stderr().lock(), "{}", plain(&printable(line)));
 }
 
 /// The problem of a file, in the format that its ending says; JSON by default.
@@ -271,9 +272,14 @@ fn print(text: &str) -> Result<()> {
     print_coloured(&printable(text))
 }
 
-/// Prints a text with escapes of our own, which has been rid of all others.
+/// How pages, pictures and JSON begin; they are printed as they are.
+const MARKUP: [char; 4] = ['<', '#', '{', '['];
+
+/// Prints a text with escapes of our own, which has been rid of all others. Powers of ten are
+/// written as in `1.3e-8`, so that they can be copied into programs.
 fn print_coloured(text: &str) -> Result<()> {
     use std::io::Write;
+    let text = if text.starts_with(MARKUP) { text.to_string() } else { plain(text) };
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(cause) if cause.kind() != std::io::ErrorKind::BrokenPipe => {

@@ -18,7 +18,7 @@ use super::say;
 #[derive(Debug, Args)]
 pub struct SolverArgs {
     /// Largest scaled residual that counts as solved
-    #[arg(long, allow_negative_numbers = true, default_value_t = Settings::default().tolerance)]
+    #[arg(long, allow_negative_numbers = true, default_value = "1e-8")]
     tolerance: f64,
     /// Maximum number of sweeps or pivots
     #[arg(long, visible_alias = "sweeps", default_value_t = Settings::default().max_iterations)]

@@ -12,6 +12,57 @@ pub fn superscript(exponent: i32) -> String {
     exponent.to_string().chars().map(raise).collect()
 }
 
+/// The digit or sign that a superscript character stands for.
+fn lowered(c: char) -> Option<char> {
+    match c {
+        '⁻' => Some('-'),
+        '⁰' => Some('0'),
+        '¹' => Some('1'),
+        '²' => Some('2'),
+        '³' => Some('3'),
+        '⁴'..='⁹' => char::from_digit(c as u32 - '⁰' as u32, 10),
+        _ => None,
+    }
+}
+
+/// A text with its powers of ten written as programs read them: `1.3×10⁻⁸` becomes `1.3e-8`. A
+/// number that stands in a column, after two spaces, keeps its width.
+///
+/// ```
+/// use lcplab_problem::number::plain;
+///
+/// assert_eq!(plain("10⁻⁸ m and −1.5×10⁻⁹ m"), "1e-8 m and −1.5e-9 m");
+/// assert_eq!(plain("gap   2.2×10⁻⁸  m"), "gap     2.2e-8  m");
+/// assert_eq!(plain("10 steps, 2·210⁴"), "10 steps, 2·210⁴");
+/// ```
+pub fn plain(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some((before, after)) = rest.split_once("10") {
+        out.push_str(before);
+        let exponent: String = after.chars().map_while(lowered).collect();
+        let is_inside = out.ends_with(|c: char| c.is_alphanumeric() || c == '.' || c == '\u{202f}');
+        if exponent.is_empty() || is_inside {
+            out.push_str("10");
+            rest = after;
+            continue;
+        }
+        rest = after.trim_start_matches(|c: char| lowered(c).is_some());
+        if out.ends_with('×') {
+            out.pop();
+            let start = out.rfind([' ', '\n']).map_or(0, |at| at + 1);
+            if out[..start].ends_with("  ") {
+                out.insert_str(start, "  ");
+            }
+            out.push('e');
+        } else {
+            out.push_str("1e");
+        }
+        out.push_str(&exponent);
+    }
+    out + rest
+}
+
 /// The value with at most `digits` significant digits, without trailing zeros: as a plain number if
 /// that is short, otherwise as mantissa times power of ten.
 ///

@@ -66,7 +66,7 @@ impl Outcome {
         match self {
             Outcome::Proved => "proved",
             Outcome::Accepted => "within tolerance",
-            Outcome::Refuted => "claimed, refuted",
+            Outcome::Refuted => "claimed, rejected",
             Outcome::Withdrawn => "within tolerance, but hardly better than x = 0: no claim",
             Outcome::Failed(reason) | Outcome::Outside(reason) => reason,
         }

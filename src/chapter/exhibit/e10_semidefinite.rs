@@ -66,7 +66,7 @@ fn off_for_ever(pushes: &[f64], speeds: &[f64]) -> Lines {
         "off_for_ever",
         [
             "Forces without bound, a motion at rest",
-            "The push of the first corner grows by ⅛ N s a sweep, for ever; the velocity that all four give \
+            "The push of the first corner grows by ⅛ N s per sweep, without limit; the velocity that all four give \
              to the cube together stays at ¼ m/s. A solver that watches x alone calls this divergence.",
         ],
         Axis::log("sweep", ""),

@@ -1,4 +1,4 @@
-//! E21: the position update forgets the position, K&M (16).
+//! E21: the position update omits the old position, K&M (16).
 
 use super::setting::G;
 use super::{Finding, Measure};
@@ -39,9 +39,9 @@ pub(super) fn example() -> Result<Finding> {
     let fall = |k: usize| x + v * k as f64 * SHOWN + 0.5 * a * (k as f64 * SHOWN).powi(2);
     let lines = Lines {
         id: "e21".into(),
-        title: "A stone thrown upwards from 100 m".into(),
-        caption: "The printed line takes the velocity for the height: after one step the stone is at 1.8 m, and where it \
-                  was is forgotten. The corrected one follows free fall."
+        title: "A stone thrown upward from 100 m".into(),
+        caption: "The printed formula uses a velocity as the height: after one step the stone is at 1.8 m, because the \
+                  formula drops the old position. The corrected formula follows free fall."
             .into(),
         x: Axis::linear("time", "s"),
         panels: vec![Panel {
@@ -54,8 +54,8 @@ pub(super) fn example() -> Result<Finding> {
         }],
     };
     Ok(Finding::new(
-        "A body at 100 m rises at 2 m/s; g = 9.81 m/s², one step of 0.01 s. The corrected step misses free \
-         fall by ½ g dt² = 0.49 mm: that is the error of the method, and shrinks with dt.",
+        "A body at 100 m rises at 2 m/s; g = 9.81 m/s², one step of 0.01 s. The corrected step differs from free \
+         fall by ½ g dt² = 0.49 mm: this is the error of the method, and it shrinks with dt.",
     )
     .measure(height.truth(&[truth], "closed form", 5e-4))
     .plot(&lines))

@@ -51,8 +51,8 @@ pub(super) fn example() -> Result<Finding> {
         id: "e33".into(),
         title: "An error between two bodies".into(),
         caption:
-            "With β = 0.1 the printed penalty is twice as strong as it says; with β = 1.2, which \
-                  a single penalty bears, it grows without bound."
+            "With β = 0.1 the printed penalty is twice as strong as stated; with β = 1.2, at which \
+                  a single penalty is stable, the error grows without bound."
                 .into(),
         x: Axis::linear("time", "s"),
         panels: vec![panel(0.1)?, panel(1.2)?],

@@ -1,4 +1,4 @@
-//! E46: a binary constraint is not a unary one mirrored, note on unary and binary constraints.
+//! E46: a binary constraint is not a mirrored unary one, note on unary and binary constraints.
 
 use nalgebra::Vector3;
 

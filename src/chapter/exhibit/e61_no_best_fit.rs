@@ -92,7 +92,7 @@ fn drawing() -> Result<Lines> {
         "e61",
         [
             "Impulses of constraints that contradict each other",
-            "Without compliance the impulses grow by 12 N s in every sweep, for ever. \
+            "Without compliance the impulses grow by 12 N s in every sweep, without limit. \
                  With γ = 0.1 or 0.3 on the diagonal they settle.",
         ],
         Axis::linear("sweep", ""),

@@ -1,4 +1,4 @@
-//! What an example finds: numbers of the printed and of the corrected form, held against the truth.
+//! What an example finds: numbers of the printed and of the corrected form, compared with the truth.
 
 use crate::certificate::{Demand, Verdict, judge};
 use crate::document::Table;

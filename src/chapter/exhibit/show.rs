@@ -78,7 +78,7 @@ impl Exhibit {
 
 fn row(measure: &Measure) -> Vec<String> {
     let verdict = match (measure.is_as_claimed(), measure.agrees) {
-        (true, false) => "told apart",
+        (true, false) => "distinguished",
         (true, true) => "both hold",
         (false, _) => "not shown",
     };

@@ -53,7 +53,7 @@ macro_rules! __exercises {
             "15.b" e15_b_kept stack::kept "find the bug: a column that keeps its impulses";
             "17.1" e17_1_skier own_constraint::skier "a skier: the force of the snow, and where she takes off";
             "17.2" e17_2_tested own_constraint::tested "a test that finds the wrong entry of a row";
-            "17.b" e17_b_bead own_constraint::bead "find the bug: a bead that rubs on a wire";
+            "17.b" e17_b_bead own_constraint::bead "find the bug: a bead with friction on a wire";
         )
     };
     ($answers:ident, $($id:literal $file:ident $lesson:ident :: $check:ident $title:literal;)*) => {

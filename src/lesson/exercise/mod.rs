@@ -55,7 +55,7 @@ impl Exercise {
             let words = words.or_else(|| cause.downcast_ref::<&str>().copied());
             Err(match words.unwrap_or("it panicked") {
                 words if words.starts_with("not yet implemented") => {
-                    format!("the hole is still there: open {}", self.file)
+                    format!("the gap is not filled in yet: open {}", self.file)
                 }
                 words => format!("the answer panicked: {words}"),
             })

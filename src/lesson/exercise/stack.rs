@@ -147,7 +147,7 @@ pub fn kept(answer: fn(&[f64], f64, usize, usize) -> (Vec<f64>, Vec<f64>)) -> Ve
         if x.len() != n || z.len() != n {
             return Err(format!("{n} balls need {n} impulses and {n} heights"));
         }
-        let at = format!("masses {masses:?} kg, {sweeps} sweeps a step, after {steps} steps");
+        let at = format!("masses {masses:?} kg, {sweeps} sweeps per step, after {steps} steps");
         for k in 0..n {
             if !(z[k].abs() < 0.02) {
                 return Err(format!("{at}: ball {k} is {:.4} m below its place", -z[k]));

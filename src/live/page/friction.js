@@ -1,5 +1,6 @@
 const USUAL = { press: 2, mu: 0.5, directions: 4, angle: 30, size: 3 };
 const SLIDERS = ["press", "mu", "angle", "size"], SPAN = 5, SPEED = 3, G = 9.81;
+const UNITS = { press: " N s", mu: "", angle: "°", size: " N s" };
 const NAMES = ["coupled-box", "polygon", "coulomb-cone"], CLASSES = ["box", "polygon", "disc"];
 const toPlane = ([x, y]) => [210 + x / SPAN * 420 * 0.55, 210 - y / SPAN * 420 * 0.55];
 const fromPlane = (px, py) => [(px - 210) / 420 * SPAN / 0.55, (210 - py) / 420 * SPAN / 0.55];
@@ -20,7 +21,7 @@ function drawFigures() {
   const corners = (count, turn) => Array.from({ length: count }, (_, j) => toPlane([reach * Math.cos(2 * Math.PI * j / count + turn), reach * Math.sin(2 * Math.PI * j / count + turn)]).map((v) => v.toFixed(1)).join(",")).join(" ");
   const [ox, oy] = toPlane([0, 0]), radius = toPlane([reach, 0])[0] - ox;
   let picture = svg("line", { x1: 0, x2: 420, y1: oy, y2: oy, class: "axis" }) + svg("line", { x1: ox, x2: ox, y1: 0, y2: 420, class: "axis" });
-  picture += svg("text", { x: 392, y: oy - 6 }, "x_t1") + svg("text", { x: ox + 6, y: 14 }, "x_t2");
+  picture += svg("text", { x: 346, y: oy - 6 }, "x_t1 (N s)") + svg("text", { x: ox + 6, y: 14 }, "x_t2 (N s)");
   picture += svg("rect", { x: ox - radius, y: oy - radius, width: 2 * radius, height: 2 * radius, class: "figure box" });
   picture += svg("circle", { cx: ox, cy: oy, r: radius, class: "figure disc" });
   picture += svg("polygon", { points: corners(k, 0), class: "figure polygon" });
@@ -45,13 +46,15 @@ function drawFloor() {
   const to = ([x, y]) => [210 + x / most * 200, 210 - y / most * 200].map((v) => v.toFixed(1));
   let picture = svg("line", { x1: 0, x2: 420, y1: 210, y2: 210, class: "axis" }) + svg("line", { x1: 210, x2: 210, y1: 0, y2: 420, class: "axis" });
   const length = Math.min(far, 2 * most), [ex, ey] = to([length * Math.cos(radians()), length * Math.sin(radians())]);
-  picture += svg("line", { x1: 210, y1: 210, x2: ex, y2: ey, class: "law" });
+  picture += svg("line", { x1: 210, y1: 210, x2: ex, y2: ey, class: "exact" });
   paths.forEach(({ path }, i) => {
     picture += svg("polyline", { points: path.map((p) => to(p).join(",")).join(" "), class: `way ${CLASSES[i]}` });
     const [cx, cy] = to(ends[i]);
     picture += svg("circle", { cx, cy, r: 5, class: `answer ${CLASSES[i]}` });
   });
-  picture += svg("text", { x: 396, y: 204 }, "x") + svg("text", { x: 216, y: 14 }, "y") + svg("text", { x: 4, y: 414, class: "faint" }, `center to edge: ${short(most, 2)} m`);
+  picture += svg("text", { x: 396, y: 204 }, "x") + svg("text", { x: 216, y: 14 }, "y");
+  const bar = [1, 2, 5].map((digit) => digit * 10 ** Math.floor(Math.log10(most / 2))).findLast((length) => length <= most / 2);
+  picture += svg("line", { x1: 10, x2: 10 + bar / most * 200, y1: 408, y2: 408, class: "axis" }) + svg("text", { x: 10, y: 400, class: "faint" }, `${short(bar)} m`);
   find("#floor").innerHTML = picture;
 }
 
@@ -59,12 +62,12 @@ function drawWords() {
   const signed = (v) => short(Math.abs(v) < 1e-9 ? 0 : v, 3), lines = [];
   for (const { model, x, w } of answers) {
     const slips = Math.hypot(w[1], w[2]) > 1e-6, rub = Math.hypot(x[1], x[2]) / (state.mu * state.press || 1);
-    lines.push(`${model.padEnd(15)} x = (${x.map(signed).join(", ")}) N s   |x_t| = ${signed(rub)} μ·${short(state.press)}   ${slips ? `slips at ${signed(Math.hypot(w[1], w[2]))} m/s` : "sticks"}${Math.abs(w[0]) > 1e-6 ? `, lifts off at ${signed(w[0])} m/s` : ""}`);
+    lines.push(`${model.padEnd(15)} x = (${x.map(signed).join(", ")}) N s   |x_t| = ${signed(rub)} μ x_n   ${slips ? `slips at ${signed(Math.hypot(w[1], w[2]))} m/s` : "sticks"}${Math.abs(w[0]) > 1e-6 ? `, lifts off at ${signed(w[0])} m/s` : ""}`);
   }
   find("#words").textContent = lines.join("\n");
-  const strong = 1 / Math.max(Math.abs(Math.cos(radians())), Math.abs(Math.sin(radians())));
-  const holds = state.size <= state.mu * state.press;
-  find("#says").textContent = `By Coulomb's law the block ${holds ? "sticks" : "slides"}. In this direction the box allows ${short(strong, 3)} times the friction of Coulomb's law.`;
+  const holds = state.size <= state.mu * state.press, limit = state.mu * state.press;
+  const boxed = limit > 0 ? Math.hypot(...answers[0].x.slice(1)) / limit : 0;
+  find("#says").textContent = `By Coulomb's law the block ${holds ? "sticks" : "slides"}.${boxed > 1.0005 ? ` The box model gives ${short(boxed, 3)} times the largest friction that Coulomb's law allows.` : ""}`;
 }
 
 function change(changes) { state = { ...state, ...changes }; draw(); }
@@ -73,7 +76,7 @@ function draw() {
   drawFigures();
   drawFloor();
   drawWords();
-  for (const id of SLIDERS) { const slider = find(`#${id}`); slider.value = state[id]; slider.nextElementSibling.textContent = short(state[id]); }
+  for (const id of SLIDERS) { const slider = find(`#${id}`); slider.value = state[id]; slider.nextElementSibling.textContent = short(state[id]) + UNITS[id]; }
   find("#directions").value = state.directions;
   keep(state, USUAL);
 }

@@ -68,11 +68,11 @@ function drawRod() {
   });
   if (state.step === 0) picture += arrow([low[0], low[1] + 14], -40, 0, "push slip") + svg("text", { x: low[0] - 60, y: low[1] + 34, class: "faint" }, "slides");
   find("#rod").innerHTML = picture;
-  const most = Math.max(0.1, ...frames.map(({ slip }) => Math.abs(slip))), at = (k) => [20 + k / FRAMES * 390, 60 - frames[k].slip / most * 50];
+  const most = Math.max(0.1, ...frames.map(({ slip }) => Math.abs(slip))), at = (k) => [20 + k / FRAMES * 390, 60 + frames[k].slip / most * 50];
   let chart = svg("line", { x1: 20, x2: 410, y1: 60, y2: 60, class: "axis" });
   chart += svg("polyline", { points: frames.map((_, k) => at(k).map((v) => v.toFixed(1)).join(",")).join(" "), class: "path" });
   const [px, py] = at(state.step);
-  chart += svg("circle", { cx: px, cy: py, r: 5, class: "here" }) + svg("text", { x: 24, y: 16, class: "faint" }, `speed ${short(-frames[state.step].slip, 3)}`);
+  chart += svg("circle", { cx: px, cy: py, r: 5, class: "here" }) + svg("text", { x: 24, y: 16, class: "faint" }, `speed ${short(Math.abs(frames[state.step].slip) < 1e-3 ? 0 : -frames[state.step].slip, 3)}`);
   find("#slip").innerHTML = chart;
 }
 
@@ -80,14 +80,14 @@ function drawWords() {
   const { a, b, forces, steps } = rod, digits = (v) => short(Math.abs(v) < 1e-9 ? 0 : v, 4), lines = [];
   const known = forces.map(digits).join(" and ");
   lines.push(`Acceleration level: w = a x + b with a = 1 + 3cos²θ − 3μ sin θ cos θ = ${digits(a)} and b = ω² sin θ − 1 = ${digits(b)}.`);
-  lines.push(forces.length === 0 ? "        w < 0 for every x ≥ 0: there is no solution." : `        x = ${known}${forces.length > 1 ? ": the end leaves the floor, or stays on it." : "."}`);
-  lines.push(`Velocity level, where friction can also stop the sliding; the end starts with sliding speed 1. Of several solutions the solver returns one:`);
+  lines.push(forces.length === 0 ? "        w < 0 for every x ≥ 0, so there is no solution." : `        x = ${known}${forces.length > 1 ? ": the end leaves the floor, or stays on it." : "."}`);
+  lines.push(`Velocity level, one step from a sliding speed of 1; here friction can also stop the sliding. If there are several solutions, the solver returns one of them:`);
   for (const { dt, x, w } of steps) {
     const word = x[0] < 1e-12 ? "leaves the floor" : Math.abs(w[1]) < 1e-9 ? "sticks at once" : "keeps sliding";
     lines.push(`        dt = ${String(dt).padEnd(6)} x = (${x.map(digits).join(", ")})   x/dt = ${digits(x[0] / dt)}   ${word}`);
   }
   find("#words").textContent = lines.join("\n");
-  const says = { 0: "No solution: friction rotates the end into the floor faster than any normal force can lift it.", 1: "One solution.", 2: "Two solutions: the end leaves the floor, or stays on it." }[forces.length];
+  const says = { 0: "No solution: friction turns the end into the floor faster than the normal force can lift it, however large the force is.", 1: "One solution.", 2: "Two solutions: the end leaves the floor, or stays on it." }[forces.length];
   find("#says").textContent = `${says} The critical friction coefficient at this angle is ${digits(rod.critical)}.`;
   find("#says").className = `says ${["bad", "good", "caution"][forces.length]}`;
 }

@@ -12,6 +12,15 @@ const compact = (value) => JSON.stringify(value, null, 1).replace(/\n\s*/g, " ")
 
 const ten = (power) => `10${[...String(power)].map((c) => "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"["0123456789-".indexOf(c)]).join("")}`;
 
+// A text whose lines wrap with a hanging indent.
+function setLines(node, text) {
+  node.replaceChildren(...text.trimEnd().split("\n").map((line) => {
+    const own = document.createElement("span");
+    own.textContent = `${line}\n`;
+    return own;
+  }));
+}
+
 function parse(text) {
   try { return JSON.parse(text); } catch (cause) { return { error: cause.message }; }
 }
@@ -23,7 +32,7 @@ function solve() {
   if (solved.error) return;
   state.step = Math.min(state.step, solved.steps.length - 1);
   find("#x").value = JSON.stringify(solved.answer.x);
-  find("#judge").textContent = solved.judge;
+  setLines(find("#judge"), solved.judge);
   find("#solver").value = state.solver;
 }
 
@@ -106,13 +115,13 @@ function take(text, changes) {
 function judge() {
   const x = parse(find("#x").value);
   const told = Array.isArray(x) ? ask({ ask: "judge", problem, x: x.map(Number) }) : { error: `x: expected a list of numbers${x?.error ? ` (${x.error})` : ""}` };
-  find("#judge").textContent = told.error ?? told.text;
+  setLines(find("#judge"), told.error ?? told.text);
   find("#proof").hidden = find("#save").hidden = true;
 }
 function prove() {
   const x = parse(find("#x").value), { error, proof, missing } = Array.isArray(x) ? ask({ ask: "prove", problem, x: x.map(Number) }) : { error: "x: expected a list of numbers" };
   const why = (missing ?? []).map(([kind, reason]) => `not ${kind}: ${reason}`);
-  find("#proof").textContent = error ?? [proof ? `${proof.kind}: ${proof.sentence}` : "Nothing could be proved.", ...why].join("\n");
+  setLines(find("#proof"), error ?? [proof ? `${proof.kind}: ${proof.sentence}` : "Nothing could be proved.", ...why].join("\n"));
   find("#proof").hidden = false;
   find("#save").hidden = !proof;
   if (proof) find("#save").href = `data:application/json,${encodeURIComponent(JSON.stringify(proof.file))}`;

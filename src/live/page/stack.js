@@ -85,10 +85,10 @@ function drawSays() {
   if (film) {
     const { z, missing } = film.frames[film.at], mean = film.frames.reduce((sum, frame) => sum + frame.missing, 0) / film.frames.length;
     const way = isSweep() ? `${state.sweeps} sweeps per step${state.warm ? ", warm start" : ""}` : "pivoting";
-    says.push(`${((film.at + 1) * DT).toFixed(2)} s, ${way}: the top box has sunk ${short(whole(-100 * z.at(-1)), 2)} cm; ${short(whole(100 * (film.at === film.frames.length - 1 ? mean : missing)), 2)} % of the weight is unsupported${film.at === film.frames.length - 1 ? " on average" : ""}.`);
+    says.push(`${((film.at + 1) * DT).toFixed(2)} s, ${way}: the top box has sunk ${short(whole(-100 * z.at(-1)), 2)} cm; ${short(whole(100 * (film.at === film.frames.length - 1 ? mean : missing)), 2)}\u00a0% of the weight is unsupported${film.at === film.frames.length - 1 ? " on average" : ""}.`);
   } else {
     const { step, x } = moves[state.at], carried = x[0] / exact[0];
-    says.push(`After ${step} ${isSweep() ? (step === 1 ? "sweep" : "sweeps") : (step === 1 ? "pivot" : "pivots")} the ground supports ${short(100 * carried, 3)} % of the weight.`);
+    says.push(`After ${step} ${isSweep() ? (step === 1 ? "sweep" : "sweeps") : (step === 1 ? "pivot" : "pivots")} the ground supports ${short(100 * carried, 3)}\u00a0% of the weight.`);
     if (typeof trace.rate === "number") says.push(`In the long run each sweep multiplies the error by ${short(trace.rate, 4)}: ${short(Math.ceil(Math.log(10) / -Math.log(trace.rate)))} sweeps per digit.`);
     if (!isSweep()) says.push(`${trace.status}; verdict: ${trace.verdict}.`);
   }
@@ -108,7 +108,7 @@ function drawControls() {
   find("#row").disabled = find("#sweep").disabled = find("#all").disabled = state.at >= moves.length - 1 && !film;
   find("#row").textContent = isSweep() && state.solver !== "jacobi" ? "Row" : isSweep() ? "Sweep " : "Pivot";
   find("#sweep").hidden = !isSweep() || state.solver === "jacobi";
-  find("#motion").textContent = timer ? "Stop" : "Let it stand for 2 s";
+  find("#motion").textContent = timer ? "Stop" : "Simulate 2 s";
 }
 
 function stop() { clearInterval(timer); timer = undefined; film = undefined; }

@@ -11,7 +11,7 @@
 //! scenes = [{ scene = "chain", step = 50, omegas = [1.0, 1.5] }]
 //!
 //! [[section]]                       # words alone
-//! title = "What this report does not show"
+//! title = "Limitations of this report"
 //! text = "Everything else."
 //! ```
 

@@ -53,7 +53,7 @@ impl Record {
             match &self.scene.solver {
                 solver if solver.fixed_sweeps && self.problems == 0 => {
                     format!(
-                        "not judged: {} sweeps a step, without a tolerance",
+                        "not judged: {} sweeps per step, without a tolerance",
                         solver.max_iterations
                     )
                 }

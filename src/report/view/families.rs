@@ -11,7 +11,7 @@ pub fn table(rows: &[Row]) -> Table {
         how_to_read:
             "*friction*: the friction model for solving and judging. *outside*: the solver reports that the \
              problem is outside its class. *claims*: the solver's own; *proved* and *accepted*: the judge's \
-             verdicts; *refuted* and *false* claims must be 0. *worst residual*: over the claimed answers; – \
+             verdicts; *rejected* and *false* claims must be 0. *worst residual*: over the claimed answers; – \
              if there are none. *multiplications*: by the formula of the method; – if unknown. *iterates*: a \
              hash of their sequence; – if none were reported. *fallback*: other methods that contributed, and \
              how often. *must fail*: a failure that theory predicts."
@@ -25,7 +25,7 @@ pub fn table(rows: &[Row]) -> Table {
             Column::numbers("claims", ""),
             Column::numbers("proved", ""),
             Column::numbers("accepted", ""),
-            Column::numbers("refuted", ""),
+            Column::numbers("rejected", ""),
             Column::numbers("false", ""),
             Column::numbers("iterations", "a problem"),
             Column::numbers("multiplications", "a problem"),
@@ -71,7 +71,7 @@ pub fn by_solver(rows: &[Row]) -> Table {
             Column::numbers("outside", ""),
             Column::numbers("claims", ""),
             Column::numbers("accepted", ""),
-            Column::numbers("refuted", ""),
+            Column::numbers("rejected", ""),
             Column::numbers("time", "ms"),
         ],
         rows: names.iter().map(cells).collect(),

@@ -23,7 +23,7 @@ impl Document {
 }
 
 impl View for Plan {
-    const TITLE: &'static str = "The motion";
+    const TITLE: &'static str = "Animation of a scene";
 
     fn show(&self, findings: &[Footage], document: &mut Document) {
         for footage in findings {

@@ -248,7 +248,7 @@ impl Plan {
             title: "Solvers on all problems of the families".into(),
             how_to_read: "*attempted*: the solver attempted the problem. *outside*: the solver reports that \
              the problem is outside its class. *claimed*: the solver reports a solution; *accepted* and \
-             *proved*: the judge's verdicts on these claims; *refuted* must be 0. *failed*: attempted but not \
+             *proved*: the judge's verdicts on these claims; *rejected* must be 0. *failed*: attempted but not \
              claimed; the table of failures has the reasons. *semidefinite*: accepted answers to the problems \
              that Dantzig's method supports, those with symmetric semidefinite A, such as contact problems. \
              *no solution*: accepted answers to problems without a solution, which are possible only if they \
@@ -262,7 +262,7 @@ impl Plan {
                 Column::numbers("claimed", ""),
                 Column::numbers("accepted", ""),
                 Column::numbers("proved", ""),
-                Column::numbers("refuted", ""),
+                Column::numbers("rejected", ""),
                 Column::numbers("failed", ""),
                 Column::numbers("semidefinite", ""),
                 Column::numbers("no solution", ""),

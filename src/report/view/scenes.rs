@@ -5,7 +5,7 @@ use crate::report::page::markup::literal;
 use crate::report::study::scenes::{Finding, Plan};
 
 impl View for Plan {
-    const TITLE: &'static str = "Scenes";
+    const TITLE: &'static str = "Animations of scenes";
 
     fn show(&self, findings: &[Finding], document: &mut Document) {
         for Finding { title, teaches, footage } in findings {

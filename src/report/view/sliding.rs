@@ -34,10 +34,10 @@ impl View for Plan {
                  - **Polygon** of 4, 8 or 16 corners on the circle, one at $t_1$: an LCP with one additional unknown for each corner, solved by Lemke's method.\n\
                  - **Cone**: the disc itself. *Associated*: a convex problem, in which sliding bodies lift off. *Coulomb*: the exact law.\n\n\
                  A block of 1 kg lies on the floor and is pushed along it. It is pressed so that \
-                 $\\mu x_n = 1$ N s. Its rows do not feel each other ($A$ is the identity), and so friction is \
-                 the point of the model's square, polygon or disc that is nearest to the push, drawn from the \
-                 centre. Everything below can be drawn with ruler and compasses; lines are that drawing, \
-                 markers are what the solvers found.",
+                 $\\mu x_n = 1$ N s. Its rows are not coupled ($A$ is the identity), so the friction impulse is \
+                 the point of the model's square, polygon or disc that is nearest to the push. This point \
+                 follows from geometry alone: the lines below show the geometric construction, the markers \
+                 the answers of the solvers.",
             );
             document.figure(direction_figure(study));
             document.text(
@@ -141,12 +141,12 @@ fn path_figure(study: &Finding) -> Lines {
     let theory = Series::theory("theory, Coulomb".to_string(), line.unwrap_or_default());
     Lines {
         id: "friction_paths".into(),
-        title: "A block's way over the floor, from above".into(),
+        title: "Path of a block on the floor, seen from above".into(),
         caption:
-            "A marker every 0.02 s; the last one is where it stops. The line is Coulomb's law, \
-                  which has no preferred direction."
+            "A marker every 0.02 s; the last one is where the block stops. The line is the path by \
+                  Coulomb's law, which has no preferred direction."
                 .into(),
-        x: Axis::linear("place along t₁", "m"),
+        x: Axis::linear("position along t₁", "m"),
         panels: vec![Panel {
             y: Axis::linear("place along t₂", "m"),
             series: SHOWN.iter().map(path).chain([theory]).collect(),
@@ -233,11 +233,11 @@ fn direction_figure(study: &Finding) -> Lines {
         |model: &Model| Series::theory(format!("theory, {}", short(*model)), stairs(*model));
     Lines {
         id: "friction_direction".into(),
-        title: "Where friction points, and where it should".into(),
+        title: "Direction of friction, and the direction by Coulomb's law".into(),
         caption: format!(
             "The block is pushed {} times as hard as friction can hold, from 0 to 90° to t₁ in steps \
-             of 5°. Coulomb's law is the diagonal. With the box model, any slip that is not along a tangent \
-             meets friction at 45°.",
+             of 5°. Coulomb's law is the diagonal. With the box model, friction points at 45° to the \
+             tangents unless the slip is along a tangent.",
             readable(study.push, 3)
         ),
         x: Axis::linear("direction opposite to the slip", "degrees from t₁"),
@@ -274,9 +274,9 @@ fn grip_figure(study: &Finding) -> Lines {
     };
     Lines {
         id: "friction_grip".into(),
-        title: "The hardest push that does not move the block".into(),
-        caption: "Coulomb: 1 N s from every side. Markers: found by halving an interval 14 times, \
-                  so to 10⁻⁴ N s."
+        title: "The largest push that does not move the block".into(),
+        caption: "By Coulomb's law it is 1 N s in every direction. Markers: measured by halving an interval \
+                  14 times, to 10⁻⁴ N s."
             .into(),
         x: Axis::linear("direction of the push", "degrees from t₁"),
         panels: vec![Panel {

@@ -73,17 +73,22 @@ fn formulas(rows: &[Row]) -> String {
     lines.join("\n")
 }
 
-/// Each tolerance once, with its reason.
+/// Each tolerance once, with its reason and its cases.
 fn tolerances(rows: &[Row]) -> String {
-    let mut lines: Vec<String> = Vec::new();
+    let mut lines: Vec<(String, Vec<&str>)> = Vec::new();
     for row in rows {
         let Criterion::Exact { tolerance, because } = &row.criterion else { continue };
         let line = format!("- {}: {because}", significant(*tolerance, 2));
-        if !lines.contains(&line) {
-            lines.push(line);
+        let case = row.case.as_str();
+        match lines.iter().position(|(own, _)| *own == line) {
+            Some(at) if lines[at].1.contains(&case) => (),
+            Some(at) => lines[at].1.push(case),
+            None => lines.push((line, vec![case])),
         }
     }
-    format!("Reasons for the allowed errors:\n\n{}", lines.join("\n"))
+    let lines = lines.iter().map(|(line, cases)| format!("{line} (*{}*)", cases.join(", ")));
+    let lines: Vec<String> = lines.collect();
+    format!("Reasons for the allowed errors, with the cases:\n\n{}", lines.join("\n"))
 }
 
 /// Where 0 is expected, digits of a smaller number say nothing.

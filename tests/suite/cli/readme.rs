@@ -1,5 +1,6 @@
 //! The examples in the documentation are those of a run.
 
+use lcplab::number::plain;
 use lcplab::report::results::Results;
 use lcplab::report::view;
 
@@ -42,7 +43,7 @@ fn the_summary_on_the_page_of_reports_is_that_of_the_committed_report() {
     let results: Results = serde_json::from_str(results).unwrap();
     let document = view::document(&results).unwrap();
     let (_, table) = document.tables.iter().find(|(id, _)| id == "summary").unwrap();
-    let table = table.csv();
+    let table = plain(&table.csv());
     let (_, rest) = page.split_once("$ lcplab report\n").unwrap();
     let shown = rest.lines().take_while(|line| !line.starts_with("reports/"));
     let shown: Vec<&str> = shown.map(|line| line.split_at(15).1).collect(); // after the section's id
@@ -60,6 +61,7 @@ fn the_examples_of_the_page_on_commands_are_those_of_a_run() {
     run(&["export", "stack", "--step", "1", "--out", &stack]);
     let output = out(&run(&["solve", &stack, "--solver", "pgs"]));
     assert_eq!(shown(page, "lcplab solve stack.json --solver pgs", 4), lines(&output, 4));
+    assert!(output.contains("e-") && !output.contains("×10"), "powers of ten: {output}");
     let row = output.lines().find(|line| line.trim_start().starts_with("row ")).unwrap();
     assert!(page.contains(row), "{row}");
     for arguments in [

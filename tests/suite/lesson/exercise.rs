@@ -26,7 +26,7 @@ fn every_solution_passes() {
 fn every_hole_is_said_to_be_one() {
     for exercise in HOLES.iter().filter(|exercise| !exercise.id.ends_with('b')) {
         let reason = exercise.verdict().unwrap_err();
-        assert_eq!(reason, format!("the hole is still there: open {}", exercise.file));
+        assert_eq!(reason, format!("the gap is not filled in yet: open {}", exercise.file));
     }
 }
 

@@ -25,7 +25,7 @@ from lcplab.engines import NAMES, by_name
 
 #: A report file that draws a record.
 REPORT = """\
-title = "Physics engines, one law at a time"
+title = "Physics engines compared with closed-form solutions"
 lead = ""
 
 [[section]]

@@ -49,7 +49,7 @@ class Run:
         return [body["name"] for body in self.scene["bodies"]].index(name)
 
     def place(self, name: str) -> Array:
-        """Where the body's centre was, (steps + 1, 3)."""
+        """Where the body's center was, (steps + 1, 3)."""
         return np.asarray(self.poses[:, self.number(name), :3])
 
     def carried(self, name: str, vector: Sequence[float] | Array) -> Array:
@@ -92,7 +92,7 @@ class Phenomenon:
 
     #: The name in options; the scene is ``scenes/NAME.toml``.
     name: str
-    #: What it asks, and why somebody should care; plain sentences.
+    #: What it asks, and why it matters; plain sentences.
     question: str
     matters: str
     #: The law, as TeX, and the tolerance, in words with TeX between dollars.

@@ -99,7 +99,7 @@ def _column(column: Column) -> dict[str, Any]:
 
 
 def _number(value: float, digits: int = 6) -> float | str:
-    """So many digits, which plots and tables have use for; what is not finite as a word, as everywhere in lcplab."""
+    """The number with these digits, enough for plots and tables; a value that is not finite as a word."""
     if math.isfinite(value):
         return float(f"{value:.{digits}g}") + 0.0
     return "nan" if math.isnan(value) else "inf" if value > 0 else "-inf"

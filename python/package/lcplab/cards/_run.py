@@ -114,7 +114,7 @@ def _pace(runs: Sequence[Recorded], duration: float) -> float:
     return sum(run.seconds for run in runs) / (duration * len(runs))
 
 
-#: A plot has so many points of a run, at the same times for all engines.
+#: Number of points of a run in a plot, at the same times for all engines.
 POINTS = 101
 
 

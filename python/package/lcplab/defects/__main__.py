@@ -27,12 +27,12 @@ def row(defect: Defect, place: Path) -> dict[str, Any]:
 
 
 def outcome(reported: dict[str, Any]) -> str:
-    """``"told apart"``, ``"missed"``, ``"false alarm"`` or ``"skipped"``."""
+    """``"detected"``, ``"missed"``, ``"false alarm"`` or ``"skipped"``."""
     if any("unavailable" in reported[side] for side in ("bad", "mended")):
         return "skipped"
     if reported["mended"]["refused"]:
         return "false alarm"
-    return "told apart" if reported["bad"]["refused"] and reported["bad"]["stage"] == reported["stage"] else "missed"
+    return "detected" if reported["bad"]["refused"] and reported["bad"]["stage"] == reported["stage"] else "missed"
 
 
 def line(reported: dict[str, Any]) -> str:
@@ -48,7 +48,7 @@ def line(reported: dict[str, Any]) -> str:
 
 
 def main() -> int:
-    """Replay the defects that are named, or all; 1 if one that runs is not told apart."""
+    """Replay the defects that are named, or all; 1 if one that runs is not detected."""
     words = "Replay released defects of physics engines."
     parser = argparse.ArgumentParser(prog="python -m lcplab.defects", description=words)
     names = ", ".join(defect.name for defect in DEFECTS)
@@ -69,7 +69,7 @@ def main() -> int:
     if options.out:
         record = {"python": platform.python_version(), "defects": [{**reported, "outcome": outcome(reported)} for reported in rows]}
         options.out.write_text(json.dumps(record, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
-    return 0 if all(outcome(reported) in ("told apart", "skipped") for reported in rows) else 1
+    return 0 if all(outcome(reported) in ("detected", "skipped") for reported in rows) else 1
 
 
 if __name__ == "__main__":

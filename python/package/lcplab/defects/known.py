@@ -72,7 +72,7 @@ DEFECTS = (
     ),
     Defect(
         "sphere_in_box",
-        "the depth of a sphere whose centre is inside a box is its radius",
+        "the depth of a sphere whose center is inside a box is its radius",
         "MuJoCo 3.2.7, #2206",
         "collision",
         ("mujoco==3.2.6",),

@@ -38,7 +38,7 @@ class World(Protocol):
         """Position (m) and quaternion (w, x, y, z) of each body's axes, (bodies, 7)."""
 
     def velocities(self) -> Array:
-        """Velocity of the centre of mass (m/s) and angular velocity (rad/s), world axes, (bodies, 6)."""
+        """Velocity of the center of mass (m/s) and angular velocity (rad/s), world axes, (bodies, 6)."""
 
     def forces(self) -> Array | None:
         """What contacts put on each body in the last step (N, world axes), (bodies, 3), if it is reported."""
@@ -173,7 +173,7 @@ class Spring:
 
     #: The body by its number, and the point in its axes (m), of both ends; no body is the world.
     ends: list[tuple[int | None, Array]]
-    #: At which it pulls nothing (m), and how much it pulls for each metre more (N/m).
+    #: At which it pulls nothing (m), and how much it pulls for each further meter (N/m).
     length: float
     stiffness: float
 

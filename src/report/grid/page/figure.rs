@@ -35,7 +35,7 @@ pub(super) fn figure(
         let optima = shown.iter().filter_map(|curve| curves.optimum(curve));
         let bars = optima.map(|best| vec![(best, floor), (best, y.most)]);
         series.extend(joined("optimum by theory", bars, Series::reference));
-        words.push("Dashed grey: the closed form.".into());
+        words.push("Dashed gray: the closed form.".into());
     }
     if grid.axes.iter().any(|axis| axis.paths == [REPEAT]) {
         words.push("Each point is the median of its repetitions.".into());
@@ -50,7 +50,7 @@ pub(super) fn figure(
     Some(Lines {
         id: format!("{id}{}", measure.name),
         title: format!(
-            "{}: {} across {}",
+            "{}: {} against {}",
             grid.title,
             measure.name.replace('_', " "),
             curves.across

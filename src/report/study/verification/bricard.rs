@@ -19,7 +19,7 @@ const ZERO: f64 = 1e-9;
 /// by Dantzig's method, by Lemke's and by an interior point.
 pub(super) fn bricard(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("bricard", "bricard", size)?;
-    let whole = (0.0, "a whole number; singular values below 1e-9 of the largest count as 0");
+    let whole = (0.0, "an integer; singular values below 1e-9 of the largest count as 0");
     let known = vec![
         Known::exact(whole, "rows of J", ["6 hinges x 5", "6 \\cdot 5"], "", 30.0),
         Known::exact(whole, "rank of J", ["30 - 1", "30 - 1"], "", 29.0),
@@ -31,7 +31,7 @@ pub(super) fn bricard(size: Size) -> Result<Vec<Row>> {
         let rank = singular.iter().filter(|value| **value > ZERO * singular[0]).count();
         Some(vec![count, rank as f64])
     });
-    let solved = (1e-7, "the tolerance of the interior point");
+    let solved = (1e-7, "the tolerance of the interior-point method");
     let formula = ["n (n F)/(n M n)", "n\\,\\frac{n^T F}{n^T M n}"];
     let expected = freedom(&case.scene).unwrap_or(f64::NAN);
     let solvers = ["dantzig", "lemke", "interior-point"];

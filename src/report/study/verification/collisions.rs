@@ -7,8 +7,9 @@ use crate::lcp::friction::Model;
 use crate::scene::{Scene, Scheme, Sliding};
 
 const G: f64 = 9.81;
-const SUMMED: (f64, &str) = (1e-6, "the solver's tolerance, summed over the steps");
-const SUBSTEPS: (f64, &str) = (1e-6, "differences of positions over substeps");
+const SUMMED: (f64, &str) = (1e-6, "the tolerance of the solver, accumulated over the steps");
+const SUBSTEPS: (f64, &str) =
+    (1e-6, "rounding errors of position differences divided by the substep");
 
 /// How near a blow of a scheme must come.
 fn of_scheme(scheme: Scheme) -> (f64, &'static str) {
@@ -24,24 +25,24 @@ pub(super) fn blow(size: Size) -> Result<Vec<Row>> {
     let text = "gravity = [0, 0, 0]\ncontact.friction = 0.1\ncontact.restitution = 0.5\n[[bodies]]\n\
         name = \"ground\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n[[bodies]]\nname = \"ball\"\n\
         mass = 1\nshape = { sphere = 0.1 }\nposition = [0, 0, 0.1]\nvelocity = [3, 0, -2]\n";
-    let case = Case::of("blow-with-friction", Scene::from_toml("thrown-ball", text)?, size);
+    let case = Case::of("impact-with-friction", Scene::from_toml("thrown-ball", text)?, size);
     let loss = mu * (1.0 + e) * down;
     let methods = Scheme::ALL.into_iter().filter(|scheme| *scheme != Scheme::Penalty);
     let mut rows = Vec::new();
     for scheme in methods {
         let criterion = of_scheme(scheme);
         let known = vec![
-            Known::exact(criterion, "speed upwards", ["e v_n", "e\\,v_n"], "m/s", e * down),
+            Known::exact(criterion, "speed upward", ["e v_n", "e\\,v_n"], "m/s", e * down),
             Known::exact(
                 criterion,
-                "speed along",
+                "speed along the ground",
                 ["v_t - mu (1 + e) v_n", "v_t - \\mu(1 + e) v_n"],
                 "m/s",
                 along - loss,
             ),
             Known::exact(
                 criterion,
-                "spin",
+                "angular velocity",
                 ["5 mu (1 + e) v_n/(2 r)", "\\frac{5\\mu(1 + e) v_n}{2 r}"],
                 "rad/s",
                 2.5 * loss / radius,
@@ -63,7 +64,7 @@ pub(super) fn askew(size: Size) -> Result<Vec<Row>> {
     let angle = 30f64.to_radians();
     let text = "contact.friction = 0.3\n[[bodies]]\nname = \"ground\"\nfixed = true\n\
         shape = { plane = [0, 0, 1] }\n[[bodies]]\nname = \"point\"\nshape = \"point\"\nmass = 1\n";
-    let mut scene = Scene::from_toml("askew-slip", text)?;
+    let mut scene = Scene::from_toml("misaligned-slip", text)?;
     let (sin_of_slip, cos_of_slip) = libm::sincos(angle);
     scene.states[1].v = nalgebra::Vector3::new(speed * cos_of_slip, speed * sin_of_slip, 0.0);
     let pull = mu * G * time;
@@ -93,7 +94,7 @@ pub(super) fn askew(size: Size) -> Result<Vec<Row>> {
             Sliding::Box => model.to_string(),
             Sliding::Substituted => "substituted".into(),
         };
-        let case = Case::of("askew-slip", scene, size);
+        let case = Case::of("misaligned-slip", scene, size);
         let known = ["x", "y"].into_iter().zip(expected).map(|(axis, expected)| {
             let what = format!("speed along {axis} after 0.1 s, {name}");
             Known::exact(SUMMED, what, formula, "m/s", expected)
@@ -146,8 +147,8 @@ pub(super) fn flat(size: Size) -> Result<Vec<Row>> {
     for scheme in Scheme::ALL.into_iter().filter(|scheme| *scheme != Scheme::Penalty) {
         let criterion = of_scheme(scheme);
         let known = vec![
-            Known::exact(criterion, "speed upwards", ["e v", "e\\,v"], "m/s", e * speed),
-            Known::exact(criterion, "spin", ["0", "0"], "rad/s", 0.0),
+            Known::exact(criterion, "speed upward", ["e v", "e\\,v"], "m/s", e * speed),
+            Known::exact(criterion, "angular velocity", ["0", "0"], "rad/s", 0.0),
         ];
         rows.extend(case.rows(Method::Scheme(scheme), known, |scene| {
             let state = after(scene, 0.1)?[1];
@@ -171,11 +172,11 @@ pub(super) fn gap(size: Size) -> Result<Vec<Row>> {
     let along = speed * (1.0 - sin * sin).sqrt();
     let expected = [along * (1.0 - sin * sin).sqrt(), along * sin];
     let formula = ["v (1 - s^2, s sqrt(1 - s^2))", "v\\,(1 - s^2,\\ s\\sqrt{1 - s^2})"];
-    let turned = (0.05, "a bounce at the beginning of its step, which a warning names");
+    let turned = (0.05, "the impact is applied at the beginning of the step (a warning says so)");
     let mut rows = Vec::new();
     for (method, criterion) in [(Method::Acceleration, SUMMED), (Method::Velocity, turned)] {
         let known = ["x", "y"].into_iter().zip(expected).map(|(axis, value)| {
-            let what = format!("speed of the ball that was hit, along {axis}");
+            let what = format!("speed of the struck ball along {axis}");
             Known::exact(criterion, what, formula, "m/s", value)
         });
         rows.extend(case.rows(method, known.collect(), |scene| {

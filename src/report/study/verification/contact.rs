@@ -10,10 +10,11 @@ use crate::scene::catalogue::ladder::Ladder;
 use crate::simulation::Step;
 
 const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
-const SOLVED: (f64, &str) = (1e-9, "rounding and the solver's tolerance");
-const SUMMED: (f64, &str) = (1e-6, "the solver's tolerance, summed over the steps");
+const SOLVED: (f64, &str) = (1e-9, "rounding and the tolerance of the solver");
+const SUMMED: (f64, &str) = (1e-6, "the tolerance of the solver, accumulated over the steps");
 /// A gap of rounding, 1e-16 m, closes within a step.
-const RESTS: (f64, &str) = (1e-7, "rounding of the gap, closed within dt");
+const RESTS: (f64, &str) =
+    (1e-7, "the gap has a rounding error of 1e-16 m, which is closed within one step");
 
 /// x of all normal rows of a step's first LCP.
 fn normals(step: &Step) -> Vec<f64> {
@@ -31,7 +32,7 @@ pub(super) fn landing(size: Size) -> Result<Vec<Row>> {
             Method::Velocity => scene.step.dt,
             _ => 0.0,
         };
-        let what = "blow of the ground";
+        let what = "impulse of the ground";
         let known = vec![Known::exact(SOLVED, what, ["m v", "m\\,v"], "N s", 1.0)];
         let one = Case::load("landing", "fig6", size)?;
         rows.extend(
@@ -40,7 +41,7 @@ pub(super) fn landing(size: Size) -> Result<Vec<Row>> {
         let names = ["ground on bottom", "bottom on middle", "middle on top"];
         let blows = names.iter().zip([1.0, 1.0, 0.0]).map(|(name, blow)| {
             let formula = ["(1, 1, 0) m v", "(1, 1, 0)_k\\,m\\,v"];
-            Known::exact(SOLVED, format!("blow, {name}"), formula, "N s", blow)
+            Known::exact(SOLVED, format!("impulse, {name}"), formula, "N s", blow)
         });
         let three = Case::load("landing", "fig7", size)?;
         rows.extend(three.rows(level, blows.collect(), |scene| {
@@ -93,7 +94,7 @@ pub(super) fn incline(size: Size) -> Result<Vec<Row>> {
     let mut rows = Vec::new();
     for level in LEVELS {
         let known =
-            vec![Known::exact(SUMMED, "acceleration down the slope", slides, "m/s²", expected)];
+            vec![Known::exact(SUMMED, "acceleration down the incline", slides, "m/s²", expected)];
         rows.extend(case.rows(level, known, |scene| Some(vec![speed(scene)? / time])));
     }
     rub(&mut case.scene, 1.01 * angle.tan());
@@ -125,7 +126,7 @@ pub(super) fn ladder(size: Size) -> Result<Vec<Row>> {
     ];
     for level in LEVELS {
         let known = vec![
-            Known::exact(SOLVED, "push of the wall", pushes, "N", known_as.push_of_wall(g)),
+            Known::exact(SOLVED, "force of the wall", pushes, "N", known_as.push_of_wall(g)),
             Known::exact(RESTS, "speed after 0.1 s, μ 1 % above critical", ["0", "0"], "m/s", 0.0),
         ];
         rows.extend(case.rows(level, known, |scene| {
@@ -154,7 +155,7 @@ pub(super) fn ladder(size: Size) -> Result<Vec<Row>> {
         _ => f64::NAN,
     };
     for level in LEVELS {
-        let what = "θ'' at the start, μ 0.9 of critical";
+        let what = "initial θ'', μ 10 % below critical";
         let expected = known_as.angular_acceleration(g, mu, moment);
         let known = vec![Known::exact(RESTS, what, turns, "rad/s²", expected)];
         rows.extend(slippery.rows(level, known, |scene| {

@@ -19,7 +19,7 @@ pub(super) fn feedback(size: Size) -> Result<Vec<Row>> {
     let left = |state: &State| state.pose.p.x - 1.0;
     let known = Known::exact(
         ROUNDING,
-        "error of the rod after 10 steps",
+        "length error of the rod after 10 steps",
         ["(1 - beta)^10 c0", "(1 - \\beta)^{10} c_0"],
         "m",
         error * (1.0 - beta).powi(steps),
@@ -33,7 +33,8 @@ pub(super) fn feedback(size: Size) -> Result<Vec<Row>> {
         [(Method::Acceleration, 1.0), (Method::Midpoint, 2.0), (Method::Rk4, 4.0)]
     {
         case.scene.step.dt = if method == Method::Rk4 { 0.005 } else { 0.0025 };
-        let known = Known::order(order, "error of the rod after 0.15 s", formula, "m", decayed);
+        let known =
+            Known::order(order, "length error of the rod after 0.15 s", formula, "m", decayed);
         rows.extend(
             case.rows(method, vec![known], |scene| Some(vec![left(&after(scene, time)?[0])])),
         );
@@ -58,7 +59,7 @@ pub(super) fn spring(size: Size) -> Result<Vec<Row>> {
             let times = passages(scene, (2, 3.0 * period), height)?;
             Some(vec![times[1] - times[0]])
         }));
-        let settled = (1e-9, "what is left of the swing after 8 s with ζ = 1/2: e^(−ζ ω t)");
+        let settled = (1e-9, "the oscillation left after 8 s with ζ = 1/2: e^(−ζ ω t)");
         let damped = Case::load("spring", "spring_damped", size)?;
         let formula = ["m g / k", "m\\,g/k"];
         let known = vec![Known::exact(settled, "deflection at rest", formula, "m", sag)];
@@ -84,7 +85,7 @@ pub(super) fn ellipse(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::of("spring-ellipse", scene, size);
     let quantities = [
         ("x after 0.5 s", ["cos(w t)", "\\cos\\omega t"], "m", libm::cos(omega * time)),
-        ("size of the ellipse", ["1", "1"], "m", 1.0),
+        ("radius of the ellipse (y scaled by 2)", ["1", "1"], "m", 1.0),
         ("energy", ["5/8 k a^2", "\\tfrac58 k a^2"], "J", 10.0),
     ];
     let methods = [
@@ -123,12 +124,18 @@ pub(super) fn motor(size: Size) -> Result<Vec<Row>> {
         let known = vec![
             Known::exact(
                 ROUNDING,
-                "rate after 0.5 s",
+                "angular velocity after 0.5 s",
                 ["T t / I", "\\tau\\,t/I"],
                 "rad/s",
                 effort * 0.5 / inertia,
             ),
-            Known::exact(ROUNDING, "rate after 1 s", ["w_max", "\\omega_{max}"], "rad/s", speed),
+            Known::exact(
+                ROUNDING,
+                "angular velocity after 1 s",
+                ["w_max", "\\omega_{max}"],
+                "rad/s",
+                speed,
+            ),
         ];
         rows.extend(case.rows(level, known, |scene| {
             let rate = |time| Some(last(scene, time)?.states[0].omega.z);

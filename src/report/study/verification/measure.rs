@@ -81,7 +81,7 @@ impl Known {
 }
 
 /// The tolerance of what only rounding spoils.
-pub(super) const ROUNDING: (f64, &str) = (1e-10, "rounding, over all steps");
+pub(super) const ROUNDING: (f64, &str) = (1e-10, "rounding errors, accumulated over all steps");
 
 /// A case with its scene at the longest step.
 pub(super) struct Case {

@@ -7,9 +7,9 @@ use crate::scene::{Scene, Scheme};
 
 const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
 const G: f64 = 9.81;
-const SUMMED: (f64, &str) = (1e-7, "the solver's tolerance, summed over the steps");
+const SUMMED: (f64, &str) = (1e-7, "the tolerance of the solver, accumulated over the steps");
 /// The gap at which a limit counts as met at acceleration level is a part of g dt².
-const MET: (f64, &str) = (1e-6, "the gap that counts as touching");
+const MET: (f64, &str) = (1e-6, "the gap below which a limit counts as reached");
 
 /// A joint's scene, what is known of its motion after a time, and where that is read.
 struct Joint {
@@ -71,7 +71,7 @@ pub(super) fn turning(size: Size) -> Result<Vec<Row>> {
         scene,
         text,
         time,
-        quantity: format!("rate of {scene} after 0.5 s"),
+        quantity: format!("angular velocity after 0.5 s, {scene}"),
         formula,
         unit: "rad/s",
         expected,
@@ -155,7 +155,7 @@ pub(super) fn falling(size: Size) -> Result<Vec<Row>> {
             scene: "limit",
             text: sledge + &stop,
             time: 1.0,
-            quantity: "way to the stop".into(),
+            quantity: "distance at the limit".into(),
             formula: ["s_max", "s_{max}"],
             unit: "m",
             expected: 0.3,
@@ -166,7 +166,7 @@ pub(super) fn falling(size: Size) -> Result<Vec<Row>> {
             scene: "rope",
             text: rope,
             time: 1.0,
-            quantity: "depth on the taut rope".into(),
+            quantity: "depth when the rope is taut".into(),
             formula: ["L", "L"],
             unit: "m",
             expected: 1.0,
@@ -218,7 +218,7 @@ pub(super) fn redundant(size: Size) -> Result<Vec<Row>> {
     let formula = ["the motor's speed", "v_{\\mathrm{motor}}"];
     let mut rows = Vec::new();
     for (scene, text, quantity, unit) in [
-        ("door", &door, "rate about the hinges after 0.5 s", "rad/s"),
+        ("door", &door, "angular velocity about the hinges after 0.5 s", "rad/s"),
         ("sliders", &sliders, "speed along the sliders after 0.5 s", "m/s"),
     ] {
         let mut case = Case::of("redundant-joints", Scene::from_toml(scene, text)?, size);
@@ -251,7 +251,8 @@ pub(super) fn blocked(size: Size) -> Result<Vec<Row>> {
     let mut rows = Vec::new();
     for scheme in Scheme::ALL {
         let formula = ["the motor's speed", "v_{\\mathrm{motor}}"];
-        let known = vec![Known::exact(SUMMED, "speed against the force", formula, "m/s", 2.0)];
+        let known =
+            vec![Known::exact(SUMMED, "speed of the motor against the force", formula, "m/s", 2.0)];
         let run = |scene: &Scene| Some(vec![after(scene, 0.5)?[0].v.x]);
         rows.extend(case.rows(Method::Scheme(scheme), known, run));
     }

@@ -11,8 +11,9 @@ use crate::simulation::Cause;
 pub(super) fn rod(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("painleve", "painleve", size)?;
     let formula = ["d >= 0, A^T d <= 0, b d < 0", "d \\ge 0,\\ A^T d \\le 0,\\ b^T d < 0"];
-    let what = "proofs that no forces exist";
-    let known = vec![Known::exact((0.0, "a proof is exact"), what, formula, "", 1.0)];
+    let what = "number of proofs that no forces exist";
+    let known =
+        vec![Known::exact((0.0, "a proof is exact: it holds or it fails"), what, formula, "", 1.0)];
     let mut rows = case.rows(Method::Acceleration, known, |scene| {
         let failure = start(scene)?.step().err()?;
         let proved = matches!(failure.cause, Cause::NoSolution { proof: Some(_), .. });
@@ -20,7 +21,7 @@ pub(super) fn rod(size: Size) -> Result<Vec<Row>> {
     });
     let formula = ["0", "0"];
     let known =
-        vec![Known::exact(ROUNDING, "speed of the tip into the ground", formula, "m/s", 0.0)];
+        vec![Known::exact(ROUNDING, "speed of the tip toward the ground", formula, "m/s", 0.0)];
     rows.extend(case.rows(Method::Velocity, known, |scene| {
         let step = first(scene)?;
         let solve = step.solves.last()?;

@@ -63,7 +63,7 @@ pub(super) fn tension(size: Size) -> Result<Vec<Row>> {
     state.v = rate * Vector3::new(phi.cos(), 0.0, phi.sin());
     let formula = ["-m (g cos phi + l w^2)", "-m\\,(g\\cos\\varphi + l\\,\\omega^2)"];
     let expected = -(g * phi.cos() + rate * rate);
-    let what = "force of the rod at φ = 0.7, ω = 1.3/s";
+    let what = "force of the rod at φ = 0.7 rad, ω = 1.3 rad/s";
     let mut rows = Vec::new();
     for method in [Method::Acceleration, Method::Rk4] {
         let known = vec![Known::exact(ROUNDING, what, formula, "N", expected)];
@@ -84,7 +84,7 @@ pub(super) fn iftomm(size: Size) -> Result<Vec<Row>> {
     let place = ["sn, cn of t sqrt(g/l), k = sin 45°", "\\mathrm{sn},\\ k = \\sin 45°"];
     let sampled = (
         2.5e-4,
-        "looked at once a step: the greatest may be missed by 3 m g (ω dt/2)²/2, at dt = 0.01 s",
+        "sampled once per step: the largest sample can be below the maximum by 3 m g (ω dt/2)²/2 at dt = 0.01 s",
     );
     let mut rows = Vec::new();
     for (method, _, order) in [METHODS[2], METHODS[3]] {
@@ -93,12 +93,12 @@ pub(super) fn iftomm(size: Size) -> Result<Vec<Row>> {
             Known::order(order, "z after 10 s", place, "m", exact.z),
             Known::order(
                 order,
-                "pull of the rod at 10 s",
+                "tension in the rod at 10 s",
                 ["3 m g cos phi", "3\\,m\\,g\\cos\\varphi"],
                 "N",
                 -3.0 * g * exact.z,
             ),
-            Known::exact(sampled, "greatest pull", ["3 m g", "3\\,m\\,g"], "N", 3.0 * g),
+            Known::exact(sampled, "largest tension", ["3 m g", "3\\,m\\,g"], "N", 3.0 * g),
         ];
         rows.extend(case.rows(method, known, |scene| {
             let mut simulation = super::measure::start(scene)?;
@@ -122,11 +122,12 @@ pub(super) fn conical(size: Size) -> Result<Vec<Row>> {
     case.scene.step.dt = conical.period() / 200.0;
     let pull = ["m g / cos theta", "m\\,g / \\cos\\theta"];
     let round = ["2 pi", "2\\pi"];
-    let known = vec![Known::exact(ROUNDING, "pull of the rod", pull, "N", conical.tension(1.0))];
+    let known = vec![Known::exact(ROUNDING, "tension in the rod", pull, "N", conical.tension(1.0))];
     let pulls = |scene: &crate::scene::Scene| Some(vec![-first(scene)?.solves[0].solution.x[0]]);
     let mut rows = case.rows(Method::Acceleration, known, pulls);
     for (method, order) in [(Method::Midpoint, 2.0), (Method::Rk4, 4.0)] {
-        let known = vec![Known::order(order, "angle swept in 2π √(l cos θ/g)", round, "rad", TAU)];
+        let known =
+            vec![Known::order(order, "angle swept in t = 2π √(l cos θ/g)", round, "rad", TAU)];
         rows.extend(case.rows(method, known, |scene| {
             let p = after(scene, conical.period())?[0].pose.p;
             Some(vec![TAU + p.y.atan2(p.x)])
@@ -144,7 +145,7 @@ pub(super) fn double(size: Size) -> Result<Vec<Row>> {
     let swing = double.after(time, Swing { angles: [FRAC_PI_2; 2], rates: [0.0; 2] });
     let exact = end(swing.angles[0]) + end(swing.angles[1]);
     let formula =
-        ["Lagrange's equations in two angles", "l_1 \\sin\\varphi_1 + l_2 \\sin\\varphi_2"];
+        ["Lagrange's equations for two angles", "l_1 \\sin\\varphi_1 + l_2 \\sin\\varphi_2"];
     let mut rows = Vec::new();
     for (method, _, order) in METHODS {
         case.scene.step.dt = if method == Method::Rk4 { 0.02 } else { 0.0025 };

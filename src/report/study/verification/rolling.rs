@@ -7,7 +7,7 @@ use crate::scene::Scene;
 use crate::scene::catalogue::rolling::{PushedBox, SlidingBall};
 
 const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
-const SUMMED: (f64, &str) = (1e-7, "the solver's tolerance, summed over the steps");
+const SUMMED: (f64, &str) = (1e-7, "the tolerance of the solver, accumulated over the steps");
 
 /// A ball that is thrown without spin slides until it rolls, at 5/7 of its speed.
 pub(super) fn sphere(size: Size) -> Result<Vec<Row>> {
@@ -23,21 +23,21 @@ pub(super) fn sphere(size: Size) -> Result<Vec<Row>> {
         let known = vec![
             Known::exact(
                 SUMMED,
-                "speed when it rolls",
+                "speed when rolling starts",
                 ["5 v0/7", "\\tfrac57 v_0"],
                 "m/s",
                 ball.rolling_speed(),
             ),
             Known::exact(
                 SUMMED,
-                "time until it rolls",
+                "time until rolling starts",
                 ["2 v0 / (7 mu g)", "\\frac{2 v_0}{7\\mu g}"],
                 "s",
                 ball.sliding_time(),
             ),
             Known::order(
                 1.0,
-                "way in 0.5 s",
+                "distance after 0.5 s",
                 [
                     "v0 T - mu g T^2/2 + 5 v0 (t - T)/7",
                     "v_0 T - \\tfrac12\\mu g T^2 + \\tfrac57 v_0 (t - T)",

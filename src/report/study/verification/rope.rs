@@ -10,7 +10,7 @@ use crate::scene::catalogue::capstan::Capstan;
 use crate::scene::generate::Rope;
 
 const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
-const HANGS: (f64, &str) = (1e-9, "rounding, through a chain of rods");
+const HANGS: (f64, &str) = (1e-9, "rounding errors, amplified along the chain of rods");
 
 /// Each rod of a hanging chain pulls with H/cos of its slope.
 pub(super) fn catenary(size: Size) -> Result<Vec<Row>> {
@@ -22,7 +22,7 @@ pub(super) fn catenary(size: Size) -> Result<Vec<Row>> {
     for method in LEVELS {
         let formula = ["H sqrt(1 + s_k^2)", "H\\sqrt{1 + s_k^2}"];
         let known = [0, 3, 5].map(|k: usize| {
-            let what = format!("pull of rod {}", k + 1);
+            let what = format!("tension in rod {}", k + 1);
             Known::exact(HANGS, what, formula, "N", level * slopes[k].hypot(1.0))
         });
         rows.extend(case.rows(method, known.into(), |scene| {
@@ -83,14 +83,14 @@ pub(super) fn massive_pulley(size: Size) -> Result<Vec<Row>> {
             Known::exact(ROUNDING, "acceleration of the heavier weight", formula, "m/s²", a),
             Known::exact(
                 ROUNDING,
-                "tension over the heavier weight",
+                "tension above the heavier weight",
                 ["m1 (g - a)", "m_1\\,(g - a)"],
                 "N",
                 m1 * (g - a),
             ),
             Known::exact(
                 ROUNDING,
-                "tension over the lighter weight",
+                "tension above the lighter weight",
                 ["m2 (g + a)", "m_2\\,(g + a)"],
                 "N",
                 m2 * (g + a),
@@ -123,17 +123,17 @@ fn wound(case: &Case, post: Capstan) -> Vec<Row> {
     let weak = case.scene.bodies[1].force.norm();
     let [holds, slides] = [0.99, 1.01].map(|part: f64| part * post.ratio() * weak);
     let ratio = [
-        "0, as T2 < T1 ((1 + mu tan(d/2)) / (1 - mu tan(d/2)))^n",
-        "0 \\text{ as } T_2 < T_1 \\left(\\frac{1 + \\mu\\tan\\frac{\\delta}{2}}{1 - \
+        "0, because T2 < T1 ((1 + mu tan(d/2)) / (1 - mu tan(d/2)))^n",
+        "0 \\text{ because } T_2 < T_1 \\left(\\frac{1 + \\mu\\tan\\frac{\\delta}{2}}{1 - \
          \\mu\\tan\\frac{\\delta}{2}}\\right)^n",
     ];
     let mut rows = Vec::new();
     for method in LEVELS {
         let known = vec![
-            Known::exact(HANGS, "speed, pulled 1 % below the ratio", ratio, "m/s", 0.0),
+            Known::exact(HANGS, "speed, pulled with 1 % less than the limit", ratio, "m/s", 0.0),
             Known::exact(
                 HANGS,
-                "acceleration, pulled 1 % above it",
+                "acceleration, pulled with 1 % more than the limit",
                 ["(T2 - r^n T1) / m K", "\\frac{T_2 - r^n T_1}{m K}"],
                 "m/s²",
                 post.acceleration(weak, slides),

@@ -69,7 +69,7 @@ pub(super) fn top(size: Size) -> Result<Vec<Row>> {
     let bears = ["m sqrt(g^2 + (W^2 l sin theta)^2)", "m\\sqrt{g^2 + (\\Omega^2 l\\sin\\theta)^2}"];
     let about = ["(m g l/W + I1 W cos theta)/I3", "(m g l/\\Omega + I_1\\Omega\\cos\\theta)/I_3"];
     let known = vec![
-        Known::exact(ROUNDING, "spin about the axis", about, "rad/s", spin),
+        Known::exact(ROUNDING, "angular velocity about the axis", about, "rad/s", spin),
         Known::exact(ROUNDING, "force of the pivot", bears, "N", top.load(precession)),
     ];
     let mut rows = case.rows(Method::Acceleration, known, |scene| {
@@ -78,7 +78,7 @@ pub(super) fn top(size: Size) -> Result<Vec<Row>> {
     });
     let swept = ["W t", "\\Omega\\,t"];
     for (method, order) in [(Method::Velocity, 1.0), (Method::Midpoint, 2.0), (Method::Rk4, 4.0)] {
-        let what = "angle swept in a quarter of 2π/Ω";
+        let what = "angle swept in t = π/(2Ω)";
         let known = vec![Known::order(order, what, swept, "rad", FRAC_PI_2)];
         rows.extend(case.rows(method, known, |scene| {
             let p = after(scene, time)?[0].pose.p;

@@ -18,7 +18,8 @@ const BOUNCING: [(Scheme, f64); 5] = [
     (Scheme::Soft, 1e-3),
 ];
 /// XPBD divides differences of positions by a substep.
-const SUMMED: (f64, &str) = (1e-9, "rounding of differences over substeps, summed");
+const SUMMED: (f64, &str) =
+    (1e-9, "rounding errors of position differences divided by the substep, accumulated");
 
 /// The brick that turns over, for ten seconds: the midpoint rule keeps its angular momentum and
 /// energy.
@@ -55,10 +56,10 @@ pub(super) fn free_body(size: Size) -> Result<Vec<Row>> {
 pub(super) fn lean(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("top-lean", "top", size)?;
     (case.scene.step.dt, case.scene.step.baumgarte) = (0.002, 0.2);
-    let half_a_degree = (0.5 / 30.0, "half a degree, at 2 ms and below");
+    let half_a_degree = (0.5 / 30.0, "half a degree, with steps of at most 2 ms");
     let mut rows = Vec::new();
     for scheme in [Scheme::Velocity, Scheme::SequentialImpulses] {
-        let what = "lean after 5 s";
+        let what = "tilt after 5 s";
         let known = vec![Known::exact(half_a_degree, what, ["theta", "\\theta"], "°", 30.0)];
         rows.extend(case.rows(Method::Scheme(scheme), known, |scene| {
             let state = last(scene, 5.0)?.states[0];
@@ -81,16 +82,21 @@ pub(super) fn long_pendulum(size: Size) -> Result<Vec<Row>> {
     case.scene.states[0].pose.p = nalgebra::Vector3::new(angle.sin(), 0.0, -angle.cos());
     let height = 1.0 - angle.cos();
     let energy = case.scene.bodies[0].mass.mass() * -case.scene.gravity.z * height;
-    let near = (0.01, "feedback of the rod's stretch, over a minute");
-    let stretched = (1e-3, "what feedback leaves of the rod's stretch");
+    let near = (0.01, "position stabilization of the rod, over a minute");
+    let stretched = (1e-3, "the stretch of the rod that stabilization leaves");
     let (what, formula) =
         ("energy after a minute", ["m g l (1 - cos 170)", "m g l (1 - \\cos 170°)"]);
     let kept = || Known::exact(near, what, formula, "J", energy);
-    let length = |known| Known::exact(known, "length after a minute", ["l", "l"], "m", 1.0);
-    let on_circle = (1e-12, "the bob is moved onto its circle");
+    let length =
+        |known| Known::exact(known, "length of the rod after a minute", ["l", "l"], "m", 1.0);
+    let on_circle = (1e-12, "the bob is projected onto its circle");
     let mut rows = Vec::new();
     let cases = [
-        (Method::Rk4, Some(Known::order(4.0, what, formula, "J", energy)), (1e-8, "Kutta's order")),
+        (
+            Method::Rk4,
+            Some(Known::order(4.0, what, formula, "J", energy)),
+            (1e-8, "the order of the Runge-Kutta method"),
+        ),
         (Method::Midpoint, Some(Known::order(2.0, what, formula, "J", energy)), stretched),
         (Method::Scheme(Scheme::Velocity), Some(kept()), stretched),
         (Method::Scheme(Scheme::SequentialImpulses), Some(kept()), stretched),
@@ -137,9 +143,9 @@ pub(super) fn long_stack(scheme: Scheme, model: Model, size: Size) -> Result<Vec
     let start = case.scene.states.clone();
     let stands = match scheme {
         Scheme::Xpbd | Scheme::Soft | Scheme::SequentialImpulses => {
-            (0.05, "sweeps leave some of each step: the stack stands, within a twentieth of a box")
+            (0.05, "the sweeps do not converge in a step; the stack must stay within 1/20 of a box")
         }
-        _ => (1e-6, "what a contact leaves open"),
+        _ => (1e-6, "the gap that a contact keeps at rest"),
     };
     let gravity = -case.scene.gravity.z;
     let (sinks, formula, near) = match scheme {
@@ -147,7 +153,7 @@ pub(super) fn long_stack(scheme: Scheme, model: Model, size: Size) -> Result<Vec
         Scheme::Penalty => (
             55.0 * gravity / (4.0 * case.scene.step.penalty.stiffness),
             ["55 m g / (4 k)", r"\frac{55\,m g}{4 k}"],
-            (1e-6, "where it swings to in the end"),
+            (1e-6, "the equilibrium after the oscillation has decayed"),
         ),
         // A corner is a spring of ω²/a, and a = J M⁻¹ Jᵀ is 4/m on the ground and 8/m between two
         // boxes: contact j from the top sinks by j m g / (4 ω² m / 8), the lowest one by half of
@@ -155,19 +161,19 @@ pub(super) fn long_stack(scheme: Scheme, model: Model, size: Size) -> Result<Vec
         Scheme::Soft => (
             100.0 * gravity / (std::f64::consts::TAU * case.scene.step.soft.contact_hertz).powi(2),
             ["100 g / ω^2", r"\frac{100\,g}{\omega^2}"],
-            (0.01, "springs far below their frequency"),
+            (0.01, "the static deflection of the springs"),
         ),
         _ => (0.0, ["0", "0"], stands),
     };
     let known = vec![
         Known::exact(
             stands,
-            format!("farthest way aside in a minute, {model}"),
+            format!("largest sideways displacement in a minute, {model}"),
             ["0", "0"],
             "m",
             0.0,
         ),
-        Known::exact(near, format!("how far the top box sinks, {model}"), formula, "m", sinks),
+        Known::exact(near, format!("sinking of the top box, {model}"), formula, "m", sinks),
     ];
     Ok(case.rows(Method::Scheme(scheme), known, |scene| {
         let states = after(scene, 60.0)?;
@@ -189,8 +195,8 @@ pub(super) fn rest(size: Size) -> Result<Vec<Row>> {
     let end = drop.time_of(1) * (1.0 + e) / (1.0 - e) + 1.0;
     let mut rows = Vec::new();
     for (scheme, sinking) in BOUNCING {
-        let found = (0.1, "the blow is found to within a substep");
-        let lies = (sinking, "what a contact sinks in or leaves open");
+        let found = (0.1, "the time of impact is known only to within a substep");
+        let lies = (sinking, "the penetration or gap that a contact keeps at rest");
         let (what, formula, height) =
             ("height after one bounce", ["e^2 h", "e^2 h"], drop.height_after(1));
         let known = vec![

@@ -7,8 +7,9 @@ use crate::scene::Scene;
 
 const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
 const G: f64 = 9.81;
-const SUMMED: (f64, &str) = (1e-6, "the solver's tolerance, summed over the steps");
-const OF_CONES: (f64, &str) = (1e-4, "the tolerance of solvers for cones, summed over the steps");
+const SUMMED: (f64, &str) = (1e-6, "the tolerance of the solver, accumulated over the steps");
+const OF_CONES: (f64, &str) =
+    (1e-4, "the tolerance of the cone solver, accumulated over the steps");
 
 /// A ground and a block of 2 kg on it, μ_s = 0.5 and μ = 0.3, with these fields.
 fn block(name: &str, ground: &str, block: &str) -> Result<Scene> {
@@ -61,8 +62,13 @@ pub(super) fn table(size: Size) -> Result<Vec<Row>> {
         Ok::<_, crate::error::Error>(Case::of("shaking-table", scene, size))
     };
     let slip = "slip after two periods, A ω² 1 % below μ_s g";
-    let known =
-        vec![Known::exact((1e-6, "thresholds of static friction"), slip, ["0", "0"], "m", 0.0)];
+    let known = vec![Known::exact(
+        (1e-6, "the velocity threshold of static friction"),
+        slip,
+        ["0", "0"],
+        "m",
+        0.0,
+    )];
     let mut rows = shaken(0.99)?.rows(Method::Velocity, known, |scene| {
         let states = after(scene, 4.0 * std::f64::consts::PI / omega)?;
         let start = scene.states[1].pose.p.x - scene.states[0].pose.p.x;
@@ -100,7 +106,7 @@ pub(super) fn sine(size: Size) -> Result<Vec<Row>> {
     ];
     let mut rows = Vec::new();
     for (method, order) in methods {
-        let mut known = vec![Known::order(order, "way after 1 s", of_way, "m", way)];
+        let mut known = vec![Known::order(order, "distance after 1 s", of_way, "m", way)];
         if LEVELS.contains(&method) {
             known.push(Known::exact(ROUNDING, "speed after 1 s", of_speed, "m/s", speed));
         }

@@ -15,9 +15,9 @@ pub fn answer(comparison: &Comparison) -> String {
         return "None of the named solvers supports this scene.".into();
     }
     let lead = format!(
-        "Measured over {steps} steps: whether every answer is accepted and gaps and joints stay closed \
-         to {} m, for each solver; energy, momentum, restitution and friction, for the solver with \
-         the most accepted answers.",
+        "Measured over {steps} steps. For each solver: whether every answer is accepted, and whether gaps \
+         and joints stay closed to within {} m. For the solver with the most accepted answers: energy, \
+         momentum, restitution and friction.",
         readable(HELD * thinnest, DIGITS)
     );
     let of_scheme = runs.chunk_by(|a, b| a.scheme == b.scheme);
@@ -101,19 +101,19 @@ fn laws(run: &Run) -> Vec<String> {
 fn energy(run: &Run) -> String {
     let [end, most] =
         [run.energy_at_end(), run.energy_change()].map(|change| joules(change, run.laws.kinetic));
-    let change = format!("energy {end} J at the end, {most} J on the way");
+    let change = format!("energy change {end} J at the end, at most {most} J");
     let due = match (run.laws.energy, keeps_energy(run)) {
-        (Energy::Stays, true) => return format!("{change}, kept"),
+        (Energy::Stays, true) => return format!("{change}, conserved"),
         (_, true) => return change,
-        (Energy::Stays, false) => "where nothing may be lost or gained",
-        (_, false) => "where nothing may add to it",
+        (Energy::Stays, false) => "although the scene conserves energy",
+        (_, false) => "although nothing adds energy",
     };
     match &run.laws.account {
         Some((account, part)) => {
             let part = joules(*part, run.laws.kinetic);
-            format!("{change}, {due}; most of it is in the account {account}, {part} J")
+            format!("{change}, {due}; the largest part is due to {account} ({part} J)")
         }
-        None => format!("{change}, {due}; {} keeps no ledger of it", run.scheme),
+        None => format!("{change}, {due}; the scheme {} records no energy ledger", run.scheme),
     }
 }
 
@@ -135,11 +135,14 @@ fn levels_in_words(levels: &Levels, thinnest: f64) -> String {
     let mut says = Vec::new();
     if let [first, .., last] = &levels.levels[..] {
         let apart = length(levels.apart);
-        says.push(format!("{} and {} end {apart} apart.", first.scheme, last.scheme));
+        says.push(format!(
+            "The final positions under {} and {} differ by {apart}.",
+            first.scheme, last.scheme
+        ));
     }
     let own = |level: &Level| format!("{} at {}", length(level.halved), level.scheme);
     let own = levels.levels.iter().map(own).collect::<Vec<_>>();
-    says.push(format!("Half the step moves the end by {}.", own.join(", by ")));
+    says.push(format!("Half the step changes the final positions by {}.", own.join(", by ")));
     says.extend(Phase::ALL.into_iter().filter_map(|phase| phase_in_words(levels, phase)));
     says.join(" ")
 }
@@ -160,5 +163,5 @@ fn phase_in_words(levels: &Levels, phase: Phase) -> Option<String> {
     let is_off = errors.iter().any(|(_, error)| *error > EXACT);
     let of = if is_off { format!(" {}", phase.of()) } else { String::new() };
     let own = errors.iter().map(own).collect::<Vec<_>>();
-    Some(format!("Where bodies {}, {}{of}.", phase.verb(), own.join(", ")))
+    Some(format!("When bodies {}, {}{of}.", phase.verb(), own.join(", ")))
 }

@@ -171,11 +171,11 @@ pub fn table(comparison: &Comparison) -> Table {
         Column::numbers("accepted", ""),
         Column::numbers("iterations", "a problem"),
         Column::numbers("worst residual", ""),
-        Column::numbers("energy at the end", "J"),
-        Column::numbers("on the way", "J"),
+        Column::numbers("energy change at the end", "J"),
+        Column::numbers("largest change", "J"),
         Column::numbers("drift", "m"),
         Column::numbers("penetration", "m"),
-        Column::numbers("carried", "% of the weight"),
+        Column::numbers("supported", "% of the weight"),
     ];
     let left_out = &comparison.left_out;
     let trouble = !left_out.is_empty() || comparison.runs.iter().any(|run| run.trouble.is_some());
@@ -199,8 +199,8 @@ pub fn table(comparison: &Comparison) -> Table {
         title: format!("{scene}: {steps} steps of {dt} s"),
         how_to_read: "*claims*: problems that the solver reports as solved. *accepted*: answers that the judge \
          accepts. *worst residual*: the largest scaled residual over all problems, claimed or not; – if there \
-         was none. *energy at the end* and *on the way*: its change since the start, at the end and at most. \
-         *carried*: the fraction of the weight that contacts, joints and springs support during the run; 100 % \
+         was none. *energy change at the end* and *largest change*: relative to the energy at the start. \
+         *supported*: the fraction of the weight that contacts, joints and springs support during the run; 100 % \
          at rest, 0 in free fall."
             .into(),
         columns,
@@ -304,9 +304,10 @@ fn motion_figure(comparison: &Comparison) -> Lines {
     Lines {
         id: format!("motion_{}", stem(&comparison.scene)),
         title: format!("{}: energy and errors", comparison.title),
-        caption: "Solvers whose motions agree to a thousandth of the largest energy change and of \
-                  the largest error share a curve; what then differs is the level."
-            .into(),
+        caption:
+            "Solvers share a curve if their motions agree to within a thousandth of the largest \
+                  energy change and of the largest error; then only the level makes a difference."
+                .into(),
         x: Axis::linear("time", "s"),
         panels,
     }

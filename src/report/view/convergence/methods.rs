@@ -107,9 +107,9 @@ fn by_iteration(progress: &Progress) -> Lines {
         id: id(&progress.problem, "iterations"),
         title: format!("{}: residual by iteration", progress.problem),
         caption: format!(
-            "{} rows; ω of SOR is {}. Second-order methods converge within a few steps once they are near. \
-             Sweeps remove the rough part of the error at once and then slow down: what is left is smooth, \
-             and a row sees its neighbors only.",
+            "{} rows; SOR uses ω = {}. Second-order methods converge within a few steps once they are near \
+             the solution. Sweeps remove the oscillating part of the error quickly and then slow down: the \
+             remaining error is smooth, and a row is coupled only to its neighbors.",
             count(progress.rows),
             readable(progress.omega, 3)
         ),

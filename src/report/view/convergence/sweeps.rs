@@ -85,7 +85,7 @@ fn figure(study: &Rates) -> Lines {
         id: format!("convergence_{}", stem(&study.scene)),
         title: format!("{} ({rows} rows)", study.title),
         caption: format!(
-            "{kind} Dashed grey: the predicted slopes, set at the middle of each curve. Dantzig \
+            "{kind} Dashed gray: the predicted slopes, set at the middle of each curve. Dantzig \
              pivoting needs {} pivots for the same problem.",
             study.pivots
         ),

@@ -22,7 +22,7 @@ pub(super) fn show(findings: &[&Account], document: &mut Document) {
     );
     document.equation(
         "\\Delta E = \\sum_{\\text{rows}} \\tfrac12 x_i (J u + J u^+)_i + \\Delta E_{\\text{integrator}} \
-         + \\dots, \\qquad \\text{remainder} = \\Delta E - \\textstyle\\sum \\text{accounts}",
+         + \\dots, \\qquad \\text{remainder} = \\Delta E - \\textstyle\\sum \\text{causes}",
         "ledger of a step",
     );
     for finding in findings {
@@ -84,8 +84,8 @@ fn figure(finding: &Account) -> Lines {
         title: finding.run.title.clone(),
         caption: match finding.remainder {
             Some(remainder) => format!(
-                "Above: the energy. Below: the cause of its change; gains are positive. The \
-                 sum of the accounts is the change in the panel above, to {} J.",
+                "Above: the energy. Below: the causes of its change; gains are positive. The \
+                 causes add up to the change in the panel above, to within {} J.",
                 readable(remainder, 2)
             ),
             None => "The energy. Its causes are not shown, because this scheme does not record the forces."
@@ -133,7 +133,7 @@ fn table(findings: &[&Account]) -> Table {
     Table {
         title: "The ledger of each run".into(),
         how_to_read: "*change*: the change of kinetic plus potential energy over the run, which is the sum of \
-         the accounts. *remainder*: the largest deviation from this sum at any time. *energy moved*: the \
+         its causes. *remainder*: the largest deviation from this sum at any time. *energy moved*: the \
          largest kinetic energy or change of potential energy. *ledger*: balances if the remainder is a \
          rounding error of the energies from which it was computed. *not accounted*: this scheme does not \
          record the forces."

@@ -22,7 +22,7 @@ pub(super) fn show(findings: &[&Finding], document: &mut Document) {
         }
     }
     document.table("order", table(findings));
-    document.aside("Why these orders", reasons(findings));
+    document.aside("Reasons for the derived orders", reasons(findings));
 }
 
 pub(super) fn outcome(findings: &[&Finding]) -> Outcome {
@@ -75,8 +75,8 @@ fn figure(finding: &Finding, quantity: &str) -> Lines {
     Lines {
         id: format!("order_{}_{}", finding.problem.scene(), quantity.replace(' ', "_")),
         title: format!("{}: error of the {quantity}", what(finding.problem)),
-        caption: "Grey lines have the slope of their order. Methods whose error is rounding at every \
-                  step are not drawn; the table has them. Curves of the same error lie on each other."
+        caption: "Gray lines have the slope of the derived order. Methods whose error is a rounding error at \
+                  every step are listed only in the table. Curves with equal errors coincide."
             .into(),
         x: Axis::log("step dt", "s"),
         panels: vec![Panel {

@@ -19,7 +19,7 @@ const PARTS: usize = 8;
 const MORE: usize = 4;
 
 /// The run without a change.
-const AS_IT_IS: &str = "as it is";
+const UNCHANGED: &str = "unchanged";
 
 /// The remedy of a start that is worse than none.
 const COLD: &str = "cold start in every step";
@@ -37,7 +37,7 @@ pub(super) fn reliefs(
         off: apart(&end.states, exact),
         iterations: end.iterations * parts as f64,
     };
-    let mut all = vec![relief(AS_IT_IS.into(), own, 1)];
+    let mut all = vec![relief(UNCHANGED.into(), own, 1)];
     for change in changes(scene) {
         let end = end_of(&change.scene, count * change.parts)?;
         all.push(relief(change.what, &end, change.parts));
@@ -100,7 +100,7 @@ impl Examination {
     /// without it.
     pub(super) fn clear_the_start(&mut self) {
         let of = |what: &str| self.reliefs.iter().find(|relief| relief.what == what);
-        let (Some(own), Some(cold)) = (of(AS_IT_IS), of(COLD)) else { return };
+        let (Some(own), Some(cold)) = (of(UNCHANGED), of(COLD)) else { return };
         let helps = cold.missing < 0.5 * own.missing;
         let Some(found) = self.shortfall.as_mut().filter(|_| !helps) else { return };
         let before = found.causes.len();

@@ -40,8 +40,8 @@ fn open(because: &str) -> Expected {
     Expected::Open { because: because.into() }
 }
 
-const KICK: &str = "a change of velocity, then a move with the new velocity: the error from the parabola is g \
- t h/2";
+const KICK: &str =
+    "the position changes with the velocity at the end of the step: the error is g t h/2";
 const SPRING: &str =
     "the extension of a spring is its load divided by its stiffness, for any time step";
 const SWEPT: &str = "the number of sweeps is fixed, so it does not converge";
@@ -78,13 +78,14 @@ fn of_pendulum(quantity: &str, family: Scheme) -> Expected {
             exact("the rod is corrected along its own direction, in which its length is linear")
         }
         ("length of the rod", Penalty) => order(0.0, SPRING),
-        (_, Soft) => open("its springs get stiffer as the step gets shorter, up to 60 Hz"),
+        (_, Soft) => open("its springs become stiffer as the step becomes shorter, up to 60 Hz"),
         (_, Penalty) => {
             open("first order, down to the error of its springs, which does not decrease")
         }
-        ("length of the rod", _) => {
-            order(1.0, "each step leaves the circle along its tangent, by (v dt)²/2l")
-        }
+        ("length of the rod", _) => order(
+            1.0,
+            "each step moves along the tangent of the circle, so the length grows by (v dt)²/2l",
+        ),
         _ => order(1.0, "semi-implicit Euler, of first order"),
     }
 }
@@ -94,13 +95,13 @@ fn of_bounce(family: Scheme, euler: bool) -> Expected {
     match family {
         Velocity | SplitImpulse | GaussSeidel | SequentialImpulses => order(
             1.0,
-            "a fall of whole steps, with the velocity of half a step too much at its end",
+            "the fall lasts a whole number of steps, and the velocity at its end is too large by g dt/2",
         ),
         Acceleration if !euler => exact("the ball touches the ground at the end of a step"),
         Scheme::Penalty => order(0.0, "the damping determines the bounce; e is not used"),
         _ => open(
-            "it bounces from below the ground, at a fraction of a step that is not a smooth function of \
-         dt",
+            "the bounce occurs below the ground, at a fraction of a step that is not a smooth function \
+         of dt",
         ),
     }
 }

@@ -38,9 +38,9 @@ impl Problem {
     pub(super) fn quantities(self) -> &'static [(&'static str, &'static str)] {
         match self {
             Problem::Fall => &[("height", "m")],
-            Problem::Swing => &[("place", "m"), ("energy", "J"), ("length of the rod", "m")],
+            Problem::Swing => &[("position", "m"), ("energy", "J"), ("length of the rod", "m")],
             Problem::Bounce => &[("height after a bounce", "m")],
-            Problem::Slide => &[("way", "m")],
+            Problem::Slide => &[("distance", "m")],
         }
     }
 
