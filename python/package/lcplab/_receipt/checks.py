@@ -69,6 +69,8 @@ def _of_mujoco(model: Any, data: Any, before: State | None) -> tuple[Step, Repor
             raise TypeError("data has several worlds: use receipts([(model, data)]), which checks all of them")
         return of_world(model, data, 0)
     step = mujoco.read(model, data)
+    if finite.of_step(step):
+        return step, Report()
     broken = mujoco_state.not_finite(data, step, before)
     if broken:
         return step, Report([broken], [finite.REST])

@@ -212,9 +212,9 @@ def _passive(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Rep
     return Report([_force(what, model, data, step, data.qfrc_passive - spring - damper, FIRST)])
 
 
-def _has_any(model: Any, *names: str) -> bool:
+def _has_any(owner: Any, *names: str) -> bool:
     """Whether one of these arrays, as far as this version has them, has an entry that is not 0."""
-    return any(np.any(getattr(model, name, 0.0)) for name in names)
+    return any(np.any(getattr(owner, name, 0.0)) for name in names)
 
 
 def _linear(coefficients: Any) -> Array | None:
@@ -297,10 +297,10 @@ def _references(model: Any, data: Any, step: Step, motion: Kinematics, qvel: Arr
     own -= bends
     sizes = np.abs(terms).sum(axis=0) + np.abs(bends)
     difference = np.abs(np.array(data.efc_aref[:n]) - own)
-    moving = _with_surface_velocity(data, n)
-    if moving.any():
-        report.not_checked.append("assembly: reference accelerations of contacts with a surface velocity")
-        difference[moving] = 0.0
+    special = _with_own_references(data, n)
+    if special.any():
+        report.not_checked.append("assembly: reference accelerations of contacts with adhesion or a surface velocity")
+        difference[special] = 0.0
     scale = np.maximum(sizes, 1e-6 * max(float(sizes.max(initial=0.0)), step.gravity))
     scale += np.where(equality, motion.rounding(qvel) / REFERENCE, 0.0)
     errors = difference / np.maximum(scale, 1e-300)
@@ -312,14 +312,14 @@ def _references(model: Any, data: Any, step: Step, motion: Kinematics, qvel: Arr
     return report
 
 
-def _with_surface_velocity(data: Any, n: int) -> Flags:
-    """The rows of contacts whose surface moves, which their rates J v do not contain, (n,)."""
-    moving = np.zeros(n, dtype=bool)
+def _with_own_references(data: Any, n: int) -> Flags:
+    """The rows of contacts with adhesion or a surface velocity, which enter their references too, (n,)."""
+    special = np.zeros(n, dtype=bool)
     for number in range(data.ncon):
         contact = data.contact[number]
-        if np.any(getattr(contact, "surfacevel", 0.0)) and contact.efc_address >= 0:
-            moving |= (np.arange(n) >= contact.efc_address) & (data.efc_id[:n] == number)
-    return moving
+        if contact.efc_address >= 0 and _has_any(contact, "adhesion", "surfacevel"):
+            special |= (np.arange(n) >= contact.efc_address) & (data.efc_id[:n] == number)
+    return special
 
 
 def _along(model: Any, data: Any, kinds: Any, qpos: Array, qvel: Array) -> tuple[Array | None, Array | None]:

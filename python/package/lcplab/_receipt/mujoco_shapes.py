@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lcplab._receipt import collision
 from lcplab._receipt import mujoco as reader
@@ -77,13 +78,17 @@ def _body(model: Any, geom: int) -> str:
 
 
 def _pairs(model: Any) -> list[tuple[int, int]]:
-    """Pairs by MuJoCo's documentation, "Collision detection": types, welded bodies, parents, exclusions."""
+    """Pairs by MuJoCo's documentation, "Collision detection": types, welded bodies, parents, exclusions.
+
+    Two bodies that cannot move, such as the world and a mocap body, do not collide.
+    """
     types, affinities = np.asarray(model.geom_contype), np.asarray(model.geom_conaffinity)
     bodies = np.asarray(model.geom_bodyid)
     roots = np.asarray(model.body_weldid)[bodies]
     above = np.asarray(model.body_weldid)[np.asarray(model.body_parentid)[roots]]
     collide = (types[:, None] & affinities) | (affinities[:, None] & types) != 0
-    collide &= roots[:, None] != roots
+    movable = _are_movable(model)[bodies]
+    collide &= (roots[:, None] != roots) & (movable[:, None] | movable)
     if not reader.is_disabled(model, "FILTERPARENT"):
         is_parent = (roots[:, None] == above) | (above[:, None] == roots)
         collide &= ~(is_parent & (roots[:, None] != 0) & (roots != 0))
@@ -93,6 +98,14 @@ def _pairs(model: Any) -> list[tuple[int, int]]:
         # A pair with a negative margin has no contact where it overlaps less.
         collide[one, other] = collide[other, one] = margin >= 0
     return [(int(one), int(other)) for one, other in zip(*np.nonzero(np.triu(collide, 1)))]
+
+
+def _are_movable(model: Any) -> NDArray[np.bool_]:
+    """Whether a body or one of its ancestors has degrees of freedom, (nbody,)."""
+    movable = np.asarray(model.body_dofnum) > 0
+    for body, parent in enumerate(model.body_parentid):
+        movable[body] |= movable[parent]
+    return movable
 
 
 def _contacts(data: Any) -> dict[tuple[int, int], float]:

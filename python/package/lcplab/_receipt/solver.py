@@ -108,6 +108,8 @@ def check(step: Step, bounds: Bounds | str, limit: float) -> Report:
     if broken:
         return Report([broken], [finite.REST])
     report = Report()
+    if len(step) == 0 and step.no_bound:
+        return Report(not_checked=[f"solver and write-back, {step.no_bound}"])
     if len(step) == 0:
         report.add(_free(step))
     elif isinstance(bounds, str):
