@@ -5,8 +5,9 @@
 ...         mujoco.mj_step(model, data)
 ...         lcplab_receipts(model, data, every=10)
 
-A test fails if one of its steps is rejected and the file of ``--lcplab-baseline`` does not list it. The session fails if a
-quantile of the motion error is worse than the baseline's. With ``--lcplab-update`` nothing fails, and the file is written.
+A test fails if one of its steps is rejected and the file of ``--lcplab-baseline`` does not list it. The session fails if no
+step was checked, or a quantile of the motion error is worse than the baseline's. With ``--lcplab-update`` nothing fails, and
+the file is written.
 """
 
 from __future__ import annotations
@@ -117,7 +118,7 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Iterator[None]:
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
-    """Write the baseline and the worst steps; fail if the run is worse than the baseline."""
+    """Write the baseline and the worst steps; fail if no step was checked or the run is worse than the baseline."""
     own = session.config.stash[SESSION]
     if not own.receipts:
         return
@@ -126,7 +127,7 @@ def pytest_sessionfinish(session: pytest.Session) -> None:
         run.save(own.path)
     if own.out is not None:
         run.save_worst(Path(own.out))
-    if run.worse and session.exitstatus == pytest.ExitCode.OK:
+    if (run.worse or run.unchecked) and not own.is_update and session.exitstatus == pytest.ExitCode.OK:
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
 
 

@@ -14,12 +14,13 @@ from lcplab._receipt.runs import receipts
 
 EXAMPLES = """\
 Examples:
-  lcplab receipts frames/                                # all STEM.json with an answer STEM.x.json
+  lcplab receipts frames/                                # all STEM.json, each with its answer STEM.x.json
   lcplab receipts frames/ --baseline known.json --junit receipts.xml --sarif receipts.sarif
   lcplab receipts frames/ --baseline known.json --update
 
-The exit code is 0 if the baseline lists all rejected frames and no quantile of the motion error is worse than the
-baseline's, 1 otherwise, and 2 for invalid input. With --update it is 0 for every valid input."""
+The exit code is 0 if at least one frame was checked, the baseline lists all rejected frames, and no quantile of the
+motion error is worse than the baseline's. It is 1 otherwise, and 2 for invalid input, such as a problem without an
+answer. With --update it is 0 for every valid input."""
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -55,7 +56,7 @@ def main(arguments: Sequence[str]) -> int:
         if options.out:
             run.save_worst(options.out)
     except (InputError, OSError) as error:
-        print(f"error: {error}", file=sys.stderr)
+        print("\n".join(f"error: {line}" for line in str(error).splitlines()), file=sys.stderr)
         return 2
     checked = {name: receipt.to_json() for name, receipt in run.receipts.items()}
     print(json.dumps({"ok": run.ok, **run.to_json(), "receipts": checked}) if options.json else run)

@@ -14,6 +14,8 @@ from lcplab._receipt.step import Array, Row, Rows, Step, Triplets
 
 #: The largest number of rows for which A is written.
 MOST_ROWS = 5_000
+#: The end of the name of an answer's file.
+ANSWER = ".x.json"
 
 
 def problem(step: Step) -> dict[str, Any]:
@@ -82,6 +84,11 @@ def write(step: Step, problem_path: Path, answer_path: Path) -> None:
     answer_path.write_text(json.dumps(answer) + "\n", encoding="utf-8")
 
 
+def answer_of(path: Path) -> Path:
+    """The file with the answer to a problem file: ``STEM.x.json`` for ``STEM.json``."""
+    return path.with_name(f"{path.stem}{ANSWER}")
+
+
 def read(path: Path) -> Step:
     """The step of a problem file and of the answer ``STEM.x.json`` next to it.
 
@@ -90,12 +97,12 @@ def read(path: Path) -> Step:
     InputError
         If a file cannot be read, or has no key ``motion``.
     """
-    object_, answer = _load(path), _load(path.with_name(f"{path.stem}.x.json"))
+    object_, answer = _load(path), _load(answer_of(path))
     motion = object_.get("motion")
     if not isinstance(motion, dict):
         raise InputError(f"{path}: motion: is missing; it states the masses and rows that the check needs")
     if "x" not in answer:
-        raise InputError(f"{path.stem}.x.json: x: is missing")
+        raise InputError(f"{answer_of(path)}: x: is missing")
     try:
         return _step(path, object_, motion, answer)
     except KeyError as error:

@@ -13,7 +13,8 @@ from lcplab._receipt.runs import Run
 def junit(run: Run) -> str:
     """The run as JUnit XML: one test case for each frame; rejected frames that the baseline lists are skipped."""
     new = [name for name in run.rejected if name not in run.known]
-    counts = {"tests": len(run.receipts), "failures": len(new) + bool(run.worse), "skipped": len(run.known)}
+    reasons = [*([run.unchecked] if run.unchecked else []), *run.worse]
+    counts = {"tests": len(run.receipts) + bool(reasons), "failures": len(new) + bool(reasons), "skipped": len(run.known)}
     words = {"name": "lcplab receipts", **{key: str(count) for key, count in counts.items()}}
     suite = ElementTree.Element("testsuite", words)
     for name, receipt in run.receipts.items():
@@ -25,9 +26,9 @@ def junit(run: Run) -> str:
             ElementTree.SubElement(case, "skipped", message="listed in the baseline")
         elif receipt.is_rejected:
             ElementTree.SubElement(case, "failure", message=_message(receipt)).text = str(receipt)
-    if run.worse:
-        case = ElementTree.SubElement(suite, "testcase", classname="lcplab.receipts", name="baseline")
-        ElementTree.SubElement(case, "failure", message=run.worse[0]).text = "\n".join(run.worse)
+    if reasons:
+        case = ElementTree.SubElement(suite, "testcase", classname="lcplab.receipts", name="run")
+        ElementTree.SubElement(case, "failure", message=reasons[0]).text = "\n".join(reasons)
     ElementTree.indent(suite)
     return ElementTree.tostring(suite, encoding="unicode", xml_declaration=True) + "\n"
 

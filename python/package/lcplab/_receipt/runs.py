@@ -36,8 +36,8 @@ class Run:
     Attributes
     ----------
     ok : bool
-        Whether there are frames, the baseline lists all rejected ones, and no quantile of the motion error is worse
-        than the baseline's by more than its spread.
+        Whether some frames were checked, the baseline lists all rejected ones, and no quantile of the motion error is
+        worse than the baseline's by more than its spread.
     receipts : dict of str to Receipt
         By the names of the frames.
     rejected, known, unconverged : list of str
@@ -47,8 +47,12 @@ class Run:
         The number of frames with a motion error above 1e-6, 1e-5, 1e-4 and 1e-3.
     quantiles : dict of str to float
         Of the motion errors.
+    fixed : list of str
+        Frames that the baseline lists as rejected, and that no longer are.
     worse : list of str
         The quantiles that are worse than the baseline's, as sentences.
+    unchecked : str or None
+        Why no frame counts as checked, as a sentence: each has no rows, no bound on the motion, or is unconverged.
     """
 
     def __init__(self, receipts: Mapping[str, Receipt], baseline: Mapping[str, Any] | None = None) -> None:
@@ -63,16 +67,25 @@ class Run:
         self.without_rows = [name for name, receipt in every if receipt.verdict == "no rows"]
         known = set(baseline["rejected"]) if baseline else set()
         self.known = [name for name in self.rejected if name in known]
-        self.mended = sorted(name for name in known - set(self.rejected) if name in self.receipts)
+        self.fixed = sorted(name for name in known - set(self.rejected) if name in self.receipts)
         self.worse = _worse(self.errors, baseline, self._floor()) if baseline else []
+        self.unchecked = self._unchecked()
 
     def _floor(self) -> float:
         return FLOOR * min((receipt.limit for receipt in self.receipts.values()), default=0.0)
 
+    def _unchecked(self) -> str | None:
+        kinds = {"unconverged": self.unconverged, "without a bound on the motion": self.not_checked,
+                 "without rows": self.without_rows}
+        if sum(map(len, kinds.values())) < len(self.receipts):
+            return None
+        counts = ", ".join(f"{len(names)} {kind}" for kind, names in kinds.items() if names)
+        return f"no frame was checked: {counts or 'there are no frames'}"
+
     @property
     def ok(self) -> bool:
-        """Whether the baseline lists all rejected frames, and no quantile is worse than its own."""
-        return bool(self.receipts) and len(self.known) == len(self.rejected) and not self.worse
+        """Whether some frames were checked, the baseline lists all rejected ones, and no quantile is worse than its own."""
+        return self.unchecked is None and len(self.known) == len(self.rejected) and not self.worse
 
     @property
     def worst(self) -> list[str]:
@@ -110,8 +123,8 @@ class Run:
         if self.quantiles:
             lines.append("quantiles " + ", ".join(f"{part}: {value:.1e}" for part, value in self.quantiles.items()))
         lines += [f"rejected at {stage}: {count}" for stage, count in self.stages.items()]
-        lines += self.worse
-        lines += [f"{name} is no longer rejected: record the baseline again" for name in self.mended]
+        lines += [*([self.unchecked] if self.unchecked else []), *self.worse]
+        lines += [f"{name} is no longer rejected: record the baseline again" for name in self.fixed]
         for name in self.worst:
             receipt = self.receipts[name]
             if receipt.is_rejected or receipt.verdict == "unconverged":
@@ -222,10 +235,25 @@ def _read(frames: Iterable[Any], adapter: Adapter | None) -> Iterator[tuple[str,
 
 
 def frame_files(path: Path) -> list[Path]:
-    """The problem files of a folder that have an answer next to them, or the file itself."""
+    """The problem files of a folder, or the file itself.
+
+    Raises
+    ------
+    InputError
+        If a problem of the folder has no answer next to it, or an answer has no problem; one line for each. Files
+        ``receipt.json``, which ``Receipt.save`` writes, are neither.
+    """
     if not path.is_dir():
         return [path]
-    return [file for file in sorted(path.rglob("*.json")) if file.with_name(f"{file.stem}.x.json").exists()]
+    frames = {file for file in path.rglob("*.json") if file.name != "receipt.json"}
+    answers = {file for file in frames if file.name.endswith(files.ANSWER)}
+    problems = {files.answer_of(file): file for file in frames - answers}
+    alone = [f"{problems[own]}: its answer {own.name} is missing" for own in problems.keys() - answers]
+    stems = ((own, own.name.removesuffix(files.ANSWER)) for own in answers - problems.keys())
+    alone += [f"{own}: its problem {stem}.json is missing" for own, stem in stems]
+    if alone:
+        raise InputError("\n".join(sorted(alone)))
+    return sorted(problems.values())
 
 
 def _bounded(waiting: list[tuple[str, Step, Report]], limit: float | None) -> dict[str, Receipt]:

@@ -1,0 +1,96 @@
+"""A run is not ok if it checked nothing, and drops no file in silence."""
+
+import json
+
+import numpy as np
+import pytest
+
+import lcplab
+from lcplab._receipt import command
+from lcplab._receipt.junit import junit
+
+#: 2 kg fall at 3 m/s on a row of compliance 1/2: x = 3 N s, v = -1.5 m/s.
+GOOD = lcplab.EngineStep.of("mine", [[2.0]], [[1.0]], [0.0], [-3.0], [3.0], [-1.5], compliance=0.5)
+FREE = lcplab.EngineStep.of("mine", [[2.0]], np.zeros((0, 1)), [], [-3.0], [], [-3.0])
+CAPPED = lcplab.EngineStep.of(
+    "mine", [[2.0]], [[1.0]], [0.0], [-3.0], [2.0], [-2.0], compliance=0.5, method="pgs", iterations=9, has_converged=False,
+)
+#: A law of friction without a bound on the motion: the ball neither touches nor slips.
+COULOMB = lcplab.EngineStep.of(
+    "mine", np.eye(2), np.eye(2), [0.0, 0.0], [1.0, 0.0], [0.0, 0.0], [1.0, 0.0], lo=[0.0, -np.inf],
+    friction_index=[-1, 0], mu=0.5, model="coulomb-cone",
+)
+
+
+@pytest.mark.parametrize(
+    ("steps", "why"),
+    [
+        ([], "there are no frames"),
+        ([FREE, FREE], "2 without rows"),
+        ([CAPPED], "1 unconverged"),
+        ([COULOMB], "1 without a bound on the motion"),
+        ([CAPPED, FREE, COULOMB], "1 unconverged, 1 without a bound on the motion, 1 without rows"),
+    ],
+)
+def test_a_run_that_checked_no_frame_is_not_ok_and_says_why(steps, why):
+    run = lcplab.receipts(steps)
+    assert not run.ok and run.unchecked == f"no frame was checked: {why}"
+    assert run.unchecked in str(run) and str(run).startswith("not ok")
+    assert 'failures="1"' in junit(run) and why in junit(run)
+
+
+def test_one_checked_frame_is_enough():
+    run = lcplab.receipts([CAPPED, FREE, GOOD])
+    assert run.ok and run.unchecked is None
+
+
+def test_a_frame_that_is_no_longer_rejected_is_named():
+    wrong = lcplab.EngineStep.of("mine", [[2.0]], [[1.0]], [0.0], [-3.0], [2.0], [-2.0], compliance=0.5)
+    run = lcplab.receipts([GOOD, GOOD], baseline=lcplab.receipts([GOOD, wrong]).to_json())
+    assert run.fixed == ["mine 1"] and "mine 1 is no longer rejected" in str(run)
+
+
+def test_the_command_fails_if_it_checked_no_frame(tmp_path, capsys):
+    lcplab.receipt(CAPPED).write(tmp_path / "a.json", tmp_path / "a.x.json")
+    assert command.main([str(tmp_path)]) == 1
+    assert "no frame was checked: 1 unconverged" in capsys.readouterr().out
+
+
+def test_files_without_a_partner_are_named_and_are_invalid_input(tmp_path, capsys):
+    for stem in ("a", "b", "c"):
+        lcplab.receipt(GOOD).write(tmp_path / f"{stem}.json", tmp_path / f"{stem}.x.json")
+    (tmp_path / "b.x.json").unlink()
+    (tmp_path / "c.json").unlink()
+    assert command.main([str(tmp_path)]) == 2
+    lines = capsys.readouterr().err.splitlines()
+    assert len(lines) == 2
+    assert lines[0].endswith("b.json: its answer b.x.json is missing")
+    assert lines[1].endswith("c.x.json: its problem c.json is missing")
+
+
+def test_the_folders_of_the_worst_frames_can_be_checked_again(tmp_path):
+    wrong = lcplab.EngineStep.of("mine", [[2.0]], [[1.0]], [0.0], [-3.0], [2.0], [-2.0], compliance=0.5)
+    lcplab.receipts([wrong]).save_worst(tmp_path)
+    assert command.main([str(tmp_path)]) == 1
+
+
+def test_a_session_that_checked_no_step_fails(pytester):
+    pytester.makepyfile("""
+        import lcplab
+
+        def test_capped(lcplab_receipts):
+            lcplab_receipts(lcplab.EngineStep.of(
+                "mine", [[2.0]], [[1.0]], [0.0], [-3.0], [2.0], [-2.0], compliance=0.5, method="pgs", iterations=9,
+                has_converged=False))
+    """)
+    result = pytester.runpytest()
+    result.assert_outcomes(passed=1)
+    assert result.ret == 1
+    result.stdout.fnmatch_lines(["*no frame was checked: 1 unconverged*"])
+    assert pytester.runpytest("--lcplab-baseline", "b.json", "--lcplab-update").ret == 0
+
+
+def test_a_run_is_valid_json(tmp_path):
+    broken = lcplab.EngineStep.of("mine", [[2.0]], [[1.0]], [0.0], [-3.0], [np.nan], [-2.0], compliance=0.5)
+    lcplab.receipts([broken, GOOD]).save(tmp_path / "known.json")
+    assert json.loads((tmp_path / "known.json").read_text())["rejected"] == {"mine 0": "solver"}
