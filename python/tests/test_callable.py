@@ -250,3 +250,14 @@ def test_ctrl_c_stops_a_hunt():
     process.send_signal(signal.SIGINT)
     out, _ = process.communicate(timeout=60)
     assert out == "stopped\n" and process.returncode == 0
+
+
+@pytest.mark.parametrize(
+    "function", [lambda: None, lambda A, b: b, lambda A, b, lo, hi: b, lambda A, b, lo, hi, *, sweeps, **settings: b]
+)
+def test_the_hunt_refuses_a_function_that_cannot_be_called_as_a_solver(function):
+    for search in (lambda f: lcplab.hunt(f, evaluations=10), lambda f: lcplab.hunt("pgs", "ratio", rival=f, evaluations=10)):
+        with pytest.raises(TypeError, match=r"solver: .*\(A, b, lo, hi, tolerance=, max_iterations=.* is no valid call"):
+            search(function)
+    with pytest.raises(TypeError, match="is no valid call"):
+        lcplab.testing.assert_honest(function, evaluations=10)

@@ -142,7 +142,7 @@ def test_after_a_whole_step_of_rk4_its_mean_acceleration_is_named_as_not_checked
     model, data = moving(SCENES["stack RK4"])
     mujoco.mj_step(model, data)
     receipt = lcplab.receipt(model, data)
-    assert receipt.ok and "write-back: the acceleration, which is a mean of RK4's stages" in receipt.not_checked
+    assert receipt.ok and "write-back: the motion, which is a mean of the stages of RK4" in receipt.not_checked
     data.efc_force[:] *= 1.01
     assert lcplab.receipt(model, data).is_rejected
 

@@ -15,11 +15,14 @@ FREE = lcplab.EngineStep.of("mine", [[2.0]], np.zeros((0, 1)), [], [-3.0], [], [
 CAPPED = lcplab.EngineStep.of(
     "mine", [[2.0]], [[1.0]], [0.0], [-3.0], [2.0], [-2.0], compliance=0.5, method="pgs", iterations=9, has_converged=False,
 )
-#: A law of friction without a bound on the motion: the ball neither touches nor slips.
-COULOMB = lcplab.EngineStep.of(
-    "mine", np.eye(2), np.eye(2), [0.0, 0.0], [1.0, 0.0], [0.0, 0.0], [1.0, 0.0], lo=[0.0, -np.inf],
-    friction_index=[-1, 0], mu=0.5, model="coulomb-cone",
-)
+
+
+def coulomb(compliance):
+    """A step without a bound on the motion: the ball neither touches nor slips."""
+    return lcplab.EngineStep.of(
+        "mine", np.eye(2), np.eye(2), [0.0, 0.0], [1.0, 0.0], [0.0, 0.0], [1.0, 0.0], lo=[0.0, -np.inf],
+        friction_index=[-1, 0], mu=0.5, model="coulomb-cone", compliance=compliance,
+    )
 
 
 @pytest.mark.parametrize(
@@ -28,8 +31,8 @@ COULOMB = lcplab.EngineStep.of(
         ([], "there are no frames"),
         ([FREE, FREE], "2 without rows"),
         ([CAPPED], "1 unconverged"),
-        ([COULOMB], "1 without a bound on the motion"),
-        ([CAPPED, FREE, COULOMB], "1 unconverged, 1 without a bound on the motion, 1 without rows"),
+        ([coulomb(0.5)], "1 without any comparison"),
+        ([CAPPED, FREE, coulomb(0.5)], "1 unconverged, 1 without any comparison, 1 without rows"),
     ],
 )
 def test_a_run_that_checked_no_frame_is_not_ok_and_says_why(steps, why):
@@ -42,6 +45,8 @@ def test_a_run_that_checked_no_frame_is_not_ok_and_says_why(steps, why):
 def test_one_checked_frame_is_enough():
     run = lcplab.receipts([CAPPED, FREE, GOOD])
     assert run.ok and run.unchecked is None
+    rigid = lcplab.receipts([coulomb(0.0)])  # its motion is compared with that of its forces
+    assert rigid.ok and "1 without a bound on the motion" in str(rigid)
 
 
 def test_a_frame_that_is_no_longer_rejected_is_named():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import warnings
 from typing import Any
 
@@ -94,6 +95,11 @@ def hunt(
         Problems to start from, of any size; the search shrinks them. A matrix that is semidefinite only up to
         rounding is made exactly definite, with a warning.
 
+    Raises
+    ------
+    TypeError
+        If the solver is a function that cannot be called with A, b, lo, hi and the keywords of :func:`solve`.
+
     Returns
     -------
     Finding or None
@@ -135,6 +141,30 @@ def hunt(
     return Finding(told) if "problem" in told else None
 
 
+def check_signature(solver: Solver | None, *, has_friction: bool) -> None:
+    """Reject a function that cannot be called with the arguments of a solver, which would fail on every problem.
+
+    Raises
+    ------
+    TypeError
+        If ``f(A, b, lo, hi, tolerance=, max_iterations=)`` is no valid call, with ``friction_index=`` and ``mu=`` for
+        problems with friction.
+    """
+    if solver is None or not callable(solver):
+        return
+    try:
+        signature = inspect.signature(solver)
+    except ValueError:  # a function in C may have no signature
+        return
+    names = ["tolerance", "max_iterations", *(["friction_index", "mu"] if has_friction else [])]
+    try:
+        signature.bind(*[None] * 4, **dict.fromkeys(names))
+    except TypeError as error:
+        name = getattr(solver, "__name__", "the solver")
+        call = f"{name}(A, b, lo, hi, {', '.join(f'{name}=' for name in names)})"
+        raise TypeError(f"solver: {call} is no valid call: {error}; a parameter **settings takes all keywords") from error
+
+
 def search(
     solver: Solver,
     measure: str,
@@ -163,5 +193,7 @@ def search(
         "seconds": seconds,
         "friction": friction,
     }
+    for function in (solver, rival):
+        check_signature(function, has_friction=friction != "never")
     given = [] if start is None else [problem._inner for _, problem in named(start)]
     return _lcplab.hunt(solver, rival, quarry, settings, given)

@@ -36,11 +36,18 @@ def receipt(
         velocity of such data are not checked.
     limit : float, optional
         The largest accepted motion error, relative to what the constraints change. The default depends on the kind of
-        solver (``docs/ci.md``).
+        solver and on the engine's own tolerance (``docs/ci.md``).
 
     Returns
     -------
     Receipt
+
+    Raises
+    ------
+    TypeError
+        If no adapter reads this kind of model.
+    ValueError
+        If ``before`` is a view of the data or does not fit the model, or ``limit`` is negative.
 
     Examples
     --------

@@ -75,7 +75,7 @@ def _of_mujoco(model: Any, data: Any, before: State | None) -> tuple[Step, Repor
     if broken:
         return step, Report([broken], [finite.REST])
     if int(model.opt.integrator) == mujoco.RK4 and not kinematics.is_at(model, data, np.array(data.qpos)):
-        step = step.with_motion_of_forces("write-back: the acceleration, which is a mean of RK4's stages")
+        step = step.with_motion_of_forces("which is a mean of the stages of RK4")
     report = mujoco_shapes.check(model, data)
     report.add(_at_state(model, data, step, before))
     report.not_checked += mujoco.never_checked(model, data)

@@ -52,7 +52,7 @@ class Run:
     worse : list of str
         The quantiles that are worse than the baseline's, as sentences.
     unchecked : str or None
-        Why no frame counts as checked, as a sentence: each has no rows, no bound on the motion, or is unconverged.
+        Why no frame counts as checked, as a sentence: each is unconverged, or has no rows, or nothing of it was compared.
     """
 
     def __init__(self, receipts: Mapping[str, Receipt], baseline: Mapping[str, Any] | None = None) -> None:
@@ -75,8 +75,8 @@ class Run:
         return FLOOR * min((receipt.limit for receipt in self.receipts.values()), default=0.0)
 
     def _unchecked(self) -> str | None:
-        kinds = {"unconverged": self.unconverged, "without a bound on the motion": self.not_checked,
-                 "without rows": self.without_rows}
+        without = [name for name in self.not_checked if not self.receipts[name].findings]
+        kinds = {"unconverged": self.unconverged, "without any comparison": without, "without rows": self.without_rows}
         if sum(map(len, kinds.values())) < len(self.receipts):
             return None
         counts = ", ".join(f"{len(names)} {kind}" for kind, names in kinds.items() if names)
@@ -178,6 +178,11 @@ def receipts(
     Returns
     -------
     Run
+
+    Raises
+    ------
+    InputError
+        If a file is invalid, or a file of a folder has no partner.
 
     Examples
     --------

@@ -150,10 +150,10 @@ class Step:
         given.end()
         return step.with_motion_of_forces() if motion is None else step
 
-    def with_motion_of_forces(self, part: str = "write-back: the motion, which the engine does not report") -> Step:
-        """The same step with the motion that its forces cause, for an engine that does not report its motion."""
+    def with_motion_of_forces(self, why: str = "which the engine does not report") -> Step:
+        """The same step with the motion that its forces cause instead of the engine's, which is then not checked."""
         change = np.linalg.solve(self.dense_mass(), self.push(self.forces)) if len(self.target) else 0.0
-        return replace(self, motion=self.target + change, not_checked=[*self.not_checked, part])
+        return replace(self, motion=self.target + change, not_checked=[*self.not_checked, f"write-back: the motion, {why}"])
 
     def __len__(self) -> int:
         return len(self.bias)
