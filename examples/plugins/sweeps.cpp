@@ -31,12 +31,15 @@ int main() {
         std::vector<double> x(b.size());
         for (int sweep = 0; sweep < 1000; ++sweep)
             for (size_t i = 0; i < x.size(); ++i) {
+                if (A[i * x.size() + i] == 0) continue;  // such a row has no sweep
                 double w = b[i];
                 for (size_t j = 0; j < x.size(); ++j) w += A[i * x.size() + j] * x[j];
                 x[i] = std::clamp(x[i] - w / A[i * x.size() + i], lo[i], hi[i]);
             }
         std::cout << "{\"x\": [";
         for (size_t i = 0; i < x.size(); ++i) std::cout << (i ? ", " : "") << x[i];
-        std::cout << "]}" << std::endl;
+        bool has_sweeps = true;
+        for (size_t i = 0; i < x.size(); ++i) has_sweeps &= A[i * x.size() + i] != 0;
+        std::cout << (has_sweeps ? "]}" : "], \"status\": \"iteration_limit\"}") << std::endl;
     }
 }

@@ -8,7 +8,7 @@ use lcplab_plugin::Plugin;
 use lcplab_problem::friction::{ConeProblem, Law};
 use lcplab_problem::library;
 use lcplab_solver::{Settings, Start, Status, added_cones};
-use lcplab_testing::pushed_mass;
+use lcplab_testing::{contacts, pushed_mass};
 
 use super::{LONG, pushed, solve, start};
 
@@ -28,13 +28,21 @@ fn solves(plugin: &Plugin) {
     assert_eq!(solution.x, [0.5, 0.0]);
 }
 
+/// A row with a_ii = 0 has no sweep: the answer is no claim, and the next one is right again.
+fn claims_nothing_of_a_zero_diagonal(plugin: &Plugin) {
+    let zero = contacts(&[&[2.0, 1.0], &[1.0, 0.0]], &[-1.0, -1.0]);
+    assert_eq!(solve(plugin, &zero).0.status, Status::IterationLimit);
+    assert_eq!(solve(plugin, &pushed()).0.status, Status::Solved);
+}
+
 #[test]
-fn eleven_lines_of_python_are_a_solver() {
+fn thirteen_lines_of_python_are_a_solver() {
     let text = std::fs::read_to_string(example("sweeps.py")).unwrap();
-    assert_eq!(text.lines().count(), 11);
+    assert_eq!(text.lines().count(), 13);
     let plugin = start(&example("sweeps.py"), LONG);
     assert_eq!(plugin.name(), "sweeps");
     solves(&plugin);
+    claims_nothing_of_a_zero_diagonal(&plugin);
 }
 
 #[test]
@@ -49,7 +57,9 @@ fn forty_lines_of_c_plus_plus_are_a_solver() {
         .output()
         .expect("a C++ compiler");
     assert!(compiler.status.success(), "{}", String::from_utf8_lossy(&compiler.stderr));
-    solves(&Plugin::start(&program.display().to_string(), LONG.as_secs_f64()).unwrap());
+    let plugin = Plugin::start(&program.display().to_string(), LONG.as_secs_f64()).unwrap();
+    solves(&plugin);
+    claims_nothing_of_a_zero_diagonal(&plugin);
 }
 
 #[test]
