@@ -31,10 +31,10 @@ def velocity():
 def moved(name, changed=None, duration=None):
     """A run by lcplab of the scene with fields changed, measured as the scene without."""
     phenomenon = NAMED[name]
-    told = phenomenon.described(phenomenon.variants[-1])
+    reported = phenomenon.described(phenomenon.variants[-1])
     scene = phenomenon.described({**phenomenon.variants[-1], **(changed or {})})
     run = cards.simulate(*velocity(), scene, duration or phenomenon.duration)
-    return cards.Run(told, run.dt, run.t, run.poses, run.velocities, run.forces)
+    return cards.Run(reported, run.dt, run.t, run.poses, run.velocities, run.forces)
 
 
 def test_elliptic_integrals_are_scipys():
@@ -110,8 +110,8 @@ def test_bricards_mechanism_swings_as_its_inertia_says_where_steps_are_short():
     for gravity, holds in ((9.81, True), (9.5, False)):
         scene = NAMED["bricard"].described({"gravity": [0, 0, -gravity]})
         run = cards.simulate(own, replace(settings, dt=0.0005), scene, 10.0)
-        told = replace(run, scene=NAMED["bricard"].described({}))
-        assert all(measured.holds for measured in NAMED["bricard"].measure([told])) == holds
+        reported = replace(run, scene=NAMED["bricard"].described({}))
+        assert all(measured.holds for measured in NAMED["bricard"].measure([reported])) == holds
 
 
 @pytest.mark.parametrize(("settings", "h"), [("velocity", 0.001), ("xpbd", 0.005 / 20), ("soft", 2 * 0.005 / 8)])
@@ -154,12 +154,12 @@ def test_a_thin_chain_without_weight_holds_what_the_formula_says():
 
 def test_a_chain_with_less_friction_slides_and_with_more_is_held():
     variants, measure = NAMED["capstan"].variants, NAMED["capstan"].measure
-    told = [NAMED["capstan"].described(variant) for variant in variants]
+    reported = [NAMED["capstan"].described(variant) for variant in variants]
 
     def found(friction):
         scenes = [NAMED["capstan"].described({**variant, "contact.friction": friction}) for variant in variants]
         runs = [cards.simulate(*velocity(), scene, 0.4) for scene in scenes]
-        return [own.holds for own in measure([replace(run, scene=one) for run, one in zip(runs, told, strict=True)])]
+        return [own.holds for own in measure([replace(run, scene=one) for run, one in zip(runs, reported, strict=True)])]
 
     assert found(0.26) == [False, False] and found(0.305)[0] and not found(0.32)[1]
 
@@ -168,9 +168,9 @@ def test_an_error_that_stays_is_of_no_order():
     own, order = velocity()[0], NAMED["order"]
 
     def lacks(gravity):
-        scene, told = (order.described({"gravity": [0, 0, -g]}) for g in (gravity, 9.81))
+        scene, reported = (order.described({"gravity": [0, 0, -g]}) for g in (gravity, 9.81))
         steps = [replace(own.settings[0], dt=0.001 * part) for part in order.steps]
-        return order.measure([replace(cards.simulate(own, step, scene, 2.0), scene=told) for step in steps])[0]
+        return order.measure([replace(cards.simulate(own, step, scene, 2.0), scene=reported) for step in steps])[0]
 
     assert lacks(9.81).holds
     assert lacks(9.5).value == pytest.approx(1, abs=0.05)
@@ -360,11 +360,11 @@ def test_forces_of_a_cube_that_sticks_are_its_weight_in_all_directions(other):
     except engines.Unsupported as why:
         pytest.skip(str(why))
     if run.forces is None:
-        pytest.skip("forces are not told")
+        pytest.skip("forces are not reported")
     mean = run.forces[run.after(0.5) :].mean(axis=0)
-    told = [2] if other[0].name == "rapier" else [0, 1, 2]  # Rapier tells normal forces alone
-    np.testing.assert_allclose(mean[1][told], -np.array(scene["gravity"])[told], atol=0.05)
-    np.testing.assert_allclose(mean[0][told], np.array(scene["gravity"])[told], atol=0.05)
+    reported = [2] if other[0].name == "rapier" else [0, 1, 2]  # Rapier tells normal forces alone
+    np.testing.assert_allclose(mean[1][reported], -np.array(scene["gravity"])[reported], atol=0.05)
+    np.testing.assert_allclose(mean[0][reported], np.array(scene["gravity"])[reported], atol=0.05)
 
 
 def test_what_an_engine_cannot_express_is_refused(other):
@@ -467,9 +467,9 @@ def test_an_engines_step_is_what_its_own_answer_makes_of_the_problem_that_is_pos
         target, k = np.array(motion["target"]), len(motion["target"])
         half, jacobian = dense(motion["mass"], k, k), dense(motion["jacobian"], n, k)
         mass = half + np.triu(half, 1).T
-        told = target + np.linalg.solve(mass, jacobian.T @ posed.answer)
+        reported = target + np.linalg.solve(mass, jacobian.T @ posed.answer)
         own = velocities[free].ravel()
-        parts = mass @ (own - told), mass @ own, jacobian.T @ posed.answer
+        parts = mass @ (own - reported), mass @ own, jacobian.T @ posed.answer
         imbalance, momentum, impulse = (np.linalg.norm(part / np.sqrt(np.diag(mass))) for part in parts)
         assert imbalance <= error * max(momentum, impulse)
         problem = posed.problem
@@ -587,5 +587,5 @@ def test_the_pinned_mujoco_gives_the_numbers_of_the_shipped_record(name, setting
     phenomenon = next(own for own in record["phenomena"] if own["name"] == name)
     of = next(own for own in phenomenon["columns"] if (own["engine"], own["settings"]) == ("mujoco", settings))
     found = [(m.value, m.tolerance) for m in cards.run("mujoco", settings, name).measured]
-    for (value, tolerance), told in zip(found, of["measured"], strict=True):
-        assert value == pytest.approx(told["value"], rel=1e-3, abs=1e-3 * tolerance)
+    for (value, tolerance), reported in zip(found, of["measured"], strict=True):
+        assert value == pytest.approx(reported["value"], rel=1e-3, abs=1e-3 * tolerance)

@@ -59,29 +59,29 @@ def run_action(engine, **inputs):
 
 def write_frames(engine):
     """The frames of the engine's scenes."""
-    code, told = run([sys.executable, "adapter.py", "frames"], engine / "examples" / "ci")
-    assert code == 0, told
+    code, reported = run([sys.executable, "adapter.py", "frames"], engine / "examples" / "ci")
+    assert code == 0, reported
 
 
 def test_a_good_engine_passes(engine):
-    code, told = run_pytest(engine)
-    assert code == 0 and "ok: 120 frames, 0 rejected" in told, told
+    code, reported = run_pytest(engine)
+    assert code == 0 and "ok: 120 frames, 0 rejected" in reported, reported
 
 
 @pytest.mark.parametrize("bug", STAGES)
 def test_a_planted_bug_fails_with_its_stage(bug, engine):
     plant(bug, engine)
-    code, told = run_pytest(engine)
-    assert code == 1 and told.count(f"Failed: {STAGES[bug]}: ") == 2, told
-    assert set(re.findall(r"verdict +wrong: ([a-z-]+)", told)) == {STAGES[bug]}, told
+    code, reported = run_pytest(engine)
+    assert code == 1 and reported.count(f"Failed: {STAGES[bug]}: ") == 2, reported
+    assert set(re.findall(r"verdict +wrong: ([a-z-]+)", reported)) == {STAGES[bug]}, reported
 
 
 def test_the_action_passes_a_good_engine_and_writes_what_is_asked_for(engine):
     write_frames(engine)
-    code, told = run_action(
+    code, reported = run_action(
         engine, frames="examples/ci/frames\n", baseline="examples/ci/known_frames.json", junit="r.xml", sarif="r.sarif"
     )
-    assert code == 0 and told.startswith("ok: 10 frames"), told
+    assert code == 0 and reported.startswith("ok: 10 frames"), reported
     assert 'failures="0"' in (engine / "r.xml").read_text()
     assert json.loads((engine / "r.sarif").read_text())["runs"][0]["results"] == []
 
@@ -89,10 +89,10 @@ def test_the_action_passes_a_good_engine_and_writes_what_is_asked_for(engine):
 def test_the_action_fails_on_a_planted_bug(engine):
     plant("no-friction-bound", engine)
     write_frames(engine)
-    code, told = run_action(
+    code, reported = run_action(
         engine, frames="examples/ci/frames", baseline="examples/ci/known_frames.json", sarif="r.sarif", out="worst"
     )
-    assert code == 1 and "rejected at solver" in told, told
+    assert code == 1 and "rejected at solver" in reported, reported
     results = json.loads((engine / "r.sarif").read_text())["runs"][0]["results"]
     assert {result["ruleId"] for result in results} == {"receipt/solver"}
     assert list((engine / "worst").glob("*/receipt.txt"))
@@ -102,5 +102,5 @@ def test_the_action_has_the_options_of_the_command():
     text = (ROOT / "action.yml").read_text(encoding="utf-8")
     inputs = re.findall(r"^  ([a-z]+):$", text.split("\nruns:")[0], re.M)
     assert inputs == ["frames", *OPTIONS]
-    code, told = run([sys.executable, "-m", "lcplab", "receipts", "--help"], ROOT)
-    assert code == 0 and all(f"--{option} " in told for option in OPTIONS)
+    code, reported = run([sys.executable, "-m", "lcplab", "receipts", "--help"], ROOT)
+    assert code == 0 and all(f"--{option} " in reported for option in OPTIONS)

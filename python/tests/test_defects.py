@@ -9,7 +9,7 @@ from lcplab.defects import DEFECTS, __main__, replay
 from lcplab.defects.scenes import SCENES
 
 
-def told(refused, stage="solver"):
+def reported(refused, stage="solver"):
     return {"versions": ["engine 1"], "frames": 9, "refused": refused, "stage": stage if refused else None}
 
 
@@ -20,11 +20,11 @@ def row(bad, mended):
 @pytest.mark.parametrize(
     ("bad", "mended", "outcome"),
     [
-        (told(1), told(0), "told apart"),
-        (told(0), told(0), "missed"),
-        (told(1, "assembly"), told(0), "missed"),
-        (told(1), told(1), "false alarm"),
-        ({"packages": ["a==1"], "unavailable": "no such version"}, told(0), "skipped"),
+        (reported(1), reported(0), "told apart"),
+        (reported(0), reported(0), "missed"),
+        (reported(1, "assembly"), reported(0), "missed"),
+        (reported(1), reported(1), "false alarm"),
+        ({"packages": ["a==1"], "unavailable": "no such version"}, reported(0), "skipped"),
     ],
 )
 def test_a_defect_is_told_apart_only_at_its_stage_and_without_a_false_alarm(bad, mended, outcome):

@@ -134,9 +134,9 @@ def test_the_same_bits_as_the_command_line_on_300_problems(tmp_path):
     assert count == 300
     script = "import sys, glob, lcplab\nfrom lcplab._lcplab import run\nfor f in sorted(glob.glob(sys.argv[1] + '/*.json')): run(['lcplab', 'solve', f, '--json'])"
     out = subprocess.run([sys.executable, "-c", script, str(tmp_path)], capture_output=True, text=True, check=True).stdout
-    told = [json.loads(line) for line in out.splitlines()]
-    assert len(told) == 300
-    for k, command in enumerate(told):
+    reported = [json.loads(line) for line in out.splitlines()]
+    assert len(reported) == 300
+    for k, command in enumerate(reported):
         r = lcplab.solve(lcplab.Problem.read(tmp_path / f"{k:03}.json"))
         assert r.x.tolist() == [float(x) for x in command["x"]], k
         assert r.w.tolist() == [float(w) for w in command["w"]], k
@@ -171,10 +171,10 @@ def test_other_threads_run_while_rust_works():
 
 
 def test_the_command_is_in_the_package():
-    told = subprocess.run([sys.executable, "-m", "lcplab", "--version"], capture_output=True, text=True)
-    assert told.returncode == 0 and told.stdout.startswith("lcplab ")
-    told = subprocess.run([sys.executable, "-m", "lcplab", "solve", "nowhere.json"], capture_output=True, text=True)
-    assert told.returncode == 2 and "nowhere.json" in told.stderr
+    reported = subprocess.run([sys.executable, "-m", "lcplab", "--version"], capture_output=True, text=True)
+    assert reported.returncode == 0 and reported.stdout.startswith("lcplab ")
+    reported = subprocess.run([sys.executable, "-m", "lcplab", "solve", "nowhere.json"], capture_output=True, text=True)
+    assert reported.returncode == 2 and "nowhere.json" in reported.stderr
 
 
 def test_a_model_of_friction_is_solved_and_judged_as_its_own():

@@ -30,15 +30,15 @@ class Finding:
         The number of the first problem with which the search found the fault.
     """
 
-    def __init__(self, told: dict[str, Any]) -> None:
-        self.problem = Problem._of(told["problem"])
-        self.words: str = told["words"]
-        self.x: Array | None = told["x"]
-        self.right_x: Array | None = told["right_x"]
-        self.value: float = told["value"]
-        self.evaluation: int = told["evaluation"]
-        self._equations: str = told["equations"]
-        self._answers: str = told["answers"]
+    def __init__(self, reported: dict[str, Any]) -> None:
+        self.problem = Problem._of(reported["problem"])
+        self.words: str = reported["words"]
+        self.x: Array | None = reported["x"]
+        self.right_x: Array | None = reported["right_x"]
+        self.value: float = reported["value"]
+        self.evaluation: int = reported["evaluation"]
+        self._equations: str = reported["equations"]
+        self._answers: str = reported["answers"]
 
     def __str__(self) -> str:
         return f"{self.words}\n\n{self._equations}\n{self._answers}"
@@ -121,7 +121,7 @@ def hunt(
     >>> len(found.problem)
     2
     """
-    told = search(
+    reported = search(
         solver,
         measure,
         n,
@@ -136,9 +136,9 @@ def hunt(
         start=start,
         settings=settings(tolerance, max_iterations, None),
     )
-    for note in told["notes"] + ([told["useless"]] if told["useless"] else []):
+    for note in reported["notes"] + ([reported["useless"]] if reported["useless"] else []):
         warnings.warn(note, stacklevel=2)
-    return Finding(told) if "problem" in told else None
+    return Finding(reported) if "problem" in reported else None
 
 
 def check_signature(solver: Solver | None, *, has_friction: bool) -> None:

@@ -108,8 +108,8 @@ class Problem:
 
     def to_json(self) -> dict[str, Any]:
         """The contents of a problem file as a dictionary."""
-        told: dict[str, Any] = json.loads(self._inner.json())
-        return told
+        reported: dict[str, Any] = json.loads(self._inner.json())
+        return reported
 
     @property
     def A(self) -> Array:
@@ -158,8 +158,8 @@ class Problem:
     @property
     def card(self) -> dict[str, Any]:
         """Size, class of the matrix, rank and condition number."""
-        told: dict[str, Any] = json.loads(self._inner.card())
-        return told
+        reported: dict[str, Any] = json.loads(self._inner.card())
+        return reported
 
     @property
     def solutions(self) -> list[list[Fraction]] | None:

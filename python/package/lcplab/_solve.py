@@ -68,14 +68,14 @@ class Result(Verdict):
         With ``trace=True``, the residuals and the objective after each iteration.
     """
 
-    def __init__(self, told: dict[str, Any]) -> None:
-        super().__init__(told["is_solution"], json.loads(told["certificate"]))
-        self._x, self._w = read_only(told["x"]), read_only(told["w"])
-        self.status: str = told["status"]
-        self.message: str = told["message"]
-        self.solver: str = told["solver"]
-        self.iterations: int = told["iterations"]
-        trace: dict[str, Array] | None = told.get("trace")
+    def __init__(self, reported: dict[str, Any]) -> None:
+        super().__init__(reported["is_solution"], json.loads(reported["certificate"]))
+        self._x, self._w = read_only(reported["x"]), read_only(reported["w"])
+        self.status: str = reported["status"]
+        self.message: str = reported["message"]
+        self.solver: str = reported["solver"]
+        self.iterations: int = reported["iterations"]
+        trace: dict[str, Array] | None = reported.get("trace")
         self.trace = None if trace is None else {name: read_only(column) for name, column in trace.items()}
 
     @property
@@ -182,8 +182,8 @@ def judge(
     if x is None:
         raise TypeError("judge needs x")
     problem = problem_of(A, b, lo, hi, friction_index, mu)
-    is_solution, told = _lcplab.judge(problem._inner, vector(x, "x"), tolerance, model)
-    return Verdict(is_solution, json.loads(told))
+    is_solution, reported = _lcplab.judge(problem._inner, vector(x, "x"), tolerance, model)
+    return Verdict(is_solution, json.loads(reported))
 
 
 class Document:

@@ -91,7 +91,7 @@ def assert_honest(
 
     kinds = ["only"] if model is not None else ["never", "only"] if friction else ["never"]
     for kind in kinds:
-        told = search(
+        reported = search(
             solver,
             "lie",
             (1, 6),
@@ -102,7 +102,7 @@ def assert_honest(
             model=model,
             settings=settings(tolerance, max_iterations, None),
         )
-        if "problem" in told:
-            raise AssertionError(str(Finding(told)))
-        if told["useless"]:
-            raise AssertionError(told["useless"])
+        if "problem" in reported:
+            raise AssertionError(str(Finding(reported)))
+        if reported["useless"]:
+            raise AssertionError(reported["useless"])

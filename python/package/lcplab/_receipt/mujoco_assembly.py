@@ -146,9 +146,8 @@ def _are_plain(model: Any) -> Flags:
     """The actuators whose force follows from their control, length and velocity, (nu,)."""
     import mujoco
 
-    plain = (model.actuator_dyntype == int(mujoco.mjtDyn.mjDYN_NONE)) & (
-        model.actuator_gaintype == int(mujoco.mjtGain.mjGAIN_FIXED)
-    )
+    plain: Flags = np.asarray(model.actuator_dyntype) == int(mujoco.mjtDyn.mjDYN_NONE)
+    plain &= model.actuator_gaintype == int(mujoco.mjtGain.mjGAIN_FIXED)
     plain &= model.actuator_biastype <= int(mujoco.mjtBias.mjBIAS_AFFINE)
     delayed = np.asarray(getattr(model, "actuator_history", np.zeros((model.nu, 1)))).reshape(model.nu, -1)
     plain &= ~delayed.any(axis=1)

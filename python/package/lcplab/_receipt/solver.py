@@ -179,7 +179,7 @@ def _push(step: Step, reported: Array) -> Finding:
 
 def _no_push(step: Step, reported: Array) -> Finding:
     """Without rows, constraints have no generalized forces: the motion that the reported ones cause, against gravity's."""
-    change = np.linalg.solve(step.dense_mass(), reported) if len(reported) else reported
+    change = np.asarray(np.linalg.solve(step.dense_mass(), reported), dtype=float)
     error = step.norm(change) / max(step.norm(step.target), step.gravity, 1e-300)
     what = "there are no rows, but the reported generalized forces of constraints are not 0"
     return Finding("write-back", what, error, ROUNDING[step.bits])

@@ -78,10 +78,10 @@ def _version() -> str:
 
 def _jacobian(model: Any, rows: Any, world: int, n: int) -> Array:
     """J, (n, nv): dense, or by the columns of each row."""
-    told = np.array(rows.J.numpy()[world], dtype=float)
-    if told.ndim == 2 and told.shape[1] >= model.nv > 1 and told.shape[0] >= n:
-        return told[:n, : model.nv]
-    values, columns = told.reshape(-1), np.ravel(rows.J_colind.numpy()[world])
+    reported = np.array(rows.J.numpy()[world], dtype=float)
+    if reported.ndim == 2 and reported.shape[1] >= model.nv > 1 and reported.shape[0] >= n:
+        return reported[:n, : model.nv]
+    values, columns = reported.reshape(-1), np.ravel(rows.J_colind.numpy()[world])
     counts, starts = np.ravel(rows.J_rownnz.numpy()[world]), np.ravel(rows.J_rowadr.numpy()[world])
     dense = np.zeros((n, model.nv))
     for row in range(n):

@@ -48,7 +48,7 @@ def frames(name: str) -> list[dict[str, Any]]:
 
 
 def _posed(engine: Engine, scene: Description, time: float) -> Posed | None:
-    """The problem after a time (s), if it is told; lcplab's own, if the engine solves problems but poses none."""
+    """The problem after a time (s), if it is reported; lcplab's own, if the engine solves problems but poses none."""
     if engine.solve is None:
         world = engine.build(scene, engine.settings[0])
         if not isinstance(world, Posing):

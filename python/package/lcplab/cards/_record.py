@@ -75,12 +75,12 @@ def _phenomenon(of: Phenomenon, columns: Sequence[Column]) -> dict[str, Any]:
 
 
 def _column(column: Column) -> dict[str, Any]:
-    told: dict[str, Any] = {"engine": column.engine, "settings": column.settings}
+    reported: dict[str, Any] = {"engine": column.engine, "settings": column.settings}
     for key in ("unsupported", "failed"):
         if (why := getattr(column, key)) is not None:
-            return told | {key: why}
+            return reported | {key: why}
     assert column.curve is not None and column.exact is not None and column.poses is not None
-    told["measured"] = [
+    reported["measured"] = [
         {
             "what": m.what,
             "value": _number(m.value),
@@ -91,11 +91,11 @@ def _column(column: Column) -> dict[str, Any]:
         }
         for m in column.measured
     ]
-    told["y"] = _numbers(column.curve.y)
+    reported["y"] = _numbers(column.curve.y)
     if column.pace is not None:
-        told["pace"] = _number(column.pace, 2)
-    told["picture"] = {"time": column.time, "poses": [_numbers(pose) for pose in column.poses]}
-    return told
+        reported["pace"] = _number(column.pace, 2)
+    reported["picture"] = {"time": column.time, "poses": [_numbers(pose) for pose in column.poses]}
+    return reported
 
 
 def _number(value: float, digits: int = 6) -> float | str:

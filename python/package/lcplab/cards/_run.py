@@ -59,8 +59,8 @@ def simulate(engine: Engine, settings: Settings, scene: Description, duration: f
         seconds += time.perf_counter() - start
         poses.append(world.poses().copy())
         velocities.append(world.velocities().copy())
-        if (told := world.forces()) is not None:
-            forces.append(told.copy())
+        if (reported := world.forces()) is not None:
+            forces.append(reported.copy())
         if not np.abs(poses[-1]).max() < LEFT:
             raise Left(f"a body was gone after {(step + 1) * settings.dt:.3g} s")
     return Recorded(

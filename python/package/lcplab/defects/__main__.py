@@ -15,36 +15,36 @@ from lcplab.defects.known import DEFECTS, Defect
 
 def row(defect: Defect, place: Path) -> dict[str, Any]:
     """Both releases of a defect: what their receipts say, or why one does not run here."""
-    told: dict[str, Any] = {"name": defect.name, "what": defect.what, "source": defect.source, "stage": defect.stage}
+    reported: dict[str, Any] = {"name": defect.name, "what": defect.what, "source": defect.source, "stage": defect.stage}
     for side, packages in (("bad", defect.bad), ("mended", defect.mended)):
         own = Environment(place, packages)
         try:
             own.install()
-            told[side] = own.replay(defect.name)
+            reported[side] = own.replay(defect.name)
         except Unavailable as why:
-            told[side] = {"packages": list(packages), "unavailable": str(why)}
-    return told
+            reported[side] = {"packages": list(packages), "unavailable": str(why)}
+    return reported
 
 
-def outcome(told: dict[str, Any]) -> str:
+def outcome(reported: dict[str, Any]) -> str:
     """``"told apart"``, ``"missed"``, ``"false alarm"`` or ``"skipped"``."""
-    if any("unavailable" in told[side] for side in ("bad", "mended")):
+    if any("unavailable" in reported[side] for side in ("bad", "mended")):
         return "skipped"
-    if told["mended"]["refused"]:
+    if reported["mended"]["refused"]:
         return "false alarm"
-    return "told apart" if told["bad"]["refused"] and told["bad"]["stage"] == told["stage"] else "missed"
+    return "told apart" if reported["bad"]["refused"] and reported["bad"]["stage"] == reported["stage"] else "missed"
 
 
-def line(told: dict[str, Any]) -> str:
+def line(reported: dict[str, Any]) -> str:
     """A row of the table."""
     words = []
     for side in ("bad", "mended"):
-        own = told[side]
+        own = reported[side]
         if "unavailable" in own:
             words.append(f"{' '.join(own['packages'])}: {own['unavailable']}")
         else:
             words.append(f"{', '.join(own['versions'])}: {own['refused']} of {own['frames']} rejected")
-    return f"{told['name']:<18} {told['stage']:<10} {outcome(told):<11} {'; '.join(words)}"
+    return f"{reported['name']:<18} {reported['stage']:<10} {outcome(reported):<11} {'; '.join(words)}"
 
 
 def main() -> int:
@@ -67,9 +67,9 @@ def main() -> int:
         rows.append(row(defect, options.environments))
         print(line(rows[-1]), flush=True)
     if options.out:
-        record = {"python": platform.python_version(), "defects": [{**told, "outcome": outcome(told)} for told in rows]}
+        record = {"python": platform.python_version(), "defects": [{**reported, "outcome": outcome(reported)} for reported in rows]}
         options.out.write_text(json.dumps(record, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
-    return 0 if all(outcome(told) in ("told apart", "skipped") for told in rows) else 1
+    return 0 if all(outcome(reported) in ("told apart", "skipped") for reported in rows) else 1
 
 
 if __name__ == "__main__":

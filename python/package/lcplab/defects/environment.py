@@ -44,8 +44,8 @@ class Environment:
         venv.create(self.folder, with_pip=True, clear=True)
         pip = ("-m", "pip", "install", "--quiet", "--disable-pip-version-check", "numpy")
         self._run([self.python, *pip, *self.packages], INSTALLATION)
-        told = self._run([self.python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"], SCENE)
-        (Path(told.strip()) / "lcplab").symlink_to(Path(lcplab.__file__).parent, target_is_directory=True)
+        reported = self._run([self.python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"], SCENE)
+        (Path(reported.strip()) / "lcplab").symlink_to(Path(lcplab.__file__).parent, target_is_directory=True)
         complete.touch()
 
     def replay(self, scene: str) -> dict[str, Any]:
@@ -56,8 +56,8 @@ class Environment:
         Unavailable
             If the scene does not run.
         """
-        told = self._run([self.python, "-m", "lcplab.defects.replay", scene], SCENE)
-        replayed: dict[str, Any] = json.loads(told.splitlines()[-1])
+        reported = self._run([self.python, "-m", "lcplab.defects.replay", scene], SCENE)
+        replayed: dict[str, Any] = json.loads(reported.splitlines()[-1])
         return replayed
 
     def _run(self, command: Sequence[str | Path], seconds: int) -> str:

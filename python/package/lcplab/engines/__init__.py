@@ -41,7 +41,7 @@ class World(Protocol):
         """Velocity of the centre of mass (m/s) and angular velocity (rad/s), world axes, (bodies, 6)."""
 
     def forces(self) -> Array | None:
-        """What contacts put on each body in the last step (N, world axes), (bodies, 3), if it is told."""
+        """What contacts put on each body in the last step (N, world axes), (bodies, 3), if it is reported."""
 
 
 @dataclass(frozen=True)
