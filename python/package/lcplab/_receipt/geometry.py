@@ -109,16 +109,12 @@ def _capsule_capsule(first: Shape, second: Shape) -> float:
 
 
 def _box_box(first: Shape, second: Shape) -> float:
-    axes = [*first.axes.T, *second.axes.T]
-    axes += [np.cross(one, other) for one in first.axes.T for other in second.axes.T]
-    between, best = second.center - first.center, -np.inf
-    for axis in axes:
-        length = float(np.linalg.norm(axis))
-        if length < 1e-9:
-            continue
-        reach = sum(float(np.abs(box.axes.T @ axis) @ box.size) for box in (first, second))
-        best = max(best, (abs(float(between @ axis)) - reach) / length)
-    return best
+    crossed = np.cross(first.axes.T[:, None], second.axes.T[None, :]).reshape(9, 3)
+    axes = np.vstack([first.axes.T, second.axes.T, crossed])
+    lengths = np.linalg.norm(axes, axis=1)
+    axes = axes[lengths >= 1e-9] / lengths[lengths >= 1e-9, None]
+    reach = sum(np.abs(axes @ box.axes) @ box.size for box in (first, second))
+    return float(np.max(np.abs(axes @ (second.center - first.center)) - reach))
 
 
 def _point_to_line(point: Array, start: Array, end: Array) -> float:

@@ -79,8 +79,9 @@ class Kinematics:
 
     def point(self, body: int, at: Array) -> Array:
         """The velocity of a body's point that each degree of freedom gives, (3, k)."""
-        arm = at - self.centers[body]
-        return np.asarray(self.linear[body] + np.cross(self.angular[body].T, arm).T)
+        x, y, z = at - self.centers[body]
+        turning = np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]])  # turning @ w = w × arm
+        return np.asarray(self.linear[body] + turning @ self.angular[body])
 
 
 def interval(velocity: Array) -> float:
