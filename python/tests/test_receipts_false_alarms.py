@@ -160,7 +160,8 @@ def test_all_parts_without_a_check_are_named(is_whole):
     expected = {
         "collision: positions and normals of contacts",
         "assembly: coefficients of friction, friction losses, and compliance (solref, solimp)",
-        "assembly: distances from limits",
+        "assembly: J and distances of limits",
+        "assembly: J of friction losses",
         "assembly: transmissions of actuators",
         "write-back: the position after the step",
     }
@@ -263,3 +264,25 @@ def test_the_residual_of_a_solver_is_no_error_of_write_back(solver, cone, iterat
         verdicts.add(lcplab.receipt(model, data, before=before).verdict)
     assert stages <= {"solver", None} and "solver" in stages
     assert verdicts <= {"ok", "unconverged"}
+
+
+@pytest.mark.parametrize("speed", [1e-4, 1e-8, 1e-12, 0.0])
+@pytest.mark.parametrize("distance", [0, 1000, 100_000])
+def test_bodies_that_are_nearly_at_rest_are_not_rejected_for_rounding(distance, speed):
+    model, data = moving(at(distance).replace("<equality>", '<equality><weld body1="box" body2="bar"/>'))
+    data.qvel[:] *= speed
+    model.opt.gravity[:] = 0
+    mujoco.mj_forward(model, data)
+    receipt = lcplab.receipt(model, data)
+    assert not receipt.is_rejected, str(receipt)
+
+
+def test_a_wrong_jacobian_of_an_equality_is_found_at_rest():
+    model, data = moving(stack())
+    data.qvel[:] = 0
+    mujoco.mj_forward(model, data)
+    assert not lcplab.receipt(model, data).is_rejected
+    [row, *_] = [row for row, kind in enumerate(data.efc_type) if kind == 0]
+    data.efc_J.reshape(data.nefc, model.nv)[row] *= 1.01
+    receipt = lcplab.receipt(model, data)
+    assert receipt.stage == "assembly" and receipt.row == row and "J of an equality" in str(receipt)

@@ -28,6 +28,8 @@ class Kinematics:
     ----------
     centers, axes : (bodies, 3) and (bodies, 3, 3)
         Centers of mass (m) and the principal axes of inertia, in columns, of the step.
+    first : float
+        The time step of first differences (s).
     linear, angular : (bodies, 3, k)
         Velocities of the centers (m/s) and angular velocities (rad/s) that each degree of freedom gives.
     """
@@ -38,7 +40,7 @@ class Kinematics:
         self.centers, self.axes = self.poses(qpos)
         self.reach = max(1.0, float(np.abs(self.centers).max(initial=0.0)))
         # The truncation error, size² of a rotation, equals the rounding error, EPSILON * reach / size.
-        size = float(np.cbrt(EPSILON * self.reach))
+        self.first = size = float(np.cbrt(EPSILON * self.reach))
         linear, angular = np.zeros((2, model.nbody, 3, model.nv))
         unit = np.zeros(model.nv)
         for dof in range(model.nv):

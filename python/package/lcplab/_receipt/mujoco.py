@@ -193,8 +193,11 @@ def never_checked(model: Any, data: Any) -> list[str]:
         parts.append("collision: positions and normals of contacts")
     if data.nefc:
         parts.append("assembly: coefficients of friction, friction losses, and compliance (solref, solimp)")
-    if np.isin(np.array(data.efc_type[: data.nefc]), [LIMIT_JOINT, LIMIT_TENDON]).any():
-        parts.append("assembly: distances from limits")
+    kinds = np.array(data.efc_type[: data.nefc])
+    if np.isin(kinds, [LIMIT_JOINT, LIMIT_TENDON]).any():
+        parts.append("assembly: J and distances of limits")
+    if np.isin(kinds, [FRICTION_DOF, FRICTION_TENDON]).any():
+        parts.append("assembly: J of friction losses")
     if model.nu:
         parts.append("assembly: transmissions of actuators")
     return parts

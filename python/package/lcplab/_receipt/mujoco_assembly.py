@@ -15,12 +15,14 @@ from numpy.typing import NDArray
 from lcplab._receipt import mujoco as reader
 from lcplab._receipt.findings import Finding, Report
 from lcplab._receipt.kinematics import Kinematics, interval, scratch
-from lcplab._receipt.step import Array, Step
+from lcplab._receipt.step import Array, Rows, Step
 
 #: The largest accepted errors of first and second differences of poses, and of reference accelerations.
 FIRST, SECOND, REFERENCE = 1e-5, 1e-4, 1e-2
 #: The largest number of degrees of freedom: with more, differences of poses take too long.
 MOST_DOFS = 2_000
+#: Equalities whose reference contains J̇v: connect and weld.
+BENT = (0, 1)
 #: Actuators of groups 0 to 30 can be disabled.
 GROUPS = 31
 
@@ -46,6 +48,7 @@ def check(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Report
     report.add(_passive(model, data, step, qpos, qvel))
     if len(step):
         report.add(_contacts(model, data, step, motion))
+        report.add(_equalities(model, data, step, motion))
     if len(step) and not reader.has_effective_mass(model):
         report.add(_references(model, data, step, motion, qvel))
         report.add(_dual(model, data, step))
@@ -57,10 +60,11 @@ def _has_armature(model: Any) -> bool:
     return _has_any(model, "tendon_armature", "actuator_armature")
 
 
-def _worst(what: str, difference: Array, terms: Array, limit: float, row: int | None = None) -> Finding:
+def _worst(what: str, difference: Array, terms: Array, limit: float, rows: Rows | None = None) -> Finding:
     """The largest difference relative to its terms, which count at least a millionth of the largest."""
     floor = 1e-6 * max(float(np.abs(terms).max(initial=0.0)), 1e-300)
     errors = np.abs(difference) / np.maximum(np.abs(terms), floor)
+    row = None if rows is None else int(rows[np.argmax(errors)])
     return Finding("assembly", what, float(errors.max(initial=0.0)), limit, row)
 
 
@@ -269,39 +273,40 @@ def _contact_rows(model: Any, contact: Any, motion: Kinematics) -> tuple[Array, 
     return np.array(sides), np.array([sizes[0] + abs(slope) * sizes[axis] for slope, axis in edges])
 
 
+def _equalities(model: Any, data: Any, step: Step, motion: Kinematics) -> Report:
+    """J of equalities, from differences of their violations along a velocity with all degrees of freedom."""
+    rows = np.flatnonzero(np.array(data.efc_type[: len(step)]) == reader.EQUALITY)
+    if len(rows) == 0:
+        return Report()
+    velocity = np.random.default_rng(0).normal(size=model.nv)
+    size = motion.first / float(np.abs(velocity).max())
+    violations = _violations(model, data, len(rows), motion.qpos, velocity, size)
+    if violations is None:
+        return Report(not_checked=["assembly: J of equalities, whose number of rows changes"])
+    rate = (violations[2] - violations[0]) / (2 * size)
+    scale = step.size_along(velocity)[rows] + np.abs(rate)
+    what = "J of an equality is not the rate of its violation"
+    return Report([_worst(what, step.along(velocity)[rows] - rate, scale, SECOND, rows)])
+
+
 def _references(model: Any, data: Any, step: Step, motion: Kinematics, qvel: Array) -> Report:
-    """J and the reference accelerations of equalities and limits, from differences of their violations."""
+    """The reference accelerations of all rows, from their springs and dampers, and J̇v of equalities."""
     n = len(step)
-    kinds, ids = np.array(data.efc_type[:n]), np.array(data.efc_id[:n])
-    report = Report()
-    speed = step.along(qvel)
     spring, damper, impedance = np.array(data.efc_KBIP[:n]).reshape(n, 4)[:, :3].T
     position = np.array(data.efc_pos[:n]) - np.array(data.efc_margin[:n])
-    terms = np.array([damper * speed, spring * impedance * position])
-    own = -terms.sum(axis=0)
-    equality = kinds == reader.EQUALITY
-    bends = np.zeros(n)
-    if equality.any():
-        first, second = _along(model, data, kinds, motion.qpos, qvel)
-        if first is None or second is None:
-            report.not_checked.append("assembly: J and J̇v of equalities, whose number of rows changes")
-            return report
-        what = "J of an equality is not the rate of its violation"
-        scale = step.size_along(qvel)[equality] + np.abs(first)
-        difference = speed[equality] - first
-        report.findings.append(_worst(what, difference, scale, SECOND, int(np.flatnonzero(equality)[0])))
-        bends[equality] = second
-        bent = np.isin(np.array(model.eq_type)[ids[equality]], [0, 1])
-        bends[np.flatnonzero(equality)[~bent]] = 0.0
-    own -= bends
-    sizes = np.abs(terms).sum(axis=0) + np.abs(bends)
-    difference = np.abs(np.array(data.efc_aref[:n]) - own)
+    bends = _bends(model, data, n, motion, qvel)
+    if bends is None:
+        return Report(not_checked=["assembly: reference accelerations, because the number of equality rows changes"])
+    terms = np.array([damper * step.along(qvel), spring * impedance * position, bends])
+    sizes = np.abs(terms).sum(axis=0)
+    difference = np.abs(np.array(data.efc_aref[:n]) + terms.sum(axis=0))
+    report = Report()
     special = _with_own_references(data, n)
     if special.any():
         report.not_checked.append("assembly: reference accelerations of contacts with adhesion or a surface velocity")
         difference[special] = 0.0
     scale = np.maximum(sizes, 1e-6 * max(float(sizes.max(initial=0.0)), step.gravity))
-    scale += np.where(equality, motion.rounding(qvel) / REFERENCE, 0.0)
+    scale += np.where(bends != 0, motion.rounding(qvel) / REFERENCE, 0.0)
     errors = difference / np.maximum(scale, 1e-300)
     worst = int(np.argmax(errors))
     what = "the reference acceleration of a row does not follow from its spring, damper and J̇v"
@@ -309,6 +314,21 @@ def _references(model: Any, data: Any, step: Step, motion: Kinematics, qvel: Arr
         Finding("assembly", what, float(errors[worst]), REFERENCE, worst, step.rows[worst].bodies)
     )
     return report
+
+
+def _bends(model: Any, data: Any, n: int, motion: Kinematics, qvel: Array) -> Array | None:
+    """J̇v of the rows of connect and weld, 0 of others, (n,); None if the number of equality rows changes."""
+    bends, size = np.zeros(n), interval(qvel)
+    rows = np.flatnonzero(np.array(data.efc_type[:n]) == reader.EQUALITY)
+    if len(rows) == 0:
+        return bends
+    violations = _violations(model, data, len(rows), motion.qpos, qvel, size)
+    if violations is None:
+        return None
+    before, now, after = violations
+    has_bend = np.isin(np.array(model.eq_type)[np.array(data.efc_id)[rows]], BENT)
+    bends[rows] = np.where(has_bend, (after - 2 * now + before) / size**2, 0.0)
+    return bends
 
 
 def _with_own_references(data: Any, n: int) -> Flags:
@@ -321,26 +341,27 @@ def _with_own_references(data: Any, n: int) -> Flags:
     return special
 
 
-def _along(model: Any, data: Any, kinds: Any, qpos: Array, qvel: Array) -> tuple[Array | None, Array | None]:
-    """The rate of the equalities' violations along a motion with constant velocity, and the rate of that."""
+def _violations(
+    model: Any, data: Any, count: int, qpos: Array, velocity: Array, size: float
+) -> tuple[Array, Array, Array] | None:
+    """The violations of equalities a time step before, at, and after a position that moves with a constant velocity.
+
+    None if their number is not ``count``.
+    """
     import mujoco
 
     own = scratch(model, data)
-    count = int(np.sum(kinds == reader.EQUALITY))
-    size = interval(qvel)
     own.eq_active[:] = data.eq_active
-    own.qvel[:] = qvel
-    violations = []
+    found = []
     for time in (-size, 0.0, size):
         moved = qpos.copy()
-        mujoco.mj_integratePos(model, moved, np.ascontiguousarray(qvel), time)
+        mujoco.mj_integratePos(model, moved, np.ascontiguousarray(velocity), time)
         own.qpos[:] = moved
         mujoco.mj_fwdPosition(model, own)
         if int(own.ne) != count:
-            return None, None
-        violations.append(np.array(own.efc_pos[:count]))
-    before, now, after = violations
-    return (after - before) / (2 * size), (after - 2 * now + before) / size**2
+            return None
+        found.append(np.array(own.efc_pos[:count]))
+    return found[0], found[1], found[2]
 
 
 def _dual(model: Any, data: Any, step: Step) -> Report:
