@@ -286,3 +286,16 @@ def test_a_wrong_jacobian_of_an_equality_is_found_at_rest():
     data.efc_J.reshape(data.nefc, model.nv)[row] *= 1.01
     receipt = lcplab.receipt(model, data)
     assert receipt.stage == "assembly" and receipt.row == row and "J of an equality" in str(receipt)
+
+
+def test_a_row_of_mjx_that_is_not_finite_is_not_dropped():
+    """MJX's rows are fixed in number; those without entries are not in use. MuJoCo's dense data have the same arrays."""
+    from lcplab._receipt import finite, mjx
+
+    model, data = moving(stack('cone="pyramidal" jacobian="dense"'))
+    mujoco.mj_forward(model, data)
+    used = mjx.read(model, data, data.qpos.copy())
+    assert len(used) == data.nefc and finite.of_step(used) is None
+    data.efc_D[0] = np.nan
+    broken = mjx.read(model, data, data.qpos.copy())
+    assert len(broken) == data.nefc and finite.of_step(broken).what == "compliance[0] is nan"

@@ -119,6 +119,24 @@ def test_arrays_are_copied():
     assert lcplab.receipt(step).ok
 
 
+@pytest.mark.parametrize("name", ["mu", "friction_index", "lo"])
+def test_a_problem_file_with_a_vector_of_another_length_is_invalid_with_its_name(name, tmp_path):
+    lcplab.receipt(stop()).write(tmp_path / "a.json", tmp_path / "a.x.json")
+    problem = json.loads((tmp_path / "a.json").read_text())
+    (tmp_path / "a.json").write_text(json.dumps(problem | {name: [-1, -1, -1]}))
+    with pytest.raises(lcplab.InputError, match=f"a.json: {name}: has 3 entries, must have 1"):
+        lcplab.receipts([tmp_path])
+
+
+def test_an_adapter_that_returns_no_step_is_an_error():
+    class Adapter:
+        def problem(self, model, data):
+            return {"mass": [[1.0]]}
+
+    with pytest.raises(TypeError, match="adapter: problem.. returned a dict, must return an EngineStep"):
+        lcplab.receipt(None, adapter=Adapter())
+
+
 def test_a_problem_file_without_a_vector_is_invalid_with_the_name_of_the_vector(tmp_path):
     lcplab.receipt(stop()).write(tmp_path / "a.json", tmp_path / "a.x.json")
     problem = json.loads((tmp_path / "a.json").read_text())

@@ -39,12 +39,14 @@ def read(model: Any, data: Any, adapter: Adapter | None, before: State | None) -
     Raises
     ------
     TypeError
-        If no adapter reads this kind of model.
+        If no adapter reads this kind of model, or the adapter returns something else than a step.
     """
     if isinstance(model, Step):
         return model, of_step(model)
     if adapter is not None:
         step = adapter.problem(model, data)
+        if not isinstance(step, Step):
+            raise TypeError(f"adapter: problem() returned a {type(step).__name__}, must return an EngineStep")
         return step, of_step(step)
     if mujoco.is_mine(model):
         return _of_mujoco(model, data, before)

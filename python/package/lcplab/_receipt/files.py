@@ -104,7 +104,9 @@ def read(path: Path) -> Step:
     if "x" not in answer:
         raise InputError(f"{answer_of(path)}: x: is missing")
     try:
-        return _step(path, object_, motion, answer)
+        step = _step(path, object_, motion, answer)
+        _check_lengths(step)
+        return step if "motion" in answer else step.with_motion_of_forces()
     except KeyError as error:
         raise InputError(f"{path}: {error.args[0]}: is missing") from error
     except (TypeError, ValueError) as error:
@@ -119,7 +121,7 @@ def _step(path: Path, object_: dict[str, Any], motion: dict[str, Any], answer: d
     index = np.array(object_.get("friction_index", [-1] * n), dtype=np.int64)
     mass, jacobian = _triplets(motion["mass"]), _triplets(motion["jacobian"])
     forces, target = np.array(answer["x"], dtype=float), np.array(motion["target"], dtype=float)
-    step = Step(
+    return Step(
         engine=str(words.get("engine", "engine")),
         version=str(words.get("version", "")),
         level=str(motion.get("level", "velocity")),
@@ -150,7 +152,16 @@ def _step(path: Path, object_: dict[str, Any], motion: dict[str, Any], answer: d
         name=str(words.get("name", object_.get("name", path.stem))),
         time=float(words.get("time", 0.0)),
     )
-    return step if "motion" in answer else step.with_motion_of_forces()
+
+
+def _check_lengths(step: Step) -> None:
+    n, k = len(step), len(step.target)
+    vectors = {"motion": k} | dict.fromkeys(("compliance", "lo", "hi", "mu", "forces", "friction_index"), n)
+    vectors |= {} if step.reported_push is None else {"reported_push": k}
+    for name, size in vectors.items():
+        length = len(getattr(step, name))
+        if length != size:
+            raise ValueError(f"{'x' if name == 'forces' else name}: has {length} entries, must have {size}")
 
 
 def _load(path: Path) -> dict[str, Any]:

@@ -43,7 +43,8 @@ def read(model: Any, data: Any, qpos: Array) -> Step:
             getattr(own, name)[:] = np.asarray(getattr(data, name))
     engine.mj_fwdPosition(model, own)
     jacobian, softness = _rows_of(data, "efc_J").reshape(-1, model.nv), _rows_of(data, "efc_D")
-    kept = np.flatnonzero(np.abs(jacobian).max(axis=1, initial=0.0) * np.isfinite(softness) * (softness > 0))
+    # Comparisons with NaN are false, so that a row with NaN is kept, and rejected later.
+    kept = np.flatnonzero(~((np.abs(jacobian).max(axis=1, initial=0.0) == 0) | np.isinf(softness) | (softness <= 0)))
     lo, hi, kinds = _bounds(own, len(jacobian))
     step = mujoco.read(model, own)
     return replace(
