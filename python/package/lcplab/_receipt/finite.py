@@ -14,6 +14,8 @@ from lcplab._receipt.step import Step
 REST = "everything else, because a number is not finite"
 #: The arrays of the rows: those of the problem, of which bounds may be infinite, and x.
 ROWS = ("bias", "compliance", "mu", "lo", "hi", "forces")
+#: The arrays of the degrees of freedom.
+DOFS = ("target", "motion", "reported_push")
 
 
 def of_step(step: Step) -> Finding | None:
@@ -49,7 +51,11 @@ def in_arrays(stage: str, arrays: Mapping[str, Any], step: Step) -> Finding | No
         if len(bad):
             place = int(bad[0])
             row = place if name in ROWS else None
-            bodies = step.rows[place].bodies if row is not None and row < len(step.rows) else ()
+            bodies: tuple[str, ...] = ()
+            if row is not None and row < len(step.rows):
+                bodies = step.rows[row].bodies
+            elif name in DOFS and place < len(step.dof_bodies):
+                bodies = (step.dof_bodies[place],)
             return _finding(stage, f"{name}[{place}] is {entries[place]}", row, bodies)
     return None
 
