@@ -29,14 +29,13 @@ def of_step(step: Step) -> Finding | None:
     """
     for name in ("mass", "jacobian"):
         rows, columns, values = getattr(step, name)
-        bad = np.flatnonzero(~np.isfinite(values))
-        if len(bad):
-            place = f"{rows[bad[0]]}, {columns[bad[0]]}"
-            return _finding("assembly", f"{name}[{place}] is {values[bad[0]]}")
+        if not np.isfinite(values).all():
+            entry = int(np.argmin(np.isfinite(values)))
+            return _finding("assembly", f"{name}[{rows[entry]}, {columns[entry]}] is {values[entry]}")
     lo, hi = np.where(step.lo == -np.inf, 0, step.lo), np.where(step.hi == np.inf, 0, step.hi)
     problem = {"bias": step.bias, "compliance": step.compliance, "mu": step.mu, "lo": lo, "hi": hi,
                "target": step.target, "gravity": step.gravity}
-    answer = {"motion": step.motion, "forces": step.forces}
+    answer = {"forces": step.forces, "motion": step.motion}
     reported = {} if step.reported_push is None else {"reported_push": step.reported_push}
     return (
         in_arrays("assembly", problem, step) or in_arrays("solver", answer, step) or in_arrays("write-back", reported, step)
@@ -46,10 +45,10 @@ def of_step(step: Step) -> Finding | None:
 def in_arrays(stage: str, arrays: Mapping[str, Any], step: Step) -> Finding | None:
     """The first entry of these arrays that is not finite, as an error of this stage."""
     for name, values in arrays.items():
-        entries = np.ravel(np.asarray(values, dtype=float))
-        bad = np.flatnonzero(~np.isfinite(entries))
-        if len(bad):
-            place = int(bad[0])
+        entries = np.asarray(values, dtype=float)
+        if not np.isfinite(entries).all():
+            entries = entries.reshape(-1)
+            place = int(np.argmin(np.isfinite(entries)))
             row = place if name in ROWS else None
             bodies: tuple[str, ...] = ()
             if row is not None and row < len(step.rows):

@@ -122,28 +122,35 @@ def _cones(data: Any, kinds: Rows) -> tuple[Rows, Array]:
 
 
 def _rows(model: Any, data: Any, kinds: Rows) -> list[Row]:
+    numbers = np.array(data.efc_id[: len(kinds)]).tolist()
+    own: dict[tuple[int, int], Row] = {}
+    for kind, number in dict.fromkeys(zip(kinds.tolist(), numbers)):
+        own[kind, number] = _row(model, data, kind, number)
+    return [own[pair] for pair in zip(kinds.tolist(), numbers)]
+
+
+def _row(model: Any, data: Any, kind: int, number: int) -> Row:
+    """The names of the rows of an equality, a limit, a friction loss or a contact."""
     import mujoco
 
     objects = mujoco.mjtObj
-    bodies = [_name(model, objects.mjOBJ_BODY, body) for body in range(model.nbody)]
-    rows = []
-    for kind, number in zip(kinds, np.array(data.efc_id[: len(kinds)])):
-        word = mujoco.mjtConstraint(int(kind)).name.removeprefix("mjCNSTR_").lower().replace("_", " ")
-        if kind == EQUALITY:
-            rows.append(Row(f"{word} {_name(model, objects.mjOBJ_EQUALITY, number)}", word))
-        elif kind == FRICTION_DOF:
-            rows.append(Row(f"{word} {number}", word, (bodies[model.dof_bodyid[number]],)))
-        elif kind == LIMIT_JOINT:
-            label = f"{word} {_name(model, objects.mjOBJ_JOINT, number)}"
-            rows.append(Row(label, word, (bodies[model.jnt_bodyid[number]],)))
-        elif kind in (FRICTION_TENDON, LIMIT_TENDON):
-            rows.append(Row(f"{word} {_name(model, objects.mjOBJ_TENDON, number)}", word))
-        else:
-            pair = tuple(
-                bodies[model.geom_bodyid[geom]] if geom >= 0 else "flex" for geom in shapes_of(data.contact[number])
-            )
-            rows.append(Row(f"{word} {number}: {pair[0]}, {pair[1]}", word, pair))
-    return rows
+    word = mujoco.mjtConstraint(kind).name.removeprefix("mjCNSTR_").lower().replace("_", " ")
+
+    def body(place: int) -> str:
+        return _name(model, objects.mjOBJ_BODY, place)
+
+    if kind == EQUALITY:
+        return Row(f"{word} {_name(model, objects.mjOBJ_EQUALITY, number)}", word)
+    if kind == FRICTION_DOF:
+        return Row(f"{word} {number}", word, (body(model.dof_bodyid[number]),))
+    if kind == LIMIT_JOINT:
+        label = f"{word} {_name(model, objects.mjOBJ_JOINT, number)}"
+        return Row(label, word, (body(model.jnt_bodyid[number]),))
+    if kind in (FRICTION_TENDON, LIMIT_TENDON):
+        return Row(f"{word} {_name(model, objects.mjOBJ_TENDON, number)}", word)
+    shapes = shapes_of(data.contact[number])
+    pair = tuple(body(model.geom_bodyid[geom]) if geom >= 0 else "flex" for geom in shapes)
+    return Row(f"{word} {number}: {pair[0]}, {pair[1]}", word, pair)
 
 
 def shapes_of(contact: Any) -> tuple[int, ...]:
