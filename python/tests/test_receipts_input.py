@@ -46,6 +46,13 @@ def test_an_engine_at_its_iteration_cap_is_wrong_if_its_answer_is_not_finite():
     assert lcplab.receipt(stop(motion=[np.nan], method="pgs", iterations=9, has_converged=False)).verdict == "wrong"
 
 
+def test_an_engine_at_its_iteration_cap_is_wrong_if_it_writes_back_something_else():
+    capped = {"forces": [2.0], "motion": [-2.0], "method": "pgs", "iterations": 9, "has_converged": False}
+    assert lcplab.receipt(stop(**capped, reported_push=np.array([2.0]))).verdict == "unconverged"
+    receipt = lcplab.receipt(stop(**capped, reported_push=np.zeros(1)))
+    assert receipt.verdict == "wrong" and receipt.stage == "write-back"
+
+
 def test_a_rejected_step_that_is_not_finite_is_written_as_valid_json(tmp_path):
     def refuse(word):
         raise AssertionError(f"{word} is not JSON")

@@ -58,23 +58,26 @@ class Receipt:
         self.bound: float | None = bounds.motion if isinstance(bounds, Bounds) and has_bound else None
         self.motion_error = None if self.bound is None else step.relative(self.bound)
         rejected = [finding for finding in self.findings if finding.is_rejected]
-        self.rejected: Finding | None = rejected[0] if rejected else None
-        self.stage = self.rejected.stage if self.rejected else None
         self.work: work.Work | None = None
-        self.verdict = self._verdict()
+        is_excused = bool(rejected) and self._is_excused(rejected[0])
+        # Errors of other stages are not excused by the iteration cap, and count first.
+        wrong = [finding for finding in rejected if finding.stage != "solver"] if is_excused else rejected
+        self.rejected: Finding | None = next(iter(wrong or rejected), None)
+        self.stage = self.rejected.stage if self.rejected else None
+        self.verdict = "wrong" if wrong else "unconverged" if is_excused else self._accepted()
 
-    def _verdict(self) -> str:
-        if self.rejected is None:
-            if len(self.step) == 0:
-                return "no rows"
-            return "ok" if self.bound is not None else "not checked"
-        is_finite = math.isfinite(self.rejected.error)
-        if self.rejected.stage == "solver" and is_finite and not self.step.has_converged:
-            # The engine stopped at its iteration cap. That is an error only if its method needs far fewer iterations.
-            self.work = work.compare(self.step, self.solution)
-            if not self.work.is_excessive:
-                return "unconverged"
-        return "wrong"
+    def _is_excused(self, finding: Finding) -> bool:
+        """Whether the solver's error is one of an engine at its iteration cap, whose method needs that many iterations."""
+        if finding.stage != "solver" or self.step.has_converged or not math.isfinite(finding.error):
+            return False
+        self.work = work.compare(self.step, self.solution)
+        return not self.work.is_excessive
+
+    def _accepted(self) -> str:
+        """The verdict of a step without rejected findings."""
+        if len(self.step) == 0:
+            return "no rows"
+        return "ok" if self.bound is not None else "not checked"
 
     @property
     def ok(self) -> bool:
