@@ -55,6 +55,16 @@ def test_a_frame_that_is_no_longer_rejected_is_named():
     assert run.fixed == ["mine 1"] and "mine 1 is no longer rejected" in str(run)
 
 
+def test_a_frame_that_is_rejected_at_another_stage_is_not_known():
+    def at_stage(force, motion):
+        return lcplab.EngineStep.of("mine", [[2.0]], [[1.0]], [0.0], [-3.0], [force], [motion], compliance=0.5)
+
+    baseline = lcplab.receipts([GOOD, at_stage(2.0, -2.0)]).to_json()
+    assert lcplab.receipts([GOOD, at_stage(2.0, -2.0)], baseline=baseline).ok
+    other = lcplab.receipts([GOOD, at_stage(3.0, -1.4)], baseline=baseline)
+    assert other.rejected == ["mine 1"] and other.stages == {"write-back": 1} and not other.known and not other.ok
+
+
 def test_the_command_fails_if_it_checked_no_frame(tmp_path, capsys):
     lcplab.receipt(CAPPED).write(tmp_path / "a.json", tmp_path / "a.x.json")
     assert command.main([str(tmp_path)]) == 1

@@ -20,7 +20,7 @@ import pytest
 
 from lcplab._receipt import Adapter, Receipt, Run, State, receipt
 from lcplab._receipt.findings import STAGES
-from lcplab._receipt.runs import load
+from lcplab._receipt.runs import is_known, load
 
 
 class Session:
@@ -69,7 +69,7 @@ class Recorder:
     def new(self) -> list[str]:
         """The rejected steps that the baseline does not list."""
         known = self.session.baseline["rejected"] if self.session.baseline else {}
-        rejected = [name for name, own in self.receipts.items() if own.is_rejected and name not in known]
+        rejected = [name for name, own in self.receipts.items() if own.is_rejected and not is_known(name, own, known)]
         return [] if self.session.is_update else rejected
 
 

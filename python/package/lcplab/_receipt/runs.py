@@ -41,8 +41,8 @@ class Run:
     receipts : dict of str to Receipt
         By the names of the frames.
     rejected, known, unconverged : list of str
-        The rejected frames, those of them that the baseline lists, and frames above their limit at the engine's
-        iteration cap.
+        The rejected frames, those of them that the baseline lists with the same stage, and frames above their limit
+        at the engine's iteration cap.
     counts : dict of str to int
         The number of frames with a motion error above 1e-6, 1e-5, 1e-4 and 1e-3.
     quantiles : dict of str to float
@@ -65,9 +65,9 @@ class Run:
         self.unconverged = [name for name, receipt in every if receipt.verdict == "unconverged"]
         self.not_checked = [name for name, receipt in every if receipt.verdict == "not checked"]
         self.without_rows = [name for name, receipt in every if receipt.verdict == "no rows"]
-        known = set(baseline["rejected"]) if baseline else set()
-        self.known = [name for name in self.rejected if name in known]
-        self.fixed = sorted(name for name in known - set(self.rejected) if name in self.receipts)
+        known = baseline["rejected"] if baseline else {}
+        self.known = [name for name in self.rejected if is_known(name, self.receipts[name], known)]
+        self.fixed = sorted(name for name in known.keys() - set(self.rejected) if name in self.receipts)
         self.worse = _worse(self.errors, baseline, self._floor()) if baseline else []
         self.unchecked = self._unchecked()
 
@@ -204,6 +204,11 @@ def receipts(
             waiting = []
     found |= _bounded(waiting, limit)
     return Run(found, known)
+
+
+def is_known(name: str, receipt: Receipt, rejected: Mapping[str, str | None]) -> bool:
+    """Whether a baseline lists this frame as rejected at the same stage."""
+    return name in rejected and rejected[name] == receipt.stage
 
 
 def load(path: str | os.PathLike[str]) -> dict[str, Any]:
