@@ -149,8 +149,10 @@ def test_after_a_whole_step_of_rk4_its_mean_acceleration_is_named_as_not_checked
 
 @pytest.mark.parametrize("is_whole", [False, True])
 def test_all_parts_without_a_check_are_named(is_whole):
-    model, data = moving(arm(end=MOTORS, more='<body pos="1 0 .1"><freejoint/><geom size=".1"/></body>'
-                             '<geom type="plane" size="5 5 .1"/>'))
+    more = '<geom type="plane" size="5 5 .1"/>' + "".join(
+        f'<body pos="1 0 {height}"><freejoint/><geom type="box" size=".1 .1 .1"/></body>' for height in (0.1, 0.295))
+    couple = '<equality><joint joint1="arm" joint2="hand"/></equality>'
+    model, data = moving(arm(end=MOTORS + couple, more=more))
     data.qpos[0] = 0.5  # beyond the limit, 20°
     mujoco.mj_forward(model, data)
     before = None
@@ -159,9 +161,11 @@ def test_all_parts_without_a_check_are_named(is_whole):
         mujoco.mj_step(model, data)
     expected = {
         "collision: positions and normals of contacts",
-        "assembly: coefficients of friction, friction losses, and compliance (solref, solimp)",
-        "assembly: J and distances of limits",
-        "assembly: J of friction losses",
+        "collision: distances of box and box",
+        "assembly: coefficients of friction, and compliance of rows (solref, solimp)",
+        "assembly: rows of limits (presence, J, distance)",
+        "assembly: rows of friction losses (presence, J, bounds)",
+        "assembly: rows of equalities (presence)",
         "assembly: transmissions of actuators",
         "write-back: the position after the step",
     }

@@ -37,7 +37,7 @@ def check(
         first, second = shapes[one], shapes[other]
         gap = distance(first, second)
         if gap is None:
-            unknown.add(" and ".join(sorted((first.kind, second.kind))))
+            unknown.add(_kinds(first, second))
             continue
         reported = contacts.get((one, other))
         size = min(_size(first), _size(second))
@@ -53,8 +53,14 @@ def check(
             if not error <= wrong.error:
                 what = f"the distance of a contact is {reported:.4g} m, but that of its shapes is {gap:.4g} m"
                 wrong = Finding("collision", what, error, LIMIT, None, bodies)
+        else:
+            unknown.add(_kinds(first, second))
     not_checked = [f"collision: distances of {pair}" for pair in sorted(unknown)]
     return Report([missing, wrong] if near else [], not_checked)
+
+
+def _kinds(first: Shape, second: Shape) -> str:
+    return " and ".join(sorted((first.kind, second.kind)))
 
 
 def _size(shape: Shape) -> float:

@@ -199,12 +199,13 @@ def never_checked(model: Any, data: Any) -> list[str]:
     if data.ncon:
         parts.append("collision: positions and normals of contacts")
     if data.nefc:
-        parts.append("assembly: coefficients of friction, friction losses, and compliance (solref, solimp)")
-    kinds = np.array(data.efc_type[: data.nefc])
-    if np.isin(kinds, [LIMIT_JOINT, LIMIT_TENDON]).any():
-        parts.append("assembly: J and distances of limits")
-    if np.isin(kinds, [FRICTION_DOF, FRICTION_TENDON]).any():
-        parts.append("assembly: J of friction losses")
+        parts.append("assembly: coefficients of friction, and compliance of rows (solref, solimp)")
+    if np.any(model.jnt_limited) or np.any(model.tendon_limited):
+        parts.append("assembly: rows of limits (presence, J, distance)")
+    if np.any(model.dof_frictionloss) or np.any(model.tendon_frictionloss):
+        parts.append("assembly: rows of friction losses (presence, J, bounds)")
+    if model.neq:
+        parts.append("assembly: rows of equalities (presence)")
     if model.nu:
         parts.append("assembly: transmissions of actuators")
     return parts
