@@ -7,8 +7,8 @@
 //!        0                   friction: what is pushed out does not slip
 //! ```
 //!
-//! Nothing moves without corrections, so the target is 0. Motors and springs have no error to
-//! correct.
+//! Nothing moves without corrections, so the target is 0. Motors and springs have no position
+//! error.
 
 use crate::assembly::{Assembly, Row};
 use crate::constraint::Kind;
