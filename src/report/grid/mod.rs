@@ -1,8 +1,8 @@
 //! Grids of settings: a scene or a problem family at every point.
 //!
-//! A grid file ([`Grid`]) says what varies; its [`Plan`] numbers the points. Each is a task that
-//! needs no other one, on whichever thread or machine ([`measure`](mod@measure)); a [`Folder`]
-//! keeps their results, and [`collect`] puts them together, the same bits however they were found.
+//! A grid file ([`Grid`]) defines what varies; its [`Plan`] numbers the points. Each point is an
+//! independent task, for any thread or machine ([`measure`](mod@measure)); a [`Folder`] stores the
+//! results, and [`collect`] combines them, bitwise identical regardless of how they were computed.
 //!
 //! ```toml
 //! title = "A block on a slope"
@@ -29,17 +29,17 @@
 //! solver.omega = "ω"
 //! ```
 //!
-//! `scale = "linear"` or `"log"` spreads the measures on their axis, which else depends on the
-//! values; `theory` names a closed form to draw beside them ([`Theory`]). The measure `rate` has
-//! its problem solved once more.
+//! `scale = "linear"` or `"log"` sets the scale of the measures' axis, which otherwise depends on
+//! the values; `theory` names a closed form to draw for comparison ([`Theory`]). The measure `rate`
+//! solves the problem once more.
 //!
-//! A setting is the path of a field of the scene file: of lists the item's number from 0 or its
-//! name, or neither if there is one item. Of a family it is a parameter, or a field of `solver` as
-//! scenes have it. `scene`, `family` and `steps` may be axes themselves. A family's problem is
-//! solved once, from 0.
+//! A setting is the path of a field in the scene file; items of a list are given by their number
+//! from 0 or their name, or neither if there is only one. For a family it is a parameter, or a
+//! field of `solver` as in scenes. `scene`, `family` and `steps` can be axes themselves. A family's
+//! problem is solved once, from 0.
 //!
-//! What is random draws from a seed of the task, which follows from `seed`, the repetition, and the
-//! settings that make the problem: tasks that differ in `solver` or `step` alone get the same
+//! Random values use a seed of the task, which is derived from `seed`, the repetition, and the
+//! settings that define the problem: tasks that differ only in `solver` or `step` get the same
 //! problem.
 
 mod collect;
