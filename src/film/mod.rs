@@ -1,7 +1,7 @@
 //! Pictures of a moving scene: several instants side by side, seen by one camera.
 //!
 //! ```text
-//! bodies ─→ solids, rods ─→ depth order ─→ what is seen ─→ ink
+//! bodies ─→ solids, rods ─→ depth order ─→ visibility ─→ ink
 //!           in metres        in metres      in px           SVG
 //! ```
 //!

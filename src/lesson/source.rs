@@ -3,7 +3,7 @@
 //! ```text
 //! ---                          an optional head for Jupytext, which is skipped
 //! # Title                      the first line
-//! prose, $x^2$, {{name}}       {{name}} is a value that a cell has put there
+//! prose, $x^2$, {{name}}       {{name}} is a value that a cell has set
 //! ```rust                      a cell: shown, compiled and run
 //! ```rust tags=["hide"]        a cell whose code is not shown
 //! ```rust tags=["fold"]        a cell whose code is folded: set-up, tables, plots

@@ -33,7 +33,7 @@ pub struct Change {
 }
 
 impl Change {
-    /// |new − old| over the larger of both sizes; 1 for what is not two numbers.
+    /// |new − old| relative to the larger absolute value; 1 unless both are numbers.
     pub fn relative(&self) -> f64 {
         self.numbers().map_or(1.0, |(old, new)| (new - old).abs() / old.abs().max(new.abs()))
     }

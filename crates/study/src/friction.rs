@@ -66,7 +66,7 @@ pub struct ContactAnswer {
     pub impulse: [f64; 3],
     /// w_n, w_t1, w_t2; (w_t1, w_t2) is the slip of a sliding contact.
     pub velocity: [f64; 3],
-    /// |x_t| / (μ x_n): at most 1 in the disc; `None` if μ x_n = 0.
+    /// |x_t| / (μ x_n): at most 1 within the disk; `None` if μ x_n = 0.
     pub strength: Option<f64>,
     /// The angle (degrees) between friction and the direction opposite to the slip; `None` if the
     /// contact does not slide, or has no friction.

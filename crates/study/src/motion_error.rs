@@ -23,7 +23,7 @@ use lcplab_problem::{Gauss, Lcp, Level, Question};
 pub struct MotionError {
     /// |u(x) − û|_M is at most this.
     pub bound: f64,
-    /// |û − u*|_M, to within the bound: what the constraints change.
+    /// |û − u*|_M, up to the bound: the effect of the constraints.
     pub effect: f64,
     /// No entry of u(x) − û is larger.
     pub largest_entry: f64,

@@ -79,7 +79,7 @@ pub(super) fn example() -> Result<Finding> {
     .plot(&drawing()?))
 }
 
-/// |x| against sweeps, rigid and yielding.
+/// |x| against sweeps, rigid and compliant.
 fn drawing() -> Result<Lines> {
     let curve = |compliance: f64| -> Result<Vec<(f64, f64)>> {
         let x = sweeps("pgs", &problem(ROD_LAST, compliance)?, &[0.0; 3], 100)?;

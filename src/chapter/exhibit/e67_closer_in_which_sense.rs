@@ -78,7 +78,7 @@ pub(super) fn example() -> Result<Finding> {
 /// The distance in both norms, sweep by sweep.
 fn drawing(lcp: &Lcp, x: &[Vec<f64>]) -> Lines {
     let least = merit::objective(lcp, &[0.0, 1.0]);
-    // |x − x*|² in the norm of A is twice what the objective is above its least.
+    // |x − x*|² in the norm of A is twice the excess of the objective over its minimum.
     let in_norm_of_a = |x: &[f64]| (2.0 * (merit::objective(lcp, x) - least)).max(0.0).sqrt();
     let curve = |distance: &dyn Fn(&[f64]) -> f64| {
         let shown = x.iter().take(21).enumerate();

@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! simulation ─→ takes ─→ poses, order, forces, measures as numbers ─→ a player
-//!               shots     rounded to what an eye can tell apart
+//!               shots     rounded to the visible precision
 //! ```
 
 mod chart;

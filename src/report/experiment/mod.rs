@@ -4,7 +4,7 @@
 //! title = "My report"
 //! lead = "What it is about."
 //!
-//! [[section]]                       # a study, with a heading and words of its own if wanted
+//! [[section]]                       # a study, with an optional heading and text
 //! study = "convergence"
 //! title = "How fast"
 //! text = "Look at the slopes: $\\rho^k$."

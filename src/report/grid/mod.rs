@@ -8,24 +8,24 @@
 //! title = "A block on a slope"
 //! text = "What the page says above the figures."
 //! scene = "incline"               # a shipped scene or a file; or: family = "stack"
-//! steps = 50                      # of a scene; its own count without it
-//! measure = ["drift", "iterations"] # what is drawn; all that is measured is recorded
+//! steps = 50                      # for a scene; by default its own count
+//! measure = ["drift", "iterations"] # measures to draw; all measures are recorded
 //! seed = 1                        # of all that is random
-//! repeat = 3                      # every point so often, with seeds of their own
+//! repeat = 3                      # runs per point, each with its own seed
 //!
 //! [set]                           # the same in all tasks
 //! solver.name = "sor"
 //!
-//! [axes]                          # every combination of these; the first one is drawn across
+//! [axes]                          # all combinations; the first one is the horizontal axis
 //! solver.omega = { from = 1.0, to = 1.9, count = 10 }
 //! bodies.block.mass = { from = 1.0, to = 100.0, count = 3, spacing = "log" }
 //! step.scheme = ["velocity", "acceleration"]
 //!
-//! [zip]                           # lists of one length that go together, as one more axis
+//! [zip]                           # lists of equal length that vary together, as one more axis
 //! step.dt = [0.01, 0.005]
 //! step.count = [50, 100]
 //!
-//! [labels]                        # what settings are called on the page
+//! [labels]                        # names of settings on the page
 //! solver.omega = "ω"
 //! ```
 //!

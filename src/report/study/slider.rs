@@ -7,7 +7,7 @@
 //!
 //! ```text
 //! a = r μ g,   β = half the angle of an edge,   ψ = from its middle to the slip at the start
-//! t = v sin ψ/(a sin β)                           how long the slip turns
+//! t = v sin ψ/(a sin β)                           duration of the turning
 //! (v cos ψ) t − a cos β t²/2 + u²/(2 a cos β)     along the middle,   u = v cos ψ − a cos β t
 //! (v sin ψ) t − a sin β t²/2                      across it
 //! ```

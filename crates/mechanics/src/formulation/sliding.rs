@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! x_t = −μ x_n v_t/|v_t|,   so   Jᵀx = (J_n − μ Σ_t v_t/|v_t| J_t)ᵀ x_n
-//! A_in = J_i M⁻¹ (J_n − μ Σ_t v_t/|v_t| J_t)ᵀ     A is not symmetric any more
+//! A_in = J_i M⁻¹ (J_n − μ Σ_t v_t/|v_t| J_t)ᵀ     A is no longer symmetric
 //! ```
 //!
 //! This is exactly Coulomb's law as long as the contact slides. But A_nn may be negative: a rod

@@ -4,7 +4,7 @@
 //! satisfies the bounds, and a multiplier R y drives them together:
 //!
 //! ```text
-//! (A + R) x = R (z − y) − b      one factorisation A + R = L Lᵀ for all iterations
+//! (A + R) x = R (z − y) − b      one factorization A + R = L Lᵀ for all iterations
 //! x̂ = 1.6 x + (1 − 1.6) z        over-relaxation
 //! z ← Π(x̂ + y)
 //! y ← y + x̂ − z                  at the solution R y = −w

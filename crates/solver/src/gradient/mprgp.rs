@@ -6,8 +6,8 @@
 //! ```text
 //! φ̃ = the part of φ that a step of length ᾱ can use before a bound stops it
 //! |β|² ≤ φ̃·φ:  a conjugate gradient step on the free rows, x ← x − α p
-//!               (expansion: cut off at the first bound met, then x ← Π(x − ᾱ φ); p starts anew)
-//! otherwise:    proportioning: x ← x − α β lets rows leave their bounds; p starts anew
+//!               (expansion: cut off at the first bound, then x ← Π(x − ᾱ φ); p is reset)
+//! otherwise:    proportioning: x ← x − α β lets rows leave their bounds; p is reset
 //! ```
 //!
 //! Conjugate gradients explore the free rows in about √κ steps, where Gauss-Seidel needs κ, and

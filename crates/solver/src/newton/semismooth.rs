@@ -44,11 +44,11 @@
 //! solution both equations double the number of correct digits in each step (Qi & Sun 1993; De
 //! Luca, Facchinei & Kanzow 1996).
 //!
-//! |H|² is summed as Σ a_ii H_i², an energy. A step costs f³/6 products for f free rows by Cholesky, fewer where A is
-//! sparse, and 5/3 n³ by QR, for A of any kind with a positive diagonal, up to 2000 rows. The
-//! bounds of coupled rows are part of H, with their derivatives; a coupled row at a bound that
-//! moves needs QR. `ZeroDiagonal` and `Diverged` as for PGS. The solution says whether proximal
-//! steps were taken ([`Fallback`]).
+//! The sum |H|² = Σ a_ii H_i² is an energy. A step costs f³/6 products for f free rows by Cholesky,
+//! fewer if A is sparse, and 5/3 n³ by QR, for any A with a positive diagonal, up to 2000 rows. The
+//! bounds of coupled rows are part of H, with their derivatives; a coupled row at a moving bound
+//! needs QR. `ZeroDiagonal` and `Diverged` as for PGS. The solution reports whether proximal steps
+//! were taken ([`Fallback`]).
 
 use std::ops::ControlFlow;
 
@@ -67,11 +67,11 @@ use lcplab_problem::memory::Memory;
 /// Maximum number of halvings before a proximal step is tried, and before the step is given up if
 /// no proximal step is possible.
 const HALVINGS: [i32; 2] = [4, 12];
-/// |H|² must fall by this part of what a linear H would give.
+/// |H|² must decrease by this fraction of the decrease for a linear H.
 const SUFFICIENT: f64 = 1e-4;
 /// Maximum number of whole steps that need not reduce |H|².
 const PATIENCE: usize = 10;
-/// |H|² that differ by this part are the same but for rounding.
+/// Values of |H|² that differ by less than this fraction are equal up to rounding.
 const LEVEL: f64 = 1e-9;
 /// ν for |H|² = Σ b_i²/a_ii, its value at x = 0 without bounds. It affects only the flattest
 /// directions.

@@ -4,7 +4,7 @@
 //! | A | factor | products, for f free rows of n |
 //! | --- | --- | --- |
 //! | symmetric | [L Lᵀ](crate::linalg::cholesky) in blocks | f³/6 |
-//! | symmetric, b entries a row near the diagonal | [L D Lᵀ](crate::linalg::envelope) within the envelope | n b²/2 |
+//! | symmetric, b entries per row near the diagonal | [L D Lᵀ](crate::linalg::envelope) within the envelope | n b²/2 |
 //! | not symmetric | [L U](crate::linalg::elimination) with row exchanges | f³/3 |
 //!
 //! The factor is kept and reused for the same free rows of the same matrix.

@@ -5,7 +5,7 @@
 //! repeat   x ← the point of the active set        (A_FF x_F = −(b_F + A_FB x_B))
 //!          i ← the least row that is not satisfied
 //!          move row i to its other side:  at a bound with a wrong sign of w → free,
-//!                                         free and beyond a bound            → at that bound
+//!                                         free and outside a bound           → at that bound
 //! ```
 //!
 //! (Murty 1974; a Bard-type method with the least index.) For a P-matrix, whose principal minors

@@ -61,7 +61,7 @@ pub struct RowResiduals {
     pub method: Sweep,
     /// ω; 1 for all methods but SOR.
     pub omega: f64,
-    /// |x_i − Π(x_i − w_i)| (m/s) by row from the ground up; in each by sweep, the start first.
+    /// |x_i − Π(x_i − w_i)| (m/s) for each row from the ground up, then for each sweep, the start first.
     pub residuals: Vec<Vec<f64>>,
 }
 

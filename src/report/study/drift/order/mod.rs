@@ -4,9 +4,9 @@
 //!
 //! ```text
 //! fall    a stone's height after 1 s                              z0 + v0 t − g t²/2
-//! swing   a pendulum after 1 s: place, energy, length of its rod  elliptic functions; both stay
+//! swing   a pendulum after 1 s: position, energy, rod length      elliptic functions; constant
 //! bounce  height between the first two bounces                    e² h
-//! slide   a box's way down a slope in ½ s                         g (sin θ − μ cos θ) t²/2
+//! slide   a box's path down a slope in ½ s                        g (sin θ − μ cos θ) t²/2
 //! ```
 //!
 //! The observed order is that of the two shortest steps whose error is not yet rounding; the fitted
