@@ -33,7 +33,7 @@ enum Form {
 }
 
 impl Writing {
-    /// Writes the document; the outcome is `refuted` if it is not accepted.
+    /// Writes the document; the outcome is `Refuted` if it is not accepted.
     pub fn write(&self, document: &Document) -> Result<Outcome> {
         let format = self.format();
         let text = document.written(format)?;
