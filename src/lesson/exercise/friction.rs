@@ -3,9 +3,9 @@
 use super::Verdict;
 use crate::lcp::{Lcp, Matrix};
 use crate::solver::{Options, Start, by_name};
-/// Three shapes, a square, a disk and a diamond: no point of a shape may lie farther than the
-/// answer in the direction from the answer to the given point, which each shape decides by a
-/// formula.
+/// The nearest point of a square, a disk and a diamond: no point of the shape may lie farther than
+/// the answer in the direction from the answer to the given point, which is checked by a formula
+/// for each shape.
 ///
 /// # Errors
 /// Names the shape that the answer leaves, or in which another point is nearer.

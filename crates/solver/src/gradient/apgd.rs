@@ -31,8 +31,8 @@ use crate::{ConeSolver, Event, Observer, Settings, Solution, Solver, Start, Stat
 use lcplab_problem::friction::ConeProblem;
 use lcplab_problem::{Complementarity, Lcp};
 
-/// The factor by which the tolerance of a frozen problem is reduced if its solution does not solve
-/// the original problem.
+/// If the solution of a frozen problem does not solve the original one, its tolerance becomes this
+/// fraction of the residual.
 const TIGHTER: f64 = 0.1;
 
 /// Accelerated projected gradient descent.

@@ -27,7 +27,7 @@ pub(super) fn rod(size: Size) -> Result<Vec<Row>> {
         let after = solve.problem.next_velocity(&solve.solution.x, scene.step.dt);
         let speeds = solve.problem.assembly.push_forward(&after);
         let rows = solve.problem.assembly.rows.iter().zip(&solve.solution.x).zip(speeds);
-        // Rows of touching contacts; a row with a gap may close by it.
+        // Touching rows with a force; a row with a gap may approach by the gap.
         let into = rows
             .filter(|((row, x), _)| row.kind == Kind::Normal && **x > 0.0 && row.c <= 1e-9)
             .map(|(_, speed)| speed.abs())

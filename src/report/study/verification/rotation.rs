@@ -49,7 +49,7 @@ pub(super) fn flip(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// The angle of precession after a quarter revolution, and the force on the pivot.
+/// The spin and the force on the pivot, and the precession angle after a quarter revolution.
 pub(super) fn top(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("top", "top", size)?;
     let (precession, length) = (3.0, 0.3);

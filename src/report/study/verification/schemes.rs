@@ -70,10 +70,10 @@ pub(super) fn lean(size: Size) -> Result<Vec<Row>> {
 }
 
 /// A pendulum released at 170 degrees, for a minute. Runge-Kutta and the midpoint rule lose energy
-/// at their order; schemes with feedback of the rod's stretch keep it within one percent, and the
-/// rod's length within a thousandth. NGS and split impulses, which move the bob back to its circle,
-/// keep the length to the last digit and lose a third of the energy, XPBD a tenth of it: for these
-/// only the length is checked.
+/// at their order; schemes with feedback of the rod's stretch keep the energy within one percent
+/// and the rod's length within a thousandth. NGS and split impulses, which move the bob back to its
+/// circle, keep the length to the last digit and lose a third of the energy, XPBD a tenth of it:
+/// for these only the length is checked.
 pub(super) fn long_pendulum(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("long-pendulum", "pendulum", size)?;
     let (time, angle) = (60.0, 170f64.to_radians());
