@@ -105,8 +105,7 @@ fn neither_overflow_nor_underflow_hides_a_wrong_answer() {
         let verdict = judge(&lcp, &[0.9], &Demand::default()).verdict;
         assert!(!verdict.is_solution(), "a = {a:e}");
     }
-    // a x is not negligible relative to nothing: w = 1e-400 > 0 at x > 0 is no solution, and x = 0
-    // is one.
+    // a x is the only term and counts: w = 1e-400 > 0 at x > 0 is no solution, but x = 0 is one.
     let lcp = contacts(&[&[1e-200]], &[0.0]);
     assert!(!judge(&lcp, &[1e-200], &Demand::default()).verdict.is_solution());
     assert_proved(&lcp, &[0.0]);
