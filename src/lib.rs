@@ -1,16 +1,16 @@
 //! A verification and teaching toolkit for rigid-body contact solvers.
 //!
-//! A time step of touching, jointed bodies ends in a boxed linear complementarity problem:
+//! A time step of bodies with contacts and joints leads to a boxed linear complementarity problem:
 //!
 //! ```text
 //! w = A x + b,   lo ≤ x ≤ hi,   w_i > 0 ⇒ x_i = lo_i,   w_i < 0 ⇒ x_i = hi_i
 //! ```
 //!
-//! with A = J M⁻¹ Jᵀ. lcplab makes such problems from scenes in several formulations, solves them
-//! by several methods, and has every answer judged by code that knows the problem and the answer
-//! but not the solver. It follows Kenwright & Morgan, *Practical Introduction to Rigid Body Linear
-//! Complementary Problem (LCP) Constraint Solvers*, cited as K&M; where that chapter errs, its
-//! erratum's number stands beside the code (E06).
+//! with A = J M⁻¹ Jᵀ. lcplab builds such problems from scenes in several formulations, solves them
+//! by several methods, and checks every answer with code that knows the problem and the answer but
+//! not the solver. It follows Kenwright & Morgan, *Practical Introduction to Rigid Body Linear
+//! Complementary Problem (LCP) Constraint Solvers*, cited as K&M; numbers such as E06 in the code
+//! refer to errata of that chapter.
 //!
 //! ```
 //! use lcplab::certificate::{Demand, judge};
@@ -30,12 +30,12 @@
 //! ```
 //!
 //! The modules follow the flow of data. Physics: [`body`], [`constraint`], [`scene`], [`assembly`].
-//! Numbers: [`lcp`], [`storage`], [`solver`], [`mod@reference`], [`certificate`]. Physics and
-//! numbers meet in [`formulation`]; [`plugin`] lets programs in other languages solve, [`hunt`]
-//! asks whether the solvers are honest, [`simulation`] takes many steps, [`trace`], [`plot`] and
-//! [`report`] show them, [`explain`] derives a step line by line, [`diagnosis`] says why one cannot
-//! be taken, [`chapter`] shows what K&M print beside what holds, [`lesson`] teaches it, and
-//! [`live`] lets one touch it.
+//! Numbers: [`lcp`], [`storage`], [`solver`], [`mod@reference`], [`certificate`]. [`formulation`]
+//! connects the two. [`plugin`] runs solvers written in other languages, [`hunt`] tests solvers for
+//! false claims, [`simulation`] takes many steps, [`trace`], [`plot`] and [`report`] show the
+//! results, [`explain`] derives a step line by line, [`diagnosis`] explains why a step cannot be
+//! taken, [`chapter`] shows what K&M print next to the correct statements, [`lesson`] contains the
+//! lessons, and [`live`] the interactive pages.
 
 pub use lcplab_judge as certificate;
 pub use lcplab_judge::reference;
@@ -65,7 +65,7 @@ mod lessons {
     include!(concat!(env!("OUT_DIR"), "/lessons.rs"));
 }
 
-/// The pages around the lessons: the first page, the teacher's guide, the Rust that one needs.
+/// The pages around the lessons: the first page, the teacher's guide, an introduction to Rust.
 #[allow(unused_macros, unused_variables, clippy::useless_vec)]
 mod around {
     include!(concat!(env!("OUT_DIR"), "/around.rs"));
@@ -77,24 +77,25 @@ mod handout {
     include!(concat!(env!("OUT_DIR"), "/handout.rs"));
 }
 
-/// The students' answers; a hole leaves its arguments unused.
+/// The students' answers; an unfilled gap leaves its arguments unused.
 #[path = "../notebooks/exercises/mod.rs"]
 #[allow(missing_docs, non_snake_case, unused_variables, unused_mut)]
 mod exercises;
 
-/// Problems in numbers alone, and the files they come from.
+/// Problems as numbers, and their files.
 pub mod lcp {
     pub use lcplab_files as exchange;
     pub use lcplab_problem::*;
 }
 
-/// Files: read whole, but not beyond a size, and written whole or not at all.
+/// File access: files are read completely up to a maximum size, and written completely or not at
+/// all.
 pub mod file {
     pub use lcplab_files::disk::*;
     pub use lcplab_problem::disk::*;
 }
 
-/// The examples of the README run as tests.
+/// Runs the examples of the README as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -1,4 +1,4 @@
-//! The command line; all of it is in the library, where the Python package finds it too.
+//! The command line; its code is in the library, where the Python package also uses it.
 
 fn main() -> std::process::ExitCode {
     lcplab::cli::run(std::env::args_os()).into()

@@ -1,5 +1,5 @@
-//! A set of problems that can be cited: the library, steps of the shipped scenes and what physics
-//! engines pose, as files with a card of each.
+//! A citable set of problems: the library, steps of the shipped scenes and problems of physics
+//! engines, as files with an index of their properties.
 
 use std::path::Path;
 
@@ -21,26 +21,26 @@ use crate::scene::{Scene, catalogue};
 use crate::simulation::Step;
 use crate::solver::{Options, Start, by_name, default_for};
 
-/// A card of each problem.
+/// The index with the properties of each problem.
 const INDEX: &str = "index.csv";
 /// How to cite the set.
 const CITATION: &str = "CITATION.cff";
 /// Problems with more numbers in A are left out.
 const MOST_NUMBERS: usize = 90_000;
-/// Seeds of each family that has one.
+/// Number of seeds for each family that has one.
 const SEEDS: u32 = 3;
-/// Numbers of rows, or of bodies, that a family is exported in, where it can be.
+/// Numbers of rows, or of bodies, in which a family is exported, if possible.
 const SIZES: [f64; 3] = [10.0, 50.0, 200.0];
-/// The same for families that are sparse.
+/// The same for sparse families.
 const LARGE: [f64; 2] = [1000.0, 10_000.0];
-/// Steps of each shipped scene.
+/// The exported steps of each shipped scene.
 const STEPS: [usize; 2] = [1, 10];
-/// Up to so many rows an exact solution is sought where none is known.
+/// Maximum number of rows for which an exact solution is computed if none is known.
 const EXACT_ROWS: usize = 24;
-/// The edition of the set: it changes when a file does.
+/// The edition of the set: it changes with any of its files.
 const VERSION: &str = "3";
 
-/// Writes one file a problem, index.csv and CITATION.cff; returns how many problems.
+/// Writes one file per problem, index.csv and CITATION.cff; returns the number of problems.
 ///
 /// # Errors
 /// If the folder cannot be written.
@@ -95,7 +95,7 @@ fn of_family(family: &dyn Family) -> Vec<Problem> {
     let mut problems = Vec::new();
     for seed in seeds.map(f64::from) {
         let given = has("seed").then_some(("seed", seed));
-        // A size that it does not have is none.
+        // A size that the family does not have is skipped.
         let sized =
             |n: f64| family.generate(&given.into_iter().chain([("n", n)]).collect::<Vec<_>>()).ok();
         problems.extend(family.generate(given.as_slice()));
@@ -124,7 +124,7 @@ fn step(name: &str, step: usize) -> Option<Problem> {
     Some(solve.exported(&scene, step))
 }
 
-/// Adds an exact solution to a small problem of which none is known.
+/// Adds an exact solution to a small problem without a known one.
 fn solved(problem: &mut Problem) {
     let lcp = &problem.lcp;
     let is_open = is_boxed(problem) && !problem.extra.contains_key("expected");
@@ -138,18 +138,18 @@ fn solved(problem: &mut Problem) {
     }
 }
 
-/// Whether it is solved as its rows stand, and not under another model of friction.
+/// Whether it is solved as a boxed LCP, and not under another friction model.
 fn is_boxed(problem: &Problem) -> bool {
     problem.model.is_none_or(|model| model == Model::CoupledBox)
 }
 
-/// The default solver's.
+/// The answer of the default solver.
 fn answer(lcp: &Lcp) -> Option<Vec<f64>> {
     let solver = by_name(default_for(lcp), &Options::default()).ok()?;
     Some(solver.solve(lcp, &Start::default(), &mut ()).x)
 }
 
-/// Letters and digits of a name, for a file.
+/// Letters and digits of a name, for a file name.
 fn stem(name: &str) -> String {
     let mut stem = String::new();
     for c in name.chars() {
@@ -180,8 +180,8 @@ fn record(problem: &Problem, name: &str, hash: &str) -> [String; 11] {
     ]
 }
 
-/// What is known of its solutions: by construction, or by the judge's word on the default solver's
-/// answer.
+/// What is known about its solutions: by construction, or by the judge's verdict on the default
+/// solver's answer.
 fn truth(problem: &Problem) -> String {
     match Expected::of(problem) {
         Some(expected) if expected.is_impossible() => "no solution".into(),

@@ -1,4 +1,4 @@
-//! The list of errata, each tried on the spot.
+//! The list of errata, each with its example run.
 
 use serde_json::{Value, json};
 
@@ -6,12 +6,13 @@ use super::exhibit::{self, Exhibit};
 use crate::document::{Block, Document, Section, Table};
 use crate::error::Result;
 
-/// An erratum and what its example showed.
+/// An erratum and the result of its example.
 #[derive(Debug, Clone, Copy)]
 pub struct Tried {
     /// The erratum.
     pub exhibit: &'static Exhibit,
-    /// Whether the example told the printed form from the corrected one; `None` without an example.
+    /// Whether the example distinguished the printed form from the corrected one; `None` without an
+    /// example.
     pub is_shown: Option<bool>,
 }
 
@@ -23,7 +24,7 @@ pub fn tried() -> Result<Vec<Tried>> {
     exhibit::all().iter().map(Tried::of).collect()
 }
 
-/// The list of those that were tried.
+/// The list of errata with their results.
 pub fn document(tried: &[Tried]) -> Document {
     let line = |tried: &Tried| {
         let Exhibit { id, severity, place, title, .. } = tried.exhibit;
@@ -48,7 +49,7 @@ pub fn document(tried: &[Tried]) -> Document {
 }
 
 impl Tried {
-    /// Runs the example of one.
+    /// Runs the example of an erratum.
     ///
     /// # Errors
     /// If it cannot be set up.
@@ -57,7 +58,7 @@ impl Tried {
         Ok(Tried { exhibit, is_shown })
     }
 
-    /// What came of it, in words.
+    /// The result, in words.
     pub fn word(&self) -> &'static str {
         match self.is_shown {
             Some(true) => "shown",
@@ -66,7 +67,7 @@ impl Tried {
         }
     }
 
-    /// The same for machines.
+    /// The result as JSON.
     pub fn to_json(&self) -> Value {
         let Exhibit { id, title, place, severity, printed, holds, why, .. } = self.exhibit;
         json!({

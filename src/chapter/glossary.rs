@@ -1,5 +1,5 @@
-//! The glossary: terms, symbols and units, each with the code that computes it. The page
-//! `docs/glossary.md` is its only source.
+//! The glossary: terms, symbols and units, each with the code that computes it. Its source is the
+//! page `docs/glossary.md`.
 
 use std::sync::LazyLock;
 
@@ -12,11 +12,11 @@ pub struct Term {
     pub name: String,
     /// Its symbol; may be empty.
     pub symbol: String,
-    /// The unit, or two: for forces and lengths, and for torques and angles. May be empty.
+    /// The unit, or two units: for forces and lengths, and for torques and angles. May be empty.
     pub unit: String,
     /// The definition, one sentence.
     pub means: String,
-    /// The chapter's word, where it differs.
+    /// The chapter's term, if it differs.
     pub chapter: String,
     /// The modules or items that compute it.
     pub code: Vec<String>,
@@ -29,7 +29,7 @@ pub fn terms() -> &'static [Term] {
     &TERMS
 }
 
-/// The rows of the page's table.
+/// The rows of the table on the page.
 fn table(page: &str) -> Vec<Term> {
     let rows = page.lines().filter(|line| line.starts_with("| "));
     rows.skip(2).map(|row| term(&cells(row))).collect() // the head and the line below it

@@ -1,4 +1,4 @@
-//! Literature after and before the chapter, with a word on each and where the library follows it.
+//! Literature after and before the chapter, each with a comment and where the library uses it.
 
 use std::sync::LazyLock;
 
@@ -7,13 +7,13 @@ use serde::Deserialize;
 use super::data::{self, one_line};
 use crate::document::{Document, Section};
 
-/// References on one subject, in the order of years, as `references.toml` has them.
+/// References on one subject by year, as stored in `references.toml`.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Subject {
     /// The subject.
     pub title: String,
-    /// What to read.
+    /// The references.
     #[serde(rename = "reference")]
     pub references: Vec<Reference>,
 }
@@ -27,14 +27,14 @@ pub struct Reference {
     /// Its title.
     #[serde(deserialize_with = "one_line")]
     pub title: String,
-    /// What to read it for.
+    /// Why to read it.
     #[serde(deserialize_with = "one_line")]
     pub about: String,
-    /// Where the library follows it.
+    /// Where the library uses it.
     pub code: Vec<String>,
 }
 
-/// The literature by subject.
+/// The literature, by subject.
 pub fn subjects() -> &'static [Subject] {
     static SUBJECTS: LazyLock<Vec<Subject>> =
         LazyLock::new(|| data::list("references.toml", include_str!("references.toml")));

@@ -1,4 +1,4 @@
-//! `chapter`: what K&M say, whether it holds, and where the library has it.
+//! `chapter`: the statements of K&M, whether they are correct, and where the library has them.
 
 use clap::Args;
 use lcplab::chapter::inventory::{self, Verdict};
@@ -124,7 +124,7 @@ fn outcome(is_good: bool) -> Outcome {
     if is_good { Outcome::Good } else { Outcome::Refuted }
 }
 
-/// Whether a name is E and a number.
+/// Whether a name is E followed by a number.
 fn is_erratum(name: &str) -> bool {
     name.strip_prefix('e').is_some_and(|number| number.parse::<u8>().is_ok())
 }

@@ -1,4 +1,4 @@
-//! `convert`: a problem in another file format.
+//! `convert`: writes a problem in another file format.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! `diagnose`: what is wrong with a scene or a problem.
+//! `diagnose`: explains what is wrong with a scene or a problem.
 
 use std::path::{Path, PathBuf};
 
@@ -137,7 +137,7 @@ impl Diagnose {
         self.write(found.document(), examined.as_ref())
     }
 
-    /// A problem, and how it was solved if that is asked for.
+    /// Diagnoses a problem, and its solve if a solver is given.
     fn problem(&self, solver: Option<&str>) -> Result<(Diagnosis, Option<Examined>)> {
         let refuse = |option| {
             Error::invalid(&self.input, option, "applies to scenes, but the input is a problem")
@@ -158,7 +158,7 @@ impl Diagnose {
         Ok((diagnosis, Some(Examined { found, practice, scene: None })))
     }
 
-    /// A scene, and how it is solved unless that cannot be.
+    /// Diagnoses a scene, and its solve if possible.
     fn of_scene(&self, solver: Option<&str>) -> Result<(Diagnosis, Option<Examined>)> {
         let scene = self.scene(solver)?;
         let step = self.step.map(|step| step as usize);
@@ -170,8 +170,8 @@ impl Diagnose {
         Ok((diagnosis, Some(Examined { found, practice, scene: Some(scene) })))
     }
 
-    /// Writes what was found for people: words, or a page with pictures and the problems of the
-    /// worst steps beside it.
+    /// Writes the result as text, or as a page with pictures and the problems of the worst steps
+    /// next to it.
     fn write(&self, mut document: Document, examined: Option<&Examined>) -> Result<Outcome> {
         let Some(Examined { found, practice, scene }) = examined else {
             return self.writing.write(&document);
@@ -187,7 +187,7 @@ impl Diagnose {
         Ok(if document.is_accepted { Outcome::Good } else { Outcome::Refuted })
     }
 
-    /// The scene as it is to be solved.
+    /// The scene with the options of its solver.
     fn scene(&self, solver: Option<&str>) -> Result<Scene> {
         let mut scene = self.changes.load(&self.input)?;
         if let Some(name) = solver {
@@ -203,7 +203,7 @@ impl Diagnose {
         Ok(scene)
     }
 
-    /// How a problem is to be solved.
+    /// The solver and options for a problem.
     fn practice(&self, solver: Option<&str>) -> Result<Practice> {
         let entry = methods::entry(solver.unwrap_or("pgs"))?;
         let mut options = Options::default();
@@ -213,7 +213,7 @@ impl Diagnose {
         Ok(Practice { entry, options })
     }
 
-    /// The problems of a folder, in the order of their names.
+    /// Diagnoses the problems of a folder, in the order of their names.
     fn sequence(&self, solver: Option<&str>) -> Result<Outcome> {
         let paths = file::list(Path::new(&self.input))?;
         let paths = paths.iter().filter(|path| exchange::is_problem(path));
@@ -245,7 +245,7 @@ impl Diagnose {
         self.write(document, Some(&Examined { found, practice, scene: None }))
     }
 
-    /// Which known mistakes give an answer.
+    /// Finds the known mistakes that give an answer.
     fn mistake(&self, problem: &Problem, answer: &Path) -> Result<Outcome> {
         let question = Question::new(problem, None, &self.input)?;
         let lcp = question.require_boxed("the known mistakes are", &self.input)?;
@@ -267,25 +267,25 @@ impl Diagnose {
     }
 }
 
-/// The problem with the bounds that its model of friction gives it.
+/// The problem with the bounds of its friction model.
 ///
 /// # Errors
-/// If they are cones or polygons.
+/// If the model has cones or polygons.
 fn as_box(problem: Problem, place: &str) -> Result<Problem> {
     let question = Question::new(&problem, None, place)?;
     let lcp = question.require_boxed("examinations of a solver are", place)?.clone();
     Ok(Problem { lcp, ..problem })
 }
 
-/// What an examination found, and of what.
+/// An examination and its subject.
 struct Examined {
     found: Examination,
     practice: Practice,
     scene: Option<Scene>,
 }
 
-/// Writes the problems of the worst steps beside a page: the name of each file, and why it is
-/// there.
+/// Writes the problems of the worst steps next to a page; returns the name of each file, and the
+/// reason for it.
 fn worst_problems(
     scene: &Scene,
     found: &Examination,

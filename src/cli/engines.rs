@@ -12,17 +12,17 @@ use lcplab::memory::Memory;
 use lcplab::plugin::group::ProcessGroup;
 use lcplab::solver::{Reason, Stop};
 
-/// The environment variable that names another interpreter than `python3`.
+/// The environment variable for an interpreter other than `python3`.
 const INTERPRETER: &str = "LCPLAB_PYTHON";
 /// The file of the record in the report's folder.
 const RECORD: &str = "engines.json";
-/// All engines that are installed.
+/// The name for all installed engines.
 const ALL: &str = "all";
-/// How often it is looked whether the engines are through, or it is time to stop.
+/// The interval for checking whether the engines have finished, or a stop is due.
 const LOOK: Duration = Duration::from_millis(50);
 
-/// Runs these engines, with commas between them, on every phenomenon; returns the record, which is
-/// in this folder, or why they were stopped.
+/// Runs these engines, separated by commas, on every phenomenon; returns the record, which is in
+/// this folder, or why they were stopped.
 ///
 /// # Errors
 /// If no engine is named, there is no interpreter or package, an engine is not installed, or no
@@ -37,7 +37,7 @@ pub fn run(
         return Err(Error::invalid("--engine", "engines", reason));
     }
     file::prepare(folder, &[RECORD])?;
-    // Python follows links, so that its file is not made in a folder that may hold some.
+    // Python follows links, so its file is not created in a folder that may contain some.
     let own = tempfile::tempdir().map_err(|cause| Error::file(&env::temp_dir(), &cause))?;
     let part = own.path().join(RECORD);
     let python = env::var_os(INTERPRETER).filter(|name| !name.is_empty());

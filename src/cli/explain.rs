@@ -1,4 +1,4 @@
-//! `explain`: a time step or a problem, derived line by line.
+//! `explain`: derives a time step or a problem line by line.
 
 use lcplab::simulation;
 use std::path::Path;
@@ -82,11 +82,11 @@ enum Level {
     Acceleration,
 }
 
-/// The most instants in the picture of a motion.
+/// Maximum number of instants in the picture of a motion.
 const FRAMES: usize = 6;
 
-/// The bodies before the first of the steps and after each, with the forces that act; nothing where
-/// no step can be taken.
+/// The bodies before the first of the steps and after each, with the forces; `None` if no step can
+/// be taken.
 fn motion(scene: &Scene, solver: &str, first: usize, last: usize) -> Result<Option<Section>> {
     let mut scene = scene.clone();
     scene.solver.name = solver.into();

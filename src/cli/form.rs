@@ -1,4 +1,4 @@
-//! How a document is written: the options `--format` and `--out`.
+//! The output format and file of a document: the options `--format` and `--out`.
 
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
@@ -33,7 +33,7 @@ enum Form {
 }
 
 impl Writing {
-    /// Writes it; refuted if it is not accepted.
+    /// Writes the document; the outcome is `Refuted` if it is not accepted.
     pub fn write(&self, document: &Document) -> Result<Outcome> {
         let format = self.format();
         let text = document.written(format)?;
@@ -60,13 +60,13 @@ impl Writing {
         self.format() == Format::Html
     }
 
-    /// The file of a page, if it is one that is written to a file.
+    /// The file of a page, if a page is written to a file.
     pub fn page(&self) -> Option<&Path> {
         self.out.as_deref().filter(|_| self.has_pictures())
     }
 }
 
-/// Whether standard output is a terminal whose user has nothing against colours.
+/// Whether standard output is a terminal and the user has not disabled colors.
 fn wants_colour() -> bool {
     let allowed = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
     allowed && std::io::stdout().is_terminal()

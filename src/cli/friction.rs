@@ -1,4 +1,4 @@
-//! Friction problems in `solve` and `judge`: what is printed.
+//! Friction problems in `solve` and `judge`.
 
 use lcplab::certificate::{Demand, Verdict};
 use lcplab::error::Result;
@@ -14,8 +14,8 @@ use super::limits::Limits;
 use super::problem::outcome;
 use super::{Outcome, print};
 
-/// Solves a friction problem by a method, or by the fallback sequence without one, has the answer
-/// judged and prints both; returns the solution too.
+/// Solves a friction problem by a method, or by the fallback sequence without one, judges the
+/// answer and prints both; also returns the solution.
 pub fn solve(
     question: &Question,
     title: &str,

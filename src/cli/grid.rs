@@ -11,7 +11,7 @@ use super::limits::Limits;
 use super::plugin::Declared;
 use super::{Outcome, bar, folder_of, print, say, threads};
 
-/// Rows of the plan that are printed.
+/// Maximum number of rows of the plan that are printed.
 const SHOWN: usize = 40;
 
 /// Measure a scene or a problem family at every point of a grid of settings
@@ -128,7 +128,7 @@ impl Run {
             return Ok(if refuted > Some(0.0) { Outcome::Refuted } else { Outcome::Good });
         }
         if let Some(threads) = self.threads {
-            // Fails only if the pool exists already, which nothing before this has made.
+            // Fails only if the pool already exists, and nothing has created it before.
             let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
         }
         let plan = folder.plan();

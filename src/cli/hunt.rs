@@ -1,4 +1,4 @@
-//! `hunt`: are the solvers honest?
+//! `hunt`: tests solvers for false claims.
 
 use clap::Args;
 use lcplab::error::{Error, Result};
@@ -109,7 +109,7 @@ impl Challenge {
         })
     }
 
-    /// What the solvers of these names, or all, claim of the problems.
+    /// The claims of the solvers with these names, or of all, on the problems.
     fn record(
         &self,
         names: &[&str],

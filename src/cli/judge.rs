@@ -1,4 +1,4 @@
-//! `judge`: answers to a problem, whoever found them.
+//! `judge`: checks answers to a problem, from any program.
 
 use std::path::PathBuf;
 
@@ -78,7 +78,7 @@ impl Worst {
     }
 }
 
-/// One x with the judge's word.
+/// One x with the judge's verdict.
 struct Judged {
     label: String,
     verdict: Verdict,
@@ -116,7 +116,7 @@ impl Judge {
         Demand { tolerance: self.tolerance, prove_up_to: Demand::EXACT_ROWS }
     }
 
-    /// One answer, with its rows.
+    /// Judges one answer and prints its rows.
     fn one(&self, question: &Question, x: &[f64]) -> Result<Outcome> {
         let (demand, problem) = (self.demand(), question.problem());
         if question.model().is_some() {
@@ -149,7 +149,7 @@ impl Judge {
         Judged { label, verdict, scaled_residual, is_answer }
     }
 
-    /// Many of them, a line each.
+    /// Judges several answers and prints one line for each.
     fn many(&self, problem: &Problem, all: &[Judged]) -> Result<Outcome> {
         if self.json {
             let object = |judged: &Judged| {

@@ -1,4 +1,4 @@
-//! `lesson` and `exercise`: the notebooks as pages, and the answers of students.
+//! `lesson` and `exercise`: writes the notebooks as pages, and checks students' answers.
 
 use std::path::{Path, PathBuf};
 
@@ -121,7 +121,7 @@ impl Lesson {
         let language = if self.rust { "_rust" } else { "" };
         let name = format!("{name}{language}.{kind}");
         file::write_in(&folder, &name, &text)?;
-        // Beside the sources of the lessons it stands already, perhaps with changes.
+        // Next to the sources of the lessons it already exists, perhaps with changes.
         if self.out.is_some() || !self.ipynb {
             file::write_in(&folder, "engine.py", ENGINE)?;
         }
@@ -159,7 +159,7 @@ impl Answer {
     }
 }
 
-/// A number as it is typed.
+/// Parses a number as typed by a user.
 fn number(text: &str) -> std::result::Result<f64, String> {
     let hint = if text.contains(',') { "; write a decimal point, as in 0.57" } else { "" };
     text.parse().map_err(|_| format!("not a number{hint}"))
@@ -172,7 +172,7 @@ fn problems() -> Result<Vec<Problem>> {
     Ok(sets?.concat())
 }
 
-/// States a problem, or says what a number is worth.
+/// Prints a problem, or the reply to a number.
 fn answered(problem: &Problem, number: Option<f64>) -> Result<Outcome> {
     let Problem { id, title, .. } = problem;
     let Some(number) = number else {

@@ -1,7 +1,7 @@
-//! What a command may use: `--time-limit`, `--max-memory`, and the patience of who types Ctrl-C.
+//! Limits of a command: `--time-limit`, `--max-memory`, and Ctrl-C.
 //!
-//! Commands that can stop halfway ask for the [`Stop`](Limits::stop): then Ctrl-C or SIGTERM raises
-//! it, and they write what they have. The others end at once, by the system's own means or at the
+//! Commands that can stop early request the [`Stop`](Limits::stop): then Ctrl-C or SIGTERM raises
+//! it, and they write what they have. The others end immediately, by the system's default or at the
 //! time limit.
 
 use std::process;
@@ -17,8 +17,8 @@ use lcplab::solver::{Reason, Stop};
 
 use super::{code, say};
 
-/// How long after the limit a command that asks is still waited for: it waits itself for what
-/// cannot be cut short, such as a factorisation, and then has to write.
+/// The additional time for a command that checks the stop condition: it may have to finish an
+/// operation that cannot be interrupted, such as a factorization, and then has to write.
 const PATIENCE: Duration = GRACE.saturating_mul(2);
 
 /// How long a command may take.
@@ -37,20 +37,20 @@ pub struct MemoryLimit {
     pub max_memory: Memory,
 }
 
-/// What helps where something is larger than the limit.
+/// The hint if something is larger than the limit.
 pub const RAISE_MEMORY: &str = " (raise it with --max-memory)";
 
-/// The end of a command's time.
+/// The running time limit of a command.
 pub struct Limits {
     stop: Stop,
-    /// Whether the command asks when to stop.
+    /// Whether the command checks the stop condition.
     asks: Arc<AtomicBool>,
-    /// Whether it has stopped working, and writes.
+    /// Whether it has finished its work and is writing.
     is_over: Arc<AtomicBool>,
 }
 
 impl Limits {
-    /// Starts the clock.
+    /// Starts the time limit.
     pub fn begin(time: &TimeLimit) -> Self {
         let limits = Limits {
             stop: time.time_limit.map(Stop::after).unwrap_or_default(),
@@ -64,8 +64,8 @@ impl Limits {
         limits
     }
 
-    /// When to stop, for a command that asks; from now on a signal is one of the reasons. A second
-    /// one ends at once.
+    /// The stop condition, for a command that checks it; from now on signals raise it. A second
+    /// signal ends the program immediately.
     pub fn stop(&self) -> &Stop {
         if self.asks.swap(true, Ordering::Relaxed) {
             return &self.stop; // it listens already
@@ -82,14 +82,14 @@ impl Limits {
         &self.stop
     }
 
-    /// Tells that the work is done, and what follows must not be cut short.
+    /// Marks the work as done; what follows must not be interrupted.
     pub fn over(&self) {
         self.is_over.store(true, Ordering::Relaxed);
     }
 }
 
-/// Does this at each Ctrl-C and SIGTERM; where nothing can listen to them, they end at once. SIGHUP
-/// is left alone: `nohup` has it ignored.
+/// Runs `act` at each Ctrl-C and SIGTERM; if signals cannot be handled, they end the program.
+/// SIGHUP is not handled, so that `nohup` can ignore it.
 #[cfg(unix)]
 fn at_signals(mut act: impl FnMut() + Send + 'static) {
     use signal_hook::consts::{SIGINT, SIGTERM};
@@ -98,11 +98,11 @@ fn at_signals(mut act: impl FnMut() + Send + 'static) {
     }
 }
 
-/// Has a write beyond the size that files may have (`ulimit -f`) fail with a message, as on a full
-/// disk, instead of ending the program by SIGXFSZ with its temporary file left behind.
+/// Makes a write beyond the maximum file size (`ulimit -f`) fail with a message, as on a full disk,
+/// instead of ending the program by SIGXFSZ and leaving its temporary file behind.
 #[cfg(unix)]
 pub fn outlive_file_size_limit() {
-    // A handler is enough; nobody looks at the flag. Where there can be none, the signal ends the
+    // A handler is enough; the flag is not used. If it cannot be installed, the signal ends the
     // program.
     let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
 }
@@ -111,13 +111,13 @@ pub fn outlive_file_size_limit() {
 #[cfg(not(unix))]
 pub fn outlive_file_size_limit() {}
 
-/// Does this at each Ctrl-C; where nothing can listen to it, it ends at once.
+/// Runs `act` at each Ctrl-C; if it cannot be handled, it ends the program.
 #[cfg(not(unix))]
 fn at_signals(act: impl FnMut() + Send + 'static) {
     let _ = ctrlc::set_handler(act);
 }
 
-/// Ends the program at the time limit if it cannot do so itself.
+/// Ends the program at the time limit if it cannot end by itself.
 fn guard(limit: Duration, asks: &AtomicBool, is_over: &AtomicBool) {
     thread::sleep(limit);
     if asks.load(Ordering::Relaxed) {
@@ -130,7 +130,7 @@ fn guard(limit: Duration, asks: &AtomicBool, is_over: &AtomicBool) {
     }
 }
 
-/// A positive number of seconds.
+/// Parses a positive number of seconds.
 fn seconds(text: &str) -> Result<Duration, String> {
     let seconds = text.parse().ok().filter(|seconds| *seconds > 0.0 && *seconds <= 1e9);
     let seconds: f64 = seconds.ok_or("must be a number of seconds above 0")?;

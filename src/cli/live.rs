@@ -1,4 +1,4 @@
-//! `live`: pages on which problems are dragged and methods stepped through.
+//! `live`: writes pages on which problems are dragged and methods stepped through.
 
 use std::path::PathBuf;
 

@@ -1,11 +1,11 @@
-//! The mistakes behind an answer, in words and as JSON.
+//! The mistakes behind an answer, as text and as JSON.
 
 use lcplab::diagnosis::{Conclusion, Mistake, MistakeKind, MistakeSearch, Precision};
 use lcplab::lcp::file::number;
 use lcplab::number::readable;
 use serde_json::{Value, json};
 
-/// Answers with at most this many digits may come from mistakes that lcplab does not know.
+/// An answer with at most this many digits may come from a mistake that lcplab does not know.
 const FEW_DIGITS: i32 = 3;
 
 /// The list of known mistakes.
@@ -21,7 +21,7 @@ pub fn known(as_json: bool) -> String {
     MistakeKind::ALL.iter().map(entry).collect()
 }
 
-/// What was found, for people.
+/// The result of the search, as text.
 pub fn words(search: &MistakeSearch, single: Option<[f64; 2]>) -> String {
     let verdict = format!("{}\n", search.verdict);
     let share = |distance: f64| format!("{} of the largest entry", readable(distance, 2));
@@ -72,7 +72,7 @@ fn found(mistakes: &[Mistake]) -> String {
     }
 }
 
-/// That an answer of few digits may have other reasons.
+/// A note that an answer with few digits may have other causes.
 fn few_digits(search: &MistakeSearch) -> String {
     match search.precision {
         Precision::Decimal { digits, .. }
@@ -87,7 +87,7 @@ fn few_digits(search: &MistakeSearch) -> String {
     }
 }
 
-/// How many sweeps were compared.
+/// The number of sweeps that were compared.
 fn limits(search: &MistakeSearch) -> String {
     format!(
         "Compared: up to {} sweeps of each method, up to {} on each changed problem; `lcplab diagnose --mistakes` \
@@ -105,9 +105,9 @@ fn precision(precision: Precision) -> String {
     }
 }
 
-/// Whether single precision is reason enough for the residual.
+/// Whether single precision explains the residual.
 fn single_precision([own, least]: [f64; 2]) -> String {
-    // A solution that single precision can hold says nothing of sums that it rounds.
+    // Even if the solution is representable in single precision, sums can be rounded.
     let limit = 10.0 * least.max(f64::from(f32::EPSILON));
     let word = if own <= limit { "as good as" } else { "worse than" };
     format!(
@@ -117,7 +117,7 @@ fn single_precision([own, least]: [f64; 2]) -> String {
     )
 }
 
-/// What was found, for machines.
+/// The result of the search, as JSON.
 pub fn to_json(search: &MistakeSearch, single: Option<[f64; 2]>) -> Value {
     let mistake = |own: &Mistake| json!({ "kind": own.kind.name(), "what": own.what, "distance": own.distance });
     let (conclusion, solution_distance) = match search.conclusion {

@@ -1,9 +1,9 @@
-//! The options of solvers, and who takes which.
+//! The options of solvers, and which solvers use them.
 //!
-//! `--tolerance` and `--max-iterations` mean something to every solver. The [`Choices`] do not: one
-//! that is given is bad usage if no solver of the command looks at it, because a setting without
-//! effect misleads. Where several solvers run, it goes to those that look at it, and a note says to
-//! which if that is not all of them.
+//! All solvers use `--tolerance` and `--max-iterations`. The [`Choices`] are used by some: giving
+//! one that no solver of the command uses is a usage error, because a setting without effect is
+//! misleading. If several solvers run, it applies to those that use it, and a note names them if
+//! they are not all.
 
 use clap::{Args, ValueEnum};
 use lcplab::certificate::Demand;
@@ -59,7 +59,7 @@ pub enum RowOrder {
 }
 
 impl SolverArgs {
-    /// Settings of which those that are absent have their usual values.
+    /// The settings, with default values for those that are absent.
     pub fn new(
         tolerance: Option<f64>,
         max_iterations: Option<usize>,
@@ -111,7 +111,7 @@ impl SolverArgs {
 }
 
 impl Choices {
-    /// Whether each option that is given has a solver to go to; `order` is the one in force.
+    /// Checks that each given option is used by some solver; `order` is the effective order.
     pub fn check(
         &self,
         solvers: &[(&str, &'static [Choice])],
@@ -146,7 +146,7 @@ impl Choices {
     }
 }
 
-/// Which solvers look at an option, in words.
+/// The solvers that use an option, as text.
 fn having(choice: Choice) -> String {
     let looks = |entry: &&Entry| entry.uses.contains(&choice);
     let names: Vec<&str> = ALL.iter().filter(looks).map(|entry| entry.name).collect();

@@ -1,4 +1,4 @@
-//! A page as PDF, printed by a browser that is on the machine: what is seen is what is printed.
+//! Prints a page to PDF with an installed browser: the PDF looks like the page.
 
 use std::env::{self, consts::EXE_SUFFIX};
 use std::path::{Path, PathBuf};
@@ -8,14 +8,14 @@ use lcplab::error::{Error, Result};
 use lcplab::file;
 use tempfile::TempDir;
 
-/// The names under which the browser is looked for.
+/// The names under which the browser is searched.
 const NAMES: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 
 /// A browser that can print.
 pub struct Browser(PathBuf);
 
 impl Browser {
-    /// The first one on the PATH.
+    /// The first browser on the PATH.
     ///
     /// # Errors
     /// If there is none.
@@ -64,7 +64,7 @@ impl Browser {
     fn print_to(&self, part: &Path, page: &Path) -> Result<()> {
         let address = page.canonicalize().map_err(|cause| Error::file(page, &cause))?;
         let profile = private_folder()?;
-        // Without a sandbox, as it may be the superuser who prints; the page is ours and fetches
+        // Without a sandbox, because the user may be the superuser; the page is our own and loads
         // nothing.
         let output = Command::new(&self.0)
             .args(["--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer"])
@@ -73,7 +73,7 @@ impl Browser {
             .arg(address)
             .output()
             .map_err(|cause| Error::file(&self.0, &cause))?;
-        // The part is there before it is printed to, and empty.
+        // The temporary file exists before printing, and is empty.
         if !part.metadata().is_ok_and(|part| part.len() > 0) {
             let said = String::from_utf8_lossy(&output.stderr);
             let last =
@@ -84,8 +84,7 @@ impl Browser {
     }
 }
 
-/// A folder with a private name, removed when it is dropped: what the browser needs while it
-/// prints.
+/// A folder with a private name, removed when dropped: the browser's data while it prints.
 fn private_folder() -> Result<TempDir> {
     tempfile::tempdir().map_err(|cause| Error::file(&env::temp_dir(), &cause))
 }

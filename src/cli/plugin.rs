@@ -21,7 +21,7 @@ pub struct Plugins {
 }
 
 impl Plugins {
-    /// Starts them; each ends when it is dropped.
+    /// Starts the plug-ins; each ends when it is dropped.
     pub fn start(&self) -> Result<Vec<Plugin>> {
         let limit = self.plugin_time_limit;
         self.plugin.iter().map(|spec| Plugin::start(spec, limit)).collect()
@@ -37,7 +37,7 @@ impl Plugins {
         self.plugin.is_empty()
     }
 
-    /// The one solver of a command that runs one: that named beside, or the plug-in.
+    /// The solver of a command that uses only one: the named one, or the plug-in.
     pub fn sole<'a>(named: Option<&'a str>, plugins: &[Plugin]) -> Result<Option<&'a str>> {
         match (named, plugins) {
             (named, []) => Ok(named),
@@ -59,7 +59,7 @@ pub struct Declared {
 }
 
 impl Declared {
-    /// Starts the plug-ins of a file, if that is allowed; each ends when it is dropped.
+    /// Starts the plug-ins of a file, if allowed; each ends when it is dropped.
     pub fn start(
         &self,
         input: &str,

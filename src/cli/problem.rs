@@ -1,4 +1,4 @@
-//! `solve`: a problem file, solved and judged; and how an answer to one is printed.
+//! `solve`: solves a problem file and judges the answer; and prints answers.
 
 use std::path::PathBuf;
 
@@ -27,9 +27,9 @@ use super::proof;
 use super::trace::Tracing;
 use super::{Outcome, print, read_problem};
 
-/// Characters of a problem's name that are printed at most.
+/// Maximum number of characters of a problem's name that are printed.
 const NAME: usize = 200;
-/// Rows of x and w that are printed at most.
+/// Maximum number of rows of x and w that are printed.
 const PRINTED_ROWS: usize = 40;
 
 /// Solve a problem file; the judge checks the answer
@@ -165,13 +165,13 @@ impl Solve {
 }
 
 impl Solve {
-    /// Writes the proof, if one is asked for.
+    /// Writes the proof, if requested.
     fn prove(&self, question: &Question, x: &[f64]) -> Result<()> {
         self.proof.as_ref().map_or(Ok(()), |path| proof::write(path, question, x))
     }
 }
 
-/// How it came out: what counts is the judge's word, unless the solver was stopped.
+/// The outcome, which is the judge's verdict unless the solver was stopped.
 pub fn outcome(verdict: &Verdict, stopped: Option<Reason>) -> Outcome {
     match stopped {
         Some(reason) => Outcome::Stopped(reason),
@@ -186,7 +186,7 @@ pub fn title(problem: &Problem) -> String {
     format!("{name}: {n} rows, {} stored entries", problem.lcp.matrix().stored())
 }
 
-/// A name as a terminal can take it: without controls, and cut if it is long.
+/// A name that is safe for a terminal: without control characters, and shortened if it is long.
 fn on_one_line(name: &str) -> String {
     let shown: String =
         name.chars().take(NAME).map(|c| if c.is_control() { ' ' } else { c }).collect();
@@ -200,7 +200,7 @@ pub fn bound_text(bound: Option<f64>) -> String {
     bound.map(line).unwrap_or_default()
 }
 
-/// The rows in order; of a large problem those with the largest residuals, the largest first.
+/// The rows in order; for a large problem those with the largest residuals, the largest first.
 pub fn rows(problem: &Problem, x: &[f64], certificate: &Certificate) -> String {
     let (lcp, residuals) = (&problem.lcp, &certificate.residuals);
     let mut shown: Vec<usize> = (0..x.len()).collect();

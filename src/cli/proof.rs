@@ -120,9 +120,9 @@ impl Prove {
     }
 }
 
-/// A page with the proof, which checks it where the reader asks it to.
+/// A page with the proof and a button that checks it.
 fn page_of(question: &Question, proof: &Proof, missing: &[(Kind, String)], text: &str) -> Page {
-    // What the page's checker reads is the problem under the model that was asked for.
+    // The page's checker reads the problem under the requested model.
     let problem = &Problem { model: question.model(), ..question.problem().clone() };
     let name = if problem.name.is_empty() { "a problem" } else { &problem.name };
     let reasons = missing.iter().map(|(kind, reason)| format!("- *{kind}*: {reason}\n"));
@@ -179,8 +179,7 @@ impl Check {
     }
 }
 
-/// What `solve --proof` asks of the friction model: that it is a box, of which there can be a proof
-/// with an answer.
+/// Checks the friction model for `solve --proof`: only boxes can be proved with an answer.
 pub fn check_model(model: Model) -> Result<()> {
     match model {
         Model::CoupledBox | Model::FrozenBox => Ok(()),
@@ -191,7 +190,7 @@ pub fn check_model(model: Model) -> Result<()> {
     }
 }
 
-/// Writes the strongest proof that begins with this answer.
+/// Writes the strongest proof that starts from this answer.
 pub fn write(path: &Path, question: &Question, answer: &[f64]) -> Result<()> {
     match prove(question, answer).proof {
         Some(proof) => file::write(path, format!("{}\n", proof.to_json())),

@@ -1,15 +1,15 @@
-//! Commands and options that have another name now.
+//! Renamed commands and options.
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
-/// Commands of before, and what to use instead.
+/// Old commands, and what to use instead.
 const COMMANDS: [(&str, &str); 3] = [
     ("verify", "report verification --list"),
     ("generate", "problems FAMILY"),
     ("compare-solvers", "compare"),
 ];
 
-/// Options of before: the command, the option, and what to use instead.
+/// Old options: the command, the option, and what to use instead.
 const OPTIONS: [(&str, &str, &str); 13] = [
     ("simulate", "--formulation", "simulate SCENE --scheme NAME"),
     ("compare", "--formulation", "compare SCENE --scheme NAME"),
@@ -26,8 +26,7 @@ const OPTIONS: [(&str, &str, &str); 13] = [
     ("report", "--sweeps", "diagnose FOLDER --sweeps N"),
 ];
 
-/// What replaces the command or option that clap does not know; `words` are those of the command
-/// line.
+/// The replacement for a command or option that clap does not know; `words` is the command line.
 pub fn instead(error: &clap::Error, words: &[String]) -> Option<String> {
     let unknown = |kind| match error.get(kind) {
         Some(ContextValue::String(word)) => Some(word.as_str()),

@@ -24,10 +24,10 @@ use crate::handout::ALL;
 /// The walk through the chapter.
 const HANDOUT: &Program = &ALL[0];
 
-/// What `--print` calls the schema of report files.
+/// The name of the schema of report files in `--print`.
 const SCHEMA: &str = "schema";
 
-/// The report that draws what physics engines did.
+/// The report that shows the results of physics engines.
 const ENGINES: &str = "engines";
 
 /// Run a report: a list of studies, written as a page with figures and tables
@@ -129,24 +129,24 @@ impl Report {
         Ok(outcome)
     }
 
-    /// The report that was asked for.
+    /// The requested report.
     fn name(&self) -> &str {
         self.report.as_deref().unwrap_or("standard")
     }
 
-    /// The folder that was asked for.
+    /// The requested folder.
     fn folder(&self) -> Option<&Path> {
         let is_file = self.figure.is_some() || self.pdf().is_some();
         self.out.as_deref().filter(|_| !is_file)
     }
 
-    /// The file to which the page is to be printed.
+    /// The file to which the page is printed.
     fn pdf(&self) -> Option<&Path> {
         let is_pdf = |path: &&Path| path.extension().is_some_and(|ending| ending == "pdf");
         self.out.as_deref().filter(|_| self.figure.is_none()).filter(is_pdf)
     }
 
-    /// Whether nothing but a figure or the terminal's tables is wanted.
+    /// Whether only a figure or the terminal's tables are requested.
     fn is_without_page(&self) -> bool {
         self.figure.is_some() || self.list
     }
@@ -164,7 +164,7 @@ impl Report {
         engines::run(names, &folder_of(self.folder(), "reports", ENGINES)?, limits.stop())
     }
 
-    /// Writes the page, of a record if there is one; returns how the report came out, and the
+    /// Writes the page, of a record if there is one; returns the outcome of the report, and the
     /// page's path.
     fn page(&self, record: Option<&Path>, limits: &Limits) -> Result<(Outcome, Option<PathBuf>)> {
         if self.name() == HANDOUT.name {
@@ -186,7 +186,7 @@ impl Report {
             folder = file::inside(&folder, id)?;
         }
         if let Some(threads) = self.threads {
-            // Fails only if the pool exists already, which nothing before this has made.
+            // Fails only if the pool already exists, and nothing has created it before.
             let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
         }
         let is_without_page = self.is_without_page();
@@ -211,7 +211,7 @@ impl Report {
         Ok((stopped.map_or(outcome, Outcome::Stopped), page))
     }
 
-    /// The command that makes this page again, wherever it is run from the same folder.
+    /// The command that reproduces this page, if run from the same folder.
     fn command(&self) -> String {
         let mut words = vec!["lcplab".to_string(), "report".into()];
         words.extend(self.report.as_deref().map(shell_word));
@@ -231,8 +231,8 @@ impl Report {
         words.join(" ")
     }
 
-    /// Writes the page, with proofs if they are asked for, and prints the summary; or a figure
-    /// alone, or tables.
+    /// Writes the page, with proofs if requested, and prints the summary; or writes only a figure,
+    /// or prints tables.
     fn shown(&self, results: &Results, folder: &Path) -> Result<(Outcome, Option<PathBuf>)> {
         let mut document = view::document(results)?;
         if let (Some(id), Some(file)) = (&self.figure, &self.out) {
@@ -310,7 +310,7 @@ fn of_record(record: &Path) -> Result<Experiment> {
     Experiment::parse(&text, "engines.toml", ENGINES)
 }
 
-/// What can be run, and what a report file can ask for.
+/// Lists the shipped reports, and the kinds of studies of report files.
 fn list() -> Result<Outcome> {
     let mut text = "reports\n".to_string();
     for (name, _) in SHIPPED {
@@ -330,7 +330,7 @@ fn read_results(path: &Path) -> Result<Results> {
         .map_err(|cause| Error::invalid(path.display().to_string(), "results", cause.to_string()))
 }
 
-/// Writes a figure alone.
+/// Writes a single figure.
 fn alone(document: &view::Document, id: &str, file: &Path) -> Result<()> {
     let known = || document.figures.iter().map(|figure| figure.id().into()).collect();
     let figure = document.figures.iter().find(|figure| figure.id() == id);
@@ -350,7 +350,7 @@ fn alone(document: &view::Document, id: &str, file: &Path) -> Result<()> {
     }
 }
 
-/// The sections of an interrupted run that have not been edited since; nothing if there is no such
+/// The sections of an interrupted run that have not been edited since; `None` if there is no such
 /// run, or it is not readable.
 fn interrupted(path: &Path) -> Option<Results> {
     let results: Results = serde_json::from_value(difference::read(path).ok()?).ok()?;
@@ -365,7 +365,7 @@ fn interrupted(path: &Path) -> Option<Results> {
     Some(results)
 }
 
-/// A word as a shell takes it: in quotes if it needs them.
+/// A word quoted for a shell, if necessary.
 fn shell_word(word: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./=:,+@%".contains(c);
     if !word.is_empty() && word.chars().all(is_plain) {

@@ -1,4 +1,4 @@
-//! `hunt --measure`: the smallest problem that breaks a solver.
+//! `hunt --measure`: searches for the smallest problem on which a solver fails.
 
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
@@ -55,11 +55,11 @@ pub struct Quarry {
     out: Option<PathBuf>,
 }
 
-/// The solvers to search for, and the options that a search shares with a table of claims.
+/// The solvers to examine, and the options that a search shares with a table of claims.
 pub struct Target<'a> {
-    /// The solvers that were named, and the plug-ins.
+    /// The named solvers, and the plug-ins.
     pub names: &'a [&'a str],
-    /// The friction model that was asked for.
+    /// The requested friction model.
     pub model: Option<Model>,
     /// The options of the solvers.
     pub options: Options,
@@ -94,12 +94,12 @@ impl From<Class> for MatrixClass {
 }
 
 impl Quarry {
-    /// Whether a measure is given.
+    /// Whether a measure was given.
     pub fn is_given(&self) -> bool {
         !self.measure.is_empty()
     }
 
-    /// Searches for what breaks the one solver that is named, or the first of a ratio.
+    /// Searches for a problem on which the named solver, or the first of a ratio, fails.
     pub fn hunt(&self, target: Target<'_>, json: bool, limits: &Limits) -> Result<Outcome> {
         let Target { names, model, options, seed, command } = target;
         let given = Given::new(&self.problems()?, self.class.map(Class::into), model)?;
@@ -160,7 +160,7 @@ impl Quarry {
         })
     }
 
-    /// The problems to begin with, under their names.
+    /// The initial problems, with their names.
     fn problems(&self) -> Result<Vec<(String, Problem)>> {
         let mut given = Vec::new();
         for name in &self.from {
@@ -252,7 +252,7 @@ fn in_json(catch: &Catch, finding: &Finding, seed: u64) -> String {
     format!("{object:#}\n")
 }
 
-/// Two whole numbers with .. between them, or one.
+/// Parses two integers separated by .., or one integer.
 fn rows(text: &str) -> std::result::Result<RangeInclusive<usize>, String> {
     let number = |text: &str| text.parse().map_err(|_| format!("{text:?} is not a whole number"));
     match text.split_once("..") {

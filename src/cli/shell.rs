@@ -1,4 +1,4 @@
-//! `completions` and `man`: the command line as files for a shell and for `man`.
+//! `completions` and `man`: writes shell completions and manual pages.
 
 use clap::{Args, Command, CommandFactory};
 use clap_complete::Shell;

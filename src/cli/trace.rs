@@ -1,4 +1,4 @@
-//! `solve --trace` and `--plot`: how the iterates came to the answer.
+//! `solve --trace` and `--plot`: record the convergence of the iterates.
 
 use std::path::PathBuf;
 
@@ -11,7 +11,7 @@ use lcplab::plot::{Axis, Figure, Lines, Panel, Series};
 use lcplab::solver::{Group, Options, Solution, theory};
 use lcplab::trace::Record;
 
-/// Eigenvalues are computed up to this number of rows.
+/// Maximum number of rows for which eigenvalues are computed.
 const EIGENVALUE_ROWS: usize = 500;
 
 /// Where the iterates go.
@@ -31,7 +31,7 @@ impl Tracing {
         self.trace.is_some() || self.plot.is_some()
     }
 
-    /// That there are iterates to be written.
+    /// Checks that there are iterates to write.
     pub fn check(&self, has_iterates: bool) -> Result<()> {
         let options = if self.trace.is_some() { "--trace" } else { "--plot" };
         let reason = "needs a problem that is solved as a box, without another friction model";
@@ -80,13 +80,13 @@ fn table(records: &[Record]) -> String {
     text
 }
 
-/// The contraction of a sweep on the rows that are free in the end, where theory knows it.
+/// The contraction per sweep on the rows that are free in the end, if theory predicts it.
 fn rate(lcp: &Lcp, solver: &str, options: &Options, x: &[f64]) -> Option<f64> {
     let slides = |i: usize| {
         let (lo, hi) = lcp.bounds(i, x);
         lcp.is_coupled(i) && hi > 0.0 && (x[i] <= lo || x[i] >= hi)
     };
-    // A row that slides moves with its normal, and is neither free nor at rest.
+    // A sliding row moves with its normal, and is neither free nor at rest.
     if lcp.len() > EIGENVALUE_ROWS || (0..lcp.len()).any(slides) {
         return None;
     }
@@ -121,7 +121,7 @@ fn figure(solver: &str, records: &[Record], rate: Option<f64>) -> Lines {
     }
 }
 
-/// What an iteration is.
+/// The name of an iteration.
 fn unit(solver: &str) -> &'static str {
     match Group::of(solver) {
         Some(Group::Sweeps) => "sweep",

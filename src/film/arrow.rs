@@ -1,4 +1,4 @@
-//! Forces as arrows: one length for a newton in the whole strip.
+//! Forces as arrows, with one scale (px per newton) for the whole strip.
 
 use std::fmt::Write;
 
@@ -11,16 +11,16 @@ use crate::plot::canvas::hex;
 
 /// The head of an arrow in px: length and half of its width.
 const HEAD: (f64, f64) = (6.0, 2.4);
-/// A shorter arrow is not drawn.
+/// Shorter arrows are not drawn.
 pub(super) const SHORTEST: f64 = 2.0;
 /// Length of the longest arrow in px, and as a share of the frame's smaller side.
 const LONGEST: (f64, f64) = (52.0, 0.35);
 
 impl Origin {
-    /// All of them, in the order of legends.
+    /// All origins, in the order of legends.
     pub const ALL: [Origin; 3] = [Origin::Normal, Origin::Friction, Origin::Constraint];
 
-    /// One word for legends.
+    /// The word in legends.
     pub fn name(self) -> &'static str {
         match self {
             Origin::Normal => "normal",
@@ -40,12 +40,12 @@ pub(super) fn largest(frames: &[Frame]) -> f64 {
     forces.map(|force| force.force.norm()).filter(|f| f.is_finite()).fold(0.0, f64::max)
 }
 
-/// The length in px of a newton, where this is the largest force.
+/// The length of a newton in px, for this largest force.
 pub(super) fn scale(largest: f64, lens: &Lens) -> f64 {
     LONGEST.0.min(LONGEST.1 * lens.width.min(lens.height)) / largest
 }
 
-/// The arrows of a frame in tenths of a px, with a rim of paper, and a dot at every contact.
+/// The arrows of a frame in tenths of a px, with a background outline, and a dot at every contact.
 pub(super) fn markup(forces: &[Force], lens: &Lens, scale: f64) -> String {
     let mut out = String::new();
     for origin in Origin::ALL {
@@ -81,7 +81,7 @@ fn drawn(origin: Origin, shafts: &str, heads: &str) -> String {
     )
 }
 
-/// The shaft ends where the head begins; a short arrow has a small head.
+/// Adds an arrow. The shaft ends where the head begins; a short arrow has a small head.
 fn add(shafts: &mut String, heads: &mut String, tail: Place, tip: Place, dot: bool) {
     let (dx, dy) = (tip.0 - tail.0, tip.1 - tail.1);
     let length = dx.hypot(dy);

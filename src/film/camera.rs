@@ -1,4 +1,4 @@
-//! The camera: orthographic, so that lengths compare and parallel lines stay parallel.
+//! The camera: orthographic, so that lengths can be compared and parallel lines stay parallel.
 
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -6,14 +6,14 @@ use super::Frame;
 use crate::body::{Mass, State};
 use crate::scene::Scene;
 
-/// How far the three-quarter view is turned to the right of the front view.
+/// The angle of the three-quarter view to the right of the front view.
 const AZIMUTH_DEGREES: f64 = 32.0;
-/// How far the three-quarter view looks down.
+/// The downward angle of the three-quarter view.
 const ELEVATION_DEGREES: f64 = 22.0;
-/// What counts as motion out of a plane, in m and in rad.
+/// The threshold for motion out of a plane, in m and in rad.
 const FLAT: f64 = 1e-6;
 
-/// From where a scene is seen; z is up.
+/// The view of a scene; z is up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum View {
     /// Along y: x to the right.
@@ -31,8 +31,8 @@ pub struct Camera {
 }
 
 impl View {
-    /// The front where all that moves has its centre in one plane y = const, stays there and turns
-    /// about y only; else three quarters.
+    /// The front view if all moving bodies have their centers in one plane y = const, stay there
+    /// and rotate only about y; otherwise three-quarter.
     pub fn of(scene: &Scene, frames: &[Frame]) -> View {
         let moving = |k: &usize| scene.bodies[*k].mass != Mass::Fixed;
         let bodies: Vec<usize> = (0..scene.bodies.len()).filter(moving).collect();
@@ -74,8 +74,8 @@ impl Camera {
         Camera { right, up: eye.cross(&right), eye }
     }
 
-    /// Where a point (or a direction) of the world appears (m): to the right, up, and towards the
-    /// viewer.
+    /// The view coordinates of a point (or a direction) of the world (m): to the right, up, and
+    /// towards the viewer.
     ///
     /// ```
     /// use lcplab::film::{Camera, View};
@@ -88,7 +88,8 @@ impl Camera {
         Vector3::new(self.right.dot(point), self.up.dot(point), self.eye.dot(point))
     }
 
-    /// The point of the world (m) that appears there: to the right, up, and towards the viewer.
+    /// The point of the world (m) with these view coordinates: to the right, up, and towards the
+    /// viewer.
     pub fn world(&self, seen: &Vector3<f64>) -> Vector3<f64> {
         self.right * seen.x + self.up * seen.y + self.eye * seen.z
     }

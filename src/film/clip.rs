@@ -1,11 +1,11 @@
-//! A convex polygon cut to a frame, by one side of the frame after the other (Sutherland and
-//! Hodgman 1974).
+//! Clips a convex polygon to a frame, one side of the frame after the other (Sutherland and Hodgman
+//! 1974).
 
-/// A place in px.
+/// A position in px.
 pub(super) type Place = (f64, f64);
 
 /// The part of a convex polygon in the rectangle from (0, 0) to (width, height); empty if outside.
-/// Two corners are a line.
+/// Two corners are a line segment.
 pub(super) fn cut(polygon: Vec<Place>, width: f64, height: f64) -> Vec<Place> {
     let sides: [(f64, f64, f64); 4] =
         [(1.0, 0.0, 0.0), (-1.0, 0.0, width), (0.0, 1.0, 0.0), (0.0, -1.0, height)];

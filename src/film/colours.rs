@@ -1,4 +1,4 @@
-//! The colours of bodies, ground and forces.
+//! The colors of bodies, ground and forces.
 
 /// Red, green, blue.
 type Rgb = (u8, u8, u8);
@@ -17,11 +17,11 @@ const BODIES: [Rgb; 6] = [
     (228, 146, 104),
 ];
 
-/// A body in which nothing is amiss, and one in which all is, where colour says how much.
+/// The colors for the lowest and the highest value, if color shows a quantity.
 const COOL: Rgb = (222, 225, 230);
 const HOT: Rgb = (204, 30, 20);
 
-/// The colour of a body that is so red, from 0 to 1.
+/// The color of a body for this value, from 0 to 1.
 pub(super) fn heated(heat: f64) -> Rgb {
     let part = heat.clamp(0.0, 1.0);
     let mixed = |cool: u8, hot: u8| {
@@ -30,7 +30,7 @@ pub(super) fn heated(heat: f64) -> Rgb {
     (mixed(COOL.0, HOT.0), mixed(COOL.1, HOT.1), mixed(COOL.2, HOT.2))
 }
 
-/// The colour of the body with this index.
+/// The color of the body with this index.
 pub(super) fn body_color(index: usize) -> Rgb {
     BODIES[index % BODIES.len()]
 }

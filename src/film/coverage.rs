@@ -1,12 +1,12 @@
-//! What can be seen: from front to back, each thing claims the samples of the frame that are still
-//! free, and what gets none is hidden.
+//! Visibility: from front to back, each object claims the samples of the frame that are still free;
+//! objects that get none are hidden.
 
 use super::clip::Place;
 
-/// Samples along a px.
+/// Samples per px.
 const FINE: f64 = 2.0;
 
-/// The samples of a frame that are taken.
+/// The occupied samples of a frame.
 pub(super) struct Coverage {
     columns: usize,
     rows: usize,
@@ -14,14 +14,14 @@ pub(super) struct Coverage {
 }
 
 impl Coverage {
-    /// A frame of this size in px, all free.
+    /// A frame of this size in px, all samples free.
     pub fn new(width: f64, height: f64) -> Self {
         let samples = |px: f64| (px * FINE).ceil().max(1.0) as usize;
         let (columns, rows) = (samples(width), samples(height));
         Coverage { columns, rows, taken: vec![false; columns * rows] }
     }
 
-    /// Claims a convex polygon; whether any sample was free.
+    /// Claims a convex polygon; returns whether any sample was free.
     pub fn claim_polygon(&mut self, corners: &[Place]) -> bool {
         let sign = area(corners).signum();
         let inside = |(x, y): Place| {
@@ -33,7 +33,8 @@ impl Coverage {
         self.claim(corners, 0.0, inside)
     }
 
-    /// Claims all within a radius (px) of a line between two places; whether any sample was free.
+    /// Claims everything within a radius (px) of a line segment; returns whether any sample was
+    /// free.
     pub fn claim_round(&mut self, ends: [Place; 2], radius: f64) -> bool {
         let [(x0, y0), (x1, y1)] = ends;
         let (dx, dy) = (x1 - x0, y1 - y0);

@@ -1,10 +1,11 @@
-//! The painter's order: what is behind is painted first.
+//! The painter's order: from back to front.
 //!
 //! Two convex solids that do not overlap are separated by a plane, and the one on the viewer's side
-//! is in front, whatever their centres say: a long floor under a small box is behind it. The plane
-//! is sought among the faces of both, the cross products of their edges, the line of their centres
-//! and the picture's own plane; solids that overlap a little are told apart by the plane they cross
-//! least. Ties and cycles are settled by the depth of the centres, then by the order of the bodies.
+//! is in front, wherever their centers are: a long floor under a small box is behind it. Candidate
+//! planes are the faces of both, the cross products of their edges, the plane normal to the line of
+//! their centers and the picture plane; for solids that overlap slightly, the plane with the least
+//! overlap decides. Ties and cycles are resolved by the depth of the centers, then by the order of
+//! the bodies.
 
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
@@ -14,9 +15,9 @@ use nalgebra::Vector3;
 use super::Camera;
 use super::solid::{Part, Solid};
 
-/// A direction (sine) closer than this to the picture's plane tells nothing of depth.
+/// A direction closer than this (as a sine) to the picture plane gives no depth order.
 const EDGE_ON: f64 = 1e-9;
-/// Overlap in m over the size of the pair that counts as touching.
+/// Overlap (m) relative to the size of the pair that counts as touching.
 const TOUCH: f64 = 1e-9;
 
 /// The indices of the solids in the order of painting.
@@ -42,7 +43,7 @@ pub(super) fn order(camera: &Camera, solids: &[Solid]) -> Vec<usize> {
     sorted(&depths, &over, below)
 }
 
-/// What a solid covers in the picture (m), and the depth of its middle.
+/// The area a solid covers in the picture (m), and the depth of its center.
 struct Seen {
     x: (f64, f64),
     y: (f64, f64),
@@ -67,7 +68,7 @@ impl Seen {
     }
 }
 
-/// Less where a is behind b, equal where neither hides the other.
+/// Less if a is behind b, equal if neither hides the other.
 fn relation(camera: &Camera, a: &Solid, b: &Solid) -> Ordering {
     if let Some(order) = joined(a, b).or_else(|| joined(b, a).map(Ordering::reverse)) {
         return order;
@@ -93,7 +94,7 @@ fn relation(camera: &Camera, a: &Solid, b: &Solid) -> Ordering {
     best.map_or(Ordering::Equal, |(_, order)| order)
 }
 
-/// A rod is behind the balls and points it ends in, which it would otherwise cross.
+/// A rod is behind the balls and points at its ends, which it would otherwise cross.
 fn joined(rod: &Solid, body: &Solid) -> Option<Ordering> {
     match (rod.part, body.part) {
         (Part::Rod(bodies), Part::Body(k)) if bodies.contains(&Some(k)) && body.radius > 0.0 => {
@@ -103,7 +104,7 @@ fn joined(rod: &Solid, body: &Solid) -> Option<Ordering> {
     }
 }
 
-/// Unit normals of planes that may separate the two.
+/// Unit normals of planes that may separate the two solids.
 fn candidates(camera: &Camera, a: &Solid, b: &Solid) -> Vec<Vector3<f64>> {
     let normals = |solid: &Solid| -> Vec<_> {
         solid.faces.iter().filter_map(|face| solid.normal(face)).collect()
@@ -118,7 +119,8 @@ fn candidates(camera: &Camera, a: &Solid, b: &Solid) -> Vec<Vector3<f64>> {
     all
 }
 
-/// Kahn's order of a graph: each node after those below it, the deepest of the free ones first.
+/// Topological order by Kahn's algorithm: each node after those below it, the deepest of the
+/// available ones first.
 fn sorted(depths: &[f64], over: &[Vec<usize>], mut below: Vec<usize>) -> Vec<usize> {
     let n = depths.len();
     let mut by_depth: Vec<usize> = (0..n).collect();
@@ -131,7 +133,7 @@ fn sorted(depths: &[f64], over: &[Vec<usize>], mut below: Vec<usize>) -> Vec<usi
     let mut heap: BinaryHeap<_> = free.map(|node| Reverse(rank[node])).collect();
     let (mut done, mut order, mut deepest) = (vec![false; n], Vec::new(), 0);
     while order.len() < n {
-        // In a cycle nothing is free: the deepest goes first.
+        // In a cycle no node is available: the deepest goes first.
         while deepest < n && done[by_depth[deepest]] {
             deepest += 1;
         }

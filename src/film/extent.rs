@@ -1,4 +1,4 @@
-//! What must be in the picture: all that moves, and what is fixed near it.
+//! What must be in the picture: everything that moves, and fixed bodies near it.
 
 use nalgebra::Vector3;
 
@@ -8,32 +8,32 @@ use super::solid::Solid;
 use crate::body::{Mass, State};
 use crate::scene::Scene;
 
-/// A motion this many times larger than the scene at its start has left the picture.
+/// A motion this many times larger than the scene at its start is cut off.
 const FARTHEST: f64 = 100.0;
-/// How much of a fixed body is shown around the motion, as a share of the motion's size.
+/// How much of a fixed body is shown around the motion, relative to the motion's size.
 const AROUND: f64 = 0.1;
 
-/// How far around the calmest of several motions the others are followed, in its diagonals.
+/// How far around the smallest of several motions the others are shown, in its diagonals.
 const NEAR: f64 = 0.4;
-/// A fixed body up to so many times the motion's size is shown whole.
+/// Fixed bodies up to this many times the motion's size are shown whole.
 const WHOLE: f64 = 1.5;
 
-/// A ball (m, world) that must be in the picture; most have no radius.
+/// A ball (m, world) that must be in the picture; usually with radius 0.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Landmark {
     pub point: Vector3<f64>,
     pub radius: f64,
 }
 
-/// A box along the world's axes (m).
+/// An axis-aligned box (m).
 #[derive(Debug, Clone, Copy)]
 struct Extent {
     lo: Vector3<f64>,
     hi: Vector3<f64>,
 }
 
-/// The landmarks of a motion: corners of what moves, in every frame, the world's ends of joints,
-/// and of fixed bodies the part that is near.
+/// The landmarks of a motion: the corners of moving bodies in every frame, the world's ends of
+/// joints, and the nearby parts of fixed bodies.
 pub(super) fn landmarks(scene: &Scene, frames: &[Frame]) -> Vec<Landmark> {
     let start = marks(&solids(scene, &scene.states, true));
     let limit = Extent::of(&start).grown(FARTHEST);
@@ -59,8 +59,8 @@ pub(super) fn landmarks(scene: &Scene, frames: &[Frame]) -> Vec<Landmark> {
     all
 }
 
-/// The landmarks of the calmest of several motions, and of the others what is near: one that flies
-/// apart does not make the rest small.
+/// The landmarks of the smallest of several motions, and those of the others that are near: a
+/// motion that explodes does not make the rest small.
 pub(super) fn shared(scene: &Scene, motions: &[Vec<Frame>]) -> Vec<Landmark> {
     let mut all: Vec<_> = motions.iter().map(|frames| landmarks(scene, frames)).collect();
     all.sort_by(|a, b| size(a).total_cmp(&size(b)));
@@ -70,7 +70,7 @@ pub(super) fn shared(scene: &Scene, motions: &[Vec<Frame>]) -> Vec<Landmark> {
     first.into_iter().chain(others.filter(|mark| near.contains(&mark.point))).collect()
 }
 
-/// The diagonal of the box around the landmarks (m); 1 m where they are one point.
+/// The diagonal of the box around the landmarks (m); 1 m if they are a single point.
 pub(super) fn size(landmarks: &[Landmark]) -> f64 {
     Extent::of(landmarks).diagonal()
 }
@@ -104,7 +104,7 @@ impl Extent {
         if diagonal > 0.0 && diagonal.is_finite() { diagonal } else { 1.0 }
     }
 
-    /// Larger on all sides by a share of its diagonal.
+    /// The box enlarged on all sides by a fraction of its diagonal.
     fn grown(&self, share: f64) -> Self {
         let more = share * self.diagonal();
         Extent { lo: self.lo.add_scalar(-more), hi: self.hi.add_scalar(more) }
@@ -114,7 +114,7 @@ impl Extent {
         (0..3).all(|i| self.lo[i] <= point[i] && point[i] <= self.hi[i])
     }
 
-    /// The corners of its part within another box, if there is one.
+    /// The corners of the intersection with another box, if there is one.
     fn within(&self, other: &Extent) -> Option<impl Iterator<Item = Landmark> + use<>> {
         let (lo, hi) = (self.lo.sup(&other.lo), self.hi.inf(&other.hi));
         let corner = move |k: usize| {

@@ -1,4 +1,4 @@
-//! One instant of a motion, and the forces that act in it.
+//! One instant of a motion, with the forces that act at that instant.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -19,12 +19,12 @@ pub struct Frame {
     pub states: Vec<State>,
     /// The forces of contacts and constraints; may be empty.
     pub forces: Vec<Force>,
-    /// How red each body is drawn, from 0, grey, to 1; empty where bodies have their own colours.
+    /// The color of each body from 0, gray, to 1, red; empty if bodies have their own colors.
     pub heat: Vec<f64>,
 }
 
-/// A force of a contact or constraint on a moving body: of a contact on the body that it pushes
-/// against gravity, the upper one, else on body 1 of the two where that moves.
+/// A force of a contact or constraint on a moving body: for a contact, on the body that it pushes
+/// against gravity, the upper one; otherwise on body 1 if that moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Force {
     /// Where it acts (m, world).
@@ -35,7 +35,7 @@ pub struct Force {
     pub origin: Origin,
 }
 
-/// What exerts a force.
+/// The origin of a force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Origin {
     /// The normal row of a contact.
@@ -52,33 +52,33 @@ impl Frame {
         Frame { states: scene.states.clone(), ..Frame::default() }
     }
 
-    /// A simulation as it stands, without forces: where it could not go on, say.
+    /// The current state of a simulation, without forces: for example where it could not continue.
     pub fn now(simulation: &Simulation) -> Self {
         let (time, states) = (simulation.time(), simulation.states().to_vec());
         Frame { time, states, ..Frame::default() }
     }
 
-    /// The end of a step, with the forces that led there: of the step's last solve, an impulse
-    /// being taken as the force that gives it over the step.
+    /// The end of a step, with the forces of the step's last solve; an impulse is shown as the
+    /// constant force over the step.
     pub fn after(scene: &Scene, step: &Step) -> Self {
         let time = step.motion.time;
         let (states, forces) = (step.states.clone(), forces(scene, step));
         Frame { time, states, forces, heat: Vec::new() }
     }
 
-    /// The same with its bodies so red.
+    /// The same frame with these body colors.
     pub fn heated(self, heat: Vec<f64>) -> Self {
         Frame { heat, ..self }
     }
 
-    /// Whether all of it has a place.
+    /// Whether all positions are finite.
     pub(super) fn is_finite(&self) -> bool {
         self.states.iter().all(State::is_finite)
     }
 }
 
-/// The numbers of the steps after which to look so as to have so many instants at equal distances,
-/// 0 being the start and the last step among them; fewer where there are fewer steps.
+/// The numbers of the steps for this number of evenly spaced instants, including 0, the start, and
+/// the last step; fewer if there are fewer steps.
 ///
 /// ```
 /// use lcplab::film::instants;
@@ -137,7 +137,7 @@ fn origin(row: &Row) -> Origin {
     }
 }
 
-/// Where the force of a constraint acts on one of its bodies at the end of a step.
+/// The point where the force of a constraint acts on one of its bodies at the end of a step.
 fn place(scene: &Scene, step: &Step, source: Source, body: usize) -> Option<Vector3<f64>> {
     let end = |constraint: &dyn Constraint| {
         let side = usize::from(constraint.bodies()[1] == Some(body));

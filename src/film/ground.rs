@@ -1,4 +1,4 @@
-//! The part of a half space that is drawn: a patch of its plane under the motion, with a grid.
+//! The drawn part of a half space: a patch of its plane under the motion, with a grid.
 
 use nalgebra::Vector3;
 
@@ -10,21 +10,21 @@ use crate::constraint::tangents;
 use crate::plot::round_step;
 use crate::scene::Scene;
 
-/// How far a patch reaches beyond what is above it, as a share of the motion's size.
+/// The margin of a patch around what is above it, relative to the motion's size.
 const MARGIN: f64 = 0.1;
-/// No grid has more lines than these, not even under a body that is 1e155 m away.
+/// Maximum number of grid lines, even under a body that is 1e155 m away.
 const MOST_LINES: f64 = 1000.0;
-/// The distance of two grid lines, about, as a share of the motion's size.
+/// The approximate distance of two grid lines, relative to the motion's size.
 const MESH: f64 = 0.12;
 
-/// A rectangle of a plane.
+/// A rectangle in a plane.
 #[derive(Debug, Clone)]
 pub(super) struct Patch {
-    /// Its corners (m, world), counter-clockwise as seen from outside the matter.
+    /// Its corners (m, world), counter-clockwise seen from outside.
     pub corners: [Vector3<f64>; 4],
-    /// The unit normal, out of the matter.
+    /// The outward unit normal.
     pub normal: Vector3<f64>,
-    /// Lines at round distances (m, world).
+    /// Grid lines at round distances (m, world).
     pub lines: Vec<[Vector3<f64>; 2]>,
 }
 
@@ -39,7 +39,7 @@ pub(super) fn patches(scene: &Scene, landmarks: &[Landmark]) -> Vec<Patch> {
     patches.collect()
 }
 
-/// What is seen of the landmarks and the ground beneath them.
+/// The window for the landmarks and the ground beneath them.
 pub(super) fn window(camera: &Camera, mut landmarks: Vec<Landmark>, patches: &[Patch]) -> Window {
     let corners = patches.iter().flat_map(|patch| patch.corners);
     landmarks.extend(corners.map(|point| Landmark { point, radius: 0.0 }));
@@ -47,8 +47,8 @@ pub(super) fn window(camera: &Camera, mut landmarks: Vec<Landmark>, patches: &[P
 }
 
 impl Patch {
-    /// The patch of a plane under these landmarks; none if the nearest of them is farther away than
-    /// the motion is large.
+    /// The patch of a plane under these landmarks; `None` if the nearest of them is farther away
+    /// than the size of the motion.
     pub fn new(
         pose: &Pose,
         normal: &Vector3<f64>,
@@ -72,7 +72,7 @@ impl Patch {
     }
 }
 
-/// What the landmarks cover along a direction, with a margin (m).
+/// The range of the landmarks along a direction, with a margin (m).
 fn range(landmarks: &[Landmark], pose: &Pose, t: &Vector3<f64>, size: f64) -> (f64, f64) {
     let places = landmarks.iter().map(|mark| (t.dot(&(mark.point - pose.p)), mark.radius));
     let (lo, hi) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), (x, r)| {
@@ -81,7 +81,7 @@ fn range(landmarks: &[Landmark], pose: &Pose, t: &Vector3<f64>, size: f64) -> (f
     (lo - MARGIN * size, hi + MARGIN * size)
 }
 
-/// The multiples of a step strictly inside a range.
+/// The multiples of `step` strictly inside a range.
 fn multiples((lo, hi): (f64, f64), step: f64) -> impl Iterator<Item = f64> {
     let first = (lo / step).floor() + 1.0;
     let count = ((hi / step).ceil() - first).clamp(0.0, MOST_LINES) as usize;

@@ -1,4 +1,4 @@
-//! What one frame is drawn with: paths and circles in tenths of a px, and the colours of bodies.
+//! Draws one frame: paths and circles in tenths of a px, and the colors of bodies.
 
 use std::fmt::Write;
 
@@ -17,30 +17,31 @@ use crate::plot::style::{FAINT_INK, GRID, INK};
 
 /// The radius of joint marks in px.
 pub(super) const MARK: f64 = 2.6;
-/// Thickness of a half space seen from its edge in px.
+/// Thickness in px of a half space seen from the edge.
 const BAND: f64 = 6.0;
-/// A ball with a smaller radius in px is a plain disc.
+/// A ball with a smaller radius in px is drawn as a plain disk.
 pub(super) const PLAIN: f64 = 3.0;
-/// A plane is seen from its edge where its normal points this little (sine) to the viewer.
+/// A plane counts as seen from the edge if its normal points less than this (as a sine) to the
+/// viewer.
 const EDGE_ON: f64 = 0.02;
-/// Where light comes from: left of the viewer and above (right, up, towards the viewer).
+/// The direction of the light: left of the viewer and above (right, up, towards the viewer).
 pub(super) const LIGHT: Vector3<f64> = Vector3::new(-0.40, 0.74, 0.54);
 
-/// Brightness of a face in the shade, and what light adds.
+/// Brightness of an unlit face, and the addition from light.
 pub(super) const FACE: (f64, f64) = (0.70, 0.44);
 
-/// Brightness of the discs that make a ball round, how far they lie towards the light, and their
-/// size, both in radii.
+/// The disks that make a ball look round: brightness, offset towards the light, and size, both in
+/// radii.
 pub(super) const LIT: [(f64, f64, f64); 3] =
     [(0.88, 0.0, 1.0), (0.96, 0.18, 0.78), (1.05, 0.36, 0.45)];
 
 type Rgb = (u8, u8, u8);
 
-/// A frame in the making.
+/// A frame that is being drawn.
 pub(super) struct Ink<'a> {
     lens: &'a Lens,
     out: String,
-    /// The attributes and the course of the path that is being written.
+    /// The attributes and the data of the current path.
     path: (String, String),
 }
 
@@ -56,8 +57,8 @@ impl<'a> Ink<'a> {
         self.out
     }
 
-    /// A half space: its patch, or its cut where it is seen from the edge; only the grid from
-    /// behind.
+    /// Draws a half space: its patch, its section if seen from the edge, or only the grid if seen
+    /// from behind.
     pub fn ground(&mut self, patch: &Patch) {
         let towards = self.lens.camera.project(&patch.normal);
         if towards.z.abs() <= EDGE_ON {
@@ -86,8 +87,7 @@ impl<'a> Ink<'a> {
         self.line(&style, [start, end]);
     }
 
-    /// Solids in the order of painting; what nothing is seen of is left out. Bodies are as red as
-    /// `heat` says, if it does.
+    /// Draws solids in painting order, without hidden ones. Bodies are colored by `heat` if given.
     pub fn solids(&mut self, bodies: &[Body], heat: &[f64], solids: &[&Solid]) {
         let mut coverage = Coverage::new(self.lens.width, self.lens.height);
         let mut seen: Vec<Vec<Vec<Place>>> = Vec::new();
@@ -115,7 +115,7 @@ impl<'a> Ink<'a> {
         }
     }
 
-    /// The places of a rounded solid's corners, none if it is hidden or outside the frame.
+    /// The positions of a rounded solid's corners; empty if it is hidden or outside the frame.
     fn round_part(&self, solid: &Solid, coverage: &mut Coverage) -> Vec<Place> {
         let ends: Vec<_> = solid.corners.iter().map(|corner| self.lens.place(corner)).collect();
         let ends = if ends.len() > 1 { self.inside(ends) } else { ends };
@@ -125,7 +125,7 @@ impl<'a> Ink<'a> {
         if inside && coverage.claim_round([first, last], radius) { ends } else { Vec::new() }
     }
 
-    /// The places of a face's corners, none if it turns away, is hidden or outside the frame.
+    /// The positions of a face's corners; empty if it faces away, is hidden or outside the frame.
     fn flat_part(&self, solid: &Solid, face: &[usize], coverage: &mut Coverage) -> Vec<Place> {
         let towards = solid.normal(face).map_or(0.0, |n| self.lens.camera.project(&n).z);
         if towards <= 1e-6 {
@@ -136,7 +136,7 @@ impl<'a> Ink<'a> {
         if corners.len() > 2 && coverage.claim_polygon(&corners) { corners } else { Vec::new() }
     }
 
-    /// A disc with light and two great circles that turn with it, or a line.
+    /// Draws a shaded disk with two great circles that rotate with it, or a capsule.
     fn round(&mut self, solid: &Solid, base: Rgb, ends: &[Place]) {
         let radius = solid.radius * self.lens.scale;
         if let [start, end] = *ends {
@@ -161,14 +161,14 @@ impl<'a> Ink<'a> {
         self.outline(centre, radius);
     }
 
-    /// A line as wide as a round solid, with round ends.
+    /// Draws a line with the width of a round solid and round ends.
     fn stroke(&mut self, colour: Rgb, radius: f64, ends: [Place; 2]) {
         let (colour, width) = (hex(colour), tenth(2.0 * radius));
         let style = "fill=\"none\" stroke-linecap=\"round\"";
         self.line(&format!("{style} stroke=\"{colour}\" stroke-width=\"{width}\""), ends);
     }
 
-    /// Strokes on top of each other: a dark rim, then the brightness of a ball's discs.
+    /// Draws strokes on top of each other: a dark outline, then the brightness of a ball's disks.
     fn capsule(&mut self, base: Rgb, radius: f64, ends: [Place; 2]) {
         self.stroke(shade(base, 0.35), radius, ends);
         for (light, aside, size) in LIT {
@@ -178,7 +178,7 @@ impl<'a> Ink<'a> {
         }
     }
 
-    /// The half that faces the viewer of the great circle across an axis of the body.
+    /// Draws the visible half of the great circle normal to an axis of the body.
     fn great_circle(
         &mut self,
         solid: &Solid,
@@ -193,7 +193,7 @@ impl<'a> Ink<'a> {
             return; // it is the outline
         }
         let (along_x, along_y) = (radius * m.y / flat, radius * m.x / flat);
-        // The ellipse's ends lie across m; of its halves the one towards the viewer bends along −m.
+        // The ellipse's ends lie perpendicular to m; the half towards the viewer bends along −m.
         let sweep = u8::from(m.z < 0.0);
         let angle = along_y.atan2(along_x).to_degrees();
         let style = format!(
@@ -213,7 +213,7 @@ impl<'a> Ink<'a> {
         self.path(&style, &course, true);
     }
 
-    /// The marks of joints.
+    /// Draws the marks of joints.
     pub fn marks(&mut self, marks: &[Mark]) {
         for mark in marks {
             let (Mark::Ball(point) | Mark::Pin(point)) = mark;
@@ -234,13 +234,13 @@ impl<'a> Ink<'a> {
         }
     }
 
-    /// Markup that others made, in tenths of a px.
+    /// Adds existing markup, in tenths of a px.
     pub fn raw(&mut self, markup: &str) {
         self.end_path();
         self.out.push_str(markup);
     }
 
-    /// How bright a face with this normal is.
+    /// The brightness of a face with this normal.
     fn light(&self, normal: &Vector3<f64>) -> f64 {
         FACE.0 + FACE.1 * self.lens.camera.project(normal).dot(&LIGHT).max(0.0)
     }
@@ -280,14 +280,14 @@ impl<'a> Ink<'a> {
         }
     }
 
-    /// A polygon that is not merged with others, since its outline must cover theirs.
+    /// Draws a polygon that is not merged with others, since its outline must cover theirs.
     fn outlined(&mut self, style: &str, corners: Vec<Place>) {
         if corners.len() > 2 {
             self.path(style, &(course(&corners) + "z"), false);
         }
     }
 
-    /// Adds to the path that is being written if it looks the same.
+    /// Draws a path; appends to the current one if it has the same style.
     fn path(&mut self, style: &str, course: &str, merges: bool) {
         if course.is_empty() {
             return;
@@ -310,7 +310,7 @@ impl<'a> Ink<'a> {
     }
 }
 
-/// A polygon's or line's course, relative to its first corner.
+/// The path data of a polygon or line, relative to its first corner.
 fn course(corners: &[Place]) -> String {
     let mut text = String::new();
     let mut at = (0, 0);
@@ -325,12 +325,12 @@ fn course(corners: &[Place]) -> String {
     text
 }
 
-/// px in tenths.
+/// A length in px as tenths of a px.
 pub(super) fn tenth(px: f64) -> i64 {
     (px * 10.0).round() as i64
 }
 
-/// The colour of a solid.
+/// The color of a solid.
 fn look(bodies: &[Body], heat: &[f64], solid: &Solid) -> Rgb {
     match solid.part {
         Part::Rod(_) => rgb(FAINT_INK),
@@ -341,7 +341,7 @@ fn look(bodies: &[Body], heat: &[f64], solid: &Solid) -> Rgb {
     }
 }
 
-/// The colour of the body with this index.
+/// The color of the body with this index.
 pub(super) fn paint(bodies: &[Body], k: usize) -> Rgb {
     match &bodies[k] {
         body if body.mass == Mass::Fixed => FIXED,
@@ -350,7 +350,7 @@ pub(super) fn paint(bodies: &[Body], k: usize) -> Rgb {
     }
 }
 
-/// A colour made darker or brighter; what exceeds white is lost.
+/// A color made darker or brighter, clipped at white.
 fn shade((r, g, b): Rgb, light: f64) -> Rgb {
     let scaled = |c: u8| (f64::from(c) * light).round().clamp(0.0, 255.0) as u8;
     (scaled(r), scaled(g), scaled(b))

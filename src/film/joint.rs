@@ -1,4 +1,4 @@
-//! Constraints as they are drawn: a rod where their two points are apart, a dot where they meet.
+//! Draws constraints: a rod if their two points are apart, a dot if they coincide.
 
 use nalgebra::Vector3;
 
@@ -11,7 +11,7 @@ use crate::scene::Scene;
 
 /// Half of a rod's width in px.
 pub(super) const ROD: f64 = 0.8;
-/// The least and the greatest radius of a point mass in px.
+/// The minimum and maximum radius of a point mass in px.
 const DOT: (f64, f64) = (1.5, 5.0);
 
 /// A dot that marks a joint.
@@ -19,11 +19,11 @@ const DOT: (f64, f64) = (1.5, 5.0);
 pub(super) enum Mark {
     /// The point that two bodies share.
     Ball(Vector3<f64>),
-    /// An end that is held by the world.
+    /// An end that is fixed to the world.
     Pin(Vector3<f64>),
 }
 
-/// The rods between points farther apart than `radius` (m), which is also their own.
+/// The rods between points farther apart than `radius` (m), which is also the radius of the rods.
 pub(super) fn rods(scene: &Scene, frame: &Frame, radius: f64) -> Vec<Solid> {
     let constraints = scene.constraints.iter();
     constraints.filter_map(|constraint| rod(constraint.as_ref(), frame, radius)).collect()
@@ -36,7 +36,7 @@ pub(super) fn rod(constraint: &dyn Constraint, frame: &Frame, radius: f64) -> Op
     apart.then(|| Solid::rod(constraint.bodies(), ends, radius))
 }
 
-/// The radius of a point mass in px: a share of the shortest rod, within limits.
+/// The radius of a point mass in px: a fraction of the shortest rod, within limits.
 pub(super) fn dot(scene: &Scene, lens: &Lens) -> f64 {
     let shortest = shortest(scene).unwrap_or(f64::INFINITY);
     (0.25 * shortest * lens.scale).clamp(DOT.0, DOT.1)
@@ -58,7 +58,7 @@ pub(super) fn marks(scene: &Scene, frame: &Frame) -> Vec<Mark> {
     marks
 }
 
-/// The ends that the world holds (m).
+/// The ends that are fixed to the world (m).
 pub(super) fn pins(scene: &Scene) -> impl Iterator<Item = Vector3<f64>> {
     scene.constraints.iter().filter_map(|constraint| {
         let side = constraint.bodies().iter().position(Option::is_none)?;
@@ -66,7 +66,8 @@ pub(super) fn pins(scene: &Scene) -> impl Iterator<Item = Vector3<f64>> {
     })
 }
 
-/// The least distance (m) of two points that are apart at the start, if any are.
+/// The least distance (m) between two points of a constraint that are apart at the start, if there
+/// are any.
 fn shortest(scene: &Scene) -> Option<f64> {
     let lengths = scene.constraints.iter().filter_map(|constraint| {
         let [start, end] = ends(constraint.as_ref(), &scene.states)?;

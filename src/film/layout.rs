@@ -1,4 +1,4 @@
-//! Where the frames stand on the sheet, and where a point stands in a frame.
+//! The layout of frames on the sheet, and of points in a frame.
 
 use nalgebra::Vector3;
 
@@ -6,51 +6,51 @@ use super::Camera;
 use super::extent::Landmark;
 use crate::plot::style::{EDGE, WIDTH};
 
-/// Between two frames in px.
+/// The gap between two frames in px.
 const GAP: f64 = 6.0;
-/// Around the motion within a frame in px.
+/// The padding around the motion within a frame in px.
 const PADDING: f64 = 9.0;
-/// Above a frame, for its time, in px.
+/// The space above a frame for its time in px.
 pub(super) const LABEL: f64 = 20.0;
-/// The height of the sheet that is meant for a frame in px, and the least for all.
+/// The target height per frame in px, and the minimum for the sheet.
 const HEIGHT: (f64, f64) = (70.0, 420.0);
-/// Another row of frames must enlarge the picture by this factor.
+/// An additional row of frames must enlarge the picture by this factor.
 const WORTH: f64 = 1.35;
 
-/// A window is at least this high for its width, and this wide for its height.
+/// Minimum ratio of a window's height to its width, and of its width to its height.
 const FLATTEST: f64 = 0.3;
 
 /// The frames on the sheet: equal cells in rows.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Layout {
-    /// Cells in a row.
+    /// The number of cells per row.
     pub columns: usize,
-    /// Rows.
+    /// The number of rows.
     pub rows: usize,
-    /// Of a cell in px.
+    /// The width of a cell in px.
     pub width: f64,
-    /// Of a cell in px.
+    /// The height of a cell in px.
     pub height: f64,
-    /// px for a metre.
+    /// px per meter.
     pub scale: f64,
 }
 
-/// The picture's plane in px: y is down, and the origin is a cell's upper left corner.
+/// The picture plane in px: y is down, and the origin is the upper left corner of a cell.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Lens {
-    /// From where.
+    /// The camera.
     pub camera: Camera,
-    /// px for a metre.
+    /// px per meter.
     pub scale: f64,
-    /// The cell in px.
+    /// The width of the cell in px.
     pub width: f64,
-    /// The cell in px.
+    /// The height of the cell in px.
     pub height: f64,
-    /// What appears in the cell's middle (m, to the right and up).
+    /// The point at the center of the cell (m, to the right and up).
     middle: (f64, f64),
 }
 
-/// The rectangle that is seen (m).
+/// The visible rectangle (m).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Window {
     x: (f64, f64),
@@ -58,7 +58,7 @@ pub(super) struct Window {
 }
 
 impl Window {
-    /// The smallest that has all landmarks in it.
+    /// The smallest window that contains all landmarks.
     pub fn around(camera: &Camera, landmarks: &[Landmark]) -> Self {
         let none = (f64::INFINITY, f64::NEG_INFINITY);
         let grow =
@@ -83,8 +83,8 @@ impl Window {
 }
 
 impl Layout {
-    /// As few rows as show the window nearly as large as any number of rows would, in cells at
-    /// least as wide as a label.
+    /// The layout with the fewest rows that shows the window nearly as large as possible, in cells
+    /// at least as wide as a label.
     pub fn new(window: &Window, frames: usize, label: f64) -> Self {
         let mut best = Layout::in_rows(window, frames, 1);
         for rows in 2..=frames {
@@ -96,7 +96,7 @@ impl Layout {
         best
     }
 
-    /// One frame of this width, at most so high (px).
+    /// One frame of this width and at most this height (px).
     pub fn single(window: &Window, width: f64, highest: f64) -> Self {
         let (w, h) = window.size();
         let scale = ((width - 2.0 * PADDING) / w).min((highest - 2.0 * PADDING) / h);
@@ -126,7 +126,7 @@ impl Layout {
         self.rows as f64 * (self.height + LABEL)
     }
 
-    /// How a cell shows the window.
+    /// The mapping from the window to a cell.
     pub fn lens(&self, camera: Camera, window: &Window) -> Lens {
         let Layout { width, height, scale, .. } = *self;
         Lens { camera, scale, width, height, middle: window.middle() }
@@ -134,26 +134,26 @@ impl Layout {
 }
 
 impl Lens {
-    /// The place in px of a point of the world.
+    /// The position in px of a point in the world.
     pub fn place(&self, point: &Vector3<f64>) -> (f64, f64) {
         let seen = self.camera.project(point);
         let x = 0.5 * self.width + (seen.x - self.middle.0) * self.scale;
         (x, 0.5 * self.height - (seen.y - self.middle.1) * self.scale)
     }
 
-    /// The same in a cell that is higher at its foot by so many px.
+    /// The same for a cell that is extended at the bottom by `foot` (px).
     pub fn with_foot(self, foot: f64) -> Self {
         let height = (self.height + foot).round();
         let middle = (self.middle.0, self.middle.1 - 0.5 * (height - self.height) / self.scale);
         Lens { height, middle, ..self }
     }
 
-    /// What appears in the middle (m, to the right and up).
+    /// The point at the center (m, to the right and up).
     pub fn middle(&self) -> (f64, f64) {
         self.middle
     }
 
-    /// Whether a place in px lies in the cell.
+    /// Whether a position in px lies in the cell.
     pub fn holds(&self, (x, y): (f64, f64)) -> bool {
         (0.0..=self.width).contains(&x) && (0.0..=self.height).contains(&y)
     }

@@ -1,15 +1,15 @@
-//! Pictures of a scene in motion: some instants side by side, seen by one camera.
+//! Pictures of a moving scene: several instants side by side, seen by one camera.
 //!
 //! ```text
-//! bodies ─→ solids, rods ─→ depth order ─→ what is seen ─→ ink
+//! bodies ─→ solids, rods ─→ depth order ─→ visibility ─→ ink
 //!           in metres        in metres      in px           SVG
 //! ```
 //!
-//! A [`Frame`] is one instant; a [`Strip`] lays several out and is a [`Figure`] like any other. All
-//! bodies are convex, so a plane separates any two that do not overlap: the order of painting is
-//! that of the sides of those planes, and what is hidden is not written. A new shape is one
-//! function in `solid.rs`. A [`Film`] is the same motion instant by instant, by several solvers, as
-//! data for a player that draws what a strip draws.
+//! A [`Frame`] is one instant; a [`Strip`] shows several and is a [`Figure`] like any other. All
+//! bodies are convex, so a plane separates any two that do not overlap, and the painting order
+//! follows from the sides of these planes; hidden parts are omitted. A new shape needs one function
+//! in `solid.rs`. A [`Film`] is the same motion instant by instant, by several solvers, as data for
+//! a player that draws the same pictures as a strip.
 
 mod arrow;
 mod camera;

@@ -1,29 +1,30 @@
-//! Bodies and rods as what is drawn of them: one function a shape.
+//! The drawn solids of bodies and rods, one function per shape.
 
 use nalgebra::{UnitQuaternion, Vector3};
 
 use crate::body::{Body, Placed, Polytope, Pose, Shape};
 
-/// A convex solid in world coordinates (m): the hull of its corners, swollen by a radius. A ball is
-/// one corner and a radius, a polyhedron has the radius 0, a capsule would be two corners and a
+/// A convex solid in world coordinates (m): the hull of its corners, expanded by a radius. A ball
+/// is one corner and a radius, a polyhedron has radius 0, a capsule would be two corners and a
 /// radius.
 #[derive(Debug, Clone)]
 pub(super) struct Solid {
-    /// What it belongs to.
+    /// The body or rod it belongs to.
     pub part: Part,
     /// Its corners (m).
     pub corners: Vec<Vector3<f64>>,
-    /// What is around them (m).
+    /// The radius around them (m).
     pub radius: f64,
     /// The faces of a polyhedron: indices of corners, counter-clockwise from outside.
     pub faces: Vec<Vec<usize>>,
-    /// The directions of its edges, each once: with the faces they decide what is in front.
+    /// The directions of its edges without duplicates; with the faces they determine what is in
+    /// front.
     pub edges: Vec<Vector3<f64>>,
-    /// How it is turned.
+    /// Its orientation.
     pub turn: UnitQuaternion<f64>,
 }
 
-/// What a solid belongs to.
+/// The body or rod that a solid belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Part {
     /// The body with this index.
@@ -33,7 +34,7 @@ pub(super) enum Part {
 }
 
 impl Solid {
-    /// The solids of a body, one but of a compound; a point gets the radius `dot` (m), and a half
+    /// The solids of a body (several for a compound); a point gets the radius `dot` (m), and a half
     /// space has none.
     pub fn of(index: usize, body: &Body, pose: &Pose, dot: f64) -> Vec<Self> {
         Solid::of_shape(Part::Body(index), &body.shape, pose, dot)
@@ -81,20 +82,20 @@ impl Solid {
         (b? - a?).cross(&(c? - b?)).try_normalize(0.0)
     }
 
-    /// The least and the greatest of n · x over its points x.
+    /// The minimum and maximum of n · x over its points x.
     pub fn interval(&self, n: &Vector3<f64>) -> (f64, f64) {
         let along = self.corners.iter().map(|corner| n.dot(corner));
         let (lo, hi) = along.fold(EMPTY, |(lo, hi), x| (lo.min(x), hi.max(x)));
         (lo - self.radius, hi + self.radius)
     }
 
-    /// The middle of its corners (m).
+    /// The mean of its corners (m).
     pub fn centre(&self) -> Vector3<f64> {
         self.corners.iter().sum::<Vector3<f64>>() / self.corners.len() as f64
     }
 }
 
-/// The interval of no numbers.
+/// The empty interval.
 const EMPTY: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
 
 fn ball(part: Part, pose: &Pose, radius: f64) -> Solid {

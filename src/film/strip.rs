@@ -1,4 +1,4 @@
-//! The strip: some instants of a motion on one sheet.
+//! The strip: several instants of a motion on one sheet.
 
 use super::ground::{self, Patch};
 use super::ink::{Ink, tenth};
@@ -13,13 +13,13 @@ use crate::plot::round_step;
 use crate::plot::style::{self, EDGE, FAINT_INK, GRID, INK, TEXT, WIDTH};
 use crate::scene::Scene;
 
-/// Above the frames in px: the title and the scales.
+/// The space above the frames in px, for the title and the scales.
 const TOP: f64 = 62.0;
-/// Bold text is this much wider.
+/// The width of bold text relative to normal text.
 const BOLD: f64 = 1.1;
-/// The middle of the line of scales in px.
+/// The vertical center of the line of scales in px.
 const SCALES: f64 = 48.0;
-/// The length of the scale bar as a share of a frame's width, at least.
+/// The minimum length of the scale bar as a fraction of a frame's width.
 const BAR: f64 = 0.3;
 
 /// Whether forces are drawn.
@@ -27,11 +27,11 @@ const BAR: f64 = 0.3;
 pub enum Arrows {
     /// No forces.
     Hidden,
-    /// Those of the frames, and the contact points.
+    /// The forces of the frames, and the contact points.
     Shown,
 }
 
-/// Instants of a motion side by side, all seen by one camera at one scale.
+/// Several instants of a motion side by side, seen by one camera at one scale.
 ///
 /// ```
 /// use lcplab::{film::{Frame, Strip}, plot::Figure};
@@ -50,20 +50,20 @@ pub struct Strip {
     pub title: String,
     /// The figure's caption.
     pub caption: String,
-    /// What moves.
+    /// The scene.
     pub scene: Scene,
     /// Its instants; those with states that are not finite are not drawn.
     pub frames: Vec<Frame>,
-    /// From where it is seen.
+    /// The view.
     pub view: View,
     /// Whether forces are drawn.
     pub arrows: Arrows,
-    /// What stands over each frame; its time where nothing is said.
+    /// The text above each frame; its time by default.
     pub labels: Vec<String>,
 }
 
 impl Strip {
-    /// A strip of a scene's title, seen from where it is seen best, without forces.
+    /// A strip with the scene's title and best view, without forces.
     pub fn new(scene: &Scene, frames: Vec<Frame>) -> Self {
         Strip {
             id: "frames".into(),
@@ -77,17 +77,17 @@ impl Strip {
         }
     }
 
-    /// The same with another short name, where a page has several.
+    /// The same with another short name, for pages with several strips.
     pub fn named(self, id: &str) -> Self {
         Strip { id: id.into(), ..self }
     }
 
-    /// The same with what the reader should see, in a sentence.
+    /// The same with a caption, a sentence that says what the reader should see.
     pub fn with_caption(self, words: &str) -> Self {
         Strip { caption: words.into(), ..self }
     }
 
-    /// The same with these words over the frames.
+    /// The same with these texts above the frames.
     pub fn labelled<const N: usize>(self, labels: [&str; N]) -> Self {
         Strip { labels: labels.map(String::from).into(), ..self }
     }
@@ -131,7 +131,7 @@ impl Strip {
         ink.finish()
     }
 
-    /// The scale bar, and an arrow of a round force for each origin that occurs.
+    /// The scale bar, and an arrow of a round force for each origin.
     fn scales(&self, canvas: &mut Canvas, frames: &[Frame], lens: &Lens, newton: Option<f64>) {
         let metres = round_step(BAR * lens.width / lens.scale);
         let length = metres * lens.scale;
@@ -217,7 +217,7 @@ impl Figure for Strip {
         canvas.finish(&self.id, &self.title, &self.description(&frames))
     }
 
-    /// One record a frame and body: its pose.
+    /// One record per frame and body: its pose.
     fn csv(&self) -> String {
         let mut out = String::new();
         csv::record(&mut out, COLUMNS);

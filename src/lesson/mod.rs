@@ -1,14 +1,14 @@
-//! Lessons: notebooks with cells in Python, and cells in Rust that are compiled with the crate,
-//! run, and shown with what they put out.
+//! Lessons: notebooks with Python cells, and Rust cells that are compiled with the crate, run, and
+//! shown with their output.
 //!
 //! A lesson is one Markdown file ([`source`]). The build turns its Rust cells into a [`Program`];
-//! running it gives a [`Record`] of outputs, from which follow a page ([`Program::page`]) and
-//! Jupyter notebooks in Python ([`Program::notebook`]) and in Rust ([`Program::rust_notebook`]). In
-//! a Rust cell `println!` writes a line, [`show`] a [`table`], a [`Plot`], a scene or an erratum's
-//! exhibit, and [`put`] gives the prose a value that it quotes as `{{name}}`. The same calls work
-//! in a Jupyter kernel for Rust.
+//! running it gives a [`Record`] of outputs, from which a page ([`Program::page`]) and Jupyter
+//! notebooks in Python ([`Program::notebook`]) and in Rust ([`Program::rust_notebook`]) are made.
+//! In a Rust cell `println!` writes a line, [`show`] a [`table`], a [`Plot`], a scene or an
+//! erratum's exhibit, and [`put`] gives the prose a value that it quotes as `{{name}}`. The same
+//! calls work in a Jupyter kernel for Rust.
 //!
-//! [`exercise`] checks programs of students, [`problem`] numbers that they have found.
+//! [`exercise`] checks students' programs, [`problem`] their numerical answers.
 
 pub mod exercise;
 mod notebook;
@@ -34,26 +34,26 @@ use crate::chapter::exhibit;
 use crate::error::{Error, Result};
 use crate::report::page::markup::literal;
 
-/// How a notebook's cells ended.
+/// The result of running a notebook's cells.
 pub type Ran = std::result::Result<(), Box<dyn std::error::Error>>;
 
 /// A literate notebook: its text, and its cells as a program.
 #[derive(Debug, Clone, Copy)]
 pub struct Program {
-    /// The file's name without its ending: `01_complementarity`.
+    /// The file's name without its extension: `01_complementarity`.
     pub name: &'static str,
     /// The Markdown.
     pub text: &'static str,
     /// Runs the cells from the first to the last.
     pub cells: fn() -> Ran,
-    /// The drawings that it shows: the file's name and the SVG.
+    /// Its drawings: the file's name and the SVG.
     pub drawings: &'static [(&'static str, &'static str)],
     /// Its problem set, as a TOML file; empty without one.
     pub problems: &'static str,
 }
 
 impl Program {
-    /// Runs the cells and returns what they put out.
+    /// Runs the cells and returns their output.
     ///
     /// # Errors
     /// Names the cell that ended with an error.
@@ -68,21 +68,21 @@ impl Program {
         Ok(record)
     }
 
-    /// The number with which the name begins; 0 without one.
+    /// The number at the beginning of the name; 0 without one.
     pub fn number(&self) -> usize {
         let digits = self.name.split('_').next().unwrap_or_default();
         digits.parse().unwrap_or(0)
     }
 
-    /// The title, with the number before it if there is one.
+    /// The title, preceded by the number if there is one.
     pub fn title(&self) -> String {
         let title = source::Source::read(self.text).title;
         if self.number() > 0 { format!("{}. {title}", self.number()) } else { title }
     }
 }
 
-/// The prose with what it quotes: values by name, errata by number as a note in the margin, the
-/// problem set.
+/// The prose with its quotations: values by name, errata by number as margin notes, the problem
+/// set.
 fn quoted(program: &Program, prose: &str, record: &Record) -> Result<String> {
     let mut pieces = prose.split("{{");
     let mut out = pieces.next().unwrap_or_default().to_string();

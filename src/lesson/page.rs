@@ -1,4 +1,4 @@
-//! A notebook that ran as a page.
+//! Writes a notebook and its output as a page.
 
 use super::record::Output;
 use super::source::{Part, Shown, Source};
@@ -7,14 +7,14 @@ use crate::error::{Error, Result};
 use crate::live::linked;
 use crate::report::page::{Block, Fold, Page, Section};
 
-/// The section that only readers of the chapter want.
+/// The section that only readers of the chapter need.
 const ASIDE: &str = "For readers of the chapter";
 
 impl Program {
-    /// The page with prose, cells and what they put out; nothing on it is fetched.
+    /// The page with prose, cells and their output; it loads nothing else.
     ///
     /// # Errors
-    /// If the prose quotes a value that no cell has put, or shows a drawing that is not there.
+    /// If the prose quotes a value that no cell has put, or shows a drawing that does not exist.
     pub fn page(&self, record: &Record) -> Result<Page> {
         let source = Source::read(self.text);
         let mut page = Page {
@@ -50,7 +50,7 @@ impl Program {
         Ok(page)
     }
 
-    /// Prose begins a section at each of its headings of the second level. Drawings and live pages
+    /// Adds prose, with a section at each heading of the second level. Drawings and live pages
     /// follow the paragraphs that show them.
     fn add_prose(&self, page: &mut Page, text: &str) -> Result<()> {
         let mut pieces =
@@ -89,7 +89,8 @@ impl Program {
         Ok(())
     }
 
-    /// Words, and in a lesson the live pages to which they link; elsewhere the links suffice.
+    /// Adds paragraphs, and in a lesson the live pages to which they link; elsewhere the links
+    /// suffice.
     fn add_paragraphs(&self, page: &mut Page, text: &str) {
         if text.trim().is_empty() {
             return;
@@ -101,20 +102,20 @@ impl Program {
     }
 }
 
-/// The words and the file of a line that is a drawing: `![words](drawings/name.svg)`.
+/// The text and the file of a line that is a drawing: `![words](drawings/name.svg)`.
 fn drawing(line: &str) -> Option<(&str, &str)> {
     line.strip_prefix("![")?.strip_suffix(')')?.split_once("](drawings/")
 }
 
-/// Notebooks stand beside the folder of live pages and link to each other; pages have it in their
-/// own, and end otherwise.
+/// Converts links: notebooks are next to the folder of live pages and link to each other; pages
+/// have it in their own folder and other extensions.
 fn on_page(text: &str) -> String {
     text.replace("](../live/", "](live/")
         .replace("](README.md)", "](index.html)")
         .replace(".md)", ".html)")
 }
 
-/// A Python cell and what it prints.
+/// A Python cell and its output.
 fn printed(code: &str, output: &str) -> Vec<(String, String)> {
     let mut pieces = vec![("python".to_string(), twin::shown(code))];
     if !output.is_empty() {
@@ -123,8 +124,8 @@ fn printed(code: &str, output: &str) -> Vec<(String, String)> {
     pieces
 }
 
-/// A Rust cell with what it put out. Where it has a twin, what it printed stands with its code;
-/// elsewhere its code is folded away, for Python carries the lesson.
+/// Adds a Rust cell with its output. If it has a Python equivalent, its printed output is shown
+/// with its code; otherwise its code is collapsed, because the lesson uses Python.
 fn add_cell(
     page: &mut Page,
     code: &str,
@@ -149,7 +150,7 @@ fn add_cell(
     rest.into_iter().for_each(|block| add(page, block));
 }
 
-/// Adds to the last section; what comes before the first one starts one of its own.
+/// Adds a block to the last section; a block before the first section starts one.
 fn add(page: &mut Page, block: Block) {
     if page.sections.is_empty() {
         let (id, title) = ("part-1".into(), "Beginning".into());

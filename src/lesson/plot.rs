@@ -1,8 +1,8 @@
-//! A plot in one expression; its looks are those of every other plot.
+//! A plot in one expression, with the style of all other plots.
 
 use crate::plot::{Axis, Figure, Lines, Panel, Series};
 
-/// A plot that grows by a call a curve.
+/// A plot that is built with one call per curve.
 ///
 /// ```
 /// use lcplab::lesson::Plot;
@@ -31,7 +31,7 @@ impl Plot {
         })
     }
 
-    /// What the reader should see, in a sentence.
+    /// The caption, a sentence that says what the reader should see.
     pub fn caption(mut self, words: &str) -> Self {
         self.0.caption = words.into();
         self
@@ -59,23 +59,23 @@ impl Plot {
         self.vertical(Axis::log(label, unit))
     }
 
-    /// A further plot below with the same horizontal axis; what follows is drawn there.
+    /// Adds a plot below with the same horizontal axis; the following curves are drawn there.
     pub fn below(mut self) -> Self {
         self.0.panels.push(Panel { y: Axis::linear("", ""), series: Vec::new() });
         self
     }
 
-    /// A curve of what happened.
+    /// A measured curve.
     pub fn measured(self, name: &str, points: Vec<(f64, f64)>) -> Self {
         self.with(Series::measured(name, points))
     }
 
-    /// Points that are not joined.
+    /// Points without a connecting line.
     pub fn points(self, name: &str, points: Vec<(f64, f64)>) -> Self {
         self.with(Series::points(name, points))
     }
 
-    /// A curve that a formula predicts.
+    /// A curve predicted by a formula.
     pub fn theory(self, name: &str, points: Vec<(f64, f64)>) -> Self {
         self.with(Series::theory(name, points))
     }

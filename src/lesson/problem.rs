@@ -1,8 +1,8 @@
-//! Problem sets: questions whose answer is a number.
+//! Problem sets: questions with a numerical answer.
 //!
-//! Each lesson has a file `notebooks/problems/NN.toml`. A problem states the question in Markdown,
-//! the answer and how near one must come, and the answers that typical mistakes lead to, each with
-//! a hint.
+//! Each lesson has a file `notebooks/problems/NN.toml`. A problem contains the question in
+//! Markdown, the answer and its tolerance, and the answers that result from typical mistakes, each
+//! with a hint.
 
 use serde::Deserialize;
 
@@ -16,29 +16,29 @@ use crate::number::readable;
 pub struct Problem {
     /// Lesson and number: `4.p1`.
     pub id: String,
-    /// How it is to be solved.
+    /// How it is solved.
     pub kind: Kind,
     /// What it is about, in a few words.
     pub title: String,
-    /// How long it takes.
+    /// The expected time in minutes.
     pub minutes: u32,
-    /// 1 easy, 2 middle, 3 hard.
+    /// 1 easy, 2 medium, 3 hard.
     pub level: u8,
     /// The question, in Markdown.
     pub text: String,
     /// The unit of the answer; empty without one.
     pub unit: String,
-    /// The number.
+    /// The answer.
     pub answer: f64,
-    /// How far off, as a part of the answer, still counts; of an answer 0 the distance itself.
+    /// The relative tolerance; for an answer 0, the absolute tolerance.
     pub within: f64,
-    /// Other answers that are right, by another convention or by a sharper argument.
+    /// Other correct answers, by another convention or a sharper argument.
     #[serde(default)]
     pub also: Vec<Also>,
-    /// What typical mistakes lead to.
+    /// The results of typical mistakes.
     #[serde(default)]
     pub traps: Vec<Trap>,
-    /// The way to the answer, in Markdown.
+    /// The derivation of the answer, in Markdown.
     pub because: String,
 }
 
@@ -48,40 +48,40 @@ pub struct Problem {
 pub enum Kind {
     /// With pencil and paper.
     Pencil,
-    /// Guessed first, then run.
+    /// Predicted first, then run.
     Predict,
     /// On a live page.
     Live,
 }
 
-/// Another right answer, and why it is right.
+/// Another correct answer, and why it is correct.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Also {
     /// The number.
     pub answer: f64,
-    /// What sets it apart from the expected one.
+    /// How it differs from the expected one.
     pub remark: String,
 }
 
-/// A wrong answer, and what to think of.
+/// A wrong answer with a hint.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Trap {
     /// The number.
     pub answer: f64,
-    /// What helps without giving the answer away.
+    /// A hint that does not give the answer away.
     pub hint: String,
 }
 
-/// What is said to a number.
+/// The reply to a number.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Reply {
     /// It is right.
     Right,
-    /// It is right as well, and this sets it apart from the expected answer.
+    /// It is also right; the text says how it differs from the expected answer.
     AlsoRight(String),
-    /// It is not, and this helps.
+    /// It is wrong; the text is a hint.
     Wrong(String),
 }
 
@@ -102,7 +102,7 @@ pub fn set(lesson: &Program) -> Result<Vec<Problem>> {
 }
 
 impl Problem {
-    /// What to say to a number.
+    /// The reply to a number.
     pub fn reply(&self, number: f64) -> Reply {
         if self.is_near(number, self.answer) {
             return Reply::Right;
@@ -121,7 +121,7 @@ impl Problem {
             number if self.answer != 0.0 && self.is_near(-number, self.answer) => {
                 "the size is right, the sign is not".to_string()
             }
-            // A direction would turn a prediction into a search by halving.
+            // A direction would turn a prediction into a search by bisection.
             number if self.kind != Kind::Pencil => {
                 format!("{}{unit} is not what it shows", readable(number, 4))
             }
@@ -147,7 +147,7 @@ impl Kind {
     }
 }
 
-/// All of a set, as a lesson shows it.
+/// All problems of a set, as a lesson shows them.
 pub(super) fn markdown(problems: &[Problem]) -> String {
     let one = |problem: &Problem| {
         let Problem { id, kind, title, minutes, level, text, .. } = problem;

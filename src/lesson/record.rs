@@ -1,4 +1,4 @@
-//! What a cell puts out, caught while it runs.
+//! Captures the output of a cell while it runs.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -6,19 +6,19 @@ use std::fmt::Display;
 
 use crate::document::Block;
 
-/// What stands under a cell.
+/// An output below a cell.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Output {
-    /// Lines as they were printed.
+    /// Printed lines.
     Lines(String),
     /// A table, a formula, a picture.
     Block(Block),
 }
 
-/// What a whole notebook put out.
+/// The output of a whole notebook.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Record {
-    /// Cell by cell.
+    /// The output of each cell.
     pub cells: Vec<Vec<Output>>,
     /// The values that the prose quotes by name.
     pub values: BTreeMap<String, String>,
@@ -28,27 +28,27 @@ thread_local! {
     static RECORD: RefCell<Option<Record>> = const { RefCell::new(None) };
 }
 
-/// Begins the record of a notebook's run on this thread.
+/// Begins the record of a notebook run on this thread.
 pub(super) fn begin() {
     RECORD.set(Some(Record::default()));
 }
 
-/// Ends it.
+/// Ends the record.
 pub(super) fn end() -> Record {
     RECORD.take().unwrap_or_default()
 }
 
-/// What follows belongs to the cell of this index.
+/// Assigns the following output to the cell with this index.
 pub fn cell(index: usize) {
     with(|record| record.cells.resize(index + 1, Vec::new()));
 }
 
-/// A line under the cell; `println!` of a cell ends here.
+/// Adds a line of output; `println!` in a cell calls this.
 pub fn say(line: &str) {
     put_out(Output::Lines(format!("{line}\n")));
 }
 
-/// A value that the prose quotes as `{{name}}`.
+/// Sets a value that the prose quotes as `{{name}}`.
 pub fn put(name: &str, value: impl Display) {
     let is_recorded = with(|record| record.values.insert(name.to_string(), value.to_string()));
     if is_recorded.is_none() {
@@ -56,7 +56,7 @@ pub fn put(name: &str, value: impl Display) {
     }
 }
 
-/// Adds to the cell's outputs; without a record, in a Jupyter kernel say, it is printed.
+/// Adds to the cell's outputs; without a record, for example in a Jupyter kernel, it is printed.
 pub(super) fn put_out(output: Output) {
     let mut output = Some(output);
     with(|record| {

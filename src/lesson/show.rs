@@ -1,4 +1,4 @@
-//! What a cell can show, and how it is written in each kind of notebook.
+//! What a cell can show, and its form in each kind of notebook.
 
 use serde_json::{Value, json};
 
@@ -8,7 +8,7 @@ use crate::document::{Block, Show};
 use crate::error::Result;
 use crate::page;
 
-/// Puts a table, a plot, a derivation or an exhibit under the cell.
+/// Shows a table, a plot, a derivation or an exhibit below the cell.
 ///
 /// # Errors
 /// If an exhibit's example cannot be set up.
@@ -34,7 +34,7 @@ impl Show for Exhibit {
 }
 
 impl Output {
-    /// As a piece of a page.
+    /// As a block of a page.
     pub(super) fn on_page(&self) -> page::Block {
         match self {
             Output::Lines(lines) => {
@@ -63,7 +63,7 @@ impl Output {
         }
     }
 
-    /// As the evcxr kernel wants it on standard output.
+    /// In the form that the evcxr kernel expects on standard output.
     pub(super) fn for_kernel(&self) -> String {
         let (kind, content) = match self {
             Output::Lines(lines) => return lines.clone(),
@@ -74,7 +74,7 @@ impl Output {
     }
 }
 
-/// A text as a list of its lines, line ends included.
+/// A text as a list of its lines, including line ends.
 pub(super) fn lined(text: &str) -> Vec<&str> {
     text.split_inclusive('\n').collect()
 }

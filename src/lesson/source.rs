@@ -1,9 +1,9 @@
-//! A literate notebook as it is written: Markdown whose Python and Rust blocks are cells.
+//! The source of a literate notebook: Markdown whose Python and Rust blocks are cells.
 //!
 //! ```text
 //! ---                          an optional head for Jupytext, which is skipped
 //! # Title                      the first line
-//! prose, $x^2$, {{name}}       {{name}} is a value that a cell has put there
+//! prose, $x^2$, {{name}}       {{name}} is a value that a cell has set
 //! ```rust                      a cell: shown, compiled and run
 //! ```rust tags=["hide"]        a cell whose code is not shown
 //! ```rust tags=["fold"]        a cell whose code is folded: set-up, tables, plots
@@ -12,37 +12,37 @@
 //! ```text                      anything else in fences belongs to the prose
 //! ```
 //!
-//! The build script reads notebooks by the same code, to turn their Rust cells into programs. The
-//! tests of the Python package run the Python cells and compare what they print.
+//! The build script uses the same code to turn the Rust cells of notebooks into programs. The tests
+//! of the Python package run the Python cells and compare their output.
 
-/// A notebook, cut into prose and cells.
+/// A notebook, split into prose and cells.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Source {
-    /// The heading, without its sign.
+    /// The heading, without its `#`.
     pub title: String,
-    /// What follows, from top to bottom.
+    /// The parts, from top to bottom.
     pub parts: Vec<Part>,
 }
 
-/// A piece of a notebook.
+/// A part of a notebook.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Part {
     /// Markdown.
     Prose(String),
-    /// Python.
+    /// A Python cell.
     Python {
-        /// The lines, as they are.
+        /// The code.
         code: String,
-        /// What it prints.
+        /// Its output.
         output: String,
-        /// Whether it says the same as the Rust before it.
+        /// Whether it is equivalent to the preceding Rust cell.
         is_twin: bool,
     },
-    /// Rust.
+    /// A Rust cell.
     Cell {
-        /// The lines, as they are.
+        /// The code.
         code: String,
-        /// How readers see the lines.
+        /// How the code is shown.
         shown: Shown,
     },
 }
@@ -50,11 +50,11 @@ pub enum Part {
 /// How a cell's code is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shown {
-    /// As it is.
+    /// In full.
     Open,
-    /// Folded away, for those who want to look.
+    /// Collapsed.
     Folded,
-    /// Not at all on a page.
+    /// Not shown on a page.
     Hidden,
 }
 
@@ -69,7 +69,7 @@ impl Shown {
 }
 
 impl Source {
-    /// Cuts a notebook into its parts.
+    /// Splits a notebook into its parts.
     pub fn read(text: &str) -> Source {
         let mut lines = without_head(text).lines();
         let title = lines.by_ref().find(|line| !line.trim().is_empty()).unwrap_or_default();

@@ -26,7 +26,7 @@ pub fn table<const N: usize>(
     }
 }
 
-/// A row of a [`table`]: numbers, counts and words, each as it is written.
+/// A row of a [`table`]: numbers, counts and words, each as written.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __lesson_row {
@@ -34,11 +34,11 @@ macro_rules! __lesson_row {
 }
 pub use crate::__lesson_row as row;
 
-/// What stands in a cell of a [`table`].
+/// The content of a cell of a [`table`].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Entry(String);
 
-/// A number has six significant digits.
+/// Numbers are shown with six significant digits.
 impl From<f64> for Entry {
     fn from(value: f64) -> Self {
         Entry(plain(value))

@@ -1,6 +1,6 @@
-//! Markdown with formulas as a terminal shows it: `$\tfrac12 x^T A x$` becomes `½ xᵀ A x`.
+//! Markdown with formulas in the form for a terminal: `$\tfrac12 x^T A x$` becomes `½ xᵀ A x`.
 
-/// What a command stands for.
+/// The symbols of commands.
 const SYMBOLS: [(&str, &str); 28] = [
     ("cdot", "·"),
     ("times", "×"),
@@ -71,7 +71,7 @@ fn formula(latex: &str) -> String {
     out
 }
 
-/// What begins with a backslash; what is left.
+/// Converts what begins with a backslash; returns the rest.
 fn command<'a>(rest: &'a str, out: &mut String) -> &'a str {
     let end = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
     let (name, after) = rest.split_at(end);
@@ -128,7 +128,7 @@ fn command<'a>(rest: &'a str, out: &mut String) -> &'a str {
     }
 }
 
-/// The next character or group, and what follows.
+/// The next character or group, and the rest.
 fn argument(rest: &str) -> (&str, &str) {
     let rest = rest.trim_start();
     if let Some(inside) = rest.strip_prefix('{') {
@@ -147,13 +147,13 @@ fn argument(rest: &str) -> (&str, &str) {
     rest.split_at(first)
 }
 
-/// A part of a quotient or a root, in brackets if it is a sum.
+/// A part of a quotient or a root, in parentheses if it is a sum.
 fn grouped(latex: &str) -> String {
     let text = formula(latex);
     if text.contains([' ', '+', '-']) { format!("({text})") } else { text }
 }
 
-/// Raised or lowered where Unicode can; otherwise with the sign before it.
+/// Superscript or subscript if Unicode has all characters; otherwise with the sign before it.
 fn moved(text: &str, (plain, other): (&str, &str), sign: char) -> String {
     let place = |c: char| plain.chars().position(|own| own == c);
     let all: Option<String> =

@@ -1,9 +1,9 @@
-//! Python cells as readers see them.
+//! Python cells in the form shown to readers.
 
-/// The engine that grows from lesson to lesson; pages and notebooks stand next to it.
+/// The engine that grows from lesson to lesson; pages and notebooks are next to it.
 pub const ENGINE: &str = include_str!("../../notebooks/engine.py");
 
-/// `from engine import murty  # as follows` gives way to the program itself.
+/// Replaces `from engine import murty  # as follows` by the code itself.
 pub(super) fn shown(python: &str) -> String {
     let line = |line: &str| {
         let import = line.strip_prefix("from engine import ")?;

@@ -1,5 +1,5 @@
-//! The live pages: problems that are dragged, methods that are stepped through, by the same solvers
-//! compiled to WebAssembly. `live/README.md` says how the module is built.
+//! The live pages: problems that can be dragged and methods that can be stepped through, with the
+//! same solvers compiled to WebAssembly. `live/README.md` describes how the module is built.
 
 use std::path::Path;
 use std::sync::LazyLock;
@@ -10,17 +10,17 @@ use crate::error::Result;
 use crate::file;
 use crate::page::{Live, base64};
 
-/// The solvers and the judge as a module of WebAssembly, deflated.
+/// The solvers and the judge as a WebAssembly module, deflated.
 const MODULE: &[u8] = include_bytes!("module.wasm.deflate");
 const FRAME: &str = include_str!("page/frame.html");
 const STYLE: &str = include_str!("page/live.css");
-/// What all pages do.
+/// The script that all pages share.
 const SCRIPT: &str = include_str!("page/live.js");
 
 /// A page.
 #[derive(Debug, Clone, Copy)]
 pub struct Page {
-    /// Its name; the file is called so.
+    /// The name of the page and of its file.
     pub name: &'static str,
     /// The title.
     pub title: &'static str,
@@ -42,7 +42,7 @@ macro_rules! page {
     };
 }
 
-/// All of them.
+/// All pages.
 pub const PAGES: [Page; 5] = [
     page!(
         "two_rows",
@@ -72,13 +72,13 @@ pub const PAGES: [Page; 5] = [
 ];
 
 impl Page {
-    /// The file.
+    /// The content of the file.
     pub fn text(&self) -> String {
         static MODULE_TEXT: LazyLock<String> = LazyLock::new(|| base64(MODULE));
         self.around(&MODULE_TEXT)
     }
 
-    /// The file with another deflated module.
+    /// The content of the file with another deflated module.
     pub fn text_with(&self, module: &[u8]) -> String {
         self.around(&base64(module))
     }
@@ -95,8 +95,8 @@ impl Page {
     }
 }
 
-/// The live pages to which words link, as `[a stack](live/stack.html#solver=pgs)`, to be opened in
-/// place.
+/// The live pages to which a text links, as `[a stack](live/stack.html#solver=pgs)`, to be opened
+/// in place.
 pub fn linked(text: &str) -> Vec<Live> {
     let links = text.split("](live/").skip(1).map(|after| after.split(')').next().unwrap_or(""));
     let live = |link: &str| {
@@ -108,7 +108,7 @@ pub fn linked(text: &str) -> Vec<Live> {
     links.filter_map(live).collect()
 }
 
-/// Writes the live pages that a page links to beside it.
+/// Writes the live pages that a page links to next to it.
 ///
 /// # Errors
 /// If a file cannot be written.

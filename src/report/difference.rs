@@ -1,6 +1,6 @@
-//! What changed between two results files: numbers, words, and rows that came or went.
+//! Differences between two results files: numbers, words, and added or removed rows.
 //!
-//! What differs from machine to machine (`machine`) and the versions of libraries are left out.
+//! Machine-dependent parts (`machine`) and the versions of libraries are ignored.
 
 use std::path::Path;
 
@@ -13,32 +13,32 @@ use crate::json;
 use crate::memory::Memory;
 use crate::number::readable;
 
-/// Parts of a results file that say where and with what it was made, not what came out.
+/// Parts of a results file that describe where and with what it was made, not the results.
 const CIRCUMSTANCES: [&str; 3] = ["machine", "version", "libraries"];
-/// Fields by which a row of results is known, in the order in which they are said.
+/// Fields that identify a row of results, in the order in which they are shown.
 const NAMES: [&str; 12] = [
     "scene", "name", "case", "id", "quantity", "scheme", "level", "family", "solver", "model",
     "order", "dt",
 ];
 
-/// One thing that is not what it was.
+/// One difference.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Change {
-    /// Where: `comparisons › fig7 › pgs › iterations`.
+    /// The place: `comparisons › fig7 › pgs › iterations`.
     pub place: String,
-    /// What it was; nothing if it has come.
+    /// The old value; `None` if it was added.
     pub old: Option<Value>,
-    /// What it is; nothing if it has gone.
+    /// The new value; `None` if it was removed.
     pub new: Option<Value>,
 }
 
 impl Change {
-    /// |new − old| over the larger of both sizes; 1 for what is not two numbers.
+    /// |new − old| relative to the larger absolute value; 1 unless both are numbers.
     pub fn relative(&self) -> f64 {
         self.numbers().map_or(1.0, |(old, new)| (new - old).abs() / old.abs().max(new.abs()))
     }
 
-    /// Old and new, if they are numbers.
+    /// The old and new value, if they are numbers.
     fn numbers(&self) -> Option<(f64, f64)> {
         let number = |value: &Option<Value>| value.as_ref().and_then(Value::as_f64);
         number(&self.old).zip(number(&self.new))
@@ -62,12 +62,12 @@ impl Change {
     }
 }
 
-/// A number without zeros at its end.
+/// A number without trailing zeros.
 fn number(value: f64, digits: usize) -> Cell {
     Cell { text: readable(value, digits), value: Some(value), ..Cell::default() }
 }
 
-/// At most this many changes are listed.
+/// Maximum number of changes listed.
 const LISTED: usize = 40;
 
 /// The changes as a table.
@@ -99,12 +99,12 @@ pub fn read(path: &Path) -> Result<Value> {
     })
 }
 
-/// By how much two numbers may differ and still count as the same.
+/// The tolerance for numbers that count as equal.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Tolerance {
-    /// Relative to the larger of both sizes.
+    /// Relative to the larger absolute value.
     pub relative: f64,
-    /// In whatever unit they have.
+    /// Absolute, in the number's own unit.
     pub absolute: f64,
 }
 
@@ -119,7 +119,7 @@ impl Tolerance {
     }
 }
 
-/// All changes from old to new results, numbers only where they differ by more than the tolerance.
+/// All changes from old to new results; numbers only if they differ by more than the tolerance.
 pub fn between(old: &Value, new: &Value, tolerance: Tolerance) -> Vec<Change> {
     let mut changes = Vec::new();
     compare(&mut changes, "", Some(&outcome(old)), Some(&outcome(new)));
@@ -127,7 +127,7 @@ pub fn between(old: &Value, new: &Value, tolerance: Tolerance) -> Vec<Change> {
     changes
 }
 
-/// The results without the circumstances.
+/// The results without the parts that describe circumstances.
 fn outcome(results: &Value) -> Value {
     let Value::Object(fields) = results else { return results.clone() };
     let kept = fields.iter().filter(|(name, _)| !CIRCUMSTANCES.contains(&name.as_str()));
@@ -161,8 +161,8 @@ fn names<'a>(before: &'a Map<String, Value>, after: &'a Map<String, Value>) -> V
     before.keys().chain(added).collect()
 }
 
-/// The items of a list by what they call themselves, so that a row is found where others were put
-/// before it; by number where they have no name or share one.
+/// The items of a list by name, so that a row is found even if others were inserted before it; by
+/// number if they have no name or share one.
 fn labelled(items: &[Value]) -> Map<String, Value> {
     let mut labelled = Map::new();
     for (k, item) in items.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! The kinds of studies that a report file can ask for, and a study of any kind.
+//! The kinds of studies in report files, and a study of any kind.
 
 use std::sync::{PoisonError, RwLock};
 
@@ -18,11 +18,11 @@ use crate::scene::source::Source;
 pub struct Kind {
     /// Its name in report files.
     pub name: &'static str,
-    /// The heading of its section, unless the file states another one.
+    /// The default heading of its section.
     pub title: &'static str,
-    /// A study of this kind from its settings.
+    /// Builds a study of this kind from its settings.
     pub read: fn(&Value) -> serde_json::Result<Box<dyn AnyStudy>>,
-    /// The same from a file, or nothing and every defect.
+    /// The same from a file; `None` with every defect if there are any.
     pub parse: Parse,
     /// The schema of its settings.
     pub schema: fn(&mut SchemaGenerator) -> Schema,
@@ -45,8 +45,8 @@ pub const KINDS: &[Kind] = &[
     Kind::of::<study::grid::Plan>(),
 ];
 
-/// Kinds of studies that only show something, and why nothing in them can come out wrong. Their
-/// sections count as good unless a task fails; all other kinds decide by what was measured.
+/// Kinds of studies that only show something, and why nothing in them can fail. Their sections
+/// count as good unless a task fails; all other kinds decide by their measurements.
 pub const UNDECIDED: [(&str, &str); 2] = [
     ("film", "some animations show motions that end early or go wrong"),
     ("sparsity", "a picture of the nonzero entries of matrices"),
@@ -75,16 +75,15 @@ impl Kind {
 /// Kinds that other programs have [added](add).
 static ADDED: RwLock<Vec<&'static Kind>> = RwLock::new(Vec::new());
 
-/// Lets report files of this process ask for more kinds: those of a program with studies of its
-/// own.
+/// Adds kinds of studies for report files of this process: those of a program with its own studies.
 pub fn add(kinds: &'static [Kind]) {
     ADDED.write().unwrap_or_else(PoisonError::into_inner).extend(kinds);
 }
 
-/// The kind of this name.
+/// The kind with this name.
 ///
 /// # Errors
-/// If there is none.
+/// If there is no such kind.
 pub fn by_name(name: &str) -> Result<&'static Kind> {
     let added = ADDED.read().unwrap_or_else(PoisonError::into_inner);
     let all = || KINDS.iter().chain(added.iter().copied());
@@ -95,27 +94,27 @@ pub fn by_name(name: &str) -> Result<&'static Kind> {
     })
 }
 
-/// A study with its settings, whatever its kind; what it finds out is JSON.
+/// A study with its settings, of any kind; its findings are JSON.
 pub trait AnyStudy: Send + Sync {
     /// The kind's name.
     fn name(&self) -> &'static str;
 
-    /// Whether its tasks run beside nothing else.
+    /// Whether its tasks must run alone.
     fn alone(&self) -> bool;
 
-    /// A name and a heading of its own.
+    /// Its own name and heading, if it has them.
     fn named(&self) -> Option<(String, String)>;
 
     /// The settings as a report file states them.
     fn settings(&self) -> Value;
 
-    /// What tells the tasks apart; no two are alike.
+    /// The names of the tasks, which are unique.
     fn tasks(&self) -> Vec<String>;
 
-    /// Carries out a task: the finding, and what differs from machine to machine.
+    /// Runs a task: returns the finding, and the machine-dependent data.
     ///
     /// # Errors
-    /// What it cannot do, with the reason.
+    /// If it cannot be done, with the reason.
     fn run(&self, task: usize) -> Result<(Value, Value)>;
 
     /// Adds the findings to the document.
@@ -124,25 +123,25 @@ pub trait AnyStudy: Send + Sync {
     /// If they are not of this kind.
     fn show(&self, findings: &[Value], document: &mut Document) -> Result<()>;
 
-    /// Adds what differs from machine to machine.
+    /// Adds the machine-dependent data.
     ///
     /// # Errors
     /// If it is not of this kind.
     fn show_times(&self, times: &[Value], document: &mut Document) -> Result<()>;
 
-    /// The problems whose verdicts a task's rows show, and the answers.
+    /// The problems whose verdicts are shown in a task's rows, and the answers.
     ///
     /// # Errors
-    /// If a problem cannot be posed again.
+    /// If a problem cannot be reproduced.
     fn judged(&self, section: &str, task: usize) -> Result<Vec<Judged>>;
 
-    /// The answer for the top of the page, if it is one.
+    /// The answer for the top of the page, if the study has one.
     ///
     /// # Errors
     /// If the findings are not of this kind.
     fn answer(&self, findings: &[Value]) -> Result<Option<String>>;
 
-    /// Whether all came out as it should.
+    /// Whether everything came out as it should.
     ///
     /// # Errors
     /// If the findings are not of this kind.
@@ -210,7 +209,7 @@ fn json<S: Study, T: serde::Serialize>(found: &T) -> Result<Value> {
         .map_err(|cause| Error::invalid(S::NAME, "finding", cause.to_string()))
 }
 
-/// Findings from JSON: in particular none of them may hold a number that JSON cannot write.
+/// Findings from JSON; none of them may contain a number that JSON cannot represent.
 fn read<S: Study, T: for<'de> Deserialize<'de>>(found: &[Value]) -> Result<Vec<T>> {
     let one = |value: &Value| {
         T::deserialize(value).map_err(|cause| Error::invalid(S::NAME, "finding", cause.to_string()))

@@ -1,18 +1,18 @@
-//! JSON whose outer levels stand on lines of their own, so that a difference shows where it is, and
-//! whose inner levels do not, so that a number does not take a line.
+//! JSON with line breaks in its outer levels, so that a diff shows the place of a change, and
+//! without in the inner levels, so that a number does not take a line.
 
 use std::io::{self, Write};
 
 use serde::Serialize;
 use serde_json::ser::{CompactFormatter, Formatter, PrettyFormatter, Serializer};
 
-/// Levels that are broken into lines: of results, down to a field of a task.
+/// The number of levels with line breaks: from the results down to a field of a task.
 const LINES: usize = 5;
 
 /// The value as JSON.
 ///
 /// # Errors
-/// As the value's own serialization.
+/// Those of the value's serialization.
 pub fn json<T: Serialize>(value: &T) -> serde_json::Result<String> {
     let mut out = Vec::new();
     value.serialize(&mut Serializer::with_formatter(&mut out, Layout::default()))?;
@@ -20,7 +20,7 @@ pub fn json<T: Serialize>(value: &T) -> serde_json::Result<String> {
     Ok(String::from_utf8_lossy(&out).into_owned())
 }
 
-/// Pretty outside, compact inside.
+/// A formatter that is pretty outside and compact inside.
 #[derive(Default)]
 struct Layout<'a> {
     depth: usize,
@@ -33,7 +33,7 @@ impl Layout<'_> {
     }
 }
 
-/// Each step of the writer goes to the formatter of its level.
+/// Forwards each call of the writer to the formatter of its level.
 macro_rules! by_level {
     ($($name:ident($($argument:ident: $type:ty),*) $entering:expr, $leaving:expr;)*) => {$(
         fn $name<W: ?Sized + Write>(&mut self, writer: &mut W $(, $argument: $type)*) -> io::Result<()> {

@@ -1,7 +1,6 @@
-//! Results as pages, tables and JSON: [`experiment`] says what is to be found out by [`study`]s of
-//! which [`kind`], [`run`] finds it out, [`results`] holds it, [`view`] shows it and
-//! [`write`](mod@write) puts it on disk, [`proofs`] beside it; [`difference`] says what changed
-//! between two runs.
+//! Results as pages, tables and JSON: [`experiment`] describes a report with [`study`]s of some
+//! [`kind`], [`run`] carries it out, [`results`] stores the findings, [`view`] shows them and
+//! [`write`](mod@write) writes them to disk, with [`proofs`]; [`difference`] compares two runs.
 
 pub mod difference;
 pub mod experiment;

@@ -1,4 +1,4 @@
-//! Proof files for the verdicts in a report's tables, and their place on its page.
+//! Proof files for the verdicts in a report's tables, and their links on the page.
 
 use std::path::Path;
 
@@ -15,18 +15,18 @@ use crate::lcp::Question;
 use crate::lcp::file::Problem;
 use crate::proof::{Kind, prove, prove_kind};
 
-/// The folder beside the page that holds them: what `lcpcheck.py` is given.
+/// The folder for them next to the page, the input of `lcpcheck.py`.
 const FOLDER: &str = "proofs";
-/// More files are not written, problems and proofs together.
+/// Maximum number of files, problems and proofs together.
 const MOST_FILES: usize = 300;
-/// More than this is not written (bytes).
+/// Maximum total size (bytes).
 const MOST_BYTES: usize = 10_000_000;
 
 /// A problem whose verdicts a table shows.
 pub struct Judged {
     /// The problem.
     pub problem: Problem,
-    /// The answers in the rows about it.
+    /// The answers in its rows.
     pub answers: Vec<Answered>,
 }
 
@@ -34,7 +34,7 @@ pub struct Judged {
 pub struct Answered {
     /// The table's id.
     pub table: String,
-    /// What the row's first cells read.
+    /// The text of the row's first cells.
     pub begins: Vec<String>,
     /// The heading of the column with the verdict.
     pub column: &'static str,
@@ -46,11 +46,11 @@ pub struct Answered {
 #[derive(Default)]
 pub struct Proofs {
     problems: Vec<Proved>,
-    /// How many rows have none because there would be too many files.
+    /// The number of rows without a proof because there would be too many files.
     pub left_out: usize,
 }
 
-/// A problem with what is proved of it.
+/// A problem with its proofs.
 struct Proved {
     section: String,
     name: String,
@@ -69,10 +69,10 @@ impl Proved {
 }
 
 impl Proofs {
-    /// Solves the problems of a report again and proves what its rows say.
+    /// Solves the problems of a report again and proves the verdicts of its rows.
     ///
     /// # Errors
-    /// If a problem cannot be posed again.
+    /// If a problem cannot be reproduced.
     pub fn of(experiment: &Experiment, progress: &ProgressBar) -> Result<Proofs> {
         let mut judged = Vec::new();
         for section in &experiment.sections {
@@ -98,7 +98,7 @@ impl Proofs {
         Ok(proofs)
     }
 
-    /// How many there are.
+    /// The number of proofs.
     pub fn count(&self) -> usize {
         self.problems.iter().map(|own| own.proofs.len()).sum()
     }
@@ -117,8 +117,8 @@ impl Proofs {
         Ok(())
     }
 
-    /// Links each row to its proof, which stands at the end of its section with a button that
-    /// checks it.
+    /// Links each row to its proof, which is at the end of its section with a button that checks
+    /// it.
     pub fn onto(&self, document: &mut Document) {
         for section in &mut document.page.sections {
             let id = section.id.clone();
@@ -147,7 +147,7 @@ fn proved(section: String, judged: Judged, progress: &ProgressBar) -> Result<Pro
     let name = anchor(&format!("{section} {}", problem.name));
     let mut proofs = Vec::new();
     for (k, row) in answers.into_iter().enumerate() {
-        // An exact solution near the answer says more of a row than that there is only one.
+        // An exact solution near the answer says more about a row than uniqueness.
         let found = prove_kind(&question, &row.answer, Kind::Solution).proof;
         if let Some(proof) = found.or_else(|| prove(&question, &row.answer).proof) {
             let id = format!("{name}-{}", k + 1);
@@ -166,7 +166,7 @@ fn proved(section: String, judged: Judged, progress: &ProgressBar) -> Result<Pro
     Ok(Proved { section, name, problem, proofs })
 }
 
-/// The verdict in a row becomes a link.
+/// Turns the verdict in a row into a link.
 fn link(section: &mut Section, row: &Answered, id: &str) {
     let file = format!("{FILES}/{}.csv", row.table);
     for block in &mut section.blocks {

@@ -1,6 +1,6 @@
-//! Everything a report found out, as plain data: what `results.json` holds.
+//! All findings of a report, as plain data: the content of `results.json`.
 //!
-//! All of it but `machine` is the same in every run on the same kind of processor.
+//! Everything except `machine` is the same in every run on the same kind of processor.
 
 use std::collections::BTreeMap;
 
@@ -13,12 +13,12 @@ use super::study::settings::file_name;
 use crate::error::{Error, Result};
 use crate::plugin::Declaration;
 
-/// The results of a report, complete or as far as it has come.
+/// The results of a report, complete or partial.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Results {
     /// The version of lcplab.
     pub version: String,
-    /// The versions of the libraries that compute, as `name version`.
+    /// The versions of the numerical libraries, as `name version`.
     pub libraries: Vec<String>,
     /// The report's name.
     pub name: String,
@@ -26,30 +26,30 @@ pub struct Results {
     pub title: String,
     /// What it is about.
     pub lead: String,
-    /// The programs of others that its studies name as solvers.
+    /// The external programs that its studies name as solvers.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub plugins: BTreeMap<String, Declaration>,
     /// Its sections.
     pub sections: Vec<Part>,
-    /// What differs from machine to machine.
+    /// The machine-dependent data.
     pub machine: Machine,
 }
 
-/// A section and what was found out for it.
+/// A section with its findings.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Part {
-    /// The anchor on the page, and the beginning of the names of its files.
+    /// The anchor on the page, and the prefix of its file names.
     #[serde(deserialize_with = "file_name")]
     pub id: String,
     /// The heading.
     pub title: String,
-    /// Words before what the study shows.
+    /// Text before the results of the study.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub text: String,
-    /// What else stands here, and how.
+    /// Other content of the section, and how it is shown.
     #[serde(flatten)]
     pub shown: Shown,
-    /// The kind of study; none in a section of words alone.
+    /// The kind of study; `None` in a section of text only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub study: Option<String>,
     /// The study's settings.
@@ -58,37 +58,38 @@ pub struct Part {
     /// The study's tasks.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub tasks: Vec<Task>,
-    /// Of what was found out so far, as long as others are to go on from it: see
+    /// The checksum of the findings so far, while a later run may continue from them: see
     /// [`Results::sealed`].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub checksum: Option<String>,
 }
 
-/// A task of a study: to be done, done, or failed.
+/// A task of a study: pending, done, or failed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Task {
-    /// What tells it from the others of its study.
+    /// Its name, unique in its study.
     pub name: String,
-    /// What it found out.
+    /// Its finding.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub finding: Option<Value>,
-    /// Why it found nothing out.
+    /// Why it has no finding.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub failure: Option<String>,
 }
 
-/// What differs from machine to machine.
+/// The machine-dependent data.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Machine {
     /// Operating system and processor family.
     pub platform: String,
-    /// Threads that ran the studies; they share the processor, so times are upper bounds.
+    /// The number of threads that ran the studies; they share the processor, so times are upper
+    /// bounds.
     pub threads: usize,
     /// Wall time of the whole report (s).
     pub seconds: f64,
-    /// What was timed.
+    /// The times of the tasks.
     pub times: Vec<Timed>,
-    /// The command that ran the report, if it was one.
+    /// The command that ran the report, if there was one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub command: Option<String>,
 }
@@ -100,12 +101,12 @@ pub struct Timed {
     pub section: String,
     /// The task's name.
     pub task: String,
-    /// As the kind of study states them.
+    /// The times, in the format of the kind of study.
     pub times: Value,
 }
 
 impl Results {
-    /// The results of a report of which nothing has been done yet.
+    /// The results of a report before its first task.
     pub fn empty(experiment: &Experiment) -> Self {
         Results {
             version: env!("CARGO_PKG_VERSION").to_string(),
@@ -125,7 +126,7 @@ impl Results {
         }
     }
 
-    /// The same to be written: with a checksum a section as long as a run may go on from it.
+    /// The same for writing: with a checksum per section while a later run may continue from it.
     pub fn sealed(&self) -> Self {
         let checksums: Vec<_> = self.sections.iter().map(|part| self.checksum(part)).collect();
         let mut sealed = self.clone();
@@ -135,8 +136,8 @@ impl Results {
         sealed
     }
 
-    /// What was read and is as it was written, and the ids of sections that are not: their findings
-    /// are left out.
+    /// The results that were read, without the findings of sections that were changed since they
+    /// were written; also returns the ids of those sections.
     pub fn unedited(mut self) -> (Self, Vec<String>) {
         let is_edited = |part: &Part| {
             part.tasks.iter().any(Task::is_over)
@@ -154,7 +155,7 @@ impl Results {
         (self, ids)
     }
 
-    /// Of what a section's tasks found out, in how much time, for which settings, by which version.
+    /// The checksum of a section's findings with their times, settings and version.
     fn checksum(&self, part: &Part) -> String {
         let times = self.machine.times.iter().filter(|timed| timed.section == part.id);
         let times: Vec<&Timed> = times.collect();
@@ -169,7 +170,7 @@ impl Results {
         self.tasks().all(Task::is_over)
     }
 
-    /// How far it has come, if not to the end.
+    /// The progress, if it is not complete.
     pub(super) fn progress(&self) -> Option<String> {
         let (over, all) =
             (self.tasks().filter(|task| task.is_over()).count(), self.tasks().count());
@@ -177,8 +178,8 @@ impl Results {
             .then(|| format!("{over} of {all} tasks done; run the same command again to continue"))
     }
 
-    /// Takes over what an earlier run of the same version found out for the same settings, with the
-    /// same plug-ins.
+    /// Takes over the findings of an earlier run of the same version with the same settings and
+    /// plug-ins.
     pub fn resume(&mut self, earlier: &Results) {
         let by = |results: &Results| {
             (results.version.clone(), results.libraries.clone(), results.plugins.clone())
@@ -201,7 +202,7 @@ impl Results {
         }
     }
 
-    /// Notes how a task ended.
+    /// Records how a task ended.
     pub fn note(&mut self, section: usize, task: usize, ended: Result<(Value, Value)>) {
         let part = &mut self.sections[section];
         let (id, task) = (part.id.clone(), &mut part.tasks[task]);
@@ -220,7 +221,7 @@ impl Results {
     /// All findings of one kind of study.
     ///
     /// # Errors
-    /// If one is not what this version writes.
+    /// If a finding does not have the format of this version.
     pub fn findings<S: Study>(&self) -> Result<Vec<S::Finding>> {
         let parts = self.sections.iter().filter(|part| part.study.as_deref() == Some(S::NAME));
         let found = parts.flat_map(|part| part.findings());
@@ -234,7 +235,7 @@ impl Results {
     /// Whether nothing failed, and every study came out as it should.
     ///
     /// # Errors
-    /// If a finding is not what this version writes.
+    /// If a finding does not have the format of this version.
     pub fn is_good(&self) -> Result<bool> {
         let failed = self.tasks().any(|task| task.failure.is_some());
         Ok(!failed && self.outcomes()?.iter().all(|(_, outcome)| outcome.good))
@@ -243,7 +244,7 @@ impl Results {
     /// The outcome in a few lines.
     ///
     /// # Errors
-    /// If a finding is not what this version writes.
+    /// If a finding does not have the format of this version.
     pub fn summary(&self) -> Result<String> {
         let outcomes = self.outcomes()?;
         let mut lines: Vec<String> = outcomes
@@ -261,7 +262,7 @@ impl Results {
         Ok(lines.join("\n"))
     }
 
-    /// How each study came out, by the id of its section.
+    /// The outcome of each study, by the id of its section.
     pub(super) fn outcomes(&self) -> Result<Vec<(String, super::view::Outcome)>> {
         let experiment = Experiment::of(self)?;
         let studied = experiment.sections.iter().zip(&self.sections);
@@ -296,7 +297,7 @@ impl Part {
         }
     }
 
-    /// What its tasks found out, those that did.
+    /// The findings of its finished tasks.
     pub fn findings(&self) -> impl Iterator<Item = Value> + '_ {
         self.tasks.iter().filter_map(|task| task.finding.clone())
     }
@@ -316,7 +317,7 @@ fn fnv(text: &str) -> u64 {
     })
 }
 
-/// The versions of the libraries that compute, from the lock file of this build.
+/// The versions of the numerical libraries, from the lock file of this build.
 pub fn libraries() -> Vec<String> {
     const LOCK: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.lock"));
     let version = |name: &&str| {

@@ -1,4 +1,4 @@
-//! Runs a report's studies: the stage that simulates and solves.
+//! Runs a report's studies, which simulate and solve.
 
 use std::time::{Duration, Instant};
 
@@ -11,13 +11,14 @@ use super::text::printable;
 use crate::error::Result;
 use crate::solver::Stop;
 
-/// Results are saved no more often than this while the report runs.
+/// Minimum interval between saves while the report runs.
 const PAUSE: Duration = Duration::from_secs(1);
 
-/// Runs every task that `earlier` results lack, until it is time to stop; `save` gets the results
-/// as they grow.
+/// Runs every task that is missing in the `earlier` results, until a stop; `save` receives the
+/// growing results.
 ///
-/// The findings do not depend on the number of threads. A task that fails is a row with its reason.
+/// The findings do not depend on the number of threads. A task that fails becomes a row with its
+/// reason.
 ///
 /// # Errors
 /// If the results cannot be saved before the first task.
@@ -69,10 +70,10 @@ pub fn run(
     Ok(results)
 }
 
-/// A task by its section and its number in it.
+/// A task, by its section and its number in it.
 type Place = (usize, usize);
 
-/// The places of the tasks that are not done.
+/// The places of the unfinished tasks.
 fn missing(results: &Results) -> Vec<Place> {
     let open = |tasks: &[Task]| -> Vec<usize> {
         (0..tasks.len()).filter(|&task| !tasks[task].is_over()).collect()
@@ -87,7 +88,7 @@ fn names(results: &Results) -> Vec<Vec<String>> {
     results.sections.iter().map(|part| of(&part.tasks)).collect()
 }
 
-/// Times in the order of the report, whichever task ended first.
+/// Sorts the times in the order of the report, regardless of which task ended first.
 fn in_order(results: &mut Results) {
     let Results { sections, machine, .. } = results;
     let place = |section: &str, task: &str| {

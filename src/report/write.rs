@@ -1,4 +1,4 @@
-//! A report on disk: one page, and beside it the data of every figure and table.
+//! Writes a report to disk: one page, and next to it the data of every figure and table.
 
 use std::path::{Path, PathBuf};
 
@@ -9,11 +9,11 @@ use crate::error::{Defects, Error, Result};
 use crate::file;
 use crate::live::write_linked;
 
-/// The name of the results beside a page.
+/// The name of the results next to a page.
 pub const RESULTS: &str = "results.json";
 /// The name of the page.
 const PAGE: &str = "index.html";
-/// What a report writes into its folder: its results, a page, and a folder of figures and tables.
+/// The content of a report's folder: its results, a page, and a folder of figures and tables.
 pub const WRITTEN: [&str; 3] = [RESULTS, PAGE, FILES];
 
 /// Writes `index.html`, `results.json` and the folder of figures and tables into `folder`; returns
@@ -39,8 +39,8 @@ pub fn results(results: &Results, folder: &Path) -> Result<()> {
 /// Writes a document's page, figures and tables; returns the path of the page.
 ///
 /// # Errors
-/// If an equation cannot be set or a name cannot be that of a file, and then nothing is written; or
-/// if a file cannot be written.
+/// If an equation cannot be rendered or a name is not a valid file name, in which case nothing is
+/// written; or if a file cannot be written.
 pub fn document(document: &Document, folder: &Path) -> Result<PathBuf> {
     check_names(document)?;
     let html = document.page.render()?;
@@ -57,7 +57,8 @@ pub fn document(document: &Document, folder: &Path) -> Result<PathBuf> {
     Ok(folder.join(PAGE))
 }
 
-/// Names of figures and tables are made of those of scenes, runs and sections.
+/// Checks the names of figures and tables, which are derived from those of scenes, runs and
+/// sections.
 fn check_names(document: &Document) -> Result<()> {
     let figures = document.figures.iter().map(|figure| figure.id());
     let tables = document.tables.iter().map(|(id, _)| id.as_str());

@@ -1,9 +1,9 @@
-//! Columns and values of all entries in two arrays, row by row, and where each row begins: faer's
-//! compressed rows.
+//! Compressed sparse rows (with faer): columns and values of all entries in two arrays, row by row,
+//! and the start of each row.
 //!
-//! 12 bytes an entry and 4 a row, in three arrays that are read from front to back. What it is bad
-//! at is a new entry: everything behind it moves. So it is loaded, row by row, when the pattern is
-//! known, and [`set`](Storage::set) is for values.
+//! It takes 12 bytes per entry and 4 per row, in three arrays that are read sequentially. Inserting
+//! a new entry is expensive, because all later entries move. It is therefore loaded row by row when
+//! the pattern is known, and [`set`](Storage::set) is for values.
 
 use faer::sparse::{SparseRowMat, SymbolicSparseRowMat};
 
@@ -23,7 +23,7 @@ use super::{Entry, Result, Storage, check_entry, check_order, check_place, check
 pub struct CompressedRows {
     rows: usize,
     columns: usize,
-    /// `None` only while its arrays are being changed.
+    /// `None` only while its arrays are being modified.
     matrix: Option<SparseRowMat<u32, f64>>,
     bytes: usize,
     allocations: usize,
@@ -46,7 +46,7 @@ impl CompressedRows {
         new
     }
 
-    /// Changes the arrays; counts those that grow.
+    /// Modifies the arrays; counts those that grow.
     fn change(&mut self, change: impl FnOnce(&mut Arrays)) {
         let mut arrays = self.matrix.take().map_or_else(Arrays::default, Arrays::of);
         let before = arrays.capacities();
@@ -61,7 +61,7 @@ impl CompressedRows {
         self.matrix = Some(SparseRowMat::new(symbolic, values));
     }
 
-    /// The columns and values of a row, and the place of its first entry among all.
+    /// The columns and values of a row, and the index of its first entry.
     fn entries(&self, row: usize) -> (&[u32], &[f64], usize) {
         let Some(matrix) = &self.matrix else { return (&[], &[], 0) };
         let range = matrix.symbolic().row_range(row);
@@ -85,7 +85,7 @@ impl Arrays {
         (starts + columns) * size_of::<u32>() + values * size_of::<f64>()
     }
 
-    /// Empties the arrays and makes room, and no more, for so many rows and entries.
+    /// Clears the arrays and reserves exactly this number of rows and entries.
     fn clear(&mut self, rows: usize, entries: usize) {
         self.starts.clear();
         self.columns.clear();

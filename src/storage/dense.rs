@@ -1,12 +1,13 @@
-//! Every number of the matrix, row by row: Codes 8-10.
+//! A dense matrix, row by row: Codes 8-10.
 //!
 //! ```text
 //! index = column + columns · row
 //! ```
 //!
-//! Memory is rows · columns · 8 bytes (4 in the chapter, which keeps `float`), whatever the entries
-//! are. Code 10's asserts are errors here, and its limit of 500 rows an option (E50). A matrix
-//! without rows is one: it is what a step without constraints makes (E59). Copies are copies (E51).
+//! It takes rows · columns · 8 bytes (4 in the chapter, which uses `float`), whatever the entries
+//! are. Code 10's assertions are errors here, and its limit of 500 rows is an option (E50). A
+//! matrix without rows is valid: it occurs in a step without constraints (E59). Copies are
+//! independent (E51).
 
 use super::{
     Error, Result, Storage, check_entry, check_length, check_place, check_product, check_row,
@@ -41,11 +42,11 @@ impl Dense {
         Dense { rows, columns, limit: usize::MAX, values, allocations }
     }
 
-    /// A zero matrix that may never have more rows or columns than `limit`: an early warning of a
-    /// size that nobody meant.
+    /// A zero matrix that may never have more rows or columns than `limit`: an early warning of an
+    /// unintended size.
     ///
     /// # Errors
-    /// [`Error::TooLarge`], before any memory is asked for.
+    /// [`Error::TooLarge`], before any memory is allocated.
     pub fn within(limit: usize, rows: usize, columns: usize) -> Result<Self> {
         check_limit(limit, rows, columns)?;
         Ok(Dense { limit, ..Dense::new(rows, columns) })
@@ -54,7 +55,7 @@ impl Dense {
     /// The matrix with these entries, row by row.
     ///
     /// # Errors
-    /// [`Error::Length`] unless there are rows · columns; [`Error::NotFinite`].
+    /// [`Error::Length`] unless there are rows · columns values; [`Error::NotFinite`].
     pub fn from_rows(rows: usize, columns: usize, values: &[f64]) -> Result<Self> {
         check_length("the matrix", values.len(), rows * columns)?;
         let mut dense = Dense::new(rows, columns);
@@ -68,7 +69,7 @@ impl Dense {
         column + self.columns * row
     }
 
-    /// The numbers of a row that the matrix has.
+    /// The numbers of an existing row.
     fn slice(&self, row: usize) -> &[f64] {
         &self.values[row * self.columns..(row + 1) * self.columns]
     }
@@ -134,7 +135,7 @@ impl Storage for Dense {
         self.allocations
     }
 
-    /// Zeros are multiplied too: a zero term changes no bit of a sum.
+    /// Zeros are multiplied too: a zero term does not change a sum.
     fn multiply(&self, x: &[f64], y: &mut [f64]) -> Result<()> {
         check_product(self.rows, self.columns, x, y)?;
         for (row, y) in y.iter_mut().enumerate() {

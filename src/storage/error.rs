@@ -1,36 +1,36 @@
-//! What a matrix refuses, as values: the asserts of Code 10, and what they let through.
+//! The errors of matrices: the assertions of Code 10, and the cases that they miss.
 
 use crate::error;
 
 /// A result whose error is an [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// A request that a matrix refuses.
+/// A rejected request.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum Error {
     /// A row or column that the matrix does not have.
     #[error("entry ({row}, {column}) is outside a {rows} × {columns} matrix")]
     Outside {
-        /// The row asked for, from 0.
+        /// The requested row, from 0.
         row: usize,
-        /// The column asked for, from 0.
+        /// The requested column, from 0.
         column: usize,
-        /// Rows of the matrix.
+        /// The number of rows of the matrix.
         rows: usize,
-        /// Columns of the matrix.
+        /// The number of columns of the matrix.
         columns: usize,
     },
-    /// A number of values that does not fit.
+    /// A wrong number of values.
     #[error("{what} has {found} values, needed are {expected}")]
     Length {
-        /// What has them.
+        /// The object that has them.
         what: &'static str,
-        /// How many there are.
+        /// The number of values given.
         found: usize,
-        /// How many are needed.
+        /// The number of values required.
         expected: usize,
     },
-    /// A value that would spread: infinite, or not a number.
+    /// A value that would propagate: infinite or NaN.
     #[error("entry ({row}, {column}) must be finite, is {value}")]
     NotFinite {
         /// The row.
@@ -40,18 +40,18 @@ pub enum Error {
         /// The value.
         value: f64,
     },
-    /// More rows or columns than the limit that was asked for (E50: a choice, not a constant), or
-    /// than can be numbered.
+    /// More rows or columns than the requested limit (E50: a choice, not a constant), or than the
+    /// index type can count.
     #[error("{rows} × {columns} is more than the limit of {limit} rows or columns")]
     TooLarge {
-        /// Rows asked for.
+        /// The requested number of rows.
         rows: usize,
-        /// Columns asked for.
+        /// The requested number of columns.
         columns: usize,
-        /// The most that either may be.
+        /// The maximum of either.
         limit: usize,
     },
-    /// Entries that are loaded must come row by row, columns ascending, each place once.
+    /// Entries must be loaded row by row, columns ascending, each position once.
     #[error("entry ({row}, {column}) comes after a later place, or twice")]
     Unordered {
         /// The row of the entry.
@@ -59,7 +59,7 @@ pub enum Error {
         /// Its column.
         column: usize,
     },
-    /// Gauss-Seidel divides by it.
+    /// A diagonal entry by which Gauss-Seidel cannot divide.
     #[error("row {row} has diagonal {diagonal}, it must be positive")]
     Diagonal {
         /// The row.

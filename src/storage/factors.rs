@@ -6,8 +6,8 @@ use crate::assembly::{Assembly, Block};
 use crate::solver::kernel::impulses::{Row, WIDTH};
 use crate::storage::Entry;
 
-/// The factors of A = J M⁻¹ Jᵀ with six columns a moving body; a point mass leaves its last three
-/// empty.
+/// The factors of A = J M⁻¹ Jᵀ with six columns per moving body; for a point mass the last three
+/// are empty.
 ///
 /// ```
 /// use lcplab::storage::Factors;
@@ -34,15 +34,15 @@ use crate::storage::Entry;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Factors {
-    /// Rows of J.
+    /// The number of rows of J.
     pub rows: usize,
-    /// Columns of J, rows and columns of M⁻¹.
+    /// The number of columns of J, and of rows and columns of M⁻¹.
     pub columns: usize,
     /// The entries of J, row by row.
     pub jacobian: Vec<Entry>,
     /// The entries of M⁻¹ (1/kg, 1/(kg m²)), row by row.
     pub inverse_mass: Vec<Entry>,
-    /// The diagonal blocks of M⁻¹, one a moving body.
+    /// The diagonal blocks of M⁻¹, one per moving body.
     pub inverse_masses: Vec<Matrix6<f64>>,
 }
 
@@ -60,7 +60,7 @@ impl Factors {
         }
     }
 
-    /// The bodies, one for each six columns.
+    /// The number of bodies, one for each six columns.
     pub fn bodies(&self) -> usize {
         self.inverse_masses.len()
     }
@@ -82,7 +82,7 @@ impl Factors {
     }
 }
 
-/// L with M⁻¹ = L Lᵀ, lower triangular; a column of zeros where M⁻¹ has none but zeros.
+/// L with M⁻¹ = L Lᵀ, lower triangular; a column is zero if that of M⁻¹ is.
 fn root(inverse_mass: &Matrix6<f64>) -> Matrix6<f64> {
     let mut l = Matrix6::zeros();
     for j in 0..WIDTH {
@@ -117,7 +117,7 @@ fn inverse_mass(block: &Block) -> Matrix6<f64> {
     Matrix6::from_columns(&[0, 1, 2, 3, 4, 5].map(column))
 }
 
-/// The entries of a body's block that are not zero.
+/// The nonzero entries of a body's block.
 fn entries_of(body: usize, block: &Matrix6<f64>) -> Vec<Entry> {
     let places = (0..WIDTH).flat_map(|i| (0..WIDTH).map(move |j| (i, j)));
     let nonzero = places.filter(|place| block[*place] != 0.0);

@@ -2,20 +2,20 @@
 
 use super::{CompressedRows, Dense, LinkedList, MapOfMaps, Storage};
 
-/// A storage, and how to make an empty one.
+/// A storage format, and how to create an empty one.
 #[derive(Debug, Clone, Copy)]
 pub struct Kind {
     /// Its name.
     pub name: &'static str,
-    /// How it keeps its entries.
+    /// How it stores its entries.
     pub about: &'static str,
-    /// Where the chapter has it.
+    /// The source in the chapter.
     pub source: &'static str,
-    /// A zero matrix of so many rows and columns.
+    /// Creates a zero matrix of this size.
     pub new: fn(usize, usize) -> Box<dyn Storage>,
 }
 
-/// Every storage that takes entries one by one.
+/// Every storage format that accepts entries one by one.
 pub const ALL: [Kind; 4] = [
     Kind {
         name: "dense",

@@ -1,13 +1,14 @@
-//! One list of entries, each with its row, its column, its value and its links.
+//! A linked list of entries, each with its row, column, value and links.
 //!
 //! An entry takes 24 bytes: 4 each for row, column and the two links, 8 for the value. The
-//! chapter's takes 28 beside numbers of 4, so a full list is 7 times the dense matrix, not 28
-//! times, half a list 3.5 times, and the break-even lies at a fill of 1/7 (E57). Here it is 24
-//! beside 8: 3 times, 1/3.
+//! chapter's takes 28 compared with numbers of 4, so a full list is 7 times as large as the dense
+//! matrix, not 28 times, half a list 3.5 times, and the break-even is at a fill of 1/7 (E57). Here
+//! it is 24 compared with 8: 3 times, 1/3.
 //!
 //! The list is sorted by row and column. `get` walks from the head, so its cost grows linearly with
-//! the entries before it (E57: not exponentially). `set` begins at the entry set last, the caching
-//! that the chapter recommends: entries that come in ascending order go in without a search.
+//! the number of entries before it (E57: not exponentially). `set` starts from the entry set last,
+//! the caching that the chapter recommends: entries in ascending order are inserted without a
+//! search.
 
 use super::slots::{NONE, Slots};
 use super::{
@@ -42,15 +43,15 @@ pub struct LinkedList {
     columns: usize,
     links: Slots<Link>,
     head: u32,
-    /// Where the last entry was set.
+    /// The position of the last entry set.
     cursor: u32,
 }
 
-/// Bytes of an entry.
+/// Bytes per entry.
 const ENTRY: usize = size_of::<Link>();
 
 impl LinkedList {
-    /// Bytes that each entry takes.
+    /// Bytes per entry.
     pub const BYTES_AN_ENTRY: usize = ENTRY;
 
     /// A zero matrix.
@@ -58,7 +59,7 @@ impl LinkedList {
         LinkedList { rows, columns, links: Slots::default(), head: NONE, cursor: NONE }
     }
 
-    /// How many entries [`get`](Storage::get) looks at.
+    /// The number of entries that [`get`](Storage::get) visits.
     ///
     /// # Errors
     /// [`Error::Outside`](super::Error::Outside).
@@ -78,7 +79,7 @@ impl LinkedList {
         self.links.at(slot).map(|link| (link.row, link.column))
     }
 
-    /// The entries beside a place that is not taken, or the entry there, sought from the cursor.
+    /// The neighbors of a free position, or the entry there, searched from the cursor.
     fn seek(&self, place: (u32, u32)) -> Seek {
         let (mut before, mut after) = match self.place(self.cursor) {
             None => (NONE, self.head),
@@ -109,7 +110,7 @@ impl LinkedList {
         self.links.at(slot).map_or(NONE, |link| link.previous)
     }
 
-    /// Makes two entries neighbours; no entry before is the head's place.
+    /// Links two entries; with no entry before, sets the head.
     fn join(&mut self, before: u32, after: u32) {
         match self.links.at_mut(before) {
             Some(link) => link.next = after,
@@ -205,7 +206,7 @@ impl Storage for LinkedList {
         entries.iter().try_for_each(|&(row, column, value)| self.set(row, column, value))
     }
 
-    /// One walk along the list, which is in the order of rows.
+    /// One pass along the list, which is in the order of rows.
     fn multiply(&self, x: &[f64], y: &mut [f64]) -> Result<()> {
         check_product(self.rows, self.columns, x, y)?;
         y.fill(0.0);

@@ -1,12 +1,12 @@
 //! A sorted map of rows, each a sorted map of columns: Code 11, corrected.
 //!
-//! What is corrected: `clear` where `empty` is printed, which empties nothing (E52); numbers are
-//! read row by row as Code 10 does (E53); zeros are dropped (E54). K&M call the form compressed
-//! rows, as MATLAB has it; it is a dictionary, and MATLAB compresses columns (E56).
+//! Corrections: `clear` instead of the printed `empty`, which clears nothing (E52); numbers are
+//! read row by row as in Code 10 (E53); zeros are removed (E54). K&M call the format compressed
+//! rows, as in MATLAB; it is a dictionary of keys, and MATLAB compresses columns (E56).
 //!
-//! A row costs a node of 144 bytes for up to 11 entries, which is 13 bytes an entry in a full node
-//! and 144 for a single one; and a third of a node of 320 bytes is paid for the row's map. An entry
-//! is found in about log₂(rows) + log₂(entries of the row) comparisons. Nodes cannot be kept for
+//! A row takes a node of 144 bytes for up to 11 entries, which is 13 bytes per entry in a full node
+//! and 144 for a single one, plus a share of a node of 320 bytes for the row's map. Finding an
+//! entry takes about log₂(rows) + log₂(entries of the row) comparisons. Nodes cannot be kept for
 //! the next step.
 
 use std::collections::BTreeMap;
@@ -32,7 +32,7 @@ pub struct MapOfMaps {
     columns: usize,
     map: BTreeMap<u32, Row>,
     stored: usize,
-    /// Nodes that were given back.
+    /// The number of freed nodes.
     gone: usize,
 }
 
@@ -42,10 +42,10 @@ impl MapOfMaps {
         MapOfMaps { rows, columns, map: BTreeMap::new(), stored: 0, gone: 0 }
     }
 
-    /// The matrix with these numbers, row by row; zeros are left out.
+    /// The matrix with these numbers, row by row; zeros are omitted.
     ///
     /// # Errors
-    /// [`Error::Length`](super::Error::Length) unless there are rows · columns;
+    /// [`Error::Length`](super::Error::Length) unless there are rows · columns values;
     /// [`Error::NotFinite`](super::Error::NotFinite).
     pub fn from_rows(rows: usize, columns: usize, values: &[f64]) -> Result<Self> {
         check_length("the matrix", values.len(), rows * columns)?;
@@ -115,14 +115,14 @@ impl Storage for MapOfMaps {
         self.stored
     }
 
-    /// Exact for entries that were set in ascending order, which is how assembly sets them; within
-    /// about a quarter for other orders.
+    /// Exact for entries that were set in ascending order, as assembly does; within about a quarter
+    /// for other orders.
     fn bytes(&self) -> usize {
         let rows = self.map.values().map(|row| nodes::bytes::<u32, f64>(row.len()));
         nodes::bytes::<u32, Row>(self.map.len()) + rows.sum::<usize>()
     }
 
-    /// Nodes; exact as [`bytes`](Storage::bytes) is.
+    /// The number of nodes; as exact as [`bytes`](Storage::bytes).
     fn allocations(&self) -> usize {
         self.gone + self.nodes()
     }

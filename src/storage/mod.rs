@@ -1,9 +1,9 @@
-//! The chapter's matrices: one small set of operations, and the ways to keep what stands behind it.
+//! The chapter's matrices: one small interface with several storage formats.
 //!
-//! K&M build their solver on a dense matrix class (Codes 8-10), then put a map of maps under the
-//! same face (Code 11) and name what else could stand there. Here the dense matrix, the map of
-//! maps, the chapter's linked list and compressed rows stand behind [`Storage`], so that one
-//! program runs on each and gives the same bits:
+//! K&M build their solver on a dense matrix class (Codes 8-10), then put a map of maps behind the
+//! same interface (Code 11) and name other candidates. Here the dense matrix, the map of maps, the
+//! chapter's linked list and compressed rows implement [`Storage`], so that one program runs with
+//! each and gives bitwise identical results:
 //!
 //! ```
 //! use lcplab::storage::{self, MapOfMaps, Storage};
@@ -24,12 +24,12 @@
 //! # Ok::<(), lcplab::error::Error>(())
 //! ```
 //!
-//! An entry that is zero is no entry: setting one to zero removes it (E54), and a row's entries are
-//! those that are not zero, columns ascending, in every storage. [`triple_product`] assembles A
-//! through any of them, [`sweep`] runs projected Gauss-Seidel over any of them, [`Pool`] keeps the
-//! buffers of the product from step to step, [`Factors`] has J and M⁻¹ for sweeps that never
-//! assemble A ([`impulses`](crate::solver::kernel::impulses)), and [`Ordering`] gives the fill of a
-//! factor of A.
+//! Zero entries are not stored: setting an entry to zero removes it (E54), and a row's entries are
+//! its nonzero ones, columns ascending, in every format. [`triple_product`] assembles A with any of
+//! them, [`sweep`] runs projected Gauss-Seidel with any of them, [`Pool`] keeps the buffers of the
+//! product from step to step, [`Factors`] has J and M⁻¹ for sweeps that never assemble A
+//! ([`impulses`](crate::solver::kernel::impulses)), and [`Ordering`] gives the fill of a factor of
+//! A.
 
 mod compressed;
 mod dense;
@@ -57,7 +57,7 @@ pub use pool::Pool;
 pub use product::{Workspace, triple_product};
 pub use sweep::sweep;
 
-/// A matrix, however it is kept.
+/// A matrix, in any storage format.
 pub trait Storage {
     /// Its name in [`ALL`].
     fn name(&self) -> &'static str;
@@ -68,52 +68,52 @@ pub trait Storage {
     /// The number of columns.
     fn columns(&self) -> usize;
 
-    /// The entry at (row, column), 0 where none is kept. It never makes one (the trap that Code 11
+    /// The entry at (row, column), 0 if none is stored. It never inserts one (the trap that Code 11
     /// comments on).
     ///
     /// # Errors
     /// [`Error::Outside`].
     fn get(&self, row: usize, column: usize) -> Result<f64>;
 
-    /// Puts a value at (row, column); zero removes what is there.
+    /// Sets the value at (row, column); zero removes the entry.
     ///
     /// # Errors
     /// [`Error::Outside`], [`Error::NotFinite`].
     fn set(&mut self, row: usize, column: usize, value: f64) -> Result<()>;
 
-    /// Shows the entries (column, value) of a row that are not zero, columns ascending.
+    /// Calls `visit` with the nonzero entries (column, value) of a row, columns ascending.
     ///
     /// # Errors
     /// [`Error::Outside`].
     fn visit_row(&self, row: usize, visit: &mut dyn FnMut(usize, f64)) -> Result<()>;
 
-    /// Becomes a zero matrix of this size, and keeps the memory that it has where it can. (Code
-    /// 11's `SetToZero` leaves everything as it was, E52.)
+    /// Resets to a zero matrix of this size, reusing its memory if possible. (Code 11's `SetToZero`
+    /// changes nothing, E52.)
     ///
     /// # Errors
-    /// [`Error::TooLarge`] above a limit that was asked for.
+    /// [`Error::TooLarge`] above a requested limit.
     fn reset(&mut self, rows: usize, columns: usize) -> Result<()>;
 
-    /// How many numbers are kept: all of a dense matrix, zeros included.
+    /// The number of stored values; for a dense matrix all, including zeros.
     fn stored(&self) -> usize;
 
-    /// The heap memory that is held (bytes), spare room included.
+    /// The allocated heap memory (bytes), including spare capacity.
     fn bytes(&self) -> usize;
 
-    /// How often heap memory was asked for since the matrix was made.
+    /// The number of heap allocations since the matrix was created.
     fn allocations(&self) -> usize;
 
-    /// Becomes the matrix with these entries, given row by row, columns ascending, each place once.
+    /// Loads these entries, given row by row, columns ascending, each position once.
     ///
     /// # Errors
-    /// As [`set`](Storage::set) and [`reset`](Storage::reset); [`Error::Unordered`].
+    /// As for [`set`](Storage::set) and [`reset`](Storage::reset); [`Error::Unordered`].
     fn load(&mut self, entries: &[Entry]) -> Result<()> {
         check_order(entries)?;
         self.reset(self.rows(), self.columns())?;
         entries.iter().try_for_each(|&(row, column, value)| self.set(row, column, value))
     }
 
-    /// The entries of a row that are not zero as (column, value), columns ascending.
+    /// The nonzero entries of a row as (column, value), columns ascending.
     ///
     /// # Errors
     /// [`Error::Outside`].
@@ -134,7 +134,7 @@ pub trait Storage {
         Ok(sum)
     }
 
-    /// y ← A x. The sums run over ascending columns, so that y has the same bits in every storage.
+    /// y ← A x. Sums run over ascending columns, so that y is bitwise identical in every format.
     ///
     /// # Errors
     /// [`Error::Length`].
@@ -160,7 +160,7 @@ pub trait Storage {
 /// Row, column and value of an entry.
 pub type Entry = (usize, usize, f64);
 
-/// An entry's place, if the matrix has it; indices are kept in 4 bytes.
+/// Checks that the matrix has this position; indices are stored in 4 bytes.
 fn check_place(matrix: &(impl Storage + ?Sized), row: usize, column: usize) -> Result<(u32, u32)> {
     let (rows, columns) = (matrix.rows(), matrix.columns());
     if row >= rows || column >= columns {
@@ -172,7 +172,7 @@ fn check_place(matrix: &(impl Storage + ?Sized), row: usize, column: usize) -> R
     }
 }
 
-/// The place of a value to be set.
+/// Checks the position and the value of an entry.
 fn check_entry(
     matrix: &(impl Storage + ?Sized),
     row: usize,
@@ -183,7 +183,7 @@ fn check_entry(
     if value.is_finite() { Ok(place) } else { Err(Error::NotFinite { row, column, value }) }
 }
 
-/// A row, if the matrix has it.
+/// Checks that the matrix has this row.
 fn check_row(matrix: &(impl Storage + ?Sized), row: usize) -> Result<u32> {
     let (rows, columns) = (matrix.rows(), matrix.columns());
     match u32::try_from(row) {
@@ -196,7 +196,7 @@ fn check_length(what: &'static str, found: usize, expected: usize) -> Result<()>
     if found == expected { Ok(()) } else { Err(Error::Length { what, found, expected }) }
 }
 
-/// The lengths that y = A x needs.
+/// Checks the lengths for y = A x.
 fn check_product(rows: usize, columns: usize, x: &[f64], y: &[f64]) -> Result<()> {
     check_length("x", x.len(), columns)?;
     check_length("y", y.len(), rows)

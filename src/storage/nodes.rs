@@ -1,19 +1,19 @@
-//! How many nodes a sorted map of the standard library has, and their sizes.
+//! The number of nodes in a sorted map of the standard library, and their sizes.
 //!
-//! A B-tree node has room for 11 pairs, and 12 links to nodes below unless it is a leaf. Pairs that
-//! come in ascending order fill the rightmost leaf; the 12th splits it: 6 stay, one moves up, 5
-//! begin the next leaf, which is full 6 pairs later. So, level by level from the leaves,
+//! A B-tree node has room for 11 pairs, and for 12 links to child nodes unless it is a leaf. Pairs
+//! in ascending order fill the rightmost leaf; the 12th splits it: 6 stay, one moves up, 5 begin
+//! the next leaf, which is full 6 pairs later. Therefore, level by level from the leaves,
 //!
 //! ```text
 //! nodes(k) = 1 + ⌊(k − 5) / 7⌋  for k ≥ 12 pairs,  1 below;    pairs above = nodes − 1
 //! ```
 //!
-//! In another order nodes are split elsewhere, and there can be a quarter fewer or more.
+//! In another order nodes split elsewhere, and there can be a quarter fewer or more.
 
-/// Pairs that fit in a node.
+/// The number of pairs that fit into a node.
 const ROOM: usize = 11;
 
-/// Leaves and inner nodes of a map with so many pairs, set in ascending order.
+/// The number of leaves and inner nodes of a map with this number of pairs, set in ascending order.
 pub(super) fn nodes(mut pairs: usize) -> (usize, usize) {
     let (mut leaves, mut inner) = (0, 0);
     while pairs > 0 {
@@ -28,9 +28,9 @@ pub(super) fn nodes(mut pairs: usize) -> (usize, usize) {
     (leaves, inner)
 }
 
-/// The bytes of a map with so many pairs of K and V, set in ascending order.
+/// The bytes of a map with this number of pairs of K and V, set in ascending order.
 pub(super) fn bytes<K, V>(pairs: usize) -> usize {
-    // The pointer to the node above, the place in it, the number of pairs.
+    // The pointer to the parent node, the index in it, the number of pairs.
     let header = size_of::<usize>() + 2 * size_of::<u16>();
     let leaf = header + ROOM * (size_of::<K>() + size_of::<V>());
     let align = align_of::<usize>().max(align_of::<K>()).max(align_of::<V>());

@@ -1,40 +1,41 @@
-//! In which order to eliminate: how many entries the factor of a sparse matrix gets.
+//! Elimination orderings, and the number of entries in the factor of a sparse matrix.
 //!
-//! A direct method turns A into L Lᵀ (or L D Lᵀ), and L has entries where A has none: eliminating a
-//! row joins all rows that it still touches. How many depends on the order alone:
+//! A direct method factorizes A into L Lᵀ (or L D Lᵀ), and L has entries where A has none:
+//! eliminating a row connects all remaining rows coupled to it. The number of entries depends only
+//! on the order:
 //!
-//! - *natural*: as the rows come.
-//! - *reverse Cuthill-McKee* (1969; reversed by George 1971): neighbours get near numbers, so that
-//!   everything stays near the diagonal.
-//! - *minimum degree* (Amestoy, Davis & Duff 1996, approximate; faer's): the row that touches the
-//!   fewest others is eliminated next.
+//! - *natural*: the given order.
+//! - *reverse Cuthill-McKee* (1969; reversed by George 1971): neighbors get nearby numbers, so that
+//!   all entries stay near the diagonal.
+//! - *minimum degree* (Amestoy, Davis & Duff 1996, approximate; faer's): the row with the fewest
+//!   neighbors is eliminated next.
 //!
-//! Sweeps need no factor and no order of this kind; pivoting methods do.
+//! Sweeps need no factor and no ordering of this kind; pivoting methods do.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
 
-/// Which rows touch which: the pattern of a symmetric matrix without its diagonal.
+/// The graph of coupled rows: the pattern of a symmetric matrix without its diagonal.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Graph {
-    /// The neighbours of each row, ascending.
+    /// The neighbors of each row, ascending.
     neighbours: Vec<Vec<usize>>,
 }
 
-/// A way to order the rows.
+/// An ordering of the rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ordering {
-    /// As they come.
+    /// The given order.
     Natural,
-    /// Near the diagonal.
+    /// Reverse Cuthill-McKee, near the diagonal.
     ReverseCuthillMcKee,
-    /// Fewest neighbours first.
+    /// Fewest neighbors first.
     MinimumDegree,
 }
 
 impl Graph {
-    /// The graph of an n × n pattern; (i, j) counts as (j, i) too.
+    /// The graph of an n × n pattern; (i, j) also counts as (j, i).
     ///
     /// ```
     /// use lcplab::storage::{Graph, Ordering};
@@ -70,12 +71,12 @@ impl Graph {
         self.neighbours.is_empty()
     }
 
-    /// Entries of the matrix on and below the diagonal: what its factor has at least.
+    /// The number of entries of the matrix on and below the diagonal: the minimum for its factor.
     pub fn lower_entries(&self) -> usize {
         self.len() + self.neighbours.iter().map(Vec::len).sum::<usize>() / 2
     }
 
-    /// Shows the places (row, column) of the matrix with its rows in this order.
+    /// Calls `visit` with the positions (row, column) of the matrix with its rows in this order.
     pub fn visit(&self, order: &[usize], visit: &mut dyn FnMut(usize, usize)) {
         let place = inverse(order);
         for (i, &row) in order.iter().enumerate() {
@@ -84,9 +85,9 @@ impl Graph {
         }
     }
 
-    /// Shows the places (row, column) of the factor L with the rows eliminated in this order. Row i
-    /// of L reaches from each entry of row i of A up the elimination tree, whose branches it makes
-    /// on the way (Liu 1986).
+    /// Calls `visit` with the positions (row, column) of the factor L with the rows eliminated in
+    /// this order. Row i of L extends from each entry of row i of A up the elimination tree, which
+    /// is built on the way (Liu 1986).
     pub fn visit_factor(&self, order: &[usize], visit: &mut dyn FnMut(usize, usize)) {
         let place = inverse(order);
         let mut parent = vec![usize::MAX; self.len()];
@@ -108,7 +109,7 @@ impl Graph {
         }
     }
 
-    /// The number of entries of L, the diagonal included.
+    /// The number of entries of L, including the diagonal.
     pub fn factor_entries(&self, order: &[usize]) -> usize {
         let mut count = 0;
         self.visit_factor(order, &mut |_, _| count += 1);
@@ -122,8 +123,8 @@ impl Graph {
         largest
     }
 
-    /// Rows by distance from a start, those of a distance in the order they were reached, the least
-    /// neighbours first; and the distance of the last.
+    /// Rows by distance from a start (those at equal distance in the order they were reached,
+    /// fewest neighbors first), and the distance of the last.
     fn levels(&self, start: usize, reached: &mut [bool]) -> (Vec<usize>, usize) {
         let mut rows = vec![start];
         let mut distance = vec![0];
@@ -143,8 +144,7 @@ impl Graph {
         (rows, distance.last().copied().unwrap_or(0))
     }
 
-    /// A row at the rim of the part that `row` belongs to: as far as can be from the row found
-    /// before.
+    /// A peripheral row in the component of `row`: as far as possible from the previous one.
     fn rim(&self, mut row: usize) -> usize {
         let mut eccentricity = 0;
         loop {
@@ -184,13 +184,13 @@ impl Graph {
         let mut memory = MemBuffer::new(amd::order_scratch::<usize>(n, entries.len()));
         let stack = MemStack::new(&mut memory);
         let outcome = amd::order(&mut order, &mut place, pattern, amd::Control::default(), stack);
-        // It fails only where indices overflow, which a graph in memory cannot make them do.
+        // It fails only on index overflow, which a graph in memory cannot cause.
         outcome.map_or_else(|_| (0..n).collect(), |_| order)
     }
 }
 
 impl Ordering {
-    /// All of them.
+    /// All orderings.
     pub const ALL: [Ordering; 3] =
         [Ordering::Natural, Ordering::ReverseCuthillMcKee, Ordering::MinimumDegree];
 
@@ -203,7 +203,7 @@ impl Ordering {
         }
     }
 
-    /// The rows in the order in which they are eliminated.
+    /// The rows in elimination order.
     pub fn rows(self, graph: &Graph) -> Vec<usize> {
         match self {
             Ordering::Natural => (0..graph.len()).collect(),
@@ -213,7 +213,7 @@ impl Ordering {
     }
 }
 
-/// The place of each row in the order.
+/// The position of each row in the order.
 fn inverse(order: &[usize]) -> Vec<usize> {
     let mut place = vec![0; order.len()];
     order.iter().enumerate().for_each(|(k, &row)| place[row] = k);

@@ -1,12 +1,12 @@
-//! The chapter's matrix manager: buffers that are given back are used again.
+//! The chapter's matrix manager: returned buffers are reused.
 //!
-//! A step asks for the same few buffers as the step before, a little shorter or longer as contacts
-//! come and go. The pool hands out the smallest one that is long enough and, where there is none,
-//! makes one with room to spare, up to the next power of two. So only a step that is larger than
-//! all before it asks the system for memory. Storages do the same inside: see
+//! A step needs the same few buffers as the step before, slightly shorter or longer as contacts
+//! come and go. The pool returns the smallest one that is long enough and, if there is none,
+//! allocates one with spare capacity, up to the next power of two. Only a step that is larger than
+//! all before therefore allocates memory. Storage formats do the same internally: see
 //! [`Storage::reset`](super::Storage::reset).
 
-/// Buffers of T between their uses.
+/// A pool of unused buffers of T.
 ///
 /// ```
 /// use lcplab::storage::Pool;
@@ -27,14 +27,14 @@ pub struct Pool<T> {
 }
 
 impl<T: Copy + Default> Pool<T> {
-    /// A buffer of so many default values (zeros).
+    /// A buffer of `len` default values (zeros).
     pub fn take(&mut self, len: usize) -> Vec<T> {
         let mut buffer = self.with_room(len);
         buffer.resize(len, T::default());
         buffer
     }
 
-    /// An empty buffer with room for so many values.
+    /// An empty buffer with capacity for `len` values.
     pub fn with_room(&mut self, len: usize) -> Vec<T> {
         self.takes += 1;
         let fits = self.free.iter().enumerate().filter(|(_, buffer)| buffer.capacity() >= len);
@@ -52,27 +52,27 @@ impl<T: Copy + Default> Pool<T> {
         }
     }
 
-    /// Notes that a buffer in use grew, from one capacity to another.
+    /// Records that a buffer in use grew, from one capacity to another.
     pub(super) fn count_growth(&mut self, before: usize, after: usize) {
         self.allocations += usize::from(after > before);
     }
 
-    /// Gives a buffer back.
+    /// Returns a buffer to the pool.
     pub fn give(&mut self, buffer: Vec<T>) {
         self.free.push(buffer);
     }
 
-    /// How often a buffer was asked for.
+    /// The number of buffer requests.
     pub fn takes(&self) -> usize {
         self.takes
     }
 
-    /// How often one had to be made.
+    /// The number of allocations.
     pub fn allocations(&self) -> usize {
         self.allocations
     }
 
-    /// The memory of the buffers that wait (bytes).
+    /// The memory of the unused buffers (bytes).
     pub fn bytes(&self) -> usize {
         self.free.iter().map(|buffer| buffer.capacity() * size_of::<T>()).sum()
     }

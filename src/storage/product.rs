@@ -1,9 +1,9 @@
-//! A = J M⁻¹ Jᵀ from matrices in any storage: the line of Codes 4, 7 and 8.
+//! A = J M⁻¹ Jᵀ from matrices in any storage format: the line of Codes 4, 7 and 8.
 //!
-//! Row by row (Gustavson 1978): the response M⁻¹ J_iᵀ is gathered in a dense row, then its product
-//! with each row of J that shares a column with it. The work is that of the entries that meet, not
-//! of the sizes. Sums run over ascending columns, so A has the same bits whatever J, M⁻¹ and A are
-//! kept in; it is symmetric up to rounding.
+//! Row by row (Gustavson 1978): the response M⁻¹ J_iᵀ is computed in a dense row, then its product
+//! with each row of J that shares a column with it. The work depends on the number of matching
+//! entries, not on the sizes. Sums run over ascending columns, so A is bitwise identical for any
+//! storage formats of J, M⁻¹ and A; it is symmetric up to rounding.
 
 use super::{Entry, Pool, Result, Storage, check_length};
 
@@ -13,23 +13,23 @@ pub struct Workspace {
     numbers: Pool<f64>,
     indices: Pool<u32>,
     entries: Pool<Entry>,
-    /// Entries of the largest product so far.
+    /// The number of entries of the largest product so far.
     largest: usize,
 }
 
 impl Workspace {
-    /// How often memory was asked for.
+    /// The number of memory allocations.
     pub fn allocations(&self) -> usize {
         self.numbers.allocations() + self.indices.allocations() + self.entries.allocations()
     }
 
-    /// The memory kept (bytes).
+    /// The allocated memory (bytes).
     pub fn bytes(&self) -> usize {
         self.numbers.bytes() + self.indices.bytes() + self.entries.bytes()
     }
 }
 
-/// A ← J M⁻¹ Jᵀ. A gets the size and loses what it had; M⁻¹ must be symmetric.
+/// A ← J M⁻¹ Jᵀ. A is resized and overwritten; M⁻¹ must be symmetric.
 ///
 /// ```
 /// use lcplab::storage::{self, Dense, MapOfMaps, Storage, triple_product};
@@ -43,7 +43,7 @@ impl Workspace {
 /// ```
 ///
 /// # Errors
-/// [`Error::Length`](super::Error::Length) if the sizes do not fit; what A refuses.
+/// [`Error::Length`](super::Error::Length) if the sizes do not match; errors of A.
 pub fn triple_product(
     j: &dyn Storage,
     m_inv: &dyn Storage,
@@ -127,7 +127,7 @@ impl Columns {
     }
 }
 
-/// A sparse sum: a dense row of numbers and the list of places that were touched.
+/// A sparse sum: a dense row of numbers and the list of nonzero positions.
 struct Accumulator {
     sums: Vec<f64>,
     touched: Vec<u32>,
@@ -151,7 +151,7 @@ impl Accumulator {
         }
     }
 
-    /// Shows the sums in ascending order of places and sets them to zero.
+    /// Calls `show` with the sums in ascending order of positions, and sets them to zero.
     fn drain(&mut self, mut show: impl FnMut(usize, f64)) {
         self.touched.sort_unstable();
         for place in self.touched.drain(..) {

@@ -1,9 +1,9 @@
-//! Equal pieces of memory that refer to each other by number: the entries of the list.
+//! Slots of equal size in one buffer that refer to each other by number: the entries of the list.
 //!
-//! One buffer holds all of them, freed ones are used again, and emptying it keeps the buffer: the
-//! chapter's memory pool where it pays most.
+//! Freed slots are reused, and clearing keeps the buffer: the chapter's memory pool where it is
+//! most useful.
 
-/// The number of no slot.
+/// The number that means no slot.
 pub(super) const NONE: u32 = u32::MAX;
 
 #[derive(Debug, Clone, PartialEq)]
@@ -37,13 +37,13 @@ impl<T> Slots<T> {
         self.free.push(slot);
     }
 
-    /// Frees all, keeping the memory.
+    /// Frees all slots, keeping the memory.
     pub(super) fn clear(&mut self) {
         self.items.clear();
         self.free.clear();
     }
 
-    /// Makes room for so many items and no more, unless there is room.
+    /// Reserves exactly this number of items, unless there is enough capacity.
     pub(super) fn reserve(&mut self, items: usize) {
         if items > self.items.capacity() {
             self.allocations += 1;
@@ -51,7 +51,7 @@ impl<T> Slots<T> {
         }
     }
 
-    /// The slots in use.
+    /// The number of slots in use.
     pub(super) fn len(&self) -> usize {
         self.items.len() - self.free.len()
     }

@@ -1,16 +1,17 @@
-//! Projected Gauss-Seidel over any storage: K&M (2), (3), Code 6 with its clamp in the row (E06).
+//! Projected Gauss-Seidel with any storage format: K&M (2), (3), Code 6 with the clamp inside the
+//! sweep (E06).
 //!
 //! ```text
 //! x_i ← Π_i( x_i − w_i / a_ii ),   w_i = Σ_j a_ij x_j + b_i with the newest x,   i = 1 … n
 //! ```
 //!
-//! The sum runs over ascending columns, as in [`Pgs`](crate::solver), so x has the same bits in
-//! every storage.
+//! Sums run over ascending columns, as in [`Pgs`](crate::solver), so x is bitwise identical in
+//! every format.
 
 use super::{Error, Result, Storage, check_length};
 use crate::lcp::Lcp;
 
-/// One sweep over the rows of an LCP whose A is kept in `a`; the LCP's own copy is not read.
+/// One sweep over the rows of an LCP whose A is stored in `a`; the LCP's own matrix is not used.
 ///
 /// ```
 /// use lcplab::lcp::{Lcp, Matrix};
@@ -31,7 +32,8 @@ use crate::lcp::Lcp;
 /// ```
 ///
 /// # Errors
-/// [`Error::Length`]; [`Error::Diagonal`] for a row that can move and has no positive diagonal.
+/// [`Error::Length`]; [`Error::Diagonal`] for a row that is not pinned and has no positive diagonal
+/// entry.
 pub fn sweep(lcp: &Lcp, a: &dyn Storage, x: &mut [f64]) -> Result<()> {
     check_length("x", x.len(), lcp.len())?;
     check_length("A's rows", a.rows(), lcp.len())?;
@@ -49,7 +51,7 @@ pub fn sweep(lcp: &Lcp, a: &dyn Storage, x: &mut [f64]) -> Result<()> {
     Ok(())
 }
 
-/// Π_i(x_i − w_i / a_ii); a row that is pinned needs no diagonal.
+/// Π_i(x_i − w_i / a_ii); a pinned row needs no diagonal entry.
 fn updated(lcp: &Lcp, x: &[f64], i: usize, w: f64, diagonal: f64) -> Result<f64> {
     let diagonal = match diagonal {
         positive if positive > 0.0 => positive,

@@ -1,6 +1,6 @@
-//! Rigid bodies down to numbers: bodies and constraints make up a [`scene`], whose rows at an
-//! instant are an [`assembly`], from which a [`formulation`] poses the complementarity problem of a
-//! step; a [`simulation`] takes many steps.
+//! Rigid-body mechanics, from scenes to complementarity problems: bodies and constraints make up a
+//! [`scene`], whose rows at an instant are an [`assembly`], from which a [`formulation`] derives
+//! the complementarity problem of a step; a [`simulation`] takes many steps.
 
 pub mod assembly;
 pub mod formulation;

@@ -1,31 +1,32 @@
-//! For which problems a method is made, as data.
+//! The problem class that each method is made for, as data.
 
 use std::fmt;
 
 use lcplab_problem::error::{Error, Result};
 
-/// Classes of matrices, each with what the theory of LCPs says of it.
+/// Classes of matrices, with what LCP theory guarantees for each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MatrixClass {
     /// Symmetric, all eigenvalues positive: one solution, the minimum of ½ xᵀAx + bᵀx in the box.
     Definite,
-    /// Symmetric, no eigenvalue negative: solutions are the minima of the same; w is unique.
+    /// Symmetric, no negative eigenvalue: the solutions are the minima of the same function; w is
+    /// unique.
     Semidefinite,
     /// All principal minors positive: one solution for every b.
     P,
-    /// One of these two.
+    /// [`MatrixClass::P`] or [`MatrixClass::Semidefinite`].
     POrSemidefinite,
     /// No principal minor negative.
     P0,
-    /// xᵀAx ≥ 0 for x ≥ 0, and (A + Aᵀ) x = 0 where it is 0: solvable if A x + b ≥ 0 ≤ x is. All
-    /// positive semidefinite matrices belong here, symmetric or not.
+    /// xᵀAx ≥ 0 for all x ≥ 0, and (A + Aᵀ) x = 0 where equality holds: solvable if some x ≥ 0 has
+    /// A x + b ≥ 0. Includes all positive semidefinite matrices, symmetric or not.
     CopositivePlus,
     /// Any square matrix.
     General,
 }
 
 impl MatrixClass {
-    /// All of them.
+    /// All classes.
     pub const ALL: [MatrixClass; 7] = [
         MatrixClass::Definite,
         MatrixClass::Semidefinite,
@@ -36,7 +37,7 @@ impl MatrixClass {
         MatrixClass::General,
     ];
 
-    /// Its name in files.
+    /// The name of the class in files.
     pub fn word(self) -> &'static str {
         match self {
             MatrixClass::Definite => "definite",
@@ -49,10 +50,10 @@ impl MatrixClass {
         }
     }
 
-    /// The class of this [word](MatrixClass::word).
+    /// The class with this [name](MatrixClass::word).
     ///
     /// # Errors
-    /// If there is none.
+    /// If no class has this name.
     pub fn by_word(word: &str) -> Result<MatrixClass> {
         let found = MatrixClass::ALL.into_iter().find(|class| class.word() == word);
         found.ok_or_else(|| Error::Unknown {
@@ -79,13 +80,13 @@ impl fmt::Display for MatrixClass {
 
 /// The problems that a method is made for.
 ///
-/// On other problems it may still find a solution, fail, or refuse (`OutsideClass`); it never calls
-/// solved what is not.
+/// On other problems the method may still find a solution, may fail, or may reject the problem
+/// (`OutsideClass`). It never reports `Solved` for an x that is not a solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Class {
     /// The class that A must belong to.
     pub matrix: MatrixClass,
-    /// Whether it divides by a_ii, which must then be positive.
+    /// Whether the method divides by a_ii, which must then be positive.
     pub divides_by_diagonal: bool,
     /// Whether rows may have finite bounds.
     pub bounds: bool,
@@ -96,13 +97,13 @@ pub struct Class {
 }
 
 impl Class {
-    /// All kinds of rows with this kind of matrix.
+    /// A class with this kind of matrix and all kinds of rows.
     pub const fn of(matrix: MatrixClass) -> Self {
         let divides_by_diagonal = false;
         Class { matrix, divides_by_diagonal, bounds: true, free_rows: true, coupling: true }
     }
 
-    /// The same for a method that divides by a_ii.
+    /// The same class for a method that divides by a_ii.
     pub const fn with_positive_diagonal(self) -> Self {
         Class { divides_by_diagonal: true, ..self }
     }

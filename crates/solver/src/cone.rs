@@ -1,9 +1,8 @@
-//! Methods for circular friction cones, behind a trait of their own.
+//! Methods for circular friction cones, with their own trait.
 //!
-//! They differ from the others in the feasible set alone: the nearest point of a cone takes the
-//! place of the nearest point of an interval. Under [`Law::Associated`] both are descent methods
-//! for the same convex problem, under [`Law::Coulomb`] one freezes the De Saxcé shift and one
-//! carries it along.
+//! They differ from box solvers only in the feasible set: they project onto a cone instead of an
+//! interval. Under [`Law::Associated`] both are descent methods for the same convex problem. Under
+//! [`Law::Coulomb`] one freezes the De Saxcé shift, the other updates it in every sweep.
 
 use std::sync::{PoisonError, RwLock};
 
@@ -16,9 +15,9 @@ pub trait ConeSolver: Send + Sync {
     /// The name in the list [`CONES`].
     fn name(&self) -> &'static str;
 
-    /// Solves the problem from a start, telling the observer of each iterate. `Solved` is claimed
-    /// for a scaled residual
-    /// ([`Complementarity::scaled_residual`](lcplab_problem::Complementarity::scaled_residual))
+    /// Solves the problem from a start and reports each iterate to the observer. Returns `Solved`
+    /// only if the scaled residual
+    /// ([`Complementarity::scaled_residual`](lcplab_problem::Complementarity::scaled_residual)) is
     /// within the tolerance.
     fn solve(
         &self,
@@ -31,23 +30,23 @@ pub trait ConeSolver: Send + Sync {
 /// A cone solver in the list.
 #[derive(Clone, Copy)]
 pub struct ConeEntry {
-    /// The name to choose it by.
+    /// The name that selects it.
     pub name: &'static str,
-    /// The method in one line.
+    /// A one-line description of the method.
     pub method: &'static str,
-    /// For which A it is made.
+    /// The class of A that it is made for.
     pub class: Class,
-    /// Under which laws.
+    /// The friction laws that it supports.
     pub laws: &'static [Law],
     /// What kind of method it is.
     pub group: Group,
-    /// Where it comes from.
+    /// The source of the method.
     pub source: &'static str,
-    /// Makes one.
+    /// Builds the solver.
     pub build: &'static ConeBuild,
 }
 
-/// Makes a cone solver with these settings.
+/// A function that builds a cone solver with these settings.
 pub type ConeBuild = dyn Fn(&Settings) -> Box<dyn ConeSolver> + Send + Sync;
 
 impl std::fmt::Debug for ConeEntry {
@@ -64,7 +63,7 @@ impl std::fmt::Debug for ConeEntry {
 /// Both laws.
 const BOTH: &[Law] = &[Law::Associated, Law::Coulomb];
 
-/// All cone solvers.
+/// All built-in cone solvers.
 pub const CONES: &[ConeEntry] = &[
     ConeEntry {
         name: "cone-pgs",
@@ -86,13 +85,13 @@ pub const CONES: &[ConeEntry] = &[
     },
 ];
 
-/// What was added to the list while the program ran.
+/// Cone solvers that were added at run time.
 static ADDED: RwLock<Vec<ConeEntry>> = RwLock::new(Vec::new());
 
-/// Adds a cone solver, so that it can be named wherever one is; it stays until the program ends.
+/// Adds a cone solver, which can then be selected by name until the program ends.
 ///
 /// # Errors
-/// If there is one of this name.
+/// If a cone solver already has this name.
 pub fn add_cone(entry: ConeEntry) -> Result<()> {
     let mut added = ADDED.write().unwrap_or_else(PoisonError::into_inner);
     if CONES.iter().chain(&*added).any(|known| known.name == entry.name) {
@@ -103,15 +102,15 @@ pub fn add_cone(entry: ConeEntry) -> Result<()> {
     Ok(())
 }
 
-/// The cone solvers that were added.
+/// The cone solvers that were added at run time.
 pub fn added_cones() -> Vec<ConeEntry> {
     ADDED.read().unwrap_or_else(PoisonError::into_inner).clone()
 }
 
-/// The cone solver of this name.
+/// The cone solver with this name.
 ///
 /// # Errors
-/// If there is none, or a setting cannot be used.
+/// If no cone solver has this name, or a setting is invalid.
 pub fn cone_by_name(name: &str, settings: &Settings) -> Result<Box<dyn ConeSolver>> {
     settings.validate()?;
     let entry = CONES.iter().find(|entry| entry.name == name).ok_or_else(|| Error::Unknown {

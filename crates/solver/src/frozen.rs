@@ -1,24 +1,24 @@
-//! Bounds or offsets that depend on x, for a solver of problems where they do not: freeze, solve,
+//! Solves problems whose bounds or offsets depend on x with a solver for fixed ones: freeze, solve,
 //! repeat.
 //!
 //! ```text
 //! x⁰ = start,   xᵏ⁺¹ = the solution of the problem frozen at xᵏ
 //! ```
 //!
-//! A fixed point solves the problem itself. Of coupled rows the bounds ±μ max(x_n, 0) are frozen
-//! (models 1 and 2), of cones under Coulomb's law the shift μ |w_t| (model 4). One contact with A =
-//! 1 and cones contracts by μ²/(1 + μ²) a round. In general the map contracts for small μ; for
-//! large μ a fixed point need not be reached, and then the answer is `Stalled`, not `Solved`: in
-//! most cases as soon as an x comes back, because all that follows would come back too (Brent
-//! 1980), and at the latest after 200 rounds.
+//! A fixed point solves the original problem. For coupled rows the bounds ±μ max(x_n, 0) are frozen
+//! (models 1 and 2), for cones under Coulomb's law the shift μ |w_t| (model 4). For one contact
+//! with A = 1 and a cone, each round reduces the error by the factor μ²/(1 + μ²). In general the
+//! map contracts for small μ. For large μ it may have no reachable fixed point; the status is then
+//! `Stalled`, not `Solved`, usually as soon as an x repeats, because the sequence is then periodic
+//! (Brent 1980), and after 200 rounds at the latest.
 
 use super::{Observer, Part, Settings, Solution, Status};
 use lcplab_problem::{Complementarity, Lcp};
 
-/// Frozen problems solved before giving up.
+/// Maximum number of frozen problems to solve.
 const MAX_ROUNDS: usize = 200;
 
-/// Solves a problem by a method for frozen ones, `method(problem, start, iterations so far)`.
+/// Solves a problem by a method for frozen problems, `method(problem, start, iterations so far)`.
 pub(super) fn solve<P: Complementarity>(
     problem: &P,
     start: Vec<f64>,
@@ -56,7 +56,8 @@ pub(super) fn solve<P: Complementarity>(
     Solution::new(problem.lcp(), x, Status::Stalled, iterations).with_fallback(fallback)
 }
 
-/// Tells an observer of parts that this problem is solved for one whose bounds depend on x.
+/// Tells an observer of step details that `frozen` is solved instead of a problem whose bounds
+/// depend on x.
 pub(super) fn tell(problem: &Lcp, frozen: &Lcp, observer: &mut dyn Observer) {
     if !problem.is_frozen() && observer.asks_for_parts() {
         observer.part(&Part::Frozen(frozen));

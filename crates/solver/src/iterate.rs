@@ -1,27 +1,29 @@
-//! The loop that all iterative methods share. A method is only its step.
+//! The loop that all iterative methods share; each method provides only its step.
 
 use std::ops::ControlFlow;
 
 use super::{Event, Iterate, Observer, Settings, Solution, Status};
 use lcplab_problem::{Complementarity, Lcp, dot};
 
-/// dᵀA d below this part of the terms it is summed from counts as zero.
+/// dᵀA d counts as zero below this fraction of the sum of its absolute terms.
 const RELATIVE_ZERO: f64 = 1e-14;
-/// So does bᵀd: a d with dᵀA d = 0 in this sense is a null vector to about 1e-7.
+/// bᵀd counts as zero below this fraction: if dᵀA d counts as zero, d is a null vector only up to
+/// about 1e-7.
 const RELATIVE_ZERO_SLOPE: f64 = 1e-6;
-/// Entries of a direction below this part of the longest are not part of a ray.
+/// Entries of a direction below this fraction of the largest are not part of a ray.
 const SHORT: f64 = 1e-7;
 
 /// Repeats `step` from x until the scaled residual is within the tolerance, the limit is reached,
 /// the observer asks to stop, or an iterate is not finite.
 ///
-/// A step moves x and says what it did, or leaves x alone and says why it cannot go on. Iterations
-/// are counted from `first`, which is above 0 when an earlier loop was continued with other bounds.
+/// A step moves x and returns what it did, or leaves x unchanged and returns why it cannot
+/// continue. Iterations are counted from `first`, which is above 0 when an earlier loop continues
+/// with other bounds.
 ///
-/// Where there is no solution x runs off along a ray, and the residual becomes small *beside x*; so
-/// the last step, and the whole way from the start, are looked at before an end is given a name;
-/// and an x that is no nearer to a solution than Π(0) is not taken for one: at the limit it has
-/// `Diverged`.
+/// If there is no solution, x diverges along a ray and the residual becomes small *relative to x*.
+/// Therefore the loop tests the last step and the total displacement from the start before it
+/// reports a status. An x that is no nearer to a solution than Π(0) is not accepted: at the
+/// iteration limit its status is `Diverged`.
 pub(super) fn iterate(
     problem: &impl Complementarity,
     x: Vec<f64>,
@@ -33,7 +35,7 @@ pub(super) fn iterate(
     iterate_in_parts(problem, x, first, settings, observer, |x, _| step(x))
 }
 
-/// The same for a step that tells the observer of its parts.
+/// The same for a step that reports its details to the observer.
 pub(super) fn iterate_in_parts(
     problem: &impl Complementarity,
     mut x: Vec<f64>,
@@ -89,7 +91,7 @@ pub(super) fn iterate_in_parts(
     finish(problem, [&before, &start], x, status, max_iterations)
 }
 
-/// The solution x, unless the way to it from one of the points before shows that there is none.
+/// The solution x, unless the displacement from one of the earlier points shows that none exists.
 pub(super) fn finish(
     problem: &impl Complementarity,
     before: [&[f64]; 2],
@@ -108,8 +110,8 @@ pub(super) fn finish(
     Solution::new(lcp, x, status, iterations)
 }
 
-/// x − before without the entries that are small beside the others, each measured by √a_ii: what
-/// remains of a long way along a ray when the way to the ray is taken off.
+/// x − before without the entries that are small relative to the others, each measured by √a_ii:
+/// the part of a long displacement that follows a ray.
 fn long_part(lcp: &Lcp, x: &[f64], before: &[f64]) -> Vec<f64> {
     let length = |i: usize, d: f64| d.abs() * lcp.matrix().diagonal(i).abs().sqrt();
     let mut direction: Vec<f64> = x.iter().zip(before).map(|(x, before)| x - before).collect();
@@ -122,7 +124,7 @@ fn long_part(lcp: &Lcp, x: &[f64], before: &[f64]) -> Vec<f64> {
     direction
 }
 
-/// Whether the objective falls along d at a rate that never changes: A d = 0, bᵀd < 0.
+/// Whether the objective decreases along d at a constant rate: A d = 0, bᵀd < 0.
 fn is_downhill_for_ever(lcp: &Lcp, d: &[f64]) -> bool {
     let size = |u: &[f64]| u.iter().map(|u| u.abs()).collect::<Vec<_>>();
     let slope_terms = dot(&size(lcp.b()), &size(d));

@@ -1,26 +1,28 @@
-//! Methods that solve an LCP, one a file, all behind one trait.
+//! Methods that solve an LCP, one per file, all with one trait.
 //!
-//! A solver sees numbers only: no body, no contact. What it says of its own answer is its
-//! [`Status`]; whether the answer is one is for the judge, the crate `lcplab-judge`, to decide.
-//! Methods for circular friction cones have a trait of their own, [`ConeSolver`].
+//! A solver sees only numbers, no bodies or contacts. It reports its own view of the answer as a
+//! [`Status`]; the crate `lcplab-judge` decides whether the answer is a solution. Methods for
+//! circular friction cones have their own trait, [`ConeSolver`].
 //!
-//! # Four groups, a page a method
+//! # Four groups, one page per method
 //!
-//! | group | its methods | an iteration |
+//! | group | methods | an iteration |
 //! | --- | --- | --- |
-//! | [`sweep`] | PGS, SOR, SSOR, colours, Jacobi, blocks | each row in turn, clamped |
+//! | [`sweep`] | PGS, SOR, SSOR, colors, Jacobi, blocks | each row in turn, clamped |
 //! | [`gradient`] | APGD, spectral, MPRGP, NNCG, ADMM | products with A |
 //! | [`newton`] | Newton on two kinds of equations, interior point | a linear system |
 //! | [`pivot`] | Dantzig, Lemke, Murty, blocks, enumeration | a row changes its bound |
 //!
-//! They stand on factorisations in [`linalg`] and on [`kernel`]s, the same sweeps and pivots
-//! arranged for speed. [`theory`] predicts how fast they converge, [`trace`] records what they do.
+//! They use the factorizations in [`linalg`] and the [`kernel`]s, which are fast versions of the
+//! same sweeps and pivots. [`theory`] predicts how fast they converge, [`trace`] records what they
+//! do.
 //!
-//! The same methods as a student writes them are in [`textbook`].
+//! [`textbook`] has short versions of the same methods for students.
 //!
-//! Where no solver is named, a [fallback sequence](solve_by_sequence) of methods answers.
+//! If no solver is named, a [fallback sequence](solve_by_sequence) of methods is used.
 //!
-//! Friction rows whose bounds follow another row are solved in the sweep, or by [`frozen`] bounds.
+//! Friction rows whose bounds depend on another row are handled within the sweep, or by [`frozen`]
+//! bounds.
 
 mod class;
 mod cone;
@@ -71,29 +73,30 @@ use lcplab_problem::{Complementarity, Lcp};
 
 /// A method that solves boxed LCPs.
 pub trait Solver: Send + Sync {
-    /// The name in the registry, on the command line and in every table.
+    /// The name in the registry, on the command line and in tables.
     fn name(&self) -> &'static str;
 
-    /// Solves the problem from a start, telling the observer of each iterate.
+    /// Solves the problem from a start and reports each iterate to the observer.
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution;
 }
 
 /// Where a solver starts.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Start<'a> {
-    /// A guess of x (n entries), for example the last step's impulses; 0 without one.
+    /// An initial guess of x (n entries), for example the impulses of the last time step; `None`
+    /// means 0.
     pub x: Option<&'a [f64]>,
-    /// What the last solve of a similar problem has left, for those who go on from an active set.
+    /// The warm-start cache from a similar problem, for methods that start from an active set.
     pub warm: Option<&'a Warm>,
 }
 
 impl<'a> Start<'a> {
-    /// From a guess.
+    /// A start from an initial guess.
     pub fn at(x: &'a [f64]) -> Self {
         Start { x: Some(x), warm: None }
     }
 
-    /// Lends what the last solve has left to this one, and keeps what this one leaves.
+    /// Passes the warm-start cache to this solve, which updates it.
     fn carry<T>(&self, solve: impl FnOnce(&mut warm::Left) -> T) -> T {
         match self.warm {
             Some(warm) => warm.lend(solve),
@@ -101,7 +104,7 @@ impl<'a> Start<'a> {
         }
     }
 
-    /// The starting point: the guess or 0, moved into the bounds or cones.
+    /// The starting point: the guess or 0, projected onto the bounds or cones.
     pub fn point(&self, problem: &impl Complementarity) -> Vec<f64> {
         let n = problem.lcp().len();
         let mut x = self.x.map_or_else(|| vec![0.0; n], <[f64]>::to_vec);

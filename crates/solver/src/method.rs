@@ -1,9 +1,9 @@
-//! Boxed and cone solvers side by side: what can be asked to solve a friction problem.
+//! Box and cone solvers as one type: the methods that can solve a friction problem.
 //!
-//! Models 1 and 2 of friction are boxed LCPs, and every solver of [`ALL`] may try. Model 3 is an
-//! LCP whose matrix is not symmetric and has zeros on the diagonal: solvers that are made for such
-//! matrices. Model 4 is for those of [`CONES`]. So a new entry in either list is at once a method
-//! for the models that it fits.
+//! Models 1 and 2 of friction are boxed LCPs, open to every solver of [`ALL`]. Model 3 is an LCP
+//! whose matrix is not symmetric and has zeros on the diagonal; it needs solvers made for such
+//! matrices. Model 4 needs the solvers of [`CONES`]. A new entry in either list is available for
+//! the models it fits.
 
 use super::{
     ALL, CONES, Choice, Class, ConeEntry, Entry, Group, MatrixClass, Observer, Options, Solution,
@@ -12,12 +12,12 @@ use super::{
 use lcplab_problem::Complementarity;
 use lcplab_problem::friction::{Law, Model, Polyhedral, Posed};
 
-/// A solver of either kind.
+/// A box or cone solver.
 #[derive(Debug, Clone, Copy)]
 pub enum Method {
-    /// For boxed LCPs.
+    /// A solver for boxed LCPs.
     Boxed(Entry),
-    /// For circular cones.
+    /// A solver for circular cones.
     Cone(ConeEntry),
 }
 
@@ -27,21 +27,21 @@ pub fn methods() -> Vec<Method> {
     boxed.chain(CONES.iter().copied().map(Method::Cone)).collect()
 }
 
-/// All methods that have a name: the registered ones and those that were added.
+/// All methods that can be selected by name: the registered ones and those added at run time.
 pub fn nameable() -> Vec<Method> {
     let boxed = added().into_iter().copied().map(Method::Boxed);
     methods().into_iter().chain(boxed).chain(added_cones().into_iter().map(Method::Cone)).collect()
 }
 
 impl Method {
-    /// Its name, unique among the methods that take a model.
+    /// The name, unique among the methods for one model.
     pub fn name(&self) -> &'static str {
         match self {
             Method::Boxed(Entry { name, .. }) | Method::Cone(ConeEntry { name, .. }) => name,
         }
     }
 
-    /// Which options it looks at, beside the common settings.
+    /// The options that it uses in addition to the common settings.
     pub fn uses(&self) -> &'static [Choice] {
         match self {
             Method::Boxed(entry) => entry.uses,
@@ -57,12 +57,13 @@ impl Method {
         }
     }
 
-    /// Whether it is made for a model of friction, or for LCPs without any.
+    /// Whether the method is made for this friction model, or for LCPs without friction.
     pub fn takes(&self, model: Option<Model>) -> bool {
         self.refusal(model).is_none()
     }
 
-    /// Why it is not made for a model of friction, or for LCPs without any; `None` if it is.
+    /// The reason why the method is not made for this friction model, or for LCPs without friction;
+    /// `None` if it is.
     ///
     /// ```
     /// use lcplab_problem::friction::Model;
@@ -120,7 +121,7 @@ impl Method {
         }
     }
 
-    /// Solves a problem from 0 for its x. A problem of the other kind is outside the class.
+    /// Solves a problem from x = 0 and returns x. A problem of the other kind gives `OutsideClass`.
     pub fn solve(
         &self,
         problem: &Posed,
@@ -158,7 +159,7 @@ impl Method {
     }
 }
 
-/// Solves a polyhedral problem by a solver for LCPs, from an x, for x.
+/// Solves a polyhedral problem by an LCP solver, starting from x, and returns x.
 pub fn solve_polyhedral(
     solver: &dyn Solver,
     polyhedral: &Polyhedral,
@@ -172,8 +173,8 @@ pub fn solve_polyhedral(
     impulses(polyhedral, solution, tolerance)
 }
 
-/// The impulses x of a solution z, and the rows of x that its status means. `Solved` is claimed for
-/// the z that x leads back to, which is all that a judge of x can see.
+/// Converts a solution z to impulses x, and the rows in its status to rows of x. `Solved` refers to
+/// the z reconstructed from x, because a judge of x can see only that.
 fn impulses(polyhedral: &Polyhedral, solution: Solution, tolerance: f64) -> Solution {
     let Solution { x: z, status, iterations, is_claim_implied, .. } = solution;
     let x = polyhedral.x(&z);

@@ -1,40 +1,40 @@
-//! The diagonal of A as a measure of length.
+//! The diagonal of A as a metric.
 //!
-//! Rows have units of their own (N s, N m s), so Σ x_i² adds what cannot be added. Σ a_ii x_i² is
-//! an energy, and w_i / a_ii is the gradient of ½ xᵀAx + bᵀx in that measure. Gradient methods that
-//! use it are those for D^-½ A D^-½ (unit diagonal) in the variables D^½ x, without any root taken:
-//! no choice of units changes them.
+//! Rows have different units (N s, N m s), so Σ x_i² is not meaningful. Σ a_ii x_i² is an energy,
+//! and w_i / a_ii is the gradient of ½ xᵀAx + bᵀx in that metric. A gradient method in this metric
+//! is the same as one for D^-½ A D^-½ (unit diagonal) in the variables D^½ x, but needs no square
+//! roots; the choice of units does not change it.
 
 use super::Status;
 use lcplab_problem::friction::ConeProblem;
 use lcplab_problem::{Complementarity, Lcp};
 
-/// dᵀA d below this part of λ dᵀD d counts as zero.
+/// dᵀA d below this fraction of λ dᵀD d counts as zero.
 const RELATIVE_ZERO: f64 = 1e-14;
 
 /// D = diag(A), and λ.
 #[derive(Debug, Clone)]
 pub(super) struct Metric {
-    /// d_i; 1 for pinned rows where A has none.
+    /// d_i; 1 for pinned rows without a diagonal entry in A.
     pub(super) diagonal: Vec<f64>,
-    /// λ: a bound on the largest eigenvalue of D⁻¹A for symmetric A, the largest absolute row sum
-    /// of D^-½ A D^-½. It is at most the number of entries in a row where A is semidefinite.
+    /// λ: an upper bound on the largest eigenvalue of D⁻¹A for symmetric A, the largest absolute
+    /// row sum of D^-½ A D^-½. For semidefinite A it is at most the number of entries in a row.
     pub(super) eigenvalue: f64,
 }
 
-/// How the objective bends along a direction d: the sign of dᵀA d.
+/// The curvature of the objective along a direction d: the sign of dᵀA d.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Curvature {
     /// dᵀA d.
     Positive(f64),
-    /// Where A is semidefinite, A d = 0: moving along d changes no w.
+    /// For semidefinite A this means A d = 0: moving along d changes no w.
     Flat,
     /// A is not semidefinite.
     Negative,
 }
 
 impl Metric {
-    /// The measure, if the diagonal is positive wherever x can move.
+    /// The metric, if the diagonal is positive wherever x can move.
     pub(super) fn of(lcp: &Lcp) -> Result<Metric, Status> {
         Ok(Metric::with_diagonal(lcp, diagonal(lcp)?))
     }
@@ -47,13 +47,13 @@ impl Metric {
         Metric { diagonal, eigenvalue }
     }
 
-    /// The same for methods that descend the objective: A must be symmetric too.
+    /// The same for methods that minimize the objective: A must also be symmetric.
     pub(super) fn of_symmetric(lcp: &Lcp) -> Result<Metric, Status> {
         Ok(Metric::with_diagonal(lcp, diagonal_of_symmetric(lcp)?))
     }
 
-    /// The same for cones. A contact has one d for its three rows, so that its nearest point in the
-    /// cone is the same in this measure as in the usual one.
+    /// The same for cones. A contact has one d for its three rows, so the projection onto the cone
+    /// is the same in this metric as in the Euclidean one.
     pub(super) fn of_cones(problem: &ConeProblem) -> Result<Metric, Status> {
         let lcp = problem.lcp();
         let mut metric = Metric::of_symmetric(lcp)?;
@@ -68,12 +68,12 @@ impl Metric {
         self.diagonal.iter().zip(u).zip(v).map(|((d, u), v)| d * u * v).sum()
     }
 
-    /// w_i / d_i at x: the gradient of the objective in this measure.
+    /// w_i / d_i at x: the gradient of the objective in this metric.
     pub(super) fn gradient(&self, lcp: &Lcp, x: &[f64]) -> Vec<f64> {
         (0..x.len()).map(|i| lcp.row_w(i, x) / self.diagonal[i]).collect()
     }
 
-    /// The curvature along d, zero being decided relative to λ dᵀD d.
+    /// The curvature along d; the threshold for zero is relative to λ dᵀD d.
     pub(super) fn curvature(&self, lcp: &Lcp, d: &[f64]) -> Curvature {
         let scale = self.eigenvalue * self.inner(d, d);
         match energy_product(lcp, d, d) {
@@ -94,7 +94,7 @@ pub(super) fn diagonal(lcp: &Lcp) -> Result<Vec<f64>, Status> {
     (0..lcp.len()).map(entry).collect()
 }
 
-/// The same, if A is symmetric too.
+/// The same, if A is also symmetric.
 pub(super) fn diagonal_of_symmetric(lcp: &Lcp) -> Result<Vec<f64>, Status> {
     if lcp.matrix().is_nearly_symmetric() {
         diagonal(lcp)

@@ -1,22 +1,23 @@
-//! Someone who looks over a solver's shoulder.
+//! The callback that receives each iterate of a solver.
 
 use std::ops::ControlFlow;
 
 use super::{Side, Variable};
 use lcplab_problem::Lcp;
 
-/// Is told of every iterate, and may ask the solver to stop. `()` observes nothing.
+/// Receives every iterate and may ask the solver to stop. `()` observes nothing.
 pub trait Observer {
-    /// Looks at an iterate; `Break` ends the solve with
+    /// Receives an iterate; `Break` ends the solve with
     /// [`Status::Stopped`](super::Status::Stopped).
     fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()>;
 
-    /// Whether it wants to see the parts of an iteration too; nothing is made of them otherwise.
+    /// Whether the observer also wants the details of an iteration; if not, the solver does not
+    /// compute them.
     fn asks_for_parts(&self) -> bool {
         false
     }
 
-    /// Looks at a part of the iteration under way, if it asks for parts.
+    /// Receives a detail of the current iteration, if the observer wants details.
     fn part(&mut self, _: &Part<'_>) {}
 }
 
@@ -31,9 +32,9 @@ impl Observer for () {
 pub struct Iterate<'a> {
     /// 0 for the start, then 1, 2, …
     pub iteration: usize,
-    /// The unknowns now.
+    /// The current unknowns.
     pub x: &'a [f64],
-    /// What led here.
+    /// The event that produced it.
     pub event: Event,
 }
 
@@ -44,46 +45,46 @@ pub enum Event {
     Start,
     /// One pass over all rows.
     Sweep,
-    /// One step of a Newton or first-order method, all rows at once.
+    /// One step of a Newton or first-order method on all rows at once.
     Step,
     /// A pivoting method moved x while driving row `driven`; row `blocking` ended the move.
     Pivot {
         /// The row whose w is driven to 0.
         driven: usize,
-        /// The row that changed sides, `driven` itself when it got there.
+        /// The row that changed sides; `driven` itself if its w reached 0.
         blocking: usize,
     },
     /// A block of rows changed sides at once.
     Exchange {
-        /// How many rows.
+        /// The number of rows.
         rows: usize,
     },
-    /// An enumeration looked at another active set.
+    /// An enumeration tried another active set.
     Trial,
 }
 
-/// A part of an iteration: what a student would write down. The sweeps of PGS and SOR tell their
-/// rows, Dantzig's method its moves, Lemke's its tableaux.
+/// A detail of an iteration, as in a calculation by hand. PGS and SOR report the rows of a sweep,
+/// Dantzig's method its moves, Lemke's method its tableaux.
 #[derive(Debug, Clone, Copy)]
 pub enum Part<'a> {
-    /// Bounds that depend on x are frozen at it; what follows is about this problem.
+    /// Bounds that depend on x are frozen at x; the details that follow are about this problem.
     Frozen(&'a Lcp),
     /// A row of a sweep: x_i ← Π_i(x_i − ω w_i / a_ii).
     Row(RowUpdate),
-    /// A row that need not be driven: it is satisfied as it stands.
+    /// A row that need not be driven because it is already satisfied.
     Satisfied {
         /// The row.
         row: usize,
         /// Its w.
         w: f64,
-        /// Where it stands from now on.
+        /// Its side from now on.
         side: Side,
     },
     /// A move of x along a direction.
     Move(Move<'a>),
-    /// A move of x that changes no w, to the middle of where it may go.
+    /// A move of x that changes no w, to the middle of the feasible range.
     Centring(Centring<'a>),
-    /// A tableau, and the pivot that will be done in it.
+    /// A tableau and its next pivot.
     Tableau(Tableau<'a>),
 }
 
@@ -92,9 +93,9 @@ pub enum Part<'a> {
 pub struct RowUpdate {
     /// The row i.
     pub row: usize,
-    /// w_i with the newest x.
+    /// w_i at the newest x.
     pub w: f64,
-    /// a_ii, by which it is divided.
+    /// a_ii, the divisor.
     pub diagonal: f64,
     /// ω.
     pub omega: f64,
@@ -102,14 +103,15 @@ pub struct RowUpdate {
     pub before: f64,
     /// x_i − ω w_i / a_ii.
     pub unclamped: f64,
-    /// The same within the bounds.
+    /// The same, clamped to the bounds.
     pub after: f64,
 }
 
-/// A move of x in Dantzig's method: x_i by `sign`, x_C by `sign` times `direction`, for `length`.
+/// A move of x in Dantzig's method: x_i changes by `sign` × `length`, x_C by
+/// `sign` × `length` × `direction`.
 #[derive(Debug, Clone, Copy)]
 pub struct Move<'a> {
-    /// The problem; its bounds are frozen where rows are coupled.
+    /// The problem; bounds of coupled rows are frozen.
     pub lcp: &'a Lcp,
     /// The row i that is driven.
     pub driven: usize,
@@ -117,9 +119,9 @@ pub struct Move<'a> {
     pub sign: f64,
     /// x before, n entries.
     pub x: &'a [f64],
-    /// w before, n entries; kept for rows at a bound and the driven one.
+    /// w before, n entries; valid for rows at a bound and the driven row.
     pub w: &'a [f64],
-    /// Where the rows stand, n entries.
+    /// The side of each row, n entries.
     pub side: &'a [Side],
     /// The free rows C.
     pub free: &'a [usize],
@@ -131,20 +133,20 @@ pub struct Move<'a> {
     pub delta_w: &'a [f64],
     /// The length t of the move.
     pub length: f64,
-    /// The row that ends it.
+    /// The row that ends the move.
     pub blocking: usize,
-    /// Where that row goes.
+    /// The new side of that row.
     pub to: Side,
 }
 
-/// A move to the middle in Dantzig's method: x_j by a length, x_C by the same times `direction`,
-/// along which A d = 0.
+/// A centering move in Dantzig's method: x_j changes by a length, x_C by the same length times
+/// `direction`, with A d = 0.
 #[derive(Debug, Clone, Copy)]
 pub struct Centring<'a> {
-    /// The row j, which depends on C and is idle from now on.
+    /// The row j, which depends on C and has the side [`Side::Idle`] from now on.
     pub row: usize,
-    /// The row of C that has met a bound and, since x moves, stays in C; `None` where row j itself
-    /// has just been looked at.
+    /// The row of C that reached a bound and stays in C because x moves away from it; `None` if row
+    /// j itself has just been processed.
     pub keeps: Option<usize>,
     /// x before, n entries.
     pub x: &'a [f64],
@@ -152,14 +154,14 @@ pub struct Centring<'a> {
     pub free: &'a [usize],
     /// d_C, in the order of C.
     pub direction: &'a [f64],
-    /// How far x may go along d.
+    /// How far x can move along d.
     pub forward: f64,
-    /// How far it may go along −d.
+    /// How far x can move along −d.
     pub back: f64,
 }
 
 impl Centring<'_> {
-    /// The length of the move, negative if it goes along −d.
+    /// The signed length of the move, negative along −d.
     pub fn length(&self) -> f64 {
         (self.forward - self.back) / 2.0
     }
@@ -168,29 +170,29 @@ impl Centring<'_> {
 /// A tableau of Lemke's method, v_B = c + T v_N.
 #[derive(Debug, Clone, Copy)]
 pub struct Tableau<'a> {
-    /// The basic variables, one a row.
+    /// The basic variables, one per row.
     pub basic: &'a [Variable],
-    /// The nonbasic variables, one a column; they are 0.
+    /// The nonbasic variables, one per column; they are 0.
     pub nonbasic: &'a [Variable],
     /// c, the values of the basic variables.
     pub constant: &'a [f64],
-    /// T by rows.
+    /// T, row by row.
     pub rows: &'a [Vec<f64>],
-    /// How large the basic variables may become.
+    /// The upper limits of the basic variables.
     pub ranges: &'a [f64],
-    /// So many of the first rows are variables that must not be negative.
+    /// The number of leading rows whose variables must not be negative.
     pub pairs: usize,
-    /// The column of the variable that enters; `None` where the path has ended.
+    /// The column of the entering variable; `None` if the path has ended.
     pub entering: Option<usize>,
-    /// The variable that leaves; `None` on a ray, or where the path has ended.
+    /// The leaving variable; `None` on a ray, or if the path has ended.
     pub leaving: Option<Leaving>,
 }
 
-/// The variable that becomes zero.
+/// The variable that leaves the basis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Leaving {
-    /// The basic one of this row.
+    /// The basic variable of this row.
     Basic(usize),
-    /// The mirror image of the entering one, which has come to the end of its range.
+    /// The mirror image of the entering variable, which has reached the end of its range.
     Mirrored,
 }

@@ -1,5 +1,5 @@
-//! The list of solvers: one entry each, kept by the group that it belongs to. Command line,
-//! comparison, report and tests read it, so that a new solver is its file and its entry.
+//! The list of solvers, with one entry for each. The command line, comparison, report and tests
+//! read this list, so a new solver needs only a file and an entry.
 
 use std::sync::{PoisonError, RwLock};
 
@@ -11,25 +11,25 @@ use lcplab_problem::error::{Defects, Error, Result};
 /// A solver in the registry.
 #[derive(Clone, Copy)]
 pub struct Entry {
-    /// The name to choose it by.
+    /// The name that selects it.
     pub name: &'static str,
-    /// The method in one line.
+    /// A one-line description of the method.
     pub method: &'static str,
-    /// For which problems it is made.
+    /// The problem class it is made for.
     pub class: Class,
     /// What kind of method it is.
     pub group: Group,
-    /// What its iterations cost.
+    /// The cost of its iterations.
     pub cost: Cost,
-    /// Where it comes from.
+    /// The source of the method.
     pub source: &'static str,
-    /// Which of the options it looks at, beside the common settings.
+    /// The options that it uses in addition to the common settings.
     pub uses: &'static [Choice],
-    /// Makes one.
+    /// Builds the solver.
     pub build: &'static Build,
 }
 
-/// Makes a solver with these options.
+/// A function that builds a solver with these options.
 pub type Build = dyn Fn(&Options) -> Box<dyn Solver> + Send + Sync;
 
 impl std::fmt::Debug for Entry {
@@ -43,23 +43,23 @@ impl std::fmt::Debug for Entry {
     }
 }
 
-/// The groups of methods; the [crate](crate) page says what tells them apart.
+/// The groups of methods; the [crate](crate) page compares them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Group {
     /// Row by row.
     Sweeps,
-    /// Products with A and nothing else.
+    /// Uses only products with A.
     FirstOrder,
-    /// A linear system a step.
+    /// Solves a linear system in each step.
     Newton,
-    /// From one active set to the next.
+    /// Moves from one active set to the next.
     Pivoting,
-    /// Someone else's program.
+    /// An external program.
     Plugin,
 }
 
 impl Group {
-    /// Those of the solvers here.
+    /// The groups of the built-in solvers.
     pub const ALL: [Group; 4] = [Group::Sweeps, Group::FirstOrder, Group::Newton, Group::Pivoting];
 
     /// The group of a registered solver.
@@ -67,7 +67,7 @@ impl Group {
         ALL.iter().find(|entry| entry.name == solver).map(|entry| entry.group)
     }
 
-    /// What its methods are called.
+    /// The name of its methods.
     pub fn name(self) -> &'static str {
         match self {
             Group::Sweeps => "Sweeps",
@@ -78,7 +78,7 @@ impl Group {
         }
     }
 
-    /// What an iteration of its methods is.
+    /// The name of one iteration of its methods.
     pub fn unit(self) -> &'static str {
         match self {
             Group::Sweeps => "sweeps",
@@ -89,7 +89,7 @@ impl Group {
     }
 }
 
-/// An option that means something to some solvers only.
+/// An option that only some solvers use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Choice {
     /// [`Options::omega`].
@@ -111,16 +111,16 @@ impl Choice {
     }
 }
 
-/// What a user can choose about a solver.
+/// The options of a solver that a user can choose.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
     /// The common settings.
     pub settings: Settings,
-    /// The relaxation factor ω of SOR.
+    /// The relaxation factor ω of PGS and SOR.
     pub omega: f64,
     /// The order of the rows in a sweep of PGS and SOR.
     pub order: Order,
-    /// How long the steps of Jacobi are.
+    /// The step length of Jacobi's method.
     pub damping: Damping,
 }
 
@@ -136,10 +136,10 @@ impl Default for Options {
 }
 
 impl Options {
-    /// Whether the options can be used.
+    /// Checks that the options are valid.
     ///
     /// # Errors
-    /// Names the option that cannot.
+    /// Names the invalid option.
     pub fn validate(&self) -> Result<()> {
         self.settings.validate()?;
         let mut defects = Defects::default();
@@ -156,7 +156,7 @@ impl Options {
     }
 }
 
-/// All solvers, group by group; the [`SPECIMENS`] are not among them.
+/// All solvers, group by group, without the known-wrong variants [`SPECIMENS`].
 pub const ALL: &[Entry] = &joined::<COUNT>();
 
 const GROUPS: [&[Entry]; 4] = [sweep::ENTRIES, gradient::ENTRIES, newton::ENTRIES, pivot::ENTRIES];
@@ -176,7 +176,7 @@ const fn joined<const N: usize>() -> [Entry; N] {
     all
 }
 
-/// The solver or specimen of this name.
+/// The solver or known-wrong variant with this name.
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};
@@ -191,20 +191,19 @@ const fn joined<const N: usize>() -> [Entry; N] {
 /// ```
 ///
 /// # Errors
-/// If there is none of this name, or an option cannot be used.
+/// If none has this name, or an option is invalid.
 pub fn by_name(name: &str, options: &Options) -> Result<Box<dyn Solver>> {
     options.validate()?;
     Ok((entry(name)?.build)(options))
 }
 
-/// What was added to the registry while the program ran.
+/// Solvers that were added at run time.
 static ADDED: RwLock<Vec<&'static Entry>> = RwLock::new(Vec::new());
 
-/// Adds a solver to the registry, so that it can be named wherever a solver is; it stays until the
-/// program ends.
+/// Adds a solver to the registry, where it can be selected by name until the program ends.
 ///
 /// # Errors
-/// If there is one of this name.
+/// If an entry already has this name.
 pub fn add(entry: Entry) -> Result<&'static Entry> {
     let mut added = ADDED.write().unwrap_or_else(PoisonError::into_inner);
     let known = ALL.iter().chain(SPECIMENS).chain(added.iter().copied()).map(|known| known.name);
@@ -218,15 +217,16 @@ pub fn add(entry: Entry) -> Result<&'static Entry> {
     Ok(entry)
 }
 
-/// The solvers that were added.
+/// The solvers that were added at run time.
 pub fn added() -> Vec<&'static Entry> {
     ADDED.read().unwrap_or_else(PoisonError::into_inner).clone()
 }
 
-/// The entry of this name, among the solvers, the specimens and what was added.
+/// The entry with this name, among the solvers, the known-wrong variants and those added at run
+/// time.
 ///
 /// # Errors
-/// If there is none.
+/// If no entry has this name.
 pub fn entry(name: &str) -> Result<&'static Entry> {
     let added = added();
     let entries = || ALL.iter().chain(SPECIMENS).chain(added.iter().copied());
@@ -237,8 +237,7 @@ pub fn entry(name: &str) -> Result<&'static Entry> {
     })
 }
 
-/// The solver to take where none is named: Dantzig's for A symmetric but for rounding, Lemke's for
-/// any other.
+/// The default solver: Dantzig's method if A is symmetric up to rounding, otherwise Lemke's.
 pub fn default_for(lcp: &Lcp) -> &'static str {
     if lcp.matrix().is_nearly_symmetric() { "dantzig" } else { "lemke" }
 }

@@ -1,17 +1,17 @@
-//! The fallback sequence: which methods solve a problem for which no solver is named.
+//! The fallback sequence: the methods that solve a problem if no solver is named.
 //!
 //! | problem | methods, in this order |
 //! | --- | --- |
-//! | boxes, A symmetric but for rounding | `dantzig`, `block-pivoting`, `newton`, `interior-point` |
+//! | boxes, A symmetric up to rounding | `dantzig`, `block-pivoting`, `newton`, `interior-point` |
 //! | boxes, any other A | `lemke`, `fischer-newton`, `enumeration` |
-//! | polygons | `lemke`, sweeps by contact (`polygon-pgs`) |
-//! | cones | `apgd` where A is symmetric but for rounding, `cone-pgs` |
+//! | polygons | `lemke`, contact by contact (`polygon-pgs`) |
+//! | cones | `apgd` if A is symmetric up to rounding, `cone-pgs` |
 //!
-//! Pivoting comes first because it ends at a solution with all its digits; it fails where rounding
-//! misleads it, on a ray of a matrix that is not copositive, and where friction limits change on
-//! the way. The next method fails elsewhere. Each has the iterations of the settings, Newton's
-//! method and the interior point at most 100, the enumeration its 65,536 active sets. A solver that
-//! was named is never replaced.
+//! Pivoting comes first because it gives a solution to full precision. It can fail because of
+//! rounding, on a ray of a matrix that is not copositive, or when friction limits change along the
+//! path. The next method fails in other cases. Each method has the iteration limit of the settings,
+//! but Newton's method and the interior-point method have at most 100 iterations and the
+//! enumeration at most 65,536 active sets. A solver that the user names is never replaced.
 //!
 //! ```
 //! use lcplab_problem::friction::Posed;
@@ -33,9 +33,9 @@ use crate::{
 use lcplab_problem::Lcp;
 use lcplab_problem::friction::{ConeProblem, Polyhedral, Posed};
 
-/// Newton's method and the interior point are done in some ten steps, or never.
+/// Iteration limit of Newton's method and the interior-point method, which normally need about ten.
 const MOST_STEPS: usize = 100;
-/// As many active sets as the enumeration ever tries.
+/// Maximum number of active sets that the enumeration tries.
 const MOST_SETS: usize = 1 << 16;
 
 /// A method that was tried and did not solve the problem.
@@ -43,24 +43,24 @@ const MOST_SETS: usize = 1 << 16;
 pub struct Attempt {
     /// The method.
     pub solver: &'static str,
-    /// How it ended.
+    /// Its final status.
     pub status: Status,
-    /// After how many iterations.
+    /// The number of its iterations.
     pub iterations: usize,
 }
 
-/// The answer of a fallback sequence.
+/// The answer of the fallback sequence.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answered {
-    /// The method whose answer it is: the one that solved the problem, else the first.
+    /// The method that gave the answer: the one that solved the problem, otherwise the first.
     pub solver: &'static str,
     /// Its answer.
     pub solution: Solution,
-    /// The methods that were tried and did not solve it, in order.
+    /// The methods that failed before, in order.
     pub attempts: Vec<Attempt>,
 }
 
-/// Solves a problem from 0 by the methods that suit it, one after the other, until one succeeds.
+/// Solves a problem from 0 with the suitable methods, one after the other, until one succeeds.
 pub fn solve(problem: &Posed, options: &Options, observer: &mut dyn Observer) -> Answered {
     match problem {
         Posed::Boxed(lcp) => solve_boxed(lcp, &Start::default(), options, observer),
@@ -79,7 +79,7 @@ pub fn solve_boxed(
     solve_boxed_without("", lcp, start, options, observer)
 }
 
-/// The same without a method that has been tried.
+/// The same without a method that has already been tried.
 pub fn solve_boxed_without(
     tried: &str,
     lcp: &Lcp,
@@ -130,7 +130,7 @@ fn solve_cones(cones: &ConeProblem, options: &Options, observer: &mut dyn Observ
     first_success(names, observer, attempt)
 }
 
-/// The settings of a method of the sequence.
+/// The options for one method of the sequence.
 fn within_budget(name: &str, options: &Options) -> Options {
     let given = options.settings.max_iterations;
     let max_iterations = match name {
@@ -142,8 +142,8 @@ fn within_budget(name: &str, options: &Options) -> Options {
     Options { settings, ..options.clone() }
 }
 
-/// The first answer that is a solution, a proof that there is none, or what an observer stopped;
-/// else the first.
+/// The first answer that is a solution, a proof that none exists, or was stopped by an observer;
+/// otherwise the first answer.
 fn first_success(
     names: &[&'static str],
     observer: &mut dyn Observer,

@@ -1,4 +1,4 @@
-//! What every solver can be told.
+//! Settings of all solvers.
 
 use super::Status;
 use lcplab_problem::error::{Defects, Result};
@@ -12,10 +12,11 @@ pub struct Settings {
     pub tolerance: f64,
     /// Stop after this many iterations (sweeps, pivots).
     pub max_iterations: usize,
-    /// An iterative solver looks at its residual every so many iterations: a look costs about as
-    /// much as a sweep.
+    /// An iterative solver computes its residual every `check_every` iterations; each costs about
+    /// as much as a sweep.
     pub check_every: usize,
-    /// A solver does not begin if what it makes of the problem, such as a dense factor, takes more.
+    /// A solver does not start if its own data, such as a dense factor, would need more memory than
+    /// this.
     pub memory: Memory,
 }
 
@@ -31,10 +32,10 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Whether the settings can be used.
+    /// Checks that the settings are valid.
     ///
     /// # Errors
-    /// Lists each setting that cannot.
+    /// Lists each invalid setting.
     pub fn validate(&self) -> Result<()> {
         let mut defects = Defects::default();
         if !(self.tolerance >= 0.0 && self.tolerance.is_finite()) {
@@ -46,7 +47,7 @@ impl Settings {
         defects.into_result("settings")
     }
 
-    /// The status of a solver that would need so much memory, if it may not have it.
+    /// The status of a solver that needs this much memory, if it is more than the limit.
     pub fn refusal(&self, needs: Memory) -> Option<Status> {
         let limit = self.memory;
         (needs > limit).then_some(Status::TooLarge { needs, limit })

@@ -1,11 +1,11 @@
-//! What a solver returns: x, the w that belongs to it, and the solver's own word on it.
+//! The answer of a solver: x, the corresponding w, and the solver's status.
 
 use std::fmt;
 
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 
-/// A solver's answer. There is no time in it: a solution is the same on every machine.
+/// A solver's answer. It contains no time, so it is the same on every machine.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
     /// The unknowns, n entries; finite, unless a solver falsely claims otherwise.
@@ -14,19 +14,19 @@ pub struct Solution {
     pub w: Vec<f64>,
     /// The solver's claim.
     pub status: Status,
-    /// Sweeps, pivots or Newton steps that were done.
+    /// The number of sweeps, pivots or Newton steps.
     pub iterations: usize,
-    /// What else than the method itself had a part in it; none by default.
+    /// The fallback that the method used, if any.
     pub fallback: Option<Fallback>,
-    /// Whether *solved* is only implied: a plug-in or a function gave x and no status. Such an x
-    /// may be the last iterate of a solver that ran out of sweeps.
+    /// Whether *solved* is only implied: a plug-in or function returned x without a status. Such an
+    /// x may be the last iterate of a solver that ran out of iterations.
     pub is_claim_implied: bool,
 }
 
 impl Solution {
-    /// The solution with this x; w is recomputed. An x that overflowed becomes zero, moved into the
-    /// bounds, with the status [`Status::NotFinite`], unless the solver claims that it is a
-    /// solution: a claim is never rewritten, so that a false one can be found.
+    /// The solution with this x; w is recomputed. If x overflowed and the solver does not claim a
+    /// solution, x becomes zero, projected onto the bounds, with the status [`Status::NotFinite`].
+    /// A claim to have solved the problem is never changed, so that false claims can be detected.
     pub fn new(lcp: &Lcp, mut x: Vec<f64>, mut status: Status, iterations: usize) -> Self {
         if status != Status::Solved && !x.iter().all(|x| x.is_finite()) {
             x.fill(0.0);
@@ -36,33 +36,35 @@ impl Solution {
         Solution { w: lcp.w(&x), x, status, iterations, fallback: None, is_claim_implied: false }
     }
 
-    /// The same, with the part that something else had in it.
+    /// The same solution with this fallback.
     pub fn with_fallback(self, fallback: Option<Fallback>) -> Self {
         Solution { fallback, ..self }
     }
 
-    /// The same, where *solved* is implied by an x without a status.
+    /// The same solution, with this value of `is_claim_implied`.
     pub fn with_implied_claim(self, is_claim_implied: bool) -> Self {
         Solution { is_claim_implied, ..self }
     }
 }
 
-/// What a method does where it does not get on by itself. No solver transforms a problem before it
-/// starts (presolve) or hands it on to another one; these are all the exceptions.
+/// What a method does when it cannot continue by itself. This list is complete: no solver
+/// transforms a problem first (presolve) or passes it to another solver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fallback {
-    /// Block pivoting made no progress, and single rows were exchanged by Murty's rule.
+    /// Block pivoting made no progress and exchanged single rows by Murty's rule.
     LeastIndex,
-    /// Block pivoting met a singular block or made no progress, or Dantzig's or Lemke's method met
-    /// rows that depend on each other too nearly to tell, and a sequence of regular problems was
-    /// solved. Their fixed point solves the problem as it was posed; no row was softened.
+    /// The method solved a sequence of regular problems because block pivoting met a singular block
+    /// or made no progress, or because rows in Dantzig's or Lemke's method were too nearly
+    /// dependent. The fixed point of the sequence solves the original problem; no row became
+    /// compliant.
     Proximal,
-    /// Lemke's path ended at no solution and was followed once more with fresh tableaux.
+    /// Lemke's path did not end at a solution and was repeated with fresh tableaux.
     SecondPath,
-    /// Sweeps of projected Gauss-Seidel took away what rounding Dantzig's method had left.
+    /// Sweeps of projected Gauss-Seidel removed the rounding error of Dantzig's method.
     Sweeps,
-    /// In a simulation, polygons at redundant contacts: the answer is that of rows that yield by
-    /// 1e-9 of A's diagonal at most, and solves the rigid problem within the tolerance too.
+    /// In a simulation with friction polygons at redundant contacts: the answer was computed with
+    /// rows whose compliance is at most 1e-9 of A's diagonal, and also solves the rigid problem
+    /// within the tolerance.
     Softened,
 }
 
@@ -78,25 +80,25 @@ impl fmt::Display for Fallback {
     }
 }
 
-/// A solver's own word on its answer. Only [`Status::Solved`] claims that x is a solution.
+/// The status that a solver reports. Only [`Status::Solved`] claims that x is a solution.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Status {
     /// The scaled residual of x is at most the tolerance.
     Solved,
-    /// The method ended, but the residual of x is above the tolerance; x is the best it found.
+    /// The method finished, but the residual of x is above the tolerance; x is the best it found.
     Inaccurate,
     /// The iteration limit was reached; x is the last iterate.
     IterationLimit,
-    /// No progress any more; x is the last iterate.
+    /// No further progress; x is the last iterate.
     Stalled,
     /// The observer asked to stop; x is the last iterate.
     Stopped,
     /// The iterates grow without bound; x is the last finite iterate.
     Diverged,
-    /// An iterate was not finite, since a number was beyond 1.8e308; x is the last finite iterate,
-    /// or zero moved into the bounds where the method keeps none.
+    /// An iterate overflowed (beyond 1.8e308); x is the last finite iterate, or zero projected onto
+    /// the bounds if the method keeps none.
     NotFinite,
-    /// Row `row` has a_ii ≤ 0, by which the method divides; x is the iterate before that.
+    /// Row `row` has a_ii ≤ 0, by which the method divides; x is the last iterate before this.
     ZeroDiagonal {
         /// The row.
         row: usize,
@@ -106,31 +108,31 @@ pub enum Status {
         /// The row.
         row: usize,
     },
-    /// x can move along `direction` for ever without moving w_`row` towards 0: as far as the
-    /// solver can tell there is no solution. x is the point where the ray starts.
+    /// x can move along `direction` without limit and without moving w_`row` towards 0: as far as
+    /// the solver can tell, no solution exists. x is the point where the ray starts.
     Ray {
         /// The row that could not be satisfied.
         row: usize,
         /// The ray, n entries.
         direction: Vec<f64>,
     },
-    /// All active sets were tried in exact arithmetic and none carries a solution; x is the start.
+    /// All active sets were tried in exact arithmetic and none gives a solution; x is the start.
     NoSolution,
-    /// The method would take more memory than it may; x is the start.
+    /// The method would need more memory than the limit; x is the start.
     TooLarge {
-        /// What it would take.
+        /// The memory needed.
         needs: Memory,
-        /// What it may take.
+        /// The memory limit.
         limit: Memory,
     },
     /// The method is not made for this problem; x is the start.
     OutsideClass {
-        /// Which property the problem lacks.
+        /// The property that the problem lacks.
         reason: &'static str,
     },
-    /// A solver from outside gave no answer; x is the start.
+    /// An external solver gave no answer; x is the start.
     NoAnswer {
-        /// Why.
+        /// The reason.
         reason: String,
     },
 }

@@ -1,9 +1,8 @@
-//! When to stop: a flag that someone raises, and a deadline.
+//! Stop conditions: a flag that can be raised, and a time limit.
 //!
-//! Whoever works for long asks a [`Stop`] between steps and tasks, and lets it
-//! [`watch`](Stop::watch) the solves: they end with [`Status::Stopped`](super::Status::Stopped) at
-//! their next iterate. What lies between two iterates is not cut short: a sweep, a pivot, a
-//! factorisation.
+//! Long computations check a [`Stop`] between steps and tasks and pass it to solves by
+//! [`watch`](Stop::watch); a solve then ends with [`Status::Stopped`](super::Status::Stopped) at
+//! its next iterate. A single sweep, pivot or factorization is not interrupted.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -13,7 +12,7 @@ use std::time::{Duration, Instant};
 
 use super::{Iterate, Observer, Part};
 
-/// Says when to stop. Clones share the flag.
+/// A stop condition. Clones share the flag.
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};
@@ -34,17 +33,17 @@ pub struct Stop {
     deadline: Option<(Instant, Duration)>,
 }
 
-/// Why something was stopped.
+/// The reason for a stop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reason {
-    /// The flag was raised, by a user who had enough or a system that needs the machine.
+    /// The flag was raised, by a user or the system.
     Interrupted,
-    /// This much time was over.
+    /// This time limit was reached.
     TimeLimit(Duration),
 }
 
 impl Stop {
-    /// Stops after so much time, counted from now.
+    /// A stop condition with this time limit, starting now.
     pub fn after(limit: Duration) -> Self {
         let deadline = Instant::now().checked_add(limit).map(|end| (end, limit));
         Stop { deadline, ..Stop::default() }
@@ -55,7 +54,7 @@ impl Stop {
         self.raised.store(true, Ordering::Relaxed);
     }
 
-    /// Why to stop, if it is time to.
+    /// The reason to stop, if there is one now.
     pub fn reason(&self) -> Option<Reason> {
         if self.raised.load(Ordering::Relaxed) {
             return Some(Reason::Interrupted);
@@ -64,13 +63,13 @@ impl Stop {
         (Instant::now() >= end).then_some(Reason::TimeLimit(limit))
     }
 
-    /// The same observer, which asks the solver to stop when it is time to.
+    /// Wraps the observer so that it also stops the solver when this condition is met.
     pub fn watch<'a>(&'a self, observer: &'a mut dyn Observer) -> Watched<'a> {
         Watched { stop: self, observer }
     }
 }
 
-/// An observer that stops in time.
+/// An observer that also checks a stop condition.
 pub struct Watched<'a> {
     stop: &'a Stop,
     observer: &'a mut dyn Observer,

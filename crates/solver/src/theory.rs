@@ -1,7 +1,7 @@
-//! What theory says of the splitting methods while no bound interferes.
+//! Convergence theory of the splitting methods while no bound is active.
 //!
-//! On equality rows, or once the set of free rows no longer changes, a sweep multiplies the error
-//! by a fixed matrix G:
+//! On equality rows, or once the set of free rows no longer changes, each sweep multiplies the
+//! error by a fixed matrix G:
 //!
 //! ```text
 //! e ← G e,   G = I − M⁻¹ A
@@ -10,26 +10,26 @@
 //! SSOR with ω             forward SOR, then backward SOR
 //! ```
 //!
-//! with A = L + D + U. The error shrinks to nothing from every start exactly if all eigenvalues of
-//! G are below 1 in modulus, and in the long run by the largest of them, the *spectral radius* ρ,
-//! in each sweep. So ln(reduction) / ln ρ sweeps are to be expected, and slow convergence is a
-//! property of A, not of the implementation.
+//! with A = L + D + U. The error converges to zero from every start if and only if all eigenvalues
+//! of G are below 1 in modulus. Asymptotically each sweep multiplies it by the largest modulus, the
+//! *spectral radius* ρ. The expected number of sweeps is ln(reduction) / ln ρ; slow convergence is
+//! a property of A, not of the implementation.
 //!
 //! For a *consistently ordered* A (tridiagonal or red-black: chains and stacks, numbered from end
-//! to end) Young's theory (1950) ties the methods together:
+//! to end) Young's theory (1950) relates the methods:
 //!
 //! ```text
 //! ρ_GS = ρ_J²,   ω* = 2 / (1 + √(1 − ρ_J²)),   ρ(ω*) = ω* − 1
 //! ```
 //!
-//! Where A is singular, G keeps the null vectors of A and ρ = 1; w does not feel them. The
-//! *contraction* leaves them out: for symmetric A with A V = V Λ over the range (Λ without zeros)
-//! it is the spectral radius of Vᵀ G V.
+//! If A is singular, the null vectors of A are eigenvectors of G with eigenvalue 1, so ρ = 1, but
+//! they do not affect w. The *contraction* excludes them: for symmetric A with A V = V Λ over the
+//! range (Λ without zeros) it is the spectral radius of Vᵀ G V.
 //!
-//! *Ostrowski and Reich* (1954, 1949): for symmetric A with a positive diagonal Gauss-Seidel
-//! contracts every error that w feels exactly if A is semidefinite. Multiplying rows and columns by
-//! S turns G into S⁻¹ G S, whose eigenvalues are the same; so G is computed from the
-//! [balanced](Matrix::balanced) A, and no unit decides.
+//! *Ostrowski and Reich* (1954, 1949): for symmetric A with a positive diagonal, Gauss-Seidel
+//! contracts every error that affects w if and only if A is semidefinite. Scaling rows and columns
+//! by S turns G into S⁻¹ G S, which has the same eigenvalues. G is therefore computed from the
+//! [balanced](Matrix::balanced) A, so that units have no influence.
 
 use nalgebra::DMatrix;
 
@@ -37,7 +37,8 @@ use crate::metric::Metric;
 use crate::{Options, Order};
 use lcplab_problem::{Lcp, Matrix};
 
-/// The rows and columns `rows` of A, in that order: the matrix of a phase with these rows free.
+/// The submatrix of A with these rows and columns, in that order: the matrix while these rows are
+/// free.
 pub fn principal_submatrix(a: &Matrix, rows: &[usize]) -> Matrix {
     let block = DMatrix::from_fn(rows.len(), rows.len(), |i, j| a.entry(rows[i], rows[j]));
     Matrix::from(block.as_view())
@@ -45,21 +46,21 @@ pub fn principal_submatrix(a: &Matrix, rows: &[usize]) -> Matrix {
 
 /// I − θ D⁻¹ A, the iteration matrix of Jacobi's method with damping θ.
 ///
-/// A diagonal entry of 0 gives infinite entries, here and below.
+/// A diagonal entry of 0 gives infinite entries, here and in the functions below.
 pub fn jacobi_iteration_matrix(a: &Matrix, damping: f64) -> DMatrix<f64> {
     let n = a.len();
     DMatrix::from_fn(n, n, |i, j| f64::from(i == j) - damping * a.entry(i, j) / a.diagonal(i))
 }
 
-/// The iteration matrix of successive over-relaxation with ω, rows taken in natural order.
+/// The iteration matrix of SOR (successive over-relaxation) with ω, rows in natural order.
 pub fn sor_iteration_matrix(a: &Matrix, omega: f64) -> DMatrix<f64> {
     ordered_iteration_matrix(a, omega, 0..a.len())
 }
 
-/// The iteration matrix of relaxation with ω that takes the rows in the given order, some perhaps
+/// The iteration matrix of relaxation with ω for rows in the given order, which may contain a row
 /// more than once.
 ///
-/// The sweep itself, done to all unit errors at once:
+/// It is computed by applying the sweep to all unit errors at once:
 ///
 /// ```text
 /// E ← I,   then for each row i:   E_i ← E_i − ω/a_ii (A E)_i
@@ -81,8 +82,8 @@ pub fn ordered_iteration_matrix(
     errors
 }
 
-/// The largest modulus of an eigenvalue: the factor by which errors shrink or grow in the long run.
-/// NaN if an entry is not finite.
+/// The largest modulus of an eigenvalue: the asymptotic factor by which errors shrink or grow. NaN
+/// if an entry is not finite.
 pub fn spectral_radius(g: &DMatrix<f64>) -> f64 {
     if g.iter().any(|g| !g.is_finite()) {
         return f64::NAN;
@@ -93,11 +94,10 @@ pub fn spectral_radius(g: &DMatrix<f64>) -> f64 {
     g.eigenvalues().map_or(f64::NAN, largest)
 }
 
-/// The factor by which w shrinks in the long run: the largest modulus of an eigenvalue other than
-/// 1.
+/// The asymptotic factor by which w shrinks: the largest modulus of an eigenvalue other than 1.
 ///
 /// The eigenvalue 1 belongs to the null vectors of a singular A: redundant contacts keep their
-/// share of the load from the start on, and no w feels it. NaN if an entry is not finite.
+/// initial share of the load, which does not affect w. NaN if an entry is not finite.
 pub fn contraction(g: &DMatrix<f64>) -> f64 {
     if g.iter().any(|g| !g.is_finite()) {
         return f64::NAN;
@@ -111,7 +111,7 @@ pub fn contraction(g: &DMatrix<f64>) -> f64 {
 }
 
 /// The contraction of a registered method with these options while exactly the rows `free` are
-/// inside their bounds; `None` where the method is no linear iteration, or does not contract.
+/// inside their bounds; `None` if the method is not a linear iteration or does not contract.
 ///
 /// ```
 /// use lcplab_problem::library;
@@ -141,9 +141,9 @@ pub fn rate(method: &str, options: &Options, lcp: &Lcp, free: &[usize]) -> Optio
     Some(contraction_of(&block, &matrix)).filter(|rate| *rate < 1.0)
 }
 
-/// What a sweep of Gauss-Seidel over all rows leaves of the error in the long run, null vectors of
-/// A aside, in whatever units the rows are. `None` where that is not below 1 or cannot be computed:
-/// then A is not symmetric and semidefinite with a positive diagonal.
+/// The asymptotic factor by which a Gauss-Seidel sweep over all rows reduces the error, excluding
+/// null vectors of A; independent of the units of the rows. `None` if it is not below 1 or cannot
+/// be computed: A is then not symmetric and semidefinite with a positive diagonal.
 ///
 /// ```
 /// use lcplab_problem::Matrix;
@@ -169,7 +169,7 @@ fn contraction_of(a: &Matrix, g: &DMatrix<f64>) -> f64 {
     }
 }
 
-/// Orthonormal columns that span the range of a symmetric A, which its null vectors are normal to.
+/// Orthonormal columns that span the range of a symmetric A, the complement of its null space.
 fn range(a: &Matrix) -> Option<DMatrix<f64>> {
     if a.is_empty() || !a.is_nearly_symmetric() {
         return None;
@@ -192,10 +192,10 @@ pub fn rows_inside(lcp: &Lcp, x: &[f64]) -> Vec<usize> {
     (0..lcp.len()).filter(is_free).collect()
 }
 
-/// An eigenvalue of G this near to 1 is 1 but for rounding.
+/// An eigenvalue of G within this distance of 1 counts as 1.
 const NULL: f64 = 1e-9;
 
-/// An eigenvalue of A below this part of the largest is 0 but for rounding.
+/// An eigenvalue of A below this fraction of the largest counts as 0.
 const RELATIVE_ZERO: f64 = 1e-11;
 
 /// Young's ω* from the spectral radius of the undamped Jacobi matrix, for a consistently ordered A.
@@ -205,7 +205,7 @@ pub fn optimal_omega(jacobi_radius: f64) -> f64 {
 }
 
 /// Young's ρ(ω) of SOR from the spectral radius of the undamped Jacobi matrix, for a consistently
-/// ordered A: by how much a sweep shrinks the error in the long run.
+/// ordered A: the asymptotic factor by which a sweep reduces the error.
 ///
 /// ```
 /// use lcplab_solver::theory::sor_radius;
@@ -225,8 +225,8 @@ pub fn column_radius(n: usize) -> f64 {
     libm::cos(std::f64::consts::FRAC_PI_2 / n as f64)
 }
 
-/// The sweeps after which the error has shrunk by `reduction` (below 1) at spectral radius ρ;
-/// infinite for ρ ≥ 1.
+/// The number of sweeps that reduce the error by the factor `reduction` (below 1) at spectral
+/// radius ρ; infinite for ρ ≥ 1.
 ///
 /// ```
 /// use lcplab_solver::theory::sweeps_to;

@@ -1,21 +1,21 @@
-//! What a solve leaves to the next one.
+//! The warm-start cache.
 
 use std::cell::RefCell;
 
 use super::pivot::active_set::ActiveSet;
 use super::pivot::free_rows::FreeRows;
 
-/// The last active set, and the factor of its free rows: what a solve leaves to the next one of a
-/// similar problem.
+/// The warm-start cache: the last active set and the factor of its free rows, for the next solve of
+/// a similar problem.
 ///
-/// The caller holds it and passes it with each [`Start`](super::Start); empty at first. Principal
-/// pivoting begins with the set and goes on from there, and leaves its own last one. The other
-/// methods have no use for it.
+/// The caller keeps it and passes it with each [`Start`](super::Start); it is empty at first.
+/// Principal pivoting starts from the cached set and stores its final set. The other methods do not
+/// use it.
 ///
-/// [`BlockPivoting`](super::BlockPivoting) uses the factor only while the free rows and the matrix
-/// are the same: *the same matrix*, not an equal one, that is one which the problems share, as
-/// [`Lcp::with_b`](lcplab_problem::Lcp::with_b) makes them. A matrix never changes, and this one is
-/// held here, so that no other one can take its place.
+/// [`BlockPivoting`](super::BlockPivoting) reuses the factor only if the free rows and the matrix
+/// are unchanged. The matrix must be *the same object*, shared between the problems as by
+/// [`Lcp::with_b`](lcplab_problem::Lcp::with_b), not just an equal one. Matrices are immutable, and
+/// the cache keeps a reference to this one, so no other matrix can be mistaken for it.
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};
@@ -34,7 +34,7 @@ use super::pivot::free_rows::FreeRows;
 #[derive(Debug, Default)]
 pub struct Warm(RefCell<Left>);
 
-/// What was left.
+/// The contents of the cache.
 #[derive(Debug, Default)]
 pub(super) struct Left {
     pub(super) set: Option<ActiveSet>,
@@ -42,7 +42,7 @@ pub(super) struct Left {
 }
 
 impl Warm {
-    /// Lends what was left to a solve, and keeps what that leaves.
+    /// Passes the contents to a solve, and keeps what it stores.
     pub(super) fn lend<T>(&self, solve: impl FnOnce(&mut Left) -> T) -> T {
         let mut left = self.0.take();
         let solution = solve(&mut left);

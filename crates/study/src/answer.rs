@@ -1,4 +1,4 @@
-//! One answer to one problem, as JSON for machines and as text for people.
+//! The answer of a solver to one problem, as JSON and as text.
 
 use dashu_ratio::RBig;
 use serde_json::{Map, Value, json};
@@ -12,29 +12,30 @@ use lcplab_problem::Lcp;
 use lcplab_problem::file::{Problem, number};
 use lcplab_solver::{Attempt, Options, Reason, Solution, Start, Status, solve_boxed_by_sequence};
 
-/// Entries of an exact vector that are printed at most.
+/// Maximum number of entries of an exact vector that are printed.
 const SHOWN: usize = 12;
 
-/// A solver's answer with its claim, and the judge's verdict on it.
+/// A solver's answer with its claim and the judge's verdict.
 #[derive(Debug, Clone)]
 pub struct Answer {
     /// The solver.
     pub solver: &'static str,
     /// What it returned.
     pub solution: Solution,
-    /// What the judge makes of it, and of the claim that there is no solution.
+    /// The judge's verdict on it, or on the claim that there is no solution.
     pub certificate: Certificate,
-    /// A bound on max |x − x*| where A is verifiably definite and nothing better was proved.
+    /// An upper bound on max |x − x*|, if A is verified to be definite and nothing stronger was
+    /// proved.
     pub error_bound: Option<f64>,
-    /// Who stopped the solver, if someone did.
+    /// Why the solver was stopped, if it was.
     pub stopped: Option<Reason>,
-    /// The methods that were tried before this one, where no solver was named.
+    /// The methods that were tried before this one, if no solver was named.
     pub attempts: Vec<Attempt>,
 }
 
 impl Answer {
-    /// Has a solution judged; where the solver has ended on a ray or says that there is no
-    /// solution, the judge looks for a proof of that.
+    /// Judges a solution; if the solver ended on a ray or reports that there is no solution, the
+    /// judge looks for a proof of that.
     pub fn judged(lcp: &Lcp, solver: &'static str, solution: Solution, demand: &Demand) -> Self {
         let certificate = judge(lcp, &solution.x, demand);
         let certificate = match proof_of_denial(lcp, &solution.status, demand) {
@@ -45,22 +46,22 @@ impl Answer {
         Answer { solver, solution, certificate, error_bound, stopped: None, attempts: Vec::new() }
     }
 
-    /// The same, with the reason why the solver was stopped.
+    /// The same answer with the reason why the solver was stopped.
     pub fn stopped(self, stopped: Option<Reason>) -> Self {
         Answer { stopped, ..self }
     }
 
-    /// The same, with the methods that were tried before.
+    /// The same answer with the methods that were tried before.
     pub fn after(self, attempts: Vec<Attempt>) -> Self {
         Answer { attempts, ..self }
     }
 
-    /// The solver's claim in one of four words. `infeasible` is said only with a proof.
+    /// The solver's claim as one of four words. `infeasible` requires a proof.
     pub fn status_word(&self) -> &'static str {
         claim(&self.solution.status, self.certificate.refutation(), self.stopped).0
     }
 
-    /// The status in words.
+    /// The status as text.
     pub fn message(&self) -> String {
         claim(&self.solution.status, self.certificate.refutation(), self.stopped).1
     }
@@ -87,8 +88,7 @@ impl Answer {
     }
 }
 
-/// The key `attempts`: the methods of a fallback sequence that were tried and did not solve the
-/// problem.
+/// The key `attempts`: the methods of a fallback sequence that failed to solve the problem.
 pub fn attempts_json(attempts: &[Attempt]) -> Option<(String, Value)> {
     let object = |Attempt { solver, status, iterations }: &Attempt| {
         json!({
@@ -113,7 +113,7 @@ pub fn first_answer(lcp: &Lcp) -> Vec<f64> {
     solve_boxed_by_sequence(lcp, &Start::default(), &Options::default(), &mut ()).solution.x
 }
 
-/// A verdict with the name of its row and the physical value of its w, if the problem states them:
+/// A verdict with the label of its row and the physical value of its w, if the problem states them:
 /// `normal ground box1 0: approach velocity 0.017 m/s, 0.17 mm per step`.
 pub fn labelled(verdict: &Verdict, w: &[f64], problem: &Problem) -> String {
     let Verdict::NotASolution { row, .. } = *verdict else { return verdict.to_string() };
@@ -137,8 +137,9 @@ pub fn labelled(verdict: &Verdict, w: &[f64], problem: &Problem) -> String {
     format!("{verdict} ({label}: {meaning})")
 }
 
-/// What the judge finds where a solver has ended on a ray or says that there is no solution: its
-/// own vector proves it at any size, another proof is looked for in problems that are small enough.
+/// The judge's result for a solver that ended on a ray or reports that there is no solution: its
+/// own vector can prove it at any size; another proof is searched for if the problem is small
+/// enough.
 pub fn proof_of_denial(lcp: &Lcp, status: &Status, demand: &Demand) -> Option<Refutation> {
     let vector = match status {
         Status::Ray { direction, .. } => Some(direction.as_slice()),
@@ -151,8 +152,7 @@ pub fn proof_of_denial(lcp: &Lcp, status: &Status, demand: &Demand) -> Option<Re
     vector.and_then(|vector| ray::checked(lcp, vector)).map(Refutation::Vector)
 }
 
-/// A solver's claim, in one of four words and in a sentence. `infeasible` is said only with a
-/// proof.
+/// A solver's claim, as one of four words and as a sentence. `infeasible` requires a proof.
 pub fn claim(
     status: &Status,
     refutation: Option<&Refutation>,
@@ -183,7 +183,7 @@ fn how(refutation: &Refutation) -> String {
     }
 }
 
-/// A status in one of four words; that there is no solution is a failure until it is proved.
+/// A status as one of four words; an unproved claim that there is no solution is a failure.
 pub fn status_word(status: &Status) -> &'static str {
     match status {
         Status::Solved => "solved",
@@ -202,7 +202,7 @@ pub fn status_word(status: &Status) -> &'static str {
     }
 }
 
-/// The bound that certifies x to ε, where the verdict is within tolerance and no more.
+/// The bound that certifies x to ε, if the verdict is within tolerance and not stronger.
 pub fn bound(lcp: &Lcp, x: &[f64], certificate: &Certificate) -> Option<f64> {
     match certificate.verdict {
         Verdict::WithinTolerance => error_bound::error_bound(lcp, x),
@@ -235,7 +235,7 @@ pub fn certificate_json(certificate: &Certificate) -> Map<String, Value> {
     object
 }
 
-/// The key `rounded_by`, where the verdict is about a point from which x differs by rounding.
+/// The key `rounded_by`, if the verdict is about a point that differs from x by rounding.
 pub fn rounding_json(rounded_by: Option<f64>) -> Option<(String, Value)> {
     rounded_by.map(|by| ("rounded_by".into(), number(printed_up(by))))
 }
@@ -251,7 +251,7 @@ pub(crate) fn rounding_text(rounded_by: Option<f64>) -> String {
     rounded_by.map(line).unwrap_or_default()
 }
 
-/// The key `certificate`: what was shown in exact arithmetic beside the verdict.
+/// The key `certificate`: what exact arithmetic showed in addition to the verdict.
 pub fn evidence_json(evidence: &Evidence) -> Value {
     match evidence {
         Evidence::NotUnique(direction) => json!({ "not_unique": fractions(direction) }),

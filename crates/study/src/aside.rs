@@ -1,4 +1,4 @@
-//! Work on a thread of its own: its results come one by one, and it can be left behind.
+//! Work on a separate thread whose results are received one by one, and which can be abandoned.
 
 use std::panic;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, SyncSender};
@@ -7,29 +7,28 @@ use std::time::{Duration, Instant};
 
 use lcplab_solver::Stop;
 
-/// What asks when to stop, but cannot be cut short at every place, has so much time to come to its
-/// end.
+/// The time that work gets to finish after a stop, because it cannot be interrupted everywhere.
 pub const GRACE: Duration = Duration::from_secs(2);
 
-/// How often it is looked whether to stop while no result comes.
+/// How often the stop condition is checked while no result arrives.
 const LOOK: Duration = Duration::from_millis(50);
-/// So many results may wait to be taken: a large one is not held more often than it must be.
+/// Maximum number of results that wait in the channel; small because a result may need much memory.
 const WAITING: usize = 1;
 
-/// The results of work on a thread of its own. They end when the work does; or, once it is time to
-/// stop, when no more have come within the time of grace: then the thread is left behind, and what
-/// it has under way comes to nothing.
+/// The results of work on a separate thread. The iterator ends when the work ends; or, after a
+/// stop, when no more results arrive within the grace period: the thread is then abandoned, and its
+/// current result is lost.
 pub struct Aside<T> {
     results: Receiver<T>,
     thread: Option<JoinHandle<()>>,
     stop: Stop,
     grace: Duration,
-    /// Since when it is known that it is time to stop.
+    /// The time since which a stop is known.
     since: Option<Instant>,
 }
 
 impl<T: Send + 'static> Aside<T> {
-    /// Begins the work. It sends its results, and should end when they are no longer taken.
+    /// Starts the work, which sends its results and should end when they are no longer received.
     pub fn begin(
         stop: &Stop,
         grace: Duration,
@@ -45,7 +44,7 @@ impl<T> Iterator for Aside<T> {
     type Item = T;
 
     /// # Panics
-    /// If the work did.
+    /// If the work panicked.
     fn next(&mut self) -> Option<T> {
         loop {
             match self.results.recv_timeout(LOOK) {

@@ -1,4 +1,4 @@
-//! One solver's go at one problem: what it claims, what the judge says, what it cost.
+//! One attempt of a solver at one problem: its claim, the judge's verdict, and its cost.
 
 use std::time::Instant;
 
@@ -10,7 +10,7 @@ use lcplab_problem::{Lcp, merit};
 use lcplab_solver::trace::Work;
 use lcplab_solver::{ALL, Entry, Options, Settings, Solution, Start, Status};
 
-/// What came of an attempt.
+/// The outcome of an attempt.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Outcome {
@@ -18,19 +18,19 @@ pub enum Outcome {
     Proved,
     /// Claimed, and the judge finds x within the tolerance.
     Accepted,
-    /// Claimed, and the judge does not: this must not happen.
+    /// Claimed, but the judge rejects it: this must not happen.
     Refuted,
     /// The residual is within the tolerance, but the answer is hardly better than x = 0: the solver
-    /// takes its claim back. A loose tolerance invites this where masses are far apart.
+    /// withdraws its claim. A loose tolerance can cause this if masses are very different.
     Withdrawn,
     /// Not claimed, for this reason.
     Failed(String),
-    /// The solver says that it is not made for the problem: no attempt.
+    /// The solver reports that it is not made for the problem: this does not count as an attempt.
     Outside(String),
 }
 
 impl Outcome {
-    /// What came of a solve: a claim is judged by this tolerance.
+    /// The outcome of a solve, with claims judged by this tolerance.
     pub fn of(solution: &Solution, lcp: &Lcp, tolerance: f64) -> Outcome {
         let demand = Demand { tolerance, prove_up_to: Demand::EXACT_ROWS };
         let is_within = || merit::scaled_residual(lcp, &solution.x) <= tolerance;
@@ -51,17 +51,17 @@ impl Outcome {
         matches!(self, Outcome::Proved | Outcome::Accepted)
     }
 
-    /// Whether the solver took the problem on.
+    /// Whether the solver attempted the problem.
     pub fn is_attempt(&self) -> bool {
         !matches!(self, Outcome::Outside(_))
     }
 
-    /// Whether the solver says that it has a solution.
+    /// Whether the solver claims a solution.
     pub fn is_claim(&self) -> bool {
         matches!(self, Outcome::Proved | Outcome::Accepted | Outcome::Refuted)
     }
 
-    /// In a word or two, or the reason.
+    /// The outcome in one or two words, or the reason.
     pub fn words(&self) -> &str {
         match self {
             Outcome::Proved => "proved",
@@ -78,16 +78,16 @@ impl Outcome {
 pub struct Attempt {
     /// The solver.
     pub solver: String,
-    /// What came of it.
+    /// Its outcome.
     pub outcome: Outcome,
-    /// Sweeps, steps or pivots.
+    /// The number of sweeps, steps or pivots.
     pub iterations: usize,
-    /// Multiplications ([`Work`]); NaN where nobody counts them, as a plug-in's.
+    /// Multiplications ([`Work`]); NaN if they are not counted, as for a plug-in.
     #[serde(with = "crate::number::always")]
     pub work: f64,
 }
 
-/// An attempt with what is not stored of it.
+/// An attempt with the data that is not stored.
 pub struct Attempted {
     /// The attempt.
     pub attempt: Attempt,
@@ -97,13 +97,13 @@ pub struct Attempted {
     pub seconds: f64,
 }
 
-/// The options of an attempt to this tolerance with at most so many iterations.
+/// The options of an attempt with this tolerance and iteration limit.
 pub fn options(tolerance: f64, max_iterations: usize) -> Options {
     let settings = Settings { tolerance, max_iterations, ..Settings::default() };
     Options { settings, ..Options::default() }
 }
 
-/// Lets a solver try a problem, and has the answer judged by the tolerance it was asked for.
+/// Runs a solver on a problem, and judges the answer by the same tolerance.
 pub fn attempt(entry: &Entry, lcp: &Lcp, options: &Options) -> Attempted {
     let mut work = Work::of(entry, lcp);
     let start = Instant::now();
@@ -115,10 +115,10 @@ pub fn attempt(entry: &Entry, lcp: &Lcp, options: &Options) -> Attempted {
     Attempted { attempt, x: solution.x, seconds }
 }
 
-/// The solvers of these names, all registered ones if there are none.
+/// The solvers with these names; all registered ones if the list is empty.
 ///
 /// # Errors
-/// If there is none of a name.
+/// If no solver has one of the names.
 pub fn entries(names: &[String]) -> Result<Vec<Entry>> {
     if names.is_empty() {
         return Ok(ALL.to_vec());

@@ -1,5 +1,4 @@
-//! What can be said of a problem before anyone solves it: its size, the class of A, rank and
-//! condition.
+//! Properties of a problem before it is solved: its size, the class of A, rank and condition.
 
 use dashu_ratio::RBig;
 use serde::Serialize;
@@ -10,34 +9,34 @@ use lcplab_problem::number::readable;
 use lcplab_problem::{Lcp, Matrix};
 use lcplab_solver::MatrixClass;
 
-/// Up to so many rows the class is decided in exact arithmetic.
+/// Maximum number of rows for which the class is decided in exact arithmetic.
 const EXACT_ROWS: usize = 40;
-/// Up to so many rows all principal minors are looked at.
+/// Maximum number of rows for which all principal minors are computed.
 const MINORS_ROWS: usize = 8;
-/// Up to so many rows rank and condition are measured.
+/// Maximum number of rows for which rank and condition are computed.
 const MEASURED_ROWS: usize = 600;
 
-/// What a problem is like.
+/// The properties of a problem.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Card {
-    /// Rows.
+    /// The number of rows.
     pub rows: usize,
-    /// Stored entries of A.
+    /// The number of stored entries of A.
     pub stored: usize,
-    /// Rows whose bounds depend on another row's x.
+    /// The number of rows whose bounds depend on another row's x.
     pub coupled: usize,
-    /// Rows without bounds: equations.
+    /// The number of rows without bounds: equations.
     pub equations: usize,
-    /// The class of A, where it was decided.
+    /// The class of A, if it was decided.
     pub class: Option<String>,
-    /// The rank of A, where it was measured.
+    /// The rank of A, if it was computed.
     pub rank: Option<usize>,
-    /// The condition number among the independent rows, after scaling to a unit diagonal.
+    /// The condition number of the independent rows, after scaling to a unit diagonal.
     pub condition: Option<f64>,
 }
 
 impl Card {
-    /// The card of a problem.
+    /// The properties of this problem.
     ///
     /// ```
     /// use lcplab_problem::{Lcp, Matrix};
@@ -67,7 +66,7 @@ impl Card {
         }
     }
 
-    /// In a sentence.
+    /// The properties as a sentence.
     pub fn words(&self) -> String {
         let mut words = format!("{} row{}", self.rows, if self.rows == 1 { "" } else { "s" });
         if self.coupled > 0 {
@@ -89,7 +88,7 @@ impl Card {
 }
 
 /// The narrowest class that A belongs to, decided in exact arithmetic; [`MatrixClass::General`]
-/// says that it is in none of definite, semidefinite and P. `None` where A is too large to decide.
+/// means none of definite, semidefinite and P. `None` if A is too large to decide.
 pub(crate) fn class_of(a: &Matrix) -> Option<MatrixClass> {
     let n = a.len();
     if n > EXACT_ROWS {
@@ -119,8 +118,8 @@ fn exact(a: &Matrix, rows: &[usize]) -> Vec<Vec<RBig>> {
     rows.iter().map(row).collect()
 }
 
-/// How many pivots of a symmetric A are 0 where all the others are positive, by symmetric
-/// elimination; `None` if A is not semidefinite.
+/// The number of zero pivots in symmetric elimination of a symmetric A whose other pivots are
+/// positive; `None` if A is not semidefinite.
 fn pivots(mut a: Vec<Vec<RBig>>) -> Option<usize> {
     let n = a.len();
     let mut zeros = 0;

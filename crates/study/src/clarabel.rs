@@ -1,10 +1,10 @@
-//! The reference code clarabel as one more method in comparisons.
+//! The reference code clarabel as an additional method in comparisons.
 //!
-//! Solvers must not know the reference that checks them, so it is not in their registry; here,
-//! where both are known, it gets an entry like theirs. What clarabel calls solved is `Solved` only
-//! if the scaled residual of its point says so too: it stops on another quantity, and a point in
-//! the interior is near its bounds, not on them. It takes no start, and its point is the one
-//! iterate that is observed.
+//! Solvers must be independent of the reference that checks them, so clarabel is not in their
+//! registry; this crate, which knows both, gives it a similar entry. Its result is `Solved` only if
+//! the scaled residual of its point is also within the tolerance: clarabel stops on a different
+//! quantity, and an interior point is near its bounds, not on them. It uses no start, and its final
+//! point is the only iterate reported.
 
 use lcplab_judge::reference::{Reference, box_qp_within, cone_qp_within};
 use lcplab_problem::friction::{ConeProblem, Law};
@@ -30,7 +30,7 @@ pub(crate) const BOX_QP: Entry = Entry {
     build: &|options| Box::new(Clarabel { settings: options.settings.clone() }),
 };
 
-/// Clarabel on the same over friction cones.
+/// Clarabel on the same objective over friction cones.
 pub(crate) const CONE_QP: ConeEntry = ConeEntry {
     name: NAME,
     method: "reference: clarabel's interior-point method for the cone QP, iterative",
@@ -41,10 +41,11 @@ pub(crate) const CONE_QP: ConeEntry = ConeEntry {
     build: &|settings| Box::new(Clarabel { settings: settings.clone() }),
 };
 
-/// Clarabel behind the traits of solvers.
+/// Clarabel with the solver traits.
 #[derive(Debug, Clone)]
 struct Clarabel {
-    /// The tolerance of the claim (clarabel's own is that of the reference), and its iterations.
+    /// The tolerance for `Solved` (clarabel's own tolerance is that of the reference), and its
+    /// iteration limit.
     settings: Settings,
 }
 
@@ -74,7 +75,7 @@ impl ConeSolver for Clarabel {
 }
 
 impl Clarabel {
-    /// What the reference's answer is worth as a solution.
+    /// The reference's answer as a solution with a status.
     fn solution(
         &self,
         problem: &impl Complementarity,
@@ -123,8 +124,8 @@ impl Clarabel {
     }
 }
 
-/// Room for the upper half of A as a list, in clarabel's columns, in its equations and in their
-/// factor without fill: a dozen numbers an entry.
+/// Memory for the upper half of A as a list, in clarabel's columns, in its equations and in their
+/// factor without fill: a dozen numbers per entry.
 fn needs(lcp: &Lcp) -> Memory {
     Memory::numbers(lcp.matrix().stored()).times(6)
 }

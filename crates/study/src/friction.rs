@@ -1,4 +1,4 @@
-//! Friction problems under a model, and what an x is worth as an answer, as JSON and as text.
+//! Friction problems under a model: solving, and judging an x, with results as JSON and as text.
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
@@ -15,13 +15,14 @@ use lcplab_problem::number::readable;
 use lcplab_problem::{Lcp, Question};
 use lcplab_solver::{Answered, Method, Observer, Options, Solution, Status, solve_by_sequence};
 
-/// A contact slides if |w_t| is above this part of the terms it is the sum of.
+/// A contact slides if |w_t| is above this fraction of its terms.
 const SLIP: f64 = 1e-6;
-/// Contacts that are printed at most.
+/// Maximum number of contacts that are printed.
 const PRINTED: usize = 20;
 
-/// The model to take: the one asked for, else the problem's own, else Coulomb's law for a solver
-/// that is made for cones only. Without any, friction rows are rows of a boxed LCP like others.
+/// The friction model: the requested one, otherwise the problem's own, otherwise Coulomb's law for
+/// a solver that is made only for cones. `None` means that friction rows are treated as rows of a
+/// boxed LCP.
 pub fn model(asked: Option<Model>, solver: Option<&str>, problem: &Problem) -> Option<Model> {
     let is_for_cones = |name: &&str| {
         methods::entry(name).is_err() && methods::by_name(name, Model::CoulombCone).is_ok()
@@ -30,7 +31,7 @@ pub fn model(asked: Option<Model>, solver: Option<&str>, problem: &Problem) -> O
     asked.or(problem.model).or(law)
 }
 
-/// Solves a problem under the model of the question and has the answer judged.
+/// Solves a problem under the model of the question and judges the answer.
 pub fn solve(
     question: &Question,
     method: &Method,
@@ -44,8 +45,8 @@ pub fn solve(
     (solution, judged)
 }
 
-/// Solves a problem under the model of the question by the methods that suit it, one after the
-/// other, and has the answer judged.
+/// Solves a problem under the model of the question by the fallback sequence, and judges the
+/// answer.
 pub fn solve_by_default(
     question: &Question,
     options: &Options,
@@ -63,29 +64,29 @@ pub fn solve_by_default(
 pub struct ContactAnswer {
     /// x_n, x_t1, x_t2.
     pub impulse: [f64; 3],
-    /// w_n, w_t1, w_t2: while it slides, (w_t1, w_t2) is the slip.
+    /// w_n, w_t1, w_t2; (w_t1, w_t2) is the slip of a sliding contact.
     pub velocity: [f64; 3],
-    /// |x_t| / (μ x_n): at most 1 in the disc; `None` if μ x_n = 0.
+    /// |x_t| / (μ x_n): at most 1 within the disk; `None` if μ x_n = 0.
     pub strength: Option<f64>,
     /// The angle (degrees) between friction and the direction opposite to the slip; `None` if the
     /// contact does not slide, or has no friction.
     pub misalignment: Option<f64>,
 }
 
-/// What is found out about an x, whoever found it.
+/// The evaluation of an x, regardless of its source.
 #[derive(Debug, Clone)]
 pub struct Judged {
-    /// The judge's word on x as a solution of the model's own problem.
+    /// The judge's verdict on x as a solution of the model's own problem.
     pub certificate: FrictionCertificate,
-    /// The contacts one by one.
+    /// The contacts, one by one.
     pub contacts: Vec<ContactAnswer>,
     /// The scaled residual of x in Coulomb's law.
     pub coulomb_residual: f64,
 }
 
 impl Judged {
-    /// Judges an answer, one number a row of the problem, under the model of the question. Without
-    /// contacts, Coulomb's law asks nothing more than the problem does.
+    /// Judges an answer, one number per row of the problem, under the model of the question.
+    /// Without contacts, Coulomb's law requires nothing beyond the problem.
     pub fn of(question: &Question, x: &[f64], demand: &Demand) -> Self {
         match question.friction() {
             Some(friction) => Judged::at_contacts(friction, question.posed(), x, demand),
@@ -97,7 +98,7 @@ impl Judged {
         }
     }
 
-    /// Judges x under the model that the problem is posed under.
+    /// Judges x under the model of the posed problem.
     pub fn at_contacts(
         problem: &FrictionProblem,
         posed: &Posed,
@@ -114,7 +115,7 @@ impl Judged {
         }
     }
 
-    /// The same with what the judge finds where the solver says that there is no solution.
+    /// The same with the judge's result on the solver's claim that there is no solution.
     pub fn with_claim(self, posed: &Posed, status: &Status, demand: &Demand) -> Self {
         let proof = match posed {
             Posed::Boxed(lcp) => proof_of_denial(lcp, status, demand),

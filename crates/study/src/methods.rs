@@ -6,8 +6,8 @@ use lcplab_problem::error::{Error, Result};
 use lcplab_problem::friction::Model;
 use lcplab_solver::{ALL, Entry, Method, SPECIMENS, added, methods};
 
-/// One of each kind: sweeps, Newton, gradients, an interior point, two pivoting methods, sweeps for
-/// cones, and the reference.
+/// One method of each kind: sweeps, Newton, gradients, an interior point, two pivoting methods,
+/// sweeps for cones, and the reference.
 pub const USUAL: [&str; 8] =
     ["pgs", "newton", "apgd", "interior-point", "dantzig", "lemke", "cone-pgs", "clarabel"];
 
@@ -17,8 +17,8 @@ const REFERENCE: [Method; 2] = [Method::Boxed(clarabel::BOX_QP), Method::Cone(cl
 #[cfg(not(feature = "clarabel"))]
 const REFERENCE: [Method; 0] = [];
 
-/// The registered methods, then clarabel for boxes and for cones; what was added is asked for by
-/// name.
+/// The registered methods, then clarabel for boxes and for cones; methods added at run time must be
+/// named.
 pub fn all() -> Vec<Method> {
     methods().into_iter().chain(REFERENCE).collect()
 }
@@ -28,10 +28,11 @@ fn nameable() -> impl Iterator<Item = Method> {
     lcplab_solver::nameable().into_iter().chain(REFERENCE)
 }
 
-/// The solver of this name for LCPs as they stand; the specimens and what was added count too.
+/// The solver with this name for plain LCPs, including known-wrong variants and those added at run
+/// time.
 ///
 /// # Errors
-/// If there is none.
+/// If no solver has this name.
 pub fn entry(name: &str) -> Result<Entry> {
     let added = added();
     let reference: Vec<Entry> = REFERENCE.into_iter().filter_map(boxed).collect();
@@ -45,10 +46,10 @@ pub fn entry(name: &str) -> Result<Entry> {
     })
 }
 
-/// The method of this name for a model of friction.
+/// The method with this name for a friction model.
 ///
 /// # Errors
-/// If there is none of this name, or it is not made for the model; the error says why.
+/// If no method has this name, or it is not made for the model; the error gives the reason.
 pub fn by_name(name: &str, model: Model) -> Result<Method> {
     let taking = || nameable().filter(|method| method.takes(Some(model)));
     if let Some(found) = taking().find(|method| method.name() == name) {
@@ -67,7 +68,7 @@ pub fn by_name(name: &str, model: Model) -> Result<Method> {
     })
 }
 
-/// Why the methods of this name are not made for a model; `None` if there is no such name, or one
+/// Why the methods with this name are not made for a model; `None` if there is no such name, or one
 /// of them is.
 fn refusal(name: &str, model: Option<Model>) -> Option<String> {
     let specimens = SPECIMENS.iter().copied().map(Method::Boxed);
@@ -83,7 +84,7 @@ pub fn why_none_takes(methods: &[Method], model: Option<Model>) -> Option<String
     all_refuse.then(|| refusals.into_iter().next()).flatten()
 }
 
-/// The method to take where none is named.
+/// The default method.
 pub fn default_for(model: Model) -> &'static str {
     match model {
         Model::FrozenBox | Model::CoupledBox => "dantzig",
@@ -92,10 +93,10 @@ pub fn default_for(model: Model) -> &'static str {
     }
 }
 
-/// The methods of this name, for boxes and for cones.
+/// The methods with this name, for boxes and for cones.
 ///
 /// # Errors
-/// If there is none.
+/// If no method has this name.
 pub fn named(name: &str) -> Result<Vec<Method>> {
     let known = || nameable().chain(SPECIMENS.iter().copied().map(Method::Boxed));
     let found: Vec<Method> = known().filter(|method| method.name() == name).collect();

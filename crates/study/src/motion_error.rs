@@ -1,11 +1,11 @@
-//! How far the motion that an answer leads to is from the exact motion, for problems that state
+//! The distance between the motion from an answer and the exact motion, for problems that state
 //! their masses and rows.
 //!
-//! A relative residual is no physical tolerance. Where the file has the key `motion`, [Gauss's
+//! A relative residual is not a physical tolerance. If the file has the key `motion`, [Gauss's
 //! principle](Gauss) bounds the error of the motion itself: |u(x) − û|_M, u(x) = u* + M⁻¹Jᵀx, in
-//! the norm whose half square is an energy (of velocities). It is compared with what the
-//! constraints change, |û − u*|_M. Where rows are coupled, û is the motion with the friction limits
-//! that x itself gives. Under associated cones, whose rows all have compliance, the [duality
+//! the norm whose half square is an energy (for velocities). It is compared with the effect of the
+//! constraints, |û − u*|_M. If rows are coupled, û is the motion with the friction limits from x
+//! itself. Under associated cones, whose rows all have compliance, the [duality
 //! gap](lcplab_judge::gap_bound) bounds it; Coulomb's law has no bound, as it minimizes nothing.
 
 use serde_json::{Value, json};
@@ -23,13 +23,13 @@ use lcplab_problem::{Gauss, Lcp, Level, Question};
 pub struct MotionError {
     /// |u(x) − û|_M is at most this.
     pub bound: f64,
-    /// |û − u*|_M, to within the bound: what the constraints change.
+    /// |û − u*|_M, up to the bound: the effect of the constraints.
     pub effect: f64,
     /// No entry of u(x) − û is larger.
     pub largest_entry: f64,
     /// Whether u is a velocity or an acceleration, if the file states it.
     pub level: Option<Level>,
-    /// Whether friction limits are those that x gives.
+    /// Whether friction limits are those that follow from x.
     pub is_frozen: bool,
 }
 
@@ -44,8 +44,8 @@ impl MotionError {
         }
     }
 
-    /// The bound for an answer; none where the problem does not state its masses and rows, else why
-    /// there is no bound.
+    /// The bound for an answer, or why there is none; `None` if the problem does not state its
+    /// masses and rows.
     pub fn of(question: &Question, x: &[f64]) -> Option<Result<MotionError, String>> {
         let gauss = question.problem().motion.as_ref()?;
         let error = match (question.boxed(), question.friction()) {
@@ -61,8 +61,8 @@ impl MotionError {
         Some(error.map_err(|why| why.to_string()))
     }
 
-    /// The line of text that commands print; nothing where the problem does not state its masses
-    /// and rows.
+    /// The line of text that commands print; empty if the problem does not state its masses and
+    /// rows.
     pub fn text(question: &Question, x: &[f64]) -> String {
         let (value, meaning) = match MotionError::of(question, x) {
             None => return String::new(),
@@ -89,12 +89,12 @@ impl MotionError {
         Some(("motion_error".into(), value))
     }
 
-    /// The bound as a part of what the constraints change.
+    /// The bound relative to the effect of the constraints.
     pub fn relative(&self) -> f64 {
         if self.bound == 0.0 { 0.0 } else { self.bound / self.effect }
     }
 
-    /// What the bound means, as the end of a line.
+    /// The meaning of the bound, as the end of a line.
     fn meaning(&self) -> String {
         let of_what = match self.effect {
             effect if self.bound >= effect => {
@@ -120,7 +120,7 @@ impl MotionError {
     }
 }
 
-/// The bound of a box, with the limits that x gives to coupled rows.
+/// The bound for a box, with the limits of coupled rows that follow from x.
 fn of_box(gauss: &Gauss, lcp: &Lcp, x: &[f64]) -> Result<MotionError, Unproved> {
     let (lo, hi) = (0..x.len()).map(|i| lcp.bounds(i, x)).unzip();
     let gauss = Gauss { lo, hi, ..gauss.clone() };

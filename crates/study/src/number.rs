@@ -1,6 +1,6 @@
-//! Numbers that JSON has no word for, as "nan", "inf" and "-inf": for serde's `with`.
+//! Numbers without a JSON representation, as "nan", "inf" and "-inf": for serde's `with`.
 
-/// Whether a count is left out of JSON.
+/// Whether a count is omitted from JSON.
 pub(crate) fn is_zero(count: &usize) -> bool {
     *count == 0
 }
@@ -10,41 +10,41 @@ pub mod always {
     use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
     use serde_json::Value;
 
-    /// A number, or a word for one that is not finite.
+    /// Writes a number, or a word if it is not finite.
     ///
     /// # Errors
-    /// As the serializer.
+    /// Those of the serializer.
     pub fn serialize<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
         lcplab_problem::file::number(*value).serialize(serializer)
     }
 
-    /// A number, or a word for one that is not finite.
+    /// Reads a number, or a word for one that is not finite.
     ///
     /// # Errors
-    /// Anything else.
+    /// If the value is anything else.
     pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
         let value = Value::deserialize(deserializer)?;
         lcplab_problem::file::as_number(&value).ok_or_else(|| D::Error::custom("not a number"))
     }
 }
 
-/// A number that there may not be, as null.
+/// An optional number; `None` is null.
 pub mod perhaps {
     use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
     use serde_json::Value;
 
-    /// A number, a word for one that is not finite, or null.
+    /// Writes a number, a word if it is not finite, or null.
     ///
     /// # Errors
-    /// As the serializer.
+    /// Those of the serializer.
     pub fn serialize<S: Serializer>(value: &Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
         value.map(lcplab_problem::file::number).serialize(serializer)
     }
 
-    /// A number, a word for one that is not finite, or null.
+    /// Reads a number, a word for one that is not finite, or null.
     ///
     /// # Errors
-    /// Anything else.
+    /// If the value is anything else.
     pub fn deserialize<'de, D: Deserializer<'de>>(
         deserializer: D,
     ) -> Result<Option<f64>, D::Error> {

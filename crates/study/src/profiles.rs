@@ -1,6 +1,6 @@
 //! Performance profiles of solvers on families of problems.
 //!
-//! A performance profile (Dolan & Moré 2002) compares costs problem by problem. Of solver s and
+//! A performance profile (Dolan & Moré 2002) compares costs problem by problem. For solver s and
 //! problem p let t_ps be the cost if s solved p, ∞ otherwise; then
 //!
 //! ```text
@@ -8,15 +8,15 @@
 //! ```
 //!
 //! so ρ_s(1) is the share of its problems on which s is the cheapest, and ρ_s(∞) the share that it
-//! solves. *Solved* means claimed and accepted by the judge. What a solver says is not for it is no
-//! attempt; whether it counts against the solver is asked both ways ([`of_all`]), and each curve
-//! states of how many problems it is.
+//! solves. *Solved* means claimed and accepted by the judge. A problem outside a solver's class is
+//! not an attempt; whether it counts against the solver is shown both ways ([`of_all`]), and each
+//! curve states its number of problems.
 
 use serde::{Deserialize, Serialize};
 
 use crate::attempt::Attempt;
 
-/// What the solvers made of a family.
+/// The attempts of the solvers on a family.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Tried {
     /// The family, or the scene's step.
@@ -25,23 +25,23 @@ pub struct Tried {
     pub problems: Vec<Posed>,
 }
 
-/// A problem and all attempts at it.
+/// A problem with all attempts.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Posed {
-    /// Rows.
+    /// The number of rows.
     pub rows: usize,
-    /// Whether it is known that no solution exists: then nobody may claim one.
+    /// Whether it is known that no solution exists; a claim to have solved it is then false.
     pub impossible: bool,
-    /// By tolerance, as the settings list them; in each by solver.
+    /// By tolerance, in the order of the settings; for each by solver.
     pub attempts: Vec<Vec<Attempt>>,
 }
 
-/// What a problem cost a solver.
+/// The cost of a problem for a solver.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Cost {
-    /// The solver did not try.
+    /// The solver did not attempt it.
     NotTried,
-    /// It tried in vain.
+    /// It failed.
     Failed,
     /// It solved the problem at this cost, above 0.
     Solved(f64),
@@ -50,9 +50,9 @@ pub enum Cost {
 /// A solver's performance profile.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
-    /// How many problems it attempted: the share is of these.
+    /// The number of problems it attempted, to which shares refer.
     pub attempted: usize,
-    /// (τ, ρ(τ)) where ρ steps up, τ rising.
+    /// (τ, ρ(τ)) at each step of ρ, in ascending order of τ.
     pub steps: Vec<(f64, f64)>,
 }
 
@@ -97,9 +97,9 @@ pub fn profiles(costs: &[Vec<Cost>]) -> Vec<Profile> {
     (0..solvers).map(profile).collect()
 }
 
-/// The costs of the problems that have a solution, at the tolerance of this number, counted by
-/// `measure` from the rows and an attempt. Where that is NaN, as multiplications that nobody
-/// counts, it is as if the solver had not tried.
+/// The costs of the problems that have a solution, at the tolerance with this index, computed by
+/// `measure` from the rows and an attempt. If it is NaN, as for uncounted multiplications, the
+/// solver counts as not having attempted it.
 pub fn costs(
     tried: &[Tried],
     tolerance: usize,
@@ -118,7 +118,7 @@ pub fn costs(
     solvable.map(costs).collect()
 }
 
-/// Multiplications, at least one a row.
+/// Multiplications, at least one per row.
 pub fn multiplications(rows: usize, attempt: &Attempt) -> f64 {
     attempt.work.max(rows as f64) + 0.0 * attempt.work
 }
@@ -128,8 +128,8 @@ pub fn iterations(_rows: usize, attempt: &Attempt) -> f64 {
     attempt.iterations.max(1) as f64
 }
 
-/// The same costs where a problem that a solver did not try counts as one that it did not solve:
-/// the share is of all problems then. A solver that tried none stays out.
+/// The same costs with problems that a solver did not attempt counted as failed: the share then
+/// refers to all problems. A solver that attempted none is left out.
 pub fn of_all(costs: &[Vec<Cost>]) -> Vec<Vec<Cost>> {
     let has_tried = |solver: usize| costs.iter().any(|row| row[solver] != Cost::NotTried);
     let strict = |(solver, cost): (usize, &Cost)| match cost {

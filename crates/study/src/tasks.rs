@@ -1,4 +1,4 @@
-//! Many tasks on all cores, of which the ends are handed over one by one.
+//! Runs many tasks on all cores and hands over their results one by one.
 
 use std::time::Duration;
 
@@ -11,21 +11,21 @@ use lcplab_solver::Stop;
 
 /// Tasks that do not depend on each other.
 pub struct Tasks<T> {
-    /// Those that may run side by side, on as many threads as rayon's pool has.
+    /// Those that may run in parallel, on the threads of rayon's pool.
     pub together: Vec<T>,
-    /// Those that run after them, one after the other, because they are timed.
+    /// Those that run afterwards, one after the other, because they are timed.
     pub alone: Vec<T>,
-    /// How long those under way are waited for when it is time to stop: not at all if they do not
-    /// ask.
+    /// How long to wait for running tasks after a stop; zero if they do not check the stop
+    /// condition.
     pub grace: Duration,
 }
 
 impl<T: Send + 'static> Tasks<T> {
-    /// Does the `work` of every task and gives `note` each end as it comes. When it is time to
-    /// stop, no more are begun.
+    /// Runs `work` for every task and passes each result to `note` as it arrives. After a stop, no
+    /// more tasks are started.
     ///
     /// # Errors
-    /// What `note` says; then no more are begun either.
+    /// Errors of `note`; no more tasks are started then either.
     pub fn run<R: Send + 'static>(
         self,
         stop: &Stop,

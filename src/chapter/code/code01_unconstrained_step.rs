@@ -4,8 +4,8 @@
 //! u⁺ = u + dt M⁻¹ F,   s⁺ = s + dt S u⁺        K&M (21), (22)
 //! ```
 //!
-//! The new velocity moves the positions: semi-implicit Euler. The listing stands; what its F lacks,
-//! the gyroscopic torque (E26), is its caller's.
+//! The new velocity moves the positions: semi-implicit Euler. The listing is correct; the
+//! gyroscopic torque that its F lacks (E26) is left to its caller.
 #![allow(non_snake_case)]
 
 use nalgebra::{DMatrix, DVector};
@@ -23,11 +23,11 @@ pub(in crate::chapter) const LISTING: Listing = Listing {
 /// The block matrices of m bodies at one instant, as in the chapter's Figure 5.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Blocks {
-    /// Velocities and angular velocities, a column of 6m (m/s, rad/s).
+    /// Linear and angular velocities, a column of 6m (m/s, rad/s).
     pub u: DVector<f64>,
     /// Positions and quaternions (w, x, y, z), a column of 7m (m, 1).
     pub s: DVector<f64>,
-    /// What turns velocities into rates of s, 7m × 6m.
+    /// The matrix that maps velocities to rates of s, 7m × 6m.
     pub S: DMatrix<f64>,
     /// The inverse masses and inertias, 6m × 6m.
     pub M_inv: DMatrix<f64>,
@@ -36,7 +36,7 @@ pub struct Blocks {
 }
 
 impl Blocks {
-    /// Point masses on a line, a row and column each: velocities (m/s), inverse masses (1/kg) and
+    /// Point masses on a line, one row and column each: velocities (m/s), inverse masses (1/kg) and
     /// forces (N); all start at 0.
     pub fn on_a_line(u: &[f64], inverse_masses: &[f64], forces: &[f64]) -> Self {
         let m = u.len();

@@ -1,4 +1,4 @@
-//! Code 2: the step with the constraints' x.
+//! Code 2: the step with the constraint forces x.
 //!
 //! ```text
 //! Code 2      u⁺ = u + dt M⁻¹ F −    M⁻¹ Jᵀ x     x an impulse of A x = J u* (Code 4)
@@ -6,8 +6,8 @@
 //! corrected   u⁺ = u + dt M⁻¹ F +    M⁻¹ Jᵀ x     x an impulse of A x = −J u*
 //! ```
 //!
-//! Listing and equation differ by dt, and each is right with its own x only (E28). Both take x away
-//! where the library adds it, so that x ≥ 0 pulls where J is the derivative of a gap (E30). The
+//! Listing and equation differ by dt, and each is right only with its own x (E28). Both subtract x
+//! where the library adds it, so that x ≥ 0 pulls if J is the derivative of a gap (E30). The
 //! listing's comment still calls this the step without constraints (E60).
 #![allow(non_snake_case)]
 
@@ -24,7 +24,7 @@ pub(in crate::chapter) const LISTING: Listing = Listing {
     errata: &["E28", "E30", "E60"],
 };
 
-/// The listing: u⁺ and s⁺, x an impulse (N s) that is taken away.
+/// The listing: u⁺ and s⁺ with an impulse x (N s) that is subtracted.
 pub fn printed(
     blocks: &Blocks,
     J: &DMatrix<f64>,
@@ -36,7 +36,7 @@ pub fn printed(
     (u_next, s_next)
 }
 
-/// K&M (23) and (24): u⁺ and s⁺, x a force (N) that is taken away.
+/// K&M (23) and (24): u⁺ and s⁺ with a force x (N) that is subtracted.
 pub fn equation(
     blocks: &Blocks,
     J: &DMatrix<f64>,

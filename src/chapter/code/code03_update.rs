@@ -1,7 +1,7 @@
-//! Code 3: what is done in each frame.
+//! Code 3: the work of each frame.
 //!
-//! First all forces are added up, then the constraints are solved; the step itself is left to the
-//! latter, Code 7, which returns before it if there is no constraint (E32). In print the call
+//! First all forces are added up, then the constraints are solved. The step itself is left to the
+//! latter, Code 7, which returns before the step if there is no constraint (E32). In print the call
 //! passes dt to a function that takes no argument (E36).
 
 use super::code05_rigid_body::RigidBody;
@@ -17,10 +17,10 @@ pub(in crate::chapter) const LISTING: Listing = Listing {
     errata: &["E32", "E36"],
 };
 
-/// A frame of dt (s) in either form of Code 7: `forces` adds to what acts on the bodies.
+/// A frame of dt (s) with either form of Code 7: `forces` adds to the forces on the bodies.
 ///
 /// # Errors
-/// As [`WholeStep::take`].
+/// As for [`WholeStep::take`].
 pub fn update(
     form: Form,
     world: &mut World,
@@ -37,15 +37,15 @@ pub fn update(
 /// The listing.
 ///
 /// # Errors
-/// As [`WholeStep::take`].
+/// As for [`WholeStep::take`].
 pub fn printed(world: &mut World, forces: impl Fn(&mut [RigidBody]), dt: f64) -> Result<()> {
     update(Form::Printed, world, forces, dt)
 }
 
-/// The frame that always moves.
+/// The frame that always moves the bodies.
 ///
 /// # Errors
-/// As [`WholeStep::take`].
+/// As for [`WholeStep::take`].
 pub fn corrected(world: &mut World, forces: impl Fn(&mut [RigidBody]), dt: f64) -> Result<()> {
     update(Form::Corrected, world, forces, dt)
 }

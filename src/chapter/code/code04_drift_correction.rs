@@ -1,13 +1,13 @@
-//! Code 4: A and b with a term that feeds the position errors back, and the solve.
+//! Code 4: A and b with feedback of position errors, and the solve.
 //!
 //! ```text
 //! printed     A x = J u* + β c          u⁺ by Code 2 then has J u⁺ = −β c
 //! corrected   A x = −(J u* + β/dt c)    u⁺ by its corrected form has J u⁺ = −β/dt c
 //! ```
 //!
-//! β is to be the part of the error that goes in a step; without 1/dt it is a rate in 1/s, and at
-//! 60 steps a second 60 times weaker (E34). And c must have the sign of J (E35). Equations only: no
-//! bounds.
+//! β should be the fraction of the error that is corrected per step; without 1/dt it is a rate in
+//! 1/s, and 60 times weaker at 60 steps a second (E34). And c must have the sign of J (E35). The
+//! listing has only equations, no bounds.
 #![allow(non_snake_case)]
 
 use nalgebra::{DMatrix, DVector};
@@ -33,8 +33,8 @@ pub fn matrix(blocks: &Blocks, J: &DMatrix<f64>) -> DMatrix<f64> {
     J * &blocks.M_inv * J.transpose()
 }
 
-/// The listing's x for [Code 2](super::code02_constrained_step::printed) after so many sweeps, with
-/// the errors c (m), one a row.
+/// The listing's x for [Code 2](super::code02_constrained_step::printed) after this number of
+/// sweeps, with the errors c (m), one per row.
 ///
 /// # Errors
 /// If a number is not finite.
@@ -49,8 +49,7 @@ pub fn printed(
     code06_solver::printed(&matrix(blocks, J), &b, None, None, sweeps)
 }
 
-/// x that pushes where it is positive, for [the corrected
-/// step](super::code02_constrained_step::corrected).
+/// x that pushes if positive, for [the corrected step](super::code02_constrained_step::corrected).
 ///
 /// # Errors
 /// If a number is not finite.

@@ -1,15 +1,15 @@
-//! Code 5: the rigid body, what pushes it, and its inverse inertia in world axes.
+//! Code 5: the rigid body, its forces, and its inverse inertia in world axes.
 //!
 //! ```text
 //! printed     Tᵀ I⁻¹ T     T the matrix of the orientation
 //! corrected   R I⁻¹ Rᵀ     R for column vectors
 //! ```
 //!
-//! The listing is written for a library of row vectors, v' = v T, whose T is the Rᵀ of column
-//! vectors: there it is right. Taken over word by word where vectors are columns it turns the
-//! inertia the wrong way. Its forces lack the gyroscopic torque −ω × I ω (E26), and its caption
-//! names an integrator that is not in it (E60). In print the function is not `const` but is called
-//! through a pointer to a constant (E36).
+//! The listing is written for a library of row vectors, v' = v T, where T is the Rᵀ of column
+//! vectors; there it is right. Used literally with column vectors it rotates the inertia the wrong
+//! way. Its forces lack the gyroscopic torque −ω × I ω (E26), and its caption names an integrator
+//! that it does not contain (E60). In print the function is not `const` but is called through a
+//! pointer to a constant (E36).
 
 use nalgebra::{DMatrix, Matrix3, Quaternion, UnitQuaternion, Vector3};
 
@@ -23,13 +23,13 @@ pub(in crate::chapter) const LISTING: Listing = Listing {
     errata: &["E26", "E36", "E60"],
 };
 
-/// A rigid body; a point mass has `inverse_inertia` 0, one that never moves `inverse_mass` 0 as
-/// well.
+/// A rigid body; a point mass has an `inverse_inertia` of 0, an immovable body also an
+/// `inverse_mass` of 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RigidBody {
-    /// The centre of mass (m, world).
+    /// The center of mass (m, world).
     pub position: Vector3<f64>,
-    /// Rotates body to world; nothing keeps it a unit but the end of Code 7.
+    /// Rotates body to world; only the end of Code 7 normalizes it.
     pub orientation: Quaternion<f64>,
     /// Velocity (m/s).
     pub linear_velocity: Vector3<f64>,
@@ -45,17 +45,17 @@ pub struct RigidBody {
     pub inverse_inertia: Matrix3<f64>,
 }
 
-/// How vectors are multiplied by matrices.
+/// The convention for multiplying vectors by matrices.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Vectors {
-    /// From the left, v T.
+    /// Row vectors, v T.
     Rows,
-    /// From the right, R v.
+    /// Column vectors, R v.
     Columns,
 }
 
 impl RigidBody {
-    /// A point mass (kg) at a place (m) with a velocity (m/s).
+    /// A point mass (kg) at a position (m) with a velocity (m/s).
     pub fn point(mass: f64, position: Vector3<f64>, velocity: Vector3<f64>) -> Self {
         RigidBody {
             position,
@@ -81,7 +81,7 @@ impl RigidBody {
         self.torque += torque;
     }
 
-    /// The matrix of the orientation for vectors of this kind.
+    /// The matrix of the orientation in this convention.
     pub fn orientation_matrix(&self, vectors: Vectors) -> Matrix3<f64> {
         let unit = UnitQuaternion::new_normalize(self.orientation);
         let columns = unit.to_rotation_matrix().into_inner();
@@ -105,7 +105,7 @@ impl RigidBody {
     }
 }
 
-/// The listing's inverse inertia in world axes, Tᵀ I⁻¹ T with the matrix T of vectors of this kind.
+/// The listing's inverse inertia in world axes, Tᵀ I⁻¹ T with the matrix T of this convention.
 pub fn printed(body: &RigidBody, vectors: Vectors) -> Matrix3<f64> {
     let orientation = body.orientation_matrix(vectors);
     orientation.transpose() * body.inverse_inertia * orientation

@@ -1,9 +1,9 @@
-//! Code 6: the iterative solver, of which the library has both forms.
+//! Code 6: the iterative solver; the library contains both forms.
 //!
-//! As printed it is [`Code6`], which clamps after the whole sweep (E06); corrected it is [`Pgs`],
-//! which clamps each row as it is updated. Here both take the dense matrices of the listings and
-//! make so many sweeps, whatever comes of it. The listing solves A x = b, its corrected form poses
-//! w = A x + b as the library does (E02).
+//! The printed form is [`Code6`], which clamps after the whole sweep (E06); the corrected form is
+//! [`Pgs`], which clamps each row as it is updated. Here both take the dense matrices of the
+//! listings and do a fixed number of sweeps. The listing solves A x = b; its corrected form uses
+//! w = A x + b like the library (E02).
 #![allow(non_snake_case)]
 
 use nalgebra::{DMatrix, DVector};
@@ -24,11 +24,11 @@ pub(in crate::chapter) const LISTING: Listing = Listing {
 /// The listing's number of sweeps.
 pub const SWEEPS: usize = 10;
 
-/// The listing: x of A x = b after so many sweeps from 0; bounds as the listing takes them, or
+/// The listing: x of A x = b after this number of sweeps from 0; with the listing's bounds, or
 /// none.
 ///
 /// # Errors
-/// If a number is not finite or a lower bound above its upper one.
+/// If a number is not finite or a lower bound exceeds its upper bound.
 pub fn printed(
     A: &DMatrix<f64>,
     b: &DVector<f64>,
@@ -39,10 +39,10 @@ pub fn printed(
     swept(Form::Printed, A, &-b, lo, hi, None, sweeps)
 }
 
-/// x of w = A x + b after so many sweeps from 0, each row clamped as it is updated.
+/// x of w = A x + b after this number of sweeps from 0, each row clamped as it is updated.
 ///
 /// # Errors
-/// As [`printed`].
+/// As for [`printed`].
 pub fn corrected(
     A: &DMatrix<f64>,
     b: &DVector<f64>,
@@ -53,10 +53,10 @@ pub fn corrected(
     swept(Form::Corrected, A, b, lo, hi, None, sweeps)
 }
 
-/// x of w = A x + b after so many sweeps of either form from `start`, or from 0.
+/// x of w = A x + b after this number of sweeps of either form from `start`, or from 0.
 ///
 /// # Errors
-/// As [`printed`].
+/// As for [`printed`].
 pub fn swept(
     form: Form,
     A: &DMatrix<f64>,

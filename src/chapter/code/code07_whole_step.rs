@@ -5,11 +5,11 @@
 //! corrected   w = A x + J u* + β/dt e,         u⁺ = u* + M⁻¹ Jᵀ x,   lo ≤ x ≤ hi
 //! ```
 //!
-//! Six things in it need correction, and a reader may choose the form of each: it returns before
-//! the step if there is no body or no constraint (E32); it adds the penalty e once for each body of
-//! a constraint (E33); β lacks 1/dt (E34); there are no bounds (E31); x is new and 0 in each frame
-//! (E12); and x has another sign than the comment above it says (E29, E30). It also lacks the
-//! gyroscopic torque (E26). In print dt is used and never declared (E36).
+//! Six things in it need correction, and each can be chosen separately: it returns before the step
+//! if there is no body or no constraint (E32); it adds the penalty e once for each body of a
+//! constraint (E33); β lacks 1/dt (E34); there are no bounds (E31); x starts from 0 in each frame
+//! (E12); and x has a different sign than the comment above it says (E29, E30). It also lacks the
+//! gyroscopic torque (E26). In print dt is used but never declared (E36).
 #![allow(non_snake_case)]
 
 use nalgebra::{DMatrix, DVector, Quaternion, Vector3};
@@ -39,22 +39,22 @@ pub struct World {
     pub bodies: Vec<RigidBody>,
     /// The constraints.
     pub constraints: Vec<Box<dyn Constraint>>,
-    /// x of the last step, in the sign of the form that took it; one entry a row.
+    /// x of the last step, in the sign of the form that computed it; one entry per row.
     pub x: Vec<f64>,
 }
 
-/// What bounds x.
+/// The bounds on x.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Limits {
-    /// Nothing, as printed.
+    /// None, as printed.
     Absent,
-    /// x ≥ 0 unless the constraint says that it is an equation: the advice beside the class.
+    /// x ≥ 0 unless the constraint declares itself an equation: the advice next to the class.
     ByIsEquality,
-    /// What each row says, as corrected.
+    /// The bounds of each row, as corrected.
     OfEachRow,
 }
 
-/// How the step is taken: each of its parts in one of its forms.
+/// A step with each of its parts in one of two forms.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WholeStep {
     /// Whether it returns early.
@@ -65,15 +65,15 @@ pub struct WholeStep {
     pub beta: Form,
     /// The bounds.
     pub limits: Limits,
-    /// Whether x starts from 0 or from the last step's.
+    /// Whether x starts from 0 or from the last step's x.
     pub start: Form,
     /// The sign of x.
     pub sign: Form,
-    /// Whether the gyroscopic torque is there.
+    /// Whether the gyroscopic torque is included.
     pub gyroscopic: Form,
     /// β.
     pub feedback: f64,
-    /// Sweeps of the solver.
+    /// The number of sweeps.
     pub sweeps: usize,
 }
 
@@ -91,7 +91,7 @@ impl WholeStep {
         sweeps: code06_solver::SWEEPS,
     };
 
-    /// What holds, for constraints whose J is ∂c/∂s.
+    /// The corrected step, for constraints whose J is ∂c/∂s.
     pub const CORRECTED: WholeStep = WholeStep {
         early_return: Form::Corrected,
         penalty: Form::Corrected,
@@ -124,7 +124,7 @@ impl WholeStep {
         Ok(())
     }
 
-    /// J, one block a constraint and body, and the penalties e.
+    /// J, one block per constraint and body, and the penalties e.
     fn constraints(&self, world: &World) -> (DMatrix<f64>, DVector<f64>) {
         let rows = world.constraints.iter().map(|constraint| constraint.dimension()).sum();
         let mut J = DMatrix::zeros(rows, 6 * world.bodies.len());
@@ -182,7 +182,7 @@ impl WholeStep {
         code06_solver::swept(solver, &A, &b, Some(&lo), Some(&hi), start, self.sweeps)
     }
 
-    /// What x may be in each row, in the sign of its form.
+    /// The bounds on x in each row, in the sign of its form.
     fn bounds(&self, world: &World) -> Vec<(f64, f64)> {
         let free = (f64::NEG_INFINITY, f64::INFINITY);
         let of = |constraint: &dyn Constraint| match self.limits {
@@ -227,8 +227,8 @@ pub fn gathered(bodies: &[RigidBody], gyroscopic: Form) -> Blocks {
     blocks
 }
 
-/// The last part: velocities and positions back into the bodies, quaternions of length 1, no
-/// forces.
+/// The last part: copies velocities and positions back into the bodies, normalizes quaternions, and
+/// clears forces.
 fn scatter(bodies: &mut [RigidBody], u: &DVector<f64>, s: &DVector<f64>) {
     let three = |from: &DVector<f64>, k: usize| Vector3::new(from[k], from[k + 1], from[k + 2]);
     for (i, body) in bodies.iter_mut().enumerate() {

@@ -1,12 +1,12 @@
-//! Code 8: the matrices of a step as a program reads, with operators in place of loops.
+//! Code 8: the matrices of a step as a program reads, with operators instead of loops.
 //!
 //! ```text
 //! A = J M⁻¹ Jᵀ,   b = J (u + dt M⁻¹ F),   to be solved for A x = b, then u⁺ = u* − M⁻¹ Jᵀ x
 //! ```
 //!
-//! That a formula can be written down as it stands is the listing's point, and it holds here too:
-//! the operators are nalgebra's. Its statements are in the wrong order, though, a dt is missing,
-//! and its velocities lie beside each other where Code 6 wants them in one column (E27, E49).
+//! The listing's point is that a formula can be written down directly, which holds here too: the
+//! operators are nalgebra's. But its statements are in the wrong order, a dt is missing, and its
+//! velocities are side by side where Code 6 needs them in one column (E27, E49).
 
 use nalgebra::DMatrix;
 
@@ -20,7 +20,7 @@ pub(in crate::chapter) const LISTING: Listing = Listing {
     errata: &["E27", "E49"],
 };
 
-/// The matrices handed to the solver of A x = b.
+/// The matrices passed to the solver of A x = b.
 #[derive(Debug, Clone, PartialEq)]
 pub struct System {
     /// n × n.
@@ -36,12 +36,12 @@ pub mod printed {
     use super::System;
 
     /// A and b of m bodies under n constraints. `inverse_mass` is m × m; `velocity` and `force`
-    /// have a body a row, 6 wide; `jacobian` (n × m) is what J is filled with.
+    /// have one row of 6 per body; `jacobian` (n × m) is the content of J.
     ///
-    /// The transpose is taken of the empty J, before the data come in: Jᵀ, and with it A, is 0.
+    /// The listing transposes the empty J before it is filled: Jᵀ, and therefore A, is 0.
     ///
     /// # Panics
-    /// If the sizes do not fit.
+    /// If the sizes do not match.
     pub fn system(
         inverse_mass: &DMatrix<f64>,
         velocity: &DMatrix<f64>,
@@ -68,7 +68,7 @@ pub mod corrected {
     /// `velocity` and `force` are 6m × 1, `jacobian` is n × 6m. K&M (15), in the sign of Code 4.
     ///
     /// # Panics
-    /// If the sizes do not fit.
+    /// If the sizes do not match.
     pub fn system(
         inverse_mass: &DMatrix<f64>,
         velocity: &DMatrix<f64>,

@@ -1,12 +1,12 @@
-//! Codes 9 and 10: a dense matrix of floats with checks, row after row in one piece of memory.
+//! Codes 9 and 10: a dense matrix of floats with checks, stored row by row.
 //!
-//! Code 9 has the three members and nothing else; Code 10 adds constructor, destructor and access.
-//! What its assertions stop is an [`Error`](crate::error::Error) here, so that a program can show
+//! Code 9 has only the three members; Code 10 adds constructor, destructor and access. A failed
+//! assertion of the listing is an [`Error`](crate::error::Error) here, so that a program can show
 //! it.
 //!
-//! One fault of Code 10 cannot be built in safe Rust: the class owns a raw pointer and says nothing
-//! of copies, so a copy shares the memory and the destructors free it twice (E51). A `Vec` is moved
-//! or cloned, never shared by accident.
+//! One fault of Code 10 cannot be reproduced in safe Rust: the class owns a raw pointer and does
+//! not define copying, so a copy shares the memory and the destructors free it twice (E51). A `Vec`
+//! is moved or cloned, never shared by accident.
 
 use super::Listing;
 
@@ -32,10 +32,10 @@ pub(in crate::chapter) const ACCESS: Listing = Listing {
 pub mod printed {
     use crate::error::{Error, Result};
 
-    /// Sizes from here on are refused: the assertion says `< 500`, the words "greater than 500".
+    /// Sizes from this on are rejected: the assertion says `< 500`, the text "greater than 500".
     pub const LIMIT: i32 = 500;
 
-    /// Code 9: the members, open to everyone.
+    /// Code 9: the members, all public.
     #[derive(Debug, Clone, PartialEq, Default)]
     pub struct RawMatrix {
         /// Rows × columns entries.
@@ -46,16 +46,16 @@ pub mod printed {
         pub num_cols: i32,
     }
 
-    /// Code 10: the same behind functions.
+    /// Code 10: the same with access functions.
     #[derive(Debug, PartialEq)] // not `Clone`: the listing has no copy that works
     pub struct DenseMatrix(RawMatrix);
 
     impl DenseMatrix {
-        /// A matrix of this size with these entries by rows, or of zeros.
+        /// A matrix of this size with these entries by rows, or with zeros.
         ///
         /// # Errors
-        /// What the listing asserts: sizes below 0 or from [`LIMIT`] on, and a size of 0 beside one
-        /// that is not; also what it leaves to chance, data of another length.
+        /// The listing's assertions: sizes below 0 or from [`LIMIT`] on, and only one size of 0;
+        /// also data of a different length, which the listing does not check.
         pub fn new(num_rows: i32, num_cols: i32, data: Option<&[f32]>) -> Result<Self> {
             let stop = |place: &str, reason: String| Err(Error::invalid("Code 10", place, reason));
             for (place, size) in [("numRows", num_rows), ("numCols", num_cols)] {
@@ -87,21 +87,21 @@ pub mod printed {
         /// An entry.
         ///
         /// # Errors
-        /// If there is no such place.
+        /// If the position does not exist.
         pub fn get(&self, row: i32, col: i32) -> Result<f32> {
             Ok(self.0.data[self.data_index(row, col)?])
         }
 
-        /// An entry to be written.
+        /// A mutable entry.
         ///
         /// # Errors
-        /// If there is no such place.
+        /// If the position does not exist.
         pub fn set(&mut self, row: i32, col: i32) -> Result<&mut f32> {
             let index = self.data_index(row, col)?;
             Ok(&mut self.0.data[index])
         }
 
-        /// Where an entry lies: col + columns · row.
+        /// The index of an entry: col + columns · row.
         fn data_index(&self, row: i32, col: i32) -> Result<usize> {
             let RawMatrix { num_rows, num_cols, .. } = self.0;
             if !(0..num_rows).contains(&row) || !(0..num_cols).contains(&col) {
@@ -113,11 +113,11 @@ pub mod printed {
     }
 }
 
-/// The class without limits of its own, open to sizes of 0, and safe to copy.
+/// The class without arbitrary limits, with sizes of 0, and safe to copy.
 pub mod corrected {
     use crate::error::{Error, Result};
 
-    /// A dense matrix of floats, row after row.
+    /// A dense matrix of floats, stored row by row.
     #[derive(Debug, Clone, PartialEq)]
     pub struct DenseMatrix {
         data: Vec<f32>,
@@ -126,7 +126,7 @@ pub mod corrected {
     }
 
     impl DenseMatrix {
-        /// Zeros; either size may be 0, as that of a J without active rows is.
+        /// A matrix of zeros; either size may be 0, such as that of a J without active rows.
         ///
         /// ```
         /// use lcplab::chapter::code::code09_10_dense_matrix::corrected::DenseMatrix;
@@ -138,10 +138,10 @@ pub mod corrected {
             DenseMatrix { data: vec![0.0; num_rows * num_cols], num_rows, num_cols }
         }
 
-        /// These entries by rows.
+        /// A matrix with these entries by rows.
         ///
         /// # Errors
-        /// If there are not rows × columns of them.
+        /// If their number is not rows × columns.
         pub fn new(num_rows: usize, num_cols: usize, data: &[f32]) -> Result<Self> {
             let size = num_rows * num_cols;
             if data.len() != size {
@@ -161,12 +161,12 @@ pub mod corrected {
             self.num_cols
         }
 
-        /// The entry, if there is such a place.
+        /// The entry, if the position exists.
         pub fn get(&self, row: usize, col: usize) -> Option<f32> {
             self.index(row, col).map(|index| self.data[index])
         }
 
-        /// The entry to be written, if there is such a place.
+        /// The mutable entry, if the position exists.
         pub fn get_mut(&mut self, row: usize, col: usize) -> Option<&mut f32> {
             self.index(row, col).map(|index| &mut self.data[index])
         }

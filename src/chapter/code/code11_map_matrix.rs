@@ -1,8 +1,9 @@
 //! Code 11: a sparse matrix as a map of rows, each a map from column to entry.
 //!
-//! `std::map` is a `BTreeMap` here. The listing clears nothing (E52), reads its data column by
-//! column where Code 10 reads row by row (E53), and keeps every entry that was ever touched (E54).
-//! That a product of three is no valid C++ (E55) has no counterpart: Rust lends a temporary.
+//! `std::map` becomes a `BTreeMap` here. The listing clears nothing (E52), reads its data column by
+//! column where Code 10 reads row by row (E53), and keeps every entry that was ever accessed (E54).
+//! Its product of three matrices is invalid C++ (E55); this has no counterpart, because Rust can
+//! borrow a temporary.
 
 use std::collections::BTreeMap;
 
@@ -41,7 +42,7 @@ pub mod printed {
     use super::Rows;
     use crate::error::{Error, Result};
 
-    /// Sizes from here on are refused.
+    /// Sizes from this on are rejected.
     pub const LIMIT: usize = 1501;
 
     /// A map of maps.
@@ -56,8 +57,8 @@ pub mod printed {
         /// A matrix of this size, filled from `data`, which is read column by column.
         ///
         /// # Errors
-        /// What the listing asserts: sizes from [`LIMIT`] on, and a size of 0 beside one that is
-        /// not; also what it leaves to chance, data of another length.
+        /// The listing's assertions: sizes from [`LIMIT`] on, and only one size of 0; also data of
+        /// a different length, which the listing does not check.
         pub fn new(num_rows: usize, num_cols: usize, data: Option<&[f32]>) -> Result<Self> {
             let stop = |place: &str, reason: String| Err(Error::invalid("Code 11", place, reason));
             for (place, size) in [("numRows", num_rows), ("numCols", num_cols)] {
@@ -82,31 +83,31 @@ pub mod printed {
             Ok(matrix)
         }
 
-        /// The entry, 0 where none is stored.
+        /// The entry, 0 if none is stored.
         ///
         /// # Errors
-        /// If there is no such place.
+        /// If the position does not exist.
         pub fn get(&self, row: usize, col: usize) -> Result<f32> {
             self.check(row, col)?;
             Ok(super::entry(&self.rows, row, col))
         }
 
-        /// The entry to be written; it is stored from now on, whatever is written, or read.
+        /// A mutable entry; accessing it stores it, whatever is written or read.
         ///
         /// # Errors
-        /// If there is no such place.
+        /// If the position does not exist.
         pub fn set(&mut self, row: usize, col: usize) -> Result<&mut f32> {
             self.check(row, col)?;
             Ok(self.rows.entry(row).or_default().entry(col).or_default())
         }
 
-        /// Does nothing: `empty()` of a map asks whether it is empty. The answer, which the listing
-        /// throws away, is returned here.
+        /// Does nothing: `empty()` of a map tests whether it is empty. The result, which the
+        /// listing discards, is returned here.
         pub fn set_to_zero(&mut self) -> bool {
             self.rows.is_empty()
         }
 
-        /// How many entries are stored.
+        /// The number of stored entries.
         pub fn stored(&self) -> usize {
             super::stored(&self.rows)
         }
@@ -121,12 +122,12 @@ pub mod printed {
     }
 }
 
-/// The same idea with the faults taken out.
+/// The same idea without the faults.
 pub mod corrected {
     use super::Rows;
     use crate::error::{Error, Result};
 
-    /// A map of maps that holds what is not zero.
+    /// A map of maps that stores only nonzero entries.
     #[derive(Debug, Clone, PartialEq)]
     pub struct MapMatrix {
         rows: Rows,
@@ -135,15 +136,15 @@ pub mod corrected {
     }
 
     impl MapMatrix {
-        /// Zeros; either size may be 0.
+        /// A matrix of zeros; either size may be 0.
         pub fn zeros(num_rows: usize, num_cols: usize) -> Self {
             MapMatrix { rows: Rows::new(), num_rows, num_cols }
         }
 
-        /// These entries by rows.
+        /// A matrix with these entries by rows.
         ///
         /// # Errors
-        /// If there are not rows × columns of them.
+        /// If their number is not rows × columns.
         ///
         /// ```
         /// use lcplab::chapter::code::code11_map_matrix::corrected::MapMatrix;
@@ -164,15 +165,15 @@ pub mod corrected {
             Ok(matrix)
         }
 
-        /// The entry, 0 where none is stored.
+        /// The entry, 0 if none is stored.
         pub fn get(&self, row: usize, col: usize) -> f32 {
             super::entry(&self.rows, row, col)
         }
 
-        /// Writes an entry; a zero takes it out.
+        /// Writes an entry; a zero removes it.
         ///
         /// # Errors
-        /// If there is no such place.
+        /// If the position does not exist.
         pub fn set(&mut self, row: usize, col: usize, value: f32) -> Result<()> {
             if row >= self.num_rows || col >= self.num_cols {
                 let reason = format!("outside {} × {}", self.num_rows, self.num_cols);
@@ -189,17 +190,17 @@ pub mod corrected {
             Ok(())
         }
 
-        /// Makes every entry 0.
+        /// Sets every entry to 0.
         pub fn set_to_zero(&mut self) {
             self.rows.clear();
         }
 
-        /// How many entries are stored.
+        /// The number of stored entries.
         pub fn stored(&self) -> usize {
             super::stored(&self.rows)
         }
 
-        /// How many nodes hold them in memory: one a row that has entries, one an entry.
+        /// The number of map nodes in memory: one per nonempty row, one per entry.
         pub fn nodes(&self) -> usize {
             self.rows.len() + self.stored()
         }

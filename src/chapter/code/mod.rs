@@ -1,9 +1,9 @@
-//! The chapter's listings in Rust, each as printed beside its corrected form.
+//! The chapter's listings in Rust, each as printed and corrected.
 //!
-//! A file follows its listing line by line where the listing computes something, in f64 and on
-//! nalgebra's dense matrices: these are specimens, small and slow. What is printed keeps the
-//! listing's own signs; what is corrected has those of the library: J = ∂c/∂s, w = A x + b, u⁺ =
-//! u* + M⁻¹ Jᵀ x, and x ≥ 0 pushes.
+//! A file follows its listing line by line where the listing computes something, in f64 and with
+//! nalgebra's dense matrices; this code is for demonstration, small and slow. Printed forms keep
+//! the listing's signs; corrected forms have those of the library: J = ∂c/∂s, w = A x + b,
+//! u⁺ = u* + M⁻¹ Jᵀ x, and x ≥ 0 pushes.
 
 pub mod code01_unconstrained_step;
 pub mod code02_constrained_step;
@@ -17,27 +17,27 @@ pub mod code09_10_dense_matrix;
 pub mod code11_map_matrix;
 pub mod constraint_class;
 
-/// Which form of a listing, or of one of its lines.
+/// The form of a listing, or of one of its lines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
-    /// As it is printed.
+    /// As printed.
     Printed,
-    /// As it holds.
+    /// Corrected.
     Corrected,
 }
 
 /// A listing of the chapter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Listing {
-    /// Its number: `Code 6`; of a piece without one its name.
+    /// Its number, such as `Code 6`; for a piece without number, its name.
     pub id: &'static str,
-    /// What it is, in a line.
+    /// A one-line description.
     pub title: &'static str,
     /// What is printed, in our own words; plain text.
     pub printed: &'static str,
-    /// What is corrected; plain text.
+    /// The correction; plain text.
     pub corrected: &'static str,
-    /// The errata about it, in order.
+    /// The related errata, in order.
     pub errata: &'static [&'static str],
 }
 
@@ -58,7 +58,7 @@ pub const LISTINGS: &[Listing] = &[
     code11_map_matrix::OPERATORS,
 ];
 
-/// The listing of this number or name, if there is one.
+/// The listing with this number or name, if there is one.
 ///
 /// ```
 /// use lcplab::chapter::code;

@@ -1,4 +1,4 @@
-//! What several exhibits share: small problems, sweep after sweep, checked products, pictures.
+//! Helpers of the exhibits: small problems, iterates of sweeps, checked products, figures.
 
 use std::ops::ControlFlow;
 
@@ -22,12 +22,12 @@ pub(super) fn equations(a: &[f64], b: &[f64]) -> Result<Lcp> {
     bounded(Matrix::dense(b.len(), a), b, f64::NEG_INFINITY)
 }
 
-/// The problem with this lower bound in all rows, and no upper one.
+/// The problem with this lower bound in all rows, and no upper bound.
 pub(super) fn bounded(a: Matrix, b: &[f64], lo: f64) -> Result<Lcp> {
     Lcp::new(a, b.to_vec(), vec![lo; b.len()], vec![f64::INFINITY; b.len()])
 }
 
-/// tridiag(−1, 2, −1) with this first diagonal entry: a chain for 2, a column on the ground for 1.
+/// tridiag(−1, 2, −1) with this first diagonal entry: 2 for a chain, 1 for a column on the ground.
 pub(super) fn tridiagonal(n: usize, first: f64) -> Matrix {
     let diagonal = (0..n).map(|i| (i, i, if i == 0 { first } else { 2.0 }));
     let beside = (1..n).flat_map(|i| [(i, i - 1, -1.0), (i - 1, i, -1.0)]);
@@ -40,12 +40,12 @@ pub(super) fn enumerated(lcp: &Lcp) -> Vec<Vec<f64>> {
     solutions.iter().map(|x| x.iter().map(|x| x.to_f64().value()).collect()).collect()
 }
 
-/// The answer of a solver from 0.
+/// A solver's answer, starting from 0.
 pub(super) fn answer(solver: &str, lcp: &Lcp) -> Result<Vec<f64>> {
     Ok(by_name(solver, &Options::default())?.solve(lcp, &Start::default(), &mut ()).x)
 }
 
-/// The iterates of so many sweeps, the start first; no test ends them early. Jacobi is undamped.
+/// The iterates of this number of sweeps, the start first, without a stop test. Jacobi is undamped.
 pub(super) fn sweeps(
     solver: &str,
     lcp: &Lcp,
@@ -73,7 +73,7 @@ impl Observer for Kept {
     }
 }
 
-/// The entry that is largest in size.
+/// The entry with the largest absolute value.
 pub(super) fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().map(f64::abs).fold(0.0, f64::max)
 }
@@ -83,7 +83,7 @@ pub(super) fn last(iterates: Vec<Vec<f64>>) -> Vec<f64> {
     iterates.into_iter().next_back().unwrap_or_default()
 }
 
-/// A B by columns, unless the shapes forbid it.
+/// A B by columns, or why the shapes do not match.
 pub(super) fn product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> Outcome {
     let ((m, k), (l, n)) = (a.shape(), b.shape());
     if k != l {
@@ -108,7 +108,7 @@ pub(super) fn jacobian(constraint: &dyn Constraint, body: &State) -> Result<DMat
     Ok(DMatrix::from_fn(rows.len(), 6, |i, k| rows[i].jacobian[1][k]))
 }
 
-/// The rank by singular values.
+/// The rank, computed from singular values.
 pub(super) fn rank(j: &DMatrix<f64>) -> f64 {
     j.rank(1e-9) as f64
 }
@@ -119,7 +119,7 @@ pub(super) fn curves(id: &str, words: [&str; 2], x: Axis, y: Axis, series: Vec<S
     Lines { id: id.into(), title, caption, x, panels: vec![Panel { y, series }] }
 }
 
-/// Values as points that lie so far apart, the first at 0.
+/// Values as points with this spacing, the first at 0.
 pub(super) fn spaced(values: &[f64], spacing: f64) -> Vec<(f64, f64)> {
     values.iter().enumerate().map(|(k, &value)| (k as f64 * spacing, value)).collect()
 }

@@ -8,7 +8,7 @@ use crate::lcp::{Lcp, Matrix};
 const LOWER: f64 = 0.0;
 const UPPER: f64 = 10.0;
 
-/// A reading of (1): whether it accepts x with its y.
+/// One reading of (1): whether it accepts x with its y.
 type Reading = fn(f64, f64) -> bool;
 
 fn implies(condition: bool, consequence: bool) -> bool {
@@ -34,7 +34,7 @@ fn corrected(x: f64, y: f64) -> bool {
         && implies(LOWER < x && x < UPPER, y == 0.0)
 }
 
-/// One row inside its limits, one that is degenerate, one at its upper limit.
+/// One row inside its limits, one degenerate, one at its upper limit.
 pub(super) fn example() -> Result<Finding> {
     let rows: [(&str, Reading, f64, bool); 4] = [
         ("y = 2x − 4", printed, -4.0, false),

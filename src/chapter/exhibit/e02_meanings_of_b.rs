@@ -4,7 +4,7 @@ use super::common::{answer, contacts, enumerated, last};
 use super::{Finding, Measure};
 use crate::error::Result;
 
-/// The b of (1) given to a solver of A x = b, as it stands and with its sign turned.
+/// The b of (1) given to a solver of A x = b, unchanged and with the opposite sign.
 pub(super) fn example() -> Result<Finding> {
     let (a, b) = ([2.0, -1.0, -1.0, 2.0], [-1.0, 2.0]);
     let negated = b.map(|b| -b);

@@ -45,7 +45,8 @@ pub(super) fn example() -> Result<Finding> {
     .plot(&both_merits()?))
 }
 
-/// Both tests, sweep after sweep, where the solution x = (3, 2, 0) is approached by ½ a sweep.
+/// Both tests after each sweep, for a solution x = (3, 2, 0) that is approached by the factor ½ per
+/// sweep.
 fn both_merits() -> Result<Lines> {
     let a = [1.0, -1.0, 0.0, -1.0, 2.0, -1.0, 0.0, -1.0, 2.0];
     let lcp = contacts(&a, &[-1.0, -1.0, 3.0])?;

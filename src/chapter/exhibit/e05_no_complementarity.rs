@@ -19,7 +19,7 @@ fn count(lcp: &Lcp, tried: &[Vec<f64>], accepts: fn(&Lcp, &[f64]) -> bool) -> f6
     tried.iter().filter(|x| accepts(lcp, x)).count() as f64
 }
 
-/// One row and two; among the x that are tried is the solution.
+/// One row and two; the solution is among the x that are tried.
 pub(super) fn example() -> Result<Finding> {
     let one = contacts(&[2.0], &[-4.0])?;
     let two = contacts(&[2.0, -1.0, -1.0, 2.0], &[-1.0, 3.0])?;

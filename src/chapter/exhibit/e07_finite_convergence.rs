@@ -1,4 +1,4 @@
-//! E07: "converge finitely", in hundreds of sweeps at most.
+//! E07: "converge finitely", in at most hundreds of sweeps.
 
 use dashu_ratio::RBig;
 
@@ -9,7 +9,7 @@ use crate::plot::{Axis, Lines, Series};
 use crate::solver::theory::sweeps_to;
 
 const RODS: usize = 50;
-/// When the slowest part of the error is all that is left of it.
+/// The number of sweeps after which only the slowest error component is left.
 const SETTLED: usize = 1000;
 
 /// Two rows in fractions, a chain of fifty in sweeps.
@@ -37,7 +37,7 @@ fn rho() -> f64 {
     (std::f64::consts::PI / (RODS + 1) as f64).cos().powi(2)
 }
 
-/// 1 − x₂ after so many sweeps of x₁ ← (1 + x₂)/2, x₂ ← (1 + x₁)/2, without rounding.
+/// 1 − x₂ after this number of sweeps of x₁ ← (1 + x₂)/2, x₂ ← (1 + x₁)/2, in exact arithmetic.
 fn exact_error(sweeps: usize) -> f64 {
     let mut x = RBig::ZERO;
     for _ in 0..2 * sweeps {
@@ -46,7 +46,7 @@ fn exact_error(sweeps: usize) -> f64 {
     (RBig::ONE - x).to_f64().value()
 }
 
-/// The largest error of the chain after each sweep, its solution taken from A⁻¹ in closed form.
+/// The largest error of the chain after each sweep, with the solution from A⁻¹ in closed form.
 fn chain_errors() -> Result<Vec<f64>> {
     let lcp = bounded(tridiagonal(RODS, 2.0), &[-1.0; RODS], f64::NEG_INFINITY)?;
     let solution: Vec<f64> = (1..=RODS).map(|i| (i * (RODS + 1 - i)) as f64 / 2.0).collect();

@@ -9,10 +9,10 @@ use crate::error::Result;
 use crate::plot::{Axis, Lines, Series};
 
 const SWEEPS: usize = 4000;
-/// A shift of forces that the box does not feel.
+/// A redistribution of forces that has no effect on the box.
 const NULL: [f64; 4] = [1.0, -1.0, -1.0, 1.0];
 
-/// A cube on its corners, whose weight is to be held, and one corner alone to be lifted.
+/// A cube on its corners: its weight is supported, and one corner alone is lifted.
 pub(super) fn example() -> Result<Finding> {
     let j = jacobian();
     let a = delassus(&j);

@@ -1,4 +1,4 @@
-//! E11: solving told as inverting.
+//! E11: solving described as inverting.
 
 use nalgebra::{DMatrix, Matrix2};
 

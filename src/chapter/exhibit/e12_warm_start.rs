@@ -10,10 +10,10 @@ use crate::plot::{Axis, Series};
 const BODIES: usize = 10;
 const FRAMES: usize = 100;
 const SWEEPS: usize = 10;
-/// What gravity adds to the velocity in a frame (m/s), and the impulse (N s) that holds one body.
+/// The velocity that gravity adds in a frame (m/s), and the impulse (N s) that supports one body.
 const STEP: f64 = G * DT;
 
-/// The floor's part of the weight of ten bodies at rest, frame by frame.
+/// The fraction of the weight of ten resting bodies that the floor supports, frame by frame.
 pub(super) fn example() -> Result<Finding> {
     let mut b = [0.0; BODIES];
     b[0] = -STEP; // only the lowest contact closes when all fall alike
@@ -54,7 +54,8 @@ pub(super) fn example() -> Result<Finding> {
     .plot(&lines))
 }
 
-/// The part of the weight at the floor after each frame; each starts from what is left of the last.
+/// The fraction of the weight at the floor after each frame; each frame starts from what `start`
+/// keeps of the last x.
 fn frames(lcp: &Lcp, start: impl Fn(&[f64]) -> Vec<f64>) -> Result<Vec<f64>> {
     let mut x = vec![0.0; BODIES];
     (0..FRAMES)

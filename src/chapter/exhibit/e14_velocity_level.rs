@@ -16,7 +16,7 @@ use crate::solver::{Options, by_name};
 
 const START: Swing<1> = Swing { angles: [0.7], rates: [1.3] };
 
-/// A pendulum's pull, a blow, and a rod that no force can hold.
+/// A pendulum's tension, an impact, and a rod that no force can hold.
 pub(super) fn example() -> Result<Finding> {
     let pull = -(G * START.angles[0].cos() + START.rates[0].powi(2));
     let step = |scheme| Ok::<f64, Error>(forces(scheme, 0.01, 1)?[0]);
@@ -42,7 +42,7 @@ pub(super) fn example() -> Result<Finding> {
     .plot(&pull_over_time()?))
 }
 
-/// The normal push on the end of Painlevé's rod.
+/// The normal force on the end of Painlevé's rod.
 fn painleve() -> Result<Measure> {
     let tan = 3f64.sqrt();
     let given = [("mu", 1.8), ("tan", tan)];
@@ -61,7 +61,7 @@ fn painleve() -> Result<Measure> {
     Ok(x.truth(&[truth], "the end sticks", 1e-9))
 }
 
-/// λ (N) in each of so many steps; at velocity level x/dt.
+/// λ (N) in each step; at velocity level x/dt.
 fn forces(scheme: Scheme, dt: f64, steps: usize) -> Result<Vec<f64>> {
     let mut scene = Scene::load("pendulum")?;
     (scene.step.scheme, scene.step.dt) = (scheme, dt);
@@ -82,8 +82,8 @@ fn forces(scheme: Scheme, dt: f64, steps: usize) -> Result<Vec<f64>> {
     (0..steps).map(|_| force()).collect()
 }
 
-/// The pull over two seconds: along a run of velocity-level steps, exact, and in single steps that
-/// start from the exact motion.
+/// The tension over two seconds: along a run of velocity-level steps, exact, and in single steps
+/// from the exact motion.
 fn pull_over_time() -> Result<Lines> {
     let (dt, pendulum) = (0.02, Pendulum { length: 1.0, gravity: G });
     let mut swing = START;

@@ -7,7 +7,7 @@ use super::common::product;
 use super::{Finding, Measure};
 use crate::error::Result;
 
-/// The height of a point on a body that rises and turns.
+/// The height of a point on a body that rises and rotates.
 pub(super) fn example() -> Result<Finding> {
     let (r, n) = (Vector3::new(0.0, 0.5, 0.2), Vector3::z());
     let (v, omega) = (Vector3::new(0.0, 0.0, 0.3), Vector3::new(2.0, 0.0, 0.0));
@@ -15,7 +15,7 @@ pub(super) fn example() -> Result<Finding> {
     let (j_v, j_omega) = (row(n), row(r.cross(&n)));
     let u = DMatrix::from_column_slice(6, 1, &[v.as_slice(), omega.as_slice()].concat());
     let corrected = (&j_v * v + &j_omega * omega)[0];
-    // t = 0 + ε: the derivative of the height along the motion, without rounding or difference.
+    // t = 0 + ε: the exact derivative of the height along the motion.
     let t = Dual64::new(0.0, 1.0);
     let angle = t * omega.x;
     let height = t * v.z + angle.sin() * r.y + angle.cos() * r.z;

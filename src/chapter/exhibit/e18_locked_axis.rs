@@ -1,4 +1,4 @@
-//! E18: which plane is left when z is blocked.
+//! E18: which plane remains when z is blocked.
 
 use super::common::{answer, equations};
 use super::{Finding, Measure};

@@ -7,14 +7,14 @@ use super::setting::{DT, G};
 use super::{Finding, Measure};
 use crate::error::Result;
 
-/// Two bodies that are pressed apart, and a ball on the floor.
+/// Two bodies that are pushed apart, and a ball on the floor.
 pub(super) fn example() -> Result<Finding> {
     let (j, lambda) =
         (DMatrix::from_row_slice(1, 2, &[-1.0, 1.0]), DMatrix::from_element(1, 1, 3.0));
     let forces =
         Measure::new("forces", "N", product(&j, &lambda), product(&j.transpose(), &lambda));
     let unconstrained = -1.0 - G * DT;
-    // w = A x + b = 0 with A = 1; the printed line is A x = J u*, so its b is −J u*.
+    // w = A x + b = 0 with A = 1; the printed equation is A x = J u*, so its b is −J u*.
     let next = |b: f64| -> Result<f64> {
         Ok(unconstrained + answer("dantzig", &equations(&[1.0], &[b])?)?[0])
     };

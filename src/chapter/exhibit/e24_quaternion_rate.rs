@@ -9,7 +9,7 @@ use crate::error::Result;
 const STEPS: usize = 1000;
 const DT: f64 = 1e-3;
 
-/// A body that turns at a constant rate for a second.
+/// A body that rotates at a constant rate for a second.
 pub(super) fn example() -> Result<Finding> {
     let omega = Vector3::new(0.3, -1.1, 0.7);
     let (mut q, mut rate) = (Quaternion::identity(), Quaternion::from_imag(Vector3::zeros()));

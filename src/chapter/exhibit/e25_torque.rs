@@ -6,7 +6,7 @@ use crate::error::Result;
 const STEPS: usize = 100;
 const DT: f64 = 0.01;
 
-/// A wheel that is driven, and one that is left alone; about a fixed axis ω × I ω = 0.
+/// A wheel with a torque, and one without; about a fixed axis ω × I ω = 0.
 pub(super) fn example() -> Result<Finding> {
     let inertia = 2.0;
     let turned = |start: f64, push: &dyn Fn(f64) -> f64| {

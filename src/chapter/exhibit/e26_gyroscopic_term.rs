@@ -12,7 +12,7 @@ const MOMENTS: [f64; 3] = [2.0, 3.0, 4.0];
 const RATES: [f64; 3] = [0.5, 5.0, 0.5];
 const DT: f64 = 1e-3;
 
-/// A free body that turns about its middle axis, a little disturbed.
+/// A free body that rotates about its middle axis with a small disturbance.
 pub(super) fn example() -> Result<Finding> {
     let printed = Tumble::new(Gyroscopic::Omitted, 3000);
     let corrected = Tumble::new(Gyroscopic::Explicit, 3000);
@@ -39,7 +39,8 @@ pub(super) fn example() -> Result<Finding> {
     .plot(&momentum_over_time(&printed, &corrected)))
 }
 
-/// When the rate about the middle axis passes 0 (s), between two steps by a straight line.
+/// The time when the rate about the middle axis passes 0 (s), interpolated linearly between two
+/// steps.
 fn flip(rates: &[Vector3<f64>]) -> Outcome {
     match rates.windows(2).position(|pair| pair[1].y < 0.0) {
         Some(k) => Outcome::from(DT * (k as f64 + rates[k].y / (rates[k].y - rates[k + 1].y))),

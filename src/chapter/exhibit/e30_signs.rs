@@ -1,4 +1,4 @@
-//! E30: three systems of signs side by side, K&M (10), (15), (23), (34), (44) and Code 7.
+//! E30: three sign conventions side by side, K&M (10), (15), (23), (34), (44) and Code 7.
 
 use super::common::contacts;
 use super::setting::{one, single};
@@ -7,7 +7,7 @@ use crate::chapter::code::code06_solver as code06;
 use crate::document::notation::vector;
 use crate::error::Result;
 
-/// The signs of a contact between a unit mass and the ground.
+/// The sign convention of a contact between a unit mass and the ground.
 #[derive(Clone, Copy, PartialEq)]
 struct Signs {
     /// J as a multiple of ∂c/∂s.
@@ -20,14 +20,14 @@ struct Signs {
     is_positive: bool,
 }
 
-/// The library's own.
+/// The library's convention.
 const CORRECTED: Signs = Signs { jacobian: 1.0, offset: 1.0, step: 1.0, is_positive: true };
 /// Code 7 with the contact of (42).
 const CODE_7: Signs = Signs { offset: -1.0, step: -1.0, ..CORRECTED };
 /// The step of Figure 4 with the contact of (42).
 const FIGURE_4: Signs = Signs { offset: -1.0, ..CORRECTED };
 
-/// Where combinations come from.
+/// The sources of combinations.
 const KNOWN: [(Signs, &str); 6] = [
     (CORRECTED, "(10), (15) with (42); this library"),
     (CODE_7, "Code 7 with (42)"),
@@ -38,7 +38,7 @@ const KNOWN: [(Signs, &str); 6] = [
 ];
 
 impl Signs {
-    /// All of them.
+    /// All combinations.
     fn all() -> impl Iterator<Item = Signs> {
         (0..16).map(|k| {
             let sign = |bit: u32| if k >> bit & 1 == 0 { 1.0 } else { -1.0 };
@@ -54,14 +54,14 @@ impl Signs {
         Ok(code06::corrected(&one(1.0), &b, lo, hi, 1)?[0])
     }
 
-    /// u⁺ of a body that approaches at 1 m/s, and of one that parts at 1 m/s.
+    /// u⁺ of a body that approaches at 1 m/s, and of one that separates at 1 m/s.
     fn speeds(self) -> Result<[f64; 2]> {
         let after =
             |free: f64| -> Result<f64> { Ok(free + self.step * self.jacobian * self.x(free)?) };
         Ok([after(-1.0)?, after(1.0)?])
     }
 
-    /// A line of the ledger.
+    /// A row of the table.
     fn row(self) -> Result<Vec<String>> {
         let sign = |value: f64| if value > 0.0 { "" } else { "−" };
         let speeds = self.speeds()?;
@@ -78,10 +78,11 @@ impl Signs {
     }
 }
 
-/// The ground stops what comes and lets go what leaves (m/s).
+/// The correct result: the ground stops an approaching body and does not hold a separating one
+/// (m/s).
 const HOLDS: [f64; 2] = [0.0, 1.0];
 
-/// One contact in all sixteen ways.
+/// One contact with all sixteen combinations.
 pub(super) fn example() -> Result<Finding> {
     let mut finding = Finding::new(
         "A body of 1 kg touches the ground, once approaching at 1 m/s, once parting at 1 m/s; no forces. \

@@ -1,4 +1,4 @@
-//! E31: bounds that no one sets, K&M Code 7 and IsEquality.
+//! E31: bounds that are never set, K&M Code 7 and IsEquality.
 
 use nalgebra::Vector3;
 
@@ -9,7 +9,7 @@ use crate::chapter::code::code07_whole_step::{Limits, WholeStep};
 use crate::chapter::code::constraint_class::Joint;
 use crate::error::Result;
 
-/// A body that parts from the ground, and a nail that keeps the default.
+/// A body that separates from the ground, and a nail that keeps the default.
 pub(super) fn example() -> Result<Finding> {
     let corrected = WholeStep::CORRECTED;
     let parting = |step: &WholeStep| -> Result<(f64, f64)> {

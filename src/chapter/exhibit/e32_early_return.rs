@@ -11,17 +11,17 @@ use crate::chapter::code::constraint_class::Joint;
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Panel, Series};
 
-/// The frames without a constraint.
+/// The number of frames without a constraint.
 const FRAMES: usize = 60;
 
-/// What a form makes of the falling ball: its heights (m), and what was seen at the turn.
+/// The falling ball in one form: its heights (m), and its state when the constraint is added.
 struct Fall {
     heights: Vec<f64>,
     force: f64,
     gained: f64,
 }
 
-/// A ball falls beside another body, which is nailed after 60 frames.
+/// A ball falls next to another body, which is nailed after 60 frames.
 fn fall(form: Form) -> Result<Fall> {
     let weigh = |bodies: &mut [RigidBody]| bodies[0].force.z -= G;
     let mut world = world(vec![point(10.0, 0.0), point(0.0, 0.0)], Vec::new());

@@ -18,7 +18,7 @@ pub(super) fn example() -> Result<Finding> {
         let measure = Measure::new(words, "", of(Form::Printed)?, of(Form::Corrected)?);
         Ok(measure.truth(&[1.0 - beta], "1 − β", 1e-12))
     };
-    // As printed in all but the place of the penalty: β is then a rate.
+    // As printed in everything but the place of the penalty: β is then a rate.
     let rate = |penalty| -> Result<f64> {
         let step = WholeStep { penalty, ..WholeStep::PRINTED };
         stretched_rod(&step, &pair, DT, 1).map(|errors| errors[1] / errors[0])

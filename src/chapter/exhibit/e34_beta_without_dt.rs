@@ -8,7 +8,7 @@ use crate::chapter::code::constraint_class::Joint;
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Panel, Series};
 
-/// How many steps it takes until not more than half is left.
+/// The number of steps until at most half is left.
 fn half(errors: &[f64]) -> f64 {
     let reached = errors.iter().position(|error| *error <= 0.5 * errors[0]);
     reached.map_or(f64::INFINITY, |steps| steps as f64)

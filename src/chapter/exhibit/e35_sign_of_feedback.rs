@@ -1,4 +1,4 @@
-//! E35: feedback that lets the error grow, K&M (25) with (34) and (44).
+//! E35: feedback that makes the error grow, K&M (25) with (34) and (44).
 
 use super::setting::{DT, over_time, stretched_rod};
 use super::{Finding, Measure};

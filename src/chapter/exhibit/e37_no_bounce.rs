@@ -1,4 +1,4 @@
-//! E37: a bounce that no term makes, K&M section on the algorithm.
+//! E37: a bounce that no term produces, K&M section on the algorithm.
 
 use super::setting::{DT, G, point, weigh, world};
 use super::{Finding, Measure};
@@ -12,10 +12,10 @@ use crate::solver::{Options, by_name};
 
 /// The coefficient of restitution.
 const E: f64 = 0.5;
-/// Steps a second in the fall, so that the moment of the impact is met.
+/// Steps per second of the fall, fine enough to resolve the impact.
 const RATE: usize = 480;
 
-/// The height and speed of a ball after each of so many steps of dt (s), as printed.
+/// The height and speed of a ball after each step of dt (s), as printed.
 fn printed(start: (f64, f64), dt: f64, steps: usize) -> Result<Vec<(f64, f64)>> {
     let mut world = world(vec![point(start.0, start.1)], Vec::new());
     let floor = Joint::contact([None, Some(0)], 0.0);
@@ -23,7 +23,7 @@ fn printed(start: (f64, f64), dt: f64, steps: usize) -> Result<Vec<(f64, f64)>> 
     for _ in 0..steps {
         weigh(&mut world.bodies);
         world.constraints.clear();
-        // The row is there from the touch on; without it Code 7 would return early (E32).
+        // The row exists from first contact on; without it Code 7 would return early (E32).
         let step = if world.bodies[0].position.z <= 0.0 {
             world.constraints.push(Box::new(floor.clone()));
             &WholeStep::PRINTED
@@ -88,7 +88,7 @@ pub(super) fn example() -> Result<Finding> {
             ],
         }],
     };
-    // The impact is met to within a step, in which the ball falls v dt.
+    // The impact is resolved to within a step, in which the ball falls v dt.
     let uncertain = (2.0 * G).sqrt() * dt;
     Ok(Finding::new(
         "A ball of 1 kg that should bounce with e = ½, g = 9.81 m/s². First it touches the floor at 3 m/s, one \

@@ -1,4 +1,4 @@
-//! E39: feedback is no spring, and pushes bodies off, K&M section on drifting.
+//! E39: feedback is not a spring, and pushes bodies apart, K&M section on drifting.
 
 use super::setting::{DT, over_time};
 use super::{Finding, Measure};
@@ -9,20 +9,20 @@ use crate::scene::{Scene, Scheme};
 use crate::simulation::Simulation;
 use crate::solver::{Options, by_name};
 
-/// A step (s) of a mass (kg) on a spring, error c (m) and its rate (m/s), with the row
+/// A step (s) of a mass (kg) on a spring with error c (m) and its rate (m/s), using the row
 /// w = (1/m + γ) x + b, b = v + β/dt c: the velocity after it.
 fn row(spring: Spring, compliance: f64, mass: f64, c: f64, v: f64) -> f64 {
     let b = v + spring.feedback(DT) * c;
     v - b / (1.0 / mass + compliance) / mass
 }
 
-/// The implicit Euler step of m v' = −k c − d v, by solving it for the velocity.
+/// The implicit Euler step of m v' = −k c − d v, solved for the velocity.
 fn implicit(spring: Spring, mass: f64, c: f64, v: f64) -> f64 {
     let Spring { stiffness: k, damping: d } = spring;
     (mass * v - DT * k * c) / (mass + DT * d + DT * DT * k)
 }
 
-/// The error (m) that is left after so many steps from 0.1 m at rest.
+/// The remaining error (m) after this number of steps from 0.1 m at rest.
 fn left(steps: usize, next: impl Fn(f64, f64) -> f64) -> f64 {
     let start = (0.1, 0.0);
     let (c, _) = (0..steps).fold(start, |(c, v), _| {
@@ -32,7 +32,7 @@ fn left(steps: usize, next: impl Fn(f64, f64) -> f64) -> f64 {
     c
 }
 
-/// Heights (m) and the first speed (m/s) of a body that rests too deep in the ground.
+/// Heights (m) and the initial speed (m/s) of a body that starts too deep in the ground.
 fn pushed_out(scheme: Scheme, depth: f64) -> Result<(Vec<f64>, f64)> {
     let text = format!(
         "[step]\ndt = {DT}\nbaumgarte = 0.2\n\

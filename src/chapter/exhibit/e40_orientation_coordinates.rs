@@ -7,7 +7,7 @@ use super::{Finding, Measure};
 use crate::body::State;
 use crate::error::Result;
 
-/// A body that turns about x with 1 rad/s, at three orientations.
+/// A body that rotates about x with 1 rad/s, at three orientations.
 pub(super) fn example() -> Result<Finding> {
     let omega = Vector3::x();
     let turned = |q| {

@@ -6,14 +6,14 @@ use super::rate::{body, rates};
 use super::{Finding, Measure};
 use crate::error::Result;
 
-/// Two bodies that spin about z at different rates, joined at points off their centres.
+/// Two bodies that spin about z at different rates, joined at points away from their centers.
 pub(super) fn example() -> Result<Finding> {
     let (r0, r1) = (Vector3::x(), Vector3::new(0.0, 2.0, 0.0));
     let still = Vector3::zeros();
     let states = [body(still, still, Vector3::z()), body(still, still, 2.0 * Vector3::z())];
     let [w0, w1] = [states[0].omega, states[1].omega];
 
-    // (33) with its sign turned to that of (32): [−I, −a*, I, b*] for arms a and b.
+    // (33) with its sign changed to that of (32): [−I, −a*, I, b*] for arms a and b.
     let with_star =
         |star: f64, a: &Vector3<f64>, b: &Vector3<f64>| star * (b.cross(&w1) - a.cross(&w0));
     let plane = |rate: Vector3<f64>| [rate.x, rate.y];

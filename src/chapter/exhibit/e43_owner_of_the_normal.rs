@@ -1,4 +1,4 @@
-//! E43: which body turns the normal, K&M (43).
+//! E43: which body rotates the normal, K&M (43).
 
 use nalgebra::Vector3;
 use num_dual::Dual2_64;
@@ -8,7 +8,7 @@ use super::{Finding, Measure};
 use crate::body::{Pose, State};
 use crate::error::Result;
 
-/// Three owners of the same normal, and a gap along it.
+/// The same normal with three owners, and a gap along it.
 pub(super) fn example() -> Result<Finding> {
     let n = Vector3::y();
     let [r0, r1] = [Vector3::x(), -Vector3::y()];

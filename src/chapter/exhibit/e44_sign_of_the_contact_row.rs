@@ -14,7 +14,7 @@ pub(super) fn example() -> Result<Finding> {
     let still = Vector3::zeros();
     let ball = body(still, -Vector3::y(), still);
     let truth = rates([&State::WORLD, &ball], |[floor, ball]| vec![(ball.p - floor.p).y]);
-    // Of the floor, body 0, nothing is left: it does not move.
+    // The floor, body 0, has no columns: it does not move.
     let step = |j: Vector3<f64>| -> Result<(f64, f64, f64)> {
         let lcp = contacts(&[j.dot(&j)], &[j.dot(&ball.v)])?;
         let x = answer("pgs", &lcp)?[0];

@@ -9,7 +9,7 @@ use crate::error::Result;
 use crate::lcp::{Lcp, Matrix};
 use crate::solver::{Pgs, Solver, Start, Status};
 
-/// A ball's centre above its touching point, and a corner of a box.
+/// A ball's center above its contact point, and a corner of a box.
 pub(super) fn example() -> Result<Finding> {
     let (n, ball, corner) =
         (Vector3::y(), Vector3::new(0.0, -0.5, 0.0), Vector3::new(0.5, -0.5, 0.5));
@@ -38,7 +38,7 @@ pub(super) fn example() -> Result<Finding> {
     .measure(impulse.truth(&[1.0], "m v", 1e-8)))
 }
 
-/// (45) for the body on the floor: n on the diagonal, the skew matrix of r × n beside it.
+/// (45) for the body on the floor: n on the diagonal, the skew matrix of r × n next to it.
 fn printed_rows(n: &Vector3<f64>, r: &Vector3<f64>) -> DMatrix<f64> {
     let mut rows = DMatrix::zeros(3, 6);
     rows.view_mut((0, 0), (3, 3)).set_diagonal(n);
@@ -46,7 +46,7 @@ fn printed_rows(n: &Vector3<f64>, r: &Vector3<f64>) -> DMatrix<f64> {
     rows
 }
 
-/// The gradient of the corner's height: its rate for each component of [v; ω] alone.
+/// The gradient of the corner's height, from its rate for each component of [v; ω].
 fn true_row(r: &Vector3<f64>) -> RowDVector<f64> {
     RowDVector::from_fn(6, |_, k| {
         let only = |first: usize| Vector3::from_fn(|i, _| f64::from(u8::from(first + i == k)));
@@ -55,7 +55,7 @@ fn true_row(r: &Vector3<f64>) -> RowDVector<f64> {
     })
 }
 
-/// How far a row is from the space that some rows span.
+/// The distance of a row from the space that some rows span.
 fn distance(rows: &DMatrix<f64>, row: &RowDVector<f64>) -> f64 {
     let along = |b: &RowDVector<f64>, y: &RowDVector<f64>| b * (b.dot(y) / b.norm_squared());
     let mut rest = row.clone();
@@ -70,7 +70,7 @@ fn distance(rows: &DMatrix<f64>, row: &RowDVector<f64>) -> f64 {
     rest.norm()
 }
 
-/// The upward impulse on the ball by the rows with this A; all of them want to stop 1 m/s.
+/// The upward impulse on the ball from the rows with this A; each of them must stop 1 m/s.
 fn landing(a: &DMatrix<f64>) -> Result<Outcome> {
     let n = a.nrows();
     let lcp =

@@ -13,7 +13,7 @@ pub(super) fn example() -> Result<Finding> {
     let right = Vector3::x();
     let measure = |quantity: &str, r0: Vector3<f64>, r1: Vector3<f64>| {
         let states = [body(right, still, w0), body(-right, still, w1)];
-        // J₁ = [I, −[r₁]×] and J₀ = −J₁, against J₀ with its own arm.
+        // J₁ = [I, −[r₁]×] and J₀ = −J₁, compared with J₀ with its own arm.
         let mirrored = w1.cross(&r1).y - w0.cross(&r1).y;
         let corrected = w1.cross(&r1).y - w0.cross(&r0).y;
         let truth = rates([&states[0], &states[1]], |[one, other]| {

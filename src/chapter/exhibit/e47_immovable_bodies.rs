@@ -15,19 +15,19 @@ fn stack(bottom: f64, top: f64) -> Result<Lcp> {
     contacts(&delassus(&j, &[1.0 / bottom, 1.0 / top]), &[-G * DT, 0.0])
 }
 
-/// x once it is settled: the loads are the weights.
+/// The converged x: the loads are the weights.
 fn loads(bottom: f64, top: f64) -> [f64; 2] {
     [(bottom + top) * G * DT, top * G * DT]
 }
 
-/// The factor by which a later sweep shrinks the error of the upper contact.
+/// The factor by which a late sweep reduces the error of the upper contact.
 fn measured_factor(bottom: f64, top: f64) -> Result<f64> {
     let x = sweeps("pgs", &stack(bottom, top)?, &[0.0; 2], 2)?;
     let [_, load] = loads(bottom, top);
     Ok((x[2][1] - load) / (x[1][1] - load))
 }
 
-/// Sweeps until both loads are right to 10⁻⁶.
+/// The number of sweeps until both loads are correct to 10⁻⁶.
 fn sweeps_needed(bottom: f64, top: f64) -> Result<f64> {
     let loads = loads(bottom, top);
     let is_near =
@@ -42,7 +42,8 @@ pub(super) fn example() -> Result<Finding> {
         let measure = Measure::new(quantity, "", heavy, top / (bottom + top));
         Ok(measure.truth(&[measured_factor(bottom, top)?], "PGS, measured", 1e-6))
     };
-    // A ball of 1 kg falls on a body with this inverse mass: velocity of that body afterwards.
+    // A ball of 1 kg falls onto a body with this inverse mass; returns the velocity of that body
+    // afterwards.
     let floor = |inverse_mass: f64| -> Result<f64> {
         let j = DMatrix::from_row_slice(1, 2, &[-1.0, 1.0]);
         let x = answer("pgs", &contacts(&delassus(&j, &[inverse_mass, 1.0]), &[-1.0])?)?;
@@ -61,7 +62,7 @@ pub(super) fn example() -> Result<Finding> {
     .plot(&drawing()?))
 }
 
-/// Sweeps against the mass ratio, for both orders.
+/// The number of sweeps against the mass ratio, for both orders.
 fn drawing() -> Result<Lines> {
     let ratios: Vec<f64> = (0..=6).map(|k| 10f64.powf(f64::from(k) / 2.0)).collect();
     let curve = |needed: &dyn Fn(f64) -> Result<f64>| -> Result<Vec<(f64, f64)>> {

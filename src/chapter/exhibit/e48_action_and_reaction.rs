@@ -1,4 +1,4 @@
-//! E48: two forces upward, the words on Figure 6.
+//! E48: two upward forces, text on Figure 6.
 
 use nalgebra::DMatrix;
 
@@ -6,9 +6,9 @@ use super::common::{answer, delassus, equations};
 use super::{Finding, Measure};
 use crate::error::Result;
 
-/// What a row does to two bodies on a line.
+/// The effect of a row on two bodies on a line.
 struct Pushed {
-    /// The constraint's forces Jᵀ λ (N) on object and surface.
+    /// The constraint forces Jᵀ λ (N) on object and surface.
     forces: [f64; 2],
     /// The velocities after a step of 1 s.
     velocities: [f64; 2],

@@ -1,4 +1,4 @@
-//! E49: Code 8 transposes before it fills, and leaves out dt.
+//! E49: Code 8 transposes before it fills, and omits dt.
 
 use nalgebra::DMatrix;
 
@@ -8,7 +8,7 @@ use super::{Finding, Measure};
 use crate::chapter::code::code08_matrix_program::{corrected, printed};
 use crate::error::Result;
 
-/// A ball that falls onto the floor, by both programs.
+/// A ball that falls onto the floor, in both programs.
 pub(super) fn example() -> Result<Finding> {
     let (v, g, dt) = (-1.0, -G, DT);
     let one = DMatrix::from_element(1, 1, 1.0);

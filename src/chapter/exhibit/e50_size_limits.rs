@@ -1,11 +1,11 @@
-//! E50: limits on matrix sizes that forbid the chapter's own tower, Codes 10 and 11.
+//! E50: limits on matrix sizes that exclude the chapter's own tower, Codes 10 and 11.
 
 use super::{Finding, Measure, Outcome};
 use crate::chapter::code::code09_10_dense_matrix::{corrected, printed};
 use crate::chapter::code::code11_map_matrix::printed::MapMatrix;
 use crate::error::Result;
 
-/// Both listings are asked for ever more bodies until they refuse.
+/// Increases the number of bodies until both listings reject it.
 pub(super) fn example() -> Result<Finding> {
     let cubes = 700;
     let rows_of_s = match printed::DenseMatrix::new(7 * cubes, 6 * cubes, None) {

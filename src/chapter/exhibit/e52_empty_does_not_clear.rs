@@ -1,4 +1,4 @@
-//! E52: `empty()` asks, `clear()` does, Code 11.
+//! E52: `empty()` tests, `clear()` clears, Code 11.
 
 use super::common::equations;
 use super::{Finding, Measure};
@@ -6,7 +6,7 @@ use crate::chapter::code::code11_map_matrix::{corrected, printed};
 use crate::error::Result;
 use crate::solver::{Pgs, Settings, Solver, Start};
 
-/// An entry is written, the matrix set to zero, and a sweep done from there.
+/// Writes an entry, sets the matrix to zero, and does a sweep from there.
 pub(super) fn example() -> Result<Finding> {
     let mut stale = printed::MapMatrix::new(2, 1, None)?;
     *stale.set(1, 0)? = 5.0;

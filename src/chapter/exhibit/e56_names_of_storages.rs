@@ -1,4 +1,4 @@
-//! E56: what the storages are called, section on the map of maps.
+//! E56: the names of storage formats, section on the map of maps.
 
 use faer::sparse::{SparseColMat, SparseRowMat, Triplet};
 
@@ -8,8 +8,8 @@ use crate::error::{Error, Result};
 
 /// Bytes of a value, of a column index and of a row start.
 const WORD: usize = 4;
-/// Bytes of a red-black tree's node before its contents, of a key, and of a map, in a usual C++
-/// library of 64 bits.
+/// Bytes of a red-black tree's node before its contents, of a key, and of a map, in a typical
+/// 64-bit C++ library.
 const NODE: usize = 32;
 const KEY: usize = 8;
 const MAP: usize = 48;
@@ -24,7 +24,7 @@ pub(super) fn example() -> Result<Finding> {
     let arrays =
         [rows.val().len(), rows.symbolic().col_idx().len(), rows.symbolic().row_ptr().len()];
     let compressed = arrays.iter().map(|length| length * WORD).sum::<usize>();
-    // A value of 4 bytes takes 8 beside its key.
+    // A 4-byte value takes 8 bytes next to its key, because of alignment.
     let (row_node, entry_node) = (NODE + KEY + MAP, NODE + KEY + 8);
     let entries = map.stored();
     let nodes = (map.nodes() - entries) * row_node + entries * entry_node;

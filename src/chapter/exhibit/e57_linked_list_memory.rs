@@ -40,7 +40,7 @@ pub(super) fn example() -> Result<Finding> {
     .plot(&drawing()))
 }
 
-/// The mean number of steps to an entry of a list with so many.
+/// The mean number of steps to an entry of a list of this length.
 fn mean_steps(entries: usize) -> f64 {
     let list: LinkedList<usize> = (0..entries).collect();
     let steps = (0..entries).map(|key| list.iter().take_while(|&&own| own != key).count() + 1);

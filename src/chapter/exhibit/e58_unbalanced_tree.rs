@@ -7,7 +7,7 @@ use super::{Finding, Measure};
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Series};
 
-/// A binary search tree without balance: the children of each node, left and right.
+/// An unbalanced binary search tree: the children of each node, left and right.
 struct Tree {
     keys: Vec<usize>,
     children: Vec<[Option<usize>; 2]>,
@@ -21,7 +21,7 @@ impl Tree {
         tree
     }
 
-    /// Walks down to the free place of a new key.
+    /// Walks down to the free place for a new key.
     fn insert(&mut self, key: usize) {
         let (mut at, mut parent, mut depth) = ((!self.keys.is_empty()).then_some(0), None, 1);
         while let Some(node) = at {
@@ -36,18 +36,18 @@ impl Tree {
         self.depths.push(depth);
     }
 
-    /// Steps to the deepest entry.
+    /// The number of steps to the deepest entry.
     fn depth(&self) -> usize {
         self.depths.iter().copied().max().unwrap_or(0)
     }
 
-    /// Mean steps to an entry.
+    /// The mean number of steps to an entry.
     fn mean_steps(&self) -> f64 {
         self.depths.iter().sum::<usize>() as f64 / self.depths.len() as f64
     }
 }
 
-/// The numbers below n in random order, the same for the same seed.
+/// The numbers below n in random order, determined by the seed.
 fn shuffled(n: usize, seed: u128) -> Vec<usize> {
     let mut random = Rand64::new(seed);
     let mut keys: Vec<usize> = (0..n).collect();
@@ -57,7 +57,7 @@ fn shuffled(n: usize, seed: u128) -> Vec<usize> {
     keys
 }
 
-/// The numbers from `first` to before `end`, the middle one first, then both halves alike.
+/// The numbers from `first` to before `end`, the middle one first, then both halves recursively.
 fn halved(first: usize, end: usize) -> Vec<usize> {
     if first == end {
         return Vec::new();
@@ -66,7 +66,7 @@ fn halved(first: usize, end: usize) -> Vec<usize> {
     [vec![middle], halved(first, middle), halved(middle + 1, end)].concat()
 }
 
-/// The least depth that n entries can have: ⌈log₂(n + 1)⌉.
+/// The least possible depth of n entries: ⌈log₂(n + 1)⌉.
 fn balanced(n: usize) -> f64 {
     ((n + 1) as f64).log2().ceil()
 }

@@ -1,4 +1,4 @@
-//! E61: a solver of rows is not a solver of least squares, text on impossible constraints.
+//! E61: a row solver is not a least-squares solver, text on impossible constraints.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -8,7 +8,7 @@ use crate::error::Result;
 use crate::lcp::Lcp;
 use crate::plot::{Axis, Lines, Series};
 
-/// β/dt, 1/s, and by how much the rod is too short, m.
+/// β/dt (1/s), and by how much the rod is too short (m).
 const FEEDBACK: f64 = 0.2 * 60.0;
 const SHORT: f64 = 2.0;
 
@@ -34,7 +34,7 @@ fn velocities(order: [usize; 3], x: &[f64]) -> Vec<f64> {
     (jacobian(order).transpose() * DVector::from_column_slice(x)).as_slice().to_vec()
 }
 
-/// The u that makes |J u + b|² least.
+/// The u that minimizes |J u + b|².
 fn least_squares() -> Vec<f64> {
     let j = jacobian(ROD_LAST);
     let b = DVector::from_fn(3, |row, _| -ROWS[row].1);
@@ -79,7 +79,7 @@ pub(super) fn example() -> Result<Finding> {
     .plot(&drawing()?))
 }
 
-/// |x| against sweeps, rigid and yielding.
+/// |x| against sweeps, rigid and compliant.
 fn drawing() -> Result<Lines> {
     let curve = |compliance: f64| -> Result<Vec<(f64, f64)>> {
         let x = sweeps("pgs", &problem(ROD_LAST, compliance)?, &[0.0; 3], 100)?;

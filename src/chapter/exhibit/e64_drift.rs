@@ -13,7 +13,7 @@ use crate::solver::{Options, by_name};
 
 const STEPS: usize = 600;
 
-/// The four methods: their name, and how they step.
+/// The four methods: their name and step settings.
 fn methods() -> [(&'static str, Step); 4] {
     let with = |scheme, baumgarte, feedback| {
         let plain = Step { dt: DT, count: STEPS, ..Step::default() };
@@ -35,7 +35,7 @@ fn simulated(step: Step) -> Result<Vec<f64>> {
     Ok(recording.motion.iter().map(|motion| motion.drift).collect())
 }
 
-/// The largest length error again, by the formulas of one rod in a plane.
+/// The largest length error again, from the formulas of one rod in a plane.
 fn by_hand(step: &Step) -> f64 {
     let gravity = Vector2::new(0.0, -G);
     let (mut p, mut v, mut worst) = (Vector2::new(1.0, 0.0), Vector2::zeros(), 0.0_f64);

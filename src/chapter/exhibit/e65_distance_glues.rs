@@ -1,4 +1,4 @@
-//! E65: keeping a distance glues, text on Figure 11.
+//! E65: a distance constraint glues, text on Figure 11.
 
 use super::common::{answer, contacts, equations};
 use super::setting::DT;
@@ -13,7 +13,7 @@ struct Motion {
     first_impulse: f64,
 }
 
-/// A sphere and a point of the net, 1 kg each, step by step; the row by `pose`.
+/// A sphere and a point of the net, 1 kg each, step by step, with the row from `pose`.
 fn moved(pose: impl Fn(f64) -> Result<Lcp>) -> Result<Motion> {
     let dt = DT;
     let (mut u, mut gap, mut first) = ([0.0, 2.0], 0.0, None);

@@ -1,4 +1,4 @@
-//! E66: impulses one after another, or a system solved: the same iteration, section on approaches.
+//! E66: sequential impulses and solving the system are the same iteration, section on approaches.
 
 use nalgebra::DMatrix;
 
@@ -9,7 +9,7 @@ use crate::error::Result;
 /// A plank of 1 kg lands flat on two supports at ±a, a² = I/2m: rows [1, ±1/√2] of (v, ω √(I/m)).
 const ARM: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
-/// What is clamped in a sweep of impulses.
+/// The quantity that is clamped in a sweep of impulses.
 #[derive(Clone, Copy, PartialEq)]
 enum Clamped {
     Total,

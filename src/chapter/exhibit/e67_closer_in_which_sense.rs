@@ -1,4 +1,4 @@
-//! E67: closer with every update, but in which sense, section on iterative methods.
+//! E67: nearer with every update, but in which norm, section on iterative methods.
 
 use dashu_int::IBig;
 use dashu_ratio::RBig;
@@ -19,7 +19,7 @@ fn problem((a, b, _): Case) -> Result<Lcp> {
     equations(&floats(a), &floats(b))
 }
 
-/// One sweep of Gauss-Seidel from 0 in rational numbers.
+/// One Gauss-Seidel sweep from 0 in rational arithmetic.
 fn exact_sweep((a, b, _): Case) -> Vec<RBig> {
     let n = b.len();
     let number = |value: i64| RBig::from(IBig::from(value));
@@ -32,7 +32,7 @@ fn exact_sweep((a, b, _): Case) -> Vec<RBig> {
     x
 }
 
-/// √(Σ values²), rounded once the sum is known exactly.
+/// √(Σ values²), rounded after the exact sum.
 fn norm(values: impl IntoIterator<Item = RBig>) -> f64 {
     values.into_iter().fold(RBig::ZERO, |sum, value| sum + &value * &value).to_f64().value().sqrt()
 }
@@ -75,10 +75,10 @@ pub(super) fn example() -> Result<Finding> {
     .plot(&drawing(&near, &x)))
 }
 
-/// Distance in both norms, sweep by sweep.
+/// The distance in both norms, sweep by sweep.
 fn drawing(lcp: &Lcp, x: &[Vec<f64>]) -> Lines {
     let least = merit::objective(lcp, &[0.0, 1.0]);
-    // |x − x*|² in the norm of A is twice what the objective is above its least.
+    // |x − x*|² in the norm of A is twice the excess of the objective over its minimum.
     let in_norm_of_a = |x: &[f64]| (2.0 * (merit::objective(lcp, x) - least)).max(0.0).sqrt();
     let curve = |distance: &dyn Fn(&[f64]) -> f64| {
         let shown = x.iter().take(21).enumerate();

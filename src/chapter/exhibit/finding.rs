@@ -1,4 +1,5 @@
-//! What an example finds: numbers of the printed and of the corrected form, compared with the truth.
+//! The result of an example: numbers of the printed and the corrected form, compared with the
+//! truth.
 
 use crate::certificate::{Demand, Verdict, judge};
 use crate::document::Table;
@@ -6,67 +7,67 @@ use crate::lcp::Lcp;
 use crate::plot::{Figure, Lines};
 use crate::report::page::Picture;
 
-/// What an example finds.
+/// The result of an example.
 #[derive(Debug, Clone, Default)]
 pub struct Finding {
-    /// The example in words, with all its numbers; plain text, paragraphs parted by an empty line.
+    /// The example in words, with all its numbers; plain text, paragraphs separated by an empty
+    /// line.
     pub example: String,
-    /// What was measured. All of it must tell the two forms apart, unless `agrees` says otherwise.
+    /// The measures. Each must distinguish the two forms, unless `agrees` says otherwise.
     pub measures: Vec<Measure>,
-    /// Answers of both forms to one LCP, by the judge's word: `(problem in words, printed,
+    /// The verdicts on the answers of both forms to one LCP: `(problem in words, printed,
     /// corrected)`.
     pub judged: Vec<(String, Verdict, Verdict)>,
-    /// What else is to be seen in numbers; says nothing about which form holds.
+    /// Other numbers, which do not decide which form is right.
     pub tables: Vec<Table>,
-    /// A picture, where a person would rather look.
+    /// A figure, if it helps.
     pub picture: Option<Picture>,
 }
 
-/// A quantity in the printed and the corrected form, and its truth.
+/// A quantity in the printed and the corrected form, with its true value.
 #[derive(Debug, Clone)]
 pub struct Measure {
-    /// What was measured: `velocity after the step`.
+    /// What is measured, such as `velocity after the step`.
     pub quantity: String,
     /// Its unit; empty for a pure number.
     pub unit: &'static str,
-    /// What the printed form gives.
+    /// The result of the printed form.
     pub printed: Outcome,
-    /// What the corrected form gives.
+    /// The result of the corrected form.
     pub corrected: Outcome,
-    /// What is right, where it is a number that can be had in another way.
+    /// The true value, if it is a number that can be computed independently.
     pub truth: Vec<f64>,
-    /// Where the truth comes from: `closed form`, `dual numbers`, `exact rational arithmetic`.
+    /// The source of the true value: `closed form`, `dual numbers`, `exact rational arithmetic`.
     pub source: &'static str,
-    /// Largest difference from the truth, in the unit, that counts as right.
+    /// The largest difference from the true value, in the unit, that counts as right.
     pub tolerance: f64,
-    /// Whether the printed form gives the right answer here too: a case in which the fault is
-    /// hidden.
+    /// Whether the printed form gives the right answer here too: a case that hides the fault.
     pub agrees: bool,
 }
 
-/// What a form gives.
+/// The result of a form.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Outcome {
     /// Numbers; one for a scalar.
     Numbers(Vec<f64>),
-    /// It cannot be computed: the reason.
+    /// It cannot be computed, for this reason.
     Impossible(String),
 }
 
 impl Finding {
-    /// A finding of this example without measures yet.
+    /// A finding for this example without measures.
     pub fn new(example: impl Into<String>) -> Self {
         Finding { example: example.into(), ..Finding::default() }
     }
 
-    /// With one more measure.
+    /// Adds a measure.
     pub fn measure(mut self, measure: Measure) -> Self {
         self.measures.push(measure);
         self
     }
 
-    /// With the judge's word on both forms' answers x to one problem: the printed one must be
-    /// refuted, the corrected one accepted.
+    /// Adds the verdicts on both forms' answers x to one problem: the printed one must be rejected,
+    /// the corrected one accepted.
     pub fn judged(
         mut self,
         problem: impl Into<String>,
@@ -79,22 +80,22 @@ impl Finding {
         self
     }
 
-    /// With one more table, all of whose lines are shown.
+    /// Adds a table, all of whose rows are shown.
     pub fn table(mut self, title: &str, columns: &[&str], rows: Vec<Vec<String>>) -> Self {
         let columns = columns.iter().map(|title| title.to_string()).collect();
         self.tables.push(Table { title: title.into(), columns, rows, left_out: 0 });
         self
     }
 
-    /// With these curves as its picture.
+    /// Sets these curves as the figure.
     pub fn plot(mut self, lines: &Lines) -> Self {
         let caption = lines.caption().into();
         self.picture = Some(Picture { svg: lines.svg(), caption, ..Picture::default() });
         self
     }
 
-    /// Whether the erratum is shown: every corrected form is right, and every printed one is wrong
-    /// where it should be.
+    /// Whether the erratum is demonstrated: every corrected form is right, and every printed form
+    /// is wrong where it should be.
     pub fn is_shown(&self) -> bool {
         let is_told_apart = |(_, printed, corrected): &(String, Verdict, Verdict)| {
             !printed.is_solution() && corrected.is_solution()
@@ -106,7 +107,7 @@ impl Finding {
 }
 
 impl Measure {
-    /// Numbers of both forms against the truth.
+    /// A measure with the numbers of both forms.
     pub fn new(
         quantity: impl Into<String>,
         unit: &'static str,
@@ -125,13 +126,13 @@ impl Measure {
         }
     }
 
-    /// With the truth, where it comes from, and how near is near enough.
+    /// Sets the true value, its source, and the tolerance.
     pub fn truth(mut self, truth: &[f64], source: &'static str, tolerance: f64) -> Self {
         (self.truth, self.source, self.tolerance) = (truth.to_vec(), source, tolerance);
         self
     }
 
-    /// A case in which the printed form happens to be right as well.
+    /// Marks a case in which the printed form happens to be right too.
     pub fn agreeing(mut self) -> Self {
         self.agrees = true;
         self
@@ -142,7 +143,7 @@ impl Measure {
         self.is_right(&self.corrected) && self.is_right(&self.printed) == self.agrees
     }
 
-    /// Whether an outcome is the truth within the tolerance.
+    /// Whether an outcome equals the true value within the tolerance.
     pub fn is_right(&self, outcome: &Outcome) -> bool {
         match outcome {
             Outcome::Numbers(values) => {

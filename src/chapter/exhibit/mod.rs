@@ -1,9 +1,10 @@
-//! The errata as exhibits: what is printed, what holds, and an example that tells them apart.
+//! The errata as exhibits: the printed statement, the correct one, and an example that
+//! distinguishes them.
 //!
 //! An exhibit compares both with a truth found in a third way: a closed form, exact arithmetic,
-//! dual numbers, another method. Nothing about the outcome is stored: the example runs when the
-//! exhibit is looked at, and [`Finding::is_shown`] says whether the printed form failed and the
-//! corrected one held.
+//! dual numbers, another method. No outcome is stored: the example runs when the exhibit is opened,
+//! and [`Finding::is_shown`] reports whether the printed form failed and the corrected one was
+//! right.
 //!
 //! ```
 //! use lcplab::chapter::exhibit;
@@ -90,51 +91,51 @@ use serde::Deserialize;
 use super::data::{self, one_line};
 use crate::error::{Error, Result};
 
-/// A statement of the chapter that needs correction, as `errata.toml` has it.
+/// A statement of the chapter that needs correction, as stored in `errata.toml`.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Exhibit {
     /// Its number: `E07`.
     pub id: String,
-    /// What it is about, in a line.
+    /// A one-line description.
     pub title: String,
     /// Where it is printed: `K&M (16)`, `K&M Code 6`.
     pub place: String,
-    /// How far it leads astray.
+    /// How serious it is.
     pub severity: Severity,
-    /// Whether the fault may lie with the scan from which the text was read.
+    /// Whether the fault may come from the scan of the text.
     #[serde(default)]
     pub may_be_scan: bool,
     /// What is printed, in our own words; plain text.
     #[serde(deserialize_with = "one_line")]
     pub printed: String,
-    /// What holds instead; plain text.
+    /// The correct statement; plain text.
     #[serde(deserialize_with = "one_line")]
     pub holds: String,
-    /// Why, in a few sentences a student can follow; plain text.
+    /// The reason, in a few sentences for a student; plain text.
     #[serde(deserialize_with = "one_line")]
     pub why: String,
-    /// Where there is no example: the reason why no safe program can show it.
+    /// Without an example: the reason why no safe program can show it.
     #[serde(default, deserialize_with = "one_line")]
     pub in_words: String,
 }
 
-/// How far a statement leads astray.
+/// The severity of a wrong statement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Severity {
-    /// Following it gives a wrong result or a crash.
+    /// Following it leads to a wrong result or a crash.
     Wrong,
     /// A reader draws a wrong conclusion, or parts that are each usable do not fit together.
     Misleading,
-    /// A reader repairs it at sight.
+    /// A reader corrects it at a glance.
     Misprint,
 }
 
-/// A smallest example, run on the spot.
+/// A minimal example, run on demand.
 type Example = fn() -> Result<Finding>;
 
-/// The examples by erratum.
+/// The examples, by erratum.
 const EXAMPLES: &[(&str, Example)] = &[
     ("E01", e01_overlapping_conditions::example),
     ("E02", e02_meanings_of_b::example),
@@ -207,10 +208,10 @@ pub fn all() -> &'static [Exhibit] {
     &ALL
 }
 
-/// The exhibit of this number, in either case of letters.
+/// The exhibit with this number, in upper or lower case.
 ///
 /// # Errors
-/// If there is none.
+/// If there is no such exhibit.
 pub fn named(id: &str) -> Result<&'static Exhibit> {
     let found = all().iter().find(|exhibit| exhibit.id.eq_ignore_ascii_case(id));
     found.ok_or_else(|| Error::Unknown {
@@ -232,7 +233,7 @@ impl Exhibit {
 }
 
 impl Severity {
-    /// The word of the lists.
+    /// The word used in lists.
     pub fn word(self) -> &'static str {
         match self {
             Severity::Wrong => "wrong",

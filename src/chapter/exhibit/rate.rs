@@ -1,11 +1,11 @@
-//! How fast a position changes, by dual numbers: the truth of the exhibits on Jacobians.
+//! The rate of change of a position by dual numbers: the true values for the exhibits on Jacobians.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use num_dual::Dual2_64;
 
 use crate::body::{Pose, State};
 
-/// dc/dt of each entry of c(s) while the bodies move as their states say.
+/// dc/dt of each entry of c(s) while the bodies move according to their states.
 pub(super) fn rates(
     states: [&State; 2],
     c: impl Fn([&Pose<Dual2_64>; 2]) -> Vec<Dual2_64>,
@@ -25,7 +25,7 @@ fn moving(state: &State) -> Pose<Dual2_64> {
     }
 }
 
-/// A body at p, unturned, with this motion.
+/// A body at p without rotation, with this motion.
 pub(super) fn body(p: Vector3<f64>, v: Vector3<f64>, omega: Vector3<f64>) -> State {
     State { pose: Pose { p, ..Pose::default() }, v, omega }
 }

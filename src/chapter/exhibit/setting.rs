@@ -1,4 +1,5 @@
-//! What several examples share: the numbers of a step, bodies on the z axis, and the stretched rod.
+//! Settings shared by the exhibits: the numbers of a step, bodies on the z axis, and the stretched
+//! rod.
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
@@ -28,7 +29,7 @@ pub(super) fn point(height: f64, speed: f64) -> RigidBody {
     RigidBody::point(1.0, Vector3::z() * height, Vector3::z() * speed)
 }
 
-/// Bodies and joints as a world.
+/// A world with these bodies and joints.
 pub(super) fn world(bodies: Vec<RigidBody>, joints: Vec<Joint>) -> World {
     let mut world = World { bodies, ..World::default() };
     for joint in joints {
@@ -44,8 +45,8 @@ pub(super) fn weigh(bodies: &mut [RigidBody]) {
     }
 }
 
-/// The error (m) at the start and after each of so many steps of dt (s): a rod of 1 m, stretched by
-/// 0.1 m, between two equal free masses at rest; `joint` is how the step sees it.
+/// The error (m) at the start and after each step of dt (s): a rod of 1 m, stretched by 0.1 m,
+/// between two equal free masses at rest; `joint` is the constraint used by the step.
 pub(super) fn stretched_rod(
     step: &WholeStep,
     joint: &Joint,

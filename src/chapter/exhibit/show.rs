@@ -8,7 +8,7 @@ use crate::document::{Block, Document, Section};
 use crate::error::Result;
 use crate::number::readable;
 
-/// A number below this is rounding, where the truth is 0.
+/// A number below this counts as rounding if the truth is 0.
 const ROUNDING: f64 = 1e-12;
 
 impl Exhibit {
@@ -93,7 +93,7 @@ fn row(measure: &Measure) -> Vec<String> {
     ]
 }
 
-/// The judge's word in a table's cell.
+/// The judge's verdict in a table cell.
 fn word(verdict: &Verdict) -> String {
     match verdict {
         Verdict::Proved { .. } => "proved".into(),
@@ -111,7 +111,7 @@ fn written(outcome: &Outcome, truth: &[f64]) -> String {
     }
 }
 
-/// The truth, with what counts as right where the corrected form does not show the same digits.
+/// The true value, with its tolerance if the corrected form does not show the same digits.
 fn truth(measure: &Measure) -> String {
     let truth = numbers(&measure.truth, &[]);
     if written(&measure.corrected, &measure.truth) == truth {
@@ -127,7 +127,7 @@ fn numbers(values: &[f64], truth: &[f64]) -> String {
     }
 }
 
-/// Counts in full (`+ 0.0` takes the sign from −0); with one digit what rounding has left of a 0.
+/// Counts in full (`+ 0.0` removes the sign of −0); rounding errors around 0 with one digit.
 fn number(value: f64, is_zero: bool) -> String {
     match value.abs() {
         count if count.fract() == 0.0 && count < 1e7 => (value + 0.0).to_string().replace('-', "−"),

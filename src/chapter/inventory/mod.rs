@@ -1,5 +1,6 @@
-//! A row for each equation, listing, figure, note, claim, demonstration and suggestion of the
-//! chapter: what it says, whether that holds, and where the library has it.
+//! The inventory of the chapter: a row for each equation, listing, figure, note, claim,
+//! demonstration and suggestion, with what it says, whether that is correct, and where the library
+//! has it.
 //!
 //! ```
 //! use lcplab::chapter::inventory::{Verdict, named};
@@ -23,20 +24,20 @@ use super::code;
 use super::data::{self, one_line};
 use crate::error::{Error, Result};
 
-/// Something that the chapter says or shows, as `inventory.toml` has it.
+/// A statement or figure of the chapter, as stored in `inventory.toml`.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Entry {
     /// Its number: `(16)`, `Code 6`, `Fig 7`; U for equations without number, N for notes, T for
-    /// claims and techniques, D for demonstrations, W for further work, K for the key terms,
-    /// numbered here.
+    /// claims and techniques, D for demonstrations, W for further work, K for the key terms, with
+    /// our own numbering.
     pub id: String,
-    /// Whether it holds.
+    /// Whether it is correct.
     pub verdict: Verdict,
     /// What it says, in our own words; plain text.
     #[serde(deserialize_with = "one_line")]
     pub says: String,
-    /// The exhibits that show what does not.
+    /// The related errata.
     #[serde(default)]
     pub errata: Vec<String>,
     /// Where the library has it: a module or item (`lcp::merit`), `scene fig7`, a command (`lcplab
@@ -45,30 +46,30 @@ pub struct Entry {
     pub code: Vec<String>,
     /// The lessons that teach it.
     pub lesson: Vec<u8>,
-    /// What else should be known; where there is no code, the reason.
+    /// A remark; if there is no code, the reason.
     #[serde(default, deserialize_with = "one_line")]
     pub remark: String,
 }
 
-/// Whether an entry holds.
+/// Whether an entry is correct.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
-    /// Derived again or tested, and right.
+    /// Derived again or tested, and correct.
     Right,
-    /// A choice of signs or words, or true under a condition left unsaid.
+    /// A matter of signs or terms, or true under an unstated condition.
     Convention,
-    /// A reader repairs it at sight.
+    /// A reader corrects it at a glance.
     Misprint,
     /// A reader draws a wrong conclusion, or parts that are usable alone do not fit together.
     Misleading,
-    /// Following it gives a wrong result or a crash.
+    /// Following it leads to a wrong result or a crash.
     Wrong,
-    /// A claim about behaviour or cost that our measurements bear out.
+    /// A claim about behavior or cost that our measurements confirm.
     Confirmed,
-    /// Advice or taste, which no number decides.
+    /// Advice or taste, which no number can decide.
     Opinion,
-    /// A picture, demonstration or suggestion that claims nothing; ours is built anew.
+    /// A picture, demonstration or suggestion without a claim; rebuilt here.
     Rebuilt,
 }
 
@@ -76,7 +77,7 @@ pub enum Verdict {
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Group {
-    /// The name to ask for it by.
+    /// The name that selects it.
     pub kind: String,
     /// The heading.
     pub title: String,
@@ -97,11 +98,11 @@ pub fn all() -> impl Iterator<Item = &'static Entry> {
     groups().iter().flat_map(|group| &group.entries)
 }
 
-/// The entry of this number with its group, in either case of letters; the brackets of an equation
-/// may be left out.
+/// The entry with this number and its group, in upper or lower case; the brackets of an equation
+/// may be omitted.
 ///
 /// # Errors
-/// If there is none.
+/// If there is no such entry.
 pub fn named(id: &str) -> Result<(&'static Group, &'static Entry)> {
     let bare = |id: &str| id.trim_matches(['(', ')']).replace(' ', "").to_lowercase();
     let wanted = bare(id);
@@ -115,7 +116,7 @@ pub fn named(id: &str) -> Result<(&'static Group, &'static Entry)> {
     })
 }
 
-/// What can be asked for, by first and last.
+/// The available entries, by first and last.
 fn ranges() -> Vec<String> {
     let range = |group: &Group| match group.entries.as_slice() {
         [] => String::new(),
@@ -126,10 +127,10 @@ fn ranges() -> Vec<String> {
     groups().iter().map(range).chain(others).collect()
 }
 
-/// The group of this name.
+/// The group with this name.
 ///
 /// # Errors
-/// If there is none.
+/// If there is no such group.
 pub fn group(kind: &str) -> Result<&'static Group> {
     groups().iter().find(|group| group.kind.eq_ignore_ascii_case(kind)).ok_or_else(|| {
         Error::Unknown {
@@ -141,7 +142,7 @@ pub fn group(kind: &str) -> Result<&'static Group> {
 }
 
 impl Entry {
-    /// The entry for machines; a listing has also what is printed and what is corrected.
+    /// The entry as JSON; a listing also has its printed and corrected forms.
     pub fn to_json(&self, kind: &str) -> Value {
         let mut entry = json!({
             "id": self.id, "kind": kind, "says": self.says, "verdict": self.verdict,
@@ -156,7 +157,7 @@ impl Entry {
 }
 
 impl Verdict {
-    /// All verdicts, as the lists explain them.
+    /// All verdicts, in the order of their explanation.
     pub const ALL: [Verdict; 8] = [
         Verdict::Right,
         Verdict::Convention,
@@ -168,7 +169,7 @@ impl Verdict {
         Verdict::Rebuilt,
     ];
 
-    /// The word of the lists.
+    /// The word used in lists.
     pub fn word(self) -> &'static str {
         match self {
             Verdict::Right => "right",
@@ -182,10 +183,10 @@ impl Verdict {
         }
     }
 
-    /// The verdict of this word.
+    /// The verdict with this word.
     ///
     /// # Errors
-    /// If there is none.
+    /// If there is no such verdict.
     pub fn named(word: &str) -> Result<Self> {
         let found = Verdict::ALL.into_iter().find(|v| v.word().eq_ignore_ascii_case(word));
         found.ok_or_else(|| Error::Unknown {

@@ -1,11 +1,11 @@
-//! The inventory as documents: lists by groups, and one entry with all that is known of it.
+//! The inventory as documents: lists by group, and single entries in full.
 
 use super::{Entry, Group, Verdict, groups};
 use crate::chapter::code;
 use crate::chapter::exhibit::{self, Exhibit};
 use crate::document::{Block, Document, Section, Table};
 
-/// The entries of a group, or of all, that have a verdict, or any.
+/// The entries of a group, or of all, with a verdict, or with any.
 pub fn chosen(
     kind: Option<&Group>,
     verdict: Option<Verdict>,
@@ -19,7 +19,7 @@ pub fn chosen(
     )
 }
 
-/// A list of entries, a table a group.
+/// A list of entries, one table per group.
 pub fn list(kind: Option<&Group>, verdict: Option<Verdict>) -> Document {
     let mut document =
         Document { title: "The chapter".into(), is_accepted: true, ..Document::default() };
@@ -65,7 +65,7 @@ fn line(entry: &Entry) -> Vec<String> {
 }
 
 impl Entry {
-    /// The entry with all that is known of it.
+    /// The entry in full.
     pub fn document(&self) -> Document {
         let mut document = Document {
             title: format!("K&M {}", self.id),
@@ -89,7 +89,7 @@ impl Entry {
         document
     }
 
-    /// What is printed and what is corrected, of a listing.
+    /// The printed and corrected forms of a listing.
     fn listing(&self) -> Section {
         let mut section = Section::new("both forms");
         if let Some(listing) = code::listing(&self.id) {

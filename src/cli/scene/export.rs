@@ -1,4 +1,4 @@
-//! `export`: the LCP of a step as a problem file.
+//! `export`: writes the LCP of a step as a problem file.
 
 use std::path::PathBuf;
 

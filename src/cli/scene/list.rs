@@ -1,4 +1,4 @@
-//! `scenes`: what is shipped, and what a scene may have.
+//! `scenes`: lists the shipped scenes, and the fields of the scene format.
 
 use clap::Args;
 use lcplab::constraint;

@@ -1,5 +1,4 @@
-//! Commands on a scene, one a file, and what they have in common: the scene, and what to change in
-//! it.
+//! Commands on a scene, one per file, and their common options: the scene and its changes.
 
 mod export;
 mod list;
@@ -57,7 +56,7 @@ pub struct StepArgs {
 }
 
 impl StepArgs {
-    /// The first option that is given.
+    /// The first option that was given.
     pub fn given(&self) -> Option<&'static str> {
         let scheme = self.scheme.is_some().then_some("--scheme");
         let dt = self.dt.is_some().then_some("--dt");
@@ -81,7 +80,7 @@ pub struct SolveArgs {
 }
 
 impl SolveArgs {
-    /// The same for problems, which state no settings of their own.
+    /// The same for problems, which have no settings of their own.
     pub fn with_defaults(&self) -> SolverArgs {
         let SolveArgs { tolerance, max_iterations, memory, choices } = *self;
         SolverArgs::new(tolerance, max_iterations, memory, choices)
@@ -103,7 +102,7 @@ impl Changes {
         Scene::load_with(scene, &self.set)
     }
 
-    /// The file of this scene with these changes, whose bodies begin with these states, at this
+    /// The file of this scene with these changes, whose bodies start with these states, at this
     /// time (s) after its beginning.
     pub fn saved(&self, path: &str, scene: &Scene, states: &[State], time: f64) -> Result<String> {
         scene::saved(path, &self.set, scene, states, time)
@@ -124,14 +123,14 @@ fn key_and_value(text: &str) -> std::result::Result<(String, String), String> {
     }
 }
 
-/// The names of the schemes, each of which is one.
+/// A parser for the names of the schemes.
 fn schemes() -> impl TypedValueParser<Value = Scheme> {
     let names = Scheme::ALL.map(Scheme::name);
     PossibleValuesParser::new(names).map(|name| Scheme::by_name(&name).unwrap_or_default())
 }
 
 impl SceneArgs {
-    /// The scene, stepped by this solver if it is not its own.
+    /// The scene, stepped by this solver instead of its own if given.
     pub fn load(&self, named: Option<&str>) -> Result<Scene> {
         let mut scene = self.step.changes.load(&self.scene)?;
         scene.step.scheme = self.step.scheme.unwrap_or(scene.step.scheme);
@@ -156,14 +155,15 @@ impl SceneArgs {
         Ok(scene)
     }
 
-    /// The scene at its start, with its solver; options that it does not look at are refused.
+    /// A simulation of the scene at its start, with its solver; options that the solver does not
+    /// use are rejected.
     fn simulation(&self, scene: &Scene) -> Result<Simulation> {
         let simulation = Simulation::unjudged(scene).map_err(|error| self.blamed(error))?;
         self.check(&[self.method(&scene.solver.name, scene)?], scene)?;
         Ok(simulation)
     }
 
-    /// An unknown solver is the file's fault if it was not asked for here.
+    /// Attributes an unknown solver to the scene file, unless it was given here.
     fn blamed(&self, error: Error) -> Error {
         match (&self.solver, &error) {
             (None, Error::Unknown { .. }) => {
@@ -173,7 +173,7 @@ impl SceneArgs {
         }
     }
 
-    /// The solver of this name. One that is asked for must be made for the friction model; if the
+    /// The solver with this name. A requested solver must be made for the friction model; if the
     /// scene's own is not, another one is used and the output names it.
     fn method(&self, name: &str, scene: &Scene) -> Result<Method> {
         match scene.contact.model {
@@ -184,7 +184,7 @@ impl SceneArgs {
         }
     }
 
-    /// Whether a solver is asked for.
+    /// Whether a solver was given.
     fn is_named(&self) -> bool {
         self.solver.is_some() || !self.plugins.is_empty()
     }

@@ -1,4 +1,4 @@
-//! `simulate`: a scene stepped through time and recorded.
+//! `simulate`: steps a scene through time and records it.
 
 use std::path::PathBuf;
 
@@ -19,7 +19,7 @@ use crate::cli::limits::Limits;
 use crate::cli::plugin::Plugins;
 use crate::cli::{Outcome, bar, print};
 
-/// What is written into the folder.
+/// The files that are written into the folder.
 const FILES: [&str; 7] = [
     "trajectory.csv",
     "ledger.csv",
@@ -29,7 +29,7 @@ const FILES: [&str; 7] = [
     "index.html",
     "frames.svg",
 ];
-/// The steps that a duration may stand for.
+/// Maximum number of steps that a duration may give.
 const MOST_STEPS: f64 = 1e9;
 
 /// Simulate a scene and record its motion
@@ -114,7 +114,7 @@ impl Simulate {
         })
     }
 
-    /// How many steps are asked for.
+    /// The requested number of steps.
     fn count(&self, scene: &Scene) -> Result<usize> {
         match self.duration {
             None => Ok(self.steps.unwrap_or(scene.step.count)),
@@ -129,8 +129,8 @@ impl Simulate {
         }
     }
 
-    /// Records the steps; returns why they ended early. They are taken on a thread of their own:
-    /// one that cannot be cut short in time is left behind, and those before it are not lost.
+    /// Records the steps; returns why they ended early. They are computed on a separate thread: a
+    /// step that cannot be interrupted in time is abandoned, and the steps before it are not lost.
     fn record(
         &self,
         steps: usize,
@@ -170,7 +170,7 @@ impl Simulate {
         is_left_behind.then(|| Failure { step, time, cause: Cause::Stopped(stop.reason()) })
     }
 
-    /// Writes the folder, if one is wanted.
+    /// Writes the folder, if requested.
     fn write(&self, scene: &Scene, record: &Record, camera: Camera) -> Result<()> {
         let Some(folder) = &self.out else { return Ok(()) };
         record.write(folder)?;
@@ -184,7 +184,7 @@ impl Simulate {
         file::write_in(folder, "frames.svg", strip.svg())
     }
 
-    /// The steps after which to look; none if no picture is wanted.
+    /// The steps to draw; empty if no picture is requested.
     fn instants(&self, steps: usize, frames: usize) -> Vec<usize> {
         match self.out {
             Some(_) => instants(steps, frames),
@@ -193,11 +193,11 @@ impl Simulate {
     }
 }
 
-/// What is kept for the film and for the strip of frames.
+/// The instants for the animation and for the strip of frames.
 struct Camera {
-    /// The steps after which the film is shot.
+    /// The steps that the animation shows.
     shots: Vec<usize>,
-    /// The steps after which a frame is drawn.
+    /// The steps that the strip shows.
     instants: Vec<usize>,
     take: Take,
     frames: Vec<Frame>,

@@ -1,4 +1,4 @@
-//! What is measured over time: a curve a take, above the axis of the film's instants.
+//! Charts of measures over time: one curve per take, above the animation's time axis.
 
 use std::fmt::Write;
 
@@ -11,15 +11,15 @@ use crate::plot::style::WIDTH;
 /// The sides of the plot in px: left, right, top, bottom; and the height of the picture.
 pub(super) const PLOT: [f64; 4] = [64.0, WIDTH - 10.0, 8.0, 106.0];
 const HEIGHT: f64 = 130.0;
-/// A measure that stays below this part of what it could be is rounding, and not shown.
+/// A measure below this fraction of its reference value is rounding, and not shown.
 const NOTHING: f64 = 1e-9;
 
-/// What is measured of an instant.
+/// A measure at an instant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measure {
-    /// The energy less that at the start (J).
+    /// The energy minus that at the start (J).
     Energy,
-    /// The largest |c| of an equality row that is a length (m).
+    /// The largest |c| of an equality row with the unit of length (m).
     Drift,
     /// The deepest overlap (m).
     Penetration,
@@ -69,12 +69,12 @@ pub(super) fn measures(film: &Film) -> Vec<Measure> {
     Measure::ALL.into_iter().filter(matters).collect()
 }
 
-/// Below this a measure is rounding.
+/// The value below which a measure is rounding.
 pub(super) fn least(film: &Film, measure: Measure) -> f64 {
     NOTHING * most(film, measure)
 }
 
-/// What a measure could be: the scene's own size, or its weight lifted by that.
+/// The reference value of a measure: the scene's size, or its weight times that size.
 fn most(film: &Film, measure: Measure) -> f64 {
     let size = extent::size(&extent::landmarks(&film.scene, &[]));
     let masses: f64 = film.scene.bodies.iter().map(|body| body.mass.mass()).sum();
@@ -84,8 +84,7 @@ fn most(film: &Film, measure: Measure) -> f64 {
     }
 }
 
-/// The values at the bottom and the top of a plot. What is beyond what it could be has left the
-/// picture.
+/// The values at the bottom and the top of a plot; values beyond the reference are cut off.
 pub(super) fn range(film: &Film, measure: Measure) -> (f64, f64) {
     let most = most(film, measure);
     let all = film.takes.iter().flat_map(|take| values(take, measure));

@@ -1,4 +1,4 @@
-//! A film as numbers: what moves, where it is, and what acts on it.
+//! The data of an animation: the bodies, their poses, and the forces.
 
 use nalgebra::Vector3;
 use serde_json::{Value, json};
@@ -16,13 +16,13 @@ use crate::film::solid::Solid;
 use crate::film::{Camera, arrow, joint};
 use crate::scene::Scene;
 
-/// A position is rounded to a power of ten of metres below so many px.
+/// Positions are rounded to a power of ten of meters below this length (px).
 const EXACT: f64 = 0.05;
-/// Parts of a quaternion are rounded to 1 over this.
+/// Quaternion components are multiplied by this and rounded.
 pub(super) const TURN: f64 = 1e4;
-/// Steps from a body that is grey to one that is red.
+/// The number of color steps from gray to red.
 const HEATS: u8 = 20;
-/// Numbers larger than this are cut: they are far out of the picture.
+/// Larger numbers are clipped: they are far outside the picture.
 const FAR: f64 = 1e12;
 
 pub(super) fn json(film: &Film) -> Value {
@@ -68,8 +68,8 @@ pub(super) fn json(film: &Film) -> Value {
     })
 }
 
-/// The parts of each body, one but of a compound, with corners and faces in the body's own frame;
-/// none where nothing is drawn.
+/// The parts of each body (several for a compound), with corners and faces in the body's frame;
+/// empty if nothing is drawn.
 fn bodies(scene: &Scene, lens: &Lens) -> Vec<Value> {
     let dot = joint::dot(scene, lens) / lens.scale;
     let part = |k: usize, body: &Body, solid: Solid| {
@@ -89,7 +89,7 @@ fn bodies(scene: &Scene, lens: &Lens) -> Vec<Value> {
     scene.bodies.iter().enumerate().map(of).map(Value::from).collect()
 }
 
-/// A rectangle of the ground, with the lines of its grid.
+/// A rectangle of the ground with its grid lines.
 fn ground(patch: &Patch) -> Value {
     let lines = patch.lines.iter().map(|line| line.map(|end| micro(&end)));
     json!({
@@ -99,7 +99,7 @@ fn ground(patch: &Patch) -> Value {
     })
 }
 
-/// The two points of each constraint on its bodies, null being the world, and their marks: 1 is a
+/// The two points of each constraint on its bodies, null for the world, and their marks: 1 is a
 /// dot, 2 a square.
 fn joints(scene: &Scene) -> Vec<Value> {
     let of = |constraint: &dyn crate::constraint::Constraint| {
@@ -132,8 +132,7 @@ fn take(film: &Film, take: &Take, stage: &Stage, unit: f64) -> Value {
     })
 }
 
-/// The channels of a body: x, y, z, and the parts w, i, j, k of its quaternion unless it is a
-/// point.
+/// The channels of a body: x, y, z, and the quaternion components w, i, j, k unless it is a point.
 fn poses(film: &Film, take: &Take, body: usize, unit: f64) -> Vec<Vec<i64>> {
     let mut last = nalgebra::Quaternion::identity();
     let rows = take.shots.iter().map(|shot| {
@@ -149,7 +148,7 @@ fn poses(film: &Film, take: &Take, body: usize, unit: f64) -> Vec<Vec<i64>> {
     (0..channels).map(|k| changes(rows.iter().map(|row| row[k]))).collect()
 }
 
-/// The first number and the differences, without the zeros at the end.
+/// The first number and the differences, without trailing zeros.
 fn changes(numbers: impl Iterator<Item = i64>) -> Vec<i64> {
     let mut before = 0;
     let mut changes: Vec<i64> = numbers
@@ -165,7 +164,7 @@ fn changes(numbers: impl Iterator<Item = i64>) -> Vec<i64> {
     changes
 }
 
-/// How red each body is, in steps; nothing where bodies have their own colours.
+/// The color of each body, in steps; empty if bodies have their own colors.
 fn heat(film: &Film, take: &Take) -> Vec<Vec<i64>> {
     if take.shots.iter().all(|shot| shot.frame.heat.is_empty()) {
         return Vec::new();
@@ -176,7 +175,7 @@ fn heat(film: &Film, take: &Take) -> Vec<Vec<i64>> {
     (0..film.scene.bodies.len()).map(body).collect()
 }
 
-/// Seven numbers a force: origin, where it acts in units, and its arrow in tenths of a px along the
+/// Seven numbers per force: origin, point of action in units, and arrow in tenths of a px along the
 /// world's axes.
 fn forces(forces: &[Force], stage: &Stage, unit: f64) -> Vec<i64> {
     let Some(newton) = stage.newton else { return Vec::new() };
@@ -192,7 +191,7 @@ fn forces(forces: &[Force], stage: &Stage, unit: f64) -> Vec<i64> {
     drawn.flatten().collect()
 }
 
-/// A point in micrometres, in m; a unit vector as exactly.
+/// A point rounded to micrometers, in m; a unit vector with the same precision.
 fn micro(point: &Vector3<f64>) -> [f64; 3] {
     [point.x, point.y, point.z].map(|x| (x * 1e6).round() / 1e6)
 }
@@ -201,7 +200,7 @@ fn whole(x: f64) -> i64 {
     x.clamp(-FAR, FAR).round() as i64
 }
 
-/// Four significant digits.
+/// The number rounded to four significant digits.
 fn short(x: f64) -> f64 {
     format!("{x:.3e}").parse().unwrap_or(x)
 }

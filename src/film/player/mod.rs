@@ -1,8 +1,9 @@
-//! The film: one scene by several solvers, instant by instant, all seen by one camera at one scale.
+//! The animation: one scene by several solvers, instant by instant, seen by one camera at one
+//! scale.
 //!
 //! ```text
 //! simulation ─→ takes ─→ poses, order, forces, measures as numbers ─→ a player
-//!               shots     rounded to what an eye can tell apart
+//!               shots     rounded to the visible precision
 //! ```
 
 mod chart;
@@ -23,11 +24,11 @@ use crate::solver::Stop;
 pub use chart::Measure;
 use stage::Stage;
 
-/// Instants of a take, and of all takes of a film together, at most.
+/// Maximum number of instants in a take, and in all takes of an animation.
 const SHOTS: (usize, usize) = (151, 600);
-/// Instants of a take in the strip that stands for the film where it cannot be played.
+/// Number of instants in the strip shown where the animation cannot be played.
 const STILLS: usize = 5;
-/// Names whose colours variants of one name get.
+/// Names whose colors are used for variants of one name.
 const SPARE: [&str; 5] = ["acceleration", "soft", "penalty", "position", "exact"];
 
 /// One scene, simulated in several ways.
@@ -47,18 +48,18 @@ const SPARE: [&str; 5] = ["acceleration", "soft", "penalty", "position", "exact"
 pub struct Film {
     /// A name without spaces, unique on a page.
     pub id: String,
-    /// What moves.
+    /// The scene.
     pub scene: Scene,
-    /// How it moved, a take a solver; all have their shots after the same steps.
+    /// The takes, one per solver; all have their shots after the same steps.
     pub takes: Vec<Take>,
-    /// From where it is seen.
+    /// The view.
     pub view: View,
 }
 
-/// A scene as one solver moved it.
+/// A scene as simulated by one solver.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Take {
-    /// The solver, and after a comma how it was set.
+    /// The solver, and after a comma its settings.
     pub name: String,
     /// Its instants from the start on.
     pub shots: Vec<Shot>,
@@ -66,7 +67,7 @@ pub struct Take {
     pub ending: Option<String>,
 }
 
-/// An instant with what is measured of it.
+/// An instant with its measures.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shot {
     /// The poses and forces.
@@ -88,17 +89,17 @@ impl Take {
         self.shots.push(Shot { frame, motion });
     }
 
-    /// Notes why the simulation ended early, if it did.
+    /// Records why the simulation ended early, if it did.
     pub fn end(&mut self, failure: Option<&Failure>) {
         self.ending = failure.map(ToString::to_string);
     }
 
-    /// Steps a simulation and keeps so many instants.
+    /// Runs a simulation and keeps this number of instants.
     pub fn of(name: &str, simulation: &mut Simulation, steps: usize, shots: usize) -> Self {
         Take::until(&Stop::default(), name, simulation, steps, shots)
     }
 
-    /// The same until it is time to stop.
+    /// The same with a stop condition.
     pub fn until(
         stop: &Stop,
         name: &str,
@@ -133,25 +134,25 @@ impl Take {
 }
 
 impl Film {
-    /// A film of these takes, seen from where all of them are seen best.
+    /// An animation of these takes, with the best view for all of them.
     pub fn new(id: impl Into<String>, scene: &Scene, takes: Vec<Take>) -> Self {
         let frames: Vec<_> = takes.iter().flat_map(Take::frames).collect();
         let view = View::of(scene, &frames);
         Film { id: id.into(), scene: scene.clone(), takes, view }
     }
 
-    /// How many instants each of so many takes should have.
+    /// The number of instants for each of this number of takes.
     pub fn shots(takes: usize) -> usize {
         SHOTS.0.min(SHOTS.1 / takes.max(1))
     }
 
-    /// The instants (s), as far as the longest take goes.
+    /// The instants (s), up to the end of the longest take.
     pub fn times(&self) -> Vec<f64> {
         self.longest().iter().map(|shot| shot.motion.time).collect()
     }
 
-    /// The instant that is shown first: the one at which takes are farthest apart, or of a single
-    /// take the one at which its forces are largest; the first of them.
+    /// The first instant to show: the one with the largest difference between takes or, for a
+    /// single take, with the largest forces; the first of these.
     pub fn telling(&self) -> usize {
         let shot = |take: &Take, k: usize| take.shots.get(k).map(|shot| shot.frame.clone());
         let apart = |one: &Frame, other: &Frame| {
@@ -179,7 +180,7 @@ impl Film {
         longest.map_or(&[], |take| &take.shots)
     }
 
-    /// The film, drawn for a page.
+    /// The animation, drawn for a page.
     pub fn reel(&self) -> Reel {
         let chart = |measure: Measure| Chart {
             name: measure.name().into(),
@@ -197,7 +198,7 @@ impl Film {
         }
     }
 
-    /// How many takes stand side by side.
+    /// The number of takes side by side.
     fn columns(&self) -> usize {
         match self.takes.len() {
             4 => 2,
@@ -205,17 +206,18 @@ impl Film {
         }
     }
 
-    /// What is measured and not 0 in every take, the energy first.
+    /// The measures that are available and not 0 in every take, the energy first.
     pub fn measures(&self) -> Vec<Measure> {
         chart::measures(self)
     }
 
-    /// A measure over time, a curve a take, as an SVG element for a page that has the colours.
+    /// A measure over time, one curve per take, as an SVG element for a page that defines the
+    /// colors.
     pub fn chart(&self, measure: Measure) -> String {
         chart::svg(self, measure)
     }
 
-    /// The width and height of a stage in px.
+    /// The width and height of the picture in px.
     pub fn size(&self) -> (f64, f64) {
         let lens = self.stage().lens;
         (lens.width, lens.height)
@@ -233,9 +235,9 @@ impl Film {
         self.takes.iter().zip(colors).map(pane).collect()
     }
 
-    /// All that a player needs, as one JSON object. Positions are in units of `unit` (m), parts of
-    /// quaternions in 1/10000; each list is the first number and then the changes, without the
-    /// zeros at its end.
+    /// The data for the player, as one JSON object. Positions are in units of `unit` (m),
+    /// quaternion components in 1/10000; each list has the first number and then the differences,
+    /// without trailing zeros.
     pub fn data(&self) -> String {
         data::json(self).to_string()
     }
@@ -260,7 +262,7 @@ impl Film {
         Stage::new(self, Camera::new(self.view), landmarks)
     }
 
-    /// The colours of the takes' names; variants of one name get others that are free.
+    /// The colors of the takes' names; variants of one name get other unused colors.
     fn colors(&self) -> Vec<String> {
         let mut taken = Vec::new();
         for take in &self.takes {

@@ -1,4 +1,4 @@
-//! The stage: the picture's measures, and what stands in it all the time.
+//! The stage: the dimensions of the picture, and its fixed parts.
 
 use std::fmt::Write;
 
@@ -16,31 +16,31 @@ use crate::number::readable;
 use crate::plot::round_step;
 use crate::plot::style::{WIDTH, width};
 
-/// The least and the greatest height of a stage in px.
+/// The minimum and maximum height of a stage in px.
 const HEIGHT: (f64, f64) = (250.0, 420.0);
-/// Between stages in px.
+/// The gap between stages in px.
 const GAP: f64 = 10.0;
-/// Beneath the motion in px, for the scales.
+/// The space below the motion for the scales, in px.
 const FOOT: f64 = 22.0;
 /// Size of the scales' text in px.
 const SMALL: f64 = 11.0;
-/// The length of the scale bar, as a share of the width, at least.
+/// The minimum length of the scale bar, as a fraction of the width.
 const BAR: f64 = 0.12;
-/// The share of instants whose largest force has a whole arrow: blows leave the picture, and what
-/// rests can be seen.
+/// The fraction of instants whose largest force is drawn in full: arrows of impacts leave the
+/// picture, so that resting forces stay visible.
 const USUAL: f64 = 0.9;
 
 pub(super) struct Stage {
     pub lens: Lens,
-    /// px for a newton, if there are forces.
+    /// px per newton, if there are forces.
     pub newton: Option<f64>,
     /// The ground.
     pub patches: Vec<Patch>,
-    /// What a camera that is turned turns about (m, world): the middle of the picture, as deep as
-    /// the motion is.
+    /// The pivot of a rotating camera (m, world): the center of the picture, at the depth of the
+    /// motion.
     pub pivot: Vector3<f64>,
     origins: Vec<Origin>,
-    /// The force (N) whose arrow is as long as arrows should be.
+    /// The force (N) whose arrow has the standard length.
     usual: f64,
 }
 
@@ -82,7 +82,7 @@ impl Stage {
         )
     }
 
-    /// A bar of a round length, and an arrow of a round force for each origin that occurs.
+    /// A bar of a round length, and an arrow of a round force for each origin.
     fn scales(&self) -> String {
         let y = self.lens.height - 11.0;
         let metres = round_step(BAR * self.lens.width / self.lens.scale);

@@ -2,11 +2,11 @@
 
 use super::Verdict;
 
-/// A box, a hand and the ground: the box is moved by the impulses of the answer, and each step is
-/// held against the three sentences of the lesson.
+/// A box, a hand and the ground: moves the box by the impulses of the answer and checks the three
+/// conditions of the lesson in each step.
 ///
 /// # Errors
-/// Says in which step which sentence is broken, or that the ground reaches up.
+/// Names the step and the violated condition, or says that the ground pulls.
 pub fn hand(answer: fn(f64, &[f64], f64) -> Vec<f64>) -> Verdict {
     let thrown = [0.0, 40.0, 40.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -5.0, 0.0];
     let caught = [12.0, 12.0, 0.0, 7.0, -3.0, 0.0, 0.0, 0.0, 0.0];
@@ -48,10 +48,10 @@ pub fn hand(answer: fn(f64, &[f64], f64) -> Vec<f64>) -> Verdict {
     Ok(())
 }
 
-/// One row, w = a x + b with lo ≤ x ≤ hi: held against the three cases of the definition.
+/// One row, w = a x + b with lo ≤ x ≤ hi: checked against the three cases of the definition.
 ///
 /// # Errors
-/// Says which case an answer misses.
+/// Names the case that an answer violates.
 pub fn one_row(answer: fn(f64, f64, f64, f64) -> f64) -> Verdict {
     for (a, b, lo, hi) in [
         (2.0, -3.0, 0.0, f64::INFINITY),
@@ -75,10 +75,10 @@ pub fn one_row(answer: fn(f64, f64, f64, f64) -> f64) -> Verdict {
     Ok(())
 }
 
-/// Two rows, w = A x + b ≥ 0, x ≥ 0, x·w = 0: held against the definition, entry by entry.
+/// Two rows, w = A x + b ≥ 0, x ≥ 0, x·w = 0: checked against the definition, entry by entry.
 ///
 /// # Errors
-/// Says which condition an answer breaks.
+/// Names the condition that an answer violates.
 pub fn two_rows(answer: fn([[f64; 2]; 2], [f64; 2]) -> [f64; 2]) -> Verdict {
     let a = [[2.0, -1.0], [-1.0, 2.0]];
     for (a, b) in [
@@ -93,10 +93,10 @@ pub fn two_rows(answer: fn([[f64; 2]; 2], [f64; 2]) -> [f64; 2]) -> Verdict {
     Ok(())
 }
 
-/// Bug 1.b, the cases of two rows: the same definition, also where one contact loads the other.
+/// Bug 1.b, the cases of two rows: the same definition, also if one contact loads the other.
 ///
 /// # Errors
-/// Says which condition an answer breaks.
+/// Names the condition that an answer violates.
 pub fn two_contacts(answer: fn([[f64; 2]; 2], [f64; 2]) -> [f64; 2]) -> Verdict {
     let apart = [[2.0, 0.0], [0.0, 1.0]];
     let balls = [[2.0, -1.0], [-1.0, 2.0]]; // three in a line

@@ -2,10 +2,10 @@
 
 use super::Verdict;
 
-/// The growth of the distance: held against the place that the tangent leads to.
+/// The growth of the distance: compared with the position reached along the tangent.
 ///
 /// # Errors
-/// Says for which step the bob is elsewhere.
+/// Names the step for which the bob is elsewhere.
 pub fn tangent(answer: fn(f64, f64, f64) -> f64) -> Verdict {
     for (l, v, dt) in [(1.0, 3.0, 1.0), (2.0, 4.4, 1.0 / 60.0), (0.5, -1.0, 0.1), (1.0, 0.0, 1.0)] {
         let grown = answer(l, v, dt);
@@ -21,7 +21,7 @@ pub fn tangent(answer: fn(f64, f64, f64) -> f64) -> Verdict {
     Ok(())
 }
 
-/// The bias of a contact: held against where the bodies are after a step that it just allows.
+/// The bias of a contact: checked by the positions of the bodies after a step that it just allows.
 ///
 /// # Errors
 /// Says what the bodies do instead of what they should.
@@ -57,10 +57,10 @@ pub fn bias(answer: fn(f64, f64, f64, f64) -> f64) -> Verdict {
     Ok(())
 }
 
-/// γ and β of a spring: held against a weight on an implicit spring, velocity by velocity.
+/// γ and β of a spring: compared with a weight on an implicit spring, velocity by velocity.
 ///
 /// # Errors
-/// Says for which spring and mass the row does something else.
+/// Names the spring and mass for which the row differs.
 pub fn spring(answer: fn(f64, f64, f64) -> [f64; 2]) -> Verdict {
     for (k, d, dt) in
         [(400.0, 20.0, 0.01), (50.0, 0.0, 0.1), (0.0, 3.0, 0.5), (1e4, 1.0, 1.0 / 60.0)]
@@ -82,11 +82,11 @@ pub fn spring(answer: fn(f64, f64, f64) -> [f64; 2]) -> Verdict {
     Ok(())
 }
 
-/// Bug 10.b, a bob on a rod with feedback: held against the decay of an error by 1 − β a step, and
-/// against the error that stays while it swings, v² dt² / (2 l β).
+/// Bug 10.b, a bob on a rod with feedback: compared with the decay of an error by 1 − β per step,
+/// and with the remaining error while it swings, v² dt² / (2 l β).
 ///
 /// # Errors
-/// Says how long the rod is instead.
+/// Gives the actual length of the rod.
 pub fn feedback(answer: fn([f64; 2], f64, f64, f64, f64, usize) -> [f64; 2]) -> Verdict {
     for (l, beta, dt, steps) in
         [(1.0, 0.5, 1.0, 3), (1.0, 0.2, 0.1, 10), (2.0, 0.2, 1.0 / 60.0, 10), (0.5, 1.0, 0.01, 1)]
@@ -104,7 +104,7 @@ pub fn feedback(answer: fn([f64; 2], f64, f64, f64, f64, usize) -> [f64; 2]) -> 
         }
     }
     for (l, beta, dt) in [(1.0, 0.2, 1.0 / 60.0), (1.0, 0.2, 0.005), (3.0, 0.5, 0.01)] {
-        // It starts level, so at the bottom v² = 2 g l.
+        // It starts from a horizontal rod, so at the bottom v² = 2 g l.
         let law = 9.81 * dt * dt / beta;
         let mut worst: f64 = 0.0;
         for steps in (0..=(10.0 / dt) as usize).step_by(7) {

@@ -5,11 +5,11 @@ use super::Verdict;
 type Boxed =
     (&'static [&'static [f64]], &'static [f64], &'static [f64], &'static [f64], &'static [f64]);
 
-/// The scaled residual: of each row the middle one of a (x − lo), w and a (x − hi) is missed, in
-/// size; and other units change nothing.
+/// The scaled residual: in each row, the absolute value of the middle one of a (x − lo), w and a
+/// (x − hi) relative to the terms; independent of units.
 ///
 /// # Errors
-/// Says at which x it is wrong, or which units change it.
+/// Names the x at which it is wrong, or the units that change it.
 pub fn scaled(answer: fn(&[Vec<f64>], &[f64], &[f64], &[f64], &[f64]) -> f64) -> Verdict {
     const INFINITY: f64 = f64::INFINITY;
     let balls: &[&[f64]] = &[&[2.0, -1.0], &[-1.0, 2.0]];
@@ -61,7 +61,7 @@ pub fn scaled(answer: fn(&[Vec<f64>], &[f64], &[f64], &[f64], &[f64]) -> f64) ->
         if worst > 0.0 && got == 0.0 {
             return Err(format!("{at}, but this x is no solution: row {which} is not satisfied"));
         }
-        // Impulses in 10 N s and 0.1 N s by turns, velocities in mm/s.
+        // Impulses alternately in 10 N s and 0.1 N s, velocities in mm/s.
         let unit = |i: usize| if i.is_multiple_of(2) { 10.0 } else { 0.1 };
         let scaled_by = |v: &[f64]| -> Vec<f64> { (0..n).map(|i| v[i] / unit(i)).collect() };
         let other_a: Vec<Vec<f64>> =
@@ -82,8 +82,8 @@ pub fn scaled(answer: fn(&[Vec<f64>], &[f64], &[f64], &[f64], &[f64]) -> f64) ->
     }
     Ok(())
 }
-/// The exact answer of an active set: held against complementarity, and against sets whose signs
-/// are known.
+/// The exact answer of an active set: checked by complementarity, and with sets whose signs are
+/// known.
 ///
 /// # Errors
 /// Says what is wrong with an answer, or why there should be one or none.
@@ -137,11 +137,11 @@ pub fn repair(answer: fn([[f64; 2]; 2], [f64; 2], [f64; 2]) -> Option<([f64; 2],
     Ok(())
 }
 
-/// A proof of infeasibility: held against problems whose solvability is known by construction, and
-/// vectors that miss one condition each.
+/// A proof of infeasibility: checked on problems whose solvability is known by construction, and on
+/// vectors that violate one condition each.
 ///
 /// # Errors
-/// Says which vector was misjudged.
+/// Names the vector that was misjudged.
 pub fn farkas(answer: fn([[f64; 2]; 2], [f64; 2], [f64; 2]) -> bool) -> Verdict {
     let pressed = [[1.0, -1.0], [-1.0, 1.0]];
     let skewed = [[0.0, -1.0], [1.0, 0.0]];
@@ -175,10 +175,10 @@ pub fn farkas(answer: fn([[f64; 2]; 2], [f64; 2], [f64; 2]) -> bool) -> Verdict 
     Ok(())
 }
 
-/// Bug 8.b, sweeps with a stop test: held against the natural residual after each sweep.
+/// Bug 8.b, sweeps with a stop test: compared with the natural residual after each sweep.
 ///
 /// # Errors
-/// Says whether it stopped too soon or too late.
+/// Says whether it stopped too early or too late.
 pub fn stop(answer: fn(&[Vec<f64>], &[f64], f64) -> (Vec<f64>, usize)) -> Verdict {
     let balls = vec![vec![2.0, -1.0], vec![-1.0, 2.0]];
     let plank = vec![vec![2.0, 1.0], vec![1.0, 2.0]];

@@ -3,11 +3,12 @@
 use super::Verdict;
 use crate::lcp::{Lcp, Matrix};
 use crate::solver::{Options, Start, by_name};
-/// Three figures: of each, no point may lie farther out in the direction from the answer to the
-/// wanted point. A square, a disc and a diamond have a formula for how far out they go.
+/// The nearest point of a square, a disk and a diamond: no point of the shape may lie farther than
+/// the answer in the direction from the answer to the given point, which is checked by a formula
+/// for each shape.
 ///
 /// # Errors
-/// Says which figure the answer leaves, or in which another point is nearer.
+/// Names the shape that the answer leaves, or in which another point is nearer.
 pub fn nearest(answer: fn([f64; 2], f64) -> [[f64; 2]; 3]) -> Verdict {
     for (wanted, limit) in [
         ([0.3, -0.2], 1.0),
@@ -50,8 +51,8 @@ pub fn nearest(answer: fn([f64; 2], f64) -> [[f64; 2]; 3]) -> Verdict {
     Ok(())
 }
 
-/// The nearest point of a cone: held against what distinguishes it, that it lies in the cone and
-/// that no point of a fine net of the cone is nearer.
+/// The nearest point of a cone: the answer must lie in the cone, and no point of a fine grid on the
+/// cone may be nearer.
 ///
 /// # Errors
 /// Says which of the two fails.
@@ -86,10 +87,10 @@ pub fn cone(answer: fn([f64; 3], f64) -> [f64; 3]) -> Verdict {
     Ok(())
 }
 
-/// A kicked block: held against small steps, each an LCP with the coupled box.
+/// A kicked block: compared with small steps, each an LCP with the coupled box.
 ///
 /// # Errors
-/// Says when the answer leaves the path.
+/// Says when the answer deviates from the path.
 pub fn uphill(answer: fn(f64, f64, f64, f64) -> f64) -> Verdict {
     for (degrees, mu, v0) in [(20.0f64, 0.2, 2.0), (20.0, 0.6, 2.0), (35.0, 0.1, 0.0)] {
         let theta = degrees.to_radians();
@@ -128,10 +129,10 @@ fn slope_step(theta: f64, mu: f64, v: f64, dt: f64) -> Option<f64> {
     Some(solver.solve(&lcp, &Start::default(), &mut ()).w[1])
 }
 
-/// Bug 11.b, a block that is pushed and pressed: each step is held against Coulomb's law.
+/// Bug 11.b, a block that is pushed and pressed: each step is checked against Coulomb's law.
 ///
 /// # Errors
-/// Says in which step the law is broken, and how.
+/// Names the step that violates the law, and how.
 pub fn pressed(answer: fn(f64, f64, f64, &[[f64; 2]]) -> Vec<f64>) -> Verdict {
     let steady = [[0.0, 0.0], [0.0, 0.0], [4.0, 0.0], [4.0, 0.0]];
     let slides = [[0.0, 0.0], [30.0, 0.0], [30.0, 0.0], [0.0, 0.0], [0.0, 0.0], [0.0, 0.0]];

@@ -4,10 +4,10 @@ use super::Verdict;
 use crate::lcp::{Lcp, Matrix};
 use crate::solver::all_solutions;
 
-/// Two balls: held against the laws of momentum and restitution.
+/// Two balls: checked against the laws of momentum and restitution.
 ///
 /// # Errors
-/// Says which law is broken.
+/// Names the violated law.
 pub fn two_balls(answer: fn([f64; 2], [f64; 2], f64) -> [f64; 2]) -> Verdict {
     for (m, v, e) in [
         ([1.0, 1.0], [1.0, 0.0], 1.0),
@@ -35,10 +35,10 @@ pub fn two_balls(answer: fn([f64; 2], [f64; 2], f64) -> [f64; 2]) -> Verdict {
     Ok(())
 }
 
-/// One row with any a: held against all active sets, tried in exact arithmetic.
+/// One row with any a: compared with all active sets, tried in exact arithmetic.
 ///
 /// # Errors
-/// Says what a listed x breaks, or that answers are missing.
+/// Says what a listed x violates, or that answers are missing.
 pub fn all_answers(answer: fn(f64, f64) -> Vec<f64>) -> Verdict {
     for (a, b) in [(2.0, -3.0), (2.0, 3.0), (-0.8, 0.5), (-0.8, -0.5), (-4.0, 1.0)] {
         let got = answer(a, b);
@@ -65,11 +65,11 @@ pub fn all_answers(answer: fn(f64, f64) -> Vec<f64>) -> Verdict {
     Ok(())
 }
 
-/// The critical friction: held against the sign of a just below and just above, a = J_n M⁻¹ (J_n +
-/// μ J_t)ᵀ.
+/// The critical friction: checked by the sign of a just below and just above it, a = J_n M⁻¹
+/// (J_n + μ J_t)ᵀ.
 ///
 /// # Errors
-/// Says at which angle the sign does not change.
+/// Names the angle at which the sign does not change.
 pub fn critical_friction(answer: fn(f64, f64) -> f64) -> Verdict {
     for k in [1.0 / 3.0, 1.0] {
         for degrees in [20.0f64, 45.0, 63.435, 80.0] {
@@ -92,11 +92,11 @@ pub fn critical_friction(answer: fn(f64, f64) -> f64) -> Verdict {
     Ok(())
 }
 
-/// Bug 12.b, a ball that falls on the ground: each step is held against free flight and
+/// Bug 12.b, a ball that falls to the ground: each step is compared with free flight and
 /// restitution.
 ///
 /// # Errors
-/// Says in which step the ball leaves with another speed than it should.
+/// Names the step in which the ball has a wrong speed.
 pub fn bounce(answer: fn(f64, f64, f64, usize) -> Vec<[f64; 2]>) -> Verdict {
     for (height, e, dt, steps) in [
         (0.0, 0.5, 0.01, 3),

@@ -7,10 +7,10 @@ use super::Verdict;
 /// Three components.
 type Triple = [f64; 3];
 
-/// The row of a rod and its J'u: held against difference quotients of the distance.
+/// The row of a rod and its J'u: compared with difference quotients of the distance.
 ///
 /// # Errors
-/// Says which number is off, and where.
+/// Names the wrong number and its place.
 pub fn rod(answer: fn(Triple, Triple) -> (Triple, f64)) -> Verdict {
     for (p, v) in [
         ([3.0, 4.0, 0.0], [2.0, -1.0, 0.0]),
@@ -40,10 +40,10 @@ pub fn rod(answer: fn(Triple, Triple) -> (Triple, f64)) -> Verdict {
     Ok(())
 }
 
-/// The rows of a nail: held against a body that really is moved and turned a little.
+/// The rows of a nail: compared with a body that is actually moved and rotated slightly.
 ///
 /// # Errors
-/// Says for which motion the point moves otherwise.
+/// Names the motion for which the point moves differently.
 pub fn nail(answer: fn([f64; 3]) -> [[f64; 6]; 3]) -> Verdict {
     let names = ["v_x", "v_y", "v_z", "ω_x", "ω_y", "ω_z"];
     for r in [[1.0, 0.0, 0.0], [0.3, -0.7, 0.2], [-1.5, 0.4, 2.0]] {
@@ -65,11 +65,11 @@ pub fn nail(answer: fn([f64; 3]) -> [[f64; 6]; 3]) -> Verdict {
     }
     Ok(())
 }
-/// The row of a rod between two bodies: held against bodies that really are moved and turned a
-/// little.
+/// The row of a rod between two bodies: compared with bodies that are actually moved and rotated
+/// slightly.
 ///
 /// # Errors
-/// Says for which motion the ends part otherwise.
+/// Names the motion for which the ends separate differently.
 pub fn two_ends(answer: fn([Triple; 2], [Triple; 2]) -> [f64; 12]) -> Verdict {
     for (p, r) in [
         ([[0.0; 3], [3.0, 0.0, 4.0]], [[0.0; 3]; 2]),
@@ -103,10 +103,10 @@ pub fn two_ends(answer: fn([Triple; 2], [Triple; 2]) -> [f64; 12]) -> Verdict {
     Ok(())
 }
 
-/// Bug 2.b, the row of a contact: held against the speed at which the two touching points part.
+/// Bug 2.b, the row of a contact: compared with the separation speed of the two contact points.
 ///
 /// # Errors
-/// Says for which motion the gap opens otherwise.
+/// Names the motion for which the gap opens differently.
 pub fn contact(answer: fn([Triple; 2], Triple, Triple) -> [f64; 12]) -> Verdict {
     for (centers, point, normal) in [
         ([[0.0, 0.0, 0.0], [0.0, 0.0, 2.0]], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]),

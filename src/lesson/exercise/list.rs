@@ -1,7 +1,7 @@
 //! The exercises, in the order of the lessons.
 
-/// All exercises with the answers in a module: the holes of `notebooks/exercises`, the solutions of
-/// `notebooks/solutions`.
+/// All exercises with the answers in a module: the templates of `notebooks/exercises` or the
+/// solutions of `notebooks/solutions`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __exercises {

@@ -1,11 +1,11 @@
-//! Exercises: a student's answer against an independent one.
+//! Exercises: checks a student's answer against an independent one.
 //!
-//! An exercise is a small file with a hole or a bug (`notebooks/exercises`), and a check here that
-//! calls the student's function and says on which input it misses, what law it breaks or which
-//! number was expected to have which property, but not how to mend it. A check knows nothing of the
-//! solution that is kept apart (`notebooks/solutions`); it compares with a closed form, exact
-//! arithmetic or a law.
-// The type of an answer is the statement of its exercise, and is read where it stands.
+//! An exercise is a small file with a gap or a bug (`notebooks/exercises`), and a check here that
+//! calls the student's function. It reports the input on which the function fails, the law it
+//! violates or the property that a number should have, but not how to fix it. A check does not use
+//! the separate solution (`notebooks/solutions`); it compares with a closed form, exact arithmetic
+//! or a law.
+// The type of an answer is part of its exercise's statement, so it is written out in place.
 #![allow(clippy::type_complexity)]
 
 mod list;
@@ -27,7 +27,7 @@ pub use list::exercises;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// What a check says: nothing, or what is wrong.
+/// The result of a check: success, or what is wrong.
 pub type Verdict = std::result::Result<(), String>;
 
 /// A student's answer, ready to be checked.
@@ -35,16 +35,16 @@ pub type Verdict = std::result::Result<(), String>;
 pub struct Exercise {
     /// Lesson and number, or b for a bug: `3.2`, `3.b`.
     pub id: &'static str,
-    /// What is asked, in a line.
+    /// The task, in a line.
     pub title: &'static str,
-    /// The file with the hole or the bug.
+    /// The file with the gap or the bug.
     pub file: &'static str,
     /// Runs the check on the answer that was compiled in.
     pub check: fn() -> Verdict,
 }
 
 impl Exercise {
-    /// Checks the answer; a hole that is still there, or any other panic, is said in words.
+    /// Checks the answer; an unfilled gap, or any other panic, is reported as text.
     pub fn verdict(&self) -> Verdict {
         let quiet = std::panic::take_hook();
         std::panic::set_hook(Box::new(|_| ()));

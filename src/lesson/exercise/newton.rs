@@ -6,11 +6,11 @@ use super::Verdict;
 type Triple = [f64; 3];
 /// Three rows of three entries.
 type Square = [Triple; 3];
-/// A column of balls: the impulses of the answer are applied, and each contact is held against
-/// complementarity.
+/// A column of balls: applies the impulses of the answer and checks complementarity at each
+/// contact.
 ///
 /// # Errors
-/// Says which contact closes, pulls, or pushes though it opens.
+/// Names the contact that closes, pulls, or pushes although it opens.
 pub fn column(answer: fn(&[f64], &[f64]) -> Vec<f64>) -> Verdict {
     let cases: [(&[f64], &[f64]); 10] = [
         (&[1.0, 1.0, 1.0], &[-1.0, -2.0, -1.0]),
@@ -49,7 +49,7 @@ pub fn column(answer: fn(&[f64], &[f64]) -> Vec<f64>) -> Verdict {
     Ok(())
 }
 
-/// Bug 3.b, a step with one row between two bodies: held against momentum and complementarity.
+/// Bug 3.b, a step with one row between two bodies: checked against momentum and complementarity.
 ///
 /// # Errors
 /// Says what the bodies do instead.
@@ -89,10 +89,10 @@ pub fn step(answer: fn([f64; 2], [f64; 2], [f64; 2], f64) -> [f64; 2]) -> Verdic
     Ok(())
 }
 
-/// A: held against bodies that are given unit impulses, row by row.
+/// A: compared with the response of the bodies to unit impulses, row by row.
 ///
 /// # Errors
-/// Says which entry is not the response to an impulse.
+/// Names the entry that is not the response to an impulse.
 pub fn delassus(answer: fn(Square, Triple) -> Square) -> Verdict {
     let stack = [[1.0, 0.0, 0.0], [-1.0, 1.0, 0.0], [0.0, -1.0, 1.0]];
     let other = [[1.0, -1.0, 0.0], [0.0, 1.0, -1.0], [1.0, 0.0, 2.0]];
@@ -117,10 +117,10 @@ pub fn delassus(answer: fn(Square, Triple) -> Square) -> Verdict {
     Ok(())
 }
 
-/// A pendulum at both levels: held against what each level asks of the bob's motion.
+/// A pendulum at both levels: checked against the condition of each level on the bob's motion.
 ///
 /// # Errors
-/// Says which level's demand is not met.
+/// Names the level whose condition is violated.
 pub fn two_levels(answer: fn(f64, f64, f64, f64, f64, f64) -> [f64; 2]) -> Verdict {
     let g = 9.81;
     for (m, l, phi, omega, dt) in
@@ -137,7 +137,7 @@ pub fn two_levels(answer: fn(f64, f64, f64, f64, f64, f64) -> [f64; 2]) -> Verdi
                  step, which the velocity level does not allow"
             ));
         }
-        // On a circle of radius l the acceleration along n is that of a turning arm.
+        // On a circle of radius l the acceleration along n is centripetal.
         let acceleration = n[0] * (n[0] * force / m) + n[1] * (n[1] * force / m - g);
         let wanted = v[0].hypot(v[1]).powi(2) / l;
         if !((acceleration + wanted).abs() < 1e-9) {

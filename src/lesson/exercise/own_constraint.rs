@@ -1,12 +1,12 @@
-//! Checks of exercises: a constraint of one's own.
+//! Checks of exercises: a user-defined constraint.
 
 use super::Verdict;
 
-/// A hill: its name, its height, and slope and bend as formulas.
+/// A hill: its name, its height, and its slope and curvature as formulas.
 type Hill = (&'static str, fn(f64) -> f64, fn(f64) -> [f64; 2]);
 
-/// The ground's force on a skier: held against how the gap to the hill really bends, by differences
-/// of the height.
+/// The ground's force on a skier: compared with the curvature of the gap to the hill, from
+/// differences of the height.
 ///
 /// # Errors
 /// Says what the force does to the skier instead.
@@ -41,8 +41,8 @@ pub fn skier(answer: fn(f64, f64, f64, f64) -> [f64; 2]) -> Verdict {
             if !(f_z >= 0.0) {
                 return Err(format!("{at}, and it pulls the skier down"));
             }
-            // The gap z − h(x) shortly before and after, on the way that this force and gravity
-            // make.
+            // The gap z − h(x) shortly before and after, on the path given by this force and
+            // gravity.
             let acceleration = [f_x / m, f_z / m - 9.81];
             let gap = |t: f64| {
                 let x_t = x + speed * t + 0.5 * acceleration[0] * t * t;
@@ -62,10 +62,10 @@ pub fn skier(answer: fn(f64, f64, f64, f64) -> [f64; 2]) -> Verdict {
     Ok(())
 }
 
-/// The test of a row: held against rows that are right, and rows with one wrong entry.
+/// The test of a row: tried on correct rows, and on rows with one wrong entry.
 ///
 /// # Errors
-/// Says which row was misjudged.
+/// Names the row that was misjudged.
 pub fn tested(answer: fn(fn([f64; 3]) -> f64, [f64; 3], [f64; 3]) -> Option<usize>) -> Verdict {
     type C = fn([f64; 3]) -> f64;
     let rod: C = |p| (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt() - 5.0;
@@ -107,10 +107,10 @@ pub fn tested(answer: fn(fn([f64; 3]) -> f64, [f64; 3], [f64; 3]) -> Option<usiz
     Ok(())
 }
 
-/// Bug 17.b, a bead that rubs on a straight wire: held against the slope's law of friction.
+/// Bug 17.b, a bead with friction on a straight wire: compared with the friction law on a slope.
 ///
 /// # Errors
-/// Says how fast the bead is instead.
+/// Gives the actual speed of the bead.
 pub fn bead(answer: fn(f64, f64, f64, f64, usize) -> f64) -> Verdict {
     let dt = 0.01;
     for (slope, mu, m, steps) in [

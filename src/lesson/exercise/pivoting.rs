@@ -2,10 +2,10 @@
 
 use super::Verdict;
 
-/// The point of each of the four sets: held against what the set says.
+/// The point of each of the four active sets: checked against the conditions of the set.
 ///
 /// # Errors
-/// Says which row breaks what its side asks for.
+/// Names the row that violates the condition of its side.
 pub fn active_set(answer: fn([[f64; 2]; 2], [f64; 2], [bool; 2]) -> [f64; 2]) -> Verdict {
     for (a, b) in [
         ([[2.0, -1.0], [-1.0, 2.0]], [-1.0, 2.0]),
@@ -29,10 +29,10 @@ pub fn active_set(answer: fn([[f64; 2]; 2], [f64; 2], [bool; 2]) -> [f64; 2]) ->
     Ok(())
 }
 
-/// Murty's rule: the row must be wrong, and no row before it may be.
+/// Murty's rule: the row must be wrong, and no earlier row may be.
 ///
 /// # Errors
-/// Says what speaks against the row.
+/// Says why the row is wrong.
 pub fn murty(answer: fn(&[f64], &[f64]) -> Option<usize>) -> Verdict {
     let cases: [(&[f64], &[f64]); 5] = [
         (&[0.0, 1.0, 0.0], &[2.0, 0.0, -1.0]),
@@ -61,11 +61,11 @@ pub fn murty(answer: fn(&[f64], &[f64]) -> Option<usize>) -> Verdict {
     Ok(())
 }
 
-/// The ratio test: with the step that it allows, no variable may be negative; of several that
-/// become 0 together the first is asked for.
+/// The ratio test: no variable may be negative after the step that it allows; if several become 0
+/// together, the first is required.
 ///
 /// # Errors
-/// Says which variable is, or that the row is not the first of several.
+/// Names the negative variable, or says that the row is not the first of several.
 pub fn ratio(answer: fn(&[f64], &[f64]) -> Option<usize>) -> Verdict {
     let cases: [(&[f64], &[f64]); 7] = [
         (&[4.0, 3.0], &[-1.0, -3.0]),
@@ -105,11 +105,11 @@ pub fn ratio(answer: fn(&[f64], &[f64]) -> Option<usize>) -> Verdict {
     Ok(())
 }
 
-/// Bug 6.b, the step of Dantzig's method: all rows but the last are satisfied, and must be so after
-/// the step.
+/// Bug 6.b, the step of Dantzig's method: all rows but the last are satisfied before the step, and
+/// must be after it.
 ///
 /// # Errors
-/// Says which row breaks what, after a step of which length.
+/// Names the row that violates a condition, and the length of the step.
 pub fn dantzig_step(answer: fn(&[f64], &[f64], &[f64], &[f64]) -> (f64, usize)) -> Verdict {
     type Case = (&'static [f64], &'static [f64], &'static [f64], &'static [f64]);
     let cases: [Case; 6] = [

@@ -1,11 +1,11 @@
 //! Checks of exercises: sparsity and storage.
 
 use super::Verdict;
-/// A sweep without A: held against the definition of the sweep, row by row, with the A that the
+/// A sweep without A: checked against the definition of the sweep, row by row, with an A that the
 /// program does not need.
 ///
 /// # Errors
-/// Says which row is not satisfied at its turn.
+/// Names the row that is not satisfied at its turn.
 pub fn bodies(answer: fn(&[[Option<usize>; 2]], &[f64], &[f64], Vec<f64>) -> Vec<f64>) -> Verdict {
     type Case = (&'static [[Option<usize>; 2]], &'static [f64], &'static [f64], &'static [f64]);
     let column: &[[Option<usize>; 2]] = &[[None, Some(0)], [Some(0), Some(1)], [Some(1), Some(2)]];
@@ -59,10 +59,10 @@ pub fn bodies(answer: fn(&[[Option<usize>; 2]], &[f64], &[f64], Vec<f64>) -> Vec
     Ok(())
 }
 /// Colors: rows of one color must share no body, and each row must have the first color that was
-/// still free.
+/// still available.
 ///
 /// # Errors
-/// Says which rows are in each other's way, or which row could have had an earlier color.
+/// Names the conflicting rows, or the row that could have had an earlier color.
 pub fn colors(answer: fn(&[[Option<usize>; 2]]) -> Vec<usize>) -> Verdict {
     let cases: [&[[Option<usize>; 2]]; 6] = [
         &[[None, Some(0)], [None, Some(1)], [None, Some(2)]],
@@ -108,10 +108,10 @@ pub fn colors(answer: fn(&[[Option<usize>; 2]]) -> Vec<usize>) -> Verdict {
     Ok(())
 }
 
-/// The pattern of A: held against products of J with distinct entries, in which nothing cancels.
+/// The pattern of A: compared with products of J with distinct entries, in which nothing cancels.
 ///
 /// # Errors
-/// Says for which bodies the count is off.
+/// Names the bodies for which the count is wrong.
 pub fn pattern(answer: fn(&[[Option<usize>; 2]]) -> usize) -> Verdict {
     let cases: [&[[Option<usize>; 2]]; 5] = [
         &[[None, Some(0)]],
@@ -139,11 +139,11 @@ pub fn pattern(answer: fn(&[[Option<usize>; 2]]) -> usize) -> Verdict {
     Ok(())
 }
 
-/// Bug 14.b, A put together body by body: held against bodies that are given unit impulses, row by
-/// row.
+/// Bug 14.b, A assembled body by body: compared with the response of the bodies to unit impulses,
+/// row by row.
 ///
 /// # Errors
-/// Says which entry is not the response to an impulse.
+/// Names the entry that is not the response to an impulse.
 pub fn assembled(answer: fn(&[[usize; 2]], &[f64]) -> Vec<(usize, usize, f64)>) -> Verdict {
     let cases: [(&str, &[[usize; 2]], &[f64]); 5] = [
         ("a ball on the ground, body 0", &[[0, 1]], &[0.0, 0.5]),

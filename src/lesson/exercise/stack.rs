@@ -2,10 +2,10 @@
 
 use super::Verdict;
 
-/// The layers of a stack: held against Newton's second law of each body.
+/// The layers of a stack: checked against Newton's second law for each body.
 ///
 /// # Errors
-/// Says which body would move.
+/// Names the body that would move.
 pub fn layers(answer: fn(&[f64], f64, f64) -> Vec<f64>) -> Verdict {
     let stacks: [&[f64]; 4] = [&[2.0], &[1.0, 1.0, 1.0], &[1.0, 100.0], &[5.0, 0.5, 3.0, 0.25]];
     for masses in stacks {
@@ -28,13 +28,13 @@ pub fn layers(answer: fn(&[f64], f64, f64) -> Vec<f64>) -> Verdict {
     }
     Ok(())
 }
-/// A leaning tower: held against the balance of forces and of moments of each box, and against
-/// towers that are known to stand or to fall.
+/// A leaning tower: checked against the balance of forces and moments of each box, and with towers
+/// that are known to stand or to fall.
 ///
 /// # Errors
-/// Says which box is not in balance, or which tower was misjudged.
+/// Names the box that is not in balance, or the tower that was misjudged.
 pub fn tower(answer: fn(&[f64], &[f64], f64) -> Option<Vec<[f64; 2]>>) -> Verdict {
-    // Equal boxes stand out over each other by at most 1/2, 1/4, 1/6, … m, counted from the top.
+    // Equal boxes can overhang each other by at most 1/2, 1/4, 1/6, … m, counted from the top.
     let harmonic = |part: f64| -> Vec<f64> {
         let out: Vec<f64> = (1..6).rev().map(|k| part * 0.5 / f64::from(k)).collect();
         (0..6).map(|k| out[..k].iter().sum()).collect()
@@ -95,7 +95,7 @@ pub fn tower(answer: fn(&[f64], &[f64], f64) -> Option<Vec<[f64; 2]>>) -> Verdic
     Ok(())
 }
 
-/// Sweeps of PGS: held against sweeps that are done and counted.
+/// Sweeps of PGS: compared with sweeps that are actually done and counted.
 ///
 /// # Errors
 /// Says whether there are too many or too few.
@@ -115,7 +115,7 @@ pub fn sweeps(answer: fn(f64, f64, f64) -> usize) -> Verdict {
     Ok(())
 }
 
-/// Sweeps on the errors of the two rows until that of the upper one is small enough.
+/// Counts the sweeps on the errors of the two rows until that of the upper one is small enough.
 fn counted(below: f64, above: f64, reduction: f64) -> usize {
     let a = [[1.0 / below, -1.0 / below], [-1.0 / below, 1.0 / below + 1.0 / above]];
     let mut error = [1.0, 1.0];
@@ -128,11 +128,11 @@ fn counted(below: f64, above: f64, reduction: f64) -> usize {
     sweeps
 }
 
-/// Bug 15.b, a column that keeps its impulses: after many steps each contact must carry what lies
-/// on it, and nothing may have sunk much.
+/// Bug 15.b, a column that keeps its impulses: after many steps each contact must support the
+/// weight above it, and no body may have sunk much.
 ///
 /// # Errors
-/// Says what a contact carries, or how deep the column is in the ground.
+/// Gives the load of a contact, or how deep the column is in the ground.
 pub fn kept(answer: fn(&[f64], f64, usize, usize) -> (Vec<f64>, Vec<f64>)) -> Verdict {
     let stacks: [(&[f64], usize); 5] = [
         (&[2.0], 1),

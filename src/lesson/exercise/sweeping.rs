@@ -2,12 +2,12 @@
 
 use super::Verdict;
 
-/// One sweep of PGS: held against the definition of the sweep, row by row. When row i is done, the
-/// rows before it have their new x and those behind it their old one, and row i alone must satisfy
+/// One sweep of PGS: checked against the definition of the sweep, row by row. When row i is done,
+/// the earlier rows have their new x and the later ones their old x, and row i alone must satisfy
 /// its LCP.
 ///
 /// # Errors
-/// Says which row is not satisfied at its turn.
+/// Names the row that is not satisfied at its turn.
 pub fn sweep(answer: fn(&[Vec<f64>], &[f64], &[f64], &[f64], Vec<f64>) -> Vec<f64>) -> Verdict {
     let a = vec![vec![2.0, -1.0, 0.0], vec![-1.0, 4.0, 1.0], vec![0.0, 1.0, 3.0]];
     let (lo, hi) = (vec![0.0, -1.0, 0.0], vec![f64::INFINITY, 1.0, 2.0]);
@@ -39,10 +39,11 @@ pub fn sweep(answer: fn(&[Vec<f64>], &[f64], &[f64], &[f64], Vec<f64>) -> Vec<f6
     Ok(())
 }
 
-/// One contact with accumulated clamping: held against momentum and the one-row LCP of the total.
+/// One contact with accumulated clamping: checked against momentum and the one-row LCP of the total
+/// impulse.
 ///
 /// # Errors
-/// Says which law an answer breaks.
+/// Names the law that an answer violates.
 pub fn impulse(answer: fn(f64, f64, f64) -> (f64, f64)) -> Verdict {
     for (v, inverse_mass, total) in
         [(-2.0, 0.5, 0.0), (-2.0, 0.5, 3.0), (1.0, 0.5, 3.0), (4.0, 0.5, 3.0), (1.0, 2.0, 0.0)]
@@ -66,10 +67,10 @@ pub fn impulse(answer: fn(f64, f64, f64) -> (f64, f64)) -> Verdict {
     }
     Ok(())
 }
-/// The extrapolation: held against sweeps whose end is known, made up ones and those of a column.
+/// The extrapolation: tested on sweeps with a known limit, artificial ones and those of a column.
 ///
 /// # Errors
-/// Says how far off the end it is.
+/// Gives the distance from the limit.
 pub fn extrapolate(answer: fn([&[f64]; 3]) -> Vec<f64>) -> Verdict {
     let cases: [(&[f64], &[f64], f64); 5] = [
         (&[4.0, 3.0, 1.0], &[-1.0, -1.5, -0.5], 0.75),
@@ -105,7 +106,7 @@ pub fn extrapolate(answer: fn([&[f64]; 3]) -> Vec<f64>) -> Verdict {
             ));
         }
     }
-    // Row 0 alone decides ρ = 0.9, and row 1 would end below 0.
+    // Row 0 alone determines ρ = 0.9, and row 1 would end below 0.
     let got = answer([&[3.0, 0.02], &[2.1, 0.01], &[1.29, 0.005]]);
     match got.iter().position(|x| !(*x >= 0.0)) {
         Some(i) => Err(format!("x[{i}] = {} of the answer {got:?}: a contact pulls", got[i])),
@@ -113,7 +114,7 @@ pub fn extrapolate(answer: fn([&[f64]; 3]) -> Vec<f64>) -> Verdict {
     }
 }
 
-/// The largest difference; ∞ if the lengths differ or a number is none.
+/// The largest difference; ∞ if the lengths differ or a number is NaN.
 fn distance(x: &[f64], y: &[f64]) -> f64 {
     if x.len() != y.len() || x.iter().any(|x| x.is_nan()) {
         return f64::INFINITY;
@@ -121,7 +122,7 @@ fn distance(x: &[f64], y: &[f64]) -> f64 {
     x.iter().zip(y).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
 }
 
-/// A column of equal bodies (m g dt = 1 N s) after so many sweeps from 0, ground first.
+/// A column of equal bodies (m g dt = 1 N s) after this number of sweeps from 0, ground first.
 fn swept_column(n: usize, sweeps: usize) -> Vec<f64> {
     let mut x = vec![0.0; n + 1];
     for _sweep in 0..sweeps {
@@ -136,10 +137,10 @@ fn swept_column(n: usize, sweeps: usize) -> Vec<f64> {
     x
 }
 
-/// Bug 4.b, projected Gauss-Seidel on contacts: after many sweeps, held against complementarity.
+/// Bug 4.b, projected Gauss-Seidel on contacts: checked for complementarity after many sweeps.
 ///
 /// # Errors
-/// Says which contact is not satisfied, or that x has grown without end.
+/// Names the contact that is not satisfied, or says that x has diverged.
 pub fn projected(answer: fn(&[Vec<f64>], &[f64], usize) -> Vec<f64>) -> Verdict {
     let joints = vec![vec![2.0, -1.0, 0.0], vec![-1.0, 2.0, -1.0], vec![0.0, -1.0, 2.0]];
     let balls = vec![vec![2.0, -1.0], vec![-1.0, 2.0]];

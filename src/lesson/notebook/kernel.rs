@@ -1,10 +1,10 @@
-//! Cells as the evcxr kernel can run them.
+//! Adapts cells for the evcxr kernel.
 //!
-//! The kernel keeps variables from cell to cell, but neither closures nor what borrows from another
-//! variable. So a cell becomes a block whose value is what later cells use, and a closure is said
-//! again in each cell that calls it.
+//! The kernel keeps variables from cell to cell, except closures and values that borrow from
+//! another variable. A cell therefore becomes a block whose value is what later cells use, and a
+//! closure is repeated in each cell that calls it.
 
-/// The cells with what the kernel needs around them.
+/// The cells with the code that the kernel needs around them.
 pub(super) fn cells(codes: &[&str]) -> Vec<String> {
     let cells: Vec<Vec<Statement>> = codes.iter().map(|code| statements(code)).collect();
     let repeated: Vec<Vec<&str>> =
@@ -15,7 +15,7 @@ pub(super) fn cells(codes: &[&str]) -> Vec<String> {
         .map(|(code, own)| format!("{}\n{code}", own.join("\n")))
         .collect();
     let bare: Vec<String> = texts.iter().map(|text| bare(text)).collect();
-    // Until a cell makes a variable of the same name.
+    // Until a cell defines a variable of the same name.
     let is_used_later = |k: usize, name: &str| {
         let binds = |later: usize| cells[later].iter().any(|statement| statement.binds(name));
         let ends = (k + 1..cells.len()).find(|&later| is_free(&bare[later], name) || binds(later));
@@ -27,14 +27,14 @@ pub(super) fn cells(codes: &[&str]) -> Vec<String> {
     cells.iter().enumerate().map(written).collect()
 }
 
-/// A statement that is not inside of anything.
+/// A top-level statement.
 struct Statement<'a> {
     text: &'a str,
     kind: Kind,
 }
 
 enum Kind {
-    /// `use`, `fn`, `struct`, `impl`: no value, and it has to stand outside of blocks to be seen
+    /// `use`, `fn`, `struct`, `impl`: it has no value, and must be outside of blocks to be visible
     /// later.
     Item,
     /// Binds a closure.
@@ -44,7 +44,7 @@ enum Kind {
     Other,
 }
 
-/// The closures of earlier cells that this one calls, with those that they call, in their order.
+/// The closures of earlier cells that this one calls, with those that they call, in order.
 fn closures_from_before<'a>(cells: &[Vec<Statement<'a>>], k: usize) -> Vec<&'a str> {
     let own = |name: &str| cells[k].iter().any(|statement| statement.binds(name));
     let mut wanted: Vec<&str> = cells[k].iter().map(|statement| statement.text).collect();
@@ -60,7 +60,7 @@ fn closures_from_before<'a>(cells: &[Vec<Statement<'a>>], k: usize) -> Vec<&'a s
     found
 }
 
-/// A cell, its items first, and around the rest a block if there is something that cannot be kept.
+/// A cell: its items first, then the rest, in a block if it contains something that cannot be kept.
 fn written(cell: &[Statement], repeated: &[&str], is_used_later: impl Fn(&str) -> bool) -> String {
     let (items, rest): (Vec<_>, Vec<_>) =
         cell.iter().partition(|statement| matches!(statement.kind, Kind::Item));
@@ -118,9 +118,9 @@ impl Statement<'_> {
     }
 }
 
-/// Cuts a cell where a line without indentation begins something new; cells are formatted, so it is
-/// a statement unless it closes one. Comments and attributes stand before what they belong to, and
-/// raw strings have lines of their own.
+/// Splits a cell where a line without indentation begins something new. Cells are formatted, so
+/// such a line is a statement unless it closes one. Comments and attributes come before what they
+/// belong to, and raw strings have lines of their own.
 fn statements(code: &str) -> Vec<Statement<'_>> {
     let (mut start, mut at) = (0, 0);
     let (mut is_string, mut is_attached) = (false, false);
@@ -160,7 +160,7 @@ fn kind(text: &str) -> Kind {
     Kind::Let(names)
 }
 
-/// The names that a pattern binds: words in lower case, or of a single letter; types are left out.
+/// The names that a pattern binds: lowercase words or single letters, without types.
 fn names(pattern: &str) -> Vec<(String, bool)> {
     let mut is_mut = false;
     let mut names = Vec::new();
@@ -183,25 +183,26 @@ fn names(pattern: &str) -> Vec<(String, bool)> {
     names
 }
 
-/// Whether a text uses a variable of this name that it has not made itself: where the name comes
-/// first, it is not bound.
+/// Whether a text uses a variable of this name that it has not defined: where the name first
+/// occurs, it is not bound.
 fn is_free(text: &str, name: &str) -> bool {
     let Some(at) = places(text, name).find(|&at| !text[at + name.len()..].starts_with(": ")) else {
         return false;
     };
     let before = &text[..at];
-    // In the pattern of `let … =`, between the bars of a closure, or behind `for`.
+    // In the pattern of `let … =`, between the bars of a closure, or after `for`.
     let in_let = before.rfind("let ").is_some_and(|start| !before[start..].contains('='));
     let line = before.rsplit('\n').next().unwrap_or_default();
     let in_bars = line.matches('|').count() % 2 == 1;
     let in_for = before.ends_with("for ") || before.ends_with("for (");
     let is_bound = in_let || in_for || in_bars;
-    // A parameter with a type comes before the uses of its name in the closure.
+    // A parameter with a type precedes the uses of its name in the closure.
     let is_parameter = places(before, name).any(|at| before[at + name.len()..].starts_with(": "));
     !is_bound && !is_parameter
 }
 
-/// The text without comments, and of strings only the names that they print, as in `"{x:.3}"`.
+/// The text without comments, and with strings reduced to the names that they print, as in
+/// `"{x:.3}"`.
 fn bare(text: &str) -> String {
     let mut out = String::new();
     for line in text.lines() {
@@ -230,8 +231,8 @@ fn bare(text: &str) -> String {
     out
 }
 
-/// Where a text has this word as a variable or a function: not as a field, a method or a part of a
-/// path.
+/// Where this word occurs in a text as a variable or a function: not as a field, a method or a part
+/// of a path.
 fn places<'a>(text: &'a str, word: &'a str) -> impl Iterator<Item = usize> + 'a {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     text.match_indices(word).map(|(at, _)| at).filter(move |&at| {

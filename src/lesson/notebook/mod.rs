@@ -1,4 +1,4 @@
-//! A notebook that ran as a Jupyter notebook (nbformat 4.5), for Python or for Rust.
+//! Writes a notebook and its output as a Jupyter notebook (nbformat 4.5), for Python or for Rust.
 
 mod kernel;
 mod python;
@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::show::lined;
 
-/// The text of an `.ipynb` file: its cells in order, and what a kernel needs to know.
+/// The text of an `.ipynb` file: its cells in order, and the metadata for a kernel.
 fn file(mut cells: Vec<Value>, metadata: &Value) -> String {
     for (k, cell) in cells.iter_mut().enumerate() {
         cell["id"] = json!(format!("cell-{k}"));

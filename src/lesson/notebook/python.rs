@@ -1,4 +1,5 @@
-//! The Python notebook: Python cells with what they print; of the Rust cells only what they show.
+//! The Python notebook: Python cells with their output, and only the shown output of the Rust
+//! cells.
 
 use serde_json::{Value, json};
 
@@ -41,7 +42,7 @@ impl Program {
         Ok(file(cells, &metadata))
     }
 
-    /// Prose with its drawings in it.
+    /// Prose with embedded drawings.
     fn drawn(&self, text: &str) -> Value {
         let mut cell = prose(text);
         let own =
@@ -56,7 +57,7 @@ impl Program {
     }
 }
 
-/// What a Rust cell shows; what it prints stands with the Python that does the same.
+/// The shown output of a Rust cell; its printed output appears with the equivalent Python cell.
 fn shown(output: &Output) -> Option<Value> {
     match output {
         Output::Lines(_) => None,

@@ -7,9 +7,9 @@ use crate::error::Result;
 use crate::lesson::source::{Part, Shown, Source};
 use crate::lesson::{Program, Record, quoted, twin};
 
-/// Without `preserve_vars_on_panic` a cell that panics would leave the run green. The kernel spells
-/// the types of variables out, so the traits of `Box<dyn Solver>` and `&dyn Family` have to be
-/// known.
+/// Without `preserve_vars_on_panic` a cell that panics would not fail the run. The kernel spells
+/// out the types of variables, so the traits of `Box<dyn Solver>` and `&dyn Family` must be in
+/// scope.
 const FIRST_CELL: &str = ":preserve_vars_on_panic 0\n:dep lcplab = { path = \"..\" }\n\
                           :dep nalgebra = \"0.35\"\nuse lcplab::lcp::library::Family;\nuse lcplab::solver::Solver;";
 

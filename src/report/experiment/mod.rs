@@ -1,10 +1,10 @@
-//! What a report is to find out, as a file: sections of text and studies with their settings.
+//! The description of a report as a file: sections of text and studies with their settings.
 //!
 //! ```toml
 //! title = "My report"
 //! lead = "What it is about."
 //!
-//! [[section]]                       # a study, with a heading and words of its own if wanted
+//! [[section]]                       # a study, with an optional heading and text
 //! study = "convergence"
 //! title = "How fast"
 //! text = "Look at the slopes: $\\rho^k$."
@@ -54,9 +54,9 @@ pub struct Experiment {
     pub lead: String,
     /// The sections, in the order of the page.
     pub sections: Vec<Section>,
-    /// Programs of others that its studies may name as solvers; whoever runs it has to start them.
+    /// External programs that its studies may name as solvers; the caller has to start them.
     pub plugins: BTreeMap<String, Declaration>,
-    /// The command that runs it, if it is run by one.
+    /// The command that runs it, if there is one.
     pub command: Option<String>,
 }
 
@@ -66,43 +66,44 @@ pub struct Section {
     pub id: String,
     /// The heading.
     pub title: String,
-    /// Words before what the study shows, in page markup.
+    /// Text before the results of the study, in page markup.
     pub text: String,
-    /// What else stands here, and how.
+    /// Other content of the section, and how it is shown.
     pub shown: Shown,
-    /// The study; none in a section of words alone.
+    /// The study; `None` in a section of text only.
     pub study: Option<Arc<dyn AnyStudy>>,
 }
 
-/// What stands in a section besides words and study, and what of it is folded away.
+/// Other content of a section, and what is collapsed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 pub struct Shown {
-    /// Whether what differs from machine to machine stands here.
+    /// Whether the machine-dependent results are shown here.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub times: bool,
-    /// Whether the outcomes of all studies stand here.
+    /// Whether the outcomes of all studies are shown here.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub summary: bool,
-    /// What is folded away, for whoever wants to look things up.
+    /// The reference material that is collapsed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fold: Option<Fold>,
 }
 
-/// What of a section is folded away.
+/// What is collapsed in a section.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Fold {
     /// Its tables.
     Tables,
-    /// All that its study shows but the outcome.
+    /// Everything that its study shows except the outcome.
     All,
 }
 
 impl Experiment {
-    /// Reads a report file, or takes a shipped report by its name.
+    /// Reads a report file, or a shipped report by its name.
     ///
     /// # Errors
-    /// A name that is neither a file nor shipped, or a file with defects, with their lines.
+    /// If the name is neither a file nor a shipped report, or the file has defects, which are
+    /// listed with their lines.
     pub fn load(path_or_name: &str) -> Result<Self> {
         let path = Path::new(path_or_name);
         if file::is_there(path) {
@@ -140,10 +141,10 @@ impl Experiment {
         })
     }
 
-    /// The same report with one of its sections alone.
+    /// The same report with only this section.
     ///
     /// # Errors
-    /// If there is no section of that id.
+    /// If there is no section with this id.
     pub fn only(mut self, id: &str) -> Result<Self> {
         let known = self.sections.iter().map(|section| section.id.clone()).collect();
         self.sections.retain(|section| section.id == id);
@@ -163,7 +164,7 @@ fn read(name: &str, settings: &Value) -> Result<Arc<dyn AnyStudy>> {
 /// The file of a shipped report.
 ///
 /// # Errors
-/// If none has this name; the message says that there is no such `kind`.
+/// If there is none with this name; the message says that there is no such `kind`.
 pub fn shipped(name: &str, kind: &'static str) -> Result<&'static str> {
     let found = SHIPPED.iter().find(|(other, _)| *other == name);
     found.map(|(_, text)| *text).ok_or_else(|| Error::Unknown {

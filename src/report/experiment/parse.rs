@@ -1,4 +1,4 @@
-//! Reading a report file: every defect with its line, and those of a study with its name.
+//! Parses report files; every defect is reported with its line, and those of a study with its name.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -17,7 +17,7 @@ use crate::plugin::Declaration;
 use crate::scene::catalogue;
 use crate::scene::source::{self, Source};
 
-/// What stands in a report file besides its sections.
+/// The content of a report file other than its sections.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Title {
@@ -25,14 +25,14 @@ pub(super) struct Title {
     title: String,
     /// What the report is about, in a few sentences of page markup.
     lead: String,
-    /// Programs of others that its studies may name as solvers.
+    /// External programs that its studies may name as solvers.
     #[serde(default)]
     #[schemars(with = "BTreeMap<String, serde_json::Value>")]
     plugins: BTreeMap<String, Declaration>,
 }
 
 impl Experiment {
-    /// The report of a text; `input` stands in the messages.
+    /// Parses a report; `input` is used in messages.
     ///
     /// # Errors
     /// All defects, with their lines.
@@ -61,7 +61,7 @@ fn value(table: Spanned<DeTable<'_>>) -> Spanned<DeValue<'_>> {
     Spanned::new(table.span(), DeValue::Table(table.into_inner()))
 }
 
-/// The items of a list; what is no list is its own item.
+/// The items of a list; a value that is not a list is a single item.
 fn items(list: Option<Spanned<DeValue<'_>>>) -> Vec<Spanned<DeValue<'_>>> {
     let Some(list) = list else { return Vec::new() };
     let span = list.span();
@@ -71,14 +71,14 @@ fn items(list: Option<Spanned<DeValue<'_>>>) -> Vec<Spanned<DeValue<'_>>> {
     }
 }
 
-/// What a section of a file holds besides the settings of its study.
+/// The content of a section other than the settings of its study.
 #[derive(Deserialize, JsonSchema)]
 pub(super) struct Head {
-    /// The kind of study; none in a section of words alone.
+    /// The kind of study; none in a section of text only.
     study: Option<String>,
-    /// The heading; that of the study without it.
+    /// The heading; by default that of the study.
     title: Option<String>,
-    /// Words before what the study shows, in page markup.
+    /// Text before the results of the study, in page markup.
     #[serde(default)]
     text: String,
     #[serde(flatten)]
@@ -90,7 +90,7 @@ const HEAD: [&str; 6] = ["study", "title", "text", "times", "summary", "fold"];
 /// A section being read.
 struct Reader<'a> {
     source: &'a Source<'a>,
-    /// Its place in the file, from 0.
+    /// Its index in the file, from 0.
     number: usize,
     defects: &'a mut Defects,
 }
@@ -127,7 +127,7 @@ impl Reader<'_> {
         Some(Section { id, title, text, shown, study: Some(study.into()) })
     }
 
-    /// A section without a study, of which nothing may be left but its head.
+    /// A section without a study, which may have no other keys than its head.
     fn words(&mut self, head: Head, rest: &Spanned<DeValue<'_>>) -> Option<Section> {
         let key = rest.get_ref().as_table().and_then(|table| table.keys().next());
         if let Some(key) = key {
@@ -141,7 +141,7 @@ impl Reader<'_> {
         Some(Section { id: anchor(&title), title, text, shown, study: None })
     }
 
-    /// Adds a defect of the line with this byte; there is no section then.
+    /// Adds a defect at the line of this byte; there is then no section.
     fn fault(&mut self, at: usize, reason: &str) -> Option<Section> {
         let line = source::line_at(self.source.text, at);
         self.defects.add(format!("line {line}: section[{}]", self.number), reason);
@@ -149,7 +149,7 @@ impl Reader<'_> {
     }
 }
 
-/// In a list of tables, one whose `scene` or `problem` is a folder or a pattern becomes one for
+/// In a list of tables, expands one whose `scene` or `problem` is a folder or a pattern to one for
 /// each of its files.
 fn spread(section: &mut Spanned<DeValue<'_>>) -> Result<()> {
     let is_wanted = |file: &Path| {
@@ -189,7 +189,7 @@ fn spread(section: &mut Spanned<DeValue<'_>>) -> Result<()> {
     Ok(())
 }
 
-/// The section with a number after its id, if one before it has the same.
+/// The section with a number appended to its id, if an earlier one has the same.
 fn numbered(mut section: Section, before: &[Section]) -> Section {
     let id = section.id.clone();
     let mut number = 1;

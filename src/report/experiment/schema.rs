@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use super::super::kind::KINDS;
 use super::parse::{Head, Title};
 
-/// The JSON schema of report files: a section is words alone, or one of the kinds of studies.
+/// The JSON schema of report files: a section has only text, or one of the kinds of studies.
 pub fn schema() -> Value {
     let mut generator = SchemaSettings::draft2020_12().into_generator();
     let head = Head::json_schema(&mut generator).to_value();

@@ -1,5 +1,5 @@
-//! The results of all tasks as one table: the same bits in whichever order, on however many threads
-//! or machines they were found. Times are a table of their own.
+//! Collects the results of all tasks in one table, bitwise identical for any order, number of
+//! threads or machines. Times are in a separate table.
 
 use serde_json::{Value as Json, json};
 
@@ -24,13 +24,13 @@ pub struct Collection {
 }
 
 impl Collection {
-    /// Claims of solvers that the judge refutes.
+    /// The number of solvers' claims that the judge rejects.
     pub fn refuted(&self) -> usize {
         let refuted = |record: &Record| record.finding.as_ref()?.get("refuted");
         self.done.iter().filter_map(|(_, record)| refuted(record)).sum::<f64>() as usize
     }
 
-    /// The points with what was found.
+    /// The points with their results.
     pub fn points(&self) -> Vec<Point<'_>> {
         let points = self.done.iter().map(|(task, record)| Point {
             task,
@@ -40,30 +40,30 @@ impl Collection {
         points.collect()
     }
 
-    /// Tasks whose settings make no scene or problem.
+    /// The number of tasks whose settings give no scene or problem.
     pub fn impossible(&self) -> usize {
         self.done.iter().filter(|(_, record)| record.finding.is_none()).count()
     }
 }
 
-/// A point of a grid, and what was found there or why nothing was.
+/// A point of a grid, with its result or the reason why there is none.
 #[derive(Debug, Clone, Copy)]
 pub struct Point<'a> {
     /// The point.
     pub task: &'a Task,
-    /// What was found.
+    /// The result.
     pub finding: Option<&'a Finding>,
-    /// Why nothing was: the settings make no scene or problem.
+    /// Why there is no result: the settings give no scene or problem.
     pub reason: Option<&'a str>,
 }
 
 impl Point<'_> {
-    /// What the closed form says of a measure.
+    /// The prediction of the closed form for a measure.
     pub(super) fn predicted(&self, measure: &str) -> Option<&Predicted> {
         self.finding?.predicted(measure)
     }
 
-    /// Whether all of it was solved, by the solver's word.
+    /// Whether everything was solved, according to the solver.
     pub(super) fn is_solved(&self) -> bool {
         self.finding.is_some_and(|finding| finding.status == "solved")
     }
@@ -73,7 +73,7 @@ impl Point<'_> {
         self.finding?.get(measure)
     }
 
-    /// Status, verdict, and the reason for what went wrong.
+    /// Status, verdict, and the reason of a failure.
     pub(super) fn words(&self) -> [String; 3] {
         match self.finding {
             Some(Finding { status, verdict, trouble, .. }) => {
@@ -84,7 +84,7 @@ impl Point<'_> {
     }
 }
 
-/// Reads the results there are and writes `results.csv`, `results.json`, `times.csv` and a page.
+/// Reads the available results and writes `results.csv`, `results.json`, `times.csv` and a page.
 ///
 /// # Errors
 /// If a result cannot be read or belongs to another plan, or a file cannot be written.

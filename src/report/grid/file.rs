@@ -1,4 +1,4 @@
-//! The grid file: each key read where it stands, so that a defect has its line.
+//! Parses the grid file; every defect is reported with its line.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -29,7 +29,7 @@ const KEYS: [&str; 15] = [
     "repeat", "set", "axes", "zip", "labels",
 ];
 
-/// An axis has at most so many points.
+/// Maximum number of points on an axis.
 const MOST_POINTS: usize = 100_000;
 
 /// A grid as its file describes it; see the [module](super) for the format.
@@ -39,25 +39,25 @@ pub struct Grid {
     pub name: String,
     /// The heading.
     pub title: String,
-    /// What the page says above the figures.
+    /// The text above the figures on the page.
     pub text: String,
     /// The settings that are the same in all tasks: paths and values.
     pub settings: Vec<(String, Value)>,
-    /// What varies, the slowest first.
+    /// The axes, the slowest first.
     pub axes: Vec<Axis>,
-    /// What is drawn.
+    /// The measures that are drawn.
     pub measures: Vec<&'static Measure>,
-    /// How it is spread on its axis; as its values ask for without it.
+    /// The scale of their axis; chosen from the values by default.
     pub scale: Option<Scale>,
-    /// The closed form to draw beside it.
+    /// The closed form to draw for comparison.
     pub theory: Option<Theory>,
-    /// The seed from which those of the tasks follow.
+    /// The seed from which those of the tasks are derived.
     pub seed: u64,
-    /// What settings are called on the page.
+    /// The labels of settings on the page.
     pub labels: Vec<(String, String)>,
-    /// Programs of others that may be named as solvers; whoever runs the tasks has to start them.
+    /// External programs that may be named as solvers; the caller has to start them.
     pub plugins: BTreeMap<String, Declaration>,
-    /// The file itself.
+    /// The text of the file.
     pub(super) source: String,
 }
 
@@ -66,13 +66,13 @@ pub struct Grid {
 pub struct Axis {
     /// Their paths.
     pub paths: Vec<String>,
-    /// Their values, point by point, one a path.
+    /// Their values, point by point, one per path.
     pub points: Vec<Vec<Value>>,
 }
 
 impl Grid {
-    /// What a setting is called: its label, or the last part of its path where no other axis has
-    /// the same.
+    /// The name of a setting: its label, or the last part of its path if no other axis has the
+    /// same.
     pub fn label(&self, path: &str) -> String {
         let last = |path: &str| path.rsplit('.').next().unwrap_or(path).replace('_', " ");
         let paths = || self.axes.iter().flat_map(|axis| &axis.paths);
@@ -89,10 +89,11 @@ impl Grid {
         &self.source
     }
 
-    /// Reads a grid file, or takes a shipped grid by its name.
+    /// Reads a grid file, or a shipped grid by its name.
     ///
     /// # Errors
-    /// A name that is neither a file nor shipped, or a file with defects, each with its line.
+    /// If the name is neither a file nor a shipped grid, or the file has defects, which are listed
+    /// with their lines.
     pub fn load(path_or_name: &str) -> Result<Self> {
         let path = Path::new(path_or_name);
         if file::is_there(path) {
@@ -108,10 +109,10 @@ impl Grid {
         Self::from_toml(path_or_name, text)
     }
 
-    /// The grid of a text; `path` stands in the messages and gives the name.
+    /// Parses a grid; `path` is used in messages and gives the name.
     ///
     /// # Errors
-    /// One error with every defect, each with its line.
+    /// A single error that lists every defect with its line.
     pub fn from_toml(path: &str, text: &str) -> Result<Self> {
         let table = DeTable::parse(text).map_err(|error| {
             let line = error.span().map_or(1, |span| line_at(text, span.start));
@@ -127,14 +128,14 @@ impl Grid {
     }
 }
 
-/// A file being read; a defect does not end it.
+/// A file that is being parsed; parsing continues after a defect.
 struct Reader<'a> {
     text: &'a str,
     root: &'a DeTable<'a>,
     defects: Defects,
 }
 
-/// A value with the path of its keys and where the last of them stands.
+/// A value with the path of its keys and the position of the last one.
 struct Entry<'a> {
     path: String,
     at: usize,
@@ -191,7 +192,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The axes, then the one of `zip`, then the repetitions.
+    /// The axes, followed by that of `zip` and that of the repetitions.
     fn axes(&mut self) -> Vec<Axis> {
         let mut axes = Vec::new();
         for entry in self.entries("axes", is_axis) {
@@ -235,7 +236,7 @@ impl<'a> Reader<'a> {
         zip
     }
 
-    /// `scene`, `family`, `steps` and what stands under `set`; nothing may be set twice.
+    /// `scene`, `family`, `steps` and the content of `set`; nothing may be set twice.
     fn settings(&mut self, axes: &[Axis]) -> Vec<(String, Value)> {
         let outer = SUBJECT.iter().filter_map(|name| {
             let (key, value) = self.root.get_key_value(*name)?;
@@ -262,7 +263,7 @@ impl<'a> Reader<'a> {
         settings
     }
 
-    /// What settings are called; only those that vary have to be.
+    /// The labels of settings; only those that vary need one.
     fn labels(&mut self, axes: &[Axis]) -> Vec<(String, String)> {
         let mut labels = Vec::new();
         for Entry { path, at, value } in self.entries("labels", |value| !value.is_table()) {
@@ -278,7 +279,7 @@ impl<'a> Reader<'a> {
         labels
     }
 
-    /// The values of an axis: a list, or so many between two numbers.
+    /// The values of an axis: a list, or a number of values between two limits.
     fn values(&mut self, entry: &Entry) -> Option<Vec<Value>> {
         let values = match plain(entry.value) {
             Some(Value::Array(values)) => Ok(values),
@@ -295,7 +296,7 @@ impl<'a> Reader<'a> {
         None
     }
 
-    /// The leaves under a table of the file, in the order of the text.
+    /// The leaves of a table in the file, in the order of the text.
     fn entries(&mut self, key: &str, is_leaf: fn(&DeValue) -> bool) -> Vec<Entry<'a>> {
         let mut entries = Vec::new();
         match self.root.get_key_value(key).map(|(key, value)| (key, value.get_ref())) {
@@ -307,7 +308,7 @@ impl<'a> Reader<'a> {
         entries
     }
 
-    /// The value of a key of the file, if it is there.
+    /// The value of a key in the file, if it exists.
     fn key<T: serde::de::DeserializeOwned>(&mut self, key: &str) -> Option<T> {
         let (at, value) = self.root.get_key_value(key)?;
         let read = T::deserialize(ValueDeserializer::from(value.clone()));
@@ -335,7 +336,7 @@ impl<'a> Reader<'a> {
         found
     }
 
-    /// Adds a defect of a key or a setting, wherever it stands.
+    /// Adds a defect of a key or a setting, wherever it is.
     fn fault(&mut self, path: &str, reason: String) {
         let own = self.root.get_key_value(path).map(|(key, _)| key.span().start);
         let tables = [
@@ -354,7 +355,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// What a task is about, in place of a setting in it.
+/// Keys that select the subject of a task, as opposed to settings within it.
 pub(super) const SUBJECT: [&str; 3] = ["scene", "family", "steps"];
 /// The axis of repetitions.
 pub(super) const REPEAT: &str = "repeat";
@@ -384,7 +385,7 @@ fn plain(value: &Spanned<DeValue<'_>>) -> Option<Value> {
     Value::deserialize(ValueDeserializer::from(value.clone())).ok()
 }
 
-/// So many numbers from one to another.
+/// A number of values between two limits.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Range {
@@ -395,7 +396,7 @@ struct Range {
     spacing: Spacing,
 }
 
-/// What is the same between neighbours: their difference, or their ratio.
+/// What is constant between neighbors: the difference or the ratio.
 #[derive(Default, Clone, Copy, Deserialize)]
 #[serde(rename_all = "lowercase")]
 enum Spacing {
@@ -409,7 +410,7 @@ impl Range {
         table.try_into().map_err(|error: toml::de::Error| error.message().replace('`', "\""))
     }
 
-    /// The numbers, to twelve digits, so that they read as they are meant; whole ones if all are.
+    /// The values, rounded to twelve digits for readability; integers if all are.
     fn values(&self) -> std::result::Result<Vec<Value>, String> {
         let Range { from, to, count, spacing } = *self;
         if !(from.is_finite() && to.is_finite() && (2..=MOST_POINTS).contains(&count)) {
@@ -433,7 +434,7 @@ impl Range {
     }
 }
 
-/// The line, from 1, of a byte of the text.
+/// The line, from 1, of a byte in the text.
 fn line_at(text: &str, byte: usize) -> usize {
     text.bytes().take(byte).filter(|&byte| byte == b'\n').count() + 1
 }

@@ -1,4 +1,5 @@
-//! The folder of a grid's results: the plan, and one file a task, each written whole or not at all.
+//! The folder of a grid's results: the plan, and one file per task, each written completely or not
+//! at all.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -28,22 +29,22 @@ pub struct Folder {
     grid: Grid,
 }
 
-/// What is kept of a task.
+/// The stored result of a task.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Record {
     /// The number of the task.
     pub task: usize,
-    /// The hash of the plan that it belongs to.
+    /// The hash of its plan.
     pub plan: String,
-    /// What was found.
+    /// The result.
     pub finding: Option<Finding>,
-    /// Why nothing could be found: the settings make no scene or problem.
+    /// Why there is no result: the settings give no scene or problem.
     pub reason: Option<String>,
-    /// What differs from machine to machine.
+    /// The machine-dependent data.
     pub machine: Machine,
 }
 
-/// Where and how fast a task was done.
+/// Where a task was run, and how fast.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Machine {
     /// System and processor.
@@ -56,7 +57,8 @@ impl Folder {
     /// The folder of a grid, which need not exist yet.
     ///
     /// # Errors
-    /// If it holds another plan, or a link in its place, or a scene of the grid cannot be read.
+    /// If it contains another plan, or a link instead of the plan, or a scene of the grid cannot be
+    /// read.
     pub fn new(path: &Path, grid: &Grid) -> Result<Self> {
         let plan = grid.plan()?;
         let file = file::inside(path, PLAN)?;
@@ -71,7 +73,7 @@ impl Folder {
         &self.plan
     }
 
-    /// Where it is.
+    /// Its path.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -85,11 +87,11 @@ impl Folder {
         Ok(self.path.join(PLAN))
     }
 
-    /// Does one task, whether its result is there or not, and keeps the result.
+    /// Runs one task, even if its result exists, and stores the result.
     ///
     /// # Errors
-    /// If there is no such task, or its result cannot be written. A task whose settings make no
-    /// problem is none: the reason is its result.
+    /// If there is no such task, or its result cannot be written. If the task's settings give no
+    /// problem, that is not an error: the reason is the result.
     pub fn run_one(&self, number: usize) -> Result<Record> {
         let task = self.plan.tasks.iter().find(|task| task.task == number).ok_or_else(|| {
             let reason = format!("there is no task {number}, only 1 to {}", self.plan.tasks.len());
@@ -100,11 +102,11 @@ impl Folder {
         Ok(record)
     }
 
-    /// Does all tasks without a result, on as many threads as rayon's pool has, until it is time to
-    /// stop; says how many were done.
+    /// Runs all tasks without a result, on the threads of rayon's pool, until a stop; returns how
+    /// many were run.
     ///
     /// # Errors
-    /// If a result cannot be written, or one that is there belongs to another plan.
+    /// If a result cannot be written, or an existing one belongs to another plan.
     pub fn run_missing(&self, progress: &ProgressBar, stop: &Stop) -> Result<usize> {
         self.write_plan()?;
         let mut missing = Vec::new();
@@ -130,7 +132,7 @@ impl Folder {
         Ok(done)
     }
 
-    /// The result of a task, if it is there.
+    /// The result of a task, if it exists.
     ///
     /// # Errors
     /// If it cannot be read, or belongs to another plan.
@@ -188,7 +190,7 @@ fn unreadable(path: &Path, cause: &serde_json::Error) -> Error {
     Error::File { path: path.display().to_string(), reason: format!("is not a result: {cause}") }
 }
 
-/// Indented JSON with a line feed at the end.
+/// Indented JSON with a final line feed.
 pub(super) fn pretty(value: &impl Serialize) -> Result<String> {
     let json = serde_json::to_string_pretty(value);
     json.map(|json| json + "\n")

@@ -1,5 +1,5 @@
-//! What is measured at a point: claims, verdicts and residuals of its solves, and how a scene
-//! moved.
+//! The measures at a point: claims, verdicts and residuals of its solves, and the motion of a
+//! scene.
 
 use crate::simulation;
 use crate::simulation::Simulation;
@@ -23,14 +23,14 @@ use crate::simulation::{Motion, Step};
 use crate::solver::{Options, Settings, Solution, Start, Status, theory};
 use crate::trace::{Convergence, Work};
 
-/// A number that is measured.
+/// A measured quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Measure {
     /// Its name in files.
     pub name: &'static str,
     /// Its unit; empty if there is none.
     pub unit: &'static str,
-    /// What it is.
+    /// Its description.
     pub about: &'static str,
 }
 
@@ -38,7 +38,7 @@ const fn measure(name: &'static str, unit: &'static str, about: &'static str) ->
     Measure { name, unit, about }
 }
 
-/// Sweeps or pivots, which closed forms are about.
+/// The number of sweeps or pivots, which closed forms predict.
 pub const ITERATIONS: Measure = measure("iterations", "", "total sweeps or pivots");
 
 /// All measures, in the order of tables.
@@ -69,24 +69,24 @@ pub const MEASURES: [Measure; 16] = [
     measure("optimum", "", "the value at which the closed form has its smallest rate"),
 ];
 
-/// The wall time of stepping and solving, which is recorded apart from what is the same on every
-/// machine.
+/// The wall time of stepping and solving, which is recorded separately from machine-independent
+/// results.
 pub static SECONDS: Measure =
     measure("seconds", "s", "the wall time of stepping and solving, on a shared machine");
 
-/// What was found at a point; the same on every machine.
+/// The result at a point; the same on every machine.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Finding {
-    /// `solved`, or the solver's word on the last LCP that it did not solve; `no LCP` where none
-    /// was posed.
+    /// `solved`, or the solver's status on the last LCP that it did not solve; `no LCP` if there
+    /// was none.
     pub status: String,
-    /// The judge's word on the worst answer.
+    /// The judge's verdict on the worst answer.
     pub verdict: String,
     /// Why it ended early, or what was not solved.
     pub trouble: Option<String>,
-    /// The measures, those that mean something here.
+    /// The measures that apply here.
     pub values: Map<String, Json>,
-    /// What the closed form says.
+    /// The predictions of the closed form.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub predicted: Vec<Predicted>,
 }
@@ -97,7 +97,7 @@ impl Finding {
         self.values.get(name).and_then(as_number)
     }
 
-    /// What the closed form says of a measure, if it says something.
+    /// The prediction of the closed form for a measure, if there is one.
     pub fn predicted(&self, name: &str) -> Option<&Predicted> {
         self.predicted.iter().find(|predicted| predicted.measure == name)
     }
@@ -113,11 +113,11 @@ impl Finding {
     }
 }
 
-/// Solves a task and has every answer judged; the second value is the wall time of stepping and
-/// solving (s).
+/// Solves a task and judges every answer; the second value is the wall time of stepping and solving
+/// (s).
 ///
 /// # Errors
-/// If the task's settings make no scene or problem, or name no solver.
+/// If the task's settings give no scene or problem, or name no solver.
 pub fn run(task: &Task, grid: &Grid) -> Result<(Finding, f64)> {
     match Subject::of(task)? {
         Subject::Scene(scene, steps) => simulate(task, &scene, steps, grid),
@@ -183,7 +183,8 @@ fn solve(task: &Task, problem: &Problem, settings: &Scene, grid: &Grid) -> Resul
 }
 
 impl Finding {
-    /// Adds what the closed form says of the last problem, and its rate if the grid asks for it.
+    /// Adds the predictions of the closed form for the last problem, and its rate if the grid asks
+    /// for it.
     fn beside_theory(&mut self, task: &Task, grid: &Grid, lcp: &Lcp, scene: &Scene) -> Result<()> {
         let (name, options) = (&scene.solver.name, simulation::options(scene));
         if grid.measures.iter().any(|measure| measure.name == "rate") {
@@ -202,10 +203,10 @@ impl Finding {
     }
 }
 
-/// Residuals below this part of the first are rounding.
+/// Residuals below this fraction of the first are rounding.
 const FLOOR: f64 = 1e-11;
 
-/// The rate of a solver that sweeps, as its residuals show it and as an eigenvalue.
+/// The convergence rate of a sweep method, from its residuals and as an eigenvalue.
 fn rates(name: &str, options: &Options, lcp: &Lcp) -> Result<(Option<f64>, Option<f64>)> {
     let settings = Settings { tolerance: 0.0, ..options.settings.clone() };
     let options = Options { settings, ..options.clone() };
@@ -217,7 +218,7 @@ fn rates(name: &str, options: &Options, lcp: &Lcp) -> Result<(Option<f64>, Optio
     Ok((eigenvalue.and(trace.rate()), eigenvalue))
 }
 
-/// Claims and verdicts of many solves.
+/// The claims and verdicts of many solves.
 #[derive(Default)]
 struct Tally {
     rows: usize,
@@ -303,7 +304,7 @@ fn rank(verdict: &Verdict) -> u8 {
     }
 }
 
-/// How a scene moved.
+/// The motion of a scene.
 struct Course {
     steps: usize,
     start: f64,
@@ -331,7 +332,7 @@ impl Course {
     }
 }
 
-/// The solution of a problem that is known to have no other one.
+/// The solution of a problem if it is known to be unique.
 fn only_solution(problem: &Problem) -> Option<Vec<f64>> {
     let expected = Expected::of(problem).filter(|expected| expected.complete)?;
     let [x] = expected.solutions.as_slice() else { return None };

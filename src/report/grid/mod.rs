@@ -1,45 +1,45 @@
 //! Grids of settings: a scene or a problem family at every point.
 //!
-//! A grid file ([`Grid`]) says what varies; its [`Plan`] numbers the points. Each is a task that
-//! needs no other one, on whichever thread or machine ([`measure`](mod@measure)); a [`Folder`]
-//! keeps their results, and [`collect`] puts them together, the same bits however they were found.
+//! A grid file ([`Grid`]) defines what varies; its [`Plan`] numbers the points. Each point is an
+//! independent task, for any thread or machine ([`measure`](mod@measure)); a [`Folder`] stores the
+//! results, and [`collect`] combines them, bitwise identical regardless of how they were computed.
 //!
 //! ```toml
 //! title = "A block on a slope"
 //! text = "What the page says above the figures."
 //! scene = "incline"               # a shipped scene or a file; or: family = "stack"
-//! steps = 50                      # of a scene; its own count without it
-//! measure = ["drift", "iterations"] # what is drawn; all that is measured is recorded
+//! steps = 50                      # for a scene; by default its own count
+//! measure = ["drift", "iterations"] # measures to draw; all measures are recorded
 //! seed = 1                        # of all that is random
-//! repeat = 3                      # every point so often, with seeds of their own
+//! repeat = 3                      # runs per point, each with its own seed
 //!
 //! [set]                           # the same in all tasks
 //! solver.name = "sor"
 //!
-//! [axes]                          # every combination of these; the first one is drawn across
+//! [axes]                          # all combinations; the first one is the horizontal axis
 //! solver.omega = { from = 1.0, to = 1.9, count = 10 }
 //! bodies.block.mass = { from = 1.0, to = 100.0, count = 3, spacing = "log" }
 //! step.scheme = ["velocity", "acceleration"]
 //!
-//! [zip]                           # lists of one length that go together, as one more axis
+//! [zip]                           # lists of equal length that vary together, as one more axis
 //! step.dt = [0.01, 0.005]
 //! step.count = [50, 100]
 //!
-//! [labels]                        # what settings are called on the page
+//! [labels]                        # names of settings on the page
 //! solver.omega = "ω"
 //! ```
 //!
-//! `scale = "linear"` or `"log"` spreads the measures on their axis, which else depends on the
-//! values; `theory` names a closed form to draw beside them ([`Theory`]). The measure `rate` has
-//! its problem solved once more.
+//! `scale = "linear"` or `"log"` sets the scale of the measures' axis, which otherwise depends on
+//! the values; `theory` names a closed form to draw for comparison ([`Theory`]). The measure `rate`
+//! solves the problem once more.
 //!
-//! A setting is the path of a field of the scene file: of lists the item's number from 0 or its
-//! name, or neither if there is one item. Of a family it is a parameter, or a field of `solver` as
-//! scenes have it. `scene`, `family` and `steps` may be axes themselves. A family's problem is
-//! solved once, from 0.
+//! A setting is the path of a field in the scene file; items of a list are given by their number
+//! from 0 or their name, or neither if there is only one. For a family it is a parameter, or a
+//! field of `solver` as in scenes. `scene`, `family` and `steps` can be axes themselves. A family's
+//! problem is solved once, from 0.
 //!
-//! What is random draws from a seed of the task, which follows from `seed`, the repetition, and the
-//! settings that make the problem: tasks that differ in `solver` or `step` alone get the same
+//! Random values use a seed of the task, which is derived from `seed`, the repetition, and the
+//! settings that define the problem: tasks that differ only in `solver` or `step` get the same
 //! problem.
 
 mod collect;

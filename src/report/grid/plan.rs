@@ -1,4 +1,4 @@
-//! The plan of a grid: its tasks, numbered, and the hash of all that decides them.
+//! The plan of a grid: its numbered tasks, and the hash of everything that determines them.
 
 use serde::Serialize;
 use toml::{Table, Value};
@@ -8,7 +8,7 @@ use crate::csv;
 use crate::error::{Error, Result};
 use crate::scene;
 
-/// A grid has at most so many tasks.
+/// Maximum number of tasks of a grid.
 const MOST_TASKS: usize = 1_000_000;
 
 /// All tasks of a grid.
@@ -18,8 +18,8 @@ pub struct Plan {
     pub grid: String,
     /// Its heading.
     pub title: String,
-    /// Of the grid file, the scenes that it names and the version of lcplab: results of another
-    /// plan are refused.
+    /// The hash of the grid file, the scenes that it names and the version of lcplab; results of
+    /// another plan are rejected.
     pub hash: String,
     /// The settings that vary.
     pub axes: Vec<String>,
@@ -32,9 +32,9 @@ pub struct Plan {
 pub struct Task {
     /// Its number, from 1.
     pub task: usize,
-    /// What is random in it draws from this; the same whatever the number.
+    /// The seed of its random values, independent of the number.
     pub seed: u32,
-    /// All that is set, by path.
+    /// All settings, by path.
     pub settings: Table,
 }
 
@@ -99,7 +99,7 @@ impl Grid {
 }
 
 impl Task {
-    /// A setting that is a word.
+    /// A setting that is a text.
     pub fn text(&self, path: &str) -> Option<&str> {
         self.settings.get(path).and_then(Value::as_str)
     }
@@ -110,13 +110,13 @@ impl Task {
         value.as_float().or(value.as_integer().map(|value| value as f64))
     }
 
-    /// A setting as tables show it; empty if it is not set.
+    /// A setting as shown in tables; empty if it is not set.
     pub fn shown(&self, path: &str) -> String {
         self.settings.get(path).map(plain).unwrap_or_default()
     }
 }
 
-/// A value as text: 1 and 1.0 are the same.
+/// A value as text: 1 and 1.0 give the same.
 pub(super) fn plain(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),
@@ -126,7 +126,7 @@ pub(super) fn plain(value: &Value) -> String {
     }
 }
 
-/// The seed of a task: from the grid's own, and from the settings that make its problem, in the
+/// The seed of a task: from the grid's seed and from the settings that define its problem, in the
 /// order of their names.
 fn seed(grid: u64, settings: &Table) -> u32 {
     let makes_problem = |path: &str| {
@@ -150,7 +150,7 @@ fn fnv(text: &str) -> u64 {
     })
 }
 
-/// The finishing steps of splitmix64 (Steele, Lea & Flood 2014): every bit depends on every other.
+/// The finalizer of splitmix64 (Steele, Lea & Flood 2014): every bit depends on every other.
 fn mixed(bits: u64) -> u64 {
     let bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

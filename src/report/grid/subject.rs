@@ -1,4 +1,4 @@
-//! What a task solves: a scene, or a problem of a family, with the task's settings put in.
+//! The subject of a task: a scene, or a problem of a family, with the task's settings.
 
 use serde_json::{Value as Json, json};
 use toml::Value;
@@ -12,12 +12,12 @@ use crate::report::methods;
 use crate::scene::{self, Description, Scene};
 use crate::solver::Choice;
 
-/// More tasks than this are refused: a typing error should not fill the disk.
+/// Maximum number of tasks, so that a typing error does not fill the disk.
 const MOST_TASKS: usize = 100_000;
 
-/// What a task solves.
+/// The subject of a task.
 pub(super) enum Subject {
-    /// A scene, and how many steps to take.
+    /// A scene, and the number of steps.
     Scene(Box<Scene>, usize),
     /// A problem, and a scene without bodies that has the solver's settings.
     Problem(Box<Problem>, Box<Scene>),
@@ -27,7 +27,7 @@ impl Subject {
     /// The subject of a task.
     ///
     /// # Errors
-    /// If its settings make none: the reason is that of the scene or of the family.
+    /// If its settings give none; the reason is that of the scene or of the family.
     pub fn of(task: &Task) -> Result<Self> {
         let mut form = match (task.text("scene"), task.text("family")) {
             (Some(name), _) => Form::scene(name)?,
@@ -44,7 +44,7 @@ impl Subject {
     }
 }
 
-/// A scene or a family as a form to fill in: every field there is, and the values so far.
+/// The fields of a scene or a family, with the current values.
 struct Form {
     name: String,
     /// All fields, `null` for those without a value.
@@ -100,7 +100,7 @@ impl Form {
         self.check_types().map_err(|reason| Error::invalid(&self.name, path, reason))
     }
 
-    /// Whether every value is of its field's type.
+    /// Whether every value has the type of its field.
     fn check_types(&self) -> std::result::Result<(), String> {
         let checked = match (&self.family, &self.values) {
             (None, values) => values.clone().try_into().map(|_: Description| ()),
@@ -109,7 +109,7 @@ impl Form {
         checked.map_err(|cause| cause.message().replace('`', "\""))
     }
 
-    /// The way to a setting, of which there need be no value yet.
+    /// The path to a setting, which may have no value yet.
     fn place(&self, path: &str) -> Result<Vec<Key>> {
         let mut at = &self.fields;
         let mut keys = Vec::new();
@@ -237,10 +237,10 @@ fn forms(
     names.map(|name| read(name).map_err(|error| (kind, error))).collect()
 }
 
-/// Whether the grid has a subject, and each setting a place in it.
+/// Checks that the grid has a subject, and that each setting exists in it.
 ///
 /// # Errors
-/// If a scene has defects. Other defects go to `fault`, by the setting.
+/// If a scene has defects. Other defects are passed to `fault`, by setting.
 pub(super) fn check(grid: &Grid, mut fault: impl FnMut(&str, String)) -> Result<()> {
     let read = || Ok((forms(grid, "scene", Form::scene)?, forms(grid, "family", Form::family)?));
     let (scenes, families) = match read() {
@@ -278,7 +278,7 @@ pub(super) fn check(grid: &Grid, mut fault: impl FnMut(&str, String)) -> Result<
     Ok(())
 }
 
-/// The axes of options at which no solver of the grid looks, with the solvers' names.
+/// The axes of options that no solver of the grid uses, with the solvers' names.
 fn unused<'a>(grid: &'a Grid, forms: &[&Form]) -> Vec<(&'a str, String)> {
     let named = grid.values_of("solver.name").into_iter().filter_map(|value| value.as_str());
     let mut names: Vec<String> = named.map(String::from).collect();

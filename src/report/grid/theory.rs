@@ -1,4 +1,4 @@
-//! Closed forms that a grid can be drawn beside.
+//! Closed forms for comparison with a grid.
 
 use serde::{Deserialize, Serialize};
 
@@ -10,60 +10,62 @@ use crate::solver::{Damping, Options, Order};
 /// A closed form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Theory {
-    /// Young (1950), sweeps on a column of n equal masses, standing on the ground or hung at one
-    /// end:
+    /// Young (1950): sweeps on a column of n equal masses, standing on the ground or hanging from
+    /// one end:
     ///
     /// ```text
     /// ρ_J = cos(π/2n),   ρ_GS = ρ_J²,   ω* = 2/(1 + √(1 − ρ_J²)),   ρ(ω) = ω − 1 for ω ≥ ω*,
     /// ρ(ω) = ((ω ρ_J + √(ω² ρ_J² − 4(ω − 1)))/2)² below
     /// ```
     ///
-    /// It knows the rate, and by the rate the iterations, ln(tolerance)/ln ρ sweeps: a rule of
-    /// thumb, since the start may have more or less of the slowest kind of error. Where the column
-    /// falls onto the ground (b is 0 but in the first row), Gauss-Seidel leaves (2/n) b ρᵏ in the
-    /// ground's row, whose terms add up to 2 n b: the scaled residual is ε after ln(ε n²)/ln ρ
-    /// sweeps. Applies where A is a multiple of tridiag(−1, 2, −1) with 1 in the first place, and
-    /// the solver is SOR, PGS or Jacobi's method without damping.
+    /// It predicts the rate, and from the rate the iterations, ln(tolerance)/ln ρ sweeps: a rule of
+    /// thumb, since the start may contain more or less of the slowest error component. If the
+    /// column falls onto the ground (b is 0 except in the first row), Gauss-Seidel leaves (2/n) b
+    /// ρᵏ in the ground's row, whose terms add up to 2 n b: the scaled residual is ε after ln(ε
+    /// n²)/ln ρ sweeps. Applies if A is a multiple of tridiag(−1, 2, −1) with 1 in the first place,
+    /// and the solver is SOR, PGS or Jacobi's method without damping.
     Young,
     /// Gauss-Seidel on two bodies, the upper one r times as heavy (the family `stack` with n = 2):
-    /// a sweep leaves ρ = r/(1 + r) of the error, and the scaled residual after k sweeps is ρᵏ/(2
-    /// (1 + r)).
+    /// a sweep reduces the error by the factor ρ = r/(1 + r), and the scaled residual after k
+    /// sweeps is ρᵏ/(2 (1 + r)).
     MassRatio,
 }
 
-/// What a closed form says of a measure.
+/// The prediction of a closed form for a measure.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Predicted {
     /// The measure.
     pub measure: String,
     /// Its value.
     pub value: f64,
-    /// By how much what is measured may differ; `None` for a rule of thumb, which claims nothing.
+    /// The allowed difference of the measured value; `None` for a rule of thumb, which is not a
+    /// claim.
     pub slack: Option<f64>,
 }
 
-/// What a closed form says of a point.
+/// The predictions of a closed form for a point.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Prediction {
     /// By measure.
     pub values: Vec<Predicted>,
-    /// Where along the first axis the least rate is, if that is known.
+    /// The position of the minimum rate along the first axis, if it is known.
     pub optimum: Option<f64>,
 }
 
-/// Eigenvalues are known to this: where two of them meet, at ω*, to the root of the precision only.
+/// The accuracy of eigenvalues: where two of them coincide, at ω*, only the square root of the
+/// precision.
 const EIGENVALUE: f64 = 1e-5;
-/// Sweeps that are counted and those that the slowest kind of error needs differ by this part at
-/// most, and by a sweep.
+/// The counted sweeps and those of the slowest error component differ by at most this fraction plus
+/// one sweep.
 const SWEEPS: f64 = 0.05;
-/// The rounding of an error of size 1.
+/// The rounding error of an error of size 1.
 const ROUNDING: f64 = 1e-12;
-/// A scaled residual is a claim once it is this small for two bodies; before, a solver takes it
-/// back.
+/// The scaled residual below which the solver claims a solution for two bodies; above it, it
+/// withdraws the claim.
 const SMALL: f64 = 0.05;
 
 impl Theory {
-    /// All of them.
+    /// All closed forms.
     pub const ALL: [Theory; 2] = [Theory::Young, Theory::MassRatio];
 
     /// Its name in grid files.
@@ -74,13 +76,13 @@ impl Theory {
         }
     }
 
-    /// The one of this name.
+    /// The closed form with this name.
     pub fn by_name(name: &str) -> Option<Self> {
         Theory::ALL.into_iter().find(|theory| theory.name() == name)
     }
 
-    /// What it says of a task's problem, solved by this solver in so many iterations; nothing where
-    /// it does not apply.
+    /// The predictions for a task's problem, solved by this solver in this number of iterations;
+    /// `None` if it does not apply.
     pub(super) fn predict(
         self,
         task: &Task,
@@ -136,7 +138,7 @@ fn mass_ratio(
     Some(Prediction { values, optimum: None })
 }
 
-/// A rate, measured and as an eigenvalue: what is measured over a few sweeps claims nothing.
+/// A rate, measured and as an eigenvalue; the rate measured over a few sweeps is not a claim.
 fn rates(rate: f64) -> [Predicted; 2] {
     [Predicted::thumb("rate", rate), Predicted::within("eigenvalue", rate, EIGENVALUE)]
 }
@@ -155,7 +157,7 @@ impl Predicted {
         Predicted { measure: measure.into(), value, slack: None }
     }
 
-    /// Whether what was measured is what is claimed; `None` if nothing is.
+    /// Whether the measured value agrees with the claim; `None` if there is no claim.
     pub fn holds(&self, measured: f64) -> Option<bool> {
         self.slack.map(|slack| (measured - self.value).abs() <= slack)
     }

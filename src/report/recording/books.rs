@@ -1,4 +1,4 @@
-//! The energy of a simulation, account by account.
+//! The energy balance of a simulation, account by account.
 
 use serde_json::Value;
 
@@ -6,14 +6,14 @@ use crate::lcp::file::number;
 use crate::number::readable;
 use crate::simulation::Ledger;
 
-/// The energy of all steps so far.
+/// The energy balance of all steps so far.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Books {
     /// The sum of each account.
     pub(super) work: Ledger,
-    /// The most that was missing in a step (J).
+    /// The largest unexplained energy in a step (J).
     pub(super) remainder: f64,
-    /// The most that was missing in a step in which more than rounding was (J).
+    /// The largest unexplained energy in a step that exceeds rounding (J).
     pub(super) missed: f64,
 }
 

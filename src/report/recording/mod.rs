@@ -1,4 +1,4 @@
-//! One simulation, recorded step by step: what `simulate` prints and writes.
+//! Records a simulation step by step: the output of `simulate`.
 
 mod books;
 mod refused;
@@ -26,42 +26,42 @@ use crate::simulation::{
 };
 use crate::solver::Status;
 
-/// What stands in place of the work where nobody wrote down what acted.
+/// The text instead of the work if the forces were not recorded.
 const NOT_ACCOUNTED: &str = "not accounted";
 
 /// The record of a simulation so far.
 #[derive(Debug, Clone)]
 pub struct Record {
     scene: Scene,
-    /// None where only totals are kept.
+    /// `None` if only totals are kept.
     tables: Option<Tables>,
-    /// Of so many steps one stands in the tables.
+    /// Every `every`-th step is written to the tables.
     every: usize,
     first: Motion,
     last: Motion,
-    /// The states now.
+    /// The current states.
     states: Vec<State>,
     steps: usize,
     problems: usize,
     accepted: usize,
     refuted_claims: usize,
-    /// Who gave the answers, in the order of their first.
+    /// The solvers that gave the answers, in the order of their first answer.
     solvers: Vec<&'static str>,
     worst_residual: f64,
     worst_drift: f64,
     worst_penetration: f64,
-    /// The step in which the least part of the weight was carried, and that part.
+    /// The step with the smallest supported fraction of the weight, and that fraction.
     least_carried: Option<(usize, f64)>,
     laws: Laws,
     slips: Slips,
     blows: Blows,
-    /// The blow that missed the law of restitution by most.
+    /// The impact with the largest deviation from the law of restitution.
     worst_blow: Option<Blow>,
     books: Option<Books>,
     conflict: Vec<String>,
-    /// What happened in the steps although every problem was solved.
+    /// Problems of the motion although every LCP was solved.
     warnings: Warnings,
-    /// The first answer that the judge did not accept.
+    /// The first answer that the judge rejected.
     refused: Option<Refused>,
     failure: Option<String>,
     /// The proof that the failed step had no solution.
@@ -69,7 +69,7 @@ pub struct Record {
 }
 
 impl Record {
-    /// An empty record of a simulation at its start, of totals alone.
+    /// An empty record at the start of a simulation, for totals only.
     pub fn start(scene: &Scene, simulation: &Simulation) -> Self {
         let motion = simulation.motion();
         let mut record = Record {
@@ -103,8 +103,8 @@ impl Record {
         record
     }
 
-    /// The same with a table of every pose, motion and force of each `every`th step; they grow from
-    /// step to step.
+    /// The same with tables of every pose, motion and force of each `every`th step; they grow with
+    /// every step.
     pub fn with_tables(mut self, simulation: &Simulation, every: usize) -> Self {
         self.every = every;
         let mut tables = Tables::new();
@@ -113,12 +113,12 @@ impl Record {
         self
     }
 
-    /// What the tables take so far.
+    /// The current memory of the tables.
     pub fn memory(&self) -> Memory {
         self.tables.as_ref().map_or(Memory::bytes(0), Tables::memory)
     }
 
-    /// Adds a step; every answer in it is judged.
+    /// Adds a step and judges every answer in it.
     pub fn add(&mut self, step: &Step) {
         let demand = Demand { tolerance: self.scene.solver.tolerance, prove_up_to: 0 };
         for solve in &step.solves {
@@ -159,23 +159,23 @@ impl Record {
         self.note(&step.motion);
     }
 
-    /// The impact, ended or not, that missed the coefficient of restitution by most.
+    /// The impact, finished or not, with the largest deviation from the coefficient of restitution.
     fn worst_blow(&self) -> Option<Blow> {
         worse_of(self.worst_blow.into_iter().chain(self.blows.unfinished()))
     }
 
-    /// Notes why the simulation ended early.
+    /// Records why the simulation ended early.
     pub fn end(&mut self, failure: &Failure) {
         self.cut(&failure.to_string());
         self.proof = proof(&failure.cause);
     }
 
-    /// Notes that recording ended early for a reason of its own.
+    /// Records that recording ended early for another reason.
     pub fn cut(&mut self, reason: &str) {
         self.failure = Some(format!("{}: {reason}", self.scene.name));
     }
 
-    /// The steps so far.
+    /// The number of steps so far.
     pub fn steps(&self) -> usize {
         self.steps
     }
@@ -243,14 +243,14 @@ impl Record {
         })
     }
 
-    /// The first step in which a body went through another one, and both names.
+    /// The first step in which a body passed through another one, and both names.
     fn first_passage(&self) -> Option<Value> {
         let passage = self.warnings.as_slice().iter().find(|own| own.word == "passed_through")?;
         Some(json!({ "step": passage.step, "bodies": passage.bodies }))
     }
 
-    /// Who gave the answers, or would have, had a step posed a problem; nobody where the scheme
-    /// poses none.
+    /// The solver of the answers, or of a step with a problem if there was none; `None` if the
+    /// scheme has no LCP.
     fn solver(&self) -> Option<String> {
         let asked = match self.solvers.as_slice() {
             [] => self.scene.solver.name.clone(),
@@ -259,17 +259,18 @@ impl Record {
         self.scene.step.scheme.solves_lcps().then_some(asked)
     }
 
-    /// The part of the weight that contacts, joints and springs carry, on average and at least.
+    /// The fraction of the weight that contacts, joints and springs support, on average and at
+    /// least.
     fn carried(&self) -> Option<[f64; 2]> {
         Some([carried(&self.scene, &self.first, &self.last)?, self.least_carried?.1])
     }
 
-    /// What the books say, or that there are none.
+    /// A value from the energy balance, or the text that there is none.
     fn accounted(&self, says: impl Fn(&Books) -> Value) -> Value {
         self.books.as_ref().map_or(Value::from(NOT_ACCOUNTED), says)
     }
 
-    /// Where the bodies are now, and how fast.
+    /// The current positions and velocities of the bodies.
     fn states_json(&self) -> Value {
         let vector = |v: &Vector3<f64>| [v.x, v.y, v.z].map(number);
         let state = |(body, state): (&Body, &State)| {
@@ -293,7 +294,7 @@ impl Record {
     }
 }
 
-/// The one with the largest error.
+/// The impact with the largest error.
 fn worse_of(impacts: impl Iterator<Item = Blow>) -> Option<Blow> {
     impacts.max_by(|a, b| a.error().abs().total_cmp(&b.error().abs()))
 }

@@ -1,4 +1,4 @@
-//! The first answer that the judge did not accept, and the proof of a step without solution.
+//! The first answer that the judge rejected, and the proof of a step without solution.
 
 use std::fmt;
 
@@ -10,7 +10,7 @@ use crate::number::readable;
 use crate::scene::Scene;
 use crate::simulation::{Cause, Solve};
 
-/// An answer that the judge did not accept.
+/// An answer that the judge rejected.
 #[derive(Debug, Clone)]
 pub(super) struct Refused {
     step: usize,
@@ -61,8 +61,8 @@ impl fmt::Display for Refused {
     }
 }
 
-/// The certificate of a step without solution: the row, and the exact vector d whose dᵀw cannot be
-/// what the bounds ask of it; none where all active sets were tried instead.
+/// The certificate of a step without solution: the row, and the exact vector d whose dᵀw cannot
+/// satisfy the bounds; `None` if all active sets were tried instead.
 pub(super) fn proof(cause: &Cause) -> Option<Value> {
     let Cause::NoSolution { row, proof } = cause else { return None };
     let vector = proof

@@ -11,17 +11,18 @@ use crate::memory::Memory;
 use crate::scene::Scene;
 use crate::simulation::{Laws, Ledger, Motion, Solve, Step};
 
-/// Three tables, a line at a time; names and units in their first lines.
+/// Three tables, one line at a time; names and units are in their first lines.
 #[derive(Debug, Clone)]
 pub(super) struct Tables {
-    /// A line a body and step: pose and velocity at its end.
+    /// One line per body and step: pose and velocity at its end.
     pub trajectory: String,
-    /// A line a step: energy and momentum, where the energy went, and how well laws were kept.
+    /// One line per step: energy and momentum, the energy balance, and the deviations from physical
+    /// laws.
     pub ledger: String,
-    /// A line for each row and solve: the force or impulse of every constraint, and the impulse
-    /// that acted (0 for an answer that another one replaced); for a contact also what touches,
-    /// where, and the direction in which it pushes the second body. Schemes that pose no problem
-    /// have a line for each row and step, with the sum of the substeps.
+    /// One line per row and solve: the force or impulse of every constraint, and the impulse that
+    /// acted (0 for an answer that was replaced by another); for a contact also the touching
+    /// features, the point, and the direction in which it pushes the second body. Schemes without
+    /// an LCP have one line per row and step, with the sum of the substeps.
     pub forces: String,
 }
 
@@ -37,13 +38,13 @@ impl Tables {
         Tables { trajectory, ledger, forces }
     }
 
-    /// The state of things at the start, before any step.
+    /// Adds the state at the start, before any step.
     pub fn start(&mut self, scene: &Scene, motion: &Motion, states: &[State]) {
         self.add_motion(motion, Some(&Ledger::default()), &Laws::default());
         self.add_states(scene, motion, states);
     }
 
-    /// What a step did.
+    /// Adds a step.
     pub fn add(&mut self, scene: &Scene, step: &Step) {
         self.add_motion(&step.motion, step.ledger.as_ref(), &step.laws);
         self.add_states(scene, &step.motion, &step.states);
@@ -57,7 +58,7 @@ impl Tables {
         }
     }
 
-    /// What they take; a text that grows takes up to twice its length.
+    /// Their memory; a growing text takes up to twice its length.
     pub fn memory(&self) -> Memory {
         let texts = [&self.trajectory, &self.ledger, &self.forces];
         Memory::bytes(texts.map(|text| text.capacity() as u64).iter().sum())
@@ -93,7 +94,7 @@ impl Tables {
 
     fn add_forces(&mut self, scene: &Scene, step: &Step, solve: &Solve) {
         let Solve { problem, solution, impulse_factor, .. } = solve;
-        // With the friction that follows from a normal force and is no unknown.
+        // Includes the friction that follows from a normal force and is not an unknown.
         let efforts = problem.efforts(&solution.x);
         for (i, row) in problem.assembly.rows.iter().enumerate() {
             let unit = problem.stage.unit(row.kind.is_angular());
@@ -106,8 +107,9 @@ impl Tables {
         }
     }
 
-    /// A row with its stage, x, unit, w and the impulse that acted; for a contact also what
-    /// touches, the point if it was known at the beginning of the step, and the row's direction.
+    /// Adds a row with its stage, x, unit, w and the impulse that acted; for a contact also the
+    /// touching features, the point if it was known at the beginning of the step, and the row's
+    /// direction.
     fn add_force(&mut self, scene: &Scene, step: &Step, row: &Row, of: [&str; 5]) {
         let id = match row.id.source {
             Source::Contact(id) => Some(id),

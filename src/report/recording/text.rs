@@ -1,4 +1,4 @@
-//! What `simulate` prints of a simulation.
+//! The text that `simulate` prints.
 
 use nalgebra::Vector3;
 
@@ -10,9 +10,9 @@ use crate::number::readable;
 use crate::scene::{Resting, Scene, Scheme};
 use crate::simulation::Slip;
 
-/// Bodies whose end is printed.
+/// Maximum number of bodies whose final state is printed.
 const SHOWN: usize = 12;
-/// Warnings that are printed.
+/// Maximum number of warnings printed.
 const WARNINGS: usize = 5;
 /// Smaller violations of the laws of friction and impact, in percent, are not reported.
 const MUCH: f64 = 1.0;
@@ -27,7 +27,7 @@ const NOT_MEASURED: &str = "not measured";
 const DRIFT: f64 = 1e-3;
 
 impl Record {
-    /// The totals for people.
+    /// The totals as text.
     pub fn text(&self) -> String {
         let Scene { name, title, .. } = &self.scene;
         let scheme = self.scene.step.scheme.name();
@@ -109,7 +109,7 @@ impl Record {
         text
     }
 
-    /// What the settings, the start and the friction model are worth a word for.
+    /// Notes on the settings, the start and the friction model.
     pub(super) fn notes(&self) -> Vec<String> {
         let mut notes = self.scene.notes();
         if self.first.penetration > DRIFT * self.scene.thinnest().unwrap_or(f64::INFINITY) {
@@ -129,7 +129,7 @@ impl Record {
         notes
     }
 
-    /// How far friction was from Coulomb's law, where that can be seen.
+    /// The deviation of friction from Coulomb's law, if it is large enough to report.
     fn friction_in_words(&self) -> Option<String> {
         let model = self.scene.contact.model;
         let pair = |slip: &Slip| {
@@ -181,7 +181,8 @@ impl Record {
         Some(format!("friction of the model {model} {how}; {remedy}"))
     }
 
-    /// The blow that missed the coefficient of restitution by most, where that can be seen.
+    /// The impact with the largest deviation from the coefficient of restitution, if it is large
+    /// enough to report.
     fn blow_in_words(&self) -> Option<String> {
         let blow = self.worst_blow().filter(|blow| 100.0 * blow.error().abs() > MUCH)?;
         let remedy = match self.scene.step.scheme {
@@ -201,7 +202,7 @@ impl Record {
         ))
     }
 
-    /// The angular momentum that the contacts and joints of a scheme without an LCP made.
+    /// The angular momentum produced by the contacts and joints of a scheme without an LCP.
     fn turning_in_words(&self) -> Option<String> {
         let sizes = [&self.scene.states, &self.states].map(|states| turning(&self.scene, states));
         let made = self.laws.internal_torque;
@@ -217,7 +218,7 @@ impl Record {
         })
     }
 
-    /// The drift beside the scene, and what takes it away, where it can be seen.
+    /// The drift relative to the scene, and how to reduce it, if it is large enough to report.
     fn drift_in_words(&self) -> String {
         let points = self.states.iter().map(|state| state.pose.p);
         let size = points.clone().flat_map(|p| points.clone().map(move |q| (p - q).norm()));
@@ -235,7 +236,7 @@ impl Record {
         format!(", {percent} % of the scene's size; {setting} feeds it back")
     }
 
-    /// Where the bodies that move are now, and how fast.
+    /// The current positions and velocities of the moving bodies.
     fn states_text(&self) -> String {
         let moving = || {
             let bodies = self.scene.bodies.iter().zip(&self.states);
@@ -260,7 +261,7 @@ impl Record {
         }
     }
 
-    /// The part of the weight that is carried, in words.
+    /// The supported fraction of the weight, as text.
     fn carried_in_words(&self) -> String {
         let (Some([mean, least]), Some((step, _))) = (self.carried(), self.least_carried) else {
             return "–".into();
@@ -272,7 +273,7 @@ impl Record {
     }
 }
 
-/// Σ |p| m |v| + |I ω|: the size of the bodies' angular momenta, which may cancel.
+/// Σ |p| m |v| + |I ω|: the sum of the magnitudes of the bodies' angular momenta, which may cancel.
 fn turning(scene: &Scene, states: &[State]) -> f64 {
     let of_body = |(body, state): (&Body, &State)| {
         let around = state.pose.p.norm() * body.mass.momentum(state).norm();

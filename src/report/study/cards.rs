@@ -1,7 +1,7 @@
-//! Engine cards: what physics engines did with one scene a phenomenon, beside its law.
+//! Engine cards: how physics engines behave on one scene per phenomenon, compared with its law.
 //!
 //! Nothing is run here. `python -m lcplab.cards` runs the engines and writes a record; a report
-//! draws it, the shipped one unless the file names another.
+//! shows it, by default the shipped one.
 
 use std::path::{Path, PathBuf};
 
@@ -18,30 +18,30 @@ use lcplab_problem::disk;
 /// The record that lcplab ships.
 const SHIPPED: &str = include_str!("../../../reports/engines.json");
 
-/// A miss this near to one tolerance may be on either side of it before numbers are rounded to six
-/// digits.
+/// An error this close to a tolerance may have been on the other side of it before numbers were
+/// rounded to six digits.
 const SIX_DIGITS: f64 = 1e-4;
 
-/// The format of records that is read.
+/// The supported format version.
 const FORMAT: u32 = 1;
 
-/// Which record is drawn.
+/// The record to show.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
-    /// What `python -m lcplab.cards --out FILE` wrote; the shipped record without it.
+    /// A file written by `python -m lcplab.cards --out FILE`; by default the shipped record.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub record: Option<PathBuf>,
 }
 
-/// What was found by all engines.
+/// The results of all engines.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Record {
     /// The version of the format.
     pub format: u32,
     /// The engines, in the order of the page.
     pub engines: Vec<Engine>,
-    /// Contact problems that engines solve themselves, of those that tell them.
+    /// Contact problems that engines solve themselves, for engines that export them.
     #[serde(default)]
     pub frames: Vec<Frame>,
     /// The phenomena, in the order of the page.
@@ -59,29 +59,29 @@ pub struct Engine {
     pub package: String,
     /// The package's version.
     pub version: String,
-    /// The ways in which it was run.
+    /// Its configurations.
     pub settings: Vec<Settings>,
 }
 
-/// A way in which an engine was run.
+/// A configuration of an engine.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Settings {
     /// `defaults`, `accurate`, or a scheme of lcplab.
     pub name: String,
-    /// All that was set, in words.
+    /// All settings, as text.
     pub words: String,
     /// The length of a step (s).
     pub dt: f64,
 }
 
-/// A contact problem that an engine posed, and who solves it.
+/// A contact problem of an engine, and the solvers that solve it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Frame {
-    /// The engine's name; it runs as installed.
+    /// The engine's name; it runs with its default settings.
     pub engine: String,
     /// The name of the phenomenon.
     pub phenomenon: String,
-    /// The time in it (s).
+    /// The simulated time (s).
     pub time: f64,
     /// The problem, as the object of a problem file.
     pub problem: serde_json::Value,
@@ -89,16 +89,16 @@ pub struct Frame {
     pub answer: Vec<f64>,
     /// The number of rows.
     pub rows: usize,
-    /// The judge's word on the engine's own answer.
+    /// The judge's verdict on the engine's own answer.
     pub verdict: String,
     /// Its scaled residual.
     pub residual: f64,
-    /// The row that is missed most, of an answer that is none.
+    /// The row with the largest residual, for an answer that is not a solution.
     pub row: Option<usize>,
-    /// How far it is missed, in the unit of w (impulses: m/s).
+    /// That residual in the unit of w (for impulses m/s).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub missed: Option<f64>,
-    /// How lcplab's solvers do on the same problem.
+    /// The results of lcplab's solvers on the same problem.
     pub solvers: Vec<Tried>,
 }
 
@@ -109,112 +109,112 @@ pub struct Tried {
     pub solver: String,
     /// Whether the judge accepts its answer.
     pub accepted: bool,
-    /// Sweeps or pivots.
+    /// The number of sweeps or pivots.
     pub iterations: usize,
-    /// What it cost, where that is counted.
+    /// Its cost, if it is counted.
     pub multiplications: Option<f64>,
 }
 
-/// A question, its law, and what each engine answered.
+/// A question, its law, and the answers of the engines.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Phenomenon {
     /// Its name in options.
     pub name: String,
-    /// What is asked.
+    /// The question.
     pub question: String,
     /// Why it matters.
     pub matters: String,
     /// The law, as TeX.
     pub law: String,
-    /// By how much it may be missed, and why.
+    /// The allowed deviation, and why.
     pub allowed: String,
-    /// What was reported of engines, and the formula that explains it; empty if nothing.
+    /// What has been reported about engines, and the formula that explains it; may be empty.
     #[serde(default)]
     pub reported: String,
     /// The simulated time (s).
     pub duration: f64,
     /// The scene file.
     pub scene: String,
-    /// The fields that were set, one run each.
+    /// The fields that were set, for each run.
     pub set: Vec<serde_json::Map<String, serde_json::Value>>,
     /// Whether the horizontal axis is logarithmic.
     pub log: bool,
-    /// What the plot goes along.
+    /// The horizontal axis.
     pub x: Along,
-    /// What is plotted.
+    /// The vertical axis.
     pub y: Upwards,
-    /// What was found, an engine's settings each.
+    /// The results, one for each engine configuration.
     pub columns: Vec<Column>,
 }
 
 /// The horizontal axis of a plot.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Along {
-    /// What it is.
+    /// The quantity.
     pub name: String,
     /// Its unit.
     pub unit: String,
-    /// The places of all curves.
+    /// The positions of all curves.
     pub values: Vec<f64>,
 }
 
 /// The vertical axis of a plot.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Upwards {
-    /// What it is.
+    /// The quantity.
     pub name: String,
     /// Its unit.
     pub unit: String,
-    /// What the law has at each place.
+    /// The value of the law at each position.
     pub law: Vec<f64>,
 }
 
-/// What an engine with its settings did.
+/// The results of an engine configuration.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Column {
     /// The engine's name.
     pub engine: String,
     /// The name of its settings.
     pub settings: String,
-    /// What it lacks, if that is why nothing was measured.
+    /// The missing feature, if that is why nothing was measured.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unsupported: Option<String>,
-    /// How its run went wrong, if it did.
+    /// Why its run failed, if it did.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub failed: Option<String>,
     /// What was measured.
     #[serde(default)]
     pub measured: Vec<Measured>,
-    /// The curve of the plot.
+    /// The curve in the plot.
     #[serde(default)]
     pub y: Vec<f64>,
-    /// How long a simulated second takes (s), on the machine that ran it.
+    /// Wall time per simulated second (s), on the machine that ran it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pace: Option<f64>,
-    /// Where the bodies were.
+    /// The positions of the bodies.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub picture: Option<Picture>,
 }
 
-/// A number beside the law's.
+/// A measured number next to that of the law.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Measured {
-    /// What it is, as words between the engine's name and the number.
+    /// What it is, as text between the engine's name and the number.
     pub what: String,
-    /// The engine's.
+    /// The engine's value.
     #[serde(with = "lcplab_study::number::always")]
     pub value: f64,
-    /// The law's.
+    /// The law's value.
     pub law: f64,
-    /// How far apart the two may be.
+    /// The allowed difference between the two.
     pub tolerance: f64,
     /// Their unit.
     pub unit: String,
-    /// Whether they are closer.
+    /// Whether the difference is within the tolerance.
     pub holds: bool,
 }
 
-/// Where the bodies were at a time.
+/// The positions of the bodies at one time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Picture {
     /// The time (s).
@@ -224,10 +224,10 @@ pub struct Picture {
 }
 
 impl Record {
-    /// The record in a file, or the shipped one.
+    /// Loads a record from a file, or the shipped one.
     ///
     /// # Errors
-    /// A file that cannot be read or is no record of this format.
+    /// If the file cannot be read or is not a record of this format.
     pub fn load(file: Option<&Path>) -> Result<Self> {
         let (path, text) = match file {
             None => ("engines.json".into(), SHIPPED.into()),
@@ -242,7 +242,7 @@ impl Record {
         }
     }
 
-    /// The name of an engine for people.
+    /// The display name of an engine.
     pub fn title<'a>(&'a self, engine: &'a str) -> &'a str {
         self.engines.iter().find(|own| own.name == engine).map_or(engine, |own| &own.title)
     }
@@ -252,19 +252,19 @@ impl Frame {
     /// The problem.
     ///
     /// # Errors
-    /// If it is none.
+    /// If it is not a valid problem.
     pub fn problem(&self) -> Result<Problem> {
         Problem::parse(&self.problem.to_string(), "engines.json")
     }
 }
 
 impl Measured {
-    /// How far it is from the law, in tolerances.
+    /// The deviation from the law, in tolerances.
     pub fn miss(&self) -> f64 {
         (self.value - self.law).abs() / self.tolerance
     }
 
-    /// Whether its verdict is not that of its numbers, of which a record keeps six digits.
+    /// Whether its verdict contradicts its numbers, of which a record keeps six digits.
     pub fn is_misjudged(&self) -> bool {
         let miss = self.miss();
         let is_at_the_border = (miss - 1.0).abs() < SIX_DIGITS;
@@ -273,7 +273,7 @@ impl Measured {
 }
 
 impl Column {
-    /// What missed the law most, or was nearest to missing it.
+    /// The measurement that deviates most from the law, relative to its tolerance.
     pub fn worst(&self) -> Option<&Measured> {
         self.measured.iter().max_by(|a, b| a.miss().total_cmp(&b.miss()))
     }
@@ -285,10 +285,10 @@ impl Column {
 }
 
 impl Phenomenon {
-    /// The scene, as the last of its variants sets it.
+    /// The scene, with the fields of its last variant.
     ///
     /// # Errors
-    /// If the text is no scene.
+    /// If the text is not a valid scene.
     pub fn scene(&self) -> Result<Scene> {
         let name = format!("{}.toml", self.name);
         Scene::new(&name, &Description::from_toml(&name, &self.scene)?)

@@ -1,4 +1,4 @@
-//! One scene, stepped by every solver, at both levels or by any scheme, each answer judged.
+//! One scene, stepped by every solver at both levels or with any scheme; each answer is judged.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -11,27 +11,27 @@ use crate::scene::Scheme;
 use crate::solver::{ALL, Entry, entry};
 pub use lcplab_study::comparison::*;
 
-/// Scenes stepped by solvers at both levels, or by other schemes.
+/// Scenes stepped by solvers at both levels, or with other schemes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
-    /// The solvers, by name; all without it.
+    /// The solvers, by name; by default all.
     #[serde(default = "all_solvers")]
     pub solvers: Vec<String>,
-    /// The schemes; velocity and acceleration level without it.
+    /// The schemes; by default velocity and acceleration level.
     #[serde(default = "both_levels")]
     pub schemes: Vec<Scheme>,
     /// The scenes.
     pub scenes: Vec<Case>,
 }
 
-/// A scene and how many steps it takes.
+/// A scene and its number of steps.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Case {
     /// A shipped scene or a file.
     pub scene: String,
-    /// Fields of the scene that are changed.
+    /// Overridden fields of the scene.
     #[serde(default, skip_serializing_if = "Table::is_empty")]
     #[schemars(with = "serde_json::Map<String, serde_json::Value>")]
     pub change: Table,

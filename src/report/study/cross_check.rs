@@ -1,4 +1,4 @@
-//! Dantzig's answer beside two independent ones: the box QP and Gauss's principle.
+//! Dantzig's answer compared with two independent ones: the box QP and Gauss's principle.
 
 use crate::simulation;
 use schemars::JsonSchema;
@@ -42,7 +42,7 @@ impl Study for Plan {
 /// One LCP of a scene, solved in three ways.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CrossCheck {
-    /// The scene.
+    /// The stage of the step that the LCP belongs to.
     pub scene: String,
     /// What the LCP decides: the stage of the step.
     pub stage: String,
@@ -50,15 +50,16 @@ pub struct CrossCheck {
     pub unit: String,
     /// The number of the step, from 1.
     pub step: usize,
-    /// Rows of the LCP.
+    /// The number of rows of the LCP.
     pub rows: usize,
-    /// Rows that are free at the solution, and the rank of A there: x is unique if they agree.
+    /// The number of rows that are free at the solution; x is unique if it equals the rank of A
+    /// there.
     pub free: usize,
     /// The rank of A_FF.
     pub rank: usize,
-    /// Our answer's verdict.
+    /// The verdict on our answer.
     pub verdict: String,
-    /// How far an exact solution lies from our x, where proved.
+    /// The distance of an exact solution from our x, if proved.
     pub distance: Option<f64>,
     /// The verdict on the QP's answer, at its own looser tolerance.
     pub reference_verdict: String,
@@ -68,35 +69,35 @@ pub struct CrossCheck {
     pub w_difference: f64,
     /// max |u − u_Gauss| of the motion: velocities, or accelerations at acceleration level.
     pub u_difference: f64,
-    /// A verified bound on max |u − û|, û being the exact motion; `None` if there is none.
+    /// A verified bound on max |u − û| with the exact motion û; `None` if there is none.
     pub u_bound: Option<f64>,
     /// Why there is no such bound.
     pub u_unproved: Option<String>,
-    /// Where x is not unique: the resulting force and torque on each moving body.
+    /// If x is not unique: the resulting force and torque on each moving body.
     pub wrenches: Vec<Wrench>,
     /// ½ xᵀAx + bᵀx of our answer.
     pub objective: f64,
-    /// The QP's optimal value: should be the same.
+    /// The optimal value of the QP, which should be equal.
     pub dual_objective: f64,
-    /// Minus the optimal value of Gauss's principle: should be the same.
+    /// Minus the optimal value of Gauss's principle, which should be equal.
     pub primal_objective: f64,
 }
 
-/// What all rows together do to one body: its part of Jᵀx, about its centre of mass.
+/// The total effect of all rows on one body: its part of Jᵀx, about its center of mass.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Wrench {
     /// The body.
     pub body: String,
-    /// Force, then torque, of our x (N, N m; N s, N m s for impulses).
+    /// Force, then torque, from our x (N, N m; N s, N m s for impulses).
     pub ours: Vec<f64>,
-    /// The same of the QP's x.
+    /// The same from the QP's x.
     pub reference: Vec<f64>,
 }
 
 /// Solves the last LCP of a step in three ways at each level.
 ///
-/// A level whose simulation fails before that step gives no entry; the comparison of the scene says
-/// why.
+/// A level whose simulation fails before that step gives no entry; the comparison of the scene
+/// reports why.
 pub fn run(scene: &Scene, step: usize) -> Vec<CrossCheck> {
     Scheme::LEVELS.into_iter().filter_map(|level| one(&scene.at_level(level), step)).collect()
 }

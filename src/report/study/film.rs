@@ -1,4 +1,4 @@
-//! One scene by several solvers, recorded for a player.
+//! Records one scene by several solvers for the player.
 
 use crate::simulation::Simulation;
 use rayon::prelude::*;
@@ -9,23 +9,23 @@ use crate::report::methods;
 use crate::scene::{Scene, Scheme};
 use crate::solver::{Method, Stop};
 
-/// Who moves a scene in a film.
+/// A solver with its scheme in an animation.
 #[derive(Debug, Clone, Copy)]
 pub struct Actor {
-    /// The scheme that takes the steps.
+    /// The scheme.
     pub scheme: Scheme,
     /// The solver.
     pub method: Method,
-    /// Most sweeps or pivots; the scene's own without it.
+    /// The maximum number of sweeps or pivots; by default the scene's own.
     pub max_iterations: Option<usize>,
 }
 
 impl Actor {
-    /// An actor by the name of its solver, with its most sweeps after a colon if they are not the
-    /// scene's: `pgs:5`.
+    /// An actor from the name of its solver, with its iteration limit after a colon if it is not
+    /// the scene's: `pgs:5`.
     ///
     /// # Errors
-    /// If there is no such solver, or the number is none.
+    /// If there is no such solver, or the number is invalid.
     pub fn named(text: &str, scene: &Scene) -> crate::error::Result<Self> {
         let (name, most) = text.split_once(':').map_or((text, None), |(n, m)| (n, Some(m)));
         let number = |most: &str| {
@@ -39,7 +39,8 @@ impl Actor {
         Ok(Actor { scheme: scene.step.scheme, method, max_iterations })
     }
 
-    /// The solver, its level and its sweeps: what is after the comma varies the name before it.
+    /// The solver, its level and its iteration limit; the part after the comma marks a variant of
+    /// the name before it.
     pub fn name(&self) -> String {
         let sweeps = self.max_iterations.map_or(String::new(), |n| match n {
             1 => ", 1 sweep".into(),
@@ -49,8 +50,8 @@ impl Actor {
     }
 }
 
-/// Steps a scene by each of these, and keeps as many instants as a film needs; those until it is
-/// time to stop.
+/// Steps a scene with each of these actors, and keeps as many instants as an animation needs; ends
+/// early at a stop.
 pub fn film(
     id: &str,
     scene: &Scene,
@@ -67,7 +68,7 @@ pub fn film(
     Film::new(id, scene, actors.par_iter().map(take).collect())
 }
 
-/// The contenders of a comparison that stand for a group each, under the group's name.
+/// The contenders of a comparison that represent a group each, under the group's name.
 pub fn alike(contenders: &[(Scheme, Method)], groups: &[(String, &Run)]) -> Vec<(String, Actor)> {
     let actor = |(name, run): &(String, &Run)| {
         let is = |(scheme, method): &&(Scheme, Method)| {

@@ -1,4 +1,4 @@
-//! A scene moved in several ways, as plain data that a film can be made of without solving again.
+//! A recorded motion as plain data, from which an animation can be made without solving again.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rayon::prelude::*;
@@ -14,7 +14,7 @@ use crate::error::Result;
 use crate::film::{Film, Force, Frame, Origin, Shot, Take};
 use crate::simulation::{Motion, Simulation};
 
-/// A film as a section of its own.
+/// An animation as a separate section.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
@@ -23,51 +23,51 @@ pub struct Plan {
     pub name: String,
     /// A shipped scene or a file.
     pub scene: String,
-    /// Fields of the scene that are changed in every take.
+    /// Fields of the scene that are overridden in every take.
     #[serde(default, skip_serializing_if = "Table::is_empty")]
     #[schemars(with = "serde_json::Map<String, serde_json::Value>")]
     pub change: Table,
     /// Simulated time (s).
     pub duration: f64,
-    /// Instants kept of each take.
+    /// The number of instants kept for each take.
     #[serde(default = "shots")]
     pub shots: usize,
     /// The takes.
     pub takes: Vec<Way>,
-    /// What to see, a sentence or two.
+    /// What to see, one or two sentences.
     pub caption: String,
 }
 
-/// A way to step a scene: a name, and the fields that make it so.
+/// A variant of a scene: a name, and the overridden fields.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Way {
-    /// What it is called; what stands after a comma varies the name before it.
+    /// Its name; the part after a comma marks a variant of the name before it.
     pub name: String,
-    /// The fields of the scene that are changed.
+    /// The overridden fields of the scene.
     #[serde(default, skip_serializing_if = "Table::is_empty")]
     #[schemars(with = "serde_json::Map<String, serde_json::Value>")]
     pub change: Table,
 }
 
-/// Instants of a take that are enough to see a motion.
+/// The default number of instants of a take.
 fn shots() -> usize {
     61
 }
 
-/// A film as numbers.
+/// An animation as numbers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Footage {
     /// Letters, digits, `-` and `_`.
     #[serde(deserialize_with = "file_name")]
     pub id: String,
-    /// What moves.
+    /// The scene.
     pub scene: Variation,
-    /// How it moved.
+    /// The recorded motions.
     pub reels: Vec<Reel>,
 }
 
-/// One way in which it moved.
+/// One recorded motion.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Reel {
     /// Its name.
@@ -93,19 +93,19 @@ pub struct Still {
     pub forces: Vec<(u8, [f64; 6])>,
 }
 
-/// What exerts a force, by its number in a still.
+/// The origin of a force, by its number in a still.
 const ORIGINS: [Origin; 3] = [Origin::Normal, Origin::Friction, Origin::Constraint];
 
 impl Footage {
-    /// Takes of a scene.
+    /// The data of takes of a scene.
     pub fn of(id: impl Into<String>, scene: Variation, takes: &[Take]) -> Self {
         Footage { id: id.into(), scene, reels: takes.iter().map(Reel::of).collect() }
     }
 
-    /// The film.
+    /// The animation.
     ///
     /// # Errors
-    /// If the scene is no longer there.
+    /// If the scene no longer exists.
     pub fn film(&self) -> Result<Film> {
         let scene = self.scene.scene()?;
         let takes = self.reels.iter().map(Reel::take).collect();
@@ -185,7 +185,7 @@ impl Still {
     }
 }
 
-/// Six significant digits: more than an eye can tell apart.
+/// A number rounded to six significant digits, which is beyond visible differences.
 fn rounded(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }

@@ -1,4 +1,4 @@
-//! Problems of a run of one's own: what is missing in the answers of a solver, and why.
+//! Problems of a user's own run: the error of a solver's answers, and its causes.
 
 use std::path::Path;
 
@@ -14,17 +14,17 @@ use crate::lcp::file::Problem;
 use crate::solver::Options;
 use lcplab_study::methods;
 
-/// Which problems, and who solves them.
+/// The problems, and the solver.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
-    /// Problem files, folders of them, or patterns; each is solved from the answer to the one
-    /// before.
+    /// Problem files, folders of them, or patterns; each problem is solved from the answer to the
+    /// previous one.
     pub files: Vec<String>,
     /// The solver.
     #[serde(default = "pgs")]
     pub solver: String,
-    /// More sweeps or pivots are not made.
+    /// The maximum number of sweeps or pivots.
     #[serde(default = "limit")]
     pub max_iterations: usize,
 }
@@ -37,14 +37,14 @@ fn limit() -> usize {
     10
 }
 
-/// What was found.
+/// The result.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
-    /// The diagnosis in words and tables.
+    /// The diagnosis as text and tables.
     pub words: Document,
-    /// What is missing sweep by sweep in the problem that was examined.
+    /// The error after each sweep in the examined problem.
     pub courses: Vec<Course>,
-    /// Whether next to nothing is missing in the answers, and each problem is known to be solved.
+    /// Whether the error of the answers is negligible, and each problem is known to be solved.
     pub is_good: bool,
 }
 

@@ -1,4 +1,4 @@
-//! One friction problem under all models, each by the solver that fits, each answer judged.
+//! One friction problem under all models, each with a suitable solver; each answer is judged.
 //!
 //! ```
 //! use lcplab::lcp::friction::{Contact, FrictionProblem};
@@ -33,7 +33,7 @@ use crate::solver::{Options, Settings};
 pub use crate::lcp::friction::Model;
 pub use crate::report::friction::ContactAnswer;
 
-/// What a solver makes of a problem under a model.
+/// A solver's answer to a problem under a model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Answer {
     /// The model.
@@ -42,25 +42,25 @@ pub struct Answer {
     pub solver: String,
     /// Its claim.
     pub status: String,
-    /// Its iterations or pivots.
+    /// The number of iterations or pivots.
     pub iterations: usize,
-    /// The impulses x, an entry a row of the friction problem.
+    /// The impulses x, one entry per row of the friction problem.
     pub x: Vec<f64>,
     /// The contacts one by one.
     pub contacts: Vec<ContactAnswer>,
-    /// The judge's word on x as a solution of the model's own problem.
+    /// The judge's verdict on x as a solution of the model's own problem.
     pub verdict: String,
-    /// The scaled residual it is based on.
+    /// The scaled residual that it is based on.
     pub scaled_residual: f64,
-    /// The scaled residual of x in Coulomb's law: what the model gives up.
+    /// The scaled residual of x in Coulomb's law: the error of the model.
     pub coulomb_residual: f64,
 }
 
 /// Solves a friction problem under each of these models. Model 1 freezes its boxes at the normal
-/// impulses that there would be without friction.
+/// impulses without friction.
 ///
 /// # Errors
-/// If the settings cannot be used, or a model's number of directions.
+/// If the settings or a model's number of directions are invalid.
 pub fn compare(
     problem: &FrictionProblem,
     models: &[Model],

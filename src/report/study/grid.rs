@@ -1,7 +1,6 @@
-//! A grid as a section of a report: its points are tasks like those of any study.
+//! A grid as a section of a report, with its points as tasks.
 //!
-//! `lcplab grid` does the same points one file each, for machines that share a folder and nothing
-//! else.
+//! `lcplab grid` runs the same points with one file each, for machines that share only a folder.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -19,40 +18,41 @@ pub struct Plan {
     pub grid: Grid,
     /// Its points.
     pub plan: grid::Plan,
-    /// Whether the points are taken one after the other and the report shows how long each took.
+    /// Whether the points are run one after the other and the report shows their times.
     pub timed: bool,
     name: String,
 }
 
-/// What a report file says of a grid.
+/// The settings of a grid in a report file.
 #[derive(Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Settings {
     /// A grid file, or the name of a shipped grid.
     grid: String,
-    /// Take the points one after the other, and show how long each took in the section of times.
+    /// Run the points one after the other, and show their times in the section of times.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     timed: bool,
-    /// The file itself; it is written with the results, so that they are drawn again without it.
+    /// The content of the file; it is stored with the results, so that they can be drawn again
+    /// without the file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     source: Option<String>,
 }
 
-/// What was found at a point.
+/// The result at a point.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Found {
     /// The number of the point, from 1.
     pub task: usize,
-    /// What was found.
+    /// The result.
     pub finding: Finding,
 }
 
-/// How long a point took.
+/// The time of a point.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Seconds {
     /// The number of the point, from 1.
     pub task: usize,
-    /// The wall time of stepping and solving (s); `None` where it was not solved.
+    /// The wall time of stepping and solving (s); `None` if it was not solved.
     pub seconds: Option<f64>,
 }
 

@@ -1,7 +1,7 @@
-//! What a report measures, one study a file: each runs simulations or solvers and returns plain
-//! results that can be stored, compared and drawn later without solving anything again.
+//! The studies of reports, one per file: each runs simulations or solvers and returns plain results
+//! that can be stored, compared and drawn later without solving anything again.
 //!
-//! A [`Study`] is a list of tasks that do not depend on each other.
+//! A [`Study`] is a list of independent tasks.
 
 pub mod cards;
 pub mod comparison;
@@ -32,34 +32,35 @@ use serde::de::DeserializeOwned;
 
 use crate::error::Result;
 
-/// A kind of study; a value holds the settings that one section of a report file states.
+/// A kind of study; a value has the settings of one section in a report file.
 pub trait Study: JsonSchema + Serialize + DeserializeOwned + Send + Sync {
     /// The kind's name in report files.
     const NAME: &'static str;
-    /// What a task finds out: the same in every run on the same kind of processor.
+    /// The finding of a task: the same in every run on the same kind of processor.
     type Finding: Serialize + DeserializeOwned + Send;
-    /// What differs from machine to machine; `()` where nothing is timed.
+    /// The machine-dependent data; `()` if nothing is timed.
     type Times: Serialize + DeserializeOwned + Send;
 
-    /// Whether its tasks run one after the other and beside nothing else, because they are timed.
+    /// Whether its tasks must run alone, one after the other, because they are timed.
     fn alone(&self) -> bool {
         false
     }
 
-    /// A name and a heading of its own, where the settings bring them; those of the kind else.
+    /// Its own name and heading, if the settings define them; otherwise those of the kind are used.
     fn named(&self) -> Option<(String, String)> {
         None
     }
 
-    /// What tells the tasks apart: a scene's name, a size.
+    /// The names of the tasks, such as a scene's name or a size.
     fn tasks(&self) -> Vec<String>;
 
-    /// Carries out the task of this place in [`Study::tasks`].
+    /// Runs the task with this index in [`Study::tasks`].
     ///
     /// # Errors
-    /// What it cannot do, with the reason: a row of the report. Other tasks go on.
+    /// If the task cannot be done, with the reason, which becomes a row of the report. Other tasks
+    /// continue.
     fn run(&self, task: usize) -> Result<(Self::Finding, Self::Times)>;
 }
 
-/// The solver that studies use where the solver is not what they study.
+/// The solver of studies that do not compare solvers.
 const STEPPER: &str = "dantzig";

@@ -1,5 +1,5 @@
-//! The LCPs that studies of solvers are about, as settings: a step of a scene, a problem file, a
-//! problem of the library, or a stack with a heavy load on top.
+//! The LCPs of solver studies, as settings: a step of a scene, a problem file, a problem of the
+//! library, or a stack with a heavy load on top.
 
 use crate::simulation;
 use std::collections::BTreeMap;
@@ -15,7 +15,7 @@ use crate::scene::Scene;
 /// g dt (m/s): the speed that bodies gain in a step of 1/60 s.
 pub const BLOW: f64 = 9.81 / 60.0;
 
-/// Where an LCP comes from.
+/// The source of an LCP.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged, try_from = "Keys")]
 #[schemars(!try_from)]
@@ -28,7 +28,7 @@ pub enum Source {
     Stack(Loaded),
 }
 
-/// The keys of all sources, so that a wrong one is named in its line.
+/// The keys of all sources, so that a wrong key is reported with its line.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Keys {
@@ -88,18 +88,18 @@ pub struct OfFamily {
     pub values: BTreeMap<String, f64>,
 }
 
-/// Equal boxes on the ground with friction, and on top of them one that is heavier.
+/// Equal boxes on the ground with friction, with a heavier one on top.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Loaded {
-    /// How many boxes, the heavy one among them: at least 2.
+    /// The number of boxes, including the heavy one: at least 2.
     pub boxes: usize,
-    /// The mass of the heavy one, in masses of the others.
+    /// The mass of the heavy box relative to the others.
     pub ratio: f64,
 }
 
 impl Source {
-    /// A name that tells it from the others.
+    /// A unique name.
     pub fn name(&self) -> String {
         match self {
             Source::Scene(at) => at.name(),
@@ -119,7 +119,7 @@ impl Source {
     /// The problem.
     ///
     /// # Errors
-    /// If there is no such scene, step, file or family.
+    /// If the scene, step, file or family does not exist.
     pub fn lcp(&self) -> Result<Lcp> {
         match self {
             Source::Scene(at) => Ok(at.given()?.lcp),
@@ -134,10 +134,10 @@ impl Source {
 }
 
 impl Loaded {
-    /// The scene, at rest, boxes of 1 kg and 1 m.
+    /// The scene at rest, with boxes of 1 kg and 1 m.
     ///
     /// # Errors
-    /// If it cannot be: fewer than two boxes, or a mass that is not positive.
+    /// If there are fewer than two boxes, or a mass is not positive.
     pub fn scene(&self) -> Result<Scene> {
         let below = self.boxes.saturating_sub(1);
         let text = format!(
@@ -177,11 +177,11 @@ position = [0, 0, {}]
     }
 }
 
-/// The library's frictionless column of bodies, the top one so many times as heavy as the others,
-/// after a step of free fall.
+/// The library's frictionless column of bodies, with a top body that is `ratio` times as heavy as
+/// the others, after a step of free fall.
 ///
 /// # Errors
-/// If the library makes no such column.
+/// If the library cannot generate the column.
 pub fn column(bodies: usize, ratio: f64) -> Result<Lcp> {
     let lcp = library::by_name("stack")?.generate(&[("n", bodies as f64), ("ratio", ratio)])?.lcp;
     let b = lcp.b().iter().map(|b| b * BLOW).collect();

@@ -8,14 +8,14 @@ use crate::lcp::file::Problem;
 use crate::lcp::{exchange, library};
 use crate::memory::Memory;
 
-/// Problems that are compared as one.
+/// A named group of problems that are compared together.
 pub type Named = (String, Vec<Problem>);
 
-/// The problems of a family of the library, with the seeds 1 … `seeds` where it has random numbers;
+/// The problems of a family of the library, with the seeds 1 … `seeds` if it uses random numbers;
 /// of a file; or of each file of a folder or a pattern ([`exchange::several`]).
 ///
 /// # Errors
-/// If there is no such file and no such family, or a file has defects or takes more than `most`.
+/// If there is no such file or family, or a file has defects or needs more memory than `most`.
 pub fn named(name: &str, seeds: u32, most: Memory) -> Result<Vec<Named>> {
     let read = |file: &str| {
         let problem = exchange::read_within(Path::new(file), None, most)?;

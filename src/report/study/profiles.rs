@@ -1,4 +1,4 @@
-//! Problem families × solvers at several precisions.
+//! Problem families × solvers at several tolerances.
 
 use std::collections::BTreeMap;
 
@@ -20,27 +20,27 @@ pub use lcplab_study::profiles::{
     Cost, Posed, Profile, Tried, costs, iterations, multiplications, of_all, profiles,
 };
 
-/// Which problems and which solvers.
+/// The problems and solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
-    /// Families of the library, problem files, folders of them, or patterns; the whole library
-    /// without it.
+    /// Families of the library, problem files, folders of them, or patterns; by default the whole
+    /// library.
     #[serde(default)]
     pub families: Vec<String>,
-    /// Of families with random numbers, problems with the seeds 1 … `seeds`.
+    /// The number of seeds, 1 … `seeds`, for families with random numbers.
     #[serde(default = "one")]
     pub seeds: u32,
-    /// Steps of scenes, each a family of its own.
+    /// Steps of scenes, each as a separate family.
     #[serde(default)]
     pub scenes: Vec<AtStep>,
-    /// The solvers; all without it.
+    /// The solvers; by default all.
     #[serde(default)]
     pub solvers: Vec<String>,
-    /// The scaled residuals asked for, one after another.
+    /// The required scaled residuals, one after another.
     #[serde(default = "ladder")]
     pub tolerances: Vec<f64>,
-    /// More sweeps, steps or pivots are not made.
+    /// The maximum number of sweeps, steps or pivots.
     #[serde(default = "limit")]
     pub max_iterations: usize,
 }
@@ -62,8 +62,8 @@ fn limit() -> usize {
 pub struct Seconds {
     /// The family.
     pub family: String,
-    /// By tolerance; in each by solver the sum over the problems that have a solution, `None` if it
-    /// did not solve all of them. Solvers that say of one that it is not for them are not there.
+    /// By tolerance, then by solver: the sum over the problems that have a solution, `None` if it
+    /// did not solve all of them. Solvers that do not support one of the problems are omitted.
     pub seconds: Vec<BTreeMap<String, Option<f64>>>,
 }
 
@@ -110,8 +110,8 @@ impl Study for Plan {
     }
 }
 
-/// What a family took each solver, at the tolerance of this number; `clocks` holds the times (s) by
-/// problem, tolerance and solver.
+/// The times of a family for each solver, at the tolerance with this index; `clocks` has the times
+/// (s) by problem, tolerance and solver.
 pub fn seconds(
     posed: &[Posed],
     clocks: &[Vec<Vec<f64>>],
@@ -141,7 +141,7 @@ impl Plan {
         }
     }
 
-    /// The problems of a name, and whether each is known to have no solution.
+    /// The problems with this name, and whether each is known to have no solution.
     fn of_family(&self, name: &str) -> Result<Vec<(Lcp, bool)>> {
         let named = problems::named(name, self.seeds, Memory::default())?;
         let problems = named.into_iter().flat_map(|(_, problems)| problems);

@@ -1,4 +1,4 @@
-//! Scenes as their files have them, each as a film with what it teaches.
+//! Scenes as stored in their files, each as an animation with what it teaches.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -12,7 +12,7 @@ use crate::film::Take;
 use crate::scene::Scene;
 use crate::simulation::Simulation;
 
-/// Scenes to be shown.
+/// The scenes to show.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
@@ -20,18 +20,18 @@ pub struct Plan {
     pub scenes: Vec<String>,
 }
 
-/// A scene, stepped.
+/// A scene with its motion.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
     /// Its title.
     pub title: String,
     /// What it teaches.
     pub teaches: String,
-    /// How it moves.
+    /// Its motion.
     pub footage: Footage,
 }
 
-/// Instants of a film, and those of a scene with more bodies than [`MANY`].
+/// The number of instants of an animation, and for a scene with more bodies than [`MANY`].
 const INSTANTS: [usize; 2] = [31, 11];
 const MANY: usize = 50;
 

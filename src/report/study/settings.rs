@@ -1,4 +1,4 @@
-//! Scenes and problems as report files name them.
+//! References to scenes and problems in report files.
 
 use std::path::Path;
 
@@ -12,10 +12,10 @@ use crate::lcp::{Lcp, exchange};
 use crate::scene::Scene;
 use crate::simulation;
 
-/// A name that becomes that of a file.
+/// A name that is used as a file name.
 ///
 /// # Errors
-/// If it cannot be one.
+/// If it is not a valid file name.
 pub fn file_name<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D::Error> {
     let name = String::deserialize(deserializer)?;
     file::check_name(&name).map_err(D::Error::custom)?;
@@ -26,24 +26,24 @@ pub fn file_name<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AtStep {
-    /// A shipped scene, or a file: of a scene or, under the key `problem` too, of a problem.
+    /// A shipped scene, or the file of a scene or a problem; `problem` is an alias of this key.
     #[serde(alias = "problem")]
     pub scene: String,
-    /// The number of the step, from 1; a problem file has none.
+    /// The number of the step, from 1; not used for a problem file.
     #[serde(default = "first")]
     pub step: usize,
 }
 
-/// The step where none is named.
+/// The default step.
 pub fn first() -> usize {
     1
 }
 
-/// An LCP with what it is called.
+/// An LCP with its name.
 pub struct Given {
     /// The scene's or the file's name.
     pub name: String,
-    /// What it is.
+    /// A description.
     pub title: String,
     /// The problem.
     pub lcp: Lcp,
@@ -53,7 +53,8 @@ impl AtStep {
     /// The problem.
     ///
     /// # Errors
-    /// If the file cannot be read, there is no such scene, or it does not come to this step.
+    /// If the file cannot be read, the scene does not exist, or the simulation does not reach this
+    /// step.
     pub fn given(&self) -> Found<Given> {
         if let Some(problem) = self.problem() {
             return problem;
@@ -63,7 +64,7 @@ impl AtStep {
         Ok(Given { name: scene.name, title: scene.title, lcp })
     }
 
-    /// The problem of a file that holds one.
+    /// The problem of a file that contains one.
     pub fn problem(&self) -> Option<Found<Given>> {
         let path = Path::new(&self.scene);
         let given = |problem: Problem| {
@@ -82,7 +83,7 @@ impl AtStep {
     }
 }
 
-/// A scene and how long it runs.
+/// A scene with a duration.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Timed {

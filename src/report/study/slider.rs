@@ -1,19 +1,19 @@
-//! The shipped scene "sliding" under each model of friction: where the block goes, and where
-//! geometry says that it stops.
+//! The shipped scene "sliding" under each friction model: the path of the block, and where geometry
+//! predicts that it stops.
 //!
-//! Friction is the corner of the model's figure that lies nearest to the direction of the slip. So
-//! the slip turns away from that corner, until it has turned to the middle of an edge; from there
-//! on the two corners of the edge share, and the block goes straight:
+//! Friction is the corner of the model's figure that is nearest to the direction of the slip. The
+//! slip therefore turns away from that corner until it has turned to the middle of an edge; from
+//! there on the friction is between the two corners of the edge, and the block moves straight:
 //!
 //! ```text
 //! a = r μ g,   β = half the angle of an edge,   ψ = from its middle to the slip at the start
-//! t = v sin ψ/(a sin β)                           how long the slip turns
+//! t = v sin ψ/(a sin β)                           duration of the turning
 //! (v cos ψ) t − a cos β t²/2 + u²/(2 a cos β)     along the middle,   u = v cos ψ − a cos β t
 //! (v sin ψ) t − a sin β t²/2                      across it
 //! ```
 //!
-//! On the disc it is straight at once, for v²/(2 μ g). Where what slides floats, the block starts
-//! at the height dt μ v at which it does: from the floor it would be thrown up.
+//! On the disk it moves straight from the start, for v²/(2 μ g). If sliding bodies float in a
+//! model, the block starts at the floating height dt μ v: from the floor it would be thrown up.
 
 use crate::simulation::Simulation;
 use std::f64::consts::TAU;
@@ -27,35 +27,35 @@ use crate::error::Result;
 use crate::lcp::friction::Model;
 use crate::scene::Scene;
 
-/// The length of a step (s).
+/// The duration of a step (s).
 const DT: f64 = 0.005;
-/// The step after which the gap is measured: the block still slides.
+/// The step after which the gap is measured, while the block still slides.
 const FLOATING: usize = 20;
-/// Every so many steps a place is kept.
+/// The interval, in steps, between recorded positions.
 const KEPT: usize = 4;
 
-/// A block's way over the floor.
+/// The path of a block over the floor.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Path {
     /// The model.
     pub model: Model,
-    /// Who solved the problems of the steps.
+    /// The solver of the steps' problems.
     pub solver: String,
-    /// How many problems.
+    /// The number of problems.
     pub problems: usize,
-    /// Of how many the judge accepts the answer.
+    /// The number of answers that the judge accepts.
     pub accepted: usize,
-    /// The places x, y (m) after every few steps, from the start on.
+    /// The positions x, y (m) at a fixed interval of steps, from the start on.
     pub points: Vec<[f64; 2]>,
     /// Where it stops (m).
     pub stop: [f64; 2],
-    /// Where it should (m), but for the error of the steps.
+    /// The theoretical position (m), up to the error of the steps.
     pub expected: [f64; 2],
-    /// How far it travels in the first step (m): the size of that error.
+    /// The distance traveled in the first step (m): the size of that error.
     pub travel: f64,
     /// The gap under it while it slides (m).
     pub gap: f64,
-    /// dt μ |v| if its model floats what slides, else 0 (m).
+    /// dt μ |v| if sliding bodies float in its model, otherwise 0 (m).
     pub expected_gap: f64,
 }
 
@@ -115,7 +115,7 @@ fn path(model: Model, mu: f64) -> Result<Path> {
     Ok(path)
 }
 
-/// Where a block stops that starts at the origin, friction being at most μ g times the figure.
+/// Where a block that starts at the origin stops, with friction of at most μ g times the figure.
 pub fn stop(figure: Figure, speed: f64, angle: f64, mu_g: f64) -> [f64; 2] {
     let Figure::Polygon { corners, radius, first } = figure else {
         let reach = speed * speed / (2.0 * mu_g);

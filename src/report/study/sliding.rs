@@ -1,8 +1,8 @@
-//! A block pushed from all sides and a rod on two feet, under each model of friction.
+//! A block pushed from all sides and a rod on two feet, under each friction model.
 //!
-//! The block has unit mass and is pressed so that friction is at most μ x_n = 1 N s; its rows do
-//! not feel each other, A = I. So friction is the point nearest to the push of what the model
-//! allows:
+//! The block has unit mass and is pressed so that friction is at most μ x_n = 1 N s; its rows are
+//! uncoupled, A = I. The friction is therefore the point allowed by the model that is nearest to
+//! the push:
 //!
 //! ```text
 //! box       the square |x_t1|, |x_t2| ≤ 1           corners at √2, 45° from the tangents
@@ -10,8 +10,8 @@
 //! cone      the circle
 //! ```
 //!
-//! The rod's rows do feel each other: friction at one foot changes the load of both. The block of
-//! the scene "sliding" goes a way of its own under each model, see [`slider`].
+//! The rod's rows are coupled: friction at one foot changes the load of both. The block of the
+//! scene "sliding" takes a different path under each model, see [`slider`].
 
 use std::f64::consts::{FRAC_PI_4, SQRT_2, TAU};
 
@@ -33,7 +33,7 @@ use crate::solver::Settings;
 pub struct Plan {
     /// The coefficient of friction, above 0.
     pub mu: f64,
-    /// How hard it is pushed, in units of what friction can hold; every model slides above √2.
+    /// The push, in units of the friction limit; every model slides above √2.
     pub push: f64,
 }
 
@@ -51,16 +51,16 @@ impl Study for Plan {
     }
 }
 
-/// Block and rod.
+/// The results for block and rod.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
     /// The coefficient of friction.
     pub mu: f64,
-    /// How hard the sliding block is pushed, in N s; friction is at most 1 N s.
+    /// The push on the sliding block, in N s; friction is at most 1 N s.
     pub push: f64,
     /// The sliding block, by model and direction of the push.
     pub slides: Vec<Slide>,
-    /// The greatest push that the block withstands, by model and direction.
+    /// The largest push without sliding, by model and direction.
     pub grips: Vec<Grip>,
     /// The rod, by model.
     pub rod: Vec<Answer>,
@@ -68,18 +68,18 @@ pub struct Finding {
     pub paths: Vec<Path>,
 }
 
-/// The block, pushed so hard that it slides.
+/// The block, pushed hard enough to slide.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Slide {
     /// Direction of the push from t1 (degrees).
     pub degrees: f64,
-    /// What the model's solver found.
+    /// The answer of the model's solver.
     pub answer: Answer,
-    /// What it should find.
+    /// The expected answer.
     pub expected: Expected,
 }
 
-/// Friction on the sliding block by geometry alone.
+/// Friction on the sliding block from geometry alone.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Expected {
     /// |x_t| / (μ x_n).
@@ -90,20 +90,20 @@ pub struct Expected {
     pub rise: f64,
 }
 
-/// The greatest push that the block withstands.
+/// The largest push that does not move the block.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Grip {
     /// The model.
     pub model: Model,
     /// Direction of the push from t1 (degrees).
     pub degrees: f64,
-    /// Found by halving an interval (N s).
+    /// Found by bisection (N s).
     pub measured: f64,
-    /// The distance from the centre to the edge of the model's figure in this direction (N s).
+    /// The distance from the center to the edge of the model's figure in this direction (N s).
     pub expected: f64,
 }
 
-/// The models of the figures: the others coincide with one of these on the block.
+/// The models in the figures: on the block, all others coincide with one of these.
 pub const SHOWN: [Model; 4] = [
     Model::CoupledBox,
     Model::Polyhedral { directions: 4 },
@@ -111,27 +111,27 @@ pub const SHOWN: [Model; 4] = [
     Model::CoulombCone,
 ];
 
-/// Halvings of [0, 2] N s in the search for a grip.
+/// Number of bisections of [0, 2] N s in the search for a grip.
 const HALVINGS: usize = 14;
 
-/// What friction may be on the block: a regular polygon, or a disc.
+/// The figure of allowed friction on the block: a regular polygon, or a disk.
 #[derive(Debug, Clone, Copy)]
 pub enum Figure {
-    /// Corners at this distance from the centre, the first this far from t1 (radians).
+    /// Corners at this distance from the center, the first at this angle from t1 (radians).
     Polygon {
-        /// How many.
+        /// The number of corners.
         corners: usize,
-        /// Their distance.
+        /// The distance of the corners.
         radius: f64,
-        /// Where the first one is.
+        /// The angle of the first corner.
         first: f64,
     },
-    /// The unit disc.
+    /// The unit disk.
     Disc,
 }
 
 impl Figure {
-    /// That of a model.
+    /// The figure of a model.
     pub fn of(model: Model) -> Self {
         match model {
             Model::FrozenBox | Model::CoupledBox => {
@@ -144,7 +144,7 @@ impl Figure {
         }
     }
 
-    /// The distance from the centre to the edge in this direction (radians).
+    /// The distance from the center to the edge in this direction (radians).
     pub fn reach(self, angle: f64) -> f64 {
         match self {
             Figure::Polygon { corners, radius, first } => {
@@ -181,7 +181,7 @@ impl Figure {
 /// Pushes the block, and drops the rod.
 ///
 /// # Errors
-/// If there is no problem with such a μ, or the push is not finite.
+/// If there is no problem with this μ, or the push is not finite.
 pub fn run(mu: f64, push: f64) -> Result<Finding> {
     let settings = Settings { tolerance: 1e-10, ..Settings::default() };
     let pushes: Vec<(Model, f64)> =
@@ -219,7 +219,7 @@ fn expected(model: Model, mu: f64, push: f64, degrees: f64) -> Expected {
     let against_slip = [p[0] - x[0], p[1] - x[1]];
     let cross = x[0] * against_slip[1] - x[1] * against_slip[0];
     let dot = x[0] * against_slip[0] + x[1] * against_slip[1];
-    // The associated law presses harder: x_n − 1/μ = w_n = μ (push − μ x_n).
+    // The associated law has a larger normal force: x_n − 1/μ = w_n = μ (push − μ x_n).
     let rise = match model {
         Model::AssociatedCone => mu * (push - 1.0) / (1.0 + mu * mu),
         _ => 0.0,
@@ -241,10 +241,10 @@ fn grip(model: Model, mu: f64, degrees: f64, settings: &Settings) -> Result<Grip
     Ok(Grip { model, degrees, measured: (held + moved) / 2.0, expected })
 }
 
-/// A rod of mass 1 and radius of gyration ½ lies along t1 on its ends at ±1, its middle ¼ above the
-/// ground; it falls with 1 m/s and moves and turns: two contacts, six rows, A = J M⁻¹ Jᵀ, b = J u.
+/// A rod of mass 1 and radius of gyration ½ lies along t1 on its ends at ±1, its center ¼ above the
+/// ground; it falls with 1 m/s, moves and rotates: two contacts, six rows, A = J M⁻¹ Jᵀ, b = J u.
 fn rod(mu: f64) -> Result<FrictionProblem> {
-    // Columns of J: v_n, v_t1, v_t2, and the turns about t2 and n.
+    // Columns of J: v_n, v_t1, v_t2, and the rotations about t2 and n.
     let foot =
         |x: f64| [[1.0, 0.0, 0.0, -x, 0.0], [0.0, 1.0, 0.0, 0.25, 0.0], [0.0, 0.0, 1.0, 0.0, x]];
     let rows: Vec<[f64; 5]> = [foot(-1.0), foot(1.0)].concat();

@@ -1,4 +1,4 @@
-//! A scene with some of its fields changed, so that a report file says in a line what it varies.
+//! A scene with overridden fields, so that a report file can state a variant in a line.
 //!
 //! ```
 //! use lcplab::report::study::variation::Variation;
@@ -21,7 +21,7 @@ use crate::error::{Error, Result};
 use crate::file;
 use crate::scene::{Scene, catalogue};
 
-/// A scene and what is different in it.
+/// A scene and its overridden fields.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Variation {
@@ -33,12 +33,12 @@ pub struct Variation {
 }
 
 impl Variation {
-    /// A scene with these fields changed.
+    /// A scene with these overridden fields.
     pub fn of(scene: &str, change: &Table) -> Self {
         Variation { scene: scene.into(), change: change.clone() }
     }
 
-    /// The same with more fields changed.
+    /// The same with more overridden fields.
     pub fn and(&self, change: &Table) -> Self {
         let mut all = self.change.clone();
         merge(&mut all, change);
@@ -48,7 +48,7 @@ impl Variation {
     /// The scene.
     ///
     /// # Errors
-    /// If there is no such scene, or the changed one is none.
+    /// If the scene does not exist, or is invalid with the overridden fields.
     pub fn scene(&self) -> Result<Scene> {
         let scene = Scene::load(&self.scene)?;
         if self.change.is_empty() {

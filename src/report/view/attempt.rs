@@ -1,4 +1,4 @@
-//! How attempts of solvers are shown in the tables of several studies.
+//! Attempts of solvers in the tables of several studies.
 
 use super::Document;
 use crate::number::{count, readable};
@@ -6,7 +6,7 @@ use crate::report::page::{Cell, Mark};
 use crate::report::study::attempt::Outcome;
 use crate::solver::Group;
 
-/// What came of it, marked.
+/// The outcome of an attempt, marked.
 pub fn outcome(outcome: &Outcome) -> Cell {
     let mark = match outcome {
         Outcome::Proved | Outcome::Accepted => Mark::Good,
@@ -28,7 +28,7 @@ pub fn iterations_in_words(solver: &str, iterations: usize) -> String {
     format!("{} {unit}", count(iterations))
 }
 
-/// Two digits of a large number, in a form that can be read aloud: `12 000`, `1.2×10⁸`.
+/// A large number rounded to two digits, in a readable form: `12 000`, `1.2×10⁸`.
 pub fn rough(value: f64) -> String {
     if !(10.0..1e6).contains(&value) {
         return readable(value, 2);
@@ -54,17 +54,17 @@ pub fn tolerance(value: f64) -> String {
     readable(value, 1)
 }
 
-/// The id of the section that is open: what figures and tables of it are named after.
+/// The id of the current section: the prefix of its figures and tables.
 pub fn section_id(document: &Document) -> String {
     document.page.sections.last().map_or_else(String::new, |section| section.id.clone())
 }
 
-/// A scene's name as part of a file's name: a scene may be called anything.
+/// A scene's name as part of a file name; a scene may have any name.
 pub fn stem(scene: &str) -> String {
     scene.replace(|c: char| !(c.is_ascii_alphanumeric() || "_-".contains(c)), "-")
 }
 
-/// Words as part of a file's name.
+/// Words as part of a file name.
 pub fn anchor(words: &str) -> String {
     let parts = words.split(|c: char| !c.is_ascii_alphanumeric()).filter(|part| !part.is_empty());
     parts.collect::<Vec<_>>().join("-").to_ascii_lowercase()

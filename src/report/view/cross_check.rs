@@ -1,4 +1,4 @@
-//! Our answers beside two independent ones.
+//! Our answers compared with two independent ones.
 
 use super::{Document, Outcome, View};
 use crate::certificate::cross_check::max_difference;
@@ -201,7 +201,7 @@ fn wrenches(checks: &[CrossCheck]) -> Table {
     }
 }
 
-/// 0 for what is only rounding beside the forces of a body.
+/// The value, or 0 if it is only rounding relative to the forces of a body.
 fn rounded(value: f64) -> f64 {
     if value.abs() < 1e-12 { 0.0 } else { value }
 }

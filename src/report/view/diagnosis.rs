@@ -1,4 +1,4 @@
-//! A diagnosis as a page: the film of what moves, the slowest pattern, and the sweeps.
+//! A diagnosis as a page: the animation, the slowest mode, and the sweeps.
 
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -14,11 +14,10 @@ use crate::report::page::{Block, Page, Picture, markup};
 use crate::scene::Scene;
 use crate::simulation::{Simulation, Step};
 
-/// The body that moves most in a pattern is drawn so far from its place, as a part of the thinnest
-/// body.
+/// The displacement of the body that moves most in a mode, relative to the thinnest body.
 const SWING: f64 = 0.5;
 
-/// What the film shows.
+/// The caption of the animation.
 const FILM: &str = "Left: with this solver; right: with exact answers. The redder a body, the less of its \
  weight is supported; a fully red body falls freely.";
 
@@ -60,7 +59,7 @@ pub fn diagnosis_page(
     Ok(page.page)
 }
 
-/// The pattern and the courses of the frame that was examined, if something is missing in it.
+/// The mode and the courses of the examined frame, if its error is not negligible.
 fn pictures(
     page: &mut Document,
     frame: &Problem,
@@ -86,7 +85,7 @@ fn drawn(figure: &dyn Figure) -> Picture {
     Picture { svg: figure.svg(), caption: figure.caption().into(), ..Picture::default() }
 }
 
-/// The scene as it is solved beside the exact one, with red bodies where something is missing.
+/// The scene as it is solved next to the exact one; bodies with an error are red.
 fn film(scene: &Scene, steps: usize) -> Result<Film> {
     let takes = [
         take(&scene.solver.name, scene, steps, &|step| uncarried(scene, step))?,
@@ -116,7 +115,7 @@ fn take(name: &str, scene: &Scene, steps: usize, heat: &dyn Fn(&Step) -> Vec<f64
     Ok(take)
 }
 
-/// The part of each body's weight that nothing carries in a step; 0 where that is not known.
+/// The unsupported fraction of each body's weight in a step; 0 if unknown.
 fn uncarried(scene: &Scene, step: &Step) -> Vec<f64> {
     let mut heat = vec![0.0; scene.bodies.len()];
     let Some(solve) = main_solve(step).filter(|solve| solve.posing.is_none()) else { return heat };
@@ -131,7 +130,7 @@ fn uncarried(scene: &Scene, step: &Step) -> Vec<f64> {
     heat
 }
 
-/// The bodies at rest, and moved by forces of the slowest pattern, much enlarged.
+/// The bodies at rest, and moved by the forces of the slowest mode, magnified.
 fn pattern(scene: &Scene, frame: &Problem, forces: &[f64], place: usize) -> Result<Strip> {
     let mut simulation = Simulation::of(scene)?;
     for _ in 0..place {
@@ -174,7 +173,7 @@ fn pattern(scene: &Scene, frame: &Problem, forces: &[f64], place: usize) -> Resu
     ))
 }
 
-/// What is missing sweep by sweep.
+/// The error after each sweep.
 pub(super) fn convergence(courses: &[Course]) -> Lines {
     let points = |missing: &mut dyn Iterator<Item = Option<f64>>| {
         let placed = |(k, missing): (usize, Option<f64>)| Some((k as f64, 100.0 * missing?));

@@ -4,7 +4,7 @@ use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::families::Row;
 use crate::trace::NO_ITERATES;
 
-/// One row a family, model of friction and solver.
+/// One row per family, friction model and solver.
 pub fn table(rows: &[Row]) -> Table {
     Table {
         title: "Problem families and solvers".into(),
@@ -40,7 +40,7 @@ pub fn table(rows: &[Row]) -> Table {
     }
 }
 
-/// One row a solver: all that it was given.
+/// One row per solver, over all its problems.
 pub fn by_solver(rows: &[Row]) -> Table {
     let mut names: Vec<&str> = Vec::new();
     for row in rows {

@@ -1,15 +1,15 @@
-//! Films on pages of their own and beside the tables of a comparison.
+//! Animations on separate pages and next to the tables of a comparison.
 
 use super::Document;
 use crate::film::Film;
 use crate::report::page::{Block, Page, Player, markup};
 use crate::report::recording::Record;
 
-/// What the buttons do, for the caption.
+/// The explanation of the controls, for the caption.
 const HOW: &str = "Arrows are forces on the moving body. Click a curve to jump to that time.";
 
 impl Document {
-    /// Adds a film with a section of its own.
+    /// Adds an animation as a separate section.
     pub fn film(&mut self, film: &Film, caption: &str) {
         self.open("film", "The motion");
         let caption = format!("{caption} {HOW}");
@@ -22,7 +22,7 @@ impl Document {
     }
 }
 
-/// The page of one simulation: its film, and its totals; its tables lie beside it.
+/// The page of one simulation: its animation and its totals; its tables are next to it.
 pub fn simulation_page(film: Film, record: &Record) -> Page {
     let scene = film.scene.clone();
     let page = Page {
@@ -42,6 +42,6 @@ pub fn simulation_page(film: Film, record: &Record) -> Page {
     document.page
 }
 
-/// What `simulate` writes beside the page.
+/// The files that `simulate` writes next to the page.
 const FILES: [&str; 5] =
     ["trajectory.csv", "ledger.csv", "forces.csv", "results.json", "final.toml"];

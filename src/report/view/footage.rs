@@ -1,11 +1,11 @@
-//! Films made of what was kept of a motion.
+//! Animations from recorded motions.
 
 use super::{Document, Outcome, View};
 use crate::report::page::{Block, Player};
 use crate::report::study::footage::{Footage, Plan};
 
 impl Document {
-    /// Adds a film made of what was kept.
+    /// Adds an animation from a recorded motion.
     pub(super) fn footage(&mut self, footage: &Footage, caption: &str) {
         match footage.film() {
             Ok(film) => {

@@ -1,4 +1,4 @@
-//! The diagnosis of problems of one's own.
+//! The diagnosis of a user's own problems.
 
 use super::diagnosis::convergence;
 use super::{Document, Outcome, View};

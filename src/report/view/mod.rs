@@ -1,8 +1,8 @@
-//! Results as pages: tables, figures and what to see in them. Nothing is solved here.
+//! Results as pages: tables, figures and their explanation. Nothing is solved here.
 //!
-//! Each study has a view in Rust. Five were tried as tables of plain rows with a TOML sheet that
-//! one interpreter draws: their 1,631 lines became 1,539 in two languages, with an interpreter of
-//! 808, and a wrong name of a column was no longer an error of the compiler.
+//! Each study has a view in Rust. For five of them, tables of plain rows with a TOML description
+//! and a common interpreter were tried: their 1,631 lines became 1,539 in two languages, plus an
+//! interpreter of 808, and a wrong column name was no longer a compile error.
 
 pub mod attempt;
 mod cards;
@@ -44,22 +44,22 @@ use crate::error::Result;
 use crate::live::linked;
 use crate::plot::Figure;
 
-/// A page with the figures and tables on it, each under the name of its files.
+/// A page with its figures and tables, each with the name of its files.
 pub struct Document {
     /// The page.
     pub page: Page,
-    /// The figures: SVG and CSV are written beside the page.
+    /// The figures; their SVG and CSV files are written next to the page.
     pub figures: Vec<Box<dyn Figure>>,
     /// The tables with the names of their CSV files.
     pub tables: Vec<(String, Table)>,
 }
 
-/// More tasks than this are not named one by one where a section says how it was obtained.
+/// Maximum number of tasks that are named individually where a section states how it was obtained.
 const MOST_NAMED: usize = 20;
-/// The setting that holds a whole file, which is not shown among the others.
+/// The setting that contains a whole file, which is not shown among the others.
 const SOURCE: &str = "source";
 
-/// The folder beside the page that holds figures and tables.
+/// The folder next to the page for figures and tables.
 pub const FILES: &str = "data";
 
 /// How the findings of a kind of study are shown.
@@ -67,38 +67,37 @@ pub trait View: Study {
     /// The heading of its section.
     const TITLE: &'static str;
 
-    /// Adds the findings to the section that is open.
+    /// Adds the findings to the current section.
     fn show(&self, findings: &[Self::Finding], document: &mut Document);
 
-    /// Adds what differs from machine to machine to the section of times.
+    /// Adds the machine-dependent data to the section of times.
     fn show_times(&self, _times: &[Self::Times], _document: &mut Document) {}
 
-    /// The problems whose verdicts a task's rows show, and the answers, for
+    /// The problems whose verdicts are shown in a task's rows, and the answers, for
     /// [proofs](super::proofs); `section` is the section's id.
     ///
     /// # Errors
-    /// If a problem cannot be posed again.
+    /// If a problem cannot be reproduced.
     fn judged(&self, _section: &str, _task: usize) -> Result<Vec<Judged>> {
         Ok(Vec::new())
     }
 
-    /// The answer to the question that it was made for, in a sentence or two for the top of the
-    /// page.
+    /// The answer to the study's question, in one or two sentences for the top of the page.
     fn answer(&self, _findings: &[Self::Finding]) -> Option<String> {
         None
     }
 
-    /// Whether all came out as it should, by what was measured; [`Outcome::undecided`] of the kinds
-    /// that [`UNDECIDED`](super::kind::UNDECIDED) lists, and of no others.
+    /// Whether everything came out as it should, by the measurements; [`Outcome::undecided`] only
+    /// for the kinds that [`UNDECIDED`](super::kind::UNDECIDED) lists.
     fn outcome(&self, findings: &[Self::Finding]) -> Outcome;
 }
 
-/// How a study came out.
+/// The outcome of a study.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Outcome {
-    /// Whether all is as it should be.
+    /// Whether everything is as it should be.
     pub good: bool,
-    /// In one line, with the numbers; nothing if there is nothing to say.
+    /// The outcome in one line, with numbers; may be empty.
     pub says: String,
 }
 
@@ -112,7 +111,7 @@ impl Outcome {
 /// The page of a report's results.
 ///
 /// # Errors
-/// If a finding is not what this version writes.
+/// If a finding does not have the format of this version.
 pub fn document(results: &Results) -> Result<Document> {
     let page = Page {
         title: results.title.clone(),
@@ -167,7 +166,7 @@ pub fn document(results: &Results) -> Result<Document> {
     Ok(document)
 }
 
-/// Sentences of which each question begins a paragraph.
+/// Sentences as paragraphs; each question begins a new one.
 fn paragraphs(sentences: &[String]) -> String {
     let mut text = String::new();
     for sentence in sentences {
@@ -177,7 +176,7 @@ fn paragraphs(sentences: &[String]) -> String {
     text.trim().to_string()
 }
 
-/// How to obtain a section's findings again.
+/// How to reproduce a section's findings.
 fn origin(results: &Results, part: &Part) -> Origin {
     let command = command(results);
     let section = match results.machine.command.as_ref().filter(|own| own.contains(" --section ")) {
@@ -202,7 +201,7 @@ fn origin(results: &Results, part: &Part) -> Origin {
     }
 }
 
-/// The command that ran the report; of results that do not say it, the most likely one.
+/// The command that ran the report, or the most likely one if the results do not contain it.
 fn command(results: &Results) -> String {
     let likely = || {
         let is_shipped = SHIPPED.iter().any(|(name, _)| *name == results.name);
@@ -211,7 +210,7 @@ fn command(results: &Results) -> String {
     results.machine.command.clone().unwrap_or_else(likely)
 }
 
-/// What differs from machine to machine, study by study.
+/// The machine-dependent data, study by study.
 fn times(document: &mut Document, experiment: &Experiment, results: &Results) -> Result<()> {
     for section in &experiment.sections {
         let of_section = results.machine.times.iter().filter(|timed| timed.section == section.id);
@@ -278,21 +277,21 @@ impl Document {
         self.page.sections.push(section);
     }
 
-    /// Folds the tables of the section opened last.
+    /// Collapses the tables of the last section.
     fn fold_tables(&mut self) {
         if let Some(section) = self.page.sections.last_mut() {
             section.fold = page::Fold::Tables;
         }
     }
 
-    /// Adds a block to the section opened last.
+    /// Adds a block to the last section.
     fn add(&mut self, block: Block) {
         if let Some(section) = self.page.sections.last_mut() {
             section.blocks.push(block);
         }
     }
 
-    /// Adds words, in page markup; a live page that they link to opens in place.
+    /// Adds text in page markup; a live page that it links to opens in place.
     pub fn text(&mut self, text: impl Into<String>) {
         let text = text.into();
         let lives = linked(&text);
@@ -300,7 +299,7 @@ impl Document {
         lives.into_iter().for_each(|live| self.add(Block::Live(live)));
     }
 
-    /// Adds words that are folded away under a title.
+    /// Adds text that is collapsed under a title.
     pub fn aside(&mut self, title: &str, text: impl Into<String>) {
         self.add(Block::Aside { title: title.into(), text: text.into() });
     }
@@ -315,7 +314,7 @@ impl Document {
         self.figures.push(Box::new(figure));
     }
 
-    /// Adds a table whose CSV file is called `id`.
+    /// Adds a table whose CSV file is named `id`.
     pub fn table(&mut self, id: &str, mut table: Table) {
         table.files = vec![("data (CSV)".into(), format!("{FILES}/{id}.csv"))];
         self.tables.push((id.into(), table.clone()));

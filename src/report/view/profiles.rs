@@ -13,7 +13,7 @@ use crate::report::study::profiles::{
 };
 use crate::solver::{ALL, Entry, Group};
 
-/// A failure: solver, tolerance, reason; and the families where it happened.
+/// A failure: solver, tolerance, reason; with the families where it happened.
 type Failures = Vec<((String, usize, String), Vec<String>)>;
 
 impl View for Plan {
@@ -110,8 +110,8 @@ impl View for Plan {
 }
 
 impl Plan {
-    /// By multiplications: of all problems at each precision, and at the last of those that a
-    /// solver took on.
+    /// By multiplications: for all problems at each tolerance, and at the last one for those that a
+    /// solver attempted.
     fn by_work(&self, tried: &[Tried], solvers: &[String]) -> Profiles {
         let mut columns = Vec::new();
         for (k, precision) in self.tolerances.iter().enumerate() {
@@ -131,7 +131,7 @@ impl Plan {
         drawn("performance_profiles", "multiplications", caption, solvers, columns)
     }
 
-    /// By iterations, at the last precision.
+    /// By iterations, at the last tolerance.
     fn by_iterations(&self, tried: &[Tried], solvers: &[String]) -> Profiles {
         let costs = costs(tried, self.tolerances.len().saturating_sub(1), iterations);
         let columns = both(&costs);
@@ -140,8 +140,8 @@ impl Plan {
         drawn("performance_profiles_iterations", "iterations", caption, solvers, columns)
     }
 
-    /// By wall time, at the last precision; a family is won by who solved all of its problems in
-    /// the least time.
+    /// By wall time, at the last tolerance; the best solver of a family is the one that solved all
+    /// of its problems in the least time.
     fn by_time(&self, times: &[Seconds]) -> Option<Profiles> {
         let of_family = |own: &Seconds| own.seconds.last().cloned().unwrap_or_default();
         let times: Vec<_> = times.iter().map(of_family).collect();
@@ -163,7 +163,8 @@ impl Plan {
         Some(drawn("performance_profiles_time", "wall time", caption, &solvers, both(&costs)))
     }
 
-    /// Who solved all that it attempted, and who was cheapest, at the last precision.
+    /// The solvers that solved everything they attempted, and the cheapest ones, at the last
+    /// tolerance.
     fn words(&self, tried: &[Tried], solvers: &[String]) -> String {
         let Some(last) = self.tolerances.len().checked_sub(1) else { return String::new() };
         let costs = costs(tried, last, multiplications);
@@ -308,7 +309,7 @@ fn solvers(tried: &[Tried]) -> Vec<String> {
     attempts.into_iter().flatten().map(|attempt| attempt.solver.clone()).collect()
 }
 
-/// The profiles of all problems, and of those that a solver took on.
+/// The profiles for all problems, and for those that a solver attempted.
 fn both(costs: &[Vec<Cost>]) -> Vec<(String, Vec<Profile>)> {
     vec![
         ("of all problems".into(), profiles(&of_all(costs))),
@@ -316,7 +317,7 @@ fn both(costs: &[Vec<Cost>]) -> Vec<(String, Vec<Profile>)> {
     ]
 }
 
-/// Profiles as a figure: a line of panels a group of solvers, a column a title.
+/// Profiles as a figure: one row of panels per group of solvers, one column per title.
 fn drawn(
     id: &str,
     cost: &str,
@@ -361,7 +362,7 @@ fn at_one(profile: &Profile) -> f64 {
     profile.steps.first().filter(|(tau, _)| *tau <= 1.0).map_or(0.0, |(_, share)| *share)
 }
 
-/// How many attempts of a solver at a precision (of all without one) are so.
+/// The number of attempts of a solver at a tolerance (or at all) that satisfy a condition.
 fn count(
     tried: &[Tried],
     solver: Option<&str>,
@@ -384,7 +385,8 @@ fn false_claims(tried: &[Tried], solver: &str, tolerance: usize) -> usize {
     attempts.filter(|a| a.solver == solver && a.outcome.is_solved()).count()
 }
 
-/// Accepted, and all, of the solvable problems that Dantzig's method attempts.
+/// The number of accepted answers, and of all, among the solvable problems that Dantzig's method
+/// attempts.
 fn semidefinite(tried: &[Tried], solver: &str, tolerance: usize) -> (usize, usize) {
     let problems = tried.iter().flat_map(|family| &family.problems).filter(|p| !p.impossible);
     let of = |attempts: &[Attempt], name: &str| attempts.iter().find(|a| a.solver == name).cloned();
@@ -399,7 +401,7 @@ fn semidefinite(tried: &[Tried], solver: &str, tolerance: usize) -> (usize, usiz
     (solved.iter().filter(|solved| **solved).count(), solved.len())
 }
 
-/// The attempts without an accepted claim, gathered by solver, precision and reason.
+/// The attempts without an accepted claim, grouped by solver, tolerance and reason.
 fn gathered(tried: &[Tried]) -> Failures {
     let mut failures: Failures = Vec::new();
     for family in tried {
@@ -428,7 +430,7 @@ fn gathered(tried: &[Tried]) -> Failures {
     failures
 }
 
-/// One line a family, one column a solver, at one precision.
+/// One row per family, one column per solver, at one tolerance.
 fn matrix(tried: &[Tried], solvers: &[String], k: usize, value: f64) -> Table {
     let row = |family: &Tried| {
         let cells = solvers.iter().map(|solver| {
@@ -468,8 +470,7 @@ fn matrix(tried: &[Tried], solvers: &[String], k: usize, value: f64) -> Table {
     }
 }
 
-/// The formulas of costs, as the registry has them: one row for the methods of a group that share
-/// one.
+/// The cost formulas of the registry: one row for the methods of a group with the same formula.
 fn iteration_costs() -> Table {
     let mut rows: Vec<(Vec<&str>, &Entry)> = Vec::new();
     for entry in ALL {

@@ -1,4 +1,4 @@
-//! Scenes as films.
+//! Scenes as animations.
 
 use super::{Document, Outcome, View};
 use crate::report::page::markup::literal;

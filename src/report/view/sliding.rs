@@ -1,4 +1,4 @@
-//! The models of friction on a block that is pushed from all sides, and on a rod.
+//! The friction models on a block that is pushed from all sides, and on a rod.
 
 use super::{Document, Outcome, View};
 use crate::number::readable;
@@ -8,7 +8,7 @@ use crate::report::study::friction::{Answer, Model};
 use crate::report::study::slider::Path;
 use crate::report::study::sliding::{Figure, Finding, Plan, SHOWN, Slide};
 
-/// Measured and expected numbers may differ by this much (parts, degrees, N s, m/s).
+/// The allowed difference between measured and expected numbers (relative, degrees, N s, m/s).
 const AGREES: f64 = 1e-3;
 /// The direction of the push in the table (degrees).
 const TABLE: f64 = 30.0;
@@ -102,7 +102,7 @@ impl View for Plan {
     }
 }
 
-/// How many of these are as they should, and how many there are.
+/// The number of these that are as expected, and their total number.
 fn checked<'a, T: 'a>(
     all: impl Iterator<Item = &'a T>,
     is_good: impl Fn(&T) -> bool,
@@ -110,7 +110,7 @@ fn checked<'a, T: 'a>(
     all.fold([0, 0], |[good, all], own| [good + usize::from(is_good(own)), all + 1])
 }
 
-/// How much a model holds, at least and at most, and how far aside its friction points.
+/// The minimum and maximum friction of a model, and its largest misalignment.
 fn bias(study: &Finding, model: Model) -> Option<String> {
     let grips = study.grips.iter().filter(|grip| grip.model == model).map(|grip| grip.measured);
     let (least, most) =
@@ -181,7 +181,7 @@ fn path_table(study: &Finding) -> Table {
     }
 }
 
-/// Whether the block stops and floats as geometry says, by answers that the judge accepts.
+/// Whether the block stops and floats as geometry predicts, with answers that the judge accepts.
 fn stops_as_expected(path: &Path) -> bool {
     let ([x, y], [ex, ey]) = (path.stop, path.expected);
     (x - ex).hypot(y - ey) <= 2.0 * path.travel
@@ -205,7 +205,7 @@ fn path_cells(path: &Path) -> Vec<Cell> {
     cells
 }
 
-/// How the curves of a model are called.
+/// The name of a model's curves.
 fn short(model: Model) -> String {
     match model {
         Model::FrozenBox | Model::CoupledBox => "box".into(),
@@ -248,8 +248,8 @@ fn direction_figure(study: &Finding) -> Lines {
     }
 }
 
-/// The direction of friction over the direction against the slip: the corner that lies farthest
-/// along it, cut off at the tangents.
+/// The direction of friction as a function of the direction opposite to the slip: the corner that
+/// is farthest along it, clipped at the tangents.
 fn stairs(model: Model) -> Vec<(f64, f64)> {
     let Figure::Polygon { corners, first, .. } = Figure::of(model) else {
         return vec![(0.0, 0.0), (90.0, 90.0)];
@@ -315,7 +315,7 @@ fn block_table(study: &Finding) -> Table {
     }
 }
 
-/// Strength, angle and rise as found, each with the expected number.
+/// Strength, angle and rise, each with the expected number.
 fn pairs(slide: &Slide) -> [(f64, f64); 3] {
     let (contact, expected) = (slide.answer.contacts.first(), slide.expected);
     let strength = contact.and_then(|c| c.strength).unwrap_or(f64::NAN);
@@ -389,7 +389,7 @@ fn rod_cells(answer: &Answer, exact: Option<&Answer>) -> Vec<Cell> {
     cells
 }
 
-/// Four digits; what is below the solvers' tolerance is 0.
+/// Four digits; numbers below the solvers' tolerance are 0.
 fn tidy(value: f64) -> Cell {
     let shown = if value.abs() < 1e-6 { 0.0 } else { value };
     Cell { value: Some(value), ..Cell::number(shown, 4) }

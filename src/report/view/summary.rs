@@ -1,11 +1,11 @@
-//! How every study of a report came out, in one table.
+//! The outcomes of all studies of a report, in one table.
 
 use super::Document;
 use crate::error::Result;
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::results::Results;
 
-/// A row each study that has something to say, or of which a task failed.
+/// One row for each study with an outcome or a failed task.
 pub(super) fn show(results: &Results, document: &mut Document) -> Result<()> {
     let outcomes = results.outcomes()?;
     let rows = outcomes.iter().filter_map(|(id, outcome)| {

@@ -1,4 +1,4 @@
-//! Closed forms beside measured numbers.
+//! Closed forms compared with measured numbers.
 
 use super::{Document, Outcome, View};
 use crate::number::{significant, tabular};
@@ -47,12 +47,12 @@ impl View for Plan {
     }
 }
 
-/// A number whose errors are at most so large is exact but for rounding.
+/// A number whose errors are at most this large is exact up to rounding.
 const ROUNDING: f64 = 1e-7;
 const EXACT: &str = "exact";
 const BOUNDED: &str = "within a bound";
 
-/// What a number without a derived order must be.
+/// The requirement on a number without a derived order.
 fn kind(row: &Row) -> &'static str {
     match row.criterion {
         Criterion::Exact { tolerance, .. } if tolerance > ROUNDING => BOUNDED,
@@ -91,10 +91,10 @@ fn tolerances(rows: &[Row]) -> String {
     format!("Reasons for the allowed errors, with the cases:\n\n{}", lines.join("\n"))
 }
 
-/// Where 0 is expected, digits of a smaller number say nothing.
+/// If 0 is expected, digits of a smaller number are meaningless.
 const NOISE: f64 = 1e-12;
 
-/// One row a closed form and method.
+/// One row per closed form and method.
 pub fn table(rows: &[Row]) -> Table {
     let levels = rows.iter().map(|row| row.samples.len()).max().unwrap_or(0);
     let measured = (0..levels).map(|level| match level {

@@ -1,14 +1,16 @@
-//! Counting degrees of freedom: what constraints remove is the rank of J, not its number of rows.
+//! Counting degrees of freedom: constraints remove as many as the rank of J, which may be less than
+//! its number of rows.
 
 use nalgebra::DMatrix;
 
 use super::Assembly;
 
-/// A singular value below this part of the largest is 0.
+/// A singular value below this fraction of the largest counts as 0.
 const NEGLIGIBLE: f64 = 1e-9;
 
 impl Assembly {
-    /// J, n × k and dense: one row a row, one column a velocity component of a moving body.
+    /// J, n × k and dense: one row per constraint row, one column per velocity component of a
+    /// moving body.
     pub fn jacobian(&self) -> DMatrix<f64> {
         let mut j = DMatrix::zeros(self.rows.len(), self.columns());
         for i in 0..self.rows.len() {
@@ -19,7 +21,7 @@ impl Assembly {
         j
     }
 
-    /// The rank of J by singular values: how many of its rows are independent at this instant.
+    /// The rank of J by singular values: the number of independent rows at this instant.
     pub fn rank(&self) -> usize {
         let j = self.jacobian();
         if j.is_empty() {
@@ -30,7 +32,7 @@ impl Assembly {
         values.iter().filter(|&&value| value > NEGLIGIBLE * largest).count()
     }
 
-    /// The degrees of freedom that are left if every row holds as an equation: k − rank J.
+    /// The remaining degrees of freedom if every row holds as an equation: k − rank J.
     ///
     /// ```
     /// use lcplab_mechanics::assembly::{Assembly, Entering};

@@ -1,4 +1,4 @@
-//! The blocks of M and M⁻¹, and the forces F.
+//! The diagonal blocks of M and M⁻¹, and the forces F.
 
 use nalgebra::{Matrix3, Vector6};
 
@@ -28,12 +28,12 @@ impl Block {
         self.kind.accelerate(&self.pose, wrench)
     }
 
-    /// Where the body was when its blocks were made.
+    /// The pose of the body for which the blocks were computed.
     pub fn pose(&self) -> &Pose {
         &self.pose
     }
 
-    /// This body's state after h (s) without forces; `held` says whether a joint holds its axis.
+    /// This body's state after h (s) without forces; `held` is whether a joint holds its axis.
     pub(super) fn advanced(
         &self,
         gyroscopic: Gyroscopic,
@@ -47,13 +47,13 @@ impl Block {
         }
     }
 
-    /// This body's entries of a vector with one entry a column; 0 where a point mass has none.
+    /// This body's entries of a vector with one entry per column; 0 where a point mass has none.
     pub fn gather(&self, values: &[f64]) -> Vector6<f64> {
         let own = &values[self.offset..self.offset + self.dof];
         Vector6::from_fn(|k, _| own.get(k).copied().unwrap_or(0.0))
     }
 
-    /// Writes this body's entries into a vector with one entry a column.
+    /// Writes this body's entries into a vector with one entry per column.
     pub fn scatter(&self, own: &Vector6<f64>, values: &mut [f64]) {
         values[self.offset..self.offset + self.dof].copy_from_slice(&own.as_slice()[..self.dof]);
     }
@@ -67,7 +67,7 @@ impl Block {
     }
 }
 
-/// One block a moving body, in the order of the scene.
+/// One block per moving body, in the order of the scene.
 pub(super) fn blocks(scene: &Scene, states: &[State]) -> Vec<Block> {
     let mut offset = 0;
     let mut blocks = Vec::new();
@@ -82,7 +82,7 @@ pub(super) fn blocks(scene: &Scene, states: &[State]) -> Vec<Block> {
     blocks
 }
 
-/// Gravity, the force of its own and the gyroscopic torque on each block's body, [f; τ] (N, N m).
+/// Gravity, the body's own force and the gyroscopic torque for each block, [f; τ] (N, N m).
 pub(super) fn forces(scene: &Scene, states: &[State], blocks: &[Block]) -> Vec<Vector6<f64>> {
     let gyroscopic = scene.step.gyroscopic();
     let force = |block: &Block| {

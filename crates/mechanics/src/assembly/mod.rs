@@ -1,8 +1,8 @@
-//! A scene at one instant, as matrices: M and M⁻¹, F, u, and the rows with J, J'u and c.
+//! Matrices of a scene at one instant: M and M⁻¹, F, u, and the rows with J, J'u and c.
 //!
-//! Only moving bodies have columns: for a fixed one M⁻¹ = 0, so its part of J drops out of
-//! everything. Constraints come first, in the order of the scene, then contacts, each as normal,
-//! first and second tangent.
+//! Only moving bodies have columns: a fixed one has M⁻¹ = 0, so its part of J has no effect.
+//! Constraints come first, in the order of the scene, then contacts, each as normal, first and
+//! second tangent.
 
 mod freedoms;
 mod mass;
@@ -19,14 +19,14 @@ use crate::body::{Gyroscopic, State};
 use crate::constraint::{Bodies, Degenerate};
 use crate::scene::{Found, Scene};
 
-/// A scene at one instant, as matrices.
+/// The matrices of a scene at one instant.
 #[derive(Debug, Clone)]
 pub struct Assembly {
-    /// The diagonal blocks of M and M⁻¹, one a moving body.
+    /// The diagonal blocks of M and M⁻¹, one per moving body.
     pub blocks: Vec<Block>,
-    /// The velocities u (m/s, rad/s); one entry a column.
+    /// The velocities u (m/s, rad/s), one entry per column.
     pub u: Vec<f64>,
-    /// External forces and torques and the gyroscopic torque F (N, N m); one entry a column.
+    /// External forces and torques and the gyroscopic torque F (N, N m), one entry per column.
     pub force: Vec<f64>,
     /// The rows.
     pub rows: Vec<Row>,
@@ -34,10 +34,10 @@ pub struct Assembly {
 }
 
 impl Assembly {
-    /// Assembles a scene whose bodies have these states and contacts.
+    /// Assembles a scene with these states and contacts.
     ///
     /// # Errors
-    /// [`Undefined`] where a constraint has no direction to push in.
+    /// [`Undefined`] if a constraint has no defined direction.
     pub fn new(
         scene: &Scene,
         states: &[State],
@@ -60,7 +60,7 @@ impl Assembly {
         self.u.len()
     }
 
-    /// M⁻¹ times a vector with one entry a column.
+    /// M⁻¹ times a vector with one entry per column.
     pub fn accelerate(&self, force: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; force.len()];
         for block in &self.blocks {
@@ -69,7 +69,7 @@ impl Assembly {
         out
     }
 
-    /// Jᵀ x: the forces (or impulses) of x (one entry a row) on each column.
+    /// Jᵀ x: the forces (or impulses) on each column from x (one entry per row).
     pub fn pull_back(&self, x: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; self.columns()];
         for (row, x) in self.rows.iter().zip(x) {
@@ -83,7 +83,7 @@ impl Assembly {
         out
     }
 
-    /// The stored entries (column, value) of row i of J, columns ascending.
+    /// The stored entries (column, value) of row i of J, in ascending order of columns.
     pub fn jacobian_row(&self, i: usize) -> Vec<(usize, f64)> {
         let mut entries: Vec<(usize, f64)> = Vec::new();
         for part in self.rows[i].parts() {
@@ -95,13 +95,13 @@ impl Assembly {
         entries
     }
 
-    /// The places (row, column) of the nonzero entries of J.
+    /// The positions (row, column) of the nonzero entries of J.
     pub fn jacobian_pattern(&self) -> Vec<(usize, usize)> {
         let row = |i| self.jacobian_row(i).into_iter().map(move |(column, _)| (i, column));
         (0..self.rows.len()).flat_map(row).collect()
     }
 
-    /// J times a vector with one entry a column.
+    /// J times a vector with one entry per column.
     pub fn push_forward(&self, u: &[f64]) -> Vec<f64> {
         let row = |row: &Row| {
             row.parts().map(|part| part.jacobian.dot(&self.blocks[part.block].gather(u))).sum()
@@ -109,7 +109,7 @@ impl Assembly {
         self.rows.iter().map(row).collect()
     }
 
-    /// The states with the velocities of moving bodies replaced by u (one entry a column).
+    /// The states with the velocities of moving bodies replaced by u (one entry per column).
     pub(crate) fn with_velocities(&self, states: &[State], u: &[f64]) -> Vec<State> {
         let mut states = states.to_vec();
         for block in &self.blocks {
@@ -118,8 +118,8 @@ impl Assembly {
         states
     }
 
-    /// The states after h (s) with their velocities, s + h S u; moving bodies turn as the scene's
-    /// setting `gyroscopic` says, those whose axis a joint holds about that axis.
+    /// The states after h (s) with their velocities, s + h S u. Moving bodies rotate as the scene's
+    /// setting `gyroscopic` says; bodies whose axis a joint holds rotate about that axis.
     pub fn advanced(&self, states: &[State], h: f64) -> Vec<State> {
         let mut moved: Vec<State> = states.iter().map(|state| state.advanced(h)).collect();
         let mut held = vec![false; self.blocks.len()];
@@ -133,14 +133,14 @@ impl Assembly {
     }
 }
 
-/// A constraint that has no direction to push in at this instant.
+/// A constraint whose direction is undefined at this instant.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Undefined {
     /// The constraint.
     pub source: Source,
     /// Its bodies.
     pub bodies: Bodies,
-    /// Why.
+    /// The reason.
     pub cause: Degenerate,
 }
 

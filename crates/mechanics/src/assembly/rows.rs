@@ -1,4 +1,4 @@
-//! The rows of all constraints and contacts, each with a name that persists between steps.
+//! The rows of all constraints and contacts, each with an identifier that persists between steps.
 
 use std::fmt;
 
@@ -9,23 +9,23 @@ use crate::body::{Shape, State, linear};
 use crate::constraint::{self, Bodies, Bounds, Constraint, Kind, Spring};
 use crate::scene::{ContactId, Found, Resting, Scene};
 
-/// Which inequalities enter, contacts and limits alike; equations always do.
+/// Which inequalities (contacts and limits) are included; equations always are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Entering<'a> {
-    /// Contacts within the margin up to which they were looked for, and all limits: the velocity
-    /// level, where gaps may close within the step.
+    /// Contacts with a gap up to the search margin, and all limits: for the velocity level, where
+    /// gaps may close within the step.
     Near,
-    /// Those that [touch](crate::scene::Resting): impacts.
+    /// Those that [touch](crate::scene::Resting): for impacts.
     Touching,
-    /// Those that touch and do not part faster than a resting contact may, or than α pushes an
-    /// overlap apart: the acceleration level.
+    /// Those that touch and separate no faster than a resting contact may, or than α pushes an
+    /// overlap apart: for the acceleration level.
     Resting,
-    /// Those with these names and no others, wherever they are: within a step whose rows were
+    /// Only those with these identifiers, whatever their gap: within a step whose rows have been
     /// chosen.
     Only(&'a [RowId]),
 }
 
-/// Where a row comes from.
+/// The origin of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Source {
     /// The constraint with this index in the scene.
@@ -34,38 +34,41 @@ pub enum Source {
     Contact(ContactId),
 }
 
-/// A row's name: the same from step to step, so that its x can start the next solve.
+/// A row's identifier: the same from step to step, so that its x can start the next solve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct RowId {
     /// The constraint or contact.
     pub source: Source,
-    /// Which of its rows; of a contact 0 normal, 1 and 2 tangential.
+    /// The index of the row; of a contact 0 is normal, 1 and 2 are tangential.
     pub component: usize,
 }
 
-/// A row of J with all that belongs to it.
+/// A row of J with its data.
 #[derive(Debug, Clone)]
 pub struct Row {
-    /// Its name.
+    /// Its identifier.
     pub id: RowId,
-    /// What it keeps.
+    /// What it constrains.
     pub kind: Kind,
-    /// Its bodies by index; `None` is the world. Those of a contact come in the order of the scene,
-    /// on whichever of them its normal lies; those of a constraint as the scene lists them.
+    /// The indices of its bodies; `None` is the world. Those of a contact come in the order of the
+    /// scene, regardless of which one defines the normal; those of a constraint as the scene lists
+    /// them.
     pub bodies: Bodies,
     /// c (m or rad).
     pub c: f64,
-    /// J u at the instant's velocities (m/s or rad/s).
+    /// J u at the current velocities (m/s or rad/s).
     pub velocity: f64,
-    /// The part of it that bodies without columns have: a fixed body may move as it is told.
+    /// The contribution to J u of bodies without columns: a fixed body may have a prescribed
+    /// motion.
     pub drift: f64,
     /// J'u (m/s² or rad/s²).
     pub velocity_product: f64,
-    /// What J u is to be (m/s or rad/s).
+    /// The target of J u (m/s or rad/s).
     pub speed: f64,
     /// Its spring and damper, if it is compliant.
     pub spring: Option<Spring>,
-    /// What its force may be; a friction row's `normal` counts among the rows of the assembly.
+    /// The bounds of its force; a friction row's `normal` is an index into the rows of the
+    /// assembly.
     pub bounds: Bounds,
     parts: [Option<Part>; 2],
 }
@@ -73,12 +76,12 @@ pub struct Row {
 /// The name of the fixed world in joints.
 const WORLD: &str = "world";
 
-/// The part of a row of J that belongs to one moving body.
+/// The part of a row of J for one moving body.
 #[derive(Debug, Clone, Copy)]
 pub struct Part {
     /// The body's block.
     pub block: usize,
-    /// Its entries for [v; ω]; a point mass has the first three only.
+    /// Its entries for [v; ω]; a point mass uses only the first three.
     pub jacobian: Vector6<f64>,
 }
 
@@ -88,47 +91,48 @@ impl Row {
         self.parts.iter().flatten()
     }
 
-    /// What x = 1 puts on each of its two bodies (world), fixed ones included: what one gets the
-    /// other gives.
+    /// The force (world) on each of its two bodies for x = 1, fixed ones included; the two are
+    /// opposite.
     pub fn pushes(&self) -> [Vector3<f64>; 2] {
         let [first, second] = self.parts.map(|part| part.map(|part| linear(&part.jacobian)));
         let other = |push: Option<Vector3<f64>>| push.map_or_else(Vector3::zeros, |push| -push);
         [first.unwrap_or_else(|| other(second)), second.unwrap_or_else(|| other(first))]
     }
 
-    /// The direction (world) in which a positive x pushes the second of [`bodies`](Row::bodies), of
-    /// rows that push along one; `None` of those that only turn.
+    /// The direction (world) in which a positive x pushes the second of [`bodies`](Row::bodies);
+    /// `None` for rows that only exert a torque.
     pub fn direction(&self) -> Option<Vector3<f64>> {
         let [first, second] = self.parts.map(|part| part.map(|part| linear(&part.jacobian)));
         second.or(first.map(|pull| -pull)).filter(|push| push.norm() > 0.0)
     }
 
-    /// The bodies that move with their entries of J, for [v; ω].
+    /// The moving bodies with their entries of J, for [v; ω].
     pub fn movers(&self) -> impl Iterator<Item = (usize, Vector6<f64>)> {
         let pairs = self.bodies.into_iter().zip(self.parts);
         pairs.filter_map(|(body, part)| Some((body?, part?.jacobian)))
     }
 
-    /// J u (m/s or rad/s) with the velocities of these states; J stays that of its instant.
+    /// J u (m/s or rad/s) with the velocities of these states; J is not updated.
     pub fn velocity_with(&self, states: &[State]) -> f64 {
         let own = self.movers().map(|(body, jacobian)| jacobian.dot(&states[body].velocity()));
         own.sum::<f64>() + self.drift
     }
 
-    /// Whether it keeps bodies from turning, and does nothing else: a row of a hinge or a weld.
+    /// Whether it only keeps bodies from rotating: a row of a hinge or a weld.
     pub fn holds_axis(&self) -> bool {
         let only_turns = |part: &Part| linear(&part.jacobian) == Vector3::zeros();
         self.bounds == Bounds::Bilateral && self.spring.is_none() && self.parts().all(only_turns)
     }
 
-    /// Whether its force is limited by itself or by yielding, so that it has no part in a blow.
+    /// Whether its force is limited, by its bounds or by compliance, so that it does not take part
+    /// in an impact.
     pub(crate) fn is_gentle(&self) -> bool {
         self.spring.is_some() || matches!(self.bounds, Bounds::Effort(_))
     }
 
-    /// The row in words, such as `normal ground box1 0 at face 0 on vertex 3`: no other row of the
-    /// scene has the same. The place is left out where two bodies touch at one point only. Body
-    /// names with blanks, and the name `world`, are quoted.
+    /// A unique text for the row, such as `normal ground box1 0 at face 0 on vertex 3`. The
+    /// features are omitted if two bodies touch at only one point. Body names with blanks, and the
+    /// name `world`, are quoted.
     pub fn label(&self, scene: &Scene) -> String {
         let name = |body: Option<usize>| match body.map(|k| scene.bodies[k].name.as_str()) {
             None => WORLD.to_string(),
@@ -153,14 +157,14 @@ impl Row {
         self.bodies.map(|body| body.map_or(WORLD, |k| scene.bodies[k].name.as_str()))
     }
 
-    /// The row as it is read from its other body.
+    /// The row with its two bodies exchanged.
     fn turned(self) -> Self {
         let ([first, second], [own, other]) = (self.bodies, self.parts);
         Row { bodies: [second, first], parts: [other, own], ..self }
     }
 }
 
-/// Whether these bodies have one contact at most: points, balls and a plane.
+/// Whether these bodies have at most one contact: points, balls and a plane.
 fn touch_at_one_point(scene: &Scene, bodies: [usize; 2]) -> bool {
     bodies.iter().all(|&body| {
         matches!(
@@ -226,8 +230,8 @@ pub(super) fn rows(
                 places[component] = Some(rows.len());
                 let id = RowId { source, component };
                 let row = placed(row, id, bodies, blocks, pair, &places);
-                // A contact whose normal lies on the second body of its pair has its bodies the
-                // other way round.
+                // A contact whose normal belongs to the second body of its pair has its bodies in
+                // reverse order.
                 let is_turned =
                     matches!(source, Source::Contact(id) if bodies != id.bodies.map(Some));
                 rows.push(if is_turned { row.turned() } else { row });
@@ -244,7 +248,7 @@ pub(super) fn rows(
     Ok(rows)
 }
 
-/// Whether an inequality touches and does not part faster than one at rest may, or than α (1/s)
+/// Whether an inequality touches and separates no faster than a resting one may, or than α (1/s)
 /// pushes an overlap apart.
 fn rests(row: &constraint::Row, states: [&State; 2], resting: Resting, alpha: f64) -> bool {
     row.c <= resting.gap && rate(row, states) <= resting.speed + alpha * (-row.c).max(0.0)
@@ -256,7 +260,7 @@ fn rate(row: &constraint::Row, states: [&State; 2]) -> f64 {
     j0.dot(&states[0].velocity()) + j1.dot(&states[1].velocity())
 }
 
-/// A row in its place; `places` tells where the constraint's earlier rows stand.
+/// A row with its place in the assembly; `places` are the places of the constraint's earlier rows.
 fn placed(
     row: &constraint::Row,
     id: RowId,

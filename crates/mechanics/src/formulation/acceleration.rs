@@ -7,23 +7,23 @@
 //! b = J M⁻¹F + J'u + (J u + (β/dt) c)/dt    a spring, with γ on the diagonal: x = −(k c⁺ + d ċ⁺)
 //! ```
 //!
-//! A spring looks ahead like that under the semi-implicit Euler method. The other integrators know
-//! what to do with a force that depends on the state, and get it: lo = hi = −(k c + d ċ) at each of
-//! their stages.
+//! A spring anticipates the step in this way under the semi-implicit Euler method. The other
+//! integrators can evaluate forces that depend on the state, so they get lo = hi = −(k c + d ċ) at
+//! each of their stages.
 //!
-//! A contact or limit that parts as slowly as one at rest may ([`Resting`](crate::scene::Resting))
-//! is held only so far as the body would be back within the step, and not in the air: with ċ beyond
-//! what α pushes an overlap apart,
+//! A contact or limit that separates no faster than a resting one may
+//! ([`Resting`](crate::scene::Resting)) is treated as closed only as far as the body would return
+//! within the step: with ċ beyond the speed at which α pushes an overlap apart,
 //!
 //! ```text
 //! b = J M⁻¹F + J'u + 2α J u + α² c + max(0, 1/dt − 2α) max(0, J u − α max(−c, 0))
 //! ```
 //!
-//! A friction force opposes the slip, not its acceleration. With J u/dt in its row the force stops
-//! the slip within the step where its bound allows, and is at the bound, against the slip, where it
-//! does not: the box model of the velocity level, on accelerations. Without it, a force at its
-//! bound would flip to whichever side the other forces pull, even against the slip. A motor is dry
-//! friction against another speed than 0.
+//! A friction force opposes the slip, not its acceleration. With J u/dt in its row, the force stops
+//! the slip within the step if its bound allows, and otherwise is at the bound, against the slip:
+//! this is the box model of the velocity level, for accelerations. Without this term, a force at
+//! its bound could point either way depending on the other forces, even along the slip. A motor is
+//! dry friction relative to a speed other than 0.
 
 use crate::assembly::{Assembly, Row};
 use crate::constraint::Bounds;
@@ -31,8 +31,8 @@ use crate::scene::{Integrator, Scene};
 
 use super::Stage;
 
-/// The force (N, N m) of a spring's row that its integrator takes as it is; `None` of rows whose
-/// force is unknown.
+/// The force (N, N m) of a spring's row that its integrator evaluates explicitly; `None` for rows
+/// whose force is unknown.
 pub(super) fn spring_force(row: &Row, stage: Stage, scene: &Scene) -> Option<f64> {
     let spring = row.spring.filter(|_| stage == Stage::Acceleration)?;
     let is_bilateral = row.bounds == Bounds::Bilateral;

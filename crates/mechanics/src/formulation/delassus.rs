@@ -4,8 +4,8 @@
 //! A_ij = Σ over shared bodies k of   (M_k⁻¹ J_ikᵀ) · J_jk
 //! ```
 //!
-//! Only the upper triangle is computed and then mirrored, so A is symmetric to the last bit. Where
-//! contacts slide ([`Slide`]), column n gets its part of the columns t, and A is not symmetric.
+//! Only the upper triangle is computed and then mirrored, so A is exactly symmetric. If contacts
+//! slide ([`Slide`]), the columns t contribute to column n, and A is not symmetric.
 
 use nalgebra::Vector6;
 
@@ -15,15 +15,15 @@ use lcplab_problem::Matrix;
 use lcplab_problem::error::Result;
 use lcplab_problem::memory::Memory;
 
-/// Up to this many rows A is dense, whatever its fill.
+/// A matrix with up to this many rows is dense, regardless of its fill.
 const SMALL: usize = 32;
-/// Beyond SMALL, A is dense where at least this part of its entries is stored.
+/// A larger matrix is dense if at least this fraction of its entries is stored.
 const FULL: f64 = 0.25;
 
-/// What an entry takes while A is made of them (numbers): its place and value, twice, and A itself.
+/// Memory per entry while A is built, in numbers: its position and value, twice, and A itself.
 const ENTRY: usize = 8;
 
-/// Whether A may be made: each pair of rows that share a body is an entry.
+/// Checks the memory limit for A: each pair of rows that share a body is an entry.
 pub(super) fn check(assembly: &Assembly, most: Memory) -> Result<()> {
     let mut rows_of = vec![0; assembly.blocks.len()];
     for part in assembly.rows.iter().flat_map(|row| row.parts()) {
@@ -67,9 +67,9 @@ fn drag(entries: &mut Vec<(usize, usize, f64)>, n: usize, slides: &[Slide]) {
     entries.extend(more);
 }
 
-/// The entries of A, each once.
+/// The entries of A without duplicates.
 fn entries(assembly: &Assembly) -> Vec<(usize, usize, f64)> {
-    // The rows of each body, ascending, with their part of J.
+    // For each body, its rows in ascending order, with their part of J.
     let mut rows_of: Vec<Vec<(usize, Vector6<f64>)>> = vec![Vec::new(); assembly.blocks.len()];
     for (i, row) in assembly.rows.iter().enumerate() {
         for part in row.parts() {
@@ -103,7 +103,7 @@ fn entries(assembly: &Assembly) -> Vec<(usize, usize, f64)> {
     entries
 }
 
-/// M⁻¹ Jᵀ of one part, with no rotation for a point mass.
+/// M⁻¹ Jᵀ of one part; a point mass has no rotation.
 fn response(assembly: &Assembly, part: &Part) -> Vector6<f64> {
     assembly.blocks[part.block].accelerate(&part.jacobian)
 }

@@ -1,32 +1,32 @@
-//! A step's problem under the model of friction that its scene asks for.
+//! The problem of a step under the friction model of its scene.
 //!
-//! As it is made, a problem's friction rows are the coupled box (model 2). Any other model is posed
-//! from the same rows: [`FrictionProblem::of`] finds the contacts, [`Model::pose`] states the law.
-//! At velocity level and in impacts w_t is the slip after the step; at acceleration level its
-//! friction rows have w_t = slip⁺/dt, so the laws that look at the slip mean the same there.
+//! A problem is built with friction rows of the coupled box (model 2). Any other model is derived
+//! from the same rows: [`FrictionProblem::of`] finds the contacts, [`Model::pose`] formulates the
+//! law. At velocity level and in impacts w_t is the slip after the step; at acceleration level
+//! friction rows have w_t = slip⁺/dt, so laws in terms of slip have the same meaning.
 
 use super::{Problem, Stage};
 use lcplab_problem::error::Result;
 use lcplab_problem::friction::{FrictionProblem, Model, Posed};
 
-/// A problem as a model of friction other than the coupled box states it.
+/// A problem under a friction model other than the coupled box.
 #[derive(Debug, Clone)]
 pub struct Posing {
     /// The model.
     pub model: Model,
-    /// The x at whose normal impulses a frozen box is frozen, an entry a row.
+    /// The x whose normal impulses define the frozen box, one entry per row.
     pub frozen_at: Option<Vec<f64>>,
-    /// The problem that x is to solve.
+    /// The problem to solve.
     pub posed: Posed,
 }
 
 impl Problem {
-    /// The problem under this model, a frozen box frozen at the normal impulses of an x; `None`
-    /// where the LCP stands as it is: under the coupled box, without friction rows, and where
-    /// positions are corrected.
+    /// The problem under this model; a frozen box is frozen at the normal impulses of `frozen_at`.
+    /// `None` if the LCP needs no change: under the coupled box, without friction rows, and for
+    /// position corrections.
     ///
     /// # Errors
-    /// If friction rows do not come in pairs, or a number of directions cannot be used.
+    /// If friction rows do not come in pairs, or the number of directions is invalid.
     pub fn pose(&self, model: Model, frozen_at: &[f64]) -> Result<Option<Posing>> {
         let rubs = self.lcp.coupling().is_some();
         if model == Model::CoupledBox || !rubs || self.stage == Stage::Position {

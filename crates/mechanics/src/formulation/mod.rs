@@ -1,4 +1,5 @@
-//! From physics to the LCP and back: the only bridge between the two columns.
+//! Formulates the LCP of a step from the physics, and converts its answer back to motion; the only
+//! link between the two sides.
 //!
 //! Every stage of a step has the same form. Without constraints the bodies would move with the
 //! *target*: u* = u + dt M⁻¹F, or u itself for an impact, or the accelerations M⁻¹F. Then
@@ -7,9 +8,9 @@
 //! A = J M⁻¹ Jᵀ + diag(γ),   b = J target + bias,   and the answer x moves them with   target + M⁻¹ Jᵀ x
 //! ```
 //!
-//! and only the target and the bias tell the stages apart: velocity.rs, acceleration.rs and
-//! position.rs have one formula each. γ > 0 where a row is a spring; forces that have a bound of
-//! their own act for a duration, dt for an impulse, and not at all in a blow. x ≥ 0 pushes apart.
+//! and the stages differ only in the target and the bias: velocity.rs, acceleration.rs and
+//! position.rs have one formula each. γ > 0 if a row is a spring. Forces with fixed bounds act for
+//! a duration, dt for an impulse, and not at all in an impact. x ≥ 0 pushes apart.
 
 mod acceleration;
 mod delassus;
@@ -32,14 +33,14 @@ use crate::scene::Scene;
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::{Coupling, Gauss, Lcp, Level, file};
 
-/// What an LCP decides within a step.
+/// The quantity that an LCP determines within a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Stage {
     /// The impulses (N s) of a step at velocity level.
     Velocity,
-    /// The impulses (N s) of bodies that hit, before a step at acceleration level.
+    /// The impulses (N s) of an impact, before a step at acceleration level.
     Impact,
-    /// The impulses (N s) again, with rows that bounce.
+    /// The impulses (N s) of the second phase, with restitution.
     Restitution,
     /// The forces (N) of a step at acceleration level.
     Acceleration,
@@ -48,7 +49,7 @@ pub enum Stage {
 }
 
 impl Stage {
-    /// One word for tables and file names.
+    /// The name in tables and file names.
     pub fn name(self) -> &'static str {
         match self {
             Stage::Velocity => "velocity",
@@ -59,7 +60,7 @@ impl Stage {
         }
     }
 
-    /// What the motion is that its x leads to; `None` for displacements.
+    /// The kind of motion that x determines; `None` for displacements.
     fn level(self) -> Option<Level> {
         match self {
             Stage::Velocity | Stage::Impact | Stage::Restitution => Some(Level::Velocity),
@@ -68,8 +69,8 @@ impl Stage {
         }
     }
 
-    /// The x below which a row is at rest: the [scale](Scene::scale) of the scene's forces, or what
-    /// it does in a step.
+    /// The x below which a row counts as at rest: the [scale](Scene::scale) of the scene's forces,
+    /// or its effect in a step.
     fn scale(self, scene: &Scene) -> f64 {
         let (force, dt) = (scene.scale(), scene.step.dt);
         match self {
@@ -79,7 +80,7 @@ impl Stage {
         }
     }
 
-    /// The unit of x for a row that is angular or not.
+    /// The unit of x for an angular or linear row.
     pub fn unit(self, angular: bool) -> &'static str {
         match (self, angular) {
             (Stage::Acceleration, false) => "N",
@@ -92,26 +93,27 @@ impl Stage {
     }
 }
 
-/// An LCP with the matrices it was made of.
+/// An LCP with the matrices it was built from.
 #[derive(Debug, Clone)]
 pub struct Problem {
-    /// What it decides.
+    /// The quantity it determines.
     pub stage: Stage,
-    /// The length of the step it decides (s): 0 for a blow.
+    /// The duration of its step (s): 0 for an impact.
     pub dt: f64,
-    /// The problem in numbers.
+    /// The LCP.
     pub lcp: Lcp,
-    /// The scene at this instant; its rows are the LCP's.
+    /// The scene at this instant; its rows are those of the LCP.
     pub assembly: Assembly,
-    /// The motion without constraints, one entry a column: velocities (m/s, rad/s), at the
-    /// acceleration stage accelerations, at the position stage 0.
+    /// The motion without constraints, one entry per column: velocities (m/s, rad/s); accelerations
+    /// at the acceleration stage; 0 at the position stage.
     pub target: Vec<f64>,
-    /// What is added to J target, one entry a row; of an equality that depends on others what
-    /// follows from theirs.
+    /// The term added to J target, one entry per row; for an equality that depends on others, the
+    /// value that follows from theirs.
     pub bias: Vec<f64>,
-    /// γ, what springs add to the diagonal of A, one entry a row.
+    /// γ, the compliance added to the diagonal of A, one entry per row.
     pub compliance: Vec<f64>,
-    /// The contacts whose friction follows their normal force; in x their tangential rows are 0.
+    /// The contacts whose friction is proportional to their normal force; their tangential rows are
+    /// 0 in x.
     pub slides: Vec<Slide>,
 }
 
@@ -119,16 +121,16 @@ impl Problem {
     /// The impulse LCP of a step at velocity level.
     ///
     /// # Errors
-    /// If a number is not finite, or A takes more memory than the scene allows.
+    /// If a number is not finite, or A needs more memory than the scene allows.
     pub fn velocity(scene: &Scene, assembly: Assembly) -> Result<Self> {
         let bias = velocity::bias(&assembly, scene, scene.step.baumgarte);
         Problem::stepping(scene, assembly, bias)
     }
 
-    /// The same without feedback of errors: what is wrong with positions is left to others.
+    /// The same without feedback of position errors, which are corrected elsewhere.
     ///
     /// # Errors
-    /// If a number is not finite, or A takes too much memory.
+    /// If a number is not finite, or A needs too much memory.
     pub(crate) fn unbiased(scene: &Scene, assembly: Assembly) -> Result<Self> {
         let bias = velocity::bias(&assembly, scene, 0.0);
         Problem::stepping(scene, assembly, bias)
@@ -139,18 +141,19 @@ impl Problem {
         Problem::new(scene, Stage::Velocity, assembly, target, bias, scene.step.dt, Vec::new())
     }
 
-    /// The impulse LCP of bodies that hit: no force, no bias, only J u⁺ ≥ 0.
+    /// The impulse LCP of an impact: no force, no bias, only J u⁺ ≥ 0.
     ///
     /// # Errors
-    /// If a number is not finite, or A takes too much memory.
+    /// If a number is not finite, or A needs too much memory.
     pub fn impact(scene: &Scene, assembly: Assembly) -> Result<Self> {
         let bias = assembly.rows.iter().map(|row| row.drift).collect();
         let target = assembly.u.clone();
         Problem::new(scene, Stage::Impact, assembly, target, bias, 0.0, Vec::new())
     }
 
-    /// The impulse LCP again, for w = J u⁺ + e J u⁻ ≥ 0 in the rows that closed under the first
-    /// answer x and had approached faster than `bounce_speed`; `None` if no row did.
+    /// The impulse LCP with restitution: w = J u⁺ + e J u⁻ ≥ 0 in the rows that closed under the
+    /// first answer x and had approached faster than `bounce_speed`; `None` if there is no such
+    /// row.
     ///
     /// # Errors
     /// If a number is not finite.
@@ -167,15 +170,15 @@ impl Problem {
     /// The force LCP of a step at acceleration level.
     ///
     /// # Errors
-    /// If a number is not finite, or A takes too much memory.
+    /// If a number is not finite, or A needs too much memory.
     pub fn acceleration(scene: &Scene, assembly: Assembly) -> Result<Self> {
         Problem::sliding(scene, assembly, Vec::new())
     }
 
-    /// The same with the friction of sliding contacts put in.
+    /// The same with the friction of sliding contacts substituted.
     ///
     /// # Errors
-    /// If a number is not finite, or A takes too much memory.
+    /// If a number is not finite, or A needs too much memory.
     pub fn sliding(scene: &Scene, assembly: Assembly, slides: Vec<Slide>) -> Result<Self> {
         let target = assembly.accelerate(&assembly.force);
         let bias = acceleration::bias(&assembly, scene);
@@ -185,7 +188,7 @@ impl Problem {
     /// The LCP that corrects positions.
     ///
     /// # Errors
-    /// If a number is not finite, or A takes too much memory.
+    /// If a number is not finite, or A needs too much memory.
     pub fn position(scene: &Scene, assembly: Assembly) -> Result<Self> {
         let target = vec![0.0; assembly.columns()];
         let bias = position::bias(&assembly, scene);
@@ -235,7 +238,7 @@ impl Problem {
         Ok(Problem { stage, dt, lcp, assembly, target, bias, compliance, slides })
     }
 
-    /// The forces or impulses of an answer: x, and the friction that follows from it.
+    /// The forces or impulses of an answer: x, and the friction that depends on it.
     pub fn efforts(&self, x: &[f64]) -> Vec<f64> {
         let mut efforts = x.to_vec();
         for slide in &self.slides {
@@ -246,14 +249,14 @@ impl Problem {
         efforts
     }
 
-    /// The motion with the constraints' x: target + M⁻¹ Jᵀ x.
+    /// The motion with the constraint forces x: target + M⁻¹ Jᵀ x.
     pub fn motion(&self, x: &[f64]) -> Vec<f64> {
         let change = self.assembly.accelerate(&self.assembly.pull_back(&self.efforts(x)));
         self.target.iter().zip(change).map(|(target, change)| target + change).collect()
     }
 
-    /// The velocities u⁺ that x leads to: the motion, u + dt times it at acceleration level, u
-    /// itself at position level.
+    /// The velocities u⁺ that result from x: the motion itself; u + dt times it at acceleration
+    /// level; u at position level.
     pub fn next_velocity(&self, x: &[f64], dt: f64) -> Vec<f64> {
         let motion = self.motion(x);
         match self.stage {
@@ -265,8 +268,8 @@ impl Problem {
         }
     }
 
-    /// The states after the step: s + dt S u⁺, for the states of this instant; at position level
-    /// s + S M⁻¹Jᵀx with the velocities they had.
+    /// The states after the step: s + dt S u⁺ for the current states; at position level s + S
+    /// M⁻¹Jᵀx with unchanged velocities.
     pub fn next_states(&self, states: &[State], x: &[f64], dt: f64) -> Vec<State> {
         if self.stage == Stage::Position {
             let still = vec![State::WORLD; states.len()];
@@ -278,21 +281,21 @@ impl Problem {
         self.assembly.advanced(&moved, dt)
     }
 
-    /// The problem of a file: its numbers, and the bodies and rows that they were made from. With
-    /// sliding contacts A is not that of a minimum, and the file says nothing of bodies.
+    /// The problem as a file: its numbers, and the bodies and rows that they were built from. With
+    /// sliding contacts A does not define a minimization, and the file contains no bodies.
     pub fn in_numbers(&self, name: impl Into<String>) -> file::Problem {
         let motion = self.slides.is_empty().then(|| self.unbounded_by_friction());
         file::Problem { motion, ..file::Problem::new(name, self.lcp.clone()) }
     }
 
-    /// The same motion as a primal program, by Gauss's principle; coupled rows have the bounds that
-    /// x gives them.
+    /// The same motion as a primal program, by Gauss's principle; coupled rows get the bounds that
+    /// follow from x.
     pub fn gauss(&self, x: &[f64]) -> Gauss {
         let (lo, hi) = (0..self.lcp.len()).map(|i| self.lcp.bounds(i, x)).unzip();
         Gauss { lo, hi, ..self.unbounded_by_friction() }
     }
 
-    /// The same with coupled rows that have no bounds.
+    /// The same with unbounded coupled rows.
     pub(crate) fn unbounded_by_friction(&self) -> Gauss {
         let n = self.lcp.len();
         Gauss {
@@ -308,7 +311,7 @@ impl Problem {
     }
 }
 
-/// What is said of a row whose numbers are not finite, instead of a list of them.
+/// The error for a row whose numbers are not finite.
 fn overflow(scene: &Scene, row: &Row) -> Error {
     let reason = "its entries of A and b are too large for 64-bit numbers; check masses, sizes, speeds, forces \
      and dt";
@@ -320,8 +323,8 @@ fn offsets(assembly: &Assembly, target: &[f64], bias: &[f64]) -> Vec<f64> {
     assembly.push_forward(target).iter().zip(bias).map(|(a, b)| a + b).collect()
 }
 
-/// lo and hi of a row: forces, or impulses of forces that act for dt; a blow is too short for
-/// forces that are limited, and a correction of positions is no force at all.
+/// lo and hi of a row: forces, or impulses of forces that act for dt. Limited forces contribute
+/// nothing to an impact, which has no duration, or to position corrections, which involve no force.
 fn limits(row: &Row, stage: Stage, dt: f64) -> (f64, f64) {
     match (stage, row.bounds) {
         (Stage::Impact | Stage::Position, _) if row.is_gentle() => (0.0, 0.0),

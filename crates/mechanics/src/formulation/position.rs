@@ -2,13 +2,13 @@
 //! M⁻¹Jᵀy.
 //!
 //! ```text
-//! bias = c                   equations, and gaps, which stay gaps
+//! bias = c                   equations, and gaps, which stay open
 //!        min(c + slop, 0)    a contact that overlaps
-//!        0                   friction: what is pushed out does not slip
+//!        0                   friction: bodies that are pushed out do not slip
 //! ```
 //!
-//! Nothing moves without corrections, so the target is 0. Motors and springs have no error to
-//! correct.
+//! Nothing moves without corrections, so the target is 0. Motors and springs have no position
+//! error.
 
 use crate::assembly::{Assembly, Row};
 use crate::constraint::Kind;

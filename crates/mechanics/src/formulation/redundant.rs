@@ -1,22 +1,21 @@
-//! Biases of equalities that fix some motion more than once.
+//! Consistent biases for redundant equalities.
 //!
-//! The bias of an equality asks for the motion that takes back an error. Two hinges on one axis ask
-//! for some of it twice: a row of the second is a sum of rows of the first, J_j = Σ z_c J_c, and a
-//! motion that does what both ask for exists only if their biases add up alike. They do to first
-//! order in the errors. They differ by the square of what has drifted, and by the rounding of
-//! places; β/dt or α² multiplies both, and the LCP has no solution. So a row that depends on those
-//! before it asks for what follows from them,
+//! The bias of an equality requests the motion that corrects its error. Two hinges on one axis
+//! request some of it twice: a row of the second is a linear combination of rows of the first,
+//! J_j = Σ z_c J_c, and a motion that satisfies both exists only if their biases satisfy the same
+//! relation. They do so to first order in the errors, but differ by the square of the drift and by
+//! rounding of positions; β/dt or α² multiplies both, and then the LCP has no solution. A row that
+//! depends on earlier rows therefore gets the bias that follows from theirs,
 //!
 //! ```text
 //! bias_j ← Σ z_c bias_c        z = A_CC⁻¹ A_Cj,   C the rows before j that do not depend on others
 //! ```
 //!
-//! unless the two differ by more than that: constraints that contradict each other go on doing so.
-//! The rows of C keep all of their feedback, and where they hold exactly, so does row j: it is the
-//! same joint, seen twice.
+//! unless the two differ by more than drift and rounding: constraints that contradict each other
+//! still do. The rows of C keep all of their feedback, and if they hold exactly, so does row j.
 //!
-//! The rows of one joint are independent, and so are those of joints that form a tree. Only where
-//! bodies and joints close a loop, the world included, is there anything to look for.
+//! The rows of one joint are independent, and so are those of joints that form a tree. Only bodies
+//! and joints that form a loop, possibly through the world, need to be examined.
 
 use std::collections::BTreeMap;
 
@@ -26,21 +25,22 @@ use lcplab_problem::Matrix;
 use lcplab_solver::linalg::envelope::Envelope;
 use lcplab_solver::linalg::ldlt::{Elimination, Ldlt};
 
-/// A row depends on others if its pivot, a_rr minus a sum of squares, has lost all but this part of
-/// a_rr. By rounding alone that much may be left: an entry of A is a sum of 12 products and a pivot
-/// one of c more, so its error is at most (c + 13) ε/2 a_rr κ², where κ, the sum of |z| in units of
-/// 1/√a, is what the lever arms of joints make of it; c = 40 and κ = 40 are 1e-11. Rows that are
-/// independent to less than that lie within 3e-6 rad of depending on each other.
+/// A row is dependent if its pivot, a_rr minus a sum of squares, is below this fraction of a_rr.
+/// Rounding alone can leave that much: an entry of A is a sum of 12 products and a pivot one of c
+/// more, so its error is at most (c + 13) ε/2 a_rr κ², where κ, the sum of |z| in units of 1/√a,
+/// depends on the lever arms of the joints; c = 40 and κ = 40 give 1e-11. Rows below this threshold
+/// are within 3e-6 rad of being dependent.
 const INDEPENDENT: f64 = 1e-11;
 
-/// Biases that differ by this part of them have drifted apart. What differs more is meant:
-/// constraints that contradict each other, of which a solver is to say so.
+/// Biases that differ by less than this fraction have drifted apart. Larger differences are
+/// intended: contradictory constraints, which the solver must report.
 const DRIFT: f64 = 0.1;
-/// So is what differs by more than this part of what the scale of the scene does to the row.
+/// Differences below this fraction of the effect of the scene's force scale on the row are also
+/// ignored.
 const REST: f64 = 1e-4;
 
-/// Has rigid equalities ask for nothing that those before them do not allow, up to drift and
-/// rounding. `scale` is the x below which a row is at rest.
+/// Makes the biases of rigid equalities consistent with those before them, up to drift and
+/// rounding. `scale` is the x below which a row counts as at rest.
 pub(super) fn agree(assembly: &Assembly, a: &Matrix, bias: &mut [f64], scale: f64) {
     for rows in loops(assembly) {
         if rows.iter().any(|&i| bias[i] != 0.0) {
@@ -49,12 +49,12 @@ pub(super) fn agree(assembly: &Assembly, a: &Matrix, bias: &mut [f64], scale: f6
     }
 }
 
-/// Whether a row is an equality that does not yield, between bodies that can move.
+/// Whether a row is an equality without compliance, between bodies that can move.
 fn is_rigid(row: &Row) -> bool {
     row.bounds == Bounds::Bilateral && row.spring.is_none() && row.parts().next().is_some()
 }
 
-/// The rigid equalities of bodies that hang together, of those only that close a loop.
+/// The rigid equalities of connected bodies, for those with a loop.
 fn loops(assembly: &Assembly) -> Vec<Vec<usize>> {
     let rows = &assembly.rows;
     let rigid: Vec<usize> = (0..rows.len()).filter(|&i| is_rigid(&rows[i])).collect();
@@ -79,13 +79,13 @@ fn loops(assembly: &Assembly) -> Vec<Vec<usize>> {
     found.into_values().collect()
 }
 
-/// Bodies that joints connect.
+/// Sets of bodies connected by joints (union-find).
 struct Islands {
-    /// Another body of the island, itself for the one that stands for it.
+    /// The parent of each body in its island; a root is its own parent.
     parent: Vec<usize>,
-    /// Of the body that stands for an island: whether a joint connects it with the world.
+    /// For a root: whether a joint connects the island with the world.
     is_held: Vec<bool>,
-    /// Of the same: whether its joints close a loop.
+    /// For a root: whether its joints form a loop.
     has_loop: Vec<bool>,
 }
 
@@ -105,7 +105,7 @@ impl Islands {
         body
     }
 
-    /// A joint between two bodies.
+    /// Adds a joint between two bodies.
     fn join(&mut self, one: usize, other: usize) {
         let (one, other) = (self.root(one), self.root(other));
         let (root, leaf) = (one.min(other), one.max(other));
@@ -115,7 +115,7 @@ impl Islands {
         self.parent[leaf] = root;
     }
 
-    /// A joint between a body and the world.
+    /// Adds a joint between a body and the world.
     fn hold(&mut self, body: usize) {
         let root = self.root(body);
         self.has_loop[root] |= self.is_held[root];
@@ -123,8 +123,8 @@ impl Islands {
     }
 }
 
-/// Gives the rows that depend on those before them the bias that follows from theirs, if they
-/// differ by no more than drift and rounding.
+/// Gives dependent rows the bias that follows from the earlier rows, if they differ by no more than
+/// drift and rounding.
 fn follow(a: &Matrix, rows: &[usize], bias: &mut [f64], scale: f64) {
     let own = part(a, rows);
     if is_independent(&own) {
@@ -151,7 +151,7 @@ fn follow(a: &Matrix, rows: &[usize], bias: &mut [f64], scale: f64) {
     }
 }
 
-/// These rows and columns of A.
+/// The submatrix of A with these rows and columns.
 fn part(a: &Matrix, rows: &[usize]) -> Matrix {
     let mut place = vec![None; a.len()];
     rows.iter().enumerate().for_each(|(r, &i)| place[i] = Some(r));
@@ -162,8 +162,8 @@ fn part(a: &Matrix, rows: &[usize]) -> Matrix {
     Matrix::sparse(rows.len(), &rows.iter().enumerate().flat_map(entries).collect::<Vec<_>>())
 }
 
-/// Whether no pivot of L D Lᵀ vanishes, rows taken as they come: of a long loop that is found for
-/// much less than the largest pivots.
+/// Whether no pivot of L D Lᵀ vanishes, with rows in the given order: for a long loop this costs
+/// much less than largest-pivot selection.
 fn is_independent(own: &Matrix) -> bool {
     let mut factor = Envelope::of(own);
     let is_factored = factor.factor(own, &vec![0.0; own.len()], |_| false).is_ok();

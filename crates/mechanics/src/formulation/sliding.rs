@@ -1,15 +1,15 @@
-//! A contact that slides at acceleration level: friction is no unknown, it follows the normal
-//! force.
+//! A contact that slides at acceleration level: its friction is not an unknown but proportional to
+//! the normal force.
 //!
 //! ```text
 //! x_t = −μ x_n v_t/|v_t|,   so   Jᵀx = (J_n − μ Σ_t v_t/|v_t| J_t)ᵀ x_n
-//! A_in = J_i M⁻¹ (J_n − μ Σ_t v_t/|v_t| J_t)ᵀ     A is not symmetric any more
+//! A_in = J_i M⁻¹ (J_n − μ Σ_t v_t/|v_t| J_t)ᵀ     A is no longer symmetric
 //! ```
 //!
-//! That is Coulomb's law exactly, as long as the contact slides. But A_nn may be negative: a rod
-//! pushed like chalk is turned into the ground by its own friction, more pressure more so, and
-//! there is no force that helps (Painlevé 1895; Baraff 1993). Row n then proves by itself that the
-//! problem has no solution.
+//! This is exactly Coulomb's law as long as the contact slides. But A_nn may be negative: a rod
+//! pushed like a piece of chalk is turned into the ground by its own friction, the more so the
+//! larger the normal force, and no force satisfies the law (Painlevé 1895; Baraff 1993). Row n
+//! alone then proves that the problem has no solution.
 
 use std::collections::BTreeMap;
 
@@ -27,7 +27,7 @@ pub struct Slide {
 }
 
 impl Slide {
-    /// The sliding contacts whose friction the scene wants to be substituted.
+    /// The sliding contacts whose friction the scene substitutes.
     pub fn of_scene(scene: &Scene, assembly: &Assembly) -> Vec<Slide> {
         match scene.contact.sliding {
             Sliding::Box => Vec::new(),
@@ -53,7 +53,7 @@ impl Slide {
         contacts.into_iter().filter_map(slide).collect()
     }
 
-    /// Whether the slip would turn round, from J u to J u⁺: the contact comes to a stop in between.
+    /// Whether the slip would reverse from J u to J u⁺: the contact stops in between.
     pub fn reverses(&self, before: &[f64], after: &[f64]) -> bool {
         self.drag.iter().map(|&(t, _)| before[t] * after[t]).sum::<f64>() < 0.0
     }

@@ -1,15 +1,15 @@
-//! Static friction above kinetic friction: what sticks is decided with the answer.
+//! Static friction larger than kinetic friction: the answer decides which contacts stick.
 //!
-//! Every contact begins with μ_s. Where the answer slips all the same, static friction cannot hold
-//! it still to the end of the step: it gets μ, and the problem is solved again, until no further
-//! contact slips. So
+//! Every contact starts with μ_s. If it slips in the answer, static friction cannot hold it until
+//! the end of the step: it gets μ, and the problem is solved again, until no other contact slips.
+//! So
 //!
 //! ```text
 //! |x_t| ≤ μ_s x_n   where J_t u⁺ = 0,       |x_t| ≤ μ x_n   where it is not
 //! ```
 //!
-//! whatever the model of friction does with its coefficient. A contact that has got μ keeps it in
-//! this step, so the rounds end. A contact whose friction is substituted slides, with μ.
+//! for any friction model. A contact that has been given μ keeps it in this step, so the iteration
+//! ends. A contact with substituted friction slides, with μ.
 
 use super::Problem;
 use crate::assembly::{Row, Source};
@@ -18,12 +18,12 @@ use crate::scene::Scene;
 use lcplab_problem::Coupling;
 use lcplab_problem::error::Result;
 
-/// A slip beside that which static friction could stop, above which a contact slips: below it the
-/// answer is as good as still, also one of sweeps that ended early.
+/// The slip, relative to that which static friction could stop, above which a contact slips.
+/// Smaller slip counts as zero, also in an answer of sweeps that stopped early.
 const SLIPS: f64 = 1e-4;
 
 impl Problem {
-    /// The problem with static friction in all contacts whose friction is unknown.
+    /// The problem with static friction in all contacts with unknown friction.
     ///
     /// # Errors
     /// If a coefficient is not finite.
@@ -37,7 +37,7 @@ impl Problem {
     }
 
     /// The problem with kinetic friction in the contacts that had static friction and slip under
-    /// the answer x, an entry a row; `None` if none does.
+    /// the answer x (one entry per row); `None` if there are none.
     ///
     /// # Errors
     /// If a coefficient is not finite.
@@ -62,8 +62,8 @@ impl Problem {
         self.clone().with_friction(own).map(Some)
     }
 
-    /// The problem with other coefficients of friction, each from its normal row, its row and what
-    /// it was.
+    /// The problem with other coefficients of friction, computed from the normal row, the row and
+    /// the old coefficient.
     fn with_friction(mut self, own: impl Fn(usize, &Row, f64) -> f64) -> Result<Self> {
         let mut index = vec![None; self.lcp.len()];
         let mut coefficients = vec![0.0; self.lcp.len()];

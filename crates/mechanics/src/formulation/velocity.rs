@@ -9,9 +9,9 @@
 //!        β/dt c, γ on the diagonal  a spring, with its own β
 //! ```
 //!
-//! β/dt is the corrected feedback; the chapter prints others, see [`Feedback`]. A row that bounces
-//! has the bias e J u⁻ instead, never beside: a bias added to the bounce would turn a position
-//! error into energy. K&M Code 7 has −x (see the errata).
+//! β/dt is the corrected feedback; the chapter prints other factors, see [`Feedback`]. A row that
+//! bounces has the bias e J u⁻ instead, never both: feedback added to a bounce would turn a
+//! position error into energy. K&M Code 7 has −x (see the errata).
 
 use super::{Problem, Stage};
 use crate::assembly::{Assembly, Row};
@@ -27,16 +27,16 @@ pub(super) fn target(assembly: &Assembly, dt: f64) -> Vec<f64> {
 /// The bias of rows.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bias {
-    /// The length of a step (s).
+    /// The duration of a step (s).
     dt: f64,
-    /// What errors are multiplied by: β/dt (1/s), or what the chapter prints.
+    /// The factor on errors: β/dt (1/s), or as the chapter prints it.
     feedback: f64,
-    /// The overlap of a contact that may stay (m).
+    /// The overlap of a contact that is not corrected (m).
     slop: f64,
 }
 
 impl Bias {
-    /// That of a scene's steps, with the part `beta` of the errors fed back.
+    /// The bias for a scene's steps, with the fraction `beta` of the errors fed back.
     pub fn new(scene: &Scene, beta: f64) -> Self {
         let dt = scene.step.dt;
         let feedback = match scene.step.feedback {
@@ -67,7 +67,7 @@ impl Bias {
     }
 }
 
-/// The bias of each row, with the part `beta` of the errors fed back.
+/// The bias of each row, with the fraction `beta` of the errors fed back.
 pub(super) fn bias(assembly: &Assembly, scene: &Scene, beta: f64) -> Vec<f64> {
     let bias = Bias::new(scene, beta);
     let rows = assembly.rows.iter();
@@ -75,7 +75,7 @@ pub(super) fn bias(assembly: &Assembly, scene: &Scene, beta: f64) -> Vec<f64> {
     rows.map(|row| own(row) + row.drift).collect()
 }
 
-/// The bias with e J u⁻ in the rows that bounce after the answer x, if any does.
+/// The bias with e J u⁻ in the rows that bounce after the answer x; `None` if there are none.
 pub(super) fn bouncing(problem: &Problem, scene: &Scene, x: &[f64]) -> Option<Vec<f64>> {
     debug_assert!(matches!(problem.stage, Stage::Velocity | Stage::Impact));
     let e = |row: &Row| scene.restitution(row.bodies);
@@ -100,12 +100,12 @@ pub(super) fn bouncing(problem: &Problem, scene: &Scene, x: &[f64]) -> Option<Ve
     any.then_some(bias)
 }
 
-/// Of the speed of its approach, a contact that has closed has kept no more than this part.
+/// A closed contact has kept at most this fraction of its approach speed.
 const CLOSED: f64 = 1e-6;
 
-/// Whether a contact with the answer x and w has closed, after an approach with `velocity` = J u⁻
-/// < 0. At a solution that is w = 0, which is unique where x is not; x > 0 says it where sweeps
-/// ended early.
+/// Whether a contact with the answer x and w has closed, after approaching with `velocity` = J u⁻
+/// < 0. At a solution that means w = 0, which is unique even if x is not; x > 0 also indicates it
+/// if sweeps stopped early.
 pub(crate) fn has_closed(x: f64, w: f64, velocity: f64) -> bool {
     x > 0.0 || w <= CLOSED * -velocity
 }

@@ -1,5 +1,5 @@
-//! From a description to a scene: every defect is found, none is repaired. Constraints: see
-//! [`joints`](super::joints).
+//! Builds a scene from a description; every defect is reported, none is repaired. For constraints
+//! see [`joints`](super::joints).
 
 use std::collections::{BTreeMap, HashMap};
 use std::f64::consts::TAU;
@@ -16,9 +16,9 @@ use crate::body::{Body, Cylinder, Mass, Placed, Polytope, Pose, Shape, State, in
 use lcplab_problem::error::{Defects, Result};
 use lcplab_problem::memory::Memory;
 
-/// The mass of a body whose own cannot be used: one that causes no further defects.
+/// A placeholder for an invalid mass, which causes no further defects.
 const STAND_IN: Mass = Mass::Point { mass: 1.0 };
-/// Its shape.
+/// A placeholder for an invalid shape.
 const SHAPE_STAND_IN: Shape = Shape::Sphere { radius: 1.0 };
 
 pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
@@ -118,8 +118,8 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
     Ok(scene)
 }
 
-/// The description with nothing left to look up or to work out: structures as bodies, a tilt as
-/// gravity, and of each body its mass, moments, quaternion, coefficients and velocities.
+/// The description with everything made explicit: structures as bodies, a tilt as gravity, and for
+/// each body its mass, moments, quaternion, coefficients and velocities.
 pub(super) fn written_out(name: &str, description: &Description) -> Result<Description> {
     let scene = scene(name, description)?;
     let mut whole = generate::expand(description, &mut Defects::default());
@@ -153,7 +153,7 @@ fn stem(name: &str) -> String {
     Path::new(name).file_stem().map_or_else(|| name.into(), |stem| stem.to_string_lossy().into())
 }
 
-/// What acts on a body must be finite, and able to act on it.
+/// Checks the forces on a body: they must be finite, and able to act on it.
 fn build_force(defects: &mut Defects, place: &str, body: &description::Body) {
     let is_point = body.shape == description::Shape::Point;
     let given = [("force", body.force), ("torque", body.torque)];
@@ -168,7 +168,7 @@ fn build_force(defects: &mut Defects, place: &str, body: &description::Body) {
     }
 }
 
-/// Gravity in coordinates along a scene that leans.
+/// Gravity in the coordinates of a tilted scene.
 fn leaning(defects: &mut Defects, whole: &Description) -> Vector3<f64> {
     let gravity: Vector3<f64> = whole.gravity.into();
     match whole.tilt.map(|tilt| turn(&tilt)) {
@@ -181,8 +181,8 @@ fn leaning(defects: &mut Defects, whole: &Description) -> Vector3<f64> {
     }
 }
 
-/// The shape in the body's frame, and that frame in the axes in which the shape is written: they
-/// differ for hulls and compounds only.
+/// The shape in the body's frame, and the pose of that frame in the axes of the description; they
+/// differ only for hulls and compounds.
 fn build_shape(defects: &mut Defects, place: &str, shape: &description::Shape) -> (Shape, Pose) {
     let place = format!("{place}.shape");
     let mut is_length =
@@ -219,7 +219,7 @@ fn build_shape(defects: &mut Defects, place: &str, shape: &description::Shape) -
     (shape.unwrap_or(SHAPE_STAND_IN), State::WORLD.pose)
 }
 
-/// The prism that stands for a cylinder along z.
+/// The prism that approximates a cylinder along z.
 fn build_cylinder(length: f64, radius: f64) -> (Shape, Pose) {
     let points: Vec<Vector3<f64>> = prism(length, radius).into_iter().map(Vector3::from).collect();
     let (centre, axis) = (Vector3::zeros(), Vector3::z());
@@ -280,10 +280,10 @@ fn build_compound(defects: &mut Defects, place: &str, parts: &[Part]) -> (Shape,
     (Shape::Compound(Arc::new(placed)), frame)
 }
 
-/// The sides of the prism that stands for a cylinder.
+/// The number of sides of the prism that approximates a cylinder.
 const SIDES: usize = 32;
 
-/// The corners of a prism along z with as much volume as the cylinder.
+/// The corners of a prism along z with the same volume as the cylinder.
 fn prism(length: f64, radius: f64) -> Vec<[f64; 3]> {
     let step = TAU / SIDES as f64;
     let reach = radius * (step / libm::sin(step)).sqrt();
@@ -339,7 +339,7 @@ fn build_mass(defects: &mut Defects, place: &str, body: &description::Body, shap
     }
 }
 
-/// The mass (kg) that is given, or that of the density given.
+/// The given mass (kg), or the mass from the given density.
 fn weigh(
     defects: &mut Defects,
     place: &str,
@@ -365,7 +365,7 @@ fn weigh(
     }
 }
 
-/// Moments that are given: positive, and none exceeds the sum of the other two.
+/// Checks given moments: they must be positive, and none may exceed the sum of the other two.
 fn check_moments(defects: &mut Defects, place: &str, body: &str, moments: &Vector3<f64>) {
     let what = format!("body {body:?}: moment of inertia");
     for &moment in moments {
@@ -381,7 +381,7 @@ fn check_moments(defects: &mut Defects, place: &str, body: &str, moments: &Vecto
     }
 }
 
-/// A body that begins elsewhere.
+/// A body with a given initial state.
 fn started(body: &description::Body, start: &description::Start) -> description::Body {
     description::Body {
         position: start.position,
@@ -425,7 +425,7 @@ fn build_state(
 
 fn turn(rotation: &Rotation) -> Option<UnitQuaternion<f64>> {
     let about = |axis: Vector3<f64>, degrees: f64| {
-        // The sine of libm has the same bits on every platform.
+        // libm's sine is bitwise identical on every platform.
         let (sin, cos) = libm::sincos(0.5 * degrees.to_radians());
         let q = Quaternion::from_parts(cos, axis * sin);
         degrees.is_finite().then(|| UnitQuaternion::new_unchecked(q))
@@ -442,7 +442,7 @@ fn turn(rotation: &Rotation) -> Option<UnitQuaternion<f64>> {
     }
 }
 
-/// The unit vector along three numbers.
+/// The unit vector along these three numbers.
 pub(super) fn direction(defects: &mut Defects, place: &str, vector: &[f64; 3]) -> Vector3<f64> {
     let vector = Vector3::from(*vector);
     let norm = vector.norm();

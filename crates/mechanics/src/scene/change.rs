@@ -1,15 +1,15 @@
-//! Fields of a scene file set to other values: what `--set key=value` does.
+//! Overrides fields of a scene file, as `--set key=value` does.
 
 use toml::{Table, Value};
 
 use super::Description;
 use lcplab_problem::error::{Error, Result};
 
-/// Short names of what is changed most.
+/// Short names for the most common fields.
 const SHORT: [(&str, &str); 3] =
     [("mu", "contact.friction"), ("dt", "step.dt"), ("angle", "tilt.y")];
 
-/// The description in a text with these fields changed.
+/// The description in a text with these overrides.
 pub(super) fn changed(path: &str, text: &str, changes: &[(String, String)]) -> Result<Description> {
     Description::from_toml(path, text)?; // its defects have lines, those of the changed one have not
     let mut table = table(path, text, &[])?;
@@ -23,7 +23,8 @@ pub(super) fn changed(path: &str, text: &str, changes: &[(String, String)]) -> R
     description.map_or_else(|| Description::from_toml(path, text), Ok)
 }
 
-/// The error of a changed text: its lines are nobody's, the change is what is wrong.
+/// Adapts the error of a modified text: its line numbers are meaningless, and the cause is the
+/// override.
 fn of_change(error: Error, key: &str) -> Error {
     match error {
         Error::Invalid { input, defects } => {
@@ -39,7 +40,7 @@ fn of_change(error: Error, key: &str) -> Error {
     }
 }
 
-/// The fields of a text, with these changed.
+/// The fields of a text with these overrides.
 pub(super) fn table(path: &str, text: &str, changes: &[(String, String)]) -> Result<Table> {
     let mut table: Table = text
         .parse()
@@ -48,14 +49,14 @@ pub(super) fn table(path: &str, text: &str, changes: &[(String, String)]) -> Res
     Ok(table)
 }
 
-/// Sets a field, which may be written short.
+/// Sets a field, which may have a short name.
 fn apply(path: &str, table: &mut Table, (key, value): &(String, String)) -> Result<()> {
     let short = SHORT.iter().find(|(short, _)| short == key);
     let key = short.map_or(key.as_str(), |(_, long)| long);
     set(table, key, value).map_err(|reason| Error::invalid(path, key, reason))
 }
 
-/// Sets the field of this name; a table that is not there yet is made.
+/// Sets the field with this name; creates missing tables.
 fn set(table: &mut Table, key: &str, value: &str) -> std::result::Result<(), String> {
     let (parents, last) = key.rsplit_once('.').map_or(("", key), |(parents, last)| (parents, last));
     let mut place = table;
@@ -82,7 +83,7 @@ fn item_of<'a>(items: &'a mut [Value], name: &str) -> Option<&'a mut Table> {
     items.get_mut(index)?.as_table_mut()
 }
 
-/// A value in TOML, or a text where it is none.
+/// A TOML value, or a string if it is not valid TOML.
 fn parsed(value: &str) -> Value {
     let table = format!("value = {value}").parse::<Table>().ok();
     let value_of = |mut table: Table| table.remove("value").filter(|_| table.is_empty());

@@ -1,4 +1,4 @@
-//! Vectors that depend on time: the forces on bodies, and how supports are moved.
+//! Time-dependent vectors: the forces on bodies, and the motion of supports.
 
 use nalgebra::Vector3;
 use schemars::JsonSchema;
@@ -20,7 +20,7 @@ use lcplab_problem::error::Defects;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Course {
-    /// Rows of a time (s), ascending, and the vector's x, y and z then; straight between them.
+    /// Rows of a time (s), ascending, and the vector's x, y and z at that time; linear in between.
     Table(Vec<[f64; 4]>),
     /// amplitude · sin(angular_frequency · t + phase).
     Sine(Sine),
@@ -48,7 +48,7 @@ impl Course {
         }
     }
 
-    /// Its mean over the time from `from` to `from + h` (s), h > 0.
+    /// The mean over the time from `from` to `from + h` (s), h > 0.
     pub fn mean(&self, from: f64, h: f64) -> Vector3<f64> {
         match self {
             Course::Table(rows) => mean(rows, from, h),
@@ -59,7 +59,7 @@ impl Course {
         }
     }
 
-    /// Whether it can be used.
+    /// Checks that it is valid.
     pub(super) fn check(&self, defects: &mut Defects, place: &str) {
         match self {
             Course::Table(rows) => {
@@ -115,7 +115,7 @@ fn between(rows: &[[f64; 4]], time: f64) -> Vector3<f64> {
     }
 }
 
-/// The mean of a table: trapezoids from corner to corner.
+/// The mean of a table by the trapezoidal rule, exact for linear segments.
 fn mean(rows: &[[f64; 4]], from: f64, h: f64) -> Vector3<f64> {
     let to = from + h;
     let corners = rows.iter().map(|row| row[0]).filter(|&time| from < time && time < to);

@@ -1,4 +1,5 @@
-//! The scene file, field by field. SI units; angles in radians unless the name says degrees.
+//! The scene file, field by field. SI units; angles are in radians unless the field's description
+//! says degrees.
 //!
 //! ```toml
 //! title = "A ball on the ground"
@@ -27,27 +28,27 @@ use super::generate::Generator;
 use super::settings::{Contacts, Solver, Step};
 use lcplab_problem::error::Result;
 
-/// A scene as it is written down. [`Scene::new`](super::Scene::new) makes a scene of it.
+/// A scene description. [`Scene::new`](super::Scene::new) builds a scene from it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Description {
-    /// One line for lists.
+    /// A title for lists, one line.
     pub title: String,
     /// What the scene teaches, and what must hold in it.
     pub teaches: String,
     /// The acceleration of gravity (m/s²).
     pub gravity: [f64; 3],
-    /// How the whole scene leans, in degrees: `{ y = 17 }` makes a slope of 17 degrees, down along
-    /// x, of a level ground and all that stands on it. Coordinates stay along the slope; gravity is
-    /// turned.
+    /// The inclination of the whole scene, in degrees: `{ y = 17 }` turns level ground and
+    /// everything on it into a slope of 17 degrees, down along x. Coordinates stay along the slope;
+    /// gravity is rotated.
     pub tilt: Option<Rotation>,
     /// The time (s) at which the simulation begins, for forces and supports that depend on it.
     pub time: f64,
-    /// How a step is taken.
+    /// The settings of a time step.
     pub step: Step,
-    /// When contacts count, and what they do.
+    /// The settings of contacts.
     pub contact: Contacts,
-    /// Which solver to use.
+    /// The solver and its settings.
     pub solver: Solver,
     /// Regular structures, added to the bodies and constraints.
     #[schemars(schema_with = "one_or_several::<Generator>")]
@@ -55,23 +56,23 @@ pub struct Description {
     /// The bodies.
     #[schemars(schema_with = "one_or_several::<Body>")]
     pub bodies: Vec<Body>,
-    /// The constraints; contacts are found, not written.
+    /// The constraints; contacts are detected, not listed.
     #[schemars(schema_with = "one_or_several::<Constraint>")]
     pub constraints: Vec<Constraint>,
-    /// Where bodies are when the simulation begins, if not where joints were made: what `simulate`
-    /// saves.
+    /// The states of bodies at the start of the simulation, if they differ from those in which
+    /// joints are defined; `simulate` saves these.
     pub start: Vec<Start>,
-    /// What pairs of bodies do to each other, in place of what follows from their surfaces.
+    /// Surface properties of pairs of bodies, overriding those of the bodies.
     #[schemars(schema_with = "one_or_several::<Pair>")]
     pub pairs: Vec<Pair>,
 }
 
 impl Description {
-    /// The description in a text in the scene format, as it is written: whether it makes a scene is
-    /// what [`Scene::new`](super::Scene::new) finds out. `path` stands in the messages.
+    /// Parses a description in the scene format; [`Scene::new`](super::Scene::new) checks whether
+    /// it is a valid scene. `path` is used in messages.
     ///
     /// # Errors
-    /// One error with every defect, each with its line.
+    /// A single error that lists every defect with its line.
     pub fn from_toml(path: &str, text: &str) -> Result<Self> {
         super::file::description(path, text)
     }
@@ -80,7 +81,7 @@ impl Description {
     /// [`Scene::load_with`](super::Scene::load_with).
     ///
     /// # Errors
-    /// As that one.
+    /// As for [`Scene::load_with`](super::Scene::load_with).
     pub fn load_with(path_or_name: &str, changes: &[(String, String)]) -> Result<Self> {
         let (path, text) = super::text(path_or_name)?;
         match changes {
@@ -89,12 +90,12 @@ impl Description {
         }
     }
 
-    /// The same scene for a program that knows no defaults of this one: structures written out as
-    /// bodies, a tilt as gravity, and of each body mass, moments (unless its shape implies them),
-    /// quaternion, coefficients and velocities. `name` stands in the messages.
+    /// The same scene with all defaults written out, for other programs: structures as bodies, a
+    /// tilt as gravity, and for each body mass, moments (unless its shape implies them),
+    /// quaternion, coefficients and velocities. `name` is used in messages.
     ///
     /// # Errors
-    /// As [`Scene::new`](super::Scene::new).
+    /// As for [`Scene::new`](super::Scene::new).
     ///
     /// ```
     /// use lcplab_mechanics::scene::{Description, text};
@@ -136,25 +137,25 @@ impl Default for Description {
 pub struct Body {
     /// The name that constraints use.
     pub name: String,
-    /// What it looks like.
+    /// The shape.
     pub shape: Shape,
-    /// Whether nothing moves it: it keeps its velocities, which are 0 for the ground, and not for a
-    /// belt, a turntable or a lift.
+    /// Whether the body is fixed: no force moves it and it keeps its velocities, which are 0 for
+    /// the ground, but not for a belt, a turntable or a lift.
     #[serde(default)]
     pub fixed: bool,
     /// Mass (kg).
     #[serde(default)]
     pub mass: Option<f64>,
-    /// Density (kg/m³), in place of the mass.
+    /// Density (kg/m³), instead of the mass.
     #[serde(default)]
     pub density: Option<f64>,
-    /// Principal moments of inertia (kg m²), in place of those of a homogeneous body.
+    /// Principal moments of inertia (kg m²), instead of those of a homogeneous body.
     #[serde(default)]
     pub inertia: Option<[f64; 3]>,
-    /// The centre of mass (m); of a plane, any point of it; of a hull, the origin of its points.
+    /// The center of mass (m); for a plane, any point on it; for a hull, the origin of its points.
     #[serde(default)]
     pub position: [f64; 3],
-    /// The orientation; by default the body's axes are the world's. Of a hull, the orientation of
+    /// The orientation; by default the body's axes are the world's. For a hull, the orientation of
     /// the axes in which its points are given.
     #[serde(default)]
     pub rotation: Option<Rotation>,
@@ -164,30 +165,31 @@ pub struct Body {
     /// Angular velocity (rad/s), world axes.
     #[serde(default)]
     pub angular_velocity: [f64; 3],
-    /// Coefficient of friction; by default that of `[contact]`. A pair has the geometric mean.
+    /// Coefficient of friction; by default that of `[contact]`. A pair uses the geometric mean.
     #[serde(default)]
     pub friction: Option<f64>,
-    /// Coefficient of static friction, no less than `friction`; by default `friction` where the
-    /// body states it, else that of `[contact]`. A pair has the geometric mean.
+    /// Coefficient of static friction, not below `friction`; by default the body's `friction` if
+    /// given, otherwise that of `[contact]`. A pair uses the geometric mean.
     #[serde(default)]
     pub static_friction: Option<f64>,
-    /// Coefficient of restitution, 0 to 1; by default that of `[contact]`. A pair has the geometric
-    /// mean.
+    /// Coefficient of restitution, 0 to 1; by default that of `[contact]`. A pair uses the
+    /// geometric mean.
     #[serde(default)]
     pub restitution: Option<f64>,
-    /// A constant force (N, world), beside gravity.
+    /// A constant force (N, world) in addition to gravity.
     #[serde(default)]
     pub force: [f64; 3],
     /// The point of the body on which the force acts (m, from `position`, in the body's axes); by
-    /// default the centre of mass.
+    /// default the center of mass.
     #[serde(default)]
     pub force_at: Option<[f64; 3]>,
-    /// A force (N, world) that is added to `force`, at the same point, as a function of time:
-    /// `{ sine = { amplitude = [5, 0, 0], angular_frequency = 3 } }`, or
-    /// `{ table = [[0, 0, 0, 0], [1, 5, 0, 0]] }` with rows of time (s), x, y, z.
+    /// A time-dependent force (N, world) added to `force`, at the same point: `{ sine = {
+    /// amplitude = [5, 0, 0], angular_frequency = 3 } }`, or `{ table = [[0, 0, 0, 0], [1, 5, 0,
+    /// 0]] }` with rows of time (s), x, y, z.
     #[serde(default)]
     pub force_over_time: Option<Course>,
-    /// Where a fixed body is (m, world, from `position`) as a function of time, written likewise.
+    /// The time-dependent displacement (m, world) of a fixed body from `position`, in the same
+    /// format.
     #[serde(default)]
     pub displacement_over_time: Option<Course>,
     /// A constant torque (N m, world).
@@ -195,8 +197,8 @@ pub struct Body {
     pub torque: [f64; 3],
 }
 
-/// What two bodies do to each other where they touch, in place of what follows from their surfaces.
-/// What is not stated still follows from them.
+/// Surface properties of two bodies, overriding those of the bodies. Fields that are not given
+/// still follow from the bodies.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Pair {
@@ -205,8 +207,8 @@ pub struct Pair {
     /// Coefficient of friction.
     #[serde(default)]
     pub friction: Option<f64>,
-    /// Coefficient of static friction, no less than `friction`; by default `friction` where the
-    /// pair states it.
+    /// Coefficient of static friction, not below `friction`; by default the pair's `friction` if
+    /// given.
     #[serde(default)]
     pub static_friction: Option<f64>,
     /// Coefficient of restitution, 0 to 1.
@@ -214,15 +216,16 @@ pub struct Pair {
     pub restitution: Option<f64>,
 }
 
-/// The state in which a body begins, as a row of trajectory.csv has it.
+/// The initial state of a body, as in a row of trajectory.csv.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Start {
     /// The body's name.
     pub body: String,
-    /// Its centre of mass (m).
+    /// Its center of mass (m).
     pub position: [f64; 3],
-    /// The quaternion [w, x, y, z] that turns its principal axes to the world's; a point has none.
+    /// The quaternion [w, x, y, z] that rotates its principal axes to the world's; a point has
+    /// none.
     #[serde(default)]
     pub orientation: Option<[f64; 4]>,
     /// Velocity (m/s).
@@ -233,26 +236,27 @@ pub struct Start {
     pub angular_velocity: [f64; 3],
 }
 
-/// The shape of a body, as `"point"` or `{ sphere = 0.5 }`.
+/// The shape of a body, such as `"point"` or `{ sphere = 0.5 }`.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Shape {
-    /// A point mass: it has a place but no orientation, and touches all but other points.
+    /// A point mass: it has a position but no orientation, and touches everything except other
+    /// points.
     #[default]
     Point,
     /// A ball of this radius (m).
     Sphere(f64),
     /// A box with these edge lengths (m).
     Box([f64; 3]),
-    /// A cylinder along z with half balls at its ends.
+    /// A capsule: a cylinder along z with half balls at its ends.
     Capsule(Capsule),
-    /// A cylinder along z, disc and wheel too: round on planes and on the faces of boxes and hulls,
-    /// to all else a prism with 32 sides.
+    /// A cylinder along z, also for disks and wheels: round on planes and on the faces of boxes and
+    /// hulls, a prism with 32 sides for all other shapes.
     Cylinder(Capsule),
     /// The convex hull of these points (m), which must span a volume.
     Hull(Vec<[f64; 3]>),
-    /// Several shapes that move as one, as `{ compound = [{ shape = { sphere = 0.2 }, position =
-    /// [0, 0, 1] }] }`. Where two overlap, the matter counts twice.
+    /// Several shapes that move as one body, such as `{ compound = [{ shape = { sphere = 0.2 },
+    /// position = [0, 0, 1] }] }`. Mass in overlaps counts twice.
     Compound(Vec<Part>),
     /// The half space below a plane with this normal (any length); must be fixed.
     Plane([f64; 3]),
@@ -264,10 +268,10 @@ pub enum Shape {
 pub struct Part {
     /// A sphere, a box, a capsule, a cylinder or a hull.
     pub shape: Shape,
-    /// Where its origin is (m), in the axes in which the body is written.
+    /// The position of its origin (m), in the axes of the body's description.
     #[serde(default)]
     pub position: [f64; 3],
-    /// How it is turned in these axes.
+    /// Its orientation in these axes.
     #[serde(default)]
     pub rotation: Option<Rotation>,
 }
@@ -288,43 +292,43 @@ pub struct Capsule {
 pub enum Rotation {
     /// A quaternion [w, x, y, z] (any length but 0).
     Quaternion([f64; 4]),
-    /// Turned about the world's x axis by so many degrees.
+    /// Rotated about the world's x axis by this angle (degrees).
     X(f64),
-    /// Turned about the world's y axis by so many degrees.
+    /// Rotated about the world's y axis by this angle (degrees).
     Y(f64),
-    /// Turned about the world's z axis by so many degrees.
+    /// Rotated about the world's z axis by this angle (degrees).
     Z(f64),
 }
 
-/// A constraint. It holds at the initial positions, except for a distance with its own length; what
-/// has an angle or a displacement counts it from there.
+/// A constraint. It is satisfied at the initial positions, except for a distance with its own
+/// length; angles and displacements are measured from there.
 /// [`constraint::ALL`](crate::constraint::ALL), and `lcplab scenes --joints`, list the kinds and
-/// which fields each has.
+/// the fields of each.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Constraint {
-    /// What is kept: the name of a joint, such as `ball`.
+    /// The kind of joint, such as `ball`.
     #[schemars(schema_with = "kinds")]
     pub kind: String,
     /// The names of one body (joined to the world) or two.
     pub bodies: Vec<String>,
-    /// The joint's place (m, world, at the start); by default the centre of the last body named.
+    /// The joint's position (m, world, at the start); by default the center of the last body.
     #[serde(default)]
     pub point: Option<[f64; 3]>,
     /// The two ends (m, world, at the start), in the order of the bodies, the world first; by
-    /// default the centres of two bodies.
+    /// default the centers of the two bodies.
     #[serde(default)]
     pub points: Option<[[f64; 3]; 2]>,
-    /// The length (m); by default the distance at the start. Of a rack the radius of its wheel.
+    /// The length (m); by default the distance at the start. For a rack, the radius of its wheel.
     #[serde(default)]
     pub length: Option<f64>,
     /// The axis (any length), fixed to the first of two bodies or to the world; in world axes at
     /// the start.
     #[serde(default)]
     pub axis: Option<[f64; 3]>,
-    /// Two axes (any length) in world axes at the start: of a universal joint the first on the
-    /// first of two bodies or the world, the second on the other body; of a gear those of its
-    /// wheels, of a rack that of its wheel and the direction of the other body.
+    /// Two axes (any length) in world axes at the start. For a universal joint, the first is fixed
+    /// to the first of two bodies or the world, the second to the other body; for a gear, they are
+    /// those of its wheels; for a rack, that of its wheel and the direction of the other body.
     #[serde(default)]
     pub axes: Option<[[f64; 3]; 2]>,
     /// The half angle of a cone (rad).
@@ -334,15 +338,14 @@ pub struct Constraint {
     /// infinite.
     #[serde(default)]
     pub limits: Option<[f64; 2]>,
-    /// The speed of a motor (m/s or rad/s), that of the last body against the other.
+    /// The speed of a motor (m/s or rad/s), that of the last body relative to the other.
     #[serde(default)]
     pub speed: Option<f64>,
-    /// The speed at which the last body starts to turn on a hinge (rad/s) or to move on a slider
-    /// (m/s), against the other body. Where that one has a `start_speed` too, its joint must come
-    /// earlier in the file.
+    /// The initial speed of the last body on a hinge (rad/s) or a slider (m/s), relative to the
+    /// other body. If that one has a `start_speed` too, its joint must come earlier in the file.
     #[serde(default)]
     pub start_speed: Option<f64>,
-    /// The greatest force of a motor (N or N m).
+    /// The maximum force of a motor (N or N m).
     #[serde(default)]
     pub effort: Option<f64>,
     /// The stiffness of a spring (N/m or N m/rad).
@@ -356,7 +359,7 @@ pub struct Constraint {
     pub teeth: Option<[u32; 2]>,
 }
 
-/// The schema of a list that may also be its only item.
+/// The schema of a list that may also be written as its only item.
 fn one_or_several<T: JsonSchema>(schemas: &mut schemars::SchemaGenerator) -> schemars::Schema {
     let one = schemas.subschema_for::<T>();
     let several = schemas.subschema_for::<Vec<T>>();

@@ -1,8 +1,8 @@
-//! Bodies on which something acts that depends on time.
+//! Bodies with time-dependent forces or motions.
 //!
-//! A step of h (s) from t takes the mean force over [t, t + h], so that its impulse is exact;
-//! integrators with stages take the force at the time of each. A support is moved with the mean
-//! velocity over the step, so that it is where it should be at the end of each.
+//! A step of h (s) from t uses the mean force over [t, t + h], so that its impulse is exact;
+//! integrators with stages use the force at the time of each stage. A support moves with the mean
+//! velocity over the step, so that its position at the end of each step is exact.
 
 use std::borrow::Cow;
 
@@ -12,14 +12,14 @@ use super::{Course, Scene, Scheme, description};
 use crate::body::State;
 use lcplab_problem::error::Defects;
 
-/// What depends on time of a body.
+/// The time-dependent force and motion of a body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Driven {
     /// The body.
     pub body: usize,
-    /// The constant force on it (N, world), and what is added to that.
+    /// The constant force on it (N, world), and the time-dependent force added to it.
     pub force: Option<(Vector3<f64>, Course)>,
-    /// Where it is (m, world) at displacement 0, and its displacement.
+    /// Its position (m, world) at displacement 0, and its displacement.
     pub displacement: Option<(Vector3<f64>, Course)>,
 }
 
@@ -40,7 +40,7 @@ impl Scene {
         Cow::Owned(scene)
     }
 
-    /// The states with the supports where they are at a time (s), on their way for a step of h (s).
+    /// The states with the supports at their positions at a time (s), moving for a step of h (s).
     pub fn supported<'s>(&self, states: &'s [State], time: f64, h: f64) -> Cow<'s, [State]> {
         let mut states = Cow::Borrowed(states);
         for driven in &self.driven {
@@ -55,7 +55,7 @@ impl Scene {
     }
 }
 
-/// What of a body depends on time, if anything does.
+/// The time-dependent force and motion of a body, if there are any.
 pub(super) fn of_body(
     defects: &mut Defects,
     place: &str,
@@ -90,7 +90,7 @@ pub(super) fn of_body(
     (driven.force.is_some() || driven.displacement.is_some()).then_some(driven)
 }
 
-/// Whether the scheme can follow what depends on time.
+/// Checks that the scheme supports time-dependent forces and motions.
 pub(super) fn check_scheme(defects: &mut Defects, scene: &Scene) {
     let moved = scene.driven.iter().find(|driven| driven.displacement.is_some());
     if let (Scheme::Acceleration, Some(driven)) = (scene.step.scheme, moved) {

@@ -1,8 +1,9 @@
-//! Reading a scene file: each defect with its line and field.
+//! Reads scene files and reports each defect with its line and field.
 //!
-//! Two kinds of defects: what is no scene at all (syntax, an unknown key, a text for a number),
-//! all of them at once; and what is no possible scene (a negative mass, an
-//! unknown body), found by [`Scene::new`]. The latter knows only the field; its line is looked up.
+//! There are two kinds of defects. Text that is not a scene description (syntax, an unknown key, a
+//! string for a number) is reported completely by this module. A description that is not a valid
+//! scene (a negative mass, an unknown body) is reported by [`Scene::new`], which knows only the
+//! field; its line is looked up.
 
 use serde::de::DeserializeOwned;
 use toml::Spanned;
@@ -24,7 +25,7 @@ pub(super) fn parse(path: &str, text: &str) -> Result<Scene> {
     Scene::new(path, &description).map_err(|error| source.with_lines(error))
 }
 
-/// The description as it is written; whether it makes a scene is not looked at.
+/// Parses the description, without checking whether it is a valid scene.
 pub(super) fn description(path: &str, text: &str) -> Result<Description> {
     let table = source::parse(path, text)?;
     described(path, &table, &Source { text, root: table.get_ref() })
@@ -63,7 +64,7 @@ fn read(table: Spanned<DeTable<'_>>, source: &Source<'_>, defects: &mut Defects)
     }
 }
 
-/// The items of an array, or the one that stands in its place.
+/// The items of an array, or the single item written instead of it.
 fn list<T: DeserializeOwned>(
     value: Spanned<DeValue<'_>>,
     source: &Source<'_>,

@@ -1,4 +1,4 @@
-//! Which models of friction go together with which schemes and settings.
+//! Which friction models work with which schemes and settings.
 
 use super::scheme::Scheme;
 use super::settings::{Contacts, Persistence, Sliding, Step};
@@ -6,13 +6,14 @@ use lcplab_problem::error::Defects;
 use lcplab_problem::friction::Model;
 
 impl Scheme {
-    /// Whether its friction can be any model; else it is the coupled box, row by row.
+    /// Whether this scheme supports all friction models; otherwise it uses the coupled box, row by
+    /// row.
     pub fn poses_friction(self) -> bool {
         self.solves_lcps()
     }
 }
 
-/// Whether the model of friction goes together with how the scene is stepped.
+/// Checks that the friction model works with the scheme and settings.
 pub(super) fn check(defects: &mut Defects, step: &Step, contact: &Contacts) {
     let (scheme, model) = (step.scheme, contact.model);
     let mut refuse = |reason: String| defects.add("contact.model", reason);

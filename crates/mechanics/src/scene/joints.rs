@@ -1,5 +1,5 @@
-//! From the constraints of a description to those of a scene: names become bodies, fields are
-//! checked, and the joint of that name makes the rest.
+//! Builds the constraints of a scene from those of a description: resolves body names, checks the
+//! fields, and calls the constructor of the joint.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -14,16 +14,16 @@ use crate::body::{Mass, Shape, State};
 use crate::constraint::{ALL, Bodies, Constraint, Field, Joint, Placement};
 use lcplab_problem::error::Defects;
 
-/// A constraint as it was written, and where.
+/// A constraint as written, with its place in the file.
 pub(super) struct Site<'a> {
     /// Its place in the file, such as `constraints[2]`.
     pub place: String,
-    /// What is written there.
+    /// The constraint as written.
     pub written: &'a description::Constraint,
 }
 
 impl Site<'_> {
-    /// The constraint, if it has no defect that hides it.
+    /// The constraint, unless a defect prevents it.
     pub fn build(
         &self,
         defects: &mut Defects,
@@ -47,7 +47,7 @@ impl Site<'_> {
         }
     }
 
-    /// Gives what hangs on the joint its speed at the start, if one is written.
+    /// Sets the initial speed of the bodies attached to the joint, if one is given.
     pub fn start(
         &self,
         defects: &mut Defects,
@@ -112,7 +112,7 @@ impl Site<'_> {
         joint
     }
 
-    /// Whether a field is written.
+    /// Whether a field is given.
     fn has(&self, field: Field) -> bool {
         let written = self.written;
         match field {
@@ -132,7 +132,7 @@ impl Site<'_> {
         }
     }
 
-    /// Fields that this kind does not have, and those that it lacks.
+    /// Reports fields that this kind does not have, and those that are missing.
     fn check_fields(&self, defects: &mut Defects, joint: &Joint) {
         for field in Field::ALL {
             let needed = joint.needs.contains(&field);
@@ -144,7 +144,7 @@ impl Site<'_> {
         }
     }
 
-    /// The fields given, checked each by itself.
+    /// The given fields, each checked individually.
     fn placement(&self, defects: &mut Defects, bodies: Bodies, scene: &Scene) -> Placement {
         let written = self.written;
         self.check_numbers(defects);
@@ -173,7 +173,7 @@ impl Site<'_> {
         }
     }
 
-    /// Single numbers that cannot be.
+    /// Reports invalid single numbers.
     fn check_numbers(&self, defects: &mut Defects) {
         let written = self.written;
         let sizes = [

@@ -1,8 +1,7 @@
-//! Bodies, constraints and gravity at the start, and how to step them.
+//! Scenes: bodies, constraints and gravity at the start, with the settings of a simulation.
 //!
-//! A [`Scene`] is valid from construction on. It is read from TOML ([`Description`] lists every
-//! field) or built from a description made by a program; [`contacts()`] finds where its bodies
-//! touch.
+//! A [`Scene`] is always valid. It is read from TOML ([`Description`] lists every field) or built
+//! from a description made by a program; [`contacts()`] finds its contact points.
 
 mod build;
 pub mod catalogue;
@@ -48,10 +47,10 @@ use lcplab_problem::disk;
 use lcplab_problem::error::{Defects, Error, Result};
 use lcplab_problem::memory::Memory;
 
-/// The path and the text of a scene file, or of a shipped scene.
+/// The path and the text of a scene file or a shipped scene.
 ///
 /// # Errors
-/// A file that cannot be read; a name that is neither a file nor shipped.
+/// If the file cannot be read, or the name is neither a file nor a shipped scene.
 pub fn text(path_or_name: &str) -> Result<(String, String)> {
     let path = Path::new(path_or_name);
     if disk::is_there(path) {
@@ -73,7 +72,7 @@ pub fn text(path_or_name: &str) -> Result<(String, String)> {
 pub struct Scene {
     /// The file's name without its extension.
     pub name: String,
-    /// One line for lists.
+    /// A title for lists, one line.
     pub title: String,
     /// What the scene teaches, and what must hold in it.
     pub teaches: String,
@@ -81,33 +80,33 @@ pub struct Scene {
     pub gravity: Vector3<f64>,
     /// The time (s) at which the simulation begins.
     pub time: f64,
-    /// What of bodies depends on time.
+    /// The time-dependent forces and motions of bodies.
     pub driven: Vec<Driven>,
-    /// How a step is taken.
+    /// The settings of a time step.
     pub step: Step,
-    /// When contacts count, and what they do.
+    /// The settings of contacts.
     pub contact: Contacts,
-    /// Which solver to use.
+    /// The solver and its settings.
     pub solver: Solver,
     /// The bodies.
     pub bodies: Vec<Body>,
     /// The bodies' states at the start.
     pub states: Vec<State>,
-    /// What pairs of bodies, the lower index first, do to each other beside what follows from the
+    /// Surface properties of pairs of bodies, the lower index first, that override those of the
     /// bodies.
     pub pairs: BTreeMap<[usize; 2], Surface>,
     /// The constraints other than contacts.
     pub constraints: Vec<Arc<dyn Constraint>>,
-    /// What the matrix of a step, and what its solver makes of it, may take each; no file states
-    /// it.
+    /// The memory limit for the matrix of a step and for the solver's own data, each; not stored in
+    /// files.
     pub memory: Memory,
 }
 
 impl Scene {
-    /// The scene of a description.
+    /// Builds a scene from a description.
     ///
     /// # Errors
-    /// One error with every defect, each at its field, such as `bodies[2].mass`.
+    /// A single error that lists every defect with its field, such as `bodies[2].mass`.
     ///
     /// ```
     /// use lcplab_mechanics::scene::{Description, Scene};
@@ -121,22 +120,22 @@ impl Scene {
         build::scene(name, description)
     }
 
-    /// The scene of a text in the scene format; `path` stands in the messages.
+    /// Builds a scene from a text in the scene format; `path` is used in messages.
     ///
     /// # Errors
-    /// One error with every defect, each with its line and field, such as
-    /// `arch.toml: line 12: bodies[2].mass: must be positive, is -1`.
+    /// A single error that lists every defect with its line and field, such as `arch.toml: line 12:
+    /// bodies[2].mass: must be positive, is -1`.
     pub fn from_toml(path: &str, text: &str) -> Result<Scene> {
         file::parse(path, text)
     }
 
-    /// The same with some of its fields set, such as `contact.friction` to `0.3` or
-    /// `bodies.crate.mass` to `2`. A field of a table or a list is named after a dot, the latter by
-    /// its number from 0 or its name; `mu`, `dt` and `angle` stand for `contact.friction`,
+    /// The same with some fields overridden, such as `contact.friction` by `0.3` or
+    /// `bodies.crate.mass` by `2`. Fields of a table and items of a list follow a dot; an item is
+    /// given by its index from 0 or its name. `mu`, `dt` and `angle` stand for `contact.friction`,
     /// `step.dt` and `tilt.y`.
     ///
     /// # Errors
-    /// As [`load`](Scene::load), or if there is no such field or it cannot have the value.
+    /// As for [`load`](Scene::load), or if there is no such field or the value is invalid.
     ///
     /// ```
     /// use lcplab_mechanics::scene::Scene;
@@ -153,10 +152,11 @@ impl Scene {
         Scene::new(path_or_name, &Description::load_with(path_or_name, changes)?)
     }
 
-    /// Reads a scene file, or takes a shipped scene by its name.
+    /// Reads a scene file, or a shipped scene by its name.
     ///
     /// # Errors
-    /// A file that cannot be read or is not a scene; a name that is neither a file nor shipped.
+    /// If the file cannot be read or is not a scene, or the name is neither a file nor a shipped
+    /// scene.
     ///
     /// ```
     /// let scene = lcplab_mechanics::scene::Scene::load("pendulum")?;
@@ -168,10 +168,10 @@ impl Scene {
         Scene::from_toml(&path, &text)
     }
 
-    /// Whether the step, contact and solver settings can be used, after a change to them.
+    /// Checks the step, contact and solver settings, after a change to them.
     ///
     /// # Errors
-    /// Lists each setting that cannot.
+    /// Lists each invalid setting.
     pub fn validate(&self) -> Result<()> {
         let mut defects = Defects::default();
         self.step.check(&mut defects);
@@ -183,7 +183,7 @@ impl Scene {
         defects.into_result(self.name.as_str())
     }
 
-    /// When contacts rest at acceleration level.
+    /// The thresholds for resting contacts at acceleration level.
     pub fn resting(&self) -> Resting {
         Resting::of(self)
     }

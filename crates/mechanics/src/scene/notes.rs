@@ -1,12 +1,12 @@
-//! Settings that a scene states in vain, or that cannot work: said once, where it is simulated.
+//! Notes on settings that have no effect or cannot work, reported once per simulation.
 
 use std::f64::consts::SQRT_2;
 
 use super::{Integrator, Scene, Scheme, Solver, Step};
 
 impl Scene {
-    /// What of the settings the scheme does not read though nothing else stands in its place, and
-    /// what makes it unstable; one sentence each.
+    /// One sentence for each setting that the scheme ignores without using another instead, and for
+    /// each that makes it unstable.
     pub fn notes(&self) -> Vec<String> {
         let (step, usual) = (&self.step, Step::default());
         let scheme = step.scheme;
@@ -67,11 +67,11 @@ impl Scene {
     }
 }
 
-/// The α dt from which on the error c'' = −2 α c' − α² c grows.
+/// The α dt above which the error c'' = −2 α c' − α² c grows.
 ///
 /// Semi-implicit Euler has λ² − (2 − 2a − a²) λ + 1 − 2a = 0 with a = α dt, which reaches λ = −1 at
-/// a = 2 (√2 − 1); explicit Euler λ = 1 − a twice; Runge-Kutta the end of its stability on the real
-/// axis.
+/// a = 2 (√2 − 1); explicit Euler has λ = 1 − a twice; Runge-Kutta reaches the end of its stability
+/// interval on the real axis.
 fn most_alpha_dt(integrator: Integrator) -> f64 {
     match integrator {
         Integrator::SemiImplicitEuler => 2.0 * (SQRT_2 - 1.0),

@@ -1,20 +1,20 @@
-//! Numbers so large or small that what is computed from them is no number any more.
+//! Range checks: numbers so large or small that computations would overflow or underflow.
 //!
-//! Squares and products of two numbers of a scene are everywhere, and the inertia of a body grows
-//! with the fifth power of its size: so no number is larger than 1e150, what is divided by is not
-//! smaller than 1e-150, and lengths of shapes lie between 1e-60 and 1e60 m. What is beyond is one
-//! clear defect here, and not a list of NaN later.
+//! Squares and products of two numbers of a scene occur everywhere, and the inertia of a body grows
+//! with the fifth power of its size. Therefore no number may exceed 1e150, divisors must be at
+//! least 1e-150, and lengths of shapes must lie between 1e-60 and 1e60 m. Anything outside is
+//! reported here as one clear defect instead of a list of NaN later.
 
 use lcplab_problem::error::Defects;
 
-/// No number is larger: its square is still a double.
+/// Maximum of all numbers: its square is still finite.
 const LARGEST: f64 = 1e150;
-/// No number that is divided by is smaller.
+/// Minimum of all divisors.
 const SMALLEST: f64 = 1e-150;
-/// Lengths of shapes (m): their fifth powers are still doubles.
+/// Range of the lengths of shapes (m): their fifth powers are still finite.
 const LENGTHS: [f64; 2] = [1e-60, 1e60];
 
-/// A number that must be positive, and is divided by; `what` and its unit stand in the message.
+/// A positive number that is used as a divisor; `what` and its unit appear in the message.
 pub(super) fn divisor(
     defects: &mut Defects,
     place: impl Into<String>,
@@ -43,7 +43,7 @@ pub(super) fn vector(defects: &mut Defects, place: &str, numbers: &[f64; 3]) {
     up_to(LARGEST, defects, place, numbers);
 }
 
-/// The place (m) of a part in its body.
+/// The offset (m) of a part within its body.
 pub(super) fn offset(defects: &mut Defects, place: &str, numbers: &[f64; 3]) -> bool {
     up_to(LENGTHS[1], defects, place, numbers)
 }

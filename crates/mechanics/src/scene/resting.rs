@@ -1,38 +1,38 @@
-//! Which contacts rest at acceleration level: thresholds that follow from the scene.
+//! Thresholds for resting contacts at acceleration level, derived from the scene.
 //!
-//! A force needs a contact that touches, c ≤ slop, and that does not part, ċ ≤ v_slop. Numbers that
-//! are never exact ask for both to be positive; too small, a contact is lost and the body falls
-//! until it hits again. A body that parts more slowly than it would fall back within the step has
-//! not parted:
+//! A force requires a contact that touches, c ≤ slop, and does not separate, ċ ≤ v_slop. Both
+//! thresholds must be positive because the numbers are never exact; if they are too small, a
+//! contact is lost and the body falls until it hits again. A body that separates so slowly that it
+//! would fall back within the step has not separated:
 //!
 //! ```text
 //! a = max |g + f/m|,   v_slop = 2 a dt,   slop = a dt², at most 1/1000 of the smallest body
 //! ```
 //!
-//! And a body that bounces off with less than a dt/2, so that it would be back within the step,
-//! does not bounce: it would go on for ever, step by step.
+//! A body that would bounce off with less than a dt/2, and so would return within the step, does
+//! not bounce; otherwise it would bounce forever, step by step.
 
 use super::Scene;
 use crate::body::Shape;
 
-/// The slop is at most this part of the smallest body.
+/// The gap threshold is at most this fraction of the smallest body.
 const OF_SIZE: f64 = 1e-3;
-/// Where nothing falls, a body counts as falling by this part of the smallest one in a step.
+/// If nothing falls, a body is assumed to fall by this fraction of the smallest one in a step.
 const WITHOUT_WEIGHT: f64 = 1e-6;
 
-/// When a contact rests.
+/// The thresholds for resting contacts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resting {
     /// The gap (m) up to which it touches.
     pub gap: f64,
-    /// The speed (m/s) of parting up to which it stays.
+    /// The separation speed (m/s) up to which it stays in contact.
     pub speed: f64,
-    /// The speed (m/s) below which a bounce would be over within the step.
+    /// The speed (m/s) below which a bounce would end within the step.
     pub bounce: f64,
 }
 
 impl Resting {
-    /// What the scene says, or what follows from it.
+    /// The values of the scene, or those derived from it.
     pub(super) fn of(scene: &Scene) -> Self {
         let (dt, contact) = (scene.step.dt, &scene.contact);
         let moving = scene.bodies.iter().filter(|body| body.mass.mass() > 0.0);

@@ -1,4 +1,5 @@
-//! A scene file with the states that a simulation has reached: what goes on from there.
+//! Saves a scene file with the states that a simulation has reached, so that the simulation can
+//! continue from there.
 
 use toml::{Table, Value};
 
@@ -7,13 +8,13 @@ use super::{Scene, change, text};
 use crate::body::{Body, Mass, Shape, State};
 use lcplab_problem::error::{Error, Result};
 
-/// The text of a scene file, or of a shipped scene, with some fields set as by
-/// [`Scene::load_with`], whose bodies begin with these states of the scene made of it, `elapsed`
-/// (s) after its beginning. Joints are still made where the file says, so that their lengths and
-/// angles are the same. Comments of the file are lost.
+/// The text of a scene file or shipped scene, with some fields overridden as by
+/// [`Scene::load_with`], whose bodies start with these states, `elapsed` (s) after its beginning.
+/// Joints are still defined at the positions of the file, so their lengths and angles are the same.
+/// Comments in the file are lost.
 ///
 /// # Errors
-/// As [`Scene::load_with`].
+/// As for [`Scene::load_with`].
 ///
 /// ```
 /// use lcplab_mechanics::scene::{Scene, saved};
@@ -54,7 +55,7 @@ fn fault(path: &str) -> impl Fn(toml::ser::Error) -> Error + '_ {
     move |error| Error::invalid(path, "start", error.to_string())
 }
 
-/// A state as the file has it.
+/// A state in the format of the file.
 fn start(
     name: &str,
     shape: &Shape,

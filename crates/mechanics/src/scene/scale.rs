@@ -1,18 +1,18 @@
-//! The force below which a row of a scene is at rest.
+//! The force scale of a scene, below which a row counts as at rest.
 //!
-//! A residual counts beside the terms of its row. Where all of them are rounding, as in a joint
-//! that carries nothing, it would count beside itself; so a row's terms count as no smaller than
-//! those of a force that means something in the scene.
+//! A residual is measured relative to the terms of its row. If all of them are rounding, as in an
+//! unloaded joint, the residual would be large relative to them. The terms of a row therefore count
+//! as at least those of a significant force in the scene.
 
 use super::Scene;
 use crate::body::Mass;
 use crate::constraint::{Bounds, Row};
 
 impl Scene {
-    /// The force (N) below which a row is at rest: `solver.scale`, or the weight of the lightest
-    /// body. Where nothing has a weight, the least force that a body is given; where none is given,
-    /// the force of the body that is moved with the least: by what stops it or by a motor within a
-    /// step, or by a spring. 0 where nothing acts and nothing moves.
+    /// The force (N) below which a row counts as at rest: `solver.scale`, or the weight of the
+    /// lightest body. If nothing has a weight, the least force given for a body; if none is given,
+    /// the least force that moves a body: by stopping it or by a motor within a step, or by a
+    /// spring. 0 if nothing acts and nothing moves.
     pub fn scale(&self) -> f64 {
         let stated = self.solver.scale;
         stated
@@ -22,7 +22,7 @@ impl Scene {
             .unwrap_or(0.0)
     }
 
-    /// The bodies that have a mass (kg).
+    /// The bodies with a mass (kg).
     fn masses(&self) -> impl Iterator<Item = (usize, f64)> {
         let masses = self.bodies.iter().map(|body| body.mass.mass()).enumerate();
         masses.filter(|(_, mass)| *mass > 0.0)
@@ -47,8 +47,8 @@ impl Scene {
         largest
     }
 
-    /// The force of a row's spring, or that with which its motor brings a body to its speed in a
-    /// step.
+    /// The force of a row's spring, or the force with which its motor brings a body to its speed in
+    /// a step.
     fn force_on(&self, body: usize, row: &Row) -> f64 {
         let inertia = match self.bodies[body].mass {
             Mass::Fixed => return 0.0,
@@ -64,7 +64,7 @@ impl Scene {
     }
 }
 
-/// The least of those that are not 0.
+/// The least nonzero value.
 fn least(forces: impl Iterator<Item = f64>) -> Option<f64> {
     forces.filter(|force| *force > 0.0).reduce(f64::min)
 }

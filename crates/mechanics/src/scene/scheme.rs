@@ -1,4 +1,4 @@
-//! The schemes that a step can be taken by, and what can be chosen about each.
+//! The time-stepping schemes, and the settings of each.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -6,36 +6,36 @@ use serde::{Deserialize, Serialize};
 use super::settings::{not_negative, positive};
 use lcplab_problem::error::Defects;
 
-/// How a step is taken.
+/// The time-stepping scheme.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Scheme {
     /// An LCP: the unknowns are impulses (N s), w is the velocity of a row after the step.
     #[default]
     Velocity,
-    /// An LCP: the unknowns are forces (N), w is the acceleration of a row; impacts are impulses
-    /// before.
+    /// An LCP: the unknowns are forces (N), w is the acceleration of a row; impacts are handled by
+    /// impulses before each step.
     Acceleration,
-    /// The velocity level without feedback of errors, then a second LCP that moves the bodies out
-    /// of their errors and leaves their velocities alone.
+    /// The velocity level without feedback of errors, then a second LCP that corrects positions
+    /// without changing velocities.
     SplitImpulse,
     /// The velocity level without feedback, then positions corrected row by row (NGS).
     GaussSeidel,
     /// Positions corrected row by row in small steps, velocities from positions.
     Xpbd,
-    /// Every row a spring of a given frequency, one sweep a small step, and a sweep that relaxes.
+    /// Every row is a spring of a given frequency: one sweep per substep, and relaxation sweeps.
     Soft,
-    /// Springs and dampers in place of constraints, taken explicitly in small steps.
+    /// Springs and dampers instead of constraints, integrated explicitly in substeps.
     Penalty,
     /// The velocity level by impulses on the bodies, row by row, without a matrix.
     SequentialImpulses,
 }
 
 impl Scheme {
-    /// The two levels whose step is one LCP: what solvers are compared on.
+    /// The two levels whose step is one LCP; solvers are compared on these.
     pub const LEVELS: [Scheme; 2] = [Scheme::Velocity, Scheme::Acceleration];
 
-    /// All of them, in the order of tables.
+    /// All schemes, in the order of tables.
     pub const ALL: [Scheme; 8] = [
         Scheme::Velocity,
         Scheme::Acceleration,
@@ -47,7 +47,7 @@ impl Scheme {
         Scheme::SequentialImpulses,
     ];
 
-    /// The word in scene files and tables.
+    /// The name in scene files and tables.
     pub fn name(self) -> &'static str {
         match self {
             Scheme::Velocity => "velocity",
@@ -61,7 +61,7 @@ impl Scheme {
         }
     }
 
-    /// The scheme of this name.
+    /// The scheme with this name.
     pub fn by_name(name: &str) -> Option<Scheme> {
         Scheme::ALL.into_iter().find(|scheme| scheme.name() == name)
     }
@@ -79,17 +79,17 @@ impl Scheme {
 pub enum Integrator {
     /// s⁺ = s + dt S u, u⁺ = u + dt u': first order, gains energy.
     ExplicitEuler,
-    /// u⁺ = u + dt u', s⁺ = s + dt S u⁺: first order, keeps energy near what it is.
+    /// u⁺ = u + dt u', s⁺ = s + dt S u⁺: first order, bounded energy error.
     #[default]
     SemiImplicitEuler,
     /// The classical Runge-Kutta method: fourth order.
     Rk4,
-    /// y⁺ = y + dt f((y + y⁺)/2): second order, the same forwards and backwards.
+    /// y⁺ = y + dt f((y + y⁺)/2): second order, time-reversible.
     ImplicitMidpoint,
 }
 
 impl Integrator {
-    /// The word in scene files.
+    /// The name in scene files.
     pub fn name(self) -> &'static str {
         match self {
             Integrator::ExplicitEuler => "explicit-euler",
@@ -104,16 +104,17 @@ impl Integrator {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Feedback {
-    /// J u = −(β/dt) c: c shrinks by 1 − β a step.
+    /// J u = −(β/dt) c: c is multiplied by 1 − β per step.
     #[default]
     Corrected,
-    /// J u = −β c, with β read as a rate (1/s): c shrinks by 1 − β dt only (erratum E34).
+    /// J u = −β c, with β as a rate (1/s): c is multiplied by only 1 − β dt (erratum E34).
     Unscaled,
-    /// J u = +β c, the chapter's Code 7 with its (34): c grows by 1 + β dt (errata E34, E35).
+    /// J u = +β c, the chapter's Code 7 with its (34): c is multiplied by 1 + β dt (errata E34,
+    /// E35).
     Printed,
 }
 
-/// The soft step: each row a spring of this frequency on the mass that it feels.
+/// Settings of the soft step: each row is a spring of this frequency for its effective mass.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Soft {
@@ -125,10 +126,9 @@ pub struct Soft {
     pub contact_hertz: f64,
     /// The damping ratio ζ of contacts and limits.
     pub contact_damping: f64,
-    /// No frequency is above this part of the rate of substeps: beyond it a single sweep cannot
-    /// keep up.
+    /// Maximum frequency as a fraction of the substep rate; above it a single sweep cannot keep up.
     pub rate_limit: f64,
-    /// The greatest speed (m/s) at which bodies that overlap are pushed apart.
+    /// The maximum speed (m/s) at which overlapping bodies are pushed apart.
     pub push_speed: f64,
     /// Sweeps without feedback after each substep; 0 for none.
     pub relax: usize,
@@ -148,14 +148,13 @@ impl Default for Soft {
     }
 }
 
-/// XPBD: positions corrected row by row in small steps.
+/// Settings of XPBD: positions corrected row by row in substeps.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Xpbd {
-    /// The compliance of every row without a spring of its own (m/N, for angles rad/(N m)); 0 is
-    /// rigid.
+    /// The compliance of every row without its own spring (m/N, for angles rad/(N m)); 0 is rigid.
     pub compliance: f64,
-    /// Sweeps over the rows in a substep.
+    /// Sweeps over the rows per substep.
     pub sweeps: usize,
 }
 
@@ -165,14 +164,14 @@ impl Default for Xpbd {
     }
 }
 
-/// The penalty method: what stands in for rigidity.
+/// Settings of the penalty method.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Penalty {
-    /// k (N/m, for angles N m/rad) of every row without a spring of its own.
+    /// The stiffness k (N/m, for angles N m/rad) of every row without its own spring.
     pub stiffness: f64,
-    /// d (N s/m, for angles N m s/rad) of the same; also how friction and motors resist a wrong
-    /// speed, up to their bound.
+    /// The damping d (N s/m, for angles N m s/rad) of the same rows; also used for friction and
+    /// motors, up to their bounds.
     pub damping: f64,
 }
 

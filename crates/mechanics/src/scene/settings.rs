@@ -1,4 +1,4 @@
-//! How a scene is stepped, solved and when its contacts count. Plain data, read from the file.
+//! The settings of steps, contacts and the solver, as read from the scene file.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -9,36 +9,36 @@ use crate::body::Gyroscopic;
 use lcplab_problem::error::Defects;
 use lcplab_problem::friction::Model;
 
-/// A step has at most so many substeps, and so many sweeps.
+/// Maximum number of substeps and of sweeps per step.
 const MOST_PARTS: usize = 1_000_000;
 
-/// How a step is taken.
+/// The settings of a time step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Step {
     /// The length of a step (s).
     pub dt: f64,
-    /// How many steps a simulation takes unless told otherwise.
+    /// The default number of steps of a simulation.
     pub count: usize,
-    /// The scheme that takes it.
+    /// The time-stepping scheme.
     pub scheme: Scheme,
-    /// What becomes of the torque −ω × I ω.
+    /// The treatment of the torque −ω × I ω.
     pub gyroscopic: Gyroscopic,
-    /// Velocity level and sequential impulses: the part β of the position error that is corrected
-    /// in a step, 0 to 1.
+    /// Velocity level and sequential impulses: the fraction β of the position error that is
+    /// corrected per step, 0 to 1.
     pub baumgarte: f64,
-    /// What β multiplies.
+    /// The factor in the feedback of position errors.
     pub feedback: Feedback,
     /// Acceleration level: the rate α (1/s) at which position errors decay.
     pub alpha: f64,
-    /// Acceleration level: how accelerations become motion.
+    /// Acceleration level: the integrator.
     pub integrator: Integrator,
-    /// Acceleration level: whether a step is divided where a body arrives at another one, so that
-    /// it hits there and does not enter.
+    /// Acceleration level: whether a step is divided at the time of an impact, so that bodies do
+    /// not overlap.
     pub events: bool,
-    /// XPBD, soft step and penalty method: into how many substeps a step is divided.
+    /// XPBD, soft step and penalty method: the number of substeps per step.
     pub substeps: usize,
-    /// Sequential impulses: sweeps over the rows in a solve. NGS: sweeps that correct positions.
+    /// Sequential impulses: sweeps over the rows per solve. NGS: sweeps that correct positions.
     pub sweeps: usize,
     /// Settings of XPBD.
     pub xpbd: Xpbd,
@@ -69,18 +69,18 @@ impl Default for Step {
     }
 }
 
-/// How many points of a pair of bodies become contacts.
+/// The number of contact points for a pair of bodies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Manifold {
-    /// All that touch.
+    /// All touching points.
     #[default]
     Full,
     /// At most four: the deepest, the one farthest from it, and two that span the largest area.
     Four,
 }
 
-/// What of a step's impulses is known in the next.
+/// Which impulses of a step are reused in the next (warm starting).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Persistence {
@@ -88,56 +88,56 @@ pub enum Persistence {
     /// impulses.
     #[default]
     Features,
-    /// Nothing: the impulses of contacts and joints start from 0 in every step.
+    /// None: the impulses of contacts and joints start from 0 in every step.
     None,
 }
 
-/// The friction force of a contact that slides, at acceleration level.
+/// The friction force of a sliding contact, at acceleration level.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Sliding {
     /// An unknown in a box, |x_t| ≤ μ x_n along two tangents: A stays symmetric.
     #[default]
     Box,
-    /// x_t = −μ x_n v_t/|v_t| exactly, put in for the unknown: A is not symmetric, and there may be
-    /// no solution (Painlevé).
+    /// x_t = −μ x_n v_t/|v_t| exactly, substituted for the unknown: A is not symmetric, and there
+    /// may be no solution (Painlevé).
     Substituted,
 }
 
-/// When contacts count, and what they do.
+/// The settings of contacts.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Contacts {
-    /// Velocity level: contacts with a gap up to this (m) enter the LCP. Without it, what the two
-    /// bodies can approach each other in a step, and at least 0.05 m.
+    /// Velocity level: contacts with a gap up to this (m) enter the LCP. By default, the distance
+    /// that the two bodies can approach each other in a step, at least 0.05 m.
     pub margin: Option<f64>,
-    /// The coefficient of friction of bodies that do not state their own.
+    /// The coefficient of friction of bodies without their own.
     pub friction: f64,
-    /// The coefficient of static friction of bodies that state no friction of their own, no less
-    /// than `friction`; without it the same. A contact that it can hold still to the end of a step
-    /// sticks, any other one slides and has `friction`.
+    /// The coefficient of static friction of bodies without their own friction, not below
+    /// `friction`; by default equal to it. A contact sticks if static friction can hold it until
+    /// the end of a step; otherwise it slides with `friction`.
     pub static_friction: Option<f64>,
     /// The coefficient of restitution e, 0 to 1.
     pub restitution: f64,
-    /// Approach at less than this speed (m/s) does not bounce.
+    /// Contacts that approach slower than this (m/s) do not bounce.
     pub bounce_speed: f64,
     /// Velocity level: penetration up to this (m) is not corrected.
     pub slop: f64,
-    /// Acceleration level: a contact with a gap up to this (m) touches. Without it, the way that a
-    /// body falls in a step from rest, at most a thousandth of the smallest body.
+    /// Acceleration level: a contact with a gap up to this (m) touches. By default, the distance
+    /// that a body falls in a step from rest, at most a thousandth of the smallest body.
     pub resting_gap: Option<f64>,
-    /// Acceleration level: a touching contact that parts at up to this speed (m/s) rests. Without
-    /// it, twice the speed that a body gains in a step.
+    /// Acceleration level: a touching contact that separates at up to this speed (m/s) rests. By
+    /// default, twice the speed that a body gains in a step.
     pub resting_speed: Option<f64>,
-    /// How many points of a pair of bodies become contacts.
+    /// The number of contact points for a pair of bodies.
     pub manifold: Manifold,
-    /// What of a step's impulses, those of joints too, is known in the next.
+    /// Which impulses of a step, including those of joints, are reused in the next (warm starting).
     pub persistence: Persistence,
-    /// The model of friction by its name, of polygons with the number of corners: `polygon-8`.
-    /// Schemes that solve no LCP know the coupled box only.
+    /// The friction model by name; polygons with the number of corners: `polygon-8`. Schemes that
+    /// solve no LCP support only the coupled box.
     #[schemars(with = "String")]
     pub model: Model,
-    /// Acceleration level: what friction does to a contact that slides.
+    /// Acceleration level: the friction of sliding contacts.
     pub sliding: Sliding,
     /// Acceleration level: a contact that slips at up to this speed (m/s) sticks.
     pub sticking_speed: f64,
@@ -163,23 +163,23 @@ impl Default for Contacts {
     }
 }
 
-/// In which order a sweep takes the rows.
+/// The order of the rows in a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Order {
-    /// As they are numbered.
+    /// In the order of their numbers.
     #[default]
     Natural,
-    /// The last one first.
+    /// In reverse order.
     Reverse,
     /// A random permutation, the same in every sweep.
     Shuffled,
 }
 
-/// The solver that can take a fixed number of sweeps.
+/// The solver that supports a fixed number of sweeps.
 const SWEEPING: &str = "pgs";
 
-/// Which solver to use, by name; whether it exists is known where solvers are.
+/// The solver and its settings; the name is checked by the solver registry.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Solver {
@@ -187,21 +187,21 @@ pub struct Solver {
     pub name: String,
     /// The relaxation factor ω of methods that have one.
     pub omega: f64,
-    /// The order in which sweeps take the rows, for methods that leave it open.
+    /// The order of the rows in a sweep, for methods that let it be chosen.
     pub order: Order,
     /// The seed of the order "shuffled".
     pub seed: u64,
-    /// The damping factor θ of Jacobi's method, above 0 and below 2; safe damping without one.
+    /// The damping factor θ of Jacobi's method, above 0 and below 2; by default a safe value.
     pub damping: Option<f64>,
     /// The scaled residual at which a solver stops.
     pub tolerance: f64,
-    /// The most sweeps or pivots a step may take.
+    /// The maximum number of sweeps or pivots per step.
     pub max_iterations: usize,
-    /// Whether `pgs` takes `max_iterations` sweeps in every step, no fewer, whatever the residual.
-    /// No answer is judged then, and no matrix is formed, which is many times faster.
+    /// Whether `pgs` takes exactly `max_iterations` sweeps in every step, regardless of the
+    /// residual. The answer is then not judged and no matrix is formed, which is many times faster.
     pub fixed_sweeps: bool,
-    /// The force (N) below which a row is at rest: a residual beside smaller terms than those of
-    /// this force is rounding. The weight of the lightest body without it; see `docs/scenes.md`.
+    /// The force (N) below which a row counts as at rest: residuals of rows with smaller terms are
+    /// rounding. By default the weight of the lightest body; see `docs/scenes.md`.
     pub scale: Option<f64>,
 }
 
@@ -222,8 +222,8 @@ impl Default for Solver {
 }
 
 impl Step {
-    /// What becomes of the gyroscopic torque: an acceleration is that of one instant, without a
-    /// step to be implicit in, so there it is part of F unless it is omitted.
+    /// The treatment of the gyroscopic torque: the acceleration level evaluates accelerations at
+    /// one instant and so has no implicit form; there the torque is part of F unless it is omitted.
     pub fn gyroscopic(&self) -> Gyroscopic {
         match (self.scheme, self.gyroscopic) {
             (Scheme::Acceleration, Gyroscopic::Implicit | Gyroscopic::Conserving) => {

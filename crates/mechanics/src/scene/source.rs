@@ -1,4 +1,4 @@
-//! A TOML text in which fields have lines: what a reader complains about is found again.
+//! TOML texts with line numbers of fields, for error messages.
 
 use std::ops::Range;
 
@@ -8,10 +8,10 @@ use toml::de::{DeArray, DeTable, DeValue, ValueDeserializer};
 
 use lcplab_problem::error::{Defects, Error, Result};
 
-/// The keys of a text with their places.
+/// The keys of a text with their positions.
 ///
 /// # Errors
-/// If it is not TOML, with the line; `path` stands in the message.
+/// If it is not TOML, with the line; `path` is used in the message.
 pub fn parse<'a>(path: &str, text: &'a str) -> Result<Spanned<DeTable<'a>>> {
     DeTable::parse(text).map_err(|error| {
         let line = error.span().map_or(1, |span| line_at(text, span.start));
@@ -19,7 +19,7 @@ pub fn parse<'a>(path: &str, text: &'a str) -> Result<Spanned<DeTable<'a>>> {
     })
 }
 
-/// A parsed text, in which fields have lines and lines have fields.
+/// A parsed text that maps fields to lines and lines to fields.
 pub struct Source<'a> {
     /// The text.
     pub text: &'a str,
@@ -28,8 +28,8 @@ pub struct Source<'a> {
 }
 
 impl Source<'_> {
-    /// The value as a `T`, or nothing and every defect: what is wrong is taken out, and the rest is
-    /// read again. What only follows from that, such as a missing field, is no defect.
+    /// The value as a `T`, or `None` with every defect: a wrong item is removed, and the rest is
+    /// read again. Defects that are only consequences, such as a missing field, are not reported.
     pub fn read<T: DeserializeOwned>(
         &self,
         value: Spanned<DeValue<'_>>,
@@ -67,7 +67,7 @@ impl Source<'_> {
         }
     }
 
-    /// Adds what a reader says of this byte.
+    /// Adds the parser's message at this byte.
     fn add(&self, at: usize, message: &str, defects: &mut Defects) {
         let line = line_at(self.text, at);
         let is_whole = at == 0 && message.starts_with("missing field");
@@ -78,7 +78,7 @@ impl Source<'_> {
         defects.add(place, reason(message));
     }
 
-    /// The same error with a line before each field.
+    /// The same error with a line number before each field.
     pub fn with_lines(&self, error: Error) -> Error {
         let Error::Invalid { input, mut defects } = error else { return error };
         for defect in &mut defects {
@@ -91,7 +91,7 @@ impl Source<'_> {
     }
 }
 
-/// What a reader's message says; a key that has got another name is answered with that.
+/// The text of a parser message; for a renamed key it gives the new name.
 fn reason(message: &str) -> String {
     if message.starts_with("unknown field `formulation`") {
         return "is now called \"scheme\"".into();
@@ -105,13 +105,13 @@ fn reason(message: &str) -> String {
     words
 }
 
-/// The line, from 1, of a byte of the text.
+/// The line, from 1, of a byte in the text.
 pub fn line_at(text: &str, byte: usize) -> usize {
     text.bytes().take(byte).filter(|&byte| byte == b'\n').count() + 1
 }
 
-/// The innermost field, such as `bodies[2].mass`, whose key or value has this byte. A table's span
-/// is only its header, so all children are searched before it.
+/// The innermost field, such as `bodies[2].mass`, whose key or value contains this byte. A table's
+/// span is only its header, so all children are searched first.
 fn field_at(table: &DeTable<'_>, at: usize) -> Option<String> {
     table.iter().find_map(|(key, value)| {
         let name = key.get_ref().as_ref();
@@ -122,8 +122,8 @@ fn field_at(table: &DeTable<'_>, at: usize) -> Option<String> {
     })
 }
 
-/// Takes the innermost key or item that has this byte out of a value; false if only the value
-/// itself has it.
+/// Removes the innermost key or item that contains this byte from a value; false if only the value
+/// itself contains it.
 fn remove<'a>(value: &mut Spanned<DeValue<'a>>, at: usize) -> bool {
     match value.get_mut() {
         DeValue::Table(table) => {
@@ -150,8 +150,8 @@ fn remove<'a>(value: &mut Spanned<DeValue<'a>>, at: usize) -> bool {
     }
 }
 
-/// The path from a value to its innermost part that has this byte: `[2].mass`, or nothing at all
-/// for the value itself.
+/// The path from a value to its innermost part that contains this byte: `[2].mass`, or empty for
+/// the value itself.
 fn in_value(value: &Spanned<DeValue<'_>>, at: usize) -> Option<String> {
     let inner = match value.get_ref() {
         DeValue::Table(table) => field_at(table, at).map(|field| format!(".{field}")),
@@ -164,7 +164,7 @@ fn in_value(value: &Spanned<DeValue<'_>>, at: usize) -> Option<String> {
     inner.or_else(|| value.span().contains(&at).then(String::new))
 }
 
-/// The place of a field in the text, or of the innermost part around it that is written there.
+/// The position of a field in the text, or of the innermost part around it that exists.
 fn span_of(root: &DeTable<'_>, field: &str) -> Option<Range<usize>> {
     let mut parts = field.split(['.', '[']).map(|part| part.trim_end_matches(']'));
     let (_, mut value) = root.get_key_value(parts.next()?)?;

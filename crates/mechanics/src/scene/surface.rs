@@ -1,8 +1,8 @@
-//! Friction and restitution of two bodies that touch: what is stated for the pair, else the
-//! geometric mean of both bodies' own.
+//! Friction and restitution of two touching bodies: the values of the pair, otherwise the geometric
+//! mean of both bodies' values.
 //!
-//! Static friction above kinetic friction is decided with the answer of a step, so it needs a
-//! scheme that has one: see [`held`](crate::formulation::Problem::held).
+//! Static friction above kinetic friction is decided by the answer of a step, so it requires a
+//! scheme that computes one: see [`held`](crate::formulation::Problem::held).
 
 use std::collections::HashMap;
 
@@ -12,7 +12,7 @@ use crate::constraint::Bodies;
 use lcplab_problem::error::Defects;
 use lcplab_problem::friction::Model;
 
-/// What is stated for a pair of bodies.
+/// The values given for a pair of bodies.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Surface {
     /// The coefficient of friction.
@@ -24,7 +24,7 @@ pub struct Surface {
 }
 
 impl Scene {
-    /// The coefficient of friction of two bodies that slide on each other.
+    /// The coefficient of kinetic friction of two bodies.
     pub fn friction(&self, bodies: [usize; 2]) -> f64 {
         self.stated(bodies).friction.unwrap_or_else(|| {
             let [a, b] = bodies.map(|k| self.bodies[k].friction);
@@ -32,7 +32,7 @@ impl Scene {
         })
     }
 
-    /// The coefficient of static friction of two bodies: no less than that of friction.
+    /// The coefficient of static friction of two bodies, not below that of kinetic friction.
     pub fn static_friction(&self, bodies: [usize; 2]) -> f64 {
         let stated = self.stated(bodies);
         stated.static_friction.or(stated.friction).unwrap_or_else(|| {
@@ -51,7 +51,7 @@ impl Scene {
         of_body || self.pairs.keys().any(|&pair| self.static_friction(pair) > self.friction(pair))
     }
 
-    /// The coefficient of restitution of a pair, of which the world has none.
+    /// The coefficient of restitution of a pair; the world has no value of its own.
     pub fn restitution(&self, bodies: Bodies) -> f64 {
         let stated = match bodies {
             [Some(a), Some(b)] => self.stated([a, b]).restitution,
@@ -68,13 +68,13 @@ impl Scene {
         }
     }
 
-    /// What is stated for a pair, in either order.
+    /// The values given for a pair, in either order.
     fn stated(&self, [a, b]: [usize; 2]) -> Surface {
         self.pairs.get(&[a.min(b), a.max(b)]).copied().unwrap_or_default()
     }
 }
 
-/// The coefficient of friction of a body, and that of static friction where one is stated.
+/// The coefficients of kinetic and static friction of a body, the latter if given.
 pub(super) fn of_body(
     defects: &mut Defects,
     place: &str,
@@ -93,7 +93,7 @@ pub(super) fn of_body(
     (friction, stated.or(of_contacts))
 }
 
-/// Adds what the scene states for a pair.
+/// Adds the values that the scene gives for a pair.
 pub(super) fn add_pair(
     defects: &mut Defects,
     place: &str,
@@ -130,7 +130,7 @@ pub(super) fn add_pair(
     }
 }
 
-/// Static friction is no less than friction, and needs one to fall back to.
+/// Checks that static friction is not below friction, and that friction is above 0.
 pub(super) fn check_static(defects: &mut Defects, place: &str, stated: f64, friction: f64) {
     let place = format!("{place}.static_friction");
     if !(stated.is_finite() && stated >= friction) {
@@ -142,7 +142,7 @@ pub(super) fn check_static(defects: &mut Defects, place: &str, stated: f64, fric
     }
 }
 
-/// Whether the scheme and the model of friction can tell what sticks from what slides.
+/// Checks that the scheme and the friction model can distinguish sticking from sliding.
 pub(super) fn check_scheme(defects: &mut Defects, scene: &Scene) {
     if !scene.has_static_friction() {
         return;

@@ -1,4 +1,4 @@
-//! Bodies, constraints, scenes and motion, held against closed forms.
+//! Bodies, constraints, scenes and motion, compared with closed forms.
 
 mod assembly;
 mod constraint;

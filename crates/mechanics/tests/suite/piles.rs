@@ -1,5 +1,6 @@
-//! Redundant contacts of real simulations: boxes in towers and walls, masses up to 1e12 apart,
-//! contacts listed twice. Four corners carry a box where three would do, so A is always singular.
+//! Redundant contacts from real simulations: boxes in towers and walls, mass ratios up to 1e12,
+//! duplicated contacts. Four corners support a box where three would suffice, so A is always
+//! singular.
 
 use lcplab_judge::{Demand, judge};
 use lcplab_mechanics::assembly::{Assembly, Entering};
@@ -12,13 +13,13 @@ use lcplab_solver::{Fallback, Options, Settings, Solution, Start, Status, by_nam
 
 const TOLERANCE: f64 = 1e-10;
 
-/// What becomes of each contact before the last LCP is made.
+/// How contacts are duplicated before the last LCP is built.
 #[derive(Debug, Clone, Copy)]
 enum Copies {
     None,
-    /// Listed twice.
+    /// Duplicated exactly.
     Exact,
-    /// Listed again 1e-9 m beside.
+    /// Duplicated with an offset of 1e-9 m.
     Near,
 }
 
@@ -38,7 +39,8 @@ fn scene(boxes: &str, mu: f64) -> Scene {
     Scene::from_toml("pile.toml", &text).unwrap()
 }
 
-/// Cubes on top of each other, four contacts each; the masses grow by `ratio` in all, upwards.
+/// Cubes on top of each other, four contacts each; the masses increase upwards by a total factor of
+/// `ratio`.
 fn tower(count: usize, ratio: f64, mu: f64) -> Scene {
     let boxes = format!("generate = {{ kind = \"stack\", count = {count}, size = 1, mass = 1 }}");
     let mut scene = scene(&boxes, mu);
@@ -52,7 +54,7 @@ fn tower(count: usize, ratio: f64, mu: f64) -> Scene {
     scene
 }
 
-/// Bricks, each on two others, eight contacts each; masses from 1 to `ratio` in no order.
+/// Bricks, each on two others, eight contacts each; unordered masses from 1 to `ratio`.
 fn wall(layers: usize, ratio: f64, mu: f64) -> Scene {
     let mut bricks = String::new();
     let places = (0..layers).flat_map(|layer| (0..layers - layer).map(move |k| (layer, k)));
@@ -67,7 +69,8 @@ fn wall(layers: usize, ratio: f64, mu: f64) -> Scene {
     scene(&bricks, mu)
 }
 
-/// The LCP of the next step after some, which leave the corners' places to rounding.
+/// The LCP of the next step after some steps, so that the positions of the corners have rounding
+/// errors.
 fn last(scene: Scene, copies: Copies) -> Lcp {
     let mut simulation = Simulation::new(scene, by_name("dantzig", &options()).unwrap());
     for _ in 0..3 {
@@ -91,7 +94,7 @@ fn last(scene: Scene, copies: Copies) -> Lcp {
     Problem::velocity(scene, assembly).unwrap().lcp
 }
 
-/// The answer of a solver; if it claims to have one, the judge accepts it.
+/// The answer of a solver; if it claims a solution, the judge must accept it.
 #[track_caller]
 fn honest(name: &str, lcp: &Lcp) -> Solution {
     let solution = by_name(name, &options()).unwrap().solve(lcp, &Start::default(), &mut ());

@@ -1,4 +1,4 @@
-//! The names of rows: one for each row, and one order for the two bodies of a pair.
+//! The identifiers of rows: unique for each row, with one order for the two bodies of a pair.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use lcplab_mechanics::simulation::{Simulation, Step};
 use lcplab_testing::{cases, pile};
 use proptest::prelude::*;
 
-/// The rows of each problem of a step, and of what it did without one.
+/// The rows of each problem of a step, and those handled without a problem.
 fn rows(step: &Step) -> Vec<Vec<&Row>> {
     let solved = step.solves.iter().map(|solve| solve.problem.assembly.rows.iter().collect());
     solved.chain([step.pushed.iter().map(|(row, _)| row).collect()]).collect()
@@ -34,7 +34,7 @@ fn orders(rows: &[&Row]) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// x = 1 of a row gives its second body an impulse along the direction, and the first one the
+/// x = 1 in a row gives its second body an impulse along the direction, and the first one the
 /// opposite.
 fn directions(step: &Step) -> Result<(), TestCaseError> {
     for assembly in step.solves.iter().map(|solve| &solve.problem.assembly) {
@@ -93,8 +93,7 @@ fn no_two_rows_of_a_shipped_scene_have_one_label() {
     assert!(stepped > 50, "{stepped}");
 }
 
-/// A hinge, its motor and its limit are three constraints between the same two bodies, and all of
-/// them turn.
+/// A hinge, its motor and its limit are three angular constraints between the same two bodies.
 #[test]
 fn constraints_between_the_same_bodies_are_told_apart() {
     let text = r#"

@@ -1,20 +1,20 @@
-//! The alternating direction method of multipliers for the quadratic program over the box.
+//! The alternating direction method of multipliers (ADMM) for the quadratic program over the box.
 //!
-//! The program min ½ xᵀAx + bᵀx, lo ≤ x ≤ hi, is split into two parts that are easy by themselves:
-//! x minimises, z keeps the bounds, and a multiplier R y pulls them together:
+//! The program min ½ xᵀAx + bᵀx, lo ≤ x ≤ hi, is split into two easy parts: x minimizes, z
+//! satisfies the bounds, and a multiplier R y drives them together:
 //!
 //! ```text
-//! (A + R) x = R (z − y) − b      one factorisation A + R = L Lᵀ for all iterations
+//! (A + R) x = R (z − y) − b      one factorization A + R = L Lᵀ for all iterations
 //! x̂ = 1.6 x + (1 − 1.6) z        over-relaxation
 //! z ← Π(x̂ + y)
 //! y ← y + x̂ − z                  at the solution R y = −w
 //! ```
 //!
 //! as in OSQP (Stellato, Banjac, Goulart, Bemporad & Boyd 2020). Converges for every symmetric
-//! semidefinite A and R > 0, also a singular one, since A + R is definite. Its rate depends on R:
-//! rows that stay free like it small, rows at a bound large. R = r diag(A) with one r for all
-//! bounded rows; rows without bounds need no multiplier and get a thousandth of it. The iterate
-//! shown is z, which never leaves the bounds. Costs n³/3 once and 2 n² an iteration.
+//! semidefinite A and R > 0, even if A is singular, since A + R is definite. The rate depends on R:
+//! a small R suits rows that stay free, a large R suits rows at a bound. R = r diag(A) with one r
+//! for all bounded rows; rows without bounds need no multiplier and get r/1000. The reported
+//! iterate is z, which always satisfies the bounds. Costs n³/3 once and 2 n² per iteration.
 //!
 //! A not symmetric, or no Cholesky factor: `OutsideClass`. A row with a_ii ≤ 0: `ZeroDiagonal`.
 //! Coupled rows: see [`frozen`]; freezing keeps the factor.
@@ -31,15 +31,15 @@ use lcplab_problem::memory::Memory;
 
 /// Over-relaxation.
 const RELAXATION: f64 = 1.6;
-/// The part of r that rows without bounds get.
+/// The factor on r for rows without bounds.
 const UNBOUNDED: f64 = 1e-3;
-/// Above this many rows a dense factor takes too long.
+/// Maximum number of rows; with more, a dense factorization takes too long.
 const MAX_ROWS: usize = 8_000;
 
 /// The alternating direction method of multipliers.
 #[derive(Debug, Clone)]
 pub struct Admm {
-    /// r: the weight of the multipliers as a part of the diagonal of A, above 0.
+    /// r: the weight of the multipliers relative to the diagonal of A, above 0.
     pub weight: f64,
     /// The common settings; an iteration is one triangular solve and one projection.
     pub settings: Settings,

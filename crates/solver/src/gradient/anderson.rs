@@ -1,21 +1,22 @@
-//! Projected Gauss-Seidel with Anderson's acceleration.
+//! Projected Gauss-Seidel with Anderson acceleration.
 //!
 //! A sweep of [`Pgs`](crate::Pgs) is a map x → P(x), whose fixed points are the solutions. Anderson
-//! (1965) mixes the ends of the last sweeps so that their steps cancel as well as they can:
+//! (1965) combines the results of the last sweeps so that their steps cancel as far as possible:
 //!
 //! ```text
 //! f = P(x) − x,   γ = argmin |f − ΔF γ|_D,   y = Π( P(x) − ΔP γ )        the last five differences ΔF, ΔP
 //! x ← y if q(y) < q(P(x)), else P(x)                                     q = ½ xᵀAx + bᵀx
 //! ```
 //!
-//! While no row changes sides a sweep is a linear map, and this is a Krylov method on I − G (Walker
-//! & Ni 2011): the few slow parts of the error of a stack are found out in as many sweeps. The
-//! comparison makes it safe. q falls with every step as it does in the sweep alone, so it converges
-//! wherever Gauss-Seidel does. With coupled rows q says nothing; there the distance |P(y) − y|_D
-//! that another sweep would go decides, and no convergence is promised, as for Gauss-Seidel itself.
+//! While no row changes sides, a sweep is a linear map and this is a Krylov method on I − G (Walker
+//! & Ni 2011), which removes the few slow error components of a stack in the same number of sweeps.
+//! The comparison makes it safe: q decreases in each step at least as much as in the sweep alone,
+//! so the method converges wherever Gauss-Seidel does. With coupled rows q is no criterion; there
+//! the length |P(y) − y|_D of another sweep decides, and convergence is not guaranteed, as for
+//! Gauss-Seidel itself.
 //!
-//! An iteration is a sweep, and two products with A for the comparison. A row with a_ii ≤ 0 ends it
-//! with `ZeroDiagonal`; iterates that overflow with `Diverged`.
+//! An iteration is a sweep plus two products with A for the comparison. A row with a_ii ≤ 0 gives
+//! `ZeroDiagonal`; iterates that overflow give `Diverged`.
 
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
@@ -25,16 +26,16 @@ use crate::metric::Metric;
 use crate::{Event, Observer, Settings, Solution, Solver, Start};
 use lcplab_problem::{Lcp, dot};
 
-/// So many differences are remembered.
+/// The number of differences that are kept.
 const MEMORY: usize = 5;
-/// A difference that lies in the span of newer ones, up to this part of its square, is left out
-/// with all older ones.
+/// A difference is dropped together with all older ones if less than this fraction of its square
+/// lies outside the span of the newer ones.
 const RELATIVE_ZERO: f64 = 1e-12;
 
 /// Anderson-accelerated projected Gauss-Seidel.
 #[derive(Debug, Clone, Default)]
 pub struct AndersonPgs {
-    /// The common settings; an iteration is a sweep and the mixing after it.
+    /// The common settings; an iteration is a sweep followed by the mixing.
     pub settings: Settings,
 }
 
@@ -75,7 +76,7 @@ fn swept(lcp: &Lcp, metric: &Metric, x: &[f64]) -> Vec<f64> {
     x
 }
 
-/// What has to fall.
+/// The quantity that must decrease.
 fn height(lcp: &Lcp, metric: &Metric, x: &[f64]) -> f64 {
     if lcp.has_coupled_rows() {
         let step = difference(&swept(lcp, metric, x), x);
@@ -84,11 +85,11 @@ fn height(lcp: &Lcp, metric: &Metric, x: &[f64]) -> f64 {
     0.5 * (dot(&lcp.w(x), x) + dot(lcp.b(), x)) // w = A x + b
 }
 
-/// The last sweeps: where they ended, and how far they went.
+/// The results and steps of the last sweeps.
 #[derive(Debug, Default)]
 struct Memory {
     last: Option<(Vec<f64>, Vec<f64>)>,
-    /// (ΔP, ΔF), the newest first.
+    /// (ΔP, ΔF), newest first.
     differences: VecDeque<(Vec<f64>, Vec<f64>)>,
 }
 
@@ -112,8 +113,8 @@ impl Memory {
     }
 }
 
-/// γ with |f − Σ γ_k f_k|_D least, by orthogonalising the f_k one after another (Gram and Schmidt).
-/// It ends before the first that depends on those before it.
+/// The γ that minimizes |f − Σ γ_k f_k|_D, by Gram-Schmidt orthogonalization of the f_k. Stops at
+/// the first f_k that depends on the previous ones.
 fn least_squares(metric: &Metric, columns: &[&[f64]], f: &[f64]) -> Vec<f64> {
     let mut basis: Vec<Vec<f64>> = Vec::new();
     let mut triangle: Vec<Vec<f64>> = Vec::new(); // column k: its parts along the basis, then its own length

@@ -5,20 +5,20 @@
 //! y  ← x⁺ + β (x⁺ − x),     β = θ (1 − θ) / (θ² + θ⁺),   θ⁺² = (1 − θ⁺) θ²,   θ = 1 at first
 //! ```
 //!
-//! Projected gradient steps (damped [`Jacobi`](crate::Jacobi)) from a point y that runs ahead of x:
+//! Projected gradient steps (damped [`Jacobi`](crate::Jacobi)) from an extrapolated point y:
 //! Nesterov's method (1983), used for contacts by Mazhar, Heyn, Negrut & Tasora (2015). After k
 //! steps the objective is within 2 L |x⁰ − x*|² / k² of its minimum for every symmetric
-//! semidefinite A, where plain steps have 1/k only. Momentum makes the objective ripple; whenever
-//! the last step goes uphill, ⟨∇(y), x⁺ − x⟩ > 0, momentum is dropped and θ set to 1 again
-//! (O'Donoghue & Candès 2015), which restores the linear rate 1 − 1/√κ without κ being known.
+//! semidefinite A; plain steps achieve only 1/k. Momentum makes the objective oscillate. Whenever
+//! the last step goes uphill, ⟨∇(y), x⁺ − x⟩ > 0, the momentum is reset (θ = 1; O'Donoghue & Candès
+//! 2015), which restores the linear rate 1 − 1/√κ without knowing κ.
 //!
-//! L is found by trial: it starts at 1, and a step is taken back and L doubled until the objective
-//! lies below its model, dᵀA d ≤ L dᵀD d with d = x⁺ − y. Lengths are measured by D = diag(A), so
-//! that units do not matter and L never exceeds the number of entries in a row. A step costs two
-//! products with A, and one more for each trial.
+//! L is found by backtracking: it starts at 1, and a step is repeated with doubled L until the
+//! objective lies below its model, dᵀA d ≤ L dᵀD d with d = x⁺ − y. Lengths are measured by
+//! D = diag(A), so units do not matter and L never exceeds the number of entries in a row. A step
+//! costs two products with A, plus one for each repetition.
 //!
-//! Nothing but Π knows the feasible set, so the same code descends over boxes and over the circular
-//! cones of friction, where D has one number a contact.
+//! Only Π depends on the feasible set, so the same code works for boxes and for circular friction
+//! cones, where D has one number per contact.
 //!
 //! A not symmetric: `OutsideClass`. A row with a_ii ≤ 0: `ZeroDiagonal`. Coupled rows and Coulomb's
 //! law: see [`frozen`].
@@ -31,7 +31,8 @@ use crate::{ConeSolver, Event, Observer, Settings, Solution, Solver, Start, Stat
 use lcplab_problem::friction::ConeProblem;
 use lcplab_problem::{Complementarity, Lcp};
 
-/// By so much a frozen problem is solved better, where its solution is none of the problem itself.
+/// If the solution of a frozen problem does not solve the original one, its tolerance becomes this
+/// fraction of the residual.
 const TIGHTER: f64 = 0.1;
 
 /// Accelerated projected gradient descent.
@@ -127,7 +128,7 @@ fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
-/// Moves θ on; returns β.
+/// Updates θ and returns β.
 fn momentum(theta: &mut f64) -> f64 {
     let old = *theta;
     let square = old * old;

@@ -1,9 +1,9 @@
-//! First order: products with A and nothing else.
+//! First-order methods, which use only products with A.
 //!
-//! For symmetric semidefinite A the problem is a minimisation over a box, and every method for that
-//! serves: gradients with memory ([`apgd`], [`spectral`]), conjugate gradients that know of bounds
-//! ([`mprgp`], [`nncg`]), sweeps that are mixed ([`anderson`]), operator splitting ([`admm`]). They
-//! need far fewer products than there are sweeps.
+//! For symmetric semidefinite A the problem is a minimization over a box, and any method for that
+//! can be used: accelerated and spectral gradients ([`apgd`], [`spectral`]), conjugate gradients
+//! with bounds ([`mprgp`], [`nncg`]), mixed sweeps ([`anderson`]), operator splitting ([`admm`]).
+//! They need far fewer products than sweep methods need sweeps.
 
 pub mod admm;
 pub mod anderson;
@@ -21,9 +21,9 @@ pub use spectral::Spectral;
 
 use crate::{Class, Cost, Entry, Group, MatrixClass};
 
-/// What these methods ask for.
+/// The class of problems for these methods.
 const CLASS: Class = Class::of(MatrixClass::Semidefinite).with_positive_diagonal();
-/// Two products with A, and what goes with them.
+/// Two products with A and the vector operations.
 const PRODUCTS: Cost = Cost::each("2 s + 5 n", |i| 2.0 * i.stored + 5.0 * i.n);
 
 /// The methods of this group.

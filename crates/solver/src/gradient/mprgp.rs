@@ -1,25 +1,25 @@
-//! Modified proportioning with reduced gradient projections: conjugate gradients in a box.
+//! Modified proportioning with reduced gradient projections (MPRGP): conjugate gradients in a box.
 //!
-//! The gradient ∇_i = w_i / a_ii splits into what can still be used: φ, its part on the free rows,
-//! and β, its part on the rows at a bound that wants to leave it. At a solution both vanish.
+//! The gradient ∇_i = w_i / a_ii splits into two usable parts: φ on the free rows, and β on the
+//! rows at a bound that should leave it. Both vanish at a solution.
 //!
 //! ```text
 //! φ̃ = the part of φ that a step of length ᾱ can use before a bound stops it
 //! |β|² ≤ φ̃·φ:  a conjugate gradient step on the free rows, x ← x − α p
-//!               (expansion: cut off at the first bound met, then x ← Π(x − ᾱ φ); p starts anew)
-//! otherwise:    proportioning: x ← x − α β lets rows leave their bounds; p starts anew
+//!               (expansion: cut off at the first bound, then x ← Π(x − ᾱ φ); p is reset)
+//! otherwise:    proportioning: x ← x − α β lets rows leave their bounds; p is reset
 //! ```
 //!
-//! So the free rows are explored by conjugate gradients, which need about √κ steps where
-//! Gauss-Seidel needs κ, and many rows can join or leave the bounds in a single step. No step
-//! raises the objective. For symmetric positive definite A it converges linearly with a rate known
-//! from the extreme eigenvalues, and finitely (but for rounding) where w ≠ 0 on all rows at a bound
-//! (Dostál & Schöberl 2005; both bounds: Dostál 2009). Lengths are measured by D = diag(A), and ᾱ =
-//! 1/λ with a bound λ on the largest eigenvalue of D⁻¹A. A step costs two products with A.
+//! Conjugate gradients explore the free rows in about √κ steps, where Gauss-Seidel needs κ, and
+//! many rows can join or leave the bounds in a single step. No step raises the objective. For
+//! symmetric positive definite A the method converges linearly at a rate known from the extreme
+//! eigenvalues, and in finitely many steps (up to rounding) if w ≠ 0 on all rows at a bound (Dostál
+//! & Schöberl 2005; both bounds: Dostál 2009). Lengths are measured by D = diag(A), and ᾱ = 1/λ
+//! with an upper bound λ on the largest eigenvalue of D⁻¹A. A step costs two products with A.
 //!
-//! Where A is singular, p may have no curvature: then x moves until a bound stops it, and if none
-//! does the problem has no solution (`Ray`). pᵀA p < 0 or A not symmetric: `OutsideClass`. A row
-//! with a_ii ≤ 0: `ZeroDiagonal`. Coupled rows: see [`frozen`].
+//! If A is singular, p may have zero curvature: then x moves until it reaches a bound, and if there
+//! is none, the problem has no solution (`Ray`). pᵀA p < 0 or A not symmetric: `OutsideClass`. A
+//! row with a_ii ≤ 0: `ZeroDiagonal`. Coupled rows: see [`frozen`].
 
 use std::ops::ControlFlow;
 
@@ -56,7 +56,7 @@ impl Solver for Mprgp {
 struct Run<'a> {
     lcp: &'a Lcp,
     metric: &'a Metric,
-    /// The last conjugate direction; none where the next step starts anew.
+    /// The last conjugate direction; `None` if the next step restarts.
     p: Option<Vec<f64>>,
 }
 
@@ -106,7 +106,7 @@ impl Run<'_> {
         if leaves && lo < hi { gradient } else { 0.0 }
     }
 
-    /// φ̃_i: λ times the distance x_i can go.
+    /// φ̃_i: λ times the distance that x_i can move.
     fn usable(&self, i: usize, x: f64, free: f64) -> f64 {
         let (lo, hi) = (self.lcp.lo()[i], self.lcp.hi()[i]);
         free.min(self.metric.eigenvalue * (x - lo)).max(self.metric.eigenvalue * (x - hi))
@@ -121,7 +121,8 @@ impl Run<'_> {
         p
     }
 
-    /// The length at which the objective is least along −p; ∞ where it falls for ever.
+    /// The step length that minimizes the objective along −p; ∞ if the objective decreases without
+    /// limit.
     fn minimiser(&self, gradient: &[f64], p: &[f64]) -> ControlFlow<Status, f64> {
         let slope = self.metric.inner(gradient, p);
         match self.metric.curvature(self.lcp, p) {
@@ -135,7 +136,7 @@ impl Run<'_> {
         }
     }
 
-    /// How far x can go along −p within the bounds.
+    /// How far x can move along −p within the bounds.
     fn slack(&self, x: &[f64], p: &[f64]) -> f64 {
         let slack = |i: usize| match p[i] {
             p if p > 0.0 => (x[i] - self.lcp.lo()[i]) / p,

@@ -1,8 +1,8 @@
 //! Nonsmooth nonlinear conjugate gradients around projected Gauss-Seidel.
 //!
-//! One sweep of [`Pgs`](crate::Pgs) is a map x → P(x) whose fixed points are the solutions. Its
-//! step is taken for the negative gradient of an unknown function, and Fletcher-Reeves' conjugate
-//! gradients are run on that (Silcowitz, Niebe & Erleben 2010):
+//! One sweep of [`Pgs`](crate::Pgs) is a map x → P(x) whose fixed points are the solutions. The
+//! method treats its step as the negative gradient of an unknown function and runs Fletcher-Reeves
+//! conjugate gradients on it (Silcowitz, Niebe & Erleben 2010):
 //!
 //! ```text
 //! g⁺ = x − P(x),   β = |g⁺|² / |g|²
@@ -10,15 +10,16 @@
 //! β > 1:   p ← 0,          x ← P(x)            (the sweep alone)
 //! ```
 //!
-//! Gauss-Seidel is slow because its last, smoothest error component shrinks by ρ ≈ 1 in each sweep;
-//! the memory p adds those many equal small steps up. On contact stacks that turns n² sweeps into
-//! about n, at nearly the cost of a sweep each. There is no convergence proof: neither the
-//! objective nor the residual falls monotonically. Two rules keep it honest: where the sweeps do
-//! not shrink, β > 1, it is Gauss-Seidel for one step; and x is projected, where the original lets
-//! it leave the bounds until the next sweep. Lengths are measured by D = diag(A).
+//! Gauss-Seidel is slow because its smoothest error component shrinks by only ρ ≈ 1 in each sweep;
+//! the direction p accumulates these many small, nearly equal steps. On contact stacks this reduces
+//! n² sweeps to about n, at nearly the same cost per sweep. There is no convergence proof: neither
+//! the objective nor the residual decreases monotonically. Two safeguards: if the sweeps do not
+//! shrink (β > 1), the method does one plain Gauss-Seidel step; and x is projected, whereas the
+//! original method lets x leave the bounds until the next sweep. Lengths are measured by
+//! D = diag(A).
 //!
-//! A row with a_ii ≤ 0 ends it with `ZeroDiagonal`; iterates that overflow with `Diverged`.
-//! A coupled row is clamped to ±μ times the newest x of its normal row.
+//! A row with a_ii ≤ 0 gives `ZeroDiagonal`; iterates that overflow give `Diverged`. A coupled row
+//! is clamped to ±μ times the newest x of its normal row.
 
 use std::ops::ControlFlow;
 
@@ -30,7 +31,7 @@ use lcplab_problem::Lcp;
 /// Nonsmooth nonlinear conjugate gradients.
 #[derive(Debug, Clone, Default)]
 pub struct Nncg {
-    /// The common settings; an iteration is a sweep and the conjugate step after it.
+    /// The common settings; an iteration is a sweep followed by a conjugate step.
     pub settings: Settings,
 }
 

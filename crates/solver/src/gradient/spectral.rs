@@ -1,26 +1,25 @@
-//! Spectral projected gradient: the step length of Barzilai and Borwein, made safe.
+//! Spectral projected gradient: Barzilai-Borwein step lengths with a safeguard.
 //!
 //! ```text
 //! d ← Π(x − t ∇(x)) − x,   x ← x + λ d
 //! t ← sᵀD s / sᵀA s        with s the last step: an inverse Rayleigh quotient of D⁻¹A
 //! ```
 //!
-//! A gradient step needs a length; the last step s has felt a curvature between the smallest and
-//! the largest eigenvalue of D⁻¹A, and its inverse is used as the next length (Barzilai & Borwein
-//! 1988). These lengths sweep through the spectrum, so one error component after another is
-//! removed, and the objective is *not* monotone: that is what makes the method fast. To be safe
-//! (Birgin, Martínez & Raydan 2000) λ ≤ 1 is taken as long as the objective stays below the largest
-//! of the last ten:
+//! The last step s measured a curvature between the smallest and the largest eigenvalue of D⁻¹A;
+//! its inverse is the next step length (Barzilai & Borwein 1988). These lengths range over the
+//! spectrum, which removes one error component after another. The objective is *not* monotone, and
+//! that is what makes the method fast. As a safeguard (Birgin, Martínez & Raydan 2000), λ ≤ 1 is
+//! accepted as long as the objective stays below the largest of the last ten:
 //!
 //! ```text
 //! λ wᵀd + ½ λ² dᵀA d ≤ h + 10⁻⁴ λ wᵀd,   h = the height of that largest one above the last
 //! ```
 //!
-//! which for a quadratic is a quadratic equation for λ.
+//! For a quadratic objective this is a quadratic equation for λ.
 //!
 //! Converges to a minimum of ½ xᵀAx + bᵀx over the box for symmetric semidefinite A, if there is
-//! one. The left side is the change of the objective, never computed as a difference of two
-//! objectives, so the rule works down to rounding. Lengths are measured by D = diag(A). A step
+//! one. The left side is the change of the objective, which is not computed as a difference of two
+//! objectives, so the test works down to rounding. Lengths are measured by D = diag(A). A step
 //! costs two products with A.
 //!
 //! A not symmetric: `OutsideClass`. A row with a_ii ≤ 0: `ZeroDiagonal`. Coupled rows: see
@@ -34,9 +33,9 @@ use crate::metric::{Curvature, Metric};
 use crate::{Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::Lcp;
 
-/// The objective may rise above the last one, but not above the largest of this many.
+/// The number of recent objectives whose maximum the new one must not exceed.
 const MEMORY: usize = 10;
-/// The part of the predicted decrease that a full step must deliver.
+/// The fraction of the predicted decrease that a full step must achieve.
 const SUFFICIENT: f64 = 1e-4;
 
 /// Spectral projected gradient (Barzilai-Borwein steps).
@@ -59,7 +58,7 @@ impl Solver for Spectral {
         };
         frozen::solve(lcp, x, &self.settings, |lcp, x, first| {
             let mut length = 1.0 / metric.eigenvalue;
-            // The objectives of the last steps, counted from the newest one.
+            // The objectives of the last steps, relative to the newest.
             let mut heights = VecDeque::from([0.0]);
             iterate(lcp, x, first, &self.settings, observer, |x| {
                 let gradient = metric.gradient(lcp, x);
@@ -99,7 +98,7 @@ fn longest(highest: f64, slope: f64, curvature: f64) -> f64 {
     if root >= curvature { 1.0 } else { root / curvature }
 }
 
-/// Counts the heights from the new objective, which lies `change` above the last one.
+/// Updates the stored objectives relative to the new one, which is `change` above the last.
 fn remember(heights: &mut VecDeque<f64>, change: f64) {
     for height in heights.iter_mut() {
         *height -= change;

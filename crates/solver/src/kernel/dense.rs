@@ -5,31 +5,31 @@
 //! by columns:   x_i ← Π_i(x_i − ω w_i / a_ii),   w ← w + δ_i A_i,   δ_i the change of x_i
 //! ```
 //!
-//! By rows, all n² entries are read whatever happens, so reading them is all that it should cost. A
-//! sum of n terms is a chain of n/8 additions to the same eight lanes, which takes longer than the
-//! reading; four rows at a time have four chains. Their sums are taken at the old x and corrected
-//! by what the rows before them in the four have changed:
+//! By rows, all n² entries are read in any case, so a sweep should take no longer than reading
+//! them. A sum of n terms is a chain of n/8 dependent additions on the same eight lanes, which
+//! takes longer than reading; four rows at a time give four independent chains. Their sums are
+//! computed at the old x and corrected for the changes of the previous rows in the group of four:
 //!
 //! ```text
 //! w_(i+r) = Σ_j a_(i+r)j x_j + b_(i+r) + Σ_(q<r) a_(i+r)(i+q) δ_(i+q)
 //! ```
 //!
-//! By columns, a row costs nothing but a look where x_i stays at its bound: for symmetric A only,
-//! whose columns are rows. w collects rounding, so it is made anew every [`RENEWED`] sweeps. For
-//! coupled rows: [`Pgs`](crate::Pgs).
+//! By columns, a row that stays at its bound costs almost nothing. This works for symmetric A only,
+//! because columns are read as rows. w accumulates rounding errors and is therefore recomputed
+//! every [`RENEWED`] sweeps. For coupled rows use [`Pgs`](crate::Pgs).
 
 use super::lanes::{Lanes, Width, Work, sum};
 use crate::Status;
 use crate::metric::Metric;
 use lcplab_problem::{Lcp, Matrix, dot};
 
-/// Sweeps by columns after which w is computed from x.
+/// Number of sweeps by columns after which w is recomputed from x.
 pub const RENEWED: usize = 64;
 
-/// Rows of which the sums are taken together.
+/// Number of rows whose sums are computed together.
 const TOGETHER: usize = 4;
 
-/// What both forms need of a problem.
+/// The data that both forms need.
 #[derive(Debug, Clone)]
 struct Dense<'a> {
     lcp: &'a Lcp,
@@ -81,7 +81,7 @@ impl<'a> Dense<'a> {
 pub struct Rows<'a>(Dense<'a>);
 
 impl<'a> Rows<'a> {
-    /// The sweeps for this problem with relaxation ω, 0 < ω < 2.
+    /// The sweeps for this problem with relaxation factor ω, 0 < ω < 2.
     ///
     /// # Errors
     /// [`Status::ZeroDiagonal`]; [`Status::OutsideClass`] if A is not dense or rows are coupled.
@@ -92,7 +92,7 @@ impl<'a> Rows<'a> {
     /// One sweep over all rows.
     ///
     /// # Panics
-    /// If x has not n entries.
+    /// If x does not have n entries.
     pub fn sweep(&self, x: &mut [f64]) {
         assert_eq!(x.len(), self.0.lcp.len(), "one x a row");
         self.0.width.run(RowSweep { dense: &self.0, x });
@@ -135,8 +135,8 @@ impl Work for RowSweep<'_> {
     }
 }
 
-/// The products of four rows with x: in one pass if there are registers enough, else one by one,
-/// which is the same to the bit.
+/// The products of four rows with x: in one pass if there are enough registers, otherwise one by
+/// one with bitwise identical results.
 #[inline(always)]
 fn products<V: Lanes>(rows: [&[f64]; TOGETHER], x: &[f64]) -> [f64; TOGETHER] {
     if V::WIDE {
@@ -149,7 +149,7 @@ fn products<V: Lanes>(rows: [&[f64]; TOGETHER], x: &[f64]) -> [f64; TOGETHER] {
     products
 }
 
-/// [`dot`](lcplab_problem::dot) of several rows with the same x, bit by bit.
+/// [`dot`](lcplab_problem::dot) of several rows with the same x, bitwise identical.
 #[inline(always)]
 fn dots<V: Lanes, const R: usize>(rows: [&[f64]; R], x: &[f64]) -> [f64; R] {
     let (x_blocks, x_tail) = x.as_chunks::<8>();
@@ -186,7 +186,7 @@ pub struct Columns<'a> {
 }
 
 impl<'a> Columns<'a> {
-    /// The sweeps for this problem with relaxation ω, 0 < ω < 2.
+    /// The sweeps for this problem with relaxation factor ω, 0 < ω < 2.
     ///
     /// # Errors
     /// [`Status::ZeroDiagonal`]; [`Status::OutsideClass`] if A is not dense or not symmetric, or
@@ -198,10 +198,11 @@ impl<'a> Columns<'a> {
         Ok(Columns { dense: Dense::of(lcp, omega, width)?, w: Vec::new(), sweeps: 0 })
     }
 
-    /// One sweep over all rows, from the x that the last one left; returns how many x changed.
+    /// One sweep over all rows; x must be unchanged since the last sweep. Returns how many x
+    /// changed.
     ///
     /// # Panics
-    /// If x has not n entries.
+    /// If x does not have n entries.
     pub fn sweep(&mut self, x: &mut [f64]) -> usize {
         assert_eq!(x.len(), self.dense.lcp.len(), "one x a row");
         if self.sweeps.is_multiple_of(RENEWED) {

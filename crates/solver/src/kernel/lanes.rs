@@ -1,39 +1,38 @@
-//! Eight numbers at a time: the one file with `unsafe`.
+//! Vectors of eight numbers: the only file with `unsafe`.
 //!
-//! A kernel is written once, over [`Lanes`]: eight `f64` with elementwise operations.
-//! [`Width::run`] compiles it for each set of instructions and picks one when it runs, because the
-//! compiler's default target knows no more than SSE2. All do the same IEEE operations in the same
-//! order, lane by lane, and none fuses a product with a sum, so the bits are the same on every
-//! processor.
+//! A kernel is written once, for [`Lanes`]: eight `f64` with elementwise operations. [`Width::run`]
+//! compiles it for each instruction set and selects one at run time, because the compiler's default
+//! target has only SSE2. All variants do the same IEEE operations in the same order in each lane,
+//! without fused multiply-add, so the results are bitwise identical on every processor.
 //!
 //! # Why this is sound
 //! - AVX instructions are reached only through [`Avx2`] and [`Avx512`]. Both types are private to
-//!   this file, and only `with_avx2` and `with_avx512` name them, which are called after the
-//!   processor was asked whether it has the instructions.
-//! - Loads and stores go through `&[f64; 8]`, by instructions that ask for no alignment.
+//!   this file and used only by `with_avx2` and `with_avx512`, which are called only after checking
+//!   that the processor supports the instructions.
+//! - Loads and stores go through `&[f64; 8]`, by instructions that need no alignment.
 #![allow(unsafe_code)]
 
 use std::ops::{Add, Mul, Sub};
 
-/// Eight numbers, and what is done to each.
+/// Eight numbers with elementwise operations.
 pub(crate) trait Lanes:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
 {
-    /// Whether four sums at a time fit in the registers.
+    /// Whether four sums at a time fit into the registers.
     const WIDE: bool;
     fn load(from: &[f64; 8]) -> Self;
     fn store(self, to: &mut [f64; 8]);
-    /// Tells the processor that these are wanted soon, where it can be told.
+    /// Prefetches these numbers, where supported.
     #[inline(always)]
     fn ask_for(_numbers: &[f64; 8]) {}
-    /// The larger of both, `other` if neither is.
+    /// The larger of both, or `other` if neither is larger.
     fn max(self, other: Self) -> Self;
-    /// The smaller of both, `other` if neither is.
+    /// The smaller of both, or `other` if neither is smaller.
     fn min(self, other: Self) -> Self;
     fn abs(self) -> Self;
-    /// 0 where the size is at most this.
+    /// 0 in lanes whose absolute value is at most `size`.
     fn zero_within(self, size: Self) -> Self;
-    /// Whether any is at most the other.
+    /// Whether any lane is at most that of the other.
     fn any_at_most(self, other: Self) -> bool;
 
     #[inline(always)]
@@ -49,36 +48,37 @@ pub(crate) trait Lanes:
     }
 }
 
-/// Asks for numbers that will be read soon, so that they are on their way from memory.
+/// Prefetches numbers that will be read soon.
 #[inline(always)]
 pub(super) fn prefetch(numbers: &[f64; 8]) {
     #[cfg(not(target_arch = "x86_64"))]
     let _ = numbers;
     #[cfg(target_arch = "x86_64")]
-    // SAFETY: every x86-64 has the instruction, and it reads nothing that the program could see.
+    // SAFETY: every x86-64 has the instruction, and a prefetch has no effect visible to the
+    // program.
     unsafe {
         use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
         _mm_prefetch::<_MM_HINT_T0>(numbers.as_ptr().cast());
     }
 }
 
-/// The sum of eight lanes, in the order of [`dot`](lcplab_problem::dot).
+/// The sum of the eight lanes, in the order of [`dot`](lcplab_problem::dot).
 #[inline(always)]
 pub(super) fn sum([a, b, c, d, e, f, g, h]: [f64; 8]) -> f64 {
     ((a + e) + (c + g)) + ((b + f) + (d + h))
 }
 
-/// Something to do with lanes of any kind; `run` must be `#[inline(always)]`, and so must all that
-/// it calls with them, or it is compiled without the instructions.
+/// A computation on lanes of any kind. `run` and all functions it calls with lanes must be
+/// `#[inline(always)]`; otherwise they are compiled without the instructions.
 pub(crate) trait Work {
     type Output;
     fn run<V: Lanes>(self) -> Self::Output;
 }
 
-/// With which instructions a kernel runs.
+/// The instruction set of a kernel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Width {
-    /// What the compiler makes of arrays: 128 bits at a time on x86-64.
+    /// Plain arrays, as the compiler vectorizes them: 128 bits at a time on x86-64.
     Portable,
     /// 256 bits at a time.
     Avx2,
@@ -87,12 +87,12 @@ pub enum Width {
 }
 
 impl Width {
-    /// Those that this processor has.
+    /// The instruction sets that this processor has.
     pub fn available() -> impl Iterator<Item = Width> {
         [Width::Portable, Width::Avx2, Width::Avx512].into_iter().filter(|width| width.is_here())
     }
 
-    /// The widest that this processor has.
+    /// The widest instruction set that this processor has.
     pub fn widest() -> Width {
         Width::available().last().unwrap_or(Width::Portable)
     }
@@ -111,11 +111,11 @@ impl Width {
         self == Width::Portable
     }
 
-    /// Does the work with these instructions, or portably where the processor lacks them.
+    /// Runs the computation with these instructions, or portably if the processor lacks them.
     pub(crate) fn run<W: Work>(self, work: W) -> W::Output {
         #[cfg(target_arch = "x86_64")]
         if self.is_here() {
-            // SAFETY: the processor has just been asked.
+            // SAFETY: support by the processor has just been checked.
             match self {
                 Width::Portable => {}
                 Width::Avx2 => return unsafe { x86::with_avx2(work) },
@@ -222,9 +222,9 @@ mod x86 {
     #[derive(Clone, Copy)]
     struct Avx512(__m512d);
 
-    // SAFETY, of all below: see the head of the file.
+    // SAFETY, for everything below: see the module documentation.
 
-    /// A prefetch reads nothing that a program can see, and here its address is a reference's.
+    /// A prefetch has no effect visible to the program, and its address comes from a reference.
     #[inline(always)]
     fn prefetch(numbers: &[f64; 8]) {
         unsafe { _mm_prefetch::<_MM_HINT_T0>(numbers.as_ptr().cast()) }

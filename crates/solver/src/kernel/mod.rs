@@ -1,23 +1,23 @@
-//! What takes the time, arranged for speed: same operations, other loops.
+//! Performance kernels: the same operations in faster loops.
 //!
-//! [`Pgs`](super::Pgs) is a sweep as it is defined, and what the lessons show. A processor would
-//! rather have eight numbers at a time, memory in the order it lies in, and no result that waits
-//! for the last one. The kernels here are arranged so; tests hold each against the plain form.
+//! [`Pgs`](super::Pgs) is a sweep as defined, and as the lessons show it. Processors work best with
+//! eight numbers at a time, sequential memory access and no result that depends on the previous
+//! one. The kernels here are arranged accordingly; tests compare each with the plain form.
 //!
-//! | kernel | a sweep costs | what it gains |
+//! | kernel | cost of a sweep | why it is faster |
 //! | --- | --- | --- |
 //! | [`dense::Rows`] | n² entries read | four rows at a time, their four sums independent |
 //! | [`dense::Columns`] | n entries for each x that changes | rows that stay at a bound are skipped |
-//! | [`impulses::RowByRow`] | 12 entries a row, A never formed | the plain form of the next |
-//! | [`impulses::EightPairs`] | the same | eight pairs of a group at once, one a lane |
+//! | [`impulses::RowByRow`] | 12 entries per row, A never formed | the plain form of the next one |
+//! | [`impulses::EightPairs`] | the same | eight pairs of a group at once, one per lane |
 //!
-//! | kernel | a pivot costs | what it gains |
+//! | kernel | cost of a pivot | why it is faster |
 //! | --- | --- | --- |
-//! | [`table::Table`] | n² entries read and written | eight pivots on one way through memory |
-//! | `tableau`, symmetric | n²/2 entries read and written | sixteen pivots on one way through memory |
+//! | [`table::Table`] | n² entries read and written | eight pivots in one pass through memory |
+//! | `tableau`, symmetric | n²/2 entries read and written | sixteen pivots in one pass through memory |
 //!
-//! They do not ask whether x solves anything: stop tests stay with the solvers. [`Width`] says with
-//! which instructions they run; the bits are the same with all.
+//! The kernels do not test whether x is a solution; stop tests stay with the solvers. [`Width`]
+//! selects the instruction set; results are bitwise identical with all.
 
 pub mod dense;
 pub mod impulses;

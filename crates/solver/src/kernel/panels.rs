@@ -1,46 +1,45 @@
-//! The loops of a triangular factor: L by panels of eight rows.
+//! The loops of a triangular factor, with L stored in panels of eight rows.
 //!
 //! ```text
 //! panel p: rows 8p … 8p + 7, cut into tiles of eight columns; in a tile, column by column
 //! ```
 //!
-//! So eight rows are eight lanes, whose sums are independent of one another and need no adding up
-//! across, and everything but the writing of one row is memory in the order it lies in. A panel
-//! begins at the first tile in which one of its rows has an entry: where neighbours touch
-//! neighbours only, as in a stack, that leaves a band (the *envelope* of George & Liu 1981), and
-//! all costs fall with it.
+//! Eight rows are eight lanes, whose sums are independent and need no horizontal addition, and all
+//! memory access except writing a single row is sequential. A panel begins at the first tile in
+//! which one of its rows has an entry: if neighbors are coupled only to neighbors, as in a stack, a
+//! band remains (the *envelope* of George & Liu 1981), which reduces all costs.
 
 use super::lanes::{Lanes, Width, Work, sum};
 
-/// What stands in eight rows: of a vector, or of a column.
+/// Eight consecutive entries of a vector or of a column.
 pub(crate) type Eight = [f64; 8];
 
 /// Eight columns of eight rows: `tile[column][row]`.
 pub(crate) type Tile = [Eight; 8];
 
-/// A unit lower triangular matrix. The unit diagonal is not stored; a row may be all zero beside
-/// it.
+/// A unit lower triangular matrix. The unit diagonal is not stored; all other entries of a row may
+/// be zero.
 #[derive(Debug, Clone)]
 pub(crate) struct Panels {
     tiles: Vec<Tile>,
-    /// The tile in which each panel begins.
+    /// The first tile of each panel.
     begin: Vec<usize>,
     width: Width,
 }
 
-/// Where the tiles of a panel are: panel p has p + 1.
+/// The range of tiles of a panel: panel p has p + 1.
 fn place(panel: usize) -> std::ops::Range<usize> {
     let start = panel * (panel + 1) / 2;
     start..start + panel + 1
 }
 
 impl Panels {
-    /// No rows yet.
+    /// An empty matrix.
     pub(crate) fn new(width: Width) -> Self {
         Panels { tiles: Vec::new(), begin: Vec::new(), width }
     }
 
-    /// With which instructions the loops run.
+    /// The instruction set of the loops.
     pub(crate) fn width(&self) -> Width {
         self.width
     }
@@ -56,7 +55,8 @@ impl Panels {
         8 * self.begin[row / 8]
     }
 
-    /// Writes the row after the last or one that is zero; its entries before tile `begin` are zero.
+    /// Writes a row, either after the last or over a zero one; its entries before tile `begin` are
+    /// zero.
     pub(crate) fn set(&mut self, row: usize, entries: &[Eight], begin: usize) {
         let (panel, lane) = (row / 8, row % 8);
         if panel == self.begin.len() {
@@ -76,7 +76,7 @@ impl Panels {
         }
     }
 
-    /// Drops the panels from this one on.
+    /// Removes the panels from this one on.
     pub(crate) fn truncate(&mut self, panels: usize) {
         self.begin.truncate(panels);
         self.tiles.truncate(place(panels).start);
@@ -94,7 +94,7 @@ impl Panels {
         self.width.run(Backward { l: self, z, sums });
     }
 
-    /// L D Lᵀ ← L D Lᵀ without row and column k, which are left as those of the unit matrix.
+    /// L D Lᵀ ← L D Lᵀ without row and column k, which become those of the identity.
     pub(crate) fn remove(&mut self, k: usize, diagonal: &mut [Eight]) {
         let (begin, width) = (self.begin[k / 8], self.width);
         for tile in &mut self.tiles[place(k / 8)][begin..] {
@@ -142,7 +142,7 @@ impl Work for Forward<'_> {
 struct Backward<'a> {
     l: &'a Panels,
     z: &'a mut [Eight],
-    /// Σ l_rc z_r of each column c over the rows that are done, in eight parts.
+    /// Σ l_rc z_r of each column c over the rows processed so far, in eight parts.
     sums: &'a mut [Tile],
 }
 
@@ -173,8 +173,8 @@ impl Work for Backward<'_> {
     }
 }
 
-/// L D Lᵀ + α v vᵀ with v the column k that goes (method C1 of Gill, Golub, Murray & Saunders
-/// 1974), which is stable because α > 0.
+/// L D Lᵀ + α v vᵀ, where v is the removed column k (method C1 of Gill, Golub, Murray & Saunders
+/// 1974); stable because α > 0.
 struct Removal<'a> {
     l: &'a mut Panels,
     k: usize,

@@ -1,11 +1,11 @@
-//! y ← y + f x for a number f: the step of which elimination and pivots are made.
+//! y ← y + f x for a number f: the basic step of elimination and pivots.
 //!
-//! It is done as [`difference`] does it: an entry of which only rounding is left becomes exactly 0.
+//! As in [`difference`], an entry becomes exactly 0 if only rounding is left.
 
 use super::lanes::{Lanes, Width, Work};
 use crate::linalg::elimination::{RELATIVE_ZERO, difference};
 
-/// Eight numbers that begin where a line of the cache does, so that none is loaded in two parts.
+/// Eight numbers aligned to a cache line, so that none is loaded in two parts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
 pub(crate) struct Block(pub(crate) [f64; 8]);
@@ -24,10 +24,11 @@ pub(crate) fn put(blocks: &mut [Block], k: usize, value: f64) {
     blocks[k / 8].0[k % 8] = value;
 }
 
-/// Blocks that are on their way at once, so that none waits for the last one.
+/// Number of blocks processed at once, to hide latency.
 const TOGETHER: usize = 4;
 
-/// y ← y + f x for each (f, x) in turn, on one way through y; all have as many blocks as y.
+/// y ← y + f x for each (f, x) in turn, in one pass through y; all have the same number of blocks
+/// as y.
 #[inline(always)]
 pub(super) fn add_all<V: Lanes>(terms: &[(f64, &[Block])], y: &mut [Block]) {
     let done = y.len() - y.len() % TOGETHER;
@@ -40,7 +41,7 @@ pub(super) fn add_all<V: Lanes>(terms: &[(f64, &[Block])], y: &mut [Block]) {
     }
 }
 
-/// The same for the blocks of y from this place on.
+/// The same for the blocks of y starting at `place`.
 #[inline(always)]
 fn add_at<V: Lanes, const B: usize>(terms: &[(f64, &[Block])], place: usize, y: &mut [Block; B]) {
     let mut sums = [V::splat(0.0); B];
@@ -58,14 +59,14 @@ fn add_at<V: Lanes, const B: usize>(terms: &[(f64, &[Block])], place: usize, y: 
     }
 }
 
-/// Their sum, exactly 0 where only rounding is left of it.
+/// The sum, exactly 0 if only rounding is left.
 #[inline(always)]
 fn sum<V: Lanes>(before: V, change: V) -> V {
     let rounding = V::splat(RELATIVE_ZERO) * (before.abs() + change.abs());
     (before + change).zero_within(rounding)
 }
 
-/// y ← y + f x for slices of one length.
+/// y ← y + f x for slices of equal length.
 pub(crate) fn add_multiple(factor: f64, x: &[f64], y: &mut [f64]) {
     Width::widest().run(Multiple { factor, x, y });
 }

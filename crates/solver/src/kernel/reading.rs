@@ -1,41 +1,40 @@
-//! One pass over memory, in three ways: what a sweep that reads A is held against.
+//! One pass over memory, in three variants: the reference time for a sweep that reads A.
 
 use super::lanes::{Lanes, Width, Work, sum};
 
-/// Sums that run side by side.
+/// Number of independent sums.
 const TOGETHER: usize = 4;
-/// Bytes of a line of the cache, which are eight numbers.
+/// Size of a cache line in bytes, eight numbers.
 const LINE: usize = 64;
-/// Lines between asking for memory and using it.
+/// Prefetch distance in cache lines.
 const AHEAD: usize = 16;
 
-/// A way to read memory once. Which of them is the fastest depends on where the memory is cached:
-/// the least of all is what a sweep by rows, which reads no less, is held against.
+/// A way to read memory once. Which one is fastest depends on where the data is cached; the
+/// shortest time of all is the reference for a sweep by rows, which reads the same data.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reading {
     /// From the first number to the last.
     InOrder,
-    /// The same, asking for each line of the cache 1 KiB ahead of its turn: the next level answers
-    /// late.
+    /// The same, prefetching each cache line 1 KiB ahead, for data in an outer cache level.
     AskingAhead,
-    /// A quarter each at four places at once: four short ways are foreseen better than a long one.
+    /// Four quarters in parallel: hardware prefetches four short streams better than a long one.
     AtFourPlaces,
 }
 
 impl Reading {
-    /// All of them.
+    /// All variants.
     pub const ALL: [Reading; 3] = [Reading::InOrder, Reading::AskingAhead, Reading::AtFourPlaces];
 }
 
-/// The sum of all numbers, in an order of the reading's own: one pass over memory, beside which
-/// sweeps are timed. Loads are aligned, and four sums run side by side, so that nothing but memory
-/// is waited for.
+/// The sum of all numbers, in an order that depends on the variant: one pass over memory, as the
+/// reference for timing sweeps. Loads are aligned, and four sums are independent, so that the time
+/// is limited by memory only.
 pub fn read(numbers: &[f64], reading: Reading, width: Width) -> f64 {
     let (unaligned, numbers) = numbers.split_at(to_alignment(numbers));
     unaligned.iter().sum::<f64>() + width.run(Read { numbers, reading })
 }
 
-/// How many numbers stand before the first that begins a line of the cache.
+/// The number of elements before the first cache line boundary.
 fn to_alignment(numbers: &[f64]) -> usize {
     numbers.as_ptr().align_offset(LINE).min(numbers.len())
 }
@@ -62,7 +61,7 @@ impl Work for Read<'_> {
     }
 }
 
-/// The sum of all blocks; `ahead` are blocks to ask for meanwhile, as many as there are.
+/// The sum of all blocks; `ahead` are the blocks to prefetch meanwhile.
 #[inline(always)]
 fn total<V: Lanes>(blocks: &[[f64; 8]], ahead: &[[f64; 8]]) -> f64 {
     let (fours, rest) = blocks.as_chunks::<TOGETHER>();
@@ -87,7 +86,7 @@ fn total<V: Lanes>(blocks: &[[f64; 8]], ahead: &[[f64; 8]]) -> f64 {
     sum(((a + b) + (c + d)).to_array())
 }
 
-/// The same, a block of each quarter in turns.
+/// The same, alternating between the four quarters.
 #[inline(always)]
 fn total_of_quarters<V: Lanes>(blocks: &[[f64; 8]]) -> f64 {
     let quarter = blocks.len() / TOGETHER;

@@ -1,7 +1,7 @@
 //! Sums of rows of A.
 //!
-//! Each row is kept from its first entry to its last, as one run of numbers with the zeros between:
-//! a dense A as it lies in memory, the rows of a stack as bands.
+//! Each row is stored contiguously from its first to its last entry, including the zeros between: a
+//! dense A as it is in memory, the rows of a stack as bands.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -13,7 +13,7 @@ use lcplab_problem::Matrix;
 #[derive(Debug, Clone)]
 pub(crate) struct Rows<'a> {
     values: Cow<'a, [f64]>,
-    /// Of each row, its first column and where it lies in `values`.
+    /// For each row, its first column and its range in `values`.
     runs: Vec<(usize, Range<usize>)>,
     width: Width,
 }
@@ -81,7 +81,7 @@ impl<'a> Rows<'a> {
         Run { first: *first, values: &self.values[range.clone()] }
     }
 
-    /// sum ← A_i + Σ_k factors_k A_rows_k, as far as `sum` goes.
+    /// sum ← A_i + Σ_k factors_k A_rows_k, for the length of `sum`.
     pub(crate) fn combine(&self, i: usize, rows: &[usize], factors: &[f64], sum: &mut [f64]) {
         sum.fill(0.0);
         self.width.run(Combine { a: self, rows: &[i], factors: &[1.0], sum });
@@ -89,7 +89,7 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// Rows of which the sums are taken together, where they are as long as the matrix is wide.
+/// Number of rows whose sums are computed together, if they span the whole width of the matrix.
 const TOGETHER: usize = 8;
 
 struct Combine<'a> {

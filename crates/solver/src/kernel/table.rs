@@ -1,24 +1,24 @@
-//! The entries T of a dictionary v_B = c + T v_N, and pivots that wait for each other.
+//! The entries T of a dictionary v_B = c + T v_N, with deferred pivots.
 //!
-//! A pivot at row r and column c solves row r for the variable of column c and puts it into all
-//! other rows. With f the column as it was, and ρ the new row,
+//! A pivot at row r and column c solves row r for the variable of column c and substitutes it into
+//! all other rows. With f the old column and ρ the new row,
 //!
 //! ```text
 //! ρ_j = −T_rj / T_rc,   ρ_c = 1 / T_rc
 //! T_ij ← T_ij + f_i ρ_j,   T_ic ← 0 + f_i ρ_c        i ≠ r
 //! ```
 //!
-//! Two operations an entry: a large table spends the time of a pivot on its way through memory. So
-//! f and ρ are put aside until eight pivots can be made on the way. A row or a column that is asked
-//! for meanwhile is brought up to date alone. Each entry sees the same operations in the same order
-//! as if no pivot waited, so the bits are the same; and a sum of which only rounding is left is 0,
-//! as in [`difference`].
+//! There are only two operations per entry, so a pivot of a large table is limited by memory
+//! bandwidth. f and ρ are therefore kept until eight pivots can be applied in one pass. A row or
+//! column that is needed meanwhile is updated alone. Each entry sees the same operations in the
+//! same order as without deferral, so the results are bitwise identical. A sum of which only
+//! rounding is left becomes 0, as in [`difference`].
 
 use super::lanes::{Lanes, Width, Work};
 use super::rank_one::{Block, add_all, get, put, zeros};
 use crate::linalg::elimination::difference;
 
-/// Pivots that are made in one pass.
+/// Number of pivots applied in one pass.
 const TOGETHER: usize = 8;
 
 /// T, by rows.
@@ -26,17 +26,17 @@ const TOGETHER: usize = 8;
 pub struct Table {
     rows: usize,
     columns: usize,
-    /// Blocks to a row: an odd number, so that the entries of a column share no set of the cache.
+    /// Blocks per row: an odd number, so that the entries of a column map to different cache sets.
     blocks: usize,
     entries: Vec<Block>,
     waiting: Vec<Pivot>,
     width: Width,
 }
 
-/// What a pivot adds: f_i ρ_j.
+/// A deferred pivot, which adds f_i ρ_j.
 #[derive(Debug, Clone)]
 struct Pivot {
-    /// f_i, 0 where nothing is to be added any more.
+    /// f_i, 0 where nothing is left to add.
     factors: Vec<Block>,
     /// ρ_j.
     row: Vec<Block>,
@@ -60,7 +60,7 @@ impl Table {
         self.columns
     }
 
-    /// Gives an entry a value, whatever waits for it.
+    /// Sets an entry, regardless of deferred pivots.
     pub fn set(&mut self, r: usize, c: usize, value: f64) {
         self.settle_row(r);
         put(self.row_mut(r), c, value);
@@ -95,7 +95,7 @@ impl Table {
         column.iter().flat_map(|block| block.0).take(self.rows).collect()
     }
 
-    /// The pivot at row r and column c, where T is not 0; returns the column as it was.
+    /// The pivot at row r and column c, where T must not be 0; returns the old column.
     pub fn pivot(&mut self, r: usize, c: usize) -> Vec<f64> {
         let column = self.column(c);
         self.clear_column(c);
@@ -115,7 +115,7 @@ impl Table {
         column
     }
 
-    /// Makes the pivots that wait.
+    /// Applies the deferred pivots.
     pub fn settle(&mut self) {
         self.settle_rows(0..self.rows);
         self.waiting.clear();
@@ -140,7 +140,7 @@ impl Table {
         }
     }
 
-    /// T_ic ← 0, whatever waits.
+    /// T_ic ← 0, regardless of deferred pivots.
     fn clear_column(&mut self, c: usize) {
         for r in 0..self.rows {
             put(self.row_mut(r), c, 0.0);
@@ -150,7 +150,7 @@ impl Table {
         }
     }
 
-    /// T_rc without the pivots that wait.
+    /// T_rc without the deferred pivots.
     fn stored(&self, r: usize, c: usize) -> f64 {
         get(&self.entries[r * self.blocks..], c)
     }
@@ -173,7 +173,7 @@ impl Table {
     }
 }
 
-/// Makes the pivots that wait for these rows.
+/// Applies the deferred pivots to these rows.
 struct Settle<'a> {
     rows: std::ops::Range<usize>,
     entries: &'a mut [Block],

@@ -1,52 +1,50 @@
-//! A symmetric tableau: what the pivots so far have made of A, all of it.
+//! A symmetric tableau: the matrix A after the pivots so far.
 //!
-//! With C the free rows and B the others it is the symmetric matrix
+//! With free rows C and other rows B it is the symmetric matrix
 //!
 //! ```text
 //! S_CC = −A_CC⁻¹,   S_CB = A_CC⁻¹ A_CB,   S_BB = A_BB − A_BC A_CC⁻¹ A_CB
 //! ```
 //!
-//! so that row i of B has all that a move of x_i asks for: d_C = −S_iC, Δw_B = S_iB, and s = S_ii.
-//! Row k enters or leaves C by a *sweep* (Beaton 1964; Goodnight 1979):
+//! so that row i of B contains everything needed for a move of x_i: d_C = −S_iC, Δw_B = S_iB, and
+//! s = S_ii. Row k enters or leaves C by a *sweep* (Beaton 1964; Goodnight 1979):
 //!
 //! ```text
 //! s_ij ← s_ij − f_i s_kj,   s_ik ← ± f_i,   s_kk ← −1 / s_kk      f_i = s_ik / s_kk, + enters, − leaves
 //! ```
 //!
-//! A sweep costs n²/2 products, but one at a time it spends its time on the way to memory and back.
-//! So f and row k are put aside until several sweeps can be made on one way. A row that is asked
-//! for meanwhile is brought up to date alone. Each entry sees the same operations in the same order
-//! as if no sweep waited, so the bits are the same.
+//! A sweep costs n²/2 products, but a single one is limited by memory bandwidth. f and row k are
+//! therefore kept until several sweeps can be applied in one pass. A row that is needed meanwhile
+//! is updated alone. Each entry sees the same operations in the same order as without deferral, so
+//! the results are bitwise identical.
 
 use super::lanes::{Lanes, Width, Work};
 use super::rank_one::{Block, get, put, zeros};
 use lcplab_problem::Matrix;
 
-/// Sweeps that are made on one way through the tableau.
+/// Number of sweeps applied in one pass through the tableau.
 const TOGETHER: usize = 16;
 
-/// Rows that are brought up to date together, so that what is subtracted is loaded once for all of
-/// them.
+/// Number of rows updated together, so that the subtracted rows are loaded only once.
 const ROWS: usize = 4;
 
-/// S, of which each row has the entries from its own block of eight on: what stands before is read
-/// from the column.
+/// S; each row is stored from its own block of eight on, earlier entries are read from the column.
 pub(crate) struct Tableau {
-    /// The last row and column: its last entry is 0.
+    /// The last row and column; its last entry is 0.
     border: Vec<f64>,
-    /// Blocks of a whole row: zeros right of the last column and below the last row make it so
-    /// many.
+    /// Blocks per full row, including zeros right of the last column; zeros also fill the rows
+    /// below the last.
     blocks: usize,
-    /// Eight rows after eight rows, of the g-th eight the blocks from g on.
+    /// Rows in groups of eight; group g has the blocks from g on.
     entries: Vec<Block>,
-    /// Of each sweep that waits f, then row k; both are 0 where row and column are up to date.
+    /// For each deferred sweep f, then row k; both are 0 where row and column are already updated.
     waiting: Vec<Block>,
     count: usize,
     width: Width,
 }
 
 impl Tableau {
-    /// A with one more row and column, this one, whose last entry is 0: nothing is free.
+    /// A with one more row and column, `border`, whose last entry is 0; no row is free.
     pub(crate) fn bordered(matrix: &Matrix, border: Vec<f64>) -> Self {
         let n = matrix.len() + 1;
         let blocks = n.div_ceil(8).max(1);
@@ -58,7 +56,7 @@ impl Tableau {
         own
     }
 
-    /// Becomes A again.
+    /// Resets the tableau to A.
     pub(crate) fn reset(&mut self, matrix: &Matrix) {
         self.forget();
         self.entries.fill(Block([0.0; 8]));
@@ -91,7 +89,7 @@ impl Tableau {
         }
     }
 
-    /// Where the rows of the g-th eight begin, and how many blocks each has.
+    /// The offset of the rows of group g, and the number of blocks of each.
     #[inline(always)]
     fn eight(&self, g: usize) -> (usize, usize) {
         (8 * g * self.blocks - 4 * g * g.saturating_sub(1), self.blocks - g)
@@ -110,24 +108,24 @@ impl Tableau {
         &mut self.entries[start + i % 8 * length..][..length]
     }
 
-    /// No sweep waits any more.
+    /// Discards the deferred sweeps.
     fn forget(&mut self) {
         self.waiting.clear();
         self.count = 0;
     }
 
-    /// Room for a row.
+    /// Storage for a row.
     pub(crate) fn room(&self) -> Vec<Block> {
         zeros(self.blocks)
     }
 
-    /// Row i, zeros behind the n-th entry.
+    /// Reads row i; entries after the n-th are zero.
     pub(crate) fn read(&self, i: usize, row: &mut [Block]) {
         self.width.run(Read { tableau: self, i, row });
     }
 
-    /// Row k, which this is, enters C, sign = 1, or leaves it, sign = −1. `followed`, row i, was
-    /// read before and is brought up to date.
+    /// Row k, given here, enters C (sign = 1) or leaves it (sign = −1). `followed`, row i as read
+    /// before, is updated.
     pub(crate) fn pivot(
         &mut self,
         k: usize,
@@ -139,7 +137,7 @@ impl Tableau {
         width.run(Pivot { tableau: self, k, row, sign, followed });
     }
 
-    /// Row i, zeros behind the n-th entry.
+    /// Computes row i; entries after the n-th are zero.
     #[inline(always)]
     fn bring<V: Lanes>(&self, i: usize, row: &mut [Block]) {
         let first = i / 8;
@@ -156,22 +154,22 @@ impl Tableau {
         self.subtract::<V>(0, i, row);
     }
 
-    /// Brings row i, which was read before the last pivot, that of row k, up to date.
+    /// Updates row i, which was read before the last pivot, that of row k.
     #[inline(always)]
     fn follow<V: Lanes>(&self, i: usize, k: usize, row: &mut [Block]) {
         self.subtract::<V>(self.count - 1, i, row);
         put(row, k, self.stored(i, k));
     }
 
-    /// s_ik as it is stored: up to date if row k is.
+    /// s_ik as stored: up to date if row k is.
     #[inline(always)]
     fn stored(&self, i: usize, k: usize) -> f64 {
         let (i, k) = (i.min(k), i.max(k));
         get(self.row(i), k - i / 8 * 8)
     }
 
-    /// Subtracts what the sweeps from `first` on take from row i: s_ji − f_j s_ki before its block,
-    /// s_ij − f_i s_kj from there on.
+    /// Subtracts the contribution of the sweeps from `first` on from row i: s_ji − f_j s_ki before
+    /// its block, s_ij − f_i s_kj from there on.
     #[inline(always)]
     fn subtract<V: Lanes>(&self, first: usize, i: usize, row: &mut [Block]) {
         let (before, own) = row.split_at_mut(i / 8);
@@ -228,7 +226,7 @@ impl Tableau {
         self.count += 1;
     }
 
-    /// Makes the sweeps that wait.
+    /// Applies the deferred sweeps.
     #[inline(always)]
     fn settle<V: Lanes>(&mut self) {
         let (blocks, waiting) = (self.blocks, &self.waiting);
@@ -312,7 +310,7 @@ fn subtract_multiple<V: Lanes>(number: f64, row: &[Block], to: &mut [Block]) {
     }
 }
 
-/// to ← from, as far as both go.
+/// to ← from, up to the shorter length.
 #[inline(always)]
 fn copy<V: Lanes>(from: &[Block], to: &mut [Block]) {
     for (from, to) in from.iter().zip(to) {

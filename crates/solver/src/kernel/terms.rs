@@ -1,20 +1,20 @@
-//! The terms of all rows of a dense A in one pass: what a residual is made of.
+//! The terms of all rows of a dense A in one pass, as needed for a residual.
 //!
 //! ```text
 //! w_i = Σ_j a_ij x_j + b_i,   Σ_j |a_ij x_j| + |b_i|
 //! ```
 //!
-//! Both sums are taken of each product while it is at hand, four rows at a time; each w has the
-//! bits of [`Lcp::row_w`].
+//! Both sums are updated with each product in one pass, four rows at a time; each w is bitwise
+//! identical to [`Lcp::row_w`].
 
 use super::lanes::{Lanes, Width, Work, sum};
 use lcplab_problem::merit::{RowTerms, row_scale};
 use lcplab_problem::{Lcp, Matrix};
 
-/// Rows of which the sums are taken together.
+/// Number of rows whose sums are computed together.
 const TOGETHER: usize = 4;
 
-/// The [`RowTerms`] of all rows at x. Of a sparse A they are taken row by row.
+/// The [`RowTerms`] of all rows at x; for a sparse A they are computed row by row.
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};
@@ -28,7 +28,7 @@ const TOGETHER: usize = 4;
 /// ```
 ///
 /// # Panics
-/// If x has not n entries.
+/// If x does not have n entries.
 pub fn terms(lcp: &Lcp, x: &[f64], width: Width) -> Vec<RowTerms> {
     let n = lcp.len();
     assert_eq!(x.len(), n, "one x a row");
@@ -47,7 +47,7 @@ pub fn terms(lcp: &Lcp, x: &[f64], width: Width) -> Vec<RowTerms> {
     sums.into_iter().enumerate().map(terms).collect()
 }
 
-/// The terms of a row of a sparse A; its diagonal entry is met on the way.
+/// The terms of a row of a sparse A, including its diagonal entry.
 fn of_stored(lcp: &Lcp, i: usize, x: &[f64]) -> RowTerms {
     let (mut w, mut size, mut diagonal) = (0.0, 0.0, 0.0);
     for (j, a) in lcp.matrix().row(i).iter() {

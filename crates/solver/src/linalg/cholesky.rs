@@ -1,9 +1,8 @@
-//! The factorisation A_FF = L Lᵀ of a principal block, in blocks that keep a processor busy (by
-//! faer).
+//! The factorization A_FF = L Lᵀ of a principal submatrix, by blocks (with faer).
 //!
-//! The block is gathered once, scaled by powers of two so that its diagonal lies between 1 and 4:
-//! units change no bit of L. A pivot that has lost all but a 1e-13th of its diagonal entry is zero;
-//! A_FF is then singular, or not positive semidefinite.
+//! The submatrix is gathered once and scaled by powers of two so that its diagonal lies between 1
+//! and 4; units therefore change no bit of L. A pivot below 1e-13 of its diagonal entry counts as
+//! zero; A_FF is then singular or not positive semidefinite.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt;
@@ -12,23 +11,23 @@ use faer::{MatMut, MatRef, Par};
 use crate::pivot::active_set::unit;
 use lcplab_problem::Lcp;
 
-/// A pivot below this part of its diagonal entry is zero.
+/// A pivot below this fraction of its diagonal entry counts as zero.
 pub(crate) const RELATIVE_ZERO: f64 = 1e-13;
 
-/// The factor of the last block, and room for the next.
+/// The last factor, with storage for the next.
 #[derive(Debug, Clone, Default)]
 pub struct Cholesky {
     unit: Vec<f64>,
-    /// L by columns, f² entries; those above the diagonal mean nothing.
+    /// L by columns, f² entries; those above the diagonal are unused.
     lower: Vec<f64>,
 }
 
 impl Cholesky {
-    /// Factorises the block of these rows, ascending; only entries on and right of the diagonal are
-    /// read.
+    /// Factorizes the submatrix of these rows (ascending); reads only entries on and right of the
+    /// diagonal.
     ///
     /// # Errors
-    /// The first row whose pivot is zero or negative; there is no factor then.
+    /// The first row whose pivot is zero or negative; there is then no factor.
     pub fn factor(&mut self, lcp: &Lcp, rows: &[usize]) -> Result<(), usize> {
         let f = rows.len();
         self.unit.clear();
@@ -46,12 +45,12 @@ impl Cholesky {
             let pivot = self.lower[k * (f + 1)].powi(2);
             !(pivot > RELATIVE_ZERO * diagonal[k])
         };
-        // A pivot that is zero but for rounding may be positive, and a later one be refused.
+        // Rounding can leave a zero pivot slightly positive, so that faer rejects only a later one.
         let zero = (0..refused.unwrap_or(f)).find(is_zero).or(refused);
         zero.map_or(Ok(()), |k| Err(rows[k]))
     }
 
-    /// Takes the entries on and right of the diagonal from A, as columns; returns the diagonal.
+    /// Reads the entries on and right of the diagonal of A as columns; returns the diagonal.
     fn gather(&mut self, lcp: &Lcp, rows: &[usize]) -> Vec<f64> {
         let f = rows.len();
         self.lower.resize(f * f, 0.0);
@@ -66,7 +65,7 @@ impl Cholesky {
         (0..f).map(|k| self.lower[k * (f + 1)]).collect()
     }
 
-    /// The solution z of A_FF z = rhs, in place.
+    /// Solves A_FF z = rhs in place.
     pub fn solve(&self, rhs: &mut [f64]) {
         let f = self.unit.len();
         rhs.iter_mut().zip(&self.unit).for_each(|(z, unit)| *z /= unit);

@@ -1,31 +1,31 @@
-//! Gaussian elimination that knows when a number is zero.
+//! Gaussian elimination with a scale-invariant zero test.
 //!
-//! Whether a pivot vanishes must not depend on units. So zero is decided where it arises: a
-//! difference a − b that cancels to a 1e-13th of its terms *is* zero, whatever the size of a and b.
-//! Scaling a row or a column by a power of two changes no decision.
+//! Whether a pivot vanishes must not depend on units. Zero is therefore decided in each
+//! subtraction: a difference a − b below 1e-13 of its terms counts as zero, whatever the size of a
+//! and b. Scaling a row or column by a power of two changes no decision.
 
 use crate::kernel::rank_one::add_multiple;
 
-/// A difference below this part of its terms is zero.
+/// A difference below this fraction of its terms counts as zero.
 pub(crate) const RELATIVE_ZERO: f64 = 1e-13;
 
-/// a − b, exactly 0 where only rounding is left of it.
+/// a − b, or exactly 0 if only rounding is left.
 pub fn difference(a: f64, b: f64) -> f64 {
     let difference = a - b;
     if difference.abs() <= RELATIVE_ZERO * (a.abs() + b.abs()) { 0.0 } else { difference }
 }
 
-/// P A = L U with rows exchanged for the largest pivot.
+/// P A = L U with partial pivoting.
 #[derive(Debug, Clone)]
 pub struct Lu {
-    /// The rows in the order they were taken in.
+    /// The pivot order of the rows.
     order: Vec<usize>,
     /// L below the diagonal, without its ones, and U.
     rows: Vec<Vec<f64>>,
 }
 
 impl Lu {
-    /// The factors of the n × n matrix with these entries, or the column without a pivot.
+    /// The factors of the n × n matrix with these entries, or the column that has no pivot.
     pub fn of(n: usize, entry: impl Fn(usize, usize) -> f64) -> Result<Self, usize> {
         let mut order: Vec<usize> = (0..n).collect();
         let mut rows: Vec<Vec<f64>> =
@@ -48,7 +48,7 @@ impl Lu {
         Ok(Lu { order, rows })
     }
 
-    /// The solution z of A z = rhs, in place.
+    /// Solves A z = rhs in place.
     pub fn solve(&self, rhs: &mut [f64]) {
         let mut z: Vec<f64> = self.order.iter().map(|&r| rhs[r]).collect();
         for i in 0..z.len() {

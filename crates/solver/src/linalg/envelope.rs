@@ -1,29 +1,31 @@
-//! The factorisation L D Lᵀ of a sparse matrix, row by row from its first entry to the diagonal.
+//! The factorization L D Lᵀ of a sparse matrix in envelope storage: each row from its first entry
+//! to the diagonal.
 //!
 //! ```text
 //! l_rq d_q = a_rq − Σ_k l_rk d_k l_qk,   d_r = a_rr − Σ_q l_rq d_q l_rq,   k from where both rows begin
 //! ```
 //!
-//! Row r of L begins where row r of A begins and has no entry before (George & Liu 1981: the
-//! *envelope* of A), so what lies between is kept as one run, and every sum is one of two runs. For
-//! contacts numbered along a stack or a chain an envelope is hardly larger than A, and the cost of
-//! n rows of b entries is n b²/2; a dense A is its own envelope. Rows are not reordered.
+//! Row r of L begins in the same column as row r of A (George & Liu 1981: the *envelope* of A), so
+//! each row is stored contiguously and every sum runs over two contiguous ranges. For contacts
+//! numbered along a stack or chain, the envelope is hardly larger than A, and the cost for n rows
+//! of b entries is n b²/2; a dense A is its own envelope. Rows are not reordered.
 
 use lcplab_problem::{Matrix, dot};
 
-/// The factors, or before the first factorisation room for them.
+/// The factors, or storage for them before the first factorization.
 #[derive(Debug, Clone)]
 pub struct Envelope {
     /// The column in which each row begins.
     first: Vec<usize>,
-    /// Where row r of L lies in `lower`: r − first_r entries, without the unit diagonal.
+    /// The offset of row r of L in `lower`; the row has r − first_r entries, without the unit
+    /// diagonal.
     starts: Vec<usize>,
     lower: Vec<f64>,
     diagonal: Vec<f64>,
 }
 
 impl Envelope {
-    /// Room for the factors of a symmetric matrix.
+    /// Storage for the factors of a symmetric matrix.
     pub fn of(matrix: &Matrix) -> Self {
         let n = matrix.len();
         let first: Vec<usize> = (0..n).map(|r| begin(matrix, r)).collect();
@@ -35,12 +37,13 @@ impl Envelope {
         Envelope { first, starts, lower, diagonal: vec![0.0; n] }
     }
 
-    /// How many entries the factors have below the diagonal.
+    /// The number of entries of the factors below the diagonal.
     pub fn entries(matrix: &Matrix) -> usize {
         (0..matrix.len()).map(|r| r - begin(matrix, r)).sum()
     }
 
-    /// The factors of A + diag(added), with rows and columns of the unit matrix where `is_unit`.
+    /// Computes the factors of A + diag(added), with rows and columns of the identity where
+    /// `is_unit`.
     ///
     /// # Errors
     /// The first row whose pivot is not positive.
@@ -89,7 +92,7 @@ impl Envelope {
         &self.diagonal
     }
 
-    /// The solution z of L D Lᵀ z = rhs, in place.
+    /// Solves L D Lᵀ z = rhs in place.
     pub fn solve(&self, rhs: &mut [f64]) {
         let row = |r: usize| (self.first[r], &self.lower[self.starts[r]..self.starts[r + 1]]);
         for r in 0..rhs.len() {
@@ -109,7 +112,7 @@ impl Envelope {
     }
 }
 
-/// The column of the first nonzero entry of row r, r at most.
+/// The column of the first nonzero entry of row r, at most r.
 fn begin(matrix: &Matrix, r: usize) -> usize {
     let nonzero = matrix.row(r).iter().find(|&(_, a)| a != 0.0);
     nonzero.map_or(r, |(column, _)| column.min(r))

@@ -1,42 +1,43 @@
-//! The factorisation A_CC = L D Lᵀ of a growing and shrinking set C of rows.
+//! The factorization A_CC = L D Lᵀ of a set C of rows that grows and shrinks.
 //!
-//! Appending row i takes its row of L, D⁻¹ L⁻¹ A_Ci, which half a solution is: O(c²) for c rows, or
-//! nothing if the system was solved before. Removing row k deletes it from L and repairs the rows
-//! below by a positive rank-1 update (method C1 of Gill, Golub, Murray & Saunders 1974), which is
-//! stable because d_k > 0.
+//! Appending row i computes its row of L, D⁻¹ L⁻¹ A_Ci, which is the forward substitution: O(c²)
+//! for c rows, or free if that system has already been solved. Removing row k deletes it from L and
+//! updates the rows below by a positive rank-1 update (method C1 of Gill, Golub, Murray & Saunders
+//! 1974), which is stable because d_k > 0.
 //!
-//! A row that goes leaves a *hole*, a row of the unit matrix, so that no other has to move; when an
-//! eighth of the rows are holes, all move up. The loops are those of [`kernel`](crate::kernel).
+//! A removed row is replaced by a row of the identity, a *hole*, so that no other row moves; when
+//! an eighth of the rows are holes, L is compacted. The inner loops are in
+//! [`kernel`](crate::kernel).
 
 use crate::kernel::Width;
 use crate::kernel::panels::{Eight, Panels, Tile};
 
-/// So many holes stay.
+/// The number of holes that are always allowed.
 const HOLES: usize = 8;
 
 /// L D Lᵀ with unit lower triangular L and positive diagonal D.
 #[derive(Debug, Clone)]
 pub struct Ldlt {
     lower: Panels,
-    /// D; 1 in a hole and beyond the last row.
+    /// D; 1 in a hole and past the last row.
     diagonal: Vec<Eight>,
-    /// The place of each row of C in L, ascending.
+    /// The position of each row of C in L, ascending.
     places: Vec<usize>,
 }
 
-/// A system A_CC z = a that is being solved, with what a row that has this column would get in L.
+/// A partial solution of A_CC z = a, with the row of L that a row with this column would get.
 #[derive(Debug, Clone, Default)]
 pub struct Elimination {
     /// D⁻¹ L⁻¹ a: the row of L.
     row: Vec<Eight>,
-    /// The eight in which it begins.
+    /// The block of eight in which it begins.
     begin: usize,
     solution: Vec<Eight>,
     sums: Vec<Tile>,
 }
 
 impl Elimination {
-    /// An empty one that systems of n rows fit into.
+    /// An empty elimination with storage for n rows.
     pub(crate) fn with_room(n: usize) -> Self {
         let eights = n.div_ceil(8);
         Elimination {
@@ -60,9 +61,9 @@ impl Ldlt {
         Ldlt { lower: Panels::new(width), diagonal: Vec::new(), places: Vec::new() }
     }
 
-    /// The factors of a largest independent set of rows of the n × n matrix with these entries, and
-    /// the set in the order it was chosen: always the row that has lost the least of its diagonal
-    /// entry, until all others have lost all but this part of it.
+    /// The factors of a maximal independent set of rows of the n × n matrix with these entries, and
+    /// the set in pivot order. The next pivot is always the row that has kept the largest fraction
+    /// of its diagonal entry, until all remaining rows are below the given fraction.
     pub fn pivoted(
         n: usize,
         independent: f64,
@@ -96,7 +97,7 @@ impl Ldlt {
         (chosen, factor)
     }
 
-    /// The solution z of L D Lᵀ z = rhs, in place.
+    /// Solves L D Lᵀ z = rhs in place.
     pub fn solve(&self, rhs: &mut [f64]) {
         let mut elimination = Elimination::default();
         self.eliminate(rhs, &mut elimination);
@@ -105,7 +106,7 @@ impl Ldlt {
         }
     }
 
-    /// The first half of a solution, and aᵀ A_CC⁻¹ a.
+    /// The forward substitution; returns aᵀ A_CC⁻¹ a.
     pub fn eliminate(&self, a: &[f64], elimination: &mut Elimination) -> f64 {
         let Elimination { row, begin, .. } = elimination;
         row.clear();
@@ -127,7 +128,7 @@ impl Ldlt {
         product.iter().sum()
     }
 
-    /// The second half: z in the order of C.
+    /// The back substitution: z in the order of C.
     pub fn substitute<'a>(
         &'a self,
         elimination: &'a mut Elimination,
@@ -138,14 +139,14 @@ impl Ldlt {
         self.places.iter().map(|&place| solution[place / 8][place % 8])
     }
 
-    /// Adds a row with `column` = A_Ci and the Schur complement of its diagonal entry.
+    /// Appends a row with `column` = A_Ci and the Schur complement of its diagonal entry.
     pub fn append(&mut self, column: &[f64], schur: f64) {
         let mut elimination = Elimination::default();
         self.eliminate(column, &mut elimination);
         self.enter(&elimination, schur);
     }
 
-    /// Adds the row whose column has been eliminated.
+    /// Appends the row whose column has been eliminated.
     pub fn enter(&mut self, Elimination { row, begin, .. }: &Elimination, schur: f64) {
         let place = self.places.last().map_or(0, |last| last + 1);
         if place / 8 == self.diagonal.len() {
@@ -156,7 +157,7 @@ impl Ldlt {
         self.places.push(place);
     }
 
-    /// Adds a row of L and D.
+    /// Appends a row of L and D.
     fn push(&mut self, l: &[f64], d: f64) {
         let mut row = vec![[0.0; 8]; self.diagonal.len()];
         for (l, &place) in l.iter().zip(&self.places) {

@@ -1,4 +1,4 @@
-//! Factorisations: dense, in an envelope, sparse, and one that rows enter and leave.
+//! Factorizations: dense, envelope, sparse, and one with row insertion and removal.
 
 pub mod cholesky;
 pub mod elimination;

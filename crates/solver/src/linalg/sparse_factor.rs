@@ -1,15 +1,15 @@
-//! The Cholesky factors of a large sparse matrix in an order that keeps them sparse, by faer.
+//! Sparse Cholesky factors of a large matrix in a fill-reducing order, by faer.
 //!
 //! ```text
 //! P K Pᵀ = L Lᵀ
 //! ```
 //!
-//! Eliminating a row ties all its neighbours together, which fills L; the order P decides how much.
-//! Taking the row with the fewest neighbours next is cheap and rarely far from the best
-//! (*approximate minimum degree*, Amestoy, Davis & Duff 1996). Where the entries of L will be
-//! depends on those of K alone, not on their values: that *analysis* is made once, and numbers
-//! follow as often as wanted. Columns of L that have the same rows are kept together as dense
-//! blocks (*supernodes*), if L is large enough for that to pay.
+//! Eliminating a row connects all its neighbors, which fills L; the order P decides how much.
+//! Eliminating the row with the fewest neighbors first is cheap and rarely far from the best
+//! (*approximate minimum degree*, Amestoy, Davis & Duff 1996). The pattern of L depends only on the
+//! pattern of K, not on its values. This *analysis* is done once, followed by any number of numeric
+//! factorizations. Columns of L with the same rows are stored together as dense blocks
+//! (*supernodes*) if L is large enough.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltRegularization;
@@ -22,10 +22,10 @@ use faer::sparse::linalg::cholesky::{
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
 use faer::{Conj, MatMut, Par, Side};
 
-/// Where the entries of a lower triangle are, column by column.
+/// The pattern of a lower triangle, column by column.
 pub type Pattern = SymbolicSparseColMat<usize>;
 
-/// The factors of a matrix, or before the first factorisation where their entries will be.
+/// The factors of a matrix, or only their pattern before the first factorization.
 pub struct SparseFactor {
     pattern: Pattern,
     symbolic: SymbolicCholesky<usize>,
@@ -36,7 +36,7 @@ pub struct SparseFactor {
 /// The pattern with these rows in each column: ascending, none above the diagonal.
 ///
 /// # Panics
-/// If rows do not ascend or there are as many columns as no matrix has.
+/// If rows do not ascend or there are more columns than a matrix can have.
 pub fn pattern<C: IntoIterator<Item = usize>>(columns: impl IntoIterator<Item = C>) -> Pattern {
     let (mut starts, mut rows) = (vec![0], Vec::new());
     for column in columns {
@@ -47,7 +47,7 @@ pub fn pattern<C: IntoIterator<Item = usize>>(columns: impl IntoIterator<Item = 
     Pattern::new_checked(n, n, starts, None, rows)
 }
 
-/// The rows in the order of approximate minimum degree.
+/// The rows in approximate minimum degree order.
 pub fn minimum_degree(pattern: &Pattern) -> Vec<usize> {
     let (n, entries) = (pattern.ncols(), pattern.compute_nnz());
     let (mut order, mut place) = (vec![0; n], vec![0; n]);
@@ -59,11 +59,11 @@ pub fn minimum_degree(pattern: &Pattern) -> Vec<usize> {
 }
 
 impl SparseFactor {
-    /// The factors of matrices with entries in these places, rows to be eliminated in this order.
+    /// The analysis for matrices with this pattern, with rows eliminated in this order.
     ///
     /// # Panics
-    /// If `order` is no permutation of the rows, or the factors have more entries than indices can
-    /// count.
+    /// If `order` is not a permutation of the rows, or the factors have more entries than the index
+    /// type can count.
     pub fn of(pattern: Pattern, order: &[usize]) -> Self {
         let n = pattern.ncols();
         let mut place = vec![0; n];
@@ -80,7 +80,7 @@ impl SparseFactor {
         SparseFactor { pattern, symbolic, lower: Vec::new(), memory: MemBuffer::new(memory) }
     }
 
-    /// The places.
+    /// The pattern of the matrix.
     pub fn pattern(&self) -> &Pattern {
         &self.pattern
     }
@@ -90,8 +90,8 @@ impl SparseFactor {
         self.symbolic.len_val()
     }
 
-    /// Factorises the matrix with these values in the places of the pattern; false if a pivot is
-    /// not positive.
+    /// Factorizes the matrix with these values in the order of the pattern; false if a pivot is not
+    /// positive.
     pub fn factor(&mut self, values: &[f64]) -> bool {
         self.lower.resize(self.entries(), 0.0);
         let factors = self.symbolic.factorize_numeric_llt(
@@ -106,7 +106,7 @@ impl SparseFactor {
         factors.is_ok()
     }
 
-    /// The solution z of K z = rhs, in place, once K has been factorised.
+    /// Solves K z = rhs in place; K must have been factorized.
     pub fn solve(&mut self, rhs: &mut [f64]) {
         let n = rhs.len();
         let rhs = MatMut::from_column_major_slice_mut(rhs, n, 1);

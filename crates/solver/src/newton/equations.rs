@@ -1,7 +1,7 @@
-//! Complementarity as equations H(x) = 0 with a kink, row by row; [`Newton`](crate::Newton) says
-//! which.
+//! Complementarity as nonsmooth equations H(x) = 0, row by row, as [`Newton`](crate::Newton)
+//! describes.
 
-/// The equations whose root is sought.
+/// The equations to solve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Equations {
     /// The median of x − lo, w̃ and x − hi.
@@ -11,7 +11,7 @@ pub enum Equations {
     FischerBurmeister,
 }
 
-/// H_i with its derivatives by x_i, w̃_i, lo_i and hi_i.
+/// H_i with its derivatives with respect to x_i, w̃_i, lo_i and hi_i.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Row {
     pub(crate) value: f64,
@@ -48,7 +48,7 @@ fn fischer_burmeister(x: f64, w: f64, lo: f64, hi: f64) -> Row {
     Row { value, by_x: a + b * p, by_w: b * q, by_lo: -a, by_hi: -b * p }
 }
 
-/// φ(a, b) = a + b − √(a² + b²) with its derivatives; at (0, 0) those of the diagonal a = b.
+/// φ(a, b) = a + b − √(a² + b²) with its derivatives; at (0, 0) the limit along a = b.
 fn phi(a: f64, b: f64) -> [f64; 3] {
     if a == f64::INFINITY {
         return [b, 0.0, 1.0];
@@ -58,7 +58,7 @@ fn phi(a: f64, b: f64) -> [f64; 3] {
         let slope = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
         return [0.0, slope, slope];
     }
-    // a + b − r loses all digits where one of them is small and the other positive
+    // a + b − r loses all digits if one of a and b is small and the other positive
     let value = if a + b > 0.0 { 2.0 * a * b / (a + b + r) } else { a + b - r };
     [value, 1.0 - a / r, 1.0 - b / r]
 }

@@ -1,8 +1,8 @@
-//! Newton: complementarity as equations, and a linear system a step.
+//! Newton methods: complementarity as equations, with a linear system in each step.
 //!
-//! The equations are not smooth, min(x, w) = 0 or Fischer-Burmeister's ([`equations`]); Newton's
-//! method solves them in a handful of steps ([`semismooth`]). [`interior_point`] smooths the corner
-//! and lets the smoothing go to zero.
+//! The equations are not smooth: min(x, w) = 0 or Fischer-Burmeister ([`equations`]). Newton's
+//! method solves them in a few steps ([`semismooth`]). [`interior_point`] smooths the corner and
+//! reduces the smoothing to zero.
 
 pub mod equations;
 pub mod interior_point;
@@ -14,15 +14,15 @@ pub use semismooth::Newton;
 
 use crate::{Class, Cost, Entry, Event, Group, MatrixClass, Options, Solver};
 
-/// What the methods ask for that divide by the diagonal of A.
+/// The class of the methods that divide by the diagonal of A.
 const CLASS: Class = Class::of(MatrixClass::Semidefinite).with_positive_diagonal();
-/// A step by Cholesky, as it is where A is symmetric; a sweep where it takes one.
+/// A step by Cholesky, used for symmetric A; or a sweep, if the method takes one.
 const CHOLESKY: Cost =
     Cost::each("n³/6 + 2 s, and s + n where it takes a sweep", |i| match i.event {
         Event::Step => i.n.powi(3) / 6.0 + 2.0 * i.stored,
         _ => i.stored + i.n,
     });
-/// A least-squares step; a sweep where it takes one.
+/// A least-squares step; or a sweep, if the method takes one.
 const LEAST_SQUARES: Cost =
     Cost::each("5/3 n³, and s + n where it takes a sweep", |i| match i.event {
         Event::Step => 5.0 / 3.0 * i.n.powi(3),

@@ -1,54 +1,54 @@
-//! Newton's method on the LCP written as equations H(x) = 0 that have a kink.
+//! Newton's method on the LCP written as nonsmooth equations H(x) = 0.
 //!
-//! With w̃_i = w_i / a_ii, the distance to the solution that row i alone can see,
+//! With w̃_i = w_i / a_ii, the distance to the solution as seen by row i alone,
 //!
 //! ```text
 //! minimum map          H_i = x_i − Π_i(x_i − w̃_i) = the median of x_i − lo_i, w̃_i, x_i − hi_i
 //! Fischer-Burmeister   H_i = φ(x_i − lo_i, −φ(hi_i − x_i, −w̃_i)),   φ(a, b) = a + b − √(a² + b²)
 //! ```
 //!
-//! vanish exactly at the solutions (a bound at infinity drops its φ; Billups 1995 for two finite
-//! ones), and no variable is doubled for the upper bounds. With J a generalised Jacobian at x, a
-//! step is a d that solves J d = −H. Whole steps are taken as long as |H| falls; of the minimum
-//! map, which has kinks, also up to ten that raise it (a *watchdog*: Chamberlain and others 1982),
-//! since a whole step ends at the point of an active set, and a shorter one at none. Where that
-//! does not lead below the least |H| so far, the step from there is halved until |H| falls enough.
+//! vanish exactly at the solutions (an infinite bound drops its φ; Billups 1995 for two finite
+//! ones); upper bounds need no extra variables. With a generalized Jacobian J at x, a step d solves
+//! J d = −H. Whole steps are taken as long as |H| decreases. For the minimum map, up to ten whole
+//! steps may also raise |H| (a *watchdog*: Chamberlain and others 1982), since a whole step ends at
+//! the point of an active set and a shorter one does not. If they do not lead below the least |H|
+//! so far, the step from the best point is halved until |H| decreases enough.
 //!
-//! For the minimum map row i of J is that of A where row i is free (F) and a unit row where it is
-//! at a bound: the step solves for the guessed active set, which is final once the guess is right.
-//! Where A is symmetric that takes the factor of A_FF that suits A (free_rows.rs) or, where
-//! redundant contacts make it singular, of A_FF + 2⁻²⁸ D_FF, D = diag(A), which leaves x where it
-//! is along a null direction:
+//! For the minimum map, row i of J is that of A if row i is free (F), and a row of the identity if
+//! it is at a bound: the step solves for the guessed active set, which is final once the guess is
+//! right. If A is symmetric, this uses the factor of A_FF that suits A (free_rows.rs) or, if
+//! redundant contacts make A_FF singular, that of A_FF + 2⁻²⁸ D_FF, D = diag(A), which leaves x
+//! unchanged along a null direction:
 //!
 //! ```text
 //! x_i + d_i = the bound of row i at a bound,   A_FF d_F = −w_F at x_F and these bounds
 //! ```
 //!
-//! At a kink it may be that no length of d, down to 1/16, reduces |H|. Then a proximal step begins
-//! (proximal.rs): ρ D (x − c) is added to w with c = x, and ρ grows until a length of d does. A
-//! root of these equations is the next c, and ρ falls again. From ρ = 1 on, and where A is not
-//! symmetric, d is halved further, and at last a sweep of [`Pgs`](crate::Pgs) taken instead, and
-//! the observer is told so (`Sweep` for `Step`).
+//! At a kink there may be no step length, down to 1/16, that reduces |H|. Then a proximal step
+//! begins (proximal.rs): ρ D (x − c) is added to w with c = x, and ρ grows until some step length
+//! reduces |H|. A root of these equations is the next c, and ρ decreases again. From ρ = 1 on, and
+//! if A is not symmetric, d is halved further, and finally a sweep of [`Pgs`](crate::Pgs) is taken
+//! instead and reported to the observer as `Sweep` instead of `Step`.
 //!
-//! For Fischer-Burmeister |H|² has no kink, so that d always leads downhill and the limit solves
-//! the LCP if A is a P0 matrix, as semidefinite ones are. Here J has all rows of A, and redundant
-//! contacts make it singular. The step is a least-squares solution, by QR, as it is for the minimum
-//! map where A is not symmetric:
+//! For Fischer-Burmeister |H|² is smooth, so d is always a descent direction, and the limit solves
+//! the LCP if A is a P0 matrix, which includes semidefinite ones. Here J has all rows of A, and
+//! redundant contacts make it singular. The step is a least-squares solution by QR, as it is for
+//! the minimum map if A is not symmetric:
 //!
 //! ```text
 //! (JᵀJ + ν I) d = −Jᵀ H,   ν = 10⁻¹⁰ |H|² / Σ b_i²/a_ii
 //! ```
 //!
-//! The term ν (Levenberg-Marquardt) picks the least change of x if J is singular, and since it
-//! vanishes with |H|² it does not spoil the speed (Yamashita & Fukushima 2001). Near a solution
-//! both equations double the correct digits in each step (Qi & Sun 1993; De Luca, Facchinei &
-//! Kanzow 1996).
+//! The term ν (Levenberg-Marquardt) selects the least change of x if J is singular. Since it
+//! vanishes with |H|², it preserves the convergence rate (Yamashita & Fukushima 2001). Near a
+//! solution both equations double the number of correct digits in each step (Qi & Sun 1993; De
+//! Luca, Facchinei & Kanzow 1996).
 //!
-//! |H|² is summed as Σ a_ii H_i², an energy. A step costs f³/6 products for f free rows by Cholesky, fewer where A is
-//! sparse, and 5/3 n³ by QR, for A of any kind with a positive diagonal, up to 2000 rows. The
-//! bounds of coupled rows are part of H, with their derivatives; a coupled row at a bound that
-//! moves needs QR. `ZeroDiagonal` and `Diverged` as for PGS. The solution says whether proximal
-//! steps were taken ([`Fallback`]).
+//! The sum |H|² = Σ a_ii H_i² is an energy. A step costs f³/6 products for f free rows by Cholesky,
+//! fewer if A is sparse, and 5/3 n³ by QR, for any A with a positive diagonal, up to 2000 rows. The
+//! bounds of coupled rows are part of H, with their derivatives; a coupled row at a moving bound
+//! needs QR. `ZeroDiagonal` and `Diverged` as for PGS. The solution reports whether proximal steps
+//! were taken ([`Fallback`]).
 
 use std::ops::ControlFlow;
 
@@ -64,27 +64,27 @@ use crate::{Event, Fallback, Observer, Settings, Solution, Solver, Start, Status
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 
-/// Halvings of a step before a proximal one is tried, and where there is none before it is given
-/// up.
+/// Maximum number of halvings before a proximal step is tried, and before the step is given up if
+/// no proximal step is possible.
 const HALVINGS: [i32; 2] = [4, 12];
-/// |H|² must fall by this part of what a linear H would give.
+/// |H|² must decrease by this fraction of the decrease for a linear H.
 const SUFFICIENT: f64 = 1e-4;
-/// Whole steps that need not reduce |H|² before a line search does.
+/// Maximum number of whole steps that need not reduce |H|².
 const PATIENCE: usize = 10;
-/// |H|² that differ by this part are the same but for rounding.
+/// Values of |H|² that differ by less than this fraction are equal up to rounding.
 const LEVEL: f64 = 1e-9;
-/// ν for |H|² = Σ b_i²/a_ii, which it has at x = 0 without bounds. Only the flattest directions
-/// feel it.
+/// ν for |H|² = Σ b_i²/a_ii, its value at x = 0 without bounds. It affects only the flattest
+/// directions.
 const DAMPING: f64 = 1e-10;
-/// ν stays above this, so that a singular J keeps its least-squares problem solvable.
+/// The minimum of ν, which keeps the least-squares problem solvable if J is singular.
 const LEAST_DAMPING: f64 = 1e-28;
-/// Above this many rows the dense problem takes too long.
+/// Maximum number of rows; with more, the dense problem takes too long.
 const MAX_ROWS: usize = 2_000;
 
 /// Newton's method with line search on nonsmooth equations.
 #[derive(Debug, Clone, Default)]
 pub struct Newton {
-    /// The equations whose root is sought.
+    /// The equations to solve.
     pub equations: Equations,
     /// The common settings; an iteration is a step.
     pub settings: Settings,
@@ -138,10 +138,10 @@ struct Run<'a> {
     diagonal: &'a [f64],
     equations: Equations,
     is_symmetric: bool,
-    /// The proximal step that is being taken, if any.
+    /// The current proximal step, if any.
     proximal: Option<Proximal>,
     watch: Option<Watch>,
-    /// What was solved last, of A itself and with a ρ.
+    /// The equations that were solved last, for A itself and with a ρ.
     posed: Option<Softened>,
     softened: Option<Softened>,
 }
@@ -159,9 +159,9 @@ struct Softened {
     equations: FreeRows,
 }
 
-/// The point with the least |H|² so far, and how many whole steps may still be taken from there
-/// before it is less: to points where it is the same, as when a column adds contact to contact, and
-/// to points where it is more.
+/// The point with the least |H|² so far, and how many more whole steps may be taken before |H|²
+/// falls below it: steps with the same |H|², as when a stack closes contact after contact, and
+/// steps with a larger one.
 struct Watch {
     x: Vec<f64>,
     rows: Vec<Row>,
@@ -171,7 +171,7 @@ struct Watch {
 }
 
 impl Watch {
-    /// Whether a step to such a |H|² may be taken; it is counted.
+    /// Whether a step to this |H|² is allowed; counts it.
     fn allows(&mut self, square: f64) -> bool {
         let is_level = square <= (1.0 + LEVEL) * self.square;
         let left = if is_level { &mut self.level } else { &mut self.higher };
@@ -181,14 +181,14 @@ impl Watch {
     }
 }
 
-/// Where a step leads.
+/// The result of a step.
 struct Next {
     x: Vec<f64>,
     rows: Vec<Row>,
     /// |H|².
     square: f64,
-    /// Whether H = 0 there but for rounding: the whole step was taken, and all rows are where the
-    /// guess had them.
+    /// Whether H = 0 there up to rounding: the whole step was taken, and all rows are in the
+    /// guessed set.
     is_root: bool,
 }
 
@@ -207,7 +207,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// c ← x, and ρ falls; returns whether there is a proximal step.
+    /// c ← x, and ρ decreases; returns whether a proximal step is active.
     fn move_centre(&mut self, x: &[f64]) -> bool {
         let Some(own) = &mut self.proximal else { return false };
         own.centre.copy_from_slice(x);
@@ -216,14 +216,14 @@ impl<'a> Run<'a> {
         true
     }
 
-    /// Whether a proximal step, or a larger ρ, may help.
+    /// Whether a proximal step, or a larger ρ, can help.
     fn can_raise_rho(&self) -> bool {
         let is_safe = self.proximal.as_ref().is_some_and(|own| own.rho.is_safe());
         self.is_symmetric && self.equations == Equations::MinimumMap && !is_safe
     }
 
-    /// Begins a proximal step at x, with a larger ρ than the last one's; false if that does not
-    /// help any more.
+    /// Begins a proximal step at x with a larger ρ than the last one; false if that can no longer
+    /// help.
     fn raise_rho(&mut self, x: &[f64]) -> bool {
         if !self.can_raise_rho() {
             return false;
@@ -246,15 +246,15 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// w_i, with what a proximal step adds to it.
+    /// w_i, including the proximal term.
     fn w(&self, i: usize, x: &[f64]) -> f64 {
         let added =
             self.proximal.as_ref().map_or(0.0, |own| own.rho.value() * (x[i] - own.centre[i]));
         self.lcp.row_w(i, x) + self.diagonal[i] * added
     }
 
-    /// Where the whole step leads while the watch lasts; else x goes back to the point that is
-    /// watched, and it is x + λ d with the first λ = ½, ¼, … that reduces |H|² enough, if any does.
+    /// The whole step while the watchdog allows it; otherwise x returns to the watched point and
+    /// moves to x + λ d with the first λ = ½, ¼, … that reduces |H|² enough, if any.
     fn newton_step(&mut self, x: &mut [f64], rows: &[Row]) -> Option<Next> {
         let square = self.square(rows);
         let mut watch = match self.watch.take() {
@@ -285,7 +285,7 @@ impl<'a> Run<'a> {
         Some(next)
     }
 
-    /// The watch over whole steps from this point on.
+    /// The watchdog for whole steps from this point.
     fn watch_from(&self, x: &[f64], rows: &[Row], square: f64) -> Watch {
         let is_minimum_map = self.equations == Equations::MinimumMap;
         let (level, higher) = if is_minimum_map { (x.len(), PATIENCE) } else { (0, 0) };
@@ -320,7 +320,7 @@ impl<'a> Run<'a> {
     }
 
     /// The solution of J d = −H for the minimum map, if A is symmetric and semidefinite and the
-    /// bounds stay where they are.
+    /// bounds do not move.
     fn active_set_direction(&mut self, x: &[f64], rows: &[Row]) -> Option<Vec<f64>> {
         let is_free = |i: &usize| rows[*i].by_w != 0.0;
         let moves = |i: usize| self.bound_slope(i, x).is_some_and(|(_, slope)| slope != 0.0);
@@ -340,7 +340,7 @@ impl<'a> Run<'a> {
         d.iter().all(|d| d.is_finite()).then_some(d)
     }
 
-    /// The solution z of (A_FF + ρ D_FF) z = rhs, if that is not singular.
+    /// The solution z of (A_FF + ρ D_FF) z = rhs, if the matrix is not singular.
     fn solved(&mut self, free: &[usize], rho: f64, rhs: &[f64]) -> Option<Vec<f64>> {
         let kept = if rho == 0.0 { &mut self.posed } else { &mut self.softened };
         if kept.as_ref().is_none_or(|kept| kept.rho != rho) {
@@ -381,7 +381,8 @@ impl<'a> Run<'a> {
         d.iter().all(|d| d.is_finite()).then_some(d)
     }
 
-    /// For a coupled row the row k that bounds it and the derivative of hi_i = −lo_i by x_k.
+    /// For a coupled row: the row k that bounds it, and the derivative of hi_i = −lo_i with respect
+    /// to x_k.
     fn bound_slope(&self, i: usize, x: &[f64]) -> Option<(usize, f64)> {
         let coupling = self.lcp.coupling()?;
         let k = coupling.index(i)?;

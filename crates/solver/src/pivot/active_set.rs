@@ -1,30 +1,30 @@
-//! Active sets: which rows stand at a bound, and the point that belongs to such a choice.
+//! Active sets: which rows are at a bound, and the point that belongs to this choice.
 //!
-//! With the rows at a bound fixed there, the free rows F have their w at zero:
+//! With x fixed at the bounds in the rows B, the free rows F have w = 0:
 //!
 //! ```text
 //! x_B = the bounds,   A_FF x_F = −(b_F + A_FB x_B)
 //! ```
 //!
 //! The point solves the LCP if x_F lies within its bounds and w_B has the right signs. Principal
-//! pivoting methods differ only in how they go from one active set to the next.
+//! pivoting methods differ only in how they choose the next active set.
 
 use super::principal::Point;
 use crate::linalg::elimination::Lu;
 use crate::{Settings, Start, Status};
 use lcplab_problem::{Lcp, merit};
 
-/// A row whose scaled residual is below this is satisfied: what is left is rounding.
+/// A row whose scaled residual is below this is satisfied up to rounding.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
-/// Where a row stands.
+/// The side of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Side {
-    /// x = lo, w ≥ 0 asked for.
+    /// x = lo, requires w ≥ 0.
     Lower,
-    /// w = 0, lo ≤ x ≤ hi asked for.
+    /// w = 0, requires lo ≤ x ≤ hi.
     Free,
-    /// x = hi, w ≤ 0 asked for.
+    /// x = hi, requires w ≤ 0.
     Upper,
 }
 
@@ -33,7 +33,7 @@ pub(crate) enum Side {
 pub(crate) struct ActiveSet(pub(crate) Vec<Side>);
 
 impl ActiveSet {
-    /// The active set of a guess; without one, every row that has a bound is at it.
+    /// The active set of a guess; without a guess, every row with a bound is at it.
     pub(crate) fn initial(lcp: &Lcp, start: &Start<'_>, x: &[f64]) -> Self {
         let side = |i: usize| match (lcp.lo()[i], lcp.hi()[i]) {
             (lo, _) if x[i] == lo => Side::Lower,
@@ -45,8 +45,8 @@ impl ActiveSet {
         ActiveSet((0..lcp.len()).map(side).collect())
     }
 
-    /// The set of another problem, with every row at a bound that it has; none if the number of
-    /// rows is another.
+    /// The set from another problem, with every row moved to a bound that exists; `None` if the
+    /// number of rows differs.
     pub(crate) fn fitted(self, lcp: &Lcp) -> Option<Self> {
         let side = |(i, side): (usize, Side)| match side {
             _ if lcp.lo()[i] == lcp.hi()[i] => Side::Lower,
@@ -66,7 +66,7 @@ impl ActiveSet {
         let entry = |r: usize, c: usize| lcp.matrix().entry(free[r], free[c]) / unit[r] / unit[c];
         let factor = Lu::of(free.len(), entry).map_err(|k| free[k])?;
         for _ in 0..2 {
-            // the second time it is a step of iterative refinement
+            // the second pass is a step of iterative refinement
             let w = free.iter().zip(&unit).map(|(&i, unit)| -lcp.row_w(i, &x) / unit);
             let mut step: Vec<f64> = w.collect();
             factor.solve(&mut step);
@@ -77,7 +77,7 @@ impl ActiveSet {
         Ok(x)
     }
 
-    /// The same with the free rows at a bound that are there, but for rounding.
+    /// The same set, but free rows that reached a bound up to rounding are at that bound.
     pub(crate) fn tightened(&self, lcp: &Lcp, x: &[f64]) -> Self {
         let side = |i: usize| {
             let is_at = |bound: f64| {
@@ -93,7 +93,7 @@ impl ActiveSet {
         ActiveSet((0..self.0.len()).map(side).collect())
     }
 
-    /// x with the rows at a bound exactly there.
+    /// x with the rows at a bound set exactly to the bound.
     pub(crate) fn moved_to_bounds(&self, lcp: &Lcp, x: &[f64]) -> Vec<f64> {
         let place = |i: usize| match self.0[i] {
             Side::Lower => lcp.lo()[i],
@@ -117,8 +117,8 @@ impl ActiveSet {
     }
 }
 
-/// A power of two near √s_i, the size of w_i where x_i w_i is about 1: so A scaled by these units
-/// has a diagonal from 1 to 4, whatever units the rows came in.
+/// A power of two near √s_i, the size of w_i where x_i w_i is about 1. A scaled by these units has
+/// a diagonal between 1 and 4, regardless of the units of the rows.
 pub(crate) fn unit(lcp: &Lcp, i: usize) -> f64 {
     match merit::row_scale(lcp, i) {
         0.0 => 1.0,
@@ -129,7 +129,7 @@ pub(crate) fn unit(lcp: &Lcp, i: usize) -> f64 {
     }
 }
 
-/// The status of a method that has ended at x by its own rules.
+/// The status of a method that stopped at x by its own rules.
 pub(crate) fn claim(lcp: &Lcp, x: &[f64], settings: &Settings) -> Status {
     Point::at(lcp, x.to_vec()).claim(lcp, settings.tolerance)
 }

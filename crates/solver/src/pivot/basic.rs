@@ -1,58 +1,59 @@
 //! The basic variables of a symmetric tableau and how far they can move.
 //!
-//! Each row has one that may move: x_j of a free row, w_j of a row at a bound. They keep between
-//! two limits, an x between its bounds, a w on the side of zero that its bound allows; so one test
-//! serves all.
+//! Each row has one variable that may move: x_j of a free row, w_j of a row at a bound. Each stays
+//! between two limits, x between its bounds, w on the side of zero that its bound allows, so one
+//! test covers both.
 
 use super::dantzig::Side;
 use crate::kernel::Width;
 use crate::kernel::lanes::{Lanes, Work};
 use crate::kernel::rank_one::Block;
 
-/// One a row.
+/// The basic variables, one per row.
 pub(crate) struct Basic {
     eights: Vec<Eight>,
-    /// So many of them have rows that have been driven: the others do not move.
+    /// The number of blocks up to the last driven row; later rows do not move.
     used: usize,
     width: Width,
 }
 
-/// The variables of eight rows, as arrays that a processor can go through at a stretch.
+/// The variables of eight rows, as arrays suitable for vectorization.
 #[derive(Clone)]
 #[repr(align(64))]
 struct Eight {
     value: [f64; 8],
     low: [f64; 8],
     high: [f64; 8],
-    /// The speed is so many times the entry of the tableau: −1 for an x, 1 for a w, 0 where nothing
-    /// is asked.
+    /// The speed relative to the entry of the tableau: −1 for an x, 1 for a w, 0 for a row without
+    /// requirements.
     factor: [f64; 8],
-    /// √a_jj for a w, 0 for an x: how large an entry is that only rounding leaves.
+    /// √a_jj for a w, 0 for an x: the scale of rounding in an entry.
     rounding: [f64; 8],
-    /// √a_jj for an x, 0 for a w: what d_j is measured by.
+    /// √a_jj for an x, 0 for a w: the weight of d_j.
     weight: [f64; 8],
-    /// Of the move under way.
+    /// The speed in the current move.
     speed: [f64; 8],
-    /// Its length until the variable is at a limit, ∞ if it never is; known where `ends` is true,
-    /// else it is beyond all that is asked for.
+    /// The length until the variable reaches a limit, ∞ if it never does; valid where `ends` is
+    /// true, otherwise it is larger than all lengths of interest.
     length: [f64; 8],
     ends: bool,
 }
 
-/// Moves whose lengths differ by less than this part of them end together.
+/// Moves whose lengths differ by less than this fraction end together.
 pub(crate) const TIE: f64 = 1e-10;
 
-/// dᵀA d = s is trusted above this part of (Σ √a_jj |d_j|)²: five digits of it are right then.
+/// dᵀA d = s is accepted above this fraction of (Σ √a_jj |d_j|)²; it then has about five correct
+/// digits.
 pub(crate) const TRUSTED: f64 = 1e-11;
 
-/// And below this part of it s is rounding, and zero.
+/// s below this fraction is rounding and counts as zero.
 pub(crate) const REDUNDANT: f64 = 1e-14;
 
-/// What is left of a sum below this part of its terms is rounding: sweeps leave more of it than a
-/// factor does.
+/// A sum below this fraction of its terms is rounding; larger than for a factor, because sweeps
+/// accumulate more.
 const ROUNDING: f64 = 1e-13;
 
-/// Rows of which nothing is asked.
+/// Rows without requirements.
 const IDLE: Eight = Eight {
     value: [0.0; 8],
     low: [f64::NEG_INFINITY; 8],
@@ -66,13 +67,12 @@ const IDLE: Eight = Eight {
 };
 
 impl Basic {
-    /// n rows of which nothing is asked, and some more, so that they are whole eights.
+    /// n rows without requirements, padded to a multiple of eight.
     pub(crate) fn of(n: usize) -> Self {
         Basic { eights: vec![IDLE; n.div_ceil(8)], used: 0, width: Width::widest() }
     }
 
-    /// Row j stands on this side from now on, at this x or w, whichever may move; √a_jj is its
-    /// unit.
+    /// Sets row j to this side, with this value of x or w, whichever may move; √a_jj is its unit.
     pub(crate) fn put(
         &mut self,
         j: usize,
@@ -105,8 +105,9 @@ impl Basic {
         lanes.iter().sum()
     }
 
-    /// How far x_i, whose row of the tableau this is, can go up, sign = 1, or down before a
-    /// variable meets a limit, if that is within `most`; else ∞. `size` is that of the direction.
+    /// How far x_i, whose row of the tableau is given, can go up (sign = 1) or down before a
+    /// variable reaches a limit, if that is within `most`; otherwise ∞. `size` is the size of the
+    /// direction.
     pub(crate) fn reach(&mut self, row: &[Block], sign: f64, size: f64, most: f64) -> f64 {
         let eights = &mut self.eights[..self.used];
         self.width.run(Reach { eights, row, sign, rounding: ROUNDING * size, most })
@@ -120,18 +121,18 @@ impl Basic {
         lengths.filter(move |(_, own)| *own <= length).map(|(j, _)| j)
     }
 
-    /// How fast row j's variable moves.
+    /// The speed of row j's variable.
     pub(crate) fn speed(&self, j: usize) -> f64 {
         self.eights[j / 8].speed[j % 8]
     }
 
-    /// Row j's variable.
+    /// The value of row j's variable.
     pub(crate) fn value(&self, j: usize) -> f64 {
         self.eights[j / 8].value[j % 8]
     }
 
-    /// All variables go on for this length; exactly 0 where only rounding is left, or ties are
-    /// missed.
+    /// Moves all variables by this length; a value becomes exactly 0 if only rounding is left,
+    /// because ties would be missed otherwise.
     pub(crate) fn advance(&mut self, length: f64) {
         self.width.run(Advance { eights: &mut self.eights[..self.used], length });
     }
@@ -142,7 +143,7 @@ struct Reach<'a> {
     eights: &'a mut [Eight],
     row: &'a [Block],
     sign: f64,
-    /// What an entry beside √a_jj is rounding below.
+    /// The threshold, relative to √a_jj, below which an entry is rounding.
     rounding: f64,
     most: f64,
 }
@@ -172,7 +173,7 @@ impl Work for Reach<'_> {
 }
 
 impl Eight {
-    /// How far each variable can move, and the least so far.
+    /// Computes how far each variable can move, and updates the least.
     #[inline(always)]
     fn measure(&mut self, least: &mut [f64; 8]) {
         for k in 0..8 {

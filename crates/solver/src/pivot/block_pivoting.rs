@@ -10,17 +10,17 @@
 //!
 //! (Kostreva 1978 without, Júdice & Pires 1994 with the safeguard.) A block exchange is a Newton
 //! step on the equations min(x − lo, max(x − hi, w)) = 0 and finds the active set of most contact
-//! problems within ten exchanges, whatever n is; but it may cycle. Murty's rule does not on a
-//! P-matrix (see [`Murty`](crate::Murty)), and each new least |H| lies below the last, so the two
-//! together always end there. They may need very many single rows, though. So where A is symmetric,
-//! what blocks do not settle is left to proximal steps (proximal.rs); and so is a singular A_FF,
-//! as redundant contacts make it. Where A is not symmetric a singular A_FF is the end: `Singular`.
+//! problems within ten exchanges, whatever n is; but it may cycle. Murty's rule never cycles on a
+//! P-matrix (see [`Murty`](crate::Murty)), and each new least |H| is below the last, so the
+//! combination always terminates there, though possibly after very many single exchanges.
+//! Therefore, if A is symmetric and block exchanges do not converge, proximal steps (proximal.rs)
+//! take over; they also handle a singular A_FF, as caused by redundant contacts. If A is not
+//! symmetric, a singular A_FF ends the method with `Singular`.
 //!
-//! An exchange factorises A_FF by what suits A (free_rows.rs), at most O(f³); the same free rows
-//! need no new factor, and [`Warm`](crate::Warm) carries it to the next solve. Observers see
-//! `Exchange` for a block, `Pivot` for a single row and `Step` for a proximal step; the solution
-//! names what else than blocks had a part in it ([`Fallback`]). Coupled rows: see
-//! [`frozen`](crate::frozen).
+//! An exchange factorizes A_FF by the method that suits A (free_rows.rs), at most O(f³). The same
+//! free rows need no new factor, and [`Warm`](crate::Warm) passes it to the next solve. Observers
+//! receive `Exchange` for a block, `Pivot` for a single row and `Step` for a proximal step; the
+//! solution names any fallback ([`Fallback`]). Coupled rows: see [`frozen`](crate::frozen).
 
 use std::ops::ControlFlow;
 
@@ -33,7 +33,7 @@ use lcplab_problem::Lcp;
 /// Block principal pivoting with Júdice and Pires' safeguard.
 #[derive(Debug, Clone)]
 pub struct BlockPivoting {
-    /// Block exchanges without a new least |H| before the safeguard takes over.
+    /// Number of block exchanges without a new least |H| before the safeguard takes over.
     pub patience: usize,
     /// The common settings; an iteration is an exchange, of a block or of one row.
     pub settings: Settings,
@@ -77,8 +77,8 @@ impl BlockPivoting {
     }
 }
 
-/// All rows while that makes progress, and for `patience` exchanges without any; `then` this, until
-/// there is progress again.
+/// Exchanges all rows while that makes progress, and for `patience` exchanges without progress;
+/// then uses `then` until there is progress again.
 pub(crate) fn rule(patience: usize, then: Change) -> impl FnMut(usize) -> Change {
     let (mut least, mut left) = (usize::MAX, patience);
     move |wrong| {

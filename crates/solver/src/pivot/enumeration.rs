@@ -1,17 +1,16 @@
 //! Enumeration: tries every active set, in exact arithmetic.
 //!
-//! Each row is at its lower bound, free, or at its upper bound: 2ⁿ sets for contacts, 3ⁿ for boxes,
-//! and coupled rows at −μ x_k, free, or at +μ x_k. For each set the linear equations are solved
-//! over the rationals (every floating-point number is one) and all bounds and signs are decided
-//! exactly ([`exact`](lcplab_problem::exact)). So the answer is the truth: a solution, or
-//! `NoSolution`. It knows no class of matrices; it is the reference that the other methods are
-//! tested against, and the proof that the worst case of pivoting, 2ⁿ, is no worse than trying
-//! everything.
+//! Each row is at its lower bound, free, or at its upper bound: 2ⁿ sets for contacts, 3ⁿ for boxes;
+//! coupled rows are at −μ x_k, free, or at +μ x_k. For each set the linear equations are solved in
+//! rational arithmetic (every floating-point number is rational), and all bounds and signs are
+//! decided exactly ([`exact`](lcplab_problem::exact)). The answer is therefore proved: a solution,
+//! or `NoSolution`. It works for any matrix. It is the reference for tests of the other methods,
+//! and shows that the worst case of pivoting, 2ⁿ, is no worse than trying all sets.
 //!
-//! Exact elimination costs O(n³) a set, so the number of sets is limited: `OutsideClass` above
-//! 65536 (16 contacts, 10 boxes), or three contacts with two tangents each; of more of these the
-//! bounds are [`frozen`], which may lead to a solution but proves nothing. Sets are counted with
-//! row 0 fastest. The start makes no difference but for frozen bounds.
+//! Exact elimination costs O(n³) per set, so the number of sets is limited: `OutsideClass` above
+//! 65536 (16 contacts, 10 boxes). Coupled problems are enumerated up to three contacts with two
+//! tangents each; for more, the bounds are [`frozen`], which may give a solution but proves
+//! nothing. Sets are counted with row 0 fastest. The start matters only for frozen bounds.
 
 use super::active_set::claim;
 use super::opening;
@@ -45,7 +44,7 @@ impl Solver for Enumeration {
         frozen::solve(lcp, x, &self.settings, |frozen, x, before| {
             let solution = self.try_all(frozen, x, before, observer);
             match solution.status {
-                // with other frozen bounds there may be one
+                // other frozen bounds may have a solution
                 Status::NoSolution => Solution { status: Status::Stalled, ..solution },
                 _ => solution,
             }

@@ -1,12 +1,13 @@
-//! The equations of the free rows, A_FF x_F = −(b_F + A_FB x_B), by the factor that suits A.
+//! The equations of the free rows, A_FF x_F = −(b_F + A_FB x_B), solved with the factor that suits
+//! A.
 //!
 //! | A | factor | products, for f free rows of n |
 //! | --- | --- | --- |
 //! | symmetric | [L Lᵀ](crate::linalg::cholesky) in blocks | f³/6 |
-//! | symmetric, b entries a row near the diagonal | [L D Lᵀ](crate::linalg::envelope) within the envelope | n b²/2 |
+//! | symmetric, b entries per row near the diagonal | [L D Lᵀ](crate::linalg::envelope) within the envelope | n b²/2 |
 //! | not symmetric | [L U](crate::linalg::elimination) with row exchanges | f³/3 |
 //!
-//! The factor is kept: the same free rows of the same matrix need no other.
+//! The factor is kept and reused for the same free rows of the same matrix.
 
 use std::sync::Arc;
 
@@ -19,19 +20,19 @@ use crate::linalg::envelope::Envelope;
 use lcplab_problem::merit::RowTerms;
 use lcplab_problem::{Lcp, Matrix, accurate};
 
-/// Steps of refinement, where rounding is left in the free rows.
+/// Number of refinement steps for rounding errors in the free rows.
 const REFINEMENTS: usize = 2;
-/// The envelope is used if it has at most this part of A's entries: products one after another take
-/// longer than those of a block.
+/// The envelope is used if it has at most 1/12 of A's entries, because its products are slower than
+/// those of a dense block.
 const ENVELOPE_PART: usize = 12;
 
 /// The equations of the free rows of one matrix.
 #[derive(Debug)]
 pub(crate) struct FreeRows {
-    /// Held, so that no other matrix can come to lie where this one lies.
+    /// A reference that keeps the matrix alive, so that no other matrix can have the same address.
     matrix: Arc<Matrix>,
     factor: Factor,
-    /// F, if there is a factor of A_FF.
+    /// F, if A_FF has been factorized.
     free: Option<Vec<usize>>,
 }
 
@@ -43,7 +44,7 @@ enum Factor {
 }
 
 impl FreeRows {
-    /// Those of this problem's matrix, none solved yet.
+    /// The equations of this problem's matrix, without a factor.
     pub(crate) fn of(lcp: &Lcp) -> Self {
         let matrix = Arc::clone(lcp.shared_matrix());
         let most = matrix.len().pow(2) / ENVELOPE_PART;
@@ -55,8 +56,8 @@ impl FreeRows {
         FreeRows { matrix, factor, free: None }
     }
 
-    /// Those that are kept, if they are of this problem's matrix: of the same one, not of an equal
-    /// one.
+    /// The cached equations if they belong to this problem's matrix (the same object, not an equal
+    /// one), otherwise new ones.
     pub(crate) fn kept<'a>(kept: &'a mut Option<Self>, lcp: &Lcp) -> &'a mut Self {
         let is_same = |kept: &Self| Arc::ptr_eq(&kept.matrix, lcp.shared_matrix());
         *kept = kept.take().filter(is_same);
@@ -68,7 +69,7 @@ impl FreeRows {
         !matches!(self.factor, Factor::Lu(_))
     }
 
-    /// Makes the factor of A_FF, if it is not that which is kept.
+    /// Computes the factor of A_FF, unless it is cached.
     fn prepare(&mut self, lcp: &Lcp, free: &[usize]) -> Result<(), Status> {
         if self.free.as_deref() != Some(free) {
             self.free = None;
@@ -85,7 +86,7 @@ impl FreeRows {
         Ok(())
     }
 
-    /// The point of an active set: [`Status::Singular`] or [`Status::NotFinite`] if there is none.
+    /// The point of an active set; [`Status::Singular`] or [`Status::NotFinite`] if there is none.
     pub(crate) fn point(&mut self, lcp: &Lcp, set: &ActiveSet) -> Result<Point, Status> {
         let free: Vec<usize> = (0..lcp.len()).filter(|&i| set.0[i] == Side::Free).collect();
         self.prepare(lcp, &free)?;
@@ -143,7 +144,7 @@ impl Factor {
         }
     }
 
-    /// The solution z of A_FF z = rhs, in place.
+    /// Solves A_FF z = rhs in place.
     fn solve(&self, lcp: &Lcp, free: &[usize], rhs: &mut [f64]) {
         match self {
             Factor::Cholesky(factor) => factor.solve(rhs),

@@ -1,10 +1,10 @@
-//! Pivoting: a solution is known once it is known which rows are at which bound.
+//! Pivoting methods: a solution is determined by which rows are at which bound.
 //!
-//! These methods guess that set, look for a row that contradicts, and exchange it; they end after
-//! finitely many exchanges with an answer that is exact but for rounding, or with a
-//! [ray](crate::Status::Ray). [`dantzig`] for symmetric semidefinite A, [`lemke`] for much more,
-//! [`murty`] and [`block_pivoting`] for P-matrices, [`enumeration`] for all solutions of small
-//! problems of any kind. In the worst case they need 2ⁿ exchanges; contacts are not the worst case.
+//! These methods guess that active set, find a row that violates its conditions, and exchange it.
+//! They end after finitely many exchanges with an answer that is exact up to rounding, or with a
+//! [ray](crate::Status::Ray). [`dantzig`] is for symmetric semidefinite A, [`lemke`] for many more,
+//! [`murty`] and [`block_pivoting`] for P-matrices, [`enumeration`] for small problems of any kind.
+//! In the worst case they need 2ⁿ exchanges, but contacts are far from the worst case.
 
 pub(crate) mod active_set;
 mod basic;
@@ -32,8 +32,8 @@ pub use variable::Variable;
 
 use crate::{Class, Cost, Effort, Entry, Group, MatrixClass};
 
-/// A factorisation for the free rows in an exchange, and one for the first active set; the most,
-/// where A is symmetric.
+/// One factorization of the free rows per exchange, and one for the first active set; an upper
+/// bound if A is symmetric.
 const ACTIVE_SET: Cost = Cost {
     formula: "f³/3 + f² + s, and once before the first",
     start: factorisation,
@@ -45,7 +45,7 @@ fn factorisation(i: &Effort<'_>) -> f64 {
     f.powi(3) / 3.0 + f * f + i.stored
 }
 
-/// All entries of a table with the covering variable and the constants, or a triangle of them.
+/// All entries of a table with the covering variable and the constants, or of a triangle of it.
 fn lemke_pivot(i: &Effort<'_>) -> f64 {
     let table = i.n * (i.n + 2.0);
     if i.is_symmetric() { table / 2.0 } else { table }

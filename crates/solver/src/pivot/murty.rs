@@ -1,22 +1,25 @@
-//! Murty's least-index principal pivoting: the simplest method that always ends on a P-matrix.
+//! Murty's least-index principal pivoting: the simplest method that always terminates for a
+//! P-matrix.
 //!
 //! ```text
 //! repeat   x ← the point of the active set        (A_FF x_F = −(b_F + A_FB x_B))
 //!          i ← the least row that is not satisfied
 //!          move row i to its other side:  at a bound with a wrong sign of w → free,
-//!                                         free and beyond a bound            → at that bound
+//!                                         free and outside a bound           → at that bound
 //! ```
 //!
 //! (Murty 1974; a Bard-type method with the least index.) For a P-matrix, whose principal minors
-//! are all positive, no active set returns. The proof is an induction on n: while row n keeps its
-//! side the other rows are a smaller problem of the same kind, which ends; seen along the solutions
-//! of that, w_n grows with x_n, so row n can only go from one bound to free to the other, once.
-//! Hence at most 2ⁿ − 1 pivots between 0 and ∞ and 3ⁿ − 1 in boxes. Murty's own matrix needs all
-//! of them, while random problems need about n. The start may be any active set.
+//! are all positive, no active set occurs twice. The proof is by induction on n: while row n keeps
+//! its side, the other rows are a smaller problem of the same kind, which terminates. Along the
+//! solutions of that problem, w_n grows with x_n, so row n can only go once from one bound to free
+//! to the other. Hence there are at most 2ⁿ − 1 pivots for bounds 0 and ∞ and 3ⁿ − 1 in boxes.
+//! Murty's own matrix needs all of them; random problems need about n. The start may be any active
+//! set.
 //!
-//! A pivot factorises A_FF anew, O(f³) for f free rows: rounding does not accumulate. Where A_FF is
-//! singular, so that A is no P-matrix, the method ends with `Singular`; on other matrices it may
-//! cycle until the limit. Coupled rows: see [`frozen`](crate::frozen).
+//! Each pivot factorizes A_FF from scratch, O(f³) for f free rows, so rounding errors do not
+//! accumulate. If A_FF is singular, and A therefore not a P-matrix, the method ends with
+//! `Singular`; on other matrices it may cycle until the iteration limit. Coupled rows: see
+//! [`frozen`](crate::frozen).
 
 use std::ops::ControlFlow;
 
@@ -50,7 +53,7 @@ impl Solver for Murty {
     }
 }
 
-/// The point of an active set, with A_FF factorised anew.
+/// The point of an active set, with a fresh factorization of A_FF.
 fn point(lcp: &Lcp, set: &ActiveSet) -> Result<Point, Status> {
     let x = set.point(lcp).map_err(|row| Status::Singular { row })?;
     if x.iter().all(|x| x.is_finite()) { Ok(Point::at(lcp, x)) } else { Err(Status::NotFinite) }

@@ -1,14 +1,14 @@
-//! What the pivoting methods have in common before their first pivot.
+//! Common checks of the pivoting methods before their first pivot.
 
 use super::principal::Point;
 use crate::{Event, Iterate, Observer, Settings, Status};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 
-/// Above this many rows a dense factor or tableau takes too long.
+/// Maximum number of rows; with more, a dense factor or tableau takes too long.
 pub(crate) const MAX_ROWS: usize = 8_000;
 
-/// The status of a method that need not, or cannot, pivot at all, or would need too much memory.
+/// The status of a method that need not or cannot pivot at all, or would need too much memory.
 pub(crate) fn at_once(
     lcp: &Lcp,
     x: &[f64],
@@ -20,7 +20,7 @@ pub(crate) fn at_once(
     begin(lcp, x, needs, settings, observer).or_else(|| is_solved().then_some(Status::Solved))
 }
 
-/// Shows the start to the observer; the status of a method that cannot begin.
+/// Reports the start to the observer; returns the status of a method that cannot begin.
 pub(crate) fn begin(
     lcp: &Lcp,
     x: &[f64],

@@ -1,4 +1,4 @@
-//! The loop of the principal pivoting methods: from one active set to the next.
+//! The loop of the principal pivoting methods, from one active set to the next.
 
 use std::ops::ControlFlow;
 
@@ -10,18 +10,18 @@ use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 use lcplab_problem::merit::{self, Miss, RowTerms};
 
-/// Which of the rows that are not satisfied change sides.
+/// Which of the unsatisfied rows change sides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Change {
-    /// The one of least index.
+    /// The one with the least index.
     Least,
     /// All of them.
     All,
-    /// None: the search is given up.
+    /// None: the search stops.
     None,
 }
 
-/// An x, and what its rows say.
+/// An x with the terms of its rows.
 #[derive(Debug, Clone)]
 pub(crate) struct Point {
     pub(crate) x: Vec<f64>,
@@ -35,12 +35,12 @@ impl Point {
         Point { misses: merit::misses(lcp, &x, &terms), terms, x }
     }
 
-    /// Whether x may be called a solution.
+    /// Whether x is a solution within the tolerance.
     pub(crate) fn is_solution(&self, lcp: &Lcp, tolerance: f64) -> bool {
         merit::is_solution_by(lcp, &self.x, &self.misses, tolerance)
     }
 
-    /// What a method may claim of x that ends here.
+    /// The status of a method that stops at x.
     pub(crate) fn claim(&self, lcp: &Lcp, tolerance: f64) -> Status {
         if self.is_solution(lcp, tolerance) { Status::Solved } else { Status::Inaccurate }
     }
@@ -56,7 +56,8 @@ impl Point {
         residuals.fold(0.0, |most, r| if r.is_nan() { f64::INFINITY } else { f64::max(most, r) })
     }
 
-    /// max_i |x_i − Π(x_i − w_i/s_i)| √s_i: how far x is from a solution, in the unit of √(x w).
+    /// max_i |x_i − Π(x_i − w_i/s_i)| √s_i: the distance of x from a solution, in the unit of √(x
+    /// w).
     pub(crate) fn largest_miss(&self) -> f64 {
         let miss = |miss: &Miss| libm::ldexp(miss.size / miss.scale.sqrt(), miss.exponent);
         self.misses.iter().map(miss).fold(0.0, f64::max)
@@ -69,25 +70,25 @@ impl Point {
     }
 }
 
-/// A way from active set to active set.
+/// A search through active sets.
 pub(crate) struct Search<'a> {
     pub(crate) settings: &'a Settings,
     pub(crate) observer: &'a mut dyn Observer,
     pub(crate) set: ActiveSet,
-    /// The last point, at first the start.
+    /// The last point, initially the start.
     pub(crate) point: Point,
-    /// Changes so far.
+    /// The number of changes so far.
     pub(crate) count: usize,
-    /// What else had a part in it.
+    /// The fallback that was used.
     pub(crate) fallback: Option<Fallback>,
-    /// What it is called if the rule takes to single rows.
+    /// The fallback to report if the rule exchanges single rows.
     pub(crate) safeguard: Option<Fallback>,
 }
 
 impl Search<'_> {
-    /// Changes sides until all rows are satisfied. `point` finds the point of an active set; `rule`
-    /// is told how many rows are not satisfied, and chooses. `arrival` is what led to the first
-    /// point, if an observer is to be told of it.
+    /// Changes sides until all rows are satisfied. `point` computes the point of an active set;
+    /// `rule` chooses, given the number of unsatisfied rows. `arrival` is the event of the first
+    /// point, if it is to be reported to an observer.
     pub(crate) fn run(
         &mut self,
         lcp: &Lcp,
@@ -126,7 +127,7 @@ impl Search<'_> {
         }
     }
 
-    /// Counts another change, if the limit allows it.
+    /// Counts another change, unless the limit is reached.
     pub(crate) fn count_change(&mut self) -> ControlFlow<Status> {
         if self.count >= self.settings.max_iterations {
             return ControlFlow::Break(Status::IterationLimit);
@@ -140,7 +141,7 @@ impl Search<'_> {
         self.observer.observe(&iterate).map_break(|()| Status::Stopped)
     }
 
-    /// What the method claims of the last point.
+    /// The status for the last point.
     pub(crate) fn claim(&self, lcp: &Lcp) -> Status {
         self.point.claim(lcp, self.settings.tolerance)
     }
@@ -151,9 +152,9 @@ impl Search<'_> {
     }
 }
 
-/// Solves a problem by a method that goes from one active set to the next, `method(problem,
-/// search)`; one whose bounds depend on x by frozen ones. It begins with the set that is given, if
-/// that fits, and leaves its last one there.
+/// Solves a problem by a method that moves between active sets, `method(problem, search)`; if
+/// bounds depend on x, by frozen bounds. It starts from the cached set, if that fits, and stores
+/// its last set there.
 pub(crate) fn solve(
     lcp: &Lcp,
     start: &Start<'_>,
@@ -166,7 +167,7 @@ pub(crate) fn solve(
     *set = set.take().and_then(|set| set.fitted(lcp));
     let needs = Memory::square(lcp.len());
     let at_once = match set {
-        // its point may be had for less than a look at x
+        // the point of the set may cost less than evaluating x
         Some(_) => opening::begin(lcp, &x, needs, settings, observer),
         None => opening::at_once(lcp, &x, needs, settings, observer),
     };

@@ -1,26 +1,27 @@
-//! Proximal steps: a singular problem as a few regular ones.
+//! Proximal steps: solve a singular problem as a few regular ones.
 //!
 //! ```text
 //! xᵏ⁺¹ solves   w = A x + b + ρ D (x − xᵏ),   lo ≤ x ≤ hi,   D = diag(A)
 //! ```
 //!
-//! that is, it minimises ½ xᵀA x + bᵀx + ρ/2 |x − xᵏ|²_D in the box (Rockafellar 1976). A + ρ D is
-//! positive definite where A is semidefinite, so block pivoting solves each step, from the active
-//! set of the last one. This softens nothing: where x stays, the added term is zero, and what ends
-//! the steps is the residual of the problem as it was posed.
+//! that is, it minimizes ½ xᵀA x + bᵀx + ρ/2 |x − xᵏ|²_D in the box (Rockafellar 1976). For
+//! semidefinite A, A + ρ D is positive definite, so block pivoting solves each step, starting from
+//! the active set of the last one. This adds no compliance: at a fixed point the added term is
+//! zero, and the stop test uses the residual of the original problem.
 //!
-//! Along an eigenvector of D⁻¹A with the eigenvalue λ a step leaves the part ρ/(ρ + λ) of the
-//! error; for λ = 0 nothing is left to do, as x does not move w there. So with ρ = 2⁻²⁸ two or
-//! three steps are enough, and those after the first cost two triangular solves if their active set
-//! is the same. But the smaller ρ, the farther x runs in a wrong active set, and exchanges of
-//! blocks may not settle. Such a step is taken again with a larger ρ, a well-conditioned problem;
-//! then ρ falls again, in strides that halve after each failure. From ρ = 1 on Murty's rule ends
-//! every step.
+//! Along an eigenvector of D⁻¹A with eigenvalue λ a step multiplies the error by ρ/(ρ + λ); for
+//! λ = 0 there is nothing to correct, since x does not affect w there. With ρ = 2⁻²⁸ two or three
+//! steps are enough, and those after the first cost only two triangular solves if their active set
+//! is the same. But the smaller ρ is, the farther x moves in a wrong active set, and block
+//! exchanges may not converge. Such a step is repeated with a larger ρ, a better conditioned
+//! problem; then ρ decreases again, with strides that are halved after each failure. From ρ = 1 on
+//! Murty's rule ends every step.
 //!
-//! Each step is finite, for A + ρ D is a P-matrix. Their number is not bounded beforehand: x
-//! converges to a solution if there is one, linearly for any ρ and any A (the problem is
-//! polyhedral: Luque 1984), and stops with the residual at rounding, or where it falls no more. If
-//! there is no solution x runs off along a ray, A d = 0 and bᵀd < 0, and the status says so.
+//! Each step is finite because A + ρ D is a P-matrix. Their number has no a-priori bound: x
+//! converges to a solution if one exists, linearly for any ρ and any A (the problem is polyhedral:
+//! Luque 1984), and the iteration stops when the residual is at rounding level or no longer
+//! decreases. If there is no solution, x diverges along a ray, A d = 0 and bᵀd < 0, and the status
+//! reports it.
 
 use std::ops::ControlFlow;
 
@@ -31,20 +32,20 @@ use super::principal::{Change, Point, Search};
 use crate::{Event, Fallback, Settings, Solution, Start, Status, iterate};
 use lcplab_problem::Lcp;
 
-/// The least ρ is 2 to this power: the null space of A costs half of all digits there.
+/// The least ρ is 2 to this power; in the null space of A it costs half of all digits.
 const LEAST: i32 = -28;
-/// Murty's rule from ρ = 2⁰ on.
+/// Murty's rule is used from ρ = 2⁰ on.
 const SAFE: i32 = 0;
-/// Block exchanges without progress before a step is given up.
+/// Number of block exchanges without progress before a step is given up.
 const PATIENCE: usize = 4;
-/// ρ falls by 2 to this power at first, and rises by at least 2 to that.
+/// Exponents of 2: ρ initially decreases by the first, and increases by at least the second.
 const STRIDES: [i32; 2] = [12, 4];
-/// Steps with the least ρ that need not better the residual.
+/// Number of steps with the least ρ that need not improve the residual.
 const IDLE: usize = 3;
-/// Rows that depend on each other and miss by more than this part contradict each other. What is
-/// less may be drift and rounding of redundant joints.
+/// Dependent rows whose scaled residual is larger than this contradict each other. Smaller ones may
+/// be due to drift and rounding of redundant joints.
 pub(crate) const NEARLY: f64 = 1e-3;
-/// What counts as better.
+/// The factor on the residual that counts as an improvement.
 const BETTER: f64 = 0.9;
 
 /// ρ = 2^exponent.
@@ -54,12 +55,12 @@ pub(crate) struct Rho {
 }
 
 impl Rho {
-    /// The one to begin with.
+    /// The initial ρ.
     pub(crate) fn least() -> Self {
         Rho { exponent: LEAST, stride: STRIDES[0] }
     }
 
-    /// Whether it need not rise any more.
+    /// Whether it need not increase further.
     pub(crate) fn is_safe(&self) -> bool {
         self.exponent >= SAFE
     }
@@ -69,13 +70,13 @@ impl Rho {
         2f64.powi(self.exponent)
     }
 
-    /// After a step that failed.
+    /// Increases ρ after a failed step.
     pub(crate) fn rise(&mut self) {
         self.exponent += self.stride.max(STRIDES[1]);
         self.stride = (self.stride / 2).max(1);
     }
 
-    /// After a step that was taken.
+    /// Decreases ρ after an accepted step.
     pub(crate) fn fall(&mut self, set_is_same: bool) {
         self.exponent = (self.exponent - self.stride).max(LEAST);
         if set_is_same {
@@ -84,7 +85,7 @@ impl Rho {
     }
 }
 
-/// Solves a problem with symmetric A by proximal steps from x, beginning with the active set of the
+/// Solves a problem with symmetric A by proximal steps from x, starting with the active set of the
 /// search.
 pub(crate) fn solve(lcp: &Lcp, search: &mut Search<'_>, x: Vec<f64>) -> Solution {
     search.fallback = Some(Fallback::Proximal);
@@ -123,17 +124,18 @@ pub(crate) fn solve(lcp: &Lcp, search: &mut Search<'_>, x: Vec<f64>) -> Solution
     }
 }
 
-/// Whether x solves the problem and is a thousand times nearer to a solution than Π(0). Where rows
-/// contradict each other the residual becomes small beside x as x runs off, but x comes no nearer.
+/// Whether x solves the problem and is a thousand times nearer to a solution than Π(0). If rows
+/// contradict each other, the residual becomes small relative to a diverging x, but x comes no
+/// nearer to a solution.
 fn is_solved(lcp: &Lcp, point: &Point, tolerance: f64) -> bool {
     let nothing = Point::at(lcp, Start::default().point(lcp));
     let is_nearer = point.largest_miss() <= NEARLY * nothing.largest_miss();
     point.is_solution(lcp, tolerance) && (is_nearer || nothing.is_solution(lcp, tolerance))
 }
 
-/// What proximal steps make of a problem with symmetric A that a method of pivots has given up:
-/// their solution, or the failed one. Rows of redundant joints that have drifted apart depend on
-/// each other so nearly that a single pivot cannot tell; along them A is small, not zero.
+/// Applies proximal steps to a problem with symmetric A on which a pivoting method failed; returns
+/// their solution, or the failed one. Rows of redundant joints that have drifted apart are so
+/// nearly dependent that a single pivot cannot decide; along them A is small but not zero.
 pub(crate) fn after(lcp: &Lcp, failed: Solution, settings: &Settings) -> Solution {
     use Status::{Inaccurate, Ray, Singular, Stalled};
     let is_given_up = matches!(failed.status, Ray { .. } | Inaccurate | Singular { .. } | Stalled);
@@ -158,12 +160,12 @@ pub(crate) fn after(lcp: &Lcp, failed: Solution, settings: &Settings) -> Solutio
 struct Steps<'a> {
     lcp: &'a Lcp,
     rho: Rho,
-    /// The problem with A + ρ D, and its equations, for the last exponent.
+    /// The problem with A + ρ D and its equations, for the last exponent.
     soft: Option<(i32, Lcp, FreeRows)>,
 }
 
 impl Steps<'_> {
-    /// One step; the point of the search is then one of the problem itself.
+    /// One step; the point of the search then refers to the original problem.
     fn step(&mut self, search: &mut Search<'_>, centre: &[f64]) -> ControlFlow<Status> {
         let not_finite = |_| ControlFlow::Break(Status::NotFinite);
         let Steps { lcp, rho, soft } = self;

@@ -1,33 +1,33 @@
-//! The ratio test: which variable of a dictionary becomes zero first, and the lexicographic rule
+//! The ratio test: which variable of a dictionary becomes zero first, with the lexicographic rule
 //! for ties.
 //!
-//! With the constants perturbed by (ε, ε², …), which stand for the variables that were basic at
-//! first, the constant of a row is the vector (c_r, B⁻¹_r), and no two ratios are the same:
+//! With the constants perturbed by (ε, ε², …), associated with the initial basic variables, the
+//! constant of a row is the vector (c_r, B⁻¹_r), and no two ratios are equal:
 //!
 //! ```text
 //! B⁻¹_rv = −T_rv for a nonbasic v of the first basis,   1 for the basic one of row r,   else 0
 //! ```
 //!
-//! Ratios are compared as vectors, entry by entry until one row is left.
+//! Ratios are compared as vectors, entry by entry, until one row is left.
 
 use super::dictionary::Dictionary;
 use super::variable::Variable;
 
-/// Two ratios that differ by less than this part of them are tied.
+/// Two ratios that differ by less than this fraction are tied.
 pub(crate) const TIE: f64 = 1e-12;
 
-/// What becomes zero.
+/// The variable that becomes zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Blocking {
     /// The basic variable of this row.
     Row(usize),
-    /// The distance of the basic variable of this row from its other end.
+    /// The distance of the basic variable of this row from the other end of its range.
     Mirrored(usize),
-    /// The distance of the entering variable from its other end.
+    /// The distance of the entering variable from the other end of its range.
     Entering,
 }
 
-/// Something that becomes zero when the entering variable has come to value / weight.
+/// A variable that becomes zero when the entering variable reaches value / weight.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Candidate {
     pub(crate) blocking: Blocking,
@@ -36,8 +36,8 @@ pub(crate) struct Candidate {
     pub(crate) weight: f64,
 }
 
-/// The candidate with the lexicographically least ratio. The covering variable goes before all that
-/// are tied with it. `first` are the variables that were basic at first.
+/// The candidate with the lexicographically least ratio. The covering variable takes precedence in
+/// a tie. `first` are the initial basic variables.
 pub(crate) fn least(
     mut tied: Vec<Candidate>,
     d: &Dictionary,
@@ -64,7 +64,7 @@ pub(crate) fn least(
     tied.first().map(|candidate| candidate.blocking)
 }
 
-/// B⁻¹_rv, whichever name v goes by.
+/// B⁻¹_rv, for v or its mirror image.
 fn inverse(d: &Dictionary, r: usize, v: Variable) -> f64 {
     let (name, sign) = if d.has(v) { (v, 1.0) } else { (v.mirrored(), -1.0) };
     match d.column_of(name) {
@@ -74,7 +74,7 @@ fn inverse(d: &Dictionary, r: usize, v: Variable) -> f64 {
     }
 }
 
-/// Keeps those whose part / weight is least, ties included.
+/// Keeps those with the least part / weight, ties included.
 fn keep_least(tied: &mut Vec<Candidate>, part: impl Fn(&Candidate) -> f64) {
     let ratios: Vec<f64> =
         tied.iter().map(|candidate| part(candidate) / candidate.weight).collect();

@@ -1,4 +1,4 @@
-//! x at the end of a method that has worked in a tableau, without the rounding of the way.
+//! Refines the x of a tableau method, to remove the rounding errors of the pivots.
 
 use super::principal::Point;
 use crate::kernel::rank_one::get;
@@ -6,16 +6,16 @@ use crate::kernel::tableau::Tableau;
 use lcplab_problem::merit::RowTerms;
 use lcplab_problem::{Lcp, accurate};
 
-/// A scaled residual below this is no more than rounding leaves.
+/// A scaled residual below this is at rounding level.
 pub(crate) const EXACT: f64 = 1e-14;
-/// Steps of refinement; all but the first with an accurate w.
+/// Number of refinement steps; all but the first use an accurate w.
 const STEPS: usize = 3;
 
-/// x as exact as rounding allows, or as the tolerance asks, with x_C ← x_C + S_CC w_C. Of idle
-/// rows, which depend on those of C, no more than the tolerance is asked.
+/// Refines x by x_C ← x_C + S_CC w_C until it is exact up to rounding or meets the tolerance.
+/// Dependent rows, those that depend on C, only have to meet the tolerance.
 ///
 /// # Errors
-/// The last x, if it does not become so.
+/// The last x, if it meets neither.
 pub(crate) fn refined(
     lcp: &Lcp,
     tableau: &Tableau,

@@ -1,4 +1,4 @@
-//! A boxed problem as a standard one: pairs of variables that are not negative and not both
+//! The standard form of a boxed problem: pairs of nonnegative variables of which at most one is
 //! positive.
 //!
 //! ```text
@@ -9,28 +9,27 @@
 //! free                x solved for in w = 0, and leaves the pairs
 //! ```
 //!
-//! v is the force with which the upper bound pushes back. A row bounded from both sides needs one
-//! equation and one column all the same. t is y seen from the other bound; and v is not 0 only
-//! where t is 0, so that y and hence w + v ≠ 0 or v ≠ 0 but never both: v is −w, seen from there.
-//! The dictionary has whichever of the two names must not be negative, and
-//! [mirrors](Dictionary::mirror_row) one into the other.
+//! v is the force of the upper bound. A row bounded on both sides still needs only one equation and
+//! one column. t is y measured from the other bound. v is nonzero only if t is 0, so w + v ≠ 0 (the
+//! partner of y) or v ≠ 0, but never both: v is −w, measured from the other bound. The dictionary
+//! contains whichever of the two must not be negative, and [mirrors](Dictionary::mirror_row) one
+//! into the other.
 //!
-//! Free rows are solved by elimination with complete pivoting, which puts the Schur complement of A
-//! in place of A. What is left of them when no pivot is left, because A is singular there, is
-//! split: x = y − v with 0 ≤ y ⟂ w ≥ 0 and 0 ≤ v ⟂ t = −w ≥ 0. None of this changes that A is
-//! positive semidefinite.
+//! Free rows are solved by elimination with complete pivoting, which replaces A by its Schur
+//! complement. Free rows without a pivot, because A is singular there, are split: x = y − v with
+//! 0 ≤ y ⟂ w ≥ 0 and 0 ≤ v ⟂ t = −w ≥ 0. A stays positive semidefinite in all of this.
 
 use super::active_set::{ActiveSet, Side, unit};
 use super::dictionary::{Dictionary, Taken};
 use super::variable::Variable;
 use lcplab_problem::{Lcp, merit::RowTerms};
 
-/// What a constant may lose to rounding in a block of exchanges, relative to its terms.
+/// The rounding error allowed for a constant in a block exchange, relative to its terms.
 pub(crate) const FORGIVEN: f64 = 1e-11;
-/// Units of w that differ by more than this factor are far apart.
+/// Units of w that differ by more than this factor are considered very different.
 const FAR_APART: f64 = 1024.0;
 
-/// How a row of the boxed problem enters.
+/// How a row of the boxed problem enters the standard form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Pinned,
@@ -52,7 +51,7 @@ impl Kind {
     }
 }
 
-/// The standard form of a boxed problem, and the way back.
+/// The standard form of a boxed problem, with the transformation back.
 #[derive(Debug, Clone)]
 pub(crate) struct StandardForm {
     kind: Vec<Kind>,
@@ -94,8 +93,8 @@ impl StandardForm {
         form
     }
 
-    /// Solves w = 0 for the free x, drops their w, splits the free x that no equation of a free row
-    /// contains any more, and puts those that are solved for below the pairs.
+    /// Solves w = 0 for the free x, removes their w, splits the free x that no remaining equation
+    /// of a free row contains, and moves the solved ones below the pairs.
     fn eliminate_free(&mut self) {
         let is_free = |v: Variable| v.row().is_some_and(|i| self.kind[i] == Kind::Free);
         let d = &mut self.dictionary;
@@ -126,8 +125,9 @@ impl StandardForm {
         self.dictionary = d.selection(&pairs, &columns);
     }
 
-    /// Lets the covering variable lift every basic one that may be negative by 1; or by the row's
-    /// unit of w, if the units differ so much that the large would swallow the small.
+    /// Adds the covering variable with coefficient 1 for every basic variable that may be negative;
+    /// or the unit of w in that row, if the units differ so much that large ones would swamp small
+    /// ones.
     fn add_cover(&mut self, lcp: &Lcp) {
         let d = &mut self.dictionary;
         let last = d.nonbasic().len() - 1;
@@ -140,7 +140,7 @@ impl StandardForm {
         }
     }
 
-    /// How far the variable can go from 0: ∞ but for the distances from two finite bounds.
+    /// The range of the variable from 0: ∞ except for the distances from two finite bounds.
     pub(crate) fn range(&self, lcp: &Lcp, variable: Variable) -> f64 {
         match variable {
             Variable::Y(i) | Variable::T(i) if self.kind[i] == Kind::Both => {
@@ -150,7 +150,7 @@ impl StandardForm {
         }
     }
 
-    /// Gives a nonbasic variable this name, if it goes by the one of its mirror image; returns its
+    /// Makes a nonbasic variable appear under this name, mirroring it if necessary; returns its
     /// column.
     pub(crate) fn name_column(&mut self, variable: Variable) -> Option<usize> {
         let d = &mut self.dictionary;
@@ -162,7 +162,7 @@ impl StandardForm {
         })
     }
 
-    /// Gives the variables the names that they have in another dictionary of this problem.
+    /// Mirrors the variables to match another dictionary of this problem.
     pub(crate) fn mirror_as(&mut self, lcp: &Lcp, other: &Dictionary) {
         for i in (0..self.kind.len()).filter(|&i| self.kind[i] == Kind::Both) {
             let d = &mut self.dictionary;
@@ -187,7 +187,7 @@ impl StandardForm {
         (0..self.kind.len()).map(|i| x(i).max(lcp.lo()[i]).min(lcp.hi()[i])).collect()
     }
 
-    /// How x moves while the nonbasic variable of column c grows at rate 1.
+    /// The rate of change of x while the nonbasic variable of column c grows at rate 1.
     pub(crate) fn direction(&self, c: usize) -> Vec<f64> {
         let d = &self.dictionary;
         let rate = |i: usize| match self.kind[i] {
@@ -213,15 +213,15 @@ impl StandardForm {
     }
 }
 
-/// Whether the rows that are not pinned have units of w that are far apart.
+/// Whether the rows that are not pinned have very different units of w.
 fn needs_units(lcp: &Lcp) -> bool {
     let units = (0..lcp.len()).filter(|&i| lcp.lo()[i] < lcp.hi()[i]).map(|i| unit(lcp, i));
     let (least, most) = units.fold((f64::INFINITY, 0.0), |(l, m), u| (u.min(l), u.max(m)));
     most > FAR_APART * least
 }
 
-/// How fast the covering variable lifts the w of each row from the wrong side of zero: not at all
-/// where x is free or pinned.
+/// The coefficient of the covering variable in the w of each row, with the sign that moves w away
+/// from the wrong side of zero; 0 if x is free or pinned.
 pub(crate) fn cover(lcp: &Lcp) -> Vec<f64> {
     let needs_units = needs_units(lcp);
     let lift = |i: usize| if needs_units { unit(lcp, i) } else { 1.0 };
@@ -233,7 +233,7 @@ pub(crate) fn cover(lcp: &Lcp) -> Vec<f64> {
     (0..lcp.len()).map(of_row).collect()
 }
 
-/// w = b + A x in these rows as equations of their y, with a column of zeros for the covering
+/// w = b + A x in these rows as equations in their y, with a column of zeros for the covering
 /// variable.
 fn equations(lcp: &Lcp, rows: &[usize], base: &[f64], sign: &[f64]) -> Dictionary {
     let mut column = vec![None; lcp.len()];

@@ -1,22 +1,22 @@
-//! The variables of Lemke's standard form, and their names.
+//! The variables of Lemke's standard form.
 
 /// A variable of Lemke's standard form; the number is the row of the boxed problem.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Variable {
     /// y, the distance of x from its bound.
     Y(usize),
-    /// The partner of y: w or −w, as far as it is not v.
+    /// The complement of y: w or −w, excluding the part in v.
     W(usize),
     /// v, the force of the other bound.
     V(usize),
-    /// The partner of v: the distance of x from the other bound.
+    /// The complement of v: the distance of x from the other bound.
     T(usize),
     /// Lemke's covering variable.
     Cover,
 }
 
 impl Variable {
-    /// The other one of its pair.
+    /// The complementary variable of its pair.
     pub(crate) fn partner(self) -> Self {
         match self {
             Variable::Y(i) => Variable::W(i),
@@ -27,7 +27,7 @@ impl Variable {
         }
     }
 
-    /// The same one seen from the other bound of x, if there are two.
+    /// The same variable measured from the other bound of x, if there are two.
     pub(crate) fn mirrored(self) -> Self {
         match self {
             Variable::Y(i) => Variable::T(i),
@@ -38,7 +38,7 @@ impl Variable {
         }
     }
 
-    /// The row of the boxed problem; none for the covering variable.
+    /// The row of the boxed problem; `None` for the covering variable.
     pub fn row(self) -> Option<usize> {
         match self {
             Variable::Y(i) | Variable::W(i) | Variable::V(i) | Variable::T(i) => Some(i),
@@ -46,7 +46,7 @@ impl Variable {
         }
     }
 
-    /// A number of its own.
+    /// A unique number.
     pub(crate) fn number(self) -> usize {
         match self {
             Variable::Cover => 0,
@@ -58,18 +58,18 @@ impl Variable {
     }
 }
 
-/// Where a variable stands in a dictionary.
+/// The place of a variable in a dictionary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Place {
     /// Basic, in this row.
     Row(usize),
     /// Nonbasic, in this column.
     Column(usize),
-    /// It is not in there.
+    /// Not in the dictionary.
     Nowhere,
 }
 
-/// Where each variable stands.
+/// The place of each variable.
 #[derive(Debug, Clone)]
 pub(crate) struct Places(Vec<Place>);
 

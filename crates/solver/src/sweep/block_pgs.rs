@@ -1,22 +1,21 @@
-//! Projected Gauss-Seidel by blocks: a contact with its friction, or a joint, at a time.
+//! Block projected Gauss-Seidel: a contact with its friction, or a joint, at a time.
 //!
 //! ```text
 //! for each block B:   x_B ← the solution y of   w_B = A_BB y + (b_B + Σ_{j∉B} a_Bj x_j)
 //!                                               within the bounds of B
 //! ```
 //!
-//! [`Pgs`](crate::Pgs) is the case of one row a block. The rows of a contact or a joint act on the
-//! same two bodies and are strongly coupled; solving them together spares the sweeps in which they
-//! would negotiate, and a friction row is bounded by the normal impulse found with it, not by the
-//! last one. Each small problem is solved exactly by [`Dantzig`]'s method, which
-//! also takes a singular A_BB. Blocks of two directions: for symmetric positive semidefinite A no
-//! block raises the objective ½ xᵀAx + bᵀx, and for a definite one x converges to the solution
-//! (block coordinate descent; Luo & Tseng 1992). Where no bound is active the error shrinks by the
-//! spectral radius of the block Gauss-Seidel matrix, for Stieltjes matrices never above that of the
-//! rows.
+//! [`Pgs`](crate::Pgs) is the case of one row per block. The rows of a contact or joint act on the
+//! same two bodies and are strongly coupled. Solving them together saves sweeps, and each friction
+//! row is bounded by the normal impulse computed with it, not by the previous one. Each small
+//! problem is solved exactly by [`Dantzig`]'s method, which also handles a singular A_BB. For
+//! symmetric positive semidefinite A no block update raises the objective ½ xᵀAx + bᵀx; for a
+//! definite A, x converges to the solution (block coordinate descent; Luo & Tseng 1992). While no
+//! bound is active, the error shrinks by the spectral radius of the block Gauss-Seidel matrix,
+//! which for Stieltjes matrices is never above that of the row method.
 //!
-//! A block without solution ends it with that block's status. A sweep costs one product A x and the
-//! small solves.
+//! If a block has no solution, the method ends with the status of that block. A sweep costs one
+//! product A x and the small solves.
 
 use std::ops::ControlFlow;
 
@@ -25,14 +24,14 @@ use crate::theory::principal_submatrix;
 use crate::{Dantzig, Event, Observer, Settings, Solution, Solver, Start, Status};
 use lcplab_problem::{Coupling, Lcp};
 
-/// The tolerance of the small problems: about rounding.
+/// The tolerance of the small problems, about rounding level.
 const BLOCK_TOLERANCE: f64 = 1e-14;
 
 /// Block projected Gauss-Seidel.
 #[derive(Debug, Clone)]
 pub struct BlockPgs {
-    /// A normal row and the friction rows that it bounds are one block; of all other rows so many
-    /// consecutive ones are: 3 for ball joints.
+    /// A normal row and the friction rows that it bounds are one block; other rows form blocks of
+    /// this many consecutive rows: 3 for ball joints.
     pub rows_per_block: usize,
     /// The common settings; an iteration is a sweep over all blocks.
     pub settings: Settings,
@@ -87,7 +86,7 @@ fn blocks(lcp: &Lcp, rows_per_block: usize) -> Vec<Vec<usize>> {
 
 struct Block {
     rows: Vec<usize>,
-    /// The block's A, bounds and coupling; its b changes with x.
+    /// A, bounds and coupling of the block; its b changes with x.
     lcp: Lcp,
     solver: Dantzig,
 }
@@ -130,7 +129,8 @@ impl Block {
         Ok(())
     }
 
-    /// A ray of the block is one of the whole: where A is semidefinite, A_BB d = 0 makes A d = 0.
+    /// Extends a ray of the block to the whole problem: for semidefinite A, A_BB d = 0 implies A d
+    /// = 0.
     fn ray(&self, row: usize, block_direction: &[f64], n: usize) -> Status {
         let mut direction = vec![0.0; n];
         for (&i, d) in self.rows.iter().zip(block_direction) {

@@ -1,19 +1,21 @@
-//! The chapter's iterative solver as printed: it clamps after the whole sweep. A specimen.
+//! The chapter's iterative solver as printed, which clamps after the whole sweep: a known-wrong
+//! variant.
 //!
 //! ```text
 //! y_i ← −(b_i + Σ_{j<i} a_ij y_j + Σ_{j>i} a_ij x_j) / a_ii,   i = 1 … n
 //! x ← Π(y)
 //! ```
 //!
-//! Where no bound is met this is Gauss-Seidel, and right. Otherwise later rows of the sweep have
-//! seen values y that were never allowed, and the fixed point is another one: for
-//! A = [1 ½; ½ 1], b = (1, −1) and x ≥ 0 it is (0, 2) in place of (0, 1). It can even diverge on a
-//! symmetric positive definite A (n = 3 and up). The remedy is one line:
-//! [`Pgs`](crate::Pgs) clamps each row as it is updated. K&M Code 6, E06.
+//! If no bound is reached this is Gauss-Seidel and correct. Otherwise later rows of the sweep use
+//! values y outside the bounds, and the fixed point is different: for A = [1 ½; ½ 1], b = (1, −1)
+//! and x ≥ 0 it is (0, 2) instead of (0, 1). It can even diverge for a symmetric positive definite
+//! A (n ≥ 3). The fix is one line: [`Pgs`](crate::Pgs) clamps each row as it is updated. K&M Code
+//! 6, E06.
 //!
-//! We add what the listing leaves to its caller: the start (the listing clears x), the sign of b
-//! (the listing solves A x = b) and the stop test. So a wrong limit ends as `IterationLimit`, and
-//! never as `Solved`. A zero diagonal, an assertion in print, is `ZeroDiagonal`.
+//! This code adds what the listing leaves to its caller: the start (the listing clears x), the sign
+//! of b (the listing solves A x = b) and the stop test. A wrong limit therefore ends as
+//! `IterationLimit`, never as `Solved`. A zero diagonal, an assertion in the listing, gives
+//! `ZeroDiagonal`.
 
 use std::ops::ControlFlow;
 
@@ -21,7 +23,7 @@ use crate::iterate::iterate;
 use crate::{Event, Observer, Settings, Solution, Solver, Start, Status};
 use lcplab_problem::Lcp;
 
-/// Code 6, a specimen.
+/// Code 6, a known-wrong variant.
 #[derive(Debug, Clone, Default)]
 pub struct Code6 {
     /// The common settings; an iteration is a sweep over all rows.

@@ -1,23 +1,23 @@
-//! Projected Gauss-Seidel for cones: a contact at a time, its three rows at once.
+//! Projected Gauss-Seidel for cones: one contact at a time, its three rows together.
 //!
 //! ```text
 //! for each contact:     x_c ← Π_K(x_c − ŵ_c / s_c)      ŵ = w, or w + μ |w_t| n under Coulomb's law
 //! for each other row:   x_i ← Π(x_i − w_i / a_ii)
 //! ```
 //!
-//! [`Pgs`](crate::Pgs) with a cone in place of an interval; s_c, a bound on the largest
-//! eigenvalue of the contact's block of A, is in place of a_ii. Each update uses the newest x.
+//! [`Pgs`](crate::Pgs) with a cone instead of an interval; s_c, an upper bound on the largest
+//! eigenvalue of the contact's block of A, replaces a_ii. Each update uses the newest x.
 //!
-//! Under the associated law and for symmetric positive semidefinite A no update raises ½ xᵀAx +
-//! bᵀx, and x converges to a minimum (Tasora & Anitescu 2011). Under Coulomb's law the same line
-//! with ŵ is the projection of De Saxcé & Feng (1991): one sweep solves and freezes at once, where
-//! [`frozen`](crate) solves to the end before it freezes again. Nothing is guaranteed then, and
-//! little goes wrong as long as μ is not large. A contact on its own with A = 1 contracts by
-//! μ²/(1 + μ²) a sweep under Coulomb's law, and is solved by one update under the other. Like all
-//! sweeps it is slow where forces pass through many bodies, and where a contact is about to slide
-//! but hardly does: the surface of the cone is curved there, which intervals are not.
+//! Under the associated law and for symmetric positive semidefinite A no update raises ½
+//! xᵀAx + bᵀx, and x converges to a minimum (Tasora & Anitescu 2011). Under Coulomb's law the same
+//! update with ŵ is the projection of De Saxcé & Feng (1991): each update uses the current shift,
+//! whereas [`frozen`](crate) solves the frozen problem completely before it updates the shift.
+//! Convergence is then not guaranteed but usual as long as μ is not large. For a single contact
+//! with A = 1 each sweep reduces the error by μ²/(1 + μ²) under Coulomb's law; under the associated
+//! law one update solves it. Like all sweep methods it is slow if forces pass through many bodies,
+//! and at contacts that barely slide, because the surface of the cone is curved.
 //!
-//! A sweep costs one product A x. A contact whose block of A is not positive: `ZeroDiagonal`.
+//! A sweep costs one product A x. If a contact's block of A is not positive: `ZeroDiagonal`.
 
 use std::ops::ControlFlow;
 
@@ -66,7 +66,7 @@ impl ConeSolver for ConePgs {
     }
 }
 
-/// A row whose w does not grow with its own x, though it should.
+/// A row whose w should grow with its own x but does not.
 fn immovable(problem: &ConeProblem) -> Option<usize> {
     let (lcp, friction) = (problem.lcp(), problem.friction());
     let is_movable = |i: &usize| lcp.matrix().diagonal(*i) > 0.0;

@@ -4,19 +4,20 @@
 //! x ← Π( x − θ D⁻¹ w ),   D = diag(A),   w = A x + b
 //! ```
 //!
-//! All rows move at once from the same w; Gauss-Seidel ([`Pgs`](crate::Pgs)) uses the newest x
-//! instead. So the rows can be done in parallel and their numbering does not matter: permuting the
-//! rows permutes the iterates. It is the projected gradient method with step θ, lengths being
-//! measured by D.
+//! All rows are updated from the same w; Gauss-Seidel ([`Pgs`](crate::Pgs)) uses the newest x
+//! instead. The rows can therefore be processed in parallel, and their order does not matter:
+//! permuting the rows permutes the iterates. It is the projected gradient method with step θ, with
+//! lengths measured by D.
 //!
-//! For symmetric positive semidefinite A it converges, and the objective ½ xᵀAx + bᵀx falls in each
-//! sweep, if 0 < θ < 2/λ with λ the largest eigenvalue of D⁻¹A. Plain Jacobi, θ = 1, therefore does
-//! *not* converge on every positive definite A: ones on the diagonal and 0.9 elsewhere (n = 3) has
-//! λ = 2.8 (E09). Two rows always have λ ≤ 2, k rows that all touch each other may have λ close to
-//! k; [`Damping::Safe`] takes 1/θ from a bound on λ. A sweep costs one product A x.
+//! For symmetric positive semidefinite A the method converges, and the objective ½ xᵀAx + bᵀx falls
+//! in each sweep, if 0 < θ < 2/λ with λ the largest eigenvalue of D⁻¹A. Plain Jacobi, θ = 1,
+//! therefore does *not* converge for every positive definite A: with ones on the diagonal and 0.9
+//! elsewhere (n = 3), λ = 2.8 (E09). Two rows always have λ ≤ 2; k rows that are all coupled may
+//! have λ close to k. [`Damping::Safe`] sets 1/θ to an upper bound on λ. A sweep costs one product
+//! A x.
 //!
-//! A row with a_ii ≤ 0 ends it with `ZeroDiagonal`; iterates that overflow with `Diverged`.
-//! Coupled rows are clamped to ±μ times the new x of their normal rows.
+//! A row with a_ii ≤ 0 gives `ZeroDiagonal`; iterates that overflow give `Diverged`. Coupled rows
+//! are clamped to ±μ times the new x of their normal rows.
 
 use std::ops::ControlFlow;
 
@@ -28,7 +29,7 @@ use lcplab_problem::Lcp;
 /// Projected Jacobi.
 #[derive(Debug, Clone, Default)]
 pub struct Jacobi {
-    /// How long the steps are.
+    /// The step length.
     pub damping: Damping,
     /// The common settings; an iteration is a sweep over all rows.
     pub settings: Settings,
@@ -37,7 +38,7 @@ pub struct Jacobi {
 /// The damping factor θ.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Damping {
-    /// 1 / max_i Σ_j |a_ij| / √(a_ii a_jj), with which every semidefinite A converges.
+    /// 1 / max_i Σ_j |a_ij| / √(a_ii a_jj), which converges for every semidefinite A.
     #[default]
     Safe,
     /// This θ; 1 is plain Jacobi.
@@ -45,7 +46,7 @@ pub enum Damping {
 }
 
 impl Damping {
-    /// θ on a problem with this metric.
+    /// θ for a problem with this metric.
     pub(crate) fn factor(self, metric: &Metric) -> f64 {
         match self {
             Damping::Safe => 1.0 / metric.eigenvalue,

@@ -1,10 +1,11 @@
-//! Splitting: solve row i for x_i while the others wait, clamp, go on.
+//! Splitting methods: solve row i for x_i with the others fixed, clamp, continue with the next row.
 //!
-//! After enough sweeps nothing moves any more. A sweep is cheap, can be stopped at any time, and
-//! starts from the last step's answer; but news travels one row at a time, so tall stacks and large
-//! mass ratios need thousands of sweeps ([`theory`](crate::theory) says how many). [`pgs`] has SOR,
-//! symmetric SOR and colours too, by [`order`]; [`code6`] is the chapter's listing as printed,
-//! which is something else. For friction: [`polygon_pgs`] and [`cone_pgs`], by contacts.
+//! A sweep is cheap, can be interrupted at any time, and can start from the last step's answer. But
+//! information moves one row at a time, so tall stacks and large mass ratios need thousands of
+//! sweeps ([`theory`](crate::theory) predicts how many). [`pgs`] includes SOR, symmetric SOR and
+//! colored orders, by [`order`]; [`code6`] is the chapter's listing as printed, which is a
+//! different method. For friction: [`polygon_pgs`] and [`cone_pgs`], which update contact by
+//! contact.
 
 pub mod block_pgs;
 pub mod code6;
@@ -24,7 +25,7 @@ pub use polygon_pgs::PolygonPgs;
 
 use crate::{Choice, Class, Cost, Entry, Group, MatrixClass, Options, Solver};
 
-/// What the methods ask for that divide by the diagonal of A.
+/// The class of the methods that divide by the diagonal of A.
 const CLASS: Class = Class::of(MatrixClass::Semidefinite).with_positive_diagonal();
 /// A product A x and n divisions.
 const SWEEP: Cost = Cost::each("s + n", |i| i.stored + i.n);
@@ -97,7 +98,7 @@ pub const ENTRIES: &[Entry] = &[
     },
 ];
 
-/// Methods that are wrong, kept to be looked at beside the right ones.
+/// Known-wrong variants, kept for comparison with the correct methods.
 pub const SPECIMENS: &[Entry] = &[Entry {
     name: "code6",
     method: "the chapter's Code 6: Gauss-Seidel, clamped after the whole sweep",

@@ -1,8 +1,8 @@
-//! In which order a sweep takes the rows.
+//! The order of the rows in a sweep.
 //!
-//! Every order leads to a solution where the natural one does, at another rate and, where the
-//! solution is not unique, to another one. For tridiagonal and other consistently ordered A the
-//! rates of the natural and the coloured order are the same.
+//! Every order converges to a solution if the natural order does, but at another rate and, if the
+//! solution is not unique, possibly to another solution. For tridiagonal and other consistently
+//! ordered A the natural and the colored order have the same rate.
 
 use lcplab_problem::Lcp;
 
@@ -14,20 +14,20 @@ pub enum Order {
     Natural,
     /// n, …, 2, 1.
     Reverse,
-    /// Natural, then reverse: each row twice. The method is then called symmetric.
+    /// Natural, then reverse: each row twice. The method is then called symmetric (SSOR).
     Symmetric,
     /// One random permutation, the same in every sweep.
     Shuffled {
         /// The seed of the permutation.
         seed: u64,
     },
-    /// Colour by colour, where no two rows of a colour have an entry of A in common: red and black
-    /// for a tridiagonal A. Rows of a colour do not see each other, so they could be done at once.
+    /// Color by color, where no two rows of a color share an entry of A: red and black for a
+    /// tridiagonal A. Rows of one color are independent and could be updated in parallel.
     Coloured,
 }
 
 impl Order {
-    /// The rows in this order.
+    /// The row indices in this order.
     pub fn rows(self, lcp: &Lcp) -> Vec<usize> {
         let natural = 0..lcp.len();
         match self {
@@ -59,8 +59,8 @@ fn shuffled(mut rows: Vec<usize>, seed: u64) -> Vec<usize> {
     rows
 }
 
-/// The least colour that no earlier neighbour has, for each row. A friction row is a neighbour of
-/// the row that bounds it.
+/// For each row, the least color that no earlier neighbor has. A friction row is a neighbor of the
+/// row that bounds it.
 fn colours(lcp: &Lcp) -> Vec<usize> {
     let n = lcp.len();
     let mut neighbours = vec![Vec::new(); n];

@@ -1,23 +1,23 @@
-//! Projected Gauss-Seidel, and successive over-relaxation, which is the same with another ω.
+//! Projected Gauss-Seidel, and successive over-relaxation, which is the same method with another ω.
 //!
 //! ```text
 //! x_i ← Π_i( x_i − ω w_i / a_ii ),   w_i = Σ_j a_ij x_j + b_i with the newest x,   i = 1 … n
 //! ```
 //!
-//! ω = 1 is Gauss-Seidel (K&M (2) and (3)): row i is solved for x_i while the others wait, then
-//! clamped, *before* the next row is looked at. (Code 6 clamps after the whole sweep and converges
+//! ω = 1 is Gauss-Seidel (K&M (2) and (3)): row i is solved for x_i with the others fixed, then
+//! clamped, *before* the next row is processed. (Code 6 clamps after the whole sweep and converges
 //! to something else, E06.) 0 < ω < 1 takes shorter steps, 1 < ω < 2 longer ones. The rows may be
-//! taken in any [`Order`]: there and back is *symmetric* SOR, colour by colour *red-black*.
+//! taken in any [`Order`]: forward and back gives *symmetric* SOR, color by color *red-black* SOR.
 //!
 //! For symmetric positive semidefinite A with positive diagonal and 0 < ω < 2 no update raises the
-//! objective ½ xᵀAx + bᵀx, and x converges to a solution if there is one (Cryer 1971; Luo & Tseng
-//! 1991). Neither the distance to it nor the residual need fall in each sweep (E67). Where no bound
-//! is active the error shrinks by the spectral radius of the [iteration matrix](crate::theory) in
-//! each sweep; for a column of n bodies that is cos²(π/2n), so the sweeps needed grow as n².
-//! A sweep costs one product A x, a symmetric one two.
+//! objective ½ xᵀAx + bᵀx, and x converges to a solution if one exists (Cryer 1971; Luo & Tseng
+//! 1991). Neither the distance to it nor the residual needs to fall in each sweep (E67). While no
+//! bound is active, each sweep reduces the error by the spectral radius of the [iteration
+//! matrix](crate::theory); for a column of n bodies that is cos²(π/2n), so the number of sweeps
+//! grows as n². A sweep costs one product A x, a symmetric sweep two.
 //!
-//! A row with a_ii ≤ 0 ends it with `ZeroDiagonal`; iterates that overflow with `Diverged`.
-//! A coupled row is clamped to ±μ times the newest x of its normal row.
+//! A row with a_ii ≤ 0 gives `ZeroDiagonal`; iterates that overflow give `Diverged`. A coupled row
+//! is clamped to ±μ times the newest x of its normal row.
 
 use std::ops::ControlFlow;
 

@@ -1,4 +1,4 @@
-//! Projected Gauss-Seidel for polygons: a contact at a time, its normal and then its tangents.
+//! Projected Gauss-Seidel for polygons: one contact at a time, first its normal, then its tangents.
 //!
 //! ```text
 //! x_n ← max(x_n − w_n/a_nn, 0)
@@ -6,23 +6,23 @@
 //! x_i ← Π(x_i − w_i/a_ii)                                              each other row
 //! ```
 //!
-//! The friction that dissipates most, among the impulses of a polygon, is a fixed point of the
-//! second line, and with it of the whole; β and γ of the
-//! [LCP](lcplab_problem::friction::Polyhedral) need not be known, and the matrix has a row for each
-//! of x alone. s_t bounds the eigenvalues of the contact's block of tangents. Each update uses the
-//! newest x. As the coupled box, which it is with four corners along the tangents turned by 45°, it
-//! has no minimum behind it: that a sweep comes nearer is seen, not proved.
+//! The friction impulse of the polygon that dissipates most is a fixed point of the second line and
+//! therefore of the whole iteration. β and γ of the [LCP](lcplab_problem::friction::Polyhedral)
+//! need not be known, and the matrix has only rows for x. s_t bounds the eigenvalues of the
+//! contact's tangent block. Each update uses the newest x. Like the coupled box, to which it is
+//! equivalent with four corners along the tangents turned by 45°, it minimizes no function, so
+//! convergence is observed but not proved.
 //!
-//! What it claims is judged by the LCP, on the z that x leads back to.
+//! `Solved` is tested on the LCP, with the z reconstructed from x.
 
 use crate::{Event, Iterate, Observer, Settings, Solution, Start, Status};
 use lcplab_problem::friction::Polyhedral;
 use lcplab_problem::merit;
 
-/// Whether x is a solution costs as much as some sweeps, and is looked at after so many of them.
+/// The number of sweeps between two solution tests; one test costs as much as several sweeps.
 const LOOK_EVERY: usize = 10;
 
-/// Projected Gauss-Seidel for polygons of friction.
+/// Projected Gauss-Seidel for friction polygons.
 #[derive(Debug, Clone, Default)]
 pub struct PolygonPgs {
     /// The common settings; an iteration is a sweep over all contacts and other rows.
@@ -33,7 +33,7 @@ impl PolygonPgs {
     /// Its name in tables.
     pub const NAME: &'static str = "polygon-pgs";
 
-    /// Solves a polyhedral problem from an x, for x.
+    /// Solves a polyhedral problem, starting from x, and returns x.
     pub fn solve(
         &self,
         problem: &Polyhedral,

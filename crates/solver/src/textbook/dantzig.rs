@@ -1,4 +1,4 @@
-//! Dantzig's method, as Baraff tells it: row after row joins those that are satisfied.
+//! Dantzig's method in Baraff's formulation: row after row joins the satisfied ones.
 
 use super::{Matrix, Vector, point};
 
@@ -6,7 +6,7 @@ use super::{Matrix, Vector, point};
 /// definite.
 ///
 /// Rows 0 … k − 1 are satisfied and stay so while row k moves: free rows keep w = 0, the others
-/// keep x.
+/// keep their x.
 pub fn dantzig(A: &Matrix, b: &Vector, lo: &Vector, hi: &Vector) -> Vector {
     let n = b.len();
     let mut x = Vector::from_fn(n, |i, _| 0.0_f64.clamp(lo[i], hi[i]));
@@ -21,8 +21,8 @@ pub fn dantzig(A: &Matrix, b: &Vector, lo: &Vector, hi: &Vector) -> Vector {
             }
             let d = direction(A, &free, k, (bound - x[k]).signum());
             let v = A * &d; // how fast w changes along d
-            // How far until w_k is 0, or x_k at its bound, or a row before it at the end of its
-            // side?
+            // How far until w_k is 0, or x_k is at its bound, or an earlier row reaches the end of
+            // its side?
             let mut first = (-w[k] / v[k], k, true);
             let mut ends_at = |length: f64, i: usize, becomes_free: bool| {
                 if length < first.0 {
@@ -51,8 +51,8 @@ pub fn dantzig(A: &Matrix, b: &Vector, lo: &Vector, hi: &Vector) -> Vector {
     x
 }
 
-/// The direction in which x_k goes one unit, up or down by the sign, free rows keep their w, and
-/// the others keep their x.
+/// The direction in which x_k changes by one unit, up or down by the sign, while free rows keep
+/// their w and the others keep their x.
 fn direction(A: &Matrix, free: &[bool], k: usize, sign: f64) -> Vector {
     let mut d = point(A, &(sign * A.column(k)), free); // A_FF d_F = −A_Fk d_k
     d[k] = sign;

@@ -2,8 +2,8 @@
 
 use super::{Matrix, Vector};
 
-/// x after so many sweeps from 0: each row in turn makes its own w zero, as far as its bounds let
-/// it.
+/// x after this many sweeps from 0: each row in turn makes its own w zero, as far as its bounds
+/// allow.
 pub fn gauss_seidel(A: &Matrix, b: &Vector, lo: &Vector, hi: &Vector, sweeps: usize) -> Vector {
     let n = b.len();
     let mut x = Vector::zeros(n);

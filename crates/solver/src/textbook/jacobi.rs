@@ -1,8 +1,9 @@
-//! Projected Jacobi, damped.
+//! Projected Jacobi with damping.
 
 use super::{Matrix, Vector};
 
-/// x after so many sweeps from 0: all rows at once make their own w zero, or part of the way there.
+/// x after this many sweeps from 0: all rows at once make their own w zero, or move a fraction of
+/// the distance.
 pub fn jacobi(
     A: &Matrix,
     b: &Vector,

@@ -16,7 +16,7 @@ pub fn ldlt(A: &Matrix) -> (Matrix, Vector) {
     (L, D)
 }
 
-/// The x with L D Lᵀ x = r.
+/// The solution x of L D Lᵀ x = r.
 pub fn solve(L: &Matrix, D: &Vector, r: &Vector) -> Vector {
     let mut x = r.clone();
     for i in 0..x.len() {

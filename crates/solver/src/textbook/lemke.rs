@@ -1,11 +1,11 @@
-//! Lemke's method: along a path without forks.
+//! Lemke's method, which follows a path without branches.
 
 use super::{Matrix, Vector};
 
-/// The x of 0 ≤ x ⟂ A x + b ≥ 0, or `None` where the path ends on a ray.
+/// The x of 0 ≤ x ⟂ A x + b ≥ 0, or `None` if the path ends on a ray.
 ///
-/// The tableau says w = A x + z₀ e + b. Variable i is w_i, n + i is x_i, 2n is the cover z₀; those
-/// of `basis` stand on the left, the others are 0.
+/// The tableau represents w = A x + z₀ e + b. Variable i is w_i, n + i is x_i, 2n is the artificial
+/// variable z₀; those in `basis` are on the left, the others are 0.
 pub fn lemke(A: &Matrix, b: &Vector) -> Option<Vector> {
     let n = b.len();
     let mut T = Matrix::zeros(n, 2 * n + 2); // [I | −A | −e | b]: I w − A x − e z₀ = b
@@ -37,7 +37,7 @@ pub fn lemke(A: &Matrix, b: &Vector) -> Option<Vector> {
     Some(x)
 }
 
-/// Solves equation `row` for variable `entering` and puts it into the others.
+/// Solves equation `row` for the variable `entering` and substitutes it into the others.
 fn pivot(T: &mut Matrix, row: usize, entering: usize) {
     let own = T.row(row) / T[(row, entering)];
     for i in 0..T.nrows() {

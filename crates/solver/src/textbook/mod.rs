@@ -1,11 +1,11 @@
-//! The methods as a student writes them down: one function a method, on dense matrices, in the
-//! letters of the lessons.
+//! The methods in textbook form: one function per method, on dense matrices, in the notation of the
+//! lessons.
 //!
-//! There are no tolerances, no limits and no friction here, and a matrix that a method is not made
-//! for gives a wrong answer or none. The solvers of the same names are the ones to use; on problems
-//! without ties both give the same x, which the tests hold.
+//! There are no tolerances, limits or friction here, and a matrix outside a method's class gives a
+//! wrong answer or none. Use the solvers of the same names instead; on problems without ties both
+//! give the same x, which the tests check.
 //!
-//! | page | problem | strong twin |
+//! | function | problem | full solver |
 //! | --- | --- | --- |
 //! | [`jacobi`] | lo ≤ x ≤ hi, few sweeps | [`Jacobi`](crate::Jacobi) |
 //! | [`gauss_seidel`] | the same | [`Pgs`](crate::Pgs) |
@@ -41,14 +41,14 @@ pub use ldlt::{ldlt, solve};
 pub use lemke::lemke;
 pub use murty::murty;
 
-/// The program text of a function of this module, for a lesson to show.
+/// The source text of a function of this module, for the lessons.
 ///
 /// ```
 /// assert!(lcplab_solver::textbook::text("murty").starts_with("/// The x of 0 ≤ x ⟂ A x + b ≥ 0"));
 /// ```
 ///
 /// # Panics
-/// If there is no page of this name.
+/// If there is no function with this name.
 pub fn text(name: &str) -> &'static str {
     let page = match name {
         "jacobi" => include_str!("jacobi.rs"),

@@ -1,4 +1,4 @@
-//! The merits of a solver's iterates.
+//! Records the convergence measures of a solver's iterates.
 
 use std::ops::ControlFlow;
 
@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use crate::{Iterate, Observer};
 use lcplab_problem::{Lcp, merit};
 
-/// An observer that records the merits of every iterate.
+/// An observer that records the convergence measures of every iterate.
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};
@@ -25,16 +25,16 @@ use lcplab_problem::{Lcp, merit};
 #[derive(Debug)]
 pub struct Convergence<'a> {
     lcp: &'a Lcp,
-    /// Ask the solver to stop after this many iterations.
+    /// Asks the solver to stop after this many iterations.
     pub limit: usize,
-    /// Ask the solver to stop once the natural residual is below this part of the first: what comes
-    /// then is rounding.
+    /// Asks the solver to stop once the natural residual is below this fraction of the first; later
+    /// changes are rounding.
     pub floor: f64,
-    /// One record an iterate, the start first.
+    /// One record per iterate, the start first.
     pub records: Vec<Record>,
 }
 
-/// The merits of one iterate.
+/// The convergence measures of one iterate.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Record {
     /// 0 for the start.
@@ -55,12 +55,12 @@ impl<'a> Convergence<'a> {
         Convergence { lcp, limit: usize::MAX, floor: 0.0, records: Vec::new() }
     }
 
-    /// The factor by which the natural residual shrinks an iteration: a straight line through its
-    /// logarithms, by least squares, over the last half of the records above the floor; `None` with
-    /// fewer than ten of them.
+    /// The factor by which the natural residual shrinks per iteration: a least-squares line through
+    /// its logarithms, over the last half of the records above the floor; `None` with fewer than
+    /// ten of them.
     ///
-    /// A line, since residuals may go up and down: those of Jacobi's method, whose eigenvalues come
-    /// in pairs ±ρ, or of SOR above ω*, where they are complex.
+    /// A line is used because residuals may oscillate: for Jacobi's method, whose eigenvalues come
+    /// in pairs ±ρ, or SOR above ω*, where they are complex.
     pub fn rate(&self) -> Option<f64> {
         let residuals = self.records.iter().map(|record| record.natural_residual);
         let above: Vec<f64> =

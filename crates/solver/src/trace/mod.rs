@@ -1,4 +1,4 @@
-//! What an observer wrote down: one small record an iteration.
+//! Observers that record one small entry per iteration.
 
 mod convergence;
 mod path;

@@ -1,10 +1,10 @@
-//! The iterates themselves.
+//! Records the iterates themselves.
 
 use std::ops::ControlFlow;
 
 use crate::{Event, Iterate, Observer};
 
-/// An observer that keeps every iterate and what led to it, the start first.
+/// An observer that keeps every iterate and its event, the start first.
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};
@@ -22,12 +22,12 @@ use crate::{Event, Iterate, Observer};
 pub struct Path {
     /// x of every iterate, n entries each.
     pub points: Vec<Vec<f64>>,
-    /// What led to it.
+    /// The event of each iterate.
     pub events: Vec<Event>,
 }
 
 impl Path {
-    /// The largest distance in any row from a point, iterate by iterate: (iteration, distance).
+    /// The largest distance in any row from a point, for each iterate: (iteration, distance).
     pub fn distances(&self, point: &[f64]) -> Vec<(f64, f64)> {
         let distance = |x: &Vec<f64>| {
             x.iter().zip(point).map(|(x, point)| (x - point).abs()).fold(0.0, f64::max)

@@ -1,14 +1,14 @@
-//! Which algorithm made this answer? A fingerprint of its path.
+//! Identifies the algorithm behind an answer by a fingerprint of its iterates.
 
 use std::ops::ControlFlow;
 
 use crate::{Event, Iterate, Observer};
 use lcplab_problem::{Lcp, merit};
 
-/// An observer that condenses all iterates into one number.
+/// An observer that condenses all iterates into one hash.
 ///
 /// Two methods that end at the same x have different fingerprints unless their iterates agree bit
-/// for bit from the start on; so a method that secretly runs another one is found out.
+/// for bit from the start; this exposes a method that secretly runs another one.
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};
@@ -33,9 +33,9 @@ pub struct Provenance<'a> {
     /// The 64-bit FNV-1a hash of the iterates after the start: the bytes of each x_i, rows
     /// ascending, least significant byte first, −0 as 0.
     pub fingerprint: u64,
-    /// Iterates seen after the start.
+    /// The number of iterates after the start.
     pub iterations: usize,
-    /// Rows of the last iterate that stand at a bound.
+    /// Rows of the last iterate that are at a bound.
     pub active_rows: usize,
 }
 
@@ -46,13 +46,13 @@ impl PartialEq for Provenance<'_> {
     }
 }
 
-/// The fingerprint of no iterates at all, where the hash (FNV-1a) begins.
+/// The fingerprint of an empty sequence: the initial value of FNV-1a.
 pub const NO_ITERATES: u64 = 0xcbf2_9ce4_8422_2325;
 
 const FNV_PRIME: u64 = 0x0000_0100_0000_01b3;
 
 impl<'a> Provenance<'a> {
-    /// No iterates so far, of a solver of this problem.
+    /// An empty fingerprint for a solver of this problem.
     pub fn of(lcp: &'a Lcp) -> Self {
         Provenance { lcp, fingerprint: NO_ITERATES, iterations: 0, active_rows: 0 }
     }

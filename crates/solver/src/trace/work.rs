@@ -1,17 +1,18 @@
-//! What an answer costs, in a measure that is the same on every machine.
+//! The cost of an answer, in a machine-independent measure.
 
 use std::ops::ControlFlow;
 
 use crate::{Entry, Event, Iterate, Observer};
 use lcplab_problem::{Lcp, merit};
 
-/// An observer that adds up the multiplications of a solve, as the formula of each method has them.
+/// An observer that adds up the multiplications of a solve according to the cost formula of the
+/// method.
 ///
 /// Each entry of the registry states its [`Cost`]: a product A x is s multiplications, s being the
-/// stored entries of A, and a factorisation of f free rows f³/3.
+/// stored entries of A, and a factorization of f free rows f³/3.
 ///
-/// That is the leading term of the method, not a count of instructions: stop tests, of which each
-/// is another product, line searches and additions are left out.
+/// This is the leading term, not a count of instructions: stop tests (one product each), line
+/// searches and additions are not included.
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};
@@ -30,12 +31,12 @@ pub struct Work<'a> {
     cost: Cost,
     lcp: &'a Lcp,
     stored: f64,
-    /// So far.
+    /// The multiplications so far.
     pub multiplications: f64,
 }
 
 impl<'a> Work<'a> {
-    /// None so far, of a solver on this problem.
+    /// A counter at zero, for a solver on this problem.
     pub fn of(entry: &Entry, lcp: &'a Lcp) -> Self {
         let stored = lcp.matrix().stored() as f64;
         Work { cost: entry.cost, lcp, stored, multiplications: 0.0 }
@@ -55,31 +56,31 @@ impl Observer for Work<'_> {
     }
 }
 
-/// What the iterations of a method cost, in multiplications.
+/// The cost of the iterations of a method, in multiplications.
 #[derive(Debug, Clone, Copy)]
 pub struct Cost {
-    /// The formula in words: n rows, s stored entries of A, f free rows.
+    /// The formula as text: n rows, s stored entries of A, f free rows.
     pub formula: &'static str,
-    /// Before the first one.
+    /// The cost before the first iteration.
     pub start: fn(&Effort<'_>) -> f64,
-    /// Each of them.
+    /// The cost of each iteration.
     pub iteration: fn(&Effort<'_>) -> f64,
 }
 
 impl Cost {
-    /// Nobody knows.
+    /// The cost is unknown.
     pub const UNKNOWN: Cost =
         Cost { formula: "unknown", start: |_| f64::NAN, iteration: |_| f64::NAN };
 
-    /// So much an iteration, and nothing before.
+    /// A fixed formula per iteration, and no start cost.
     pub const fn each(formula: &'static str, iteration: fn(&Effort<'_>) -> f64) -> Cost {
         Cost { formula, start: |_| 0.0, iteration }
     }
 }
 
-/// An iteration, as the formulas of costs see it.
+/// An iteration, as input of the cost formulas.
 pub struct Effort<'a> {
-    /// What it did.
+    /// Its event.
     pub event: Event,
     /// The number of rows.
     pub n: f64,
@@ -90,7 +91,7 @@ pub struct Effort<'a> {
 }
 
 impl Effort<'_> {
-    /// The number of free rows after it.
+    /// The number of free rows after the iteration.
     pub fn free(&self) -> f64 {
         merit::free_rows(self.lcp, self.x) as f64
     }

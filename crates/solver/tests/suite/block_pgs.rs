@@ -8,7 +8,7 @@ fn blocks_of(rows_per_block: usize) -> BlockPgs {
     BlockPgs { rows_per_block, settings: Settings::default() }
 }
 
-/// One contact: a normal row and two friction rows that lean on each other.
+/// One contact: a normal row and two coupled friction rows.
 fn contact() -> Lcp {
     let a: [&[f64]; 3] = [&[2.0, 0.5, 0.25], &[0.5, 1.5, 0.5], &[0.25, 0.5, 1.0]];
     let lcp = boxed(&a, &[-2.0, -3.0, 0.25], &[0.0, -INF, -INF], &[INF; 3]);

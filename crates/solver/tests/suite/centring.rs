@@ -1,4 +1,4 @@
-//! Dantzig's method on redundant contacts: x goes to the middle of what they leave open.
+//! Dantzig's method on redundant contacts: x moves to the middle of the solution set.
 
 use lcplab_problem::{Lcp, library, merit};
 use lcplab_solver::{Centring, Dantzig, Part, Solver, Start};
@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 use lcplab_testing::{INF, assert_proved, boxed, cases, contacts, manufactured, parts};
 
-/// A move to the middle: x before and after, and how far it might have gone.
+/// A move to the middle: x before and after, and how far it could have moved.
 struct Middle {
     before: Vec<f64>,
     after: Vec<f64>,
@@ -65,8 +65,8 @@ fn two_contacts_at_one_place_share_the_load() {
 
 #[test]
 fn what_has_no_end_has_no_middle() {
-    // Two contacts that press against each other: x₀ = x₁ + 1, however large. And two equations
-    // that say the same: x₀ + x₁ = 1.
+    // Two contacts that press against each other: x₀ = x₁ + 1, however large. And two equal
+    // equations: x₀ + x₁ = 1.
     let wedge = contacts(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-1.0, 1.0]);
     let same = boxed(&[&[1.0, 1.0], &[1.0, 1.0]], &[-1.0; 2], &[-INF; 2], &[INF; 2]);
     for lcp in [wedge, same] {
@@ -88,8 +88,8 @@ fn a_row_at_rest_stays_where_it_is_if_a_is_not_semidefinite() {
 
 #[test]
 fn a_stack_takes_at_most_two_moves_a_row_however_high() {
-    // Every row moves x once, to enter C or to rest. Without the middle it takes 2.1, 2.7, 3.3 and
-    // 5.5.
+    // Every row moves x once, to enter C or to become dependent. Without the middle it takes 2.1,
+    // 2.7, 3.3 and 5.5.
     for boxes in [5.0, 10.0, 20.0, 50.0] {
         for seed in [1.0, 2.0, 3.0] {
             let lcp = box_stack(boxes, 0.0, seed);
@@ -99,8 +99,7 @@ fn a_stack_takes_at_most_two_moves_a_row_however_high() {
     }
 }
 
-/// A move to the middle changes no w by more than rounding, nor the objective, and crosses no
-/// bound.
+/// A move to the middle changes no w and not the objective, up to rounding, and crosses no bound.
 fn assert_nothing_but_x_changes(lcp: &Lcp, middle: &Middle) {
     let (before, after) = (lcp.w(&middle.before), lcp.w(&middle.after));
     for i in 0..lcp.len() {

@@ -1,4 +1,4 @@
-//! The Cholesky factor of a principal block.
+//! The Cholesky factor of a principal submatrix.
 
 use lcplab_problem::{Lcp, Matrix};
 use lcplab_solver::linalg::cholesky::Cholesky;
@@ -21,7 +21,7 @@ fn sparse(a: &DMatrix<f64>) -> Lcp {
     Lcp::new(Matrix::sparse(n, &entries), vec![0.0; n], vec![0.0; n], vec![INF; n]).unwrap()
 }
 
-/// J Jᵀ + shift, J of so many columns.
+/// J Jᵀ + shift, where J has `columns` columns.
 fn product(j: &[f64], columns: usize, shift: f64) -> DMatrix<f64> {
     let j = DMatrix::from_fn(N, columns, |r, c| j[r * N + c]);
     &j * j.transpose() + DMatrix::identity(N, N) * shift

@@ -1,4 +1,4 @@
-//! The specimen: where it goes instead of to the solution (E06).
+//! The known-wrong variant: its limit instead of the solution (E06).
 
 use lcplab_judge::{Demand, judge};
 use lcplab_solver::{Code6, Pgs, Settings, Solver, Start, Status};
@@ -30,7 +30,7 @@ fn b_the_hitting_pair_keeps_closing_at_a_third() {
 fn c_it_diverges_on_a_definite_matrix() {
     let a: [&[f64]; 3] = [&[3.0, 1.0, 2.0], &[1.0, 4.0, 3.0], &[2.0, 3.0, 3.0]];
     let lcp = contacts(&a, &[0.0, 0.0, -1.0]);
-    // The first sweep ends at the solution and the next one leaves it: look every 1001 sweeps only.
+    // The first sweep ends at the solution and the next one leaves it: test only every 1001 sweeps.
     let settings = Settings { check_every: 1001, ..Settings::default() };
     let path = iterates(&Code6 { settings }, &lcp);
     assert_eq!(path[1], [0.0, 0.0, 1.0 / 3.0]);

@@ -1,4 +1,4 @@
-//! Laws that every cone solver keeps, under both laws of sliding.
+//! Properties of every cone solver, under both laws of sliding.
 
 use lcplab_judge::reference::cone_qp;
 use lcplab_judge::{Demand, judge_cone};
@@ -14,8 +14,8 @@ fn all() -> Vec<Box<dyn ConeSolver>> {
     CONES.iter().map(|entry| cone_by_name(entry.name, &settings).unwrap()).collect()
 }
 
-/// The solution by a solver, accepted by the judge; `None` where freezing Coulomb's shift stalls or
-/// takes too many steps: it is slow, and not guaranteed to end.
+/// The solution by a solver, accepted by the judge; `None` if freezing Coulomb's shift stalls or
+/// takes too many steps, since it is slow and may not terminate.
 fn answer(solver: &dyn ConeSolver, problem: &ConeProblem) -> Option<Vec<f64>> {
     let solution = solver.solve(problem, &Start::default(), &mut ());
     let has_given_up = matches!(solution.status, Status::Stalled | Status::IterationLimit);
@@ -28,7 +28,7 @@ fn answer(solver: &dyn ConeSolver, problem: &ConeProblem) -> Option<Vec<f64>> {
     Some(solution.x)
 }
 
-/// The same where nothing stalls.
+/// The same if nothing stalls.
 fn solved(solver: &dyn ConeSolver, problem: &ConeProblem) -> Vec<f64> {
     answer(solver, problem).expect("does not stall")
 }
@@ -77,7 +77,7 @@ fn a_mass_that_lifts_off_is_let_go() {
             assert_eq!(solved(solver.as_ref(), &problem), [0.0; 3]);
         }
     }
-    // Rising more slowly than the slope of its cone, 0.25 < ½·1: only the associated law holds it.
+    // Rising more slowly than the slope of its cone, 0.25 < ½·1: only the associated law keeps it.
     for solver in all() {
         let coulomb = ConeProblem::new(pushed_mass(-0.25, 1.0, 0.0), Law::Coulomb);
         assert_near(&solved(solver.as_ref(), &coulomb), &[0.0; 3]);
@@ -191,7 +191,8 @@ fn twice(problem: &FrictionProblem) -> FrictionProblem {
     FrictionProblem::new(doubled, contacts).unwrap()
 }
 
-/// Components along tangents turned by the angle of the 3-4-5 triangle; row 0 is no contact's.
+/// Components along tangents rotated by the angle of the 3-4-5 triangle; row 0 belongs to no
+/// contact.
 fn turn(values: &[f64]) -> Vec<f64> {
     let mut turned = values.to_vec();
     for contact in turned[1..].chunks_mut(3) {
@@ -201,7 +202,7 @@ fn turn(values: &[f64]) -> Vec<f64> {
     turned
 }
 
-/// The problem with turned tangents, R A Rᵀ and R b.
+/// The problem with rotated tangents, R A Rᵀ and R b.
 fn turned(problem: &FrictionProblem) -> FrictionProblem {
     let lcp = problem.lcp();
     let a = lcp.matrix().to_dense();

@@ -13,7 +13,7 @@ fn dantzig() -> Dantzig {
 
 #[test]
 fn redundant_contacts_are_solved() {
-    // A box on its four corners, A singular (E10); corner forces that carry the weight.
+    // A box on its four corners, A singular (E10); corner forces that support the weight.
     let a: [&[f64]; 4] = [
         &[4.0, 1.0, 1.0, -2.0],
         &[1.0, 4.0, -2.0, 1.0],
@@ -71,8 +71,8 @@ fn fathis_matrix_costs_one_pivot_in_the_favourable_numbering() {
 
 #[test]
 fn nearly_redundant_contacts_of_a_real_stack_are_solved() {
-    // Five boxes after some fifty steps: the corners' places differ by rounding, so that what is
-    // dependent and what is not is a matter of the last digits.
+    // Five boxes after about fifty steps: the corners' positions differ by rounding, so that linear
+    // dependence is decided by the last digits.
     for text in
         [include_str!("../problems/stack_48.json"), include_str!("../problems/stack_49.json")]
     {

@@ -1,4 +1,4 @@
-//! Thousands of small whole-numbered problems, degenerate ones common, against exact enumeration.
+//! Thousands of small integer problems, often degenerate, compared with exact enumeration.
 
 use lcplab_judge::{Demand, judge, ray};
 use lcplab_problem::{Lcp, Matrix};
@@ -8,7 +8,7 @@ use lcplab_solver::{
 
 use lcplab_testing::INF;
 
-/// Whole numbers by a linear congruence (Knuth's MMIX), high bits first.
+/// Integers from a linear congruential generator (Knuth's MMIX), high bits first.
 struct Dice(u64);
 
 impl Dice {
@@ -58,7 +58,7 @@ fn problem(dice: &mut Dice, kind: Kind) -> Lcp {
     Lcp::new(Matrix::dense(n, &a), b, lo, hi).unwrap()
 }
 
-/// Solves with every solver and holds each claim against the list of all solutions.
+/// Solves with every solver and compares each claim with the list of all solutions.
 fn check(kind: Kind, seed: u64, count: usize, must_solve: &[&str]) {
     println!("seed {seed}");
     let mut dice = Dice(seed);

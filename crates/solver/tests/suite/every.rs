@@ -1,4 +1,4 @@
-//! Laws that every registered solver keeps.
+//! Properties of every registered solver.
 
 use std::collections::HashMap;
 
@@ -148,15 +148,15 @@ fn a_mass_ratio_of_1e12_is_no_ray() {
     }
 }
 
-/// Whether each row has terms at x*: where all vanish, the rounding of other rows is never small
-/// beside them, and a solver that cannot meet 0 says that it has not.
+/// Whether each row has nonzero terms at x*: if all vanish, the rounding of other rows is never
+/// small relative to them, and a solver that cannot reach 0 reports that it failed.
 fn is_measurable(m: &Manufactured) -> bool {
     (0..m.x.len()).all(|i| RowTerms::at(&m.lcp, i, &m.x).magnitude > 0.0)
 }
 
 #[test]
 fn an_answer_beyond_the_largest_number_is_a_status_and_no_answer() {
-    // x = −b/a = −1e600, and x₁ = 1e318 beside x₀ = 0: no number of 64 bits.
+    // x = −b/a = −1e600, and x₁ = 1e318 next to x₀ = 0: neither is a 64-bit number.
     let alone = boxed(&[&[-1e-300]], &[-1e300], &[-INF], &[INF]);
     let beside = contacts(&[&[1.0, 0.0], &[0.0, 1e-308]], &[0.0, -1e10]);
     for lcp in [alone, beside] {
@@ -244,8 +244,8 @@ proptest! {
         let lcp = Lcp::new(a, b, vec![-INF; 6], vec![INF; 6]).unwrap();
         for solver in all() {
             let status = solver.solve(&lcp, &Start::default(), &mut ()).status;
-            // Lemke eliminates the equations first and sees the rounding of that as a
-            // contradiction; no one can prove it.
+            // Lemke eliminates the equations first and takes their rounding for a contradiction,
+            // which cannot be proved.
             let Status::Ray { row, direction } = &status else { continue };
             prop_assert!(solver.name() == "lemke", "{}: {status}", solver.name());
             prop_assert!(refute(&lcp, *row, direction).is_none());
@@ -266,8 +266,8 @@ proptest! {
         for solver in all() {
             let here = solver.solve(lcp, &Start::default(), &mut ());
             let there = solver.solve(&scaled, &Start::default(), &mut ());
-            // Lemke's covering vector of ones, and pivots chosen by size, take another way in other
-            // units; all others do the same arithmetic.
+            // Lemke's covering vector of ones, and pivots chosen by size, lead to another path in
+            // other units; all others do the same arithmetic.
             if ["lemke", "murty", "block-pivoting", "enumeration"].contains(&solver.name()) {
                 prop_assert_eq!(here.status, there.status, "{}", solver.name());
                 continue;

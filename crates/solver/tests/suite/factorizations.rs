@@ -1,4 +1,4 @@
-//! The factorizations that solvers are built of, against matrices that can be multiplied by hand.
+//! The factorizations used by the solvers, compared with matrices multiplied by hand.
 
 use lcplab_problem::Matrix;
 use lcplab_solver::linalg::elimination::Lu;
@@ -36,7 +36,7 @@ fn removing_a_row_leaves_the_factors_of_the_smaller_matrix() {
 
 #[test]
 fn the_factors_solve_the_system_and_a_unit_row_stands_apart() {
-    // Rows 0 and 3 touch, 1 stands alone, 2 touches 3; 1 is added to each diagonal entry.
+    // Rows 0 and 3 are coupled, 1 is alone, 2 is coupled with 3; 1 is added to each diagonal entry.
     let entries = [(0, 0, 3.0), (0, 3, 1.0), (1, 1, 4.0), (2, 2, 2.0), (2, 3, -1.0), (3, 3, 5.0)];
     let mirrored = entries.iter().filter(|e| e.0 != e.1).map(|&(i, j, a)| (j, i, a));
     let matrix = Matrix::sparse(4, &entries.iter().copied().chain(mirrored).collect::<Vec<_>>());
@@ -56,7 +56,7 @@ fn the_factors_solve_the_system_and_a_unit_row_stands_apart() {
     assert_eq!(factor.factor(&matrix, &[-4.0; 4], |_| false), Err(0)); // a negative pivot
 }
 
-/// A grid of points, each tied to its neighbours and a little to the ground, numbered at random.
+/// A grid of points, each coupled to its neighbors and weakly to the ground, in random order.
 fn grid(side: usize) -> Matrix {
     let n = side * side;
     let mut number: Vec<usize> = (0..n).collect();
@@ -111,7 +111,7 @@ fn a_large_matrix_has_the_same_factors_in_dense_blocks() {
 
 #[test]
 fn the_hub_of_a_star_is_eliminated_last() {
-    // Eliminated first, it would tie all others to each other.
+    // If it is eliminated first, it couples all others with each other.
     let n = 20;
     let star = pattern((0..n).map(|i| if i == 0 { 0..n } else { i..i + 1 }));
     let order = minimum_degree(&star);

@@ -50,9 +50,9 @@ fn memory_pays() {
 
 #[test]
 fn mixed_sweeps_end_on_equations_of_a_few_rows() {
-    // While no row changes sides a sweep is x → G x + c, and mixing k differences minimises the
-    // residual over a Krylov space of k dimensions: with n ≤ 5 rows the sweep after the n-th ends
-    // it, and one more is needed to see that.
+    // While no row changes sides a sweep is x → G x + c, and mixing k differences minimizes the
+    // residual over a Krylov space of k dimensions: with n ≤ 5 rows the sweep after the n-th
+    // finishes, and one more is needed to detect that.
     for n in [2, 3, 4, 5] {
         assert!(iterations(&AndersonPgs::default(), &chain(n)) <= n + 2, "{n}");
     }

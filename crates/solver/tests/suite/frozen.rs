@@ -3,8 +3,8 @@ use lcplab_solver::{Options, Part, Status, by_name};
 
 use lcplab_testing::{INF, boxed, parts};
 
-/// A normal row and a friction row that leans on it. As x_n goes 1, 0, 1, 0, …, friction of μ x_n
-/// carries the load at every other round: with A = [1 c; c 1] a round takes x_n to max(0, 1 − c μ
+/// A normal row coupled with a friction row. As x_n alternates 1, 0, 1, 0, …, friction of μ x_n
+/// supports the load in every other round: with A = [1 c; c 1] a round maps x_n to max(0, 1 − c μ
 /// x_n).
 fn rubbing(c: f64, mu: f64) -> Lcp {
     let a: [&[f64]; 2] = [&[1.0, c], &[c, 1.0]];
@@ -13,7 +13,7 @@ fn rubbing(c: f64, mu: f64) -> Lcp {
     lcp.with_coupling(coupling).unwrap()
 }
 
-/// The bounds of the friction row in each round, and how it ended.
+/// The bounds of the friction row in each round, and the final status.
 fn rounds(lcp: &Lcp) -> (Vec<f64>, Status) {
     let dantzig = by_name("dantzig", &Options::default()).unwrap();
     let (solution, _, bounds) = parts(dantzig.as_ref(), lcp, |part| match part {

@@ -8,8 +8,8 @@ use lcplab_testing::{
     manufactured, parts,
 };
 
-/// The solution and the rows of its pivots: by the tables, which are made if somebody asks for
-/// them, or by principal pivots where those can be trusted.
+/// The solution and the rows of its pivots: by tableaux, which are built if an observer wants them,
+/// or by principal pivots if those are reliable.
 fn followed(lcp: &Lcp, asks: bool) -> (Solution, Vec<Event>) {
     if !asks {
         return events(&Lemke::default(), lcp);
@@ -40,7 +40,7 @@ fn ties_of_a_stack_are_broken_alike_by_principal_pivots_and_by_the_table() {
 #[test]
 fn a_second_path_is_named() {
     // Twenty cubes on four corners each, with friction: 240 rows of which every second depends on
-    // the others, so that rounding leads the first path of tables astray.
+    // the others, so that rounding leads the first tableau path to a wrong end.
     let stack = |boxes: f64| {
         let family = library::by_name("box-stack").unwrap();
         family.generate(&[("boxes", boxes), ("mu", 0.5)]).unwrap().lcp
@@ -56,7 +56,7 @@ fn a_second_path_is_named() {
 
 #[test]
 fn yielding_contacts_of_fifty_boxes_with_friction_are_solved() {
-    // A has a condition of 10¹⁰; the table loses its way there.
+    // A has a condition number of 10¹⁰; the tableau loses all accuracy there.
     let family = library::by_name("box-stack").unwrap();
     let lcp = family.generate(&[("boxes", 50.0), ("mu", 0.5)]).unwrap().lcp;
     let lcp = lcp.softened(1e-8).unwrap();
@@ -71,8 +71,8 @@ fn lemke(lcp: &Lcp) -> Solution {
 
 #[test]
 fn published_problems_take_the_published_number_of_pivots() {
-    // Counted in exact arithmetic with the covering vector of ones and lexicographic ties, the
-    // first entering step included. The solutions are in the library and are proved here.
+    // Counted in exact arithmetic with the covering vector of ones and lexicographic ties,
+    // including the first entering step. The solutions are in the library and are proved here.
     for (name, pivots) in [
         ("murty", 2),
         ("murty-exponential", 64),
@@ -98,7 +98,7 @@ fn published_problems_take_the_published_number_of_pivots() {
 
 #[test]
 fn published_rays_are_met_after_the_published_number_of_pivots() {
-    // The bimatrix game has three solutions all the same; the perturbed problem has none.
+    // The bimatrix game nevertheless has three solutions; the perturbed problem has none.
     for (name, pivots) in [("cps-3", 1), ("pang-perturbed", 4)] {
         let lcp = library::by_name(name).unwrap().generate(&[]).unwrap().lcp;
         let solution = lemke(&lcp);
@@ -128,7 +128,7 @@ fn free_rows_are_eliminated_whatever_their_diagonal() {
     // Equations x2 = 1 and x1 = 2: A_EE has no diagonal, and is regular.
     let lcp = boxed(&[&[0.0, 1.0], &[1.0, 0.0]], &[-1.0, -2.0], &[-INF; 2], &[INF; 2]);
     assert_eq!(lemke(&lcp).x, [2.0, 1.0]);
-    // A joint (free) that carries a contact: x1 − x2 = 1, −x1 + 2 x2 + 1 ≥ 0 with x2 ≥ 0.
+    // A joint (free) that supports a contact: x1 − x2 = 1, −x1 + 2 x2 + 1 ≥ 0 with x2 ≥ 0.
     let lcp = boxed(&[&[1.0, -1.0], &[-1.0, 2.0]], &[-1.0, -1.0], &[-INF, 0.0], &[INF; 2]);
     let solution = lemke(&lcp);
     assert_proved(&lcp, &solution.x); // x = (3, 2)
@@ -215,8 +215,8 @@ proptest! {
     ) {
         let (solution, pivots) = followed(&m.lcp, false);
         let (of_table, by_table) = followed(&m.lcp, true);
-        // Rows that have x at a bound and w = 0 at the solution end the path together with z₀, and
-        // rounding decides which of the two is first.
+        // Rows with x at a bound and w = 0 at the solution end the path together with z₀, and
+        // rounding decides which comes first.
         let common = pivots.len().min(by_table.len()) - 1;
         prop_assert_eq!(&pivots[..common], &by_table[..common]);
         prop_assert!(pivots.len().abs_diff(by_table.len()) <= degenerate(&m), "{:?}", (pivots, by_table));
@@ -235,8 +235,8 @@ proptest! {
 
     #[test]
     fn units_do_not_matter(m in manufactured(5, 5, 1.0), k in proptest::collection::vec(-30i32..30, 5)) {
-        // x → x / d, w → d w with d = 2^k. The covering vector is not scaled along, so the path is
-        // another one; the solution is the same, bit for bit where it is short.
+        // x → x / d, w → d w with d = 2^k. The covering vector is not scaled, so the path differs;
+        // the solution is the same, bit for bit if the path is short.
         let d: Vec<f64> = k.iter().map(|&k| 2f64.powi(k)).collect();
         let a: Vec<f64> = (0..25).map(|e| d[e / 5] * m.lcp.matrix().entry(e / 5, e % 5) * d[e % 5]).collect();
         let row = |v: &[f64], scale: fn(f64, f64) -> f64| v.iter().zip(&d).map(|(&v, &d)| scale(v, d)).collect::<Vec<f64>>();

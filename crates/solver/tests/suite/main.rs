@@ -1,4 +1,4 @@
-//! Solvers on problems in numbers alone.
+//! Solvers on problems given as numbers.
 
 mod block_pgs;
 mod centring;

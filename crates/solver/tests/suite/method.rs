@@ -60,7 +60,7 @@ fn a_method_that_does_not_take_a_model_says_why() {
 
 #[test]
 fn friction_along_the_slip_is_no_solution_however_small_the_load() {
-    // Pressed with 1e-9 and pushed with 3: friction of 5e-10 is a rounding error of the slip, and
+    // Pressed with 1e-9 and pushed with 3: friction of 5e-10 is a rounding error of the slip, but
     // counts.
     let problem = pushed_mass(1e-9, 3.0, 0.0);
     let polygon = Polyhedral::new(&problem, 8).unwrap();
@@ -135,7 +135,7 @@ fn a_polyhedral_problem_goes_on_from_an_x_and_names_rows_of_x() {
 
 #[test]
 fn a_solver_that_is_easily_satisfied_is_not_believed() {
-    // With this tolerance of its own it takes any start for a solution.
+    // With this tolerance it accepts any start as a solution.
     let settings = Settings { tolerance: 1.0, ..Settings::default() };
     let polyhedral = Polyhedral::new(&pushed_mass(2.0, 3.0, 30.0), 8).unwrap();
     let status = |tolerance: f64| {

@@ -70,8 +70,8 @@ fn redundant_contacts_share_the_load() {
     }
 }
 
-/// Whole steps alone are caught at kinks and among loads that are not unique; with proximal ones
-/// some tens of steps suffice.
+/// Whole steps alone get stuck at kinks and among loads that are not unique; with proximal steps a
+/// few tens of steps suffice.
 #[test]
 fn redundant_contacts_with_friction_are_solved_in_few_steps_some_of_them_proximal() {
     let fallbacks = [10.0, 20.0, 50.0].map(|boxes| {
@@ -86,8 +86,8 @@ fn redundant_contacts_with_friction_are_solved_in_few_steps_some_of_them_proxima
     assert!(fallbacks.contains(&Some(Fallback::Proximal)), "{fallbacks:?}");
 }
 
-/// A column that falls closes contact by contact: |H|² is the same from one step to the next, and
-/// each step is right.
+/// A falling column closes contact by contact: |H|² is the same from one step to the next, and each
+/// step is right.
 #[test]
 fn steps_that_leave_the_sum_of_squares_as_it_is_are_taken_while_they_lead_on() {
     for n in [3, 10, 60] {
@@ -121,8 +121,8 @@ proptest! {
     fn cholesky_and_least_squares_take_the_same_step(
         m in manufactured(12, 12, 1.0), k in proptest::collection::vec(1..9i32, 12),
     ) {
-        // Equations, and the same ones times different numbers: w̃, H and its Jacobian stay, but A
-        // is symmetric no longer and there is no Cholesky factor.
+        // Equations, and the same ones multiplied by different numbers: w̃, H and its Jacobian are
+        // unchanged, but A is no longer symmetric and there is no Cholesky factor.
         let n = m.lcp.len();
         let times = |factor: &dyn Fn(usize) -> f64| {
             let entry = |e: usize| factor(e / n) * m.lcp.matrix().entry(e / n, e % n);
@@ -143,7 +143,7 @@ proptest! {
 
 #[test]
 fn nearly_all_singular_problems_with_a_solution_are_solved() {
-    // No theorem says all: the steps of a singular system may lead round a circle.
+    // No theorem guarantees this for all: the steps of a singular system may cycle.
     let mut runner = TestRunner::deterministic();
     let mut problem = || manufactured(8, 4, 0.0).new_tree(&mut runner).unwrap().current().lcp;
     let problems: Vec<Lcp> = (0..500).map(|_| problem()).collect();

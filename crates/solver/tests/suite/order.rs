@@ -26,7 +26,7 @@ fn rows_of_a_colour_do_not_touch() {
         &[1.0, 1.0, 4.0, 0.0],
         &[0.0, 1.0, 0.0, 4.0],
     ];
-    // 0 and 1 red; 2 touches both, 3 touches 1: both black.
+    // 0 and 1 red; 2 is coupled with both, 3 with 1: both black.
     assert_eq!(Order::Coloured.rows(&contacts(&a, &[0.0; 4])), [0, 1, 2, 3]);
 }
 

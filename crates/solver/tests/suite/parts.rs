@@ -1,4 +1,4 @@
-//! What a solver tells of the parts of its iterations is what it does.
+//! The step details that a solver reports agree with its iterates.
 
 use std::ops::ControlFlow;
 
@@ -10,7 +10,7 @@ use proptest::prelude::*;
 
 use lcplab_testing::{cases, manufactured, stack};
 
-/// Follows the parts, and compares each iterate with what they lead to.
+/// Follows the step details, and compares each iterate with their result.
 struct Follower {
     x: Vec<f64>,
     parts: usize,
@@ -114,7 +114,7 @@ fn the_last_tableau_of_lemke_has_the_solution() {
     }
 }
 
-/// Does not ask, and must not be told.
+/// Does not want details, and must not receive any.
 struct Deaf;
 
 impl Observer for Deaf {

@@ -10,7 +10,7 @@ use lcplab_testing::{INF, assert_proved, boxed, contacts, events};
 
 #[test]
 fn the_safeguard_takes_over_where_blocks_cycle_and_is_seen() {
-    // A P-matrix on which exchanging all wrong rows comes back to where it was.
+    // A P-matrix on which exchanging all wrong rows cycles.
     let lcp =
         contacts(&[&[3.0, 0.0, -3.0], &[3.0, 1.0, -3.0], &[1.0, 3.0, 1.0]], &[2.0, 1.0, -1.0]);
     let (solution, events) = events(&BlockPivoting::default(), &lcp);
@@ -67,10 +67,10 @@ fn fractions(x: &[(i64, u64)]) -> Vec<RBig> {
 #[test]
 fn enumeration_finds_solutions_that_no_regular_active_set_carries() {
     // w1 = x2 − 1, w2 = 0: every x with x2 = 1, or x1 = 0 and x2 ≥ 1. All sets with x2 free are
-    // singular; the corner is (0, 1).
+    // singular; the vertex is (0, 1).
     let lcp = contacts(&[&[0.0, 1.0], &[0.0, 0.0]], &[-1.0, 0.0]);
     assert_eq!(all_solutions(&lcp).unwrap(), [fractions(&[(0, 1), (1, 1)])]);
-    // The same row twice, free: x1 + x2 = 1 has no corner; the dependent x2 is 0.
+    // The same row twice, free: x1 + x2 = 1 has no vertex; the dependent x2 is 0.
     let line = boxed(&[&[1.0, 1.0], &[1.0, 1.0]], &[-1.0; 2], &[-INF; 2], &[INF; 2]);
     assert_eq!(all_solutions(&line).unwrap(), [fractions(&[(1, 1), (0, 1)])]);
 }

@@ -1,5 +1,5 @@
-//! The fallback sequence: a method that fails is followed by the next, and the answer says which
-//! were tried.
+//! The fallback sequence: after a method that fails the next one is tried, and the answer lists the
+//! failed ones.
 
 use lcplab_problem::file::Problem;
 use lcplab_problem::friction::{Model, Posed};

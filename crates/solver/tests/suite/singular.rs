@@ -1,6 +1,6 @@
 //! Stacks of cubes with a contact at each corner, 5 to 50 cubes with and without friction: eight
-//! singular problems at which the pivoting methods of physics engines give up, and the same
-//! regularised.
+//! singular problems on which the pivoting methods of physics engines fail, and the same
+//! regularized.
 
 use lcplab_judge::{Demand, judge};
 use lcplab_problem::{Lcp, Matrix, library};
@@ -8,7 +8,7 @@ use lcplab_solver::{Options, Settings, Start, Status, by_name};
 
 const TOLERANCE: f64 = 1e-9;
 
-/// The eight problems, drawn by a seed.
+/// The eight problems for a seed.
 fn stacks(seed: u32) -> impl Iterator<Item = (String, Lcp)> {
     let family = library::by_name("box-stack").unwrap();
     let sizes = [0.0, 0.5].into_iter().flat_map(|mu| [5, 10, 20, 50].map(|boxes| (boxes, mu)));
@@ -19,7 +19,7 @@ fn stacks(seed: u32) -> impl Iterator<Item = (String, Lcp)> {
     })
 }
 
-/// A + 1e-8 of its mean diagonal.
+/// A plus 1e-8 times its mean diagonal.
 fn regularised(lcp: &Lcp) -> Lcp {
     let n = lcp.len();
     let gamma = 1e-8 * (0..n).map(|i| lcp.matrix().diagonal(i)).sum::<f64>() / n as f64;
@@ -29,7 +29,7 @@ fn regularised(lcp: &Lcp) -> Lcp {
     Lcp::new(matrix, lcp.b().to_vec(), lcp.lo().to_vec(), lcp.hi().to_vec()).unwrap()
 }
 
-/// How many of the problems a solver claims to have solved; what it claims, the judge accepts.
+/// The number of problems that a solver claims to have solved; the judge accepts each claim.
 fn solved(solver: &str, problems: impl Iterator<Item = (String, Lcp)>) -> usize {
     let settings = Settings { tolerance: TOLERANCE, ..Settings::default() };
     let solver = by_name(solver, &Options { settings, ..Options::default() }).unwrap();

@@ -1,4 +1,4 @@
-//! What ends a solve from outside.
+//! External stop conditions of a solve.
 
 use std::ops::ControlFlow;
 use std::time::Duration;
@@ -7,7 +7,7 @@ use lcplab_solver::{Iterate, Observer, Part, Pgs, Reason, Solver, Start, Status,
 
 use lcplab_testing::stack;
 
-/// Counts what it is told.
+/// Counts the iterates it receives.
 #[derive(Default)]
 struct Count {
     iterates: usize,

@@ -17,8 +17,8 @@ struct Problem {
 }
 
 impl Problem {
-    /// One to eight rows, A = JJᵀ + 1 and, if it is not to be symmetric, a skew part: a P-matrix
-    /// either way.
+    /// One to eight rows, A = JJᵀ + 1 and, if it is unsymmetric, a skew part: a P-matrix either
+    /// way.
     fn random(seed: u64, is_symmetric: bool, is_boxed: bool) -> Self {
         let mut random = Rand64::new(seed.into());
         let n = 1 + seed as usize % 8;
@@ -68,7 +68,7 @@ fn a_sweep_of_the_textbook_is_a_sweep_of_the_solver() {
                     0 => textbook::gauss_seidel(&a, &b, &lo, &hi, sweeps),
                     _ => textbook::jacobi(&a, &b, &lo, &hi, 0.7, sweeps),
                 };
-                // The solvers start from Π(0), the textbook from 0: the same where 0 is allowed.
+                // The solvers start from Π(0), the textbook from 0: the same if 0 is allowed.
                 assert!((own - Vector::from_column_slice(x)).amax() < 1e-13, "{sweeps} of {k}");
             }
         }
@@ -100,8 +100,8 @@ fn dantzig_of_the_textbook_finds_the_solvers_x_in_a_box() {
     }
 }
 
-/// Small whole numbers: rows with w = 0 from the start, between their bounds and at them, pinned
-/// rows, ties.
+/// Small integers: rows with w = 0 from the start, between their bounds and at them, pinned rows,
+/// ties.
 #[test]
 fn dantzig_of_the_textbook_finds_the_solvers_x_where_many_numbers_are_equal() {
     for seed in 0..PROBLEMS {

@@ -1,4 +1,4 @@
-//! Iteration matrices against closed forms (mathematics §6, benchmarks 4.3) and against sweeps.
+//! Iteration matrices compared with closed forms (mathematics §6, benchmarks 4.3) and with sweeps.
 
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -37,7 +37,7 @@ fn a_chain_of_50_rods_has_the_radii_of_its_closed_form() {
     assert_close(sor(&a, 1.0), 0.99621, 5e-6);
     let omega = optimal_omega(cosine);
     assert_close(omega, 1.88402, 5e-6);
-    // At ω* two eigenvalues meet: they are known to the root of the precision only.
+    // At ω* two eigenvalues coincide: they are accurate only to the square root of the precision.
     assert_close(sor(&a, omega), omega - 1.0, 1e-6);
     assert_close(sweeps_to(1e-6, cosine * cosine), 3639.0, 1.0); // E07
 }
@@ -120,7 +120,7 @@ fn a_matrix_without_diagonal_has_no_radius() {
     assert!(sor(&Matrix::dense(1, &[0.0]), 1.0).is_nan());
 }
 
-/// Stops a solver at a natural residual.
+/// Stops a solver at a given natural residual.
 struct Until<'a>(&'a Lcp, f64);
 
 impl Observer for Until<'_> {
@@ -189,7 +189,7 @@ fn in_units(a: &DMatrix<f64>, k: &[i32]) -> Matrix {
     Matrix::from(DMatrix::from_fn(a.nrows(), a.nrows(), scaled).as_view())
 }
 
-/// The errors that one sweep makes of all unit errors, written down from the sweep itself.
+/// The effect of one sweep on all unit errors, from the definition of the sweep.
 fn swept_errors(a: &DMatrix<f64>) -> DMatrix<f64> {
     let n = a.nrows();
     let mut errors = DMatrix::identity(n, n);
@@ -239,8 +239,8 @@ proptest! {
     ) {
         let plain = gauss_seidel_rate(&Matrix::from(a.as_view())).unwrap();
         prop_assert_eq!(gauss_seidel_rate(&in_units(&a, &k)), Some(plain));
-        // Of rows that depend on each other those of a basis move w; their errors are those of a
-        // definite matrix only if the others stay, so what w feels is measured in sweeps.
+        // Of dependent rows, those of a basis determine w; their errors are those of a definite
+        // matrix only if the others stay fixed, so the effect on w is measured by sweeps.
         let (n, sweeps) = (a.nrows(), sweeps_to(1e-8, plain));
         let mut error = DMatrix::from_fn(n, 1, |i, _| (1.0 + i as f64).sin());
         let size = |error: &DMatrix<f64>| (&a * error).amax();
@@ -269,7 +269,7 @@ proptest! {
 
 #[test]
 fn the_rate_of_two_rows_is_the_square_of_their_correlation_in_any_unit() {
-    // ρ = a₁₂² / (a₁₁ a₂₂), in units that spread over 10³⁰, and where 1/a₁₁ is beyond all doubles.
+    // ρ = a₁₂² / (a₁₁ a₂₂), in units spread over 10³⁰, and where 1/a₁₁ overflows.
     for (a, b, c) in
         [(1.0, 0.5, 1.0), (1e30, 5e14, 1.0), (1e-310, 5e-156, 1.0), (1e-300, 5e-76, 1e150)]
     {
@@ -278,7 +278,8 @@ fn the_rate_of_two_rows_is_the_square_of_their_correlation_in_any_unit() {
         assert_close(found, expected, 1e-10); // 1e-310 has 44 bits
     }
     assert_eq!(gauss_seidel_rate(&Matrix::dense(1, &[1e-310])), Some(0.0));
-    // Of the registered methods too: four rows in units 10⁵ apart. In one unit LAPACK finds 0.2901.
+    // For the registered methods too: four rows in units with ratios of 10⁵. In equal units LAPACK
+    // finds 0.2901.
     let correlation = [
         [1.0, 0.25, 0.5, 0.125],
         [0.25, 1.0, 0.5, 0.25],

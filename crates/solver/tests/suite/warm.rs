@@ -1,4 +1,4 @@
-//! Starts from what the last solve has left.
+//! Warm starts from the cache of the last solve.
 
 use lcplab_problem::{Lcp, Matrix, library};
 use lcplab_solver::{BlockPivoting, Murty, Solution, Solver, Start, Status, Warm};
@@ -65,7 +65,7 @@ fn a_set_that_is_out_of_date_is_only_a_start() {
 
 #[test]
 fn no_warm_start_solves_what_has_no_solution() {
-    // Two copies of a row: x1 + x2 = 1 at first, then 1 and 2 at once.
+    // Two copies of a row: first x1 + x2 = 1, then 1 and 2 at once.
     let rows: [&[f64]; 2] = [&[1.0, 1.0], &[1.0, 1.0]];
     let possible = boxed(&rows, &[-1.0, -1.0], &[-INF; 2], &[INF; 2]);
     let torn = possible.with_b(vec![-1.0, -2.0]).unwrap();

@@ -1,4 +1,4 @@
-//! What is said of solvers, and which settings they refuse.
+//! The descriptions of solvers, and the settings that they reject.
 
 use lcplab_problem::Matrix;
 use lcplab_problem::memory::Memory;

@@ -1,7 +1,7 @@
 //! One LCP, five costs from 1 to 2ⁿ: Murty's triangular matrix U and Fathi's F = U Uᵀ, b = −1.
 //!
-//! x = e_n in the numbering that is unfavourable to methods that look at row 1 first, e_1 in the
-//! favourable one. All counts follow from the rules of the methods in exact arithmetic.
+//! x = e_n in the numbering that is unfavorable to methods that process row 1 first, e_1 in the
+//! favorable one. All counts follow from the rules of the methods in exact arithmetic.
 
 use lcplab_problem::{Lcp, library};
 use lcplab_solver::{Options, Start, Status, all_solutions, by_name};
@@ -15,7 +15,7 @@ fn problem(family: &str, n: u32, reversed: bool) -> Lcp {
     library::by_name(family).unwrap().generate(&given).unwrap().lcp
 }
 
-/// Iterations to a solution that the judge proves.
+/// The number of iterations to a solution that the judge proves.
 #[track_caller]
 fn cost(solver: &str, lcp: &Lcp) -> usize {
     let solver = by_name(solver, &Options::default()).unwrap();

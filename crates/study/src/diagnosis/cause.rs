@@ -1,4 +1,4 @@
-//! The causes of failures that K&M list under "Debugging", each with a message.
+//! The causes of failures listed by K&M under "Debugging", each with a message.
 
 use std::fmt;
 
@@ -8,12 +8,12 @@ use lcplab_page::number::readable;
 /// Significant digits of a factor near 1 and of a number of sweeps.
 const DIGITS: usize = 6;
 
-/// Something that keeps a problem from having one good answer.
+/// A reason why a problem does not have one good answer.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cause {
-    /// A constraint has no direction to push in: points that coincide, parallel axes.
+    /// A constraint has no defined direction: coincident points, parallel axes.
     NoDirection {
-        /// The constraint and what is wrong with it.
+        /// The constraint and its defect.
         constraint: String,
     },
     /// A row acts on nothing that can move: a_ii = 0, by which a sweep divides.
@@ -21,62 +21,63 @@ pub enum Cause {
         /// The row.
         row: String,
     },
-    /// A row whose entry on the diagonal of A is so small that hardly any impulse moves it.
+    /// A row whose diagonal entry of A is so small that hardly any impulse moves it.
     ImmovableRow {
         /// The row.
         row: String,
         /// a_ii, the inverse effective mass.
         diagonal: f64,
-        /// The impulse that the row asks for by itself; ∞ where no double is as large.
+        /// The impulse that the row alone would need; ∞ if it overflows.
         impulse: f64,
     },
     /// Rows that no forces satisfy together.
     Impossible {
-        /// The rows; none are named where it takes all of them.
+        /// The rows; empty if all rows are needed.
         rows: Vec<String>,
-        /// How that is known.
+        /// How this is known.
         proof: Proof,
     },
-    /// Rows that depend on each other and agree: over-constrained.
+    /// Rows that depend on each other and are consistent: over-constrained.
     Redundant {
         /// The rows.
         rows: Vec<String>,
-        /// How many of them could be left out.
+        /// The number of rows that could be removed.
         spare: usize,
     },
-    /// The bodies do not stand where an equation wants them, or overlap: drift, or a bad start.
+    /// The bodies violate an equation or overlap: drift, or a bad initial state.
     Apart {
         /// The row.
         row: String,
         /// c, with its unit.
         error: String,
     },
-    /// The rows are independent, but only just: large mass ratios, long chains, near redundancy.
+    /// The rows are independent, but nearly dependent: large mass ratios, long chains, near
+    /// redundancy.
     IllConditioned {
         /// The condition number of the scaled A.
         condition: f64,
     },
-    /// Sweeps would need long, though nothing else is wrong: tall stacks, long chains.
+    /// Sweeps would converge slowly although nothing else is wrong: tall stacks, long chains.
     Slow {
-        /// What a sweep of Gauss-Seidel leaves of the error while no bound interferes.
+        /// The factor by which a Gauss-Seidel sweep reduces the error while no bound is active.
         radius: f64,
-        /// The sweeps to eight digits.
+        /// The number of sweeps for eight digits.
         sweeps: f64,
     },
-    /// The problem has more than one answer, found in exact arithmetic, and not because rows share
-    /// a load: the answer that is given is one of them.
+    /// The problem has more than one answer, found in exact arithmetic, and not because of
+    /// redundant rows: the answer that is given is one of them.
     Several {
-        /// How many corners the set of answers has.
+        /// The number of vertices of the set of answers.
         answers: usize,
     },
     /// A is not symmetric.
     Unsymmetric,
     /// A is symmetric and has a negative eigenvalue.
     Indefinite {
-        /// The least one, of A scaled to a unit diagonal.
+        /// The least eigenvalue of A scaled to a unit diagonal.
         eigenvalue: f64,
     },
-    /// A step before this one could not be taken.
+    /// An earlier step could not be computed.
     Failed {
         /// What happened.
         reason: String,
@@ -88,17 +89,17 @@ pub enum Cause {
 pub enum Proof {
     /// By a vector that was checked in exact arithmetic.
     Vector,
-    /// So many pieces, all that there are, were tried in exact arithmetic.
+    /// By trying all pieces of the problem in exact arithmetic.
     CaseSplit {
-        /// How many.
+        /// The number of pieces.
         pieces: usize,
     },
-    /// It is not proved: it seems so, as far as rounding lets one see.
+    /// Not proved: true as far as rounding allows to decide.
     Rounding,
 }
 
 impl Cause {
-    /// Whether it keeps the step from being taken as it should be; the others are remarks.
+    /// Whether it prevents a correct step; other causes are remarks.
     pub fn is_fatal(&self) -> bool {
         match self {
             Cause::Impossible { proof, .. } => *proof != Proof::Rounding,
@@ -115,7 +116,7 @@ impl Cause {
         }
     }
 
-    /// The rows that it is about, if it is about some.
+    /// The rows that it refers to, if any.
     pub fn rows(&self) -> &[String] {
         match self {
             Cause::Impossible { rows, .. } | Cause::Redundant { rows, .. } => rows,
@@ -132,7 +133,7 @@ impl Cause {
         }
     }
 
-    /// Two or three words for the head of a line.
+    /// Two or three words for the start of a line.
     pub fn name(&self) -> &'static str {
         match self {
             Cause::NoDirection { .. } => "no direction",
@@ -242,7 +243,7 @@ impl fmt::Display for Cause {
     }
 }
 
-/// Names of rows, of which a few are enough.
+/// Row names as text; a long list is shortened.
 fn listed(rows: &[String]) -> String {
     const FEW: usize = 4;
     let mut list = rows.iter().take(FEW).cloned().collect::<Vec<_>>().join(", ");

@@ -1,24 +1,25 @@
-//! Rows that contradict each other.
+//! Finds rows that contradict each other.
 //!
-//! A d with dᵀA = 0 whose rows have no bounds gives dᵀw = dᵀb for every x; but w is 0 in such rows.
-//! So dᵀb ≠ 0 says that there is no solution. Where bounds have a part in it, the ray of a pivoting
-//! solver or a linear program leads to a d. Either is then checked in exact arithmetic; it may not
-//! lean on rows with friction, whose bounds depend on x. Small problems with such rows are tried
-//! piece by piece.
+//! A vector d with dᵀA = 0 whose rows have no bounds gives dᵀw = dᵀb for every x; but w is 0 in
+//! such rows. Therefore dᵀb ≠ 0 means that there is no solution. If bounds are involved, the ray of
+//! a pivoting solver or a linear program provides d. Either is then checked in exact arithmetic; d
+//! may not involve rows with friction, whose bounds depend on x. Small problems with such rows are
+//! tried piece by piece.
 
 use super::cause::Proof;
 use lcplab_judge::{Refutation, refutation, refuting_vector};
 use lcplab_problem::Lcp;
 use lcplab_solver::{Dantzig, Solver, Start, Status};
 
-/// Problems up to this size are proved exactly.
+/// Maximum number of rows for exact proofs.
 const PROVED: usize = 150;
 
-/// A dᵀb below this part of what its terms could be, each row in its own unit, counts as zero.
+/// A dᵀb below this fraction of the possible size of its terms, each row in its own unit, counts as
+/// zero.
 const ROUNDING: f64 = 1e-9;
 
-/// The rows that contradict each other, and how that is known. `is_box` says that friction rows, if
-/// there are any, are those of the coupled box and of no other model.
+/// The rows that contradict each other, and how that is known. `is_box` is whether friction rows,
+/// if there are any, are those of the coupled box.
 pub(super) fn rows(
     lcp: &Lcp,
     dependencies: &[Vec<f64>],
@@ -53,7 +54,7 @@ fn falling(d: &[f64], b: &[f64]) -> Vec<f64> {
     d.iter().map(|&entry| if sum > 0.0 { -entry } else { entry }).collect()
 }
 
-/// Whether x has no bound in any row of d: friction rows have one.
+/// Whether x is unbounded in all rows of d; friction rows are bounded.
 fn is_free(lcp: &Lcp, d: &[f64]) -> bool {
     let free =
         |i: usize| lcp.lo()[i].is_infinite() && lcp.hi()[i].is_infinite() && !lcp.is_coupled(i);

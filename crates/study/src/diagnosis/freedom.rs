@@ -1,14 +1,14 @@
-//! Degrees of freedom: what the equations leave of the bodies' velocities.
+//! Degrees of freedom: the dimension of the velocities that the equations allow.
 //!
 //! ```text
 //! freedoms = k − rank J_E
 //! ```
 //!
-//! with k velocity components of moving bodies (6 a rigid body, 3 a point mass) and J_E the rows of
-//! rigid equations. Counting rows instead of their rank is right only where the rows are
+//! with k velocity components of moving bodies (6 per rigid body, 3 per point mass) and J_E the
+//! rows of rigid equations. Counting rows instead of their rank is right only if the rows are
 //! independent: Bricard's mechanism has 30 of each and moves. K&M "Maximal coordinates", E19, E20.
 
-/// What the equations leave of the bodies' velocities.
+/// The degrees of freedom that the equations leave.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Freedoms {
     /// k, the velocity components of moving bodies.
@@ -20,7 +20,7 @@ pub struct Freedoms {
 }
 
 impl Freedoms {
-    /// The number that is left.
+    /// The remaining degrees of freedom.
     pub fn left(&self) -> usize {
         self.components - self.rank
     }

@@ -1,19 +1,19 @@
-//! Rows that hardly anything can move.
+//! Finds rows that hardly any impulse can move.
 //!
-//! A diagonal entry a_ii is what an impulse of 1 changes of w_i: an inverse effective mass. A row
-//! whose a_ii lies far below those of all other rows, or below any mass that bodies have, asks for
-//! an impulse b_i/a_ii that no solver can be expected to return. Units alone are no such trouble:
-//! they multiply a_ii by s² and b_i by s, and leave b_i²/a_ii, twice the energy that the row takes
-//! by itself, as it is. So both are looked at.
+//! A diagonal entry a_ii is the change of w_i from an impulse of 1: an inverse effective mass. A
+//! row whose a_ii is far below those of all other rows, or far below that of any realistic mass,
+//! needs an impulse b_i/a_ii that no solver can be expected to return. Units alone are not a
+//! problem: they multiply a_ii by s² and b_i by s, and do not change b_i²/a_ii, twice the energy
+//! that the row alone takes. Therefore both are tested.
 
 use super::cause::Cause;
 use lcplab_problem::Lcp;
 
-/// A diagonal entry below this part of the next larger one stands apart from it; so does an entry
-/// below this of a problem that has no others.
+/// A diagonal entry below this fraction of the next larger one is separated from it; so is an entry
+/// below this value in a problem with no others.
 const APART: f64 = 1e-12;
 
-/// The causes of all such rows; `name` gives a row's name.
+/// The causes for all such rows; `name` gives a row's name.
 pub(super) fn immovable_rows<'a>(
     lcp: &'a Lcp,
     name: impl Fn(usize) -> String + 'a,
@@ -33,7 +33,7 @@ pub(super) fn immovable_rows<'a>(
     })
 }
 
-/// Which rows lie below a gap in the diagonal of A, the larger entries being taken first.
+/// Which rows lie below a gap in the sorted diagonal entries of A.
 fn small_rows(lcp: &Lcp) -> Vec<bool> {
     let diagonal = |i: usize| lcp.matrix().diagonal(i);
     let mut rows: Vec<usize> = (0..lcp.len()).filter(|&i| diagonal(i) > 0.0).collect();
@@ -49,8 +49,8 @@ fn small_rows(lcp: &Lcp) -> Vec<bool> {
     is_small
 }
 
-/// The impulse that row i would take if it were alone, within its bounds; 0 for friction, whose
-/// bounds lie elsewhere.
+/// The impulse that row i alone would take, within its bounds; 0 for friction, whose bounds depend
+/// on other rows.
 fn own_impulse(lcp: &Lcp, i: usize) -> f64 {
     let diagonal = lcp.matrix().diagonal(i);
     if lcp.is_coupled(i) || diagonal <= 0.0 || lcp.b()[i] == 0.0 {
@@ -59,8 +59,7 @@ fn own_impulse(lcp: &Lcp, i: usize) -> f64 {
     (-lcp.b()[i] / diagonal).max(lcp.lo()[i]).min(lcp.hi()[i])
 }
 
-/// log₂ of x² a_ii at that impulse x, as the energy itself may be beyond all doubles; −∞ where
-/// x = 0.
+/// log₂ of x² a_ii at that impulse x, as the energy itself may overflow; −∞ if x = 0.
 fn log_energy(lcp: &Lcp, i: usize) -> f64 {
     let impulse = own_impulse(lcp, i).abs().min(f64::MAX);
     2.0 * libm::log2(impulse) + libm::log2(lcp.matrix().diagonal(i))

@@ -1,11 +1,11 @@
-//! What is wrong with a scene or a problem: the causes of trouble, in words.
+//! Diagnoses a scene or a problem: the causes of failures, as text.
 //!
 //! A problem may have no solution, many, or one that no iteration reaches in time. [`scene`] and
 //! [`problem`] look for the reason before anything is solved: rank, condition and dependent rows
 //! ([`regularity`]), rows that contradict each other ([`refutation`](lcplab_judge::refutation())),
-//! bodies that are not where they should be, constraints without direction. K&M "Debugging" and
-//! "Bad Constraints". Of an answer that is wrong, [`find_mistakes`] says which known mistakes give
-//! exactly that.
+//! bodies that violate constraints, constraints without direction. K&M "Debugging" and "Bad
+//! Constraints". For a wrong answer, [`find_mistakes`] finds the known mistakes that give exactly
+//! that answer.
 //!
 //! ```
 //! use lcplab_study::diagnosis::{Cause, Proof, scene};
@@ -45,42 +45,42 @@ use lcplab_problem::file::Problem;
 use lcplab_problem::friction::{Model, Posed};
 use lcplab_solver::theory;
 
-/// Problems with more rows are not examined.
+/// Maximum number of rows.
 const LARGEST: usize = 2000;
 
-/// Above this condition number A is called ill-conditioned.
+/// A condition number above this is reported as ill-conditioned.
 const ILL: f64 = 1e6;
 
-/// So many sweeps to eight digits are worth a word.
+/// A larger number of sweeps for eight digits is reported.
 const MANY_SWEEPS: f64 = 1000.0;
 
-/// The eigenvalues of a sweep are computed for so many rows.
+/// Maximum number of rows for which the eigenvalues of a sweep are computed.
 const SWEPT: usize = 400;
 
-/// All answers are looked for in problems of so many rows: 3⁸ = 6561 pieces.
+/// Maximum number of rows for which all answers are enumerated: 3⁸ = 6561 pieces.
 const ENUMERATED: usize = 8;
 
-/// An eigenvalue below minus this is negative, not rounding.
+/// An eigenvalue below minus this counts as negative, not as rounding.
 const NEGATIVE: f64 = 1e-9;
 
-/// What was found.
+/// The result of a diagnosis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Diagnosis {
-    /// What was looked at.
+    /// The scene or problem that was examined.
     pub subject: String,
     /// The names of the rows.
     pub labels: Vec<String>,
-    /// Degrees of freedom; of a scene only.
+    /// Degrees of freedom, for a scene.
     pub freedoms: Option<Freedoms>,
-    /// Rank, condition and dependent rows of A; without it, no rows were reached, or the numbers in
-    /// them are too large or too small for singular values.
+    /// Rank, condition and dependent rows of A; `None` if there are no rows, or the numbers are too
+    /// large or too small for singular values.
     pub regularity: Option<Regularity>,
-    /// Whether x is unique: `true` only where that follows from a theorem whose assumptions were
-    /// verified (A symmetric and definite, no friction); otherwise nothing is known.
+    /// Whether x is unique: `true` only if that follows from a theorem whose assumptions were
+    /// verified (A symmetric and definite, no friction); otherwise it is unknown.
     pub is_unique: bool,
     /// Whether A is symmetric.
     pub is_symmetric: bool,
-    /// What is wrong, the fatal ones first.
+    /// The causes, the fatal ones first.
     pub causes: Vec<Cause>,
 }
 
@@ -106,8 +106,8 @@ pub fn problem(problem: &Problem) -> Result<Diagnosis> {
     Ok(found)
 }
 
-/// That no friction from polygons with four corners satisfies the rows, where it is proved. The
-/// directions of more corners are rounded numbers, and nothing is proved of them.
+/// The proof that no friction forces from polygons with four corners satisfy the rows, if there is
+/// one. The directions of more corners are rounded numbers, so nothing is proved for them.
 fn impossible_polygons(problem: &Problem) -> Option<Cause> {
     let model = problem.model.filter(|model| *model == Model::Polyhedral { directions: 4 })?;
     let Ok(Posed::Polyhedral(polygons)) = model.pose(&problem.friction()?.ok()?, None) else {
@@ -120,8 +120,8 @@ fn impossible_polygons(problem: &Problem) -> Option<Cause> {
     Some(Cause::Impossible { rows: Vec::new(), proof })
 }
 
-/// The number of sweeps that theory predicts, if they are many. Of a matrix that Gauss-Seidel does
-/// not contract theory predicts none, and no number is given.
+/// The number of sweeps that theory predicts, if it is large. If Gauss-Seidel does not contract for
+/// this matrix, there is no prediction.
 fn slow(lcp: &Lcp) -> Option<Cause> {
     let a = lcp.matrix();
     if a.len() > SWEPT || (0..a.len()).any(|i| a.diagonal(i) <= 0.0) {
@@ -132,8 +132,8 @@ fn slow(lcp: &Lcp) -> Option<Cause> {
     (sweeps > MANY_SWEEPS).then_some(Cause::Slow { radius, sweeps })
 }
 
-/// The answers of a small problem with friction or a matrix that is not symmetric, if there are
-/// several. Where A is symmetric and nothing is coupled, redundant rows say as much.
+/// The answers of a small problem with friction or an unsymmetric matrix, if there are several. If
+/// A is symmetric and nothing is coupled, the redundant rows already show this.
 fn several(lcp: &Lcp) -> Option<Cause> {
     if lcp.len() > ENUMERATED || (lcp.coupling().is_none() && lcp.matrix().is_symmetric()) {
         return None;
@@ -154,7 +154,8 @@ impl Diagnosis {
         !self.causes.iter().any(Cause::is_fatal)
     }
 
-    /// Adds what A and b alone tell; `is_box` says that friction rows are those of the coupled box.
+    /// Adds the causes that follow from A and b alone; `is_box` is whether friction rows are those
+    /// of the coupled box.
     fn examine(&mut self, lcp: &Lcp, is_box: bool) -> Result<()> {
         if lcp.len() > LARGEST {
             let reason = format!("has {} rows, more than {LARGEST} are not examined", lcp.len());
@@ -203,7 +204,7 @@ impl Diagnosis {
         }
     }
 
-    /// Dependent rows, but for those that have nothing but zeros.
+    /// Dependent rows, except rows of zeros.
     fn redundancy(&mut self, found: &Regularity) {
         let depends = |&i: &usize| found.dependencies.iter().any(|d| d[i] != 0.0);
         let rows: Vec<usize> = (0..self.labels.len())

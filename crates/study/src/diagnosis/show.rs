@@ -1,4 +1,4 @@
-//! A diagnosis as a document, and for machines.
+//! A diagnosis as a document, and as JSON.
 
 use serde_json::{Value, json};
 
@@ -12,7 +12,7 @@ use lcplab_page::number::readable;
 const DIGITS: usize = 3;
 
 impl Diagnosis {
-    /// What was found, for a terminal or a page.
+    /// The diagnosis as a document for a terminal or a page.
     pub fn document(&self) -> Document {
         let mut document = Document {
             title: format!("Diagnosis of {}", self.subject),
@@ -33,7 +33,7 @@ impl Diagnosis {
         document
     }
 
-    /// The same for machines: counts are `null` where no rows were reached, freedoms also for a
+    /// The same as JSON: counts are `null` if there are no rows; degrees of freedom also for a
     /// problem.
     pub fn to_json(&self) -> Value {
         let cause = |cause: &Cause| {

@@ -1,4 +1,4 @@
-//! A scene at an instant, examined.
+//! Diagnoses a scene at an instant.
 
 use super::{Cause, Diagnosis, Freedoms};
 use nalgebra::DMatrix;
@@ -12,19 +12,19 @@ use lcplab_page::document::notation::plain;
 use lcplab_problem::error::Result;
 use lcplab_problem::friction::Model;
 
-/// A singular value below this part of the largest counts as zero.
+/// A singular value below this fraction of the largest counts as zero.
 const RELATIVE_ZERO: f64 = 1e-9;
 
-/// An error c (m or rad) beyond this is worth a word.
+/// An error c (m or rad) above this is reported.
 const APART: f64 = 1e-3;
 
-/// Examines the LCP of a scene at the beginning of a step, counted from 1: that of forces at
-/// acceleration level, that of impulses under all other schemes. The steps before it are taken as
-/// the scene says.
+/// Diagnoses the LCP of a scene at the beginning of a step, counted from 1: that of forces at
+/// acceleration level, that of impulses under all other schemes. The steps before it are taken with
+/// the scene's settings.
 ///
 /// # Errors
 /// If the scene's solver does not exist, or the LCP has numbers that are not finite or more than
-/// 2000 rows. What keeps a step from being taken is a cause, not an error.
+/// 2000 rows. If a step cannot be computed, that is reported as a cause, not as an error.
 pub fn scene(scene: &Scene, step: usize) -> Result<Diagnosis> {
     let mut found = Diagnosis::named(format!("{}, step {step}", scene.name), Vec::new());
     let mut simulation = Simulation::of(scene)?;
@@ -64,7 +64,7 @@ pub fn scene(scene: &Scene, step: usize) -> Result<Diagnosis> {
     Ok(found)
 }
 
-/// The equation that is off most, and the deepest overlap.
+/// The equation with the largest error, and the deepest overlap.
 fn apart(assembly: &Assembly, scene: &Scene) -> Vec<Cause> {
     let is_rigid = |row: &&Row| row.bounds == Bounds::Bilateral && row.spring.is_none();
     let equations = assembly.rows.iter().filter(is_rigid).map(|row| (row, row.c.abs()));

@@ -1,4 +1,4 @@
-//! The answer: x, w, what they say, and the judge's word.
+//! The answer: x, w, their meaning, and the judge's verdict.
 
 use super::units::{Units, with_unit};
 use lcplab_judge::{Demand, Verdict, judge, upper_bound};
@@ -7,7 +7,7 @@ use lcplab_page::document::notation::{indexed, interval, plain};
 use lcplab_problem::Lcp;
 use lcplab_solver::Solution;
 
-/// A problem with what its rows mean.
+/// A problem with the meaning of its rows.
 pub(super) struct Reading<'a> {
     pub lcp: &'a Lcp,
     pub labels: Vec<String>,
@@ -37,7 +37,7 @@ pub(super) fn section(reading: &Reading, solution: &Solution, demand: &Demand) -
     (section, certificate.verdict.is_solution())
 }
 
-/// The judge's word.
+/// The judge's verdict.
 pub(super) fn word(verdict: &Verdict, scaled_residual: f64) -> String {
     let verdict = match verdict {
         Verdict::Proved { distance: 0.0 } => "proved, x is an exact solution".into(),
@@ -53,7 +53,7 @@ pub(super) fn word(verdict: &Verdict, scaled_residual: f64) -> String {
     )
 }
 
-/// What the place of x in its bounds asks of w.
+/// The requirement on w that follows from the position of x within its bounds.
 fn meaning(x: f64, lo: f64, hi: f64) -> &'static str {
     match x {
         _ if lo == hi => "any w: lo = hi",

@@ -1,4 +1,5 @@
-//! Dantzig's method: which row is driven, along which direction, how far, and what stops it.
+//! Explains Dantzig's method: which row is driven, along which direction, how far, and what stops
+//! it.
 
 use std::ops::ControlFlow;
 
@@ -15,11 +16,11 @@ pub(super) struct Moves<'a> {
     moves: usize,
     /// Rounds of frozen bounds.
     rounds: usize,
-    /// lo and hi, of friction rows as they are frozen.
+    /// lo and hi; of friction rows, as frozen.
     bounds: Vec<(f64, f64)>,
-    /// Whether the move under way is written.
+    /// Whether the current move is written.
     writes: bool,
-    /// When the move ends and what its row does then, unless x moves to the middle.
+    /// The end of the move and what its row does then, unless x moves to the middle.
     end: Option<[String; 2]>,
 }
 
@@ -113,7 +114,7 @@ impl<'a> Moves<'a> {
         [format!("The step ends at t = {length}: "), format!("row {row} {exchange}.")]
     }
 
-    /// Why x moves to the middle of what is open, and how far.
+    /// Why x moves to the middle of its range, and how far.
     fn centring(&mut self, own: &Centring<'_>) -> String {
         let (j, w) = (own.row, indexed("w", own.row));
         let why = match (own.keeps, self.end.take()) {
@@ -139,7 +140,7 @@ impl<'a> Moves<'a> {
     }
 }
 
-/// The sign-aware list of what may end a move: length, words, and the length as it is computed.
+/// The possible ends of a move: length, text, and the length as computed, with signs in mind.
 fn ends(own: &Move<'_>, direction: &[f64], change: &[f64]) -> Vec<(f64, String, String)> {
     let mut ends = Vec::new();
     let mut add = |what: String, distance: f64, rate: f64| {

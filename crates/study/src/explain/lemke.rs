@@ -1,5 +1,5 @@
-//! Lemke's method: the tableaux, which variable enters, which leaves, and the ratios that decide
-//! it.
+//! Explains Lemke's method: the tableaux, the entering and leaving variables, and the ratios that
+//! decide.
 
 use std::ops::ControlFlow;
 
@@ -17,7 +17,7 @@ pub(super) struct Tableaux<'a> {
     tableaux: usize,
     /// Rounds of frozen bounds.
     rounds: usize,
-    /// The problem, its bounds as they are frozen.
+    /// The problem with its frozen bounds.
     lcp: Lcp,
 }
 
@@ -104,7 +104,7 @@ impl<'a> Tableaux<'a> {
         }
     }
 
-    /// What is done in a tableau.
+    /// The pivot of a tableau.
     fn step(&self, own: &Tableau<'_>) -> String {
         match (own.entering.map(|c| own.nonbasic[c]), own.leaving) {
             (Some(entering), Some(Leaving::Basic(r))) => {
@@ -121,7 +121,7 @@ impl<'a> Tableaux<'a> {
     }
 }
 
-/// The row of the variable that leaves, if it has one.
+/// The row of the leaving variable, if it has one.
 fn leaving_row(own: &Tableau<'_>) -> Option<usize> {
     match own.leaving {
         Some(Leaving::Basic(r)) => Some(r),
@@ -129,7 +129,7 @@ fn leaving_row(own: &Tableau<'_>) -> Option<usize> {
     }
 }
 
-/// The first of so many rows or columns, with one that must be among them.
+/// The first of this number of rows or columns, including one that is required.
 fn chosen(count: usize, wanted: Option<usize>) -> Vec<usize> {
     let mut chosen: Vec<usize> = (0..count.min(SHOWN)).collect();
     if let (Some(last), Some(wanted)) = (chosen.last_mut(), wanted) {
@@ -138,8 +138,9 @@ fn chosen(count: usize, wanted: Option<usize>) -> Vec<usize> {
     chosen
 }
 
-/// How far the entering variable can go before the variable of row r gets to 0, or to the end of
-/// its range if it rises; the covering one must go as far for it to be no longer negative.
+/// How far the entering variable can go before the variable of row r reaches 0, or the end of its
+/// range if it rises; for the covering variable, how far it must go until that variable is
+/// nonnegative.
 fn ratio(own: &Tableau<'_>, r: usize) -> String {
     let Some(c) = own.entering else { return String::new() };
     let (value, rate, range) = (own.constant[r], own.rows[r][c], own.ranges[r]);

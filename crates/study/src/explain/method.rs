@@ -1,10 +1,10 @@
-//! The methods whose every line can be written down.
+//! The methods that can be explained line by line.
 
 use lcplab_judge::Demand;
 use lcplab_problem::error::{Error, Result};
 use lcplab_solver::{Options, Solver, by_name};
 
-/// A method that tells its parts, with its options.
+/// A method that reports step details, with its options.
 #[derive(Debug, Clone)]
 pub struct Method {
     name: &'static str,
@@ -12,21 +12,21 @@ pub struct Method {
 }
 
 impl Method {
-    /// The names of those that there are.
+    /// The names of these methods.
     pub const NAMES: [&'static str; 4] = ["pgs", "sor", "dantzig", "lemke"];
 
-    /// The method of this name.
+    /// The method with this name.
     ///
     /// # Errors
-    /// If it is none of [`Method::NAMES`].
+    /// If it is not one of [`Method::NAMES`].
     pub fn named(name: &str) -> Result<Self> {
         Self::with(name, Options::default())
     }
 
-    /// The same with options.
+    /// The method with this name and these options.
     ///
     /// # Errors
-    /// If there is none of this name, or an option cannot be used.
+    /// If no method has this name, or an option is invalid.
     pub fn with(name: &str, options: Options) -> Result<Self> {
         options.validate()?;
         let known = Self::NAMES.into_iter().find(|known| *known == name);
@@ -53,12 +53,12 @@ impl Method {
         &self.options
     }
 
-    /// What the judge asks.
+    /// The judge's demand.
     pub(super) fn demand(&self) -> Demand {
         Demand { tolerance: self.options.settings.tolerance, ..Demand::default() }
     }
 
-    /// Lemke's method in place of one that is made for symmetric A.
+    /// Lemke's method instead of one for symmetric A.
     pub(super) fn for_any_matrix(&self) -> Self {
         Method { name: "lemke", options: self.options.clone() }
     }

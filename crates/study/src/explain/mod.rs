@@ -1,11 +1,11 @@
-//! A time step, or a problem file, derived line by line with its own numbers.
+//! Derives a time step, or a problem file, line by line with its own numbers.
 //!
-//! What is written down is what a student would write: states and forces, each row's c, J and J'u,
-//! the four steps that lead from Newton's law to the LCP (K&M Figure 4), A and b, and then the
-//! solver at work, row by row, pivot by pivot, or tableau by tableau, as it tells an observer that
-//! asks ([`Part`](lcplab_solver::Part)). Friction within polygons or cones is posed as what it is,
-//! and of a problem without solution the proof is written that there is none. Nothing is computed
-//! for show: the numbers are those of the simulation.
+//! The derivation is written as in a calculation by hand: states and forces, each row's c, J and
+//! J'u, the four steps that lead from Newton's law to the LCP (K&M Figure 4), A and b, and then the
+//! solver at work, row by row, pivot by pivot, or tableau by tableau, as it reports its step
+//! details to an observer ([`Part`](lcplab_solver::Part)). Friction with polygons or cones is shown
+//! in its own formulation, and for a problem without solution the proof is given. All numbers are
+//! those of the simulation.
 //!
 //! ```
 //! use lcplab_page::document::Format;

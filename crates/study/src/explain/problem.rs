@@ -1,4 +1,4 @@
-//! A problem file, from A and b on.
+//! Explains a problem file, from A and b on.
 
 use super::answer::{self, Reading};
 use super::friction::{self, Answered};
@@ -11,12 +11,12 @@ use lcplab_problem::friction::{Model, Posed};
 use lcplab_problem::{Lcp, Question, file};
 use lcplab_solver::{Solution, solve_by_sequence};
 
-/// Explains how a problem is solved from x = 0 under its friction model. Of polygons the LCP that
-/// they pose is solved, of cones the answer of a solver for cones is shown, and the method is
-/// followed on the box beside them.
+/// Explains how a problem is solved from x = 0 under its friction model. For polygons, their LCP is
+/// solved; for cones, the answer of a cone solver is shown, and the method is followed on the box
+/// for comparison.
 ///
 /// # Errors
-/// If an option of the solver cannot be used.
+/// If an option of the solver is invalid.
 pub fn problem(question: &Question, method: &Method) -> Result<Document> {
     let problem = question.problem();
     let name = if problem.name.is_empty() { "A problem" } else { &problem.name };
@@ -48,7 +48,7 @@ pub fn problem(question: &Question, method: &Method) -> Result<Document> {
     Ok(document)
 }
 
-/// The rows of a problem with the labels and units that its file states, under these bounds.
+/// The rows of a problem with the labels and units from its file, under these bounds.
 fn reading<'a>(problem: &file::Problem, lcp: &'a Lcp) -> Reading<'a> {
     let label = |i: usize| {
         let row = problem.extra.get("rows").and_then(|rows| rows.get(i));
@@ -58,7 +58,7 @@ fn reading<'a>(problem: &file::Problem, lcp: &'a Lcp) -> Reading<'a> {
     Reading { lcp, labels, units: Units::stated(problem) }
 }
 
-/// A box, coupled or frozen; whether the judge accepts the answer.
+/// A box, coupled or frozen; returns whether the judge accepts the answer.
 fn boxed(question: &Question, lcp: &Lcp, method: &Method, document: &mut Document) -> Result<bool> {
     let problem = question.problem();
     let reading = reading(problem, lcp);
@@ -76,7 +76,7 @@ fn boxed(question: &Question, lcp: &Lcp, method: &Method, document: &mut Documen
     Ok(is_accepted)
 }
 
-/// The answer that `solve` gives, and who found it.
+/// The answer that `solve` gives, and its solver.
 fn answer(question: &Question, method: &Method) -> (Solution, &'static str) {
     let found = solve_by_sequence(question.posed(), method.options(), &mut ());
     (found.solution, found.solver)

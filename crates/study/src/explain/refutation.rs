@@ -1,4 +1,4 @@
-//! Why an LCP has no solution: Farkas' vector, with its numbers.
+//! Explains why an LCP has no solution: a Farkas vector, with its numbers.
 
 use dashu_ratio::RBig;
 
@@ -10,10 +10,10 @@ use lcplab_page::document::{Formula, Section};
 use lcplab_problem::Lcp;
 use lcplab_solver::{Solution, Status};
 
-/// Problems up to this size are proved exactly.
+/// Maximum number of rows for exact proofs.
 const PROVED: usize = 150;
 
-/// The proof that a solver's ray leads to.
+/// The proof that follows from a solver's ray.
 pub(super) fn of(lcp: &Lcp, solution: &Solution) -> Option<Farkas> {
     match &solution.status {
         Status::Ray { row, direction } if lcp.len() <= PROVED => refute(lcp, *row, direction),
@@ -21,7 +21,7 @@ pub(super) fn of(lcp: &Lcp, solution: &Solution) -> Option<Farkas> {
     }
 }
 
-/// The proof; without a vector the word of those who tried all active sets.
+/// The proof; without a vector, the statement that all active sets were tried.
 pub(super) fn section(reading: &Reading, proof: Option<&Farkas>) -> Section {
     let mut section = Section::new("why there is no solution");
     let Some(proof) = proof else {

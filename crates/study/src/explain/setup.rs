@@ -1,4 +1,4 @@
-//! What a step starts from, states, masses, forces, rows; and what it leads to.
+//! The input of a step (states, masses, forces, rows) and its result.
 
 use nalgebra::Vector3;
 
@@ -12,7 +12,7 @@ use lcplab_page::document::notation::{bracketed, interval, plain, vector};
 use lcplab_page::document::{SHOWN, Section};
 use lcplab_problem::friction::Posed;
 
-/// s and u of all bodies, over this time.
+/// s and u of all bodies, with this time as the title.
 pub(super) fn states(when: &str, scene: &Scene, states: &[State]) -> Section {
     let mut section = Section::new(when);
     section.say("The step starts from these states s and velocities u.");

@@ -1,4 +1,4 @@
-//! One LCP of a step: what it is made of, the law of friction, the solver, the answer or why there
+//! Explains one LCP of a step: its origin, the law of friction, the solver, the answer or why there
 //! is none.
 
 use super::answer::{self, Reading};
@@ -17,14 +17,14 @@ use lcplab_solver::Solution;
 /// How the solve of an LCP ended.
 #[derive(Clone, Copy)]
 pub(super) enum Ending<'a> {
-    /// With an answer, good or not.
+    /// With an answer, accepted or not.
     Answered,
-    /// The simulation knows that there is none, by this vector; without one all active sets were
+    /// The simulation knows that there is none, by this vector; without one, all active sets were
     /// tried.
     Impossible(Option<&'a Farkas>),
 }
 
-/// An LCP of a step, to be explained in this place of a document.
+/// An LCP of a step, to be explained at this place in a document.
 pub(super) struct Single<'a> {
     pub scene: &'a Scene,
     pub method: &'a Method,
@@ -53,7 +53,7 @@ impl Single<'_> {
         Ok(())
     }
 
-    /// The LCP as it stands; whether the judge accepts the answer.
+    /// The LCP itself; returns whether the judge accepts the answer.
     fn boxed(&self, document: &mut Document, ending: Ending) -> Result<bool> {
         let reading = self.reading();
         match ending {
@@ -68,7 +68,7 @@ impl Single<'_> {
         }
     }
 
-    /// The LCP under a law of friction of its own.
+    /// The LCP under another law of friction.
     fn posed(&self, document: &mut Document, posing: &Posing) -> Result<bool> {
         match &posing.posed {
             Posed::Boxed(frozen) => {
@@ -96,7 +96,7 @@ impl Single<'_> {
         }
     }
 
-    /// The solver at work, its answer, and if there is none, why.
+    /// The solver at work, its answer, or the reason why there is none.
     fn answered(&self, document: &mut Document, reading: &Reading) -> Result<bool> {
         let own = &self.own.solution;
         let Solved { mut section, solution } =
@@ -112,14 +112,14 @@ impl Single<'_> {
         Ok(is_accepted)
     }
 
-    /// A proof that there is no answer, if the solver ended on a ray and it is one.
+    /// A proof that there is no answer, if the solver ended on a ray that proves it.
     pub fn refuted(&self, document: &mut Document, reading: &Reading, solution: &Solution) {
         if let Some(proof) = refutation::of(reading.lcp, solution) {
             document.add(self.place, refutation::section(reading, Some(&proof)));
         }
     }
 
-    /// The problem's own LCP with what its rows mean.
+    /// The problem's own LCP with the meaning of its rows.
     pub fn reading(&self) -> Reading<'_> {
         let problem = &self.own.problem;
         let rows = problem.assembly.rows.iter();

@@ -1,4 +1,4 @@
-//! The solver at work, as it tells it.
+//! The solver at work, as it reports its steps.
 
 use super::answer::Reading;
 use super::units::with_unit;
@@ -9,13 +9,13 @@ use lcplab_problem::Lcp;
 use lcplab_problem::error::Result;
 use lcplab_solver::{Observer, Solution, Start, Status};
 
-/// Someone who writes down what a solver does.
+/// An observer that writes down what a solver does.
 pub(super) trait Scribe: Observer {
-    /// What was written, after the solve.
+    /// The text, after the solve.
     fn section(self: Box<Self>, solution: &Solution) -> Section;
 }
 
-/// What was written of a solve, and where it ended.
+/// The text of a solve, and its result.
 pub(super) struct Solved {
     pub section: Section,
     pub solution: Solution,
@@ -53,7 +53,7 @@ pub(super) fn section(reading: &Reading, method: &Method, start: Option<&[f64]>)
     Ok(Solved { section, solution })
 }
 
-/// The method at work on a problem; Lemke's where it is not made for it.
+/// The method at work on a problem; Lemke's if the method is not made for it.
 pub(super) fn by_suitable(
     reading: &Reading,
     method: &Method,
@@ -67,7 +67,7 @@ pub(super) fn by_suitable(
     Ok(solved)
 }
 
-/// What sweeps come to where there is no solution.
+/// What happens to sweeps if there is no solution.
 const ENDLESS: &str = "Every further sweep moves x by the same d, without end: x reaches no bound, and \
 no w comes closer to 0, because Δw = A d is";
 
@@ -81,7 +81,7 @@ fn stuck(reading: &Reading, x: &[f64], row: usize) -> String {
     )
 }
 
-/// Where x could go for ever.
+/// The ray along which x could go forever.
 fn ray(section: &mut Section, reading: &Reading, direction: &[f64]) {
     let product = reading.lcp.homogeneous().w(direction);
     section.formula(

@@ -1,15 +1,15 @@
-//! The LCP as numbers: A, b and the bounds.
+//! The statement of an LCP in numbers: A, b and the bounds.
 
 use super::units::Units;
 use lcplab_page::document::{Formula, Section};
 use lcplab_problem::Lcp;
 
-/// The statement of a problem that comes as numbers.
+/// The statement of a problem given as numbers.
 pub(super) fn statement(lcp: &Lcp, units: &Units) -> Section {
     stated(lcp, false, units)
 }
 
-/// The same of rows whose friction model is stated after it.
+/// The same for rows whose friction model is stated later.
 pub(super) fn without_friction(lcp: &Lcp, units: &Units) -> Section {
     let mut section = stated(lcp, true, units);
     section.title = "the rows".into();
@@ -25,12 +25,12 @@ fn stated(lcp: &Lcp, law_follows: bool, units: &Units) -> Section {
     section
 }
 
-/// A with its name before it.
+/// A, preceded by its name.
 pub(super) fn matrix(lcp: &Lcp, formula: Formula) -> Formula {
     formula.matrix(lcp.len(), lcp.len(), |i, j| lcp.matrix().entry(i, j))
 }
 
-/// lo and hi, and what they ask of w.
+/// lo and hi, and their requirements on w.
 pub(super) fn bounds(section: &mut Section, lcp: &Lcp, law_follows: bool, units: &Units) {
     section.say("x stays within its bounds; w > 0 only if x is at the lower one, w < 0 only if x is at the upper \
      one.");

@@ -1,4 +1,4 @@
-//! A time step of a scene, from its states to the next ones.
+//! Explains a time step of a scene, from its states to the next ones.
 
 use std::ops::RangeInclusive;
 
@@ -10,18 +10,18 @@ use lcplab_page::document::notation::plain;
 use lcplab_page::document::{Document, Section};
 use lcplab_problem::error::{Error, Result};
 
-/// Explains the first so many steps of a scene at velocity or acceleration level.
+/// Explains the first steps of a scene at velocity or acceleration level.
 ///
 /// # Errors
-/// If the scene is stepped by another scheme.
+/// If the scene uses another scheme.
 pub fn step(scene: &Scene, method: &Method, steps: usize) -> Result<Document> {
     self::steps(scene, method, 1..=steps)
 }
 
-/// Explains these steps of a scene, counted from 1; those before are taken without a word.
+/// Explains these steps of a scene, counted from 1; earlier steps are taken without explanation.
 ///
 /// # Errors
-/// If the scene is stepped by another scheme.
+/// If the scene uses another scheme.
 pub fn steps(scene: &Scene, method: &Method, numbers: RangeInclusive<usize>) -> Result<Document> {
     let level = scene.step.scheme;
     if !Scheme::LEVELS.contains(&level) {
@@ -63,7 +63,7 @@ pub fn steps(scene: &Scene, method: &Method, numbers: RangeInclusive<usize>) -> 
 const CONVENTIONS: &str = "Rows are numbered from 0. x ≥ 0 pushes the bodies of a row apart. A row acts on body \
  1 minus body 0.";
 
-/// The LCPs of a step; why it failed, if it did.
+/// The LCPs of a step, and why it failed, if it did.
 fn solves(
     document: &mut Document,
     scene: &Scene,
@@ -89,7 +89,7 @@ fn solves(
     Ok(())
 }
 
-/// A step that cannot be taken: what was solved in it, and what went wrong.
+/// A step that cannot be computed: what was solved, and what went wrong.
 fn impossible(
     document: &mut Document,
     scene: &Scene,

@@ -4,7 +4,7 @@ use super::units::Units;
 use lcplab_mechanics::formulation::{Problem, Stage};
 
 impl Units {
-    /// Those of a step's problem.
+    /// The units of a step's problem.
     pub fn of(problem: &Problem) -> Self {
         let rows = &problem.assembly.rows;
         let x = rows.iter().map(|row| problem.stage.unit(row.kind.is_angular()).to_string());

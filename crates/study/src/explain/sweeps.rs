@@ -1,4 +1,5 @@
-//! Sweeps of PGS and SOR: the sum, the division, the relaxation and the clamp of every row.
+//! Explains sweeps of PGS and SOR: the sum, the division, the relaxation and the clamp of every
+//! row.
 
 use std::ops::ControlFlow;
 
@@ -10,9 +11,9 @@ use lcplab_page::document::{Formula, SHOWN, Section};
 use lcplab_problem::merit;
 use lcplab_solver::{Event, Iterate, Observer, Part, RowUpdate, Solution};
 
-/// Sweeps that are written row by row; of the others x alone.
+/// Number of sweeps that are written row by row; for the others only x is written.
 const IN_FULL: usize = 3;
-/// Sweeps whose x is written, beside the last one's.
+/// Number of sweeps whose x is written, in addition to the last one.
 const LISTED: usize = SHOWN - 2;
 
 pub(super) struct Sweeps<'a> {
@@ -20,7 +21,7 @@ pub(super) struct Sweeps<'a> {
     section: Section,
     /// x in the middle of a sweep.
     x: Vec<f64>,
-    /// The lines of the sweep under way.
+    /// The lines of the current sweep.
     lines: Vec<Vec<String>>,
     sweeps: usize,
     /// Number, x and natural residual of the listed iterates, then of the last one.
@@ -76,7 +77,7 @@ impl<'a> Sweeps<'a> {
         self.section.say(format!("After sweep {}: x = {x}.", self.sweeps));
     }
 
-    /// x and its residual sweep by sweep.
+    /// Adds x and its residual to the list of sweeps.
     fn list(&mut self) {
         let mut before: Option<(usize, f64)> = None;
         let mut lines = Vec::new();

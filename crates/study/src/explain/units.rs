@@ -6,17 +6,17 @@ use serde_json::Value;
 
 use lcplab_problem::file;
 
-/// What is said in place of a unit that not all rows have.
+/// The text instead of a unit if rows have different units.
 const DIFFERENT: &str = "units row by row";
 
-/// The units of x and w, one entry a row; empty where none is known.
+/// The units of x and w, one entry per row; empty if unknown.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Units {
     pub x: Vec<String>,
     pub w: Vec<String>,
 }
 
-/// Units of x with those of w that belong to them, and the quotient.
+/// Units of x with the corresponding units of w and the quotient.
 const KNOWN: [[&str; 3]; 6] = [
     ["N s", "m/s", "1/kg"],
     ["N m s", "rad/s", "1/(kg m²)"],
@@ -27,7 +27,7 @@ const KNOWN: [[&str; 3]; 6] = [
 ];
 
 impl Units {
-    /// Those that a problem file states, if it does.
+    /// The units stated in a problem file, if there are any.
     pub fn stated(problem: &file::Problem) -> Self {
         let unit = |i: usize| {
             let row = problem.extra.get("rows").and_then(|rows| rows.get(i));
@@ -37,14 +37,14 @@ impl Units {
         Units::from_x((0..problem.lcp.len()).map(unit).collect())
     }
 
-    /// Those of x, and of w as they belong to them.
+    /// These units of x, with the corresponding units of w.
     pub(crate) fn from_x(x: Vec<String>) -> Self {
         let w = x.iter().map(|x| known(x)[1].to_string()).collect();
         Units { x, w }
     }
 
-    /// Those of the LCP of friction within polygons: of the row that each unknown belongs to, but
-    /// `speeds` are the γ, whose w are impulses.
+    /// The units in the LCP of friction polygons: those of the row that each unknown belongs to,
+    /// except that `speeds` are the γ, whose w are impulses.
     pub fn of_polygons(&self, rows: &[usize], speeds: Range<usize>) -> Self {
         let of = |unknown: usize| {
             let [x, w] = [&self.x, &self.w].map(|units| units[rows[unknown]].clone());
@@ -54,17 +54,17 @@ impl Units {
         Units { x, w }
     }
 
-    /// The unit of all x, or a word that they differ.
+    /// The common unit of all x, or a text that they differ.
     pub fn of_x(&self) -> String {
         common(&self.x)
     }
 
-    /// The unit of all w, or a word that they differ.
+    /// The common unit of all w, or a text that they differ.
     pub fn of_w(&self) -> String {
         common(&self.w)
     }
 
-    /// The unit of A's entries, or a word that they differ.
+    /// The common unit of A's entries, or a text that they differ.
     pub(crate) fn of_matrix(&self) -> String {
         match self.x.first() {
             Some(first) if self.x.iter().all(|x| x == first) => known(first)[2].into(),
@@ -73,7 +73,7 @@ impl Units {
     }
 }
 
-/// The units of x, w and A that belong together.
+/// The corresponding units of x, w and A.
 pub(super) fn known(x: &str) -> [&'static str; 3] {
     KNOWN.into_iter().find(|[unit, ..]| *unit == x).unwrap_or_default()
 }
@@ -86,12 +86,12 @@ fn common(units: &[String]) -> String {
     }
 }
 
-/// A heading with the unit in brackets, if there is one for all rows.
+/// A heading with the unit in brackets, if all rows have the same.
 pub(super) fn headed(words: &str, unit: &str) -> String {
     if matches!(unit, "" | DIFFERENT) { words.to_string() } else { format!("{words} ({unit})") }
 }
 
-/// A number with its unit; without one if the rows differ in theirs.
+/// A number with its unit; without one if the rows differ.
 pub(super) fn with_unit(number: &str, unit: &str) -> String {
     match unit {
         "" | DIFFERENT => number.to_string(),

@@ -1,17 +1,18 @@
-//! Small changes to a problem, at random: what a search climbs by.
+//! Small random changes to a problem, the moves of a search.
 //!
-//! Half of them keep a symmetric semidefinite A what it is: A ← T A Tᵀ, other units, more on the
-//! diagonal.
+//! Half of them keep a symmetric semidefinite A symmetric semidefinite: A ← T A Tᵀ, other units, a
+//! larger diagonal.
 
 use super::numbers::{Numbers, Random};
 use lcplab_problem::Lcp;
 
-/// Tries to make a problem; bounds of rows that carry friction stay.
+/// Maximum number of attempts to produce a valid problem; bounds of rows that limit friction are
+/// kept.
 const TRIES: usize = 20;
 
 impl Numbers {
-    /// The problem after one to three changes, with a number of rows within `rows`, if it is one
-    /// that the search is about; the same problem where no such change was found.
+    /// The problem after one to three changes, with a number of rows within `rows`, if it is valid
+    /// for the search; the unchanged problem if no such change was found.
     pub fn changed(
         &self,
         random: &mut Random,
@@ -70,7 +71,7 @@ impl Numbers {
         }
     }
 
-    /// Row i in other units: a heavier body, or a lighter one.
+    /// Row i in other units: a heavier or lighter body.
     pub fn scale(&mut self, i: usize, unit: f64) {
         for k in 0..self.len() {
             self.a[i][k] *= unit;
@@ -81,7 +82,7 @@ impl Numbers {
         self.b[i] *= unit;
     }
 
-    /// Rows i and j of a symmetric A half as far from parallel.
+    /// Makes rows i and j of a symmetric A more nearly parallel, halving the distance.
     fn align(&mut self, i: usize, j: usize) {
         let parallel = (self.a[i][i] * self.a[j][j]).sqrt().copysign(self.a[i][j]);
         if parallel.is_finite() {
@@ -115,7 +116,7 @@ impl Numbers {
         };
     }
 
-    /// One more contact: a combination of the other rows, and something of its own.
+    /// Adds a contact: a combination of the other rows plus a part of its own.
     fn append(&mut self, random: &mut Random) {
         let n = self.len();
         let of: Vec<f64> = (0..n).map(|_| random.number(1)).collect();
@@ -138,7 +139,7 @@ impl Numbers {
     }
 }
 
-/// A number near this one, or a small whole one.
+/// A number near this one, or a small integer.
 fn another(value: f64, random: &mut Random) -> f64 {
     match random.whole(0, 5) {
         0 => value + 1.0,

@@ -1,14 +1,14 @@
-//! One contact with a friction cone whose solution has a closed form, in units far apart.
+//! One contact with a friction cone and a closed-form solution, with very different scales.
 //!
-//! With A = diag(a_n, a_t, a_t) nothing couples normal and tangents but the law of friction:
+//! With A = diag(a_n, a_t, a_t) normal and tangents are coupled only by the friction law:
 //!
 //! ```text
 //! x_n = max(−b_n / a_n, 0),   x_t = −b_t / a_t, shortened to length μ x_n
 //! ```
 //!
-//! is Coulomb's law: the contact sticks where the disc holds what stops it, else it slides along
-//! b_t. The scales a_n, a_t and the loads come from 10⁻⁸ … 10⁸ each, so that a light load beside a
-//! heavy one, and a slip beside a large force, have to be seen.
+//! is Coulomb's law: the contact sticks if the disk contains the impulse that stops it, otherwise
+//! it slides along b_t. The scales a_n, a_t and the loads range over 10⁻⁸ … 10⁸ each, so solvers
+//! must resolve a light load next to a heavy one, and a slip next to a large force.
 
 use rayon::prelude::*;
 
@@ -20,7 +20,7 @@ use lcplab_problem::number::readable;
 use lcplab_problem::{Lcp, Matrix};
 use lcplab_solver::{CONES, ConeEntry, Settings, Start, Status};
 
-/// An answer may be so far from the exact one, beside its largest entry.
+/// The allowed distance of an answer from the exact one, relative to its largest entry.
 const NEAR: f64 = 1e-6;
 
 /// A contact and its solution under Coulomb's law.
@@ -28,7 +28,7 @@ const NEAR: f64 = 1e-6;
 pub struct ConeTruth {
     /// The problem.
     pub problem: ConeProblem,
-    /// The only x that solves it, rounded.
+    /// The unique solution x, rounded.
     pub x: [f64; 3],
     /// Whether it slides: |b_t| / a_t > μ x_n > 0.
     pub slides: bool,
@@ -68,7 +68,7 @@ pub fn contact(seed: u64, k: usize) -> ConeTruth {
     }
 }
 
-/// What the solvers of cones say of the first contacts of a seed, and whether it is true.
+/// The claims of the cone solvers on the first contacts of a seed, and whether they are true.
 pub fn tallies(seed: u64, contacts: usize, settings: &Settings) -> Vec<Tally> {
     let of_entry = |entry: &ConeEntry| {
         let empty = || Tally { solver: entry.name.into(), ..Tally::default() };
@@ -78,8 +78,8 @@ pub fn tallies(seed: u64, contacts: usize, settings: &Settings) -> Vec<Tally> {
     CONES.iter().map(of_entry).collect()
 }
 
-/// A claim is false where the judge refuses it, or where it is not the closed form; so is the judge
-/// where it refuses the closed form.
+/// A claim is false if the judge rejects it, or if it differs from the closed form; a verdict is
+/// false if the judge rejects the closed form.
 fn tally(entry: &ConeEntry, truth: &ConeTruth, number: usize, settings: &Settings) -> Tally {
     let solution = (entry.build)(settings).solve(&truth.problem, &Start::default(), &mut ());
     let accepts =

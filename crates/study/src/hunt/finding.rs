@@ -1,4 +1,4 @@
-//! What a search found, as a file, a paragraph and a test case.
+//! The result of a search as a file, a paragraph and a test case.
 
 use dashu_ratio::RBig;
 use serde_json::json;
@@ -16,36 +16,36 @@ use super::right::RightAnswer;
 use super::search::Catch;
 use crate::card::{Card, class_of};
 
-/// Solutions that are written out at most.
+/// Maximum number of solutions that are written out.
 const SHOWN: usize = 3;
-/// A fraction with more characters is written as a decimal number; the file has it as it is.
+/// A fraction with more characters is written as a decimal number; the file has the exact fraction.
 const LONGEST: usize = 24;
-/// Problems with more rows are not written as equations.
+/// Maximum number of rows for which the problem is written as equations.
 const WRITTEN_ROWS: usize = 8;
 /// Digits of the answers that are printed.
 const DIGITS: usize = 7;
 
-/// A problem that breaks a solver, explained.
+/// A problem on which a solver fails, explained.
 #[derive(Debug, Clone)]
 pub struct Finding {
-    /// The problem under its friction model, with its exact solutions where all pieces could be
-    /// tried, and with both answers under the key `hunt`.
+    /// The problem under its friction model, with its exact solutions if all pieces could be tried,
+    /// and with both answers under the key `hunt`.
     pub problem: Problem,
-    /// What happens on it, what it is like, and what is true.
+    /// What the solver does on it, its properties, and the true solutions.
     pub words: String,
-    /// The x of the solver; `None` where it gave none.
+    /// The x of the solver; `None` if it gave none.
     pub answer: Option<Vec<f64>>,
-    /// A right x to compare it with; `None` where none exists or none was found.
+    /// A correct x for comparison; `None` if none exists or none was found.
     pub right: Option<RightAnswer>,
-    /// A test in Rust that fails while it happens; of a plug-in, a command whose exit code is 1
-    /// while it does. It ends without a newline.
+    /// A Rust test that fails as long as the problem occurs; for a plug-in, a command whose exit
+    /// code is 1 as long as it does. It ends without a newline.
     pub test: String,
     /// The name of the solver.
     solver: &'static str,
 }
 
 impl Finding {
-    /// What a search with this seed found.
+    /// The result of a search with this seed.
     pub fn of(catch: &Catch, trial: &Trial, seed: u64) -> Finding {
         let lcp = &catch.lcp;
         let measure = trial.measure;
@@ -84,7 +84,7 @@ impl Finding {
         Finding { problem, words, answer, right, test, solver }
     }
 
-    /// The solver's own x beside the right one, row by row; nothing where neither is there.
+    /// The solver's x and the correct one, row by row; empty if there is neither.
     pub fn answers(&self) -> String {
         let rows = self.problem.lcp.len();
         if self.answer.is_none() && self.right.is_none() {
@@ -109,10 +109,10 @@ impl Finding {
         }
     }
 
-    /// Rows of the answers that are printed at most.
+    /// Maximum number of rows of the answers that are printed.
     const PRINTED_ROWS: usize = 40;
 
-    /// The problem as equations, row by row; nothing of a large one.
+    /// The problem as equations, row by row; empty for a large one.
     pub fn equations(&self) -> String {
         let lcp = &self.problem.lcp;
         if lcp.len() > WRITTEN_ROWS {
@@ -122,7 +122,7 @@ impl Finding {
     }
 }
 
-/// Whether the solution has an x of the solver's: else it is the start.
+/// Whether the x of the solution comes from the solver; otherwise it is the start.
 fn given(solution: &Solution) -> bool {
     !matches!(
         solution.status,
@@ -165,7 +165,7 @@ fn row(problem: &Problem, i: usize) -> String {
     format!("w_{i} = {sum},   {bounds}")
 }
 
-/// How friction row i is bounded by the normal x_k under the problem's model.
+/// The bound of friction row i from the normal x_k under the problem's model.
 fn friction_bound(problem: &Problem, i: usize, k: usize, mu: f64) -> String {
     let own = |contact: &&Contact| contact.rows.contains(&i);
     let plane = problem.lcp.contacts().iter().find(own).map_or(format!("x_{i}"), |contact| {
@@ -186,13 +186,13 @@ fn friction_bound(problem: &Problem, i: usize, k: usize, mu: f64) -> String {
     }
 }
 
-/// The shortest text that is read as this number.
+/// The shortest text that parses to this number.
 fn short(value: f64) -> String {
     let text = format!("{value:?}");
     text.strip_suffix(".0").map_or(text.clone(), str::to_string).replace('-', "−")
 }
 
-/// What is true, in a sentence.
+/// The true solutions, in a sentence.
 fn truth(solutions: &[Vec<RBig>], is_unique: bool) -> String {
     let entry = |x: &RBig| match x.to_string() {
         exact if exact.len() <= LONGEST => exact,
@@ -214,7 +214,7 @@ fn truth(solutions: &[Vec<RBig>], is_unique: bool) -> String {
     }
 }
 
-/// A test that fails as long as the solver does what was found; of a plug-in, a command.
+/// A test that fails as long as the solver's behavior is unchanged; for a plug-in, a command.
 fn test(problem: &Problem, trial: &Trial, catch: &Catch, right: Option<&RightAnswer>) -> String {
     let Settings { max_iterations: most, tolerance, .. } = trial.options.settings;
     let is_usual = tolerance == Settings::default().tolerance;

@@ -1,5 +1,5 @@
-//! The problems that a search is given to begin with: which class and which friction model it keeps
-//! to, and what has to be changed in them first.
+//! The initial problems given to a search: their matrix class and friction model, and the changes
+//! needed first.
 
 use lcplab_problem::Lcp;
 use lcplab_problem::error::{Defects, Result};
@@ -10,18 +10,18 @@ use lcplab_solver::MatrixClass;
 use super::membership::{is_of, made_definite};
 use super::posing::pose;
 
-/// Problems to begin with, all of a class and under a model.
+/// Initial problems, all of one class and under one model.
 #[derive(Debug, Clone)]
 pub struct Given {
-    /// The problems, changed as the notes say.
+    /// The problems, changed as described in the notes.
     pub problems: Vec<Lcp>,
     /// The class of matrices that the search keeps to.
     pub within: MatrixClass,
     /// The friction model that the search keeps to.
     pub model: Option<Model>,
-    /// Whether a contact may have one tangent: only where a given one has.
+    /// Whether a contact may have a single tangent: only if a given one has.
     pub has_single_tangents: bool,
-    /// What was changed, a sentence each.
+    /// The changes, one sentence each.
     pub notes: Vec<String>,
 }
 
@@ -29,14 +29,14 @@ impl Given {
     /// Prepares problems, each with the name that messages use, for a search within a class and
     /// under a model.
     ///
-    /// Without `within` the search keeps to positive definite matrices if there are no problems,
-    /// and else to the narrowest of definite, semidefinite and general that all of them are in. A
-    /// matrix that is semidefinite but for rounding is made exactly definite, and a note says so.
-    /// Without `model` the search keeps to the model that the problems state.
+    /// Without `within`, the search keeps to positive definite matrices if there are no problems;
+    /// otherwise to the narrowest of definite, semidefinite and general that contains all of them.
+    /// A matrix that is semidefinite up to rounding is made exactly definite, and a note reports
+    /// it. Without `model`, the search keeps to the model that the problems state.
     ///
     /// # Errors
-    /// Lists each problem that is not in the class, cannot be stated under the model, or states
-    /// another one than the first.
+    /// Lists each problem that is not in the class, cannot be formulated under the model, or has
+    /// another model than the first.
     ///
     /// ```
     /// use lcplab_problem::file::Problem;
@@ -96,7 +96,7 @@ impl Given {
         Ok(given)
     }
 
-    /// Takes the problems into a class that was asked for.
+    /// Brings the problems into the requested class.
     fn keep_to(&mut self, class: MatrixClass, problems: &[(String, Problem)]) -> Result<()> {
         let mut defects = Defects::default();
         for (name, problem) in problems {
@@ -108,7 +108,7 @@ impl Given {
         defects.into_result("start")
     }
 
-    /// Takes the problems into the narrowest class that all of them are in.
+    /// Brings the problems into the narrowest class that contains all of them.
     fn find_class(&mut self, problems: &[(String, Problem)]) {
         use MatrixClass::{Definite, General, Semidefinite};
         for (name, problem) in problems {
@@ -131,7 +131,7 @@ impl Given {
         self.within = if are_definite { Definite } else { Semidefinite };
     }
 
-    /// A problem of the class: this one, or one whose A differs from its A by rounding.
+    /// A problem of the class: this one, or one whose A differs from it by rounding.
     fn repaired(&mut self, class: MatrixClass, name: &str, lcp: &Lcp) -> Option<Lcp> {
         if is_of(class, lcp) {
             return Some(lcp.clone());
@@ -145,7 +145,7 @@ impl Given {
     }
 }
 
-/// What is said of a problem that is not in a class.
+/// The message for a problem that is not in a class.
 fn outside(class: MatrixClass) -> String {
     format!("A is not {class}, even allowing for rounding")
 }

@@ -1,4 +1,4 @@
-//! What a search looks for, as a number that grows towards it.
+//! The measures that a search maximizes.
 
 use std::fmt;
 use std::str::FromStr;
@@ -16,23 +16,23 @@ use super::posing::pose;
 use super::sweeps;
 use super::truth::{Claim, Lie, Truth};
 
-/// Up to so many rows a claim that the judge accepts is held against all pieces of the problem.
+/// Maximum number of rows for which an accepted claim is checked against all pieces of the problem.
 const TRUTH_ROWS: usize = 5;
-/// Values of 2 − ω that are tried for the best one: 1, 1/√2, …, 2⁻¹².
+/// Number of values of 2 − ω that are tried to find the best: 1, 1/√2, …, 2⁻¹².
 const OMEGAS: i32 = 24;
 
-/// What breaks a solver.
+/// The kind of bad behavior that a search looks for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measure {
-    /// It claims what is not true.
+    /// The solver makes a false claim.
     Lie,
-    /// It finds no solution of a problem of its class that has one.
+    /// The solver does not solve a solvable problem of its class.
     Failure,
-    /// It takes many iterations.
+    /// The solver needs many iterations.
     Iterations,
-    /// Its answer is accepted and lies far from the exact solution, in parts of max |x|.
+    /// The answer is accepted but far from the exact solution, relative to max |x|.
     Error,
-    /// It takes many times the iterations of another one.
+    /// The solver needs many times the iterations of another one.
     Ratio,
 }
 
@@ -64,83 +64,82 @@ impl fmt::Display for Measure {
 }
 
 impl Measure {
-    /// Whether it is there: where that is a question of yes or no, by this answer.
+    /// Whether it is found, for a yes-or-no measure with this answer.
     pub(super) fn is_found(self, answer: bool) -> bool {
         answer || !self.is_yes_or_no()
     }
 
-    /// Whether there is nothing more to climb once it is found.
+    /// Whether there is nothing to improve once it is found.
     pub(super) fn is_yes_or_no(self) -> bool {
         matches!(self, Measure::Lie | Measure::Failure)
     }
 }
 
-/// A solver, and what is looked for in it.
+/// A solver, and the measure to search for.
 #[derive(Debug, Clone)]
 pub struct Trial {
-    /// What is looked for.
+    /// The measure.
     pub measure: Measure,
     /// The solver.
     pub solver: Method,
-    /// The one that it is compared with, for [`Measure::Ratio`].
+    /// The baseline solver for [`Measure::Ratio`].
     pub rival: Option<Method>,
-    /// The options of both.
+    /// The options of both solvers.
     pub options: Options,
-    /// The friction model under which problems are solved and answers judged: only problems with
-    /// friction then. Without it they are LCPs, friction rows being coupled rows.
+    /// The friction model for problems and answers; only problems with friction are then used.
+    /// `None` means LCPs with friction rows as coupled rows.
     pub model: Option<Model>,
     /// The class that the matrix must belong to, whatever the solver is made for.
     pub within: MatrixClass,
-    /// Whether problems with friction are looked at.
+    /// Whether problems with friction are included.
     pub friction: Friction,
-    /// Whether friction rows need not be the two tangents of a contact with one μ.
+    /// Whether friction rows may be other than the two tangents of a contact with one μ.
     pub allows_single_tangents: bool,
-    /// Whether a rival that has an ω is given the best one for each problem.
+    /// Whether a baseline with a relaxation factor ω gets the best one for each problem.
     pub best_omega: bool,
 }
 
-/// Whether a search looks at problems with friction.
+/// Which problems a search includes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Friction {
-    /// At problems with and without.
+    /// Problems with and without friction.
     #[default]
     Any,
-    /// At no others.
+    /// Only problems with friction.
     Only,
-    /// At none.
+    /// Only problems without friction.
     Never,
 }
 
-/// How a solver does on a problem.
+/// The result of a solver on a problem.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Score {
-    /// What the measure measures; 0 where it says nothing.
+    /// The value of the measure; 0 if it does not apply.
     pub value: f64,
     /// Whether a [lie](Measure::Lie) or a [failure](Measure::Failure) was found.
     pub is_found: bool,
-    /// Whether the solver's claim is right: an answer that the judge accepts, or that none exists.
+    /// Whether the solver's claim is right: an accepted answer, or correctly that none exists.
     pub is_right: bool,
-    /// Whether the solver gives an answer at all: it does not crash, hang or write what nobody
-    /// reads.
+    /// Whether the solver answers at all, without a crash, a timeout or unreadable output.
     pub is_answered: bool,
-    /// What it took.
+    /// The number of iterations.
     pub iterations: usize,
 }
 
 impl Score {
-    /// Of a problem that the solver was not asked about.
+    /// The score of a problem on which the solver was not run.
     pub(super) const NOTHING: Score =
         Score { value: 0.0, is_found: false, is_right: false, is_answered: true, iterations: 0 };
 }
 
-/// Why a problem is not one of those that a search is about.
+/// Why a problem is excluded from a search.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Unfair {
-    /// It has no friction, or has some, against what was asked for.
+    /// It has friction, or has none, contrary to the request.
     Friction(Friction),
     /// Its friction rows are not the two tangents of contacts, for this reason.
     NoPairs(String),
-    /// A is not shown to be of the class.
+    /// A is not shown to be in the class.
     Class(MatrixClass),
     /// This solver is not made for it.
     Solver(&'static str),
@@ -159,11 +158,11 @@ impl fmt::Display for Unfair {
 }
 
 impl Trial {
-    /// Checks that the measure has what it needs.
+    /// Checks that the trial is complete.
     ///
     /// # Errors
-    /// If it lacks a rival, has one that it does not need, needs exact solutions that the friction
-    /// model does not have, or a solver is not made for the model.
+    /// If it lacks a baseline, has one that it does not need, needs exact solutions that the
+    /// friction model does not have, or a solver is not made for the model.
     pub fn validate(&self) -> Result<()> {
         let wrong = |reason: String| Err(Error::invalid("search", "measure", reason));
         match (self.measure, &self.rival) {
@@ -188,17 +187,17 @@ impl Trial {
         }
     }
 
-    /// The solver, and its rival.
+    /// The solver and its baseline.
     fn methods(&self) -> impl Iterator<Item = &Method> {
         std::iter::once(&self.solver).chain(&self.rival)
     }
 
-    /// Whether only problems with friction are looked at.
+    /// Whether only problems with friction are included.
     pub(super) fn needs_friction(&self) -> bool {
         self.friction == Friction::Only || self.model.is_some()
     }
 
-    /// The measure of a problem, with at most so many iterations; cold starts.
+    /// The score on a problem, with this iteration limit and cold starts.
     pub fn score(&self, lcp: &Lcp, most: usize) -> Score {
         let Ok(posed) = pose(lcp, self.model) else {
             return Score::NOTHING;
@@ -233,13 +232,13 @@ impl Trial {
     /// The solver's answer to a problem.
     ///
     /// # Errors
-    /// If the problem cannot be stated under the model.
+    /// If the problem cannot be formulated under the model.
     pub fn answer(&self, lcp: &Lcp) -> Result<Solution> {
         let posed = pose(lcp, self.model)?;
         Ok(self.solve(&self.solver, &posed, self.options.settings.max_iterations))
     }
 
-    /// What the solver does on the problem, in a sentence; `solution` is its
+    /// The solver's behavior on the problem, in a sentence; `solution` is its
     /// [answer](Trial::answer).
     pub fn words(&self, lcp: &Lcp, solution: &Solution) -> String {
         let name = self.solver.name();
@@ -301,7 +300,7 @@ impl Trial {
             }
     }
 
-    /// The claim, held against the truth where that can be had quickly.
+    /// The claim, compared with the true solutions if they can be computed quickly.
     fn claim(&self, posed: &Posed, solution: &Solution) -> Claim {
         let mut claim = Claim::under(posed, solution, self.options.settings.tolerance);
         let is_proved = matches!(claim, Claim::Proved); // by a solution that was checked
@@ -331,13 +330,13 @@ impl Trial {
         (if fails { 1.0 + part } else { part.min(1.0) }, fails)
     }
 
-    /// Whether the problem may be laid to the solver.
+    /// Whether the problem is valid for this trial.
     pub(super) fn is_fair(&self, lcp: &Lcp) -> bool {
         self.unfair(lcp).is_none()
     }
 
-    /// Why the problem may not be laid to the solver: it is not of the class or kind that was asked
-    /// for, or, where a long way is looked for, the solver or its rival is not made for it.
+    /// Why the problem is not valid for this trial: it is not of the requested class or kind or,
+    /// for measures of cost, the solver or its baseline is not made for it.
     pub(crate) fn unfair(&self, lcp: &Lcp) -> Option<Unfair> {
         let has_friction = lcp.coupling().is_some_and(|coupling| !coupling.is_empty());
         let is_barred = has_friction && self.friction == Friction::Never;
@@ -358,7 +357,7 @@ impl Trial {
         unsuited.map(|method| Unfair::Solver(method.name()))
     }
 
-    /// How far the accepted answer is from the exact solution beside it, in parts of max |x|.
+    /// The distance of the accepted answer from the nearest exact solution, relative to max |x|.
     fn error(&self, posed: &Posed, solution: &Solution) -> f64 {
         let Posed::Boxed(lcp) = posed else { return 0.0 };
         let tolerance = self.options.settings.tolerance;
@@ -372,7 +371,7 @@ impl Trial {
         if size > 0.0 { distance / size } else { 0.0 }
     }
 
-    /// The least iterations of the rival, if it solves the problem within so many.
+    /// The least number of iterations of the baseline, if it solves the problem within this limit.
     fn rival_iterations(&self, posed: &Posed, most: usize) -> Option<usize> {
         let rival = self.rival.as_ref()?;
         let mut best = None;
@@ -386,8 +385,7 @@ impl Trial {
         best
     }
 
-    /// The relaxation factors that the rival is tried with, the slowest to grow beyond its best
-    /// first.
+    /// The relaxation factors tried for the baseline.
     fn omegas(&self) -> Vec<f64> {
         let has_omega = self.rival.is_some_and(|rival| rival.uses().contains(&Choice::Omega));
         if self.best_omega && has_omega {
@@ -398,18 +396,18 @@ impl Trial {
     }
 }
 
-/// How false a claim is, and whether it is.
+/// The amount by which a claim is false, and whether it is.
 fn lie(posed: &Posed, claim: &Claim, solution: &Solution) -> (f64, bool) {
     match claim {
         Claim::Lie(Lie::Refuted { amount, .. }) => (*amount, true),
         Claim::Lie(_) => (1.0, true),
-        // As near to a lie as its residual: what climbs is what is nearly refused.
+        // Nearly rejected answers score by their residual, which gives the search a direction.
         Claim::Proved | Claim::Within => (sweeps::residual(posed, &solution.x), false),
         _ => (0.0, false),
     }
 }
 
-/// Whether the problem is known to have a solution: by exact arithmetic, or, with friction, because
+/// Whether the problem is known to have a solution: by exact arithmetic or, with friction, because
 /// A is definite.
 fn has_solution(lcp: &Lcp, posed: &Posed) -> bool {
     match posed {
@@ -420,7 +418,7 @@ fn has_solution(lcp: &Lcp, posed: &Posed) -> bool {
 }
 
 /// Whether the method is made for the problem, as far as that can be decided. Every problem has
-/// bounds: one that does not heed them fails.
+/// bounds: a method that ignores them fails.
 fn is_in_class(method: &Method, lcp: &Lcp) -> bool {
     let class = match method {
         Method::Boxed(entry) => entry.class,

@@ -1,5 +1,5 @@
-//! Whether a matrix belongs to a class, as it stands: in rational arithmetic, the entries being
-//! binary fractions.
+//! Decides in rational arithmetic whether a matrix belongs to a class (the entries are binary
+//! fractions).
 
 use lcplab_judge::error_bound::is_definite;
 use lcplab_judge::regularity::least_eigenvalue;
@@ -8,19 +8,18 @@ use lcplab_solver::MatrixClass;
 
 use crate::card::class_of;
 
-/// Above this many rows a verified factorization in floating point is tried before exact
-/// arithmetic.
+/// Above this many rows, a verified floating-point factorization is tried before exact arithmetic.
 const QUICK_ROWS: usize = 12;
-/// A semidefinite A may have a least eigenvalue (scaled to a unit diagonal) as negative as this by
-/// rounding.
+/// Rounding may make the least eigenvalue of a semidefinite A (scaled to a unit diagonal) this
+/// negative.
 const ROUNDING: f64 = 1e-12;
-/// By this part the diagonal is enlarged until A is definite, the least first.
+/// The relative increases of the diagonal that are tried until A is definite.
 const ENLARGED: [f64; 4] = [1e-15, 1e-13, 1e-12, 1e-11];
 
-/// Whether A is shown to belong to a class. No for a matrix that is too large to decide.
+/// Whether A is shown to belong to a class; false if the matrix is too large to decide.
 ///
 /// [`MatrixClass::CopositivePlus`], [`MatrixClass::P0`] and [`MatrixClass::POrSemidefinite`] are
-/// shown by the classes within them that can be decided: definite, semidefinite, P.
+/// shown through their decidable subclasses: definite, semidefinite, P.
 pub(super) fn is_of(class: MatrixClass, lcp: &Lcp) -> bool {
     use MatrixClass::{CopositivePlus, Definite, General, P, P0, POrSemidefinite, Semidefinite};
     if class == General || (lcp.len() > QUICK_ROWS && is_definite(lcp)) {
@@ -36,9 +35,9 @@ pub(super) fn is_of(class: MatrixClass, lcp: &Lcp) -> bool {
     }
 }
 
-/// A problem whose A is semidefinite but for rounding, as an engine's J M⁻¹ Jᵀ, made exactly
-/// definite: its symmetric part, with the diagonal enlarged by a part of itself, which is returned
-/// too. `None` if A is farther from semidefinite than rounding explains.
+/// A problem whose A is semidefinite up to rounding, such as an engine's J M⁻¹ Jᵀ, made exactly
+/// definite: its symmetric part with a relatively increased diagonal; also returns the increase.
+/// `None` if A is farther from semidefinite than rounding explains.
 pub(super) fn made_definite(lcp: &Lcp) -> Option<(Lcp, f64)> {
     let n = lcp.len();
     let a = lcp.matrix();

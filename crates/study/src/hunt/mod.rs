@@ -1,24 +1,24 @@
-//! Are the solvers honest? Random problems made to hurt, each given to every solver, each answer
-//! held against what is true.
+//! Tests solvers for false claims: hard random problems are given to every solver, and each answer
+//! is compared with the truth.
 //!
-//! A solver may fail; it must not say that it has not. Nor may the judge say what is not so. These
-//! count as a [`Lie`]:
+//! A solver may fail, but it must not claim success falsely, and the judge must not give a false
+//! verdict. These count as a [`Lie`]:
 //!
-//! - *solved*, and x is not finite, misses a row, or is no nearer to a solution than zero is;
-//! - *no solution*, and one exists;
-//! - accepted by the judge, and none exists; refused by the judge as impossible, and one exists.
+//! - *solved*, but x is not finite, violates a row, or is no nearer to a solution than zero;
+//! - *no solution*, but one exists;
+//! - accepted by the judge, but none exists; rejected by the judge as impossible, but one exists.
 //!
-//! What is true is decided in rational numbers, by trying all pieces of the problem
-//! ([`all_solutions`](lcplab_problem::exact::all_solutions)), coupled rows included. *Solved* means
-//! that x solves a problem whose numbers differ by no more than the tolerance, and one without
-//! solution may have such a neighbour: a solver may take that for a solution, the judge may not
-//! ([`Claim::Refused`]).
+//! The truth is decided in rational arithmetic by trying all pieces of the problem
+//! ([`all_solutions`](lcplab_problem::exact::all_solutions)), including coupled rows. *Solved*
+//! means that x solves a problem whose numbers differ by no more than the tolerance. A problem
+//! without solution may have such a neighbor, so a solver may accept an x for it, but the judge may
+//! not ([`Claim::Refused`]).
 //!
-//! Cones have closed forms instead: [`cone`]. Under a friction model the judge of that model
+//! Cones have closed forms instead: [`cone`]. Under a friction model, the judge of that model
 //! decides.
 //!
-//! An x without a status, as a plug-in may give it, counts as *solved* only where a solver that
-//! merely ran out of sweeps would have come nearer: [`Claim::under`].
+//! An x without a status, as from a plug-in, counts as *solved* only if a solver that merely ran
+//! out of sweeps would have come nearer: [`Claim::under`].
 //!
 //! ```
 //! use lcplab_solver::{Options, by_name};
@@ -30,12 +30,11 @@
 //! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 //!
-//! Problem k of a seed is the same in every hunt, on any number of threads: [`problem`].
+//! Problem k of a seed is the same in every hunt, for any number of threads: [`problem`].
 //!
-//! A [`Search`] goes on from there: it climbs from random problems towards one that breaks a solver
-//! ([`Measure`]) and makes that as small as it can; a [`Finding`] explains it. What a search begins
-//! with, and all that it reports, is of the class of matrices and under the friction model that
-//! were asked for: [`Given`].
+//! A [`Search`] goes further: starting from random problems, it hill-climbs towards one on which a
+//! solver fails ([`Measure`]) and shrinks it; a [`Finding`] explains it. The initial problems and
+//! all reported ones have the requested matrix class and friction model: [`Given`].
 
 mod change;
 pub mod cone;
@@ -69,12 +68,12 @@ use lcplab_problem::Lcp;
 use lcplab_problem::friction::Model;
 use lcplab_solver::{Method, Options, Solver, Start, Stop};
 
-/// So many problems of a seed.
+/// A hunt over a number of problems of a seed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hunt {
-    /// How many problems, the kinds of [`KINDS`] in turns.
+    /// The number of problems, cycling through the kinds in [`KINDS`].
     pub problems: usize,
-    /// The seed of them all.
+    /// The seed of all problems.
     pub seed: u64,
     /// The largest scaled residual of a solution.
     pub tolerance: f64,
@@ -87,7 +86,7 @@ impl Hunt {
         self.until(&Stop::default(), solvers, tick)
     }
 
-    /// The same until it is time to stop; the record counts the problems that were given.
+    /// The same with a stop condition; the record counts the problems that were given.
     pub fn until(
         &self,
         stop: &Stop,
@@ -107,8 +106,8 @@ impl Hunt {
         (0..self.problems).into_par_iter().map(one).reduce(empty, Record::and)
     }
 
-    /// What methods claim of problems with friction ([`contact_problem`]) under a model, and
-    /// whether the judge of that model agrees, until it is time to stop.
+    /// The claims of methods on problems with friction ([`contact_problem`]) under a model, and
+    /// whether the judge of that model agrees, until the stop condition.
     pub fn under(
         &self,
         model: Model,
@@ -135,7 +134,7 @@ impl Hunt {
     }
 }
 
-/// What every solver says of a problem, and whether it is true.
+/// The claim of every solver on a problem, and whether it is true.
 pub fn claims(
     lcp: &Lcp,
     start: Option<&[f64]>,

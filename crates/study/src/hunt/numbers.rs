@@ -1,4 +1,4 @@
-//! The numbers of a problem while they change, and where chance comes from.
+//! The mutable numbers of a problem, and the random number generator.
 
 use std::ops::Range;
 
@@ -29,7 +29,7 @@ impl Random {
     }
 }
 
-/// A problem under way.
+/// A problem that is being modified.
 #[derive(Clone, Debug)]
 pub(super) struct Numbers {
     pub a: Vec<Vec<f64>>,
@@ -64,10 +64,10 @@ impl Numbers {
         }
     }
 
-    /// The problem.
+    /// Builds the problem.
     ///
     /// # Errors
-    /// If the numbers make none: an entry that is not finite, lo > hi.
+    /// If the numbers are invalid: an entry that is not finite, lo > hi.
     pub fn lcp(self) -> Result<Lcp> {
         let matrix = Matrix::dense(self.len(), &self.a.concat());
         let lcp = Lcp::new(matrix, self.b, self.lo, self.hi)?.with_scale(self.least)?;
@@ -127,7 +127,7 @@ pub(super) fn dot(p: &[f64], q: &[f64]) -> f64 {
     p.iter().zip(q).map(|(p, q)| p * q).sum()
 }
 
-/// J Jᵀ of these rows of J.
+/// J Jᵀ for these rows of J.
 pub(super) fn gram(j: &[Vec<f64>]) -> Vec<Vec<f64>> {
     j.iter().map(|row| j.iter().map(|other| dot(row, other)).collect()).collect()
 }

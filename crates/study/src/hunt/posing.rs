@@ -1,10 +1,10 @@
-//! A problem of a search as its friction model states it.
+//! Formulates a problem of a search under its friction model.
 
 use lcplab_problem::Lcp;
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::friction::{FrictionProblem, Model, Posed};
 
-/// The problem under a model; without one the LCP that it is, friction rows being coupled rows. The
+/// The problem under a model; without one, the LCP itself with friction rows as coupled rows. The
 /// frozen box is frozen at [`frozen_at`].
 ///
 /// # Errors
@@ -19,8 +19,8 @@ pub fn pose(lcp: &Lcp, model: Option<Model>) -> Result<Posed> {
     model.pose(&FrictionProblem::of(lcp)?, Some(&frozen_at(lcp)))
 }
 
-/// Normal impulses at which friction boxes can be frozen: what each row would need if it were
-/// alone, x_i = max(−b_i / a_ii, 0).
+/// Normal impulses at which friction boxes can be frozen: those that each row alone would need,
+/// x_i = max(−b_i / a_ii, 0).
 pub fn frozen_at(lcp: &Lcp) -> Vec<f64> {
     let alone = |i: usize| {
         let x = -lcp.b()[i] / lcp.matrix().diagonal(i);

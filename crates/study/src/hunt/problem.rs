@@ -1,8 +1,8 @@
-//! Small problems made to hurt: ties, dependent rows, masses far apart, numbers at the ends of the
-//! range, matrices of no class at all.
+//! Small, deliberately hard problems: ties, dependent rows, very different masses, numbers at the
+//! ends of the range, matrices of no class.
 //!
-//! Most entries are small whole numbers, so that sums cancel exactly: ties are ties, a dependent
-//! row is dependent, and a problem without solution misses one by more than rounding.
+//! Most entries are small integers, so that sums cancel exactly: ties are exact, dependent rows are
+//! exactly dependent, and a problem without solution is infeasible by more than rounding.
 
 use std::ops::RangeInclusive;
 
@@ -16,12 +16,12 @@ use lcplab_solver::MatrixClass;
 pub struct Kind {
     /// Its name.
     pub name: &'static str,
-    /// What is nasty about it.
+    /// What makes it hard.
     pub about: &'static str,
     make: fn(&mut Random) -> Numbers,
 }
 
-/// The kinds, taken in turns.
+/// The kinds, used in turn.
 pub const KINDS: &[Kind] = &[
     Kind {
         name: "contacts",
@@ -115,8 +115,7 @@ pub const KINDS: &[Kind] = &[
     },
 ];
 
-/// Problem k of a seed, and where the solvers start: from nothing, or from a guess as bad as can
-/// be.
+/// Problem k of a seed, and the start of the solvers: none, or a bad guess.
 pub fn problem(seed: u64, k: usize) -> (Lcp, Option<Vec<f64>>) {
     let random = &mut Random::new(seed, k);
     let lcp = (KINDS[k % KINDS.len()].make)(random)
@@ -128,9 +127,9 @@ pub fn problem(seed: u64, k: usize) -> (Lcp, Option<Vec<f64>>) {
     (lcp, if is_cold { None } else { Some(start) })
 }
 
-/// Problem k of a seed with friction in pairs of tangents and A definite, for a friction model: in
-/// turns a contact with a cone that has a closed form, in units far apart ([`cone::contact`]), and
-/// a few contacts of small whole numbers.
+/// Problem k of a seed with friction in pairs of tangents and definite A, for a friction model:
+/// alternately a contact with a cone that has a closed form, with very different scales
+/// ([`cone::contact`]), and a few contacts with small integers.
 pub fn contact_problem(seed: u64, k: usize) -> Lcp {
     if k.is_multiple_of(2) {
         return cone::contact(seed, k).problem.friction().coupled_box();
@@ -140,12 +139,12 @@ pub fn contact_problem(seed: u64, k: usize) -> Lcp {
     numbers.lcp().expect("finite numbers, tangents after normals")
 }
 
-/// What a class of matrices asks to be added to the diagonal of JJᵀ; `None` if nothing.
+/// The addition to the diagonal of JJᵀ that a matrix class requires; `None` if there is none.
 pub(super) fn own(class: MatrixClass) -> Option<f64> {
     matches!(class, MatrixClass::Definite | MatrixClass::P).then_some(1.0)
 }
 
-/// JJᵀ of whole numbers, with `own` on the diagonal; without it 1 for half of the problems.
+/// JJᵀ of integers, with `own` added to the diagonal; without it, 1 for half of the problems.
 pub(super) fn whole(random: &mut Random, rows: RangeInclusive<usize>, own: Option<f64>) -> Numbers {
     let n = random.whole(*rows.start() as i64, *rows.end() as i64) as usize;
     let columns = random.whole(1, n as i64 + 1) as usize;
@@ -157,8 +156,8 @@ pub(super) fn whole(random: &mut Random, rows: RangeInclusive<usize>, own: Optio
 }
 
 impl Numbers {
-    /// The same rows as contacts with friction, each a normal and so many tangents with one μ; rows
-    /// that are left are contacts without.
+    /// The same rows as contacts with friction, each a normal and this number of tangents with one
+    /// μ; remaining rows are contacts without friction.
     pub(super) fn with_contacts(mut self, random: &mut Random, tangents: usize) -> Numbers {
         let (n, rows) = (self.len(), 1 + tangents);
         let contacts = random.whole(1, (n / rows).max(1) as i64) as usize;
@@ -189,7 +188,7 @@ impl Numbers {
         self
     }
 
-    /// b = w − A x for an x within its bounds and a w that belongs to it.
+    /// b = w − A x for an x within its bounds and a complementary w.
     fn solvable(mut self, random: &mut Random) -> Numbers {
         let n = self.b.len();
         let (mut x, mut w) = (vec![0.0; n], vec![0.0; n]);
@@ -208,7 +207,7 @@ impl Numbers {
         self
     }
 
-    /// b = −A x for an x of which every entry that has a bound is there, but for the last bit of b.
+    /// b = −A x for an x whose bounded entries are all at a bound, up to the last bit of b.
     fn tied(mut self, random: &mut Random) -> Numbers {
         let n = self.b.len();
         let at = |i: usize| match (self.lo[i], self.hi[i]) {
@@ -224,7 +223,7 @@ impl Numbers {
         self
     }
 
-    /// Bounds as small, as large and as odd as numbers can be.
+    /// Extreme bounds: as small, as large and as unusual as numbers can be.
     fn bounded_at_the_ends(mut self, random: &mut Random) -> Numbers {
         const ENDS: [f64; 9] = [0.0, -0.0, 5e-324, -5e-324, 1e-310, 1e308, -1e308, 1.0, -1.0];
         for i in 0..self.b.len() {
@@ -240,7 +239,7 @@ impl Numbers {
         self
     }
 
-    /// Row i in units of 2^k_i: a_ij 2^(k_i + k_j), b_i 2^k_i, bounds 2^−k_i; nothing is rounded.
+    /// Row i in units of 2^k_i: a_ij 2^(k_i + k_j), b_i 2^k_i, bounds 2^−k_i; without rounding.
     fn in_units(mut self, random: &mut Random, most: i64) -> Numbers {
         let n = self.b.len();
         let unit: Vec<f64> = (0..n).map(|_| 2f64.powi(random.whole(-most, most) as i32)).collect();
@@ -255,7 +254,7 @@ impl Numbers {
         self
     }
 
-    /// Each row and column twice, b of the copy a little off.
+    /// Each row and column twice, with a slightly different b in the copy.
     fn doubled(self, random: &mut Random) -> Numbers {
         let n = self.b.len();
         let entry = |i: usize, j: usize| self.a[i % n][j % n];
@@ -275,13 +274,13 @@ impl Numbers {
     }
 }
 
-/// JJᵀ of a J with one to n columns of whole numbers; b in the range of J for two thirds of the
+/// JJᵀ of a J with one to n columns of integers; b is in the range of J for two thirds of the
 /// problems, so that a solution exists whatever the rank.
 fn contacts(random: &mut Random) -> Numbers {
     contacts_of(random, 5)
 }
 
-/// The same with so many rows at most.
+/// The same with at most this number of rows.
 fn contacts_of(random: &mut Random, most: i64) -> Numbers {
     let n = random.whole(1, most) as usize;
     let columns = random.whole(1, n as i64) as usize;
@@ -295,7 +294,7 @@ fn contacts_of(random: &mut Random, most: i64) -> Numbers {
     Numbers::new(a, b)
 }
 
-/// Up to so many contacts with so many tangents each.
+/// Contacts, at most `most`, with this number of tangents each.
 fn friction(random: &mut Random, most: i64, tangents: usize) -> Numbers {
     let points = random.whole(1, most) as usize;
     let rows = 1 + tangents;
@@ -310,8 +309,8 @@ fn friction(random: &mut Random, most: i64, tangents: usize) -> Numbers {
     Numbers { lo, friction: Some((index, mu)), ..Numbers::new(a, b) }
 }
 
-/// The unknowns x_n, β₁ … β₄ and γ of one contact, as
-/// [`Polyhedral`](lcplab_problem::friction::Polyhedral) has them, along ±t1 and ±t2.
+/// The unknowns x_n, β₁ … β₄ and γ of one contact, as in
+/// [`Polyhedral`](lcplab_problem::friction::Polyhedral), along ±t1 and ±t2.
 fn polygon(random: &mut Random) -> Numbers {
     let Numbers { a, b, .. } = friction(random, 1, 2);
     let mu = random.one_of(&[0.0, 0.25, 1.0, 4.0]);
@@ -333,7 +332,7 @@ fn polygon(random: &mut Random) -> Numbers {
     Numbers::new(rows, along.iter().map(dot).chain([0.0]).collect())
 }
 
-/// A game with costs P and Q: A = [0 P; Qᵀ 0], b = −1.
+/// A bimatrix game with costs P and Q: A = [0 P; Qᵀ 0], b = −1.
 fn bimatrix(random: &mut Random) -> Numbers {
     let (rows, columns) = (random.whole(1, 3) as usize, random.whole(1, 3) as usize);
     let n = rows + columns;
@@ -346,7 +345,7 @@ fn bimatrix(random: &mut Random) -> Numbers {
     Numbers::new(a, vec![-1.0; n])
 }
 
-/// vvᵀ of small whole numbers; b along v for half of the problems.
+/// vvᵀ of small integers; b along v for half of the problems.
 fn rank_one(random: &mut Random) -> Numbers {
     let n = random.whole(2, 5) as usize;
     let v: Vec<f64> = (0..n).map(|_| random.number(3)).collect();
@@ -357,8 +356,8 @@ fn rank_one(random: &mut Random) -> Numbers {
     Numbers::new(a, b)
 }
 
-/// JJᵀ of whole numbers near 2²⁶ … 2³⁰ in two columns, so that determinants are differences of
-/// products of 60 bits and more.
+/// JJᵀ of integers near 2²⁶ … 2³⁰ in two columns, so that determinants are differences of products
+/// of 60 bits and more.
 fn cancelling(random: &mut Random) -> Numbers {
     let n = random.whole(1, 3) as usize;
     let size = 2f64.powi(random.whole(26, 30) as i32);
@@ -401,7 +400,7 @@ fn any(random: &mut Random) -> Numbers {
     Numbers::new(a, b)
 }
 
-/// JJᵀ or any numbers, some of them replaced, in pairs so that symmetric A stays so.
+/// JJᵀ or arbitrary numbers, some of them replaced, in pairs so that a symmetric A stays symmetric.
 fn extremes(random: &mut Random) -> Numbers {
     const NASTY: [f64; 9] = [0.0, -0.0, 5e-324, 1e-310, 1e-300, 1e-150, 1e150, 1e300, -1e300];
     let mut numbers = if random.whole(0, 1) == 0 { contacts(random) } else { any(random) };

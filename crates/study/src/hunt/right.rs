@@ -1,4 +1,4 @@
-//! A right answer, to be shown beside a wrong one.
+//! A correct answer for comparison with a wrong one.
 
 use dashu_ratio::RBig;
 
@@ -9,25 +9,25 @@ use lcplab_solver::{Method, Options, Settings};
 
 use crate::methods;
 
-/// Solvers that are asked where exact arithmetic has no answer, the most accurate ones first.
+/// The solvers used if exact arithmetic has no answer, the most accurate ones first.
 const ASKED: [&str; 7] =
     ["dantzig", "lemke", "block-pivoting", "newton", "cone-pgs", "apgd", "clarabel"];
-/// The residuals that are asked of them, one after the other.
+/// Their tolerances, tried one after the other.
 const TOLERANCES: [f64; 2] = [1e-12, 1e-9];
 
-/// A right answer, and where it comes from.
+/// A correct answer, and its source.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RightAnswer {
-    /// x, one number a row.
+    /// x, one number per row.
     pub x: Vec<f64>,
     /// How it was found, in a few words.
     pub source: String,
 }
 
 impl RightAnswer {
-    /// The right answer nearest to `own`: an exact solution, rounded, where all of them are known
-    /// (`exact`) or can be found, else one that the judge accepts from a solver of the library.
-    /// `None` if there is no solution, or none is found.
+    /// The correct answer nearest to `own`: an exact solution, rounded, if all of them are known
+    /// (`exact`) or can be found; otherwise one from a solver of the library that the judge
+    /// accepts. `None` if there is no solution, or none is found.
     pub fn of(
         posed: &Posed,
         model: Option<Model>,

@@ -1,12 +1,12 @@
-//! The search for a problem that breaks a solver: random starts, a climb from each, and the best of
-//! all made small.
+//! The search for a problem on which a solver fails: random starts, a climb from each, then
+//! shrinking of the best.
 //!
-//! A start is a problem of the [kinds](super::KINDS) or of a family of the library, if the search
-//! is about such problems, or JJᵀ of small whole numbers, + I where it must be definite. A climb
-//! makes small random changes and keeps what measures no less, until nothing has come of it for
-//! long. Climbs run side by side in rounds of a fixed size, each with random numbers of its own, so
+//! A start is a problem of the [kinds](super::KINDS) or of a family of the library, if it is valid
+//! for the search, or JJᵀ of small integers, + I if it must be definite. A climb makes small random
+//! changes and keeps those that do not lower the measure, until there has been no gain for a long
+//! time. Climbs run in parallel in rounds of a fixed size, each with its own random numbers, so
 //! that the same seed and budget find the same problem on any number of threads; a time limit only
-//! ends it sooner.
+//! ends the search sooner.
 
 use std::ops::RangeInclusive;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
@@ -22,73 +22,75 @@ use super::measure::{Measure, Score, Trial};
 use super::numbers::{Numbers, Random};
 use super::problem;
 
-/// Climbs side by side, however many threads there are.
+/// Number of parallel climbs, independent of the number of threads.
 const ROUND: usize = 16;
-/// Evaluations that a climb may take, and how many without any gain.
+/// Maximum number of evaluations in a climb, and of those without a gain.
 const CLIMB: usize = 4000;
 const PATIENCE: usize = 500;
-/// What still shows it while it is made smaller: this part of what was found.
+/// While a problem is shrunk, its measure must stay above this fraction of the original.
 const KEPT: f64 = 0.9;
-/// The same of what is there or is not: it may become small, but not too small to be seen.
+/// The same for yes-or-no measures: the value may become small, but must stay visible.
 const KEPT_OF_A_LIE: f64 = 0.1;
-/// A change may multiply the iterations by so much and is measured to the end, once they are above
-/// the least.
+/// A changed problem is evaluated up to this multiple of the current iterations, once they are
+/// above the minimum.
 const GROWTH: usize = 4;
 const LEAST_ITERATIONS: usize = 2000;
 
-/// Where to search, and for how long.
+/// The parameters of a search.
 #[derive(Debug, Clone)]
 pub struct Search {
-    /// How many rows the problem may have.
+    /// The allowed numbers of rows.
     pub rows: RangeInclusive<usize>,
-    /// How many problems are tried before the best one is made smaller.
+    /// The number of problems to try before the best one is shrunk.
     pub evaluations: usize,
     /// The seed of the random numbers.
     pub seed: u64,
-    /// Search no further once the measure is so large.
+    /// The search ends once the measure reaches this value.
     pub at_least: Option<f64>,
-    /// Problems to begin with, of any size.
+    /// Initial problems, of any size.
     pub from: Vec<Lcp>,
 }
 
-/// What was found.
+/// A counterexample.
 #[derive(Debug, Clone)]
 pub struct Catch {
-    /// The smallest problem that shows it.
+    /// The smallest problem that shows the behavior.
     pub lcp: Lcp,
     /// Its measure.
     pub value: f64,
-    /// The iterations that the solver takes.
+    /// The number of iterations of the solver.
     pub iterations: usize,
-    /// The measure of the one that was found at first.
+    /// The measure of the problem before shrinking.
     pub value_at_first: f64,
-    /// How many rows that had.
+    /// Its number of rows.
     pub rows_at_first: usize,
     /// The number of the evaluation that found it, from 1.
     pub evaluation: usize,
-    /// How many more it took to make it small.
+    /// The number of evaluations for shrinking it.
     pub shrinking: usize,
 }
 
-/// What came of a search.
+/// The result of a search.
 #[derive(Debug, Clone)]
 pub struct Searched {
-    /// The find, if there is one: a lie or a failure, or the largest measure above 0.
+    /// The counterexample, if there is one: a false claim or a failure, or the largest measure
+    /// above 0.
     pub catch: Option<Catch>,
-    /// Problems tried before the shrinking.
+    /// The number of problems tried before the shrinking.
     pub evaluations: usize,
-    /// How many of them the solver answered rightly.
+    /// The number of problems that the solver answered correctly.
     pub solved: usize,
-    /// How many of them the solver gave no answer to: it crashed, hung or wrote what nobody reads.
+    /// The number of problems without an answer: the solver crashed, timed out or wrote unreadable
+    /// output.
     pub unanswered: usize,
-    /// What the solver says of the first problem without an answer; of the first of all where it
-    /// has answered none rightly.
+    /// The solver's message on the first problem without an answer, or on the first problem if it
+    /// answered none correctly.
     pub trouble: Option<String>,
 }
 
 impl Searched {
-    /// Why the search says nothing of the solver: it has answered no problem at all rightly, or
-    /// some not at all.
+    /// Why the search says nothing about the solver: it answered no problem correctly, or some not
+    /// at all.
     pub fn useless(&self, solver: &str) -> Option<String> {
         let trouble =
             self.trouble.as_ref().filter(|_| self.catch.is_none() && self.evaluations > 0)?;
@@ -104,14 +106,14 @@ impl Searched {
     }
 }
 
-/// The best of a climb.
+/// The best problem of a climb.
 struct Climb {
     numbers: Numbers,
     score: Score,
-    /// The evaluation that found it, within the climb, and all of them.
+    /// The evaluation that found it, within the climb, and the number of all evaluations.
     at: usize,
     used: usize,
-    /// How many of them the solver answered rightly, and how many not at all.
+    /// How many of them the solver answered correctly, and how many not at all.
     solved: usize,
     unanswered: usize,
     /// The first without an answer.
@@ -119,7 +121,7 @@ struct Climb {
 }
 
 impl Climb {
-    /// One that has come here, after so many evaluations.
+    /// A climb that has arrived here after this number of evaluations.
     fn at(numbers: Numbers, score: Score, used: usize) -> Self {
         Climb { numbers, score, at: 0, used, solved: 0, unanswered: 0, first_unanswered: None }
     }
@@ -132,11 +134,11 @@ impl Score {
 }
 
 impl Search {
-    /// Whether it can be begun.
+    /// Checks that the search can start.
     ///
     /// # Errors
-    /// If the rows are none, more than exact arithmetic can follow, or too few for a contact with
-    /// friction; or if a problem to begin with is not one that the search is about.
+    /// If the range of rows is empty, exceeds what exact arithmetic can handle, or is too small for
+    /// a contact with friction; or if an initial problem is not valid for the search.
     pub fn validate(&self, trial: &Trial) -> Result<()> {
         let (least, most) = (*self.rows.start(), *self.rows.end());
         let mut defects = Defects::default();
@@ -158,7 +160,7 @@ impl Search {
         defects.into_result("search")
     }
 
-    /// Searches; `tick` hears how many more problems were tried.
+    /// Runs the search; `tick` receives the number of additional problems tried.
     pub fn run(&self, trial: &Trial, stop: &Stop, tick: &(dyn Fn(usize) + Sync)) -> Searched {
         let (mut evaluations, mut solved, mut round) = (0, 0, 0);
         let (mut unanswered, mut first_unanswered) = (0, None);
@@ -207,7 +209,7 @@ impl Search {
         Searched { catch, evaluations, solved, unanswered, trouble }
     }
 
-    /// What the solver says of the first problem.
+    /// The solver's message on the first problem.
     fn first_trouble(&self, trial: &Trial) -> Option<String> {
         let first = || self.start(trial, 0, &mut self.random(0)).lcp().ok();
         let lcp = self.from.first().cloned().or_else(first)?;
@@ -219,7 +221,7 @@ impl Search {
         Random::new(self.seed ^ 0x5eed, climb)
     }
 
-    /// The one of the given problems that measures most.
+    /// The given problem with the largest measure.
     fn given(
         &self,
         trial: &Trial,
@@ -241,7 +243,7 @@ impl Search {
         best
     }
 
-    /// Whether nothing more is to be found.
+    /// Whether the search is finished.
     fn ends(&self, trial: &Trial, score: &Score) -> bool {
         match self.at_least {
             Some(least) => score.value >= least && trial.measure.is_found(score.is_found),
@@ -289,8 +291,7 @@ impl Search {
         climb
     }
 
-    /// The problem where climb k begins: one that the search is about, if its class has such starts
-    /// at all.
+    /// The start of climb k: a problem valid for the search, if its class has such starts.
     fn start(&self, trial: &Trial, k: usize, random: &mut Random) -> Numbers {
         let rows = self.rows.clone();
         if trial.needs_friction() {
@@ -349,7 +350,7 @@ impl Search {
     }
 }
 
-/// The iterations that the next problem may take.
+/// The iteration limit for the next problem.
 fn most_iterations(trial: &Trial, before: &Score) -> usize {
     let most = trial.options.settings.max_iterations;
     match trial.measure {
@@ -360,7 +361,7 @@ fn most_iterations(trial: &Trial, before: &Score) -> usize {
     }
 }
 
-/// A problem of a family that has such sizes, at random.
+/// A random problem of a family that has such sizes.
 fn family(random: &mut Random, rows: RangeInclusive<usize>) -> Option<Lcp> {
     let families: Vec<_> = library::all().collect();
     let family = families[random.whole(0, families.len() as i64 - 1) as usize];
@@ -372,7 +373,7 @@ fn family(random: &mut Random, rows: RangeInclusive<usize>) -> Option<Lcp> {
     family.generate(&values).ok().map(|problem| problem.lcp)
 }
 
-/// The rows of a contact with friction: its normal and two tangents, or one where that is allowed.
+/// The rows of a contact with friction: its normal and two tangents, or one if that is allowed.
 fn contact_rows(trial: &Trial) -> usize {
     if trial.allows_single_tangents { 2 } else { 3 }
 }

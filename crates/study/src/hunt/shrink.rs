@@ -1,14 +1,14 @@
-//! The smallest problem that still shows it: fewer rows, plainer bounds, shorter numbers, as
-//! property-based testing shrinks a counterexample.
+//! Shrinks a counterexample to the smallest problem that still shows the behavior: fewer rows,
+//! simpler bounds, shorter numbers, as in property-based testing.
 
 use std::ops::Range;
 
 use super::numbers::Numbers;
 
-/// Numbers are made plainer only once so few rows are left.
+/// Maximum number of rows for which numbers are simplified.
 const NUMBERED: usize = 24;
 
-/// Rows to leave out: a half, a quarter, an eighth of them, and so on to one.
+/// Rows to remove: halves, quarters, eighths, and so on, down to single rows.
 fn parts(n: usize) -> impl Iterator<Item = Range<usize>> {
     let sizes = (1..).map(move |k| n >> k).take_while(|&size| size > 1).chain([1]);
     sizes
@@ -16,12 +16,12 @@ fn parts(n: usize) -> impl Iterator<Item = Range<usize>> {
         .flat_map(move |size| (0..n.div_ceil(size)).map(move |k| k * size..((k + 1) * size).min(n)))
 }
 
-/// What makes a problem simpler.
+/// A simplification.
 pub(super) enum Simpler {
-    /// To leave out these rows. The problem is made when it is tried, for one of a thousand rows
-    /// takes 8 MB.
+    /// Remove these rows. The problem is built only when it is tried, because one with a thousand
+    /// rows takes 8 MB.
     Without(Range<usize>),
-    /// To put this problem in its place.
+    /// Replace the problem by this one.
     Numbers(Numbers),
 }
 
@@ -36,14 +36,14 @@ impl Simpler {
 }
 
 impl Numbers {
-    /// What would make this problem simpler, the boldest first.
+    /// The possible simplifications of this problem, the largest first.
     pub fn simpler(&self) -> Vec<Simpler> {
         let n = self.len();
         let numbers = if n > NUMBERED { Vec::new() } else { self.plainer() };
         parts(n).map(Simpler::Without).chain(numbers.into_iter().map(Simpler::Numbers)).collect()
     }
 
-    /// The same rows with plainer numbers.
+    /// The same rows with simpler numbers.
     fn plainer(&self) -> Vec<Numbers> {
         let (n, mut all) = (self.len(), Vec::new());
         if self.friction.is_some() {
@@ -144,11 +144,11 @@ impl Numbers {
         }));
     }
 
-    /// What a reader has to take in: rows first, then the digits of all numbers.
+    /// The complexity for a reader: first the number of rows, then the digits of all numbers.
     pub fn effort(&self) -> (usize, usize) {
         let a = self.a.iter().flatten();
         let mu = self.friction.iter().flat_map(|(index, mu)| {
-            // the first of a contact's tangents stands for all of them
+            // the first tangent of a contact represents all of them
             index.iter().zip(mu).map(|(k, mu)| if k.is_some() { *mu } else { 0.0 })
         });
         let numbers = a.chain(&self.b).copied().chain(mu);
@@ -161,7 +161,7 @@ impl Numbers {
     }
 }
 
-/// The signs that it takes to write a number; none for 0.
+/// The number of characters needed to write a number; 0 for 0.
 fn length(value: f64) -> usize {
     if value == 0.0 { usize::from(value.is_sign_negative()) } else { format!("{value:?}").len() }
 }
@@ -184,7 +184,7 @@ fn simpler(value: f64) -> Vec<f64> {
     all
 }
 
-/// The number with one digit and so many more.
+/// The number rounded to one digit plus this many more.
 fn rounded(value: f64, count: usize) -> f64 {
     format!("{value:.count$e}").parse().unwrap_or(value)
 }

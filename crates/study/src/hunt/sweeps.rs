@@ -1,13 +1,14 @@
-//! Whether an answer without a status may be the last iterate of a solver that ran out of sweeps.
+//! Decides whether an answer without a status may be the last iterate of a solver that ran out of
+//! sweeps.
 //!
-//! Many plug-ins do a fixed number of sweeps and return x. Such an x need not be a claim that it
-//! solves the problem, and a search that counted every one as a false claim would find the hardest
-//! problem, not the bug. So an x without a status counts as a false claim only where plain
-//! projected Gauss-Seidel comes twice as near, both after as many sweeps and after half as many, in
-//! whichever order the rows are swept: forward, backward, both, or at random. With friction sweeps
-//! may go round in circles, so all iterates between the two are looked at. A method that is slower
-//! than that, as Jacobi's is where A is not diagonally dominant, is named. A solver that does not
-//! say how many sweeps it did is taken to do four.
+//! Many plug-ins do a fixed number of sweeps and return x. Such an x need not be a claim to have
+//! solved the problem, and a search that counted every one as a false claim would find the hardest
+//! problem, not the bug. Therefore an x without a status counts as a false claim only if plain
+//! projected Gauss-Seidel comes twice as near, both after the same number of sweeps and after half
+//! of it, in every tested order of the rows: forward, backward, symmetric, or random. With
+//! friction, sweeps may cycle, so all iterates between the two are tested. A slower method, such as
+//! Jacobi if A is not diagonally dominant, is still reported. A solver that does not report its
+//! number of sweeps is assumed to do four.
 
 use std::ops::ControlFlow;
 
@@ -17,19 +18,19 @@ use lcplab_solver::{
     ConePgs, Iterate, Observer, Order, Pgs, PolygonPgs, Settings, Solution, Solver, Start,
 };
 
-/// Sweeps of a solver that does not say how many it did.
+/// The assumed number of sweeps of a solver that does not report it.
 const USUAL: usize = 4;
-/// More sweeps are not repeated.
+/// Maximum number of sweeps that are repeated.
 const MOST: usize = 10_000;
-/// So many random orders are tried.
+/// Number of random orders that are tried.
 const SHUFFLES: u64 = 4;
-/// So many iterates are looked at on the way.
+/// Number of intermediate iterates that are tested.
 const LOOKS: usize = 8;
 /// The same sweeps from another start differ by less than this factor.
 const LIKE: f64 = 2.0;
 
-/// The largest scaled residual that plain projected Gauss-Seidel leaves from half as many sweeps as
-/// the solution took up to as many, in any of several orders, times two; that of x = Π(0) where it
+/// The largest scaled residual of plain projected Gauss-Seidel between half the sweeps of the
+/// solution and all of them, in any of several orders, times two; that of x = Π(0) if Gauss-Seidel
 /// cannot sweep.
 pub(super) fn residual_left(posed: &Posed, solution: &Solution, tolerance: f64) -> f64 {
     let sweeps = if solution.iterations > 1 { solution.iterations.min(MOST) } else { USUAL };
@@ -45,7 +46,7 @@ pub(super) fn residual_left(posed: &Posed, solution: &Solution, tolerance: f64) 
     LIKE * orders.map(left).fold(0.0, f64::max)
 }
 
-/// Keeps every so manieth iterate from one on.
+/// An observer that keeps iterates at a fixed interval from a given one on.
 struct Kept {
     from: usize,
     stride: usize,
@@ -62,7 +63,8 @@ impl Observer for Kept {
     }
 }
 
-/// x after so many sweeps of plain projected Gauss-Seidel; polygons and cones have one order.
+/// x after this number of sweeps of plain projected Gauss-Seidel; polygons and cones have only one
+/// order.
 fn swept(
     posed: &Posed,
     sweeps: usize,

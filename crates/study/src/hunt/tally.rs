@@ -1,25 +1,25 @@
-//! What came of a hunt, solver by solver.
+//! The result of a hunt, solver by solver.
 
 use serde::Serialize;
 
 use super::{Claim, Lie, cone};
 use lcplab_solver::Settings;
 
-/// At most this many lies of a solver are kept; all are counted.
+/// Maximum number of false claims kept per solver; all are counted.
 const KEPT: usize = 20;
 
-/// What came of a hunt.
+/// The result of a hunt.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Record {
-    /// How many problems there were.
+    /// The number of problems.
     pub problems: usize,
-    /// How many contacts with a cone.
+    /// The number of contacts with a cone.
     pub contacts: usize,
-    /// Solver by solver, in the order they were given; those of cones after them.
+    /// The tallies of the solvers in the given order, followed by the cone solvers.
     pub tallies: Vec<Tally>,
 }
 
-/// What a solver said of all problems.
+/// The claims of a solver on all problems.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Tally {
     /// The solver.
@@ -28,29 +28,28 @@ pub struct Tally {
     pub proved: usize,
     /// Answers within the tolerance.
     pub within: usize,
-    /// Answers within the tolerance to problems of which the judge proves that they have no
-    /// solution.
+    /// Answers within the tolerance to problems that the judge proves to have no solution.
     pub refused: usize,
-    /// Problems of which it was proved that they have no solution.
+    /// Problems proved to have no solution.
     pub impossible: usize,
-    /// No answer, for a reason that was given.
+    /// No answer, with a reason.
     pub unsolved: usize,
-    /// Problems that are not of its class.
+    /// Problems outside its class.
     pub outside: usize,
-    /// Claims that are not true.
+    /// False claims.
     pub lied: usize,
     /// The first of those: the problem's number, its kind, and what is wrong.
     pub lies: Vec<(usize, &'static str, String)>,
 }
 
 impl Record {
-    /// Of no problem.
+    /// A record without problems.
     pub(super) fn empty(solvers: impl Iterator<Item = &'static str>) -> Record {
         let tally = |name: &str| Tally { solver: name.to_string(), ..Tally::default() };
         Record { problems: 0, contacts: 0, tallies: solvers.map(tally).collect() }
     }
 
-    /// Of one problem of a kind.
+    /// The record of one problem of a kind.
     pub(super) fn of(
         number: usize,
         kind: &'static str,
@@ -61,7 +60,7 @@ impl Record {
         Record { problems: 1, contacts: 0, tallies: claims.iter().map(tally).collect() }
     }
 
-    /// Of both.
+    /// The sum of both.
     pub(super) fn and(self, other: Record) -> Record {
         let tallies = self.tallies.into_iter().zip(other.tallies);
         Record {
@@ -71,7 +70,7 @@ impl Record {
         }
     }
 
-    /// With what the solvers of cones say of the first contacts of a seed.
+    /// The record with the claims of the cone solvers on the first contacts of a seed.
     #[must_use]
     pub fn with_cones(mut self, seed: u64, contacts: usize, settings: &Settings) -> Record {
         self.contacts += contacts;
@@ -79,14 +78,14 @@ impl Record {
         self
     }
 
-    /// Whether nobody lied.
+    /// Whether there are no false claims.
     pub fn is_honest(&self) -> bool {
         self.tallies.iter().all(|tally| tally.lied == 0)
     }
 }
 
 impl Tally {
-    /// How many problems the solver answered rightly.
+    /// The number of problems that the solver answered correctly.
     pub fn right(&self) -> usize {
         self.proved + self.within + self.refused + self.impossible
     }

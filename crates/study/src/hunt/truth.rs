@@ -1,4 +1,4 @@
-//! What a solver claims of a problem, what the judge says of it, and what is true.
+//! A solver's claim on a problem, the judge's verdict, and the truth.
 
 use lcplab_judge::{Demand, Refusal, Verdict, judge, judge_friction, refutation};
 use lcplab_problem::Lcp;
@@ -9,55 +9,55 @@ use lcplab_solver::{Solution, Status};
 
 use super::sweeps::residual_left;
 
-/// What exact arithmetic knows of a problem.
+/// The truth about a problem, from exact arithmetic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Truth {
     /// It has a solution.
     Solvable,
     /// It has none.
     Impossible,
-    /// Neither was shown.
+    /// Unknown: neither was shown.
     Unknown,
 }
 
-/// What a solver says of a problem, with the judge's verdict.
+/// A solver's claim on a problem, with the judge's verdict.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Claim {
-    /// A solution, and the judge proves that there is one beside it.
+    /// A solution, and the judge proves that an exact one is near it.
     Proved,
     /// A solution, and the judge finds it within the tolerance.
     Within,
-    /// A solution, within the tolerance too, but the judge proves that there is none.
+    /// A solution within the tolerance, but the judge proves that the problem has none.
     Refused,
-    /// No solution exists, and the judge proves that.
+    /// No solution exists, and the judge proves it.
     Impossible,
-    /// No answer, for a reason that it gives.
+    /// No answer, with a reason.
     Unsolved,
-    /// The problem is not of its class.
+    /// The problem is outside its class.
     Outside,
-    /// Something that is not true.
+    /// A false claim or verdict.
     Lie(Lie),
 }
 
 /// A claim, or a verdict, that is not true.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Lie {
-    /// *Solved*, and row `row` misses by `amount` of its terms.
+    /// *Solved*, but row `row` has the relative residual `amount`.
     Refuted {
         /// The worst row.
         row: usize,
         /// Its scaled residual.
         amount: f64,
     },
-    /// *Solved*, and x is no nearer to a solution than Π(0).
+    /// *Solved*, but x is no nearer to a solution than Π(0).
     Worthless,
-    /// *Solved*, and x is not finite.
+    /// *Solved*, but x is not finite.
     NotFinite,
-    /// *No solution*, and there is one.
+    /// *No solution*, but there is one.
     DeniedASolution,
-    /// The judge says *proved* or *within tolerance*, and there is no solution.
+    /// The judge says *proved* or *within tolerance*, but there is no solution.
     Accepted,
-    /// The judge says that there is no solution, and there is one.
+    /// The judge says that there is no solution, but there is one.
     WronglyRefused,
 }
 
@@ -81,7 +81,7 @@ impl std::fmt::Display for Lie {
 }
 
 impl Truth {
-    /// What all pieces of a problem say, where a claim depends on it; coupled rows included.
+    /// The truth from all pieces of a problem, including coupled rows, if a claim depends on it.
     pub fn of<'a>(lcp: &Lcp, mut claims: impl Iterator<Item = &'a Claim>) -> Truth {
         let depends = |claim: &Claim| {
             matches!(claim, Claim::Proved | Claim::Within | Claim::Refused | Claim::Impossible)
@@ -98,16 +98,16 @@ impl Truth {
 }
 
 impl Claim {
-    /// The claim of a solution to an LCP, as far as the judge can see.
+    /// The claim of a solution to an LCP, as far as the judge can decide.
     pub fn of(lcp: &Lcp, solution: &Solution, tolerance: f64) -> Claim {
         Claim::under(&Posed::Boxed(lcp.clone()), solution, tolerance)
     }
 
-    /// The claim of a solution under a friction model, as far as the judge can see.
+    /// The claim of a solution under a friction model, as far as the judge can decide.
     ///
-    /// An x without a status that the judge rejects is no claim where it may be the last iterate of
-    /// a solver that ran out of sweeps: where plain projected Gauss-Seidel, too, does not come
-    /// twice as near after as many.
+    /// An x without a status that the judge rejects is not a claim if it may be the last iterate of
+    /// a solver that ran out of sweeps: if plain projected Gauss-Seidel does not come twice as near
+    /// in the same number of sweeps either.
     pub fn under(posed: &Posed, solution: &Solution, tolerance: f64) -> Claim {
         match Claim::stated(posed, solution, tolerance) {
             Claim::Lie(Lie::Refuted { amount, .. })
@@ -120,7 +120,7 @@ impl Claim {
         }
     }
 
-    /// The claim, taken at its word.
+    /// The claim, taken literally.
     fn stated(posed: &Posed, solution: &Solution, tolerance: f64) -> Claim {
         match &solution.status {
             Status::Solved if solution.x.iter().any(|x| !x.is_finite()) => {
@@ -146,7 +146,7 @@ impl Claim {
         }
     }
 
-    /// *Solved*, and what the judge says of it.
+    /// The claim *solved*, with the judge's verdict on it.
     fn judged(verdict: Verdict) -> Claim {
         match verdict {
             Verdict::Proved { .. } => Claim::Proved,
@@ -161,13 +161,12 @@ impl Claim {
         }
     }
 
-    /// Whether the solver has answered the problem: with a solution, or rightly with the word that
-    /// there is none.
+    /// Whether the solver answered the problem: with a solution, or correctly that there is none.
     pub fn is_right(&self) -> bool {
         matches!(self, Claim::Proved | Claim::Within | Claim::Refused | Claim::Impossible)
     }
 
-    /// Holds a claim, and the judge's verdict on it, against the truth.
+    /// Compares a claim, and the judge's verdict on it, with the truth.
     pub(super) fn weigh(&mut self, truth: Truth) {
         match (truth, &self) {
             (Truth::Impossible, Claim::Proved | Claim::Within) => *self = Claim::Lie(Lie::Accepted),
@@ -178,8 +177,8 @@ impl Claim {
     }
 }
 
-/// Whether the judge proves that there is no solution; `None` of cones and rounded polygons, of
-/// which it proves nothing.
+/// Whether the judge proves that there is no solution; `None` for cones and rounded polygons, for
+/// which no proof is possible.
 fn refuted(posed: &Posed, hints: &[&[f64]]) -> Option<bool> {
     match posed {
         Posed::Boxed(lcp) => Some(refutation(lcp, hints).is_some()),

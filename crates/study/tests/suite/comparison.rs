@@ -1,4 +1,4 @@
-//! What a comparison of solvers and levels measures, beside closed forms.
+//! The measurements of a comparison of solvers and levels, compared with closed forms.
 
 use lcplab_mechanics::scene::{Integrator, Scene, Scheme};
 use lcplab_solver::{Entry, Method, Stop, entry};
@@ -16,7 +16,7 @@ fn of(text: &str) -> Scene {
     Scene::from_toml("compared.toml", text).unwrap()
 }
 
-/// Two billiard balls without friction, e = 1; they meet askew within a step.
+/// Two billiard balls without friction, e = 1; they meet off-center within a step.
 const BILLIARDS: &str = "
     gravity = [0, 0, 0]
     contact.restitution = 1
@@ -56,7 +56,7 @@ fn where_bodies_meet_the_acceleration_level_is_exact_and_the_velocity_level_is_n
 
 #[test]
 fn where_a_body_spins_the_velocity_level_is_exact() {
-    // Dzhanibekov's brick: Euler's equations keep L and the energy, an Euler step of them does not.
+    // Dzhanibekov's brick: Euler's equations conserve L and the energy, an Euler step does not.
     let mut scene = Scene::load("dzhanibekov").unwrap();
     scene.step.integrator = Integrator::SemiImplicitEuler;
     let found = compared(&scene, &Scheme::LEVELS, &["dantzig"], 50);
@@ -104,8 +104,8 @@ fn a_solver_that_refuses_every_problem_is_no_candidate() {
 
 #[test]
 fn energy_that_nothing_may_take_is_named_with_its_account() {
-    // Three balls that touch, e = 1: one impulse for both contacts keeps the energy, and two blows
-    // within one step, across a gap, do not.
+    // Three balls in contact, e = 1: one impulse for both contacts conserves the energy; two
+    // impacts within one step, across a gap, do not.
     let text = "
         gravity = [0, 0, 0]
         contact.restitution = 1

@@ -1,4 +1,4 @@
-//! Each cause of trouble that the chapter lists has an input that shows it and a message that names
+//! Each cause of failure listed by the chapter has an input that shows it and a message that names
 //! it.
 
 use lcplab_judge::Demand;
@@ -34,8 +34,8 @@ fn equations(rows: &[&[f64]], b: &[f64]) -> Lcp {
 
 #[test]
 fn friction_of_a_polygon_that_no_forces_satisfy_is_called_impossible() {
-    // Every piece of the polygon's LCP was tried by hand-written rational code too: none holds a
-    // solution.
+    // Every piece of the polygon's LCP was also tried by hand-written rational code: none contains
+    // a solution.
     let text = r#"{"A": {"dense": [[1, -1, 0], [0, -1, -2], [-2, 2, 2]]}, "b": [-2, 0, 0],
                    "friction_index": [-1, 0, 0], "mu": [0, 2, 2], "model": "polygon-4"}"#;
     let found = problem(&Problem::parse(text, "polygon").unwrap()).unwrap();
@@ -71,12 +71,12 @@ fn the_three_rows_of_figure_8_are_proved_impossible() {
 
 #[test]
 fn a_body_wedged_between_walls_that_close_in_is_proved_impossible() {
-    // Both walls push it, w = (x₀ − x₁ − 1, x₁ − x₀ − 1): the sum is −2, whatever x.
+    // Both walls push it, w = (x₀ − x₁ − 1, x₁ − x₀ − 1): the sum is −2, for any x.
     let found = of_lcp(contacts(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-1.0, -1.0]));
     assert!(
         matches!(&found.causes[0], Cause::Impossible { rows, proof: Proof::Vector } if rows == &["0", "1"])
     );
-    // Walls that give way leave it a solution.
+    // Compliant walls leave a solution.
     let found = of_lcp(contacts(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-1.0, 1.0]));
     assert_eq!(names(&found), ["over-constrained"]);
     assert!(found.is_sound());
@@ -130,7 +130,7 @@ fn a_row_that_acts_on_nothing_is_named() {
     let found = of_lcp(equations(&[&[1.0, 0.0], &[0.0, 0.0]], &[1.0, 0.0]));
     assert_eq!(found.causes, [Cause::ZeroRow { row: "1".into() }]);
     assert_eq!(found.regularity.unwrap().zero_rows, [1]);
-    // One that asks for something besides cannot be satisfied.
+    // With an additional demand it cannot be satisfied.
     let found = of_lcp(equations(&[&[1.0, 0.0], &[0.0, 0.0]], &[1.0, 2.0]));
     assert_eq!(names(&found), ["impossible", "zero row"]);
 }
@@ -245,7 +245,7 @@ constraints = [
 ]
 "#;
 
-/// A box nailed at two of its points can turn about the line through them.
+/// A box nailed at two of its points can rotate about the line through them.
 const TWO_NAILS: &str = r#"
 bodies = [{ name = "box", shape = { box = [1, 1, 1] }, mass = 1 }]
 constraints = [
@@ -324,7 +324,7 @@ fn integer_rank(entries: &[i32]) -> usize {
 
 #[test]
 fn the_diagnosis_looks_at_the_level_that_the_scene_is_stepped_on() {
-    // Painlevé's rod slides: at acceleration level no force keeps it out of the ground.
+    // Painlevé's rod slides: at acceleration level no force keeps it from penetrating the ground.
     let mut rod = Scene::load("painleve").unwrap();
     rod.step.scheme = Scheme::Acceleration;
     let found = scene(&rod, 1).unwrap();
@@ -358,7 +358,7 @@ fn of_shipped_scenes_those_are_called_impossible_that_have_no_solution() {
         let found = lcplab_study::diagnosis::scene(&scene, 1).unwrap();
         let mut scene = scene;
         if scene.solver.name == "pgs" {
-            // Some stop after a few sweeps, to be looked at.
+            // Some stop after a few sweeps, so that they can be examined.
             (scene.solver.name, scene.solver.max_iterations) = ("dantzig".into(), 10_000);
         }
         let step = lcplab_mechanics::simulation::Step::of(&scene, 1);
@@ -369,7 +369,7 @@ fn of_shipped_scenes_those_are_called_impossible_that_have_no_solution() {
     }
 }
 
-/// The causes that are found in an LCP with bounds 0 and ∞.
+/// The causes found in an LCP with bounds 0 and ∞.
 fn causes(rows: &[&[f64]], b: &[f64]) -> Vec<Cause> {
     of_lcp(contacts(rows, b)).causes
 }
@@ -382,11 +382,11 @@ fn a_row_that_hardly_any_impulse_moves_is_named_with_the_impulse() {
     assert_eq!(found, row("1", 1e-20, 1e20));
     assert!(!found.is_fatal() && found.to_string().contains("10²⁰"), "{found}");
     assert!(!found.to_string().contains("pivoting"), "{found}");
-    // By itself too; and b / a may be beyond all doubles.
+    // Alone too; and b / a may overflow.
     assert_eq!(causes(&[&[1e-20]], &[-1.0]), [row("0", 1e-20, 1e20)]);
     assert_eq!(causes(&[&[1e-310]], &[-1.0]), [row("0", 1e-310, INF)]);
     assert_eq!(causes(&[&[1.0, 0.0], &[0.0, 1e-310]], &[-1.0, -1.0]), [row("1", 1e-310, INF)]);
-    // A contact that separates asks for nothing, and a motor for its effort at most.
+    // A contact that separates needs no impulse, and a motor at most its effort.
     assert_eq!(causes(&[&[1.0, 0.0], &[0.0, 1e-20]], &[-1.0, 1.0]), []);
     let motor = boxed(&[&[1.0, 0.0], &[0.0, 1e-20]], &[-1.0; 2], &[0.0; 2], &[INF, 10.0]);
     assert_eq!(of_lcp(motor).causes, []);

@@ -1,4 +1,4 @@
-//! Numbers at the edge of what a double holds: every solver keeps its word there.
+//! Numbers near the limits of doubles: no solver makes a false claim.
 
 use lcplab_judge::Demand;
 use lcplab_problem::{Lcp, Matrix};
@@ -21,7 +21,7 @@ struct Feasible {
     units: Vec<i32>,
     /// x and w are 2^k times as large.
     load: i32,
-    /// Zeros that get a minus.
+    /// Zeros with a minus sign.
     negative: u64,
 }
 
@@ -63,7 +63,7 @@ impl Feasible {
     }
 }
 
-/// value · 2^k, also where 2^k itself is no double.
+/// value · 2^k, even if 2^k itself is not a double.
 fn times_power_of_two(value: f64, k: i32) -> f64 {
     value * 2f64.powi(k / 2) * 2f64.powi(k - k / 2)
 }
@@ -88,7 +88,7 @@ fn feasible(
     )
 }
 
-/// What must hold of every solver on a problem that has a solution.
+/// Requirements on every solver for a problem with a solution.
 fn keeps_its_word(lcp: &Lcp) -> Result<(), TestCaseError> {
     let settings = Settings { max_iterations: 300, ..Settings::default() };
     for entry in ALL {
@@ -129,7 +129,7 @@ proptest! {
     }
 }
 
-/// x = 10⁶⁰⁰ solves the first row, and is no number of 64 bits.
+/// x = 10⁶⁰⁰ solves the first row, but is not a 64-bit number.
 #[test]
 fn a_solution_beyond_the_largest_number_is_not_denied() {
     for rest in [vec![], vec![1.0]] {

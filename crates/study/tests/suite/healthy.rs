@@ -1,5 +1,4 @@
-//! Scenes in which nothing is wrong: no cause may be named, whatever acts in them and however they
-//! are stepped.
+//! Scenes in which nothing is wrong: no cause may be reported, for any forces and schemes.
 
 use lcplab_mechanics::constraint::ALL;
 use lcplab_mechanics::scene::Scene;
@@ -10,10 +9,10 @@ const GROUND: &str = "[[bodies]]\nname = \"ground\"\nfixed = true\nshape = { pla
 /// A wall whose face is at x = 0.6.
 const WALL: &str = "[[bodies]]\nname = \"wall\"\nfixed = true\nshape = { box = [0.2, 4, 4] }\nposition = [0.7, 0, 0]\n";
 
-/// Nothing falls.
+/// Without gravity.
 const WEIGHTLESS: &str = "gravity = [0, 0, 0]\n";
 
-/// So many steps of this length (s).
+/// The settings for a number of steps of this length (s).
 fn steps(dt: f64, count: usize, more: &str) -> String {
     format!("[step]\ndt = {dt}\ncount = {count}\n{more}\n")
 }
@@ -29,7 +28,7 @@ fn joint(kind: &str, bodies: &[&str], more: &str) -> String {
     format!("[[constraints]]\nkind = {kind:?}\nbodies = {bodies:?}\n{more}\n")
 }
 
-/// Cubes of these masses on each other, the lowest first.
+/// A tower of cubes with these masses, the lowest first.
 fn tower(masses: &[f64]) -> String {
     let cubes = masses
         .iter()
@@ -38,7 +37,7 @@ fn tower(masses: &[f64]) -> String {
     GROUND.to_string() + &cubes.collect::<String>()
 }
 
-/// A block on a rail along x that a motor presses against something.
+/// A block on a rail along x that a motor presses against an obstacle.
 fn pressed(effort: f64) -> String {
     cube("block", 1.0, 1.0, [0.0, 0.0, 0.0], "")
         + &joint("slider", &["block"], "axis = [1, 0, 0]")
@@ -75,7 +74,7 @@ fn opposed(effort: f64) -> String {
     cube("base", 0.5, 5.0, [0.0, 0.0, 0.0], "") + &arm("left", -0.2) + &arm("right", 0.2)
 }
 
-/// Four bars on four hinges: a closed loop, in which forces may be shared in many ways.
+/// Four bars on four hinges: a closed loop, in which forces can be shared in many ways.
 fn four_bars() -> String {
     let bar = |name: &str, x: f64, z: f64| cube(name, 0.2, 1.0, [x, 0.0, z], "");
     let hinge = |pair: &[&str], x: f64, z: f64| {
@@ -90,8 +89,8 @@ fn four_bars() -> String {
         + &hinge(&["c"], 1.0, 0.0)
 }
 
-/// A body that hangs on each kind of joint, beside or under the point (0, 0, 1), with what holds
-/// the rest.
+/// A body that hangs from each kind of joint, next to or below the point (0, 0, 1), with
+/// constraints for the remaining degrees of freedom.
 fn hanging() -> Vec<(String, String)> {
     let (post, across, along) = ("point = [0, 0, 1]\n", "axis = [0, 1, 0]\n", "axis = [1, 0, 0]\n");
     let nail = || joint("nail", &["body"], post);
@@ -141,7 +140,7 @@ fn hanging() -> Vec<(String, String)> {
     hung.collect()
 }
 
-/// Two wheels and what joins them.
+/// Two wheels and the joint between them.
 fn wheels(kind: &str, fields: &str) -> String {
     let wheel = |name: &str, x: f64| {
         cube(name, 0.3, 1.0, [x, 0.0, 0.0], "")

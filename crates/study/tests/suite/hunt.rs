@@ -1,4 +1,4 @@
-//! Whether the solvers are honest, and whether the hunt would notice if they were not.
+//! Tests solvers for false claims, and tests that the hunt detects false claims.
 
 use lcplab_judge::{Demand, judge_cone};
 use lcplab_problem::{Complementarity, Lcp};
@@ -10,7 +10,7 @@ use lcplab_study::hunt::{Claim, Hunt, KINDS, Lie, claims, problem};
 
 use lcplab_testing::{INF, boxed};
 
-/// Always says the same.
+/// Always gives the same answer.
 struct Liar(Status, f64);
 
 impl Solver for Liar {
@@ -57,12 +57,12 @@ fn a_wrong_answer_called_solved_is_noticed() {
 fn a_denied_solution_is_noticed() {
     let lcp = boxed(&[&[2.0]], &[-6.0], &[0.0], &[INF]);
     assert_eq!(said(&lcp, Status::NoSolution, 0.0), Claim::Lie(Lie::DeniedASolution));
-    // w = −1 whatever x: no solution, and 1 is the Farkas vector.
+    // w = −1 for any x: no solution, and 1 is the Farkas vector.
     let lcp = boxed(&[&[0.0]], &[-1.0], &[0.0], &[INF]);
     assert_eq!(said(&lcp, Status::NoSolution, 0.0), Claim::Impossible);
     let ray = Status::Ray { row: 0, direction: vec![1.0] };
     assert_eq!(said(&lcp, ray, 0.0), Claim::Impossible);
-    // A wrong vector leads the judge to the right one, and to nothing where there is a solution.
+    // A wrong vector leads the judge to the right one, and to nothing if there is a solution.
     let ray = || Status::Ray { row: 0, direction: vec![-1.0] };
     assert_eq!(said(&lcp, ray(), 0.0), Claim::Impossible);
     let lcp = boxed(&[&[2.0]], &[-6.0], &[0.0], &[INF]);
@@ -88,8 +88,8 @@ fn an_answer_to_a_problem_that_misses_a_solution_by_less_than_the_tolerance_is_r
 
 #[test]
 fn a_bound_that_is_missed_is_seen_beside_terms_of_any_size() {
-    // w1 = −1e300 x1 + e x2, w2 = e x1 + 3, x1 ≥ 0, x2 ≥ −2, e = 5e-324: w2 > 0 asks for x2 = −2,
-    // and then w1 < 0 whatever x1. At 0 row 2 misses its bound by all of it, though in units of 3/e
+    // w1 = −1e300 x1 + e x2, w2 = e x1 + 3, x1 ≥ 0, x2 ≥ −2, e = 5e-324: w2 > 0 requires x2 = −2,
+    // and then w1 < 0 for any x1. At 0 row 2 violates its bound completely, though in units of 3/e
     // hardly at all.
     let (a, e) = (-1e300, 5e-324);
     let lcp = boxed(&[&[a, e], &[e, 0.0]], &[0.0, 3.0], &[0.0, -2.0], &[INF; 2]);
@@ -108,7 +108,7 @@ fn the_judge_of_cones_knows_a_contact_in_any_units() {
     for (k, truth) in truths.iter().enumerate() {
         let [n, t1, t2] = truth.x;
         assert!(accepts(truth, truth.x), "{k}: {truth:?}");
-        // Friction that moves the slip by less than the tolerance cannot be seen in it.
+        // Friction that changes the slip by less than the tolerance cannot be detected in it.
         let slip = truth.problem.lcp().b()[1].hypot(truth.problem.lcp().b()[2]);
         let brake = truth.problem.lcp().matrix().diagonal(1) * t1.hypot(t2);
         if truth.slides && brake > 1e-6 * slip {
@@ -152,7 +152,7 @@ fn a_hunt_counts_each_contact_of_each_solver_of_cones_once() {
         assert_eq!((all.within + all.unsolved, all.lied), (200, 0), "{:?}", all.lies);
         assert!(all.within >= few.within && all.within > 140, "{}: {}", all.solver, all.within);
     }
-    // With no steps at all nothing but a start that is the answer is claimed.
+    // Without any steps only a start that is the answer is claimed.
     let none = Settings { max_iterations: 0, ..Settings::default() };
     assert!(tallies(6, 200, &none).iter().all(|tally| tally.unsolved > 50 && tally.lied == 0));
 }

@@ -1,5 +1,5 @@
-//! What a search reports is true: the problem is of the class that was asked for, a right solver is
-//! never accused, and the answer that is shown is the solver's own.
+//! The reports of a search are true: the problem is of the requested class, a correct solver is
+//! never accused, and the answer shown is the solver's own.
 
 use dashu_ratio::RBig;
 use lcplab_problem::exact::all_solutions;
@@ -17,17 +17,17 @@ use lcplab_testing::boxed;
 /// mistake, or none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Sweeps {
-    /// As it should be.
+    /// Correct.
     Right,
-    /// µ² in place of µ.
+    /// µ² instead of µ.
     MuSquared,
     /// Friction bounds from the x after the first sweep.
     FirstBound,
-    /// Each increment clamped at the bounds, in place of their sum.
+    /// Each increment clamped at the bounds, instead of their sum.
     ClampedIncrements,
     /// Friction bounds from the row after the normal.
     NextIndex,
-    /// µ / √2 in place of µ.
+    /// µ / √2 instead of µ.
     OverRootTwo,
 }
 
@@ -73,8 +73,8 @@ impl Sweeps {
     }
 }
 
-/// A solver that does so many sweeps and returns x without a status; `says` how many it did, or
-/// nothing.
+/// A solver that does this number of sweeps and returns x without a status; `says` is the number
+/// that it reports, if any.
 struct Engine {
     sweeps: Sweeps,
     count: usize,
@@ -97,7 +97,7 @@ impl Solver for Engine {
     }
 }
 
-/// The first exact solution, rounded, without a status; nothing where there is none.
+/// The first exact solution, rounded, without a status; no answer if there is none.
 struct Exact;
 
 impl Solver for Exact {
@@ -317,7 +317,7 @@ fn every_problem_of_the_default_class_has_a_solution() {
     assert!(caught > 0);
 }
 
-/// Gauss-Seidel for cones that lets friction reach into the corners of a square.
+/// Gauss-Seidel for cones that limits friction by a square.
 struct Square;
 
 impl ConeSolver for Square {
@@ -423,7 +423,7 @@ fn a_start_outside_the_class_is_refused_and_one_beside_it_is_repaired_with_words
     let repaired = given(&rounded, Some(MatrixClass::Definite)).unwrap();
     assert!(definiteness(rational(&repaired.problems[0])).1);
     assert!(repaired.notes[0].contains("only up to rounding"), "{:?}", repaired.notes);
-    // What is exactly singular stays as it is.
+    // Exactly singular matrices are not changed.
     let copies = boxed(&[&[1.0, 1.0], &[1.0, 1.0]], &[-1.0; 2], &[0.0; 2], &[f64::INFINITY; 2]);
     let kept = given(&copies, None).unwrap();
     assert_eq!((kept.within, kept.notes.len()), (MatrixClass::Semidefinite, 0));
@@ -451,7 +451,8 @@ fn the_scale_of_a_given_problem_stays_and_frozen_bounds_that_do_not_are_told() {
 
 #[test]
 fn a_hunt_from_an_identity_with_friction_keeps_to_its_class() {
-    // Shrinking took this start to A = diag(−1e-6, 3e22), "semidefinite" beside its largest entry.
+    // Shrinking turned this start into A = diag(−1e-6, 3e22), "semidefinite" relative to its
+    // largest entry.
     let text = r#"{"A": {"dense": [[1,0,0],[0,1,0],[0,0,1]]}, "b": [-2,-3,-3],
                    "friction_index": [-1,0,0], "mu": [0,0.5,0.5]}"#;
     let problem = Problem::parse(text, "tiny_box.json").unwrap();

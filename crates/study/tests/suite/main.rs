@@ -1,4 +1,4 @@
-//! The judge beside the solvers it does not know, derivations, diagnoses and the hunt.
+//! The judge with solvers it does not know, derivations, diagnoses and the hunt.
 
 mod certificate;
 mod comparison;

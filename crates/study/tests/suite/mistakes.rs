@@ -1,4 +1,4 @@
-//! Which known mistakes give exactly this x? Each mistake is made here by a program of its own.
+//! The known mistakes that give exactly this x, each made here by an independent program.
 
 mod chance;
 mod plain;
@@ -42,7 +42,7 @@ fn w(lcp: &Lcp, x: &[f64], i: usize) -> f64 {
     terms.fold(lcp.b()[i], |sum, term| sum + term)
 }
 
-/// Sweeps over these rows, as one writes them down.
+/// Textbook sweeps over these rows.
 fn swept(lcp: &Lcp, rows: &[usize], sweeps: usize) -> Vec<f64> {
     let mut x = vec![0.0; lcp.len()];
     for _ in 0..sweeps {
@@ -151,14 +151,14 @@ fn single_precision_is_seen_and_is_the_yardstick() {
         }
         x.map(f64::from).to_vec()
     };
-    // The same sweeps in double precision are as near, as far as 32 bits can tell.
+    // The same sweeps in double precision are equally near, as far as 32 bits can distinguish.
     let found = mistakes(&lcp, &sweeps(10));
     assert_eq!(
         found[0].what,
         "projected Gauss-Seidel in single precision, stopped after 10 sweeps"
     );
     assert!(found.iter().any(|own| own.what == "projected Gauss-Seidel, stopped after 10 sweeps"));
-    // Converged, they are the solution but for the last bits.
+    // Converged, they are the solution up to the last bits.
     assert_eq!(mistakes(&lcp, &sweeps(300)), []);
     let rounded: Vec<f64> = exact(&lcp).iter().map(|&x| f64::from(x as f32)).collect();
     let [own, least] = single_precision(&lcp, &rounded).unwrap();
@@ -175,7 +175,7 @@ fn a_right_answer_is_no_mistake_and_an_unknown_one_stays_unknown() {
 
 #[test]
 fn hostile_numbers_agree_with_nothing() {
-    // A row without mass: sweeps divide by 0, and what is not a number agrees with no x.
+    // A massless row: sweeps divide by 0, and NaN agrees with no x.
     let hole = Matrix::dense(2, &[0.0, 1.0, 1.0, 2.0]);
     let lcp = Lcp::new(hole, vec![-1.0, 1.0], vec![0.0; 2], vec![f64::INFINITY; 2]).unwrap();
     assert_eq!(mistakes(&lcp, &[3.0, 0.25]), []);
@@ -190,7 +190,7 @@ fn hostile_numbers_agree_with_nothing() {
 
 #[test]
 fn what_looks_like_compliance_in_the_free_rows_but_breaks_another_row_is_not_called_so() {
-    // w = −ε x in rows 0 and 1; row 2 closes all the same, and would have to push.
+    // w = −ε x in rows 0 and 1; row 2 closes too, and would have to push.
     let a = Matrix::dense(3, &[2.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 2.0]);
     let b = vec![-1.0, -2.0, -3.0];
     let lcp = Lcp::new(a, b, vec![0.0; 3], vec![f64::INFINITY; 3]).unwrap();
@@ -228,15 +228,16 @@ fn mistakes_that_have_to_do_with_the_last_frame_are_named() {
 
 #[test]
 fn friction_that_is_limited_by_the_last_normal_forces_is_named() {
-    // A block of weight 2 that is pushed by 3 with μ = ½, where the last frame carried 4: friction
-    // 2 in place of 1.
+    // A block of weight 2 that is pushed by 3 with μ = ½, where the last frame had 4: friction 2
+    // instead of 1.
     let matrix = Matrix::dense(2, &[1.0, 0.0, 0.0, 1.0]);
     let free = [f64::NEG_INFINITY, f64::INFINITY];
     let lcp = Lcp::new(matrix, vec![-2.0, -3.0], vec![0.0, free[0]], vec![free[1]; 2]).unwrap();
     let lcp =
         lcp.with_coupling(Coupling::new(vec![None, Some(0)], vec![0.0, 0.5]).unwrap()).unwrap();
     let found = find_mistakes(&lcp, &[2.0, 2.0], Some(&[4.0, 2.0])).mistakes;
-    // A sweep from the friction row to the normal row, begun at the last answer, gives the same x.
+    // A sweep from the friction row to the normal row, starting at the last answer, gives the same
+    // x.
     let all: Vec<(&str, f64)> =
         found.iter().map(|mistake| (mistake.what.as_str(), mistake.distance)).collect();
     assert!(
@@ -247,7 +248,7 @@ fn friction_that_is_limited_by_the_last_normal_forces_is_named() {
 
 #[test]
 fn whatever_is_near_a_solution_is_not_a_mistake_that_leads_to_it() {
-    // x = (1, 1) is the solution; Gauss-Seidel and Jacobi all come as near on their way.
+    // x = (1, 1) is the solution; Gauss-Seidel and Jacobi come equally near on their way.
     let lcp = contacts(&[&[2.0, 1.0], &[1.0, 2.0]], &[-3.0, -3.0]);
     let found = find_mistakes(&lcp, &[1.000_000_3, 0.999_999_8], None);
     assert_eq!(found.mistakes, []);
@@ -266,10 +267,10 @@ fn a_negative_factor_of_b_is_none() {
 fn a_factor_that_fits_any_answer_explains_none() {
     let one = contacts(&[&[1.0]], &[-2.0]);
     assert_eq!(mistakes(&one, &[2.04]), []);
-    // So does one contact that presses among others that do not.
+    // So does one pressing contact among others that do not press.
     let two = contacts(&[&[2.0, 1.0], &[1.0, 2.0]], &[-2.0, 7.0]);
     assert_eq!(mistakes(&two, &[1.02, 0.0]), []);
-    // Of two numbers one is left to explain.
+    // Of two numbers one is left to be explained.
     let both = contacts(&[&[2.0, 1.0], &[1.0, 2.0]], &[-3.0, -2.0]); // (4, 1)/3
     let found = mistakes(&both, &[1.02 * 4.0 / 3.0, 1.02 / 3.0]);
     assert_eq!(found[0].kind, MistakeKind::FactorOfB, "{found:?}");
@@ -277,7 +278,7 @@ fn a_factor_that_fits_any_answer_explains_none() {
 
 #[test]
 fn mistakes_that_are_as_near_are_all_named() {
-    // One sweep of Gauss-Seidel meets no bound: clamped in the sweep or after it, it is the same.
+    // One sweep of Gauss-Seidel reaches no bound: clamping in the sweep or after it gives the same.
     let lcp =
         contacts(&[&[2.0, 1.0, 0.0], &[1.0, 2.0, 1.0], &[0.0, 1.0, 2.0]], &[-2.0, -3.0, -1.0]);
     let found = mistakes(&lcp, &[1.0, 1.0, 0.0]);

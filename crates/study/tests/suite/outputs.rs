@@ -1,9 +1,8 @@
-//! What every solver answers on one problem of each family, pinned: status, count, verdict, x and
-//! w.
+//! Pinned answers of every solver on one problem of each family: status, count, verdict, x and w.
 //!
-//! A number is pinned only after the judge, which knows no solver, accepted the answer that it
-//! belongs to; of an answer that nobody claims only status and count are. Where the textbook has a
-//! twin of the method, its first iterates are pinned too, and they are the textbook's.
+//! A number is pinned only after the judge, which knows no solver, accepted its answer; for an
+//! unclaimed answer only status and count are pinned. If the textbook has the same method, its
+//! first iterates are pinned too, and must equal the textbook's.
 
 use lcplab_judge::{Demand, Verdict, judge};
 use lcplab_page::number::significant;
@@ -14,9 +13,9 @@ use lcplab_solver::{ALL, Damping, Options, Settings, Start, Status, by_name};
 
 use lcplab_testing::iterates;
 
-/// Of longer vectors the first entries.
+/// The number of entries shown of longer vectors.
 const SHOWN: usize = 8;
-/// Below this part of the largest entry a number is rounding.
+/// A number below this fraction of the largest entry is rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// The first entries to six digits.
@@ -34,7 +33,7 @@ fn largest(v: &[f64]) -> f64 {
     v.iter().fold(0.0, |most: f64, v| most.max(v.abs()))
 }
 
-/// A solver's answer in a line or three.
+/// A solver's answer in one to three lines.
 fn answer(lcp: &Lcp, name: &str) -> String {
     let settings = Settings { tolerance: 1e-10, max_iterations: 20_000, ..Settings::default() };
     let solver = by_name(name, &Options { settings, ..Options::default() }).unwrap();
@@ -57,16 +56,16 @@ fn answer(lcp: &Lcp, name: &str) -> String {
     format!("{head}, {word}\n  x = {x}\n  w = {}\n", vector(&w, unit))
 }
 
-/// A sweeping method of the textbook, as far as the sweep of this number.
+/// A sweep method of the textbook, run for this number of sweeps.
 type Twin = fn(&Matrix, &Vector, &Vector, &Vector, usize) -> Vector;
 
-/// What the textbook makes sweep by sweep: its heading, the solver and the twin.
+/// Textbook methods that sweep: the heading, the solver and the textbook function.
 const SWEEPS: [(&str, &str, Twin); 2] = [
     ("Jacobi from 0", "jacobi", |a, b, lo, hi, k| textbook::jacobi(a, b, lo, hi, 1.0, k)),
     ("Gauss-Seidel from 0", "pgs", textbook::gauss_seidel),
 ];
 
-/// The first sweeps of a method, which are the twin's.
+/// The first sweeps of a method, which equal those of the textbook.
 fn sweeps(lcp: &Lcp, name: &str, twin: Twin) -> String {
     let settings = Settings { tolerance: 0.0, max_iterations: 3, ..Settings::default() };
     let options = Options { settings, damping: Damping::Factor(1.0), ..Options::default() };
@@ -82,7 +81,7 @@ fn sweeps(lcp: &Lcp, name: &str, twin: Twin) -> String {
     text
 }
 
-/// Whether the textbook makes sweeps of this problem too.
+/// Whether the textbook supports this problem.
 fn is_plain(lcp: &Lcp) -> bool {
     let starts_at_zero = |i: usize| lcp.lo()[i] <= 0.0 && lcp.hi()[i] >= 0.0;
     let has_diagonal = |i: usize| lcp.matrix().diagonal(i) > 0.0;

@@ -1,5 +1,5 @@
-//! Proofs of problems that are made to mislead: the judge and the checkers that share nothing with
-//! it agree with them.
+//! Proofs for deliberately misleading problems: the judge and the independent checkers agree with
+//! them.
 
 use std::path::Path;
 use std::process::Command;
@@ -14,7 +14,7 @@ use lcplab_study::hunt::problem;
 /// Two of each kind of the hunt's problems, and more.
 const PROBLEMS: usize = 300;
 
-/// A solver's answer, and such that no solver should give.
+/// A solver's answer, and answers that no solver should give.
 fn answers(k: usize) -> [Option<f64>; 2] {
     let absurd = [0.0, 1e308, f64::INFINITY, f64::NAN, -1.0, 1e-320];
     [None, Some(absurd[k % absurd.len()])]
@@ -50,7 +50,7 @@ fn what_the_judge_proves_or_refutes_has_a_proof_that_others_accept() {
                 }
                 None => {}
             }
-            // Where the residual is finite there is always something that can be said.
+            // If the residual is finite, there is always something to prove.
             assert!(kind.is_some() || !certificate.scaled_residual.is_finite(), "{text}");
             if let Some(proof) = found.proof {
                 write(format!("{k:03}-{way}.json"), subject.to_json().to_string());

@@ -1,5 +1,5 @@
-//! Numbers from one end of the doubles to the other: direct solvers are as exact as LAPACK's, and
-//! nobody lies.
+//! Numbers over the whole range of doubles: direct solvers are as accurate as LAPACK's, and there
+//! are no false claims.
 //!
 //! The ratio is that of LAPACK's own tests (*LAPACK Working Note 41*, threshold 30): the largest
 //! |A x + b| of a row that is free, over n ε (|A|∞ |x|∞ + |b|∞) with ε = 2⁻⁵³ and the norms those of the
@@ -17,7 +17,7 @@ use lcplab_testing::{INF, tridiagonal};
 /// The threshold of LAPACK's tests.
 const MOST: f64 = 30.0;
 
-/// Powers of two by which A and b are multiplied; x goes with b / A.
+/// Powers of two by which A and b are multiplied; x scales with b / A.
 const UNITS: [(i32, i32); 7] =
     [(0, 0), (500, 500), (-500, -500), (0, 500), (0, -500), (500, 0), (-500, 0)];
 
@@ -61,7 +61,7 @@ const FAMILIES: [Family; 4] = [
     }),
 ];
 
-/// J Jᵀ of n rows and so many columns in −1 … 1.
+/// J Jᵀ with n rows and this number of columns in −1 … 1.
 fn gram(n: usize, columns: usize, random: &mut Rand64) -> Vec<f64> {
     let j: Vec<f64> = (0..n * columns).map(|_| 2.0 * random.rand_float() - 1.0).collect();
     let row = |i: usize| &j[i * columns..(i + 1) * columns];
@@ -89,7 +89,7 @@ fn posed(mut a: Vec<f64>, shift: f64, random: &mut Rand64) -> Lcp {
     Lcp::new(matrix, b, lo, hi).unwrap()
 }
 
-/// A times 2^of_a, b times 2^of_b, bounds in the unit of x that this makes.
+/// A times 2^of_a, b times 2^of_b, bounds in the resulting unit of x.
 fn in_units(lcp: &Lcp, (of_a, of_b): (i32, i32)) -> Result<Lcp> {
     let n = lcp.len();
     let times = |v: f64, k: i32| v * 2f64.powi(k / 2) * 2f64.powi(k - k / 2);
@@ -104,7 +104,7 @@ fn in_units(lcp: &Lcp, (of_a, of_b): (i32, i32)) -> Result<Lcp> {
     }
 }
 
-/// Solves each family of each size in each unit; the worst ratios stand in a table.
+/// Solves each family of each size in each unit; the worst ratios are in a table.
 fn is_backward_stable(solver: &str, tolerance: f64, sizes: &[usize]) {
     let settings = Settings { tolerance, ..Settings::default() };
     let solver = by_name(solver, &Options { settings, ..Options::default() }).unwrap();
@@ -133,7 +133,7 @@ fn is_backward_stable(solver: &str, tolerance: f64, sizes: &[usize]) {
 }
 
 const LARGE: [usize; 9] = [0, 1, 2, 3, 5, 10, 50, 200, 1000];
-/// For those who would take minutes for 1000 rows.
+/// For solvers that would take minutes for 1000 rows.
 const SMALL: &[usize] = LARGE.split_at(8).0;
 
 #[test]

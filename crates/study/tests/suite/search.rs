@@ -1,4 +1,4 @@
-//! Whether a search finds what is known to be there, from random starts, and makes it small.
+//! A search finds known problems from random starts, and shrinks them.
 
 use std::ops::RangeInclusive;
 
@@ -127,7 +127,7 @@ fn an_honest_solver_is_not_caught() {
 
 #[test]
 fn a_problem_of_ones_own_is_made_smaller_until_only_the_mistake_is_left() {
-    // A pile of 36 rows, on which friction bounds that are never renewed are wrong.
+    // A pile of 36 rows, on which friction bounds that are never updated are wrong.
     let family = library::by_name("friction-pile").unwrap();
     let pile = family.generate(&[("bodies", 8.0), ("contacts", 12.0)]).unwrap().lcp;
     assert!(pile.len() >= 36);
@@ -162,8 +162,8 @@ fn what_is_within_the_tolerance_that_was_asked_for_is_no_lie() {
     assert!(trial.score(&catch.lcp, 1000).is_found);
 }
 
-/// The same with an end to what is asked; `docs/hunt.md` has what the whole search finds, in its
-/// time.
+/// The same with an upper limit of the measure; `docs/hunt.md` has the results of the complete
+/// search.
 fn enough(trial: &Trial, rows: RangeInclusive<usize>, at_least: f64) -> Catch {
     let search =
         Search { rows, evaluations: 20_000, seed: 1, at_least: Some(at_least), from: Vec::new() };

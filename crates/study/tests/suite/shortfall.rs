@@ -1,5 +1,4 @@
-//! What an answer leaves undone is measured right, and the cause that was planted is the one that
-//! is named.
+//! The error of an answer is measured correctly, and the planted cause is the one that is reported.
 
 use lcplab_mechanics::scene::Scene;
 use lcplab_mechanics::simulation::problem_of;
@@ -19,7 +18,7 @@ fn practice(solver: &str, sweeps: usize) -> Practice {
     Practice { entry: entry(solver).unwrap(), options }
 }
 
-/// A scene with these changes, by so many iterations of a solver.
+/// A scene with these changes and this number of iterations of a solver.
 fn scene(name: &str, solver: &str, iterations: usize, changes: &[(&str, &str)]) -> Scene {
     let owned = |&(key, value): &(&str, &str)| (key.to_string(), value.to_string());
     let changes: Vec<_> = changes.iter().map(owned).collect();
@@ -33,7 +32,7 @@ fn examined(name: &str, solver: &str, iterations: usize, changes: &[(&str, &str)
     examine_scene(&scene(name, solver, iterations, changes), None).unwrap()
 }
 
-/// The first step of a scene as its file would have it.
+/// The first step of a scene as a problem file.
 fn dumped(name: &str, changes: &[(&str, &str)]) -> Problem {
     use lcplab_mechanics::simulation::Step;
     let scene = scene(name, "dantzig", 10_000, changes);
@@ -155,7 +154,8 @@ fn a_remedy_does_what_theory_foretells_or_theory_is_silent() {
 
 #[test]
 fn a_reversed_sweep_of_theory_is_that_of_the_reversed_column() {
-    // Without bounds at work, the last row first is the first row first of the rows in reverse.
+    // While no bound is active, the last row first is equivalent to the first row first with the
+    // rows in reverse.
     let lcp = column(5);
     let yard = Yard::new(&lcp, 0.0).unwrap();
     let linear = Linear::new(&lcp, &yard);
@@ -219,7 +219,7 @@ fn feedback_of_the_wrong_sign_is_named() {
     assert!(corrected.causes().is_empty(), "{:?}", corrected.causes());
 }
 
-/// The planted scenes: what was planted is named first.
+/// The planted scenes: the planted cause is reported first.
 #[test]
 fn the_planted_cause_is_named_first() {
     const MASS: &str = "mass ratio";
@@ -237,8 +237,8 @@ fn the_planted_cause_is_named_first() {
         ("stack", 10, cold, "cold start"),
         ("stack", 30, cold, "cold start"),
         ("stack", 20, &[("contact.persistence", "none"), ("generate.count", "3")], "cold start"),
-        // In the worst step a start from 0 is better, over the run it is not; the bridge gains 378
-        // J, without feedback none.
+        // In the worst step a start from 0 is better, over the whole run it is not; the bridge
+        // gains 378 J, without feedback none.
         ("warm_start", 10, none, TALL),
         ("bridge", 10, none, "energy from Baumgarte feedback"),
         ("bridge", 10, &[("step.baumgarte", "0")], TALL),
@@ -249,8 +249,8 @@ fn the_planted_cause_is_named_first() {
     }
 }
 
-/// Balls on each other, each lighter than the one beneath, listed and so swept from the top down:
-/// impulses go up.
+/// Balls on each other, each lighter than the one below, listed and therefore swept from the top
+/// down: impulses go up.
 fn listed_from_the_top(count: i32, ratio: f64) -> Scene {
     let ball = |k: i32| {
         format!(
@@ -304,7 +304,7 @@ fn of_a_run_the_remedies_are_done_and_a_pivoting_method_leaves_nothing_undone() 
     assert!(exact.missing < 1e-6 && exact.off < 1e-6, "{exact:?}");
     let off: Vec<f64> = found.reliefs.iter().map(|relief| relief.off).collect();
     assert!(off.is_sorted() && off[0] < 1e-6, "the best first: {off:?}");
-    // A cold start is helped by a warm one.
+    // A warm start helps against a cold one.
     let found = examined("stack", "pgs", 10, &[("contact.persistence", "none")]);
     let of = |what: &str| found.reliefs.iter().find(|relief| relief.what == what).unwrap().missing;
     assert!(of("warm start") < of("unchanged") / 2.0);
@@ -360,12 +360,13 @@ fn the_law_of_friction_is_named_where_a_groove_holds_otherwise_than_coulombs_con
         let scene = Scene::from_toml("groove.toml", &text).unwrap();
         examine_scene(&scene, None).unwrap()
     };
-    // By sweeps it slides where the cone holds it.
+    // With sweeps it slides where the cone would hold it.
     for (angle, scheme) in [(34.0, "sequential-impulses"), (34.0, "soft"), (34.0, "xpbd")] {
         assert_eq!(groove(angle, scheme, "coupled-box").causes(), ["box friction"], "{scheme}");
     }
-    // Exact answers to the box are those of the cone, for friction acts along the groove alone: the
-    // bar rests at 34 degrees, and at 40 it slides with g (sin α − √2 μ cos α) under both.
+    // Exact answers for the box equal those for the cone, because friction acts only along the
+    // groove: the bar rests at 34 degrees, and at 40 it slides with g (sin α − √2 μ cos α) under
+    // both.
     for scheme in ["velocity", "acceleration", "split-impulse"] {
         for angle in [34.0, 40.0] {
             let found = groove(angle, scheme, "coupled-box");
@@ -397,8 +398,8 @@ fn overlap(height: f64, beta: f64) -> String {
 #[test]
 fn contacts_that_yield_creep_by_their_compliance_times_their_load() {
     for gamma in [0.02, 0.1, 0.5] {
-        // A unit mass on one contact, g dt = 0.1: x (1 + γ) = 0.1, so that 0.1 γ/(1 + γ) of
-        // approach is left.
+        // A unit mass on one contact, g dt = 0.1: x (1 + γ) = 0.1, so that an approach of 0.1
+        // γ/(1 + γ) is left.
         let text = format!(
             r#"{{"A": {{"dense": [[{}]]}}, "b": [-0.1], "gravity": [0, 0, -0.1],
             "bodies": [{{"name": "box", "first": 0, "count": 3}}],
@@ -446,7 +447,7 @@ fn a_sequence_starts_each_step_from_the_last_answer() {
     let frames = vec![problem; 5];
     let found = examine_sequence(&frames, &practice("pgs", 10));
     let missing: Vec<f64> = found.notes.iter().filter_map(|note| note.missing).collect();
-    // The same problem again and again: 5 times 10 sweeps are 50.
+    // The same problem repeated: 5 times 10 sweeps are 50.
     let whole = examine_sequence(&frames[..1], &practice("pgs", 50)).notes[0].missing.unwrap();
     assert!((missing[4] - whole).abs() < 1e-12 && missing[4] < missing[0] / 5.0, "{missing:?}");
 }

@@ -1,4 +1,4 @@
-//! A solver with a bug is suspected itself, and not the scene that it is tried on.
+//! A solver with a bug is suspected itself, not the scene that it runs on.
 
 use lcplab_mechanics::scene::Scene;
 use lcplab_problem::Lcp;
@@ -8,14 +8,14 @@ use lcplab_solver::{
 };
 use lcplab_study::diagnosis::shortfall::{Examination, Slow, examine_scene};
 
-/// What is wrong in a loop of projected Gauss-Seidel.
+/// The bug in a loop of projected Gauss-Seidel.
 #[derive(Debug, Clone, Copy)]
 enum Bug {
     /// Nothing.
     None,
     /// Friction is limited by the normal forces of the first sweep.
     FrozenAfterOneSweep,
-    /// What a sweep adds is clamped to the bounds, and not the sum.
+    /// The increment of a sweep is clamped to the bounds, not the sum.
     ClampedIncrements,
     /// The bound of friction is μ² times the normal force.
     MuSquared,
@@ -25,7 +25,7 @@ enum Bug {
     Silent,
 }
 
-/// A solver as someone may write it: so many sweeps, from x = 0.
+/// A user's solver: this number of sweeps, from x = 0.
 struct Own {
     name: &'static str,
     bug: Bug,
@@ -93,7 +93,7 @@ fn register(name: &'static str, bug: Bug) {
     .unwrap();
 }
 
-/// Boxes on each other that someone pushes.
+/// Boxes on each other that are pushed.
 fn pushed(boxes: usize, solver: &str, sweeps: usize) -> Examination {
     let ground = "[[bodies]]\nname = \"ground\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n";
     let cube = |k: usize| {
@@ -183,14 +183,14 @@ fn a_solver_without_an_answer_is_suspected_with_its_reason() {
 #[test]
 fn a_solver_as_good_as_plain_sweeps_is_not_suspected() {
     register("sound", Bug::None);
-    // Too few sweeps for a tall stack, by whoever does them.
+    // Too few sweeps for a tall stack, with any solver.
     let found = pushed(8, "sound", 10);
     let causes = found.causes();
     assert!(!causes.is_empty() && !causes.contains(&"suspect the solver"), "{causes:?}");
     assert!(pushed(2, "sound", 2000).causes().is_empty());
 }
 
-/// A solver that does two sweeps and then says that there is a ray.
+/// A solver that does two sweeps and then reports a ray.
 struct GivesUp;
 
 impl Solver for GivesUp {

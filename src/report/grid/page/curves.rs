@@ -9,20 +9,20 @@ use crate::report::grid::plan::Plan;
 pub(super) struct Curves<'a> {
     /// The path of the axis.
     pub path: String,
-    /// What it is called.
+    /// Its label.
     pub across: String,
     /// One for each point of the other axes.
     pub curves: Vec<Curve<'a>>,
 }
 
-/// The points that differ in the first axis alone, and in the repetition.
+/// The points that differ only in the first axis and in the repetition.
 pub(super) struct Curve<'a> {
     /// The settings of the other axes.
     pub name: String,
     points: Vec<(f64, Point<'a>)>,
 }
 
-/// What is spent on an answer: where there is none, nothing was bought.
+/// Cost measures, which are omitted where there is no answer.
 const COSTS: [&str; 3] = ["iterations", "work", "seconds"];
 
 impl<'a> Curves<'a> {
@@ -56,7 +56,7 @@ impl<'a> Curves<'a> {
         if self.path == "step.dt" { "s" } else { "" }
     }
 
-    /// Where along the axis theory has the least of a curve.
+    /// The position of a curve's minimum along the axis, according to theory.
     pub fn optimum(&self, curve: &Curve<'_>) -> Option<f64> {
         let told = || curve.points.iter().find_map(|(_, point)| point.get("optimum"));
         (self.path == "solver.omega").then(told)?
@@ -64,24 +64,24 @@ impl<'a> Curves<'a> {
 }
 
 impl Curve<'_> {
-    /// A measure by place; NaN where it was not taken, and a cost where there was no answer.
+    /// A measure by position; NaN if it was not taken, or for a cost if there was no answer.
     pub fn measured(&self, measure: &Measure) -> Vec<(f64, f64)> {
         let is_cost = COSTS.contains(&measure.name);
         self.by_place(|point| point.get(measure.name).filter(|_| !is_cost || point.is_solved()))
     }
 
-    /// What theory says of a measure, by place; NaN where it says nothing.
+    /// The prediction for a measure by position; NaN if there is none.
     pub fn predicted(&self, measure: &Measure) -> Vec<(f64, f64)> {
         self.by_place(|point| point.predicted(measure.name).map(|own| own.value))
     }
 
-    /// The places of all points.
+    /// The positions of all points.
     pub fn places(&self) -> impl Iterator<Item = f64> {
         self.points.iter().map(|(x, _)| *x)
     }
 
-    /// A measure at the last two places, in the order of the file: where what grows or shrinks has
-    /// got furthest.
+    /// A measure at the last two positions, in the order of the file, where asymptotic growth is
+    /// best visible.
     pub fn end(&self, measure: &Measure) -> Option<[(f64, f64); 2]> {
         let mut points = self.measured(measure);
         if self.places().next() > self.places().last() {
@@ -90,7 +90,7 @@ impl Curve<'_> {
         points.last_chunk().copied()
     }
 
-    /// Values by place, ascending; of repetitions the median.
+    /// Values by position, ascending; the median of repetitions.
     fn by_place(&self, value: impl Fn(&Point) -> Option<f64>) -> Vec<(f64, f64)> {
         let place = |(x, point): &(f64, Point)| (*x, value(point).unwrap_or(f64::NAN));
         let mut points: Vec<(f64, f64)> = self.points.iter().map(place).collect();

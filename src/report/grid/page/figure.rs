@@ -5,14 +5,15 @@ use crate::plot::{Axis, Lines, Panel, Scale, Series};
 use crate::report::grid::file::{Grid, REPEAT};
 use crate::report::grid::measure::Measure;
 
-/// More curves than this no eye can follow.
+/// Maximum number of curves that are still readable.
 const MOST_CURVES: usize = 12;
-/// Values that spread over this ratio are drawn on a logarithmic axis,
+/// A larger ratio of the values selects a logarithmic axis,
 const WIDE: f64 = 50.0;
-/// and those whose logarithms are this nearly evenly spaced.
+/// as do values whose logarithms are spaced this evenly.
 const EVEN: f64 = 1.1;
 
-/// The figure of a measure, whose files' names begin with `id`; `None` if it was nowhere taken.
+/// The figure of a measure; names of its files begin with `id`. `None` if it was not taken
+/// anywhere.
 pub(super) fn figure(
     grid: &Grid,
     curves: &Curves<'_>,
@@ -64,7 +65,7 @@ pub(super) fn figure(
     })
 }
 
-/// Several curves as one series, with a gap after each; none if there are no points.
+/// Several curves as one series, with a gap after each; `None` if there are no points.
 fn joined(
     name: &str,
     curves: impl Iterator<Item = Vec<(f64, f64)>>,
@@ -77,18 +78,18 @@ fn joined(
     (!points.is_empty()).then(|| series(name.into(), points))
 }
 
-/// How values spread.
+/// The spread of values.
 pub(super) struct Spread {
     least: f64,
     most: f64,
     /// The least above 0.
     smallest: f64,
-    /// Whether they ask for a logarithmic axis.
+    /// Whether they suggest a logarithmic axis.
     wide: bool,
 }
 
 impl Spread {
-    /// How these values spread.
+    /// The spread of these values.
     pub fn of(values: impl Iterator<Item = f64>) -> Self {
         let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
         values.sort_by(f64::total_cmp);
@@ -106,7 +107,7 @@ impl Spread {
         Spread { least, most, smallest, wide }
     }
 
-    /// Whether the values ask for a logarithmic axis and can have one.
+    /// Whether the values suggest a logarithmic axis and allow one.
     pub fn is_wide(&self) -> bool {
         self.wide && self.least > 0.0
     }

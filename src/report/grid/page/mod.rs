@@ -1,5 +1,5 @@
-//! The page of a grid: each measure across the first axis, a curve for each point of the others.
-//! Nothing is solved here.
+//! The page of a grid: each measure across the first axis, with one curve for each point of the
+//! other axes. Nothing is solved here.
 
 mod curves;
 mod figure;
@@ -41,8 +41,8 @@ pub fn document(grid: &Grid, plan: &Plan, collection: &Collection) -> Document {
     document
 }
 
-/// Adds figures and tables of these points to the section that is open; the names of their files
-/// begin with `id`.
+/// Adds figures and tables of these points to the current section; the names of their files begin
+/// with `id`.
 pub fn show(grid: &Grid, plan: &Plan, points: &[Point<'_>], id: &str, document: &mut Document) {
     if let Some(curves) = Curves::of(grid, plan, points) {
         for measure in &grid.measures {
@@ -74,7 +74,7 @@ pub fn show_seconds(
     }
 }
 
-/// The table that `grid plan` prints: the first tasks with what varies.
+/// The table that `grid plan` prints: the first tasks with their varying settings.
 pub fn plan_table(grid: &Grid, plan: &Plan, rows: usize) -> Table {
     let columns =
         ["task"].into_iter().map(String::from).chain(plan.axes.iter().map(|p| grid.label(p)));
@@ -94,7 +94,7 @@ pub fn plan_table(grid: &Grid, plan: &Plan, rows: usize) -> Table {
     }
 }
 
-/// How all of it was obtained.
+/// How the results were obtained.
 fn origin(grid: &Grid) -> Origin {
     let fixed = grid.settings.iter().filter(|(path, _)| !SUBJECT[..2].contains(&path.as_str()));
     let subjects = SUBJECT[..2].iter().flat_map(|kind| grid.values_of(kind));

@@ -1,4 +1,4 @@
-//! The tables of a grid: where the least is, how things grow, and every point.
+//! The tables of a grid: minima, growth, and every point.
 
 use super::curves::{Curve, Curves};
 use super::figure::Spread;
@@ -9,10 +9,10 @@ use crate::report::grid::measure::{ITERATIONS, MEASURES, Measure};
 use crate::report::grid::plan::{Plan, Task};
 use crate::report::page::{Cell, Column, Mark, Table};
 
-/// Rows of a table on a page; all are in the CSV file.
+/// Maximum number of rows of a table on a page; the CSV file has all.
 const MOST_ROWS: usize = 500;
 
-/// Where each curve has its least, beside where theory says.
+/// The minimum of each curve, next to that from theory.
 pub(super) fn optima(curves: &Curves<'_>) -> Option<Table> {
     let across = &curves.across;
     let row = |curve: &Curve| {
@@ -45,7 +45,7 @@ pub(super) fn optima(curves: &Curves<'_>) -> Option<Table> {
     })
 }
 
-/// The exponent of each measure over the last two places, where the axis is logarithmic.
+/// The exponent of each measure over the last two positions, if the axis is logarithmic.
 pub(super) fn growth(grid: &Grid, curves: &Curves<'_>) -> Option<Table> {
     if !Spread::of(curves.curves.iter().flat_map(Curve::places)).is_wide() {
         return None;
@@ -83,10 +83,10 @@ fn words(measure: &Measure) -> String {
     measure.name.replace('_', " ")
 }
 
-/// Shown whether or not a grid asks for them.
+/// Measures that are always shown.
 const ALWAYS: [&str; 3] = ["iterations", "eigenvalue", "scaled_residual"];
 
-/// Every point: its settings, what was measured beside theory, and the words.
+/// Every point: its settings, the measures next to theory, and the texts.
 pub(super) fn results(grid: &Grid, plan: &Plan, points: &[Point<'_>]) -> Table {
     let findings = || points.iter().filter_map(|point| point.finding);
     let shown = |measure: &&Measure| {
@@ -94,7 +94,7 @@ pub(super) fn results(grid: &Grid, plan: &Plan, points: &[Point<'_>]) -> Table {
         asked && findings().any(|finding| finding.values.contains_key(measure.name))
     };
     let measures: Vec<&Measure> = MEASURES.iter().filter(shown).collect();
-    // What is said of the rate is said of the eigenvalue.
+    // The claim about the rate is checked on the eigenvalue.
     let told = |measure: &Measure| {
         let is_said = measure.name == "eigenvalue" && measures.iter().any(|own| own.name == "rate");
         !is_said && findings().any(|own| own.predicted(measure.name).is_some())
@@ -163,7 +163,7 @@ fn value(value: f64) -> Cell {
     }
 }
 
-/// What was measured, marked where theory claims something.
+/// A measured value, marked if theory makes a claim about it.
 fn measured(point: &Point, measure: &Measure) -> Cell {
     let Some(found) = point.get(measure.name) else { return Cell::text("–") };
     let holds = point.predicted(measure.name).and_then(|own| own.holds(found));

@@ -1,5 +1,5 @@
-//! Several methods on one problem: how the residual falls by iteration, by multiplication and by
-//! second. An iteration of one method is not one of another; a multiplication nearly is.
+//! Several methods on one problem: the residual by iteration, multiplication and second. Iterations
+//! of different methods are not comparable; multiplications nearly are.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -11,22 +11,22 @@ use crate::report::study::attempt::{Outcome, entries};
 use crate::report::study::posed::Source;
 use crate::solver::{Options, Settings};
 
-/// Which problems and which solvers.
+/// The problems and solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Methods {
     /// The problems.
     pub problems: Vec<Source>,
-    /// The solvers; all without it.
+    /// The solvers; by default all.
     #[serde(default)]
     pub solvers: Vec<String>,
-    /// The scaled residual asked for.
+    /// The required scaled residual.
     #[serde(default = "target")]
     pub tolerance: f64,
     /// ω of SOR.
     #[serde(default = "relaxed")]
     pub omega: f64,
-    /// More sweeps, steps or pivots are not made.
+    /// The maximum number of sweeps, steps or pivots.
     #[serde(default = "limit")]
     pub max_iterations: usize,
 }
@@ -48,15 +48,15 @@ fn limit() -> usize {
 pub struct Progress {
     /// The problem.
     pub problem: String,
-    /// Its rows.
+    /// Its number of rows.
     pub rows: usize,
     /// Stored entries of A.
     pub stored: usize,
     /// ω of SOR.
     pub omega: f64,
-    /// The scaled residual asked for.
+    /// The required scaled residual.
     pub tolerance: f64,
-    /// By solver.
+    /// The progress of each solver.
     pub methods: Vec<Watched>,
 }
 
@@ -65,9 +65,9 @@ pub struct Progress {
 pub struct Watched {
     /// The solver.
     pub solver: String,
-    /// What came of it.
+    /// Its outcome.
     pub outcome: Outcome,
-    /// Now and then, the end included; of pivoting methods the end alone.
+    /// Selected iterations, including the last; for pivoting methods only the last.
     pub marks: Vec<Mark>,
 }
 
@@ -76,7 +76,7 @@ pub struct Watched {
 pub struct Clock {
     /// The problem.
     pub problem: String,
-    /// By solver: its name, and (s, scaled residual) at each mark.
+    /// For each solver: its name, and (s, scaled residual) at each mark.
     pub methods: Vec<(String, Vec<(f64, f64)>)>,
 }
 
@@ -84,7 +84,7 @@ impl Methods {
     /// Runs the methods on a problem.
     ///
     /// # Errors
-    /// If there is no such problem or no such solver.
+    /// If the problem or the solver does not exist.
     pub fn run(&self, problem: &Source) -> Result<(Progress, Clock)> {
         let lcp = problem.lcp()?;
         let settings = Settings {

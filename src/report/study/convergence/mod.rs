@@ -1,5 +1,5 @@
-//! How the residual falls: sweep by sweep at the rate that theory predicts ([`sweeps`]), by
-//! iteration, multiplication and second under several methods ([`methods`]), and row by row
+//! Convergence of the residual: sweep by sweep compared with the theoretical rate ([`sweeps`]), by
+//! iteration, multiplication and second for several methods ([`methods`]), and row by row
 //! ([`rows`]).
 
 pub mod methods;
@@ -17,7 +17,7 @@ use methods::{Clock, Methods, Progress};
 use rows::{RowResiduals, Rows, Sweep};
 use sweeps::{Rates, Swept};
 
-/// LCPs solved by iterations that are watched.
+/// LCPs whose iterative solution is recorded.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
@@ -27,16 +27,16 @@ pub struct Plan {
     /// LCPs solved by several methods.
     #[serde(default)]
     pub methods: Option<Methods>,
-    /// A column of bodies whose rows are watched one by one.
+    /// A column of bodies whose rows are recorded individually.
     #[serde(default)]
     pub rows: Option<Rows>,
 }
 
-/// What a task finds out.
+/// The finding of a task.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Finding {
-    /// The rates of sweeps.
+    /// The convergence rates of sweeps.
     Sweeps(Rates),
     /// The progress of several methods.
     Methods(Progress),

@@ -1,9 +1,9 @@
 //! Where the error is: the residual of each row after each sweep, in a column of bodies on the
 //! ground.
 //!
-//! All bodies fall at the same speed, so at first only the lowest contact closes: the others do not
-//! know yet. In a sweep from the ground up each row sees the new impulse of the row below, and the
-//! news reaches the top at once, weaker by half a row; from the top down it climbs one row a sweep.
+//! All bodies fall at the same speed, so at first only the lowest contact closes. In a sweep from
+//! the ground up each row sees the new impulse of the row below, so a change reaches the top in one
+//! sweep, halved in each row; from the top down it climbs one row per sweep.
 
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -16,18 +16,18 @@ use crate::lcp::Lcp;
 use crate::report::study::posed::column;
 use crate::solver::{Damping, Iterate, Jacobi, Observer, Order, Pgs, Settings, Solver, Start};
 
-/// Which column, and how long it is looked at.
+/// The column, and the duration of the record.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Rows {
     /// The number of bodies.
     pub bodies: usize,
-    /// The mass of the top body, in masses of the others.
+    /// The mass of the top body relative to the others.
     #[serde(default = "one")]
     pub ratio: f64,
     /// The number of sweeps.
     pub sweeps: usize,
-    /// What sweeps.
+    /// The sweep methods.
     #[serde(default = "all")]
     pub methods: Vec<Sweep>,
 }
@@ -40,7 +40,7 @@ fn all() -> Vec<Sweep> {
     vec![Sweep::Up, Sweep::Down, Sweep::BestSor, Sweep::Jacobi]
 }
 
-/// A way to sweep.
+/// A sweep method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Sweep {
@@ -50,23 +50,23 @@ pub enum Sweep {
     Down,
     /// SOR from the ground up with the ω that is optimal for equal bodies.
     BestSor,
-    /// Jacobi without damping: all rows at once.
+    /// Undamped Jacobi: all rows at once.
     Jacobi,
 }
 
 /// The residuals of one method.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RowResiduals {
-    /// How the column was swept.
+    /// The sweep method.
     pub method: Sweep,
-    /// ω, 1 for all but SOR.
+    /// ω; 1 for all methods but SOR.
     pub omega: f64,
-    /// |x_i − Π(x_i − w_i)| (m/s) by row from the ground up; in each by sweep, the start first.
+    /// |x_i − Π(x_i − w_i)| (m/s) for each row from the ground up, then for each sweep, the start first.
     pub residuals: Vec<Vec<f64>>,
 }
 
 impl Sweep {
-    /// In a few words.
+    /// A short name.
     pub fn name(self) -> &'static str {
         match self {
             Sweep::Up => "PGS from the ground up",
@@ -78,10 +78,10 @@ impl Sweep {
 }
 
 impl Rows {
-    /// Sweeps the column in one way.
+    /// Sweeps the column with one method.
     ///
     /// # Errors
-    /// If there are no sweeps, or the library has no such column.
+    /// If the number of sweeps is 0, or the library has no such column.
     pub fn run(&self, method: Sweep) -> Result<RowResiduals> {
         if self.sweeps == 0 {
             return Err(Error::invalid("convergence", "rows.sweeps", "must be at least 1, is 0"));

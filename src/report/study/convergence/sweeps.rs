@@ -9,17 +9,17 @@ use crate::report::study::settings::{AtStep, Given, first};
 use crate::solver::{Dantzig, Options, Order, Pgs, Settings, Solver, Start, theory};
 use crate::trace::Convergence;
 
-/// An LCP, and relaxation factors.
+/// An LCP with relaxation factors.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Swept {
-    /// A shipped scene, or a file: of a scene or, under the key `problem` too, of a problem.
+    /// A shipped scene, or the file of a scene or a problem; `problem` is an alias of this key.
     #[serde(alias = "problem")]
     pub scene: String,
-    /// The number of the step, from 1; a problem file has none.
+    /// The number of the step, from 1; not used for a problem file.
     #[serde(default = "first")]
     pub step: usize,
-    /// The relaxation factors ω; the optimal one is added where theory knows it.
+    /// The relaxation factors ω; the optimal one is added if theory knows it.
     pub omegas: Vec<f64>,
 }
 
@@ -27,7 +27,7 @@ impl Swept {
     /// Runs PGS and SOR on the problem.
     ///
     /// # Errors
-    /// If there is no such scene, step or file.
+    /// If the scene, step or file does not exist.
     pub fn run(&self) -> Result<Rates> {
         let at = AtStep { scene: self.scene.clone(), step: self.step };
         Ok(rates(at.given()?, &self.omegas))
@@ -41,15 +41,15 @@ pub struct Rates {
     pub scene: String,
     /// Its title.
     pub title: String,
-    /// Rows of the LCP.
+    /// The number of rows of the LCP.
     pub rows: usize,
     /// Whether all rows are equations, so that the rates are exact predictions from the start.
     pub equations_only: bool,
     /// The relaxation factor that is optimal for consistently ordered A, if the theory applies.
     pub optimal_omega: Option<f64>,
-    /// One curve a relaxation factor.
+    /// One curve per relaxation factor.
     pub curves: Vec<Curve>,
-    /// Pivots of Dantzig's method on the same problem.
+    /// The number of pivots of Dantzig's method on the same problem.
     pub pivots: usize,
 }
 
@@ -63,17 +63,17 @@ pub struct Curve {
     /// Sweeps, the start being 0, and the natural residual after each: at most 200 of them.
     pub residuals: Vec<(usize, f64)>,
     /// The largest modulus below 1 of an eigenvalue of the iteration matrix, on the rows that are
-    /// free where the sweeps lead.
+    /// free at the limit of the sweeps.
     pub predicted_rate: Option<f64>,
-    /// The factor a sweep, measured over the last half of the curve.
+    /// The factor per sweep, measured over the last half of the curve.
     pub measured_rate: Option<f64>,
 }
 
 /// Most points of a curve that are kept, evenly spaced, and the last one.
 const POINTS: usize = 200;
-/// Most sweeps of a curve.
+/// The maximum number of sweeps of a curve.
 const SWEEPS: usize = 1000;
-/// Residuals below this part of the first are rounding, not convergence.
+/// Residuals below this fraction of the first are rounding, not convergence.
 const FLOOR: f64 = 1e-12;
 
 fn rates(Given { name, title, lcp }: Given, omegas: &[f64]) -> Rates {

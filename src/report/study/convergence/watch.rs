@@ -1,4 +1,4 @@
-//! A solver that is watched: its residual now and then, with the clock stopped meanwhile.
+//! Records the residual of a solver at selected iterations, with the clock stopped meanwhile.
 
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
@@ -11,12 +11,12 @@ use crate::report::study::attempt::Outcome;
 use crate::solver::{Entry, Group, Iterate, Observer, Options, Start};
 use crate::trace::Work;
 
-/// Where a solver stands.
+/// The state of a solver at an iteration.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Mark {
-    /// Sweeps, steps or pivots.
+    /// The number of sweeps, steps or pivots.
     pub iteration: usize,
-    /// Multiplications ([`Work`]); NaN where nobody counts them.
+    /// Multiplications ([`Work`]); NaN if they are not counted.
     #[serde(with = "lcplab_study::number::always")]
     pub work: f64,
     /// The scaled residual.
@@ -24,7 +24,8 @@ pub struct Mark {
     pub residual: f64,
 }
 
-/// Solves the problem from 0: the solver's marks, and its time (s) and scaled residual at each.
+/// Solves the problem from 0: returns the solver's marks, and its time (s) and scaled residual at
+/// each.
 pub(super) fn run(
     entry: &Entry,
     lcp: &Lcp,
@@ -61,20 +62,20 @@ pub(super) fn run(
     (Watched { solver: solver.clone(), outcome, marks }, (solver, times))
 }
 
-/// Looks at some iterates, and stops the clock meanwhile.
+/// An observer that records selected iterates and stops the clock meanwhile.
 struct Watch<'a> {
     lcp: &'a Lcp,
     work: Work<'a>,
     marks: Vec<Mark>,
     seconds: Vec<f64>,
-    /// The iteration that is looked at next.
+    /// The next iteration to record.
     next: usize,
     start: Instant,
     looking: Duration,
 }
 
 impl Watch<'_> {
-    /// The time that the solver has had until now.
+    /// The time used by the solver so far.
     fn elapsed(&self, now: Instant) -> f64 {
         (now - self.start).saturating_sub(self.looking).as_secs_f64()
     }

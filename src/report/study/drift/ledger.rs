@@ -1,12 +1,11 @@
-//! Where the energy of a motion goes, summed over its steps: the accounts of the simulation's
-//! ledger.
+//! The energy balance of a motion, summed over its steps: the accounts of the simulation's ledger.
 //!
 //! ```text
 //! change of kinetic + potential energy = Σ accounts + remainder
 //! ```
 //!
-//! The remainder is measured, and rounding unless something is forgotten. Families that do not
-//! write down what acted have no accounts.
+//! The remainder is measured; it is rounding unless a contribution is missing. Schemes that do not
+//! record the forces have no accounts.
 
 use std::ops::ControlFlow;
 
@@ -20,7 +19,7 @@ use crate::report::study::settings::file_name;
 use crate::report::study::variation::Variation;
 use crate::simulation::{Ledger, Motion, Simulation};
 
-/// A scene stepped in one way.
+/// A scene stepped with one set of settings.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Run {
@@ -29,11 +28,11 @@ pub struct Run {
     pub name: String,
     /// The heading of its figure.
     pub title: String,
-    /// What to see in it, a sentence or two.
+    /// What to see in it, one or two sentences.
     pub text: String,
     /// A shipped scene or a file.
     pub scene: String,
-    /// Fields of the scene that are changed.
+    /// Overridden fields of the scene.
     #[serde(default, skip_serializing_if = "Table::is_empty")]
     #[schemars(with = "serde_json::Map<String, serde_json::Value>")]
     pub change: Table,
@@ -46,22 +45,21 @@ pub struct Run {
 pub struct Account {
     /// The run.
     pub run: Run,
-    /// The names of the accounts; none where the family does not write down what acted.
+    /// The names of the accounts; empty if the scheme does not record the forces.
     pub accounts: Vec<String>,
-    /// The books at some instants, the start and the end among them.
+    /// The energy balance at several instants, including the start and the end.
     pub books: Vec<Book>,
-    /// The largest sum of remainders at any time (J); none without accounts.
+    /// The largest sum of remainders at any time (J); `None` without accounts.
     pub remainder: Option<f64>,
-    /// The largest energy that was moved: kinetic energy, or a change of the potential one (J).
+    /// The largest energy exchanged: kinetic energy, or a change of the potential energy (J).
     pub turnover: f64,
-    /// The size of the energies that all this was computed from, for rounding is a part of them
-    /// (J).
+    /// The size of the energies in the computation, to which rounding errors are proportional (J).
     pub scale: f64,
     /// Why it ended early, if it did.
     pub ending: Option<String>,
 }
 
-/// What had happened to the energy by one instant (J).
+/// The energy balance up to one instant (J).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Book {
     /// The time (s).
@@ -74,7 +72,7 @@ pub struct Book {
     pub accounts: Vec<f64>,
 }
 
-/// Instants that are kept.
+/// The number of instants that are kept.
 const KEPT: usize = 121;
 
 impl Book {
@@ -83,17 +81,17 @@ impl Book {
         Book { time, kinetic, potential, accounts }
     }
 
-    /// What no account explains (J).
+    /// The energy that no account explains (J).
     pub fn remainder(&self) -> f64 {
         self.kinetic + self.potential - self.accounts.iter().sum::<f64>()
     }
 }
 
 impl Run {
-    /// Steps the scene and adds up its ledger.
+    /// Steps the scene and adds up its energy balance.
     ///
     /// # Errors
-    /// If there is no such scene, or the changed one is none.
+    /// If the scene does not exist, or is invalid with the overridden fields.
     pub fn audit(&self) -> Result<Account> {
         let scene = Variation::of(&self.scene, &self.change).scene()?;
         let start = Motion::of(&scene, &scene.states, 0);

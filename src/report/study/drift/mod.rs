@@ -1,6 +1,5 @@
-//! Errors of energy and of constraints: over time with shorter and shorter steps ([`steps`]), by
-//! cause ([`ledger`]), and against the length of the step where the exact motion is known
-//! ([`order`]).
+//! Errors of energy and of constraints: over time for decreasing step lengths ([`steps`]), by cause
+//! ([`ledger`]), and as a function of the step length if the exact motion is known ([`order`]).
 
 pub mod ledger;
 pub mod order;
@@ -21,24 +20,24 @@ use steps::Levels;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
-    /// Scenes run at both levels with shorter and shorter steps.
+    /// Scenes run at both levels with decreasing step lengths.
     #[serde(default)]
     pub scenes: Vec<Timed>,
     /// Runs whose changes of energy are accounted for.
     #[serde(default)]
     pub ledgers: Vec<Run>,
-    /// Problems with closed forms, by every scheme.
+    /// Problems with closed forms, with every scheme.
     #[serde(default)]
     pub orders: Option<Orders>,
 }
 
-/// What a task finds out.
+/// The finding of a task.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Finding {
     /// A scene at both levels.
     Levels(Levels),
-    /// The ledger of a run.
+    /// The energy balance of a run.
     Ledger(Account),
     /// The errors of a problem with a closed form.
     Order(order::Finding),

@@ -1,4 +1,4 @@
-//! Energy and constraint errors over time, for shorter and shorter steps.
+//! Energy and constraint errors over time, for decreasing step lengths.
 
 use std::ops::ControlFlow;
 
@@ -19,9 +19,9 @@ pub struct Levels {
     pub title: String,
     /// Simulated time (s).
     pub duration: f64,
-    /// Energy to measure drift by: the largest kinetic energy of the finest run (J).
+    /// The reference for energy drift: the largest kinetic energy of the finest run (J).
     pub scale: f64,
-    /// One curve a level and step length, levels first.
+    /// One curve per level and step length, levels first.
     pub curves: Vec<Curve>,
 }
 
@@ -30,7 +30,7 @@ pub struct Levels {
 pub struct Curve {
     /// The level.
     pub scheme: String,
-    /// The scene's dt divided by this.
+    /// The divisor of the scene's dt.
     pub division: usize,
     /// The step (s).
     pub dt: f64,
@@ -40,7 +40,7 @@ pub struct Curve {
     pub failure: Option<String>,
 }
 
-/// Runs the scene for a time with dt, dt/2 and dt/4 at both levels.
+/// Runs the scene for this duration with dt, dt/2 and dt/4 at both levels.
 pub fn run(scene: &Scene, duration: f64) -> Levels {
     let mut scale = 0.0;
     let mut curves = Vec::new();

@@ -1,4 +1,4 @@
-//! Fill of the factor of A under three orderings: the price of a direct method.
+//! Fill of the factor of A with three orderings: the cost of a direct method.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,7 +8,7 @@ use crate::plot::Raster;
 use crate::report::study::settings::AtStep;
 use crate::storage::{Graph, Ordering};
 
-/// Cells along the side of a picture.
+/// The number of cells along the side of a picture.
 const CELLS: usize = 110;
 
 /// The factor of a scene's A.
@@ -18,34 +18,34 @@ pub struct Factor {
     pub scene: String,
     /// The number of the step, from 1.
     pub step: usize,
-    /// Rows of A.
+    /// The number of rows of A.
     pub rows: usize,
-    /// Entries of A on and below the diagonal.
+    /// The number of entries of A on and below the diagonal.
     pub lower: usize,
-    /// Each ordering.
+    /// The factor with each ordering.
     pub ordered: Vec<Ordered>,
 }
 
-/// A factor with the rows in some order.
+/// A factor with one ordering.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Ordered {
     /// The ordering's name.
     pub ordering: String,
     /// The largest distance of an entry of A from the diagonal.
     pub bandwidth: usize,
-    /// Entries of L, the diagonal included.
+    /// The number of entries of L, including the diagonal.
     pub entries: usize,
     /// Multiplications of the factorization: Σ over columns of the entries below the diagonal,
     /// squared.
     pub work: f64,
-    /// The factor.
+    /// The pattern of the factor.
     pub picture: Raster,
 }
 
-/// Factors the pattern of A of a scene's step.
+/// Factorizes the pattern of A of a scene's step.
 ///
 /// # Errors
-/// If the scene cannot be stepped that far, or the step has no rows.
+/// If the simulation does not reach this step, or the step has no rows.
 pub fn run(task: &AtStep) -> Result<Factor> {
     let problem = problem(task)?.ok_or_else(|| {
         let reason = format!("has no rows in step {}", task.step);

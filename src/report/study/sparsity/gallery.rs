@@ -1,4 +1,4 @@
-//! Where A has entries, for every shipped scene: the chapter's Figure 13 for all of them.
+//! The pattern of A for every shipped scene: the chapter's Figure 13 for all of them.
 
 use rayon::prelude::*;
 use schemars::JsonSchema;
@@ -14,7 +14,7 @@ use crate::scene::catalogue::SHIPPED;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Gallery {
-    /// These scenes alone; all without it.
+    /// Only these scenes; by default all.
     #[serde(default)]
     pub only: Vec<String>,
     /// Scenes that are shown in a later step than the first.
@@ -22,7 +22,7 @@ pub struct Gallery {
     pub later: Vec<AtStep>,
 }
 
-/// Cells along the side of a picture.
+/// The number of cells along the side of a picture.
 const CELLS: usize = 64;
 
 /// The pattern of a scene's A.
@@ -32,15 +32,15 @@ pub struct Picture {
     pub scene: String,
     /// The number of the step, from 1.
     pub step: usize,
-    /// The pattern; empty where the step has no rows.
+    /// The pattern; empty if the step has no rows.
     pub raster: Raster,
 }
 
 impl Gallery {
-    /// The patterns, each in the first step or in the step that is named for the scene.
+    /// The patterns, each in the first step or in the step named for the scene.
     ///
     /// # Errors
-    /// If a scene cannot be stepped that far.
+    /// If the simulation of a scene does not reach this step.
     pub fn run(&self) -> Result<Vec<Picture>> {
         let is_asked = |name: &str| self.only.is_empty() || self.only.iter().any(|own| own == name);
         let shipped = SHIPPED.par_iter().filter(|shipped| is_asked(shipped.name));

@@ -1,5 +1,5 @@
-//! Where the matrices of scenes have entries: J and A in one step ([`pattern`]), A of all shipped
-//! scenes ([`gallery`]), and the factor of A under three orderings ([`factor`]).
+//! Patterns of the matrices of scenes: J and A in one step ([`pattern`]), A of all shipped scenes
+//! ([`gallery`]), and the factor of A with three orderings ([`factor`]).
 
 pub mod factor;
 pub mod gallery;
@@ -19,7 +19,7 @@ use factor::Factor;
 use gallery::{Gallery, Picture};
 use pattern::Patterns;
 
-/// Matrices to be drawn.
+/// The matrices to draw.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
@@ -29,12 +29,12 @@ pub struct Plan {
     /// The patterns of A of the shipped scenes.
     #[serde(default)]
     pub gallery: Option<Gallery>,
-    /// LCPs whose A is factored under three orderings.
+    /// LCPs whose A is factorized with three orderings.
     #[serde(default)]
     pub factors: Vec<AtStep>,
 }
 
-/// What a task finds out.
+/// The finding of a task.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Finding {
@@ -86,7 +86,7 @@ impl Study for Plan {
 }
 
 /// The problem of a scene's step; `None` if the step has none. That of the first step needs no
-/// solution, so its solver stops after a sweep.
+/// solution, so its solver stops after one sweep.
 fn problem(task: &AtStep) -> Result<Option<Problem>> {
     let mut scene = Scene::load(&task.scene)?;
     if !scene.step.scheme.solves_lcps() {

@@ -1,4 +1,4 @@
-//! Where J and A have entries: the chapter's Figure 13.
+//! The patterns of J and A: the chapter's Figure 13.
 
 use serde::{Deserialize, Serialize};
 
@@ -14,15 +14,16 @@ pub struct Patterns {
     pub scene: String,
     /// Its title.
     pub title: String,
-    /// The number of the step, from 1; 0 of a problem.
+    /// The number of the step, from 1; 0 for a problem.
     pub step: usize,
-    /// Rows of J and A.
+    /// The number of rows of J and A.
     pub rows: usize,
-    /// Columns of J: velocity components of moving bodies; 0 of a problem, which has no J.
+    /// The number of columns of J: velocity components of moving bodies; 0 for a problem, which has
+    /// no J.
     pub columns: usize,
-    /// The places (row, column) of J's nonzero entries.
+    /// The positions (row, column) of J's nonzero entries.
     pub jacobian: Vec<(usize, usize)>,
-    /// The places (row, column) of A's nonzero entries.
+    /// The positions (row, column) of A's nonzero entries.
     pub matrix: Vec<(usize, usize)>,
 }
 

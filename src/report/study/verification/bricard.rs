@@ -1,4 +1,4 @@
-//! Bricard's mechanism: six hinges in a ring that count as rigid and are not.
+//! Bricard's mechanism: a ring of six hinges that is rigid by counting rows, but can move.
 
 use crate::simulation;
 use nalgebra::{DMatrix, DVector};
@@ -11,12 +11,12 @@ use crate::scene::Scene;
 use crate::simulation::Simulation;
 use crate::solver::by_name;
 
-/// Singular values below this part of the largest count as 0.
+/// Singular values below this fraction of the largest count as 0.
 const ZERO: f64 = 1e-9;
 
-/// The rank of J is one below the number of rows, so that one freedom n is left, J n = 0. From rest
-/// the mechanism starts with the acceleration n (n·F)/(n·M n), whatever the forces in its hinges:
-/// by Dantzig's method, by Lemke's and by an interior point.
+/// The rank of J is one below the number of rows, which leaves one degree of freedom n, J n = 0.
+/// From rest the mechanism starts with the acceleration n (n·F)/(n·M n), whatever the forces in its
+/// hinges: with Dantzig's method, Lemke's method and an interior point.
 pub(super) fn bricard(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("bricard", "bricard", size)?;
     let whole = (0.0, "an integer; singular values below 1e-9 of the largest count as 0");
@@ -61,7 +61,7 @@ fn jacobian(assembly: &Assembly) -> DMatrix<f64> {
     j
 }
 
-/// The size of rod 3's acceleration (m/s²) by the freedom n alone.
+/// The magnitude of rod 3's acceleration (m/s²), from the degree of freedom n alone.
 fn freedom(scene: &Scene) -> Option<f64> {
     let assembly = Assembly::new(scene, &scene.states, &[], Entering::Resting).ok()?;
     let svd = jacobian(&assembly).svd(false, true);

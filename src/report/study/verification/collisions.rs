@@ -1,4 +1,4 @@
-//! Blows with friction, slip askew to the axes, and more than one bounce.
+//! Impacts with friction, slip that is not along the axes, and more than one bounce.
 
 use super::measure::{Case, Known, Method, after};
 use super::{Row, Size};
@@ -11,7 +11,7 @@ const SUMMED: (f64, &str) = (1e-6, "the tolerance of the solver, accumulated ove
 const SUBSTEPS: (f64, &str) =
     (1e-6, "rounding errors of position differences divided by the substep");
 
-/// How near a blow of a scheme must come.
+/// The tolerance for an impact with this scheme, and its reason.
 fn of_scheme(scheme: Scheme) -> (f64, &'static str) {
     match scheme {
         Scheme::Xpbd | Scheme::Soft => SUBSTEPS,
@@ -19,7 +19,8 @@ fn of_scheme(scheme: Scheme) -> (f64, &'static str) {
     }
 }
 
-/// A ball thrown on the ground slides through its blow: friction is μ (1 + e) v_n, and turns it.
+/// A ball thrown onto the ground slides throughout its impact: friction is μ (1 + e) v_n, and
+/// rotates it.
 pub(super) fn blow(size: Size) -> Result<Vec<Row>> {
     let [mu, e, down, along, radius] = [0.1, 0.5, 2.0, 3.0, 0.1];
     let text = "gravity = [0, 0, 0]\ncontact.friction = 0.1\ncontact.restitution = 0.5\n[[bodies]]\n\
@@ -56,8 +57,8 @@ pub(super) fn blow(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A point that slides at 30° to the axes: each model by its own law. Coulomb's force is against
-/// the slip, the box's against both of its components, a polygon's that of its corners which
+/// A point that slides at 30° to the axes: each model follows its own law. Coulomb's force opposes
+/// the slip, the box opposes both of its components separately, a polygon uses the corner that
 /// opposes the slip most.
 pub(super) fn askew(size: Size) -> Result<Vec<Row>> {
     let (mu, speed, time) = (0.3, 2.0, 0.1);
@@ -70,7 +71,7 @@ pub(super) fn askew(size: Size) -> Result<Vec<Row>> {
     let pull = mu * G * time;
     let straight = [cos_of_slip * (speed - pull), sin_of_slip * (speed - pull)];
     let boxed = [speed * cos_of_slip - pull, speed * sin_of_slip - pull];
-    // Of 8 corners 45° is the nearest to 30°, of 16 corners 22.5°.
+    // With 8 corners 45° is nearest to 30°, with 16 corners 22.5°.
     let towards = |corner: f64| {
         let (sin, cos) = libm::sincos(corner.to_radians());
         [speed * cos_of_slip - pull * cos, speed * sin_of_slip - pull * sin]
@@ -107,7 +108,8 @@ pub(super) fn askew(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A ball between two walls: after three bounces it has e³ of its speed, by every scheme with an e.
+/// A ball between two walls: after three bounces it has e³ of its speed, with every scheme that
+/// supports e.
 pub(super) fn bounces(size: Size) -> Result<Vec<Row>> {
     let (e, speed) = (0.9_f64, 2.0);
     let wall = |name: &str, x: f64| {
@@ -136,7 +138,7 @@ pub(super) fn bounces(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A box falls flat on its face: it bounces with e v and does not turn.
+/// A box falls flat on its face: it bounces with e v and does not rotate.
 pub(super) fn flat(size: Size) -> Result<Vec<Row>> {
     let (e, speed) = (0.6, 2.0);
     let text = "gravity = [0, 0, 0]\ncontact.restitution = 0.6\n[[bodies]]\nname = \"ground\"\n\
@@ -158,16 +160,16 @@ pub(super) fn flat(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A ball hits another one askew, e = 1, after a gap that it closes within a step: they part at a
-/// right angle. Acceleration level divides the step there; the velocity level bounces at its
-/// beginning, in the direction that holds then, and says so.
+/// A ball hits another one off-center, e = 1, after a gap that it closes within a step: they
+/// separate at a right angle. The acceleration level divides the step at the impact; the velocity
+/// level bounces at the beginning of the step, in the direction at that time, and reports it.
 pub(super) fn gap(size: Size) -> Result<Vec<Row>> {
     let (speed, askew, reach) = (3.0_f64, 0.6_f64, 1.0_f64);
     let text = "gravity = [0, 0, 0]\ncontact.restitution = 1\n[[bodies]]\nname = \"a\"\nmass = 1\n\
         shape = { sphere = 0.5 }\nvelocity = [3, 0, 0]\n[[bodies]]\nname = \"b\"\nmass = 1\n\
         shape = { sphere = 0.5 }\nposition = [2.3, 0.6, 0]\n";
     let case = Case::of("gap-below-a-step", Scene::from_toml("billiards", text)?, size);
-    // Where they meet the line between their centres has the sine 0.6 to the way of the first.
+    // At the impact the line between their centers has the sine 0.6 to the path of the first.
     let sin = askew / reach;
     let along = speed * (1.0 - sin * sin).sqrt();
     let expected = [along * (1.0 - sin * sin).sqrt(), along * sin];

@@ -1,4 +1,4 @@
-//! Bodies that land, carry each other, slide and stick.
+//! Bodies that land, support each other, slide and stick.
 
 use super::measure::{Case, Known, Method, first, last, start};
 use super::{Row, Size};
@@ -23,11 +23,11 @@ fn normals(step: &Step) -> Vec<f64> {
     rows.filter(|(row, _)| row.kind == Kind::Normal).map(|(_, x)| *x).collect()
 }
 
-/// The chapter's Figures 6 and 7: blows that stop one body, and a stack whose middle is hit.
+/// The chapter's Figures 6 and 7: impacts that stop one body, and a stack whose middle is hit.
 pub(super) fn landing(size: Size) -> Result<Vec<Row>> {
     let mut rows = Vec::new();
     for level in LEVELS {
-        // The weight's part is m g dt: the blow is what is left at any step length.
+        // The weight's part is m g dt: the impact is what remains at any step length.
         let weight = |scene: &Scene| match level {
             Method::Velocity => scene.step.dt,
             _ => 0.0,
@@ -52,7 +52,7 @@ pub(super) fn landing(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Each layer carries the weight above it.
+/// Each layer supports the weight above it.
 pub(super) fn stack(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("stack", "stack", size)?;
     let weight = -case.scene.gravity.z * case.scene.bodies.last().map_or(0.0, |b| b.mass.mass());
@@ -82,7 +82,7 @@ fn carried(scene: &Scene, step: &Step, body: usize) -> f64 {
     below.map(|(_, x)| *x).sum::<f64>() / unit
 }
 
-/// The box slides with g (sin θ − μ cos θ), and stays where it is for μ > tan θ.
+/// The box slides with g (sin θ − μ cos θ), and does not move for μ > tan θ.
 pub(super) fn incline(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("incline", "incline", size)?;
     let angle = 20f64.to_radians();
@@ -111,8 +111,8 @@ fn rub(scene: &mut Scene, friction: f64) {
     scene.bodies.iter_mut().for_each(|body| body.friction = friction);
 }
 
-/// The push of the wall; whether the ladder holds 1 % above the critical friction; and how it
-/// starts to slide at nine tenths of it.
+/// The force of the wall; whether the ladder holds 1 % above the critical friction; and its initial
+/// acceleration at nine tenths of it.
 pub(super) fn ladder(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("ladder", "ladder", size)?;
     let (floor, ladder) = (0, 2);

@@ -1,11 +1,11 @@
-//! A stone that nothing touches.
+//! A stone in free flight.
 
 use super::measure::{Case, Known, Method, ROUNDING, after};
 use super::{Row, Size};
 use crate::error::Result;
 use crate::scene::catalogue::fall::Fall;
 
-/// Velocities are exact for every method; the parabola for those of second order and above.
+/// Velocities are exact with every method; the parabola with those of second order and above.
 pub(super) fn fall(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("free-fall", "free_fall", size)?;
     let (start, time) = (case.scene.states[0], 1.0);

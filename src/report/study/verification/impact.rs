@@ -1,14 +1,14 @@
-//! Blows that bounce.
+//! Impacts with restitution.
 
 use super::measure::{Case, Known, Method, ROUNDING, start};
 use super::{Row, Size};
 use crate::error::Result;
 use crate::scene::catalogue::bounce::{Drop, chain_of_three};
 
-/// A ball falls from rest and bounces with e = 1/2: heights e² and e⁴ of the first. The fall of T
-/// takes whole steps, and so does each flight after it, 2 e T and 2 e² T: under integrators of
-/// second order and above it touches the ground to rounding. Semi-implicit Euler is a step too low,
-/// and has first order.
+/// A ball falls from rest and bounces with e = 1/2: heights e² and e⁴ of the first. The fall time T
+/// is a whole number of steps, and so is each flight after it, 2 e T and 2 e² T: with integrators
+/// of second order and above the ball touches the ground up to rounding. Semi-implicit Euler is one
+/// step too low, and of first order.
 pub(super) fn bouncing(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("bouncing-ball", "bouncing_ball", size)?;
     let radius = 0.1;
@@ -31,7 +31,7 @@ pub(super) fn bouncing(size: Size) -> Result<Vec<Row>> {
         }
         rows.extend(case.rows(method, known, |scene| {
             let mut simulation = start(scene)?;
-            // From one bounce to the next the ball rises, up to the greatest height of that flight.
+            // Between two bounces the ball reaches the greatest height of that flight.
             let (mut heights, mut third, mut bounces) = ([0.0f64; 3], f64::NAN, 0);
             let end = drop.time_of(3) + 0.05;
             while simulation.time() < end && bounces < 3 {
@@ -52,9 +52,9 @@ pub(super) fn bouncing(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Balls with gaps hit each other one after the other, and the last one leaves with v. Three that
-/// touch are one LCP, in which all pairs that press and approach bounce at once: another answer,
-/// decided by the law of restitution and not by Newton's cradle.
+/// Balls with gaps hit each other one after the other, and the last one leaves with v. Three balls
+/// in contact are one LCP, in which all pairs that press and approach bounce at once: a different
+/// result, which follows from the law of restitution and not from Newton's cradle.
 pub(super) fn cradle(size: Size) -> Result<Vec<Row>> {
     let mut rows = Vec::new();
     let speeds = |scene: &crate::scene::Scene| {

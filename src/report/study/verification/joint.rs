@@ -8,8 +8,8 @@ use crate::scene::Scene;
 
 const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
 
-/// A rod that is too long, without gravity: with β its error falls to 1 − β of itself in each step;
-/// with α it dies down like a critically damped spring.
+/// A rod that is too long, without gravity: with β each step multiplies its error by 1 − β; with α
+/// it decays like a critically damped spring.
 pub(super) fn feedback(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("feedback", "pendulum", size)?;
     let (beta, alpha, error, steps, time) = (0.2f64, 20.0, 0.01, 10, 0.15);
@@ -42,8 +42,8 @@ pub(super) fn feedback(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A weight on a spring: the period, and where it comes to rest with damping. The implicit step
-/// turns the motion by atan(ω dt) = ω dt − (ω dt)³/3 …: the frequency is of second order.
+/// A weight on a spring: the period, and the rest position with damping. The implicit step rotates
+/// the motion by atan(ω dt) = ω dt − (ω dt)³/3 …: the frequency is of second order.
 pub(super) fn spring(size: Size) -> Result<Vec<Row>> {
     let mut rows = Vec::new();
     for level in LEVELS {
@@ -72,10 +72,10 @@ pub(super) fn spring(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A mass on a spring without length, on the ellipse x = cos(ω t), y = ½ sin(ω t): an implicit
-/// step, which takes the spring's direction at its beginning, spoils its size at first order;
-/// integrators keep it at theirs, the midpoint exactly. The scene's energy has that of the spring:
-/// ½ k (x² + y²) + ½ m v² = ½ k (1 + ¼).
+/// A mass on a spring of zero length, on the ellipse x = cos(ω t), y = ½ sin(ω t): an implicit
+/// step, which uses the spring's direction at its beginning, changes its size at first order;
+/// integrators preserve it to their own order, the midpoint rule exactly. The scene's energy
+/// includes that of the spring: ½ k (x² + y²) + ½ m v² = ½ k (1 + ¼).
 pub(super) fn ellipse(size: Size) -> Result<Vec<Row>> {
     let (omega, time): (f64, f64) = (4.0, 0.5);
     let text = "gravity = [0, 0, 0]\n[[bodies]]\nname = \"mass\"\nshape = \"point\"\nmass = 1\n\
@@ -97,7 +97,7 @@ pub(super) fn ellipse(size: Size) -> Result<Vec<Row>> {
     ];
     let mut rows = Vec::new();
     for (method, orders) in methods {
-        // At shorter steps rounding would hide a fifth order.
+        // With shorter steps rounding would hide a fifth order.
         case.scene.step.dt = if LEVELS.contains(&method) { 0.01 } else { 0.02 };
         let known =
             quantities.iter().zip(orders).map(
@@ -115,7 +115,7 @@ pub(super) fn ellipse(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A wheel driven by a motor with bounded torque: ω = τ t/I until it has its speed.
+/// A wheel driven by a motor with bounded torque: ω = τ t/I until it reaches its speed.
 pub(super) fn motor(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("motor", "motor", size)?;
     let (effort, inertia, speed) = (2.0, 0.5, 3.0);

@@ -1,4 +1,4 @@
-//! What all cases share: a scene, how it is stepped, and step lengths that are halved.
+//! Helpers of all cases: a scene, the method of stepping, and halved step lengths.
 
 use super::{Criterion, Row, Sample, Size};
 use crate::body::State;
@@ -9,7 +9,7 @@ use crate::simulation;
 use crate::simulation::{Simulation, Step};
 use crate::solver::by_name;
 
-/// A family of methods, and the integrator that the acceleration level uses.
+/// A scheme, and the integrator for the acceleration level.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Method {
     Velocity,
@@ -44,7 +44,7 @@ impl Method {
     }
 }
 
-/// What is known of a quantity.
+/// The theory of a quantity.
 pub(super) struct Known {
     pub quantity: String,
     /// As text and as LaTeX.
@@ -55,7 +55,7 @@ pub(super) struct Known {
 }
 
 impl Known {
-    /// A quantity whose error shrinks like dt to this power.
+    /// A quantity whose error decreases like dt to this power.
     pub fn order(
         order: f64,
         quantity: impl Into<String>,
@@ -67,7 +67,7 @@ impl Known {
         Known { quantity: quantity.into(), formula, unit, expected, criterion }
     }
 
-    /// A quantity that no step length spoils.
+    /// A quantity that does not depend on the step length.
     pub fn exact(
         (tolerance, because): (f64, &str),
         quantity: impl Into<String>,
@@ -87,7 +87,7 @@ pub(super) const ROUNDING: (f64, &str) = (1e-10, "rounding errors, accumulated o
 pub(super) struct Case {
     pub name: &'static str,
     pub scene: Scene,
-    /// How many step lengths, each half of the one before.
+    /// The number of step lengths, each half of the previous one.
     pub levels: usize,
 }
 
@@ -104,8 +104,8 @@ impl Case {
         Case { name, scene, levels: size.levels() }
     }
 
-    /// The rows of quantities that one run of the scene measures, in the order of `known`; the
-    /// scene that `measure` gets has the method and the step length of the run.
+    /// The rows of quantities measured in one run of the scene, in the order of `known`; the scene
+    /// passed to `measure` has the method and the step length of the run.
     pub fn rows(
         &self,
         method: Method,
@@ -146,7 +146,7 @@ impl Case {
     }
 }
 
-/// The scene on its way.
+/// A simulation of the scene.
 pub(super) fn start(scene: &Scene) -> Option<Simulation> {
     let solver = by_name(STEPPER, &simulation::options(scene)).ok()?;
     Some(Simulation::new(scene.clone(), solver))
@@ -172,9 +172,9 @@ pub(super) fn after(scene: &Scene, time: f64) -> Option<Vec<State>> {
     last(scene, time).map(|step| step.states)
 }
 
-/// The times at which a value passes 0 downwards, the first `count` of them before a limit; `value`
-/// gives it and its rate. Between two steps it is a line; under RK4 the cubic with the rates, whose
-/// error is of fifth order where the fourth derivative vanishes too.
+/// The times at which a value crosses 0 downwards, the first `count` of them before a limit;
+/// `value` gives the value and its rate. Between two steps it is interpolated linearly; with RK4 by
+/// the cubic with the rates, whose error is of fifth order if the fourth derivative vanishes too.
 pub(super) fn passages(
     scene: &Scene,
     (count, limit): (usize, f64),
@@ -186,7 +186,7 @@ pub(super) fn passages(
     let mut times = Vec::new();
     while times.len() < count {
         let now = value(&simulation.step().ok()?.states);
-        // A jump of an angle from π to −π is no passage.
+        // A jump of an angle from π to −π is not a crossing.
         if before.0 > 0.0 && now.0 <= 0.0 && before.0 - now.0 < 1.0 {
             let part = match scene.step.integrator {
                 Integrator::Rk4 => cubic_root(before, now, dt),
@@ -202,8 +202,8 @@ pub(super) fn passages(
     Some(times)
 }
 
-/// Where in [0, 1] the cubic with these values and rates at the ends of a step h vanishes, by
-/// halving.
+/// The root in [0, 1] of the cubic with these values and rates at the ends of a step h, by
+/// bisection.
 fn cubic_root((y0, r0): (f64, f64), (y1, r1): (f64, f64), h: f64) -> f64 {
     let cubic = |s: f64| {
         let t = 1.0 - s;

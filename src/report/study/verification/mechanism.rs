@@ -1,4 +1,4 @@
-//! Joints one by one: gears, rack, universal, cylindrical, slider, rope, limit and belt.
+//! Single joints: gears, rack, universal, cylindrical, slider, rope, limit and belt.
 
 use super::measure::{Case, Known, Method, ROUNDING, after, last};
 use super::{Row, Size};
@@ -11,7 +11,7 @@ const SUMMED: (f64, &str) = (1e-7, "the tolerance of the solver, accumulated ove
 /// The gap at which a limit counts as met at acceleration level is a part of g dt².
 const MET: (f64, &str) = (1e-6, "the gap below which a limit counts as reached");
 
-/// A joint's scene, what is known of its motion after a time, and where that is read.
+/// A joint's scene, the closed forms of its motion after a time, and how they are measured.
 struct Joint {
     scene: &'static str,
     text: String,
@@ -40,7 +40,7 @@ fn rows(name: &'static str, joints: Vec<Joint>, size: Size) -> Result<Vec<Row>> 
     Ok(rows)
 }
 
-/// A ball of 2 kg with I = 0.2 kg m² of this name there, with these fields.
+/// A ball of 2 kg with I = 0.2 kg m², with this name, position and fields.
 fn ball(name: &str, position: [f64; 3], fields: &str) -> String {
     format!(
         "[[bodies]]\nname = \"{name}\"\nshape = {{ sphere = 0.5 }}\nmass = 2\n\
@@ -54,7 +54,7 @@ fn joint(kind: &str, bodies: &str, fields: &str) -> String {
 
 const WEIGHTLESS: &str = "gravity = [0, 0, 0]\n";
 
-/// Joints without gravity: what a torque of 3 N m turns by them.
+/// Joints without gravity: the rotation caused by a torque of 3 N m.
 pub(super) fn turning(size: Size) -> Result<Vec<Row>> {
     let [inertia, torque, time, ratio] = [0.2, 3.0, 0.5, 20.0 / 45.0];
     let torque_on = "torque = [0, 0, 3]";
@@ -115,7 +115,7 @@ pub(super) fn turning(size: Size) -> Result<Vec<Row>> {
     rows("joints-turning", joints, size)
 }
 
-/// Joints that weights pull at: a yo-yo, a slider on a slope, its limit, a rope that becomes taut.
+/// Joints loaded by weights: a yo-yo, a slider on a slope, its limit, a rope that becomes taut.
 pub(super) fn falling(size: Size) -> Result<Vec<Row>> {
     let slope = "axis = [1, 0, -1]";
     let sledge = ball("a", [0.0; 3], "") + &joint("slider", "[\"a\"]", slope);
@@ -177,7 +177,8 @@ pub(super) fn falling(size: Size) -> Result<Vec<Row>> {
     rows("joints-falling", joints, size)
 }
 
-/// A crate on a belt: dragged with μ g, and what friction puts in is half of what the belt gives.
+/// A crate on a belt: it is dragged with μ g, and friction transfers half of the energy that the
+/// belt supplies.
 pub(super) fn belt(size: Size) -> Result<Vec<Row>> {
     let text = "contact.friction = 0.5\n[[bodies]]\nname = \"belt\"\nfixed = true\n\
         shape = { plane = [0, 0, 1] }\nvelocity = [2, 0, 0]\n[[bodies]]\nname = \"crate\"\nmass = 2\n\
@@ -197,8 +198,8 @@ pub(super) fn belt(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Joints that say the same twice, off the axes of the world: a door on two hinges with one axis,
-/// and a ball on two sliders, each brought to its speed by a motor.
+/// Redundant joints that are not along the axes of the world: a door on two hinges with one axis,
+/// and a ball on two sliders, each driven by a motor.
 pub(super) fn redundant(size: Size) -> Result<Vec<Row>> {
     let axis = nalgebra::Vector3::new(0.1, 0.2, 1.0).normalize();
     let hinge =
@@ -224,8 +225,8 @@ pub(super) fn redundant(size: Size) -> Result<Vec<Row>> {
         let mut case = Case::of("redundant-joints", Scene::from_toml(scene, text)?, size);
         case.scene.step.baumgarte = 0.1;
         for level in LEVELS {
-            // The state keeps L: I(q)⁻¹ L at the end of a step is u with the inertia turned by dt
-            // ω.
+            // The state preserves L: I(q)⁻¹ L at the end of a step is u with the inertia rotated by
+            // dt ω.
             let turns = (scene, level) == ("door", Method::Velocity);
             let known = vec![match turns {
                 true => Known::order(1.0, quantity, formula, unit, 2.0),
@@ -241,7 +242,7 @@ pub(super) fn redundant(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A motor with effort to spare holds its speed against a force, by every scheme.
+/// A motor below its force limit keeps its speed against a force, with every scheme.
 pub(super) fn blocked(size: Size) -> Result<Vec<Row>> {
     let drive = "axis = [1, 0, 0]\nspeed = 2\neffort = 1000";
     let text = String::from(WEIGHTLESS)

@@ -1,16 +1,16 @@
-//! Numbers that are known without a computer, measured with shorter and shorter steps.
+//! Verification against closed-form solutions, with decreasing step lengths.
 //!
-//! A row names a scene, how it is stepped, a quantity and its closed form. It is measured with dt,
-//! dt/2, dt/4 and dt/8. What the step length spoils must come right at the order that theory gives
-//! for this quantity and this method,
+//! A row names a scene, the method of stepping, a quantity and its closed form. It is measured with
+//! dt, dt/2, dt/4 and dt/8. A quantity that depends on the step length must converge with the order
+//! that theory gives for this quantity and method,
 //!
 //! ```text
 //! observed order = log2(|error(2h)| / |error(h)|),   within 0.1 of the derived one
 //! ```
 //!
-//! which no wrong constant can pass: an error that stays has the order 0. What it does not spoil
-//! must be right at every step length, within a tolerance that has a reason. Cases are one file a
-//! group.
+//! which no wrong constant can pass: an error that remains has order 0. A quantity that does not
+//! depend on it must be right at every step length, within a tolerance with a stated reason. Cases
+//! are one file per group.
 
 mod bricard;
 mod collisions;
@@ -37,16 +37,16 @@ use crate::error::{Error, Result};
 use crate::lcp::friction::Model;
 use crate::scene::Scheme;
 
-/// How far an observed order may lie from the derived one.
+/// The allowed difference between an observed order and the derived one.
 pub const ORDER_SLACK: f64 = 0.1;
 
-/// The known numbers.
+/// The closed forms to verify.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
-    /// How many step lengths.
+    /// The number of step lengths.
     pub size: Size,
-    /// These cases alone, by name; all without it.
+    /// Only these cases, by name; by default all.
     #[serde(default = "all_cases")]
     pub cases: Vec<String>,
 }
@@ -70,7 +70,7 @@ impl Study for Plan {
     }
 }
 
-/// How much is measured.
+/// The extent of the measurements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Size {
@@ -81,7 +81,7 @@ pub enum Size {
 }
 
 impl Size {
-    /// How many step lengths, each half of the one before.
+    /// The number of step lengths, each half of the previous one.
     pub fn levels(self) -> usize {
         match self {
             Size::Full => 4,
@@ -90,16 +90,16 @@ impl Size {
     }
 }
 
-/// A closed form and what is measured of it.
+/// A closed form with its measurements.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Row {
-    /// The case that it belongs to.
+    /// Its case.
     pub case: String,
     /// The scene.
     pub scene: String,
-    /// The family of methods and, where there is a choice, the integrator.
+    /// The scheme and, if there is a choice, the integrator.
     pub method: String,
-    /// What is measured.
+    /// The measured quantity.
     pub quantity: String,
     /// The formula as text.
     pub formula: String,
@@ -109,33 +109,33 @@ pub struct Row {
     pub unit: String,
     /// The value of the formula.
     pub expected: f64,
-    /// What was measured, with the longest step first.
+    /// The measurements, the longest step first.
     pub samples: Vec<Sample>,
-    /// What the numbers must do.
+    /// The criterion for the measurements.
     pub criterion: Criterion,
 }
 
-/// A number measured with one step length.
+/// A measurement with one step length.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Sample {
     /// The step (s).
     pub dt: f64,
-    /// The number; NaN if the simulation failed.
+    /// The value; NaN if the simulation failed.
     #[serde(with = "lcplab_study::number::always")]
     pub measured: f64,
 }
 
-/// What the measured numbers must do.
+/// The criterion for the measured values.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Criterion {
-    /// Their errors shrink like dt to this power.
+    /// Their errors decrease like dt to this power.
     Order(f64),
-    /// They are right whatever the step.
+    /// They are right for every step length.
     Exact {
-        /// The largest error of any of them, relative unless 0 is expected.
+        /// The maximum error, relative unless 0 is expected.
         tolerance: f64,
-        /// Why it is not smaller.
+        /// The reason for this tolerance.
         because: String,
     },
 }
@@ -148,7 +148,7 @@ impl Row {
         self.samples.iter().map(error).collect()
     }
 
-    /// The order that the two shortest steps show; NaN if there are no two.
+    /// The order from the two shortest steps; NaN if there are fewer than two.
     pub fn observed_order(&self) -> f64 {
         match self.errors()[..] {
             [.., coarse, fine] => (coarse / fine).log2(),
@@ -156,7 +156,7 @@ impl Row {
         }
     }
 
-    /// The order that theory gives, if the step matters at all.
+    /// The theoretical order, if the step length matters at all.
     pub fn derived_order(&self) -> Option<f64> {
         match self.criterion {
             Criterion::Order(order) => Some(order),
@@ -164,7 +164,7 @@ impl Row {
         }
     }
 
-    /// Whether the numbers do what they must.
+    /// Whether the measurements satisfy the criterion.
     pub fn passes(&self) -> bool {
         match self.criterion {
             Criterion::Order(order) => (self.observed_order() - order).abs() <= ORDER_SLACK,
@@ -228,11 +228,11 @@ const CASES: &[(&str, Case)] = &[
     ("painleve", painleve::rod),
 ];
 
-/// A case with settings of its own.
+/// A case with its own settings.
 type Chosen = Box<dyn Fn(Size) -> Result<Vec<Row>> + Send + Sync>;
 
-/// A simulated minute each, a stack of ten and a pendulum by every scheme: an hour of work in all,
-/// so that they run only where a report file names them.
+/// One simulated minute each, a stack of ten and a pendulum with every scheme: an hour of
+/// computation in total, so they run only if a report file names them.
 fn long() -> Vec<(String, Chosen)> {
     let stack = |(scheme, model): (Scheme, Model)| -> (String, Chosen) {
         let name = format!("long-stack-{}-{model}", scheme.name());
@@ -242,16 +242,16 @@ fn long() -> Vec<(String, Chosen)> {
     [pendulum].into_iter().chain(schemes::long_stacks().map(stack)).collect()
 }
 
-/// The names of the cases but the long ones.
+/// The names of the cases except the long ones.
 pub fn names() -> Vec<&'static str> {
     CASES.iter().map(|(name, _)| *name).collect()
 }
 
-/// The rows of a case, a long one too, or of all but the long ones. They do not depend on the
-/// number of threads.
+/// The rows of one case, including long ones, or of all except the long ones. They do not depend on
+/// the number of threads.
 ///
 /// # Errors
-/// If there is no case of that name.
+/// If there is no case with this name.
 pub fn run(size: Size, only: Option<&str>) -> Result<Vec<Row>> {
     let usual = CASES.iter().map(|&(name, study)| (name.to_string(), Box::new(study) as Chosen));
     let chosen: Vec<(String, Chosen)> = match only {
@@ -262,7 +262,7 @@ pub fn run(size: Size, only: Option<&str>) -> Result<Vec<Row>> {
     Ok(rows?.concat())
 }
 
-/// The case of this name.
+/// The case with this name.
 fn one(all: Vec<(String, Chosen)>, only: &str) -> Result<(String, Chosen)> {
     let known = all.iter().map(|(name, _)| name.clone()).collect();
     let found = all.into_iter().find(|(name, _)| name == only);

@@ -1,4 +1,4 @@
-//! Painlevé's rod: where forces cannot help, and impulses can.
+//! Painlevé's rod: no forces solve the problem, but impulses do.
 
 use super::measure::{Case, Known, Method, ROUNDING, first, start};
 use super::{Row, Size};
@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::simulation::Cause;
 
 /// At acceleration level the proof that there is no solution, checked exactly; at velocity level a
-/// step after which the tip does not sink in.
+/// step after which the tip does not penetrate.
 pub(super) fn rod(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("painleve", "painleve", size)?;
     let formula = ["d >= 0, A^T d <= 0, b d < 0", "d \\ge 0,\\ A^T d \\le 0,\\ b^T d < 0"];
@@ -28,7 +28,7 @@ pub(super) fn rod(size: Size) -> Result<Vec<Row>> {
         let after = solve.problem.next_velocity(&solve.solution.x, scene.step.dt);
         let speeds = solve.problem.assembly.push_forward(&after);
         let rows = solve.problem.assembly.rows.iter().zip(&solve.solution.x).zip(speeds);
-        // Rows that press; one of a gap may close by it.
+        // Touching rows with a force; a row with a gap may approach by the gap.
         let into = rows
             .filter(|((row, x), _)| row.kind == Kind::Normal && **x > 0.0 && row.c <= 1e-9)
             .map(|(_, speed)| speed.abs())

@@ -1,8 +1,9 @@
-//! Pendulums: period, tension and place, against elliptic integrals and reduced coordinates.
+//! Pendulums: period, tension and position, compared with elliptic integrals and reduced
+//! coordinates.
 //!
-//! From step to step the middle of semi-implicit Euler's two kicks is the leapfrog scheme, which
-//! runs the same backwards: a period, which does not ask at which half step one looks, is of second
-//! order, a place at a given time of first.
+//! From step to step, semi-implicit Euler shifted by half a step is the leapfrog scheme, which is
+//! time-reversible: a period, which does not depend on the shift, is of second order, a position at
+//! a given time of first.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -14,7 +15,7 @@ use crate::body::State;
 use crate::error::Result;
 use crate::scene::catalogue::pendulum::{Conical, DoublePendulum, Pendulum, Swing};
 
-/// Methods with the order of a period and of a place.
+/// Methods with the orders of a period and of a position.
 const METHODS: [(Method, f64, f64); 4] = [
     (Method::Velocity, 2.0, 1.0),
     (Method::Acceleration, 2.0, 1.0),
@@ -36,7 +37,7 @@ fn end(angle: f64) -> Vector3<f64> {
     Vector3::new(angle.sin(), 0.0, -angle.cos())
 }
 
-/// The period at 90 degrees: the time between two passages through the lowest point.
+/// The period at 90 degrees: the time between two crossings of the lowest point.
 pub(super) fn swing(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("pendulum", "pendulum", size)?;
     let pendulum = Pendulum { length: 1.0, gravity: -case.scene.gravity.z };
@@ -74,7 +75,7 @@ pub(super) fn tension(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// The published benchmark: where the mass is after 10 s, and how hard the rod pulls.
+/// The published benchmark: the position of the mass after 10 s, and the tension in the rod.
 pub(super) fn iftomm(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("iftomm-pendulum", "iftomm_pendulum", size)?;
     let g = -case.scene.gravity.z;
@@ -136,7 +137,7 @@ pub(super) fn conical(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Two masses against the Lagrangian's equations for two angles.
+/// Two masses compared with Lagrange's equations for two angles.
 pub(super) fn double(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("double-pendulum", "double_pendulum", size)?;
     let gravity = -case.scene.gravity.z;

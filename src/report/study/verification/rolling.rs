@@ -1,4 +1,4 @@
-//! Balls that roll.
+//! Rolling balls.
 
 use super::measure::{Case, Known, Method, last};
 use super::{Row, Size};
@@ -9,7 +9,7 @@ use crate::scene::catalogue::rolling::{PushedBox, SlidingBall};
 const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
 const SUMMED: (f64, &str) = (1e-7, "the tolerance of the solver, accumulated over the steps");
 
-/// A ball that is thrown without spin slides until it rolls, at 5/7 of its speed.
+/// A ball thrown without spin slides until it rolls, at 5/7 of its speed.
 pub(super) fn sphere(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("rolling-sphere", "rolling_sphere", size)?;
     let (g, time) = (-case.scene.gravity.z, 0.5);
@@ -48,7 +48,7 @@ pub(super) fn sphere(size: Size) -> Result<Vec<Row>> {
         ];
         rows.extend(case.rows(level, known, |scene| {
             let mut simulation = super::measure::start(scene)?;
-            // Slip v − ω R falls by 7/2 μ g dt a step, in the last one by what is left.
+            // The slip v − ω R decreases by 7/2 μ g dt per step, in the last one by what is left.
             let slip = |state: &crate::body::State| state.v.x - 0.5 * state.omega.y;
             let (mut before, mut slid) = (slip(&simulation.states()[1]), 0.0);
             for _ in 0..(time / scene.step.dt).round() as usize {
@@ -63,7 +63,7 @@ pub(super) fn sphere(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Twenty-five balls on a box that is pushed: they roll backwards as seen from the box.
+/// Twenty-five balls on a pushed box: relative to the box they roll backwards.
 pub(super) fn balls(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("rolling-balls", "rolling_balls", size)?;
     case.scene.step.dt = 0.02;
@@ -106,7 +106,7 @@ pub(super) fn balls(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A full cylinder and a thin disc that roll down 10° with ⅔ g sin θ, on a plane and on a box.
+/// A solid cylinder and a thin disk that roll down 10° with ⅔ g sin θ, on a plane and on a box.
 pub(super) fn cylinder(size: Size) -> Result<Vec<Row>> {
     let (time, angle) = (0.5, 10f64.to_radians());
     let expected = 2.0 / 3.0 * 9.81 * libm::sin(angle) * time;

@@ -12,7 +12,7 @@ use crate::scene::generate::Rope;
 const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
 const HANGS: (f64, &str) = (1e-9, "rounding errors, amplified along the chain of rods");
 
-/// Each rod of a hanging chain pulls with H/cos of its slope.
+/// The tension in each rod of a hanging chain is H/cos of its slope angle.
 pub(super) fn catenary(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("catenary", "catenary", size)?;
     let rope = Rope { links: 12, length: 3.0, span: 2.0, mass: 0.25 };
@@ -35,7 +35,7 @@ pub(super) fn catenary(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Atwood's machine: the difference of the weights moves the sum of the masses.
+/// Atwood's machine: the difference of the weights accelerates the sum of the masses.
 pub(super) fn atwood(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("atwood", "atwood", size)?;
     let (g, time) = (-case.scene.gravity.z, 0.5);
@@ -67,8 +67,8 @@ pub(super) fn atwood(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Atwood's machine with a wheel: its inertia moves with the weights, and the rope's two ends
-/// differ.
+/// Atwood's machine with a massive wheel: its inertia is accelerated too, and the tensions on its
+/// two sides differ.
 pub(super) fn massive_pulley(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("massive-pulley", "massive_pulley", size)?;
     let (g, time, radius) = (-case.scene.gravity.z, 0.5, 0.5);
@@ -106,7 +106,8 @@ pub(super) fn massive_pulley(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// The capstan: 1 % below the ratio that friction allows nothing moves, 1 % above the rope slides.
+/// The capstan: 1 % below the ratio that friction allows nothing moves, 1 % above it the rope
+/// slides.
 pub(super) fn capstan(size: Size) -> Result<Vec<Row>> {
     let post = Capstan { links: 12, angle: PI, friction: 0.3, mass: 0.1 };
     Ok(wound(&Case::load("capstan", "capstan", size)?, post))

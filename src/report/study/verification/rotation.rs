@@ -1,4 +1,4 @@
-//! Turning bodies: the brick that turns over, and the top.
+//! Rotating bodies: the brick that flips, and the top.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -8,9 +8,9 @@ use crate::body::{Mass, State};
 use crate::error::Result;
 use crate::scene::catalogue::spin::{FreeBody, SteadyTop};
 
-/// The first passage of the middle rate through 0, a quarter of the period after the start; energy
-/// and angular momentum half a second after it, when the brick has turned over. At velocity level
-/// the body turns by the midpoint rule, which is of second order and keeps both.
+/// The first zero of the middle rate, a quarter of the period after the start; energy and angular
+/// momentum half a second later, when the brick has flipped. At velocity level the body rotates by
+/// the midpoint rule, which is of second order and conserves both.
 pub(super) fn flip(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("flip", "dzhanibekov", size)?;
     let Mass::Rigid { moments, .. } = case.scene.bodies[0].mass else { return Ok(Vec::new()) };
@@ -49,7 +49,7 @@ pub(super) fn flip(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A quarter of the way round, and what the pivot bears.
+/// The spin and the force on the pivot, and the precession angle after a quarter revolution.
 pub(super) fn top(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("top", "top", size)?;
     let (precession, length) = (3.0, 0.3);
@@ -60,7 +60,7 @@ pub(super) fn top(size: Size) -> Result<Vec<Row>> {
         angle: std::f64::consts::PI / 6.0,
         gravity: -case.scene.gravity.z,
     };
-    // The file must hold the steady top: its spin about the axis.
+    // The file must contain the steady top: its spin about the axis.
     let state = case.scene.states[0];
     let axis = state.pose.p / length;
     let spin = top.spin(precession);

@@ -1,5 +1,5 @@
-//! What every scheme owes: a free body's momentum, a top that does not fall, a ball that comes to
-//! rest.
+//! Requirements on every scheme: a free body's momentum, a top that does not fall, a ball that
+//! comes to rest.
 
 use super::measure::{Case, Known, Method, ROUNDING, after, last, start};
 use super::{Row, Size};
@@ -8,8 +8,9 @@ use crate::lcp::friction::Model;
 use crate::scene::catalogue::bounce::Drop;
 use crate::scene::{Integrator, Scene, Scheme};
 
-/// What bounces, and how far (m) its rest may be from the ground: a soft contact sinks in, and
-/// at acceleration level a ball lies at any gap at which it counts as touching, 1/1000 of its size.
+/// Schemes with restitution, and the maximum distance (m) of the resting ball from the ground: a
+/// soft contact penetrates, and at acceleration level a ball rests at any gap that counts as
+/// touching, 1/1000 of its size.
 const BOUNCING: [(Scheme, f64); 5] = [
     (Scheme::Velocity, 1e-6),
     (Scheme::Acceleration, 2e-4),
@@ -21,7 +22,7 @@ const BOUNCING: [(Scheme, f64); 5] = [
 const SUMMED: (f64, &str) =
     (1e-9, "rounding errors of position differences divided by the substep, accumulated");
 
-/// The brick that turns over, for ten seconds: the midpoint rule keeps its angular momentum and
+/// The brick that flips, for ten seconds: the midpoint rule conserves its angular momentum and
 /// energy.
 pub(super) fn free_body(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("free-body", "dzhanibekov", size)?;
@@ -52,7 +53,7 @@ pub(super) fn free_body(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// The steady top for five seconds: it goes on to lean by 30 degrees.
+/// The steady top for five seconds: its inclination stays at 30 degrees.
 pub(super) fn lean(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("top-lean", "top", size)?;
     (case.scene.step.dt, case.scene.step.baumgarte) = (0.002, 0.2);
@@ -69,11 +70,11 @@ pub(super) fn lean(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A pendulum let go at 170 degrees, for a minute. Kutta's method and the midpoint rule lose energy
-/// at their order; what feeds the rod's stretch back keeps it within a part in a hundred, and the
-/// rod's length within a thousandth. NGS and split impulses, which move the bob back to its circle,
-/// keep the length to the last digit and lose a third of the energy, XPBD a tenth of it: at those
-/// their rows look at the length alone.
+/// A pendulum released at 170 degrees, for a minute. Runge-Kutta and the midpoint rule lose energy
+/// at their order; schemes with feedback of the rod's stretch keep the energy within one percent
+/// and the rod's length within a thousandth. NGS and split impulses, which move the bob back to its
+/// circle, keep the length to the last digit and lose a third of the energy, XPBD a tenth of it:
+/// for these only the length is checked.
 pub(super) fn long_pendulum(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("long-pendulum", "pendulum", size)?;
     let (time, angle) = (60.0, 170f64.to_radians());
@@ -120,15 +121,15 @@ pub(super) fn long_pendulum(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Every scheme with the coupled box, and every other model of friction at velocity level.
+/// Every scheme with the coupled box, and every other friction model at velocity level.
 pub(super) fn long_stacks() -> impl Iterator<Item = (Scheme, Model)> {
     let schemes = Scheme::ALL.into_iter().map(|scheme| (scheme, Model::CoupledBox));
     let models = Model::ALL.into_iter().filter(|model| *model != Model::CoupledBox);
     schemes.chain(models.map(|model| (Scheme::Velocity, model)))
 }
 
-/// Ten boxes for a minute: none moves aside, and the top one sinks by what the springs below it
-/// give.
+/// Ten boxes for a minute: none moves sideways, and the top one sinks by the compression of the
+/// springs below it.
 pub(super) fn long_stack(scheme: Scheme, model: Model, size: Size) -> Result<Vec<Row>> {
     let stack = "contact.friction = 0.5\n[generate]\nkind = \"stack\"\ncount = 10\nsize = 1\nmass = 1\n\
                  [[bodies]]\nname = \"ground\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n";
@@ -149,7 +150,7 @@ pub(super) fn long_stack(scheme: Scheme, model: Model, size: Size) -> Result<Vec
     };
     let gravity = -case.scene.gravity.z;
     let (sinks, formula, near) = match scheme {
-        // Contact j from the top bears j boxes on four springs of k.
+        // Contact j from the top supports j boxes on four springs of k.
         Scheme::Penalty => (
             55.0 * gravity / (4.0 * case.scene.step.penalty.stiffness),
             ["55 m g / (4 k)", r"\frac{55\,m g}{4 k}"],
@@ -183,8 +184,8 @@ pub(super) fn long_stack(scheme: Scheme, model: Model, size: Size) -> Result<Vec
     }))
 }
 
-/// The bouncing ball, until it lies: every scheme's second flight has the height e² h as near as
-/// its step finds the blow, and at the end the ball rests on the ground.
+/// The bouncing ball until it rests: with every scheme its second flight has the height e² h as
+/// precisely as its step resolves the impact, and at the end the ball rests on the ground.
 pub(super) fn rest(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("bounce-to-rest", "bouncing_ball", size)?;
     let radius = 0.1;
@@ -201,7 +202,8 @@ pub(super) fn rest(size: Size) -> Result<Vec<Row>> {
             ("height after one bounce", ["e^2 h", "e^2 h"], drop.height_after(1));
         let known = vec![
             match scheme {
-                // A substep is where it is: its errors do not shrink evenly.
+                // XPBD and soft steps find the impact only to within a substep, so their errors do
+                // not decrease uniformly.
                 Scheme::Xpbd | Scheme::Soft => Known::exact(found, what, formula, "m", height),
                 _ => Known::order(1.0, what, formula, "m", height),
             },

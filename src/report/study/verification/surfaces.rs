@@ -1,4 +1,4 @@
-//! Friction and restitution of pairs, static friction, and forces and supports that depend on time.
+//! Friction and restitution of pairs, static friction, and time-dependent forces and supports.
 
 use super::measure::{Case, Known, Method, ROUNDING, after};
 use super::{Row, Size};
@@ -22,9 +22,10 @@ fn block(name: &str, ground: &str, block: &str) -> Result<Scene> {
     Scene::from_toml(name, &text)
 }
 
-/// A force that grows holds still up to μ_s m g, and moves with what μ leaves of it.
+/// A growing force: the block sticks up to μ_s m g, then accelerates with the force minus kinetic
+/// friction.
 pub(super) fn ramp(size: Size) -> Result<Vec<Row>> {
-    // μ_s m g = 9.81 N is met after 1 s.
+    // μ_s m g = 9.81 N is reached after 1 s.
     let force = "force_over_time = { table = [[0, 0, 0, 0], [2, 19.62, 0, 0]] }";
     let case = Case::of("static-friction", block("force-ramp", "", force)?, size);
     let (mass, mu, rate, begins, ends) = (2.0, 0.3, G, 1.0, 1.5);
@@ -47,7 +48,7 @@ pub(super) fn ramp(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A block on a table that shakes: it sticks below A ω² = μ_s g, and above slides with μ g.
+/// A block on a shaking table: it sticks below A ω² = μ_s g, and above slides with μ g.
 pub(super) fn table(size: Size) -> Result<Vec<Row>> {
     let omega = 10.0;
     let shaken = |part: f64| {
@@ -76,8 +77,8 @@ pub(super) fn table(size: Size) -> Result<Vec<Row>> {
     });
     let what = "speed after 0.1 s, A ω² 2 % above μ_s g";
     let formula = ["-mu g t", "-\\mu\\,g\\,t"];
-    // In its first step the table gains half of a step's speed, so that the block leaves a step
-    // late.
+    // In its first step the table gains half of a step's speed, so the block starts to slide one
+    // step late.
     let known = vec![Known::order(1.0, what, formula, "m/s", -0.3 * G * 0.1)];
     rows.extend(
         shaken(1.02)?.rows(Method::Velocity, known, |scene| Some(vec![after(scene, 0.1)?[1].v.x])),
@@ -118,8 +119,7 @@ pub(super) fn sine(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Two blocks on one slope and two balls on one floor, of which one each has its pair's
-/// coefficient.
+/// Two blocks on one slope and two balls on one floor; one of each has a coefficient of its pair.
 pub(super) fn pairs(size: Size) -> Result<Vec<Row>> {
     let slope = "tilt = { y = 20 }\ncontact.friction = 0.5\n[[bodies]]\nname = \"slope\"\nfixed = true\n\
         shape = { plane = [0, 0, 1] }\n[[bodies]]\nname = \"rough\"\nmass = 1\n\
@@ -165,7 +165,7 @@ pub(super) fn pairs(size: Size) -> Result<Vec<Row>> {
 }
 
 /// A bar in a right-angled groove: Coulomb's cone holds it up to tan α = √2 μ, 35.26° at μ = 0.5,
-/// and above that it slides with what friction leaves.
+/// and above that it slides with the remaining force.
 pub(super) fn groove(size: Size) -> Result<Vec<Row>> {
     let (mu, time) = (0.5, 0.5);
     let bar = |angle: f64| {

@@ -1,11 +1,11 @@
-//! Which engine for what: the laws that a use rests on, who keeps all of them, and who misses them
-//! most.
+//! Which engine for which use: the laws that a use requires, the engines that obey all of them, and
+//! those with the largest deviations.
 
 use super::{ACCURATE, DEFAULTS, OWN};
 use crate::number::readable;
 use crate::report::study::cards::{Column, Phenomenon, Record};
 
-/// What somebody may want to simulate, and the phenomena that it rests on.
+/// Possible uses, and the phenomena that each requires.
 const USES: [(&str, &[&str]); 7] = [
     ("A gripper, a leg", &["creep", "wall", "capstan", "stopping", "weight"]),
     ("A tower, a load", &["tower", "mass_ratio", "weight"]),
@@ -16,7 +16,7 @@ const USES: [(&str, &[&str]); 7] = [
     ("Learning and optimization", &["predictability", "order", "repeat"]),
 ];
 
-/// A paragraph a use.
+/// One paragraph per use.
 pub fn of(record: &Record) -> String {
     let others = record.engines.iter().filter(|engine| engine.name != OWN).count();
     let begins = format!(
@@ -83,7 +83,8 @@ fn list(names: &[&str]) -> String {
     }
 }
 
-/// The engine of others that misses a law most as it is installed, with its number and the law's.
+/// The external engine with the largest deviation from a law with default settings, with its number
+/// and the law's.
 fn farthest(record: &Record, phenomenon: &Phenomenon) -> Option<String> {
     let installed = phenomenon.columns.iter().filter(|own| own.settings == DEFAULTS);
     let missed = installed.filter_map(|own| Some((own, own.worst().filter(|worst| !worst.holds)?)));

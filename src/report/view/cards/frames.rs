@@ -1,5 +1,5 @@
-//! The contact problems that engines solve themselves: their own answers judged, and who else
-//! solves them.
+//! The contact problems that engines solve themselves: their own answers judged, and which solvers
+//! solve them.
 
 use crate::number::readable;
 use crate::report::page::{Cell, Column, Mark, Table};
@@ -50,7 +50,7 @@ fn table(record: &Record) -> Table {
     }
 }
 
-/// The row that is missed most, with its name, and by how much.
+/// The row with the largest residual, with its name, and that residual.
 fn missed(frame: &Frame) -> Option<String> {
     let label = frame.problem["rows"][frame.row?]["label"].as_str()?;
     Some(format!("{label}: {} mm/s", readable(1e3 * frame.missed?, 2)))

@@ -1,4 +1,4 @@
-//! Engine cards: which law holds in which engine, and what it looks like where it does not.
+//! Engine cards: which law holds in which engine, and what a violation looks like.
 
 mod answer;
 mod frames;
@@ -9,22 +9,22 @@ use crate::number::readable;
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::cards::{self, Engine, Phenomenon, Plan, Record};
 
-/// The two ways in which engines of others are run.
+/// The two configurations in which external engines are run.
 const DEFAULTS: &str = "defaults";
 const ACCURATE: &str = "accurate";
-/// The engine whose settings are schemes.
+/// The engine whose configurations are schemes.
 const OWN: &str = "lcplab";
-/// What lcplab's own schemes are known to miss or to fail at; anything else that they miss is a
-/// fault.
+/// The known violations or failures of lcplab's own schemes; any other violation is a fault.
 ///
-/// - A spring is a compliant row, taken implicitly, which loses energy; within the tolerance it
-///   would stay with steps of 0.02 ms only.
-/// - Friction is a box, which holds up to √2 times its coefficient; the cone has no such miss.
-/// - The bullet flies farther in a step than the margin from which on a contact is a row; only the
-///   acceleration level looks for the instant at which bodies meet.
-/// - The rows of Bricard's hinges become independent as errors of position grow.
-/// - Soft constraints yield to large loads, contacts as well as joints. XPBD's few sweeps leave
-///   some of the load, and its velocities, which are differences of positions, damp what turns.
+/// - A spring is a compliant row with implicit integration, which loses energy; it would stay
+///   within the tolerance only with steps of 0.02 ms.
+/// - Friction is a box, which holds up to √2 times its coefficient; the cone has no such deviation.
+/// - The bullet flies farther in a step than the margin within which a contact becomes a row; only
+///   the acceleration level searches for the time of impact.
+/// - The rows of Bricard's hinges become independent as position errors grow.
+/// - Soft constraints are compliant under large loads, contacts as well as joints. XPBD's few
+///   sweeps leave part of the load unsupported, and its velocities, which are differences of
+///   positions, damp rotations.
 const KNOWN_MISSES: [(&str, &[&str]); 5] = [
     ("velocity", &["spring", "directions", "bullet", "bricard"]),
     ("velocity, cone", &["spring", "bullet", "bricard"]),
@@ -49,7 +49,7 @@ const KNOWN_MISSES: [(&str, &[&str]); 5] = [
 /// The phenomenon that shows whether an adapter gives an engine the right masses, gravity and
 /// steps.
 const FALL: &str = "free_fall";
-/// The phenomenon whose scene shows how fast an engine is.
+/// The phenomenon whose scene measures the speed of engines.
 const PACED: &str = "tower";
 
 impl View for Plan {
@@ -99,8 +99,8 @@ impl View for Plan {
     }
 }
 
-/// What is wrong with lcplab or with the record in a run. What other engines miss is a finding, not
-/// a fault.
+/// The fault of lcplab or of the record in a run. Violations by other engines are findings, not
+/// faults.
 fn fault(phenomenon: &str, column: &cards::Column) -> Option<String> {
     let misses = !column.holds() && column.unsupported.is_none();
     let is_known = KNOWN_MISSES
@@ -118,10 +118,11 @@ fn fault(phenomenon: &str, column: &cards::Column) -> Option<String> {
     Some(format!("{phenomenon} by {}, {}: {why}", column.engine, column.settings))
 }
 
-/// Engines and their settings, as columns of a table: the heading, and whose they are.
+/// Engines and their configurations as columns of a table: the heading, the engine and its
+/// configuration.
 type Ways<'a> = Vec<(String, &'a str, &'a str)>;
 
-/// The engines of others in one way.
+/// The external engines in one configuration.
 fn others<'a>(record: &'a Record, way: &'a str) -> Ways<'a> {
     let run_so = |engine: &&Engine| engine.settings.iter().any(|settings| settings.name == way);
     let engines = record.engines.iter().filter(run_so);
@@ -151,7 +152,7 @@ fn matrix(record: &Record, title: &str, ways: &Ways<'_>) -> Table {
     }
 }
 
-/// Whether an engine keeps a law, or by how much it misses it.
+/// Whether an engine obeys a law, or its deviation.
 fn cell(phenomenon: &Phenomenon, engine: &str, settings: &str) -> Cell {
     let of = |column: &&cards::Column| column.engine == engine && column.settings == settings;
     let Some(column) = phenomenon.columns.iter().find(of) else { return Cell::text("–") };
@@ -165,7 +166,7 @@ fn cell(phenomenon: &Phenomenon, engine: &str, settings: &str) -> Cell {
     }
 }
 
-/// A miss in tolerances.
+/// A deviation in tolerances.
 fn times(miss: f64) -> String {
     match miss.is_finite() {
         true => format!("{} ×", readable(miss, 2)),
@@ -173,7 +174,7 @@ fn times(miss: f64) -> String {
     }
 }
 
-/// How long an engine takes for a simulated second of the tower.
+/// The wall time of an engine per simulated second of the tower.
 fn pace(record: &Record, engine: &str, settings: &str) -> Cell {
     let tower = record.phenomena.iter().filter(|own| own.name == PACED);
     let of = |column: &&cards::Column| column.engine == engine && column.settings == settings;

@@ -1,4 +1,4 @@
-//! A phenomenon: its law, the curves of all engines beside it, what it looks like, and the numbers.
+//! A phenomenon: its law, the curves of all engines, pictures, and the numbers.
 
 use super::{ACCURATE, DEFAULTS, OWN, times};
 use crate::film::{Frame, Strip};
@@ -32,7 +32,7 @@ pub fn show(record: &Record, phenomenon: &Phenomenon, document: &mut Document) {
     document.add(Block::FoldedCode { language, text });
 }
 
-/// The curves, a panel for each way in which engines are run.
+/// The curves, one panel per configuration.
 fn figure(record: &Record, phenomenon: &Phenomenon) -> Lines {
     let Phenomenon { x, y, .. } = phenomenon;
     let points = |y: &[f64]| x.values.iter().copied().zip(y.iter().copied()).collect::<Vec<_>>();
@@ -64,7 +64,7 @@ fn figure(record: &Record, phenomenon: &Phenomenon) -> Lines {
     }
 }
 
-/// What a column is called where engines are told apart: a scheme of lcplab by its own name.
+/// The name of a column in comparisons: a scheme of lcplab has its own name.
 fn name(record: &Record, column: &Column) -> String {
     match column.engine.as_str() {
         OWN => column.settings.replace(", ", " "), // a comma would make it a shade of another
@@ -72,13 +72,13 @@ fn name(record: &Record, column: &Column) -> String {
     }
 }
 
-/// A sentence's beginning.
+/// A text with a capital first letter.
 fn capital(words: &str) -> String {
     let mut letters = words.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// The telling instant in every engine as installed, and in lcplab.
+/// The instant with the clearest difference in every engine with default settings, and in lcplab.
 fn strip(record: &Record, phenomenon: &Phenomenon) -> Option<Strip> {
     let scene = phenomenon.scene().ok()?;
     let shown = phenomenon.columns.iter().filter(|own| own.settings != ACCURATE);

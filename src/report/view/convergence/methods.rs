@@ -11,7 +11,7 @@ use crate::report::view::attempt::{
 use crate::report::view::{Document, Outcome as Verdict};
 use crate::solver::Group;
 
-/// A residual of exactly 0 has no place on a logarithmic axis; it is drawn here.
+/// The value at which a residual of exactly 0 is drawn on a logarithmic axis.
 const LEAST: f64 = 1e-17;
 
 pub(super) fn show(problems: &[&Progress], document: &mut Document) {
@@ -36,7 +36,7 @@ pub(super) fn outcome(problems: &[&Progress]) -> Verdict {
     Verdict { good: refuted == 0, says }
 }
 
-/// How many methods solve the problem, and the cheapest of each group.
+/// The number of methods that solve the problem, and the cheapest of each group.
 pub(super) fn answer(progress: &Progress) -> Option<String> {
     let tried = progress.methods.iter().filter(|method| method.outcome.is_attempt()).count();
     let mut solved: Vec<&Watched> =
@@ -72,7 +72,7 @@ fn id(problem: &str, what: &str) -> String {
     format!("convergence_{}_{what}", anchor(problem))
 }
 
-/// The methods as curves, those that only have an end as points; solved or not.
+/// The methods as curves, those with only a final mark as points; separated into solved and not.
 fn series(progress: &Progress, across: fn(&Mark) -> f64) -> Vec<Series> {
     let took_part = |method: &&Watched| method.outcome.is_attempt();
     let points = |method: &Watched| -> Vec<(f64, f64)> {

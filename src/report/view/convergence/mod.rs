@@ -1,4 +1,4 @@
-//! How the residual falls: by sweep, by method and by row.
+//! Convergence of the residual: by sweep, by method and by row.
 
 mod methods;
 mod rows;

@@ -1,4 +1,4 @@
-//! The residual of each row after each sweep, as shades.
+//! The residual of each row after each sweep, as a shaded map.
 
 use crate::number::readable;
 use crate::plot::{Axis, Heat, Shaded};
@@ -55,7 +55,7 @@ impl Rows {
             let last = map.residuals.iter().filter_map(|row| row.last());
             last.copied().fold(0.0, f64::max)
         };
-        // The top row itself is satisfied at once in a sweep from the ground up.
+        // The top row itself is satisfied immediately in a sweep from the ground up.
         let reached = |map: &&RowResiduals| {
             let top = map.residuals.iter().rev().nth(1)?;
             top.iter().position(|residual| *residual > ROUNDING)

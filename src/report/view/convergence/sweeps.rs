@@ -1,4 +1,4 @@
-//! Residuals by sweep, beside the slopes that theory predicts.
+//! Residuals by sweep, next to the slopes that theory predicts.
 
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
@@ -6,8 +6,8 @@ use crate::report::study::convergence::sweeps::{Curve, Rates};
 use crate::report::view::attempt::stem;
 use crate::report::view::{Document, Outcome};
 
-/// A measured rate, as digits a sweep, that differs from the predicted one by more than this part
-/// is marked.
+/// A measured rate, as digits per sweep, is marked if it differs from the predicted one by more
+/// than this fraction.
 const AGREES: f64 = 0.1;
 
 pub(super) fn show(studies: &[&Rates], document: &mut Document) {
@@ -28,7 +28,7 @@ pub(super) fn show(studies: &[&Rates], document: &mut Document) {
     document.table("rates", table(studies));
 }
 
-/// Of equations the slope is claimed; with bounds only that no curve falls more slowly than ρ.
+/// For equations the slope is claimed; with bounds only that no curve converges more slowly than ρ.
 pub(super) fn outcome(studies: &[&Rates]) -> Outcome {
     let slopes = |equations: bool| {
         let studies = studies.iter().filter(move |study| study.equations_only == equations);
@@ -49,13 +49,13 @@ pub(super) fn outcome(studies: &[&Rates]) -> Outcome {
 }
 
 impl Curve {
-    /// Whether predicted and measured slope gain the same digits a sweep.
+    /// Whether predicted and measured slope gain the same number of digits per sweep.
     fn agrees(&self) -> Option<bool> {
         let (predicted, measured) = (self.predicted_rate?, self.measured_rate?);
         Some((measured.ln() / predicted.ln() - 1.0).abs() <= AGREES)
     }
 
-    /// Whether the curve falls more slowly than predicted.
+    /// Whether the curve converges more slowly than predicted.
     fn is_slower(&self) -> Option<bool> {
         Some(self.measured_rate? > self.predicted_rate?)
     }
@@ -94,7 +94,7 @@ fn figure(study: &Rates) -> Lines {
     }
 }
 
-/// The predicted slope, laid through the middle of the measured curve.
+/// The predicted slope, drawn through the middle of the measured curve.
 fn slope(curve: &Curve) -> Option<Series> {
     let rate = curve.predicted_rate?;
     let (middle, residual) = *curve.residuals.get(curve.residuals.len() / 2)?;

@@ -1,4 +1,4 @@
-//! The energy ledger: every gain and loss with its cause.
+//! The energy balance: every gain and loss with its cause.
 
 use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
@@ -6,11 +6,11 @@ use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::drift::ledger::{Account, Book};
 use crate::report::view::{Document, Outcome};
 
-/// Accounts below this part of the energy that was moved are not drawn.
+/// Accounts below this fraction of the exchanged energy are not drawn.
 const SMALL: f64 = 1e-6;
-/// Shown as 0 are numbers below this part of the energy that was moved.
+/// Numbers below this fraction of the exchanged energy are shown as 0.
 const NOTHING: f64 = 1e-9;
-/// A remainder up to this part of the energies that the books were computed from is rounding.
+/// A remainder up to this fraction of the energies in the computation is rounding.
 const ROUNDING: f64 = 1e-11;
 
 pub(super) fn show(findings: &[&Account], document: &mut Document) {
@@ -43,14 +43,14 @@ pub(super) fn outcome(findings: &[&Account]) -> Outcome {
     Outcome { good: balanced == kept.len() && !ended_early, says }
 }
 
-/// Whether nothing but rounding is missing in the books; none where there are none.
+/// Whether the energy balance holds up to rounding; `None` if there is none.
 fn balances(finding: &Account) -> Option<bool> {
     let remainder = finding.remainder?;
     let scale = finding.scale.max(finding.turnover);
     Some(finding.ending.is_none() && remainder <= ROUNDING * scale)
 }
 
-/// The names of the accounts that matter in a run, with their places.
+/// The names of the significant accounts of a run, with their indices.
 fn used(finding: &Account) -> Vec<(usize, &str)> {
     let most =
         |k: usize| finding.books.iter().map(|book| book.accounts[k].abs()).fold(0.0, f64::max);

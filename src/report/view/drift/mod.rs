@@ -1,4 +1,4 @@
-//! Errors of energy and of constraints: over time, by cause, and against the length of the step.
+//! Errors of energy and of constraints: over time, by cause, and as a function of the step length.
 
 mod ledger;
 mod order;

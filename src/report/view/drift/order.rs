@@ -1,4 +1,4 @@
-//! Errors over the length of the step, with reference slopes and fitted orders.
+//! Errors as a function of the step length, with reference slopes and fitted orders.
 
 use crate::number::significant;
 use crate::plot::{Axis, Lines, Panel, Series};
@@ -86,7 +86,8 @@ fn figure(finding: &Finding, quantity: &str) -> Lines {
     }
 }
 
-/// A line of each derived order, through the longest step of the first method that has it.
+/// A reference line for each derived order, through the longest step of the first method with that
+/// order.
 fn slopes(shown: &[&Curve]) -> Vec<Series> {
     let mut lines: Vec<(f64, Vec<(f64, f64)>)> = Vec::new();
     for curve in shown {
@@ -161,7 +162,7 @@ fn cells(problem: Problem, curve: &Curve) -> Vec<Cell> {
     ]
 }
 
-/// Each reason once, with the methods that it is given for.
+/// Each reason once, with the methods it applies to.
 fn reasons(findings: &[&Finding]) -> String {
     let mut lines: Vec<(String, Vec<&str>)> = Vec::new();
     for (problem, curve) in curves(findings) {

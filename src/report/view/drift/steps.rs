@@ -1,4 +1,4 @@
-//! Energy and constraint errors, level by level, for shorter and shorter steps.
+//! Energy and constraint errors, level by level, for decreasing step lengths.
 
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Table};
@@ -7,10 +7,10 @@ use crate::report::study::drift::steps::{Curve, Levels};
 use crate::report::view::attempt::stem;
 use crate::report::view::{Document, Outcome};
 
-/// Half the step divides an error by at least this much: by 2 where the method is of first order
-/// and the step is short, by somewhat less where it is not.
+/// Halving the step must divide an error by at least this much: by 2 if the method is of first
+/// order and the step is short, by somewhat less otherwise.
 const LEAST_GAIN: f64 = 1.5;
-/// Errors up to this are rounding: in parts of the largest kinetic energy, or in metres.
+/// Errors up to this are rounding: relative to the largest kinetic energy, or in meters.
 const ROUNDING: f64 = 1e-9;
 
 pub(super) fn show(findings: &[&Levels], document: &mut Document) {
@@ -38,7 +38,7 @@ pub(super) fn outcome(findings: &[&Levels]) -> Outcome {
     Outcome { good: fall == errors.len() && ended == 0, says }
 }
 
-/// Whether each error falls when the step is halved: of energy, then of length.
+/// Whether each error decreases when the step is halved: of energy, then of length.
 fn halvings(study: &Levels) -> Vec<bool> {
     let falls =
         |coarse: f64, fine: f64, rounding: f64| fine <= rounding || coarse >= LEAST_GAIN * fine;

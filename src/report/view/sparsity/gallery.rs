@@ -5,7 +5,7 @@ use crate::plot::{Small, Spies};
 use crate::report::study::sparsity::gallery::Picture;
 use crate::report::view::Document;
 
-/// Pictures in a figure, and side by side.
+/// The number of pictures in a figure, and per row.
 const PICTURES: usize = 20;
 const ACROSS: usize = 5;
 

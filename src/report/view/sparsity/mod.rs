@@ -1,4 +1,4 @@
-//! Where matrices have entries.
+//! Patterns of matrices.
 
 mod factor;
 mod gallery;

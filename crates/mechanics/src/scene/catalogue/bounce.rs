@@ -1,9 +1,9 @@
-//! Blows that bounce. The scenes `bouncing_ball`, `cradle` and `cradle_touching`.
+//! Impacts with restitution. The scenes `bouncing_ball`, `cradle` and `cradle_touching`.
 
-/// A ball dropped from rest: T = √(2 h/g), and each bounce leaves the part e of the speed.
+/// A ball dropped from rest: T = √(2 h/g), and each bounce reduces the speed by the factor e.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Drop {
-    /// h (m), of the lowest point.
+    /// h (m), the initial height of the lowest point.
     pub height: f64,
     /// e.
     pub restitution: f64,
@@ -24,9 +24,8 @@ impl Drop {
     }
 }
 
-/// The speeds after the first of three equal balls that touch comes with v, by one LCP with
-/// Newton's law in the pair that approached and none in the pair that did not: v2 − v1 = e v, v3 =
-/// v2.
+/// The final speeds of three equal balls in contact after the first arrives with v, from one LCP
+/// with Newton's law in the approaching pair and none in the other: v2 − v1 = e v, v3 = v2.
 pub fn chain_of_three(speed: f64, restitution: f64) -> [f64; 3] {
     let others = (1.0 + restitution) * speed / 3.0;
     [(1.0 - 2.0 * restitution) * speed / 3.0, others, others]

@@ -1,16 +1,16 @@
 //! A rope around a post, pulled at both ends. The scene `capstan`.
 //!
-//! Points on the post's circle, each link turning by δ; c = cos(δ/2), s = sin(δ/2). A link's pull T
-//! is c along the post and s into it, so a point between two links, with friction μ N against its
-//! motion and the acceleration a along the post, has
+//! Points on the post's circle, with an angle δ per link; c = cos(δ/2), s = sin(δ/2). A link's
+//! tension T has the component c along the post and s into it. A point between two links, with
+//! friction μ N against its motion and the acceleration a along the post, therefore has
 //!
 //! ```text
 //! N = (T + T⁺) s,   T⁺ c − T c − μ N = m a   ⇒   T⁺ = (T (c + μ s) + m a)/(c − μ s)
 //! ```
 //!
-//! and the ends, which are pulled along the post itself, one factor of it each. At rest on the
-//! point of sliding (a = 0) the pulls differ by ((1 + μ tan δ/2)/(1 − μ tan δ/2))^n, Euler's e^(μ n
-//! δ) for short links.
+//! and each end, which is pulled along the post itself, has one of the two factors once. At the
+//! limit of sliding from rest (a = 0) the ratio of the tensions is ((1 + μ tan δ/2)/(1 − μ tan
+//! δ/2))^n, Euler's e^(μ n δ) for short links.
 
 use std::iter;
 
@@ -22,7 +22,7 @@ use crate::scene::description::{Body, Capsule, Constraint, Description, Rotation
 pub struct Capstan {
     /// The number of links n.
     pub links: u32,
-    /// The angle n δ (rad) that it is wound around.
+    /// The wrap angle n δ (rad).
     pub angle: f64,
     /// μ.
     pub friction: f64,
@@ -31,20 +31,20 @@ pub struct Capstan {
 }
 
 impl Capstan {
-    /// The largest ratio of the two pulls at which nothing slides.
+    /// The largest ratio of the two pulls without sliding.
     pub fn ratio(&self) -> f64 {
         self.pull(1.0, 0.0)
     }
 
-    /// The acceleration (m/s²) along the post, from rest, if the pulls (N) are `weak` and `strong`,
-    /// and the strong one wins.
+    /// The acceleration (m/s²) along the post, from rest, for the pulls (N) `weak` and `strong`, if
+    /// the strong one wins.
     pub fn acceleration(&self, weak: f64, strong: f64) -> f64 {
         let [at_rest, slope] = [self.pull(weak, 0.0), self.pull(0.0, 1.0)];
         (strong - at_rest) / slope
     }
 
-    /// The rope from rest around a post of radius 1 m along y, its first point at −x, pulled with
-    /// these forces (N). Points do not touch each other, so that more turns than one lie in one
+    /// The rope at rest around a post of radius 1 m along y, its first point at −x, pulled with
+    /// these forces (N). Points do not collide with each other, so several turns can lie in one
     /// plane.
     pub fn description(&self, weak: f64, strong: f64) -> Description {
         let step = self.angle / f64::from(self.links);
@@ -82,7 +82,7 @@ impl Capstan {
         }
     }
 
-    /// The strong pull (N) that goes with a weak one and an acceleration (m/s²).
+    /// The strong pull (N) for a weak pull and an acceleration (m/s²).
     fn pull(&self, weak: f64, acceleration: f64) -> f64 {
         let (sin, cos) = (0.5 * self.angle / f64::from(self.links)).sin_cos();
         let (gains, loses) = (cos + self.friction * sin, cos - self.friction * sin);

@@ -1,13 +1,15 @@
 //! A ladder on a rough floor against a smooth wall. The scene `ladder`.
 //!
-//! A capsule of length L between the centres of its ends, radius r, at θ from the floor. Moments
-//! about the foot's centre: W L sin θ + μ N r = m g (L/2) cos θ at rest, where W = friction:
+//! A capsule of length L between the centers of its ends, radius r, at θ from the floor. Moments
+//! about the center of the foot: W L sin θ + μ N r = m g (L/2) cos θ at rest, where W equals the
+//! friction:
 //!
 //! ```text
 //! W = m g L cos θ / (2 (L sin θ + r)),   it holds while μ ≥ W/(m g)
 //! ```
 //!
-//! Sliding with friction μ N it turns, both ends in touch, with x = (L/2) cos θ, z = (L/2) sin θ:
+//! When it slides with friction μ N and both ends stay in contact, with x = (L/2) cos θ, z = (L/2)
+//! sin θ:
 //!
 //! ```text
 //! N = m (g + (L/2) cos θ θ''),   W = μ N − m (L/2) sin θ θ'',
@@ -19,7 +21,7 @@
 pub struct Ladder {
     /// m (kg).
     pub mass: f64,
-    /// L (m), without the round ends.
+    /// L (m), without the rounded ends.
     pub length: f64,
     /// r (m).
     pub radius: f64,
@@ -28,14 +30,14 @@ pub struct Ladder {
 }
 
 impl Ladder {
-    /// W (N) at rest, for g (m/s²).
+    /// The wall's force W (N) at rest, for g (m/s²).
     pub fn push_of_wall(&self, gravity: f64) -> f64 {
         let (sin, cos) = self.angle.sin_cos();
         self.mass * gravity * self.length * cos / (2.0 * (self.length * sin + self.radius))
     }
 
     /// θ'' (rad/s²) of a ladder at rest whose foot slides with friction μ, with the moment of
-    /// inertia I (kg m²) about its centre; below 0 as it sinks.
+    /// inertia I (kg m²) about its center; negative when it slides down.
     pub fn angular_acceleration(&self, gravity: f64, mu: f64, inertia: f64) -> f64 {
         let (sin, cos) = self.angle.sin_cos();
         let half = 0.5 * self.length;

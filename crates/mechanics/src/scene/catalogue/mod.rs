@@ -1,5 +1,5 @@
-//! The scenes that lcplab ships, embedded in the program: the files of the folder `scenes/`; and
-//! exact solutions of some.
+//! The shipped scenes, embedded in the program (the files of the folder `scenes/`), and exact
+//! solutions of some.
 
 pub mod bounce;
 pub mod capstan;
@@ -15,9 +15,9 @@ use lcplab_problem::error::Result;
 /// A shipped scene.
 #[derive(Debug, Clone, Copy)]
 pub struct Shipped {
-    /// The name to load it by.
+    /// The name that loads it.
     pub name: &'static str,
-    /// Its file.
+    /// The text of its file.
     pub text: &'static str,
 }
 
@@ -96,13 +96,13 @@ impl Shipped {
     /// The scene.
     ///
     /// # Errors
-    /// None for the shipped files, which the tests read.
+    /// None for the shipped files, which are covered by tests.
     pub fn scene(&self) -> Result<Scene> {
         Scene::from_toml(&format!("{}.toml", self.name), self.text)
     }
 }
 
-/// The text of the shipped scene of this name.
+/// The text of the shipped scene with this name.
 pub fn text(name: &str) -> Option<&'static str> {
     SHIPPED.iter().find(|shipped| shipped.name == name).map(|shipped| shipped.text)
 }

@@ -1,6 +1,5 @@
-//! Pendulums in reduced coordinates: angles in place of positions and rods, so that no constraint
-//! can drift. An oracle for the scenes `pendulum` and `double_pendulum` that shares nothing with
-//! them.
+//! Pendulums in reduced coordinates: angles instead of positions and rods, so that no constraint
+//! can drift. An independent reference for the scenes `pendulum` and `double_pendulum`.
 //!
 //! ```text
 //! one mass      φ'' = −(g/l) sin φ,   period 2π √(l/g)/agm(1, cos(φ0/2)) from rest at φ0
@@ -9,8 +8,9 @@
 //!               | l1 cos Δ          l2          | |φ2''| = | l1 ω1² sin Δ − g sin φ2             |
 //! ```
 //!
-//! Angles are from the vertical, positive towards +x. The motion is followed by the classical
-//! Runge-Kutta method in steps of at most 10⁻⁴ s: its error is below 10⁻¹² s⁴ a second.
+//! Angles are measured from the vertical, positive towards +x. The motion is integrated by the
+//! classical Runge-Kutta method with steps of at most 10⁻⁴ s: its error is below 10⁻¹² s⁴ per
+//! second.
 
 use std::f64::consts::TAU;
 
@@ -26,7 +26,7 @@ pub struct Pendulum {
     pub gravity: f64,
 }
 
-/// A point mass on a rod that hangs on another one.
+/// A point mass on a rod that hangs from another one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DoublePendulum {
     /// m1, m2 (kg), the upper one first.
@@ -53,12 +53,12 @@ pub struct Conical {
 }
 
 impl Conical {
-    /// The time of a circle (s).
+    /// The time of one revolution (s).
     pub fn period(&self) -> f64 {
         TAU * (self.length * self.angle.cos() / self.gravity).sqrt()
     }
 
-    /// The pull (N) on a mass (kg).
+    /// The tension (N) for a mass (kg).
     pub fn tension(&self, mass: f64) -> f64 {
         mass * self.gravity / self.angle.cos()
     }
@@ -88,7 +88,7 @@ impl Pendulum {
         follow(time, start, |swing| [-self.gravity / self.length * swing.angles[0].sin()])
     }
 
-    /// The period (s) of swings that rest at this angle, below π.
+    /// The period (s) of swings with this amplitude (rad), below π.
     pub fn period(&self, amplitude: f64) -> f64 {
         let (mut a, mut b) = (1.0, (0.5 * amplitude).cos());
         while (a - b).abs() > 1e-15 * a {
@@ -127,7 +127,7 @@ impl DoublePendulum {
     }
 }
 
-/// The swing a time later, for φ'' = f(φ, φ').
+/// The swing after this time, for φ'' = f(φ, φ').
 fn follow<const N: usize>(
     time: f64,
     start: Swing<N>,

@@ -1,4 +1,4 @@
-//! Balls that roll. The scenes `rolling_sphere` and `rolling_balls`.
+//! Rolling balls. The scenes `rolling_sphere` and `rolling_balls`.
 //!
 //! ```text
 //! a ball, I = 2/5 m R², thrown without spin:  v = v0 − μ g t, ω R = 5/2 μ g t, so that it rolls from
@@ -6,7 +6,7 @@
 //! on a box with acceleration a, without slip:  m a_b = f, I α = f R, a_b + α R = a, so a_b = 2/7 a
 //! ```
 
-/// A homogeneous ball on the ground, thrown without spin.
+/// A homogeneous ball thrown along the ground without spin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SlidingBall {
     /// v0 (m/s).
@@ -18,17 +18,17 @@ pub struct SlidingBall {
 }
 
 impl SlidingBall {
-    /// T (s), how long it slides.
+    /// T (s), the time until it rolls.
     pub fn sliding_time(&self) -> f64 {
         2.0 * self.speed / (7.0 * self.friction * self.gravity)
     }
 
-    /// The speed (m/s) at which it rolls.
+    /// The speed (m/s) once it rolls.
     pub fn rolling_speed(&self) -> f64 {
         5.0 / 7.0 * self.speed
     }
 
-    /// How far (m) it came after a time (s).
+    /// The distance (m) traveled after a time (s).
     pub fn way_after(&self, time: f64) -> f64 {
         let slides = time.min(self.sliding_time());
         let braked = 0.5 * self.friction * self.gravity * slides * slides;
@@ -36,14 +36,14 @@ impl SlidingBall {
     }
 }
 
-/// Balls on a box that is pushed over the ground by a force through its centre.
+/// Balls on a box that is pushed over the ground by a force through its center.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PushedBox {
     /// F (N).
     pub push: f64,
     /// M (kg).
     pub mass: f64,
-    /// n, how many balls.
+    /// n, the number of balls.
     pub balls: f64,
     /// m (kg) of each.
     pub ball_mass: f64,
@@ -61,7 +61,7 @@ impl PushedBox {
         (self.push - brake) / (self.mass + 2.0 / 7.0 * load)
     }
 
-    /// That of each ball.
+    /// a (m/s²) of each ball.
     pub fn acceleration_of_ball(&self) -> f64 {
         2.0 / 7.0 * self.acceleration()
     }

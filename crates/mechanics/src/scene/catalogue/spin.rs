@@ -1,4 +1,4 @@
-//! Rigid bodies that turn: a free one, and a heavy symmetric top on a pivot. The scenes
+//! Rotating rigid bodies: a free one, and a heavy symmetric top on a pivot. The scenes
 //! `dzhanibekov` and `top`.
 //!
 //! ```text
@@ -13,7 +13,7 @@
 
 use std::f64::consts::PI;
 
-/// A free body by its principal moments (kg m²), ascending, and rates about them (rad/s).
+/// A free body with its principal moments (kg m²), ascending, and rates about them (rad/s).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreeBody {
     /// I1 < I2 < I3.
@@ -23,7 +23,7 @@ pub struct FreeBody {
 }
 
 impl FreeBody {
-    /// The period (s) of the rates; the body turns over twice in it.
+    /// The period (s) of the rates; the body flips twice in it.
     ///
     /// ```
     /// use lcplab_mechanics::scene::catalogue::spin::FreeBody;
@@ -48,14 +48,14 @@ impl FreeBody {
     }
 }
 
-/// A symmetric top whose axis leans by θ and goes round at a constant rate.
+/// A symmetric top whose axis is inclined by θ and precesses at a constant rate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SteadyTop {
     /// m (kg).
     pub mass: f64,
-    /// l from the pivot to the centre of mass (m).
+    /// l from the pivot to the center of mass (m).
     pub length: f64,
-    /// I1 about a line through the pivot across the axis, and I3 about the axis (kg m²).
+    /// I1 about a line through the pivot perpendicular to the axis, and I3 about the axis (kg m²).
     pub moments: [f64; 2],
     /// θ from the vertical (rad).
     pub angle: f64,
@@ -64,14 +64,14 @@ pub struct SteadyTop {
 }
 
 impl SteadyTop {
-    /// The spin ω3 (rad/s) about its axis with which the top goes round at Ω (rad/s).
+    /// The spin ω3 (rad/s) about its axis for steady precession at Ω (rad/s).
     pub fn spin(&self, precession: f64) -> f64 {
         let [i1, i3] = self.moments;
         let torque = self.mass * self.gravity * self.length;
         (torque / precession + i1 * precession * self.angle.cos()) / i3
     }
 
-    /// The force (N) that the pivot bears: the weight, and the centre kept on its circle.
+    /// The force (N) on the pivot: the weight and the centripetal force.
     pub fn load(&self, precession: f64) -> f64 {
         let inwards = precession * precession * self.length * self.angle.sin();
         self.mass * self.gravity.hypot(inwards)

@@ -1,9 +1,10 @@
-//! The pairs of convex parts that may touch: those whose boxes along the world's axes meet.
+//! Broad phase: pairs of convex parts that may touch because their axis-aligned bounding boxes
+//! overlap.
 //!
-//! Of a few boxes each is compared with each. Many lie in a tree (parry's bounding volume
-//! hierarchy), so that n bodies with few neighbours each cost n log n; it is built anew each time,
-//! in memory that is kept, so which pairs are found depends on where the bodies are and on nothing
-//! before. A half space may touch every body that is not wholly above it.
+//! A few boxes are compared pairwise. More are put into a tree (parry's bounding volume hierarchy),
+//! so that n bodies with few neighbors each cost n log n. The tree is rebuilt each time, in reused
+//! memory, so the result depends only on the current poses. A half space may touch every body that
+//! is not wholly above it.
 
 use nalgebra::Vector3;
 use parry3d_f64::bounding_volume::{Aabb, BoundingVolume};
@@ -12,26 +13,26 @@ use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode, BvhWorkspace};
 
 use super::solid::Solid;
 
-/// Rounding, as a part of the coordinates.
+/// A bound on rounding, relative to the coordinates.
 const ROUNDING: f64 = 1e-12;
 
-/// A tree of more boxes than this costs less than to compare each with each.
+/// For more boxes than this, a tree costs less than comparing all pairs.
 const FEW: usize = 32;
 
-/// A half space in its place.
+/// A half space in world coordinates.
 pub(super) struct HalfSpace {
-    /// Its place among the solids.
+    /// Its index among the solids.
     pub solid: usize,
-    /// The unit normal (world), out of the matter.
+    /// The unit normal (world), pointing out of the half space.
     pub normal: Vector3<f64>,
-    /// A point of its surface (m).
+    /// A point on its surface (m).
     pub point: Vector3<f64>,
 }
 
-/// The boxes, their tree, and the pairs that were found last.
+/// The boxes, their tree, and the pairs found last.
 #[derive(Default)]
 pub(super) struct Broad {
-    /// With the places of their solids.
+    /// The boxes with the indices of their solids.
     boxes: Vec<(usize, Aabb)>,
     tree: Bvh,
     workspace: BvhWorkspace,
@@ -39,9 +40,9 @@ pub(super) struct Broad {
 }
 
 impl Broad {
-    /// The pairs [lower, higher] of those that `may` touch and come within their `margin` (m),
-    /// ascending. The `half` margins (m) of two solids are together no less than the margin of
-    /// both.
+    /// The pairs [lower, higher], ascending, of those that `may` touch and come within their
+    /// `margin` (m). The sum of the `half` margins (m) of two solids must be at least the margin of
+    /// the pair.
     pub fn search(
         &mut self,
         solids: &[Option<Solid>],
@@ -86,7 +87,7 @@ impl Broad {
         pairs.sort_unstable();
     }
 
-    /// The bytes that its arrays hold; those of the workspace are as many boxes as the tree has.
+    /// The size of its arrays in bytes; the workspace is counted as one box per box of the tree.
     pub fn bytes(&self) -> usize {
         let leaves = self.tree.leaf_count() as usize * size_of::<BvhNode>();
         let boxes = self.boxes.capacity() * size_of::<(usize, Aabb)>();
@@ -94,14 +95,14 @@ impl Broad {
         self.tree.heap_memory_size() + leaves + boxes + pairs
     }
 
-    /// The pairs that were found last.
+    /// The pairs found last.
     pub fn pairs(&self) -> &[[usize; 2]] {
         &self.pairs
     }
 }
 
 impl HalfSpace {
-    /// Whether a box comes within a distance (m) of the matter.
+    /// Whether a box comes within a distance (m) of the half space.
     fn reaches(&self, around: &Aabb, distance: f64) -> bool {
         let vector = |v: DVec3| Vector3::new(v.x, v.y, v.z);
         let (centre, half) = (vector(around.center()), vector(around.half_extents()));
@@ -110,7 +111,8 @@ impl HalfSpace {
     }
 }
 
-/// The box around a solid, larger by its radius and `more` (m) on every side, and by rounding.
+/// The bounding box of a solid, enlarged on every side by its radius, `more` (m), and a bound on
+/// rounding.
 fn bounds(solid: &Solid, more: f64) -> Aabb {
     let first = solid.vertices[0];
     let low = solid.vertices.iter().fold(first, |low, v| low.inf(v));

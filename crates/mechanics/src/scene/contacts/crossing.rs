@@ -1,4 +1,4 @@
-//! Two edges that cross: the normal is across both and turns with both bodies.
+//! Two crossing edges: the normal is perpendicular to both and rotates with both bodies.
 
 use nalgebra::Vector3;
 
@@ -7,8 +7,8 @@ use super::solid::Solid;
 use super::{Feature, Touch};
 use crate::constraint::Normal;
 
-/// The contact of two edges along their common normal, and whether both edges reach the place where
-/// their lines are nearest.
+/// The contact of two edges along their common normal, and whether both edges contain the points
+/// where their lines are closest.
 pub(super) fn touch(a: &Solid, b: &Solid, axis: &EdgeAxis) -> (Touch, bool) {
     let [i, j] = axis.edges;
     let (e0, e1) = (a.directions[i], b.directions[j]);
@@ -25,7 +25,7 @@ pub(super) fn touch(a: &Solid, b: &Solid, axis: &EdgeAxis) -> (Touch, bool) {
     (touch, within)
 }
 
-/// How far (m) along two lines p + s e, with unit vectors e, they are nearest to each other.
+/// The parameters (m) of the closest points of two lines p + s e, with unit vectors e.
 fn nearest(p0: Vector3<f64>, e0: Vector3<f64>, p1: Vector3<f64>, e1: Vector3<f64>) -> [f64; 2] {
     let (m, d) = (e0.cross(&e1), p1 - p0);
     [d.cross(&e1).dot(&m), d.cross(&e0).dot(&m)].map(|s| s / m.norm_squared())

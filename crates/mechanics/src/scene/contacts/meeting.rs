@@ -1,9 +1,9 @@
-//! Which distant bodies can meet within a step.
+//! Tests which separated bodies can meet within a step.
 //!
 //! A contact that is detected before it touches keeps a body on one side of a plane through the
-//! nearest points. Such a plane would deflect a ball that flies past a post without touching it. So
-//! a contact with a gap above [`LEAST`](super::reach::LEAST) counts only if the bodies meet on the
-//! paths that their velocities and the forces of the step give them.
+//! nearest points. Such a plane would deflect a ball that flies past a post without touching it. A
+//! contact with a gap above [`LEAST`](super::reach::LEAST) therefore counts only if the bodies meet
+//! on the paths given by their velocities and the forces of the step.
 
 use super::Detector;
 use super::passage::Path;
@@ -12,16 +12,17 @@ use crate::body::{Pose, State};
 use crate::scene::Scene;
 use nalgebra::UnitQuaternion;
 
-/// Bodies with a smaller gap (m) meet.
+/// Bodies with a smaller gap (m) count as meeting.
 const MEETING: f64 = 1e-3;
-/// After this number of positions, if one body glides along the other, say, they count as meeting.
+/// After this number of positions, for example if one body slides along the other, they count as
+/// meeting.
 const MOST_LOOKS: usize = 1_000;
 
 /// The motion of all bodies in a step without contacts and joints.
 pub(super) struct FreeMotion {
-    /// At the end.
+    /// The states at the end of the step.
     after: Vec<State>,
-    /// During the step, for the two bodies under examination.
+    /// Intermediate states of the two bodies under examination.
     moved: Vec<State>,
 }
 
@@ -33,7 +34,7 @@ impl FreeMotion {
 }
 
 impl Detector {
-    /// Whether two parts meet in the step, if no contact and no joint acts.
+    /// Whether two parts meet in the step if no contact and no joint acts.
     pub(super) fn may_meet(
         &mut self,
         scene: &Scene,
@@ -65,7 +66,7 @@ impl Detector {
     }
 }
 
-/// Where a body is after the step without contacts and joints.
+/// The state of a body after the step without contacts and joints.
 fn free(scene: &Scene, states: &[State], body: usize) -> State {
     let (state, dt) = (&states[body], scene.step.dt);
     let [v, omega] = after_forces(scene, states, body);

@@ -1,21 +1,21 @@
-//! Where bodies touch, or nearly: contact points with names that persist between steps.
+//! Contact detection: contact points with identifiers that persist between steps.
 //!
-//! Every shape but the half space is a convex polytope with a radius around it ([`solid`]): a point
-//! for a ball, a segment for a capsule; a compound is several. So all pairs are one case. The data
-//! flow:
+//! Every shape except the half space is a convex polytope with a radius around it ([`solid`]): a
+//! point for a ball, a segment for a capsule; a compound is several of these. All pairs are
+//! therefore one case. The data flow:
 //!
 //! ```text
 //! broad: pairs of bodies ─→ separation: the axis ─→ overlap: face on anything │ crossing: edges │
 //! nearest: edges and vertices ─→ reduce: at most four
 //! ```
 //!
-//! The boxes around the bodies are searched by the library parry. Its contact manifolds are not
-//! used: they cut faces to four corners and do not say which features touch, and both a contact's
-//! name and how its normal moves depend on that.
+//! The library parry searches the bounding boxes. Its contact manifolds are not used: they clip
+//! faces to four corners and do not report which features touch, which both the contact's
+//! identifier and the motion of its normal depend on.
 //!
-//! Bodies that a constraint joins do not collide, nor do two fixed ones, nor two points. The result
-//! depends on the states alone and comes in the order of the bodies. A [`Detector`] keeps its
-//! memory from step to step; warm, it asks for none.
+//! Bodies joined by a constraint do not collide, nor do two fixed bodies or two points. The result
+//! depends only on the states and comes in the order of the bodies. A [`Detector`] reuses its
+//! memory from step to step and allocates none once warm.
 
 mod broad;
 mod crossing;
@@ -48,7 +48,7 @@ use solid::Solid;
 /// A feature of a body, by its index in the body's polytope.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Feature {
-    /// A corner, the centre of a ball, or an end of a capsule.
+    /// A corner, the center of a ball, or an end of a capsule.
     Vertex(usize),
     /// An edge, or the axis of a capsule.
     Edge(usize),
@@ -66,12 +66,12 @@ impl fmt::Display for Feature {
     }
 }
 
-/// The name of a contact point: the same from step to step while the same features touch.
+/// The identifier of a contact point: the same from step to step while the same features touch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ContactId {
     /// The two bodies, the lower index first.
     pub bodies: [usize; 2],
-    /// What touches of the first and of the second body.
+    /// The touching features of the first and the second body.
     pub features: [Feature; 2],
 }
 
@@ -82,30 +82,30 @@ impl fmt::Display for ContactId {
     }
 }
 
-/// A contact point that was found.
+/// A detected contact point.
 #[derive(Debug, Clone)]
 pub struct Found {
-    /// Its name.
+    /// Its identifier.
     pub id: ContactId,
     /// Its constraint.
     pub contact: Contact,
-    /// The gap c (m), negative where the bodies overlap.
+    /// The gap c (m), negative if the bodies overlap.
     pub gap: f64,
-    /// The gap (m) up to which contacts of its bodies were looked for.
+    /// The gap (m) up to which contacts of these bodies were searched.
     pub margin: f64,
     /// The unit normal (world), from the constraint's body 0 to its body 1.
     pub normal: Vector3<f64>,
-    /// The touching point on the constraint's body 1 (m, world).
+    /// The contact point on the constraint's body 1 (m, world).
     pub point: Vector3<f64>,
 }
 
-/// Two features that touch, of a body 0 and a body 1.
+/// Two touching features, of a body 0 and a body 1.
 #[derive(Debug, Clone)]
 struct Touch {
     features: [Feature; 2],
     /// The anchors (m, world).
     anchors: [Vector3<f64>; 2],
-    /// What the normal depends on.
+    /// The features that define the normal.
     normal: Normal,
     /// n·d (m): the gap without the radii.
     separation: f64,
@@ -125,16 +125,16 @@ impl Touch {
     }
 }
 
-/// All contact points with a gap up to `margin` (m). One entry of `states` a body.
+/// All contact points with a gap up to `margin` (m). `states` has one entry per body.
 pub fn contacts(scene: &Scene, states: &[State], margin: f64) -> Vec<Found> {
     let mut detector = Detector::new(scene);
     detector.find(scene, states, margin);
     detector.found
 }
 
-/// The contact points that matter to a step from these states: those with a gap up to the scene's
-/// margin or, where it states none, up to what the bodies can approach each other in the step; at
-/// acceleration level those that touch. One entry of `states` a body.
+/// The contact points for a step from these states: those with a gap up to the scene's margin or,
+/// without one, up to the distance that the bodies can approach each other in the step; at
+/// acceleration level those that touch. `states` has one entry per body.
 ///
 /// ```
 /// use lcplab_mechanics::scene::{Scene, step_contacts};
@@ -154,16 +154,17 @@ pub fn step_contacts(scene: &Scene, states: &[State]) -> Vec<Found> {
     detector.found
 }
 
-/// Whose part a solid is.
+/// The body of a solid.
 #[derive(Debug, Clone, Copy)]
 struct Owner {
     body: usize,
-    /// How many vertices, edges and faces the body's parts before have: features are counted on.
+    /// The number of vertices, edges and faces of the body's earlier parts, the offset of feature
+    /// indices.
     before: [usize; 3],
 }
 
 impl Owner {
-    /// The feature of the part as one of the body.
+    /// Converts a feature of the part to one of the body.
     fn name(&self, feature: Feature) -> Feature {
         let [vertices, edges, faces] = self.before;
         match feature {
@@ -174,16 +175,16 @@ impl Owner {
     }
 }
 
-/// Finds the contacts of a scene again and again.
+/// Finds the contacts of a scene repeatedly, with reused memory.
 pub struct Detector {
-    /// The bodies' convex parts, body by body; none for a half space.
+    /// The bodies' convex parts, body by body; `None` for a half space.
     solids: Vec<Option<Solid>>,
-    /// Whose part each is.
+    /// The owner of each part.
     owners: Vec<Owner>,
-    /// How far (m) the farthest vertex of each body is from its centre.
+    /// The distance (m) of each body's farthest vertex from its center.
     arms: Vec<f64>,
     half_spaces: Vec<HalfSpace>,
-    /// The pairs that a constraint joins, ascending.
+    /// The pairs joined by a constraint, ascending.
     joined: Vec<[usize; 2]>,
     broad: Broad,
     touches: Vec<Touch>,
@@ -219,20 +220,20 @@ impl Detector {
         Detector { solids, owners, arms, half_spaces, joined, broad, touches, found }
     }
 
-    /// All contact points with a gap up to `margin` (m), of the scene that it was made for. One
-    /// entry of `states` a body.
+    /// All contact points with a gap up to `margin` (m) for the detector's scene. `states` has one
+    /// entry per body.
     pub fn find(&mut self, scene: &Scene, states: &[State], margin: f64) -> &[Found] {
         self.find_pairs(scene, states, Reach::Gap(margin));
         self.find_points(scene, states, Reach::Gap(margin));
         &self.found
     }
 
-    /// What was found last.
+    /// The contacts found last.
     pub fn found(&self) -> &[Found] {
         &self.found
     }
 
-    /// The bytes that its arrays hold; not those of the polytopes, which many bodies may share.
+    /// The size of its arrays in bytes, without the polytopes, which bodies may share.
     pub fn bytes(&self) -> usize {
         let solids = self.solids.iter().flatten().map(Solid::bytes).sum::<usize>();
         solids
@@ -245,7 +246,7 @@ impl Detector {
             + self.found.capacity() * size_of::<Found>()
     }
 
-    /// The first half of [`find`](Detector::find): the pairs of bodies that are near each other.
+    /// The first phase of [`find`](Detector::find): pairs of bodies that are near each other.
     pub fn find_pairs(&mut self, scene: &Scene, states: &[State], reach: Reach) {
         let half = |site: Site| reach.of_body(scene, states, site);
         let margin = |pair: [Site; 2]| reach.of_pair(scene, states, pair);
@@ -288,7 +289,7 @@ impl Detector {
         broad.search(solids, half_spaces, half, margin, may_touch);
     }
 
-    /// The second half: where the pairs touch.
+    /// The second phase: the contact points of the pairs.
     pub fn find_points(&mut self, scene: &Scene, states: &[State], reach: Reach) {
         self.found.clear();
         let mut motion: Option<FreeMotion> = None;
@@ -323,7 +324,7 @@ fn ordered(bodies: [Option<usize>; 2]) -> Option<[usize; 2]> {
     Some([first.min(second), first.max(second)])
 }
 
-/// Where two parts may touch, in an empty list; one without a solid is a half space.
+/// Computes where two parts may touch, into an empty list; a part without a solid is a half space.
 fn touches(
     scene: &Scene,
     states: &[State],
@@ -349,8 +350,8 @@ fn touches(
     }
 }
 
-/// The contact of two features; balls with one centre, which have no normal, are pushed apart along
-/// the world's z axis. None where there is no direction either.
+/// The contact of two features. Concentric balls, which have no normal, are pushed apart along the
+/// world's z axis. `None` if there is no direction at all.
 fn point(
     scene: &Scene,
     states: &[State],

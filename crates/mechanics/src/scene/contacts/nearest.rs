@@ -1,8 +1,8 @@
-//! Polytopes that are apart with an edge or a vertex nearest: the vertices of each and the feature
-//! of the other that is nearest to them.
+//! Separated polytopes whose nearest features include an edge or a vertex: the vertices of each,
+//! with the nearest feature of the other.
 //!
-//! A vertex over the face, edge or vertex that is nearest to it must not get past it; so each of
-//! these contacts holds by itself, however many are taken.
+//! Each such contact keeps a vertex from passing the nearest face, edge or vertex. Each is valid
+//! independently, so any number of them can be used.
 
 use nalgebra::Vector3;
 
@@ -11,7 +11,7 @@ use super::{Feature, Touch};
 use crate::constraint::Normal;
 
 /// A vertex counts if none of its edges leads towards the other body more steeply than this (as a
-/// sine): both ends of a capsule do that lies along another one.
+/// sine): for parallel capsules both ends count.
 const LEVEL: f64 = 0.1;
 
 /// Adds the vertices of `a` and of `b` that come within `reach` (m) of the other.
@@ -38,7 +38,7 @@ fn vertices_of_second(a: &Solid, b: &Solid, reach: f64) -> impl Iterator<Item = 
     })
 }
 
-/// The feature of `a` nearest to vertex k of the other body, which lies outside.
+/// The feature of `a` nearest to vertex k of the other body, which is outside.
 fn nearest_feature(a: &Solid, k: usize, vertex: &Vector3<f64>) -> Touch {
     let touch = |feature: Feature, foot: Vector3<f64>, normal: Normal| Touch {
         features: [feature, Feature::Vertex(k)],

@@ -1,7 +1,7 @@
-//! A face of body 0 against what body 1 turns towards it: a face, an edge or a vertex.
+//! A face of body 0 with the opposing feature of body 1: a face, an edge or a vertex.
 //!
-//! Seen along the face's normal, two convex polygons overlap in a polygon whose corners are of
-//! three kinds, and each has the normal that its features have:
+//! Projected along the face's normal, two convex polygons overlap in a polygon whose corners are of
+//! three kinds, each with the normal of its features:
 //!
 //! ```text
 //! a vertex of body 1 over the face           face of body 0
@@ -16,17 +16,17 @@ use super::solid::Solid;
 use super::{Feature, Touch, crossing};
 use crate::constraint::Normal;
 
-/// A vertex beside a face by up to this part of the bodies' size is over it: equal boxes that stand
-/// flush would otherwise lose corners as rounding puts them on one side or the other of the rim.
+/// A vertex outside a face by up to this fraction of the bodies' size still counts as over it:
+/// equal boxes with flush sides would otherwise lose corners by rounding.
 const RIM: f64 = 1e-6;
-/// Edges that cross have the normal across both if it is this near (as a cosine) to the face's; for
-/// edges that are nearly parallel it may point anywhere.
+/// Crossing edges use the normal perpendicular to both if its cosine with the face's normal is at
+/// least this; for nearly parallel edges that normal is ill-defined.
 const ALIGNED: f64 = 0.996;
-/// The second face must look at the first at no more than 60° from straight.
+/// The second face must oppose the first within 60°.
 const FACING: f64 = -0.5;
 
-/// Adds the corners of the overlap of a face of `a` and what `b` turns towards it: a face, or,
-/// where it has none, all its vertices and edges.
+/// Adds the corners of the overlap of a face of `a` with the opposing feature of `b`: a face or, if
+/// there is none, all its vertices and edges.
 pub(super) fn touches(a: &Solid, b: &Solid, face: usize, out: &mut Vec<Touch>) {
     let rim = RIM * a.size.max(b.size);
     let Some(other) = towards(b, &a.normals[face]) else {
@@ -41,7 +41,7 @@ pub(super) fn touches(a: &Solid, b: &Solid, face: usize, out: &mut Vec<Touch>) {
     crossings(a, b, face, b.rim(other).iter().copied(), rim, out);
 }
 
-/// Of the faces at the vertex that lies lowest along n, the one that looks most against n.
+/// Of the faces at the lowest vertex along n, the one whose normal is most opposed to n.
 fn towards(b: &Solid, n: &Vector3<f64>) -> Option<usize> {
     let lower = |best: usize, k: usize| {
         if n.dot(&b.vertices[k]) < n.dot(&b.vertices[best]) { k } else { best }
@@ -67,7 +67,7 @@ fn over(a: &Solid, b: &Solid, face: usize, k: usize, rim: f64) -> Option<Touch> 
     a.covers(face, &n, &vertex, rim).then(touch)
 }
 
-/// The corners of the face of `a` over the face of `b`, but for those where a corner of `b` is.
+/// The corners of the face of `a` over the face of `b`, except where `b` has a corner.
 fn corners(a: &Solid, b: &Solid, [face, other]: [usize; 2], rim: f64, out: &mut Vec<Touch>) {
     let n = a.normals[face];
     let is_beside = |k: usize, vertex: &Vector3<f64>| {
@@ -80,7 +80,7 @@ fn corners(a: &Solid, b: &Solid, [face, other]: [usize; 2], rim: f64, out: &mut 
     out.extend(corners.filter(is_alone).map(Touch::swap));
 }
 
-/// Where the rim of the face of `a` crosses edges of `b`.
+/// The crossings of the boundary of the face of `a` with edges of `b`.
 fn crossings(
     a: &Solid,
     b: &Solid,
@@ -94,7 +94,7 @@ fn crossings(
     }
 }
 
-/// Where edge i of the face of `a` and edge j of `b` cross, away from their ends.
+/// The crossing of edge i of the face of `a` and edge j of `b`, away from their ends.
 fn cross(a: &Solid, b: &Solid, face: usize, [i, j]: [usize; 2], rim: f64) -> Option<Touch> {
     let (n, e0, e1) = (a.normals[face], a.directions[i], b.directions[j]);
     let (p0, p1) = (a.ends(i)[0], b.ends(j)[0]);

@@ -1,17 +1,19 @@
-//! Two solids: which of their features touch. A cylinder is round where its side lies on a face.
+//! Selects the touching features of two solids. A cylinder is treated as round if its side lies on
+//! a face.
 
 use super::separation::{EdgeAxis, FaceAxis, by_edges, by_faces};
 use super::solid::Solid;
 use super::{Feature, Touch, crossing, nearest, overlap, rim};
 use crate::constraint::Normal;
 
-/// A face is taken though edges, or a face of the other body, part the bodies better by up to this
-/// part of their size: a body that rocks by a rounding error must not lose three of four points.
+/// A face is preferred although edges, or a face of the other body, separate the bodies better by
+/// up to this fraction of their size: a body that rocks by a rounding error must not lose three of
+/// four points.
 const PREFERENCE: f64 = 1e-2;
-/// Separations that differ by this part of the bodies' size are equal.
+/// Separations that differ by less than this fraction of the bodies' size are equal.
 const EQUAL: f64 = 1e-9;
 
-/// Contacts with a gap up to `margin` (m), and perhaps some with a larger one, in an empty list.
+/// Contacts with a gap up to `margin` (m), and possibly some with a larger one, into an empty list.
 pub(super) fn touches(a: &Solid, b: &Solid, margin: f64, out: &mut Vec<Touch>) {
     let reach = margin + a.radius + b.radius;
     let faces = [by_faces(a, b), by_faces(b, a)];
@@ -39,7 +41,7 @@ pub(super) fn touches(a: &Solid, b: &Solid, margin: f64, out: &mut Vec<Touch>) {
     if apart { near(a, b, edges, reach, out) } else { out.extend(through(a, b, faces, edges)) }
 }
 
-/// A cylinder on its side over a face of what is none, if that face has at least this separation.
+/// A cylinder with its side on a face of a non-cylinder, if that face has at least this separation.
 fn rolls(
     a: &Solid,
     b: &Solid,
@@ -59,7 +61,7 @@ fn rolls(
     }
 }
 
-/// The overlap over the first face, of `a` and then of `b`, with at least this separation.
+/// The overlap with the first face, of `a` and then of `b`, that has at least this separation.
 fn over_face(a: &Solid, b: &Solid, faces: [Option<FaceAxis>; 2], least: f64, out: &mut Vec<Touch>) {
     let [of_a, of_b] = faces.map(|axis| axis.filter(|axis| axis.separation >= least));
     match (of_a, of_b) {
@@ -72,15 +74,15 @@ fn over_face(a: &Solid, b: &Solid, faces: [Option<FaceAxis>; 2], least: f64, out
     }
 }
 
-/// Apart: vertices near anything, and two edges that cross.
+/// Separated bodies: vertices near any feature, and two crossing edges.
 fn near(a: &Solid, b: &Solid, edges: Option<EdgeAxis>, reach: f64, out: &mut Vec<Touch>) {
     let crossing = edges.map(|axis| crossing::touch(a, b, &axis));
     out.extend(crossing.filter(|(_, within)| *within).map(|(touch, _)| touch));
     nearest::touches(a, b, reach, out);
 }
 
-/// Overlapping, and no face covers the deepest point: along the edges' normal, or straight through
-/// the face that parts best.
+/// Overlapping bodies whose deepest point is covered by no face: the contact is along the edges'
+/// normal, or along the normal of the best separating face.
 fn through(
     a: &Solid,
     b: &Solid,
@@ -97,7 +99,7 @@ fn through(
     }
 }
 
-/// The vertex of `b` deepest under a face of `a`.
+/// The deepest vertex of `b` below a face of `a`.
 fn deepest(a: &Solid, b: &Solid, face: usize) -> Touch {
     let heights = b.vertices.iter().map(|vertex| a.height(face, vertex)).enumerate();
     let (k, separation) =

@@ -1,15 +1,15 @@
-//! Which bodies went through each other between the beginning and the end of a step.
+//! Detects bodies that passed through each other in a step.
 //!
-//! In a step a body moves straight and turns evenly. Along this path two bodies approach by no more
-//! than
+//! In a step a body translates in a straight line and rotates uniformly. Along this path two bodies
+//! approach by at most
 //!
 //! ```text
 //! L = |Δp1 − Δp0| + angle0 r0 + angle1 r1
 //! ```
 //!
-//! in all, r being the distance of the farthest vertex from the centre. So from a distance d no
-//! overlap can begin before another d/L of the step (conservative advancement, Mirtich 1996), and
-//! no pair is missed, however fast it is.
+//! in total, where r is the distance of the farthest vertex from the center. From a distance d, no
+//! overlap can begin before another d/L of the step (conservative advancement, Mirtich 1996), so no
+//! pair is missed, however fast it is.
 
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -18,33 +18,32 @@ use super::{Detector, point, touches};
 use crate::body::{Pose, State};
 use crate::scene::{Scene, resting};
 
-/// Bodies that move against each other by up to this part of the thinner one cannot go through it.
+/// Bodies whose relative motion is at most this fraction of the thinner one cannot pass through it.
 const SHORT: f64 = 0.5;
-/// Bodies that overlap on the path by no more than this part of the thinner one touch only.
+/// Bodies that overlap on the path by at most this fraction of the thinner one only touch.
 const TOUCHING: f64 = 1e-2;
-/// Inside a body the path is looked at again after this part of the depth.
+/// Inside a body the path is sampled again after this fraction of the depth.
 const INSIDE: f64 = 0.125;
-/// The normals before and after have at most this cosine where a body came out on another side.
+/// The maximum cosine between the normals before and after if a body emerged on another side.
 const OTHER_SIDE: f64 = 0.5;
-/// A path that was looked at more often than this, along a surface, say, is looked at in even
-/// parts.
+/// After this many samples, for example along a surface, the path is sampled uniformly.
 const MANY_LOOKS: usize = 10_000;
 
-/// A body that went through another one.
+/// A body that passed through another one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Passage {
     /// The two bodies, the lower index first.
     pub bodies: [usize; 2],
-    /// The deepest overlap that was seen on the path (m).
+    /// The deepest sampled overlap on the path (m).
     pub depth: f64,
-    /// How far (m) they moved against each other in the step, turning included.
+    /// The distance (m) of their relative motion in the step, including rotation.
     pub travel: f64,
 }
 
 impl Detector {
-    /// The pairs of bodies of which one went through the other between two instants: they overlap
-    /// on the way, and their nearest surfaces lie on other sides of them afterwards. Half spaces
-    /// have no other side.
+    /// The pairs of bodies that passed through each other between two instants: they overlap on the
+    /// path, and their nearest surfaces are on other sides afterwards. Half spaces have no other
+    /// side.
     pub fn passages(&mut self, scene: &Scene, before: &[State], after: &[State]) -> Vec<Passage> {
         let moves: Vec<Move> =
             (0..before.len()).map(|k| Move::of(&before[k], &after[k], self.arms[k])).collect();
@@ -76,7 +75,7 @@ impl Detector {
         passages
     }
 
-    /// The deepest overlap (m) on a path, if one part goes through the other.
+    /// The deepest overlap (m) on a path, if one part passes through the other.
     fn passes(
         &mut self,
         scene: &Scene,
@@ -102,8 +101,9 @@ impl Detector {
         is_through.then_some(deepest.max(-gap))
     }
 
-    /// The gap (m) of a pair of parts at a part of its path, and the normal from the first to the
-    /// second where they are nearest, in the axes of the larger body: a ball has none to speak of.
+    /// The gap (m) of a pair of parts at a fraction of its path, and the normal from the first to
+    /// the second at the nearest points, in the axes of the larger body (a ball's own axes would be
+    /// meaningless).
     pub(super) fn nearest(
         &mut self,
         scene: &Scene,
@@ -130,19 +130,19 @@ impl Detector {
     }
 }
 
-/// Two parts on their way from one instant to another.
+/// The motion of two parts between two instants.
 pub(super) struct Path<'a> {
     before: &'a [State],
     after: &'a [State],
-    /// The parts, by their solids.
+    /// The indices of their solids.
     pair: [usize; 2],
     bodies: [usize; 2],
-    /// How far (m) they move against each other at most.
+    /// The maximum distance (m) of their relative motion.
     pub travel: f64,
 }
 
 impl<'a> Path<'a> {
-    /// The path of two parts between these states; `arms` are those of all bodies.
+    /// The path of two parts between these states; `arms` has one entry per body.
     pub fn of(
         before: &'a [State],
         after: &'a [State],
@@ -155,11 +155,11 @@ impl<'a> Path<'a> {
     }
 }
 
-/// How a body moved.
+/// The motion of a body.
 struct Move {
-    /// (m)
+    /// The translation (m).
     shift: Vector3<f64>,
-    /// How far (m) its farthest vertex moved by turning.
+    /// The distance (m) that rotation moves its farthest vertex.
     turning: f64,
 }
 
@@ -173,13 +173,13 @@ impl Move {
         self.shift.norm() + self.turning
     }
 
-    /// How far (m) two bodies moved against each other at most.
+    /// The maximum distance (m) of the relative motion of two bodies.
     fn against([a, b]: [&Move; 2]) -> f64 {
         (b.shift - a.shift).norm() + a.turning + b.turning
     }
 }
 
-/// The state at a part of the way: straight, and turning evenly.
+/// The state at a fraction of the path, with straight translation and uniform rotation.
 fn along(a: &State, b: &State, theta: f64) -> State {
     let turn = (b.pose.q * a.pose.q.inverse()).scaled_axis();
     let q = UnitQuaternion::from_scaled_axis(theta * turn) * a.pose.q;

@@ -1,4 +1,4 @@
-//! A half space, body 0, and the vertices of anything.
+//! Contacts of a half space, body 0, with the vertices of any solid.
 
 use nalgebra::Vector3;
 
@@ -8,7 +8,7 @@ use crate::body::Pose;
 use crate::constraint::Normal;
 
 /// Adds every vertex of a solid over the plane through the origin of a body with this pose;
-/// `normal` in the body's axes.
+/// `normal` is in the body's axes.
 pub(super) fn touches(normal: &Vector3<f64>, pose: &Pose, solid: &Solid, out: &mut Vec<Touch>) {
     let n = pose.direction(normal);
     if rim::on_plane(normal, pose, solid, out) {

@@ -1,36 +1,37 @@
-//! Up to which gap the contacts of two bodies are found.
+//! The gap up to which contacts of two bodies are detected.
 //!
-//! A step at velocity level must know of every gap that may close within it. The gap of two bodies
-//! shrinks by no more than
+//! A step at velocity level needs every gap that may close within it. The gap of two bodies
+//! decreases by at most
 //!
 //! ```text
 //! dt v,   v = |v1 − v0| + |ω0| r0 + |ω1| r1
 //! ```
 //!
-//! with r the distance of a body's farthest vertex from its centre (0 of a ball: it turns in
-//! itself). For each body the velocity at the beginning of the step and the one after its forces
-//! are tried, because one body may be held while the other one falls.
+//! with r the distance of a body's farthest vertex from its center (0 for a ball, which rotates in
+//! place). For each body both the velocity at the beginning of the step and that after its forces
+//! are considered, because one body may be held while the other falls.
 
 use nalgebra::Vector3;
 
 use crate::body::{Mass, Shape, State, angular, linear};
 use crate::scene::{Scene, Scheme};
 
-/// The least margin (m) where it follows the speed.
+/// The minimum margin (m) if the margin depends on the speed.
 pub(super) const LEAST: f64 = 0.05;
 
-/// Up to which gap contacts are found.
+/// The gap up to which contacts are detected.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Reach {
     /// The same (m) for all pairs of bodies.
     Gap(f64),
-    /// As far as the two bodies of a pair can approach each other in a step, and at least 0.05 m.
+    /// The distance that the two bodies of a pair can approach each other in a step, at least 0.05
+    /// m.
     Step,
 }
 
 impl Reach {
-    /// That of a scene's steps: the gap at which contacts touch at acceleration level, else the
-    /// margin that the scene states, else what follows from the speeds.
+    /// The reach for a scene's steps: at acceleration level the gap at which contacts touch;
+    /// otherwise the margin of the scene or, without one, the distance from the speeds.
     pub fn of_step(scene: &Scene) -> Self {
         match (scene.step.scheme, scene.contact.margin) {
             (Scheme::Acceleration, _) => Reach::Gap(scene.resting().gap),
@@ -39,14 +40,14 @@ impl Reach {
         }
     }
 
-    /// The gap (m) of a pair of bodies, with the distance (m) of the farthest vertex of each from
-    /// its centre.
+    /// The gap (m) for a pair of bodies, given the distance (m) of each one's farthest vertex from
+    /// its center.
     pub(super) fn of_pair(self, scene: &Scene, states: &[State], pair: [Site; 2]) -> f64 {
         match self {
             Reach::Gap(gap) => gap,
             Reach::Step => {
                 let [a, b] = pair.map(|site| velocities(scene, states, site.body));
-                // One may be held where the other falls.
+                // One may be held while the other falls.
                 let both = a.iter().flat_map(|a| b.iter().map(move |b| (b - a).norm()));
                 let approach = both.fold(0.0, f64::max);
                 let turning = turning(scene, states, pair[0], pair[1])
@@ -56,8 +57,8 @@ impl Reach {
         }
     }
 
-    /// Half of the gap (m) for a body by itself: the halves of two bodies are no less than the gap
-    /// of both.
+    /// Half of the gap (m) for a single body: the sum of the halves of two bodies is at least the
+    /// gap of the pair.
     pub(super) fn of_body(self, scene: &Scene, states: &[State], site: Site) -> f64 {
         match self {
             Reach::Gap(gap) => gap / 2.0,
@@ -70,24 +71,24 @@ impl Reach {
     }
 }
 
-/// A body, and how far (m) its farthest vertex is from its centre.
+/// A body, with the distance (m) of its farthest vertex from its center.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Site {
     pub body: usize,
     pub arm: f64,
 }
 
-/// The velocity (m/s) of a body's centre now, and after the forces of a step.
+/// The velocity (m/s) of a body's center now, and after the forces of a step.
 fn velocities(scene: &Scene, states: &[State], body: usize) -> [Vector3<f64>; 2] {
     [states[body].v, after_forces(scene, states, body)[0]]
 }
 
-/// The speed (rad/s) at which a body turns now or after the forces of a step, whichever is larger.
+/// The larger of the angular speeds (rad/s) of a body now and after the forces of a step.
 fn fastest_turning(scene: &Scene, states: &[State], body: usize) -> f64 {
     states[body].omega.norm().max(after_forces(scene, states, body)[1].norm())
 }
 
-/// The velocities (m/s, rad/s) of a body after its weight and its own force have acted for a step.
+/// The velocities (m/s, rad/s) of a body after its weight and own force have acted for a step.
 pub(super) fn after_forces(scene: &Scene, states: &[State], body: usize) -> [Vector3<f64>; 2] {
     let (own, State { pose, v, omega }, dt) = (&scene.bodies[body], &states[body], scene.step.dt);
     let wrench = own.wrench(pose);
@@ -102,8 +103,8 @@ pub(super) fn after_forces(scene: &Scene, states: &[State], body: usize) -> [Vec
     }
 }
 
-/// How fast (m/s) a body's surface approaches another body by turning. A half space that turns
-/// about its normal does not.
+/// The speed (m/s) at which rotation moves a body's surface towards another body. A half space that
+/// rotates about its normal has none.
 fn turning(scene: &Scene, states: &[State], own: Site, other: Site) -> f64 {
     let State { pose, omega, .. } = &states[own.body];
     match &scene.bodies[own.body].shape {

@@ -1,18 +1,18 @@
-//! At most four contacts for a pair of bodies: four points carry what many do, as long as they span
-//! the area that the many span.
+//! Reduces the contacts of a pair of bodies to at most four: four points can support the same loads
+//! as many if they span the same area.
 //!
-//! The deepest, the one farthest from it, the one that spans the largest triangle with these two,
-//! and the one that adds most to it on another side. Ties go to the first, with some room for
-//! rounding, so that the same four are taken from step to step.
+//! The four are the deepest, the one farthest from it, the one that spans the largest triangle with
+//! these two, and the one that adds most to it on another side. Ties go to the first, with a
+//! tolerance for rounding, so that the same four are selected from step to step.
 
 use nalgebra::Vector3;
 
 use super::Found;
 
-/// Measures that differ by this part of the points' extent are equal.
+/// Measures that differ by less than this fraction of the points' extent are equal.
 const EQUAL: f64 = 1e-6;
 
-/// Of the contacts from `first` on, leaves the four that are kept, in their order.
+/// Keeps only the four selected contacts among those from `first` on, in their order.
 pub(super) fn to_four(all: &mut Vec<Found>, first: usize) {
     let Some(kept) = four(&all[first..]) else { return };
     let mut end = first;
@@ -23,7 +23,7 @@ pub(super) fn to_four(all: &mut Vec<Found>, first: usize) {
     all.truncate(end);
 }
 
-/// The places of the four; `None` if there are no more.
+/// The indices of the four; `None` if there are no more than four.
 fn four(found: &[Found]) -> Option<[usize; 4]> {
     if found.len() <= 4 {
         return None;
@@ -50,7 +50,7 @@ fn four(found: &[Found]) -> Option<[usize; 4]> {
     Some([first, second, third, fourth])
 }
 
-/// Twice the area of a triangle as seen along n, positive if counterclockwise.
+/// Twice the area of a triangle projected along n, positive if counterclockwise.
 fn triangle(n: &Vector3<f64>, [a, b, c]: [Vector3<f64>; 3]) -> f64 {
     n.dot(&(b - a).cross(&(c - a)))
 }

@@ -1,8 +1,7 @@
-//! A cylinder with its side on something flat: the ends of the line along which it touches.
+//! A cylinder with its side on a flat surface: the contacts are the ends of the contact line.
 //!
-//! Each end is the lowest point of a circle around the axis, so that the cylinder rolls as a round
-//! one does. Where it stands on an end, and beside the rim of a face, the prism that stands for it
-//! touches instead.
+//! Each end is the lowest point of a circle around the axis, so the cylinder rolls smoothly. If it
+//! stands on an end or lies beyond the boundary of a face, the approximating prism is used instead.
 
 use nalgebra::Vector3;
 
@@ -11,10 +10,10 @@ use super::{Feature, Touch};
 use crate::body::{Cylinder, Pose};
 use crate::constraint::{Normal, Rim};
 
-/// A cylinder whose axis is as near to the normal as this (as a sine) stands.
+/// A cylinder whose axis is this close to the normal (as a sine) stands on an end.
 const STANDS: f64 = 0.02;
 
-/// A flat surface: its unit normal in its body's axes and in the world's, and a point of it (m,
+/// A flat surface: its unit normal in its body's axes and in world axes, and a point on it (m,
 /// world).
 struct Flat {
     feature: usize,
@@ -23,8 +22,8 @@ struct Flat {
     point: Vector3<f64>,
 }
 
-/// Adds the touches of a cylinder with the plane through the origin of a body with this pose; false
-/// if it is none or stands.
+/// Adds the contacts of a cylinder with the plane through the origin of a body with this pose;
+/// false if the solid is not a cylinder or stands on an end.
 pub(super) fn on_plane(
     normal: &Vector3<f64>,
     pose: &Pose,
@@ -41,7 +40,7 @@ pub(super) fn on_plane(
     true
 }
 
-/// The same over a face; false also if no part of the line is over the face.
+/// The same for a face; also false if no part of the line is over the face.
 pub(super) fn on_face(flat: &Solid, face: usize, solid: &Solid, out: &mut Vec<Touch>) -> bool {
     let Some((cylinder, ends)) = solid.cylinder() else { return false };
     let (n, corners) = (flat.normals[face], flat.corners(face));
@@ -70,16 +69,18 @@ pub(super) fn on_face(flat: &Solid, face: usize, solid: &Solid, out: &mut Vec<To
     true
 }
 
-/// A line along a side of a face, as a sine.
+/// A line counts as parallel to a side of a face below this sine.
 const PARALLEL: f64 = 1e-9;
 
-/// From the axis to the line of the side that lies lowest along n; `None` if the cylinder stands.
+/// The vector from the axis to the lowest line of the side along n; `None` if the cylinder stands
+/// on an end.
 fn lowest(cylinder: &Cylinder, n: &Vector3<f64>) -> Option<Vector3<f64>> {
     let across = n - cylinder.axis * cylinder.axis.dot(n);
     (across.norm() > STANDS).then(|| across.normalize() * -cylinder.radius)
 }
 
-/// The touch of the circle so far (m) along the axis, named after a face of the cylinder.
+/// The contact of the circle at this distance (m) along the axis, named after a face of the
+/// cylinder.
 fn touch(
     flat: &Flat,
     solid: &Solid,

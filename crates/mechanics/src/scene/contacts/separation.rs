@@ -1,22 +1,22 @@
-//! How far two polytopes are apart along the axes that can separate them: the normals of the faces
-//! of either, and the common normals of an edge of each.
+//! The separation of two polytopes along the candidate axes: the face normals of either, and the
+//! common normals of an edge of each.
 //!
-//! The separation along n is min over b of n·x − max over a of n·x. Overlapping polytopes are
-//! nearest to parting along the axis where it is largest, and none is above 0; polytopes that are
-//! apart have it equal to their distance, unless a vertex is nearest to an edge or a vertex.
+//! The separation along n is min over b of n·x − max over a of n·x. Overlapping polytopes separate
+//! most easily along the axis with the largest separation, which is at most 0. For disjoint
+//! polytopes it equals the distance, unless a vertex is nearest to an edge or a vertex.
 
 use nalgebra::Vector3;
 
 use super::solid::Solid;
 
-/// Edges at a smaller angle than this (as a sine) count as parallel: they have no common normal.
+/// Edges at a smaller angle than this (as a sine) count as parallel and have no common normal.
 pub(super) const PARALLEL: f64 = 1e-3;
 
 /// A face of body 0 as an axis.
 #[derive(Clone, Copy)]
 pub(super) struct FaceAxis {
     pub face: usize,
-    /// (m)
+    /// The separation (m).
     pub separation: f64,
 }
 
@@ -26,11 +26,11 @@ pub(super) struct EdgeAxis {
     pub edges: [usize; 2],
     /// The unit normal, from body 0 to body 1.
     pub n: Vector3<f64>,
-    /// (m)
+    /// The separation (m).
     pub separation: f64,
 }
 
-/// The face of `a` over which `b` lies highest.
+/// The face of `a` with the largest separation from `b`.
 pub(super) fn by_faces(a: &Solid, b: &Solid) -> Option<FaceAxis> {
     let mut best: Option<FaceAxis> = None;
     for face in 0..a.normals.len() {
@@ -49,9 +49,9 @@ pub(super) fn by_faces(a: &Solid, b: &Solid) -> Option<FaceAxis> {
     best
 }
 
-/// The edges that part `a` and `b` best, each of which reaches farthest along the normal. Parallel
-/// edges have one normal with another edge, and only the farthest of them can reach farthest of
-/// all.
+/// The edges of `a` and `b` with the largest separation, each of which reaches farthest along the
+/// normal. Parallel edges have the same common normal with another edge, so only the farthest of
+/// them is tested.
 pub(super) fn by_edges(a: &Solid, b: &Solid) -> Option<EdgeAxis> {
     let mut best: Option<EdgeAxis> = None;
     for of_a in a.parallels() {
@@ -62,7 +62,8 @@ pub(super) fn by_edges(a: &Solid, b: &Solid) -> Option<EdgeAxis> {
                 let [(i, top), (j, bottom)] = [a.farthest(of_a, &n), b.farthest(of_b, &-n)];
                 let separation = -bottom - top;
                 let is_better = best.is_none_or(|axis| separation > axis.separation);
-                // Last, since it takes longest and few axes are better than the best so far.
+                // Last, since it is the most expensive test and few axes are better than the best
+                // so far.
                 if is_better && a.edge_faces(i, &n) && b.edge_faces(j, &-n) {
                     best = Some(EdgeAxis { edges: [i, j], n, separation });
                 }

@@ -1,4 +1,4 @@
-//! A body's shape in its place: a convex polytope with a radius around it, in world axes.
+//! A body's shape in world axes: convex polytopes with a radius around them.
 
 use std::sync::Arc;
 
@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use crate::body::{Cylinder, Edge, Placed, Polytope, Pose, Shape};
 
-/// A direction counts as along a surface when it leaves it by no more than this (as a sine).
+/// A direction counts as tangential to a surface below this sine.
 const ALONG: f64 = 1e-9;
 
 /// A body's polytope in world axes.
@@ -24,7 +24,7 @@ pub(super) struct Solid {
     pub normals: Vec<Vector3<f64>>,
     /// The unit directions of its edges, from end 0 to end 1.
     pub directions: Vec<Vector3<f64>>,
-    /// For each edge between faces, the directions across it into each face.
+    /// For each edge between faces, the directions perpendicular to it into each face.
     inwards: Vec<Option<[Vector3<f64>; 2]>>,
 }
 
@@ -32,7 +32,7 @@ pub(super) struct Solid {
 #[derive(Clone)]
 pub(super) struct Round {
     polytope: Arc<Polytope>,
-    /// The edges, those together that are parallel.
+    /// The edges, grouped into parallel ones.
     parallels: Arc<[Vec<usize>]>,
     radius: f64,
     /// The greatest distance (m) of a vertex from the part's own origin.
@@ -46,18 +46,18 @@ impl Round {
         Round { polytope, parallels, radius, size }
     }
 
-    /// How far (m) its farthest vertex is from the body's centre.
+    /// The distance (m) of its farthest vertex from the body's center.
     pub fn arm(&self) -> f64 {
         self.polytope.vertices.iter().map(|vertex| vertex.norm()).fold(0.0, f64::max)
     }
 
-    /// As a part of another body, in that one's axes.
+    /// The same as a part of another body, in that body's axes.
     fn placed(self, pose: &Pose) -> Self {
         Round { polytope: Arc::new(self.polytope.seen_from(&pose.inverse())), ..self }
     }
 }
 
-/// The edges, those together that are parallel; the first of each direction first.
+/// The edges, grouped into parallel ones; groups in the order of their first edges.
 fn parallels(polytope: &Polytope) -> Vec<Vec<usize>> {
     let along = |edge: &Edge| {
         let [from, to] = edge.ends.map(|k| polytope.vertices[k]);
@@ -96,20 +96,20 @@ pub(super) fn parts(shape: &Shape) -> Vec<Option<Round>> {
 }
 
 impl Solid {
-    /// A part in no place yet.
+    /// A part without a pose.
     pub fn new(Round { polytope, parallels, radius, size }: Round) -> Self {
         let (vertices, normals, directions, inwards) = Default::default();
         let pose = Pose::default();
         Solid { polytope, parallels, pose, radius, size, vertices, normals, directions, inwards }
     }
 
-    /// How many vertices, edges and faces it has.
+    /// The number of vertices, edges and faces.
     pub fn features(&self) -> [usize; 3] {
         let Polytope { vertices, edges, faces, .. } = &*self.polytope;
         [vertices.len(), edges.len(), faces.len()]
     }
 
-    /// Puts it in its place.
+    /// Moves it to this pose.
     pub fn place(&mut self, pose: &Pose) {
         let Solid { polytope, vertices, normals, directions, inwards, .. } = self;
         self.pose = *pose;
@@ -127,7 +127,7 @@ impl Solid {
         inwards.extend(polytope.edges.iter().zip(&*directions).map(inward));
     }
 
-    /// The bytes that its arrays hold; the polytope may be that of others too.
+    /// The size of its arrays in bytes, without the polytope, which may be shared.
     pub fn bytes(&self) -> usize {
         let points =
             self.vertices.capacity() + self.normals.capacity() + self.directions.capacity();
@@ -135,13 +135,13 @@ impl Solid {
             + self.inwards.capacity() * size_of::<Option<[Vector3<f64>; 2]>>()
     }
 
-    /// The edges, those together that are parallel.
+    /// The edges, grouped into parallel ones.
     pub fn parallels(&self) -> &[Vec<usize>] {
         &self.parallels
     }
 
-    /// Which of these edges, all along one direction across n, reaches farthest along n, and how
-    /// far (m).
+    /// Of these edges, all along one direction perpendicular to n, the one that reaches farthest
+    /// along n, and how far (m).
     pub fn farthest(&self, edges: &[usize], n: &Vector3<f64>) -> (usize, f64) {
         let height = |k: usize| n.dot(&self.vertices[self.polytope.edges[k].ends[0]]);
         let heights = edges.iter().map(|&k| (k, height(k)));
@@ -159,8 +159,7 @@ impl Solid {
         (to - from).norm()
     }
 
-    /// The cylinder that it stands for, in world axes, with the faces at its lower and its upper
-    /// end.
+    /// The cylinder that it approximates, in world axes, with the faces at its lower and upper end.
     pub fn cylinder(&self) -> Option<(Cylinder, [usize; 2])> {
         let own = self.polytope.cylinder?;
         let centre = self.pose.point(&own.centre);
@@ -182,12 +181,13 @@ impl Solid {
         &self.polytope.faces[face].edges
     }
 
-    /// How far (m) a point lies above a face.
+    /// The height (m) of a point above a face.
     pub fn height(&self, face: usize, point: &Vector3<f64>) -> f64 {
         self.normals[face].dot(&(point - self.vertices[self.corners(face)[0]]))
     }
 
-    /// Whether a point lies over a face as seen along `view`, or beside it by up to `rim` (m).
+    /// Whether a point lies over a face when projected along `view`, or outside it by up to `rim`
+    /// (m).
     pub fn covers(&self, face: usize, view: &Vector3<f64>, point: &Vector3<f64>, rim: f64) -> bool {
         let corners = self.corners(face);
         (0..corners.len()).all(|k| {
@@ -197,7 +197,7 @@ impl Solid {
         })
     }
 
-    /// Whether an edge is what reaches farthest along n (any length) among it and its faces.
+    /// Whether an edge is the farthest feature along n (any length) among itself and its faces.
     pub fn edge_faces(&self, edge: usize, n: &Vector3<f64>) -> bool {
         let slack = ALONG * n.norm();
         self.inwards[edge].is_none_or(|faces| faces.iter().all(|inward| inward.dot(n) <= slack))

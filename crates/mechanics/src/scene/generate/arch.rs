@@ -11,14 +11,14 @@ use crate::scene::description::{Body, Description, Shape};
 /// Wedges `stone1`, `stone2`, … in half a circle in the x–z plane, from +x over the top to −x,
 /// standing on z = 0.
 ///
-/// Under its own weight, with friction enough that nothing slides, a round arch stands if it is
-/// thicker than 0.1075 of its middle radius: Milankovitch, *Theorie der Druckkurven*, 1907.
+/// Under its own weight, with enough friction to prevent sliding, a round arch stands if its
+/// thickness is more than 0.1075 of its mean radius: Milankovitch, *Theorie der Druckkurven*, 1907.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Arch {
     /// The number of stones.
     pub stones: usize,
-    /// The radius of the middle line (m).
+    /// The radius of the center line (m).
     pub radius: f64,
     /// The thickness of the arch (m), less than twice the radius.
     pub thickness: f64,
@@ -51,7 +51,7 @@ impl Structure for Arch {
     fn add_to(&self, scene: &mut Description) {
         let radii = [self.radius - 0.5 * self.thickness, self.radius + 0.5 * self.thickness];
         let depths = [-0.5 * self.depth, 0.5 * self.depth];
-        // The last joint is as level as the first: sin π is not 0 in floating point.
+        // The last joint is exactly as level as the first; sin π is not 0 in floating point.
         let joint = |k: usize| {
             let (sin, cos) = libm::sincos(PI * k as f64 / self.stones as f64);
             (cos, if k == self.stones { 0.0 } else { sin })

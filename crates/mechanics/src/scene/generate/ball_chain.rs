@@ -12,19 +12,19 @@ use crate::scene::description::{Body, Description, Rotation, Shape};
 pub struct BallChain {
     /// The number of boxes and of joints.
     pub links: usize,
-    /// The edge lengths of a box (m), the first along the chain; joints lie at its ends.
+    /// The edge lengths of a box (m), the first along the chain; joints are at its ends.
     pub size: [f64; 3],
     /// The mass of each box (kg).
     pub mass: f64,
-    /// Which way the chain goes.
+    /// The direction of the chain.
     #[serde(default)]
     pub along: Along,
 }
 
-/// A way to go from the origin.
+/// A direction from the origin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 pub enum Along {
-    /// Level, along +x.
+    /// Horizontal, along +x.
     #[default]
     #[serde(rename = "x")]
     X,
@@ -34,7 +34,7 @@ pub enum Along {
 }
 
 impl Along {
-    /// The point so far (m) along the way.
+    /// The point at this distance (m) in this direction.
     fn point(self, distance: f64) -> [f64; 3] {
         match self {
             Along::X => [distance, 0.0, 0.0],
@@ -42,7 +42,7 @@ impl Along {
         }
     }
 
-    /// What turns x this way.
+    /// The rotation that turns x into this direction.
     fn rotation(self) -> Option<Rotation> {
         match self {
             Along::X => None,

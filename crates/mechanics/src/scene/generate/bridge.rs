@@ -10,23 +10,23 @@ use crate::scene::description::{Body, Constraint, Description, Rotation, Shape};
 /// (span, 0, 0), where the first and the last are hinged to the world.
 ///
 /// They hang in equilibrium. Half of a plank's weight acts at each of its ends, so the planks have
-/// the slopes of the links of a [`Rope`] of as many links whose masses are theirs. A straight
-/// bridge could not carry anything: its hinges would have to pull with an infinite force.
+/// the slopes of the links of a [`Rope`] with the same number of links and the same masses. A
+/// straight bridge could not support any load: the forces at its hinges would be infinite.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Bridge {
     /// The number of planks, at least 2.
     pub planks: usize,
-    /// The edge lengths of a plank (m); hinges lie at its ends in x.
+    /// The edge lengths of a plank (m); hinges are at its ends in x.
     pub size: [f64; 3],
-    /// The distance of the banks (m), less than the length of all planks.
+    /// The distance between the banks (m), less than the total length of the planks.
     pub span: f64,
     /// The mass of each plank (kg).
     pub mass: f64,
 }
 
 impl Bridge {
-    /// The rope that hangs along the same line.
+    /// The rope with the same shape.
     pub fn rope(&self) -> Rope {
         let length = self.planks as f64 * self.size[0];
         Rope { links: self.planks, length, span: self.span, mass: self.mass }

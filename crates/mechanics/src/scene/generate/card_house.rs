@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use super::{Structure, solid};
 use crate::scene::description::{Body, Description, Rotation, Shape};
 
-/// Levels of tents, each of two cards that lean on each other, with level cards between; the top
-/// level has one tent. In the x–z plane, standing on z = 0.
+/// Levels of tents, each of two cards that lean on each other, with horizontal cards between; the
+/// top level has one tent. In the x–z plane, standing on z = 0.
 ///
 /// ```text
 /// a card of thickness t and height h, leaning by α, reaches from its lower front edge
@@ -16,17 +16,17 @@ use crate::scene::description::{Body, Description, Rotation, Shape};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CardHouse {
-    /// The number of levels, and of tents in the lowest.
+    /// The number of levels, which is also the number of tents in the lowest.
     pub levels: usize,
     /// Thickness, depth along y and height of a card (m).
     pub size: [f64; 3],
-    /// How far cards lean (degrees), below 45.
+    /// The inclination of the cards (degrees), below 45.
     pub lean: f64,
     /// The mass of each card (kg).
     pub mass: f64,
 }
 
-/// The distance of neighbouring tents' middles, in widths of a tent.
+/// The distance between the centers of neighboring tents, in tent widths.
 const PITCH: f64 = 1.1;
 
 impl Structure for CardHouse {

@@ -1,4 +1,4 @@
-//! A chain of point masses, as long as it is stiff.
+//! A chain of point masses; longer chains are stiffer problems.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::{Structure, point, rod, rod_to_world};
 use crate::scene::description::Description;
 
-/// Point masses p1, p2, … along x from the origin; rods between neighbours.
+/// Point masses p1, p2, … along x from the origin; rods between neighbors.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Chain {

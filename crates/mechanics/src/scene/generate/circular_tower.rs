@@ -8,16 +8,18 @@ use serde::{Deserialize, Serialize};
 use super::{Structure, solid};
 use crate::scene::description::{Description, Rotation, Shape};
 
-/// The distance of neighbouring cubes' centres, in edges: wide enough that inner edges stay apart.
+/// The distance between the centers of neighboring cubes, in edge lengths: large enough that inner
+/// edges stay apart.
 const PITCH: f64 = 1.15;
 
-/// Cubes `cube1`, `cube2`, … ring by ring from z = 0 up; every other ring is turned by half a cube.
+/// Cubes `cube1`, `cube2`, … ring by ring from z = 0 up; every other ring is rotated by half a
+/// cube.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CircularTower {
-    /// The number of cubes; the last ring may be open.
+    /// The number of cubes; the last ring may be incomplete.
     pub count: usize,
-    /// The number of cubes of a ring, at least 3.
+    /// The number of cubes per ring, at least 3.
     #[serde(default = "thirty_five")]
     pub ring: usize,
     /// The edge of a cube (m).

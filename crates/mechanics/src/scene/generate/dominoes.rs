@@ -14,11 +14,11 @@ pub struct Dominoes {
     pub count: usize,
     /// Thickness along x, width along y and height (m).
     pub size: [f64; 3],
-    /// The distance of neighbouring centres (m).
+    /// The distance between neighboring centers (m).
     pub spacing: f64,
     /// The mass of each slab (kg).
     pub mass: f64,
-    /// How far the first leans towards the second (degrees), less than 90.
+    /// The inclination of the first slab towards the second (degrees), less than 90.
     #[serde(default)]
     pub lean: f64,
 }
@@ -45,7 +45,7 @@ impl Structure for Dominoes {
             let name = format!("domino{}", k + 1);
             let mut body = solid(name, Shape::Box(self.size), self.mass, position);
             if k == 0 && self.lean > 0.0 {
-                // It turns about its lower front edge, which stays where it is.
+                // It rotates about its lower front edge, which does not move.
                 let (sin, cos) = libm::sincos(self.lean.to_radians());
                 let [edge, middle] = [0.5 * thickness, 0.5 * height];
                 let x = edge - edge * cos + middle * sin;

@@ -1,4 +1,4 @@
-//! An upright grid of balls, each joined to the ones beside and above it.
+//! An upright grid of balls, each joined to its horizontal and vertical neighbors.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use super::{Structure, joint, solid};
 use crate::scene::description::{Description, Shape};
 
-/// Balls `node r c`, row 0 on top, in the x–z plane; neighbours are joined halfway by balls and
-/// sockets, and the top row's middle hangs from the world.
+/// Balls `node r c`, row 0 on top, in the x–z plane. Neighbors are joined halfway by ball joints,
+/// and the middle of the top row hangs from the world.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JointGrid {
@@ -15,7 +15,7 @@ pub struct JointGrid {
     pub rows: usize,
     /// The number of columns.
     pub columns: usize,
-    /// The distance of neighbouring centres (m).
+    /// The distance between neighboring centers (m).
     pub spacing: f64,
     /// The radius of a ball (m).
     pub radius: f64,

@@ -1,4 +1,4 @@
-//! Regular structures whose size is a number that a user can change, one a file.
+//! Regular structures with a size that the user chooses, one per file.
 //!
 //! ```toml
 //! [generate]
@@ -43,7 +43,7 @@ use super::description::{Body, Constraint, Description, Shape};
 use super::range;
 use lcplab_problem::error::Defects;
 
-/// More bodies than this are refused: a typing error should not fill the memory.
+/// Maximum number of bodies, so that a typing error does not fill the memory.
 const MOST_BODIES: usize = 50_000;
 
 /// A structure to add to a scene: `[generate]` for one, `[[generate]]` for several.
@@ -52,8 +52,7 @@ const MOST_BODIES: usize = 50_000;
 pub enum Generator {
     /// Wedges of stone in half a circle.
     Arch(Arch),
-    /// Equal boxes in a line, joined end to end by balls and sockets; the first hangs from the
-    /// world.
+    /// Equal boxes in a line, joined end to end by ball joints; the first hangs from the world.
     BallChain(BallChain),
     /// Planks joined by hinges between two fixed ends.
     Bridge(Bridge),
@@ -61,33 +60,33 @@ pub enum Generator {
     CardHouse(CardHouse),
     /// Point masses in a line along x, joined by rods; the first rod hangs from the world.
     Chain(Chain),
-    /// Rings of cubes on top of each other, each turned by half a cube: the chapter's Figure 12.
+    /// Rings of cubes on top of each other, each rotated by half a cube: the chapter's Figure 12.
     CircularTower(CircularTower),
     /// Upright slabs in a row.
     Dominoes(Dominoes),
-    /// Balls in an upright grid, each joined to its neighbours.
+    /// Balls in an upright grid, each joined to its neighbors.
     JointGrid(JointGrid),
-    /// A horizontal net of point masses joined by rods along x and y, its corners hung on rods.
+    /// A horizontal net of point masses joined by rods along x and y, its corners hung from rods.
     Net(Net),
     /// Boxes in an upright triangle.
     Pyramid(Pyramid),
-    /// Point masses on rods between two fixed points, hanging in their equilibrium.
+    /// Point masses on rods between two fixed points, hanging in equilibrium.
     Rope(Rope),
-    /// Balls on rings, drawn to the origin by springs.
+    /// Balls on rings, pulled to the origin by springs.
     Rush(Rush),
     /// Equal cubes on top of each other, from z = 0 up.
     Stack(Stack),
 }
 
-/// What a structure is to a scene.
+/// The interface of a structure.
 trait Structure {
-    /// How many bodies it makes.
+    /// The number of bodies.
     fn bodies(&self) -> usize;
 
     /// The lengths (m) and masses (kg), which must be positive.
     fn numbers(&self) -> Vec<(&'static str, f64)>;
 
-    /// What else is wrong with it, as a field and a reason.
+    /// Any other defect, as a field and a reason.
     fn fault(&self) -> Option<(&'static str, String)> {
         None
     }
@@ -116,7 +115,7 @@ impl Generator {
     }
 }
 
-/// The description with its structures written out after its own bodies and constraints.
+/// The description with its structures expanded after its own bodies and constraints.
 pub(super) fn expand(description: &Description, defects: &mut Defects) -> Description {
     let mut whole = description.clone();
     for (k, generator) in description.generate.iter().enumerate() {
@@ -140,7 +139,7 @@ pub(super) fn expand(description: &Description, defects: &mut Defects) -> Descri
     whole
 }
 
-/// A number of a structure: positive, and within what can be computed with.
+/// Checks a number of a structure: positive, and within the numerical range.
 fn check(defects: &mut Defects, place: &str, field: &str, value: f64) {
     let unit = match field {
         "mass" => "kg",

@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use super::{Structure, point, rod, rod_to_world};
 use crate::scene::description::Description;
 
-/// Point masses `node r c` at x = c spacing, y = r spacing, z = 0. The four corners hang on upright
-/// rods that let them swing inwards: nailed corners would leave no net between them to sag.
+/// Point masses `node r c` at x = c spacing, y = r spacing, z = 0. The four corners hang from
+/// upright rods that let them swing inwards: with fixed corners the net could not sag.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Net {
@@ -17,7 +17,7 @@ pub struct Net {
     pub columns: usize,
     /// The length of a rod (m).
     pub spacing: f64,
-    /// The length of the rods that the corners hang on (m).
+    /// The length of the rods that hold the corners (m).
     pub hang: f64,
     /// The mass of each point (kg).
     pub mass: f64,

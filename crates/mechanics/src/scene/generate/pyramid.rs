@@ -1,4 +1,4 @@
-//! An upright triangle of boxes, each on two.
+//! An upright triangle of boxes, each resting on two.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -14,7 +14,7 @@ pub struct Pyramid {
     pub base: usize,
     /// The edge of a cube (m).
     pub size: f64,
-    /// The distance of neighbouring centres (m), at least the size.
+    /// The distance between neighboring centers (m), at least the size.
     pub spacing: f64,
     /// The mass of each cube (kg).
     pub mass: f64,

@@ -11,11 +11,11 @@ use crate::scene::description::Description;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Rope {
-    /// The number of rods, at least 2; one more than of masses.
+    /// The number of rods, at least 2; one more than the number of masses.
     pub links: usize,
     /// The length of the whole rope (m).
     pub length: f64,
-    /// The distance of its ends (m), less than the length.
+    /// The distance between its ends (m), less than the length.
     pub span: f64,
     /// The mass of each point (kg).
     pub mass: f64,
@@ -24,9 +24,9 @@ pub struct Rope {
 impl Rope {
     /// The slope of each rod, and the ratio κ = m g / H of a mass's weight to the horizontal force.
     ///
-    /// The horizontal force H is the same everywhere and each mass adds m g to the vertical one, so
-    /// by symmetry rod i of n has the slope κ (i − (n + 1)/2), i = 1 … n, and κ is such that
-    /// Σ l cos(atan slope) = span. The force of rod i is H / cos(atan slope).
+    /// The horizontal force H is the same everywhere and each mass adds m g to the vertical one. By
+    /// symmetry rod i of n has the slope κ (i − (n + 1)/2), i = 1 … n, where κ satisfies Σ l
+    /// cos(atan slope) = span. The force in rod i is H / cos(atan slope).
     pub fn catenary(&self) -> (Vec<f64>, f64) {
         let n = self.links as f64;
         let link = self.length / n;
@@ -35,7 +35,7 @@ impl Rope {
         };
         let width =
             |kappa: f64| slopes(kappa).iter().map(|slope| link / slope.hypot(1.0)).sum::<f64>();
-        // The width falls from the length towards that of a level middle rod, or 0.
+        // The width decreases from the length to that of a horizontal middle rod, or 0.
         let (mut low, mut high) = (0.0, 1.0);
         while width(high) > self.span && high < 1e12 {
             high *= 2.0;

@@ -1,4 +1,4 @@
-//! Balls that springs draw to one place.
+//! Balls pulled to one point by springs.
 
 use std::f64::consts::TAU;
 
@@ -8,8 +8,8 @@ use serde::{Deserialize, Serialize};
 use super::{Structure, solid};
 use crate::scene::description::{Constraint, Description, Shape};
 
-/// Balls `ball1`, `ball2`, … on rings about the origin in the x–z plane, each drawn to it by a
-/// spring as long as its radius.
+/// Balls `ball1`, `ball2`, … on rings about the origin in the x–z plane, each pulled to it by a
+/// spring with a rest length of the ball's radius.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Rush {
@@ -27,7 +27,7 @@ pub struct Rush {
     pub damping: f64,
 }
 
-/// The distance of neighbours in a ring, and of rings, in diameters of a ball.
+/// The distance between neighbors in a ring, and between rings, in ball diameters.
 const PITCH: f64 = 1.25;
 
 impl Structure for Rush {

@@ -39,7 +39,7 @@ pub fn state() -> impl Strategy<Value = State> {
     (pose(), vector(), vector()).prop_map(|(pose, v, omega)| State { pose, v, omega })
 }
 
-/// A place for any joint: every field has a value.
+/// A placement for any joint: every field has a value.
 #[derive(Debug)]
 pub struct Place(Placement);
 
@@ -61,7 +61,7 @@ pub fn placement() -> impl Strategy<Value = Place> {
 }
 
 impl Place {
-    /// Everything at the origin, the axis up.
+    /// Everything at the origin, the axis upwards.
     pub fn plain() -> Self {
         Place(Placement {
             bodies: BODIES,
@@ -79,7 +79,7 @@ impl Place {
         })
     }
 
-    /// The placement for this joint: a joint of one body is joined to the world.
+    /// The placement for this joint; a joint of one body is joined to the world.
     pub fn of(&self, joint: &Joint) -> Placement {
         let mut at = self.0.clone();
         if joint.bodies.1 == 1 {
@@ -89,8 +89,8 @@ impl Place {
     }
 }
 
-/// Whether the joints are far from where they have no direction: points together, an axis turned
-/// over or back on itself. There the numbers grow without bound, and rounding with them.
+/// Whether the state is far from singular configurations of the joints, such as coincident points
+/// or a reversed axis, where the numbers and their rounding errors grow without bound.
 fn is_regular(at: &Placement, states: [&State; 2]) -> bool {
     let [q0, q1] = states.map(|state| state.pose.q);
     let axis = at.axis.unwrap();
@@ -145,7 +145,7 @@ proptest! {
 
     #[test]
     fn a_joint_holds_where_it_was_made(at in placement()) {
-        // c = 0 at the start, but for what has a length, an angle or stops of its own.
+        // c = 0 at the start, except for joints with their own length, angle or stops.
         for joint in ALL {
             let at = at.of(joint);
             let length = at.length.filter(|_| joint.needs.contains(&Field::Length));
@@ -158,7 +158,7 @@ proptest! {
                 _ => &[0.0; 6],
             };
             for (row, expected) in rows.iter().zip(expected) {
-                // An angle between axes is the arc sine of 1e-16 or its square root, by rounding.
+                // By rounding, an angle between axes is the arc sine of 1e-16 or its square root.
                 let rounding = if joint.name == "limit_cone" { 1e-7 } else { 1e-13 };
                 prop_assert!((row.c - expected).abs() < rounding, "{} {} {expected}", joint.name, row.c);
             }

@@ -1,4 +1,4 @@
-//! The slip of a contact and its derivative, against a naive version over dual numbers.
+//! The slip of a contact and its derivative, compared with a naive version with dual numbers.
 
 use lcplab_mechanics::body::{Pose, State};
 use lcplab_mechanics::constraint::{Bounds, Constraint, Contact, Kind, Normal, tangents};
@@ -51,7 +51,7 @@ proptest! {
 
 #[test]
 fn a_rolling_ball_accelerates_neither_into_the_plane_nor_along_it() {
-    // v = ω R without slip: the touching point is at rest and stays so, J'u = 0 in all three rows.
+    // v = ω R without slip: the contact point is at rest and stays so, J'u = 0 in all three rows.
     let (radius, speed) = (0.5, 3.0);
     let ball = State {
         pose: Pose { p: Vector3::new(0.0, 0.0, radius), ..State::WORLD.pose },

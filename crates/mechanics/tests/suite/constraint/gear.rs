@@ -1,4 +1,4 @@
-//! Gears: the ratio of the speeds, of the torques, and no tooth lost over many turns.
+//! Gears: the ratios of speeds and torques, without slip over many turns.
 
 use lcplab_mechanics::scene::Scheme;
 
@@ -25,7 +25,7 @@ fn wheels(baumgarte: f64, speed: f64) -> String {
 
 #[test]
 fn wheels_turn_in_the_ratio_of_their_teeth_with_the_inertia_of_both() {
-    // The large wheel is felt as RATIO² of its inertia.
+    // The large wheel contributes RATIO² of its inertia.
     let acceleration = 3.0 / (INERTIA[0] + RATIO * RATIO * INERTIA[1]);
     for level in Scheme::LEVELS {
         let mut pair = simulation(&wheels(0.0, 1e3), level);
@@ -34,7 +34,7 @@ fn wheels_turn_in_the_ratio_of_their_teeth_with_the_inertia_of_both() {
             let [small, large] = [0, 1].map(|k| pair.states()[k].omega.z);
             assert_near(small, acceleration * 0.01 * f64::from(n), 1e-10);
             assert_near(large, -RATIO * small, 1e-10);
-            // What turns the large wheel, and RATIO of it holds the small one back.
+            // x rotates the large wheel, and RATIO · x decelerates the small one.
             let x = forces(&step, &pair, 0)[0];
             assert_near(x, -INERTIA[1] * RATIO * acceleration, 1e-9);
             assert_near(INERTIA[0] * acceleration, 3.0 + RATIO * x, 1e-9);
@@ -52,8 +52,9 @@ fn no_tooth_is_lost_over_many_turns() {
             *turned += 2.0 * (0.005 * state.omega.z).atan(); // what a step of the quaternion turns
         }
     }
-    // 30 s at 8 rad/s are 38 turns. A step of the quaternion turns by ωh − (ωh)³/12, so the wheels
-    // part by (R − R³)(ωh)³/12 a step, and the feedback holds c where β c makes up for it.
+    // 30 s at 8 rad/s are 38 turns. A step of the quaternion rotates by ωh − (ωh)³/12, so the
+    // wheels drift by (R − R³)(ωh)³/12 per step, and the feedback keeps c where β c compensates for
+    // it.
     assert!(turned[0] > 220.0);
     let exact = -(RATIO - RATIO.powi(3)) * 0.08_f64.powi(3) / 12.0 / 0.2;
     let parted = turned[1] + RATIO * turned[0];
@@ -62,7 +63,7 @@ fn no_tooth_is_lost_over_many_turns() {
 
 #[test]
 fn a_yo_yo_unrolls_with_the_inertia_of_its_wheel() {
-    // The rope is tied to a ceiling that stands still: a = g/(1 + I/(m r²)) = g/9.
+    // The rope is attached to a fixed ceiling: a = g/(1 + I/(m r²)) = g/9.
     let text = "[step]\ndt = 0.01\n\
         [[bodies]]\nname = \"ceiling\"\nfixed = true\nshape = { box = [0.1, 0.1, 0.1] }\nposition = [-0.02, 0, 1]\n\
         [[bodies]]\nname = \"yoyo\"\nshape = { sphere = 0.04 }\nmass = 0.1\ninertia = [8e-5, 8e-5, 8e-5]\n\

@@ -1,4 +1,5 @@
-//! One case a joint of the registry: what it removes and what it carries.
+//! One case for each joint of the registry: the degrees of freedom that it removes and the load
+//! that it supports.
 
 use lcplab_mechanics::constraint::ALL;
 
@@ -7,7 +8,7 @@ pub const MASS: f64 = 2.0;
 pub const G: f64 = 9.81;
 pub const LEVER: f64 = 0.4;
 
-/// A joint between a post and a body of which it is known what must be carried.
+/// A joint between a post and a body, with known loads.
 pub struct Case {
     /// The joint's name in the registry.
     pub name: &'static str,
@@ -17,35 +18,35 @@ pub struct Case {
     pub place: Place,
     /// The joint's fields in a scene file.
     pub fields: String,
-    /// Other constraints that hold what the joint does not.
+    /// Other constraints for the directions that the joint leaves free.
     pub help: &'static str,
-    /// How far (rad) the body is turned about y, around the post, before it is let go.
+    /// The angle (rad) of the body about y, around the post, when it is released.
     pub turned: f64,
-    /// What part of the weight the joint carries.
+    /// The fraction of the weight that the joint supports.
     pub force: f64,
-    /// What part of the weight's torque about the post its angular rows carry.
+    /// The fraction of the weight's torque about the post that its angular rows support.
     pub moment: f64,
 }
 
 /// Where the body hangs; the post is at (0, 0, 1).
 #[derive(Clone, Copy, PartialEq)]
 pub enum Place {
-    /// Half a metre under the post.
+    /// Half a meter below the post.
     Under,
-    /// Beside it, out on the lever.
+    /// Next to it, at the end of the lever.
     Beside,
 }
 
 const NAIL: &str = "[[constraints]]\nkind = \"nail\"\nbodies = [\"body\"]\npoint = [0, 0, 1]\n";
 
-/// A case that carries the weight at the post.
+/// A case that supports the weight at the post.
 fn carries(name: &'static str, removes: usize, place: Place, fields: &str) -> Case {
     let moment = if place == Place::Beside { 1.0 } else { 0.0 };
     let fields = fields.into();
     Case { name, removes, place, fields, help: "", turned: 0.0, force: 1.0, moment }
 }
 
-/// A case that carries the torque alone while a nail carries the weight.
+/// A case that supports only the torque, with a nail for the weight.
 fn turns(name: &'static str, removes: usize, turned: f64, fields: &str) -> Case {
     let carried = carries(name, removes, Place::Beside, fields);
     Case { help: NAIL, turned, force: 0.0, moment: 1.0, ..carried }

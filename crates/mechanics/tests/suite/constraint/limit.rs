@@ -1,4 +1,4 @@
-//! Stops stop, and carry what leans on them.
+//! Limits stop bodies and support loads.
 
 use std::f64::consts::PI;
 
@@ -39,7 +39,8 @@ fn a_falling_body_ends_on_its_stop_and_leans_on_it_with_its_weight() {
             slider.step().unwrap();
             lowest = lowest.min(slider.states()[0].pose.p.z);
         }
-        // Impulses know the gap before it closes; forces only after, a step late at √(2 g 0.5) m/s.
+        // Impulses know the gap before it closes; forces only afterwards, one step late at √(2 g
+        // 0.5) m/s.
         let late = if level == Scheme::Velocity { 1e-12 } else { 9.81_f64.sqrt() * 0.01 };
         assert!(lowest >= -0.5 - late, "{level:?} {lowest}");
         let step = slider.step().unwrap();
@@ -62,7 +63,7 @@ fn an_arm_falls_on_its_stop_and_leans_on_it_with_its_torque() {
         for _ in 0..500 {
             arm.step().unwrap();
         }
-        // As above: late by a step at √(2 m g l sin 0.5/(I + m l²)) = 3.8 rad/s.
+        // As above: one step late at √(2 m g l sin 0.5/(I + m l²)) = 3.8 rad/s.
         let late = if level == Scheme::Velocity { 1e-9 } else { 0.038 };
         let step = arm.step().unwrap();
         let at = angle(&arm.states()[0], &Vector3::y());
@@ -114,7 +115,7 @@ fn an_arm_that_stands_in_a_cone_falls_on_its_edge() {
     let swing = |p: &Vector3<f64>| p.xy().norm().atan2(p.z);
     for _ in 0..600 {
         arm.step().unwrap();
-        // A step to the edge along its tangent is beyond it by no more than (ωh)²/2.
+        // A step to the limit along its tangent overshoots by at most (ωh)²/2.
         assert!(swing(&arm.states()[0].pose.p) < 0.6 + 1e-3);
     }
     let step = arm.step().unwrap();

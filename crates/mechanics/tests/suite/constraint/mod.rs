@@ -1,6 +1,6 @@
-//! Every constraint by exact derivatives, by what it removes, by the weight it carries and by the
-//! closed form of the motion that it leaves. Every joint of the registry is in each of the first
-//! three: [`joints`] has the table.
+//! Every constraint: exact derivatives, removed degrees of freedom, the supported weight, and the
+//! closed form of the remaining motion. Every joint of the registry is in each of the first three;
+//! [`joints`] has the table.
 
 mod dual;
 mod friction;
@@ -19,7 +19,7 @@ use lcplab_mechanics::simulation::{Simulation, Step};
 use lcplab_solver as solver;
 use nalgebra::Vector3;
 
-/// The scene of this text at this level, with Dantzig's method.
+/// A simulation of the scene in this text at this level, with Dantzig's method.
 fn simulation(text: &str, level: Scheme) -> Simulation {
     let mut scene = Scene::from_toml("test.toml", text).unwrap();
     scene.step.scheme = level;
@@ -44,7 +44,7 @@ fn forces(step: &Step, simulation: &Simulation, constraint: usize) -> Vec<f64> {
     rows.filter(|(row, _)| row.id.source == source).map(|(_, x)| x / unit).collect()
 }
 
-/// The angle (rad) of a body that has turned about an axis alone, −π to π.
+/// The angle (rad) of a body that has only rotated about this axis, −π to π.
 fn angle(state: &State, axis: &Vector3<f64>) -> f64 {
     state.pose.q.scaled_axis().dot(axis)
 }

@@ -1,4 +1,4 @@
-//! Motors: all they have until the speed, then what keeps it.
+//! Motors: full effort until the speed is reached, then the effort that keeps it.
 
 use lcplab_mechanics::scene::{Scene, Scheme};
 
@@ -17,8 +17,8 @@ fn driven(guide: &str, motor: &str, velocity: &str, level: Scheme) -> Scene {
     scene
 }
 
-/// From this speed on, the speed is that of constant effort until 3, and the effort reported 4, 0
-/// or between.
+/// From this speed on, the speed follows constant effort until 3, and the reported effort is 4, 0
+/// or in between.
 fn follows(
     scene: Scene,
     inertia: f64,

@@ -1,4 +1,4 @@
-//! A joint removes as many degrees of freedom as its J has rank.
+//! A joint removes as many degrees of freedom as the rank of its J.
 
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::constraint::{Joint, Verifiable};

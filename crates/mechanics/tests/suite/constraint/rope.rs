@@ -1,4 +1,4 @@
-//! Ropes and rods: slack or taut, by length or by its square.
+//! Ropes and rods: slack or taut, by length or by squared length.
 
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::constraint::{Constraint, Distance, SquaredDistance};
@@ -52,7 +52,7 @@ fn a_taut_rope_swings_as_a_rod() {
     assert!((rope - rod).norm() < 1e-10);
 }
 
-/// How far apart two kinds of bob are after a second at acceleration level, without feedback.
+/// The distance between two kinds of bob after a second at acceleration level, without feedback.
 fn apart(kinds: [&str; 2], dt: f64) -> f64 {
     let [one, other] = kinds.map(|kind| {
         let text = bob(kind, "[0.6, 0, -0.8]").replace("dt = 0.01", &format!("dt = {dt}"));
@@ -67,8 +67,9 @@ fn apart(kinds: [&str; 2], dt: f64) -> f64 {
 
 #[test]
 fn forces_of_a_rope_and_of_a_rod_by_squares_swing_as_those_of_a_rod_in_first_order() {
-    // The rope takes the outward speed that a step leaves as a blow, the rod keeps it; by squares,
-    // the same forces at |d| = l part with the drift. Both differences are of first order.
+    // The rope removes the outward speed left by a step as an impact, the rod keeps it; with
+    // squares, the same forces at |d| = l deviate with the drift. Both differences are of first
+    // order.
     for kind in ["rope", "squared_distance"] {
         let (coarse, fine) = (apart([kind, "distance"], 4e-3), apart([kind, "distance"], 2e-3));
         assert!(coarse < 0.05 && fine < 0.6 * coarse, "{kind} {coarse} {fine}");

@@ -1,4 +1,4 @@
-//! Springs and dampers against the closed form of their own step.
+//! Springs and dampers compared with the closed form of their own step.
 
 use lcplab_mechanics::scene::{Scene, Scheme};
 use nalgebra::{UnitQuaternion, Vector3};
@@ -9,7 +9,7 @@ const DT: f64 = 0.01;
 const MASS: f64 = 2.0;
 const STIFFNESS: f64 = 50.0;
 
-/// A point mass that hangs on the origin by a spring of length 1, stretched by so much.
+/// A point mass hanging from the origin by a spring of length 1 with this stretch.
 fn hung(gravity: f64, stretch: f64, spring: &str) -> String {
     let z = -1.0 - stretch;
     format!(
@@ -21,8 +21,8 @@ fn hung(gravity: f64, stretch: f64, spring: &str) -> String {
     )
 }
 
-/// The stretch after n steps from rest at a stretch of 1: with a = h ω0, the step
-/// (y, v/ω0) → [1, a; −a, 1]/(1 + a²) (y, v/ω0) turns by atan a and shrinks by 1/√(1 + a²).
+/// The stretch after n steps from rest at a stretch of 1: with a = h ω0, the step (y, v/ω0) → [1,
+/// a; −a, 1]/(1 + a²) (y, v/ω0) rotates by atan a and scales by 1/√(1 + a²).
 fn swing(omega0: f64, n: i32) -> f64 {
     let a = DT * omega0;
     (1.0 + a * a).sqrt().powi(-n) * (f64::from(n) * a.atan()).cos()
@@ -42,7 +42,7 @@ fn a_spring_swings_as_its_step_says_at_both_levels() {
 
 #[test]
 fn a_torsion_spring_swings_likewise() {
-    // I of a ball is ⅖ m r² = 0.2 kg m²; a turn of quaternions by ωh is off by (ωh)³/12.
+    // I of a ball is ⅖ m r² = 0.2 kg m²; rotating a quaternion by ωh has the error (ωh)³/12.
     let text = format!(
         "gravity = [0, 0, 0]\n[step]\ndt = {DT}\n\
          [[bodies]]\nname = \"wheel\"\nshape = {{ sphere = 0.5 }}\nmass = {MASS}\n\

@@ -1,6 +1,6 @@
-//! A body hung on each joint: the forces that its rows report are its weight, m g, and the torques
-//! of its angular rows balance m g times the lever. Exact but for rounding at both levels, since
-//! the body is at rest.
+//! A body hung from each joint: the forces of its rows equal its weight, m g, and the torques of
+//! its angular rows balance m g times the lever. Exact up to rounding at both levels, since the
+//! body is at rest.
 
 use lcplab_mechanics::assembly::Source;
 use lcplab_mechanics::constraint::Joint;
@@ -59,7 +59,7 @@ fn every_joint_reports_the_weight_that_hangs_on_it() {
             let [joint, angular, all] = wrenches(scene);
             let weight = MASS * G;
             let force = Vector3::z() * (case.force * weight);
-            // Gravity turns the body about +y, so the joint turns it about −y.
+            // Gravity rotates the body about +y, so the joint's torque is about −y.
             let moment = -Vector3::y() * (case.moment * weight * LEVER * case.turned.cos());
             let near = |ours: Vector3<f64>, exact: Vector3<f64>, what: &str| {
                 let error = (ours - exact).norm();

@@ -1,4 +1,4 @@
-//! Every message about a broken scene names the file, the line and the field.
+//! Every message about an invalid scene contains the file, the line and the field.
 
 use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::Simulation;
@@ -198,8 +198,8 @@ fn a_mass_that_is_too_small_to_divide_by_is_one_defect_that_names_the_body() {
     );
 }
 
-/// Every number of a scene from one end of the doubles to the other: either one defect, in the file
-/// or in the first step, or a motion whose every number is finite.
+/// Numbers over the whole range of doubles in every field of a scene: either one defect, in the
+/// file or in the first step, or a motion with finite numbers.
 #[test]
 fn numbers_at_the_ends_of_the_doubles_are_one_defect_or_a_finite_motion() {
     let text = |[key, value]: [&str; 2]| {

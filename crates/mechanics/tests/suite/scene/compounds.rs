@@ -1,4 +1,4 @@
-//! Several shapes that move as one: mass by the parallel axis theorem, contacts of every part.
+//! Several shapes that move as one body: mass by the parallel axis theorem, contacts of every part.
 
 use lcplab_mechanics::body::{Mass, State};
 use lcplab_mechanics::scene::{Scene, contacts};
@@ -25,7 +25,7 @@ const DUMBBELL: &str = "{ compound = [\
 fn a_dumbbell_has_the_moments_of_the_parallel_axis_theorem_about_its_middle() {
     let scene = scene(&body(DUMBBELL, "mass = 2\nposition = [10, 0, 5]"));
     let Mass::Rigid { mass, moments } = scene.bodies[1].mass else { panic!("it turns") };
-    // 1 kg each at 2 m from the middle: 2/5 m r² along the bar, m d² more across it.
+    // 1 kg each at 2 m from the center: 2/5 m r² along the bar, plus m d² perpendicular to it.
     let own = 2.0 * 0.4 * 0.25;
     let mut found = [moments.x, moments.y, moments.z];
     found.sort_by(f64::total_cmp);
@@ -38,7 +38,8 @@ fn a_dumbbell_has_the_moments_of_the_parallel_axis_theorem_about_its_middle() {
 
 #[test]
 fn turned_parts_have_the_tensor_of_what_they_make() {
-    // A bar of 2 by 1 by 1, of two cubes one of which is turned by 90 degrees, and in one piece.
+    // A bar of 2 by 1 by 1 in one piece, and made of two cubes, one of which is rotated by 90
+    // degrees.
     let whole = scene(&body("{ box = [2, 1, 1] }", "density = 3"));
     let halves = "{ compound = [{ shape = { box = [1, 1, 1] }, position = [-0.5, 0, 0] }, \
                   { shape = { box = [1, 1, 1] }, position = [0.5, 0, 0], rotation = { x = 90 } }] }";
@@ -65,8 +66,8 @@ fn two_halves_move_as_the_whole_in_flight_and_on_the_ground() {
         simulation.states()[1]
     };
     let (a, b) = (after(&whole), after(&halves));
-    // Height and fall are unique; how friction is shared between twelve points instead of eight is
-    // not.
+    // Height and velocity are unique; the distribution of friction over twelve points instead of
+    // eight is not.
     assert!((a.pose.p.z - b.pose.p.z).abs() < 1e-9 && (a.v.z - b.v.z).abs() < 1e-9);
     assert!(a.v.x > 0.5 && b.v.x > 0.5 && (a.v.x - b.v.x).abs() < 0.2, "{} {}", a.v.x, b.v.x);
     let flight = |scene: &Scene| {
@@ -108,8 +109,8 @@ fn parts_of_one_body_do_not_collide_and_those_of_two_do() {
     assert_eq!(pair("[1.6, 0, 5]"), 1); // one behind the other
 }
 
-/// Boxes over a box, corner, edge or face first: where they touch does not depend on what else
-/// belongs to the body.
+/// Boxes over a box, with a corner, edge or face first: the contact points do not depend on the
+/// other parts of the body.
 #[test]
 fn a_part_touches_as_it_does_alone_however_far_from_the_middle_it_is() {
     let alone = "{ box = [1, 1, 1] }";

@@ -1,4 +1,4 @@
-//! `docs/scenes.md` knows every field of the scene format, and its example is a scene.
+//! `docs/scenes.md` documents every field of the scene format, and its example is a valid scene.
 
 use lcplab_mechanics::scene::{Scene, schema};
 use serde_json::Value;

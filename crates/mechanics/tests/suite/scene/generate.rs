@@ -1,4 +1,4 @@
-//! Regular structures: their size is a number, and they stand where they should.
+//! Regular structures: sizes and positions.
 
 use lcplab_mechanics::body::Shape;
 use lcplab_mechanics::scene::generate::Rope;
@@ -15,7 +15,7 @@ fn the_tower_has_the_chapters_700_cubes_each_on_its_neighbours() {
     assert_eq!(tower.bodies.len(), 701);
     let found = contacts(&tower, &tower.states, 1e-9);
     let pairs: std::collections::BTreeSet<_> = found.iter().map(|found| found.id.bodies).collect();
-    // 35 cubes touch the ground, each of the 665 others the two below it, and none its neighbours.
+    // 35 cubes touch the ground, each of the 665 others the two below it, and none its neighbors.
     assert_eq!(pairs.len(), 35 + 2 * 665);
     assert!(found.iter().all(|found| found.gap.abs() < 1e-9 && found.normal.z.abs() > 1.0 - 1e-9));
 }

@@ -1,4 +1,4 @@
-//! What a capsule and a hull weigh, and where a hull's frame lies.
+//! The mass of capsules and hulls, and the frame of a hull.
 
 use lcplab_mechanics::body::{Mass, Polytope, Shape, inertia};
 use lcplab_mechanics::scene::Scene;
@@ -30,7 +30,8 @@ fn moments(scene: &Scene) -> Vector3<f64> {
 
 #[test]
 fn a_capsule_is_a_cylinder_between_two_half_balls() {
-    // Against the integral over discs across the axis: ∫π ρ² dz, ∫½ρ⁴π dz, ∫(¼ρ⁴ + ρ²z²)π dz.
+    // Compared with the integral over disks perpendicular to the axis: ∫π ρ² dz, ∫½ρ⁴π dz,
+    // ∫(¼ρ⁴ + ρ²z²)π dz.
     let (l, r) = (0.7, 0.4);
     let n = 200_000;
     let width = 2.0 * (l + r) / f64::from(n);
@@ -63,8 +64,8 @@ fn a_capsule_without_length_weighs_as_a_ball() {
 
 #[test]
 fn a_right_tetrahedron_has_its_textbook_volume_centre_and_moments() {
-    // Legs of length 1 from the corner at the origin: V = 1/6, centre (¼, ¼, ¼); per mass ∫x² =
-    // 1/10 and ∫xy = 1/20, so about the centre I_xx = 2 (1/10 − 1/16) = 3/40, I_xy = −(1/20 −
+    // Legs of length 1 from the corner at the origin: V = 1/6, center (¼, ¼, ¼); per mass ∫x² =
+    // 1/10 and ∫xy = 1/20, so about the center I_xx = 2 (1/10 − 1/16) = 3/40, I_xy = −(1/20 −
     // 1/16) = 1/80.
     let points = [Vector3::zeros(), Vector3::x(), Vector3::y(), Vector3::z()];
     let scene = scene(&format!("density = 6\nshape = {}", hull(&points)));
@@ -103,7 +104,7 @@ proptest! {
         let world = r * Matrix3::from_diagonal(&exact_moments) * r.transpose();
         let difference = body.mass.world_inertia(&pose) - world;
         prop_assert!(difference.norm() < 1e-10 * world.norm());
-        // The corners are where they were written, and each was kept.
+        // The corners are where they were given, and none was dropped.
         let Shape::Hull(polytope) = &body.shape else { panic!("a hull") };
         prop_assert_eq!(polytope.vertices.len(), 8);
         prop_assert_eq!((polytope.edges.len(), polytope.faces.len()), (12, 6));
@@ -122,8 +123,8 @@ proptest! {
         prop_assert_eq!(&hull, &Polytope::hull(&points).unwrap());
         let (v, e, f) = (hull.vertices.len(), hull.edges.len(), hull.faces.len());
         prop_assert_eq!(v + f, e + 2); // Euler
-        // Neighbouring faces whose normals differ by less than 1.8e-4 are one face, whose corners
-        // lie that much times their distance, at most √12, out of its plane.
+        // Neighboring faces whose normals differ by less than 1.8e-4 are merged; the corners of the
+        // merged face lie out of its plane by that much times their distance, at most √12.
         for face in &hull.faces {
             let corner = hull.vertices[face.corners[0]];
             for point in &points {

@@ -1,4 +1,4 @@
-//! Scene files, good and broken, what shapes weigh, and where bodies touch.
+//! Scene files, valid and invalid, the masses of shapes, and contact points.
 
 mod bad_files;
 mod catalogue;

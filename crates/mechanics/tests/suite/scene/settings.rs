@@ -1,4 +1,4 @@
-//! Settings that are changed from outside, that are read in vain, and that cannot work.
+//! Settings that are overridden, that have no effect, and that cannot work.
 
 use lcplab_mechanics::body::Mass;
 use lcplab_mechanics::scene::{Integrator, Scene, Scheme};
@@ -143,7 +143,7 @@ fn a_setting_that_is_read_in_vain_is_noted_and_one_that_has_a_part_is_not() {
     assert!(notes(&[usual[0], usual[1], ("step.integrator", "rk4")])[0].contains("integrator"));
 }
 
-/// How much of a torn nail's error is left after 100 steps of 10 ms.
+/// The remaining fraction of a separated nail's error after 100 steps of 10 ms.
 fn left_of_error(alpha: f64, integrator: Integrator) -> f64 {
     let text = "
         gravity = [0, 0, 0]

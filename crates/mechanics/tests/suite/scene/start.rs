@@ -1,4 +1,4 @@
-//! How a scene begins: speeds on joints, and states that were saved.
+//! The start of a scene: speeds on joints, and saved states.
 
 use lcplab_mechanics::scene::catalogue::SHIPPED;
 use lcplab_mechanics::scene::{Scene, saved};
@@ -16,7 +16,7 @@ fn after(scene: Scene, steps: usize) -> Simulation {
 
 #[test]
 fn a_start_speed_is_that_of_the_hinge_on_whatever_it_hangs() {
-    // An arm of 1 m turns with 2 rad/s, the next one with 3 rad/s against it.
+    // An arm of 1 m rotates with 2 rad/s, the next one with 3 rad/s relative to it.
     let text = "
         [[bodies]]
         name = 'upper'

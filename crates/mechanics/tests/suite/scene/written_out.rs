@@ -1,10 +1,10 @@
-//! Scenes for other programs, with nothing left to work out.
+//! Scenes for other programs, with all defaults written out.
 
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::scene::catalogue::SHIPPED;
 use lcplab_mechanics::scene::{Description, Scene};
 
-/// How far two states are apart (m, rad, m/s, rad/s).
+/// The difference of two states (m, rad, m/s, rad/s).
 fn apart(a: &State, b: &State) -> f64 {
     let turn = a.pose.q.angle_to(&b.pose.q);
     let moves = [a.pose.p - b.pose.p, a.v - b.v, a.omega - b.omega].map(|d| d.norm());

@@ -1,4 +1,4 @@
-//! Contacts at acceleration level: they rest, they part, and nothing enters anything.
+//! Contacts at acceleration level: they rest, they separate, and no bodies overlap.
 
 use lcplab_mechanics::formulation::Stage;
 use lcplab_mechanics::scene::catalogue::bounce::Drop;
@@ -22,7 +22,7 @@ fn on_ground(bodies: &str, friction: f64) -> Scene {
 
 #[test]
 fn a_box_that_lies_a_little_askew_comes_to_rest_and_stays() {
-    // A part of 1e-5 rad off the ground: it lands, and from then on no corner moves by 1e-6 m.
+    // Tilted by 1e-5 rad: it lands, and from then on no corner moves by 1e-6 m.
     let mut scene = on_ground(
         "[[bodies]]\nname = \"box\"\nshape = { box = [1, 1, 0.2] }\nmass = 3\nposition = [0, 0, 0.1]\n",
         0.5,
@@ -76,8 +76,8 @@ fn a_fast_ball_hits_the_ground_where_it_is_and_enters_by_nothing() {
             top[bounce] = top[bounce].max(step.states[1].pose.p.z - 0.1);
         }
         assert!(deepest < 1e-8, "{integrator:?} {deepest:e}");
-        // A fall or rise at the speed v loses v dt/2 of its height by Euler's methods, and a bounce
-        // e² of it carries over. Between its steps the top is missed by g dt²/8 at most.
+        // With Euler's methods a fall or rise at the speed v loses v dt/2 of its height, and a
+        // bounce preserves e² of that. Between steps the top is missed by at most g dt²/8.
         let (mut lost, mut speed, e) = (0.0, (2.0 * 9.81f64).sqrt(), ball.restitution);
         for bounce in [1, 2] {
             let half = if integrator == Integrator::Rk4 { 0.0 } else { 0.5 * speed * 0.01 };
@@ -102,7 +102,7 @@ fn a_ball_that_has_nearly_stopped_bouncing_comes_to_rest() {
             (scene.step.dt, scene.step.integrator) = (dt, integrator);
             scene.contact.restitution = 0.5;
             let mut drop = simulation(scene);
-            // √(2h/g) (1 + e)/(1 − e) = 0.96 s after it was let go all bounces are over.
+            // All bounces are over √(2h/g) (1 + e)/(1 − e) = 0.96 s after the release.
             for _ in 0..(1.5 / dt) as usize {
                 drop.step().unwrap();
             }
@@ -153,7 +153,7 @@ fn a_particle_leaves_a_ball_at_two_thirds_of_its_height() {
         assert!(p.z > 0.0, "it never left");
     };
     let cos: f64 = 2.0 / 3.0 + v0 * v0 / (3.0 * 9.81 * r);
-    // It is 1 mm away somewhat later than it left: c ≈ t³ g sin θ cos θ … / r, some 6 degrees.
+    // It is 1 mm away somewhat later than it left: c ≈ t³ g sin θ cos θ … / r, about 6 degrees.
     let angle = leaves.x.atan2(leaves.z).to_degrees();
     let exact = cos.acos().to_degrees();
     assert!(angle > exact - 0.5 && angle < exact + 8.0, "{angle} {exact}");

@@ -1,4 +1,5 @@
-//! The chapter's demonstrations, and Solver2D's with joints: what each scene says must hold.
+//! The chapter's demonstrations, and those of Solver2D with joints: the statements of each scene
+//! must hold.
 
 use lcplab_mechanics::assembly::{Row, Source};
 use lcplab_mechanics::body::{State, alignment};
@@ -24,7 +25,7 @@ fn forces(step: &Step, dt: f64) -> Vec<(Row, f64)> {
 
 #[test]
 fn constraints_that_fight_are_named() {
-    // Figure 8: both nails along x and the rod; the nails along y and z have nothing to do with it.
+    // Figure 8: both nails along x and the rod; the nails along y and z are not involved.
     let fighting =
         ["coincidence world left 0", "coincidence world right 0", "distance left right 0"];
     for level in Scheme::LEVELS {
@@ -207,7 +208,8 @@ fn the_catapult_throws_with_the_energy_of_its_weight() {
         highest = highest.max(state.pose.p.z);
         assert!(step.motion.drift < 1e-3);
     }
-    // Mass, its place along the arm and across it from the hinge, and its own moment of inertia.
+    // Mass, its position along the arm and perpendicular to it from the hinge, and its own moment
+    // of inertia.
     let parts = [
         (5.0, 0.6, 0.0, 5.0 * (2.4f64.powi(2) + 0.05f64.powi(2)) / 12.0),
         (30.0, -0.6, 0.0, 30.0 * 2.0 * 0.4f64.powi(2) / 12.0),
@@ -234,7 +236,7 @@ fn joints_of_a_chain_carry_all_that_hangs_on_them() {
                 let Source::Constraint(k) = row.id.source else { panic!("a contact") };
                 tension[k] = tension[k].hypot(force);
             }
-            // The first constraint is the ball's, then come the chain's from the top.
+            // The first constraint is the ball's, followed by the chain's from the top.
             for (k, tension) in tension.into_iter().enumerate() {
                 let links = if k == 0 { 0 } else { 41 - k };
                 assert_near(tension, (4021.0 + 5.98 * links as f64) * G, 1e-9);

@@ -1,4 +1,4 @@
-//! Fixed bodies that move as they are told: belts, lifts, turntables.
+//! Fixed bodies with a prescribed motion: belts, lifts, turntables.
 
 use lcplab_mechanics::scene::{Scene, Scheme};
 
@@ -14,7 +14,7 @@ fn scene(scheme: Scheme, ground: &str, body: &str) -> Scene {
     scene
 }
 
-/// What a scheme leaves open (m/s, m): springs sink in and creep.
+/// The remaining error of a scheme (m/s, m): springs compress and creep.
 fn loose(scheme: Scheme) -> f64 {
     match scheme {
         Scheme::Penalty => 0.05,
@@ -61,7 +61,8 @@ fn a_lift_carries_what_stands_on_it() {
 
 #[test]
 fn a_ball_thrown_on_a_rising_lift_leaves_with_e_of_the_approach() {
-    // Relative to the lift it approaches with 3 m/s and leaves with 1.5, so with 2.5 in the world.
+    // Relative to the lift it approaches with 3 m/s and separates with 1.5, so with 2.5 in the
+    // world.
     let lift = "shape = { box = [2, 2, 0.2] }\nposition = [0, 0, -0.1]\nvelocity = [0, 0, 1]";
     let body = "shape = { sphere = 0.1 }\nposition = [0, 0, 0.101]\nvelocity = [0, 0, -2]";
     let schemes =

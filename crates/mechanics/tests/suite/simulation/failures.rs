@@ -1,4 +1,4 @@
-//! Motions that cannot go on say where and why, and keep what they have.
+//! Motions that cannot continue report where and why, and keep their results.
 
 use std::ops::ControlFlow;
 

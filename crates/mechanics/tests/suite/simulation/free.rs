@@ -1,4 +1,4 @@
-//! Bodies that nothing touches.
+//! Free bodies.
 
 use lcplab_mechanics::body::{Gyroscopic, Mass, Pose, State};
 use lcplab_mechanics::scene::{Scene, Scheme};
@@ -16,7 +16,7 @@ const FALLING: &str = "
     velocity = [1, 2, 3]
 ";
 
-/// A brick that turns about its middle axis, slightly disturbed.
+/// A brick that rotates about its middle axis, slightly disturbed.
 const BRICK: &str = "
     gravity = [0, 0, 0]
     step.dt = 0.001
@@ -45,7 +45,7 @@ fn the_velocity_of_free_fall_is_exact() {
     }
 }
 
-/// The schemes whose steps are impulses and moves.
+/// The schemes whose steps consist of impulses and motion.
 fn impulsive() -> impl Iterator<Item = Scheme> {
     Scheme::ALL.into_iter().filter(|&scheme| scheme != Scheme::Acceleration)
 }
@@ -168,7 +168,7 @@ fn bodies_that_collide_in_space_keep_their_angular_momentum() {
     }
 }
 
-/// The greatest lean (degrees) away from 30 of the shipped top.
+/// The largest deviation (degrees) of the shipped top's inclination from 30.
 fn lean(scheme: Scheme, spin: f64, seconds: f64) -> f64 {
     let top = SteadyTop {
         mass: 1.0,
@@ -211,8 +211,8 @@ fn a_top_keeps_its_lean_for_five_seconds() {
 
 #[test]
 fn the_middle_axis_is_unstable() {
-    // Dzhanibekov: a turn about the axis of the middle moment tips over. The disturbance grows like
-    // exp(ω t √((I2 − I1)(I3 − I2)/(I1 I3))) = exp(3 t √(15/65)), a factor e² in 1.4 s.
+    // Dzhanibekov: rotation about the axis of the middle moment is unstable. The disturbance grows
+    // like exp(ω t √((I2 − I1)(I3 − I2)/(I1 I3))) = exp(3 t √(15/65)), a factor e² in 1.4 s.
     let mut brick = simulation(Scene::from_toml("brick.toml", BRICK).unwrap());
     let mut least = f64::INFINITY;
     for _ in 0..8000 {
@@ -241,7 +241,7 @@ fn the_implicit_gyroscopic_torque_never_raises_the_energy_and_the_explicit_one_d
     assert!(implicit.last().unwrap() <= &implicit[0]);
     let explicit = energy(Gyroscopic::Explicit);
     assert!(explicit.last().unwrap() > &explicit[0]);
-    // Left out, ω stays, so the energy of a body that turns over does not.
+    // If omitted, ω is constant, so the energy of a body that flips is not.
     let omitted = energy(Gyroscopic::Omitted);
     assert!(omitted.iter().all(|e| e.is_finite()));
 }

@@ -1,4 +1,4 @@
-//! The models of friction on whole motions, against closed forms.
+//! The friction models in complete motions, compared with closed forms.
 
 use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 
@@ -17,8 +17,8 @@ const DT: f64 = 0.01;
 const POLYGON_4: Model = Model::Polyhedral { directions: 4 };
 const POLYGON_8: Model = Model::Polyhedral { directions: 8 };
 
-/// A point of 2 kg on a level floor, under a gravity that leans over by a slope's angle towards
-/// `degrees`: a ramp that is turned against its tangents by exactly that.
+/// A point of 2 kg on a level floor, with gravity tilted by a slope's angle towards `degrees`:
+/// equivalent to a ramp rotated against its tangents by exactly that angle.
 fn point(model: Model, slope: f64, degrees: f64) -> Scene {
     let text = "[step]\ndt = 0.01\n[contact]\nfriction = 0.5\n[solver]\ntolerance = 1e-11\n\
                 [[bodies]]\nname = \"floor\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n\
@@ -35,7 +35,8 @@ fn along(degrees: f64) -> Vector3<f64> {
     Vector3::new(cos, sin, 0.0)
 }
 
-/// The point at a speed in a direction; where what slides floats, at the height where it does.
+/// The point with a speed in a direction; in models where sliding bodies float, at the floating
+/// height.
 fn slider(model: Model, speed: f64, degrees: f64) -> Scene {
     let mut scene = point(model, 0.0, 0.0);
     scene.states[1].v = speed * along(degrees);
@@ -59,7 +60,7 @@ fn steps(simulation: &mut Simulation, count: usize) -> Vec<Step> {
     (0..count).map(|_| simulation.step().unwrap()).collect()
 }
 
-/// Friction on the sliding point in its third step, in parts of μ m g, and its direction (degrees).
+/// Friction on the sliding point in its third step, relative to μ m g, and its direction (degrees).
 fn friction(model: Model, degrees: f64) -> (f64, f64) {
     let mut slider = simulation(slider(model, 5.0, degrees));
     steps(&mut slider, 2); // a frozen box needs a step to know the load
@@ -69,8 +70,9 @@ fn friction(model: Model, degrees: f64) -> (f64, f64) {
     (lost.xy().norm(), lost.y.atan2(lost.x).to_degrees())
 }
 
-/// What floats at dt μ v sinks as it slows down, and that takes load off: in step n x_n (1 + μ²) =
-/// m g dt + μ² times the x_n of the step before, which is 1 − (μ²/(1 + μ²))ⁿ of m g dt.
+/// A body floating at dt μ v sinks as it slows down, which reduces the load: in step n x_n
+/// (1 + μ²) = m g dt + μ² times the x_n of the previous step, which is 1 − (μ²/(1 + μ²))ⁿ of m g
+/// dt.
 fn sinking() -> f64 {
     1.0 - (MU * MU / (1.0 + MU * MU)).powi(3)
 }
@@ -111,7 +113,7 @@ fn under_the_disc_the_path_is_straight_and_as_long_as_energy_allows() {
     let mut slider = simulation(slider(Model::CoulombCone, speed, 30.0));
     steps(&mut slider, 100);
     let end = slider.states()[1].pose.p;
-    // Σ dt (v − k μ g dt) over the whole steps until it stops: v²/(2μg) but for the last part.
+    // Σ dt (v − k μ g dt) over the whole steps until it stops: v²/(2μg) except for the last part.
     let whole = (speed / (MU * G * DT)).floor();
     let exact = DT * (whole * speed - MU * G * DT * whole * (whole + 1.0) / 2.0);
     assert!((end - exact * along(30.0)).norm() < 1e-6, "{end}");
@@ -121,8 +123,9 @@ fn under_the_disc_the_path_is_straight_and_as_long_as_energy_allows() {
 
 #[test]
 fn the_shipped_block_stops_where_geometry_says() {
-    // In parts of v²/(2μg), without the error of the step: each axis of a box stops by itself;
-    // under four directions x slows down until both speeds agree, then both together at half rate.
+    // In units of v²/(2μg), without the error of the step: with a box each axis stops separately;
+    // with four directions x slows down until both speeds are equal, then both together at half the
+    // rate.
     let (sin, cos) = 30f64.to_radians().sin_cos();
     let reach = 9.0 / (2.0 * MU * G);
     for (model, x, y) in [
@@ -196,8 +199,8 @@ fn an_associated_cone_throws_up_what_it_finds_sliding_on_the_floor() {
 
 #[test]
 fn regularised_friction_creeps_at_the_load_over_its_damping_and_hard_friction_stays() {
-    // Below μ N the penalty method rubs with d v: half the greatest load leaves W/d (with
-    // d = 2 μ N/ε that is u = W ε/(2 μ N)).
+    // Below μ N the penalty method's friction is d v: half the greatest load gives W/d (with d = 2
+    // μ N/ε that is u = W ε/(2 μ N)).
     let slope = (0.5 * MU).atan();
     let mut soft = point(Model::CoupledBox, slope, 30.0);
     soft.step.scheme = Scheme::Penalty;
@@ -241,9 +244,9 @@ fn friction_takes_energy_out_and_leaves_momentum_alone_under_every_model() {
     }
 }
 
-/// Drake's "pizza saver", a plate that turns on feet at a distance of 1.5 m: here four feet, 45°
-/// off the tangents or turned onto them. How fast it turns after a tenth of a second under a
-/// torque.
+/// Drake's "pizza saver", a plate that rotates on feet at a distance of 1.5 m: here four feet, at
+/// 45° to the tangents or aligned with them. Returns its angular speed after a tenth of a second
+/// under a torque.
 fn turning(model: Model, torque: f64, turned: f64) -> f64 {
     let text = format!(
         "gravity = [0, 0, -10]\n[step]\ndt = 0.01\n[contact]\nfriction = {}\n\
@@ -304,7 +307,7 @@ fn pushed_box_with_balls() -> Scene {
 fn a_box_pushed_with_more_than_friction_moves_under_coulombs_law_and_not_under_a_box_at_45_degrees()
 {
     // SimBenchmark's "rolling": friction holds 0.4 · 35 g = 137.34 N, the box model √2 times that.
-    // A ball that rolls on what accelerates with a follows with 2a/7.
+    // A ball that rolls on a surface with the acceleration a follows with 2a/7.
     let a = (150.0 - 0.4 * 35.0 * G) / (10.0 + 25.0 * 2.0 / 7.0);
     for (model, a) in [(Model::CoulombCone, a), (Model::CoupledBox, 0.0)] {
         let mut scene = pushed_box_with_balls();
@@ -341,7 +344,8 @@ fn answers_are_judged_by_the_problem_that_was_posed() {
                 let rubs = solve.problem.lcp.coupling().is_some_and(|c| !c.is_empty());
                 assert_eq!(solve.posing.is_some(), rubs && model != Model::CoupledBox);
                 if step.number == 1 && model != Model::CoupledBox {
-                    // It slides askew: no other model's answer solves the coupled box.
+                    // It slides at an angle to the tangents: no other model's answer solves the
+                    // coupled box.
                     let boxed = judge(&solve.problem.lcp, &solve.solution.x, &demand);
                     assert!(!boxed.verdict.is_solution(), "{model}");
                 }

@@ -20,7 +20,7 @@ fn drop_from(height: f64, restitution: f64, dt: f64, level: Scheme) -> Scene {
 
 #[test]
 fn a_speculative_contact_closes_its_gap_and_no_more() {
-    // 0.03 m at 5 m/s: within a step of 0.01 s the ball may only come down to the ground.
+    // 0.03 m at 5 m/s: within a step of 0.01 s the ball may only reach the ground.
     let mut scene = drop_from(0.03, 0.0, 0.01, Scheme::Velocity);
     scene.states[1].v.z = -5.0;
     let mut ball = simulation(scene);
@@ -90,7 +90,7 @@ fn every_scheme_that_bounces_gives_back_e_of_the_approach_wherever_in_a_step_it_
                     let speed = ball.step().unwrap().states[1].v.z;
                     (down, up) = (down.max(-speed), up.max(speed));
                 }
-                // Gravity acts for a step or two between both speeds.
+                // Gravity acts for a step or two between the two speeds.
                 let slack = 2.0 * 9.81 * dt;
                 assert!((up - e * down).abs() < slack, "{scheme:?} e {e} dt {dt} {k}: {up} {down}");
             }
@@ -98,8 +98,8 @@ fn every_scheme_that_bounces_gives_back_e_of_the_approach_wherever_in_a_step_it_
     }
 }
 
-/// A box that falls flat, turning a little: its corners come at different speeds, and four of them
-/// share the blow in many ways.
+/// A box that falls flat with a small rotation: its corners arrive at different speeds, and four of
+/// them can share the impact in many ways.
 #[test]
 fn what_bounces_does_not_depend_on_how_a_solver_shares_the_blow() {
     let text = "
@@ -126,7 +126,7 @@ fn what_bounces_does_not_depend_on_how_a_solver_shares_the_blow() {
         flat.step().unwrap().states[1].velocity()
     };
     let dantzig = after("dantzig");
-    // v − 2 of each corner, at (±½, ±1): 1.5 times as fast back, as Newton's law has it for each.
+    // v − 2 at each corner, at (±½, ±1): 1.5 times that speed back, by Newton's law for each.
     assert_near(dantzig[2], 1.0, 1e-7);
     for other in ["pgs", "block-pivoting", "lemke", "enumeration"] {
         assert!((after(other) - dantzig).norm() < 1e-6, "{other}: {} {dantzig}", after(other));
@@ -140,11 +140,11 @@ fn a_bullet_that_goes_through_a_wall_in_one_step_is_named() {
         let step = simulation(scene.clone()).step().unwrap();
         step.interpenetrations.iter().map(|own| own.bodies).collect()
     };
-    // The margin follows the speed and finds the wall in time.
+    // The margin depends on the speed and finds the wall in time.
     assert!(passed(&scene).is_empty());
     scene.contact.margin = Some(0.05);
     assert_eq!(passed(&scene), [[1, 0]]);
-    // Beside the wall there is nothing to go through.
+    // Next to the wall there is nothing to pass through.
     scene.states[1].pose.p.y = 1.5;
     assert!(passed(&scene).is_empty());
 }

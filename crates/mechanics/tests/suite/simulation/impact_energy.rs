@@ -1,5 +1,5 @@
-//! Energy of impacts that is not what the coefficient of restitution says: reported where the
-//! kinetic energy says so, and nowhere else.
+//! Energies of impacts that contradict the coefficient of restitution are reported where kinetic
+//! energy shows it, and nowhere else.
 
 use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{ImpactCause, ImpactEnergy, Step, Warnings};
@@ -46,7 +46,7 @@ fn reports(step: &Step) -> &[ImpactEnergy] {
     step.impact_energy.as_deref().expect("the scheme writes its impulses down")
 }
 
-/// What all reports of a step say together (J).
+/// The total energy of a step's reports (J).
 fn reported(step: &Step) -> f64 {
     reports(step).iter().map(|report| report.energy).sum()
 }
@@ -59,8 +59,8 @@ fn link() -> impl Strategy<Value = Link> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
-    /// At e = 1 nothing but a report may say that kinetic energy changed: the energy is measured
-    /// from masses and velocities alone.
+    /// At e = 1 kinetic energy changes only with a report: the energy is computed from masses and
+    /// velocities alone.
     #[test]
     fn at_restitution_1_the_reports_are_the_change_of_kinetic_energy(
         links in prop::collection::vec(link(), 1..6),
@@ -83,7 +83,7 @@ proptest! {
         }
     }
 
-    /// Below e = 1 losses are what was asked for, gains never are.
+    /// Below e = 1 losses are expected, gains never are.
     #[test]
     fn at_any_restitution_kinetic_energy_does_not_rise_without_a_report(
         links in prop::collection::vec(link(), 1..6),
@@ -102,8 +102,8 @@ proptest! {
         }
     }
 
-    /// A rod that hits the ground with one end: friction at e = 1 takes energy, or adds it where it
-    /// turns the slip round (Kane's paradox). One contact, so that the change of kinetic energy is
+    /// A rod that hits the ground with one end: friction at e = 1 removes energy, or adds it if it
+    /// reverses the slip (Kane's paradox). There is one contact, so the change of kinetic energy is
     /// the contact's work.
     #[test]
     fn friction_that_takes_energy_is_no_report_and_friction_that_adds_it_is_one(
@@ -144,7 +144,7 @@ fn rod_hits(angle: f64, mu: f64, e: f64, slip: f64, spin: f64) -> (f64, Step) {
 
 #[test]
 fn kanes_rod_gains_energy_by_friction_and_is_named() {
-    // From two equations in the plane, normal and tangential: the slip turns round, the limit of
+    // From two equations in the plane, normal and tangential: the slip reverses, the limit of
     // friction is reached.
     let (change, step) = rod_hits(42.0, 0.5, 1.0, -0.4, -10.0);
     assert_near(change, 7.481_949_552_292_687, 1e-9);
@@ -176,7 +176,7 @@ fn two_balls_and_a_wall_in_one_step_lose_half_of_the_energy_and_it_is_said_why()
     let mut balls = simulation(scene.clone());
     let step = balls.step().unwrap();
     let [report] = reports(&step) else { panic!("{:?}", reports(&step)) };
-    // By hand: 2 J before; the wall stops ball1 at 1 m/s, ball0 goes back with 1 m/s: 1 J.
+    // By hand: 2 J before; the wall stops ball1 at 1 m/s, ball0 returns with 1 m/s: 1 J.
     assert_near(report.energy, -1.0, 1e-12);
     assert_eq!((report.bodies, report.cause), ([1, 2], ImpactCause::GapClosed));
     assert_near(report.gap, 0.01, 1e-12);
@@ -191,8 +191,8 @@ fn two_balls_and_a_wall_in_one_step_lose_half_of_the_energy_and_it_is_said_why()
 
 #[test]
 fn a_ball_that_parts_from_a_wall_and_is_pressed_back_within_the_step_gains_energy_and_is_named() {
-    // ½ (2² + 0.5²) J before; Newton's law between the balls alone: 2.5 m/s of parting, ball1 at
-    // rest: ½ 2.5² J.
+    // ½ (2² + 0.5²) J before; Newton's law between the balls alone: a separation speed of 2.5 m/s,
+    // ball1 at rest: ½ 2.5² J.
     let scene = chain(&[(1.0, 0.0, 2.0), (1.0, 0.0, -0.5)], 0.0, 0.01, 1.0);
     let step = simulation(scene).step().unwrap();
     let [report] = reports(&step) else { panic!("{:?}", reports(&step)) };
@@ -226,7 +226,8 @@ fn a_ball_on_the_ground_is_never_reported_whatever_its_restitution() {
 
 #[test]
 fn what_friction_takes_of_an_oblique_impact_is_not_the_impacts_loss() {
-    // A point with 3 m/s along and 2 m/s into the ground: friction takes μ 2 · 2 m/s of the first.
+    // A point with 3 m/s along and 2 m/s into the ground: friction reduces the former by μ 2 · 2
+    // m/s.
     let text = format!(
         "{}[[bodies]]\nname = \"ground\"\nfixed = true\nshape = {{ plane = [0, 0, 1] }}\n\
          [[bodies]]\nname = \"bead\"\nshape = \"point\"\nmass = 1\nvelocity = [3, 0, -2]\n",
@@ -241,7 +242,7 @@ fn what_friction_takes_of_an_oblique_impact_is_not_the_impacts_loss() {
 
 #[test]
 fn a_bat_and_a_joint_add_and_take_nothing_that_is_reported() {
-    // A wall that moves at 3 m/s sends a ball at rest off with 6 m/s.
+    // A wall that moves at 3 m/s gives a ball at rest 6 m/s.
     let bat = format!(
         "{}[[bodies]]\nname = \"bat\"\nfixed = true\nshape = {{ box = [1, 1, 1] }}\nvelocity = [3, 0, 0]\n\
          [[bodies]]\nname = \"ball\"\nshape = {{ sphere = 0.1 }}\nmass = 1\nposition = [0.6, 0, 0]\n",

@@ -1,5 +1,5 @@
-//! The integrators of the acceleration level, against pendulums in reduced coordinates and free
-//! bodies.
+//! The integrators of the acceleration level, compared with pendulums in reduced coordinates and
+//! free bodies.
 
 use lcplab_mechanics::body::Gyroscopic;
 use lcplab_mechanics::scene::catalogue::pendulum::{DoublePendulum, Pendulum, Swing};
@@ -17,7 +17,7 @@ const ALL: [Integrator; 4] = [
     Integrator::ImplicitMidpoint,
 ];
 
-/// The scene by an integrator, without feedback of errors, after a time.
+/// The scene with an integrator, without feedback of errors, after a time.
 fn after(name: &str, integrator: Integrator, dt: f64, time: f64) -> Simulation {
     let mut scene = scene(name, Scheme::Acceleration);
     (scene.step.dt, scene.step.alpha, scene.step.integrator) = (dt, 0.0, integrator);
@@ -28,7 +28,7 @@ fn after(name: &str, integrator: Integrator, dt: f64, time: f64) -> Simulation {
     simulation
 }
 
-/// Where a rod of length 1 at this angle from the vertical ends.
+/// The end of a rod of length 1 at this angle from the vertical.
 fn end(angle: f64) -> Vector3<f64> {
     Vector3::new(angle.sin(), 0.0, -angle.cos())
 }
@@ -41,7 +41,7 @@ fn the_pendulum_in_angles_has_the_elliptic_period() {
         let half = pendulum.after(0.5 * pendulum.period(amplitude), start);
         assert_near(half.angles[0], -amplitude, 1e-10);
     }
-    // IFToMM A01: released level at x = −1 m, where it is after 10 s.
+    // IFToMM A01: released horizontally at x = −1 m; its position after 10 s.
     let start = Swing { angles: [-std::f64::consts::FRAC_PI_2], rates: [0.0] };
     let p = end(pendulum.after(10.0, start).angles[0]);
     assert!((p - Vector3::new(-0.2750874626, 0.0, -0.9614192051)).norm() < 1e-7, "{p}");
@@ -131,7 +131,7 @@ fn free_fall_is_exact_for_methods_of_second_order_and_above() {
     }
 }
 
-/// A brick that turns over (Dzhanibekov); its largest relative errors of energy and of momentum.
+/// A brick that flips (Dzhanibekov); its largest relative errors of energy and of momentum.
 fn brick(integrator: Integrator, dt: f64) -> (f64, f64) {
     let text = "
         gravity = [0, 0, 0]
@@ -199,7 +199,8 @@ fn a_step_too_long_for_the_midpoint_is_an_error_not_an_answer() {
     assert!(matches!(failure.cause, Cause::Unsettled { .. }), "{failure}");
 }
 
-/// A weight of 1 kg on a spring of 50 N/m and 2 N s/m, 0.1 m from where it rests, without gravity.
+/// A weight of 1 kg on a spring of 50 N/m and 2 N s/m, 0.1 m from its rest position, without
+/// gravity.
 fn swinging(integrator: Integrator, steps: usize) -> f64 {
     let text = "gravity = [0, 0, 0]\n[[bodies]]\nname = \"weight\"\nshape = \"point\"\nmass = 1\n\
                 position = [0, 0, -1.1]\n[[constraints]]\nkind = \"spring\"\nbodies = [\"weight\"]\n\

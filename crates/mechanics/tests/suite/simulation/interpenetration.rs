@@ -1,5 +1,5 @@
-//! Bodies that go through each other or stay inside each other are never silent, and healthy scenes
-//! are.
+//! Bodies that pass through each other or stay overlapped are always reported, and sound scenes
+//! cause no report.
 
 use std::time::{Duration, Instant};
 
@@ -27,7 +27,7 @@ fn named(simulation: &mut Simulation, steps: usize) -> Vec<Interpenetration> {
     (0..steps).flat_map(|_| simulation.step().unwrap().interpenetrations).collect()
 }
 
-/// Where a straight way crosses the plane z = 0 within the plate, if it does.
+/// Where a straight path crosses the plane z = 0 within the plate, if it does.
 fn crosses(from: Vector3<f64>, to: Vector3<f64>) -> bool {
     let theta = from.z / (from.z - to.z);
     let at = from.lerp(&to, theta);
@@ -41,8 +41,8 @@ fn unit() -> impl Strategy<Value = Vector3<f64>> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
-    /// Whatever margin, scheme and speed: a ball whose centre gets to the other side of a plate is
-    /// named.
+    /// For any margin, scheme and speed: a ball whose center passes to the other side of a plate is
+    /// reported.
     #[test]
     fn a_fast_ball_that_gets_through_a_thin_plate_is_never_silent(
         aim in unit(),
@@ -75,7 +75,7 @@ proptest! {
         prop_assert!(names.iter().all(|name| name.bodies == [1, 0] && name.depth > 0.0));
     }
 
-    /// With the margin that follows the speed nothing gets through in the first place.
+    /// With the margin that depends on the speed nothing passes through at all.
     #[test]
     fn a_margin_that_follows_the_speed_stops_a_ball_at_a_thin_plate(
         from in unit(), height in 0.06..3.0f64, speed in 1.0..2000.0f64, thickness in 0.002..0.2f64,
@@ -94,7 +94,7 @@ proptest! {
         }
     }
 
-    /// What the margin promises: bodies that overlap after a free step had a contact before it.
+    /// The property of the margin: bodies that overlap after a free step had a contact before it.
     #[test]
     fn no_gap_that_a_free_step_closes_is_beyond_the_margin(
         a in unit(), b in unit(), va in unit(), vb in unit(), wa in unit(), wb in unit(), turn in unit(),
@@ -126,7 +126,7 @@ proptest! {
         prop_assert!(!overlaps || !step_contacts(&scene, &states).is_empty());
     }
 
-    /// A ball that passes a post at a distance flies on as if it were not there, at any speed.
+    /// A ball that passes a post at a distance is not deflected, at any speed.
     #[test]
     fn a_ball_that_passes_a_post_is_not_turned_away(
         x in -1.0..-0.2f64, y in 0.102..0.4f64, speed in 0.1..100.0f64, dt in 0.001..0.05f64,
@@ -147,7 +147,8 @@ proptest! {
         scene.states[1].pose.p = Vector3::new(x, y, 0.0);
         scene.states[1].v = Vector3::new(speed, 0.0, 0.0);
         let mut ball = simulation(scene);
-        // Within 5 cm a contact counts whatever the path is; where it has no part the speed stays.
+        // Within 5 cm a contact counts whatever the path; if it has no effect, the speed is
+        // unchanged.
         let is_near = |p: Vector3<f64>| p.norm() < 0.15;
         let mut at = Vector3::new(x, y, 0.0);
         for _ in 0..20 {
@@ -160,7 +161,7 @@ proptest! {
         }
     }
 
-    /// Slow bodies have the contacts of the least margin, to the bit.
+    /// Slow bodies have exactly the contacts of the minimum margin.
     #[test]
     fn slow_bodies_have_the_contacts_of_the_least_margin(
         p in unit(), v in unit(), omega in unit(), turn in unit(),
@@ -219,7 +220,7 @@ fn a_ball_thrown_at_a_thin_plate_comes_to_rest_on_it_or_is_named() {
         warnings.add(&scene, &step);
         names.extend(step.interpenetrations.iter().map(|own| (step.number, *own)));
     }
-    // It falls 0.3333 m a step, and a little more: from 1 m it is at 0 after the third.
+    // It falls slightly more than 0.3333 m per step: from 1 m it is at 0 after the third.
     let (step, name) = names[0];
     assert_eq!((step, name.bodies), (3, [1, 0]));
     assert!(ball.states()[1].pose.p.z < -10.0 || names.len() > 1);
@@ -231,7 +232,7 @@ fn a_ball_thrown_at_a_thin_plate_comes_to_rest_on_it_or_is_named() {
 
 #[test]
 fn a_rod_that_turns_through_a_post_in_one_step_is_named() {
-    // 100 rad/s in steps of 10 ms: from 29° before the post to 29° behind it.
+    // 100 rad/s in steps of 10 ms: from 29° before the post to 29° after it.
     let text = "
         gravity = [0, 0, 0]
         contact = { margin = 0.01 }

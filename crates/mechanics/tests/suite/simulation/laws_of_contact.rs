@@ -1,4 +1,4 @@
-//! What a step says of friction, blows and impacts within it, beside closed forms.
+//! The reports of a step on friction and impacts, compared with closed forms.
 
 use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{Blow, Blows, Simulation, Slips, Step};
@@ -23,7 +23,7 @@ fn groove(angle: f64, scheme: Scheme) -> Scene {
     Scene::from_toml("groove.toml", &text).unwrap()
 }
 
-/// Two billiard balls without friction, e = 1; the first one hits the second askew.
+/// Two billiard balls without friction, e = 1; the first one hits the second off-center.
 fn billiards(scheme: Scheme) -> Scene {
     let text = format!(
         "gravity = [0, 0, 0]\ncontact.restitution = 1\n[step]\nscheme = \"{}\"\n[[bodies]]\n\
@@ -34,7 +34,7 @@ fn billiards(scheme: Scheme) -> Scene {
     Scene::from_toml("billiards.toml", &text).unwrap()
 }
 
-/// Takes so many steps, showing each with the scene.
+/// Takes this number of steps, passing each with the scene to `show`.
 fn run(scene: Scene, steps: usize, mut show: impl FnMut(&Scene, &Step)) -> Simulation {
     let mut running = simulation(scene.clone());
     for _ in 0..steps {
@@ -54,7 +54,8 @@ fn slips(scene: &Scene, steps: usize) -> (Slips, Simulation) {
     (slips, running)
 }
 
-/// g (sin α − √2 μ cos α) (m/s²), with which the bar slides under Coulomb's cone; below 0 it rests.
+/// g (sin α − √2 μ cos α) (m/s²), the acceleration of the bar under Coulomb's cone; below 0 it
+/// rests.
 fn due(angle: f64) -> f64 {
     let (sin, cos) = angle.to_radians().sin_cos();
     9.81 * (sin - std::f64::consts::SQRT_2 * 0.5 * cos)
@@ -64,7 +65,7 @@ fn due(angle: f64) -> f64 {
 fn a_bar_that_slides_where_the_cone_holds_it_tells_the_error_of_its_speed() {
     // At 34 degrees it may rest: friction across the groove takes load from the faces, and so
     // friction along it is too weak. All the speed of the bar is an error, and friction at its
-    // limit would take even more: −due t.
+    // limit would reduce it even further: −due t.
     for scheme in [Scheme::Soft, Scheme::SequentialImpulses] {
         let scene = groove(34.0, scheme);
         let (slips, running) = slips(&scene, 100);
@@ -72,8 +73,9 @@ fn a_bar_that_slides_where_the_cone_holds_it_tells_the_error_of_its_speed() {
         assert!(speed > 1.0, "{scheme:?}: {speed}");
         let (body, error) = slips.speed_error(&scene).unwrap();
         assert_eq!(body, 2);
-        // Below resting speed, 2 g dt = 0.196 m/s, contacts count as holding: they are measured by
-        // the cone alone, for up to 0.15 s at 1.3 m/s², in which the error grows by 1.9 m/s².
+        // Below the resting speed, 2 g dt = 0.196 m/s, contacts count as sticking: they are
+        // measured only by the cone, for up to 0.15 s at 1.3 m/s², in which the error grows by 1.9
+        // m/s².
         assert_near(error, speed - due(34.0), 0.3);
         let askew = slips.askew.unwrap();
         assert_eq!(askew.bodies[0], 2);
@@ -84,7 +86,7 @@ fn a_bar_that_slides_where_the_cone_holds_it_tells_the_error_of_its_speed() {
 
 #[test]
 fn a_bar_that_rests_where_the_cone_holds_it_tells_nothing() {
-    // Its four contacts a face share the load in some way; their sum is within the cone.
+    // Its four contacts per face share the load arbitrarily; their sum is within the cone.
     let scene = groove(34.0, Scheme::Velocity);
     let (slips, _) = slips(&scene, 50);
     assert!(slips.beyond.is_none_or(|slip| slip.excess < 1e-6), "{slips:?}");
@@ -93,9 +95,8 @@ fn a_bar_that_rests_where_the_cone_holds_it_tells_nothing() {
 
 #[test]
 fn a_bar_that_slides_under_the_box_as_the_cone_has_it_tells_nothing() {
-    // Above 35.26 degrees. The box would allow it to rest, too: a bar that is pinched into the
-    // groove by μ x_n across it is held up to arctan(√2 μ/(1 − μ)) = 54.7 degrees. Nothing pinches
-    // this one.
+    // Above 35.26 degrees. The box would allow it to rest, too: a bar clamped into the groove by μ
+    // x_n across it is held up to arctan(√2 μ/(1 − μ)) = 54.7 degrees. This one is not clamped.
     let scene = groove(40.0, Scheme::Velocity);
     let (slips, running) = slips(&scene, 100);
     assert_near(running.states()[2].v.x, due(40.0), 1e-9);
@@ -117,7 +118,8 @@ fn cones_miss_nothing_of_coulombs_law() {
 
 #[test]
 fn a_bounce_across_a_gap_names_the_pair_and_by_how_much_its_velocity_is_off() {
-    // Where they meet, the line between their centres has the sine 0.6: they part at a right angle.
+    // At the impact the line between their centers has the sine 0.6: they separate at a right
+    // angle.
     let exact = Vector3::new(3.0 * 0.64, 3.0 * 0.48, 0.0);
     for scheme in SCHEMES {
         for dt in [0.01, 0.004] {
@@ -145,7 +147,7 @@ fn a_bounce_that_is_located_or_straight_is_no_error() {
     }
 }
 
-/// A ball that falls on the ground with this restitution.
+/// A ball that falls to the ground with this restitution.
 fn falling(restitution: f64, scheme: Scheme) -> Scene {
     let text = format!(
         "gravity = [0, 0, 0]\ncontact.restitution = {restitution}\n[step]\nscheme = \"{}\"\n\

@@ -1,4 +1,4 @@
-//! Where the energy goes, against closed forms, and the laws of each step.
+//! The energy balance compared with closed forms, and the laws of each step.
 
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::scene::{Integrator, Scene, Scheme, catalogue};
@@ -40,7 +40,7 @@ fn free_fall_loses_what_the_step_overshoots() {
 
 #[test]
 fn a_blow_takes_the_energy_and_a_bounce_gives_e_squared_of_it_back() {
-    // X = m (1 + e) v: the blow takes ½ X v, the bounce gives ½ X e v.
+    // X = m (1 + e) v: the impact removes ½ X v, the bounce adds ½ X e v.
     for (level, e) in Scheme::LEVELS.into_iter().flat_map(|level| [(level, 0.0), (level, 0.5)]) {
         let step = &steps(ball(0.0, 3.0, 0.0, e, level), 1)[0];
         let (impulse, ledger) = (2.0 * (1.0 + e) * 3.0, step.ledger.unwrap());
@@ -107,8 +107,8 @@ fn every_shipped_scene_keeps_the_laws_of_contact_and_momentum() {
                 let laws = step.laws;
                 assert!(laws.attraction == 0.0, "{} {level:?}: {laws:?}", shipped.name);
                 assert!(laws.cone_excess <= 2f64.sqrt() - 1.0 + 1e-6, "{laws:?}");
-                // Rod and domino pivot on a sticking corner: J turns, and the corner has a slip of
-                // ω² l dt again before each step.
+                // Rod and domino pivot on a sticking corner: J rotates, and the corner again has a
+                // slip of ω² l dt before each step.
                 let pivots = ["painleve", "dominoes"].contains(&shipped.name);
                 let gain = if pivots { 1e-7 } else { 1e-9 };
                 assert!(laws.friction_gain < gain, "{} {level:?}: {laws:?}", shipped.name);
@@ -119,8 +119,7 @@ fn every_shipped_scene_keeps_the_laws_of_contact_and_momentum() {
                 if ["bricard", "joint_grid"].contains(&shipped.name) {
                     continue; // loops of joints: their forces grow without bound as they drift
                 }
-                // A joint that drifts pulls at two points that are apart: a torque of drift ×
-                // force.
+                // A joint that has drifted pulls at two separate points: a torque of drift × force.
                 let allowed = 1e-10 + 1e3 * step.motion.drift;
                 assert!(laws.internal_torque < allowed, "{} {level:?}: {laws:?}", shipped.name);
             }
@@ -128,7 +127,7 @@ fn every_shipped_scene_keeps_the_laws_of_contact_and_momentum() {
     }
 }
 
-/// The schemes that write down what acts; XPBD's velocities are what positions did.
+/// The schemes that record their forces; XPBD's velocities are differences of positions.
 fn accounted() -> impl Iterator<Item = Scheme> {
     Scheme::ALL.into_iter().filter(|&scheme| scheme != Scheme::Xpbd)
 }
@@ -161,7 +160,7 @@ fn who_does_not_write_down_what_acted_has_no_account() {
     }
 }
 
-/// The ledger of a step that claims these acts and led to these states.
+/// The energy balance of a step with these impulses and final states.
 fn audited(scene: &Scene, before: &[State], step: &Step, acts: &[Act], after: &[State]) -> Ledger {
     Ledger::of(scene, before, &step.solves, acts, after)
 }
@@ -210,7 +209,7 @@ fn a_height_that_nobody_climbed_is_missing_in_every_account() {
 
 #[test]
 fn an_impulse_that_is_not_written_down_is_missing_in_every_account() {
-    // A ball of 2 kg comes down with 3 m/s, and nothing else acts: without the blow in the books,
+    // A ball of 2 kg arrives with 3 m/s, and nothing else acts: without the impact in the balance,
     // the change of ½ m v² is missing.
     for scheme in accounted() {
         let mut scene = ball(0.0, 3.0, 0.0, 0.0, scheme);
@@ -240,8 +239,8 @@ fn an_impulse_that_is_not_written_down_is_missing_in_every_account() {
 
 #[test]
 fn a_position_that_is_corrected_in_secret_is_missing() {
-    // The pendulum has drifted: what the correction lifts is in the books only if it is written
-    // down.
+    // The pendulum has drifted: the energy from the correction is in the balance only if it is
+    // recorded.
     for scheme in [Scheme::SplitImpulse, Scheme::GaussSeidel] {
         let scene = scene("pendulum", scheme);
         let (before, step) = last_step(&scene, 30);
@@ -258,7 +257,7 @@ fn a_position_that_is_corrected_in_secret_is_missing() {
 
 #[test]
 fn the_spring_of_a_penalty_gives_back_what_it_took() {
-    // A ball of 2 kg at 1 m/s on a spring without damping: ½ m v² goes into it and comes out again.
+    // A ball of 2 kg at 1 m/s on a spring without damping: ½ m v² goes into it and returns.
     let mut scene = ball(0.0, 1.0, 0.0, 0.0, Scheme::Penalty);
     scene.step.penalty.stiffness = 2e3; // half a period: π √(m/k) = 0.1 s
     scene.step.penalty.damping = 0.0;
@@ -317,8 +316,8 @@ fn the_ledger_of_a_push_against_friction_closes() {
 
 #[test]
 fn an_implicit_step_takes_its_part_of_a_springs_energy() {
-    // k = 50, m = 1, a = ω dt: each step divides the energy by 1 + a², so that it takes a²/(1 + a²)
-    // of it.
+    // k = 50, m = 1, a = ω dt: each step divides the energy by 1 + a², so that it removes
+    // a²/(1 + a²) of it.
     for level in Scheme::LEVELS {
         let mut stretched = scene("spring", level);
         stretched.gravity = nalgebra::Vector3::zeros();

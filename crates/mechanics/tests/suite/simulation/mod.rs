@@ -1,4 +1,4 @@
-//! Motions against closed forms.
+//! Motions compared with closed forms.
 
 mod acceleration;
 mod demonstrations;
@@ -31,7 +31,7 @@ use lcplab_mechanics::scene::{Scene, Scheme, catalogue};
 use lcplab_mechanics::simulation::{Simulation, Step};
 use lcplab_solver as solver;
 
-/// A ball of 1 cm that flies at a wall of 2 cm with 300 m/s, 3 m in a step.
+/// A ball of 1 cm that flies at a wall of 2 cm with 300 m/s, 3 m per step.
 fn bullet() -> Scene {
     let text = "
         gravity = [0, 0, 0]
@@ -56,7 +56,7 @@ fn scene(name: &str, scheme: Scheme) -> Scene {
     scene
 }
 
-/// The shipped scene of this name with words of its file exchanged.
+/// The shipped scene with this name with words of its file replaced.
 fn changed(name: &str, words: &[(&str, &str)]) -> Scene {
     let mut text = catalogue::text(name).unwrap().to_string();
     for (old, new) in words {
@@ -66,7 +66,7 @@ fn changed(name: &str, words: &[(&str, &str)]) -> Scene {
     Scene::from_toml(&format!("{name}.toml"), &text).unwrap()
 }
 
-/// The scene on its way, with Dantzig's method.
+/// A simulation of the scene with Dantzig's method.
 fn simulation(scene: Scene) -> Simulation {
     scene.validate().unwrap();
     Simulation::new(scene, solver::by_name("dantzig", &solver::Options::default()).unwrap())

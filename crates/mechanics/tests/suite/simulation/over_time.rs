@@ -1,4 +1,4 @@
-//! Forces and supports that depend on time, against closed forms.
+//! Time-dependent forces and supports, compared with closed forms.
 
 use lcplab_mechanics::scene::{Integrator, Scene, Scheme, saved};
 use lcplab_mechanics::simulation::Simulation;
@@ -89,7 +89,8 @@ fn a_block_pushed_harder_and_harder_moves_at_the_static_threshold_and_slides_wit
         scene.step.scheme = scheme;
         let still = after(scene.clone(), 0.001, 1177).states()[1].v.x;
         assert!(still.abs() < 1e-6, "{scheme:?} {still}");
-        // The threshold is met within a step, of which all or nothing slides: 4 N · 1 ms / 2 kg.
+        // The threshold is crossed within a step, during which the block slides or sticks: 4 N · 1
+        // ms / 2 kg.
         let moving = after(scene, 0.001, 1500).states()[1].v.x;
         assert!((moving - impulse(1.5) / 2.0).abs() < 0.002, "{scheme:?} {moving}");
     }

@@ -35,7 +35,8 @@ fn the_rod_s_own_friction_makes_its_diagonal_negative() {
     assert_eq!(problem.slides.len(), 2);
     let normals: Vec<usize> = problem.slides.iter().map(|slide| slide.normal).collect();
     let a = |i: usize, j: usize| problem.lcp.matrix().entry(normals[i], normals[j]);
-    // The part across the rod has the opposite sign for the other corner: it cancels in the sum.
+    // The part perpendicular to the rod has the opposite sign for the other corner: it cancels in
+    // the sum.
     assert_near(0.5 * (a(0, 0) + a(0, 1)), expected, 1e-12);
     assert_near(problem.lcp.b()[normals[0]], -G, 1e-12);
 }
@@ -46,7 +47,7 @@ fn at_acceleration_level_the_rod_has_no_solution_and_the_failure_proves_it() {
     let problem = problem(&rod);
     let failure = simulation(rod).step().unwrap_err();
     let Cause::NoSolution { row, proof } = &failure.cause else { panic!("{failure}") };
-    // Both vertices of the lower end are pressed alike.
+    // Both vertices of the lower end have equal forces.
     let touching =
         ["vertex 0", "vertex 1"].map(|end| format!("normal ground rod 0 at face 0 on {end}"));
     assert!(failure.step == 1 && touching.contains(row), "{failure}");
@@ -130,8 +131,8 @@ fn substituted_friction_is_the_same_in_every_direction_and_the_box_is_not() {
     let start = 18f64.sqrt();
     assert_near(diagonal(Sliding::Substituted, 1.0), start - 0.2 * G, 1e-4);
     assert_near(diagonal(Sliding::Box, 1.0), start - 2f64.sqrt() * 0.2 * G, 1e-4);
-    // And it ends without a trembling: 4.24 m/s at 1.96 m/s² lasts 2.16 s. The heavy turning ball
-    // then rolls, with v m r²/(I + m r²).
+    // It stops without jitter: 4.24 m/s at 1.96 m/s² lasts 2.16 s. The heavy rotating ball then
+    // rolls, with v m r²/(I + m r²).
     let rolling = start * 0.5 / (1e6 + 0.5);
     assert!((diagonal(Sliding::Substituted, 2.5) - rolling).abs() < 1e-9);
 }

@@ -37,7 +37,8 @@ fn period(amplitude: f64) -> f64 {
     2.0 * PI / G.sqrt() / agm(1.0, (0.5 * amplitude).cos())
 }
 
-/// The time (s) of the first return to a state of rest at the right, to fourth order between steps.
+/// The time (s) of the first return to rest on the right, interpolated to fourth order between
+/// steps.
 fn measured(dt: f64) -> f64 {
     let mut pendulum = scene("pendulum", Scheme::Velocity);
     pendulum.step.dt = dt;

@@ -1,4 +1,4 @@
-//! Polygons of friction on stacks: that they stand, and who finds their friction.
+//! Friction polygons in stacks: they rest, and the solvers of their friction.
 
 use lcplab_judge::Demand;
 use lcplab_mechanics::scene::Scene;
@@ -11,7 +11,7 @@ use super::simulation;
 const POLYGON_4: Model = Model::Polyhedral { directions: 4 };
 const POLYGON_8: Model = Model::Polyhedral { directions: 8 };
 
-/// So many boxes on each other.
+/// A tower of boxes.
 fn tower(boxes: usize, model: Model) -> Scene {
     let mut text = "[step]\ndt = 0.01\n[contact]\nfriction = 0.5\n[[bodies]]\nname = \"ground\"\n\
                     fixed = true\nshape = { plane = [0, 0, 1] }\n"
@@ -39,13 +39,14 @@ fn a_tower_of_ten_stands_under_polygons_of_friction() {
         }
         assert!(step.motion.penetration < 1e-6, "{}", step.motion.penetration);
     }
-    // Ten boxes of 1 kg, none of which moves by a micrometre a second.
+    // Ten boxes of 1 kg, none of which moves by a micrometer per second.
     assert!(tower.motion().kinetic < 0.5e-12 * 10.0, "{}", tower.motion().kinetic);
 }
 
 #[test]
 fn sweeps_and_pivots_find_the_same_friction_in_a_polygon() {
-    // The slip is unique where A is definite; three boxes that slide askew and rub on each other.
+    // The slip is unique if A is definite; three boxes that slide at an angle to the tangents and
+    // rub on each other.
     let mut scene = tower(1, POLYGON_8);
     scene.states[1].v = Vector3::new(2.0, 0.7, 0.0);
     let mut block = simulation(scene);
@@ -66,7 +67,8 @@ fn sweeps_and_pivots_find_the_same_friction_in_a_polygon() {
 
 #[test]
 fn a_stack_under_a_polygon_moves_in_the_same_bits_whatever_the_unit_of_mass() {
-    // 2⁻¹⁰ times the mass: A grows by 2¹⁰, and so shrinks x; the motion has no mass in it.
+    // 2⁻¹⁰ times the mass: A grows by 2¹⁰, and x shrinks accordingly; the motion does not depend on
+    // the mass.
     let after = |mass: &str| {
         let changes = [("generate.mass".to_string(), mass.to_string())];
         let mut stack = Scene::load_with("stack", &changes).unwrap();

@@ -1,4 +1,4 @@
-//! Mechanisms with more rows than they need, turned at random: their rows agree but for rounding
+//! Mechanisms with redundant rows in random orientations: their rows are consistent up to rounding
 //! and drift.
 
 use lcplab_judge::{Demand, judge};
@@ -8,7 +8,7 @@ use lcplab_testing::cases;
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
 
-/// Text of a scene, in which places and directions are turned.
+/// The text of a scene whose positions and directions are rotated.
 struct Writer {
     turn: UnitQuaternion<f64>,
     text: String,
@@ -60,7 +60,7 @@ impl Writer {
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
-/// Masses weigh some ten newtons: a motor of 10⁶ N m is not limited, one of 5 N m is.
+/// Masses weigh about ten newtons: a motor of 10⁶ N m is unlimited, one of 5 N m is limited.
 const STRONG: f64 = 1e6;
 const EFFORTS: [f64; 2] = [STRONG, 5.0];
 const MECHANISMS: [&str; 8] = [
@@ -117,7 +117,7 @@ fn mechanism(w: &mut Writer, kind: &str, effort: f64) {
         "a parallelogram" => cranks(w, &[0.0, 1.5], effort),
         "a beam on three cranks" => cranks(w, &[0.0, 0.6, 1.5], effort),
         "a four-bar linkage" => {
-            // Grashof's condition holds, 0.4 + 1.2 < 1.0 + 0.9: the short bar turns all around.
+            // Grashof's condition holds, 0.4 + 1.2 < 1.0 + 0.9: the short bar rotates fully.
             let corners = four_bar(0.4, 1.0, 0.9, 1.2, 1.1);
             for (name, [a, b]) in ["crank", "coupler", "rocker"].into_iter().zip([
                 [corners[0], corners[1]],
@@ -136,7 +136,7 @@ fn mechanism(w: &mut Writer, kind: &str, effort: f64) {
     }
 }
 
-/// A beam on parallel cranks at these places, the first of which a motor turns.
+/// A beam on parallel cranks at these positions, the first of which is driven by a motor.
 fn cranks(w: &mut Writer, places: &[f64], effort: f64) {
     let angle = 0.7_f64;
     let arm = [0.5 * angle.cos(), 0.5 * angle.sin()];
@@ -161,7 +161,7 @@ fn four_bar(crank: f64, coupler: f64, rocker: f64, frame: f64, angle: f64) -> [[
     [[0.0; 3], [a[0], a[1], 0.0], [b[0], b[1], 0.0], [frame, 0.0, 0.0]]
 }
 
-/// A mechanism, turned, with or without gravity.
+/// A rotated mechanism, with or without gravity.
 fn machine() -> impl Strategy<Value = (String, String)> {
     let angles = [-3.1..3.1_f64, -1.5..1.5, -3.1..3.1];
     let dts = prop_oneof![Just(0.01), Just(0.001), Just(1.0 / 60.0)];
@@ -179,7 +179,7 @@ fn machine() -> impl Strategy<Value = (String, String)> {
     })
 }
 
-/// The steps of a machine that are refused, in a line each.
+/// The steps of a machine that are rejected, one line each.
 fn refused(text: &str, scheme: Scheme, solver: &str, steps: usize) -> Vec<String> {
     let mut scene = Scene::from_toml("machine.toml", text).unwrap();
     scene.step.scheme = scheme;
@@ -215,8 +215,8 @@ fn refused(text: &str, scheme: Scheme, solver: &str, steps: usize) -> Vec<String
 proptest! {
     #![proptest_config(cases(400))]
 
-    /// Spatial rings that move in exact positions only, as Bricard's does, are left out: once they
-    /// have drifted their rows leave them no freedom, and contradict each other.
+    /// Spatial rings that move only in exact positions, such as Bricard's, are excluded: once they
+    /// have drifted, their rows leave no degree of freedom and contradict each other.
     #[test]
     fn no_step_of_a_mechanism_with_redundant_joints_is_refused(
         (name, text) in machine(),

@@ -1,4 +1,4 @@
-//! Bodies that lie on each other.
+//! Resting bodies.
 
 use lcplab_mechanics::constraint::Kind;
 use lcplab_mechanics::scene::Scheme;
@@ -90,7 +90,7 @@ fn a_resting_ball_stays_where_it_is_for_ever() {
 
 #[test]
 fn the_stack_keeps_its_twenty_corners_whatever_the_rounding() {
-    // Gauss-Seidel leaves errors of 1e-9 m between boxes that stand flush.
+    // Gauss-Seidel leaves errors of 1e-9 m between flush boxes.
     let pgs = solver::by_name("pgs", &solver::Options::default()).unwrap();
     let mut stack = Simulation::new(scene("stack", Scheme::Velocity), pgs);
     let first: Vec<_> = stack.step().unwrap().contacts.iter().map(|found| found.id).collect();

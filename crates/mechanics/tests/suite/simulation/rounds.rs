@@ -1,4 +1,4 @@
-//! Cylinders, discs and wheels that roll, lie and stand.
+//! Cylinders, disks and wheels that roll, lie and stand.
 
 use lcplab_mechanics::scene::{Integrator, Scene, Scheme};
 use nalgebra::{UnitQuaternion, Vector3};
@@ -8,7 +8,7 @@ use super::{assert_near, simulation};
 const PLANE: &str = "shape = { plane = [0, 0, 1] }";
 const BOX: &str = "shape = { box = [9, 9, 1] }\nposition = [0, 0, -0.5]";
 
-/// A cylinder of 0.2 m radius on its side, on a ground that leans by so many degrees.
+/// A cylinder of 0.2 m radius on its side, on a ground inclined by this angle (degrees).
 fn rolling(scheme: Scheme, ground: &str, tilt: f64, length: f64) -> Scene {
     let text = format!(
         "tilt = {{ y = {tilt} }}\ncontact.friction = 0.5\n[[bodies]]\nname = \"ground\"\nfixed = true\n\
@@ -67,7 +67,7 @@ fn a_cylinder_lies_still_and_stands_still() {
 
 #[test]
 fn a_line_of_touch_ends_where_its_face_ends() {
-    // A cylinder of 0.4 m across a beam of 0.2 m: each end of the line carries half of the weight.
+    // A cylinder of 0.4 m across a beam of 0.2 m: each end of the line supports half of the weight.
     let beam = "shape = { box = [9, 0.2, 1] }\nposition = [0, 0, -0.5]";
     let scene = rolling(Scheme::Velocity, beam, 0.0, 0.4);
     let found = lcplab_mechanics::scene::contacts(&scene, &scene.states, 0.01);
@@ -85,8 +85,8 @@ fn a_line_of_touch_ends_where_its_face_ends() {
 
 #[test]
 fn a_coin_settles_as_eulers_disc_with_its_centre_at_rest() {
-    // A thin disc that leans by θ and turns about the vertical with Ω, its centre at rest, rolls
-    // without slip: it turns about the line t to the touching point with −Ω sin θ, and m r²/4 Ω²
+    // A thin disk inclined by θ rotates about the vertical with Ω, its center at rest, and rolls
+    // without slip: it rotates about the line t to the contact point with −Ω sin θ, and m r²/4 Ω²
     // sin θ cos θ = m g r cos θ.
     let (radius, lean, half) = (0.2, 0.6_f64, 5e-5);
     let turn = (4.0 * 9.81 / (radius * lean.sin())).sqrt();
@@ -111,7 +111,7 @@ fn a_coin_settles_as_eulers_disc_with_its_centre_at_rest() {
     let state = simulation.states()[1];
     assert!(state.pose.p.xy().norm() < 2e-3, "{}", state.pose.p);
     assert!((state.pose.p.z - height).abs() < 1e-3, "{}", state.pose.p);
-    // Its axis leaned along x, and now leans along y.
+    // Its axis was inclined along x, and now along y.
     let axis = state.pose.direction(&Vector3::z());
     assert!((axis - Vector3::new(0.0, lean.sin(), lean.cos())).norm() < 2e-2, "{axis}");
 }

@@ -1,4 +1,4 @@
-//! What tells the schemes apart, and what all of them must do.
+//! Differences between the schemes, and requirements on all of them.
 
 use std::ops::ControlFlow;
 
@@ -54,7 +54,7 @@ fn position_corrections_add_no_kinetic_energy_and_baumgarte_does() {
         let motion = bob.step().unwrap().motion;
         assert!(motion.drift < 1e-12 && motion.kinetic == 0.0, "{scheme:?}: {motion:?}");
     }
-    // Baumgarte: v = β c/dt = 0.2 · 0.1/0.01 = 2 m/s, and the ball flies on.
+    // Baumgarte: v = β c/dt = 0.2 · 0.1/0.01 = 2 m/s, and the ball continues to fly.
     let mut ball = simulation(sunk(Velocity));
     assert_near(ball.step().unwrap().motion.kinetic, 0.5 * 2.0 * 4.0, 1e-12);
     for _ in 0..20 {
@@ -91,8 +91,8 @@ fn a_stack_of_ten_under_xpbd_gains_no_energy_from_its_own_corrections() {
     let mut stack = simulation(Scene::from_toml("stack_of_ten.toml", text).unwrap());
     let start = stack.motion().energy();
     let end = (0..60).map(|_| stack.step().unwrap().motion.energy()).last().unwrap();
-    // A ten-thousandth. Contacts whose x begins every substep with 0 gain 0.13 J of 490 in this
-    // second, and more in each that follows.
+    // One ten-thousandth. Contacts whose x starts every substep at 0 gain 0.13 J of 490 in this
+    // second, and more in each following one.
     assert!(end - start < 1e-4 * start, "{} J of {start}", end - start);
 }
 
@@ -153,8 +153,8 @@ fn the_sweeps_of_sequential_impulses_are_those_of_pgs() {
 const INVERSE: [f64; 2] = [0.167, 0.000995];
 const H: f64 = 1.0 / 60.0;
 
-/// One soft step with ζ = 0, written down anew: (c1, c1 + c2, v1, v2, x1, x2) with velocities along
-/// the line; without gravity it is linear.
+/// One soft step with ζ = 0, implemented independently: (c1, c1 + c2, v1, v2, x1, x2) with
+/// velocities along the line; without gravity it is linear.
 fn soft_step(s: [f64; 6], hertz: f64, relax: bool) -> [f64; 6] {
     let [mut y1, mut y2, mut v1, mut v2, mut x1, mut x2] = s;
     let [m1, m2] = INVERSE;
@@ -232,7 +232,7 @@ fn the_soft_step_is_stable_up_to_13_57_hz_and_with_relaxing_to_20_94() {
         assert!(soft_radius(0.9 * threshold, relax) < 1.0);
         assert!(soft_radius(1.1 * threshold, relax) > 1.0);
     }
-    // The simulation does it, too: 60 s, 5 % below and 10 % above the threshold with relaxing.
+    // The simulation agrees: 60 s, 5 % below and 10 % above the threshold with relaxation.
     let swing = |hertz| {
         let mut particles = particles(hertz, 1, [1e-4, -1e-4]);
         let recording = particles.run(3600, |_| ControlFlow::Continue(()));
@@ -330,8 +330,8 @@ fn every_family_that_knows_restitution_bounces_to_e() {
 
 #[test]
 fn every_family_slows_a_sliding_box_by_coulombs_law() {
-    // Friction along a tangent: a = g (sin θ − μ cos θ), once the penalty method's has grown to μ
-    // N.
+    // Friction along a tangent: a = g (sin θ − μ cos θ), once the penalty method's friction has
+    // grown to μ N.
     let theta = 20f64.to_radians();
     let exact = 9.81 * (theta.sin() - 0.3 * theta.cos());
     for scheme in Scheme::ALL {

@@ -12,7 +12,7 @@ fn every_shipped_scene_keeps_its_joints_together_and_its_bodies_apart() {
             if (shipped.name, level) == ("painleve", Scheme::Acceleration) {
                 continue; // provably has no solution: see painleve.rs
             }
-            // Starts with errors, has no solution, is too large to be solved to the end, or is for
+            // Starts with errors, has no solution, is too large to be solved completely, or is for
             // a soft step: see demonstrations.rs and stacking.rs.
             if ["stretched_chain", "overlap_recovery", "fig8", "tower", "joint_grid"]
                 .contains(&shipped.name)
@@ -23,7 +23,7 @@ fn every_shipped_scene_keeps_its_joints_together_and_its_bodies_apart() {
                 continue; // movable as long as it is exact: its page of verification looks at rest
             }
             let scene = scene(shipped.name, level);
-            // One per cent of a metre-sized scene, and of the energy that gravity has given.
+            // One percent of a meter-sized scene, and of the energy from gravity.
             let steps = match scene.bodies.len() {
                 ..=21 => 30,
                 22..50 => 5,
@@ -41,7 +41,8 @@ fn every_shipped_scene_keeps_its_joints_together_and_its_bodies_apart() {
                 let ledger = step.ledger.unwrap_or_default(); // none with stages: nothing drives there
                 driven += ledger.motor + ledger.external;
                 assert!(step.motion.drift < 0.01, "{} {level:?}", shipped.name);
-                // Accelerations see a contact only when it touches, so a blow comes a step late.
+                // Accelerations see a contact only when it touches, so an impact comes one step
+                // late.
                 let fastest = step.states.iter().map(|state| state.v.norm()).fold(0.0, f64::max);
                 let late = if level == Scheme::Acceleration { dt * fastest } else { 0.0 };
                 assert!(step.motion.penetration < 1e-6 + late, "{} {level:?}", shipped.name);

@@ -1,5 +1,4 @@
-//! Piles of bodies that only contacts and friction hold: Solver2D's scenes, and the chapter's
-//! tower.
+//! Piles held only by contacts and friction: Solver2D's scenes, and the chapter's tower.
 
 use lcplab_mechanics::constraint::Kind;
 use lcplab_mechanics::scene::{Scene, Scheme};
@@ -24,7 +23,7 @@ fn layers(step: &Step, count: usize) -> Vec<f64> {
     carried
 }
 
-/// Steps it, and asserts that nothing moves and that the layers carry these weights (kg).
+/// Steps it, and asserts that nothing moves and that the layers support these weights (kg).
 fn assert_rests(scene: Scene, steps: usize, weights: &[f64]) {
     let name = scene.name.clone();
     let unit = match scene.step.scheme {
@@ -148,7 +147,7 @@ fn boxes_that_overlap_part_without_speed() {
     }
     assert!(boxes.motion().penetration < 1.1e-5);
     assert!(boxes.motion().kinetic < 1e-9);
-    // Feedback into the velocities throws them.
+    // Feedback into the velocities throws them apart.
     let mut thrown = simulation(scene("overlap_recovery", Scheme::Velocity));
     for _ in 0..10 {
         thrown.step().unwrap();

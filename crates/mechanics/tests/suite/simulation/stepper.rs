@@ -1,4 +1,4 @@
-//! The fast step beside the plain one: the same motion, to rounding.
+//! The fast step compared with the plain one: the same motion, up to rounding.
 
 use std::sync::{Arc, Mutex};
 
@@ -12,11 +12,11 @@ use lcplab_solver::{Observer, Pgs, Settings, Solution, Solver, Start, Status};
 
 use super::{assert_near, changed, scene};
 
-/// Too few for most scenes: what is left to do is passed on from step to step, and must be the
+/// Too few for most scenes: the remaining error is passed on from step to step, and must be the
 /// same.
 const SWEEPS: usize = 6;
 
-/// Gauss-Seidel that makes all its sweeps.
+/// Gauss-Seidel that does all its sweeps.
 fn pgs() -> Box<dyn Solver> {
     let settings = Settings {
         tolerance: 0.0,
@@ -27,7 +27,7 @@ fn pgs() -> Box<dyn Solver> {
     Box::new(Pgs { settings, ..Pgs::default() })
 }
 
-/// The same in an order that is told before each solve.
+/// The same in an order that is set before each solve.
 struct InOrder(Arc<Mutex<Vec<usize>>>);
 
 impl Solver for InOrder {
@@ -51,7 +51,7 @@ fn velocity_level(name: &str) -> Scene {
     scene(name, Scheme::Velocity)
 }
 
-/// The largest difference of any number of the states.
+/// The largest difference between any numbers of the states.
 fn difference(a: &[State], b: &[State]) -> f64 {
     let one = |(a, b): (&State, &State)| {
         let turn = (a.pose.q.coords - b.pose.q.coords).amax();
@@ -61,7 +61,7 @@ fn difference(a: &[State], b: &[State]) -> f64 {
     a.iter().zip(b).map(one).fold(0.0, f64::max)
 }
 
-/// Both take so many steps; after each the difference is below the tolerance.
+/// Both take this number of steps; after each the difference is below the tolerance.
 fn go_together(scene: Scene, kernel: Kernel, steps: usize, tolerance: f64) {
     let order = Arc::new(Mutex::new(Vec::new()));
     let solver = match kernel {
@@ -82,14 +82,13 @@ fn go_together(scene: Scene, kernel: Kernel, steps: usize, tolerance: f64) {
     assert_near(stepper.time(), simulation.time(), 1e-15);
 }
 
-/// Where nothing is to be swept but the four thousand rows of a net or a tower, few steps are
-/// enough.
+/// For the four thousand rows of a net or a tower, few steps are enough.
 fn steps(name: &str) -> usize {
     if ["tower", "net", "stack50"].contains(&name) { 2 } else { 12 }
 }
 
-/// Everything that is shipped but what the stepper refuses, and scenes where six sweeps are so few
-/// that the motion is wild and rounding grows.
+/// All shipped scenes except those that the stepper rejects, and those where six sweeps are so few
+/// that the motion is chaotic and rounding grows.
 #[test]
 fn the_stepper_moves_every_shipped_scene_as_a_simulation_by_pgs_does() {
     let yields = ["rush", "spring", "spring_damped"];

@@ -5,7 +5,7 @@ use lcplab_problem::friction::Model;
 
 use super::{assert_near, simulation};
 
-/// The schemes that can tell what sticks from what slides.
+/// The schemes that can distinguish sticking from sliding.
 const TELLING: [Scheme; 5] = [
     Scheme::Velocity,
     Scheme::Acceleration,
@@ -38,7 +38,7 @@ fn speed(scene: Scene, steps: usize) -> f64 {
 
 #[test]
 fn static_friction_holds_what_kinetic_friction_would_not() {
-    // m g = 19.62 N: μ gives way at 7.848 N, μ_s at 11.772 N.
+    // m g = 19.62 N: kinetic friction is exceeded at 7.848 N, static friction at 11.772 N.
     for scheme in TELLING {
         assert!(speed(pulled(scheme, 11.7), 100).abs() < 1e-6, "{scheme:?}");
     }
@@ -54,8 +54,8 @@ fn what_breaks_loose_has_kinetic_friction() {
 
 #[test]
 fn what_slides_is_held_again_only_when_it_has_stopped() {
-    // Pulled with 9 N, between both thresholds: at 1 m/s it speeds up by 0.576 m/s², at rest it
-    // rests.
+    // Pulled with 9 N, between both thresholds: at 1 m/s it accelerates by 0.576 m/s², at rest it
+    // stays at rest.
     for scheme in TELLING {
         let mut scene = pulled(scheme, 9.0);
         scene.states[1].v.x = 1.0;
@@ -106,7 +106,7 @@ fn a_frozen_box_refuses_static_friction() {
     assert!(error.starts_with("pulled: contact.model: a frozen box is empty"), "{error}");
 }
 
-/// Two blocks side by side on a slope of 20°, of which the pair with the slope states one's
+/// Two blocks side by side on a slope of 20°; the pair of one of them with the slope has its own
 /// friction.
 fn two_on_a_slope(scheme: Scheme) -> Scene {
     let text = "tilt = { y = 20 }\ncontact.friction = 0.5\n\

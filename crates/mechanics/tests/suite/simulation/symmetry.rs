@@ -1,4 +1,4 @@
-//! A motion seen in a mirror, in other units, and twice.
+//! A motion in a mirror, in other units, and repeated.
 
 use lcplab_mechanics::body::{Mass, Pose, Shape, State};
 use lcplab_mechanics::scene::{Scene, Scheme};
@@ -15,7 +15,7 @@ fn after(scene: Scene, steps: usize) -> Vec<State> {
     simulation.states().to_vec()
 }
 
-/// A state seen in the mirror y → −y: vectors lose their sign along y, axes of rotation along x
+/// The mirror image y → −y of a state: vectors change their sign along y, axes of rotation along x
 /// and z.
 fn mirrored(state: &State) -> State {
     let polar = |v: Vector3<f64>| Vector3::new(v.x, -v.y, v.z);
@@ -33,8 +33,8 @@ fn distance(a: &State, b: &State) -> f64 {
         + (a.omega - b.omega).norm()
 }
 
-/// A pair of boxes and balls, thrown askew onto the ground and each other; all constraints of the
-/// scene are contacts, so that a mirrored state is all that a mirrored scene needs.
+/// Two boxes and two balls, thrown obliquely onto the ground and each other; all constraints of the
+/// scene are contacts, so a mirrored state is sufficient for a mirrored scene.
 const THROWN: &str = "
     step = { dt = 0.01, baumgarte = 0.1, alpha = 10 }
     contact = { friction = 0.4 }
@@ -79,7 +79,7 @@ fn a_mirrored_brick_and_pendulum_move_mirrored_bit_for_bit_or_to_rounding() {
     }
 }
 
-/// The units of a scene: how many of the new ones make a metre, a kilogram and a second.
+/// The units of a scene: the number of new units in a meter, a kilogram and a second.
 #[derive(Clone, Copy)]
 struct Units {
     metre: f64,
@@ -96,7 +96,7 @@ impl Units {
         self.speed() / self.second
     }
 
-    /// Every dimensional number of a scene in these units; constraints are made anew by the caller.
+    /// Every dimensional number of a scene in these units; the caller rebuilds the constraints.
     fn of(self, scene: &mut Scene) {
         scene.gravity *= self.acceleration();
         scene.step.dt *= self.second;
@@ -178,10 +178,9 @@ fn bits(states: &[State]) -> u64 {
     hash
 }
 
-/// Scenes with the hash of their states after 500 steps by Dantzig's method: one of friction and
-/// resting contacts, one of joints, one of rolling and impacts. Sums, products, quotients and
-/// square roots in a fixed order, and sines of libm: every processor that keeps to IEEE 754 gets
-/// these.
+/// Scenes with the hash of their states after 500 steps by Dantzig's method: one with friction and
+/// resting contacts, one with joints, one with rolling and impacts. Sums, products, quotients and
+/// square roots in a fixed order, and sines of libm: every IEEE 754 processor gives these.
 const AFTER_500: [(&str, u64); 3] = [
     ("stack", 0xf679_d70f_7791_ee4e),
     ("double_pendulum", 0x983c_9e65_7ee1_d6d1),

@@ -1,4 +1,4 @@
-//! Projected Gauss-Seidel by groups, eight pairs of bodies at a time, on one thread or several.
+//! Projected Gauss-Seidel by groups, eight pairs of bodies at a time, on one or several threads.
 
 use std::sync::Arc;
 
@@ -11,8 +11,8 @@ use crate::kernel::lanes::Width;
 
 /// Projected Gauss-Seidel by groups, eight pairs of bodies at a time.
 ///
-/// Which pairs share an octet or a thread changes no bit of what a group does, so the bits are the
-/// same on any number of threads.
+/// How pairs are assigned to octets and threads does not affect the results, which are bitwise
+/// identical for any number of threads.
 #[derive(Debug)]
 pub struct EightPairs {
     groups: Groups,
@@ -20,16 +20,16 @@ pub struct EightPairs {
     shared: Arc<Shared>,
     team: Team,
     width: Width,
-    /// Velocities on their way to `shared`.
+    /// Velocities before they are written to `shared`.
     v: Vec<Velocity>,
     rows: usize,
 }
 
-/// What it is not made for.
+/// The status for unsupported problems.
 const FAR: Status = Status::OutsideClass { reason: "friction reaches beyond its pair of bodies" };
 
 impl EightPairs {
-    /// Nothing to sweep yet, on so many threads (at least one).
+    /// An empty solver with this number of threads (at least one).
     pub fn idle(width: Width, threads: usize) -> Self {
         let team = Team::new(threads);
         EightPairs {
@@ -43,15 +43,15 @@ impl EightPairs {
         }
     }
 
-    /// The sweeps over a system on one thread, from x = 0 and v = 0.
+    /// The sweeps for a system on one thread, from x = 0 and v = 0.
     ///
     /// # Errors
-    /// [`Status::OutsideClass`] if a row's bounds follow a row between other bodies.
+    /// [`Status::OutsideClass`] if the bounds of a row depend on a row between other bodies.
     pub fn new(system: &System, width: Width) -> Result<Self, Status> {
         EightPairs::on_threads(system, width, 1)
     }
 
-    /// The same on so many threads.
+    /// The same on this number of threads.
     ///
     /// # Errors
     /// As [`EightPairs::new`].
@@ -62,9 +62,9 @@ impl EightPairs {
         Ok(kernel)
     }
 
-    /// Starts at this x, and at these velocities with those that x adds. The order of the pairs is
-    /// kept as long as they are the same; memory is asked for where there is not enough from
-    /// before.
+    /// Starts from this x, and from the velocities v plus those that x adds. The arrangement is
+    /// reused as long as the pairs are the same; memory is allocated only when the existing storage
+    /// is too small.
     ///
     /// # Errors
     /// As [`EightPairs::new`].
@@ -93,39 +93,39 @@ impl EightPairs {
         self.sweeps(1);
     }
 
-    /// So many sweeps.
+    /// This number of sweeps.
     pub fn sweeps(&mut self, count: usize) {
         self.team.sweep(&mut self.shares, &self.shared, self.width, count);
     }
 
-    /// The rows of the system in the order in which a sweep takes them.
+    /// The rows of the system in the order of a sweep.
     pub fn order(&self) -> Vec<usize> {
         self.groups.pairs.iter().flat_map(|pair| pair.first..pair.first + pair.rows).collect()
     }
 
-    /// x, one entry a row of the system.
+    /// x, one entry per row of the system.
     pub fn x(&self) -> Vec<f64> {
         let mut x = vec![0.0; self.rows];
         self.write_x(&mut x);
         x
     }
 
-    /// The same in a place that is there.
+    /// Writes x, one entry per row of the system.
     pub fn write_x(&self, x: &mut [f64]) {
         self.shares.iter().for_each(|share| share.unload(x));
     }
 
-    /// The velocities, one entry a body.
+    /// Writes the velocities, one entry per body.
     pub fn write_v(&self, v: &mut [Velocity]) {
         v.iter_mut().enumerate().for_each(|(body, v)| *v = self.shared.v.get(body));
     }
 
-    /// How many threads it has: as many as were asked for and could be had.
+    /// The number of threads: as many as were requested and available.
     pub fn threads(&self) -> usize {
         self.shares.len()
     }
 
-    /// The bytes that its arrays hold.
+    /// The size of its arrays in bytes.
     pub fn bytes(&self) -> usize {
         let shares: usize = self.shares.iter().map(Share::bytes).sum();
         self.groups.bytes() + shares + self.shared.v.bytes() + bytes(&self.v)

@@ -1,60 +1,60 @@
-//! Which pairs can be taken at once: those of one group share no body.
+//! Groups of pairs that can be processed at once because no two of them share a body.
 //!
-//! Pairs are taken layer by layer from the ground up, and each layer in as few colours as greed
-//! finds: a pair gets the least colour that neither of its bodies has in this layer. So one sweep
-//! carries what moves at the ground to the top of a tower. In a lone stack every layer has one
-//! pair, and seven of eight lanes would stay empty; so where layers make more than twice as many
-//! octets as colours alone, there are no layers: a sweep is cheaper then, and more are needed.
+//! Pairs are arranged in layers from the ground up, and each layer is colored greedily: a pair gets
+//! the least color that neither of its bodies has in this layer. One sweep then carries a change at
+//! the ground to the top of a tower. In a single stack every layer has one pair, and seven of eight
+//! lanes would be empty. If layers would produce more than twice as many octets as coloring alone,
+//! layers are not used: each sweep is then cheaper, but more sweeps are needed.
 //!
-//! Within a group the pairs with the most rows come first, and eight follow each other in the same
-//! octet if the rows of each are bounded like the first rows of the longest.
+//! Within a group, pairs with the most rows come first. Eight consecutive pairs form an octet if
+//! the rows of each are bounded like the first rows of the longest.
 
 use super::System;
 
-/// A run of rows between the same two bodies.
+/// A run of consecutive rows between the same two bodies.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pair {
     pub first: usize,
     pub rows: usize,
     pub bodies: [usize; 2],
-    /// How many pairs lie between it and a body that does not move.
+    /// The number of pairs between it and an immovable body.
     layer: usize,
     pub group: usize,
 }
 
-/// The pairs of a system by groups; the memory is kept from one arrangement to the next.
+/// The pairs of a system by groups; storage is reused for the next arrangement.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Groups {
-    /// Group by group; within a group by their rows.
+    /// Sorted by group, within a group by their rows.
     pub pairs: Vec<Pair>,
-    /// For each row of the system, the row that bounds it, counted from the first of its pair.
+    /// For each row of the system, the row that bounds it, counted from the first row of its pair.
     pub follows: Vec<Option<usize>>,
-    /// For each row of the system, its bodies and the row that bounds it: what the groups were made
-    /// of.
+    /// For each row of the system, its bodies and the row that bounds it: the input of the
+    /// arrangement.
     made_of: Vec<([usize; 2], Option<usize>)>,
-    /// How many pairs lead from each body to one that does not move.
+    /// For each body, the number of pairs on the shortest path to an immovable body.
     height: Vec<usize>,
-    /// Bit c is set for a body that has colour c of the present window in the present layer.
+    /// Bit c is set for a body that has color c of the current window in the current layer.
     taken: Vec<u64>,
-    /// How many pairs each group has.
+    /// The number of pairs in each group.
     sizes: Vec<usize>,
 }
 
 /// Pairs in an octet.
 const LANES: usize = 8;
-/// Layers are kept if they make at most so many times the octets that there are without.
+/// Layers are used if they produce at most this many times the octets without layers.
 const EMPTY_LANES: usize = 2;
-/// Colours are given away in windows of as many as a word has bits.
+/// Colors are assigned in windows of this size, the bits of a word.
 const WINDOW: usize = 64;
 
 impl Groups {
-    /// Whether the system's rows are between the same bodies, and bounded by the same rows, as
-    /// those of the last arrangement.
+    /// Whether the system's rows are between the same bodies, and bounded by the same rows, as in
+    /// the last arrangement.
     pub fn fits(&self, system: &System) -> bool {
         self.height.len() == system.bodies && self.made_of.iter().copied().eq(shape(system))
     }
 
-    /// Arranges the pairs; `false` if a row is bounded by one outside its pair.
+    /// Arranges the pairs; `false` if a row is bounded by a row outside its pair.
     pub fn arrange(&mut self, system: &System) -> bool {
         self.made_of.clear();
         self.made_of.extend(shape(system));
@@ -79,7 +79,7 @@ impl Groups {
         true
     }
 
-    /// The runs of rows between the same two bodies.
+    /// Collects the runs of rows between the same two bodies.
     fn collect(&mut self, system: &System) {
         self.pairs.clear();
         let mut first = 0;
@@ -90,7 +90,7 @@ impl Groups {
         }
     }
 
-    /// Which row of its pair bounds each row; whether it is always one of the pair.
+    /// Finds the row that bounds each row; returns whether it is always in the same pair.
     fn follow(&mut self, system: &System) -> bool {
         self.follows.clear();
         for pair in &self.pairs {
@@ -105,8 +105,8 @@ impl Groups {
         true
     }
 
-    /// The layers: a pair's is the height of its lower body. Heights sink, there and back through
-    /// the pairs, to the least that any way down gives.
+    /// Computes the layers: that of a pair is the height of its lower body. Heights are reduced in
+    /// forward and backward passes over the pairs until they are shortest distances.
     fn layer(&mut self, bodies: usize) {
         self.height.clear();
         self.height.resize(bodies, usize::MAX);
@@ -129,7 +129,7 @@ impl Groups {
         }
     }
 
-    /// Layer by layer the least colours.
+    /// Assigns the least colors, layer by layer.
     fn colour(&mut self, bodies: usize) {
         self.pairs.sort_unstable_by_key(|pair| (pair.layer, pair.first));
         self.taken.resize(bodies, 0);
@@ -139,7 +139,7 @@ impl Groups {
         }
     }
 
-    /// The octets that the groups make, if all pairs go together.
+    /// The number of octets if pairs are combined without regard to their rows.
     fn count_octets(&mut self) -> usize {
         self.sizes.clear();
         for pair in &self.pairs {
@@ -151,12 +151,13 @@ impl Groups {
         self.sizes.iter().map(|size| size.div_ceil(LANES)).sum()
     }
 
-    /// The rows of a pair, by which of them bounds each.
+    /// For each row of a pair, the row that bounds it.
     pub fn bounded(&self, pair: &Pair) -> &[Option<usize>] {
         &self.follows[pair.first..pair.first + pair.rows]
     }
 
-    /// The pairs in runs of up to eight that go together, each with its longest in front.
+    /// The pairs in runs of up to eight that can be processed together, the longest first in each
+    /// run.
     pub fn octets(&self) -> impl Iterator<Item = &[Pair]> {
         let mut rest = &self.pairs[..];
         std::iter::from_fn(move || {
@@ -170,7 +171,7 @@ impl Groups {
         })
     }
 
-    /// The bytes that its arrays hold.
+    /// The size of its arrays in bytes.
     pub fn bytes(&self) -> usize {
         super::bytes(&self.pairs)
             + super::bytes(&self.follows)
@@ -181,9 +182,9 @@ impl Groups {
     }
 }
 
-/// Gives each pair of a layer the least colour, from `first` on, that neither of its bodies has;
-/// returns the first that nobody has. A pair that finds none in a window waits for the next, which
-/// changes nothing for those that do.
+/// Gives each pair of a layer the least color, from `first` on, that neither of its bodies has;
+/// returns the first unused color. A pair that finds none in a window waits for the next window,
+/// which does not affect the others.
 fn colour_layer(layer: &mut [Pair], taken: &mut [u64], first: usize) -> usize {
     layer.iter_mut().for_each(|pair| pair.group = usize::MAX);
     let (mut window, mut end) = (first, first);
@@ -208,7 +209,7 @@ fn colour_layer(layer: &mut [Pair], taken: &mut [u64], first: usize) -> usize {
     }
 }
 
-/// What an arrangement depends on.
+/// The data that an arrangement depends on.
 fn shape(system: &System) -> impl Iterator<Item = ([usize; 2], Option<usize>)> {
     system.rows.iter().zip(&system.aims).map(|(row, aim)| (row.bodies, aim.follows))
 }

@@ -1,25 +1,25 @@
-//! Sweeps over A = J M⁻¹ Jᵀ that never form it: "sequential impulses".
+//! Sweeps over A = J M⁻¹ Jᵀ that never form A: "sequential impulses".
 //!
-//! With M⁻¹ = L Lᵀ and velocities in units where all masses are 1, v = L⁻¹ u, every row of J has
-//! one row Ĵ_i of Ĵ = J L, at most two bodies and twelve entries long, and A = Ĵ Ĵᵀ:
+//! With M⁻¹ = L Lᵀ and velocities v = L⁻¹ u in units where all masses are 1, every row of J becomes
+//! a row Ĵ_i of Ĵ = J L with at most two bodies and twelve entries, and A = Ĵ Ĵᵀ:
 //!
 //! ```text
 //! w_i = Ĵ_i v + b_i,   x_i ← Π_i(x_i − w_i / a_ii),   v ← v + Ĵ_iᵀ δ_i,   a_ii = Ĵ_i Ĵ_iᵀ
 //! ```
 //!
-//! v − Ĵᵀ x is the same before and after: 0 for the LCP with this b, or the velocities without
-//! constraints where b is what is added to Ĵ v. That is Gauss-Seidel on A in exact arithmetic. A
-//! row costs 24 multiplications however many neighbours it has; a row of A has an entry for every
-//! row on the same two bodies. Once scaled, the same twelve numbers serve w and v, so a sweep reads
-//! half of what J and M⁻¹Jᵀ hold.
+//! v − Ĵᵀ x does not change: it is 0 for the LCP with this b, or the velocities without constraints
+//! if b is the term added to Ĵ v. In exact arithmetic this is Gauss-Seidel on A. A row costs 24
+//! multiplications regardless of its number of neighbors; a row of A has an entry for every row on
+//! the same two bodies. After scaling, the same twelve numbers serve for w and v, so a sweep reads
+//! half of the data of J and M⁻¹Jᵀ.
 //!
-//! [`RowByRow`] waits for each row's sum before the next begins: some 60 cycles a row, nearly all
-//! of them latency. [`EightPairs`] takes eight pairs of bodies that share none at once: layer by
-//! layer from the ground up where enough pairs can go together, as in a tower, else, as in a lone
-//! stack, by colours alone. Another order needs another number of sweeps. Several threads may share
-//! a group of pairs, and the bits stay.
+//! [`RowByRow`] waits for the sum of each row before the next begins: about 60 cycles per row,
+//! nearly all of them latency. [`EightPairs`] processes eight pairs that share no body at once:
+//! layer by layer from the ground up if enough pairs can be combined, as in a tower; otherwise, as
+//! in a single stack, by colors alone. A different order needs a different number of sweeps.
+//! Several threads may share a group of pairs with bitwise identical results.
 //!
-//! Compliance (γ on A's diagonal) is not in these sweeps.
+//! These sweeps do not support compliance (γ on A's diagonal).
 
 mod eight;
 mod groups;
@@ -34,30 +34,30 @@ pub use rows::RowByRow;
 use crate::Status;
 use lcplab_problem::Lcp;
 
-/// Velocity components of a body.
+/// Number of velocity components of a body.
 pub const WIDTH: usize = 6;
 
 /// The velocity of a body in units where its mass is 1: √kg m/s, √(kg m²) rad/s.
 pub type Velocity = [f64; WIDTH];
 
-/// A row of Ĵ: two bodies, the first three entries of each for its motion, the others for its
-/// turning. A row with one moving body has zeros for the other.
+/// A row of Ĵ: two bodies, with three entries for the linear and three for the angular velocity of
+/// each. A row with one moving body has zeros for the other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Row {
-    /// The bodies, counted from 0; equal where there is only one.
+    /// The indices of the bodies, from 0; equal if there is only one.
     pub bodies: [usize; 2],
-    /// The entries of each, √(1/kg) and √(1/(kg m²)) times those of J.
+    /// The entries for each body, √(1/kg) and √(1/(kg m²)) times those of J.
     pub jacobian: [[f64; WIDTH]; 2],
 }
 
-/// What a row asks for.
+/// The target of a row: its offset and bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Aim {
-    /// What is added to Ĵ v.
+    /// The term added to Ĵ v.
     pub b: f64,
     /// The lower bound of x.
     pub lo: f64,
-    /// The upper bound of x; μ where the bounds follow another row.
+    /// The upper bound of x; μ if the bounds depend on another row.
     pub hi: f64,
     /// The row k with −μ max(x_k, 0) ≤ x ≤ μ max(x_k, 0).
     pub follows: Option<usize>,
@@ -77,7 +77,7 @@ impl Row {
     }
 }
 
-/// Rows with what they ask for: an LCP whose A is Ĵ Ĵᵀ.
+/// Rows with their targets: an LCP with A = Ĵ Ĵᵀ.
 #[derive(Debug, Clone, Default)]
 pub struct System {
     bodies: usize,
@@ -88,13 +88,13 @@ pub struct System {
 }
 
 impl System {
-    /// The rows of Ĵ with the b and the bounds of an LCP, whose own A is not read.
+    /// The rows of Ĵ with b and the bounds of an LCP; the LCP's own A is not used.
     ///
     /// # Errors
     /// [`Status::ZeroDiagonal`] for a row of zeros.
     ///
     /// # Panics
-    /// If there are not as many rows as the LCP has, or a body is not below their number.
+    /// If the number of rows differs from the LCP's, or a body index is out of range.
     pub fn new(bodies: usize, rows: &[Row], lcp: &Lcp) -> Result<Self, Status> {
         assert_eq!(rows.len(), lcp.len(), "a row of Ĵ for each of the LCP");
         let mut system = System::default();
@@ -110,7 +110,7 @@ impl System {
         Ok(system)
     }
 
-    /// No rows between so many bodies; the memory is kept.
+    /// Removes all rows and sets the number of bodies; storage is kept.
     pub fn clear(&mut self, bodies: usize) {
         self.bodies = bodies;
         self.rows.clear();
@@ -124,7 +124,7 @@ impl System {
     /// [`Status::ZeroDiagonal`] for a row of zeros.
     ///
     /// # Panics
-    /// If a body is not below their number.
+    /// If a body index is out of range.
     pub fn push(&mut self, row: Row, aim: Aim) -> Result<(), Status> {
         assert!(row.bodies.iter().all(|body| *body < self.bodies), "bodies");
         let inverse = row.diagonal().recip();
@@ -142,12 +142,12 @@ impl System {
         &self.rows
     }
 
-    /// What they ask for.
+    /// The targets of the rows.
     pub fn aims(&self) -> &[Aim] {
         &self.aims
     }
 
-    /// The same, to be changed.
+    /// The targets of the rows, mutable.
     pub fn aims_mut(&mut self) -> &mut [Aim] {
         &mut self.aims
     }
@@ -181,7 +181,7 @@ impl System {
         self.rows[i].diagonal()
     }
 
-    /// v = Ĵᵀ x, [`WIDTH`] components a body.
+    /// v = Ĵᵀ x, [`WIDTH`] components per body.
     pub fn transposed_product(&self, x: &[f64]) -> Vec<f64> {
         let mut v = vec![[0.0; WIDTH]; self.bodies];
         for pair in self.pairs() {
@@ -223,13 +223,13 @@ impl System {
         })
     }
 
-    /// The bytes that its arrays hold.
+    /// The size of its arrays in bytes.
     pub fn bytes(&self) -> usize {
         bytes(&self.rows) + bytes(&self.aims) + bytes(&self.inverse)
     }
 }
 
-/// The bytes that an array holds.
+/// The size of an array in bytes.
 fn bytes<T>(array: &Vec<T>) -> usize {
     array.capacity() * size_of::<T>()
 }

@@ -1,11 +1,10 @@
-//! Eight pairs at once, one a lane.
+//! Eight pairs at once, one per lane.
 //!
-//! Pairs of one group share no body, so eight of them can go through their rows together: lane l
-//! holds the numbers of pair l, and the first rows of all eight are one vector operation after the
-//! other, then their second rows. No lane waits for a sum over another, which is what a single row
-//! spends its time on. Where a group has no eight pairs left, lanes stay empty: rows of zeros
-//! between bodies that are none. So do the last rows of a lane whose pair has fewer than the
-//! longest.
+//! Pairs of one group share no body, so eight of them can be processed together: lane l holds pair
+//! l, and vector operations process the first rows of all eight, then their second rows, and so on.
+//! No lane waits for a horizontal sum, which dominates the time of a single row. If fewer than
+//! eight pairs of a group are left, the remaining lanes are empty: rows of zeros between dummy
+//! bodies. Lanes of shorter pairs are filled with such rows too.
 
 use std::ops::Range;
 
@@ -14,15 +13,15 @@ use super::velocities::Velocities;
 use super::{System, WIDTH, bytes};
 use crate::kernel::lanes::{Lanes, prefetch};
 
-/// A thread's share of the octets: of each group some.
+/// The octets of one thread, some of each group.
 #[derive(Debug, Default)]
 pub(super) struct Share {
     octets: Vec<Octet>,
     /// For each group, the end of its octets.
     groups: Vec<usize>,
-    /// Row r of eight pairs.
+    /// Row r of the eight pairs of an octet, octet after octet.
     rows: Vec<Rows>,
-    /// For each row, the row of the octet that bounds it; then `hi` is μ.
+    /// For each row, the row of the octet that bounds it; `hi` is then μ.
     follows: Vec<Option<usize>>,
 }
 
@@ -31,11 +30,11 @@ pub(super) struct Share {
 struct Octet {
     rows: Range<usize>,
     bodies: [[u32; 8]; 2],
-    /// The rows of the system in each lane.
+    /// The range of system rows in each lane.
     places: [Range<usize>; 8],
 }
 
-/// A row of each of eight pairs.
+/// One row of each of eight pairs.
 #[derive(Debug, Clone, Default)]
 #[repr(align(64))]
 struct Rows {
@@ -47,14 +46,14 @@ struct Rows {
     x: [f64; 8],
 }
 
-/// So many rows before they are needed they are asked for.
+/// Prefetch distance in rows.
 const AHEAD: usize = 12;
 
-/// Bodies that are none, for the empty lanes of a share.
+/// Number of dummy bodies for the empty lanes of a share.
 pub(super) const NOBODIES: usize = 16;
 
-/// Deals the octets to the shares, of each group as many to each. Those of share k have their empty
-/// lanes between the bodies from `bodies` + 16 k on.
+/// Distributes the octets over the shares, equally within each group. The empty lanes of share k
+/// use the dummy bodies from `bodies` + 16 k on.
 pub(super) fn deal(groups: &Groups, bodies: usize, shares: &mut [Share]) {
     shares.iter_mut().for_each(Share::clear);
     let (mut group, mut turn) = (0, 0);
@@ -100,7 +99,7 @@ impl Share {
         self.octets.push(Octet { rows: first..self.rows.len(), bodies, places });
     }
 
-    /// Takes the numbers of the system's rows, and x.
+    /// Copies the rows of the system, and x.
     pub fn load(&mut self, system: &System, x: &[f64]) {
         for octet in &self.octets {
             let rows = &mut self.rows[octet.rows.clone()];
@@ -112,7 +111,7 @@ impl Share {
         }
     }
 
-    /// Writes x, an entry for each row of the system that is here.
+    /// Writes x for each row of the system in this share.
     pub fn unload(&self, x: &mut [f64]) {
         for octet in &self.octets {
             let rows = &self.rows[octet.rows.clone()];
@@ -122,7 +121,7 @@ impl Share {
         }
     }
 
-    /// One sweep, with something to do after each group.
+    /// One sweep, with a callback after each group.
     #[inline(always)]
     pub fn sweep<V: Lanes>(&mut self, v: &Velocities, mut after_group: impl FnMut()) {
         let Share { octets, groups, rows, follows } = self;
@@ -136,14 +135,14 @@ impl Share {
         }
     }
 
-    /// The bytes that its arrays hold.
+    /// The size of its arrays in bytes.
     pub fn bytes(&self) -> usize {
         bytes(&self.octets) + bytes(&self.groups) + bytes(&self.rows) + bytes(&self.follows)
     }
 }
 
 impl Rows {
-    /// Asks for all of it.
+    /// Prefetches the rows.
     #[inline(always)]
     fn prefetch(&self) {
         self.jacobian.iter().for_each(prefetch);
@@ -187,7 +186,7 @@ impl Octet {
     }
 }
 
-/// The bounds of row r: its own, or ±μ max(x_k, 0).
+/// The bounds of row r: fixed, or ±μ max(x_k, 0).
 #[inline(always)]
 fn bounds<V: Lanes>(rows: &[Rows], r: usize, follows: Option<usize>) -> (V, V) {
     let hi = V::load(&rows[r].hi);

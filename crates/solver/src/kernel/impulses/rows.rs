@@ -1,4 +1,4 @@
-//! One row after the other, in the order they come.
+//! Sequential impulses row by row, in the given order.
 
 use super::{Row, System, Velocity, WIDTH, bytes};
 
@@ -15,7 +15,7 @@ impl RowByRow {
         RowByRow { x: vec![0.0; system.rows.len()], v: vec![[0.0; WIDTH]; system.bodies] }
     }
 
-    /// Starts at this x, and at these velocities with those that x adds.
+    /// Starts from this x, and from the velocities v plus those that x adds.
     pub fn start(&mut self, system: &System, x: &[f64], v: &[Velocity]) {
         self.x.clear();
         self.x.extend_from_slice(x);
@@ -24,7 +24,7 @@ impl RowByRow {
         system.push_velocities(x, &mut self.v);
     }
 
-    /// One sweep over all rows of the system that it was started for.
+    /// One sweep over all rows of the system given at the start.
     pub fn sweep(&mut self, system: &System) {
         for (i, row) in system.rows.iter().enumerate() {
             let Row { bodies: [p, q], jacobian: [j_p, j_q] } = *row;
@@ -42,17 +42,17 @@ impl RowByRow {
         }
     }
 
-    /// x, one entry a row.
+    /// x, one entry per row.
     pub fn x(&self) -> &[f64] {
         &self.x
     }
 
-    /// v, one entry a body.
+    /// v, one entry per body.
     pub fn v(&self) -> &[Velocity] {
         &self.v
     }
 
-    /// The bytes that its arrays hold.
+    /// The size of its arrays in bytes.
     pub fn bytes(&self) -> usize {
         bytes(&self.x) + bytes(&self.v)
     }

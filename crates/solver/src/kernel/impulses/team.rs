@@ -1,9 +1,9 @@
 //! Threads that are kept between sweeps and share the octets of each group.
 //!
-//! Before each call the shares go to the threads, afterwards they come back: no thread holds what
-//! it does not work on. Between two groups all threads wait for each other, looking again and again
-//! for a short while and then giving their turn away in between, so that threads without a
-//! processor of their own do not wait for one that spins.
+//! Before each call the shares are moved to the threads, and afterwards back, so no thread keeps
+//! data between calls. Between two groups all threads wait at a barrier: they spin for a short
+//! while and then yield between tests, so that threads without a processor of their own do not wait
+//! for a spinning thread.
 
 use std::hint::spin_loop;
 use std::sync::Arc;
@@ -16,13 +16,13 @@ use super::octet::Share;
 use super::velocities::Velocities;
 use crate::kernel::lanes::{Lanes, Width, Work};
 
-/// Looks at a barrier before a thread gives its turn away.
+/// Number of barrier tests before a thread yields.
 const LOOKS: usize = 200;
 
-/// How long a new team waits for nothing.
+/// Timeout of the wait that initializes a channel.
 const FIRST_WAIT: Duration = Duration::from_millis(5);
 
-/// What all threads see.
+/// The data shared by all threads.
 #[derive(Debug)]
 pub(super) struct Shared {
     pub v: Velocities,
@@ -36,16 +36,17 @@ impl Shared {
     }
 }
 
-/// Where threads wait for each other.
+/// A barrier for the threads.
 #[derive(Debug)]
 struct Barrier {
     threads: usize,
-    /// How often a thread has arrived.
+    /// The total number of arrivals of all threads.
     arrived: AtomicUsize,
 }
 
 impl Barrier {
-    /// Waits until all have arrived as often as this thread, which is `turn` times after this one.
+    /// Waits until all threads have arrived as often as this one; this is its arrival number
+    /// `turn`, counted from 1.
     fn wait(&self, turn: usize) {
         self.arrived.fetch_add(1, Ordering::AcqRel);
         let mut looks = 0;
@@ -56,7 +57,7 @@ impl Barrier {
     }
 }
 
-/// Sweeps over a share.
+/// Sweeps over one share.
 struct Sweeps<'a> {
     share: &'a mut Share,
     shared: &'a Shared,
@@ -79,7 +80,7 @@ impl Work for Sweeps<'_> {
     }
 }
 
-/// Sweeps that another thread is to make.
+/// Sweeps for another thread.
 struct Task {
     share: Share,
     shared: Arc<Shared>,
@@ -87,7 +88,7 @@ struct Task {
     count: usize,
 }
 
-/// A thread that is given shares and gives them back.
+/// A thread that receives shares and returns them.
 #[derive(Debug)]
 struct Worker {
     tasks: SyncSender<Task>,
@@ -96,7 +97,7 @@ struct Worker {
 }
 
 impl Worker {
-    /// `None` if the system has no more threads.
+    /// `None` if the system cannot start another thread.
     fn start() -> Option<Self> {
         let (tasks, taken) = sync_channel::<Task>(1);
         let (give, done) = sync_channel(1);
@@ -110,23 +111,23 @@ impl Worker {
             }
         };
         let thread = thread::Builder::new().name("sweeps".into()).spawn(work).ok()?;
-        // a channel takes memory when somebody waits at it for the first time; no sweep should
+        // a channel allocates memory at the first wait, which must not happen during a sweep
         let _ = done.recv_timeout(FIRST_WAIT);
         Some(Worker { tasks, done, thread })
     }
 }
 
-/// The calling thread and its helpers.
+/// The calling thread and its workers.
 #[derive(Debug)]
 pub(super) struct Team {
     workers: Vec<Worker>,
 }
 
-/// A worker's channels close when its team ends, and not before.
+/// A worker's channels stay open until its team is dropped.
 const ENDED: &str = "a worker that has not ended";
 
 impl Team {
-    /// So many threads, or as many as there are to be had.
+    /// A team of this number of threads, or as many as the system can start.
     pub fn new(threads: usize) -> Self {
         Team { workers: (1..threads).map_while(|_| Worker::start()).collect() }
     }
@@ -136,7 +137,7 @@ impl Team {
         1 + self.workers.len()
     }
 
-    /// So many sweeps: the first share on the calling thread, each other one on its own.
+    /// This number of sweeps: the first share on the calling thread, the others on one worker each.
     pub fn sweep(&self, shares: &mut [Share], shared: &Arc<Shared>, width: Width, count: usize) {
         let Some((own, others)) = shares.split_first_mut() else { return };
         shared.barrier.arrived.store(0, Ordering::Release);

@@ -1,15 +1,15 @@
-//! The velocities of all bodies, where several threads can reach them.
+//! The velocities of all bodies, shared between threads.
 //!
-//! While a group is swept each body is read and written by one thread, and between two groups all
-//! threads wait for each other; so every number can be an atomic that is read and written in no
-//! particular order, which costs what a plain one does, and no `unsafe` is needed to share them.
+//! Within a group each body is accessed by only one thread, and between two groups all threads wait
+//! for each other. Relaxed atomics are therefore sufficient; they cost the same as plain accesses
+//! and need no `unsafe`.
 
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 use super::{Velocity, WIDTH};
 use crate::kernel::lanes::Lanes;
 
-/// A body's velocity: six numbers, and two zeros for the sake of whole cache lines.
+/// A body's velocity: six numbers, padded to a cache line.
 #[derive(Debug, Default)]
 #[repr(align(64))]
 struct Body([AtomicU64; 8]);
@@ -19,7 +19,7 @@ struct Body([AtomicU64; 8]);
 pub(super) struct Velocities(Vec<Body>);
 
 impl Velocities {
-    /// Zeros for so many bodies.
+    /// Zero velocities of this number of bodies.
     pub fn new(bodies: usize) -> Self {
         Velocities((0..bodies).map(|_| Body::default()).collect())
     }
@@ -39,7 +39,7 @@ impl Velocities {
         (0..WIDTH).for_each(|k| own[k].store(v[k].to_bits(), Relaxed));
     }
 
-    /// Component k of eight bodies' velocities in u_k.
+    /// Gathers component k of eight bodies' velocities into u_k.
     #[inline(always)]
     pub fn gather<V: Lanes>(&self, bodies: &[u32; 8], u: &mut [V]) {
         let mut components = [[0.0; 8]; WIDTH];
@@ -68,7 +68,7 @@ impl Velocities {
         }
     }
 
-    /// The bytes that it holds.
+    /// The size in bytes.
     pub fn bytes(&self) -> usize {
         super::bytes(&self.0)
     }

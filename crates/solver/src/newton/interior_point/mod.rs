@@ -1,34 +1,33 @@
 //! A primal-dual interior-point method for the quadratic program over the box.
 //!
 //! Each finite bound k of a row i(k) gets a *slack* ρ_k > 0, the distance from x_i to it, and a
-//! *push* z_k > 0 away from it, with sign s_k = 1 at a lower bound and −1 at an upper one. Slack
-//! times push is not asked to vanish at once but approached along the *central path*, μ → 0:
+//! *push* (multiplier) z_k > 0 away from it, with sign s_k = 1 at a lower bound and −1 at an upper
+//! one. The product of slack and push approaches zero along the *central path*, μ → 0:
 //!
 //! ```text
 //! A x + b = Σ_k s_k z_k,   ρ_k z_k = μ
 //! ```
 //!
-//! An iteration is a Newton step on these equations. Eliminating the changes of the pushes leaves
+//! An iteration is a Newton step on these equations. Eliminating the changes of the pushes gives
 //!
 //! ```text
 //! (A + Σ_k z_k/ρ_k) dx = −(A x + b − Σ_k s_k z_k) + Σ_k s_k r_k/ρ_k,   r_k = μ − ρ_k z_k
 //! dz_k = (r_k − s_k z_k dx) / ρ_k
 //! ```
 //!
-//! It is solved twice with one factorisation (Mehrotra 1992): first for μ = 0, to see how far that
-//! would get, say to μ'; then for (μ'/μ)³ μ, with the error dρ dz of the first step taken off r.
-//! Ten to thirty iterations whatever the size and the condition of A, for symmetric semidefinite A;
-//! singular is no difficulty, as the bounds add to the diagonal (rows without bounds get 10⁻¹²
-//! a_ii; without any bounds a single iteration is Cholesky's method). Each factorises a matrix with
-//! the pattern of A: n³/6 products for a dense A, n b²/2 where rows reach no farther than b. With
-//! the factors of A = J M⁻¹ Jᵀ at hand ([`InteriorPoint::solve_factored`]) the rows are eliminated
-//! instead, and what is factorised has six rows a body. Where solutions are not unique it finds one
-//! in their middle.
+//! It is solved twice with one factorization (Mehrotra 1992): first for μ = 0 to see which value μ'
+//! that would reach; then for (μ'/μ)³ μ, with the error dρ dz of the first step subtracted from r.
+//! It takes ten to thirty iterations whatever the size and condition of A, for symmetric
+//! semidefinite A. A singular A is no difficulty, because the bounds add to the diagonal (rows
+//! without bounds get 10⁻¹² a_ii; without any bounds a single iteration is Cholesky's method). Each
+//! iteration factorizes a matrix with the pattern of A: n³/6 products for a dense A, n b²/2 for
+//! bandwidth b. If the factors of A = J M⁻¹ Jᵀ are available ([`InteriorPoint::solve_factored`]),
+//! the rows are eliminated instead, and the matrix to factorize has six rows per body. If solutions
+//! are not unique, the method finds one in the middle of the solution set.
 //!
-//! Rows at a bound end beside it, by about μ/w_i: the answer is as exact as the tolerance and no
-//! more. A start is only used where it lies well inside. A not symmetric, or no Cholesky factor:
-//! `OutsideClass`; steps that have shrunk to nothing: `Stalled`. Coupled rows: see
-//! [`frozen`].
+//! Rows at a bound end at a distance of about μ/w_i from it: the answer is only as accurate as the
+//! tolerance. A start is used only if it lies well inside the bounds. A not symmetric, or no
+//! Cholesky factor: `OutsideClass`; vanishing steps: `Stalled`. Coupled rows: see [`frozen`].
 
 mod path;
 mod rows;
@@ -47,15 +46,15 @@ use crate::{Observer, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 
-/// The factor may have this many entries: with more it takes too long.
+/// Maximum number of entries of the factor; with more, a factorization takes too long.
 const MAX_ENTRIES: usize = 32_000_000;
-/// a_ii and Ĵ_i Ĵ_iᵀ agree to this part of them.
+/// The relative difference up to which a_ii and Ĵ_i Ĵ_iᵀ count as equal.
 const SAME: f64 = 1e-9;
 
 /// Mehrotra's predictor-corrector method.
 #[derive(Debug, Clone, Default)]
 pub struct InteriorPoint {
-    /// The common settings; an iteration is a factorisation and two solves.
+    /// The common settings; an iteration is a factorization and two solves.
     pub settings: Settings,
 }
 
@@ -76,9 +75,9 @@ impl Solver for InteriorPoint {
 }
 
 impl InteriorPoint {
-    /// The same with the factors of A = Ĵ Ĵᵀ at hand: each step is solved for velocities, six a
-    /// body, which is less work than for rows wherever bodies have more than a few rows. The
-    /// problem's own A is only asked whether x solves it.
+    /// The same with the factors of A = Ĵ Ĵᵀ: each step is solved for velocities, six per body,
+    /// which is less work than for rows wherever bodies have more than a few rows. A itself is used
+    /// only to test whether x is a solution.
     pub fn solve_factored(
         &self,
         lcp: &Lcp,
@@ -97,7 +96,7 @@ impl InteriorPoint {
         }
     }
 
-    /// Whether factors may have so many entries.
+    /// Checks that factors may have this many entries.
     fn fit(&self, entries: usize) -> Result<(), Status> {
         match self.settings.refusal(Memory::numbers(entries)) {
             Some(status) => Err(status),
@@ -109,7 +108,7 @@ impl InteriorPoint {
         }
     }
 
-    /// Follows the central path from x, once for each freezing of the bounds.
+    /// Follows the central path from x, once for each set of frozen bounds.
     fn follow(
         &self,
         lcp: &Lcp,
@@ -127,7 +126,7 @@ impl InteriorPoint {
     }
 }
 
-/// Whether A has the diagonal of Ĵ Ĵᵀ; compliance, for one, is not in it.
+/// Whether A has the diagonal of Ĵ Ĵᵀ; for example, compliance is not part of the factors.
 fn has_factors(lcp: &Lcp, system: &System) -> bool {
     let matrix = lcp.matrix();
     let are_as_many = system.rows().len() == matrix.len();

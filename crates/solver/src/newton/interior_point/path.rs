@@ -1,4 +1,4 @@
-//! The central path: slacks, pushes, and the step along it.
+//! The central path: slacks, pushes, and the steps along it.
 
 use std::ops::ControlFlow;
 
@@ -6,12 +6,13 @@ use super::step::{LEAST, StepEquations};
 use crate::{Event, Status};
 use lcplab_problem::Lcp;
 
-/// The part of the way to the nearest bound that a step may use.
+/// The fraction of the distance to the nearest bound that a step may use.
 const STAY_INSIDE: f64 = 0.995;
-/// A slack below this part of √(e / a_ii) is none: where push and slack vanish together, x comes no
-/// nearer to its bound than √μ, and beside its own terms that is never near.
+/// A slack below this fraction of √(e / a_ii) counts as zero. If push and slack both vanish at the
+/// solution, x approaches its bound only as √μ, which is never small relative to the terms of the
+/// row.
 const NONE: f64 = 1e-12;
-/// Steps shorter than this do not count as progress.
+/// Steps shorter than this count as no progress.
 const SHORTEST: f64 = 1e-10;
 
 /// One finite bound.
@@ -20,7 +21,7 @@ struct Bound {
     row: usize,
     /// 1 for a lower bound, −1 for an upper one.
     sign: f64,
-    /// ρ_k, carried along: x minus the bound would round to 0 in the end.
+    /// ρ_k, updated incrementally: x minus the bound would eventually round to 0.
     slack: f64,
     /// z_k.
     push: f64,
@@ -43,9 +44,9 @@ struct Direction {
 }
 
 impl<'a> Path<'a> {
-    /// Moves x inside its bounds and chooses the pushes such that every ρ z is the energy e = Σ
-    /// w_i² / a_ii, w = A Π(0) + b: bounds that exclude 0 count as b does. Distances are measured
-    /// by √(e / a_ii).
+    /// Moves x inside its bounds and chooses the pushes such that every ρ z equals the energy e = Σ
+    /// w_i² / a_ii, w = A Π(0) + b: bounds that exclude 0 act like b. Distances are measured by
+    /// √(e / a_ii).
     pub(super) fn from_inside(lcp: &'a Lcp, equations: &impl StepEquations, x: &mut [f64]) -> Self {
         let pinned: Vec<bool> = (0..x.len()).map(|i| lcp.lo()[i] == lcp.hi()[i]).collect();
         let mut least = vec![0.0; x.len()];
@@ -70,7 +71,7 @@ impl<'a> Path<'a> {
         Path { lcp, pinned, bounds, unit }
     }
 
-    /// Moves x along the path, by Newton's method on the equations of the path.
+    /// Moves x along the path by a Newton step on the path equations.
     pub(super) fn step(
         &mut self,
         equations: &mut impl StepEquations,
@@ -104,7 +105,7 @@ impl<'a> Path<'a> {
         ControlFlow::Continue(Event::Step)
     }
 
-    /// What is added to the diagonal of A: Σ_k z_k/ρ_k, and the least that makes up for rounding.
+    /// The diagonal D added to A: Σ_k z_k/ρ_k, and at least enough to compensate for rounding.
     fn added<E: StepEquations>(&self, equations: &E) -> Vec<f64> {
         let mut added = vec![0.0; self.pinned.len()];
         for k in &self.bounds {
@@ -117,7 +118,7 @@ impl<'a> Path<'a> {
         added
     }
 
-    /// The predictor, corrected.
+    /// The corrected predictor.
     fn direction(&self, equations: &mut impl StepEquations, x: &[f64]) -> Direction {
         let w = equations.w(x);
         let product: Vec<f64> = self.bounds.iter().map(|k| k.slack * k.push).collect();
@@ -148,7 +149,7 @@ impl<'a> Path<'a> {
         Direction { x: dx, slack, push }
     }
 
-    /// The μ to aim at: small if the predictor gets far.
+    /// The target μ: small if the predictor gets far.
     fn target(&self, product: &[f64], predictor: &Direction) -> f64 {
         let count = product.len().max(1) as f64;
         let mu = product.iter().sum::<f64>() / count;
@@ -161,7 +162,7 @@ impl<'a> Path<'a> {
         if mu > 0.0 { mu * (ahead / mu).powi(3) } else { 0.0 }
     }
 
-    /// The length at which the first slack or push would vanish.
+    /// The step length at which the first slack or push would vanish.
     fn longest(&self, direction: &Direction) -> f64 {
         let until = |value: f64, change: f64| {
             if change < 0.0 { -value / change } else { f64::INFINITY }

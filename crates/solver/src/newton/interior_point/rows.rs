@@ -1,7 +1,7 @@
-//! The linear equations of a step as they stand: one a row.
+//! The linear equations of a step, one per row.
 //!
-//! Where rows reach far back for few entries, as in a net of many meshes, an envelope would hold
-//! little but zeros, and the rows are put in an order of their own
+//! If rows reach far back but have few entries, as in a network with many loops, an envelope would
+//! contain mostly zeros. The rows are then reordered
 //! ([`sparse_factor`](crate::linalg::sparse_factor)).
 
 use super::step::{LEAST, StepEquations};
@@ -10,7 +10,7 @@ use crate::linalg::envelope::Envelope;
 use crate::linalg::sparse_factor::{SparseFactor, minimum_degree, pattern};
 use lcplab_problem::{Lcp, Matrix};
 
-/// An envelope may have so many times the entries of A's lower triangle.
+/// An envelope may have at most this many times the entries of A's lower triangle.
 const SPARSE: usize = 6;
 
 /// A + D and its factors.
@@ -21,14 +21,14 @@ pub(super) struct Rows<'a> {
 }
 
 enum Factor {
-    /// Rows in the order they come.
+    /// Rows in their given order.
     Envelope(Envelope),
-    /// Rows in an order of their own.
+    /// Rows in a fill-reducing order.
     Reordered(Box<SparseFactor>),
 }
 
 impl<'a> Rows<'a> {
-    /// Room for the factors, if so many entries fit.
+    /// Storage for the factors, if their entries fit.
     pub(super) fn of(
         lcp: &'a Lcp,
         diagonal: Vec<f64>,
@@ -48,7 +48,7 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// The factors of matrices like this one in the order of minimum degree.
+/// The factors of matrices with this pattern, in minimum degree order.
 fn reordered(matrix: &Matrix) -> SparseFactor {
     let column = |i: usize| std::iter::once(i).chain(below(matrix, i).map(|(j, _)| j));
     let places = pattern((0..matrix.len()).map(column));
@@ -56,7 +56,7 @@ fn reordered(matrix: &Matrix) -> SparseFactor {
     SparseFactor::of(places, &order)
 }
 
-/// Column i of the lower triangle without the diagonal: what row i has to the right of it.
+/// Column i of the lower triangle without the diagonal: the entries of row i right of the diagonal.
 fn below(matrix: &Matrix, i: usize) -> impl Iterator<Item = (usize, f64)> {
     matrix.row(i).iter().filter(move |&(j, _)| j > i)
 }
@@ -88,7 +88,7 @@ impl StepEquations for Rows<'_> {
     }
 }
 
-/// The lower triangle of A + diag(added) by columns, with those of the unit matrix where x is
+/// The lower triangle of A + diag(added) by columns, with columns of the identity where x is
 /// pinned.
 fn lower_triangle(matrix: &Matrix, added: &[f64], pinned: &[bool]) -> Vec<f64> {
     let mut values = Vec::with_capacity((matrix.stored() + matrix.len()) / 2);

@@ -1,16 +1,16 @@
-//! The linear equations of a step eliminated onto the velocities.
+//! The linear equations of a step, reduced to the velocities.
 //!
-//! With A = Ĵ Ĵᵀ and v = Ĵᵀ dx, the change of the velocities,
+//! With A = Ĵ Ĵᵀ and the velocity change v = Ĵᵀ dx,
 //!
 //! ```text
 //! (Ĵ Ĵᵀ + D) dx = r   ⇔   (1 + Ĵᵀ D⁻¹ Ĵ) v = Ĵᵀ D⁻¹ r,   dx = D⁻¹ (r − Ĵ v)
 //! ```
 //!
-//! The matrix on the right, K, has six rows a body however many contacts meet there, and a block
-//! for each two bodies that share a row: a pile of 700 cubes has 4200 equations in place of one for
-//! each of its 24 000 rows. K is positive definite, with no eigenvalue below 1. Its largest ones
-//! grow with 1/D, and D is no more than what is added where a row has no bounds; there 10⁻⁸ a_ii is
-//! added, and an iteration or two take back what that does to x.
+//! The matrix on the right, K, has six rows per body however many contacts it has, and a block for
+//! each pair of bodies that share a row: a pile of 700 cubes has 4200 equations instead of one for
+//! each of its 24 000 rows. K is positive definite, with no eigenvalue below 1. Its largest
+//! eigenvalues grow with 1/D, and in rows without bounds D is only the added minimum; there 10⁻⁸
+//! a_ii is added, and one or two iterations correct the effect on x.
 
 use std::ops::Range;
 
@@ -19,37 +19,37 @@ use crate::Status;
 use crate::kernel::impulses::{System, WIDTH};
 use crate::linalg::sparse_factor::{Pattern, SparseFactor, minimum_degree, pattern};
 
-/// K, its factors, and where its blocks lie.
+/// K, its factors, and the positions of its blocks.
 pub(super) struct Velocities<'a> {
     system: &'a System,
     pairs: Vec<Pair>,
     /// The entries of K's blocks, column by column.
     values: Vec<f64>,
-    /// The places of K's diagonal in `values`.
+    /// The positions of K's diagonal in `values`.
     diagonal: Vec<usize>,
     factor: SparseFactor,
     /// D⁻¹, 0 where x is pinned.
     inverse: Vec<f64>,
 }
 
-/// Consecutive rows between the same two bodies, and the blocks of K that they add to.
+/// Consecutive rows between the same two bodies, and the blocks of K that they contribute to.
 struct Pair {
     rows: Range<usize>,
     blocks: Vec<Block>,
 }
 
-/// The block of rows of one body of the pair and columns of the other.
+/// A block with the rows of one body of the pair and the columns of the other.
 struct Block {
-    /// Which of the pair's bodies, 0 or 1.
+    /// Index of the body in the pair, 0 or 1.
     row: usize,
     column: usize,
-    /// Where the block begins in `values`, and how far its columns are apart.
+    /// The offset of the block in `values`, and the stride between its columns.
     first: usize,
     stride: usize,
 }
 
 impl<'a> Velocities<'a> {
-    /// Room for the factors, if so many entries fit.
+    /// Storage for the factors, if their entries fit.
     pub(super) fn of(
         system: &'a System,
         fit: impl Fn(usize) -> Result<(), Status>,
@@ -140,7 +140,7 @@ impl Pair {
     }
 }
 
-/// For each body itself and those after it with which it shares a row, ascending.
+/// For each body, itself and the later bodies with which it shares a row, ascending.
 fn touching(system: &System) -> Vec<Vec<usize>> {
     let mut touching: Vec<Vec<usize>> = (0..system.bodies()).map(|body| vec![body]).collect();
     for rows in system.pairs() {

@@ -1,8 +1,8 @@
-//! How far x moves: what ends a move first.
+//! The length of a move of x: the first event that ends it.
 //!
-//! Where several things end a move at once, the driven row goes first, then a row that enters C,
-//! the one longest at its bound before the others, then a row that leaves C. The rule matters:
-//! Fathi's problem, all ties, takes n² − n + 1 pivots with it and 2ⁿ − 1 if ties go to the least
+//! If several events end a move at once, the driven row goes first, then a row that enters C (the
+//! one longest at its bound first), then a row that leaves C. The rule matters: Fathi's problem,
+//! which consists of ties, takes n² − n + 1 pivots with it, and 2ⁿ − 1 if ties go to the least
 //! index.
 
 use std::ops::ControlFlow;
@@ -13,7 +13,7 @@ use super::run::Run;
 use crate::Status;
 use crate::pivot::basic::TIE;
 
-/// What may end a move: a row that arrives on this side after this length.
+/// A possible end of a move: a row that reaches this side after this length.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct End {
     pub(super) length: f64,
@@ -21,20 +21,20 @@ pub(super) struct End {
     pub(super) side: Side,
 }
 
-/// What ends a move.
+/// The event that ends a move.
 #[derive(Debug)]
 pub(super) struct Block {
     pub(super) length: f64,
     pub(super) row: usize,
-    /// Where the row goes.
+    /// The new side of the row.
     pub(super) side: Side,
     /// Its own direction, if it enters C and is not the driven row.
     pub(super) entering: Option<Direction>,
 }
 
 impl Run<'_> {
-    /// The first thing that ends a move of x_i by sign · t, t ≥ 0; see above for ties. A row whose
-    /// w only rounding moves ends nothing, and its Δw is set to zero.
+    /// The first event that ends a move of x_i by sign · t, t ≥ 0; for ties see the module
+    /// documentation. A row whose Δw is only rounding ends nothing, and its Δw is set to zero.
     pub(super) fn blocking(
         &mut self,
         i: usize,
@@ -58,7 +58,7 @@ impl Run<'_> {
         }
     }
 
-    /// The nearest end of a move; of several that are equally near the first.
+    /// The nearest end of a move; the first of equally near ones.
     fn find_nearest(&mut self, i: usize, sign: f64, d: &Direction) -> Option<Block> {
         let mut ends = std::mem::take(&mut self.scratch.ends);
         ends.clear();
@@ -72,7 +72,7 @@ impl Run<'_> {
         Some(Block { length: length.max(0.0), row, side, entering: None })
     }
 
-    /// All that may end a move of x_i, in the order that ties are broken in.
+    /// All possible ends of a move of x_i, in the order in which ties are broken.
     fn ends(&self, i: usize, sign: f64, d: &Direction) -> impl Iterator<Item = End> {
         let zero = if d.schur > 0.0 { self.state.w[i].abs() / d.schur } else { f64::INFINITY };
         let driven = [End { length: zero, row: i, side: Side::Free }, self.end_at_bound(i, sign)];
@@ -85,14 +85,14 @@ impl Run<'_> {
         driven.into_iter().chain(entering).chain(leaving)
     }
 
-    /// How far w_j, row j being at a bound, can move at this velocity until it is zero.
+    /// How far w_j of a row at a bound can move at this velocity until it is zero.
     fn distance_to_zero(&self, j: usize, velocity: f64) -> f64 {
         let length = -self.state.w[j] / velocity; // a division costs less than a wrong guess of who needs it
         let away = if self.state.side[j] == Side::Upper { velocity } else { -velocity };
         if away > 0.0 && self.may_leave(j) { length } else { f64::INFINITY }
     }
 
-    /// How far x_j can move at this velocity, and the bound it meets then.
+    /// How far x_j can move at this velocity, and the bound it then reaches.
     pub(super) fn end_at_bound(&self, row: usize, velocity: f64) -> End {
         let (x, lo, hi) = (self.state.x[row], self.lcp.lo()[row], self.lcp.hi()[row]);
         let (length, side) = if velocity > 0.0 {

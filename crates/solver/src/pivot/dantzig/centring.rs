@@ -1,23 +1,22 @@
-//! What redundant contacts leave open: x moves to the middle of it.
+//! Centering: at redundant contacts, x moves to the middle of the solution set.
 //!
-//! Where row j depends on C, A d = 0 along its direction d, and x may move along d without any w
-//! noticing. A vertex of what is possible, three corners of a box that stands on four, is left as
-//! soon as the load moves a little, and each corner that lets go makes its neighbour take hold: two
-//! pivots. From the middle all four carry, and C stays as it is. So x moves to the middle of what d
-//! leaves open, and row j is idle then,
+//! If row j depends on C, A d = 0 along its direction d, and x can move along d without changing
+//! any w. A vertex of the solution set, for example three loaded corners of a box on four, becomes
+//! infeasible as soon as the load moves slightly, and each corner that loses contact makes its
+//! neighbor take the load: two pivots. In the middle all four carry load, and C does not change.
+//! Therefore x moves to the middle of the feasible range along d, and row j becomes dependent,
 //!
-//! - where a row is looked at for the first time and rests: its x is at a bound, its w zero, and it
-//!   depends on C;
-//! - where an x of C meets a bound, and d leads away from it: row j is idle, or at a bound with
+//! - if a row is processed for the first time with its x at a bound, w = 0, and depends on C;
+//! - if an x of C reaches a bound and d leads away from it: row j is dependent, or at a bound with
 //!   w = 0.
 //!
-//! *Right.* Only x_j and x_C move. Their w are zero and A d = 0: neither w nor ½ xᵀA x + bᵀx
-//! changes, no bound is crossed, and the driven row is as far as it was. What is not unique is
-//! chosen, nothing else.
+//! *Correct.* Only x_j and x_C move. Their w are zero and A d = 0: neither w nor ½ xᵀA x + bᵀx
+//! changes, no bound is crossed, and the driven row is unaffected. The move only selects among
+//! solutions.
 //!
-//! *Finite.* A row serves once while another is driven; then the x of C leaves as it does without
-//! this file. So a drive has at most n of these moves, and after the last of them the plain
-//! method's argument holds.
+//! *Finite.* A row is used only once while another is driven; after that, the x of C leaves C as in
+//! the plain method. A drive therefore has at most n of these moves, and after the last one the
+//! termination proof of the plain method applies.
 
 use std::ops::ControlFlow;
 
@@ -28,7 +27,7 @@ use super::run::Run;
 use crate::{Centring, Part, Status};
 
 impl Run<'_> {
-    /// Makes row i idle, in the middle, if it is at a bound, depends on C, and its w is zero;
+    /// Makes row i dependent, in the middle, if it is at a bound, depends on C, and its w is zero;
     /// returns whether it did.
     pub(super) fn settle_idle(&mut self, i: usize) -> bool {
         if !self.is_at_rest(i) {
@@ -40,15 +39,15 @@ impl Run<'_> {
         is_idle
     }
 
-    /// Whether row i has not been driven yet and stands at a bound with w = 0.
+    /// Whether row i has not been driven yet and is at a bound with w = 0.
     pub(super) fn is_at_rest(&self, i: usize) -> bool {
         let (lo, hi, x) = (self.lcp.lo()[i], self.lcp.hi()[i], self.state.x[i]);
         self.state.side[i] == Side::Waiting && !(lo < x && x < hi) && self.is_level(i)
     }
 
-    /// Ends a move of x_i: x goes off the bound that the blocking row of C has met, to the middle
-    /// of what an idle row leaves open, or else that row leaves C. `served` are the rows that have
-    /// been used so already.
+    /// Ends a move of x_i: either x moves off the bound that the blocking row of C reached, to the
+    /// middle of the range that a dependent row leaves, or that row leaves C. `served` are the rows
+    /// already used in this way.
     pub(super) fn centre_or_leave(
         &mut self,
         i: usize,
@@ -63,7 +62,7 @@ impl Run<'_> {
         ControlFlow::Continue(())
     }
 
-    /// Moves x off the bound that `row` of C has met; returns whether it could.
+    /// Moves x off the bound that `row` of C has reached; returns whether that was possible.
     fn move_off_bound(&mut self, row: usize, served: &mut Vec<usize>) -> bool {
         let Some(k) = self.basis.free.iter().position(|&j| j == row) else { return false };
         let is_spare = |&j: &usize| match self.state.side[j] {
@@ -86,14 +85,14 @@ impl Run<'_> {
         false
     }
 
-    /// Whether w_i, just summed, is no more than rounding; [`Run::slope`] decides.
+    /// Whether the recomputed w_i is no more than rounding, as [`Run::slope`] decides.
     pub(super) fn is_level(&self, i: usize) -> bool {
         let (w, b) = (self.state.w[i], self.lcp.b()[i]);
         w.abs() <= RELATIVE_ZERO * ((w - b).abs() + b.abs())
     }
 
-    /// Moves x to the middle of where it may go along d, A d = 0: x_j by 1, x of the free rows by
-    /// d. Then row j is idle. False if there is no way, or no end of it.
+    /// Moves x to the middle of its range along d, A d = 0: x_j by 1, x of the free rows by d. Row
+    /// j is then dependent. False if the range is empty or unbounded.
     fn centre(&mut self, j: usize, d: &Direction, keeps: Option<usize>) -> bool {
         let free = &self.basis.free;
         let reach = |sign: f64| {

@@ -1,4 +1,4 @@
-//! Where x moves to: the direction that changes w_i and leaves w_C at zero.
+//! The direction of a move, which changes w_i and keeps w_C at zero.
 
 use std::iter;
 use std::ops::ControlFlow;
@@ -8,40 +8,40 @@ use crate::Status;
 use crate::linalg::ldlt::Elimination;
 use lcplab_problem::merit;
 
-/// A number below this part of the terms it is summed from counts as zero.
+/// A number below this fraction of its terms counts as zero.
 pub(super) const RELATIVE_ZERO: f64 = 1e-13;
-/// dᵀA d below this part of (Σ √a_jj |d_j|)² counts as zero, as does Δw_j beside the product of two
-/// such sums: so much the rounding of A and of its factor, some ten units in the last place, can
-/// do.
+/// dᵀA d below this fraction of (Σ √a_jj |d_j|)² counts as zero, as does Δw_j relative to the
+/// product of two such sums. Rounding of A and its factor, about ten units in the last place, can
+/// be this large.
 pub(super) const ROUNDING: f64 = 2e-15;
-/// A part of a null direction below this part of its largest counts as zero.
+/// An entry of a null direction below this fraction of its largest counts as zero.
 const NULL_ROUNDING: f64 = 1e-11;
-/// dᵀw counts as zero below this part of the terms that the w_j are summed from.
+/// dᵀw counts as zero below this fraction of the terms of the w_j.
 const LEVEL: f64 = 1e-14;
-/// s below minus this part of (Σ √a_jj |d_j|)² is not rounding: A is not semidefinite.
+/// s below minus this fraction of (Σ √a_jj |d_j|)² is not rounding: A is not semidefinite.
 const NEGATIVE: f64 = 1e-7;
 
-/// A direction of motion: x_i by 1, x_C by `free`.
+/// A direction of motion: x_i changes by 1, x_C by `free`.
 #[derive(Debug, Default)]
 pub(super) struct Direction {
     /// d_C, in the order of C.
     pub(super) free: Vec<f64>,
-    /// Δw_i; 0 where row i depends on C.
+    /// Δw_i; 0 if row i depends on C.
     pub(super) schur: f64,
-    /// Σ √a_jj |d_j|, row i included: √s if nothing cancelled.
+    /// Σ √a_jj |d_j|, row i included; equal to √s if nothing cancels.
     pub(super) size: f64,
-    /// Δw of the rows at a bound, n entries; 0 for all others.
+    /// Δw of the rows at a bound, n entries; 0 for all other rows.
     pub(super) delta_w: Vec<f64>,
     /// A_Ci.
     column: Vec<f64>,
-    /// A_CC⁻¹ A_Ci, and what the factor gets of it if row i enters C.
+    /// A_CC⁻¹ A_Ci, and the row of the factor if row i enters C.
     pub(super) elimination: Elimination,
     /// A d.
     product: Vec<f64>,
 }
 
 impl Direction {
-    /// An empty one that n rows fit into.
+    /// An empty direction with storage for n rows.
     fn with_room(n: usize) -> Self {
         Direction {
             free: Vec::with_capacity(n),
@@ -82,13 +82,13 @@ impl Run<'_> {
         ControlFlow::Continue(direction)
     }
 
-    /// Whether Δw_j, row j being at a bound, may be nothing but the rounding of the factor.
+    /// Whether Δw_j of a row at a bound may be only rounding of the factor.
     pub(super) fn is_rounding(&self, delta_w: f64, along: &Direction, of_row: &Direction) -> bool {
         delta_w.abs() <= ROUNDING * along.size * of_row.size
     }
 
-    /// dᵀw where A d = 0, with w recomputed: how fast the objective changes along d, which the
-    /// errors of x do not change; exactly 0 where it is only rounding.
+    /// dᵀw if A d = 0, with w recomputed: the rate at which the objective changes along d,
+    /// unaffected by errors in x; exactly 0 if it is only rounding.
     pub(super) fn slope(&self, i: usize, d: &Direction) -> f64 {
         let (mut slope, mut magnitude) = (0.0, 0.0);
         let free = self.basis.free.iter().copied().zip(d.free.iter().copied());
@@ -100,9 +100,8 @@ impl Run<'_> {
         if slope.abs() <= LEVEL * magnitude { 0.0 } else { slope }
     }
 
-    /// Sets to zero what is only rounding in d where A d = 0: along such a d a move may be long,
-    /// and must not end at a bound that only rounding leads to. √a_jj d_j has the same unit in all
-    /// rows.
+    /// Sets entries of d that are only rounding to zero, if A d = 0: a move along d may be long and
+    /// must not end at a bound because of rounding. √a_jj d_j has the same unit in all rows.
     fn clean_null_direction(&self, i: usize, d: &mut [f64]) {
         let size = |j: usize, d: f64| self.root[j] * d.abs();
         let sizes = self.basis.free.iter().zip(&*d).map(|(&j, &d)| size(j, d));
@@ -127,7 +126,7 @@ impl Run<'_> {
         let mut sizes = None;
         for &j in self.basis.bound.iter().filter(|&&j| j != i) {
             let delta = d.product[j];
-            // no sum of terms |a_jk d_k| is above √a_jj Σ √a_kk |d_k|
+            // no term |a_jk d_k| sums to more than √a_jj Σ √a_kk |d_k|
             let is_small = delta.abs() <= RELATIVE_ZERO * self.root[j] * d.size;
             let mut terms = || {
                 let sizes = sizes.get_or_insert_with(|| self.sizes(i, &d.free));

@@ -17,13 +17,13 @@ impl Run<'_> {
             self.state.x[j] = difference(self.state.x[j], -t * d);
         }
         for &j in &self.basis.bound {
-            // exactly 0 where it should be, or ties are missed
+            // exactly 0 where it should be; otherwise ties are missed
             self.state.w[j] = difference(self.state.w[j], -t * direction.delta_w[j]);
         }
         self.state.w[i] += t * direction.schur;
     }
 
-    /// Puts the blocking row on its new side.
+    /// Moves the blocking row to its new side.
     pub(super) fn exchange(
         &mut self,
         i: usize,
@@ -70,11 +70,12 @@ impl Run<'_> {
         self.put(row, Side::Free);
     }
 
-    /// Those of these rows that depend on the row at position k of C, so that one can take its
-    /// place.
+    /// Those of these rows that depend on the row at position k of C, so that one of them can
+    /// replace it.
     ///
-    /// Row j is the sum of the rows of C times A_CC⁻¹ A_Cj. With z = A_CC⁻¹ e_k its part of row k
-    /// is zᵀA_Cj, and once k is gone its Schur complement is (zᵀA_Cj)² / z_k ≤ (zᵀA_Cj)² a_kk.
+    /// Row j is the sum of the rows of C times A_CC⁻¹ A_Cj. With z = A_CC⁻¹ e_k its coefficient of
+    /// row k is zᵀA_Cj, and once k is removed its Schur complement is (zᵀA_Cj)² / z_k ≤ (zᵀA_Cj)²
+    /// a_kk.
     pub(super) fn dependents(&self, k: usize, rows: Vec<usize>) -> Vec<usize> {
         if rows.is_empty() {
             return rows;
@@ -91,7 +92,7 @@ impl Run<'_> {
         rows.into_iter().filter(depends).collect()
     }
 
-    /// After a row has left C, lets the idle row that no longer depends on C enter in its place.
+    /// After a row has left C, the dependent row that no longer depends on C enters C instead.
     fn admit_idle(&mut self, dependents: &[usize]) -> ControlFlow<Status> {
         for &row in dependents {
             let direction = self.direction(row)?;

@@ -1,40 +1,40 @@
 //! Dantzig's pivoting method for boxed LCPs with symmetric positive semidefinite A.
 //!
 //! Rows are satisfied one after another (Cottle & Dantzig 1968; Baraff 1994 for contacts). To drive
-//! w_i to zero, x_i moves and the *free* rows C move along so that their w stays zero:
+//! w_i to zero, x_i moves, and the *free* rows C move with it so that their w stays zero:
 //!
 //! ```text
 //! d_C = −A_CC⁻¹ A_Ci,   d_i = 1,   Δw = A d,   Δw_i = s = a_ii − A_iC A_CC⁻¹ A_Ci ≥ 0
 //! ```
 //!
-//! until w_i = 0 (i becomes free), x_i meets a bound, some x_j of C meets a bound (j leaves C), or
-//! some w_j at a bound reaches zero (j enters C). The directions are solved for with a factor
-//! A_CC = L D Lᵀ that each pivot brings up to date.
+//! until w_i = 0 (i becomes free), x_i reaches a bound, some x_j of C reaches a bound (j leaves C),
+//! or some w_j at a bound reaches zero (j enters C). The direction is computed with a factor
+//! A_CC = L D Lᵀ that each pivot updates.
 //!
 //! Redundant contacts make A singular. Then s = 0 for a row that depends on C, and since A is
-//! semidefinite A d = 0: moving along d changes no w at all, and w_i is dᵀw. If that is zero the
-//! row is *idle*: C keeps its w at zero, and when a row leaves C an idle one takes its place. What
-//! x may move along d without harm is shared: x goes to the middle of it, so that few rows need
-//! leave C (centring.rs). If dᵀw is not zero x moves until a bound stops it and that row leaves C.
-//! If nothing stops it, a dᵀw within the tolerance is what the data of redundant joints are rounded
-//! to, and the row is idle too; a larger one, bᵀd < 0 with A d = 0, proves that no solution exists
-//! (`Ray`).
+//! semidefinite, A d = 0: moving along d changes no w, and w_i is dᵀw. If that is zero, the row is
+//! *dependent* (`Idle`): C keeps its w at zero, and when a row leaves C, a dependent one replaces
+//! it. x moves to the middle of its feasible range along d, so that few rows need to leave C
+//! (centring.rs). If dᵀw is not zero, x moves until it reaches a bound, and that row leaves C. If
+//! there is no such bound, a dᵀw within the tolerance is attributed to rounding in the data of
+//! redundant joints, and the row is dependent; a larger one, bᵀd < 0 with A d = 0, proves that no
+//! solution exists (`Ray`).
 //!
-//! Whether s is zero is decided without units, and by what rounding can do. A itself is rounded,
-//! each a_jk by up to ε √(a_jj a_kk), which moves s = dᵀA d by up to ε (Σ √a_jj |d_j|)²: an s below
-//! some ten times that is none. run.rs has the method, direction.rs the direction and this
-//! decision, blocking.rs what ends a move and the rule for ties, exchange.rs the pivot, polish.rs
-//! the end; [`textbook`](crate::textbook) has it on one page, for definite A and without regard to
-//! rounding.
+//! The test whether s is zero is independent of units and based on rounding. A itself is rounded,
+//! each a_jk by up to ε √(a_jj a_kk), which changes s = dᵀA d by up to ε (Σ √a_jj |d_j|)²; an s
+//! below about ten times that counts as zero. run.rs has the method, direction.rs the direction and
+//! this test, blocking.rs the end of a move and the rule for ties, exchange.rs the pivot, polish.rs
+//! the final refinement. [`textbook`](crate::textbook) has a one-page version for definite A
+//! without regard to rounding.
 //!
-//! Ends with the exact active set but for rounding, after at most a few n pivots on contact
+//! The result is the exact active set up to rounding, after at most a few n pivots on contact
 //! problems (2ⁿ in the worst case); a pivot costs O(c² + c n) for c free rows. Then x is refined
-//! with accurate w, if need be with C chosen anew by the largest pivot, and rows that rounding has
-//! left unsatisfied are driven once more. With mass ratios of 10⁶ rounding remains in the light
-//! bodies' rows; Gauss-Seidel sweeps remove it. Rows of joints that have drifted apart may depend
-//! on each other so nearly that no pivot can tell; then proximal steps (proximal.rs) have a try.
-//! The solution names either ([`Fallback`](crate::Fallback)). Not symmetric or not semidefinite A:
-//! `OutsideClass`. Coupled rows: see [`frozen`].
+//! with an accurate w, if necessary with C chosen again by largest pivots, and rows that are not
+//! satisfied because of rounding are driven once more. With mass ratios of 10⁶ rounding errors
+//! remain in the rows of the light bodies; Gauss-Seidel sweeps remove them. Rows of joints that
+//! have drifted apart may be so nearly dependent that no pivot can decide; then proximal steps
+//! (proximal.rs) are tried. The solution names either fallback ([`Fallback`](crate::Fallback)). A
+//! not symmetric or not semidefinite: `OutsideClass`. Coupled rows: see [`frozen`].
 
 mod blocking;
 mod centring;
@@ -49,13 +49,13 @@ use crate::{Event, Iterate, Observer, Settings, Solution, Solver, Start, Status,
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 
-/// Above this many rows a dense factor takes too long.
+/// Maximum number of rows; with more, a dense factorization takes too long.
 const MAX_ROWS: usize = 8_000;
 
 /// Dantzig's pivoting method with an updated L D Lᵀ factorization.
 #[derive(Debug, Clone, Default)]
 pub struct Dantzig {
-    /// The common settings; an iteration is a move of x, most of them pivots.
+    /// The common settings; an iteration is a move of x, usually a pivot.
     pub settings: Settings,
 }
 
@@ -103,20 +103,20 @@ impl Solver for Dantzig {
     }
 }
 
-/// Whether a row has no bounds. Where such a row depends on others no x changes its w, and all that
-/// can be asked of it is the tolerance.
+/// Whether a row has no bounds. If such a row depends on others, no x changes its w, and it only
+/// has to meet the tolerance.
 fn is_unbounded(lcp: &Lcp, i: usize) -> bool {
     lcp.lo()[i].is_infinite() && lcp.hi()[i].is_infinite() && !lcp.is_coupled(i)
 }
 
-/// Where a row of Dantzig's method stands.
+/// The side of a row in Dantzig's method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
-    /// Not looked at yet: nothing is asked of its w.
+    /// Not processed yet: no requirement on its w.
     Waiting,
-    /// In C: w = 0 is kept by moving x.
+    /// In C: x moves to keep w = 0.
     Free,
-    /// Its w is a combination of those of C, and zero with them, or within the tolerance.
+    /// Its w is a combination of those of C, and zero like them, or within the tolerance.
     Idle,
     /// At its lower bound, w ≥ 0.
     Lower,

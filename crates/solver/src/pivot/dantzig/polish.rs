@@ -1,4 +1,4 @@
-//! The end: w is recomputed from x, x refined, and what is not satisfied is named.
+//! Final refinement: recomputes w, refines x, and returns the rows that are not satisfied.
 
 use super::blocking::End;
 use super::run::Run;
@@ -8,26 +8,26 @@ use crate::linalg::ldlt::Ldlt;
 use crate::pivot::refinement::EXACT;
 use lcplab_problem::{accurate, merit};
 
-/// A row whose pivot is below this part of its diagonal entry depends on those before.
+/// A row whose pivot is below this fraction of its diagonal entry depends on those before.
 const INDEPENDENT: f64 = 1e-14;
-/// Below this, sums lose digits to the end of the range of numbers.
+/// Below this, sums lose digits to underflow.
 const TINY: f64 = 1e-280;
-/// A scaled residual below this may be rounding.
+/// A scaled residual below this may be due to rounding.
 const SETTLED_FROM: f64 = 1e-3;
-/// The most sweeps that take rounding from one row to another.
+/// Maximum number of sweeps that redistribute rounding errors between rows.
 const SETTLING_SWEEPS: usize = 200;
-/// Steps of iterative refinement in a round: the second takes what the first has left.
+/// Steps of iterative refinement per round; the second removes what the first leaves.
 const REFINEMENTS: usize = 2;
 
 impl Run<'_> {
-    /// Takes one step of refinement with the factor at hand, if there is anything to refine;
-    /// returns whether nothing is left.
+    /// Takes one step of refinement with the current factor, if necessary; returns whether nothing
+    /// is left to refine.
     pub(super) fn refine_once(&mut self) -> bool {
         self.project_and_measure() || !self.newton_step() && self.project_and_measure()
     }
 
-    /// Moves back to its bound what rounding has put beyond, and recomputes w; returns whether
-    /// nothing is left to refine.
+    /// Moves x back to bounds that rounding has crossed, and recomputes w; returns whether nothing
+    /// is left to refine.
     fn project_and_measure(&mut self) -> bool {
         self.lcp.project_all(&mut self.state.x);
         self.state.w = self.lcp.w(&self.state.x);
@@ -36,7 +36,7 @@ impl Run<'_> {
             let is_idle = self.state.side[j] == Side::Idle && is_unbounded(self.lcp, j);
             let most = if is_idle { tolerance } else { tolerance.min(EXACT) };
             let b = self.lcp.b()[j];
-            // at most Σ |a_jk x_k| + |b_j|, and enough in most cases
+            // at most Σ |a_jk x_k| + |b_j|, and usually large enough
             let magnitude = (self.state.w[j] - b).abs() + b.abs();
             let scale = self.lcp.matrix().diagonal(j);
             let terms = merit::RowTerms { w: self.state.w[j], magnitude, scale, exponent: 0 };
@@ -47,7 +47,7 @@ impl Run<'_> {
         })
     }
 
-    /// Chooses C anew among the rows with w = 0, the largest pivot first.
+    /// Selects C again among the rows with w = 0, largest pivot first.
     fn refactor(&mut self) {
         let rows: Vec<usize> = (0..self.state.x.len())
             .filter(|&j| matches!(self.state.side[j], Side::Free | Side::Idle))
@@ -65,13 +65,13 @@ impl Run<'_> {
         self.basis.factor = factor;
     }
 
-    /// w_j without the rounding of its sum, of which a step would be full near the end.
+    /// w_j in extended precision; near the end, a step would otherwise be dominated by rounding.
     fn accurate_w(&self, j: usize) -> f64 {
         merit::RowTerms::summed::<accurate::Sum>(self.lcp, j, &self.state.x).w()
     }
 
-    /// x_C ← x_C − t A_CC⁻¹ w_C with w recomputed: the whole step, t = 1, or as far as a bound lets
-    /// it go. The row that meets the bound leaves C; returns whether one did.
+    /// x_C ← x_C − t A_CC⁻¹ w_C with w recomputed: the whole step, t = 1, or as far as a bound
+    /// allows. The row that reaches the bound leaves C; returns whether one did.
     fn newton_step(&mut self) -> bool {
         let mut step: Vec<f64> = self.basis.free.iter().map(|&j| -self.accurate_w(j)).collect();
         self.basis.factor.solve(&mut step);
@@ -94,8 +94,8 @@ impl Run<'_> {
         blocked.is_some()
     }
 
-    /// A fresh factor and a refined x with w recomputed; returns the rows that are still not
-    /// satisfied.
+    /// Computes a fresh factor and a refined x with w recomputed; returns the rows that are still
+    /// not satisfied.
     pub(super) fn refine(&mut self) -> Vec<usize> {
         self.refactor();
         let mut steps = 0;
@@ -118,9 +118,9 @@ impl Run<'_> {
         unsatisfied
     }
 
-    /// Sweeps of projected Gauss-Seidel, where all that is left is rounding. C's equations hold to
-    /// the rounding of their own terms, and where bodies of very different mass touch that is a
-    /// lot for a row with small ones; a sweep moves only x whose last digits are small enough.
+    /// Sweeps of projected Gauss-Seidel, for errors that are only rounding. The equations of C hold
+    /// up to the rounding of their own terms, which is a lot for a row with small terms if bodies
+    /// of very different mass touch. A sweep moves only x whose last digits are small enough.
     pub(super) fn settle(&mut self) {
         let mut x = self.state.x.clone();
         let mut least = merit::scaled_residual(self.lcp, &x);

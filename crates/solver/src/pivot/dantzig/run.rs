@@ -1,4 +1,4 @@
-//! The method itself: rows are driven one after another, each until it is satisfied.
+//! The main loop: rows are driven one after another, each until it is satisfied.
 
 use std::cell::OnceCell;
 use std::ops::ControlFlow;
@@ -14,13 +14,13 @@ use crate::{Event, Fallback, Iterate, Move, Observer, Part, Settings, Status};
 use lcplab_problem::Lcp;
 use lcplab_problem::merit::RowTerms;
 
-/// Rounds of refinement and renewed driving at the end.
+/// Maximum number of rounds of refinement and renewed driving at the end.
 const POLISH_ROUNDS: usize = 20;
 
 /// A run of the method on one problem.
 pub(super) struct Run<'a> {
     pub(super) lcp: &'a Lcp,
-    /// The rows of A, once they are asked for.
+    /// The rows of A, created on first use.
     rows: OnceCell<Rows<'a>>,
     /// √a_jj, which has the unit of √(x w) / x_j.
     pub(super) root: Vec<f64>,
@@ -33,36 +33,36 @@ pub(super) struct Run<'a> {
     pub(super) fallback: Option<Fallback>,
 }
 
-/// Where x is, and where each row stands.
+/// x, and the side of each row.
 pub(super) struct State {
     pub(super) x: Vec<f64>,
-    /// Kept up to date for rows at a bound and the driven row.
+    /// Valid for rows at a bound and the driven row.
     pub(super) w: Vec<f64>,
     pub(super) side: Vec<Side>,
 }
 
-/// Which rows are free and which at a bound, and the factor of the free ones.
+/// The free rows and those at a bound, with the factor of the free ones.
 #[derive(Default)]
 pub(super) struct Basis {
     /// C, in the order of the factor's rows.
     pub(super) free: Vec<usize>,
-    /// The rows at a bound, in the order in which they came there.
+    /// The rows at a bound, in the order in which they reached it.
     pub(super) bound: Vec<usize>,
     /// A_CC = L D Lᵀ.
     pub(super) factor: Ldlt,
 }
 
-/// Vectors that are used again and again.
+/// Reusable vectors.
 #[derive(Default)]
 pub(super) struct Scratch {
-    /// Directions that are done with.
+    /// Directions that are no longer needed.
     pub(super) directions: Vec<Direction>,
-    /// What may end a move.
+    /// Possible ends of a move.
     pub(super) ends: Vec<End>,
 }
 
 impl<'a> Run<'a> {
-    /// A run from x, after so many pivots of earlier ones.
+    /// A run from x, after this number of earlier pivots.
     pub(super) fn new(
         lcp: &'a Lcp,
         x: Vec<f64>,
@@ -90,7 +90,7 @@ impl<'a> Run<'a> {
     }
 
     /// Drives all rows, free ones first since they never leave C, and refines x until it is a
-    /// solution. Returns the last point, or why there is none.
+    /// solution. Returns the last point, or the status if there is no solution.
     pub(super) fn solve(&mut self) -> Result<Point, Status> {
         let is_free = |&i: &usize| self.lcp.lo()[i].is_infinite() && self.lcp.hi()[i].is_infinite();
         let mut waiting = Vec::with_capacity(self.lcp.len());
@@ -166,7 +166,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Counts a move of x, which `blocking` has ended.
+    /// Counts a move of x that `blocking` has ended.
     #[inline]
     pub(super) fn moved(&mut self, driven: usize, blocking: usize) -> ControlFlow<Status> {
         self.pivots += 1;
@@ -175,8 +175,8 @@ impl<'a> Run<'a> {
         self.observer.observe(&iterate).map_break(|()| Status::Stopped)
     }
 
-    /// Tells an observer that asks that row i is satisfied as it stands, if no pivot came after
-    /// this many.
+    /// Reports to an observer of step details that row i is satisfied without a move, if no pivot
+    /// was made since `pivots`.
     #[inline]
     pub(super) fn tell_satisfied(&mut self, i: usize, side: Side, pivots: usize) {
         if self.pivots == pivots && self.observer.asks_for_parts() {
@@ -184,7 +184,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Tells an observer that asks of the move that is about to be done.
+    /// Reports the next move to an observer of step details.
     fn tell(&mut self, i: usize, sign: f64, d: &Direction, block: &Block) {
         if self.observer.asks_for_parts() {
             self.observer.part(&Part::Move(Move {
@@ -205,7 +205,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// The side on which row i is satisfied already, if any.
+    /// The side on which row i is already satisfied, if any.
     #[inline]
     pub(super) fn satisfied(&self, i: usize) -> Option<Side> {
         let (lo, hi, x, w) = (self.lcp.lo()[i], self.lcp.hi()[i], self.state.x[i], self.state.w[i]);
@@ -217,11 +217,11 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// The scaled residual that a w_i which no motion of x changes any more leaves in row i.
+    /// The scaled residual of row i from a w_i that no motion of x can change.
     ///
-    /// Rows of redundant joints agree but for what their data are rounded to, an error of position
-    /// of 1e-16 m fed back by β/dt, and but for the drift of one joint against the other. Then w_i
-    /// is not zero, and nothing makes it so.
+    /// Rows of redundant joints agree only up to the rounding of their data, an error of position
+    /// of 1e-16 m fed back by β/dt, and up to the drift of one joint relative to the other. Then
+    /// w_i is not zero, and nothing can make it zero.
     pub(super) fn residual_for_good(&self, i: usize) -> f64 {
         let x = &self.state.x;
         let terms = RowTerms::at(self.lcp, i, x);
@@ -229,7 +229,7 @@ impl<'a> Run<'a> {
         RowTerms { w, ..terms }.scaled_residual(self.lcp, i, x)
     }
 
-    /// Notes that a row stands on this side from now on.
+    /// Moves a row to this side.
     pub(super) fn put(&mut self, row: usize, side: Side) {
         if matches!(self.state.side[row], Side::Lower | Side::Upper) {
             self.basis.bound.retain(|&j| j != row);
@@ -240,7 +240,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Whether row j stands at one of two bounds and may leave it.
+    /// Whether row j is at one of two bounds and may leave it.
     pub(super) fn may_leave(&self, j: usize) -> bool {
         let is_at_bound = matches!(self.state.side[j], Side::Lower | Side::Upper);
         is_at_bound && self.lcp.lo()[j] < self.lcp.hi()[j]

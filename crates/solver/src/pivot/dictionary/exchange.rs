@@ -1,15 +1,15 @@
-//! Many pivots at once: some basic variables for some nonbasic ones.
+//! Block exchange: many pivots at once, some basic variables for some nonbasic ones.
 
 use super::Dictionary;
 use crate::pivot::variable::Variable;
 
-/// An entry below this part of the largest that it was is zero.
+/// An entry below this fraction of its largest earlier value counts as zero.
 const RELATIVE_ZERO: f64 = 1e-12;
 
 impl Dictionary {
     /// Exchanges these basic variables for these nonbasic ones, the largest entry first, until all
-    /// are exchanged or only zeros are left. Zero is an entry that has lost all its digits,
-    /// compared with the largest that it was on the way.
+    /// are exchanged or only zeros are left. An entry counts as zero if it has lost all its digits
+    /// relative to its largest value during the exchange.
     pub(crate) fn exchange(
         &mut self,
         is_leaving: impl Fn(Variable) -> bool,

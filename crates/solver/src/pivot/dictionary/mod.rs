@@ -4,10 +4,10 @@
 //! v_B = c + T v_N        B basic, N nonbasic
 //! ```
 //!
-//! A *pivot* lets one basic and one nonbasic variable change places. Pivoting methods start from
-//! w = b + A x, where w is basic, and exchange until c says what they want to hear: with all
-//! nonbasic variables at 0, c is the value of the basic ones. A variable v of limited range can be
-//! *mirrored*: the distance v' from the other end takes its place, v = range − v'.
+//! A *pivot* exchanges one basic and one nonbasic variable. Pivoting methods start from w = b + A
+//! x, where w is basic, and exchange until c satisfies their conditions: with all nonbasic
+//! variables at 0, c contains the values of the basic ones. A variable v of limited range can be
+//! *mirrored*: it is replaced by its distance from the other end, v' = range − v.
 
 mod exchange;
 
@@ -23,11 +23,11 @@ pub(crate) struct Dictionary {
     places: Places,
     /// c.
     constant: Vec<f64>,
-    /// The largest terms that each constant was ever summed from, which is what its rounding errors
-    /// are proportional to.
+    /// The largest terms in all sums of each constant, to which its rounding errors are
+    /// proportional.
     terms: Vec<f64>,
-    /// A constant below this part of those terms is zero, not only one that cancels in a single
-    /// sum.
+    /// A constant below this fraction of those terms counts as zero, even if it did not cancel in a
+    /// single sum.
     pub(crate) forgives: f64,
     /// T.
     table: Table,
@@ -46,23 +46,23 @@ impl Dictionary {
         Dictionary { basic, nonbasic, places, constant, terms, forgives: 0.0, table }
     }
 
-    /// Gives an entry a value.
+    /// Sets an entry.
     pub(crate) fn set(&mut self, r: usize, c: usize, value: f64) {
         self.table.set(r, c, value);
     }
 
-    /// The basic variables, one a row.
+    /// The basic variables, one per row.
     pub(crate) fn basic(&self) -> &[Variable] {
         &self.basic
     }
 
-    /// The nonbasic variables, one a column.
+    /// The nonbasic variables, one per column.
     pub(crate) fn nonbasic(&self) -> &[Variable] {
         &self.nonbasic
     }
 
-    /// A number that tells this basis from others, but for a coincidence: which variables are
-    /// basic, which not, and by which of their names.
+    /// A hash of the basis: which variables are basic and nonbasic, with their mirrored or original
+    /// names. Different bases have different hashes except by coincidence.
     pub(crate) fn basis(&self) -> u64 {
         let basic = self.basic.iter().map(|v| mixed(2 * v.number() as u64));
         let nonbasic = self.nonbasic.iter().map(|v| mixed(2 * v.number() as u64 + 1));
@@ -79,18 +79,19 @@ impl Dictionary {
         self.table.entry(r, c)
     }
 
-    /// Column c of T: how fast the basic variables change while that of column c grows at rate 1.
+    /// Column c of T: the rate of change of the basic variables while that of column c grows at
+    /// rate 1.
     pub(crate) fn column(&self, c: usize) -> Vec<f64> {
         self.table.column(c)
     }
 
-    /// T by rows.
+    /// T, row by row.
     pub(crate) fn rows(&self) -> Vec<Vec<f64>> {
         let entry = |r| move |c| self.table.entry(r, c);
         (0..self.basic.len()).map(|r| (0..self.nonbasic.len()).map(entry(r)).collect()).collect()
     }
 
-    /// An entry beside the largest of its row.
+    /// An entry relative to the largest of its row.
     pub(crate) fn part_of_row(&self, r: usize, c: usize) -> f64 {
         let row = (0..self.nonbasic.len()).map(|c| self.table.entry(r, c).abs());
         let largest = row.fold(0.0, f64::max);
@@ -116,7 +117,7 @@ impl Dictionary {
         }
     }
 
-    /// c_i ← c_i + change, which has been summed from such terms.
+    /// c_i ← c_i + change, where the change was summed from terms of this size.
     fn add(&mut self, i: usize, change: f64, terms: f64) {
         self.constant[i] = difference(self.constant[i], -change);
         self.terms[i] = self.terms[i].max(terms);
@@ -125,7 +126,7 @@ impl Dictionary {
         }
     }
 
-    /// Puts range − v' in the place of the nonbasic variable v of column c; v' is at 0 from now on.
+    /// Replaces the nonbasic variable v of column c by range − v'; v' is then 0.
     pub(crate) fn mirror_column(&mut self, c: usize, range: f64) {
         let column = self.table.column(c);
         for i in (0..column.len()).filter(|&i| column[i] * range != 0.0) {
@@ -136,7 +137,7 @@ impl Dictionary {
         self.rename(self.nonbasic[c], Place::Column(c));
     }
 
-    /// Puts range − v' in the place of the basic variable v of row r.
+    /// Replaces the basic variable v of row r by range − v'.
     pub(crate) fn mirror_row(&mut self, r: usize, range: f64) {
         self.constant[r] = -self.constant[r];
         self.add(r, range, range.abs());
@@ -144,7 +145,7 @@ impl Dictionary {
         self.rename(self.basic[r], Place::Row(r));
     }
 
-    /// Gives a variable the name of its mirror image, and the place.
+    /// Replaces a variable by its mirror image, in the same place.
     fn rename(&mut self, variable: Variable, place: Place) {
         let mirrored = variable.mirrored();
         match place {
@@ -156,7 +157,7 @@ impl Dictionary {
         self.places.put(mirrored, place);
     }
 
-    /// The dictionary of some of these equations and variables, or their opposites, in this order.
+    /// The dictionary of some of these equations and variables, or their negatives, in this order.
     pub(crate) fn selection(&self, rows: &[Taken], columns: &[Taken]) -> Self {
         let name = |taken: &Taken| taken.name;
         let mut selection = Dictionary::new(
@@ -179,7 +180,7 @@ impl Dictionary {
         self.row_of(variable).map_or(0.0, |r| self.constant[r])
     }
 
-    /// How fast a variable changes while the nonbasic one of column c grows at rate 1.
+    /// The rate of change of a variable while the nonbasic one of column c grows at rate 1.
     pub(crate) fn rate(&self, variable: Variable, c: usize) -> f64 {
         match self.places.get(variable) {
             Place::Row(r) => self.table.entry(r, c),
@@ -188,7 +189,7 @@ impl Dictionary {
         }
     }
 
-    /// Whether there is a variable of this name.
+    /// Whether the dictionary contains this variable.
     pub(crate) fn has(&self, variable: Variable) -> bool {
         self.places.get(variable) != Place::Nowhere
     }
@@ -210,16 +211,16 @@ impl Dictionary {
     }
 }
 
-/// A row or column of another dictionary, or its opposite, with a new name.
+/// A row or column of another dictionary, or its negative, with a new name.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Taken {
     pub(crate) name: Variable,
     pub(crate) index: usize,
-    /// 1, or −1 for the opposite.
+    /// 1, or −1 for the negative.
     pub(crate) sign: f64,
 }
 
-/// A number that looks like one drawn at random (SplitMix64: Steele, Lea & Flood 2014).
+/// A hash of a number (SplitMix64: Steele, Lea & Flood 2014).
 fn mixed(number: u64) -> u64 {
     let mut z = number.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -1,4 +1,4 @@
-//! The end of a path: a ray, or x without the rounding of the path.
+//! The end of a path: a ray, or x without the rounding errors of the path.
 
 use super::path::Path;
 use crate::Status;
@@ -8,8 +8,8 @@ use crate::pivot::principal::Point;
 use lcplab_problem::Lcp;
 
 impl Path<'_> {
-    /// Why nothing becomes zero. Along a ray d no x_i w_i changes, so that dᵀA d ≤ 0; where it is
-    /// more, something does become zero, but only beyond the largest number.
+    /// The status if no variable becomes zero. Along a ray d no x_i w_i changes, so dᵀA d ≤ 0; if
+    /// dᵀA d is larger, some variable does become zero, but only beyond the largest number.
     pub(super) fn endless(&self, c: usize) -> Status {
         let direction = self.form.direction(c);
         let (mut product, mut size) = (0.0, 0.0);
@@ -29,8 +29,8 @@ impl Path<'_> {
     }
 }
 
-/// x at the end of a path without the rounding of the path: from a fresh factorisation of the
-/// active set, first with the free rows at a bound that are there but for rounding.
+/// x at the end of a path without the rounding errors of the path: from a fresh factorization of
+/// the active set, first with free rows that are at a bound up to rounding moved to that bound.
 pub(super) fn from_active_set(lcp: &Lcp, set: &ActiveSet, x: &[f64]) -> Point {
     let tight = set.tightened(lcp, x);
     let mut best = Point::at(lcp, x.to_vec());

@@ -1,37 +1,38 @@
-//! Lemke's complementary pivoting: follows a path of almost-solutions, for any square A.
+//! Lemke's complementary pivoting: follows a path of almost complementary points, for any square A.
 //!
-//! A covering variable z₀ makes every w big enough:
+//! A covering variable z₀ makes every w nonnegative:
 //!
 //! ```text
 //! w = A x + b + z₀ e,   x, w, z₀ ≥ 0,   x_i w_i = 0        e = (1, …, 1)
 //! ```
 //!
-//! (Bounds are 0 and ∞ here: a boxed problem is first brought into this form, see
-//! `standard_form.rs`. Where the units of the rows are far apart, e_i is that of
-//! w_i.) At x = 0 the least z₀ that works has some w_r = 0. From there the partner of whatever has
-//! just become zero is raised, until the next variable becomes zero: a *pivot*. The path never
-//! forks, so it cannot return, and it ends in one of two ways:
+//! (Bounds are 0 and ∞ here; a boxed problem is first transformed, see `standard_form.rs`. If the
+//! units of the rows are very different, e_i is the unit of w_i.) At x = 0 the least possible z₀
+//! has some w_r = 0. From there the complement of the variable that has just become zero is
+//! increased until the next variable becomes zero: a *pivot*. The path never branches, so it cannot
+//! return, and it ends in one of two ways:
 //!
 //! - z₀ becomes zero: x is a solution;
-//! - nothing becomes zero: a *ray*, `Ray`. For copositive-plus A, which includes every positive
+//! - no variable becomes zero: a *ray*, `Ray`. For copositive-plus A, which includes every positive
 //!   semidefinite A, symmetric or not, this happens only if no x ≥ 0 has A x + b ≥ 0, hence if no
-//!   solution exists. If A is symmetric too, the ray's x is a Farkas vector d, A d = 0 and bᵀd < 0,
-//!   which the judge can check. For other A a ray says nothing about solvability.
+//!   solution exists. If A is also symmetric, the ray's x is a Farkas vector d, A d = 0 and
+//!   bᵀd < 0, which the judge can check. For other A a ray proves nothing about solvability.
 //!
-//! It also solves every problem whose A is a P-matrix and every problem with all bounds finite
-//! (there z̃ = 0 on a ray, so a second ray does not exist). Ties in "which one becomes zero" are
-//! broken lexicographically: c is perturbed by (ε, ε², …), which is read off the columns of the
-//! first basis, so degenerate problems do not cycle; z₀ itself leaves whenever it can. The number
-//! of pivots is about 2 n as a rule and 2ⁿ for Murty's matrix; each costs O(n²) on a condensed
-//! tableau. Where A is symmetric the path can be followed by principal pivots, which are cheaper
-//! and exacter (parametric.rs); if one of them cannot be trusted, or somebody wants to see the
-//! tableaux, they are made. Rows without bounds that depend on others, as in redundant joints, stay
-//! out of the tableau then.
+//! The method also solves every problem whose A is a P-matrix and every problem whose bounds are
+//! all finite (there z̃ = 0 on a ray, so a second ray does not exist). Ties between variables that
+//! become zero are broken lexicographically: c is perturbed by (ε, ε², …), which is read off the
+//! columns of the first basis, so degenerate problems do not cycle; z₀ itself leaves whenever it
+//! can. The number of pivots is usually about 2 n, and 2ⁿ for Murty's matrix; each costs O(n²) on a
+//! condensed tableau. If A is symmetric, the path can be followed by principal pivots, which are
+//! cheaper and more accurate (parametric.rs). The tableau is used if one of these pivots is
+//! unreliable or an observer wants the tableaux. Rows without bounds that depend on others, as in
+//! redundant joints, are then left out of the tableau.
 //!
-//! At the end x is computed afresh from the active set. Rounding piles up, and can even lead a path
-//! back to where it was. Such a path, and one of more than 50 pivots or with a very small pivot
-//! that ends at no solution, is followed once more, with a tableau that is made anew every 50
-//! pivots; its pivots are counted on, and the solution says so ([`Fallback`]).
+//! At the end x is computed afresh from the active set. Rounding errors accumulate and can even
+//! lead a path back to an earlier basis. Such a path, and one with more than 50 pivots or a very
+//! small pivot that does not end at a solution, is followed once more with a tableau that is
+//! recomputed every 50 pivots. Its pivots are added to the count, and the solution reports it
+//! ([`Fallback`]).
 //!
 //! Lemke 1965; Cottle, Pang & Stone 1992, algorithm 4.4.5. Coupled rows: see
 //! [`frozen`].
@@ -50,14 +51,14 @@ use crate::{Fallback, Iterate, Observer, Part, Settings, Solution, Solver, Start
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 
-/// A path of more pivots may be followed a second time; then the tableau is made anew after each so
-/// many pivots.
+/// A path with more pivots may be followed a second time, and then the tableau is recomputed after
+/// each this many pivots.
 const PIVOTS_TO_RENEWAL: usize = 50;
 
-/// Lemke's method with lexicographic ties.
+/// Lemke's method with the lexicographic rule for ties.
 #[derive(Debug, Clone, Default)]
 pub struct Lemke {
-    /// The common settings; an iteration is a pivot, the entry of the covering variable included.
+    /// The common settings; an iteration is a pivot, including the entry of the covering variable.
     pub settings: Settings,
 }
 
@@ -101,8 +102,8 @@ impl Solver for Lemke {
 }
 
 impl Lemke {
-    /// Follows the path by Lemke's tables, after so many pivots on other problems; a second time
-    /// where rounding may have led astray.
+    /// Follows the path with tableaux, after `before` pivots on other problems; a second time if
+    /// rounding may have led to a wrong path.
     fn by_tables(&self, lcp: &Lcp, before: usize, observer: &mut dyn Observer) -> Solution {
         let mut path = Path::new(lcp, before);
         let (x, status) = path.solve(&self.settings, observer);
@@ -122,7 +123,7 @@ impl Lemke {
     }
 }
 
-/// An observer that has seen the first pivots already.
+/// An observer that has already received the first pivots.
 struct Later<'a> {
     seen: usize,
     observer: &'a mut dyn Observer,
@@ -146,7 +147,7 @@ impl Observer for Later<'_> {
     }
 }
 
-/// Room for three tableaux: the first, the one that is pivoted, and one to make that anew.
+/// The memory for three tableaux: the first, the current one, and one to recompute it.
 fn tableaux(lcp: &Lcp) -> Memory {
     Memory::square(lcp.len() + 2).times(3)
 }

@@ -1,22 +1,22 @@
-//! The path by principal pivots, for symmetric A.
+//! Follows Lemke's path by principal pivots, for symmetric A.
 //!
-//! While z₀ falls, x solves the boxed problem with b + z₀ e in place of b. Between two pivots it
-//! moves along a line, as if z₀ were one more x: with the border e the
-//! [tableau](crate::kernel::tableau) of the free rows has its speeds,
+//! While z₀ decreases, x solves the boxed problem with b + z₀ e instead of b. Between two pivots it
+//! moves along a line, as if z₀ were another x: with the border e, the
+//! [tableau](crate::kernel::tableau) of the free rows contains its speeds,
 //!
 //! ```text
 //! ( A   e )
 //! ( eᵀ  0 )      dx_C/dz₀ = −S_zC,   dw_B/dz₀ = S_zB
 //! ```
 //!
-//! Where w_r meets zero, row r enters C, and where x_r meets its bound, it leaves C; then z₀ falls
-//! on. So w_r has become nonbasic and x_r basic in one pivot, at s_rr, and the table stays
-//! symmetric: half the products of Lemke's own, and digits that its unsymmetric pivots lose. It
-//! needs an s_rr clear of rounding. Where that is not so the path is followed by Lemke's table from
-//! the start; it is the same path.
+//! When w_r reaches zero, row r enters C, and when x_r reaches its bound, it leaves C; then z₀
+//! decreases further. One pivot at s_rr makes w_r nonbasic and x_r basic, and the table stays
+//! symmetric. This needs half the products of Lemke's own pivots and keeps digits that those lose.
+//! It requires an s_rr well above rounding; otherwise the path is followed by Lemke's tableau from
+//! the start, which gives the same path.
 //!
-//! Van de Panne & Whinston 1969 and Cottle 1972 go on so; for definite A each z₀ has one x, so z₀
-//! only falls.
+//! See Van de Panne & Whinston 1969 and Cottle 1972. For definite A each z₀ has one x, so z₀ only
+//! decreases.
 
 use std::ops::ControlFlow;
 
@@ -33,13 +33,13 @@ use crate::pivot::refinement::refined;
 use crate::{Event, Iterate, Observer, Settings, Status};
 use lcplab_problem::Lcp;
 
-/// A path that is followed.
+/// A path in progress.
 pub(super) struct Parametric<'a> {
     lcp: &'a Lcp,
-    /// e, with the sign that lifts w from the wrong side of zero; 0 for a row without bounds.
+    /// e, with the sign that moves w away from the wrong side of zero; 0 for a row without bounds.
     cover: Vec<f64>,
     z: f64,
-    /// The largest |e_i| / √a_ii: what z₀ counts for beside √a_jj x_j.
+    /// The largest |e_i| / √a_ii: the weight of z₀ relative to √a_jj x_j.
     unit: f64,
     tableau: Tableau,
     basic: Basic,
@@ -49,15 +49,15 @@ pub(super) struct Parametric<'a> {
     x: Vec<f64>,
     /// √a_jj.
     root: Vec<f64>,
-    /// Row z of the tableau, and another one.
+    /// Row z of the tableau, and another row.
     speeds: Vec<Block>,
     other: Vec<Block>,
-    /// So many rows have left C since the tableau was made.
+    /// The number of rows that have left C since the tableau was computed.
     left: usize,
     pub(super) pivots: usize,
 }
 
-/// How a path ends that does not need the table.
+/// The end of a path that does not need the tableau.
 pub(super) enum End {
     /// z₀ = 0.
     Point(Point),
@@ -66,7 +66,7 @@ pub(super) enum End {
 }
 
 impl<'a> Parametric<'a> {
-    /// The start of the path, after so many pivots on other ones.
+    /// The start of the path, after `pivots` pivots on other paths.
     pub(super) fn new(lcp: &'a Lcp, cover: Vec<f64>, pivots: usize) -> Self {
         let n = lcp.len();
         let start = |i: usize| match (lcp.lo()[i], lcp.hi()[i]) {
@@ -99,7 +99,7 @@ impl<'a> Parametric<'a> {
         }
     }
 
-    /// Follows the path to its end; none where a pivot cannot be trusted.
+    /// Follows the path to its end; `None` if a pivot is unreliable.
     pub(super) fn solve(
         &mut self,
         settings: &Settings,
@@ -128,9 +128,9 @@ impl<'a> Parametric<'a> {
         }
     }
 
-    /// Solves w = 0 for the x of the rows without bounds. One that depends on those before it, as
-    /// in redundant joints, stays out of C: its w is a combination of theirs, whatever x is, and no
-    /// row that it depends on ever leaves C. Whether that w is zero is seen at the end.
+    /// Solves w = 0 for the x of the rows without bounds. A row that depends on earlier ones, as in
+    /// redundant joints, stays out of C: its w is a combination of theirs, whatever x is, and no
+    /// row that it depends on ever leaves C. Whether that w is zero is tested at the end.
     fn solve_free_rows(&mut self) -> Option<()> {
         for row in 0..self.lcp.len() {
             if self.side[row] != Side::Waiting {
@@ -154,8 +154,8 @@ impl<'a> Parametric<'a> {
         Some(())
     }
 
-    /// Raises z₀ until no w is on the wrong side of zero; returns the row where one is zero, or
-    /// none if z₀ = 0.
+    /// Increases z₀ until no w is on the wrong side of zero; returns the row where w is zero, or
+    /// `None` if z₀ = 0.
     fn enter_cover(&mut self) -> Option<usize> {
         let w = self.lcp.w(&self.x);
         let asked = |i: usize| if self.cover[i] == 0.0 { 0.0 } else { -w[i] / self.cover[i] };
@@ -172,7 +172,7 @@ impl<'a> Parametric<'a> {
         last.filter(|_| self.z > 0.0)
     }
 
-    /// Pivots until z₀ = 0; none where a pivot cannot be trusted.
+    /// Pivots until z₀ = 0; `None` if a pivot is unreliable.
     fn follow(
         &mut self,
         first: usize,
@@ -217,8 +217,8 @@ impl<'a> Parametric<'a> {
         }
     }
 
-    /// How far z₀ can fall, and the row that meets its bound then, and which; no row if z₀ = 0
-    /// comes first. None if that cannot be told.
+    /// How far z₀ can decrease, and the row that then reaches its bound, with its side; no row if
+    /// z₀ = 0 comes first. `None` if this cannot be decided reliably.
     fn blocking(&mut self) -> Option<(f64, Option<(usize, Side)>)> {
         let size = self.unit + self.basic.size(&self.speeds);
         let others = self.basic.reach(&self.speeds, -1.0, size, self.z);
@@ -239,7 +239,7 @@ impl<'a> Parametric<'a> {
         Some((others, Some((row, side))))
     }
 
-    /// Of rows that meet their bounds within this length the first if the w of the start are
+    /// Of the rows that reach their bounds within this length, the first one if the initial w are
     /// perturbed by (ε, ε², …).
     fn least(&self, length: f64) -> Option<usize> {
         let tied: Vec<usize> = self.basic.all_within(length).collect();
@@ -281,7 +281,7 @@ impl<'a> Parametric<'a> {
         left.first().map(|&k| tied[k])
     }
 
-    /// z₀ falls by this length.
+    /// Decreases z₀ by this length.
     fn advance(&mut self, length: f64) {
         self.z -= length;
         self.basic.advance(length);
@@ -290,7 +290,7 @@ impl<'a> Parametric<'a> {
         }
     }
 
-    /// A row enters C where it is; none if its s cannot be trusted.
+    /// Row `row` enters C; `None` if its s is unreliable.
     fn enter(&mut self, row: usize) -> Option<()> {
         self.tableau.read(row, &mut self.other);
         let size = self.root[row] + self.basic.size(&self.other);
@@ -303,7 +303,7 @@ impl<'a> Parametric<'a> {
         Some(())
     }
 
-    /// A row leaves C for this side.
+    /// Row `row` leaves C for this side.
     fn leave(&mut self, row: usize, side: Side) {
         self.tableau.read(row, &mut self.other);
         self.free.retain(|&j| j != row);
@@ -315,13 +315,13 @@ impl<'a> Parametric<'a> {
         }
     }
 
-    /// The row in `other` enters C, sign = 1, or leaves it, sign = −1.
+    /// The row in `other` enters C (sign = 1) or leaves it (sign = −1).
     fn pivot(&mut self, row: usize, sign: f64) {
         let followed = Some((self.lcp.len(), &mut self.speeds));
         self.tableau.pivot(row, &self.other, sign, followed);
     }
 
-    /// Makes the tableau of C anew.
+    /// Recomputes the tableau of C.
     fn renew(&mut self) {
         self.left = 0;
         self.tableau.reset(self.lcp.matrix());
@@ -332,7 +332,7 @@ impl<'a> Parametric<'a> {
         self.tableau.read(self.lcp.len(), &mut self.speeds);
     }
 
-    /// A row stands on this side from now on, at this x or w, whichever may move.
+    /// Sets a row to this side, with this value of x or w, whichever may move.
     fn put(&mut self, row: usize, side: Side, value: f64) {
         self.side[row] = side;
         let bounds = (self.lcp.lo()[row], self.lcp.hi()[row]);

@@ -1,4 +1,4 @@
-//! The path: from the entry of the covering variable, pivot by pivot, to its end.
+//! Lemke's path: from the entry of the covering variable, pivot by pivot, to its end.
 
 use std::collections::HashSet;
 use std::ops::ControlFlow;
@@ -11,17 +11,17 @@ use crate::pivot::standard_form::{FORGIVEN, StandardForm};
 use crate::{Event, Iterate, Leaving, Observer, Part, Settings, Status, Tableau, Variable};
 use lcplab_problem::Lcp;
 
-/// A pivot below this part of its row may be rounding.
+/// A pivot below this fraction of its row may be rounding.
 const DOUBTFUL: f64 = 1e-10;
 
-/// A path that is followed.
+/// A path in progress.
 pub(super) struct Path<'a> {
     pub(super) lcp: &'a Lcp,
     pub(super) form: StandardForm,
-    /// The variables that were basic before the first pivot.
+    /// The basic variables before the first pivot.
     first: Vec<Variable>,
     renews: bool,
-    /// Whether some pivot may have been nothing but rounding.
+    /// Whether some pivot may have been only rounding.
     pub(super) is_doubtful: bool,
     /// x after the last pivot.
     pub(super) x: Vec<f64>,
@@ -29,7 +29,7 @@ pub(super) struct Path<'a> {
 }
 
 impl<'a> Path<'a> {
-    /// The start of the path, after so many pivots on other ones.
+    /// The start of the path, after `pivots` pivots on other paths.
     pub(super) fn new(lcp: &'a Lcp, pivots: usize) -> Self {
         let mut form = StandardForm::of(lcp);
         form.dictionary.forgives = 0.0;
@@ -37,13 +37,13 @@ impl<'a> Path<'a> {
         Path { lcp, form, first, renews: false, is_doubtful: false, x, pivots }
     }
 
-    /// The same, with a fresh tableau now and then and generous zeros.
+    /// The same, with tableaux recomputed periodically and larger thresholds for zero.
     pub(super) fn with_renewals(mut self) -> Self {
         self.form.dictionary.forgives = FORGIVEN;
         Path { renews: true, ..self }
     }
 
-    /// x at the end of the path, and what it is worth.
+    /// x at the end of the path, with its status.
     pub(super) fn solve(
         &mut self,
         settings: &Settings,
@@ -54,7 +54,7 @@ impl<'a> Path<'a> {
         let (claim, x) = (point.claim(self.lcp, settings.tolerance), point.x);
         match (claim, end) {
             (status, ControlFlow::Continue(())) => (x, status),
-            // z₀ was zero but for rounding
+            // z₀ was zero up to rounding
             (Status::Solved, ControlFlow::Break(Status::Ray { .. } | Status::NotFinite)) => {
                 (x, Status::Solved)
             }
@@ -62,7 +62,7 @@ impl<'a> Path<'a> {
         }
     }
 
-    /// Pivots until the covering variable has left again.
+    /// Pivots until the covering variable has left the basis.
     fn follow(&mut self, limit: usize, observer: &mut dyn Observer) -> ControlFlow<Status> {
         let start = self.pivots;
         if self.form.dictionary.constant()[..self.form.pairs].iter().all(|&c| c >= 0.0) {
@@ -95,7 +95,7 @@ impl<'a> Path<'a> {
         }
     }
 
-    /// Tells an observer that asks of the tableau, and of what will enter and leave.
+    /// Reports the tableau and the entering and leaving variables to an observer of step details.
     fn tell(&self, entering: Option<usize>, leaving: Option<Leaving>, observer: &mut dyn Observer) {
         if observer.asks_for_parts() {
             let d = &self.form.dictionary;
@@ -149,15 +149,15 @@ impl<'a> Path<'a> {
         ControlFlow::Continue(left)
     }
 
-    /// The variable that becomes zero first when that of column c grows; the covering variable
-    /// grows until no other one is negative.
+    /// The variable that first becomes zero when that of column c grows; the covering variable
+    /// first grows until no other variable is negative.
     fn blocking(&self, c: usize) -> Option<Blocking> {
         let is_cover = self.form.dictionary.nonbasic()[c] == Variable::Cover;
         let candidates = if is_cover { self.lifted(c) } else { self.candidates(c) };
         least(candidates, &self.form.dictionary, &self.first)
     }
 
-    /// Gives the variable that leaves the name under which it becomes zero.
+    /// Renames the leaving variable to the one of the mirrored pair that becomes zero.
     fn name_leaving(&mut self, blocking: Blocking) -> Leaving {
         match blocking {
             Blocking::Row(r) => Leaving::Basic(r),
@@ -170,14 +170,14 @@ impl<'a> Path<'a> {
         }
     }
 
-    /// The rows that the covering variable lifts.
+    /// The rows that the covering variable increases.
     fn lifted(&self, c: usize) -> Vec<Candidate> {
         let (value, weight) = (self.form.dictionary.constant(), self.form.dictionary.column(c));
         let row = |r| Candidate { blocking: Blocking::Row(r), value: value[r], weight: weight[r] };
         (0..self.form.pairs).map(row).collect()
     }
 
-    /// What may become zero when the variable of column c grows.
+    /// The variables that may become zero when that of column c grows.
     fn candidates(&self, c: usize) -> Vec<Candidate> {
         let mut rate = self.form.dictionary.column(c);
         if self.renews {
@@ -207,7 +207,7 @@ impl<'a> Path<'a> {
         candidates
     }
 
-    /// Makes the tableau of the present basis anew from the first one.
+    /// Recomputes the tableau of the current basis from the first one.
     fn renew(&mut self) {
         let now = &self.form.dictionary;
         let mut renewed = StandardForm::of(self.lcp);

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use lcplab_testing::{INF, cases, contacts, manufactured};
 use lcplab_testing::{assert_close, plain};
 
-/// x after so many sweeps by rows and by columns.
+/// x after this number of sweeps by rows and by columns.
 fn fast(lcp: &Lcp, omega: f64, sweeps: usize, width: Width) -> [Vec<f64>; 2] {
     let mut by_rows = Start::default().point(lcp);
     let mut by_columns = by_rows.clone();
@@ -42,7 +42,7 @@ proptest! {
 
 #[test]
 fn by_columns_only_rows_that_change_cost_anything() {
-    // Rows 0 and 2 rest at their bound from the start; the others move until they are solved.
+    // Rows 0 and 2 are at their bound from the start; the others move until they are solved.
     let a: [&[f64]; 3] = [&[2.0, 1.0, 0.0], &[1.0, 2.0, 1.0], &[0.0, 1.0, 2.0]];
     let lcp = contacts(&a, &[1.0, -2.0, 1.0]);
     let (mut x, mut columns) = ([0.0; 3], Columns::of(&lcp, 1.0, Width::widest()).unwrap());
@@ -89,7 +89,7 @@ fn what_a_form_is_not_made_for_is_refused() {
 
 #[test]
 fn every_number_is_read_once_wherever_the_memory_begins() {
-    // 1, 2, …, n: all sums are whole, so the order of adding does not matter.
+    // 1, 2, …, n: all sums are integers, so the order of addition does not matter.
     let numbers: Vec<f64> = (1..=3000).map(f64::from).collect();
     for start in 0..9 {
         for count in (0..80).chain([511, 512, 1500, 2991]) {

@@ -1,5 +1,4 @@
-//! The factor by panels, through the factorisation of a growing and shrinking set that is made of
-//! it.
+//! The panel factor, tested through the factorization of a growing and shrinking set.
 
 use lcplab_solver::kernel::Width;
 use lcplab_solver::linalg::ldlt::{Elimination, Ldlt};
@@ -10,10 +9,10 @@ use proptest::prelude::*;
 use lcplab_testing::assert_close;
 use lcplab_testing::cases;
 
-/// Five panels and a part of one.
+/// Five full panels and a partial one.
 const N: usize = 45;
 
-/// J Jᵀ + 1 where a row of J touches no further than `band` back.
+/// J Jᵀ + 1 where a row of J reaches at most `band` back.
 fn touching(j: &[f64], band: usize) -> DMatrix<f64> {
     let entry = |r, c| if c <= r && r - c <= band { j[r * N + c] } else { 0.0 };
     let j = DMatrix::from_fn(N, N, entry);
@@ -28,7 +27,7 @@ fn column(a: &DMatrix<f64>, set: &[usize], i: usize) -> DVector<f64> {
     DVector::from_fn(set.len(), |k, _| a[(set[k], i)])
 }
 
-/// A row that is there goes, any other comes.
+/// An existing row is removed, any other is added.
 fn exchange(a: &DMatrix<f64>, set: &mut Vec<usize>, factor: &mut Ldlt, row: usize) {
     if let Some(k) = set.iter().position(|&r| r == row) {
         set.remove(k);
@@ -41,7 +40,7 @@ fn exchange(a: &DMatrix<f64>, set: &mut Vec<usize>, factor: &mut Ldlt, row: usiz
     set.push(row);
 }
 
-/// All rows in their order, then those that come and go.
+/// All rows in order, followed by those that are added and removed.
 fn rows() -> impl Strategy<Value = Vec<usize>> {
     vec(0..N, 0..120).prop_map(|moves| (0..N).chain(moves).collect())
 }
@@ -96,7 +95,7 @@ proptest! {
         let j = DMatrix::from_fn(N, rank, |r, c| j[r * N + c]);
         let a = &j * j.transpose();
         let (chosen, factor) = Ldlt::pivoted(N, 1e-9, |r, c| a[(r, c)]);
-        // What row i keeps of a_ii beside these rows: its Schur complement, a part of it.
+        // The fraction of a_ii that row i keeps with these rows: its relative Schur complement.
         let kept = |set: &[usize], i: usize| {
             let column = column(&a, set, i);
             let z = block(&a, set).cholesky().unwrap().solve(&column);

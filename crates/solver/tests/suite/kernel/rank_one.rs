@@ -1,4 +1,4 @@
-//! y ← y + f x, through the elimination that is made of it.
+//! y ← y + f x, tested through elimination.
 
 use lcplab_solver::linalg::elimination::{Lu, difference};
 use nalgebra::{DMatrix, DVector};
@@ -36,7 +36,7 @@ proptest! {
     fn a_matrix_of_rank_r_has_r_pivots(
         n in 1..MOST, part in 0.0..1.0f64, entries in vec(-1.0..1.0f64, MOST * MOST),
     ) {
-        // The first r rows have a large diagonal; the others are those again in other units.
+        // The first r rows have a large diagonal; the others repeat them in other units.
         let rank = (part * n as f64) as usize;
         let mut a = square(n, &entries);
         (0..rank).for_each(|i| a[(i, i)] += n as f64);

@@ -1,4 +1,4 @@
-//! Sums of rows, through the pivots of Dantzig's method, which are made of them.
+//! Sums of rows, tested through the pivots of Dantzig's method.
 
 use lcplab_problem::{Lcp, Matrix};
 use lcplab_solver::{Dantzig, Solver, Start, Status};
@@ -9,7 +9,7 @@ use lcplab_testing::{Manufactured, cases, manufactured};
 
 const N: usize = 37;
 
-/// Which entries of A are kept.
+/// Selects the entries of A to keep.
 type Pattern = fn(usize, usize) -> bool;
 
 const PATTERNS: [(&str, Pattern); 5] = [
@@ -20,8 +20,8 @@ const PATTERNS: [(&str, Pattern); 5] = [
     ("blocks", |i, j| i / 9 == j / 9),
 ];
 
-/// The problem with the same solution and these entries only, dense and sparse; the diagonal is
-/// raised so that A stays definite (Gershgorin).
+/// The problem with the same solution and only these entries, dense and sparse; the diagonal is
+/// increased so that A stays definite (Gershgorin).
 fn cut(m: &Manufactured, keep: Pattern) -> [Lcp; 2] {
     let mut a = m.lcp.matrix().to_dense();
     for (i, j) in (0..N * N).map(|k| (k / N, k % N)).filter(|&(i, j)| !keep(i, j)) {

@@ -8,12 +8,12 @@ use lcplab_testing::cases;
 const ROWS: usize = 21;
 const COLUMNS: usize = 13;
 
-/// A table as it stands in a book.
+/// A table in textbook form.
 #[derive(Clone)]
 struct Plain(Vec<Vec<f64>>);
 
 impl Plain {
-    /// Row r solved for the variable of column c and put into the others.
+    /// Solves row r for the variable of column c and substitutes it into the others.
     fn pivot(&mut self, r: usize, c: usize) {
         let pivot = std::mem::replace(&mut self.0[r][c], -1.0);
         let solved: Vec<f64> = self.0[r].iter().map(|entry| entry / -pivot).collect();
@@ -26,7 +26,7 @@ impl Plain {
         self.0[r] = solved;
     }
 
-    /// The place with the largest entry after this one; sizes of 1/8 and more will do.
+    /// The position with the largest entry after this one; sizes of at least 1/8 suffice.
     fn place(&self, k: usize) -> (usize, usize) {
         let places = (0..ROWS * COLUMNS).map(|j| (k + j) % (ROWS * COLUMNS));
         let mut places = places.map(|j| (j / COLUMNS, j % COLUMNS));

@@ -1,17 +1,17 @@
-//! The problem as one mistake in it makes it.
+//! Variants of the problem, each with one mistake.
 
 use lcplab_problem::{Lcp, Matrix};
 
 use super::MistakeKind;
 use super::nearest::solution;
 
-/// With more rows no bound is taken away row by row.
+/// Maximum number of rows for which bounds are removed row by row.
 const MOST_ROWS: usize = 60;
 
-/// A problem that is solved instead of the one that was given.
+/// A problem that was solved instead of the given one.
 pub(super) struct Changed {
     pub kind: MistakeKind,
-    /// What was changed.
+    /// The change.
     pub what: String,
     pub lcp: Lcp,
 }
@@ -22,7 +22,7 @@ impl Changed {
     }
 }
 
-/// All changed problems, the simplest changes first.
+/// All variants, the simplest changes first.
 pub(super) fn changed_problems(lcp: &Lcp) -> Vec<Changed> {
     let mut all = Vec::new();
     all.extend(Changed::new(
@@ -58,7 +58,7 @@ pub(super) fn with_last_normals(lcp: &Lcp, last: &[f64]) -> Option<Changed> {
     Changed::new(MistakeKind::LastNormals, what, frozen)
 }
 
-/// A + ε I instead of A, with the ε that makes w = −ε x in the free rows, as nearly as one number
+/// A + ε I instead of A, with the ε that makes w = −ε x in the free rows, as closely as one number
 /// can.
 pub(super) fn compliant(lcp: &Lcp, x: &[f64]) -> Option<(f64, Lcp)> {
     let is_inside = |i: usize| {
@@ -78,8 +78,8 @@ pub(super) fn compliant(lcp: &Lcp, x: &[f64]) -> Option<(f64, Lcp)> {
     Some((softness, with(lcp, Matrix::sparse(n, &entries), bounds)?))
 }
 
-/// b times the positive factor that brings the solution nearest to x. Only where all bounds are 0
-/// or infinite, or friction, does the solution grow with b, so that the factor can be read off.
+/// b times the positive factor that brings the solution nearest to x. The factor can be computed
+/// only if all bounds are 0, infinite, or friction, because the solution is then proportional to b.
 pub(super) fn with_factor(lcp: &Lcp, x: &[f64], solution: &[f64]) -> Option<(f64, Lcp)> {
     let grows = |bound: &f64| *bound == 0.0 || bound.is_infinite();
     if !lcp.lo().iter().chain(lcp.hi()).all(grows) {
@@ -94,7 +94,7 @@ pub(super) fn with_factor(lcp: &Lcp, x: &[f64], solution: &[f64]) -> Option<(f64
     Some((factor, lcp.with_b(b).ok()?))
 }
 
-/// What is done wrong with friction rows.
+/// Mistakes in friction rows.
 fn changed_friction(lcp: &Lcp) -> Vec<Changed> {
     let bounded = |size: f64| {
         let pick = |own: &[f64], bound: f64| -> Vec<f64> {
@@ -143,7 +143,7 @@ fn transposed(matrix: &Matrix) -> Matrix {
     Matrix::sparse(matrix.len(), &entries)
 }
 
-/// Another matrix and other bounds, with the b and the coupled rows of this problem.
+/// The problem with another matrix and other bounds.
 fn with(lcp: &Lcp, matrix: Matrix, (lo, hi): (Vec<f64>, Vec<f64>)) -> Option<Lcp> {
     let plain = Lcp::new(matrix, lcp.b().to_vec(), lo, hi).ok()?;
     match lcp.coupling() {

@@ -7,7 +7,7 @@ pub enum MistakeKind {
     NothingDone,
     /// Gauss-Seidel was stopped before it converged.
     StoppedSweeps,
-    /// Sweeps began at 0 though the answer of the frame before was known.
+    /// Sweeps started from 0 although the answer of the previous frame was known.
     MissingWarmStart,
     /// All rows were updated from the old x.
     Jacobi,
@@ -33,12 +33,12 @@ pub enum MistakeKind {
     UnlimitedFriction,
     /// Friction bounds from normal forces that were computed without friction.
     FrictionlessNormals,
-    /// Friction bounds from the normal forces of the frame before.
+    /// Friction bounds from the normal forces of the previous frame.
     LastNormals,
 }
 
 impl MistakeKind {
-    /// All of them.
+    /// All known mistakes.
     pub const ALL: [MistakeKind; 16] = [
         MistakeKind::NothingDone,
         MistakeKind::StoppedSweeps,

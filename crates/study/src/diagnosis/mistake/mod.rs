@@ -1,10 +1,10 @@
-//! Which known mistakes give exactly this x?
+//! Finds the known mistakes that give exactly this x.
 //!
-//! Solvers that answer wrongly mostly do so in one of a few ways. Each of these is done here to the
-//! same problem, and its answer is compared with the x in question. The exact solution nearest to x
-//! is compared too: whatever is near a solution is near everything that leads to it. Only a mistake
-//! that explains x at least a hundred times better than the solution does, in more numbers than
-//! were fitted to x, is named; mistakes that explain it equally well are all named.
+//! Most wrong answers of solvers come from a few mistakes. Each known mistake is applied to the
+//! same problem, and its answer is compared with the given x, as is the exact solution nearest to
+//! x: an x near a solution is near everything that converges to it. A mistake is reported only if
+//! it explains x at least a hundred times better than the solution does, in more numbers than were
+//! fitted to x; all mistakes that explain it equally well are reported.
 //!
 //! ```
 //! use lcplab_problem::{Lcp, Matrix};
@@ -42,71 +42,72 @@ use comparison::{Agreement, Comparison};
 use nearest::{distance, nearest_solution, solution};
 use sweeps::{Swept, gauss_seidel, methods, single_precision_sweep, sweep};
 
-/// In problems with more rows no mistakes are looked for.
+/// Maximum number of rows for which mistakes are searched.
 const LARGEST: usize = 500;
 
 /// A mistake whose answer is this x.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mistake {
-    /// Which of the known mistakes it is.
+    /// The kind of mistake.
     pub kind: MistakeKind,
-    /// What was done, with numbers.
+    /// What was computed, with numbers.
     pub what: String,
-    /// max |x − y| for the y that it gives, beside the largest entry of x and of the solution.
+    /// max |x − y| for the mistake's answer y, relative to the largest entry of x and of the
+    /// solution.
     pub distance: f64,
 }
 
-/// What came of the search for the mistakes behind an answer.
+/// The result of a search for the mistakes behind an answer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MistakeSearch {
-    /// What the judge says of x.
+    /// The judge's verdict on x.
     pub verdict: Verdict,
-    /// How precisely x is known.
+    /// The precision of x.
     pub precision: Precision,
     /// How the search ended.
     pub conclusion: Conclusion,
-    /// The mistakes that give this x, all equally well as far as x has digits; the nearest first,
-    /// at equal distance the simplest.
+    /// The mistakes that give this x equally well within its digits; the nearest first, at equal
+    /// distance the simplest.
     pub mistakes: Vec<Mistake>,
-    /// How many sweeps were compared with x; 0 where nothing was compared.
+    /// The number of sweeps that were compared with x; 0 if nothing was compared.
     pub limits: SweepLimits,
 }
 
 /// How a search for mistakes ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Conclusion {
-    /// The judge accepts x, so that there is no mistake to look for.
+    /// The judge accepts x, so there is no mistake to find.
     Accepted,
     /// An entry of x is not a finite number.
     NotFinite {
         /// Its row.
         row: usize,
     },
-    /// The problem has more rows than this.
+    /// The problem has more rows than the limit.
     TooManyRows {
-        /// The most rows.
+        /// The maximum number of rows.
         limit: usize,
     },
-    /// No solution of the problem is known, so that nothing says whether x is near one.
+    /// No solution of the problem is known, so the distance of x to one is unknown.
     NoSolutionKnown,
-    /// Rounded to the digits of x, an exact solution is x.
+    /// x is an exact solution rounded to the digits of x.
     RoundedSolution {
-        /// max |x − s| beside the largest entry of both.
+        /// max |x − s| relative to the largest entry of both.
         distance: f64,
     },
     /// Every known mistake was compared with x.
     Compared {
-        /// max |x − s| for the nearest known solution s, beside the largest entry of both.
+        /// max |x − s| for the nearest known solution s, relative to the largest entry of both.
         solution_distance: f64,
     },
 }
 
-/// The known mistakes that give this x. `last` is the answer of the frame before, where it is
-/// known: from it sweeps start, or should have started, and friction may still be limited by its
-/// normal forces.
+/// The known mistakes that give this x. `last` is the answer of the previous frame, if it is known:
+/// sweeps may start or should have started from it, and friction may still be limited by its normal
+/// forces.
 ///
 /// # Panics
-/// If x or the last answer has not an entry a row.
+/// If x or the last answer does not have one entry per row.
 pub fn find_mistakes(lcp: &Lcp, x: &[f64], last: Option<&[f64]>) -> MistakeSearch {
     assert_eq!(x.len(), lcp.len(), "an entry a row");
     assert!(last.is_none_or(|last| last.len() == lcp.len()), "an entry a row");
@@ -149,8 +150,8 @@ pub fn find_mistakes(lcp: &Lcp, x: &[f64], last: Option<&[f64]>) -> MistakeSearc
     search
 }
 
-/// How near single precision can come: the scaled residuals of x and of the solution rounded to it,
-/// if a solver finds one.
+/// The accuracy of single precision: the scaled residuals of x and of the solution, both rounded to
+/// it, if a solver finds one.
 pub fn single_precision(lcp: &Lcp, x: &[f64]) -> Option<[f64; 2]> {
     let rounded: Vec<f64> = solution(lcp)?.iter().map(|&x| f64::from(x as f32)).collect();
     Some([merit::scaled_residual(lcp, x), merit::scaled_residual(lcp, &rounded)])
@@ -161,13 +162,13 @@ struct Attempt {
     kind: MistakeKind,
     what: String,
     y: Vec<f64>,
-    /// The number of sweeps; 1 where none were done.
+    /// The number of sweeps; 1 if none were done.
     sweeps: usize,
-    /// How many numbers of it were fitted to x.
+    /// The number of values that were fitted to x.
     fitted: usize,
 }
 
-/// The attempts that explain x, the nearest first, and all that are as near.
+/// The attempts that explain x: the nearest first, then all that are as near.
 fn explanations(comparison: &Comparison<'_>, attempts: Vec<Attempt>) -> Vec<Mistake> {
     let count = attempts.len();
     let agreement = |attempt: Attempt| {
@@ -186,18 +187,18 @@ fn explanations(comparison: &Comparison<'_>, attempts: Vec<Attempt>) -> Vec<Mist
     found.into_iter().map(mistake).collect()
 }
 
-/// All that is tried on a problem.
+/// All attempts on a problem.
 struct Attempts<'a> {
     lcp: &'a Lcp,
     x: &'a [f64],
     limits: SweepLimits,
     found: Vec<Attempt>,
-    /// Where sweeps from 0 on the problem itself end: at a solution, if they converge.
+    /// The limits of sweeps from 0 on the original problem: a solution, if they converge.
     last_iterates: Vec<Vec<f64>>,
 }
 
 impl Attempts<'_> {
-    /// The problem as it is: nothing done, or sweeps stopped.
+    /// The original problem: nothing done, or sweeps stopped early.
     fn unchanged(&mut self, last: Option<&[f64]>) {
         let most = self.limits.of_problem;
         if let Some(last) = last {
@@ -230,7 +231,7 @@ impl Attempts<'_> {
 
     /// Changed problems, solved, or swept from 0.
     fn changed(&mut self, last: Option<&[f64]>) {
-        // A change that does not change the sweeps is no explanation of them.
+        // If a change does not affect the sweeps, it does not explain them.
         let distances = self.found.iter().map(|own| distance(self.x, &own.y));
         let nearest = distances.fold(f64::INFINITY, f64::min);
         for changed in changed_problems(self.lcp) {
@@ -245,7 +246,7 @@ impl Attempts<'_> {
         }
     }
 
-    /// Changed problems with a number that is fitted to x.
+    /// Changed problems with a number fitted to x.
     fn fitted(&mut self, solution: &[f64]) {
         let compliant = compliant(self.lcp, self.x).map(|(softness, lcp)| {
             let what = format!("compliance (CFM) {} on the diagonal of A", readable(softness, 4));
@@ -274,7 +275,7 @@ impl Attempts<'_> {
         }
     }
 
-    /// Gauss-Seidel on a changed problem, where it comes nearer to x than this.
+    /// Gauss-Seidel on a changed problem, if it comes nearer to x than `nearest`.
     fn swept(&mut self, changed: &Changed, nearest: f64, from: &str, start: &Start) {
         let solver = gauss_seidel(self.limits.of_changed);
         let swept = sweep(&solver, &changed.lcp, start, self.x);
@@ -284,7 +285,7 @@ impl Attempts<'_> {
         }
     }
 
-    /// Sweeps that were stopped where they come nearest to x.
+    /// Sweeps stopped where they come nearest to x.
     fn stopped(&mut self, kind: MistakeKind, name: &str, swept: Swept) {
         let Swept { sweeps, nearest: y, .. } = swept;
         if sweeps > 0 {

@@ -1,20 +1,21 @@
-//! The exact solution nearest to an answer: what every mistake is compared with.
+//! Finds the exact solution nearest to an answer, with which every mistake is compared.
 //!
 //! The active sets of the answer itself, of solvers and of sweeps are each solved in exact
-//! arithmetic; where the equations leave an x open, it stays as it is in the answer. So of many
-//! solutions the one beside the answer is found.
+//! arithmetic; components that the equations leave undetermined keep their value in the answer.
+//! This finds the nearest of many solutions.
 
 use lcplab_problem::exact::{Exact, Side};
 use lcplab_problem::{Lcp, merit};
 use lcplab_solver::{Options, Settings, Solver, Start, Status, by_name, default_for};
 
-/// With more rows the solutions of solvers are taken as they are.
+/// Maximum number of rows for exact solutions; with more, the solutions of solvers are used
+/// unchanged.
 const EXACT_ROWS: usize = 50;
-/// With more rows not all active sets are tried.
+/// Maximum number of rows for which all active sets are tried.
 const ENUMERATED_ROWS: usize = 8;
 
-/// The solution nearest to x, of those that these points and solvers lead to; `None` if they lead
-/// to none.
+/// The solution nearest to x among those found from these points and solvers; `None` if there are
+/// none.
 pub(super) fn nearest_solution(lcp: &Lcp, x: &[f64], points: &[Vec<f64>]) -> Option<Vec<f64>> {
     let tolerance = Settings::default().tolerance;
     let points: Vec<Vec<f64>> =
@@ -24,15 +25,15 @@ pub(super) fn nearest_solution(lcp: &Lcp, x: &[f64], points: &[Vec<f64>]) -> Opt
     all.into_iter().min_by(|y, z| distance(x, y).total_cmp(&distance(x, z)))
 }
 
-/// max |x − y|; ∞ where that is not a number.
+/// max |x − y|; ∞ if it is NaN.
 pub(super) fn distance(x: &[f64], y: &[f64]) -> f64 {
-    // f64::max would pass over what is not a number.
+    // f64::max would ignore NaN.
     let largest = |most: f64, apart: f64| if apart <= most { most } else { apart };
     let distance = x.iter().zip(y).map(|(x, y)| (x - y).abs()).fold(0.0, largest);
     if distance.is_nan() { f64::INFINITY } else { distance }
 }
 
-/// The solution that the usual solver of a problem finds.
+/// The solution of the default solver.
 pub(super) fn solution(lcp: &Lcp) -> Option<Vec<f64>> {
     solved_by(default_for(lcp), lcp)
 }
@@ -43,14 +44,14 @@ fn solved_by(name: &str, lcp: &Lcp) -> Option<Vec<f64>> {
     (solution.status == Status::Solved).then_some(solution.x)
 }
 
-/// The solution that the usual solver finds, or another one where it finds none.
+/// The solution of the default solver, or of another one if it finds none.
 fn any_solution(lcp: &Lcp) -> Option<Vec<f64>> {
     let enumerated =
         || if lcp.len() <= ENUMERATED_ROWS { solved_by("enumeration", lcp) } else { None };
     solution(lcp).or_else(|| solved_by("lemke", lcp)).or_else(enumerated)
 }
 
-/// The solutions that the active sets of x and of these points carry.
+/// The solutions with the active sets of x and of these points.
 fn exact_solutions(lcp: &Lcp, x: &[f64], points: &[Vec<f64>]) -> Vec<Vec<f64>> {
     if lcp.len() > EXACT_ROWS {
         return Vec::new();
@@ -75,7 +76,7 @@ fn exact_solutions(lcp: &Lcp, x: &[f64], points: &[Vec<f64>]) -> Vec<Vec<f64>> {
     found
 }
 
-/// Where Π(x − w/s) lies, row by row.
+/// The side of Π(x − w/s) in each row.
 fn sides(lcp: &Lcp, x: &[f64]) -> Vec<Side> {
     let side = |i: usize| {
         let (lo, hi) = lcp.bounds(i, x);

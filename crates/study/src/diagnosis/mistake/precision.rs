@@ -1,30 +1,30 @@
-//! How many digits an answer carries.
+//! Estimates the number of significant digits in an answer.
 //!
-//! An answer printed with three decimals agrees with everything that rounds to it. So before an
-//! answer is compared, its own numbers say how precisely they are known: whether they all have few
-//! decimal digits, all fit into 32 bits, or neither.
+//! An answer printed with three decimals agrees with everything that rounds to it. Therefore the
+//! precision of an answer is estimated from its own numbers before it is compared: whether they all
+//! have few decimal digits, are all 32-bit numbers, or neither.
 
 /// Numbers with more decimal digits than this were not rounded to decimals.
 const MOST_DIGITS: i32 = 14;
 
-/// How precisely the numbers of an answer are known.
+/// The precision of the numbers in an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Precision {
-    /// To a double's last digit.
+    /// Full double precision.
     Double,
     /// All numbers are 32-bit numbers.
     Single,
     /// All numbers have few decimal digits.
     Decimal {
-        /// The most significant digits of a number.
+        /// The maximum number of significant digits.
         digits: i32,
-        /// The most digits after the decimal point.
+        /// The maximum number of digits after the decimal point.
         decimals: i32,
     },
 }
 
 impl Precision {
-    /// The precision of these numbers; zeros, which any rounding gives, say nothing.
+    /// The precision of these numbers; zeros are ignored, because any rounding gives them.
     pub fn of(x: &[f64]) -> Precision {
         let numbers = || x.iter().filter(|x| x.is_finite() && **x != 0.0);
         let digits = numbers().map(|x| decimal(*x).0).max();
@@ -39,7 +39,7 @@ impl Precision {
         }
     }
 
-    /// How far the number that was rounded may lie from the number x.
+    /// The maximum distance of the unrounded number from the number x.
     pub fn half_unit(self, x: f64) -> f64 {
         let power = |exponent: i32| 0.5 * libm::exp10(f64::from(exponent));
         match self {
@@ -54,7 +54,7 @@ impl Precision {
     }
 }
 
-/// How many significant decimal digits a number has, and the power of ten of the first.
+/// The number of significant decimal digits, and the power of ten of the first.
 fn decimal(x: f64) -> (i32, i32) {
     let shortest = format!("{:e}", x.abs());
     let (mantissa, exponent) = shortest.split_once('e').unwrap_or((&shortest, "0"));

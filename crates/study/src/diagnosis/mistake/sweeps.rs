@@ -1,4 +1,4 @@
-//! Sweeps, stopped where they come nearest to an answer.
+//! Finds the iterate of a sweep method that is nearest to an answer.
 
 use std::ops::ControlFlow;
 
@@ -10,18 +10,18 @@ use lcplab_solver::{
 use super::MistakeKind;
 use super::nearest::distance;
 
-/// The most sweeps of a method that are compared, if that takes no more multiplications than this.
+/// Maximum number of sweeps per method, also limited by this number of multiplications.
 const SWEEPS: usize = 2000;
 const MULTIPLICATIONS: usize = 200_000_000;
-/// The most sweeps on a changed problem.
+/// Maximum number of sweeps on a changed problem.
 const SWEEPS_OF_CHANGED: usize = 100;
 
-/// How many sweeps are compared with an answer.
+/// The numbers of sweeps that are compared with an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct SweepLimits {
-    /// Of each method, on the problem itself.
+    /// For each method, on the original problem.
     pub of_problem: usize,
-    /// Of projected Gauss-Seidel, on each changed problem.
+    /// For projected Gauss-Seidel, on each changed problem.
     pub of_changed: usize,
 }
 
@@ -32,7 +32,7 @@ impl SweepLimits {
     }
 }
 
-/// The iterate that came nearest to x.
+/// The iterate nearest to x.
 struct Nearest<'a> {
     x: &'a [f64],
     sweeps: usize,
@@ -61,11 +61,11 @@ impl Observer for Nearest<'_> {
     }
 }
 
-/// Sweeps that were done.
+/// The result of a sequence of sweeps.
 pub(super) struct Swept {
-    /// How many sweeps lead nearest to the answer; 0 if none was done.
+    /// The number of sweeps after which x is nearest to the answer; 0 if none were done.
     pub sweeps: usize,
-    /// x after these.
+    /// x after these sweeps.
     pub nearest: Vec<f64>,
     /// x after all sweeps.
     pub last: Vec<f64>,
@@ -99,12 +99,12 @@ pub(super) fn single_precision_sweep(lcp: &Lcp, most: usize, x: &[f64]) -> Swept
     Swept { sweeps: nearest.sweeps, nearest: nearest.iterate, last: wide }
 }
 
-/// Projected Gauss-Seidel, row after row.
+/// Projected Gauss-Seidel in natural order.
 pub(super) fn gauss_seidel(most: usize) -> Pgs {
     Pgs { omega: 1.0, order: Order::Natural, settings: settings(most) }
 }
 
-/// The methods whose sweeps are compared: what each is when it is stopped, its name, and the
+/// The methods whose sweeps are compared: the mistake that a stopped run means, the name, and the
 /// method.
 pub(super) fn methods(most: usize) -> [(MistakeKind, &'static str, Box<dyn Solver>); 6] {
     use MistakeKind::{Jacobi as AllAtOnce, LateClamp, StoppedSweeps};

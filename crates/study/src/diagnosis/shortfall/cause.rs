@@ -1,4 +1,4 @@
-//! Causes of what is missing, each known by what happens without it.
+//! Causes of errors, each identified by what happens without it.
 
 use std::fmt;
 
@@ -7,90 +7,90 @@ use lcplab_page::number::readable;
 use super::show::percent;
 use crate::diagnosis::Mistake;
 
-/// Significant digits in words.
+/// Significant digits in text.
 const DIGITS: usize = 2;
 
-/// A body that moves less (m) stays where it is.
+/// A body that moves less than this (m) counts as not moving.
 const NOWHERE: f64 = 1e-6;
 
-/// So many sweeps.
+/// A number of sweeps as text.
 fn counted(sweeps: usize) -> String {
     if sweeps == 1 { "1 sweep".into() } else { format!("{sweeps} sweeps") }
 }
 
-/// So many times.
+/// A factor as text.
 fn times(factor: f64) -> String {
     if factor.is_finite() { format!("{} times", readable(factor, DIGITS)) } else { "far".into() }
 }
 
-/// What taking a cause away does.
+/// The effect of removing a cause.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Without {
-    /// The sweeps to a good answer with the cause over those without.
+    /// The number of sweeps to a good answer with the cause, divided by the number without.
     pub factor: f64,
-    /// What is missing with it, after as many sweeps as before.
+    /// The error with the cause, after the same number of sweeps as before.
     pub with: f64,
-    /// And without.
+    /// The error without the cause.
     pub without: f64,
 }
 
 impl Without {
-    /// The part of what is missing that the cause explains.
+    /// The part of the error that the cause explains.
     pub fn share(&self) -> f64 {
         self.with - self.without
     }
 }
 
-/// Why sweeps come too slowly to the solution.
+/// Why sweeps converge too slowly.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Slow {
-    /// The solver itself: after the same number of sweeps plain Gauss-Seidel leaves far less
-    /// undone.
+    /// The solver itself: after the same number of sweeps plain Gauss-Seidel has a much smaller
+    /// error.
     Solver {
         /// The number of sweeps.
         sweeps: usize,
-        /// What is missing in its answer.
+        /// The error of its answer.
         with: f64,
-        /// What is missing in that of plain Gauss-Seidel, from the same start.
+        /// The error of plain Gauss-Seidel from the same start.
         plain: f64,
         /// Why it gave no answer, if it gave none.
         refusal: Option<String>,
         /// The known mistakes that give its answer, the nearest first.
         mistakes: Vec<Mistake>,
     },
-    /// Motors that do all that they may, against each other or against what blocks them; without
-    /// them they do a hundredth.
+    /// Motors at their limits that work against each other or against an obstacle; tested by
+    /// reducing the limits to a hundredth.
     Motors {
         /// The pairs of bodies between which they act.
         between: Vec<String>,
-        /// What a hundredth of their limits does.
+        /// The effect of a hundredth of their limits.
         without: Without,
     },
-    /// Bodies of unlike mass; without them all masses are equal.
+    /// Bodies of different mass; tested by making all masses equal.
     MassRatio {
-        /// The heaviest body of the slowest pattern and its mass (kg).
+        /// The heaviest body of the slowest mode and its mass (kg).
         heavy: (String, f64),
-        /// The lightest.
+        /// The lightest body and its mass (kg).
         light: (String, f64),
-        /// What equal masses do.
+        /// The effect of equal masses.
         without: Without,
     },
-    /// A tall column or a long chain. Without it no pair of bodies feels the others, masses being
-    /// equal in both.
+    /// A tall column or a long chain; tested by decoupling the pairs of bodies, with equal masses
+    /// in both cases.
     Tall {
-        /// The bodies through which an impulse goes, one after the other, if they are known.
+        /// The number of bodies on the path of an impulse, if known.
         bodies: Option<usize>,
-        /// What keeping the pairs apart does.
+        /// The effect of decoupling the pairs.
         without: Without,
     },
-    /// The order of the rows; without it they are taken from the last to the first.
+    /// The order of the rows; tested by taking them from the last to the first.
     Order {
-        /// What the other order does.
+        /// The effect of the other order.
         without: Without,
     },
-    /// The start; without it sweeps start from x = 0.
+    /// The start; tested by starting sweeps from x = 0.
     Stale {
-        /// What that start does.
+        /// The effect of that start.
         without: Without,
     },
     /// None of these: sweeps are slow on this problem.
@@ -98,7 +98,7 @@ pub enum Slow {
 }
 
 impl Slow {
-    /// A few words for the head of a line.
+    /// A few words for the start of a line.
     pub fn name(&self) -> &'static str {
         match self {
             Slow::Solver { .. } => "suspect the solver",
@@ -111,8 +111,8 @@ impl Slow {
         }
     }
 
-    /// The place among the causes by how easily they are taken away: a solver, a start, an order,
-    /// the limit of a motor, masses, a height.
+    /// The rank among the causes by how easily they are removed: a solver, a start, an order, the
+    /// limit of a motor, masses, a height.
     pub(crate) fn ease(&self) -> usize {
         match self {
             Slow::Solver { .. } => 0,
@@ -204,66 +204,66 @@ impl fmt::Display for Slow {
     }
 }
 
-/// What moves bodies as they should not move, though every problem be solved; each is known by a
-/// run without it.
+/// A cause of wrong motion even if every problem is solved, each identified by a run without it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Moving {
     /// Every step starts from x = 0.
     Cold {
-        /// What is missing over the second half of the run.
+        /// The error over the second half of the run.
         with: f64,
-        /// The same when steps start from the last answer.
+        /// The same if steps start from the last answer.
         without: f64,
     },
-    /// Feedback of errors puts energy in.
+    /// Feedback of errors adds energy.
     Feedback {
-        /// The energy that is gained (J).
+        /// The energy gained (J).
         with: f64,
         /// The same without feedback.
         without: f64,
         /// The same with feedback and exact answers.
         exactly: f64,
     },
-    /// Feedback drives rows away from where they should be.
+    /// Feedback drives rows away from their targets.
     Away {
-        /// The largest error of a position (m).
+        /// The largest position error (m).
         with: f64,
         /// The same without feedback.
         without: f64,
     },
-    /// The scheme's constraints yield.
+    /// The scheme's constraints are compliant.
     Soft {
         /// The scheme.
         scheme: &'static str,
         /// The body that sinks most.
         body: String,
-        /// How far below rigid constraints (m).
+        /// The distance (m) below its position with rigid constraints.
         depth: f64,
     },
-    /// Contacts yield (compliance, CFM), so that bodies creep under a load.
+    /// Contacts are compliant (CFM), so that bodies creep under a load.
     Creep {
-        /// The fastest approach that is left, γ x of a row (m/s).
+        /// The largest remaining approach velocity, γ x of a row (m/s).
         speed: f64,
-        /// What is missing in the solution beside that of rigid contacts.
+        /// The error of the solution compared with that of rigid contacts.
         missing: f64,
     },
-    /// The model of friction holds or turns what Coulomb's cone lets slide, or the other way round.
+    /// The friction model holds or turns a body that Coulomb's cone lets slide, or the other way
+    /// round.
     Friction {
-        /// Whether friction is limited by a polygon; else along two tangents.
+        /// Whether friction is limited by a polygon, otherwise along two tangents.
         is_polygon: bool,
-        /// The scheme, if it knows no other model.
+        /// The scheme, if it supports no other model.
         only_of: Option<&'static str>,
-        /// The body for which the motions of both end farthest apart.
+        /// The body whose final positions differ most between the two models.
         body: String,
-        /// How far (m).
+        /// That distance (m).
         distance: f64,
-        /// How far it goes with the model (m).
+        /// The distance (m) that it moves with the scene's model.
         way: f64,
     },
 }
 
 impl Moving {
-    /// A few words for the head of a line.
+    /// A few words for the start of a line.
     pub fn name(&self) -> &'static str {
         match self {
             Moving::Cold { .. } => "cold start",

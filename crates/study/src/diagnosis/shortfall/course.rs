@@ -1,4 +1,4 @@
-//! What is missing sweep by sweep, measured and by theory.
+//! The error after each sweep, measured and predicted by theory.
 
 use lcplab_solver::{Order, Pgs};
 use serde::{Deserialize, Serialize};
@@ -8,8 +8,7 @@ use super::frame::Frame;
 use super::linear::{Linear, Way};
 use super::yard::{Yard, start};
 
-/// A course goes on for so many times as many sweeps as are done in practice, and at least for
-/// some.
+/// A course has this many times the number of sweeps used in practice, and at least a minimum.
 const LONGER: usize = 4;
 const LEAST: usize = 40;
 const MOST: usize = 400;
@@ -17,19 +16,20 @@ const MOST: usize = 400;
 /// Other methods whose course is shown.
 const METHODS: [&str; 2] = ["block-pgs", "anderson-pgs"];
 
-/// What is missing at the start and after each sweep.
+/// The error at the start and after each sweep.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Course {
-    /// Who sweeps.
+    /// The name of the method.
     pub name: String,
-    /// Measured.
+    /// The measured error.
     pub missing: Vec<f64>,
-    /// What theory says, as far as it says something; empty for methods of which it says nothing.
+    /// The error predicted by theory, as far as there is a prediction; empty for methods without
+    /// one.
     pub theory: Vec<Option<f64>>,
 }
 
-/// Gauss-Seidel with and without relaxation, and what else goes row by row, from Π(0) on. Empty if
-/// no solution is known.
+/// The courses of Gauss-Seidel with and without relaxation, and of other row-by-row methods, from
+/// Π(0). Empty if no solution is known.
 pub fn courses(frame: &Frame, practice: &Practice) -> Vec<Course> {
     let lcp = &frame.lcp;
     let Some(yard) = Yard::of(frame) else { return Vec::new() };

@@ -1,4 +1,4 @@
-//! A scene or a sequence of problems, examined: what is seen, why, and what helps.
+//! The examination of a scene or a sequence of problems: symptoms, causes and remedies.
 
 use lcplab_page::document::{Document, Section};
 use lcplab_page::number::readable;
@@ -10,41 +10,41 @@ use super::frame::Frame;
 use super::remedy::Relief;
 use super::show::percent;
 
-/// Significant digits of what was measured.
+/// Significant digits of measured values.
 const DIGITS: usize = 2;
 
-/// A depth (m) that is worth a word.
+/// A depth (m) from which sinking is reported.
 const WORTH: f64 = 1e-6;
 
-/// So many steps are shown.
+/// Number of steps shown.
 const STEPS: usize = 5;
 
-/// A good part of what is missing at most.
+/// An error above this fraction of the largest counts as a large part of it.
 const GOOD_PART: f64 = 0.25;
 
-/// What is said where nothing is wrong.
+/// The text if nothing is wrong.
 const HEALTHY_WORDS: &str = "No cause of errors was found.";
 
-/// What is said where the rows are in order and something else is wrong.
+/// The text if the rows are sound but something else is wrong.
 const TROUBLED_WORDS: &str = "The problem of the step can be solved; what goes wrong is below.";
 
-/// What is not looked for.
+/// What is not examined.
 const NOT_EXAMINED: &str = "contacts that open and close repeatedly, closed loops, restitution of resting \
  contacts, spin";
 
-/// One step or one file of a sequence.
+/// A summary of one step or one file of a sequence.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Note {
     /// The step, or the file.
     pub name: String,
-    /// What is missing in its answer, as a part of what the constraints have to do; `None` where it
-    /// was not compared with a solution.
+    /// The error of its answer, as a fraction of the constraints' effect; `None` if it was not
+    /// compared with a solution.
     pub missing: Option<f64>,
-    /// The upward impulse (N s) or force (N) that is missing over all bodies.
+    /// The upward impulse (N s) or force (N) that is missing, summed over all bodies.
     pub uncarried: f64,
     /// The scaled residual of its answer.
     pub residual: f64,
-    /// The largest velocity (m/s, rad/s) that feedback of errors asks for.
+    /// The largest velocity (m/s, rad/s) that feedback of errors requests.
     pub bias: f64,
     /// The deepest overlap at its end (m), if it is known.
     pub penetration: Option<f64>,
@@ -52,45 +52,45 @@ pub struct Note {
     pub energy: Option<f64>,
 }
 
-/// The step to look into: the first in which a good part of what is missing at most is missing, for
-/// what comes after follows from it. The first of all if nothing is.
+/// The step to examine: the first whose error is a large part of the largest error, because later
+/// errors follow from it. The first step if there is no error.
 pub(crate) fn telling_step(notes: &[Note]) -> usize {
     let most = notes.iter().filter_map(|note| note.missing).fold(HEALTHY, f64::max);
     let is_telling = |note: &Note| note.missing.is_some_and(|missing| missing >= GOOD_PART * most);
     notes.iter().position(is_telling).unwrap_or(0)
 }
 
-/// What was found of a scene or a sequence.
+/// The result of the examination of a scene or a sequence.
 #[derive(Debug, Clone, Default)]
 pub struct Examination {
-    /// Step by step.
+    /// The summaries of the steps.
     pub notes: Vec<Note>,
-    /// Why no run of exact answers is known to compare the motion with, if none is.
+    /// Why there is no run with exact answers to compare the motion with, if there is none.
     pub no_reference: Option<String>,
-    /// Which step could not be taken and why, if the run ended there.
+    /// The step that could not be computed and why, if the run ended there.
     pub ended: Option<String>,
-    /// In which step the solver gave up first, and what it says, if it did.
+    /// The first step in which the solver gave up, and its message, if it did.
     pub gave_up: Option<String>,
-    /// Why the answer of the step was not measured, if a problem was posed and it was not.
+    /// Why the answer of the step was not measured, if there was a problem but no measurement.
     pub unmeasured: Option<String>,
-    /// How long the motion was (s), if it was one.
+    /// The duration of the motion (s), if it was one.
     pub time: Option<f64>,
-    /// The body that ends farthest below where exact answers leave it, and by how much (m).
+    /// The body that ends farthest below its position with exact answers, and by how much (m).
     pub sunk: Option<(String, f64)>,
-    /// What happened in the steps although every problem was solved: bodies that overlap or went
-    /// through each other, impacts whose energy is not what the coefficient of restitution says.
+    /// Defects of steps although every problem was solved: bodies that overlap or passed through
+    /// each other, impacts whose energy contradicts the coefficient of restitution.
     pub warnings: Vec<String>,
-    /// What moves bodies though every problem be solved, the strongest first.
+    /// Causes of wrong motion even if every problem is solved, the strongest first.
     pub moving: Vec<Moving>,
-    /// The step that was examined, and how; none where no solution is known.
+    /// The step that was examined, and the result; `None` if no solution is known.
     pub shortfall: Option<Shortfall>,
     /// The frame that was examined.
     pub frame: Option<Frame>,
-    /// The place among the notes of the frame that was examined.
+    /// The index of the examined frame among the summaries.
     pub place: usize,
-    /// What was looked at and is not the cause.
+    /// Possible causes that were ruled out.
     pub innocent: Vec<String>,
-    /// Remedies over the whole run, the best first.
+    /// The effect of remedies over the whole run, the best first.
     pub reliefs: Vec<Relief>,
 }
 
@@ -100,15 +100,15 @@ const GAVE_UP: &str = "the solver gave up";
 const ENDED: &str = "the run ended";
 
 impl Examination {
-    /// The names of the causes, the first first.
+    /// The names of the causes, in order.
     pub fn causes(&self) -> Vec<&'static str> {
         let ended = self.ended.as_ref().map(|_| ENDED);
         let gave_up = self.gave_up.as_ref().map(|_| GAVE_UP).into_iter().chain(ended);
         let slow = self.shortfall.iter().flat_map(|found| &found.causes).map(|cause| cause.name());
         let moving = self.moving.iter().map(Moving::name);
-        // A solver that gives up or is worse than plain sweeps makes all else doubtful. A cold
-        // start has every step miss what a warm one does not, and energy that is fed in spoils all
-        // later steps: they come before what makes sweeps slow.
+        // If the solver gives up or is worse than plain sweeps, all other results are doubtful. A
+        // cold start gives every step an error that a warm start avoids, and added energy spoils
+        // all later steps: these come before causes of slow sweeps.
         let place = |name: &str| match name {
             GAVE_UP | ENDED | "suspect the solver" => 0,
             "cold start" | "energy from Baumgarte feedback" => 1,
@@ -119,14 +119,14 @@ impl Examination {
         all
     }
 
-    /// The names of the problems to which no answer is known that the judge accepts: no method
-    /// found one to compare with, and that of the solver is beyond the tolerance.
+    /// The names of the problems without a known answer that the judge accepts: no method found a
+    /// reference solution, and the solver's answer is outside the tolerance.
     pub fn unsolved(&self, tolerance: f64) -> Vec<&str> {
         let is_unsolved = |note: &&Note| note.missing.is_none() && !(note.residual <= tolerance);
         self.notes.iter().filter(is_unsolved).map(|note| note.name.as_str()).collect()
     }
 
-    /// The same in a sentence; nothing if there are none.
+    /// The same as a sentence; empty if there are none.
     pub fn unsolved_in_words(&self, tolerance: f64) -> String {
         match self.unsolved(tolerance)[..] {
             [] => String::new(),
@@ -160,7 +160,7 @@ impl Examination {
         words
     }
 
-    /// Puts it before what else a document says.
+    /// Inserts it at the beginning of a document.
     pub fn open(&self, document: &mut Document) {
         let is_well = self.causes().is_empty()
             && self.warnings.is_empty()
@@ -181,7 +181,8 @@ impl Examination {
         sections.extend(self.steps());
         let mut rest = std::mem::take(&mut document.sections);
         if document.is_accepted {
-            // They do no harm, and fill a page; a problem alone, and JSON, have them.
+            // They are harmless but would fill a page; the diagnosis of a single problem, and JSON,
+            // contain them.
             rest.retain(|own| own.title != "Dependent rows");
         }
         rest.iter_mut()
@@ -234,8 +235,7 @@ impl Examination {
         (!section.blocks.is_empty()).then_some(section)
     }
 
-    /// The steps, the worst first by what is missing, and then the worst by each of the other
-    /// measures.
+    /// The steps, first the worst by error, then the worst by each of the other measures.
     fn steps(&self) -> Option<Section> {
         if self.notes.len() < 2 || !self.shortfall.as_ref().is_some_and(Shortfall::is_short) {
             return None;
@@ -285,8 +285,8 @@ impl Examination {
         Some(section)
     }
 
-    /// The worst step by each measure but what is missing: its name, and which it is. A measure
-    /// that is 0 has none.
+    /// The worst step by each measure except the error: the measure's name and the step's index. A
+    /// measure that is 0 is omitted.
     pub fn worst(&self) -> Vec<(&'static str, usize)> {
         let worst = |name: &'static str, measure: &dyn Fn(usize) -> Option<f64>| {
             let values = (0..self.notes.len()).filter_map(|k| Some((k, measure(k)?)));
@@ -303,7 +303,7 @@ impl Examination {
         measures.into_iter().flatten().collect()
     }
 
-    /// What helps over the whole run.
+    /// The effect of remedies over the whole run.
     fn reliefs_section(&self) -> Option<Section> {
         let mut section = Section::new("remedies for the whole run");
         let row = |relief: &Relief| {
@@ -322,7 +322,7 @@ impl Examination {
         (!self.reliefs.is_empty()).then_some(section)
     }
 
-    /// The same for machines.
+    /// The same as JSON.
     pub fn to_json(&self) -> Value {
         let number = lcplab_problem::file::number;
         let note = |note: &Note| {

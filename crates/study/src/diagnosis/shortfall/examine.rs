@@ -12,33 +12,33 @@ use super::remedy::{Remedy, remedies, sweeps_to};
 use super::yard::Yard;
 use crate::diagnosis::find_mistakes;
 
-/// Less than this part missing is nothing to speak of.
+/// An error below this fraction is negligible.
 pub const HEALTHY: f64 = 0.01;
 
-/// What is missing in a good answer, to count sweeps by.
+/// The error of a good answer, for counting sweeps.
 pub const GOOD: f64 = 1e-3;
 
-/// Without a cause it takes so many times fewer sweeps, or it is none.
+/// A cause must reduce the number of sweeps by at least this factor when removed.
 const TELLING: f64 = 2.0;
 
-/// And it explains this part of what is missing.
+/// It must also explain this part of the error.
 const WORTH: f64 = 0.1;
 
-/// A cause that explains this part explains most of it.
+/// A cause that explains this part of the error explains most of it.
 const MOST: f64 = 0.5;
 
-/// To see what strong motors do, they may do this part of what they did.
+/// The factor on motor limits for testing the effect of strong motors.
 const WEAK: f64 = 0.01;
 
-/// A solver that misses so many times as much as plain Gauss-Seidel after as many sweeps is to be
-/// suspected.
+/// A solver whose error is this many times that of plain Gauss-Seidel after the same number of
+/// sweeps is suspected.
 const WORSE: f64 = 2.0;
 
-/// Sweeps are counted up to here, and up to so many multiplications.
+/// Maximum number of sweeps, and of multiplications, for counting sweeps.
 const MOST_SWEEPS: usize = 20_000;
 const MULTIPLICATIONS: usize = 10_000_000;
 
-/// How a problem is solved by those who ask.
+/// How the user solves a problem.
 #[derive(Clone)]
 pub struct Practice {
     /// The solver.
@@ -48,12 +48,12 @@ pub struct Practice {
 }
 
 impl Practice {
-    /// Whether it goes row by row.
+    /// Whether it works row by row.
     pub(crate) fn is_sweep(&self) -> bool {
         self.entry.group == Group::Sweeps
     }
 
-    /// What an iteration of it is called.
+    /// The name of one iteration.
     pub fn unit(&self) -> &'static str {
         match self.entry.group {
             Group::Sweeps => "sweep",
@@ -67,8 +67,8 @@ impl Practice {
         (self.entry.build)(&self.options)
     }
 
-    /// Another solver with these settings, but for the number of steps of one that is there or
-    /// nowhere.
+    /// Another solver with these settings, except for the number of steps if it is a direct method;
+    /// `None` if there is none with this name.
     pub fn other(&self, name: &str) -> Option<Box<dyn Solver>> {
         let mut options = self.options.clone();
         let entry = lcplab_solver::entry(name).ok()?;
@@ -79,80 +79,79 @@ impl Practice {
     }
 }
 
-/// What an impulse (N s) or force (N) should be, and what it is.
+/// An impulse (N s) or force (N) in the solution and in the answer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Load {
-    /// Who carries or is carried.
+    /// The body or pair of bodies.
     pub name: String,
-    /// Upward in the solution.
+    /// The upward component in the solution.
     pub due: f64,
-    /// Upward in the answer.
+    /// The upward component in the answer.
     pub given: f64,
-    /// The fastest approach that the answer leaves in a row, max −w (m/s, or m/s²).
+    /// The largest approach velocity that the answer leaves in a row, max −w (m/s, or m/s²).
     pub approach: f64,
-    /// The fastest parting that feedback of errors asks of a row, max −bias.
+    /// The largest separation velocity that feedback of errors requests in a row, max −bias.
     pub bias: f64,
 }
 
 impl Load {
-    /// Nothing yet.
+    /// A load of zeros.
     fn named(name: &str) -> Self {
         Load { name: name.into(), due: 0.0, given: 0.0, approach: 0.0, bias: 0.0 }
     }
 
-    /// The part that is missing.
+    /// The missing fraction.
     pub fn missing(&self) -> f64 {
         1.0 - self.given / self.due
     }
 }
 
-/// What an answer leaves undone, why, and what helps.
+/// The error of an answer, its causes, and remedies.
 #[derive(Debug, Clone)]
 pub struct Shortfall {
-    /// Which problem.
+    /// The problem.
     pub subject: String,
-    /// Who solved it.
+    /// The solver.
     pub solver: String,
-    /// Its sweeps, pivots or steps.
+    /// The number of its sweeps, pivots or steps.
     pub iterations: usize,
-    /// What one of them is called.
+    /// The name of one of them.
     pub unit: &'static str,
-    /// What it said of its answer.
+    /// The status that the solver reported.
     pub status: Status,
     /// The answer.
     pub x: Vec<f64>,
     /// The scaled residual of the answer.
     pub residual: f64,
-    /// What is missing, as a part of what the constraints have to do.
+    /// The error, as a fraction of the constraints' effect.
     pub missing: f64,
-    /// Whether the judge accepts the answer, so that nothing that counts is missing.
+    /// Whether the judge accepts the answer, so that its error is negligible.
     pub is_accepted: bool,
-    /// The same by theory, of sweeps.
+    /// The error that theory predicts for sweeps.
     pub predicted: Option<f64>,
-    /// The whole weight that is carried, and that of each body and each pair; empty if that is not
-    /// known.
+    /// The total weight supported by contacts; `None` if unknown.
     pub whole: Option<Load>,
-    /// Body by body.
+    /// The load of each body.
     pub bodies: Vec<Load>,
-    /// Pair by pair, the worst first.
+    /// The load of each pair, the worst first.
     pub pairs: Vec<Load>,
-    /// Whether x are forces, else impulses.
+    /// Whether x are forces; otherwise impulses.
     pub is_of_forces: bool,
-    /// The slowest pattern of Gauss-Seidel.
+    /// The slowest mode of Gauss-Seidel.
     pub slowest: Option<Slowest>,
     /// The body that moves most in it, if bodies are known.
     pub mover: Option<String>,
-    /// The sweeps of Gauss-Seidel to a good answer, and whether they were done or follow from the
-    /// last that were.
+    /// The number of Gauss-Seidel sweeps to a good answer, and whether they were done; otherwise
+    /// they are extrapolated.
     pub sweeps: Option<(f64, bool)>,
-    /// Why, the strongest first; empty if nothing is missing.
+    /// The causes, the strongest first; empty if there is no error.
     pub causes: Vec<Slow>,
-    /// What helps, the best first.
+    /// The remedies, the best first.
     pub remedies: Vec<Remedy>,
 }
 
-/// Solves the problem of a frame as is the practice, from a start if there is one, and examines the
-/// answer. `None` if no solution is known to compare with, or A is not symmetric.
+/// Solves the problem of a frame as the user does, from a start if there is one, and examines the
+/// answer. `None` if no reference solution is known, or A is not symmetric.
 pub fn examine(frame: &Frame, practice: &Practice, start: Option<&[f64]>) -> Option<Shortfall> {
     let lcp = &frame.lcp;
     let own = start.map_or_else(Start::default, Start::at);
@@ -197,7 +196,7 @@ pub fn examine(frame: &Frame, practice: &Practice, start: Option<&[f64]>) -> Opt
             Some((cause, left)) => {
                 found.causes.push(cause);
                 if left > HEALTHY {
-                    // The scene is to blame for what plain sweeps leave, not for more.
+                    // The scene is responsible only for the error of plain sweeps.
                     Case { practice: &plain, ..case }.explain(&mut found, start, left);
                 }
             }
@@ -207,7 +206,7 @@ pub fn examine(frame: &Frame, practice: &Practice, start: Option<&[f64]>) -> Opt
     Some(found)
 }
 
-/// What contacts that yield leave undone in the solution itself, if it is worth a word.
+/// The error that compliant contacts cause in the solution itself, if it is large enough to report.
 pub fn creep(frame: &Frame) -> Option<Moving> {
     let rigid = frame.rigid()?;
     let weight = frame.weight(|_| 1.0);
@@ -219,7 +218,7 @@ pub fn creep(frame: &Frame) -> Option<Moving> {
 }
 
 impl Shortfall {
-    /// Who carries how much of the weight.
+    /// The load of each body and pair.
     fn loads(&mut self, frame: &Frame, exact: &[f64]) {
         if frame.bodies.is_empty() || frame.fall.is_none() {
             return;
@@ -235,7 +234,7 @@ impl Shortfall {
         let sum = |part: fn(&Load) -> f64| self.bodies.iter().map(part).sum::<f64>();
         let (due, given) = (sum(|load| load.due), sum(|load| load.given));
         let scale: f64 = self.bodies.iter().map(|load| load.due.abs()).sum();
-        // Where nothing is carried, there is no weight of which a part is missing.
+        // If nothing is supported, there is no weight to compare with.
         self.whole =
             (due > HEALTHY * scale).then(|| Load { due, given, ..Load::named("all bodies") });
         let w = frame.lcp.w(&self.x);
@@ -277,8 +276,8 @@ impl Case<'_> {
         MOST_SWEEPS.min(MULTIPLICATIONS / (1 + self.frame.lcp.matrix().stored()))
     }
 
-    /// A changed problem, where gravity does `weight`: the sweeps that it needs, and what is
-    /// missing when it is solved as this one was.
+    /// For a changed problem, with the effect of gravity `weight`: the number of sweeps that it
+    /// needs, and the error if it is solved like the original.
     fn changed(&self, lcp: &Lcp, weight: f64) -> Option<[f64; 2]> {
         let yard = Yard::new(lcp, weight)?;
         if !yard.is_needed() {
@@ -289,7 +288,7 @@ impl Case<'_> {
         Some([needed.max(1.0), yard.missing(&solution.x)])
     }
 
-    /// Adds the causes of slow sweeps; `missing` is missing after those of the practice.
+    /// Adds the causes of slow sweeps; `missing` is the error after the user's number of sweeps.
     fn explain(&self, found: &mut Shortfall, from: Option<&[f64]>, missing: f64) {
         let lcp = &self.frame.lcp;
         let zero = super::yard::start(lcp);
@@ -311,8 +310,8 @@ impl Case<'_> {
         causes.extend(from.and_then(|_| self.stale(missing)));
         let is_telling = |own: &Without| own.factor >= TELLING && own.share() >= WORTH * missing;
         causes.retain(|(without, _)| is_telling(without));
-        // Of those that explain most of it, each alone, the one that is taken away most easily
-        // comes first.
+        // Of the causes that each explain most of the error alone, the one that is removed most
+        // easily comes first.
         let explains = |own: &Without| own.share() >= MOST * missing;
         let place = |(without, cause): &(Without, Slow)| match explains(without) {
             true => (cause.ease(), 0.0),
@@ -328,8 +327,8 @@ impl Case<'_> {
         }
     }
 
-    /// The solver as a cause, if plain Gauss-Seidel does far better with the same number of sweeps,
-    /// and the part that plain Gauss-Seidel leaves missing.
+    /// The solver as a cause, if plain Gauss-Seidel has a much smaller error after the same number
+    /// of sweeps; with the error of plain Gauss-Seidel.
     fn solver(&self, found: &Shortfall, from: Option<&[f64]>) -> Option<(Slow, f64)> {
         let Practice { entry, options } = self.practice;
         if entry.group != Group::Plugin {
@@ -356,7 +355,7 @@ impl Case<'_> {
         })
     }
 
-    /// What equal masses do, if masses are known, and then keeping pairs of bodies apart.
+    /// The effect of equal masses, if masses are known, and then of decoupling the pairs of bodies.
     fn masses_and_height(
         &self,
         own: [f64; 2],
@@ -379,7 +378,7 @@ impl Case<'_> {
         }
         let apart = self.frame.by_pairs(lcp.as_ref().unwrap_or(&self.frame.lcp));
         if let Some(left) = apart.and_then(|apart| self.changed(&apart, weight)) {
-            // What is not missing now cannot be missing because of it.
+            // An error that is not there now cannot be caused by it.
             let with = alike[1].min(own[1]);
             let without = Without { factor: alike[0] / left[0], with, without: left[1] };
             let bodies = mover.filter(|_| lcp.is_some()).map(|mover| self.frame.diameter(mover));
@@ -409,7 +408,7 @@ impl Case<'_> {
         (without, Slow::MassRatio { heavy, light, without })
     }
 
-    /// What motors do that are at their limits.
+    /// The effect of motors at their limits.
     fn motors(&self, [needed, missing]: [f64; 2]) -> Option<(Without, Slow)> {
         let rows = self.yard.motors_at_limits();
         if rows.is_empty() {
@@ -421,8 +420,9 @@ impl Case<'_> {
         Some((without, Slow::Motors { between: self.frame.between(&rows), without }))
     }
 
-    /// The other order. In the long run it is no faster (both ways a chain has the same
-    /// eigenvalues): it counts in the first sweeps, as many as bodies that an impulse goes through.
+    /// The effect of the other order. Asymptotically it is no faster (a chain has the same
+    /// eigenvalues both ways): it matters in the first sweeps, as many as bodies on the path of an
+    /// impulse.
     fn order(&self) -> Option<(Without, Slow)> {
         let lcp = &self.frame.lcp;
         let mut reversed = self.practice.clone();

@@ -1,4 +1,4 @@
-//! One problem of a run, with what is known of the bodies behind it.
+//! One problem of a run, with the available data about its bodies.
 
 use std::ops::Range;
 
@@ -7,49 +7,50 @@ use lcplab_problem::{Gauss, Lcp, Matrix};
 use nalgebra::DMatrix;
 use serde_json::Value;
 
-/// A part this small of the largest entry of A is rounding.
+/// A fraction of the largest entry of A that counts as rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// A body that moves.
+/// A moving body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Body {
     /// Its name.
     pub name: String,
-    /// Its columns; the first three are those of its velocity.
+    /// Its columns; the first three are those of its linear velocity.
     pub columns: Range<usize>,
     /// Its mass (kg).
     pub mass: f64,
 }
 
-/// Rows that act between the same two bodies.
+/// The rows between the same two bodies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pair {
-    /// The two bodies, `box1–box2`; of a problem without bodies the label of the row.
+    /// The two bodies, `box1–box2`; for a problem without bodies, the label of the row.
     pub name: String,
     /// The rows.
     pub rows: Vec<usize>,
 }
 
-/// A problem with what is known of its bodies. Everything but the numbers may be missing.
+/// A problem with the available data about its bodies. Everything except the numbers may be
+/// missing.
 #[derive(Debug, Clone)]
 pub struct Frame {
-    /// What it is called.
+    /// Its name.
     pub name: String,
-    /// The problem in numbers.
+    /// The LCP.
     pub lcp: Lcp,
-    /// The rows by the bodies between which they act.
+    /// The rows, grouped by the bodies between which they act.
     pub pairs: Vec<Pair>,
     /// M, J, γ and the motion without constraints, if they are known.
     pub motion: Option<Gauss>,
-    /// The bodies that move, if they are known.
+    /// The moving bodies, if they are known.
     pub bodies: Vec<Body>,
-    /// Whether x are forces and w accelerations; else x are impulses and w velocities.
+    /// Whether x are forces and w accelerations; otherwise x are impulses and w velocities.
     pub is_of_forces: bool,
-    /// What gravity adds to each velocity of the motion without constraints (m/s; m/s² where x are
-    /// forces), if there is any.
+    /// The contribution of gravity to each velocity of the motion without constraints (m/s; m/s² if
+    /// x are forces), if there is any.
     pub fall: Option<[f64; 3]>,
-    /// The speed (m/s; m/s² where x are forces) that the rounding of positions alone may ask for; 0
-    /// if that is not known.
+    /// The speed (m/s; m/s² if x are forces) that rounding of positions alone can cause; 0 if
+    /// unknown.
     pub position_rounding: f64,
 }
 
@@ -67,9 +68,8 @@ impl Frame {
         Frame { name, lcp, pairs, motion, bodies, is_of_forces, fall, position_rounding: 0.0 }
     }
 
-    /// The problem with other masses: M⁻¹ of body k times `mobility[k]`. A body with 0 is held: it
-    /// does not move whatever acts on it. `None` if the bodies are not known, or do not give the A
-    /// of this problem.
+    /// The problem with other masses: M⁻¹ of body k is multiplied by `mobility[k]`. A body with 0
+    /// is held fixed. `None` if the bodies are unknown, or do not reproduce the A of this problem.
     pub fn with_mobility(&self, mobility: &[f64]) -> Option<Lcp> {
         let motion = self.motion.as_ref().filter(|_| !self.bodies.is_empty())?;
         let own = self.assembled(motion, &vec![1.0; self.bodies.len()])?;
@@ -79,7 +79,7 @@ impl Frame {
         self.assembled(motion, mobility)
     }
 
-    /// A = J M⁻¹ Jᵀ + γ and b = J u* + bias, with these parts of M⁻¹.
+    /// A = J M⁻¹ Jᵀ + γ and b = J u* + bias, with these factors on M⁻¹.
     fn assembled(&self, motion: &Gauss, mobility: &[f64]) -> Option<Lcp> {
         let n = self.lcp.len();
         let mut entries: Vec<(usize, usize, f64)> =
@@ -105,7 +105,7 @@ impl Frame {
             .iter()
             .filter(|(i, j, a)| i == j && *a > 0.0)
             .for_each(|(i, ..)| is_moving[*i] = true);
-        // Rows between bodies that are held have nothing to do: w = x.
+        // Rows between fixed bodies have no effect: w = x.
         entries.extend((0..n).filter(|&i| !is_moving[i]).map(|i| (i, i, 1.0)));
         let approach = |i: usize| {
             motion.jacobian[i].iter().map(|&(column, j)| j * target[column]).sum::<f64>()
@@ -115,7 +115,7 @@ impl Frame {
         self.with_rows(Matrix::sparse(n, &entries), b)
     }
 
-    /// A problem with these rows in which no pair of bodies feels the others: A without what stands
+    /// A problem with these rows in which the pairs of bodies are decoupled: A without the entries
     /// between pairs.
     pub(crate) fn by_pairs(&self, lcp: &Lcp) -> Option<Lcp> {
         let mut pair_of = vec![0; lcp.len()];
@@ -128,8 +128,8 @@ impl Frame {
         self.with_rows(Matrix::sparse(lcp.len(), &entries), lcp.b().to_vec())
     }
 
-    /// The problem with contacts that do not yield: A without γ in one-sided rows. `None` if none
-    /// yields.
+    /// The problem with rigid contacts: A without γ in one-sided rows. `None` if no contact is
+    /// compliant.
     pub fn rigid(&self) -> Option<Lcp> {
         let motion = self.motion.as_ref()?;
         let yields = |i: usize| {
@@ -145,7 +145,7 @@ impl Frame {
         self.with_rows(Matrix::sparse(self.lcp.len(), &entries), self.lcp.b().to_vec())
     }
 
-    /// The problem with the bounds of these rows times `part`.
+    /// The problem with the bounds of these rows multiplied by `part`.
     pub(crate) fn with_efforts(&self, rows: &[usize], part: f64) -> Option<Lcp> {
         let scaled = |bounds: &[f64]| {
             let mut bounds = bounds.to_vec();
@@ -177,7 +177,7 @@ impl Frame {
         }
     }
 
-    /// For each body those that share a row with it.
+    /// For each body, those that share a row with it.
     pub fn neighbours(&self) -> Vec<Vec<usize>> {
         let mut neighbours = vec![Vec::new(); self.bodies.len()];
         for row in self.motion.iter().flat_map(|motion| &motion.jacobian) {
@@ -196,15 +196,14 @@ impl Frame {
         neighbours
     }
 
-    /// The number of bodies on the longest of all shortest paths between bodies connected with this
-    /// one.
+    /// The maximum number of bodies on a shortest path between two bodies connected with this one.
     pub fn diameter(&self, body: usize) -> usize {
         let neighbours = self.neighbours();
         let connected = by_distance(&neighbours, body).concat();
         connected.iter().map(|&k| by_distance(&neighbours, k).len()).max().unwrap_or(0)
     }
 
-    /// M⁻¹ Jᵀ x: by how much x changes the velocities. Empty if the bodies are not known.
+    /// M⁻¹ Jᵀ x: the velocity change due to x. Empty if the bodies are unknown.
     pub fn response(&self, x: &[f64]) -> Vec<f64> {
         let Some(motion) = &self.motion else { return Vec::new() };
         let impulse = self.impulse(x, |_| true);
@@ -217,7 +216,7 @@ impl Frame {
         change
     }
 
-    /// Jᵀ x of the rows that are asked for: the impulse on each column.
+    /// Jᵀ x of the selected rows: the impulse on each column.
     pub fn impulse(&self, x: &[f64], counts: impl Fn(usize) -> bool) -> Vec<f64> {
         let Some(motion) = &self.motion else { return Vec::new() };
         let mut impulse = vec![0.0; motion.target.len()];
@@ -229,7 +228,7 @@ impl Frame {
         impulse
     }
 
-    /// How fast each body moves (m/s, or m/s²) by forces x.
+    /// The speed of each body due to forces x (m/s, or m/s²).
     pub fn speeds(&self, x: &[f64]) -> Vec<f64> {
         let moved = self.response(x);
         let speed = |body: &Body| {
@@ -239,8 +238,8 @@ impl Frame {
         self.bodies.iter().map(speed).collect()
     }
 
-    /// How fast each body moves by what is missing in x, as a part of what gravity adds to its
-    /// velocity; of the fastest where there is none.
+    /// The speed of each body due to the error of x, relative to the contribution of gravity to its
+    /// velocity, or to the fastest body if there is none.
     pub fn left(&self, x: &[f64], exact: &[f64]) -> Vec<f64> {
         let error: Vec<f64> = exact.iter().zip(x).map(|(exact, x)| exact - x).collect();
         let speeds = self.speeds(&error);
@@ -249,27 +248,27 @@ impl Frame {
         speeds.into_iter().map(|speed| if whole > 0.0 { speed / whole } else { 0.0 }).collect()
     }
 
-    /// The upward part of an impulse on a body (N s).
+    /// The upward component of an impulse on a body (N s).
     pub fn upward(&self, impulse: &[f64], body: &Body) -> f64 {
         let Some(fall) = self.fall else { return 0.0 };
         let own = &impulse[body.columns.start..body.columns.start + 3];
         -own.iter().zip(fall).map(|(p, fall)| p * fall).sum::<f64>() / length(fall)
     }
 
-    /// The size of what gravity does in all bodies, |M⁻¹F|_M, masses being `mass` times as large; 0
-    /// if that is not known.
+    /// The effect of gravity in all bodies, |M⁻¹F|_M, with masses multiplied by `mass`; 0 if
+    /// unknown.
     pub fn weight(&self, mass: impl Fn(usize) -> f64) -> f64 {
         let masses = self.bodies.iter().enumerate().map(|(k, body)| mass(k) * body.mass);
         self.fall.map_or(0.0, length) * masses.sum::<f64>().sqrt()
     }
 
-    /// γ of each row, 0 where that is not known.
+    /// γ of each row, 0 if unknown.
     pub fn yielding(&self) -> Vec<f64> {
         let none = || vec![0.0; self.lcp.len()];
         self.motion.as_ref().map_or_else(none, |motion| motion.compliance.clone())
     }
 
-    /// Σ_j |J_ij u*_j| + |bias_i|: what is added up in each b_i, 0 where that is not known.
+    /// Σ_j |J_ij u*_j| + |bias_i|: the sum of the terms of each b_i, 0 if unknown.
     pub(crate) fn offset_terms(&self) -> Vec<f64> {
         let Some(motion) = &self.motion else { return vec![0.0; self.lcp.len()] };
         let term = |i: usize| {
@@ -280,13 +279,13 @@ impl Frame {
         (0..self.lcp.len()).map(term).collect()
     }
 
-    /// The size of the motion that the rounding of positions may ask for.
+    /// The size of the motion that rounding of positions can cause.
     pub fn rounding(&self) -> f64 {
         self.position_rounding * self.bodies.iter().map(|body| body.mass).sum::<f64>().sqrt()
     }
 }
 
-/// The bodies that a file names, with at least three columns each.
+/// The bodies named in a file, with at least three columns each.
 fn bodies(problem: &Problem, motion: &Gauss) -> Vec<Body> {
     let list = problem.extra.get("bodies").and_then(Value::as_array);
     let body = |value: &Value| {
@@ -304,8 +303,8 @@ fn bodies(problem: &Problem, motion: &Gauss) -> Vec<Body> {
     if covered == motion.target.len() { all } else { Vec::new() }
 }
 
-/// The rows by the two bodies that a file names for each, else each row alone, friction with its
-/// normal.
+/// The rows grouped by the two bodies that a file names for each; otherwise each row alone,
+/// friction with its normal.
 fn pairs(problem: &Problem) -> Vec<Pair> {
     let rows = problem.extra.get("rows").and_then(Value::as_array);
     let of = |i: usize, key: &str| rows.and_then(|rows| rows.get(i)?.get(key).cloned());
@@ -317,8 +316,8 @@ fn pairs(problem: &Problem) -> Vec<Pair> {
     for i in 0..problem.lcp.len() {
         let between = of(i, "bodies").and_then(|pair| {
             let (first, second) = (pair.get(0)?.as_str()?, pair.get(1)?.as_str()?);
-            // Either of the two may come first: all rows between them are one pair, named as its
-            // first row has it.
+            // Either of the two may come first: all rows between them are one pair, named after its
+            // first row.
             Some([format!("{first}–{second}"), format!("{second}–{first}")])
         });
         let normal = problem.lcp.coupling().and_then(|coupling| coupling.index(i));
@@ -343,7 +342,7 @@ fn length([x, y, z]: [f64; 3]) -> f64 {
     x.hypot(y).hypot(z)
 }
 
-/// M of a body.
+/// The block of M of a body.
 fn mass(motion: &Gauss, body: &Body) -> DMatrix<f64> {
     let mut block = DMatrix::zeros(body.columns.len(), body.columns.len());
     let inside = |k: &usize| body.columns.contains(k);
@@ -354,7 +353,7 @@ fn mass(motion: &Gauss, body: &Body) -> DMatrix<f64> {
     block
 }
 
-/// A row of J as a body sees it, if it does.
+/// The part of a row of J for a body, if there is any.
 fn row_of(row: &[(usize, f64)], body: &Body) -> Option<DMatrix<f64>> {
     let mut own = DMatrix::zeros(1, body.columns.len());
     for &(column, j) in row.iter().filter(|(column, _)| body.columns.contains(column)) {
@@ -363,7 +362,7 @@ fn row_of(row: &[(usize, f64)], body: &Body) -> Option<DMatrix<f64>> {
     own.iter().any(|&j| j != 0.0).then_some(own)
 }
 
-/// Whether two matrices are one but for rounding.
+/// Whether two matrices are equal up to rounding.
 fn is_same(one: &Matrix, other: &Matrix) -> bool {
     let largest = (0..one.len()).map(|i| one.diagonal(i).abs()).fold(0.0, f64::max);
     (0..one.len()).all(|i| {

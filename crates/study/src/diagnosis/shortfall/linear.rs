@@ -1,37 +1,37 @@
-//! Sweeps while no row changes: what theory says of them.
+//! Linear theory of sweeps while no row changes sides.
 //!
 //! Rows that are free at the solution stay free, those at a bound stay there, and friction that
-//! slides follows its normal force. Then a sweep multiplies the error by a matrix G, and in the
-//! long run by the largest eigenvalue ρ below 1: its eigenvector is the pattern that goes slowest.
-//! Nothing is factored; the sweeps are done.
+//! slides is proportional to its normal force. Then a sweep multiplies the error by a matrix G,
+//! asymptotically by its largest eigenvalue ρ below 1, whose eigenvector is the slowest mode.
+//! Nothing is factorized; the sweeps are carried out.
 
 use lcplab_problem::Lcp;
 
 use super::yard::Yard;
 
-/// ρ has settled when it changes by less than this part of 1 − ρ.
+/// ρ has converged when it changes by less than this fraction of 1 − ρ.
 const SETTLED: f64 = 1e-4;
 
-/// Rows have changed where so large a part of what is missing lies outside the bounds.
+/// Rows are considered to have changed sides if this fraction of the error lies outside the bounds.
 const OUTSIDE: f64 = 0.5;
 
-/// What a row does while no row changes.
+/// The role of a row while no row changes sides.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Role {
-    /// It is solved for.
+    /// The row is solved for.
     Free,
-    /// It stays where the solution has it.
+    /// x_i keeps its value in the solution.
     Held,
     /// x_i = factor · x_normal.
     Follows { normal: usize, factor: f64 },
 }
 
-/// How the rows are swept.
+/// The parameters of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Way {
-    /// The factor of relaxation.
+    /// The relaxation factor.
     pub omega: f64,
-    /// Whether the last row comes first.
+    /// Whether the rows are taken from the last to the first.
     pub is_reversed: bool,
 }
 
@@ -40,18 +40,18 @@ impl Way {
     pub const PLAIN: Way = Way { omega: 1.0, is_reversed: false };
 }
 
-/// The slowest pattern of Gauss-Seidel.
+/// The slowest mode of Gauss-Seidel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Slowest {
-    /// What a sweep leaves of it, ρ.
+    /// The factor ρ by which a sweep reduces it.
     pub rate: f64,
-    /// Its forces, an entry a row.
+    /// Its forces, one entry per row.
     pub forces: Vec<f64>,
-    /// After so many sweeps, theory says, `GOOD` is missing.
+    /// The number of sweeps after which theory predicts an error of `GOOD`.
     pub sweeps: f64,
 }
 
-/// Sweeps of relaxation whose rows do not change.
+/// Relaxation sweeps while no row changes sides.
 #[derive(Debug, Clone)]
 pub struct Linear<'a> {
     yard: &'a Yard<'a>,
@@ -60,7 +60,7 @@ pub struct Linear<'a> {
 }
 
 impl<'a> Linear<'a> {
-    /// The sweeps of a problem beside its solution.
+    /// The sweeps of a problem linearized at its solution.
     pub fn new(lcp: &'a Lcp, yard: &'a Yard<'a>) -> Self {
         let free = yard.free_rows();
         let role = |i: usize| {
@@ -76,8 +76,8 @@ impl<'a> Linear<'a> {
         Linear { yard, lcp, roles: (0..lcp.len()).map(role).collect() }
     }
 
-    /// What should be missing after so many sweeps from x on; `None` if rows change on the way, so
-    /// that theory is silent.
+    /// The predicted error after this number of sweeps from x; `None` if rows change sides, so that
+    /// the theory does not apply.
     pub fn missing(&self, x: &[f64], way: Way, sweeps: usize) -> Option<f64> {
         let mut x = self.placed(x);
         for _ in 0..sweeps {
@@ -89,8 +89,8 @@ impl<'a> Linear<'a> {
         (outside <= OUTSIDE * missing).then_some(missing)
     }
 
-    /// The pattern that is left in the end, looked for in at most so many sweeps; `None` if nothing
-    /// is.
+    /// The mode that remains in the end, searched in at most this number of sweeps; `None` if there
+    /// is none.
     pub fn slowest(&self, start: &[f64], target: f64, most: usize) -> Option<Slowest> {
         let mut x = self.placed(start);
         let (mut before, mut rate, mut reached) = (self.yard.missing(&x), 0.0, None);
@@ -118,7 +118,7 @@ impl<'a> Linear<'a> {
         (rate > 0.0).then_some(Slowest { rate, forces, sweeps })
     }
 
-    /// x with the rows that are not free where they belong.
+    /// x with the rows that are not free set to their values.
     fn placed(&self, x: &[f64]) -> Vec<f64> {
         let mut x = x.to_vec();
         for (i, role) in self.roles.iter().enumerate() {

@@ -1,10 +1,10 @@
-//! Why does my stack sink? What an answer leaves undone, why, and what helps.
+//! Why does my stack sink? The error of an answer, its causes, and remedies.
 //!
-//! A [`Frame`] is solved as its owner solves it, and exactly. What is missing in the answer is
-//! measured. Then each suspected cause is taken away, to see whether that helps: all masses are
-//! made equal, the body is held that moves most in the slowest pattern, the rows are taken in
-//! another order. What saves half of the sweeps or more is named as a cause, the strongest first;
-//! nothing is concluded from the number of bodies or the ratio of masses alone.
+//! A [`Frame`] is solved as the user solves it, and exactly, and the error of the answer is
+//! measured. Then each suspected cause is removed to see whether that helps: all masses are made
+//! equal, pairs of bodies are decoupled, the rows are taken in another order. A change that saves
+//! at least half of the sweeps is reported as a cause, the strongest first; nothing is concluded
+//! from the number of bodies or the ratio of masses alone.
 
 mod cause;
 mod course;

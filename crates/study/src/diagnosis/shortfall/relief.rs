@@ -1,5 +1,5 @@
-//! Remedies over a whole run, each one done: how far a body ends from its place, and what is
-//! missing.
+//! Remedies over a whole run, each one carried out: the final position error, and the error of the
+//! answers.
 
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::scene::{Persistence, Scene};
@@ -12,19 +12,19 @@ use super::remedy::{METHODS, Relief};
 use super::run::{End, end_of};
 use super::suspect::apart;
 
-/// A step is divided into so many.
+/// The number of parts into which a step is divided.
 const PARTS: usize = 8;
 
-/// So many times as many sweeps are tried.
+/// The factor on the number of sweeps.
 const MORE: usize = 4;
 
 /// The run without a change.
 const UNCHANGED: &str = "unchanged";
 
-/// The remedy of a start that is worse than none.
+/// The remedy for a start that is worse than none.
 const COLD: &str = "cold start in every step";
 
-/// The remedies of a run of so many steps, the best first; the run as it is is one of them.
+/// The remedies of a run of this number of steps, the best first; the unchanged run is one of them.
 pub(super) fn reliefs(
     scene: &Scene,
     count: usize,
@@ -46,7 +46,7 @@ pub(super) fn reliefs(
     Ok(all)
 }
 
-/// What is changed, and into how many parts a step is divided.
+/// The change, and the number of parts into which a step is divided.
 struct Change {
     what: String,
     scene: Scene,
@@ -96,8 +96,8 @@ fn changes(scene: &Scene) -> Vec<Change> {
 }
 
 impl Examination {
-    /// A start that is worse than none in the examined step is a cause only if the run is better
-    /// without it.
+    /// Drops a start that is worse than none in the examined step as a cause, unless the run is
+    /// better without it.
     pub(super) fn clear_the_start(&mut self) {
         let of = |what: &str| self.reliefs.iter().find(|relief| relief.what == what);
         let (Some(own), Some(cold)) = (of(UNCHANGED), of(COLD)) else { return };

@@ -1,4 +1,4 @@
-//! Remedies, each one run: what is missing with it, and what it costs.
+//! Remedies, each one carried out: the error with it, and its cost.
 
 use lcplab_problem::Lcp;
 use lcplab_solver::trace::Work;
@@ -12,38 +12,38 @@ use super::yard::{Yard, start};
 /// Other methods that are tried, by name.
 pub(super) const METHODS: [&str; 4] = ["anderson-pgs", "block-pgs", "block-pivoting", "dantzig"];
 
-/// Factors of relaxation that are tried.
+/// Relaxation factors that are tried.
 const OMEGAS: [f64; 3] = [1.3, 1.6, 1.9];
 
-/// So many times as many sweeps are tried. A problem that comes again in every step, and is started
-/// from its last answer, gets them in so many steps.
+/// The factors on the number of sweeps that are tried. A problem that recurs in every step and
+/// starts from the last answer gets that many sweeps in as many steps.
 const STEPS: [usize; 2] = [4, 40];
 
-/// A change and what came of it.
+/// A change and its effect.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Remedy {
-    /// What was changed.
+    /// The change.
     pub what: String,
-    /// What is missing with it.
+    /// The error with it.
     pub missing: f64,
-    /// What theory says should be missing, where it says something.
+    /// The error predicted by theory, if there is a prediction.
     pub predicted: Option<f64>,
-    /// Sweeps, pivots, or steps of the method that it took.
+    /// The number of sweeps, pivots, or steps of the method.
     pub iterations: usize,
-    /// What they cost, in multiplications; NaN where nobody counts them.
+    /// Their cost in multiplications; NaN if unknown.
     pub work: f64,
 }
 
-/// A change of a run and what came of it.
+/// A change of a run and its effect.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Relief {
-    /// What was changed.
+    /// The change.
     pub what: String,
-    /// What is missing in the second half of the run, on average.
+    /// The mean error in the second half of the run.
     pub missing: f64,
-    /// How far the body that is farthest off ends from where exact answers leave it (m).
+    /// The largest distance of a body's final position from that with exact answers (m).
     pub off: f64,
-    /// Sweeps, pivots or steps for each step of the scene, on average.
+    /// The mean number of sweeps, pivots or steps per step of the scene.
     pub iterations: f64,
 }
 
@@ -91,8 +91,8 @@ pub fn remedies(
     all
 }
 
-/// The sweeps of Gauss-Seidel after which so little is missing, and whether they were done: `most`
-/// of them and no more, the rest follows from the last two.
+/// The number of Gauss-Seidel sweeps to this error, and whether they were done: at most `most` are
+/// done, the rest is extrapolated from the last ones.
 pub fn sweeps_to(
     lcp: &Lcp,
     yard: &Yard<'_>,
@@ -107,7 +107,7 @@ pub fn sweeps_to(
     if last <= target {
         return (sweeps as f64, true);
     }
-    // Over many sweeps, so that rounding does not count.
+    // Over many sweeps, so that rounding does not matter.
     let back = sweeps / 2;
     let rate = (last / course[sweeps - back]).ln() / back.max(1) as f64;
     let rest = if rate < 0.0 { (target / last).ln() / rate } else { f64::INFINITY };

@@ -1,4 +1,5 @@
-//! A second of a scene, stepped as its owner does and exactly, and again without what is suspected.
+//! Runs a scene for a second as the user does and with exact answers, and again without each
+//! suspected cause.
 
 use lcplab_judge::Demand;
 use lcplab_mechanics::body::State;
@@ -16,55 +17,55 @@ use super::relief::reliefs;
 use super::suspect::causes;
 use super::yard::{Yard, is_accepted};
 
-/// A run takes this long (s), or as long as the scene says if that is shorter.
+/// The duration of a run (s), or that of the scene if it is shorter.
 const TIME: f64 = 1.0;
 
-/// A run takes no more steps.
+/// Maximum number of steps of a run.
 const MOST_STEPS: usize = 1000;
 
-/// Steps with more rows are not compared with exact answers.
+/// Maximum number of rows for comparison with exact answers.
 const LARGEST: usize = 300;
 
-/// With more rows not every step is compared.
+/// Number of rows above which not every step is compared.
 const EVERY_STEP: usize = 80;
 
-/// Errors of positions are worth a word from this part of the thinnest body on, energies from the
-/// work of all weights over it.
+/// Position errors are reported from this fraction of the thinnest body on; energies from this
+/// fraction of the work of all weights over its thickness.
 pub(super) const WORTH: f64 = 0.01;
 
-/// Of a run of which only the end counts so many steps are compared.
+/// Number of steps compared in a run of which only the end matters.
 const COMPARED: usize = 20;
 
-/// The solver that a run is compared with.
+/// The solver for exact answers.
 const EXACT: &str = "dantzig";
 
-/// Where a run ends.
+/// The end of a run.
 pub(super) struct End {
     /// The last states.
     pub states: Vec<State>,
-    /// The most energy above that of the start (J).
+    /// The largest energy above that of the start (J).
     pub gained: f64,
-    /// The most kinetic energy (J).
+    /// The largest kinetic energy (J).
     pub kinetic: f64,
-    /// What is missing in its second half, on average over the steps that were compared.
+    /// The mean error in its second half, over the compared steps.
     pub missing: f64,
-    /// Sweeps, pivots or steps in a solve, on average.
+    /// The mean number of sweeps, pivots or steps per solve.
     pub iterations: f64,
     /// The largest drift or overlap (m).
     pub error: f64,
-    /// Its friction beside Coulomb's law.
+    /// Its friction compared with Coulomb's law.
     pub slips: Slips,
-    /// How many steps were taken.
+    /// The number of steps taken.
     pub steps: usize,
-    /// Whether each was small enough to be compared with exact answers.
+    /// Whether every step was small enough for comparison with exact answers.
     pub is_compared: bool,
 }
 
-/// Examines a scene: its motion for a second, and the solve of a step, or of the first in which
-/// much is missing.
+/// Examines a scene: its motion for a second, and the solve of a step (by default the first with a
+/// large error).
 ///
 /// # Errors
-/// If its solver does not exist, or is none for boxes.
+/// If its solver does not exist, or is not for boxes.
 pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> {
     let practice = practice(scene)?;
     let count = steps(scene);
@@ -90,7 +91,7 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
             "the judge rejects the answer of {EXACT} in step {step}, so there is no run with exact answers"
         ));
     } else if went.end.is_compared && exactly.is_compared && exactly.steps == taken {
-        // Exact answers are no measure of another scheme, nor where they let rows drift apart
+        // Exact answers are no reference for another scheme, nor if they let rows drift apart
         // themselves.
         let is_alike = is_of_impulses(scene.step.scheme);
         if is_alike && exactly.error <= WORTH * scene.thinnest().unwrap_or(1.0) {
@@ -133,7 +134,7 @@ fn unmeasured(solve: Option<&Solve>, step: usize) -> String {
     }
 }
 
-/// Redundant rows, which do no harm to a motion without friction.
+/// Redundant rows, which are harmless for a motion without friction.
 fn redundancy(lcp: &Lcp) -> Option<String> {
     let found =
         lcplab_judge::regularity::regularity(lcp.matrix()).filter(|_| lcp.len() <= LARGEST)?;
@@ -145,7 +146,7 @@ fn redundancy(lcp: &Lcp) -> Option<String> {
     (spare > 0).then(|| format!("{spare} redundant rows ({effect})"))
 }
 
-/// How many steps a run has.
+/// The number of steps of a run.
 fn steps(scene: &Scene) -> usize {
     let second = (TIME / scene.step.dt).ceil() as usize;
     second.min(scene.step.count).clamp(1, MOST_STEPS)
@@ -169,22 +170,21 @@ pub(super) fn is_of_impulses(scheme: Scheme) -> bool {
     scheme.solves_lcps() || scheme == Scheme::SequentialImpulses
 }
 
-/// How a run went.
+/// The result of a run.
 struct Went {
     notes: Vec<Note>,
     solves: Vec<Option<Solve>>,
     warnings: Vec<String>,
-    /// Why a step could not be taken, if one could not.
+    /// Why a step could not be computed, if so.
     ended: Option<String>,
-    /// What the scene asks of its solver.
+    /// The tolerance of the scene's solver settings.
     tolerance: f64,
     end: End,
 }
 
 impl Went {
-    /// What the solver says of the first step in which it gave up and the judge does not accept its
-    /// answer, if there is one. To run out of sweeps is not to give up, and one without an answer
-    /// is suspected.
+    /// The solver's message in the first step in which it gave up and the judge does not accept its
+    /// answer, if there is one. Reaching the iteration limit does not count as giving up.
     fn gave_up(&self) -> Option<String> {
         let words = |(k, solve): (usize, &Option<Solve>)| {
             let Solve { problem, solution, .. } =
@@ -228,7 +228,7 @@ impl Went {
     }
 }
 
-/// Takes so many steps; every `every`-th is compared with its exact answer.
+/// Takes this number of steps; every `every`-th is compared with its exact answer.
 fn go(scene: &Scene, count: usize, every: usize) -> Result<Went> {
     let mut simulation = Simulation::of(scene)?;
     let start = simulation.motion().energy();
@@ -279,17 +279,17 @@ fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {
     (count > 0).then(|| sum / f64::from(count))
 }
 
-/// Where a run of so many steps ends.
+/// The end of a run of this number of steps.
 pub(super) fn end_of(scene: &Scene, count: usize) -> Result<End> {
     Ok(go(scene, count, sparsely(count))?.end)
 }
 
-/// How many steps lie between two that are compared, of a run of which only the end counts.
+/// The interval between compared steps, in a run of which only the end matters.
 fn sparsely(count: usize) -> usize {
     (count / COMPARED).max(1)
 }
 
-/// The problem of a step with its bodies, and how far positions are rounded.
+/// The problem of a step with its bodies, and the rounding of positions.
 fn frame(scene: &Scene, solve: &Solve, step: usize) -> Frame {
     let farthest = scene.states.iter().map(|state| state.pose.p.norm()).fold(0.0, f64::max);
     let dt = scene.step.dt;
@@ -298,7 +298,7 @@ fn frame(scene: &Scene, solve: &Solve, step: usize) -> Frame {
     Frame { position_rounding, ..Frame::of(&solve.exported(scene, step)) }
 }
 
-/// The solve of a step that carries: not those of blows and corrections.
+/// The main solve of a step, not those of impacts and corrections.
 pub fn main_solve(step: &Step) -> Option<&Solve> {
     let carries =
         |solve: &&Solve| matches!(solve.problem.stage, Stage::Velocity | Stage::Acceleration);
@@ -319,7 +319,7 @@ fn note(scene: &Scene, step: &Step, solve: Option<&Solve>, every: usize) -> Note
     let (lcp, x) = (&solve.problem.lcp, &solve.solution.x);
     note.residual = merit::scaled_residual(lcp, x);
     note.bias = solve.problem.bias.iter().fold(0.0, |most: f64, bias| most.max(-bias));
-    // Large problems are looked at now and then.
+    // Large problems are compared less often.
     let every = every * (lcp.len() / EVERY_STEP).max(1).pow(2);
     if lcp.len() > LARGEST || step.number % every != 1 % every || solve.posing.is_some() {
         return note;
@@ -334,7 +334,7 @@ fn note(scene: &Scene, step: &Step, solve: Option<&Solve>, every: usize) -> Note
     note
 }
 
-/// The body that is lowest beside another run, and by how much.
+/// The body that is farthest below its position in another run, and by how much.
 pub(super) fn sunk(scene: &Scene, own: &[State], exact: &[State]) -> Option<(String, f64)> {
     let down = scene.gravity.try_normalize(0.0)?;
     let depth = |k: usize| down.dot(&(own[k].pose.p - exact[k].pose.p));
@@ -345,7 +345,7 @@ pub(super) fn sunk(scene: &Scene, own: &[State], exact: &[State]) -> Option<(Str
 /// How the scene's problems are solved.
 ///
 /// # Errors
-/// If its solver is none for boxes.
+/// If its solver is not for boxes.
 pub fn practice(scene: &Scene) -> Result<Practice> {
     let entry = crate::methods::entry(&scene.solver.name)?;
     Ok(Practice { entry, options: simulation::options(scene) })

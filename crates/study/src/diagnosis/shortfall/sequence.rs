@@ -1,4 +1,5 @@
-//! The problems of a run, one file a step, each solved from the answer to the one before.
+//! Examines the problems of a run, one file per step, each solved from the answer to the previous
+//! one.
 
 use std::collections::BTreeMap;
 
@@ -12,8 +13,8 @@ use super::examine::{Practice, creep, examine};
 use super::frame::Frame;
 use super::yard::{Yard, start};
 
-/// Examines problems in the order of their steps: rows of the same name start from the last answer.
-/// The first in which much is missing is examined.
+/// Examines problems in the order of their steps: rows with the same name start from the last
+/// answer. The first problem with a large error is examined.
 pub fn examine_sequence(problems: &[Problem], practice: &Practice) -> Examination {
     let solver = practice.solver();
     let (mut last, mut starts) = (BTreeMap::new(), Vec::new());
@@ -63,8 +64,8 @@ fn note(problem: &Problem, x: &[f64]) -> Note {
     }
 }
 
-/// The names of the rows: the label, or the number where there is none, and how many rows with the
-/// same one came before: files of other programs may give the corners of a box one label.
+/// The names of the rows: the label, or the number if there is none, and how many earlier rows have
+/// the same label, because files of other programs may give all corners of a box one label.
 fn names(problem: &Problem) -> Vec<(String, usize)> {
     let rows = problem.extra.get("rows").and_then(Value::as_array);
     let label = |i: usize| Some(rows?.get(i)?.get("label")?.as_str()?.to_string());

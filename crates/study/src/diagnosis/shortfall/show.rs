@@ -1,4 +1,4 @@
-//! What is missing, why and what helps, in sentences and tables.
+//! The error, its causes and remedies, as sentences and tables.
 
 use lcplab_page::document::Section;
 use lcplab_page::number::readable;
@@ -11,16 +11,16 @@ use super::examine::{HEALTHY, Load, Shortfall};
 use super::remedy::Remedy;
 use crate::diagnosis::Mistake;
 
-/// Significant digits of what was measured.
+/// Significant digits of measured values.
 const DIGITS: usize = 2;
 
-/// A factor beyond this one is a cure.
+/// A factor beyond this counts as a cure.
 const LARGE: f64 = 1000.0;
 
-/// So many pairs are shown.
+/// Number of pairs shown.
 const PAIRS: usize = 6;
 
-/// A part in percent.
+/// A fraction in percent.
 pub fn percent(part: f64) -> String {
     match 100.0 * part {
         small if small.abs() < 0.01 => "0 %".into(),
@@ -30,14 +30,13 @@ pub fn percent(part: f64) -> String {
 }
 
 impl Shortfall {
-    /// What is missing, as a part: of the weight where that is known, else of all that the
-    /// constraints do.
+    /// The error as a fraction: of the weight if that is known, otherwise of the constraints'
+    /// effect.
     pub fn part(&self) -> f64 {
         self.whole.as_ref().map_or(self.missing, Load::missing)
     }
 
-    /// Whether something is missing that is worth a word; never in an answer that the judge
-    /// accepts.
+    /// Whether there is an error worth reporting; never in an answer that the judge accepts.
     pub fn is_short(&self) -> bool {
         !self.is_accepted && (self.missing > HEALTHY || self.missing.is_nan())
     }
@@ -71,7 +70,7 @@ impl Shortfall {
         format!("{} {}{plural}", self.iterations, self.unit)
     }
 
-    /// How fast sweeps are, in a sentence, if they are too slow.
+    /// The convergence rate of sweeps, in a sentence, if they are too slow.
     pub fn pace(&self) -> Option<String> {
         let (slowest, (needed, is_done)) = (self.slowest.as_ref()?, self.sweeps?);
         let sweeps = readable(needed.round(), DIGITS);
@@ -89,7 +88,7 @@ impl Shortfall {
         ))
     }
 
-    /// What to do: the remedy that leaves nothing undone at the least cost, else the one that
+    /// The recommended remedy: the cheapest one that removes the error, otherwise the one that
     /// leaves the least.
     pub fn advice(&self) -> Option<String> {
         let cures = self.remedies.iter().filter(|remedy| remedy.missing <= HEALTHY);
@@ -103,7 +102,7 @@ impl Shortfall {
         ))
     }
 
-    /// Who carries how much.
+    /// The load of each body and pair.
     pub(crate) fn loads_section(&self) -> Option<Section> {
         let mut section = Section::new("loads");
         let part = |load: &Load| match load.due {
@@ -138,7 +137,7 @@ impl Shortfall {
         (!self.pairs.is_empty()).then_some(section)
     }
 
-    /// What helps.
+    /// The remedies.
     pub(crate) fn remedies_section(&self) -> Option<Section> {
         let mut section = Section::new("remedies");
         let row = |remedy: &Remedy| {
@@ -163,7 +162,7 @@ impl Shortfall {
         (!self.remedies.is_empty()).then_some(section)
     }
 
-    /// The same for machines.
+    /// The same as JSON.
     pub fn to_json(&self) -> Value {
         let load = |load: &Load| {
             json!({ "name": load.name, "due": number(load.due), "given": number(load.given),

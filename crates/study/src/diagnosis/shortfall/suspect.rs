@@ -1,5 +1,4 @@
-//! What moves bodies as they should not move: each suspect is taken away, and the run is done
-//! again.
+//! Causes of wrong motion: each suspect is removed, and the run is repeated.
 
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::scene::{Persistence, Scene, Scheme};
@@ -10,27 +9,27 @@ use super::cause::Moving;
 use super::examine::HEALTHY;
 use super::run::{End, WORTH, end_of, exact, is_of_impulses, sunk};
 
-/// Each of several constraints that yield together yields this part of it at least.
+/// If several compliant constraints act together, each contributes at least this part.
 const YIELDS: f64 = 0.1;
 
-/// A cause explains at least this part of what is seen.
+/// A cause must explain at least this part of the symptom.
 const TELLING: f64 = 0.5;
 
-/// Without feedback an error is at least this much smaller where feedback is wrong.
+/// Feedback is wrong if the error without it is below this fraction.
 const LARGER: f64 = 0.9;
 
-/// Friction explains what is at least this part of the way.
+/// Friction is reported from this fraction of the distance moved on.
 const FAR: f64 = 0.02;
 
-/// How far two runs end apart (m).
+/// The distance between the ends of two runs (m).
 pub(super) fn apart(one: &[State], other: &[State]) -> f64 {
     let distance = |(a, b): (&State, &State)| (a.pose.p - b.pose.p).norm();
     one.iter().zip(other).map(distance).fold(0.0, f64::max)
 }
 
-/// The energy (J) of which a part that is gained counts: the work of all weights over the thinnest
-/// body; without gravity the kinetic energy, or that of all bodies when they move by the thinnest
-/// one in the time of the run.
+/// The reference for energy gains (J): the work of all weights over the thickness of the thinnest
+/// body; without gravity the kinetic energy, or that of all bodies when they move by this thickness
+/// during the run.
 fn energy_scale(scene: &Scene, size: f64, own: &End) -> f64 {
     let mass: f64 = scene.bodies.iter().map(|body| body.mass.mass()).sum();
     let weight = mass * scene.gravity.norm();
@@ -38,8 +37,8 @@ fn energy_scale(scene: &Scene, size: f64, own: &End) -> f64 {
     if weight > 0.0 { weight * size } else { own.kinetic.max(0.5 * mass * speed * speed) }
 }
 
-/// What is left of a motion when what is suspected is taken away; each is a run of its own. Then
-/// what is innocent.
+/// Removes each suspect in a separate run; returns the causes, and the suspects that were ruled
+/// out.
 pub(super) fn causes(
     scene: &Scene,
     count: usize,
@@ -73,7 +72,7 @@ pub(super) fn causes(
         }
         let errs = exactly.error > WORTH * size;
         let (with, without) = (own.error, plain.error);
-        // Feedback is there to make errors smaller: it need not double one to be wrong.
+        // Feedback is meant to reduce errors, so it is wrong even if it does not double them.
         if errs && own.error > WORTH * size && without < LARGER * with {
             found.push((with / (WORTH * size), Moving::Away { with, without }));
         }
@@ -106,8 +105,8 @@ pub(super) fn causes(
     Ok((found.into_iter().map(|(_, cause)| cause).collect(), innocent))
 }
 
-/// Friction as the cause, if Coulomb's cone moves a body otherwise: by exact answers where the
-/// scheme poses problems, else where friction is seen to depart from Coulomb's law.
+/// Friction as the cause, if a body moves differently under Coulomb's cone: compared with exact
+/// answers if the scheme solves problems, otherwise with the measured deviation from Coulomb's law.
 fn friction(
     scene: &Scene,
     count: usize,

@@ -1,24 +1,25 @@
-//! How much of what the constraints have to do is missing in an x.
+//! The error of an x: the difference from a reference solution, as a fraction of the constraints'
+//! effect.
 //!
 //! ```text
 //! missing = ‖x − x*‖_A / max(‖Π(0) − x*‖_A, |M⁻¹F|_M, ‖x_D‖_A, ρ),   ‖e‖_A² = eᵀ A e = |M⁻¹ Jᵀ e|_M²
 //! ```
 //!
 //! with a solution x* that the judge accepts and the weights F. It compares motions: forces that
-//! redundant rows share in one way or another count as one. Doing nothing misses all of it, 1,
-//! where bodies rest; where next to nothing is to be done, an error is compared with what gravity
-//! does.
+//! redundant rows share in different ways count as equal. If bodies rest, doing nothing has an
+//! error of 1; if the constraints have almost nothing to do, an error is compared with the effect
+//! of gravity.
 //!
-//! Forces may cancel: a motor that presses a block against a wall changes no motion, and Π(0) − x*
-//! neither. So what motors at their limit and springs do by themselves, x_D, counts too, and what
-//! is left is compared with its rounding
+//! Forces may cancel: a motor that presses a block against a wall changes no motion, nor does
+//! Π(0) − x*. Therefore the effect of motors at their limits and of springs alone, x_D, counts too,
+//! and the remaining effect is compared with its rounding
 //!
 //! ```text
 //! ρ = 2²⁰ ε (|(Σ_j |a_ij x*_j| + |b_i| + Σ_j |J_ij u*_j| + |bias_i|) / √a_ii| + √m |p|/dt)
 //! ```
 //!
-//! with the place |p| of the farthest body in a scene, so that a hundredth is missing where the
-//! terms of a row are wrong by ten thousand units in the last place.
+//! with the distance |p| of the farthest body from the origin, so that the error is one percent if
+//! the terms of a row are wrong by ten thousand units in the last place.
 
 use std::ops::ControlFlow;
 
@@ -29,20 +30,20 @@ use lcplab_solver::{Iterate, Observer, Options, Settings, Solver, Start, by_name
 use super::examine::HEALTHY;
 use super::frame::Frame;
 
-/// A solution that is to serve as a yardstick has this scaled residual.
+/// The scaled residual of a reference solution.
 const TOLERANCE: f64 = 1e-8;
 
-/// Who looks for it, and with how many iterations.
+/// The solvers that compute it, with their iteration limits.
 const EFFORTS: [(&str, usize); 4] =
     [("block-pivoting", 300), ("dantzig", 2_000), ("newton", 50), ("anderson-pgs", 1_000)];
 
-/// The part of the diagonal's step below which a row that should be free is.
+/// A row counts as free if |w| is at most this fraction of the sum of its terms.
 const FREE: f64 = 1e-7;
 
-/// An error of so many units in the last place of the terms is all of it, where forces cancel.
+/// An error of this number of units in the last place of the terms counts as 1, if forces cancel.
 const ULPS: f64 = 1_048_576.0;
 
-/// A problem with a solution of it.
+/// A problem with a reference solution.
 #[derive(Debug, Clone)]
 pub struct Yard<'a> {
     lcp: &'a Lcp,
@@ -53,21 +54,21 @@ pub struct Yard<'a> {
 }
 
 impl<'a> Yard<'a> {
-    /// The yardstick of a problem with a symmetric A, where gravity does `weight`; `None` if no
-    /// solution was found that the judge accepts.
+    /// The reference for a problem with symmetric A, with the effect of gravity `weight`; `None` if
+    /// no solution was found that the judge accepts.
     pub fn new(lcp: &'a Lcp, weight: f64) -> Option<Self> {
         let none = vec![0.0; lcp.len()];
         Yard::beside(lcp, weight, &none, &none, 0.0)
     }
 
-    /// The yardstick of a frame.
+    /// The reference for a frame.
     pub fn of(frame: &'a Frame) -> Option<Self> {
         let terms = frame.offset_terms();
         let weight = frame.weight(|_| 1.0);
         Yard::beside(&frame.lcp, weight, &frame.yielding(), &terms, frame.rounding())
     }
 
-    /// The same where rows yield (γ), beside these terms of b and this rounding of its own.
+    /// The same with compliance γ, these terms of b, and this additional rounding.
     fn beside(
         lcp: &'a Lcp,
         weight: f64,
@@ -87,7 +88,7 @@ impl<'a> Yard<'a> {
         Some(Yard { size: needed.max(rounding), is_needed: needed > rounding, ..yard })
     }
 
-    /// Why there is no yardstick for a problem.
+    /// Why there is no reference for a problem.
     pub(crate) fn absence(lcp: &Lcp) -> &'static str {
         match lcp.matrix().is_nearly_symmetric() {
             true => "no method found an answer that the judge accepts",
@@ -95,8 +96,8 @@ impl<'a> Yard<'a> {
         }
     }
 
-    /// The forces of motors at their limits and of springs, 0 in all other rows: to the rest of the
-    /// rows they are loads.
+    /// The forces of motors at their limits and of springs, 0 in all other rows: for the other rows
+    /// they are loads.
     fn driving(&self, yielding: &[f64]) -> Vec<f64> {
         let motors = self.motors_at_limits();
         let is_spring = |i: usize| {
@@ -107,7 +108,7 @@ impl<'a> Yard<'a> {
         (0..self.exact.len()).map(|i| if drives(i) { self.exact[i] } else { 0.0 }).collect()
     }
 
-    /// The rows with a limit on either side that do all that they may.
+    /// The rows with limits on both sides that are at a limit.
     pub(crate) fn motors_at_limits(&self) -> Vec<usize> {
         let is_at_limit = |&i: &usize| {
             let (lo, hi, x) = (self.lcp.lo()[i], self.lcp.hi()[i], self.exact[i]);
@@ -117,7 +118,7 @@ impl<'a> Yard<'a> {
         (0..self.exact.len()).filter(is_at_limit).collect()
     }
 
-    /// The size of what is added up in the rows of x*, as a motion.
+    /// The size of the sums of terms in the rows at x*, as a motion.
     fn terms(&self, of_offsets: &[f64]) -> f64 {
         let term = |i: usize| {
             let row = self.lcp.matrix().row(i);
@@ -129,29 +130,28 @@ impl<'a> Yard<'a> {
         (0..self.exact.len()).map(term).sum::<f64>().sqrt()
     }
 
-    /// Whether the judge accepts x. Nothing that counts is missing then.
+    /// Whether the judge accepts x; its error is then negligible.
     pub fn is_accepted(&self, x: &[f64]) -> bool {
         is_accepted(self.lcp, x)
     }
 
-    /// Whether the constraints have something to do.
+    /// Whether the constraints have an effect.
     pub(crate) fn is_needed(&self) -> bool {
         self.is_needed
     }
 
-    /// What is missing in x, as a part of what was to be done.
+    /// The error of x, as a fraction of the constraints' effect.
     pub fn missing(&self, x: &[f64]) -> f64 {
         self.apart(x, &self.exact)
     }
 
-    /// The same of an answer to the problem: nothing that counts is missing in one that the judge
-    /// accepts.
+    /// The same for an answer to the problem: 0 if the judge accepts it.
     pub(crate) fn missing_in_answer(&self, x: &[f64]) -> f64 {
         let missing = self.missing(x);
         if missing > HEALTHY && self.is_accepted(x) { 0.0 } else { missing }
     }
 
-    /// How far two x are apart, on the same scale.
+    /// The distance of two x on the same scale.
     pub fn apart(&self, x: &[f64], y: &[f64]) -> f64 {
         if self.size > 0.0 { self.apart_in_full(x, y) / self.size } else { 0.0 }
     }
@@ -166,15 +166,14 @@ impl<'a> Yard<'a> {
         (0..error.len()).map(product).sum::<f64>().max(0.0).sqrt()
     }
 
-    /// What is missing after each sweep, from `x` on, as many as it takes to `target` but at most
-    /// `most`.
+    /// The error after each sweep from `x`, until it is `target`, for at most `most` sweeps.
     pub fn course(&self, solver: &dyn Solver, x: &[f64], target: f64) -> Vec<f64> {
         let mut course = Course { yard: self, target, missing: vec![self.missing(x)] };
         solver.solve(self.lcp, &Start::at(x), &mut course);
         course.missing
     }
 
-    /// The rows whose w is 0: between their bounds, or at one that does not hold them.
+    /// The rows whose w is 0: between their bounds, or at a bound without a force.
     pub fn free_rows(&self) -> Vec<bool> {
         let w = self.lcp.w(&self.exact);
         let size = |i: usize| {
@@ -185,15 +184,15 @@ impl<'a> Yard<'a> {
     }
 }
 
-/// Where sweeps start that know nothing: Π(0).
+/// The start of sweeps without information: Π(0).
 pub fn start(lcp: &Lcp) -> Vec<f64> {
     let mut x = vec![0.0; lcp.len()];
     lcp.project_all(&mut x);
     x
 }
 
-/// A solution that the judge accepts, by the first method that finds one with moderate effort: with
-/// friction some problems resist all of them.
+/// A solution that the judge accepts, by the first method that finds one with moderate effort; some
+/// problems with friction resist all methods.
 fn solution(lcp: &Lcp) -> Option<Vec<f64>> {
     EFFORTS.into_iter().find_map(|(name, max_iterations)| {
         let settings = Settings { tolerance: TOLERANCE, max_iterations, ..Settings::default() };
@@ -209,7 +208,7 @@ pub(super) fn is_accepted(lcp: &Lcp, x: &[f64]) -> bool {
     judge(lcp, x, &demand).verdict.is_solution()
 }
 
-/// Watches what is missing fall.
+/// An observer that records the error.
 struct Course<'a, 'b> {
     yard: &'a Yard<'b>,
     target: f64,

@@ -1,15 +1,15 @@
-//! The columns of a problem that some row touches, and its matrices in them.
+//! The columns of a problem that appear in some row, and its matrices restricted to them.
 
 use crate::explain::step_units::of_motion;
 use lcplab_mechanics::formulation::Problem;
 use lcplab_mechanics::scene::Scene;
 use lcplab_page::document::{Formula, SHOWN};
 
-/// A problem without the columns that no row touches.
+/// A problem without the columns that appear in no row.
 pub(super) struct Columns<'a> {
     pub problem: &'a Problem,
     pub kept: Vec<usize>,
-    /// Rows of J, dense, kept columns alone; the first [`SHOWN`] rows.
+    /// Rows of J, dense, with only the kept columns; the first [`SHOWN`] rows.
     jacobian: Vec<Vec<f64>>,
     pub is_angular: bool,
 }
@@ -75,7 +75,7 @@ impl<'a> Columns<'a> {
     }
 }
 
-/// The body of a column, and which of its velocity components it is.
+/// The body of a column, and the index of its velocity component.
 fn component(problem: &Problem, column: usize) -> (usize, usize) {
     let blocks = &problem.assembly.blocks;
     let block = &blocks[blocks.partition_point(|block| block.offset <= column) - 1];

@@ -1,7 +1,7 @@
-//! From Newton's law to the LCP in the four steps of K&M Figure 4, with matrices filled in.
+//! Derives the LCP from Newton's law in the four steps of K&M Figure 4, with the numbers filled in.
 //!
-//! Figure 4 prints F = J λ, a b of the other sign, and ≥ 0 without complementarity (E22); here F =
-//! Jᵀx, x ≥ 0 pushes apart, and w = A x + b holds with the conditions of the
+//! Figure 4 prints F = J λ, a b of the opposite sign, and ≥ 0 without complementarity (E22); here
+//! F = Jᵀx, x ≥ 0 pushes apart, and w = A x + b holds with the conditions of the
 //! [problem](lcplab_problem).
 
 mod columns;
@@ -16,10 +16,10 @@ use lcplab_mechanics::scene::Scene;
 use lcplab_page::document::{Formula, Section};
 pub(super) use motion::motion;
 
-/// With more rows or columns matrices are not written side by side.
+/// Maximum number of rows or columns for which matrices are written side by side.
 const SIDE_BY_SIDE: usize = 6;
 
-/// The four steps; where friction has a posing of its own, its law is left for later.
+/// The four steps; for another friction model, its law follows later.
 pub(super) fn newton_to_lcp(
     scene: &Scene,
     problem: &Problem,
@@ -111,7 +111,7 @@ fn newton(section: &mut Section, columns: &Columns, dt: f64) {
     section.formula(columns.inverse_mass(response).unit(unit));
 }
 
-/// Step 2: what the rows ask of the motion.
+/// Step 2: the conditions of the rows on the motion.
 fn constraint(section: &mut Section, columns: &Columns, units: &Units) {
     let (moved, latex) = moved(columns.problem.stage);
     section.say(
@@ -128,7 +128,7 @@ fn constraint(section: &mut Section, columns: &Columns, units: &Units) {
     section.formula(numbers.unit(units.of_w()));
 }
 
-/// Step 3: the motion put into the constraint.
+/// Step 3: the motion substituted into the constraint.
 fn insertion(section: &mut Section, columns: &Columns, units: &Units) {
     let (target, latex) = target(columns.problem.stage);
     let x = effort(columns.problem);
@@ -156,7 +156,7 @@ fn insertion(section: &mut Section, columns: &Columns, units: &Units) {
     section.formula(numbers.unit(units.of_w()));
 }
 
-/// The motion that the rows ask something of.
+/// The motion that the rows constrain.
 fn moved(stage: Stage) -> (&'static str, &'static str) {
     match stage {
         Stage::Acceleration => ("u'", "u'"),
@@ -174,7 +174,7 @@ fn target(stage: Stage) -> (&'static str, &'static str) {
     }
 }
 
-/// What acts along Jᵀ: x, or with the friction of sliding contacts put in, S x.
+/// What acts through Jᵀ: x, or S x with the friction of sliding contacts substituted.
 fn effort(problem: &Problem) -> &'static str {
     if problem.slides.is_empty() { "x" } else { "S x" }
 }

@@ -1,4 +1,4 @@
-//! The motion that an answer leads to.
+//! The motion that results from an answer.
 
 use super::columns::Columns;
 use super::{effort, moved, target};
@@ -6,7 +6,7 @@ use crate::explain::step_units::of_motion;
 use lcplab_mechanics::formulation::{Problem, Stage};
 use lcplab_page::document::{Formula, Section};
 
-/// The motion that an answer leads to.
+/// The motion that results from an answer.
 pub(in crate::explain) fn motion(problem: &Problem, x: &[f64], dt: f64) -> Section {
     let mut section = Section::new("the new motion");
     let columns = Columns::of(problem);

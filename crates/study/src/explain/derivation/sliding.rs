@@ -1,11 +1,11 @@
-//! Contacts that slide at acceleration level: their friction is put in for the unknown.
+//! Contacts that slide at acceleration level: their friction is substituted for the unknown.
 
 use lcplab_mechanics::formulation::{Problem, Slide};
 use lcplab_mechanics::scene::Scene;
 use lcplab_page::document::notation::{indexed, plain, vector};
 use lcplab_page::document::{Formula, Section};
 
-/// x_t = −μ x_n v_t/|v_t| with numbers, and S, by which it enters.
+/// x_t = −μ x_n v_t/|v_t| with numbers, and the matrix S that contains it.
 pub(super) fn substitution(section: &mut Section, scene: &Scene, problem: &Problem) {
     section.say(format!(
         "Contacts that slip faster than {} m/s are sliding, and Coulomb's law gives their friction: \

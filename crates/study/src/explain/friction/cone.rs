@@ -1,5 +1,5 @@
-//! Friction within circular cones: the problem stated, its answer contact by contact, and beside it
-//! the box, whose solver can be followed.
+//! Friction with circular cones: the problem, its answer contact by contact, and for comparison the
+//! box, whose solver can be followed.
 
 use super::Answered;
 use crate::explain::answer;
@@ -12,7 +12,8 @@ use lcplab_problem::error::Result;
 use lcplab_problem::friction::{ConeProblem, Contact, Law};
 use lcplab_solver::{Solution, Status};
 
-/// The cones with their answer, then the box beside them; whether the judge accepts the cones' x.
+/// The cones with their answer, then the box for comparison; returns whether the judge accepts the
+/// cones' x.
 pub(in crate::explain) fn cones(
     answered: &Answered,
     document: &mut Document,
@@ -30,7 +31,7 @@ pub(in crate::explain) fn cones(
     Ok(is_accepted)
 }
 
-/// What is posed.
+/// The formulation.
 fn law(cones: &ConeProblem) -> Section {
     let mut section = Section::new("friction within cones");
     section.say(
@@ -63,7 +64,7 @@ fn law(cones: &ConeProblem) -> Section {
     section
 }
 
-/// x and w of each contact, what they say of the law, and the judge's word.
+/// x and w of each contact, their meaning for the law, and the judge's verdict.
 fn contacts(answered: &Answered, cones: &ConeProblem) -> (Section, bool) {
     let (own, reading) = (answered.answer, &answered.rows);
     let certificate = judge_cone(cones, &own.x, &answered.demand());
@@ -128,7 +129,7 @@ fn contacts(answered: &Answered, cones: &ConeProblem) -> (Section, bool) {
     (section, certificate.verdict.is_solution())
 }
 
-/// Why the box is there, and how far its x is from that of the cones.
+/// Why the box is shown, and how far its x is from that of the cones.
 fn beside(answered: &Answered, boxed: &Solution) -> Section {
     let mut section = Section::new("the cones and the box");
     section.say(

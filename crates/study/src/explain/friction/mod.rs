@@ -1,4 +1,4 @@
-//! The friction models beside the coupled box, each with the problem that it poses.
+//! The friction models other than the coupled box, each with its problem.
 
 mod cone;
 mod polygon;
@@ -17,39 +17,39 @@ use lcplab_solver::Solution;
 pub(super) use cone::cones;
 pub(super) use polygon::polygons;
 
-/// An answer to a problem under a polygon or a cone, to be explained in a place of a document.
+/// An answer to a problem under a polygon or a cone, to be explained at a place in a document.
 pub(super) struct Answered<'a> {
     pub place: &'a str,
     /// The solver that is followed.
     pub method: &'a Method,
-    /// The rows of the contacts and the others, friction being a coupled box.
+    /// The rows of the contacts and the others, with friction as a coupled box.
     pub rows: Reading<'a>,
-    /// The x that is judged, an entry a row.
+    /// The x that is judged, one entry per row.
     pub answer: &'a Solution,
     /// The solver that found it.
     pub solver: &'a str,
-    /// Where the search began, an entry a row; 0 if not given.
+    /// The start, one entry per row; `None` means 0.
     pub start: Option<&'a [f64]>,
 }
 
 impl Answered<'_> {
-    /// Adds a section in the place.
+    /// Adds a section at this place.
     fn add(&self, document: &mut Document, section: Section) {
         document.add(self.place, section);
     }
 
-    /// The method at work on an LCP; Lemke's where it is not made for it.
+    /// The method at work on an LCP; Lemke's if the method is not made for it.
     fn solved(&self, reading: &Reading, start: Option<&[f64]>) -> Result<Solved> {
         solve::by_suitable(reading, self.method, start)
     }
 
-    /// What the judge asks.
+    /// The judge's demand.
     fn demand(&self) -> Demand {
         self.method.demand()
     }
 }
 
-/// The frozen box: bounds ±μ x_n with an x_n that is known beforehand.
+/// The frozen box: bounds ±μ x_n with an x_n known in advance.
 pub(super) fn frozen(reading: &Reading, problem: &Lcp, at: &[f64]) -> Section {
     let mut section = Section::new("friction in a frozen box");
     section.say(

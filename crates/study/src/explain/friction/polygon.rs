@@ -1,5 +1,4 @@
-//! Friction within polygons: the LCP of Stewart & Trinkle, written down and solved by Lemke's
-//! method.
+//! Friction with polygons: the LCP of Stewart & Trinkle, written down and solved by Lemke's method.
 
 use super::Answered;
 use crate::explain::answer::{self, Reading};
@@ -14,7 +13,8 @@ use lcplab_problem::error::Result;
 use lcplab_problem::friction::{Polyhedral, Posed};
 use lcplab_solver::Solution;
 
-/// The LCP of the polygons, its solution, and the x that it means; whether the judge accepts x.
+/// The LCP of the polygons, its solution, and the corresponding x; returns whether the judge
+/// accepts x.
 pub(in crate::explain) fn polygons(
     answered: &Answered,
     document: &mut Document,
@@ -48,7 +48,7 @@ pub(in crate::explain) fn polygons(
     Ok(is_accepted)
 }
 
-/// What is posed, in symbols, and what each unknown is.
+/// The formulation in symbols, and the meaning of each unknown.
 fn law(polygons: &Polyhedral, reading: &Reading) -> Section {
     let k = polygons.directions();
     let mut section = Section::new("friction within polygons");
@@ -89,8 +89,8 @@ fn law(polygons: &Polyhedral, reading: &Reading) -> Section {
     section
 }
 
-/// The LCP with what its unknowns are: those of other rows, x_n, β and γ of each contact. `units`
-/// are those of the rows.
+/// The LCP with the meaning of its unknowns: those of other rows, x_n, β and γ of each contact.
+/// `units` are those of the rows.
 fn reading<'a>(polygons: &'a Polyhedral, units: &Units) -> Reading<'a> {
     let friction = polygons.friction();
     let k = polygons.directions();
@@ -108,7 +108,7 @@ fn reading<'a>(polygons: &'a Polyhedral, units: &Units) -> Reading<'a> {
     Reading { lcp: polygons.lcp(), labels, units: units.of_polygons(&rows, speeds) }
 }
 
-/// x = D β, and the judge's word on it.
+/// x = D β, and the judge's verdict on it.
 fn impulses(answered: &Answered, polygons: &Polyhedral) -> (Section, bool) {
     let own = answered.answer;
     let posed = Posed::Polyhedral(polygons.clone());

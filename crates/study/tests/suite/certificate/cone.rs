@@ -1,4 +1,4 @@
-//! The judge of circular cones refutes what is not Coulomb's law, and names the contact.
+//! The judge of circular cones rejects answers that violate Coulomb's law, and names the contact.
 
 use lcplab_judge::{Demand, Verdict, judge_cone};
 use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law};
@@ -43,7 +43,7 @@ fn the_laws_differ_while_sliding_only() {
     assert!(!verdict(2.0, 3.0, Law::Coulomb, associated).is_solution());
 }
 
-/// An equation in row 0, then two masses that slide alike; μ = ½.
+/// An equation in row 0, then two masses that slide equally; μ = ½.
 fn two_masses() -> ConeProblem {
     let identity: Vec<Vec<f64>> =
         (0..7).map(|i| (0..7).map(|j| f64::from(u8::from(i == j))).collect()).collect();
@@ -109,7 +109,7 @@ fn no_size_of_the_terms_hides_friction_outside_the_cone() {
 
 #[test]
 fn an_x_far_along_a_null_direction_is_worth_nothing() {
-    // Two contacts that press against each other, walls that close in: w_n = −1 each, whatever x.
+    // Two contacts that press against each other, walls that close in: w_n = −1 each, for any x.
     let mut a = vec![0.0; 36];
     (a[0], a[3], a[18], a[21]) = (1.0, -1.0, -1.0, 1.0);
     for i in [1, 2, 4, 5] {

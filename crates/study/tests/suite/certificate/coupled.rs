@@ -1,4 +1,5 @@
-//! Rows with friction, judged as the problem was posed: bounds that move with x, not frozen ones.
+//! Rows with friction, judged by the original problem: with bounds that depend on x, not frozen
+//! ones.
 
 use dashu_ratio::RBig;
 use lcplab_judge::{
@@ -40,7 +41,7 @@ fn a_solution_on_the_cone_is_proved_where_frozen_bounds_have_none() {
 
 #[test]
 fn a_problem_without_solution_proves_nothing_of_any_x() {
-    // w_n + w_t = −1.5 whatever x. w_n ≥ 0 asks for w_t < 0, so x_t = x_n, and then w_n = −1.
+    // w_n + w_t = −1.5 for any x. w_n ≥ 0 requires w_t < 0, so x_t = x_n, and then w_n = −1.
     let lcp = contact(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-1.0, -0.5], 1.0);
     assert_eq!(all_solutions(&lcp), Some(vec![]));
     for x in [[1e9, 1e9], [0.0, 0.0], [1e4, 1e4], [3.0, 2.0]] {
@@ -51,8 +52,8 @@ fn a_problem_without_solution_proves_nothing_of_any_x() {
 
 #[test]
 fn the_distance_is_to_a_solution_of_the_coupled_problem() {
-    // x_n = 1 + e, and x_t = x_n follows it: both are off by e, where frozen bounds would say 0 of
-    // x_t.
+    // x_n = 1 + e, and x_t = x_n follows it: both have the error e, where frozen bounds would give
+    // 0 for x_t.
     let lcp = contact(&[&[1.0, 0.0], &[0.0, 1.0]], &[-1.0, -5.0], 1.0);
     let e = 2f64.powi(-40);
     let Verdict::Proved { distance } = judged(&lcp, &[1.0 + e, 1.0 + e]).verdict else { panic!() };
@@ -61,7 +62,7 @@ fn the_distance_is_to_a_solution_of_the_coupled_problem() {
 
 #[test]
 fn a_contact_with_dependent_tangents_is_solved_by_its_sides() {
-    // Both tangents are one: x = (1, 2, 2)/111 lies on both sides of the pyramid.
+    // Both tangents are equal: x = (1, 2, 2)/111 lies on both sides of the pyramid.
     let a: [&[f64]; 3] = [&[27.0, 21.0, 21.0], &[21.0, 17.0, 17.0], &[21.0, 17.0, 17.0]];
     let lcp = contact(&a, &[-1.0, -1.0, -2.0], 2.0);
     let solution = by_name("enumeration", &Options::default()).unwrap();
@@ -94,7 +95,7 @@ fn three_solutions_of_one_contact_are_found() {
 fn enumeration_says_by_how_many_pieces_there_is_no_solution() {
     let lcp = contact(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-1.0, -0.5], 1.0);
     let enumeration = by_name("enumeration", &Options::default()).unwrap();
-    // A start that is worth nothing is not taken for a solution.
+    // A worthless start is not accepted as a solution.
     let start = [1e9, 1e9];
     for start in [Start::default(), Start::at(&start)] {
         let solution = enumeration.solve(&lcp, &start, &mut ());
@@ -115,8 +116,7 @@ fn rows_with_friction_have_no_part_in_a_proof_by_a_vector() {
     assert_eq!(farkas.vector[2], RBig::ZERO);
 }
 
-/// Small problems of one or two contacts in the plane or in space, of whole numbers: A = JJᵀ +
-/// shift.
+/// Small problems of one or two contacts in the plane or in space, with integers: A = JJᵀ + shift.
 fn small(shift: f64) -> impl Strategy<Value = Lcp> {
     let numbers = |count| proptest::collection::vec(-3i32..=3, count);
     let mu = prop::sample::select(vec![0.0, 0.25, 0.5, 1.0, 2.0, 4.0]);
@@ -149,8 +149,7 @@ proptest! {
 
     #[test]
     fn what_is_proved_lies_as_near_as_it_says(lcp in small(1.0), noise in 0usize..3) {
-        // A is definite: the solutions form polytopes, and one corner is a solution that stands
-        // alone.
+        // A is definite: the solutions form polytopes, and a single vertex is an isolated solution.
         let Some(all) = all_solutions(&lcp) else { return Ok(()) };
         for x in &all {
             let shift = [0.0, 1e-12, 1e-10][noise];

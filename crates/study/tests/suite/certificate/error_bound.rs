@@ -14,15 +14,15 @@ fn a_singular_matrix_has_no_bound() {
 
 #[test]
 fn a_matrix_that_is_definite_only_by_rounding_has_no_bound() {
-    // det = 2⁻⁵², so λ_min is about 2⁻⁵³: less than rounding can tell from 0.
+    // det = 2⁻⁵², so λ_min is about 2⁻⁵³: indistinguishable from 0 by rounding.
     let lcp = contacts(&[&[1.0 + f64::EPSILON, 1.0], &[1.0, 1.0]], &[-1.0, -1.0]);
     assert_eq!(error_bound(&lcp, &[0.5, 0.5]), None);
 }
 
 #[test]
 fn a_factor_proves_nothing_below_its_own_rounding() {
-    // Pairs of contacts that are almost copies: λ_min = ε, and a Cholesky factor of 200 rows with
-    // trace 200 exists down to −4 · 202 · 2⁻⁵³ · 200 = −1.8e-11 (Rump 2006).
+    // Pairs of nearly identical contacts: λ_min = ε, and a Cholesky factor of 200 rows with trace
+    // 200 exists down to −4 · 202 · 2⁻⁵³ · 200 = −1.8e-11 (Rump 2006).
     let pairs = |epsilon: f64| {
         let beside = |i: usize| if i.is_multiple_of(2) { i + 1 } else { i - 1 };
         let row = |i| [(i, i, 1.0), (i, beside(i), 1.0 - epsilon)];

@@ -1,4 +1,4 @@
-//! Each model's certificate judges x, whoever found it.
+//! Each model's certificate judges x, from any source.
 
 use lcplab_judge::{Demand, Verdict, judge, judge_friction};
 use lcplab_problem::Coupling;
@@ -14,9 +14,9 @@ fn verdict(problem: &FrictionProblem, model: Model, x: &[f64]) -> Verdict {
 
 #[test]
 fn each_model_accepts_its_own_closed_form_and_no_other() {
-    // Pressed with 2, pushed with 3 at 30°, μ = ½. Square: both tangents rub in full. Diamond: the
-    // nearer corner. Octagon: corner at 45° is 15° off, that at 0° is 30° off. Disc: against the
-    // push.
+    // Pressed with 2, pushed with 3 at 30°, μ = ½. Square: both tangents are at their limits.
+    // Diamond: the nearer corner. Octagon: the corner at 45° is 15° off, that at 0° is 30° off.
+    // Disk: opposite to the push.
     let problem = pushed_mass(2.0, 3.0, 30.0);
     let (half, root) = (0.5f64.sqrt(), 0.75f64.sqrt());
     // Associated: x_n = (2 + 3/2)/(1 + 1/4) = 2.8, |x_t| = 1.4.
@@ -38,8 +38,8 @@ fn each_model_accepts_its_own_closed_form_and_no_other() {
 
 #[test]
 fn no_speed_of_the_slip_hides_friction_that_is_missing() {
-    // Pressed with 1, pushed with s v along the tangents, which weigh s: whatever v > 1, x = (1, ½,
-    // 0).
+    // Pressed with 1, pushed with s v along the tangents, which have inverse mass s: for any v > 1,
+    // x = (1, ½, 0).
     for (s, v) in [(1.0, 10.0), (1.0, 1e9), (1e-4, 1e8), (1e4, 1e10)] {
         let rows: [&[f64]; 3] = [&[1.0, 0.0, 0.0], &[0.0, s, 0.0], &[0.0, 0.0, s]];
         let lcp = boxed(&rows, &[-1.0, -s * v, 0.0], &[0.0, -INF, -INF], &[INF; 3]);
@@ -95,7 +95,7 @@ fn no_unit_and_no_mass_hides_friction_that_is_missing_or_pushes_with_the_slip() 
 
 #[test]
 fn friction_that_no_row_feels_is_friction_all_the_same() {
-    // w_t = 1 whatever x, so x_t = −μ x_n; the normal may feel it or not.
+    // w_t = 1 for any x, so x_t = −μ x_n; the normal may be coupled to it or not.
     for (a_nt, n, x) in
         [(0.0, 1.0, [1.0, -0.5]), (0.0, 1e15, [1e15, -0.5e15]), (1.0, 1e15, [2e15, -1e15])]
     {
@@ -109,8 +109,8 @@ fn friction_that_no_row_feels_is_friction_all_the_same() {
 
 #[test]
 fn a_cone_that_no_row_feels_holds_friction_to_its_direction_in_any_unit() {
-    // Slip 1/p along t1 whatever x: x = p (1, −μ, 0), and w_n = 0 under Coulomb's law, μ/p under
-    // the associated one.
+    // Slip 1/p along t1 for any x: x = p (1, −μ, 0), and w_n = 0 under Coulomb's law, μ/p under the
+    // associated one.
     for p in (-60..=60).step_by(12).map(|k| 2f64.powi(k)) {
         for (model, lift) in [(Model::CoulombCone, 0.0), (Model::AssociatedCone, 1.0 / p)] {
             let rows: [&[f64]; 3] = [&[1.0, 0.0, 0.0], &[0.0; 3], &[0.0; 3]];
@@ -121,7 +121,7 @@ fn a_cone_that_no_row_feels_holds_friction_to_its_direction_in_any_unit() {
                 |x: [f64; 3]| verdict(&problem, model, &x.map(|x| p * x)).is_solution();
             assert!(is_solution([1.0, -1.0, 0.0]), "{model} {p}");
             let wrong = [[1.0, 1.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 1.0], [1.0, -0.5, 0.0]];
-            // Below, x is nothing beside terms_n / s_n.
+            // Below, x is negligible relative to terms_n / s_n.
             if model == Model::CoulombCone || p >= 1.0 {
                 assert!(wrong.iter().all(|&x| !is_solution(x)), "{p}");
             }
@@ -131,7 +131,7 @@ fn a_cone_that_no_row_feels_holds_friction_to_its_direction_in_any_unit() {
 
 #[test]
 fn a_contact_that_sticks_is_accepted_where_the_tangents_move_as_one() {
-    // x_1 ± x_2 = c leaves w_t = 0, inside of the square, the polygons and the disc.
+    // x_1 ± x_2 = c leaves w_t = 0, inside the square, the polygons and the disk.
     for (sign, c) in [(1.0, 0.0), (-1.0, 0.0), (1.0, 1.0), (-1.0, 1.0)] {
         let rows: [&[f64]; 3] = [&[1.0, 0.0, 0.0], &[0.0, 1.0, sign], &[0.0, sign, 1.0]];
         let lcp = boxed(&rows, &[-4.0, -c, -sign * c], &[0.0, -INF, -INF], &[INF; 3]);
@@ -162,7 +162,7 @@ const OCTAGON: Model = Model::Polyhedral { directions: 8 };
 
 #[test]
 fn under_a_polygon_no_speed_of_the_slip_makes_an_impulse_small() {
-    // Pressed with 1 at a slip of 1e16: x_n = 1. Drawn away with 1: x = 0.
+    // Pressed with 1 at a slip of 1e16: x_n = 1. Pulled away with 1: x = 0.
     let pressed = contact(diagonal([1.0; 3]), [-1.0, -1e16, 0.0], 0.5);
     let drawn = contact(diagonal([1.0; 3]), [1.0, 1e16, 0.0], 0.5);
     for model in [SQUARE, OCTAGON] {
@@ -175,7 +175,7 @@ fn under_a_polygon_no_speed_of_the_slip_makes_an_impulse_small() {
 
 #[test]
 fn under_a_polygon_the_speed_of_the_slip_is_the_one_that_fits_best() {
-    // An open contact with an impulse that is nothing beside the terms of w_n.
+    // An open contact with an impulse that is negligible relative to the terms of w_n.
     let open = contact(diagonal([1.0; 3]), [1.0, -3.0, 0.0], 0.5);
     assert!(verdict(&open, SQUARE, &[1e-9, 0.0, 0.0]).is_solution());
     // Sticking with x_t at an edge of the octagon: w = 0, |x_t| ≤ x_n.
@@ -186,7 +186,7 @@ fn under_a_polygon_the_speed_of_the_slip_is_the_one_that_fits_best() {
 
 #[test]
 fn under_a_square_an_exact_solution_within_rounding_of_x_is_proved() {
-    // x = (0.002, 2e-13, −1e-13) but for the last digits: they are rounding beside x_n.
+    // x = (0.002, 2e-13, −1e-13) up to the last digits: they are rounding relative to x_n.
     let problem = contact(diagonal([10.0, 1e6, 1e6]), [-0.02, -2e-7, 1e-7], 3.0);
     assert!(matches!(
         verdict(&problem, SQUARE, &[0.002, 2.00001e-13, -1e-13]),
@@ -208,10 +208,10 @@ fn a_refused_polygon_names_the_largest_residual() {
 
 #[test]
 fn a_sticking_contact_is_not_called_impossible_under_an_octagon() {
-    // Pushed along both tangents and held: w = 0 at x. No row but those of friction pushes there.
+    // Pushed along both tangents and sticking: w = 0 at x. Only friction rows push there.
     let problem = contact(diagonal([3.0, 8.0, 8.0]), [-2.0, -1.0, 1.0], 0.5);
     assert!(verdict(&problem, OCTAGON, &[2.0 / 3.0, 0.125, -0.125]).is_solution());
-    // A floor that nothing can hold.
+    // A floor that no force can stop.
     let floor = contact(diagonal([0.0, 8.0, 8.0]), [-2.0, 0.0, 0.0], 0.5);
     assert!(!verdict(&floor, OCTAGON, &[1e12, 0.0, 0.0]).is_solution());
 }

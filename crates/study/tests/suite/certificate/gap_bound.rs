@@ -8,7 +8,7 @@ use lcplab_testing::{INF, cases};
 /// Columns of M: two pairs, each with M = 2ᵏ [2 1; 1 1], whose inverse is [1 −1; −1 2] / 2ᵏ.
 const COLUMNS: usize = 4;
 
-/// A problem with its exact solution; all numbers are so short that their arithmetic is exact.
+/// A problem with its exact solution; all numbers are short enough for exact arithmetic.
 #[derive(Debug, Clone)]
 struct Known {
     gauss: Gauss,
@@ -17,18 +17,18 @@ struct Known {
     u: Vec<f64>,
 }
 
-/// What a contact or a row does at the solution.
+/// The state of a contact or a row at the solution.
 #[derive(Debug, Clone, Copy)]
 enum State {
     /// No force.
     Open,
     /// Inside bounds or cone.
     Inside,
-    /// On the surface: it slides, or the force is at its upper bound.
+    /// On the surface: the contact slides, or the force is at its upper bound.
     Limit,
 }
 
-/// x and w = J û + bias + γ x of a contact with one coefficient an axis, on 5² = 3² + 4² or
+/// x and w = J û + bias + γ x of a contact with one coefficient per axis, on 5² = 3² + 4² or
 /// 3² = 1² + 2² + 2².
 fn contact(state: State, mu: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let sides: &[f64] = if mu.len() == 2 { &[5.0, 3.0, 4.0] } else { &[3.0, 1.0, 2.0, 2.0] };
@@ -176,7 +176,7 @@ proptest! {
 
     #[test]
     fn the_exact_motion_has_a_bound_of_rounding(known in known()) {
-        // √ε of the forces: where r and x are orthogonal on the surface of a cone, a rounding of
+        // √ε of the forces: where r and x are orthogonal on the surface of a cone, rounding of
         // either is the square of the bound.
         let bound = bound(&known, &known.x, &known.u);
         prop_assert!(bound.motion < 1e-6 && bound.answer < 1e-6, "{bound:?}");
@@ -242,7 +242,7 @@ fn a_row_with_a_fixed_force_has_any_speed() {
 
 #[test]
 fn an_axis_without_friction_has_no_force_and_leaves_the_normal_force_alone() {
-    // M = J = 1, γ = ½: x = (3, 0, 0) leads to û = (3, 0, 0), and bias makes w = (0, 0.7, 0).
+    // M = J = 1, γ = ½: x = (3, 0, 0) gives û = (3, 0, 0), and the bias makes w = (0, 0.7, 0).
     let gauss = Gauss {
         mass: (0..3).map(|j| (j, j, 1.0)).collect(),
         jacobian: (0..3).map(|j| vec![(j, 1.0)]).collect(),

@@ -49,7 +49,7 @@ fn a_redundant_table_has_a_sharp_bound_that_shrinks_with_the_error() {
         let mut last = INF;
         for decade in 1..=12 {
             let size = 10f64.powi(-decade);
-            // The load is uneven too: A has rank 3, so a checkerboard of ± moves nothing.
+            // The load is uneven too: A has rank 3, so a checkerboard of ± has no effect.
             let uneven =
                 |k: usize| if (k / side + k % side).is_multiple_of(2) { 0.5 } else { -0.5 };
             let even = if side % 2 == 0 { 1.0 } else { 0.0 };
@@ -110,14 +110,14 @@ fn an_answer_beyond_its_bounds_is_as_far_off_as_its_own_motion() {
 
 #[test]
 fn too_much_push_is_refuted_as_well() {
-    // 3 N s too much lift the table at 1 m/s.
+    // An excess of 3 N s lifts the table at 1 m/s.
     let bound = motion_bound(&table(3), &[6.0 / 9.0; 9]).unwrap();
     assert!(bound.energy_norm >= 3f64.sqrt() && bound.energy_norm < 1.001 * 3f64.sqrt());
 }
 
 #[test]
 fn units_of_motion_and_impulses_do_not_loosen_the_bound() {
-    // u_j in another unit for each j, w_i and x_i for each i: the kinetic energy stays.
+    // Each u_j in another unit, and each w_i and x_i: the kinetic energy is unchanged.
     let (plain, x) = (table(2), [0.75, 0.5, 1.0, 0.25]);
     let (motion, row) =
         ([20, 0, -20].map(|k| 2f64.powi(k)), [15, -15, 0, 10].map(|k| 2f64.powi(k)));
@@ -168,7 +168,7 @@ fn rows_that_contradict_each_other_have_no_motion_and_no_bound() {
 
 #[test]
 fn an_equation_costs_no_more_than_its_rounding() {
-    // u = −3 exactly is no number times 0.1: it is proved to lie beside one.
+    // u = −3 is not an exact multiple of 0.1: it is proved to be near one.
     let held = line(&[(0.1, 0.3, -INF, INF)], 0.7);
     let bound = motion_bound(&held, &[-37.0]).unwrap();
     assert!(bound.energy_norm < 1e-13 && (bound.motion[0] + 3.0).abs() < 1e-14, "{bound:?}");
@@ -284,7 +284,7 @@ proptest! {
         if let Ok(bound) = motion_bound(&known.gauss, &x) {
             let exact = distance(&known.gauss, &x, &known.u);
             prop_assert!(bound.energy_norm >= exact * (1.0 - 1e-12) - 1e-14, "{bound:?} {exact}");
-            // What lies beyond the bounds costs its own motion, and no more.
+            // The part of x beyond the bounds costs only its own motion.
             let nearest = within_bounds(&known.gauss, &x);
             let within = motion_bound(&known.gauss, &nearest).unwrap().energy_norm;
             let beyond = distance(&known.gauss, &x, &motion(&known.gauss, &nearest));
@@ -299,7 +299,7 @@ proptest! {
     ) {
         let size = 10f64.powi(-decade);
         let bound = motion_bound(&known.gauss, &moved(&known, &by, size)).expect("a bound");
-        // Second order where the pushing rows are read off rightly, of order √size at worst.
+        // Second order if the active rows are identified correctly, of order √size at worst.
         prop_assert!(bound.energy_norm <= 40.0 * size.sqrt() + 1e-6, "{bound:?}");
         prop_assert!(motion_bound(&known.gauss, &known.x).unwrap().energy_norm < 1e-6);
     }

@@ -60,7 +60,7 @@ proptest! {
 
     #[test]
     fn dantzigs_ray_on_an_inconsistent_problem_is_a_proof(m in manufactured(5, 2, 0.0), shift in 1i32..5) {
-        // All rows equations, b moved out of the range of A: no solution.
+        // All rows are equations, with b moved out of the range of A: no solution.
         let b: Vec<f64> = m.lcp.b().iter().enumerate().map(|(i, b)| b + f64::from(shift * (i as i32 * 7 % 5 - 2))).collect();
         let a: Vec<f64> = (0..25).map(|k| m.lcp.matrix().entry(k / 5, k % 5)).collect();
         let lcp = lcplab_problem::Lcp::new(lcplab_problem::Matrix::dense(5, &a), b, vec![-INF; 5], vec![INF; 5]).unwrap();

@@ -1,4 +1,4 @@
-//! Rank, condition and dependent rows against matrices whose null space is known.
+//! Rank, condition and dependent rows compared with matrices of known null space.
 
 use lcplab_judge::regularity::{least_eigenvalue, regularity};
 use lcplab_judge::uniqueness::free_rank;
@@ -55,7 +55,7 @@ fn zero_rows_and_zero_diagonals_are_seen() {
 
 #[test]
 fn the_least_eigenvalue_is_that_of_the_matrix_scaled_to_a_unit_diagonal() {
-    // Scaled: [[1, ½], [½, 1]], eigenvalues ½ and 3/2; with 2 beside the diagonal −1 and 3.
+    // Scaled: [[1, ½], [½, 1]], eigenvalues ½ and 3/2; with 2 off the diagonal −1 and 3.
     let least = |beside: f64| {
         least_eigenvalue(&contacts(&[&[4.0, 8.0 * beside], &[8.0 * beside, 16.0]], &[0.0; 2]))
     };

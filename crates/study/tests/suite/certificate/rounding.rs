@@ -1,5 +1,4 @@
-//! Answers that differ from a solution by the rounding of their own digits are accepted, and no
-//! others with them.
+//! Answers that differ from a solution by rounding of their own digits are accepted, and no others.
 
 use lcplab_judge::{Demand, Verdict, judge, judge_cone};
 use lcplab_problem::Lcp;
@@ -38,8 +37,7 @@ fn without_a_proof_the_rounded_neighbor_decides_and_says_how_far_it_is() {
 
 #[test]
 fn a_small_entry_of_a_component_of_its_own_is_not_rounding() {
-    // Two bodies that do not touch each other: x = (1, 1e-16), and 0 is not the answer of the
-    // second.
+    // Two bodies that are not in contact: x = (1, 1e-16), and 0 is not the answer of the second.
     let lcp = contacts(&[&[1.0, 0.0], &[0.0, 1.0]], &[-1.0, -1e-16]);
     assert!(accepts(&lcp, &[1.0, 1e-16]));
     let lone = contacts(
@@ -125,11 +123,11 @@ fn a_sticking_and_an_open_contact_are_proved_under_both_laws_of_cones() {
             judge_cone(&open, &[0.0; 3], &demand).verdict,
             Verdict::Proved { distance: 0.0 }
         );
-        // Under the associated law the contact must leave at half its slip at least.
+        // Under the associated law the contact must separate with at least half its slip.
         let slow = pushed(law, [1.0, 4.0, 0.0]);
         let is_solved = judge_cone(&slow, &[0.0; 3], &demand).verdict.is_solution();
         assert_eq!(is_solved, law == Law::Coulomb);
-        // Rounding error where nothing pushes along the second tangent.
+        // A rounding error where nothing pushes along the second tangent.
         let loaded = pushed(law, [-2.0, -0.75, 0.0]);
         assert!(judge_cone(&loaded, &[2.0, 0.75, 3e-17], &demand).verdict.is_solution());
         assert!(!judge_cone(&loaded, &[2.0, 0.75, 3e-7], &demand).verdict.is_solution());
@@ -144,8 +142,8 @@ fn a_sliding_contact_is_accepted_and_never_called_proved() {
     assert_eq!(verdict, Verdict::WithinTolerance);
 }
 
-/// The connected parts of a problem, as a list of rows each: through A and friction, found anew by
-/// flooding.
+/// The connected components of a problem, as a list of rows each: through A and friction, found
+/// independently by flood fill.
 fn component(lcp: &Lcp, i: usize) -> Vec<usize> {
     let mut found = vec![i];
     let mut next = 0;
@@ -192,7 +190,7 @@ proptest! {
         at in any::<prop::sample::Index>(),
         exponent in -7.0f64..-3.0,
     ) {
-        // A is definite, so that x* is the only solution.
+        // A is definite, so that x* is the unique solution.
         let i = at.index(m.x.len());
         let mut x = m.x.clone();
         x[i] += 10f64.powf(exponent) * size(&m.lcp, &m.x, i);

@@ -19,7 +19,7 @@ fn a_solution_is_proved_and_a_point_beside_it_is_refuted() {
 
 #[test]
 fn what_a_solver_may_call_solved_the_judge_accepts_at_the_tolerance_itself() {
-    // Where (1 + t) x_1 = (1 − t) x_0 (1 + 1e-8), row 0 misses by t = 1e-8 of its terms but for
+    // Where (1 + t) x_1 = (1 − t) x_0 (1 + 1e-8), row 0 has the relative residual t = 1e-8 up to
     // rounding.
     let lcp = contacts(&[&[1.0 + 1e-8, -1.0], &[-1.0, 1.0 + 1e-8]], &[0.0, 0.0]);
     let (mut both, mut differ) = ([0; 2], 0);
@@ -98,14 +98,14 @@ fn an_x_that_is_not_finite_is_no_solution() {
 
 #[test]
 fn neither_overflow_nor_underflow_hides_a_wrong_answer() {
-    // (a x + b) with b = −a: x = 1 solves it, x = 0.9 does not, whatever a is.
+    // (a x + b) with b = −a: x = 1 solves it, x = 0.9 does not, for any a.
     for a in [1e-320, 1e-300, 1e-200, 1e200, 1e300, 1.7e308] {
         let lcp = contacts(&[&[a]], &[-a]);
         assert_proved(&lcp, &[1.0]);
         let verdict = judge(&lcp, &[0.9], &Demand::default()).verdict;
         assert!(!verdict.is_solution(), "a = {a:e}");
     }
-    // a x vanishes beside nothing: w = 1e-400 > 0 at x > 0 is no solution, and x = 0 is one.
+    // a x is the only term and counts: w = 1e-400 > 0 at x > 0 is no solution, but x = 0 is one.
     let lcp = contacts(&[&[1e-200]], &[0.0]);
     assert!(!judge(&lcp, &[1e-200], &Demand::default()).verdict.is_solution());
     assert_proved(&lcp, &[0.0]);
@@ -215,7 +215,7 @@ fn an_x_far_out_is_no_answer_to_a_problem_without_one() {
 
 #[test]
 fn a_proof_at_a_distance_that_says_nothing_is_no_proof() {
-    // x* = 0 solves it, and x = −1000 misses its bound by 1000: 1e-9 of terms of 1e12.
+    // x* = 0 solves it, and x = −1000 violates its bound by 1000: 1e-9 of terms of 1e12.
     let lcp = contacts(&[&[1.0]], &[1e12]);
     let certificate = judge(&lcp, &[-1000.0], &Demand::default());
     assert_eq!(certificate.verdict, Verdict::WithinTolerance);
@@ -245,7 +245,7 @@ fn status_verdict_and_message_agree_where_there_is_no_solution() {
     }
 }
 
-/// A number as it is printed: `1.1×10⁻⁹`, `10 000`.
+/// Parses a printed number: `1.1×10⁻⁹`, `10 000`.
 fn read(printed: &str) -> f64 {
     let lowered = |c: char| match c {
         '⁻' => Some('-'),
@@ -270,7 +270,7 @@ fn a_bound_is_never_printed_below_itself() {
             assert!(printed <= bound * 1.11 || bound < 1e-322, "{bound:e}");
         }
     }
-    // 4.633182726365703e-12 reads as a decimal below the double that it stands for.
+    // 4.633182726365703e-12 as a decimal is below the double that it represents.
     assert!(printed_up(4.633182726365703e-12) > 4.633182726365703e-12);
     assert_eq!(printed_up(0.25), 0.25);
     let verdict = Verdict::Proved { distance: 1.04e-9 };

@@ -1,4 +1,4 @@
-//! Redundant contacts, pivot by pivot: two contacts at one place, and a third that takes their
+//! Redundant contacts, pivot by pivot: two contacts at one point, and a third that takes over their
 //! load.
 
 use lcplab_page::document::Format;
@@ -9,8 +9,9 @@ use super::question;
 
 #[test]
 fn a_move_to_the_middle_is_told_with_its_direction_and_its_ends() {
-    // A = JJᵀ, J = (1 0; 1 0; 1 1). Rows 0 and 1 share x₀ + x₁ = 1. Row 2 has w = 1 − 1.8 then; x₀
-    // falls as x₂ rises, and meets 0 at x₂ = ½, where x₁ = ½. Along (−1, 1, 0) the way is 0 and ½.
+    // A = JJᵀ, J = (1 0; 1 0; 1 1). Rows 0 and 1 share x₀ + x₁ = 1. Row 2 then has w = 1 − 1.8; x₀
+    // falls as x₂ rises, and reaches 0 at x₂ = ½, where x₁ = ½. Along (−1, 1, 0) the distances are
+    // 0 and ½.
     let text = r#"{"A": {"dense": [[1, 1, 1], [1, 1, 1], [1, 1, 2]]}, "b": [-1, -1, -1.8]}"#;
     let read = Problem::parse(text, "shared.json").unwrap();
     let document = problem(&question(&read), &Method::named("dantzig").unwrap()).unwrap();

@@ -30,8 +30,8 @@ fn a_bounce_is_a_second_lcp_with_half_of_the_speed_as_its_wish() {
 
 #[test]
 fn the_rod_of_painleve_is_explained_to_the_proof_that_no_force_helps() {
-    // d adds to row 0 so much of row 3 that column 3 of Aᵀd is 0: 0.406477/0.790164. What is left
-    // of column 0, −0.790164 + 0.514422·0.406477, is negative, and so is bᵀd = −9.81·1.514422.
+    // d adds to row 0 a multiple of row 3 such that column 3 of Aᵀd is 0: 0.406477/0.790164. The
+    // rest of column 0, −0.790164 + 0.514422·0.406477, is negative, and so is bᵀd = −9.81·1.514422.
     for solver in ["pgs", "lemke"] {
         let document = explained("painleve", Scheme::Acceleration, solver);
         assert!(!document.is_accepted);

@@ -1,4 +1,4 @@
-//! The laws of friction: each is posed as what it is.
+//! The laws of friction, each in its own formulation.
 
 use lcplab_mechanics::scene::Scene;
 use lcplab_page::document::{Document, Format};
@@ -84,8 +84,9 @@ fn cones_are_stated_and_the_box_stands_beside_them() {
 
 #[test]
 fn a_frozen_box_has_the_bounds_of_the_step_before() {
-    // From the second step on the box is pressed by m g cos 20° dt = 0.184368 N s, of which each of
-    // its four contacts has a quarter; in the first step nothing is known, and nothing rubs.
+    // From the second step on the box is pressed by m g cos 20° dt = 0.184368 N s, a quarter at
+    // each of its four contacts; in the first step the normal forces are unknown, and there is no
+    // friction.
     let document = modelled("incline", Model::FrozenBox, 2);
     let first = sections(&document, &["Step 1, velocity: friction in a frozen box"]);
     assert_eq!(first.matches("= 0 N s   [0, 0] N s").count(), 8, "{first}");
@@ -100,7 +101,7 @@ const PUSHED: &str = r#"{"A": {"dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, "b":
     "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5], "frozen_at": [1, 0, 0], "model": "coulomb-cone",
     "rows": [{"unit": "N s"}, {"unit": "N s"}, {"unit": "N s"}]}"#;
 
-/// What is explained of it, under a model or its own.
+/// The explanation of it, under a given model or its own.
 fn pushed(model: Option<Model>) -> (Document, String) {
     let read = Problem::parse(PUSHED, "pushed.json").unwrap();
     let question = Question::new(&read, model, "pushed.json").unwrap();
@@ -111,9 +112,9 @@ fn pushed(model: Option<Model>) -> (Document, String) {
 
 #[test]
 fn a_problem_file_is_explained_and_judged_under_its_own_model() {
-    // x_n = 2, and friction 1: along the diagonal in the disc, in both directions in the box; along
-    // it in polygons with such a corner, along both corners beside it in the one with four; ½ in
-    // the frozen box.
+    // x_n = 2, and friction 1: along the diagonal in the disk, in both directions in the box; along
+    // it in polygons with such a corner, along both adjacent corners in the one with four; ½ in the
+    // frozen box.
     let half = |model| (Some(model), "0.5 N s");
     for (model, friction) in [
         (None, "(0.707107,"), // the other number may stand in the next line
@@ -130,7 +131,7 @@ fn a_problem_file_is_explained_and_judged_under_its_own_model() {
         let name = model.unwrap_or(Model::CoulombCone).to_string();
         assert!(document.lead.contains(&name), "{}", document.lead);
     }
-    // Of a cone the judge's only verdict is about the cone.
+    // For a cone the judge's only verdict is about the cone.
     let (document, text) = pushed(None);
     assert_eq!(text.matches("The judge sees").count(), 1, "{text}");
     assert!(document.title.contains("under coulomb-cone"), "{}", document.title);

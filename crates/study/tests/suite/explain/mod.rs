@@ -1,4 +1,4 @@
-//! Explanations. The two examples in one dimension can be followed by hand, and were.
+//! Explanations. The two one-dimensional examples were verified by hand.
 
 mod centring;
 mod ending;

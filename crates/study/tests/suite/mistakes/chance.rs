@@ -1,25 +1,25 @@
-//! What nobody's mistake made is not called one.
+//! An answer that no mistake produced is not attributed to one.
 
 use lcplab_study::diagnosis::find_mistakes;
 use oorandom::Rand64;
 
 use super::plain::{Rows, random};
 
-/// How many answers are tried.
+/// The number of answers that are tried.
 const ANSWERS: u64 = 600;
 
-/// How an answer departs from the solution.
+/// How an answer differs from the solution.
 #[derive(Debug, Clone, Copy)]
 enum Departure {
     /// Every entry by a random part of this.
     Noise(f64),
-    /// One entry by this.
+    /// One entry by this amount.
     OneEntry(f64),
     /// Every entry by its own rounding.
     Dust,
 }
 
-/// How an answer is written.
+/// How the numbers of an answer are written.
 #[derive(Debug, Clone, Copy)]
 enum Written {
     Double,

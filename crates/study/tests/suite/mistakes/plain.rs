@@ -1,5 +1,4 @@
-//! A problem as rows of numbers, and solvers as one writes them down: they share nothing with those
-//! under test.
+//! A problem as rows of numbers, and textbook solvers that share nothing with those under test.
 
 use lcplab_problem::{Coupling, Lcp, Matrix};
 use oorandom::Rand64;
@@ -66,7 +65,7 @@ impl Plain {
         x
     }
 
-    /// Sweeps in which every row sees the old x.
+    /// Sweeps in which every row uses the old x.
     pub fn all_at_once(&self, mut x: Vec<f64>, sweeps: usize) -> Vec<f64> {
         for _ in 0..sweeps {
             let moved: Vec<f64> =
@@ -79,7 +78,7 @@ impl Plain {
         x
     }
 
-    /// The solution, by sweeps until nothing moves any more.
+    /// The solution, by sweeps until nothing changes.
     pub fn solved(&self) -> Option<Vec<f64>> {
         let rows: Vec<usize> = (0..self.len()).collect();
         let mut x = vec![0.0; self.len()];
@@ -96,7 +95,7 @@ impl Plain {
     }
 }
 
-/// What kind of rows a random problem has.
+/// The kind of rows of a random problem.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Rows {
     Contacts,
@@ -104,15 +103,15 @@ pub enum Rows {
     Friction,
 }
 
-/// A random definite problem and a solution of it, which was chosen first: w is 0 in rows between
-/// their bounds.
+/// A random definite problem with a solution that was chosen first: w is 0 in rows between their
+/// bounds.
 pub fn random(random: &mut Rand64, rows: Rows) -> (Plain, Vec<f64>) {
     let mut number = |least: f64, most: f64| least + (most - least) * random.rand_float();
     let n = match rows {
         Rows::Friction => 3 * (1.0 + 3.999 * number(0.0, 1.0)) as usize,
         _ => (2.0 + 10.999 * number(0.0, 1.0)) as usize,
     };
-    // Rows of a chain, of a heap, or all with all.
+    // Rows of a chain, of a heap, or fully coupled.
     let reach = [1, 3, n][(2.999 * number(0.0, 1.0)) as usize];
     let shift = [0.02, 0.3, 1.0][(2.999 * number(0.0, 1.0)) as usize];
     let mut j = vec![vec![0.0; n]; n];

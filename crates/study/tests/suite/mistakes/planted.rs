@@ -1,4 +1,4 @@
-//! Every known mistake, made by hand-written code, is named.
+//! Every known mistake, made by hand-written code, is recognized.
 
 use lcplab_problem::Lcp;
 use lcplab_study::diagnosis::{MistakeKind, find_mistakes};
@@ -9,11 +9,10 @@ use super::plain::{Clamp, Plain, Rows, random};
 /// How often each mistake is made.
 const TIMES: u64 = 12;
 
-/// A problem, the answer of the frame before where one is needed, and the answer that a mistake
-/// gives.
+/// A problem, the answer of the previous frame if needed, and the answer that a mistake gives.
 type Planted = (Plain, Option<Vec<f64>>, Vec<f64>);
 
-/// Makes a mistake in a random problem; none if it changes nothing there, or cannot be made.
+/// Makes a mistake in a random problem; `None` if it changes nothing there, or cannot be made.
 fn planted(kind: MistakeKind, seed: u64) -> Option<Planted> {
     let mut generator = Rand64::new(u128::from(seed) + 1000);
     let has_friction = matches!(
@@ -46,7 +45,7 @@ fn planted(kind: MistakeKind, seed: u64) -> Option<Planted> {
         |x: &[f64]| x.iter().zip(&solution).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
     let size = solution.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     let needs_last = matches!(kind, MistakeKind::MissingWarmStart | MistakeKind::LastNormals);
-    // Of 32-bit numbers it takes more to rule out chance.
+    // With 32-bit numbers more entries are needed to rule out chance.
     let (part, entries) = if kind == MistakeKind::SinglePrecision { (0.02, 4) } else { (1e-4, 2) };
     let differs = x.iter().zip(&solution).filter(|(a, b)| (*a - *b).abs() > part * size).count();
     let is_wrong = apart(&x) > 1e-3 * size && differs >= entries;

@@ -1,4 +1,4 @@
-//! The errors of one method over the length of its step, and the order that they show.
+//! The errors of one method as a function of the step length, and their order.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,19 +7,19 @@ use super::Expected;
 /// The errors of a quantity by one method.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Curve {
-    /// What is measured.
+    /// The measured quantity.
     pub quantity: String,
     /// Its unit.
     pub unit: String,
-    /// The family, and after a comma its integrator if it is not the usual one.
+    /// The scheme, and after a comma its integrator if it is not the default.
     pub method: String,
     /// The steps (s), the longest first, and the errors.
     pub errors: Vec<Sample>,
-    /// What theory says.
+    /// The theoretical prediction.
     pub expected: Expected,
 }
 
-/// An error with one step.
+/// The error for one step length.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Sample {
     /// The step (s).
@@ -31,7 +31,7 @@ pub struct Sample {
 
 /// Errors below this are rounding (m, J).
 pub const ROUNDING: f64 = 1e-11;
-/// How far an observed order may lie from the derived one.
+/// The allowed difference between an observed order and the derived one.
 pub const SLACK: f64 = 0.1;
 
 impl Curve {
@@ -43,7 +43,7 @@ impl Curve {
         }
     }
 
-    /// The slope of log error over log dt by least squares, and its standard error.
+    /// The slope of log error over log dt by least squares, with its standard error.
     pub fn fitted(&self) -> Option<(f64, f64)> {
         let points: Vec<_> =
             self.significant().iter().map(|(dt, error)| (dt.log2(), error.log2())).collect();
@@ -59,7 +59,7 @@ impl Curve {
         Some((slope, (left / (n - 2.0) / spread).sqrt()))
     }
 
-    /// Whether theory holds; `None` where it claims nothing.
+    /// Whether theory holds; `None` if it makes no claim.
     pub fn holds(&self) -> Option<bool> {
         match self.expected {
             Expected::Order { order, .. } => {

@@ -1,29 +1,29 @@
-//! What theory says of an error as the step gets shorter, and why.
+//! The theoretical behavior of an error as the step length decreases, and the reason.
 
 use serde::{Deserialize, Serialize};
 
 use super::Problem;
 use crate::scene::{Integrator, Scheme};
 
-/// What an error must do.
+/// The required behavior of an error.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Expected {
-    /// It shrinks like dt to this power; with 0 it stays.
+    /// It decreases like dt to this power; with 0 it does not decrease.
     Order {
         /// The power.
         order: f64,
-        /// Why.
+        /// The reason.
         because: String,
     },
     /// It is rounding at every step length.
     Exact {
-        /// Why.
+        /// The reason.
         because: String,
     },
-    /// Nothing is claimed.
+    /// There is no claim.
     Open {
-        /// Why not.
+        /// The reason.
         because: String,
     },
 }
@@ -46,7 +46,7 @@ const SPRING: &str =
     "the extension of a spring is its load divided by its stiffness, for any time step";
 const SWEPT: &str = "the number of sweeps is fixed, so it does not converge";
 
-/// What a quantity of a problem must do under a family and integrator.
+/// The required behavior of a quantity of a problem with a scheme and integrator.
 pub(super) fn expected(
     problem: Problem,
     quantity: &str,
@@ -64,13 +64,13 @@ pub(super) fn expected(
     }
 }
 
-/// A pendulum under methods with stages.
+/// A pendulum with multi-stage methods.
 fn of_stages(integrator: Integrator) -> Expected {
     let power = if integrator == Integrator::Rk4 { 4.0 } else { 2.0 };
     order(power, "the order of the integrator, because the rows are conditions on accelerations")
 }
 
-/// A pendulum under steps with one kick.
+/// A pendulum with one impulse per step.
 fn of_pendulum(quantity: &str, family: Scheme) -> Expected {
     use Scheme::{GaussSeidel, Penalty, Soft, SplitImpulse, Xpbd};
     match (quantity, family) {

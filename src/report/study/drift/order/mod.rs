@@ -1,16 +1,16 @@
-//! Errors against the length of the step, with the order that theory derives for each family.
+//! Errors as a function of the step length, with the order that theory derives for each scheme.
 //!
-//! Every problem has a closed form; what is measured is a distance to it at a given time:
+//! Every problem has a closed form; the measured quantity is the distance to it at a given time:
 //!
 //! ```text
 //! fall    a stone's height after 1 s                              z0 + v0 t − g t²/2
-//! swing   a pendulum after 1 s: place, energy, length of its rod  elliptic functions; both stay
+//! swing   a pendulum after 1 s: position, energy, rod length      elliptic functions; constant
 //! bounce  height between the first two bounces                    e² h
-//! slide   a box's way down a slope in ½ s                         g (sin θ − μ cos θ) t²/2
+//! slide   a box's path down a slope in ½ s                        g (sin θ − μ cos θ) t²/2
 //! ```
 //!
 //! The observed order is that of the two shortest steps whose error is not yet rounding; the fitted
-//! one is the slope of the line through all of them, with its standard error.
+//! order is the slope of the line through all of them, with its standard error.
 
 mod curve;
 mod expected;
@@ -27,13 +27,13 @@ use serde::{Deserialize, Serialize};
 use crate::error::{Error, Result};
 use crate::scene::{Integrator, Scene, Scheme};
 
-/// Problems with closed forms by every family, with shorter and shorter steps.
+/// Problems with closed forms, with every scheme and decreasing step lengths.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Orders {
     /// The problems.
     pub problems: Vec<Problem>,
-    /// How often the step is halved.
+    /// The number of times the step is halved.
     #[serde(default = "halvings")]
     pub halvings: u32,
 }
@@ -42,16 +42,16 @@ fn halvings() -> u32 {
     4
 }
 
-/// One problem.
+/// The finding for one problem.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
     /// The problem.
     pub problem: Problem,
-    /// A curve each quantity and method.
+    /// One curve per quantity and method.
     pub curves: Vec<Curve>,
 }
 
-/// The families, and the other integrators of the acceleration level.
+/// The schemes, and the other integrators of the acceleration level.
 fn methods() -> Vec<(String, Scheme, Integrator)> {
     let family = |f: Scheme| (f.name().to_string(), f, Integrator::SemiImplicitEuler);
     let other = |name: &str, integrator| {
@@ -62,10 +62,10 @@ fn methods() -> Vec<(String, Scheme, Integrator)> {
 }
 
 impl Orders {
-    /// The errors of one problem under every scheme.
+    /// The errors of one problem with every scheme.
     ///
     /// # Errors
-    /// If the steps are halved too often.
+    /// If the step is halved too often.
     pub fn run(&self, problem: Problem) -> Result<Finding> {
         if self.halvings > 10 {
             let reason = format!("must be at most 10, is {}", self.halvings);

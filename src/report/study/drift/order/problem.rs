@@ -1,4 +1,4 @@
-//! The problems with closed forms, and the distances of a simulation to them.
+//! The problems with closed forms, and the distances of a simulation from them.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -13,9 +13,9 @@ use crate::simulation::{Simulation, Step};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Problem {
-    /// A stone.
+    /// A falling stone.
     Fall,
-    /// A pendulum released level with its pivot.
+    /// A pendulum released from the height of its pivot.
     Swing,
     /// A ball with e = ½.
     Bounce,
@@ -24,7 +24,7 @@ pub enum Problem {
 }
 
 impl Problem {
-    /// The shipped scene.
+    /// The name of the shipped scene.
     pub fn scene(self) -> &'static str {
         match self {
             Problem::Fall => "free_fall",
@@ -34,7 +34,7 @@ impl Problem {
         }
     }
 
-    /// What is measured, and its unit.
+    /// The measured quantities and their units.
     pub(super) fn quantities(self) -> &'static [(&'static str, &'static str)] {
         match self {
             Problem::Fall => &[("height", "m")],
@@ -90,7 +90,7 @@ fn last(simulation: &mut Simulation, time: f64) -> Option<Step> {
     (0..steps).map(|_| simulation.step().ok()).last()?
 }
 
-/// Place after 1 s, and the largest errors of energy and length up to then.
+/// The position after 1 s, and the largest errors of energy and length until then.
 fn swing(simulation: &mut Simulation, gravity: f64) -> Option<Vec<f64>> {
     let first = simulation.motion().energy();
     let (mut energy, mut length) = (0.0f64, 0.0f64);
@@ -107,7 +107,7 @@ fn swing(simulation: &mut Simulation, gravity: f64) -> Option<Vec<f64>> {
     Some(vec![(p.x - sin).hypot(p.z + cos), energy, length])
 }
 
-/// The greatest height of the ball's lowest point between its first bounce and its second.
+/// The greatest height of the ball's lowest point between its first and second bounce.
 fn top_of_first_flight(simulation: &mut Simulation, second: f64) -> Option<f64> {
     let (mut bounces, mut top) = (0, 0.0f64);
     while simulation.time() < second + 0.1 {

@@ -1,5 +1,4 @@
-//! Many bodies, and a few: neither the tree of boxes nor the comparison of each with each loses
-//! anything.
+//! Many bodies, and few: neither the tree of boxes nor the pairwise comparison misses a pair.
 
 use lcplab_mechanics::body::{Pose, State};
 use lcplab_mechanics::scene::{Scene, contacts};

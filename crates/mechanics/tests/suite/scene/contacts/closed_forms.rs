@@ -1,15 +1,15 @@
-//! Every pair of shapes at poses where gap, normal and number of points are known.
+//! Every pair of shapes at poses with known gap, normal and number of points.
 
 use lcplab_mechanics::body::{Pose, State};
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::{CAPSULE, CUBE, OCTAHEDRON, PLANE, POINT, SPHERE, found, nearest, turned};
 
-/// The first body stands at the origin with the world's axes; the second at a distance from it
-/// along n, and `aside` from there.
+/// The first body is at the origin with the world's axes; the second is at a distance along n,
+/// shifted by `aside`.
 struct Case {
     shapes: [&'static str; 2],
-    /// The distance of the centres along n at which the bodies touch.
+    /// The distance of the centers along n at which the bodies touch.
     touching: f64,
     n: Vector3<f64>,
     aside: Vector3<f64>,
@@ -100,7 +100,7 @@ fn every_pair_of_shapes_has_the_gap_normal_and_points_of_its_closed_form() {
 
 #[test]
 fn a_chamfered_corner_keeps_apart_points_that_do_not_touch() {
-    // Past each other's corners: 0.3 apart along x and along y, so √0.18 in all; no face is near.
+    // Corner next to corner: 0.3 apart along x and along y, so √0.18 in total; no face is near.
     let place = Vector3::new(1.3, 1.3, 0.0);
     let poses = [State::WORLD.pose, Pose { p: place, ..State::WORLD.pose }];
     let points = found([CUBE, CUBE], poses, 1.0);

@@ -1,4 +1,4 @@
-//! Four of many points carry what all do.
+//! Four of many points support the same load as all.
 
 use std::f64::consts::PI;
 
@@ -10,7 +10,7 @@ use lcplab_solver as solver;
 use lcplab_solver::Options;
 use nalgebra::Vector3;
 
-/// A prism of 16 sides and height 1 about the z axis, its centre ½ above z = 0.
+/// A prism of 16 sides and height 1 about the z axis, its center ½ above z = 0.
 fn prism() -> String {
     let around = (0..16).map(|k| f64::from(k) * PI / 8.0);
     let corner = |angle: f64, z: f64| format!("[{}, {}, {z}]", angle.cos(), angle.sin());
@@ -50,7 +50,7 @@ fn four_points_carry_the_weight_that_sixteen_carry() {
                 let rows = solve.problem.assembly.rows.iter().zip(&solve.solution.x);
                 let normal: Vec<f64> =
                     rows.filter(|(row, _)| row.kind == Kind::Normal).map(|(_, x)| *x).collect();
-                // The resultant: the weight, and no torque about the centre.
+                // The resultant: the weight, and no torque about the center.
                 assert!((normal.iter().sum::<f64>() - 2.0 * 9.81 * dt).abs() < 1e-12);
                 let arms = step.contacts.iter().map(|found| found.point);
                 let torque: Vector3<f64> =

@@ -1,4 +1,4 @@
-//! Where bodies touch: against closed forms, against parry, and along motions.
+//! Contact points: compared with closed forms, with parry, and along motions.
 
 mod broad;
 mod closed_forms;
@@ -13,7 +13,7 @@ use lcplab_mechanics::scene::{Found, Scene, contacts};
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
 
-/// Shapes of the pairs, in the words of scene files; the octahedron has its corners 1 m out.
+/// The shapes of the pairs, as in scene files; the octahedron has its corners at 1 m.
 const POINT: &str = "\"point\"";
 const SPHERE: &str = "{ sphere = 0.5 }";
 const CUBE: &str = "{ box = [1, 1, 1] }";

@@ -1,5 +1,5 @@
-//! Along a motion, a contact's gap changes as J u and J'u of its row say, and its name stays: what
-//! decision by formula cannot promise, that the row belongs to the geometry and not only to itself.
+//! Along a motion, a contact's gap changes according to J u and J'u of its row, and its identifier
+//! stays: this tests that the row describes the geometry, beyond its own consistency.
 
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::constraint::{Constraint, Normal};
@@ -19,8 +19,8 @@ fn moved(state: &State, t: f64) -> State {
     State { pose, ..*state }
 }
 
-/// Whether a point where edges cross has the normal of a face, because the edges are nearly
-/// parallel or the faces are not: its anchor counts as material although the crossing wanders.
+/// Whether a crossing of edges has the normal of a face, because the edges are nearly parallel or
+/// the faces are not: its anchor is treated as material although the crossing moves.
 fn approximate(found: &Found) -> bool {
     let edges = found.id.features.iter().all(|feature| matches!(feature, Feature::Edge(_)));
     edges && matches!(found.contact.normal, Normal::Face(_))
@@ -48,7 +48,7 @@ proptest! {
             let row = &found.contact.rows([&states[k0], &states[k1]]).unwrap()[0];
             let [j0, j1] = row.jacobian;
             let rate = j0.dot(&states[k0].velocity()) + j1.dot(&states[k1].velocity());
-            // Terms of third order are larger where the normal turns fast: near a small distance d
+            // Third-order terms are larger where the normal rotates fast: near a small distance d
             // or between edges at a small angle.
             prop_assert!(((after - before) / (2.0 * h) - rate).abs() < 1e-4 * (1.0 + rate.abs()));
             let bend = (after - 2.0 * found.gap + before) / (h * h);
@@ -61,8 +61,8 @@ proptest! {
 
 #[test]
 fn contacts_keep_their_names_while_their_features_touch() {
-    // A tumbling walk of a box over another, by less than its clearances: the same corners stay
-    // over the same face, in any order of turning.
+    // A tumbling motion of a box over another, within its clearances: the same corners stay over
+    // the same face, for any order of rotations.
     let scene = pair([CUBE, CUBE]);
     let names = |k: usize| {
         let t = k as f64 * 0.01;

@@ -1,4 +1,4 @@
-//! Random poses against the library parry, whose distances come from another method (GJK, EPA).
+//! Random poses compared with the library parry, which uses other methods (GJK, EPA).
 
 use lcplab_mechanics::body::{Body, Pose, Shape, State};
 use lcplab_mechanics::scene::contacts;
@@ -37,8 +37,8 @@ fn shape(shape: &Shape) -> SharedShape {
     }
 }
 
-/// The distance of the shapes, 0 or less where they overlap: of the axes of capsules, less their
-/// radii, because the library's own answer for capsules is good to 1e-5 only.
+/// The distance of the shapes, at most 0 if they overlap; for capsules, that of their axes minus
+/// their radii, because the library's own answer for capsules is accurate only to 1e-5.
 fn distance(bodies: &[Body], places: &[DPose3; 2]) -> f64 {
     let core = |body: &Body| match body.shape {
         Shape::Capsule { half_length, radius } => {
@@ -86,7 +86,7 @@ proptest! {
         prop_assume!(contact.dist < -1e-3);
         let found = contacts(&scene, &states, 0.0);
         let depth = nearest(&found).gap;
-        // A face is preferred to edges that part the bodies better by up to a hundredth of the
+        // A face is preferred to edges that separate the bodies better by up to a hundredth of the
         // size.
         prop_assert!((depth - contact.dist).abs() < 0.012, "{depth} {}", contact.dist);
     }

@@ -1,4 +1,4 @@
-//! What contacts with names are good for: solves that start from the last impulses.
+//! The benefit of contact identifiers: solves that start from the last impulses.
 
 use std::collections::BTreeSet;
 
@@ -45,7 +45,7 @@ fn a_stack_under_few_sweeps_jitters_less_with_persistent_contacts() {
     let both = [Persistence::Features, Persistence::None];
     let [with, without] = both.map(|persistence| jitter(persistence, 0.0));
     assert!(with < 0.01 * without, "{with} m/s with, {without} m/s without");
-    // With position errors in the bias the last impulses hold corrections that are done with.
+    // With position errors in the bias the last impulses contain outdated corrections.
     let [with, without] = both.map(|persistence| jitter(persistence, 0.2));
     assert!(with > without, "{with} m/s with, {without} m/s without");
 }

@@ -1,4 +1,4 @@
-//! Contact points: how many, where, how far, and under which names.
+//! Contact points: their number, positions, gaps and identifiers.
 
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::constraint::Normal;
@@ -65,7 +65,7 @@ fn a_ball_touches_a_face_an_edge_or_a_corner_of_a_box() {
 
 #[test]
 fn two_crossing_edges_touch_in_one_point() {
-    // The lower cube is turned about x, the upper about y, each by 45 degrees: an edge along x of
+    // The lower cube is rotated about x, the upper about y, each by 45 degrees: an edge along x of
     // the lower one meets an edge along y of the upper one in the middle.
     let height = 2.0 * 0.5f64.sqrt() + 0.001;
     let turned =
