@@ -26,7 +26,7 @@ const FOOT: f64 = 22.0;
 const SMALL: f64 = 11.0;
 /// The length of the scale bar, as a share of the width, at least.
 const BAR: f64 = 0.12;
-/// The share of instants whose largest force has a whole arrow: blows leave the picture, and what
+/// The share of instants whose largest force has a whole arrow: impacts leave the picture, and what
 /// rests can be seen.
 const USUAL: f64 = 0.9;
 

@@ -121,7 +121,7 @@ impl Row {
         self.bounds == Bounds::Bilateral && self.spring.is_none() && self.parts().all(only_turns)
     }
 
-    /// Whether its force is limited by itself or by yielding, so that it has no part in a blow.
+    /// Whether its force is limited by itself or by yielding, so that it has no part in an impact.
     pub(crate) fn is_gentle(&self) -> bool {
         self.spring.is_some() || matches!(self.bounds, Bounds::Effort(_))
     }

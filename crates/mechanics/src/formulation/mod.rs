@@ -9,7 +9,8 @@
 //!
 //! and only the target and the bias tell the stages apart: velocity.rs, acceleration.rs and
 //! position.rs have one formula each. γ > 0 where a row is a spring; forces that have a bound of
-//! their own act for a duration, dt for an impulse, and not at all in a blow. x ≥ 0 pushes apart.
+//! their own act for a duration, dt for an impulse, and not at all in an impact. x ≥ 0 pushes
+//! apart.
 
 mod acceleration;
 mod delassus;
@@ -97,7 +98,7 @@ impl Stage {
 pub struct Problem {
     /// What it decides.
     pub stage: Stage,
-    /// The length of the step it decides (s): 0 for a blow.
+    /// The length of the step it decides (s): 0 for an impact.
     pub dt: f64,
     /// The problem in numbers.
     pub lcp: Lcp,
@@ -320,7 +321,7 @@ fn offsets(assembly: &Assembly, target: &[f64], bias: &[f64]) -> Vec<f64> {
     assembly.push_forward(target).iter().zip(bias).map(|(a, b)| a + b).collect()
 }
 
-/// lo and hi of a row: forces, or impulses of forces that act for dt; a blow is too short for
+/// lo and hi of a row: forces, or impulses of forces that act for dt; an impact is too short for
 /// forces that are limited, and a correction of positions is no force at all.
 fn limits(row: &Row, stage: Stage, dt: f64) -> (f64, f64) {
     match (stage, row.bounds) {

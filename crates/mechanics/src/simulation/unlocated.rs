@@ -17,7 +17,7 @@ use super::slip::{Contact, Totals};
 use crate::assembly::{Assembly, Entering, Row};
 use crate::body::{State, linear};
 use crate::constraint::Kind;
-use crate::scene::{Scene, Scheme, step_contacts};
+use crate::scene::{Scene, step_contacts};
 use lcplab_problem::number::readable;
 
 /// Smaller errors, relative to the speed of approach, are not reported.
@@ -41,16 +41,10 @@ pub struct Unlocated {
 }
 
 impl Unlocated {
-    /// Those of a step from these states; none of a scheme that divides the step at its impacts.
+    /// Those of a step from these states; none of a scheme that divides the step.
     pub(super) fn of(scene: &Scene, before: &[State], totals: &Totals) -> Vec<Unlocated> {
-        match scene.step.scheme {
-            Scheme::Velocity
-            | Scheme::SplitImpulse
-            | Scheme::GaussSeidel
-            | Scheme::SequentialImpulses => {}
-            Scheme::Acceleration | Scheme::Xpbd | Scheme::Soft | Scheme::Penalty => {
-                return Vec::new();
-            }
+        if !scene.step.scheme.takes_impacts_early() {
+            return Vec::new();
         }
         let mut pairs: BTreeMap<[usize; 2], Unlocated> = BTreeMap::new();
         for contact in totals.contacts().filter(|contact| bounces(scene, contact)) {

@@ -1,4 +1,4 @@
-//! Blows with friction, slip askew to the axes, and more than one bounce.
+//! Impacts with friction, slip oblique to the axes, and more than one bounce.
 
 use super::measure::{Case, Known, Method, after};
 use super::{Row, Size};
@@ -10,7 +10,7 @@ const G: f64 = 9.81;
 const SUMMED: (f64, &str) = (1e-6, "the solver's tolerance, summed over the steps");
 const SUBSTEPS: (f64, &str) = (1e-6, "differences of positions over substeps");
 
-/// How near a blow of a scheme must come.
+/// How near an impact of a scheme must come.
 fn of_scheme(scheme: Scheme) -> (f64, &'static str) {
     match scheme {
         Scheme::Xpbd | Scheme::Soft => SUBSTEPS,
@@ -18,13 +18,13 @@ fn of_scheme(scheme: Scheme) -> (f64, &'static str) {
     }
 }
 
-/// A ball thrown on the ground slides through its blow: friction is μ (1 + e) v_n, and turns it.
-pub(super) fn blow(size: Size) -> Result<Vec<Row>> {
+/// A ball thrown on the ground slides through its impact: friction is μ (1 + e) v_n, and turns it.
+pub(super) fn friction_in_impact(size: Size) -> Result<Vec<Row>> {
     let [mu, e, down, along, radius] = [0.1, 0.5, 2.0, 3.0, 0.1];
     let text = "gravity = [0, 0, 0]\ncontact.friction = 0.1\ncontact.restitution = 0.5\n[[bodies]]\n\
         name = \"ground\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n[[bodies]]\nname = \"ball\"\n\
         mass = 1\nshape = { sphere = 0.1 }\nposition = [0, 0, 0.1]\nvelocity = [3, 0, -2]\n";
-    let case = Case::of("blow-with-friction", Scene::from_toml("thrown-ball", text)?, size);
+    let case = Case::of("impact-with-friction", Scene::from_toml("thrown-ball", text)?, size);
     let loss = mu * (1.0 + e) * down;
     let methods = Scheme::ALL.into_iter().filter(|scheme| *scheme != Scheme::Penalty);
     let mut rows = Vec::new();
@@ -58,12 +58,12 @@ pub(super) fn blow(size: Size) -> Result<Vec<Row>> {
 /// A point that slides at 30° to the axes: each model by its own law. Coulomb's force is against
 /// the slip, the box's against both of its components, a polygon's that of its corners which
 /// opposes the slip most.
-pub(super) fn askew(size: Size) -> Result<Vec<Row>> {
+pub(super) fn oblique_slip(size: Size) -> Result<Vec<Row>> {
     let (mu, speed, time) = (0.3, 2.0, 0.1);
     let angle = 30f64.to_radians();
     let text = "contact.friction = 0.3\n[[bodies]]\nname = \"ground\"\nfixed = true\n\
         shape = { plane = [0, 0, 1] }\n[[bodies]]\nname = \"point\"\nshape = \"point\"\nmass = 1\n";
-    let mut scene = Scene::from_toml("askew-slip", text)?;
+    let mut scene = Scene::from_toml("oblique-slip", text)?;
     let (sin_of_slip, cos_of_slip) = libm::sincos(angle);
     scene.states[1].v = nalgebra::Vector3::new(speed * cos_of_slip, speed * sin_of_slip, 0.0);
     let pull = mu * G * time;
@@ -93,7 +93,7 @@ pub(super) fn askew(size: Size) -> Result<Vec<Row>> {
             Sliding::Box => model.to_string(),
             Sliding::Substituted => "substituted".into(),
         };
-        let case = Case::of("askew-slip", scene, size);
+        let case = Case::of("oblique-slip", scene, size);
         let known = ["x", "y"].into_iter().zip(expected).map(|(axis, expected)| {
             let what = format!("speed along {axis} after 0.1 s, {name}");
             Known::exact(SUMMED, what, formula, "m/s", expected)
@@ -157,17 +157,17 @@ pub(super) fn flat(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A ball hits another one askew, e = 1, after a gap that it closes within a step: they part at a
-/// right angle. Acceleration level divides the step there; the velocity level bounces at its
-/// beginning, in the direction that holds then, and says so.
+/// A ball hits another one off its center, e = 1, after a gap that it closes within a step: they
+/// part at a right angle. Acceleration level divides the step there; the velocity level bounces at
+/// its beginning, in the direction that holds then, and says so.
 pub(super) fn gap(size: Size) -> Result<Vec<Row>> {
-    let (speed, askew, reach) = (3.0_f64, 0.6_f64, 1.0_f64);
+    let (speed, offset, reach) = (3.0_f64, 0.6_f64, 1.0_f64);
     let text = "gravity = [0, 0, 0]\ncontact.restitution = 1\n[[bodies]]\nname = \"a\"\nmass = 1\n\
         shape = { sphere = 0.5 }\nvelocity = [3, 0, 0]\n[[bodies]]\nname = \"b\"\nmass = 1\n\
         shape = { sphere = 0.5 }\nposition = [2.3, 0.6, 0]\n";
     let case = Case::of("gap-below-a-step", Scene::from_toml("billiards", text)?, size);
     // Where they meet the line between their centres has the sine 0.6 to the way of the first.
-    let sin = askew / reach;
+    let sin = offset / reach;
     let along = speed * (1.0 - sin * sin).sqrt();
     let expected = [along * (1.0 - sin * sin).sqrt(), along * sin];
     let formula = ["v (1 - s^2, s sqrt(1 - s^2))", "v\\,(1 - s^2,\\ s\\sqrt{1 - s^2})"];

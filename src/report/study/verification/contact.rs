@@ -22,28 +22,28 @@ fn normals(step: &Step) -> Vec<f64> {
     rows.filter(|(row, _)| row.kind == Kind::Normal).map(|(_, x)| *x).collect()
 }
 
-/// The chapter's Figures 6 and 7: blows that stop one body, and a stack whose middle is hit.
+/// The chapter's Figures 6 and 7: impacts that stop one body, and a stack whose middle is hit.
 pub(super) fn landing(size: Size) -> Result<Vec<Row>> {
     let mut rows = Vec::new();
     for level in LEVELS {
-        // The weight's part is m g dt: the blow is what is left at any step length.
+        // The weight's part is m g dt: the impact is what is left at any step length.
         let weight = |scene: &Scene| match level {
             Method::Velocity => scene.step.dt,
             _ => 0.0,
         };
-        let what = "blow of the ground";
+        let what = "impulse of the ground";
         let known = vec![Known::exact(SOLVED, what, ["m v", "m\\,v"], "N s", 1.0)];
         let one = Case::load("landing", "fig6", size)?;
         rows.extend(
             one.rows(level, known, |scene| Some(vec![normals(&first(scene)?)[0] - weight(scene)])),
         );
         let names = ["ground on bottom", "bottom on middle", "middle on top"];
-        let blows = names.iter().zip([1.0, 1.0, 0.0]).map(|(name, blow)| {
+        let impulses = names.iter().zip([1.0, 1.0, 0.0]).map(|(name, impulse)| {
             let formula = ["(1, 1, 0) m v", "(1, 1, 0)_k\\,m\\,v"];
-            Known::exact(SOLVED, format!("blow, {name}"), formula, "N s", blow)
+            Known::exact(SOLVED, format!("impulse, {name}"), formula, "N s", impulse)
         });
         let three = Case::load("landing", "fig7", size)?;
-        rows.extend(three.rows(level, blows.collect(), |scene| {
+        rows.extend(three.rows(level, impulses.collect(), |scene| {
             let x = normals(&first(scene)?);
             Some((0..3).map(|k| x[k] - (3 - k) as f64 * weight(scene)).collect())
         }));

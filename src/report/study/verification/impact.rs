@@ -1,4 +1,4 @@
-//! Blows that bounce.
+//! Impacts that bounce.
 
 use super::measure::{Case, Known, Method, ROUNDING, start};
 use super::{Row, Size};

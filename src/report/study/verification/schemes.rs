@@ -178,7 +178,7 @@ pub(super) fn long_stack(scheme: Scheme, model: Model, size: Size) -> Result<Vec
 }
 
 /// The bouncing ball, until it lies: every scheme's second flight has the height e² h as near as
-/// its step finds the blow, and at the end the ball rests on the ground.
+/// its step finds the impact, and at the end the ball rests on the ground.
 pub(super) fn rest(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("bounce-to-rest", "bouncing_ball", size)?;
     let radius = 0.1;
@@ -189,7 +189,7 @@ pub(super) fn rest(size: Size) -> Result<Vec<Row>> {
     let end = drop.time_of(1) * (1.0 + e) / (1.0 - e) + 1.0;
     let mut rows = Vec::new();
     for (scheme, sinking) in BOUNCING {
-        let found = (0.1, "the blow is found to within a substep");
+        let found = (0.1, "the impact is found to within a substep");
         let lies = (sinking, "what a contact sinks in or leaves open");
         let (what, formula, height) =
             ("height after one bounce", ["e^2 h", "e^2 h"], drop.height_after(1));

@@ -1,4 +1,4 @@
-//! Blows that bounce. The scenes `bouncing_ball`, `cradle` and `cradle_touching`.
+//! Impacts that bounce. The scenes `bouncing_ball`, `cradle` and `cradle_touching`.
 
 /// A ball dropped from rest: T = √(2 h/g), and each bounce leaves the part e of the speed.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -67,8 +67,8 @@ fn apart(kinds: [&str; 2], dt: f64) -> f64 {
 
 #[test]
 fn forces_of_a_rope_and_of_a_rod_by_squares_swing_as_those_of_a_rod_in_first_order() {
-    // The rope takes the outward speed that a step leaves as a blow, the rod keeps it; by squares,
-    // the same forces at |d| = l part with the drift. Both differences are of first order.
+    // The rope takes the outward speed that a step leaves as an impact, the rod keeps it; by
+    // squares, the same forces at |d| = l part with the drift. Both differences are of first order.
     for kind in ["rope", "squared_distance"] {
         let (coarse, fine) = (apart([kind, "distance"], 4e-3), apart([kind, "distance"], 2e-3));
         assert!(coarse < 0.05 && fine < 0.6 * coarse, "{kind} {coarse} {fine}");

@@ -99,9 +99,9 @@ fn every_scheme_that_bounces_gives_back_e_of_the_approach_wherever_in_a_step_it_
 }
 
 /// A box that falls flat, turning a little: its corners come at different speeds, and four of them
-/// share the blow in many ways.
+/// share the impulse in many ways.
 #[test]
-fn what_bounces_does_not_depend_on_how_a_solver_shares_the_blow() {
+fn what_bounces_does_not_depend_on_how_a_solver_shares_the_impulse() {
     let text = "
         [step]
         dt = 0.01

@@ -40,7 +40,7 @@ fn free_fall_loses_what_the_step_overshoots() {
 
 #[test]
 fn a_blow_takes_the_energy_and_a_bounce_gives_e_squared_of_it_back() {
-    // X = m (1 + e) v: the blow takes ½ X v, the bounce gives ½ X e v.
+    // X = m (1 + e) v: the impact takes ½ X v, the bounce gives ½ X e v.
     for (level, e) in Scheme::LEVELS.into_iter().flat_map(|level| [(level, 0.0), (level, 0.5)]) {
         let step = &steps(ball(0.0, 3.0, 0.0, e, level), 1)[0];
         let (impulse, ledger) = (2.0 * (1.0 + e) * 3.0, step.ledger.unwrap());
@@ -210,14 +210,15 @@ fn a_height_that_nobody_climbed_is_missing_in_every_account() {
 
 #[test]
 fn an_impulse_that_is_not_written_down_is_missing_in_every_account() {
-    // A ball of 2 kg comes down with 3 m/s, and nothing else acts: without the blow in the books,
+    // A ball of 2 kg comes down with 3 m/s, and nothing else acts: without the impact in the books,
     // the change of ½ m v² is missing.
     for scheme in accounted() {
         let mut scene = ball(0.0, 3.0, 0.0, 0.0, scheme);
         scene.step.penalty.stiffness = 2e4;
         let (before, step) = last_step(&scene, 3);
-        let blow = |act: &Act| matches!(act, Act::Answer(_) | Act::Push(_));
-        let acts: Vec<Act> = step.acts.iter().flatten().filter(|act| !blow(act)).cloned().collect();
+        let impact = |act: &Act| matches!(act, Act::Answer(_) | Act::Push(_));
+        let acts: Vec<Act> =
+            step.acts.iter().flatten().filter(|act| !impact(act)).cloned().collect();
         let ledger = audited(&scene, &before, &step, &acts, &step.states);
         assert_near(ledger.remainder(), step.ledger.unwrap().change, 1e-12);
     }
@@ -234,7 +235,7 @@ fn an_impulse_that_is_not_written_down_is_missing_in_every_account() {
         }
         let kinetic = 0.5 * 2.0 * states[1].v.norm_squared();
         assert_near(missing, kinetic - 9.0, 1e-9);
-        assert!(missing < -0.1, "{scheme:?} has had its blow");
+        assert!(missing < -0.1, "{scheme:?} has had its impact");
     }
 }
 

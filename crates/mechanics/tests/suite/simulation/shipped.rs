@@ -41,7 +41,7 @@ fn every_shipped_scene_keeps_its_joints_together_and_its_bodies_apart() {
                 let ledger = step.ledger.unwrap_or_default(); // none with stages: nothing drives there
                 driven += ledger.motor + ledger.external;
                 assert!(step.motion.drift < 0.01, "{} {level:?}", shipped.name);
-                // Accelerations see a contact only when it touches, so a blow comes a step late.
+                // Accelerations see a contact only when it touches, so an impact comes a step late.
                 let fastest = step.states.iter().map(|state| state.v.norm()).fold(0.0, f64::max);
                 let late = if level == Scheme::Acceleration { dt * fastest } else { 0.0 };
                 assert!(step.motion.penetration < 1e-6 + late, "{} {level:?}", shipped.name);

@@ -298,7 +298,7 @@ fn frame(scene: &Scene, solve: &Solve, step: usize) -> Frame {
     Frame { position_rounding, ..Frame::of(&solve.exported(scene, step)) }
 }
 
-/// The solve of a step that carries: not those of blows and corrections.
+/// The solve of a step that carries: not those of impacts and corrections.
 pub fn main_solve(step: &Step) -> Option<&Solve> {
     let carries =
         |solve: &&Solve| matches!(solve.problem.stage, Stage::Velocity | Stage::Acceleration);

@@ -92,7 +92,7 @@ fn figure_6_at_velocity_level_gives_two_newton_seconds() {
 
 #[test]
 fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
-    // The blow takes 1 kg · 1 m/s, the weight is 1 kg · 1 m/s².
+    // The impact takes 1 kg · 1 m/s, the weight is 1 kg · 1 m/s².
     let document = explained("fig6", Scheme::Acceleration, "dantzig");
     let text = sections(&document, &["Newton", "pivot by pivot", "answer", "motion"]);
     insta::assert_snapshot!(text, @r"

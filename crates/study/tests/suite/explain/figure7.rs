@@ -224,7 +224,7 @@ fn figure_7_by_the_pivots_of_lemke() {
 
 #[test]
 fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
-    // The blow stops the middle body, x = (1, 1, 0); then each row carries what lies above, (3,
+    // The impact stops the middle body, x = (1, 1, 0); then each row carries what lies above, (3,
     // 2, 1) N.
     let document = explained("fig7", Scheme::Acceleration, "dantzig");
     let text = sections(&document, &["Newton", "answer", "motion"]);
