@@ -55,6 +55,14 @@ fn a_fault_of_energy_is_explained_only_by_what_was_measured() {
 }
 
 #[test]
+fn a_run_that_ended_early_is_measured_for_its_steps_alone() {
+    let some = said(|run| run.steps = 2);
+    assert!(some.contains("(ended early: 1); in 2 steps: average support force"), "{some}");
+    let none = said(|run| run.steps = 0);
+    assert!(none.ends_with("within tolerance for 0 of 1 solver (ended early: 1)."), "{none}");
+}
+
+#[test]
 fn a_solver_out_of_tolerance_counts_under_the_criterion_that_it_fails() {
     let text = comparison_answer(&compared(&["jacobi", "dantzig"]));
     assert!(text.contains("within tolerance for 1 of 2 solvers (errors up to "), "{text}");

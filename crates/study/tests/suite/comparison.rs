@@ -234,6 +234,13 @@ fn energy_that_was_added_and_lost_again_is_named() {
     assert!((run.laws.energy_error - 0.5 * 0.05 * 0.05).abs() < 1e-12, "{:?}", run.laws);
     assert!(!run.laws.keeps_energy());
     assert_eq!(run.laws.account.as_ref().unwrap().0, "bias");
+    // From an overlap of 50 mm it comes with 1 m/s, and bounces: at e = 1 that takes and gives the
+    // same, so bias remains the cause.
+    let found = compared(&between_planes(0.45, 1.51, 0.0), &[Scheme::Velocity], &["dantzig"], 200);
+    let (account, energy) = only(&found).laws.account.clone().unwrap();
+    assert_eq!(account, "bias");
+    assert!((energy - 0.5).abs() < 1e-9, "{energy}");
+    assert!(only(&found).laws.restitution.unwrap() < 1e-9);
 }
 
 #[test]
@@ -292,4 +299,9 @@ fn the_best_solver_has_the_fewest_rejected_answers() {
     assert!(jacobi.accepted < jacobi.solves, "{jacobi:?}");
     assert_eq!(jacobi.failing_criterion(3, found.thinnest), Some("answers rejected"));
     assert_eq!(best(&found.runs).unwrap().solver, "dantzig");
+    // More impacts are more problems: a count of accepted answers would prefer their solver.
+    let [mut more, mut fewer] = [found.runs[0].clone(), found.runs[2].clone()];
+    (more.solves, more.accepted) = (10, 9);
+    (fewer.solves, fewer.accepted) = (8, 8);
+    assert_eq!(best(&[more, fewer]).unwrap().solver, "dantzig");
 }

@@ -34,8 +34,12 @@ fn of_scheme_in_words(runs: &[Run], steps: usize, thinnest: f64) -> String {
     let Some(best) = best(runs) else {
         return format!("{scheme}: no solver supports its problems.");
     };
-    let says: Vec<String> =
-        [closure(runs, steps, thinnest)].into_iter().chain(laws(best)).collect();
+    let mut says = vec![closure(runs, steps, thinnest)];
+    match best.steps {
+        0 => {}
+        taken if taken < steps => says.push(format!("in {taken} steps: {}", laws(best).join("; "))),
+        _ => says.extend(laws(best)),
+    }
     let cause = best.laws.impact.as_ref().filter(|_| !best.laws.keeps_energy());
     let cause = cause.map_or(String::new(), |impact| format!(" First, {impact}"));
     format!("{scheme}: {}.{cause}", says.join("; "))
