@@ -8,5 +8,5 @@ import numpy as np
 
 
 def answer(m, v, e):
-    """The velocities after the blow."""
+    """The velocities after the impact."""
     raise NotImplementedError("the gap is not filled in yet")

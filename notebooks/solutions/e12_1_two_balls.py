@@ -6,6 +6,6 @@ with the part e of that speed, and momentum stays. If they do not approach, noth
 
 
 def answer(m, v, e):
-    """The velocities after the blow."""
+    """The velocities after the impact."""
     x = max(0.0, (1 + e) * (v[0] - v[1]) / (1 / m[0] + 1 / m[1]))
     return v[0] - x / m[0], v[1] + x / m[1]

@@ -4,7 +4,7 @@
 //! they part with the part e of that speed, and momentum stays. If they do not approach, nothing
 //! happens.
 
-/// The velocities after the blow.
+/// The velocities after the impact.
 pub fn answer(m: [f64; 2], v: [f64; 2], e: f64) -> [f64; 2] {
     let closing = v[0] - v[1];
     let x = f64::max(0.0, (1.0 + e) * closing / (1.0 / m[0] + 1.0 / m[1]));

@@ -22,11 +22,11 @@ pub(super) fn example() -> Result<Finding> {
     let step = |scheme| Ok::<f64, Error>(forces(scheme, 0.01, 1)?[0]);
     let force =
         Measure::new("λ of the rod", "N", step(Scheme::Velocity)?, step(Scheme::Acceleration)?);
-    let (at_rest, blow) =
+    let (at_rest, impact) =
         (answer("dantzig", &contacts(&[1.0], &[-G])?)?, contacts(&[1.0], &[-1.0])?);
     let printed = -1.0 + 0.01 * (at_rest[0] - G);
-    let corrected = -1.0 + answer("dantzig", &blow)?[0];
-    let velocity = Measure::new("velocity after a blow", "m/s", printed, corrected);
+    let corrected = -1.0 + answer("dantzig", &impact)?[0];
+    let velocity = Measure::new("velocity after an impact", "m/s", printed, corrected);
     Ok(Finding::new(
         "A pendulum of 1 kg and 1 m at 0.7 rad and 1.3 rad/s: λ < 0 pulls. Printed is a step at velocity \
          level, x/dt, the same for any dt; corrected, the acceleration level.\n\nA ball of 1 kg hits the floor \

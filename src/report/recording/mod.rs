@@ -22,7 +22,7 @@ use crate::lcp::file::number;
 use crate::memory::Memory;
 use crate::scene::Scene;
 use crate::simulation::{
-    Blow, Blows, Failure, Laws, Motion, Simulation, Slips, Step, Warnings, carried,
+    Failure, Impact, Impacts, Laws, Motion, Simulation, Slips, Step, Warnings, carried,
 };
 use crate::solver::Status;
 
@@ -54,9 +54,9 @@ pub struct Record {
     least_carried: Option<(usize, f64)>,
     laws: Laws,
     slips: Slips,
-    blows: Blows,
-    /// The impact with the largest deviation from the law of restitution.
-    worst_blow: Option<Blow>,
+    impacts: Impacts,
+    /// The impact that missed the law of restitution by most.
+    worst_impact: Option<Impact>,
     books: Option<Books>,
     conflict: Vec<String>,
     /// Problems of the motion although every LCP was solved.
@@ -90,8 +90,8 @@ impl Record {
             least_carried: None,
             laws: Laws::default(),
             slips: Slips::default(),
-            blows: Blows::default(),
-            worst_blow: None,
+            impacts: Impacts::default(),
+            worst_impact: None,
             books: Some(Books::default()),
             conflict: Vec::new(),
             warnings: Warnings::default(),
@@ -153,15 +153,15 @@ impl Record {
         }
         self.laws = self.laws.worse(step.laws);
         self.slips.add(step);
-        let ended = self.blows.add(&self.scene, step);
-        self.worst_blow = worse_of(self.worst_blow.into_iter().chain(ended));
+        let ended = self.impacts.add(&self.scene, step);
+        self.worst_impact = worse_of(self.worst_impact.into_iter().chain(ended));
         self.books = self.books.zip(step.ledger).map(|(books, ledger)| books.with(&ledger));
         self.note(&step.motion);
     }
 
-    /// The impact, finished or not, with the largest deviation from the coefficient of restitution.
-    fn worst_blow(&self) -> Option<Blow> {
-        worse_of(self.worst_blow.into_iter().chain(self.blows.unfinished()))
+    /// The impact, ended or not, that missed the coefficient of restitution by most.
+    fn worst_impact(&self) -> Option<Impact> {
+        worse_of(self.worst_impact.into_iter().chain(self.impacts.unfinished()))
     }
 
     /// Records why the simulation ended early.
@@ -224,10 +224,10 @@ impl Record {
                 "attraction": measured(self.laws.attraction),
                 "cone_excess": number(self.laws.cone_excess),
                 "friction_angle":
-                    self.slips.askew.and_then(|slip| slip.angle).map(number),
+                    self.slips.friction_angle.and_then(|slip| slip.angle).map(number),
                 "friction_speed_error":
                     self.slips.speed_error(&self.scene).map(|(_, error)| number(error)),
-                "restitution_error": self.worst_blow().map(|blow| number(blow.error())),
+                "restitution_error": self.worst_impact().map(|impact| number(impact.error())),
                 "friction_gain": self.accounted(|_| number(self.laws.friction_gain)),
                 "internal_impulse": measured(self.laws.internal_impulse),
                 "internal_torque": measured(self.laws.internal_torque),
@@ -294,7 +294,7 @@ impl Record {
     }
 }
 
-/// The impact with the largest error.
-fn worse_of(impacts: impl Iterator<Item = Blow>) -> Option<Blow> {
+/// The one with the largest error.
+fn worse_of(impacts: impl Iterator<Item = Impact>) -> Option<Impact> {
     impacts.max_by(|a, b| a.error().abs().total_cmp(&b.error().abs()))
 }

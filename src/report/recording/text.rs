@@ -4,11 +4,11 @@ use nalgebra::Vector3;
 
 use super::books::Books;
 use super::{NOT_ACCOUNTED, Record};
-use crate::body::{Body, State};
+use crate::body::State;
 use crate::lcp::friction::Model;
 use crate::number::readable;
 use crate::scene::{Resting, Scene, Scheme};
-use crate::simulation::Slip;
+use crate::simulation::{Slip, momentum_sizes};
 
 /// Maximum number of bodies whose final state is printed.
 const SHOWN: usize = 12;
@@ -18,7 +18,7 @@ const WARNINGS: usize = 5;
 const MUCH: f64 = 1.0;
 /// Smaller angles between friction and the direction opposite to sliding, in degrees, are not
 /// reported.
-const ASKEW: f64 = 5.0;
+const FRICTION_ANGLE: f64 = 5.0;
 /// Smaller changes of the angular momentum, relative to that of all bodies, are not reported.
 const TURNED: f64 = 1e-6;
 /// What a run of a fixed number of sweeps prints for a law that it does not measure.
@@ -124,7 +124,7 @@ impl Record {
             );
         }
         notes.extend(self.friction_in_words());
-        notes.extend(self.blow_in_words());
+        notes.extend(self.restitution_in_words());
         notes.extend(self.turning_in_words());
         notes
     }
@@ -138,20 +138,21 @@ impl Record {
         };
         let is_cone = matches!(model, Model::CoulombCone | Model::AssociatedCone);
         let degrees = |slip: &Slip| slip.angle.unwrap_or(0.0).to_degrees();
-        let askew = self.slips.askew.filter(|slip| degrees(slip) > ASKEW && !is_cone);
-        let beyond = self.slips.beyond.filter(|slip| 100.0 * slip.excess > MUCH);
+        let angle =
+            self.slips.friction_angle.filter(|slip| degrees(slip) > FRICTION_ANGLE && !is_cone);
+        let excess = self.slips.cone_excess.filter(|slip| 100.0 * slip.excess > MUCH);
         let error = self.slips.speed_error(&self.scene);
         let mut says = Vec::new();
-        says.extend(askew.map(|slip| {
+        says.extend(angle.map(|slip| {
             format!(
                 "was up to {:.0}° from the direction opposite to sliding {}",
                 degrees(&slip),
                 pair(&slip)
             )
         }));
-        says.extend(beyond.map(|slip| {
-            let excess = 100.0 * slip.excess;
-            format!("was at least {excess:.0} % outside Coulomb's cone {}", pair(&slip))
+        says.extend(excess.map(|slip| {
+            let percent = 100.0 * slip.excess;
+            format!("was at least {percent:.0} % outside Coulomb's cone {}", pair(&slip))
         }));
         says.extend(error.map(|(body, error)| {
             format!(
@@ -181,32 +182,31 @@ impl Record {
         Some(format!("friction of the model {model} {how}; {remedy}"))
     }
 
-    /// The impact with the largest deviation from the coefficient of restitution, if it is large
-    /// enough to report.
-    fn blow_in_words(&self) -> Option<String> {
-        let blow = self.worst_blow().filter(|blow| 100.0 * blow.error().abs() > MUCH)?;
+    /// The impact that missed the coefficient of restitution by most, where that can be seen.
+    fn restitution_in_words(&self) -> Option<String> {
+        let impact = self.worst_impact().filter(|impact| 100.0 * impact.error().abs() > MUCH)?;
         let remedy = match self.scene.step.scheme {
             Scheme::Velocity | Scheme::Acceleration => {
                 "the answer is not accurate enough: reduce solver.tolerance"
             }
             _ => "the schemes velocity and acceleration keep to it",
         };
-        let [body, other] = blow.bodies.map(|body| &self.scene.bodies[body].name);
+        let [body, other] = impact.bodies.map(|body| &self.scene.bodies[body].name);
         let [parting, approach, due] =
-            [blow.parting, blow.approach, blow.restitution * blow.approach]
+            [impact.parting, impact.approach, impact.restitution * impact.approach]
                 .map(|speed| readable(speed, 3));
         Some(format!(
             "{body:?} and {other:?} met at {approach} m/s in step {} and separated at {parting} m/s; \
              with the restitution {} it should be {due} m/s; {remedy}",
-            blow.step, blow.restitution
+            impact.step, impact.restitution
         ))
     }
 
     /// The angular momentum produced by the contacts and joints of a scheme without an LCP.
     fn turning_in_words(&self) -> Option<String> {
-        let sizes = [&self.scene.states, &self.states].map(|states| turning(&self.scene, states));
+        let size = |states: &[State]| momentum_sizes(&self.scene, states)[1];
         let made = self.laws.internal_torque;
-        let is_made = made > TURNED * sizes[0].max(sizes[1]);
+        let is_made = made > TURNED * size(&self.scene.states).max(size(&self.states));
         (is_made && !self.scene.step.scheme.solves_lcps()).then(|| {
             format!(
                 "in one step the total angular momentum changed by {} N m s, although only contacts \
@@ -271,14 +271,4 @@ impl Record {
             "contacts, joints and springs support {mean} % of it, at least {least} % (step {step})"
         )
     }
-}
-
-/// Σ |p| m |v| + |I ω|: the sum of the magnitudes of the bodies' angular momenta, which may cancel.
-fn turning(scene: &Scene, states: &[State]) -> f64 {
-    let of_body = |(body, state): (&Body, &State)| {
-        let around = state.pose.p.norm() * body.mass.momentum(state).norm();
-        let spin = body.mass.angular_momentum(&State { v: Vector3::zeros(), ..*state });
-        around + spin.norm()
-    };
-    scene.bodies.iter().zip(states).map(of_body).sum()
 }

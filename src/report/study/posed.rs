@@ -13,7 +13,7 @@ use crate::lcp::{Lcp, library};
 use crate::scene::Scene;
 
 /// g dt (m/s): the speed that bodies gain in a step of 1/60 s.
-pub const BLOW: f64 = 9.81 / 60.0;
+pub const STEP_SPEED: f64 = 9.81 / 60.0;
 
 /// The source of an LCP.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -184,6 +184,6 @@ position = [0, 0, {}]
 /// If the library cannot generate the column.
 pub fn column(bodies: usize, ratio: f64) -> Result<Lcp> {
     let lcp = library::by_name("stack")?.generate(&[("n", bodies as f64), ("ratio", ratio)])?.lcp;
-    let b = lcp.b().iter().map(|b| b * BLOW).collect();
+    let b = lcp.b().iter().map(|b| b * STEP_SPEED).collect();
     lcp.with_b(b)
 }

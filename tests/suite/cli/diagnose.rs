@@ -84,7 +84,8 @@ fn how_many_solvers_keep_gaps_and_joints_closed_is_counted_from_the_runs() {
             run["steps"] == 3 && run["accepted"] == run["solves"] && worst <= 0.01 * thinnest
         };
         let closed = runs.iter().filter(closes).count();
-        let words = format!("{scheme}: closed by {closed} of {} solvers", runs.len());
+        let words = "gaps and joints within tolerance for";
+        let words = format!("{scheme}: {words} {closed} of {} solvers", runs.len());
         assert!(answer.contains(&words), "{words}: {answer}");
     }
 }

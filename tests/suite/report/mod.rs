@@ -1,4 +1,5 @@
 mod cards;
+mod comparison;
 mod difference;
 mod families;
 mod file;

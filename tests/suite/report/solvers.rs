@@ -6,7 +6,7 @@ use lcplab::report::study::Study;
 use lcplab::report::study::attempt::{Attempt, Outcome};
 use lcplab::report::study::convergence::methods::Mark;
 use lcplab::report::study::convergence::{Finding, Plan};
-use lcplab::report::study::posed::{BLOW, Loaded, Source};
+use lcplab::report::study::posed::{Loaded, STEP_SPEED, Source};
 use lcplab::report::study::profiles::{self, Cost, costs, multiplications, of_all, profiles};
 use lcplab::report::view;
 use lcplab::solver::{self, Options, Start, entry};
@@ -192,7 +192,7 @@ fn an_impulse_climbs_one_row_a_sweep_or_the_whole_column_at_once() {
     for i in 0..8 {
         let reached = down[i].iter().position(|residual| *residual != 0.0);
         assert_eq!(reached, Some(i));
-        let expected = if i < 7 { BLOW / 2f64.powi(i as i32 + 1) } else { 0.0 };
+        let expected = if i < 7 { STEP_SPEED / 2f64.powi(i as i32 + 1) } else { 0.0 };
         assert!((up[i][1] - expected).abs() < 1e-16, "row {i}");
         assert_eq!(up[i].len(), 10);
     }

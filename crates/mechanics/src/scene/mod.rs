@@ -188,6 +188,14 @@ impl Scene {
         Resting::of(self)
     }
 
+    /// The approach (m/s) up to which an impact does not bounce, whatever e is.
+    pub fn plastic_speed(&self) -> f64 {
+        match self.step.scheme {
+            Scheme::Acceleration => self.contact.bounce_speed.max(self.resting().bounce),
+            _ => self.contact.bounce_speed,
+        }
+    }
+
     /// The thickness (m) of the thinnest body, if any has one.
     pub fn thinnest(&self) -> Option<f64> {
         self.bodies.iter().filter_map(|body| resting::size(&body.shape)).reduce(f64::min)

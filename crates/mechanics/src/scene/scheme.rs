@@ -71,6 +71,12 @@ impl Scheme {
         use Scheme::{Acceleration, GaussSeidel, SplitImpulse, Velocity};
         matches!(self, Velocity | Acceleration | SplitImpulse | GaussSeidel)
     }
+
+    /// Whether it takes an impact at the beginning of a step, across a gap that closes within it.
+    pub fn takes_impacts_early(self) -> bool {
+        use Scheme::{GaussSeidel, SequentialImpulses, SplitImpulse, Velocity};
+        matches!(self, Velocity | SplitImpulse | GaussSeidel | SequentialImpulses)
+    }
 }
 
 /// How accelerations become motion; acceleration level only.

@@ -355,11 +355,7 @@ fn relative(assembly: &Assembly, u: &[f64]) -> Vec<f64> {
 /// The approach (m/s) up to which a contact does not bounce, or that forces alone give it within
 /// the step; `free` is its velocity after them.
 fn slow(scene: &Scene, row: &Row, free: f64) -> f64 {
-    let least = match scene.step.scheme {
-        Scheme::Acceleration => scene.contact.bounce_speed.max(scene.resting().bounce),
-        _ => scene.contact.bounce_speed,
-    };
-    least + (row.velocity - free).max(0.0)
+    scene.plastic_speed() + (row.velocity - free).max(0.0)
 }
 
 /// The group of each block: those that impulses connect.

@@ -39,7 +39,7 @@ pub struct Ledger {
     pub change: f64,
     /// Rigid equations: 0 where J stays, a loss where the velocities no longer fit it.
     pub constraint: f64,
-    /// Contacts and limits: the loss of a blow.
+    /// Contacts and limits: the loss of an impact.
     pub contact: f64,
     /// What bounces give back.
     pub restitution: f64,

@@ -8,11 +8,11 @@
 
 mod acts;
 mod answering;
-mod blows;
 mod conflict;
 mod correction;
 mod exported;
 mod impact_energy;
+mod impacts;
 mod integrator;
 mod interpenetration;
 mod laws;
@@ -31,12 +31,12 @@ mod unlocated;
 mod warnings;
 
 pub use acts::{Act, Push};
-pub use blows::{Blow, Blows, Touch};
 pub use impact_energy::{ImpactCause, ImpactEnergy};
+pub use impacts::{Impact, Impacts, Touch};
 pub use interpenetration::{DEEP, Interpenetration, InterpenetrationKind, LASTING, NOTABLE};
 pub use laws::Laws;
 pub use ledger::Ledger;
-pub use motion::{Motion, carried};
+pub use motion::{Motion, carried, momentum_sizes};
 pub use record::{Cause, Failure, Recording, Solve, Step};
 pub use slip::{Slip, Slips};
 pub use stated::{options, problem_of, solver};

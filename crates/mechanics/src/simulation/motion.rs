@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::body::State;
+use crate::body::{Body, State};
 use crate::constraint::{Bounds, Row};
 use crate::scene::{Found, Scene, contacts};
 
@@ -66,6 +66,18 @@ impl Motion {
     pub fn energy(&self) -> f64 {
         self.kinetic + self.potential + self.elastic
     }
+}
+
+/// Σ m |v| (kg m/s) and Σ |p| m |v| + |I ω| (kg m²/s): the sizes of the bodies' momenta, whose sums
+/// may cancel.
+pub fn momentum_sizes(scene: &Scene, states: &[State]) -> [f64; 2] {
+    let of_body = |(body, state): (&Body, &State)| {
+        let linear = body.mass.momentum(state).norm();
+        let spin = body.mass.angular_momentum(&State { v: Vector3::zeros(), ..*state });
+        [linear, state.pose.p.norm() * linear + spin.norm()]
+    };
+    let sizes = scene.bodies.iter().zip(states).map(of_body);
+    sizes.fold([0.0; 2], |sum, own| [sum[0] + own[0], sum[1] + own[1]])
 }
 
 /// The part of the weight that contacts, joints and springs carry between two instants, W being the

@@ -84,9 +84,9 @@ impl Slip {
 pub struct Slips {
     /// The pair and step with the largest angle between friction and the direction opposite to
     /// sliding; nothing if no contact slides.
-    pub askew: Option<Slip>,
+    pub friction_angle: Option<Slip>,
     /// The pair and step whose friction was farthest outside the cone, if any was.
-    pub beyond: Option<Slip>,
+    pub cone_excess: Option<Slip>,
     /// The sum of the impulse errors on each body (N s).
     errors: BTreeMap<usize, Vector3<f64>>,
     /// The largest speed of a body (m/s).
@@ -97,11 +97,11 @@ impl Slips {
     /// Takes a step into account.
     pub fn add(&mut self, step: &Step) {
         for own in &step.slips {
-            if own.angle > self.askew.and_then(|slip| slip.angle) {
-                self.askew = Some(*own);
+            if own.angle > self.friction_angle.and_then(|slip| slip.angle) {
+                self.friction_angle = Some(*own);
             }
-            if own.excess > self.beyond.map_or(0.0, |slip| slip.excess) {
-                self.beyond = Some(*own);
+            if own.excess > self.cone_excess.map_or(0.0, |slip| slip.excess) {
+                self.cone_excess = Some(*own);
             }
             let [first, second] = own.bodies;
             *self.errors.entry(first).or_default() += own.error;
@@ -153,14 +153,14 @@ impl Sums {
     }
 
     /// Of each, how far its friction reaches out of the cone.
-    fn beyond(&self) -> [f64; 2] {
-        let beyond = |push: &Vector3<f64>, limit: f64| (push.norm() - limit).max(0.0);
-        [beyond(&self.sliding, self.limit), beyond(&self.holding, self.holding_limit)]
+    fn cone_excess(&self) -> [f64; 2] {
+        let excess = |push: &Vector3<f64>, limit: f64| (push.norm() - limit).max(0.0);
+        [excess(&self.sliding, self.limit), excess(&self.holding, self.holding_limit)]
     }
 
     /// By how much friction differs from Coulomb's.
     fn error(&self) -> Vector3<f64> {
-        let [_, holds] = self.beyond();
+        let [_, holds] = self.cone_excess();
         let too_much = self.holding.try_normalize(0.0).map_or(Vector3::zeros(), |d| holds * d);
         self.sliding - self.coulomb + too_much
     }
@@ -181,8 +181,8 @@ impl Sums {
     ) -> Slip {
         let is_strong = self.sliding.norm() > STRONG * self.limit && self.limit > 0.0;
         let angle = is_strong.then(|| self.sliding.angle(&self.coulomb));
-        let [slides, holds] = self.beyond();
-        let part = |beyond: f64, limit: f64| if limit > 0.0 { beyond / limit } else { 0.0 };
+        let [slides, holds] = self.cone_excess();
+        let part = |excess: f64, limit: f64| if limit > 0.0 { excess / limit } else { 0.0 };
         let bodies = faster_first(scene, after, [first, second]);
         Slip {
             bodies,

@@ -10,14 +10,14 @@
 
 use std::collections::BTreeMap;
 
-use nalgebra::Vector6;
+use nalgebra::{Vector3, Vector6};
 
 use super::interpenetration::faster_first;
 use super::slip::{Contact, Totals};
 use crate::assembly::{Assembly, Entering, Row};
 use crate::body::{State, linear};
 use crate::constraint::Kind;
-use crate::scene::{Scene, Scheme, step_contacts};
+use crate::scene::{Scene, step_contacts};
 use lcplab_problem::number::readable;
 
 /// Smaller errors, relative to the speed of approach, are not reported.
@@ -41,16 +41,10 @@ pub struct Unlocated {
 }
 
 impl Unlocated {
-    /// Those of a step from these states; none of a scheme that divides the step at its impacts.
+    /// Those of a step from these states; none of a scheme that divides the step.
     pub(super) fn of(scene: &Scene, before: &[State], totals: &Totals) -> Vec<Unlocated> {
-        match scene.step.scheme {
-            Scheme::Velocity
-            | Scheme::SplitImpulse
-            | Scheme::GaussSeidel
-            | Scheme::SequentialImpulses => {}
-            Scheme::Acceleration | Scheme::Xpbd | Scheme::Soft | Scheme::Penalty => {
-                return Vec::new();
-            }
+        if !scene.step.scheme.takes_impacts_early() {
+            return Vec::new();
         }
         let mut pairs: BTreeMap<[usize; 2], Unlocated> = BTreeMap::new();
         for contact in totals.contacts().filter(|contact| bounces(scene, contact)) {
@@ -87,38 +81,59 @@ fn bounces(scene: &Scene, contact: &Contact) -> bool {
 }
 
 /// By how much the bounce of a contact would differ where the bodies meet (m/s), if that is worth
-/// reporting.
+/// reporting. Both are looked at alone, so that the cost does not grow with the scene.
 fn off_by(scene: &Scene, before: &[State], row: &Row) -> Option<f64> {
     let here = kick(scene, before, row);
-    let there = match meeting(scene, before, row)? {
-        Some((moved, row)) => kick(scene, &moved, &row),
-        None => BTreeMap::new(),
+    let pair = alone(scene, before, row)?;
+    let there = match meeting(&pair, row)? {
+        Some((moved, row)) => kick(&pair, &moved, &row),
+        None => [Vector3::zeros(); 2],
     };
-    let change = here.iter().map(|(body, kick)| {
-        let other = there.get(body).copied().unwrap_or_else(Vector6::zeros);
-        linear(&(kick - other)).norm()
-    });
+    let change = here.iter().zip(there).map(|(here, there)| (here - there).norm());
     let speed = change.fold(0.0, f64::max);
     (speed > NOTABLE * -row.velocity).then_some(speed)
 }
 
-/// The states in which the bodies of a contact meet, with its row there; nothing where they pass
-/// each other, and `None` where no row is left to tell. The normal turns on the way, so that the
-/// gap does not close at a steady rate: t = c/|J u⁻| is Newton's first step, and a few more follow.
-fn meeting(scene: &Scene, before: &[State], row: &Row) -> Option<Option<(Vec<State>, Row)>> {
+/// The two bodies of a contact as a scene of their own.
+fn alone(scene: &Scene, states: &[State], row: &Row) -> Option<Scene> {
+    let [Some(first), Some(second)] = row.bodies else { return None };
+    let bodies = [first, second];
+    let surface = scene.pairs.get(&bodies).map(|surface| ([0, 1], *surface));
+    Some(Scene {
+        name: String::new(),
+        title: String::new(),
+        teaches: String::new(),
+        gravity: scene.gravity,
+        time: scene.time,
+        driven: Vec::new(),
+        step: scene.step.clone(),
+        contact: scene.contact.clone(),
+        solver: scene.solver.clone(),
+        bodies: bodies.map(|body| scene.bodies[body].clone()).into(),
+        states: bodies.map(|body| states[body]).into(),
+        pairs: surface.into_iter().collect(),
+        constraints: Vec::new(),
+        memory: scene.memory,
+    })
+}
+
+/// The states in which the two bodies of a contact meet, with its row there; nothing where they
+/// pass each other, and `None` where no row is left to tell. The normal turns on the way, so that
+/// the gap does not close at a steady rate: t = c/|J u⁻| is Newton's first step, and a few more
+/// follow.
+fn meeting(pair: &Scene, row: &Row) -> Option<Option<(Vec<State>, Row)>> {
     let mut time = row.c / -row.velocity;
     for sweep in 1.. {
-        let moved = before.iter().map(|state| state.displaced(&(time * state.velocity())));
+        let moved = pair.states.iter().map(|state| state.displaced(&(time * state.velocity())));
         let moved: Vec<State> = moved.collect();
-        let found = step_contacts(scene, &moved);
-        let there = Assembly::new(scene, &moved, &found, Entering::Near).ok()?;
-        let is_same = |own: &&Row| own.kind == Kind::Normal && own.bodies == row.bodies;
-        let own = there.rows.iter().filter(is_same).min_by(|a, b| a.c.total_cmp(&b.c))?;
+        let found = step_contacts(pair, &moved);
+        let there = Assembly::new(pair, &moved, &found, Entering::Near).ok()?;
+        let normals = there.rows.into_iter().filter(|own| own.kind == Kind::Normal);
+        let own = normals.min_by(|a, b| a.c.total_cmp(&b.c))?;
         if own.velocity >= 0.0 {
             return Some(None);
         }
         if sweep == NEWTON_STEPS || own.c.abs() <= MET * row.c {
-            let own = own.clone();
             return Some(Some((moved, own)));
         }
         time += own.c / -own.velocity;
@@ -126,13 +141,15 @@ fn meeting(scene: &Scene, before: &[State], row: &Row) -> Option<Option<(Vec<Sta
     None
 }
 
-/// What the bounce of a contact alone adds to the velocities of its bodies.
-fn kick(scene: &Scene, states: &[State], row: &Row) -> BTreeMap<usize, Vector6<f64>> {
+/// What the bounce of a contact alone adds to the velocities of its two bodies (m/s).
+fn kick(scene: &Scene, states: &[State], row: &Row) -> [Vector3<f64>; 2] {
     let response = |(body, jacobian): (usize, Vector6<f64>)| {
-        (body, scene.bodies[body].mass.accelerate(&states[body].pose, &jacobian))
+        scene.bodies[body].mass.accelerate(&states[body].pose, &jacobian)
     };
-    let responses: BTreeMap<usize, Vector6<f64>> = row.movers().map(response).collect();
-    let mobility: f64 = row.movers().map(|(body, j)| j.dot(&responses[&body])).sum();
+    let mobility: f64 = row.movers().map(|mover| mover.1.dot(&response(mover))).sum();
     let impulse = -(1.0 + scene.restitution(row.bodies)) * row.velocity_with(states) / mobility;
-    responses.into_iter().map(|(body, response)| (body, impulse * response)).collect()
+    row.bodies.map(|own| {
+        let mover = row.movers().find(|(body, _)| Some(*body) == own);
+        mover.map_or_else(Vector3::zeros, |mover| impulse * linear(&response(mover)))
+    })
 }

@@ -150,10 +150,10 @@ fn stacks_take_the_published_number_of_sweeps() {
 
 #[test]
 fn two_bodies_take_the_published_number_of_sweeps() {
-    let blow = 9.81 / 60.0;
+    let speed = 9.81 / 60.0;
     for (r, expected) in [(1.0, 24), (10.0, 175), (100.0, 1670), (1000.0, 16619), (1e4, 166106)] {
         let lcp =
-            boxed(&[&[1.0, -1.0], &[-1.0, 1.0 + 1.0 / r]], &[-blow, 0.0], &[0.0; 2], &[INF; 2]);
+            boxed(&[&[1.0, -1.0], &[-1.0, 1.0 + 1.0 / r]], &[-speed, 0.0], &[0.0; 2], &[INF; 2]);
         assert_eq!(sweeps(&lcp, 1e-8), expected, "mass ratio {r}");
     }
 }

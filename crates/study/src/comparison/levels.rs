@@ -1,79 +1,76 @@
-//! The levels beside each other and beside half the step: who is exact where.
+//! Each level compared with itself under a divided step, and the levels with each other.
 //!
-//! Nobody knows the exact motion of any scene, but half the step comes nearer to it: what halving
-//! changes is the error of the whole step. It is measured at the end of the run, and within it by
-//! what the bodies do: where they meet, by the velocities of a step taken in one and in two halves;
-//! where they spin freely, by angular momentum and energy; where they rest, by how far they are
-//! from touching.
+//! The exact motion of a scene is not known, but a shorter step comes nearer to it: what a division
+//! of the step changes is a part of its error. It is measured at the end of the run, and within it
+//! by what the bodies do:
+//!
+//! ```text
+//! meet   velocities of a step taken in one, two and three parts; and the error of the normal and
+//!        of the instant of an impact that the step takes at its beginning, across a gap, or for a
+//!        scheme with parts of its own the path
+//! spin   angular momentum and energy of bodies without contacts, joints and torques
+//! rest   gaps and overlaps of contacts that push
+//! ```
+//!
+//! Motions differ by |Δp| + r Δθ and |Δv| + r |Δω|, r half the size of a body.
 
-use lcplab_mechanics::body::State;
-use lcplab_mechanics::scene::Scene;
-use lcplab_mechanics::simulation::{Simulation, Step};
+use lcplab_mechanics::body::{Mass, State, angular};
+use lcplab_mechanics::scene::{Scene, Scheme};
+use lcplab_mechanics::simulation::{Simulation, Step, Touch};
 use lcplab_solver::{Method, Stop};
+use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 /// An error below this part is rounding and the solver's tolerance.
 pub const EXACT: f64 = 1e-6;
-/// An approach of so many times what gravity adds in a step is a meeting.
+/// An approach of so many times what gravity adds in a step is an impact.
 const FAST: f64 = 4.0;
+/// In how many parts a step with an impact is taken again.
+const PARTS: [usize; 2] = [2, 3];
 /// Bodies slower than this part of what counts as rest at acceleration level rest.
 const STILL: f64 = 1e-3;
 /// An axis that turns by less than this part of a full turn of its axis does not matter.
 const TURNING: f64 = 1e-6;
+/// Nor does the spin of a body below this part of the largest momentum, in the same unit.
+const SPINNING: f64 = 1e-6;
 
 /// What bodies do in a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Phase {
-    /// They meet: a blow.
+    /// They meet: an impact. Its error is a part of the approach, in speed or in distance a step.
     Meet,
-    /// They spin freely, and not about a principal axis.
+    /// They spin freely, and not about a principal axis. Its error is the change of the angular
+    /// momentum or of the energy in a step, as a part of it.
     Spin,
-    /// They rest on each other.
+    /// They rest on each other. Its error is the largest gap or overlap, as a part of the thinnest
+    /// body.
     Rest,
 }
 
 impl Phase {
     /// All of them.
     pub const ALL: [Phase; 3] = [Phase::Meet, Phase::Spin, Phase::Rest];
-
-    /// The verb.
-    pub fn verb(self) -> &'static str {
-        match self {
-            Phase::Meet => "meet",
-            Phase::Spin => "spin",
-            Phase::Rest => "rest",
-        }
-    }
-
-    /// Of what its error is a part.
-    pub fn of(self) -> &'static str {
-        match self {
-            Phase::Meet => "of the speed in a step",
-            Phase::Spin => "of the angular momentum or energy in a step",
-            Phase::Rest => "of the thinnest body between them",
-        }
-    }
 }
 
-/// A level with one solver, beside itself with half the step.
+/// A level with one solver, compared with itself under a divided step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Level {
+pub struct LevelRefinement {
     /// The level.
     pub scheme: String,
     /// The solver.
     pub solver: String,
     /// How far the end of the farthest body moves by half the step (m).
     pub halved: f64,
-    /// The largest error where bodies do this, as a part; none where they never do.
+    /// The largest error of each [`Phase`], as a part; none where bodies never do this.
     pub errors: [Option<f64>; 3],
 }
 
-/// The levels of a scene beside each other.
+/// The levels of a scene, compared with each other.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Levels {
     /// A level each.
-    pub levels: Vec<Level>,
+    pub levels: Vec<LevelRefinement>,
     /// How far apart the first and the last of them end (m).
     pub apart: f64,
 }
@@ -85,26 +82,26 @@ pub(super) fn levels(runs: &[(Scene, Method)], steps: usize, stop: &Stop) -> Opt
     let mut levels = Vec::new();
     for (scene, method) in runs {
         let (end, errors) = course(scene, method, steps, stop)?;
-        let halved = last(&halved(scene, &scene.states, 0.0), method, 2 * steps, stop)?;
-        levels.push(Level {
+        let halved = last(&divided(scene, &scene.states, 0.0, 2), method, 2 * steps, stop)?;
+        levels.push(LevelRefinement {
             scheme: scene.step.scheme.name().into(),
             solver: method.name().into(),
-            halved: apart(&end, &halved),
+            halved: apart(scene, &end, &halved),
             errors,
         });
         ends.push(end);
     }
-    let apart = match &ends[..] {
-        [first, .., last] => apart(first, last),
+    let apart = match (runs, &ends[..]) {
+        ([(scene, _), ..], [first, .., last]) => apart(scene, first, last),
         _ => 0.0,
     };
     Some(Levels { levels, apart })
 }
 
-/// The scene with half its step from these states on, at this time (s).
-fn halved(scene: &Scene, states: &[State], time: f64) -> Scene {
+/// The scene with its step in so many parts, from these states on, at this time (s).
+fn divided(scene: &Scene, states: &[State], time: f64, parts: usize) -> Scene {
     let mut scene = scene.clone();
-    scene.step.dt *= 0.5;
+    scene.step.dt /= parts as f64;
     scene.time += time;
     scene.states = states.to_vec();
     scene
@@ -134,13 +131,17 @@ fn course(
         let Some(phase) = phase(scene, &before, &step) else { continue };
         let error = match phase {
             Phase::Meet => {
-                let halves = last(&halved(scene, &before, time), method, 2, stop)?;
-                speeds_apart(&step.states, &halves)
+                let mut error = instant_error(scene, &step);
+                for parts in PARTS {
+                    let fine = last(&divided(scene, &before, time, parts), method, parts, stop)?;
+                    error = error.max(changed(scene, &step, &fine));
+                }
+                error
             }
             Phase::Spin => spun(scene, &before, &step.states),
             Phase::Rest => {
-                let off = step.touches.iter().map(|touch| touch.off).fold(0.0, f64::max);
-                off / scene.thinnest().unwrap_or(1.0)
+                let gaps = step.touches.iter().map(|touch| touch.largest_gap);
+                gaps.fold(0.0, f64::max) / scene.thinnest().unwrap_or(1.0)
             }
         };
         let known: &mut Option<f64> = &mut errors[phase as usize];
@@ -151,53 +152,115 @@ fn course(
 
 /// What the bodies do in a step, if it is one of these.
 fn phase(scene: &Scene, before: &[State], step: &Step) -> Option<Phase> {
-    let fast = (FAST * scene.gravity.norm() * scene.step.dt).max(scene.contact.bounce_speed);
-    if step.touches.iter().any(|touch| touch.approach > fast) {
+    if meeting(scene, step).next().is_some() {
         return Some(Phase::Meet);
     }
-    let moving = || (0..before.len()).filter(|&k| scene.bodies[k].mass.dof() > 0);
     if step.touches.is_empty() {
-        let turns = |k: usize| {
-            let momentum = spin(scene, k, &before[k]);
-            let turn = before[k].omega.cross(&momentum).norm();
-            turn > TURNING * before[k].omega.norm() * momentum.norm()
-        };
-        let spins = scene.constraints.is_empty() && moving().any(turns);
-        return spins.then_some(Phase::Spin);
+        return (!spinning(scene, before).is_empty()).then_some(Phase::Spin);
     }
     let least = STILL * scene.resting().speed;
-    let is_still = |k: usize| step.states[k].velocity().norm() <= least;
-    moving().all(is_still).then_some(Phase::Rest)
+    let mut moving = (0..before.len()).filter(|&k| scene.bodies[k].mass.dof() > 0);
+    moving.all(|k| step.states[k].velocity().norm() <= least).then_some(Phase::Rest)
 }
 
-/// The angular momentum of a body about its centre of mass (N m s).
-fn spin(scene: &Scene, body: usize, state: &State) -> nalgebra::Vector3<f64> {
-    let mass = &scene.bodies[body].mass;
-    mass.angular_momentum(state) - state.pose.p.cross(&mass.momentum(state))
+/// The pairs that meet in a step.
+fn meeting<'s>(scene: &Scene, step: &'s Step) -> impl Iterator<Item = &'s Touch> {
+    let fast = (FAST * scene.gravity.norm() * scene.step.dt).max(scene.contact.bounce_speed);
+    step.touches.iter().filter(move |touch| touch.approach > fast)
 }
 
-/// The largest change of the angular momentum or of the energy of spin of a body, as a part of it.
+/// The speed of the fastest approach in a step (m/s).
+fn approach(scene: &Scene, step: &Step) -> f64 {
+    meeting(scene, step).map(|touch| touch.approach).fold(0.0, f64::max)
+}
+
+/// The error of impacts that a step without parts takes at its beginning: of the velocity, because
+/// the normal turns until the bodies meet, and of the path, because bodies that bounce c/v⁻ too
+/// early or too late are off by c (v⁻ + v⁺)/v⁻.
+fn instant_error(scene: &Scene, step: &Step) -> f64 {
+    if has_parts(scene) {
+        return 0.0;
+    }
+    let bounced = meeting(scene, step).filter(|touch| touch.parting > 0.0);
+    let off = bounced.map(|touch| touch.largest_gap * (1.0 + touch.parting / touch.approach));
+    let speeds = step.unlocated.iter().map(|own| own.speed);
+    speeds.chain(off.map(|off| off / scene.step.dt)).fold(0.0, f64::max) / approach(scene, step)
+}
+
+/// Whether a scheme divides its steps by itself, wherever impacts are.
+fn has_parts(scene: &Scene) -> bool {
+    let scheme = scene.step.scheme;
+    !scheme.takes_impacts_early() && scheme != Scheme::Acceleration
+}
+
+/// How far the bodies that touch in a step are from these states at its end, as a part of the
+/// approach: in velocity, and in the path of a scheme with parts.
+fn changed(scene: &Scene, step: &Step, other: &[State]) -> f64 {
+    let bodies = step.touches.iter().flat_map(|touch| touch.bodies);
+    let difference = bodies.map(|k| {
+        let (a, b, size) = (&step.states[k], &other[k], half_size(&scene.bodies[k].mass));
+        let velocity = (a.v - b.v).norm() + size * (a.omega - b.omega).norm();
+        let path = if has_parts(scene) { distance(size, a, b) / scene.step.dt } else { 0.0 };
+        velocity.max(path)
+    });
+    difference.fold(0.0, f64::max) / approach(scene, step)
+}
+
+/// The angular momentum of a body about its center of mass (N m s).
+fn spin(scene: &Scene, body: usize, state: &State) -> Vector3<f64> {
+    scene.bodies[body].mass.angular_momentum(&State { v: Vector3::zeros(), ..*state })
+}
+
+/// The bodies that spin freely and not about a principal axis: without joints, torques and forces
+/// that depend on time.
+fn spinning(scene: &Scene, states: &[State]) -> Vec<usize> {
+    let size = |k: usize| {
+        let (mass, state) = (&scene.bodies[k].mass, &states[k]);
+        spin(scene, k, state).norm() + half_size(mass) * mass.momentum(state).norm()
+    };
+    let largest = (0..states.len()).map(size).fold(0.0, f64::max);
+    let is_free = |k: usize| {
+        let is_joined = scene.constraints.iter().any(|own| own.bodies().contains(&Some(k)));
+        let is_driven = scene.driven.iter().any(|driven| driven.body == k);
+        let torque = angular(&scene.bodies[k].wrench(&states[k].pose));
+        !is_joined && !is_driven && torque == Vector3::zeros()
+    };
+    let turns = |k: usize| {
+        let (omega, momentum) = (&states[k].omega, spin(scene, k, &states[k]));
+        momentum.norm() > SPINNING * largest
+            && omega.cross(&momentum).norm() > TURNING * omega.norm() * momentum.norm()
+    };
+    (0..states.len()).filter(|&k| is_free(k) && turns(k)).collect()
+}
+
+/// The largest change of the angular momentum or of the energy of a body that spins, as a part of
+/// it.
 fn spun(scene: &Scene, before: &[State], after: &[State]) -> f64 {
     let change = |k: usize| {
         let [old, new] = [before, after].map(|states| spin(scene, k, &states[k]));
         let mass = &scene.bodies[k].mass;
         let [had, has] = [before, after].map(|states| mass.spin_energy(&states[k]));
-        let turned = if old.norm() > 0.0 { (new - old).norm() / old.norm() } else { 0.0 };
-        let gained = if had > 0.0 { (has - had).abs() / had } else { 0.0 };
-        turned.max(gained)
+        ((new - old).norm() / old.norm()).max((has - had).abs() / had)
     };
-    (0..before.len()).map(change).fold(0.0, f64::max)
+    spinning(scene, before).into_iter().map(change).fold(0.0, f64::max)
 }
 
-/// How far the velocities of two ends of a step differ, as a part of the largest speed.
-fn speeds_apart(one: &[State], other: &[State]) -> f64 {
-    let largest = one.iter().chain(other).map(|state| state.v.norm()).fold(0.0, f64::max);
-    let difference = one.iter().zip(other).map(|(a, b)| (a.v - b.v).norm()).fold(0.0, f64::max);
-    if largest > 0.0 { difference / largest } else { 0.0 }
+/// Half the size of a body (m): the radius of a ball with its mass and largest moment of inertia.
+fn half_size(mass: &Mass) -> f64 {
+    match mass {
+        Mass::Rigid { mass, moments } => (2.5 * moments.max() / mass).sqrt(),
+        Mass::Fixed | Mass::Point { .. } => 0.0,
+    }
+}
+
+/// How far two poses of a body of this half size (m) are apart (m).
+fn distance(half_size: f64, one: &State, other: &State) -> f64 {
+    (one.pose.p - other.pose.p).norm() + half_size * one.pose.q.angle_to(&other.pose.q)
 }
 
 /// How far two ends of a run are apart (m).
-fn apart(one: &[State], other: &[State]) -> f64 {
-    let distance = |(a, b): (&State, &State)| (a.pose.p - b.pose.p).norm();
-    one.iter().zip(other).map(distance).fold(0.0, f64::max)
+fn apart(scene: &Scene, one: &[State], other: &[State]) -> f64 {
+    let bodies = scene.bodies.iter().zip(one.iter().zip(other));
+    let distances = bodies.map(|(body, (a, b))| distance(half_size(&body.mass), a, b));
+    distances.fold(0.0, f64::max)
 }

@@ -3,9 +3,10 @@
 mod laws;
 mod levels;
 
-pub use laws::{ASKEW, Energy, KEPT, Laws};
-pub use levels::{EXACT, Level, Levels, Phase};
+pub use laws::{Energy, FRICTION_ANGLE, LAW_TOLERANCE, Laws};
+pub use levels::{EXACT, LevelRefinement, Levels, Phase};
 
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
@@ -14,7 +15,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::aside::GRACE;
 use crate::tasks::Tasks;
-use laws::Watch;
+use laws::LawMonitor;
 use lcplab_judge::Demand;
 use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{Motion, Simulation, Solve, Step, carried};
@@ -37,12 +38,12 @@ pub struct Comparison {
     pub dt: f64,
     /// The largest scaled residual that passes.
     pub tolerance: f64,
-    /// The size of its thinnest body (m), by which errors are measured; 1 where none has one.
+    /// The size of its thinnest body (m), with which errors are compared; 1 where none has one.
     #[serde(default = "one")]
     pub thinnest: f64,
     /// One run a level and solver, levels first.
     pub runs: Vec<Run>,
-    /// The levels beside each other and beside half the step, where that was asked for.
+    /// The levels compared with each other and with a divided step, where that was asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub levels: Option<Levels>,
     /// Solvers that were named and did not take part.
@@ -91,11 +92,11 @@ pub struct Run {
     pub rows: usize,
     /// Why the run ended early, or the last status that was not solved.
     pub trouble: Option<String>,
-    /// The part of the weight that contacts, joints and springs carry over the run, if there is a
-    /// weight.
+    /// The average force with which contacts, joints and springs support the bodies, as a part of
+    /// their weight, if there is a weight.
     #[serde(default)]
     pub carried: Option<f64>,
-    /// Which laws it kept.
+    /// What it measured of the laws.
     #[serde(default)]
     pub laws: Laws,
     /// The motion at the start and after each step.
@@ -119,7 +120,7 @@ pub struct Sample {
     pub penetration: f64,
 }
 
-/// A run keeps gaps and joints closed if its errors stay below this part of the thinnest body.
+/// Gaps and joints are within tolerance if their errors are at most this part of the thinnest body.
 pub const HELD: f64 = 0.01;
 
 /// About so many samples of a motion are kept.
@@ -232,22 +233,27 @@ pub fn compare_families(
 }
 
 impl Comparison {
-    /// Puts the levels beside each other and beside half the step, each by the solver that had most
-    /// answers accepted; not where one of them ended early.
+    /// Compares the levels with each other and with a divided step, each with its [`best`] solver;
+    /// not where one of them ended early.
     pub fn add_levels(&mut self, scene: &Scene, methods: &[Method], stop: &Stop) {
-        let best = |runs: &[Run]| -> Option<(Scene, Method)> {
-            let whole = runs.iter().filter(|run| run.steps == self.steps);
-            let run =
-                whole.reduce(|best, run| if run.accepted > best.accepted { run } else { best })?;
+        let chosen = |runs: &[Run]| -> Option<(Scene, Method)> {
+            let run = best(runs).filter(|run| run.steps == self.steps)?;
             let scheme = Scheme::by_name(&run.scheme)?;
             let named = |method: &&Method| method.name() == run.solver;
             let method = methods.iter().find(named).copied().unwrap_or(Method::Boxed(NONE));
             Some((scene.at_level(scheme), method))
         };
         let schemes = self.runs.chunk_by(|a, b| a.scheme == b.scheme);
-        let chosen: Option<Vec<(Scene, Method)>> = schemes.map(best).collect();
+        let chosen: Option<Vec<(Scene, Method)>> = schemes.map(chosen).collect();
         self.levels = chosen.and_then(|chosen| levels::levels(&chosen, self.steps, stop));
     }
+}
+
+/// The run that took the most steps with the fewest rejected answers, the first of several; none
+/// where no solver supports the problems.
+pub fn best(runs: &[Run]) -> Option<&Run> {
+    let key = |run: &Run| (Reverse(run.steps), run.solves - run.accepted);
+    runs.iter().filter(|run| run.is_candidate()).min_by_key(|run| key(run))
 }
 
 /// The comparison of these runs.
@@ -322,7 +328,7 @@ fn step_through(mut simulation: Simulation, steps: usize, stop: &Stop, run: &mut
     let tolerance = simulation.scene().solver.tolerance;
     let first = simulation.motion();
     run.motion.push(Sample::from(&first));
-    let mut watch = Watch::new(simulation.scene(), first.clone());
+    let mut monitor = LawMonitor::new(simulation.scene(), first.clone());
     let mut seconds = 0.0;
     for _ in 0..steps {
         let start = Instant::now();
@@ -330,7 +336,7 @@ fn step_through(mut simulation: Simulation, steps: usize, stop: &Stop, run: &mut
         seconds += start.elapsed().as_secs_f64();
         match step {
             Ok(step) => {
-                watch.add(simulation.scene(), &step);
+                monitor.add(simulation.scene(), &step);
                 run.record(&step, tolerance);
             }
             Err(failure) => {
@@ -339,9 +345,8 @@ fn step_through(mut simulation: Simulation, steps: usize, stop: &Stop, run: &mut
             }
         }
     }
-    let last = simulation.motion();
-    run.carried = carried(simulation.scene(), &first, &last);
-    run.laws = watch.laws(simulation.scene(), &last);
+    run.carried = carried(simulation.scene(), &first, &simulation.motion());
+    run.laws = monitor.laws(simulation.scene());
     seconds
 }
 
@@ -377,13 +382,17 @@ impl Run {
         self.solves == 0 || self.outside < self.solves
     }
 
-    /// Whether it kept gaps and joints closed for so many steps: every answer was accepted, neither
-    /// drift nor overlap went beyond [`HELD`] of the size of the thinnest body (m), and no body
-    /// went through another one.
-    pub fn closes(&self, steps: usize, thinnest: f64) -> bool {
+    /// Why gaps and joints were not within tolerance for so many steps, if they were not: that is
+    /// [`HELD`] of the size of the thinnest body (m), with every answer accepted.
+    pub fn failing_criterion(&self, steps: usize, thinnest: f64) -> Option<&'static str> {
         let error = self.worst(|sample| sample.drift.max(sample.penetration));
-        let is_whole = self.steps == steps && self.accepted == self.solves;
-        is_whole && error <= HELD * thinnest && self.laws.passages == 0
+        match self {
+            _ if self.steps < steps => Some("ended early"),
+            _ if self.accepted < self.solves => Some("answers rejected"),
+            _ if self.laws.passages > 0 => Some("a body passed through another one"),
+            _ if error > HELD * thinnest => Some("drift or penetration too large"),
+            _ => None,
+        }
     }
 
     /// The change of the energy from the start to the end (J).

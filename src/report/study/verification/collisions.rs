@@ -19,9 +19,8 @@ fn of_scheme(scheme: Scheme) -> (f64, &'static str) {
     }
 }
 
-/// A ball thrown onto the ground slides throughout its impact: friction is μ (1 + e) v_n, and
-/// rotates it.
-pub(super) fn blow(size: Size) -> Result<Vec<Row>> {
+/// A ball thrown on the ground slides through its impact: friction is μ (1 + e) v_n, and turns it.
+pub(super) fn friction_in_impact(size: Size) -> Result<Vec<Row>> {
     let [mu, e, down, along, radius] = [0.1, 0.5, 2.0, 3.0, 0.1];
     let text = "gravity = [0, 0, 0]\ncontact.friction = 0.1\ncontact.restitution = 0.5\n[[bodies]]\n\
         name = \"ground\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n[[bodies]]\nname = \"ball\"\n\
@@ -60,12 +59,12 @@ pub(super) fn blow(size: Size) -> Result<Vec<Row>> {
 /// A point that slides at 30° to the axes: each model follows its own law. Coulomb's force opposes
 /// the slip, the box opposes both of its components separately, a polygon uses the corner that
 /// opposes the slip most.
-pub(super) fn askew(size: Size) -> Result<Vec<Row>> {
+pub(super) fn oblique_slip(size: Size) -> Result<Vec<Row>> {
     let (mu, speed, time) = (0.3, 2.0, 0.1);
     let angle = 30f64.to_radians();
     let text = "contact.friction = 0.3\n[[bodies]]\nname = \"ground\"\nfixed = true\n\
         shape = { plane = [0, 0, 1] }\n[[bodies]]\nname = \"point\"\nshape = \"point\"\nmass = 1\n";
-    let mut scene = Scene::from_toml("misaligned-slip", text)?;
+    let mut scene = Scene::from_toml("oblique-slip", text)?;
     let (sin_of_slip, cos_of_slip) = libm::sincos(angle);
     scene.states[1].v = nalgebra::Vector3::new(speed * cos_of_slip, speed * sin_of_slip, 0.0);
     let pull = mu * G * time;
@@ -95,7 +94,7 @@ pub(super) fn askew(size: Size) -> Result<Vec<Row>> {
             Sliding::Box => model.to_string(),
             Sliding::Substituted => "substituted".into(),
         };
-        let case = Case::of("misaligned-slip", scene, size);
+        let case = Case::of("oblique-slip", scene, size);
         let known = ["x", "y"].into_iter().zip(expected).map(|(axis, expected)| {
             let what = format!("speed along {axis} after 0.1 s, {name}");
             Known::exact(SUMMED, what, formula, "m/s", expected)
@@ -164,13 +163,13 @@ pub(super) fn flat(size: Size) -> Result<Vec<Row>> {
 /// separate at a right angle. The acceleration level divides the step at the impact; the velocity
 /// level bounces at the beginning of the step, in the direction at that time, and reports it.
 pub(super) fn gap(size: Size) -> Result<Vec<Row>> {
-    let (speed, askew, reach) = (3.0_f64, 0.6_f64, 1.0_f64);
+    let (speed, offset, reach) = (3.0_f64, 0.6_f64, 1.0_f64);
     let text = "gravity = [0, 0, 0]\ncontact.restitution = 1\n[[bodies]]\nname = \"a\"\nmass = 1\n\
         shape = { sphere = 0.5 }\nvelocity = [3, 0, 0]\n[[bodies]]\nname = \"b\"\nmass = 1\n\
         shape = { sphere = 0.5 }\nposition = [2.3, 0.6, 0]\n";
     let case = Case::of("gap-below-a-step", Scene::from_toml("billiards", text)?, size);
-    // At the impact the line between their centers has the sine 0.6 to the path of the first.
-    let sin = askew / reach;
+    // Where they meet the line between their centres has the sine 0.6 to the way of the first.
+    let sin = offset / reach;
     let along = speed * (1.0 - sin * sin).sqrt();
     let expected = [along * (1.0 - sin * sin).sqrt(), along * sin];
     let formula = ["v (1 - s^2, s sqrt(1 - s^2))", "v\\,(1 - s^2,\\ s\\sqrt{1 - s^2})"];

@@ -39,12 +39,12 @@ pub(super) fn landing(size: Size) -> Result<Vec<Row>> {
             one.rows(level, known, |scene| Some(vec![normals(&first(scene)?)[0] - weight(scene)])),
         );
         let names = ["ground on bottom", "bottom on middle", "middle on top"];
-        let blows = names.iter().zip([1.0, 1.0, 0.0]).map(|(name, blow)| {
+        let impulses = names.iter().zip([1.0, 1.0, 0.0]).map(|(name, impulse)| {
             let formula = ["(1, 1, 0) m v", "(1, 1, 0)_k\\,m\\,v"];
-            Known::exact(SOLVED, format!("impulse, {name}"), formula, "N s", blow)
+            Known::exact(SOLVED, format!("impulse, {name}"), formula, "N s", impulse)
         });
         let three = Case::load("landing", "fig7", size)?;
-        rows.extend(three.rows(level, blows.collect(), |scene| {
+        rows.extend(three.rows(level, impulses.collect(), |scene| {
             let x = normals(&first(scene)?);
             Some((0..3).map(|k| x[k] - (3 - k) as f64 * weight(scene)).collect())
         }));

@@ -2,22 +2,24 @@
 
 use crate::number::readable;
 use crate::report::study::comparison::{
-    ASKEW, Comparison, EXACT, Energy, HELD, KEPT, Laws, Level, Levels, Phase, Run, Sample,
+    Comparison, EXACT, Energy, FRICTION_ANGLE, HELD, LAW_TOLERANCE, Laws, LevelRefinement, Levels,
+    Phase, Run, Sample, best,
 };
+use crate::scene::Scheme;
 
 /// Significant digits.
 const DIGITS: usize = 2;
 
-/// What was measured of each level, and where it is exact.
+/// What was measured of each level.
 pub fn answer(comparison: &Comparison) -> String {
     let Comparison { runs, steps, thinnest, levels, .. } = comparison;
     if runs.is_empty() {
         return "None of the named solvers supports this scene.".into();
     }
     let lead = format!(
-        "Measured over {steps} steps. For each solver: whether every answer is accepted, and whether gaps \
-         and joints stay closed to within {} m. For the solver with the most accepted answers: energy, \
-         momentum, restitution and friction.",
+        "Measured over {steps} steps. For each solver: whether the judge accepts every answer, and \
+         whether drift and penetration stay within {} m. For the solver with the most steps and the \
+         fewest rejected answers: energy, momentum, restitution and friction.",
         readable(HELD * thinnest, DIGITS)
     );
     let of_scheme = runs.chunk_by(|a, b| a.scheme == b.scheme);
@@ -29,95 +31,109 @@ pub fn answer(comparison: &Comparison) -> String {
 /// The runs of one scheme.
 fn of_scheme_in_words(runs: &[Run], steps: usize, thinnest: f64) -> String {
     let scheme = &runs[0].scheme;
-    let candidates: Vec<&Run> = runs.iter().filter(|run| run.is_candidate()).collect();
-    let most = candidates
-        .iter()
-        .copied()
-        .reduce(|best, run| if run.accepted > best.accepted { run } else { best });
-    let Some(best) = most else { return format!("{scheme}: no solver supports its problems.") };
-    let says: Vec<String> =
-        [closure(&candidates, steps, thinnest)].into_iter().chain(laws(best)).collect();
-    let cause = best.laws.impact.as_ref().filter(|_| !keeps_energy(best));
+    let Some(best) = best(runs) else {
+        return format!("{scheme}: no solver supports its problems.");
+    };
+    let mut says = vec![closure(runs, steps, thinnest)];
+    match best.steps {
+        0 => {}
+        taken if taken < steps => says.push(format!("in {taken} steps: {}", laws(best).join("; "))),
+        _ => says.extend(laws(best)),
+    }
+    let cause = best.laws.impact.as_ref().filter(|_| !best.laws.keeps_energy());
     let cause = cause.map_or(String::new(), |impact| format!(" First, {impact}"));
     format!("{scheme}: {}.{cause}", says.join("; "))
 }
 
-/// How many solvers keep gaps and joints closed.
-fn closure(runs: &[&Run], steps: usize, thinnest: f64) -> String {
-    let closes: Vec<&Run> =
-        runs.iter().copied().filter(|run| run.closes(steps, thinnest)).collect();
-    let passages = runs.iter().map(|run| run.laws.passages).max().unwrap_or(0);
-    let by = match (closes.len(), runs.len()) {
-        (1, 1) => "closed".to_string(),
-        (0, 1) => "not closed".to_string(),
-        (closed, all) => format!("closed by {closed} of {all} solvers"),
-    };
-    let worst = |measure: fn(&Sample) -> f64| {
-        closes.iter().map(|run| run.worst(measure)).fold(0.0, f64::max)
-    };
-    let error = worst(|sample| sample.drift.max(sample.penetration));
-    let carried = closes.iter().filter_map(|run| run.carried).reduce(f64::min);
-    let carried = carried.map_or(String::new(), |part| {
-        format!(", {} % of the weight supported", readable(100.0 * part, 3))
-    });
-    let errors = match closes.len() {
-        0 => String::new(),
-        _ => format!(" (errors up to {} m{carried})", readable(error, DIGITS)),
-    };
-    let passed = match passages {
-        0 => String::new(),
-        1 => ", a body passed through another one".into(),
-        count => format!(", bodies passed through each other {count} times"),
-    };
-    format!("{by}{errors}{passed}")
-}
-
-fn keeps_energy(run: &Run) -> bool {
-    run.laws.keeps_energy(run.energy_at_end())
+/// How many solvers keep gaps and joints within tolerance, and why the others do not.
+fn closure(runs: &[Run], steps: usize, thinnest: f64) -> String {
+    let runs: Vec<&Run> = runs.iter().filter(|run| run.is_candidate()).collect();
+    let mut criteria: Vec<(&str, usize)> = Vec::new();
+    let (mut closed, mut error) = (0, 0.0_f64);
+    for run in &runs {
+        match run.failing_criterion(steps, thinnest) {
+            None => {
+                closed += 1;
+                error =
+                    error.max(run.worst(|sample: &Sample| sample.drift.max(sample.penetration)));
+            }
+            Some(criterion) => match criteria.iter_mut().find(|own| own.0 == criterion) {
+                Some(known) => known.1 += 1,
+                None => criteria.push((criterion, 1)),
+            },
+        }
+    }
+    let mut notes = Vec::new();
+    if closed > 0 {
+        notes.push(format!("errors up to {} m", readable(error, DIGITS)));
+    }
+    notes.extend(criteria.iter().map(|(criterion, count)| format!("{criterion}: {count}")));
+    let all = runs.len();
+    let solvers = if all == 1 { "solver" } else { "solvers" };
+    let notes = notes.join(", ");
+    format!("gaps and joints within tolerance for {closed} of {all} {solvers} ({notes})")
 }
 
 /// What one run kept of the laws.
 fn laws(run: &Run) -> Vec<String> {
-    let Laws { momentum, angular_momentum, restitution, askew, beyond, .. } = &run.laws;
-    let kept = |what: &str, missing: f64, allowed: f64, of: &str| match missing <= allowed {
+    let Laws { momentum, angular_momentum, restitution, friction_angle, cone_excess, .. } =
+        &run.laws;
+    let kept = |what: &str, error: f64, allowed: f64, of: &str| match error <= allowed {
         true => format!("{what} kept"),
-        false => format!("{what} off by {} %{of}", readable(100.0 * missing, DIGITS)),
+        false => format!("{what} off by up to {} %{of}", readable(100.0 * error, DIGITS)),
     };
-    let mut says = vec![energy(run)];
-    says.extend(momentum.map(|missing| kept("momentum", missing, EXACT, "")));
-    says.extend(angular_momentum.map(|missing| kept("angular momentum", missing, EXACT, "")));
-    says.extend(restitution.map(|missing| kept("restitution", missing, KEPT, " of the approach")));
-    says.extend(askew.map(|angle| match angle > ASKEW {
-        true => format!("friction up to {angle:.0}° away from the slip"),
-        false => "friction along the slip".into(),
+    let support = run.carried.map(|part| {
+        format!(
+            "average support force {} % of the weight",
+            readable((1e4 * part).round() / 100.0, 4)
+        )
+    });
+    let mut says: Vec<String> = support.into_iter().chain([energy(run)]).collect();
+    says.extend(momentum.map(|error| kept("momentum", error, EXACT, "")));
+    says.extend(angular_momentum.map(|error| kept("angular momentum", error, EXACT, "")));
+    says.extend(
+        restitution.map(|error| kept("restitution", error, LAW_TOLERANCE, " of the approach")),
+    );
+    says.extend(friction_angle.map(|angle| match angle > FRICTION_ANGLE {
+        true => format!("friction up to {angle:.0}° from the direction opposite to sliding"),
+        false => "friction opposite to sliding".into(),
     }));
-    if *beyond > KEPT {
-        says.push(format!("friction up to {:.0} % outside the cone", 100.0 * beyond));
+    if *cone_excess > LAW_TOLERANCE {
+        says.push(format!("friction up to {:.0} % outside the cone", 100.0 * cone_excess));
     }
     says
 }
 
-/// The change of energy, whether it may be, and which account has most of it if not.
+/// The change of energy, whether it is allowed, and the account that explains it if not.
 fn energy(run: &Run) -> String {
-    let [end, most] =
-        [run.energy_at_end(), run.energy_change()].map(|change| joules(change, run.laws.kinetic));
-    let change = format!("energy change {end} J at the end, at most {most} J");
-    let due = match (run.laws.energy, keeps_energy(run)) {
-        (Energy::Stays, true) => return format!("{change}, conserved"),
-        (_, true) => return change,
-        (Energy::Stays, false) => "although the scene conserves energy",
-        (_, false) => "although nothing adds energy",
-    };
-    match &run.laws.account {
-        Some((account, part)) => {
-            let part = joules(*part, run.laws.kinetic);
-            format!("{change}, {due}; the largest part is due to {account} ({part} J)")
+    let own = &run.laws;
+    let joules = |change: f64| joules(change, own.kinetic);
+    let [end, most] = [run.energy_at_end(), run.energy_change()].map(joules);
+    let change = format!("energy change {end} J at the end, {most} J at most");
+    let at_end = if run.scheme == Scheme::Penalty.name() { " at the end" } else { "" };
+    let error = readable(own.energy_error.abs(), DIGITS);
+    let fault = match (own.energy, own.keeps_energy()) {
+        (Energy::Changes, _) => {
+            return format!("{change}, not judged because a motor, force or moving support acts");
         }
-        None => format!("{change}, {due}; the scheme {} records no energy ledger", run.scheme),
-    }
+        (Energy::Stays, true) => return format!("{change}, kept{at_end}"),
+        (Energy::Falls, true) => return format!("{change}, none added{at_end}"),
+        _ if own.energy_error > 0.0 => {
+            format!("{error} J added{at_end}, although nothing drives the bodies")
+        }
+        _ => format!("{error} J lost{at_end}, although nothing dissipates energy"),
+    };
+    let cause = match &own.account {
+        Some((account, part)) => {
+            format!("the largest contribution is the account {account}: {} J", joules(*part))
+        }
+        None if own.has_ledger => "no single account explains it".into(),
+        None => format!("{} has no energy ledger", run.scheme),
+    };
+    format!("{change}, {fault}; {cause}")
 }
 
-/// A change of energy, 0 where it is rounding beside the kinetic energy.
+/// A change of energy, 0 where it is rounding compared with the kinetic energy.
 fn joules(change: f64, kinetic: f64) -> String {
     match change.abs() <= 1e-12 * kinetic {
         true => "0".into(),
@@ -126,7 +142,7 @@ fn joules(change: f64, kinetic: f64) -> String {
     }
 }
 
-/// The levels beside each other, and where each is exact.
+/// The levels compared with each other and with a divided step.
 fn levels_in_words(levels: &Levels, thinnest: f64) -> String {
     let length = |value: f64| match value <= 1e-12 * thinnest {
         true => "0 m".to_string(),
@@ -140,28 +156,37 @@ fn levels_in_words(levels: &Levels, thinnest: f64) -> String {
             first.scheme, last.scheme
         ));
     }
-    let own = |level: &Level| format!("{} at {}", length(level.halved), level.scheme);
+    let own = |level: &LevelRefinement| format!("{} at {}", length(level.halved), level.scheme);
     let own = levels.levels.iter().map(own).collect::<Vec<_>>();
     says.push(format!("Half the step changes the final positions by {}.", own.join(", by ")));
     says.extend(Phase::ALL.into_iter().filter_map(|phase| phase_in_words(levels, phase)));
     says.join(" ")
 }
 
-/// Who is exact where bodies do this; nothing where they never do.
+/// How large the error of each level is where bodies do this; nothing where they never do.
 fn phase_in_words(levels: &Levels, phase: Phase) -> Option<String> {
-    let errors = levels.levels.iter().filter_map(|level| {
-        level.errors[phase as usize].map(|error| (level.scheme.as_str(), error))
-    });
-    let errors: Vec<(&str, f64)> = errors.collect();
-    if errors.is_empty() {
-        return None;
-    }
-    let own = |(scheme, error): &(&str, f64)| match *error <= EXACT {
-        true => format!("{scheme} is exact"),
-        false => format!("{scheme} is off by {} %", readable(100.0 * error, DIGITS)),
+    let (place, passes, fails) = match phase {
+        Phase::Meet => (
+            "meet",
+            "does not change when the step is divided (to 1e-6)",
+            "of the approach in a step",
+        ),
+        Phase::Spin => (
+            "spin freely",
+            "keeps angular momentum and energy (to 1e-6)",
+            "of the angular momentum or energy in a step",
+        ),
+        Phase::Rest => {
+            ("rest", "keeps them in contact (to 1e-6)", "of the thinnest body, by gaps or overlaps")
+        }
     };
-    let is_off = errors.iter().any(|(_, error)| *error > EXACT);
-    let of = if is_off { format!(" {}", phase.of()) } else { String::new() };
-    let own = errors.iter().map(own).collect::<Vec<_>>();
-    Some(format!("When bodies {}, {}{of}.", phase.verb(), own.join(", ")))
+    let own = |level: &LevelRefinement| {
+        let (scheme, error) = (&level.scheme, level.errors[phase as usize]?);
+        Some(match error <= EXACT {
+            true => format!("{scheme} {passes}"),
+            false => format!("{scheme} is off by {} % {fails}", readable(100.0 * error, DIGITS)),
+        })
+    };
+    let own: Vec<String> = levels.levels.iter().filter_map(own).collect();
+    (!own.is_empty()).then(|| format!("Where bodies {place}, {}.", own.join(", ")))
 }

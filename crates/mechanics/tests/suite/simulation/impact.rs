@@ -101,7 +101,7 @@ fn every_scheme_that_bounces_gives_back_e_of_the_approach_wherever_in_a_step_it_
 /// A box that falls flat with a small rotation: its corners arrive at different speeds, and four of
 /// them can share the impact in many ways.
 #[test]
-fn what_bounces_does_not_depend_on_how_a_solver_shares_the_blow() {
+fn what_bounces_does_not_depend_on_how_a_solver_shares_the_impulse() {
     let text = "
         [step]
         dt = 0.01

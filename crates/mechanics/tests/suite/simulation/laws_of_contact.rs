@@ -1,7 +1,7 @@
 //! The reports of a step on friction and impacts, compared with closed forms.
 
 use lcplab_mechanics::scene::{Scene, Scheme};
-use lcplab_mechanics::simulation::{Blow, Blows, Simulation, Slips, Step};
+use lcplab_mechanics::simulation::{Impact, Impacts, Simulation, Slips, Step};
 use lcplab_problem::friction::Model;
 use nalgebra::Vector3;
 
@@ -45,7 +45,7 @@ fn run(scene: Scene, steps: usize, mut show: impl FnMut(&Scene, &Step)) -> Simul
 
 /// The largest angle between friction and the direction opposite to sliding; 0 if nothing slides.
 fn angle(slips: &Slips) -> f64 {
-    slips.askew.and_then(|slip| slip.angle).unwrap_or(0.0)
+    slips.friction_angle.and_then(|slip| slip.angle).unwrap_or(0.0)
 }
 
 fn slips(scene: &Scene, steps: usize) -> (Slips, Simulation) {
@@ -77,10 +77,10 @@ fn a_bar_that_slides_where_the_cone_holds_it_tells_the_error_of_its_speed() {
         // measured only by the cone, for up to 0.15 s at 1.3 m/s², in which the error grows by 1.9
         // m/s².
         assert_near(error, speed - due(34.0), 0.3);
-        let askew = slips.askew.unwrap();
-        assert_eq!(askew.bodies[0], 2);
+        let worst = slips.friction_angle.unwrap();
+        assert_eq!(worst.bodies[0], 2);
         // Both tangents at their limits, in nearly all contacts.
-        assert_near(askew.angle.unwrap().to_degrees(), 45.0, 0.5);
+        assert_near(worst.angle.unwrap().to_degrees(), 45.0, 0.5);
     }
 }
 
@@ -89,7 +89,7 @@ fn a_bar_that_rests_where_the_cone_holds_it_tells_nothing() {
     // Its four contacts per face share the load arbitrarily; their sum is within the cone.
     let scene = groove(34.0, Scheme::Velocity);
     let (slips, _) = slips(&scene, 50);
-    assert!(slips.beyond.is_none_or(|slip| slip.excess < 1e-6), "{slips:?}");
+    assert!(slips.cone_excess.is_none_or(|slip| slip.excess < 1e-6), "{slips:?}");
     assert!(angle(&slips) < 1e-6 && slips.speed_error(&scene).is_none(), "{slips:?}");
 }
 
@@ -111,7 +111,7 @@ fn cones_miss_nothing_of_coulombs_law() {
         scene.contact.model = Model::CoulombCone;
         let (slips, _) = slips(&scene, 50);
         assert!(angle(&slips) < 1e-3, "{degrees}: {slips:?}");
-        assert!(slips.beyond.is_none_or(|slip| slip.excess < 1e-3), "{degrees}: {slips:?}");
+        assert!(slips.cone_excess.is_none_or(|slip| slip.excess < 1e-3), "{degrees}: {slips:?}");
         assert!(slips.speed_error(&scene).is_none(), "{degrees}: {slips:?}");
     }
 }
@@ -159,24 +159,24 @@ fn falling(restitution: f64, scheme: Scheme) -> Scene {
     Scene::from_toml("falling.toml", &text).unwrap()
 }
 
-fn blows(scene: Scene, steps: usize) -> (Vec<Blow>, Simulation) {
-    let (mut blows, mut found) = (Blows::default(), Vec::new());
-    let running = run(scene, steps, |scene, step| found.extend(blows.add(scene, step)));
+fn impacts(scene: Scene, steps: usize) -> (Vec<Impact>, Simulation) {
+    let (mut impacts, mut found) = (Impacts::default(), Vec::new());
+    let running = run(scene, steps, |scene, step| found.extend(impacts.add(scene, step)));
     (found, running)
 }
 
 #[test]
-fn a_blow_shows_the_restitution_that_its_speeds_have() {
+fn an_impact_shows_the_restitution_that_its_speeds_have() {
     for scheme in Scheme::ALL {
-        let (found, running) = blows(falling(0.5, scheme), 30);
-        let [blow] = found[..] else { panic!("{scheme:?}: {found:?}") };
+        let (found, running) = impacts(falling(0.5, scheme), 30);
+        let [impact] = found[..] else { panic!("{scheme:?}: {found:?}") };
         let parting = running.states()[1].v.z;
-        assert_near(blow.approach, 2.0, 1e-9);
-        assert_near(blow.parting, parting, 1e-9);
-        assert_near(blow.error(), (parting - 1.0) / 2.0, 1e-9);
+        assert_near(impact.approach, 2.0, 1e-9);
+        assert_near(impact.parting, parting, 1e-9);
+        assert_near(impact.error(), (parting - 1.0) / 2.0, 1e-9);
         match scheme {
-            Scheme::Penalty => assert!(blow.error().abs() > 0.05, "{blow:?}"), // damping decides
-            _ => assert_near(blow.error(), 0.0, 1e-6),
+            Scheme::Penalty => assert!(impact.error().abs() > 0.05, "{impact:?}"), // damping decides
+            _ => assert_near(impact.error(), 0.0, 1e-6),
         }
     }
 }

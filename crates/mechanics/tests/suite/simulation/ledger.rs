@@ -215,8 +215,9 @@ fn an_impulse_that_is_not_written_down_is_missing_in_every_account() {
         let mut scene = ball(0.0, 3.0, 0.0, 0.0, scheme);
         scene.step.penalty.stiffness = 2e4;
         let (before, step) = last_step(&scene, 3);
-        let blow = |act: &Act| matches!(act, Act::Answer(_) | Act::Push(_));
-        let acts: Vec<Act> = step.acts.iter().flatten().filter(|act| !blow(act)).cloned().collect();
+        let impact = |act: &Act| matches!(act, Act::Answer(_) | Act::Push(_));
+        let acts: Vec<Act> =
+            step.acts.iter().flatten().filter(|act| !impact(act)).cloned().collect();
         let ledger = audited(&scene, &before, &step, &acts, &step.states);
         assert_near(ledger.remainder(), step.ledger.unwrap().change, 1e-12);
     }
@@ -233,7 +234,7 @@ fn an_impulse_that_is_not_written_down_is_missing_in_every_account() {
         }
         let kinetic = 0.5 * 2.0 * states[1].v.norm_squared();
         assert_near(missing, kinetic - 9.0, 1e-9);
-        assert!(missing < -0.1, "{scheme:?} has had its blow");
+        assert!(missing < -0.1, "{scheme:?} has had its impact");
     }
 }
 

@@ -1,9 +1,9 @@
-//! The coefficient of restitution that blows show, whatever the scheme.
+//! The coefficient of restitution that impacts show, whatever the scheme.
 //!
-//! A blow begins in a step in which two bodies that approach push each other, and ends with the
+//! An impact begins in a step in which two bodies that approach push each other, and ends with the
 //! last step in which they do: it may take several. Newton's law asks for v⁺ = −e v⁻. It is
 //! measured where two bodies touch at one point, touch no others and have no joints, for there
-//! nothing but the blow and gravity changes v.
+//! nothing but the impact and gravity changes v.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use super::slip::Totals;
 use crate::body::State;
 use crate::scene::Scene;
 
-/// An approach of so many times what gravity adds in a step is a blow.
+/// An approach of so many times what gravity adds in a step is an impact.
 const FAST: f64 = 4.0;
 /// Bodies whose approach is slower for so many steps have come to rest.
 const RESTING: usize = 10;
@@ -28,8 +28,8 @@ pub struct Touch {
     pub approach: f64,
     /// The speed of parting after the step there, J u⁺ (m/s).
     pub parting: f64,
-    /// How far from touching they were at the beginning of the step, the largest |c| (m).
-    pub off: f64,
+    /// The largest gap or overlap |c| of its places at the beginning of the step (m).
+    pub largest_gap: f64,
 }
 
 impl Touch {
@@ -43,10 +43,10 @@ impl Touch {
             }
             let bodies = contact.bodies;
             let (approach, parting) = (-row.velocity, row.velocity_with(after));
-            let new = Touch { bodies, points: 0, approach, parting, off: 0.0 };
+            let new = Touch { bodies, points: 0, approach, parting, largest_gap: 0.0 };
             let touch = pairs.entry(bodies).or_insert(new);
             touch.points += 1;
-            touch.off = touch.off.max(row.c.abs());
+            touch.largest_gap = touch.largest_gap.max(row.c.abs());
             if approach > touch.approach {
                 (touch.approach, touch.parting) = (approach, parting);
             }
@@ -55,9 +55,9 @@ impl Touch {
     }
 }
 
-/// A blow between two bodies.
+/// An impact between two bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Blow {
+pub struct Impact {
     /// Both bodies, in the order of the scene.
     pub bodies: [usize; 2],
     /// The number of the step in which it began, from 1.
@@ -72,37 +72,37 @@ pub struct Blow {
     pub slack: f64,
 }
 
-impl Blow {
+impl Impact {
     /// v⁺ + e v⁻ as a part of the approach, what gravity may have done left out: 0 where Newton's
     /// law holds, negative where the bounce is too weak.
     pub fn error(&self) -> f64 {
-        let beyond = self.parting - self.restitution * self.approach;
-        beyond.signum() * (beyond.abs() - self.slack).max(0.0) / self.approach
+        let error = self.parting - self.restitution * self.approach;
+        error.signum() * (error.abs() - self.slack).max(0.0) / self.approach
     }
 }
 
-/// The blows of a run, taken from one step after the other.
+/// The impacts of a run, taken from one step after the other.
 #[derive(Debug, Clone, Default)]
-pub struct Blows {
+pub struct Impacts {
     open: BTreeMap<[usize; 2], Open>,
 }
 
-/// A blow that has not ended.
+/// An impact that has not ended.
 #[derive(Debug, Clone, Copy)]
 struct Open {
-    blow: Blow,
+    impact: Impact,
     /// For how many steps nothing has moved.
     still: usize,
 }
 
-impl Blows {
+impl Impacts {
     /// Those that have not ended, as they are so far.
-    pub fn unfinished(&self) -> impl Iterator<Item = Blow> {
-        self.open.values().map(|open| open.blow)
+    pub fn unfinished(&self) -> impl Iterator<Item = Impact> {
+        self.open.values().map(|open| open.impact)
     }
 
-    /// Takes a step into account; returns the blows that have ended.
-    pub fn add(&mut self, scene: &Scene, step: &Step) -> Vec<Blow> {
+    /// Takes a step into account; returns the impacts that have ended.
+    pub fn add(&mut self, scene: &Scene, step: &Step) -> Vec<Impact> {
         let slack = scene.gravity.norm() * scene.step.dt;
         let before = std::mem::take(&mut self.open);
         let mut ended = Vec::new();
@@ -110,29 +110,29 @@ impl Blows {
             let mut open = match before.get(&touch.bodies) {
                 Some(open) => *open,
                 None if touch.approach > (FAST * slack).max(scene.contact.bounce_speed) => {
-                    Open { blow: begun(scene, touch, step.number), still: 0 }
+                    Open { impact: begun(scene, touch, step.number), still: 0 }
                 }
                 None => continue,
             };
-            open.blow.parting = touch.parting;
-            open.blow.slack += slack;
+            open.impact.parting = touch.parting;
+            open.impact.slack += slack;
             open.still = if touch.parting.abs() > FAST * slack { 0 } else { open.still + 1 };
             match open.still >= RESTING {
-                true => ended.push(open.blow),
+                true => ended.push(open.impact),
                 false => drop(self.open.insert(touch.bodies, open)),
             }
         }
         let touching = |bodies: &[usize; 2]| step.touches.iter().any(|own| own.bodies == *bodies);
-        ended.extend(before.into_iter().filter(|(pair, _)| !touching(pair)).map(|(_, o)| o.blow));
+        ended.extend(before.into_iter().filter(|(pair, _)| !touching(pair)).map(|(_, o)| o.impact));
         ended
     }
 }
 
-fn begun(scene: &Scene, touch: &Touch, step: usize) -> Blow {
+fn begun(scene: &Scene, touch: &Touch, step: usize) -> Impact {
     let Touch { bodies, approach, parting, .. } = *touch;
     let restitution = scene.restitution(bodies.map(Some));
     let slack = scene.gravity.norm() * scene.step.dt;
-    Blow { bodies, step, approach, parting, restitution, slack }
+    Impact { bodies, step, approach, parting, restitution, slack }
 }
 
 /// Whether two bodies touch at one point, and nothing else acts on those of them that move.
