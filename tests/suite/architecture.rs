@@ -42,7 +42,7 @@ const ROWS: [(&str, &[&[&str]]); 5] = [
             &["answer", "aside", "attempt", "card", "clarabel", "motion_error"],
             &["methods"],
             &["families", "friction", "profiles", "tasks"],
-            &["comparison", "hunt"],
+            &["comparison", "hunt", "regression"],
             &["explain", "diagnosis"],
         ],
     ),

@@ -151,7 +151,7 @@ impl Stepper {
         self.steps as f64 * self.scene.step.dt
     }
 
-    /// The contacts at the beginning of the last step, or of the next one if they are found already.
+    /// The contacts at the beginning of the last step, or of the next one if they are known.
     pub fn found(&self) -> &[Found] {
         self.detector.found()
     }
