@@ -62,7 +62,7 @@ fn contacts_that_cannot_be_are_listed() {
     let error = FrictionProblem::new(lcp, vec![Contact { rows: [0, 0, 2], mu: -1.0 }]).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "contacts: 3 defects\n  contact 0: mu must be ≥ 0, is -1\n  contact 0: row t1 = 0 is taken \
+        "contacts: 3 defects\n  contact 0: mu must be ≥ 0, is -1\n  contact 0: row t1 = 0 is used \
          twice\n  contact 0: row t2 = 2 does not exist, there are only 2 rows"
     );
     let lcp = contacts(&[&[1.0, 0.0, 0.0], &[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0]], &[0.0; 3]);
