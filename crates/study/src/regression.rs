@@ -193,7 +193,7 @@ impl Run {
 
     /// What is worse about an accepted answer than it was, in a sentence.
     fn worse(&self, now: &Record, before: &Record, factors: Factors) -> Option<String> {
-        if now.iterations as f64 > factors.iterations * before.iterations as f64 {
+        if now.iterations as f64 > factors.iterations * before.iterations.max(1) as f64 {
             let (now, before) = (now.iterations, before.iterations);
             return Some(format!("{now} iterations, recorded are {before}"));
         }

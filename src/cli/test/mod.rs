@@ -120,7 +120,7 @@ impl Test {
                 let object = json!({ "ok": !fails, "problems": findings, "missing": missing });
                 print(&format!("{object}\n"))?;
             }
-            false => print(&words(&findings))?,
+            false => print(&words(&findings, self.update))?,
         }
         Ok(if fails && !self.update { Outcome::Refuted } else { Outcome::Good })
     }
@@ -182,14 +182,19 @@ fn text_of(run: &Run) -> Result<String> {
         .map_err(|cause| Error::invalid("baseline", "record", cause.to_string()))
 }
 
-/// The counts of each solver, and a line for each problem that did not simply pass.
-fn words(findings: &[Finding]) -> String {
+/// The counts of each solver, and a line for each problem that did not simply pass. A run that is
+/// recorded is compared with nothing: what is not accepted is known from now on.
+fn words(findings: &[Finding], is_recorded: bool) -> String {
     let mut text = String::new();
     for own in findings.chunk_by(|a, b| a.solver == b.solver) {
         let count = |word: &str| own.iter().filter(|finding| word_of(finding) == word).count();
         let counts = ["passed", "fixed", "known", "failed"].map(|word| (count(word), word));
         let counts = counts.iter().filter(|(count, _)| *count > 0);
         let counts: Vec<String> = counts.map(|(count, word)| format!("{count} {word}")).collect();
+        let counts = match is_recorded {
+            true => vec![format!("{} accepted; recorded", count("passed"))],
+            false => counts,
+        };
         let problems = if own.len() == 1 { "problem" } else { "problems" };
         text += &format!("{}: {} {problems}, {}\n", own[0].solver, own.len(), counts.join(", "));
         for finding in own {
@@ -198,7 +203,8 @@ fn words(findings: &[Finding]) -> String {
                 Verdict::Fixed => "is accepted now: record the baseline again with --update",
                 Verdict::Known(why) | Verdict::Failed(why) => why,
             };
-            text += &format!("  {:<6}  {}: {why}\n", word_of(finding), finding.problem);
+            let word = if is_recorded { "known" } else { word_of(finding) };
+            text += &format!("  {word:<6}  {}: {why}\n", finding.problem);
         }
     }
     text

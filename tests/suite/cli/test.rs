@@ -139,6 +139,17 @@ fn junit_and_sarif_carry_the_failures() {
 }
 
 #[test]
+fn a_recorded_run_says_what_was_accepted() {
+    let folder = folder();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    let record = ["test", &path("dumps"), "--solver", "pgs", "--sweeps", "0", "--update"];
+    let output = run(&[&record[..], &["--baseline", &path("base.json")]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let text = out(&output);
+    assert!(text.starts_with("pgs: 2 problems, 0 accepted; recorded\n  known   "), "{text}");
+}
+
+#[test]
 fn a_baseline_that_cannot_be_used_is_refused() {
     let folder = folder();
     assert_eq!(tested(folder.path(), "", &[]).1, Some(2), "there is no such file");
