@@ -10,13 +10,13 @@ use crate::scene::Scheme;
 /// Significant digits.
 const DIGITS: usize = 2;
 
-/// What was measured of each level.
+/// What was measured of each level, of both levels together, and how: a paragraph each.
 pub fn answer(comparison: &Comparison) -> String {
     let Comparison { runs, steps, thinnest, levels, .. } = comparison;
     if runs.is_empty() {
         return "None of the named solvers supports this scene.".into();
     }
-    let lead = format!(
+    let method = format!(
         "Measured over {steps} steps. For each solver: whether the judge accepts every answer, and \
          whether drift and penetration stay within {} m. For the solver with the most steps and the \
          fewest rejected answers: energy, momentum, restitution and friction.",
@@ -25,7 +25,7 @@ pub fn answer(comparison: &Comparison) -> String {
     let of_scheme = runs.chunk_by(|a, b| a.scheme == b.scheme);
     let schemes = of_scheme.map(|runs| of_scheme_in_words(runs, *steps, *thinnest));
     let levels = levels.iter().map(|levels| levels_in_words(levels, *thinnest));
-    std::iter::once(lead).chain(schemes).chain(levels).collect::<Vec<_>>().join(" ")
+    schemes.chain(levels).chain([method]).collect::<Vec<_>>().join("\n\n")
 }
 
 /// The runs of one scheme.

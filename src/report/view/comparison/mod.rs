@@ -257,7 +257,7 @@ pub fn document(comparison: &Comparison, film: Film) -> Document {
     let page = Page {
         title: comparison.title.clone(),
         lead: format!(
-            "{} {}",
+            "{}\n\n{}",
             markup::literal(&answer(comparison)),
             markup::literal(comparison.teaches.trim())
         ),
