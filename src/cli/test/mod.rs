@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::file;
+use lcplab::lcp::Question;
 use lcplab::lcp::file::Problem;
 use lcplab::report::study::families::{self, Contender, Models};
 use lcplab::report::study::problems;
@@ -144,6 +145,9 @@ impl Test {
         for name in &self.problems {
             for (name, problems) in problems::named(name, SEEDS, self.solve.memory())? {
                 problems.iter().for_each(warn);
+                for (problem, model) in problems.iter().filter_map(|p| Some((p, p.model?))) {
+                    Question::new(problem, Some(model), &name)?;
+                }
                 let is_one = problems.len() == 1;
                 for (seed, problem) in (1..).zip(problems) {
                     let name = if is_one { name.clone() } else { format!("{name}, seed {seed}") };

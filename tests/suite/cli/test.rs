@@ -157,6 +157,14 @@ fn a_baseline_that_cannot_be_used_is_refused() {
     assert_eq!(tested(folder.path(), "", &["--tolerance", "1e-6"]).1, Some(2));
     std::fs::write(folder.path().join("base.json"), r#"{"x": [1]}"#).unwrap();
     assert_eq!(tested(folder.path(), "", &[]).1, Some(2));
+    // A frozen box without its key frozen_at: there is no problem to test.
+    let frozen = r#"{"A": {"dense": [[1, 0], [0, 1]]}, "b": [-2, -3], "friction_index": [-1, 0],
+        "mu": [0, 0.5], "model": "frozen-box"}"#;
+    std::fs::write(folder.path().join("dumps/frozen.json"), frozen).unwrap();
+    let dumps = folder.path().join("dumps");
+    let output = run(&["test", dumps.to_str().unwrap(), "--solver", "dantzig"]);
+    assert_eq!(output.status.code(), Some(2), "{}", out(&output));
+    assert!(err(&output).contains("frozen.json"), "{}", err(&output));
     let output = run(&["test", "pd"]);
     let reason = "error: options: --plugin: name the solver to test with --plugin COMMAND or --solver NAME\n";
     assert_eq!((err(&output).as_str(), output.status.code()), (reason, Some(2)));
