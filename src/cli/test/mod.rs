@@ -9,6 +9,7 @@ use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::lcp::Question;
 use lcplab::lcp::file::Problem;
+use lcplab::lcp::friction::Model;
 use lcplab::report::study::families::{self, Contender, Models};
 use lcplab::report::study::problems;
 use lcplab::report::study::regression::{Factors, Finding, Run, Verdict};
@@ -145,9 +146,7 @@ impl Test {
         for name in &self.problems {
             for (name, problems) in problems::named(name, SEEDS, self.solve.memory())? {
                 problems.iter().for_each(warn);
-                for (problem, model) in problems.iter().filter_map(|p| Some((p, p.model?))) {
-                    Question::new(problem, Some(model), &name)?;
-                }
+                problems.iter().try_for_each(|problem| check_model(problem, &name))?;
                 let is_one = problems.len() == 1;
                 for (seed, problem) in (1..).zip(problems) {
                     let name = if is_one { name.clone() } else { format!("{name}, seed {seed}") };
@@ -176,6 +175,15 @@ impl Test {
         progress.finish_and_clear();
         let is_whole = stop.reason().is_none();
         Ok(is_whole.then(|| Run::of(&rows, self.solve.demand().tolerance)))
+    }
+}
+
+/// Whether the problem can be stated under the model that its file names. Every problem with
+/// friction is a coupled box, also where its tangents are no pairs.
+fn check_model(problem: &Problem, name: &str) -> Result<()> {
+    match problem.model {
+        None | Some(Model::CoupledBox) => Ok(()),
+        model => Question::new(problem, model, name).map(|_| ()),
     }
 }
 

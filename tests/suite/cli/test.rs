@@ -161,6 +161,11 @@ fn a_baseline_that_cannot_be_used_is_refused() {
     let frozen = r#"{"A": {"dense": [[1, 0], [0, 1]]}, "b": [-2, -3], "friction_index": [-1, 0],
         "mu": [0, 0.5], "model": "frozen-box"}"#;
     std::fs::write(folder.path().join("dumps/frozen.json"), frozen).unwrap();
+    // One tangent is a coupled box, whether the file says so or not.
+    let box_ = folder.path().join("box.json");
+    std::fs::write(&box_, frozen.replace("frozen-box", "coupled-box")).unwrap();
+    let output = run(&["test", box_.to_str().unwrap(), "--solver", "dantzig"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
     let dumps = folder.path().join("dumps");
     let output = run(&["test", dumps.to_str().unwrap(), "--solver", "dantzig"]);
     assert_eq!(output.status.code(), Some(2), "{}", out(&output));
