@@ -51,7 +51,7 @@ pub struct Row {
     pub false_claims: usize,
     /// Sweeps or pivots in all.
     pub iterations: usize,
-    /// Multiplications in all, by each method's formula; none where nobody knows.
+    /// The total number of multiplications, by each method's formula; none if it is not known.
     #[serde(with = "crate::number::perhaps")]
     pub multiplications: Option<f64>,
     /// The worst scaled residual among the answers claimed; none without a claim.
@@ -80,7 +80,7 @@ pub const KNOWN_FAILURES: &[(&str, &str, &str)] = &[
     ("pgs", "cps-2", "the diagonal is 0: a sweep divides by it"),
 ];
 
-/// Why nobody solves a problem that has no solution.
+/// The reason why no solver solves a problem without a solution.
 const NO_SOLUTION: &str = "no solution exists";
 
 impl Row {
@@ -106,13 +106,13 @@ impl Row {
 pub struct Contender {
     /// Its methods, which share a name.
     pub methods: Vec<Method>,
-    /// Whether someone asked for it: then it has a row, with the reason, also where it is not made
-    /// for the problem.
+    /// Whether the user named it: then it has a row with the reason even if it does not support the
+    /// problem.
     pub is_named: bool,
 }
 
 impl Contender {
-    /// The solver that someone asked for by this name.
+    /// The solver that the user named.
     ///
     /// # Errors
     /// If there is none.
@@ -154,7 +154,7 @@ pub fn useless(rows: &[Row], contenders: &[Contender]) -> Vec<String> {
     contenders.iter().filter(|contender| contender.is_named).filter_map(sentence).collect()
 }
 
-/// What someone demands of a solver in a comparison.
+/// A requirement on a solver in a comparison.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Requirement {
     /// The solver.
@@ -213,7 +213,7 @@ fn counted(problems: usize) -> String {
 struct Posing<'a> {
     family: &'a str,
     model: Option<Model>,
-    /// Whether someone asked for the model, or the problem states it.
+    /// Whether the user named the model, or the problem states it.
     is_stated: bool,
     problems: Vec<(&'a Problem, Posed)>,
 }
@@ -238,11 +238,10 @@ pub fn run(
 /// Under which models the problems with friction are solved.
 #[derive(Debug, Clone, Copy)]
 pub enum Models<'a> {
-    /// Under each of these, which nobody asked for: a solver takes part under those that it is made
-    /// for.
+    /// Under each of these by default: a solver takes part under those that it supports.
     Usual(&'a [Model]),
-    /// Under each of these, which were asked for; under the one that the first of the problems
-    /// states if there are none.
+    /// Under each of these, which the user named; if there are none, under the model that the first
+    /// of the problems states.
     Stated(&'a [Model]),
 }
 
@@ -312,9 +311,9 @@ impl Participation<'_> {
     }
 }
 
-/// The rows of a solver under one posing: one for each method that takes it, or else, where it was
-/// named, the reason why none does. Under models that nobody asked for the reason is due only if
-/// the solver takes none of them, and then once.
+/// The rows of a solver under one posing: one for each method that supports it. If none does, a
+/// solver that the user named has a row with the reason; under default models only once, and only
+/// if it supports none of them.
 fn participations<'a>(
     posing: &'a Posing<'a>,
     contender: &Contender,

@@ -40,7 +40,7 @@ impl<T: Send + 'static> Tasks<T> {
             let one = |task: T| {
                 asked.reason().is_none().then_some(())?;
                 let end = work(&task);
-                sender.send((task, end)).ok() // None where nobody wants more
+                sender.send((task, end)).ok() // None if the receiver is gone
             };
             let _ = pool.install(|| together.into_par_iter().try_for_each(one));
             let _ = pool.install(|| alone.into_iter().try_for_each(one));

@@ -27,7 +27,7 @@ use lcplab_problem::number::readable;
 
 /// Energies below this part of the kinetic energy and of the work of all impulses are rounding.
 const ROUNDING: f64 = 1e-11;
-/// A solver's answer may be off by so many times its tolerance.
+/// The factor on the solver's tolerance up to which its answer may be off.
 const INEXACT: f64 = 10.0;
 /// Energy from overlaps that are pushed apart counts from this part of the weights' work over the
 /// thinner body on, and from this part of the kinetic energy of both bodies.

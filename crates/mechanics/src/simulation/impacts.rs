@@ -12,9 +12,9 @@ use super::slip::Totals;
 use crate::body::State;
 use crate::scene::Scene;
 
-/// An approach of so many times what gravity adds in a step is an impact.
+/// An approach faster than this many times the speed that gravity adds in a step is an impact.
 const FAST: f64 = 4.0;
-/// Bodies whose approach is slower for so many steps have come to rest.
+/// The number of steps of slower approach after which bodies have come to rest.
 const RESTING: usize = 10;
 
 /// Two bodies that push each other in a step.

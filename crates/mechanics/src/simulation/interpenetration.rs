@@ -13,7 +13,7 @@ use lcplab_problem::number::readable;
 pub const DEEP: f64 = 0.25;
 /// An overlap of more than this part of the thinner body, and more than the slop, counts.
 pub const NOTABLE: f64 = 1e-2;
-/// An overlap that does not shrink for so many steps lasts.
+/// The number of steps without shrinking after which an overlap is lasting.
 pub const LASTING: usize = 30;
 
 /// An overlap shrinks if it is below this part of what it was.

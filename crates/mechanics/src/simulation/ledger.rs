@@ -15,7 +15,7 @@
 //!
 //! All this is computed from the [acts](super::Act) that the scheme wrote down; the change is
 //! measured from the states before and after. What is missing between the two is a row of its own:
-//! rounding, unless something acted that nobody wrote down. A scheme that does not write its acts
+//! rounding, unless something acted that was not recorded. A scheme that does not write its acts
 //! down has no ledger.
 
 use nalgebra::Vector3;

@@ -32,7 +32,7 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// The measures of a scene whose bodies have these states after so many steps.
+    /// The measures of a scene whose bodies have these states after this number of steps.
     pub fn of(scene: &Scene, states: &[State], step: usize) -> Self {
         Motion::overlapping(scene, states, step, &contacts(scene, states, 0.0))
     }

@@ -43,7 +43,7 @@ pub struct Step {
     /// The impulse of each row (N s, N m s) where the scheme poses no problem: all that its
     /// substeps gave it together, 0 for none.
     pub pushed: Vec<(Row, f64)>,
-    /// Where its energy went; `None` where nobody knows what acted.
+    /// The energy ledger; `None` if the scheme does not record what acted.
     pub ledger: Option<Ledger>,
     /// How well it kept the laws of contact and momentum.
     pub laws: Laws,

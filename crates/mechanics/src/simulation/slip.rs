@@ -253,7 +253,7 @@ pub(super) struct Contact<'a> {
 }
 
 impl Totals {
-    /// Those of a step: of its acts, or where nobody wrote them down of its solves and of what it
+    /// Those of a step: of its acts, or if they were not recorded of its solves and of what it
     /// says that was pushed.
     pub fn of(
         scene: &Scene,

@@ -13,7 +13,7 @@ use lcplab_solver::{Observer, Solution};
 /// The x of each row at the end of a step, by what it decided.
 pub(super) type Memory = BTreeMap<(Stage, RowId), f64>;
 
-/// How a scheme answers a problem itself: from the problem, a start, and someone who watches.
+/// How a scheme answers a problem itself: from the problem, a start, and an observer.
 type Method<'m> = &'m dyn Fn(&Problem, &[f64], &mut dyn Observer) -> Solution;
 
 /// A step under way.

@@ -23,9 +23,9 @@ use serde::{Deserialize, Serialize};
 
 /// An error below this part is rounding and the solver's tolerance.
 pub const EXACT: f64 = 1e-6;
-/// An approach of so many times what gravity adds in a step is an impact.
+/// An approach faster than this many times the speed that gravity adds in a step is an impact.
 const FAST: f64 = 4.0;
-/// In how many parts a step with an impact is taken again.
+/// The numbers of parts into which a step with an impact is divided.
 const PARTS: [usize; 2] = [2, 3];
 /// Bodies slower than this part of what counts as rest at acceleration level rest.
 const STILL: f64 = 1e-3;
@@ -98,7 +98,8 @@ pub(super) fn levels(runs: &[(Scene, Method)], steps: usize, stop: &Stop) -> Opt
     Some(Levels { levels, apart })
 }
 
-/// The scene with its step in so many parts, from these states on, at this time (s).
+/// The scene with its step divided into this number of parts, from these states on, at this time
+/// (s).
 fn divided(scene: &Scene, states: &[State], time: f64, parts: usize) -> Scene {
     let mut scene = scene.clone();
     scene.step.dt /= parts as f64;
@@ -107,7 +108,7 @@ fn divided(scene: &Scene, states: &[State], time: f64, parts: usize) -> Scene {
     scene
 }
 
-/// Where the bodies are after so many steps.
+/// The states after this number of steps.
 fn last(scene: &Scene, method: &Method, steps: usize, stop: &Stop) -> Option<Vec<State>> {
     let mut simulation = Simulation::by(scene, method);
     for _ in 0..steps {
@@ -116,7 +117,7 @@ fn last(scene: &Scene, method: &Method, steps: usize, stop: &Stop) -> Option<Vec
     Some(simulation.states().to_vec())
 }
 
-/// Where the bodies are after so many steps, and the largest error of each phase.
+/// The states after this number of steps, and the largest error of each phase.
 fn course(
     scene: &Scene,
     method: &Method,

@@ -123,7 +123,7 @@ pub struct Sample {
 /// Gaps and joints are within tolerance if their errors are at most this part of the thinnest body.
 pub const HELD: f64 = 0.01;
 
-/// About so many samples of a motion are kept.
+/// The approximate number of samples of a motion that are kept.
 const SAMPLES: usize = 200;
 
 /// Samples at equal distances, the last one, and those at which a measure is largest or smallest,
@@ -382,8 +382,8 @@ impl Run {
         self.solves == 0 || self.outside < self.solves
     }
 
-    /// Why gaps and joints were not within tolerance for so many steps, if they were not: that is
-    /// [`HELD`] of the size of the thinnest body (m), with every answer accepted.
+    /// The criterion that the run fails, if any: all steps taken, every answer accepted, and drift
+    /// and penetration within [`HELD`] of the size of the thinnest body (m).
     pub fn failing_criterion(&self, steps: usize, thinnest: f64) -> Option<&'static str> {
         let error = self.worst(|sample| sample.drift.max(sample.penetration));
         match self {

@@ -41,7 +41,7 @@ pub(super) fn step(
 ) -> Result<Vec<State>, Cause> {
     let after = parts(solving, states, found)?;
     if solving.scene.step.integrator != Integrator::SemiImplicitEuler {
-        solving.acts = None; // the work of forces along the stages' path is nobody's to say
+        solving.acts = None; // the work of forces along the path of the stages is not known
     }
     Ok(after)
 }

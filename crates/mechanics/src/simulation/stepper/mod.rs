@@ -13,8 +13,9 @@
 //! before, where joints are rods and balls (others make their rows in lists of their own). The
 //! order of the pairs is kept as long as they are the same.
 //!
-//! It does not stop early and does not judge: who wants to know how good so many sweeps are asks a
-//! simulation. Stewart & Trinkle 1996; Catto, *Iterative Dynamics with Temporal Coherence*, 2005.
+//! It does not stop early and does not judge its answers: a simulation does.
+//!
+//! Stewart & Trinkle 1996; Catto, *Iterative Dynamics with Temporal Coherence*, 2005.
 
 mod impulses;
 mod masses;
@@ -106,7 +107,7 @@ pub struct Stepper {
 }
 
 impl Stepper {
-    /// The scene at its start, with so many sweeps a step.
+    /// The scene at its start, with this number of sweeps per step.
     ///
     /// # Errors
     /// Lists what of the scene it does not do: other schemes than "velocity", other models of

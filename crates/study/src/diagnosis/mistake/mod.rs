@@ -16,7 +16,7 @@
 //! let found = find_mistakes(&lcp, &[2.0, 1.5, 0.25], None);
 //! assert_eq!(found.mistakes[0].what, "projected Gauss-Seidel, stopped after 2 sweeps");
 //! assert_eq!(found.mistakes[0].distance, 0.0);
-//! // The solution (4, 3, 1) but for a thousandth in one entry: nobody's mistake.
+//! // The solution (4, 3, 1) but for a thousandth in one entry: no known mistake.
 //! assert!(find_mistakes(&lcp, &[4.001, 3.0, 1.0], None).mistakes.is_empty());
 //! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
