@@ -88,7 +88,7 @@ impl Apgd {
             if is_unsolved && residual <= inner.tolerance {
                 inner.tolerance = TIGHTER * residual; // the frozen problem is measured more kindly
             }
-            is_unsolved = true; // otherwise the residual is not computed again
+            is_unsolved = true; // from the second round on the tolerance is tightened
             let (mut y, mut theta, mut curvature) = (x.clone(), 1.0, 1.0);
             iterate(problem, x, first, &inner, observer, |x| {
                 let gradient = metric.gradient(lcp, &y);
