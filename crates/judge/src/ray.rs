@@ -13,7 +13,7 @@
 
 use dashu_ratio::RBig;
 
-use lcplab_problem::exact::dyadic::{Dyadic, dyadic};
+use lcplab_problem::exact::dyadic::{Dyadic, dyadic, rational, rounded_up};
 use lcplab_problem::exact::{Exact, Point};
 use lcplab_problem::{Lcp, Matrix};
 
@@ -25,6 +25,16 @@ const MEANT_TO_BE_ZERO: f64 = 1e-6;
 pub struct Farkas {
     /// d, exactly.
     pub vector: Vec<RBig>,
+    /// How far the maximum lies below 0, as a fraction of the sizes of its terms.
+    pub margin: f64,
+}
+
+impl Farkas {
+    /// Whether the proof holds only because of the last digits of the numbers: rows that are meant
+    /// to agree, but were rounded differently.
+    pub fn is_by_rounding(&self) -> bool {
+        self.margin <= 64.0 * f64::EPSILON
+    }
 }
 
 /// Tries to prove from a solver's ray, or from any other guess of d, that a problem has no
@@ -47,8 +57,7 @@ pub fn refute(lcp: &Lcp, row: usize, direction: &[f64]) -> Option<Farkas> {
         (0..lcp.len()).filter(|&j| must_vanish(lcp, &transposed, j, &guess)).collect();
     let entries: Vec<usize> = (0..lcp.len()).filter(|&i| i != row && guess[i] != 0.0).collect();
     let dual = Exact::new(&transposed);
-    let d = dual.repaired(&guess, &zeros, &entries).filter(|d| proves(lcp, &dual, d))?;
-    Some(Farkas { vector: d.entries() })
+    proof(lcp, &dual, &dual.repaired(&guess, &zeros, &entries)?)
 }
 
 /// The vector, if it proves without repair that no solution exists: checked exactly, at any size.
@@ -57,8 +66,7 @@ pub fn checked(lcp: &Lcp, vector: &[f64]) -> Option<Farkas> {
         return None;
     }
     let dual = Exact::new(&transposed(lcp)?);
-    let d = dual.repaired(vector, &[], &[]).filter(|d| proves(lcp, &dual, d))?;
-    Some(Farkas { vector: d.entries() })
+    proof(lcp, &dual, &dual.repaired(vector, &[], &[])?)
 }
 
 /// The equations with the matrix Aᵀ and b = 0.
@@ -78,10 +86,18 @@ fn must_vanish(lcp: &Lcp, transposed: &Lcp, j: usize, d: &[f64]) -> bool {
     lcp.is_coupled(j) || bound.is_infinite() || product.abs() <= MEANT_TO_BE_ZERO * size
 }
 
-/// Whether max (Aᵀd)ᵀx + bᵀd < 0, with every d_i on an allowed side. All terms are multiplied by
-/// d's positive denominator.
-fn proves(lcp: &Lcp, dual: &Exact, d: &Point) -> bool {
-    let mut bound = Dyadic::ZERO;
+/// The proof by d, if max (Aᵀd)ᵀx + bᵀd < 0 and every d_i is on an allowed side. All terms are
+/// multiplied by d's positive denominator.
+fn proof(lcp: &Lcp, dual: &Exact, d: &Point) -> Option<Farkas> {
+    let (mut bound, mut size) = (Dyadic::ZERO, Dyadic::ZERO);
+    let mut add = |term: Dyadic| {
+        if term < Dyadic::ZERO {
+            size -= &term;
+        } else {
+            size += &term;
+        }
+        bound += term;
+    };
     for i in 0..lcp.len() {
         let (lo, hi) = match lcp.is_coupled(i) {
             true => (f64::NEG_INFINITY, f64::INFINITY),
@@ -93,12 +109,15 @@ fn proves(lcp: &Lcp, dual: &Exact, d: &Point) -> bool {
             || (*d_i != Dyadic::ZERO && lcp.is_coupled(i));
         let at = if product > Dyadic::ZERO { hi } else { lo };
         if is_forbidden || (product != Dyadic::ZERO && at.is_infinite()) {
-            return false;
+            return None;
         }
-        bound += dyadic(lcp.b()[i]) * d_i;
+        add(dyadic(lcp.b()[i]) * d_i);
         if product != Dyadic::ZERO {
-            bound += product * dyadic(at);
+            add(product * dyadic(at));
         }
     }
-    bound < Dyadic::ZERO
+    (bound < Dyadic::ZERO).then(|| {
+        let margin = rounded_up(&(rational(&-bound) / rational(&size)));
+        Farkas { vector: d.entries(), margin }
+    })
 }

@@ -346,7 +346,11 @@ pub(crate) fn evidence_text(evidence: &Evidence) -> String {
             )
         }
         Evidence::NoSolution(Refutation::Vector(farkas)) => {
-            format!("  no solution exists: proved by d = ({})\n", listed(&farkas.vector))
+            let digits = match farkas.is_by_rounding() {
+                true => "; rows contradict each other only in the last digits of their numbers",
+                false => "",
+            };
+            format!("  no solution exists: proved by d = ({}){digits}\n", listed(&farkas.vector))
         }
         Evidence::NoSolution(refutation) => format!("  no solution exists, {}\n", how(refutation)),
     }

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use lcplab_judge::ray::Farkas;
 use lcplab_page::document::notation::plain;
 use lcplab_page::number::readable;
 
@@ -89,6 +90,9 @@ pub enum Cause {
 pub enum Proof {
     /// By a vector that was checked in exact arithmetic.
     Vector,
+    /// By such a vector, for the numbers as they are written: their last digits differ where they
+    /// are meant to agree.
+    LastDigits,
     /// By trying all pieces of the problem in exact arithmetic.
     CaseSplit {
         /// The number of pieces.
@@ -96,6 +100,13 @@ pub enum Proof {
     },
     /// Not proved: true as far as rounding allows to decide.
     Rounding,
+}
+
+impl Proof {
+    /// The kind of proof that a vector gives.
+    pub(super) fn of(vector: &Farkas) -> Self {
+        if vector.is_by_rounding() { Proof::LastDigits } else { Proof::Vector }
+    }
 }
 
 impl Cause {
@@ -181,6 +192,14 @@ impl fmt::Display for Cause {
                 f,
                 "no forces satisfy these rows together, proved in exact arithmetic: {}. Sweeps would increase \
                  the forces without limit. Remove one of the rows, or make it compliant with a spring.",
+                listed(rows)
+            ),
+            Cause::Impossible { rows, proof: Proof::LastDigits } => write!(
+                f,
+                "these rows contradict each other only in the last digits of their numbers: {}. As the \
+                 numbers are written, no forces satisfy all of them, which was proved in exact arithmetic; \
+                 without rounding they would be redundant. Remove one of the rows, or compute both from \
+                 the same numbers.",
                 listed(rows)
             ),
             Cause::Impossible { proof: Proof::CaseSplit { pieces }, .. } => write!(

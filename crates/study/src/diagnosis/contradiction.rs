@@ -36,7 +36,7 @@ pub(super) fn rows(
         match refutation {
             Some(Refutation::Vector(proof)) => {
                 let rows = (0..lcp.len()).filter(|&i| !proof.vector[i].is_zero()).collect();
-                return Some((rows, Proof::Vector));
+                return Some((rows, Proof::of(&proof)));
             }
             Some(Refutation::CaseSplit { pieces }) => {
                 return Some((Vec::new(), Proof::CaseSplit { pieces })); // it takes all rows

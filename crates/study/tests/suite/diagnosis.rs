@@ -126,6 +126,20 @@ fn a_rounded_contradiction_is_told_though_not_proved() {
 }
 
 #[test]
+fn equal_rows_that_differ_by_a_rounding_contradict_each_other_in_the_last_digits_only() {
+    // Two equations x₀ + x₁ = b₀ and x₀ + x₁ = b₁: without a solution as soon as b₀ ≠ b₁. The
+    // margin of d = (1, -1) is |b₀ - b₁| / (|b₀| + |b₁|).
+    let proofs = [1.0 + f64::EPSILON, 1.0 + 1e-9].map(|second| {
+        let found = of_lcp(equations(&[&[1.0, 1.0], &[1.0, 1.0]], &[1.0, second]));
+        match &found.causes[0] {
+            Cause::Impossible { proof, .. } => *proof,
+            other => panic!("{other}"),
+        }
+    });
+    assert_eq!(proofs, [Proof::LastDigits, Proof::Vector]);
+}
+
+#[test]
 fn a_row_that_acts_on_nothing_is_named() {
     let found = of_lcp(equations(&[&[1.0, 0.0], &[0.0, 0.0]], &[1.0, 0.0]));
     assert_eq!(found.causes, [Cause::ZeroRow { row: "1".into() }]);
@@ -189,6 +203,7 @@ fn every_cause_ends_its_sentences_and_names_its_rows() {
         Cause::ImmovableRow { row: "1".into(), diagonal: 1e-20, impulse: 1e20 },
         Cause::ImmovableRow { row: "1".into(), diagonal: 1e-310, impulse: INF },
         Cause::Impossible { rows: rows(), proof: Proof::Vector },
+        Cause::Impossible { rows: rows(), proof: Proof::LastDigits },
         Cause::Impossible { rows: Vec::new(), proof: Proof::CaseSplit { pieces: 6 } },
         Cause::Impossible { rows: rows(), proof: Proof::Rounding },
         Cause::Redundant { rows: rows(), spare: 1 },
