@@ -252,6 +252,11 @@ fn the_planted_cause_is_named_first() {
 /// Balls on each other, each lighter than the one below, listed and therefore swept from the top
 /// down: impulses go up.
 fn listed_from_the_top(count: i32, ratio: f64) -> Scene {
+    column_beside(count, ratio, "")
+}
+
+/// The same beside other bodies and constraints.
+fn column_beside(count: i32, ratio: f64, others: &str) -> Scene {
     let ball = |k: i32| {
         format!(
             "[[bodies]]\nname = \"ball{k}\"\nshape = {{ sphere = 0.5 }}\nmass = {}\nposition = [0, 0, {}]\n",
@@ -261,7 +266,7 @@ fn listed_from_the_top(count: i32, ratio: f64) -> Scene {
     };
     let head = "title = \"column\"\n[step]\ndt = 0.01\ncount = 30\n".to_string();
     let ground = "[[bodies]]\nname = \"ground\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n";
-    let text = head + &(1..=count).rev().map(ball).collect::<String>() + ground;
+    let text = head + &(1..=count).rev().map(ball).collect::<String>() + ground + others;
     let mut scene = Scene::from_toml("column.toml", &text).unwrap();
     scene.solver.name = "pgs".into();
     scene
@@ -277,6 +282,24 @@ fn an_order_against_the_way_of_impulses_is_named_first() {
         let found = examine_scene(&scene, None).unwrap();
         assert_eq!(found.causes().first(), Some(&"order of rows"), "{count} {ratio} {sweeps}");
     }
+}
+
+#[test]
+fn a_strong_drive_far_away_does_not_hide_what_a_column_misses() {
+    // A million kilograms on a driven hinge: beside their weight that of the balls is nothing.
+    let wheel = "[[bodies]]\nname = \"wheel\"\nshape = { sphere = 1 }\nmass = 1e6\nposition = [90, 0, 9]\n\
+         [[constraints]]\nkind = \"hinge\"\nbodies = [\"wheel\"]\npoint = [90, 0, 9]\naxis = [0, 0, 1]\n\
+         [[constraints]]\nkind = \"motor_rotation\"\nbodies = [\"wheel\"]\naxis = [0, 0, 1]\n\
+         speed = 300\neffort = 1e9\n";
+    let [alone, beside] = ["", wheel].map(|others| {
+        let mut scene = column_beside(8, 0.333, others);
+        scene.solver.max_iterations = 4;
+        examine_scene(&scene, None).unwrap()
+    });
+    assert_eq!(beside.causes(), alone.causes());
+    let missing = |found: &Examination| found.shortfall.as_ref().unwrap().missing;
+    assert!((missing(&beside) - missing(&alone)).abs() < 1e-3 * missing(&alone));
+    assert!(beside.shortfall.unwrap().subject.contains("the part with ball"));
 }
 
 #[test]

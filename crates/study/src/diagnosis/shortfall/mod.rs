@@ -1,16 +1,18 @@
 //! Why does my stack sink? The error of an answer, its causes, and remedies.
 //!
 //! A [`Frame`] is solved as the user solves it, and exactly, and the error of the answer is
-//! measured. Then each suspected cause is removed to see whether that helps: all masses are made
-//! equal, pairs of bodies are decoupled, the rows are taken in another order. A change that saves
-//! at least half of the sweeps is reported as a cause, the strongest first; nothing is concluded
-//! from the number of bodies or the ratio of masses alone.
+//! measured, in each independent part of the frame too. Then each suspected cause is removed to
+//! see whether that helps: all masses are made equal, pairs of bodies are decoupled, the rows are
+//! taken in another order. A change that saves at least half of the sweeps is reported as a cause,
+//! the strongest first; nothing is concluded from the number of bodies or the ratio of masses
+//! alone.
 
 mod cause;
 mod course;
 mod examination;
 mod examine;
 mod frame;
+mod island;
 mod linear;
 #[cfg(feature = "mechanics")]
 mod relief;

@@ -13,6 +13,7 @@ use lcplab_solver::Status;
 use super::examination::{Examination, Note, telling_step};
 use super::examine::{HEALTHY, Practice, examine};
 use super::frame::Frame;
+use super::island::{telling, worst};
 use super::relief::reliefs;
 use super::suspect::causes;
 use super::yard::{Yard, is_accepted};
@@ -106,8 +107,9 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
     let number = step.unwrap_or_else(|| telling_step(&found.notes) + 1);
     let solve = went.solves.get(number - 1).and_then(Option::as_ref);
     if let Some(solve) = solve.filter(|solve| solve.posing.is_none()) {
-        let frame = frame(scene, solve, number);
-        found.shortfall = examine(&frame, &practice, Some(&solve.start));
+        let whole = frame(scene, solve, number);
+        let (frame, start) = telling(whole, &solve.solution.x, solve.start.clone());
+        found.shortfall = examine(&frame, &practice, Some(&start));
         found.clear_the_start();
         found.innocent.extend(redundancy(&solve.problem.lcp));
         (found.place, found.frame) = (number - 1, Some(frame));
@@ -326,7 +328,8 @@ fn note(scene: &Scene, step: &Step, solve: Option<&Solve>, every: usize) -> Note
     }
     let frame = frame(scene, solve, step.number);
     if let Some(yard) = Yard::of(&frame) {
-        note.missing = Some(yard.missing_in_answer(x));
+        let missing = yard.missing_in_answer(x);
+        note.missing = Some(worst(&frame, x, missing).map_or(missing, |(_, error)| error));
         let error: Vec<f64> = yard.exact.iter().zip(x).map(|(exact, x)| exact - x).collect();
         let impulse = frame.impulse(&error, |_| true);
         note.uncarried = frame.bodies.iter().map(|body| frame.upward(&impulse, body)).sum();

@@ -11,13 +11,14 @@ use serde_json::Value;
 use super::examination::{Examination, Note, telling_step};
 use super::examine::{Practice, creep, examine};
 use super::frame::Frame;
+use super::island::{telling, worst};
 use super::yard::{Yard, start};
 
 /// Examines problems in the order of their steps: rows with the same name start from the last
 /// answer. The first problem with a large error is examined.
 pub fn examine_sequence(problems: &[Problem], practice: &Practice) -> Examination {
     let solver = practice.solver();
-    let (mut last, mut starts) = (BTreeMap::new(), Vec::new());
+    let (mut last, mut taken) = (BTreeMap::new(), Vec::new());
     let mut found = Examination::default();
     for problem in problems {
         let names = names(problem);
@@ -27,13 +28,14 @@ pub fn examine_sequence(problems: &[Problem], practice: &Practice) -> Examinatio
         }
         let x = solver.solve(&problem.lcp, &Start::at(&from), &mut ()).x;
         found.notes.push(note(problem, &x));
-        last = names.into_iter().zip(x).collect();
-        starts.push(from);
+        last = names.into_iter().zip(x.iter().copied()).collect();
+        taken.push((from, x));
     }
     let worst = telling_step(&found.notes);
     if let Some(problem) = problems.get(worst) {
-        let from = (problems.len() > 1).then(|| starts[worst].as_slice());
-        let frame = Frame::of(problem);
+        let (from, x) = taken.swap_remove(worst);
+        let (frame, from) = telling(Frame::of(problem), &x, from);
+        let from = (problems.len() > 1).then_some(from.as_slice());
         found.shortfall = examine(&frame, practice, from);
         if found.shortfall.is_none() {
             found.unmeasured = Some(Yard::absence(&frame.lcp).into());
@@ -49,6 +51,7 @@ fn note(problem: &Problem, x: &[f64]) -> Note {
     let frame = Frame::of(problem);
     let yard = Yard::of(&frame);
     let missing = yard.as_ref().map(|yard| yard.missing_in_answer(x));
+    let missing = missing.map(|whole| worst(&frame, x, whole).map_or(whole, |(_, error)| error));
     let error = |yard: &Yard<'_>| yard.exact.iter().zip(x).map(|(exact, x)| exact - x).collect();
     let impulse = frame.impulse(&yard.as_ref().map_or_else(Vec::new, error), |_| true);
     let upward = |body| if impulse.is_empty() { 0.0 } else { frame.upward(&impulse, body) };

@@ -1,0 +1,157 @@
+//! The independent parts of a frame: groups of rows that neither A nor friction connects.
+//!
+//! An error is measured relative to the effect of all constraints. If one part is driven hard, its
+//! effect hides the error of another part, so that each part is measured by itself too.
+
+use lcplab_problem::{Coupling, Gauss, Lcp, Matrix};
+
+use super::examine::HEALTHY;
+use super::frame::{Frame, Pair};
+use super::yard::Yard;
+
+/// A part of a frame.
+pub(super) struct Island {
+    /// The part as a frame of its own.
+    pub frame: Frame,
+    rows: Vec<usize>,
+}
+
+impl Island {
+    /// The entries of x of this part.
+    pub fn of(&self, x: &[f64]) -> Vec<f64> {
+        self.rows.iter().map(|&i| x[i]).collect()
+    }
+}
+
+/// The parts of a frame; none if all rows are connected, or a part cannot be stated alone.
+pub(super) fn islands(frame: &Frame) -> Vec<Island> {
+    let groups = groups(&frame.lcp);
+    if groups.len() < 2 {
+        return Vec::new();
+    }
+    let island = |rows: Vec<usize>| Some(Island { frame: part(frame, &rows)?, rows });
+    groups.into_iter().map(island).collect::<Option<_>>().unwrap_or_default()
+}
+
+/// The part with the largest error of x, and that error; `None` if it is not larger than `missing`,
+/// the error of the whole.
+pub(super) fn worst(frame: &Frame, x: &[f64], missing: f64) -> Option<(Island, f64)> {
+    let measured = islands(frame).into_iter().filter_map(|island| {
+        let error = Yard::of(&island.frame)?.missing_in_answer(&island.of(x));
+        Some((island, error))
+    });
+    measured.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, error)| *error > missing)
+}
+
+/// The part with the largest error of x and its start, if that error counts and is hidden by the
+/// effect of other parts; otherwise the whole.
+pub(super) fn telling(frame: Frame, x: &[f64], start: Vec<f64>) -> (Frame, Vec<f64>) {
+    let missing = Yard::of(&frame).map_or(0.0, |yard| yard.missing_in_answer(x));
+    match worst(&frame, x, HEALTHY).filter(|_| missing <= HEALTHY) {
+        Some((island, _)) => (named(&island.frame), island.of(&start)),
+        None => (frame, start),
+    }
+}
+
+/// The frame of a part, with some of its bodies in its name.
+fn named(frame: &Frame) -> Frame {
+    const FEW: usize = 3;
+    let mut bodies: Vec<&str> = frame.bodies.iter().map(|body| body.name.as_str()).collect();
+    if bodies.len() > FEW {
+        bodies.truncate(FEW);
+        bodies.push("…");
+    }
+    let name = match bodies.is_empty() {
+        true => format!("{}, one independent part", frame.name),
+        false => format!("{}, the part with {}", frame.name, bodies.join(", ")),
+    };
+    Frame { name, ..frame.clone() }
+}
+
+/// The rows in groups that are connected through A or through friction.
+fn groups(lcp: &Lcp) -> Vec<Vec<usize>> {
+    let mut neighbors = vec![Vec::new(); lcp.len()];
+    let mut connect = |i: usize, j: usize| {
+        neighbors[i].push(j);
+        neighbors[j].push(i);
+    };
+    for i in 0..lcp.len() {
+        let entries = lcp.matrix().row(i);
+        entries.iter().filter(|(_, a)| *a != 0.0).for_each(|(j, _)| connect(i, j));
+        lcp.coupling()
+            .and_then(|coupling| coupling.index(i))
+            .into_iter()
+            .for_each(|k| connect(i, k));
+    }
+    let mut is_seen = vec![false; lcp.len()];
+    let mut groups = Vec::new();
+    for first in 0..lcp.len() {
+        let mut group = Vec::new();
+        let mut open = vec![first];
+        while let Some(i) = open.pop() {
+            if !std::mem::replace(&mut is_seen[i], true) {
+                group.push(i);
+                open.extend(&neighbors[i]);
+            }
+        }
+        group.sort_unstable();
+        if !group.is_empty() {
+            groups.push(group);
+        }
+    }
+    groups
+}
+
+/// The frame of these rows, which no other row is connected with, and of the bodies they act on.
+fn part(frame: &Frame, rows: &[usize]) -> Option<Frame> {
+    let of = |values: &[f64]| rows.iter().map(|&i| values[i]).collect::<Vec<f64>>();
+    let motion = frame.motion.as_ref().map(|motion| Gauss {
+        jacobian: rows.iter().map(|&i| motion.jacobian[i].clone()).collect(),
+        bias: of(&motion.bias),
+        compliance: of(&motion.compliance),
+        lo: of(&motion.lo),
+        hi: of(&motion.hi),
+        ..motion.clone()
+    });
+    let columns = || motion.iter().flat_map(|motion| motion.jacobian.iter().flatten());
+    let bodies = frame
+        .bodies
+        .iter()
+        .filter(|body| columns().any(|(column, _)| body.columns.contains(column)));
+    let pair = |pair: &Pair| {
+        let own = pair.rows.iter().filter_map(|&i| position(rows, i)).collect::<Vec<_>>();
+        (!own.is_empty()).then(|| Pair { name: pair.name.clone(), rows: own })
+    };
+    Some(Frame {
+        lcp: problem(&frame.lcp, rows)?,
+        pairs: frame.pairs.iter().filter_map(pair).collect(),
+        bodies: bodies.cloned().collect(),
+        motion,
+        ..frame.clone()
+    })
+}
+
+/// The problem of these rows.
+fn problem(lcp: &Lcp, rows: &[usize]) -> Option<Lcp> {
+    let of = |values: &[f64]| rows.iter().map(|&i| values[i]).collect::<Vec<f64>>();
+    let entries: Vec<(usize, usize, f64)> = rows
+        .iter()
+        .enumerate()
+        .flat_map(|(k, &i)| {
+            let entries = lcp.matrix().row(i);
+            entries.iter().filter_map(move |(j, a)| Some((k, position(rows, j)?, a)))
+        })
+        .collect();
+    let matrix = Matrix::sparse(rows.len(), &entries);
+    let alone = Lcp::new(matrix, of(lcp.b()), of(lcp.lo()), of(lcp.hi())).ok()?;
+    let alone = alone.with_scale(lcp.scale()).ok()?;
+    let Some(coupling) = lcp.coupling() else { return Some(alone) };
+    let index = rows.iter().map(|&i| coupling.index(i).and_then(|k| position(rows, k))).collect();
+    let mu = rows.iter().map(|&i| coupling.mu(i)).collect();
+    alone.with_coupling(Coupling::new(index, mu).ok()?).ok()
+}
+
+/// The place of a row among sorted rows.
+fn position(rows: &[usize], row: usize) -> Option<usize> {
+    rows.binary_search(&row).ok()
+}
