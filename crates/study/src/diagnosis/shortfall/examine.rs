@@ -111,6 +111,8 @@ impl Load {
 pub struct Shortfall {
     /// The problem.
     pub subject: String,
+    /// If only an independent part was examined: some of its bodies, as text.
+    pub part: Option<String>,
     /// The solver.
     pub solver: String,
     /// The number of its sweeps, pivots or steps.
@@ -167,6 +169,7 @@ pub fn examine(frame: &Frame, practice: &Practice, start: Option<&[f64]>) -> Opt
         .flatten();
     let mut found = Shortfall {
         subject: frame.name.clone(),
+        part: frame.part.clone(),
         solver: practice.entry.name.into(),
         iterations,
         unit: practice.unit(),

@@ -36,6 +36,8 @@ pub struct Pair {
 pub struct Frame {
     /// Its name.
     pub name: String,
+    /// If this is an independent part of a larger frame: some of its bodies, as text.
+    pub part: Option<String>,
     /// The LCP.
     pub lcp: Lcp,
     /// The rows, grouped by the bodies between which they act.
@@ -65,7 +67,17 @@ impl Frame {
         let unit = problem.extra.get("rows").and_then(|rows| rows.get(0)?.get("unit")?.as_str());
         let is_of_forces = matches!(unit, Some("N" | "N m"));
         let name = problem.name.clone();
-        Frame { name, lcp, pairs, motion, bodies, is_of_forces, fall, position_rounding: 0.0 }
+        Frame {
+            name,
+            part: None,
+            lcp,
+            pairs,
+            motion,
+            bodies,
+            is_of_forces,
+            fall,
+            position_rounding: 0.0,
+        }
     }
 
     /// The problem with other masses: M⁻¹ of body k is multiplied by `mobility[k]`. A body with 0

@@ -6,7 +6,7 @@
 use lcplab_problem::{Coupling, Gauss, Lcp, Matrix};
 
 use super::examine::HEALTHY;
-use super::frame::{Frame, Pair};
+use super::frame::{Body, Frame, Pair};
 use super::yard::Yard;
 
 /// A part of a frame.
@@ -48,24 +48,26 @@ pub(super) fn worst(frame: &Frame, x: &[f64], missing: f64) -> Option<(Island, f
 pub(super) fn telling(frame: Frame, x: &[f64], start: Vec<f64>) -> (Frame, Vec<f64>) {
     let missing = Yard::of(&frame).map_or(0.0, |yard| yard.missing_in_answer(x));
     match worst(&frame, x, HEALTHY).filter(|_| missing <= HEALTHY) {
-        Some((island, _)) => (named(&island.frame), island.of(&start)),
+        Some((island, _)) => {
+            let start = island.of(&start);
+            (island.frame, start)
+        }
         None => (frame, start),
     }
 }
 
-/// The frame of a part, with some of its bodies in its name.
-fn named(frame: &Frame) -> Frame {
+/// Some bodies of a part, or some of its pairs if bodies are unknown.
+fn named(bodies: &[&Body], pairs: &[Pair]) -> String {
     const FEW: usize = 3;
-    let mut bodies: Vec<&str> = frame.bodies.iter().map(|body| body.name.as_str()).collect();
-    if bodies.len() > FEW {
-        bodies.truncate(FEW);
-        bodies.push("…");
-    }
-    let name = match bodies.is_empty() {
-        true => format!("{}, one independent part", frame.name),
-        false => format!("{}, the part with {}", frame.name, bodies.join(", ")),
+    let mut names: Vec<&str> = match bodies {
+        [] => pairs.iter().map(|pair| pair.name.as_str()).collect(),
+        _ => bodies.iter().map(|body| body.name.as_str()).collect(),
     };
-    Frame { name, ..frame.clone() }
+    if names.len() > FEW {
+        names.truncate(FEW);
+        names.push("…");
+    }
+    names.join(", ")
 }
 
 /// The rows in groups that are connected through A or through friction.
@@ -114,18 +116,18 @@ fn part(frame: &Frame, rows: &[usize]) -> Option<Frame> {
         ..motion.clone()
     });
     let columns = || motion.iter().flat_map(|motion| motion.jacobian.iter().flatten());
-    let bodies = frame
-        .bodies
-        .iter()
-        .filter(|body| columns().any(|(column, _)| body.columns.contains(column)));
+    let moves = |body: &&Body| columns().any(|(column, _)| body.columns.contains(column));
+    let bodies: Vec<&Body> = frame.bodies.iter().filter(moves).collect();
     let pair = |pair: &Pair| {
         let own = pair.rows.iter().filter_map(|&i| position(rows, i)).collect::<Vec<_>>();
         (!own.is_empty()).then(|| Pair { name: pair.name.clone(), rows: own })
     };
+    let pairs: Vec<Pair> = frame.pairs.iter().filter_map(pair).collect();
     Some(Frame {
+        part: Some(named(&bodies, &pairs)),
         lcp: problem(&frame.lcp, rows)?,
-        pairs: frame.pairs.iter().filter_map(pair).collect(),
-        bodies: bodies.cloned().collect(),
+        pairs,
+        bodies: bodies.into_iter().cloned().collect(),
         motion,
         ..frame.clone()
     })

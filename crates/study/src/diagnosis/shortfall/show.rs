@@ -51,13 +51,17 @@ impl Shortfall {
         if !self.is_short() {
             return format!("{who} an error of only {}.", percent(self.missing));
         }
+        let effect = match &self.part {
+            Some(part) => format!("the constraints' effect on {part}"),
+            None => "the constraints' effect".into(),
+        };
         let what = match self.whole.as_ref().filter(|whole| whole.missing() > 0.5 * self.missing) {
             _ if self.missing > 1.0 => {
                 let error = percent(self.missing);
-                format!("an error of {error} of the constraints' effect, more than x = 0 has")
+                format!("an error of {error} of {effect}, more than x = 0 has")
             }
             Some(whole) => format!("{} of the weight unsupported", percent(whole.missing())),
-            None => format!("an error of {} of the constraints' effect", percent(self.missing)),
+            None => format!("an error of {} of {effect}", percent(self.missing)),
         };
         match self.pairs.first() {
             Some(pair) => format!("{who} {what}, most of it between {}.", pair.name),
