@@ -37,9 +37,12 @@ def test_each_defect_has_a_scene_and_pins_all_its_packages():
     assert all("==" in package for defect in DEFECTS for package in (*defect.bad, *defect.mended))
 
 
-@pytest.mark.parametrize("name", ["connect_bias", "sphere_in_box"])
-def test_a_mended_release_is_accepted(name):
-    pytest.importorskip("mujoco", minversion="3.7.0")
+@pytest.mark.parametrize(
+    ("name", "engine", "mended"),
+    [("connect_bias", "mujoco", "3.7.0"), ("sphere_in_box", "mujoco", "3.7.0"), ("welded_chain", "dartpy", "6.18.0")],
+)
+def test_a_mended_release_is_accepted(name, engine, mended):
+    pytest.importorskip(engine, minversion=mended)
     assert replay.replay(name)["refused"] == 0
 
 

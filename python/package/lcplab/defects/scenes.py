@@ -7,7 +7,9 @@ from typing import Any
 
 import numpy as np
 
-Frames = Iterator[tuple[Any, ...]]
+from lcplab.defects.dart import welded_chain
+
+Frames = Iterator[Any]
 #: Trees of hinged spheres in a walled box, and the steps of each.
 SEEDS, STEPS = range(6), 300
 FLOOR = '<geom type="plane" size="5 5 .1"/>'
@@ -175,5 +177,6 @@ SCENES: dict[str, Callable[[], Frames]] = {
     scene.__name__: scene
     for scene in (
         sparse_factor, uncoupled_hessian, implicit_damping, connect_bias, sphere_in_box, box_in_plate, world_of_zeros,
+        welded_chain,
     )
 }
