@@ -50,6 +50,16 @@ def test_a_right_motion_with_wrong_forces_is_written_back_wrongly():
     assert receipt.stage == "write-back" and receipt.motion_error < 1e-12
 
 
+def test_a_rigid_row_tells_wrong_forces_from_a_wrong_motion_too():
+    rigid = {"compliance": 0.0, "motion": [0.0]}  # 2 kg at -3 m/s are stopped by 6 N s
+    assert lcplab.receipt(stop(**rigid, forces=[6.0])).ok
+    wrong_forces = lcplab.receipt(stop(**rigid, forces=[7.5]))
+    assert wrong_forces.stage == "write-back" and wrong_forces.motion_error < 1e-12
+    wrong_motion = lcplab.receipt(stop(compliance=0.0, forces=[6.0], motion=[0.1]))
+    assert wrong_motion.stage == "write-back" and wrong_motion.bound >= 0.1 * np.sqrt(2)
+    assert lcplab.receipt(stop(compliance=0.0, forces=[5.0], motion=[-0.5])).stage == "solver"
+
+
 def test_right_forces_with_a_wrong_motion_are_written_back_wrongly():
     receipt = lcplab.receipt(stop(motion=[-1.4]))
     assert receipt.stage == "write-back"

@@ -57,6 +57,12 @@ def difference(step: Step) -> float | None:
 
     A measurement and no bound: the law of Coulomb can have several solutions.
     """
+    own = own_answer(step)
+    return None if own is None else step.relative(step.norm(step.motion - own.motion))
+
+
+def own_answer(step: Step) -> Step | None:
+    """The step with lcplab's answer and the motion that it causes; None if lcplab finds none."""
     from lcplab import Problem, solve
 
     if len(step) > MOST_ROWS or len(step) == 0 or step.no_bound or finite.of_step(step):
@@ -70,20 +76,24 @@ def difference(step: Step) -> float | None:
     result = solve(Problem(files.matrix(step), offset, lo, hi, **friction), prove=False)
     if not result:
         return None
-    exact = step.target + np.linalg.solve(step.dense_mass(), step.push(result.x))
-    return step.relative(step.norm(step.motion - exact))
+    motion = step.target + np.linalg.solve(step.dense_mass(), step.push(result.x))
+    return replace(step, forces=result.x, motion=motion)
 
 
 def sharpened(step: Step, bounds: Bounds, solution: Solution | None) -> Bounds:
-    """Tighter bounds by way of an accurate motion w, if there is one: |v - û| <= |v - w| + a bound on |w - û|."""
-    if solution is None:
+    """Tighter bounds by way of an accurate motion w, if there is one: |v - û| <= |v - w| + a bound on |w - û|.
+
+    A rigid row's motion has a bound only with forces that solve the problem: those of lcplab's own answer.
+    """
+    exact = own_answer(step) if solution is None else replace(step, motion=solution.motion)
+    if exact is None:
         return bounds
-    accurate = bounds_of([replace(step, motion=solution.motion)])[0]
-    if isinstance(accurate, str):
+    accurate, beside = bounds_of([exact, replace(exact, forces=step.forces)])
+    if isinstance(accurate, str) or isinstance(beside, str):
         return bounds
-    slack = (1 + 1e-12) * step.norm(step.motion - solution.motion)
+    slack = (1 + 1e-12) * step.norm(step.motion - exact.motion)
     motion = min(bounds.motion, slack + accurate.motion)
-    answer = min(bounds.answer, accurate.closure + accurate.motion)
+    answer = min(bounds.answer, beside.closure + accurate.motion)
     return Bounds(motion, answer, bounds.closure, bounds.row)
 
 
