@@ -1,11 +1,13 @@
 """The replay of known defects: its list, its words, and mended releases on its scenes."""
 
 import json
+import re
 from pathlib import Path
 
 import pytest
 
-from lcplab.defects import DEFECTS, __main__, replay
+import lcplab
+from lcplab.defects import DEFECTS, __main__, rapier, replay
 from lcplab.defects.scenes import SCENES
 
 
@@ -34,7 +36,8 @@ def test_a_defect_is_told_apart_only_at_its_stage_and_without_a_false_alarm(bad,
 
 def test_each_defect_has_a_scene_and_pins_all_its_packages():
     assert {defect.name for defect in DEFECTS} == set(SCENES)
-    assert all("==" in package for defect in DEFECTS for package in (*defect.bad, *defect.mended))
+    packages = [package for defect in DEFECTS for package in (*defect.bad, *defect.mended)]
+    assert all(re.fullmatch(r"[\w-]+==[\d.]+|npm:@[\w/-]+@[\d.]+", package) for package in packages)
 
 
 @pytest.mark.parametrize(
@@ -44,6 +47,15 @@ def test_each_defect_has_a_scene_and_pins_all_its_packages():
 def test_a_mended_release_is_accepted(name, engine, mended):
     pytest.importorskip(engine, minversion=mended)
     assert replay.replay(name)["refused"] == 0
+
+
+@pytest.mark.parametrize(("part", "stage"), [(1.0, None), (1.25, "write-back"), (0.25, "write-back")])
+def test_a_resting_cube_that_reports_another_impulse_than_its_weight_is_written_back_wrongly(part, stage):
+    corners = [[x, -0.5, z] for x in (-0.5, 0.5) for z in (-0.5, 0.5)]
+    rest, weight = [0.0] * 6, 2.0 * 10.0 * 0.01
+    step = {"before": rest, "after": rest, "points": corners, "impulses": [part * weight / 4] * 4}
+    receipt = lcplab.receipt(rapier.read(step, {"mass": 2.0, "dt": 0.01, "version": "1"}))
+    assert receipt.stage == stage and receipt.motion_error < 1e-6
 
 
 def test_the_record_has_a_row_for_each_defect_with_the_outcome_of_its_receipts():

@@ -15,6 +15,7 @@ import lcplab
 
 #: Seconds for an installation and for a scene.
 INSTALLATION, SCENE = 1200, 900
+NPM = "npm:"
 
 
 class Unavailable(Exception):
@@ -22,7 +23,7 @@ class Unavailable(Exception):
 
 
 class Environment:
-    """A folder with NumPy, this lcplab and the packages that are named."""
+    """A folder with NumPy, this lcplab and the packages that are named, those of npm as ``npm:NAME@VERSION``."""
 
     def __init__(self, place: Path, packages: Sequence[str]) -> None:
         name = re.sub(r"[^a-z0-9.]+", "-", "-".join(packages))
@@ -43,10 +44,16 @@ class Environment:
             return
         venv.create(self.folder, with_pip=True, clear=True)
         pip = ("-m", "pip", "install", "--quiet", "--disable-pip-version-check", "numpy")
-        self._run([self.python, *pip, *self.packages], INSTALLATION)
+        self._run([self.python, *pip, *(own for own in self.packages if not own.startswith(NPM))], INSTALLATION)
+        self._install_from_npm([own.removeprefix(NPM) for own in self.packages if own.startswith(NPM)])
         reported = self._run([self.python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"], SCENE)
         (Path(reported.strip()) / "lcplab").symlink_to(Path(lcplab.__file__).parent, target_is_directory=True)
         complete.touch()
+
+    def _install_from_npm(self, packages: Sequence[str]) -> None:
+        npm = ("npm", "install", "--silent", "--no-audit", "--no-fund", "--ignore-scripts", "--prefix", self.folder)
+        if packages:
+            self._run([*npm, *packages], INSTALLATION)
 
     def replay(self, scene: str) -> dict[str, Any]:
         """What a scene's run says here.

@@ -18,7 +18,7 @@ class Defect:
     stage : str
         The stage of an engine's step that was wrong.
     bad, mended : tuple of str
-        What ``pip install`` takes.
+        What ``pip install`` takes, or ``npm:`` and what ``npm install`` takes.
     """
 
     name: str
@@ -101,5 +101,13 @@ DEFECTS = (
         "solver",
         ("dartpy==6.17.1",),
         ("dartpy==6.18.0",),
+    ),
+    Defect(
+        "resting_cube",
+        "reported impulses of contacts are too large by a substep's part: (n + 1)/n with n substeps",
+        "Rapier 0.35.2, #992",
+        "write-back",
+        ("npm:@dimforge/rapier3d-compat@0.20.0",),
+        ("npm:@dimforge/rapier3d-compat@0.21.0",),
     ),
 )
