@@ -72,6 +72,24 @@ def test_reported_generalized_forces_are_compared_with_those_of_the_rows():
     assert lcplab.receipt(bad).stage == "write-back"
 
 
+def test_assembly_is_compared_with_what_the_adapter_expects():
+    expected = {"expected_bias": np.zeros(1), "expected_target": np.array([-3.0])}
+    good = lcplab.receipt(stop(**expected))
+    assert good.ok and "assembly" not in good.not_checked
+    assert "assembly: all but the bias and the free motion" in good.not_checked
+    for wrong in ({"expected_bias": np.array([0.3])}, {"expected_target": np.array([-3.1])}):
+        receipt = lcplab.receipt(stop(**{**expected, **wrong}))
+        assert receipt.stage == "assembly" and receipt.motion_error < 1e-7
+    with pytest.raises(lcplab.InputError, match="expected_bias"):
+        stop(expected_bias=np.zeros(2))
+
+
+def test_a_free_motion_that_inputs_do_not_ask_for_is_rejected_without_rows():
+    free = lcplab.EngineStep.of("mine", [[2.0]], np.zeros((0, 1)), [], [-3.0], [], [-3.0], expected_target=np.array([-1.5]))
+    receipt = lcplab.receipt(free)
+    assert receipt.stage == "assembly" and receipt.findings[0].error == pytest.approx(1.0)
+
+
 def test_a_step_without_rows_is_never_ok():
     free = lcplab.EngineStep.of("mine", [[2.0]], np.zeros((0, 1)), [], [-3.0], [], [-3.0])
     receipt = lcplab.receipt(free)

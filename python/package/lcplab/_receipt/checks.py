@@ -8,6 +8,7 @@ import numpy as np
 
 from lcplab._receipt import (
     closure,
+    expected,
     finite,
     kinematics,
     mjx,
@@ -57,9 +58,13 @@ def read(model: Any, data: Any, adapter: Adapter | None, before: State | None) -
 
 
 def of_step(step: Step) -> Report:
-    """What is not checked of a step that an adapter or a file describes."""
-    parts = ["collision", "assembly", POSITION]
-    return Report(not_checked=parts if step.level == "velocity" else [*parts, "write-back: the velocity after the step"])
+    """The assembly of a step that an adapter or a file describes, and what is not checked."""
+    report = Report(not_checked=["collision"])
+    report.add(Report() if finite.of_step(step) else expected.check(step))
+    report.not_checked.append(POSITION)
+    if step.level == "acceleration":
+        report.not_checked.append("write-back: the velocity after the step")
+    return report
 
 
 def _of_mujoco(model: Any, data: Any, before: State | None) -> tuple[Step, Report]:

@@ -78,8 +78,13 @@ class Given:
         ):
             if is_wrong.any():
                 self.defects.append(f"{name}: {reason} in row {int(np.argmax(is_wrong))}")
-        if step.reported_push is not None:
-            self.array("reported_push", step.reported_push, step.target.shape)
+        for name, shape in (
+            ("reported_push", step.target.shape),
+            ("expected_bias", step.bias.shape),
+            ("expected_target", step.target.shape),
+        ):
+            if getattr(step, name) is not None:
+                self.array(name, getattr(step, name), shape)
 
     def _numbers(self, name: str, values: ArrayLike) -> Array:
         """Real numbers in an array of their own."""

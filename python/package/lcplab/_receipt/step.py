@@ -76,6 +76,10 @@ class Step:
     own_tolerance: float = 0.0
     #: The generalized forces of the constraints as reported, (k,), if they are.
     reported_push: Array | None = None
+    #: The bias, (n,), and the motion without constraints, (k,), that model and state ask for, where the adapter
+    #: computes them on its own: assembly is compared with them.
+    expected_bias: Array | None = None
+    expected_target: Array | None = None
     settings: Mapping[str, Any] = field(default_factory=dict)
     name: str = ""
     time: float = 0.0
