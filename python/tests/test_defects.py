@@ -4,10 +4,11 @@ import json
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import lcplab
-from lcplab.defects import DEFECTS, __main__, rapier, replay
+from lcplab.defects import DEFECTS, __main__, drake, rapier, replay
 from lcplab.defects.scenes import SCENES
 
 
@@ -56,6 +57,15 @@ def test_a_resting_cube_that_reports_another_impulse_than_its_weight_is_written_
     step = {"before": rest, "after": rest, "points": corners, "impulses": [part * weight / 4] * 4}
     receipt = lcplab.receipt(rapier.read(step, {"mass": 2.0, "dt": 0.01, "version": "1"}))
     assert receipt.stage == stage and receipt.motion_error < 1e-6
+
+
+@pytest.mark.parametrize(("read", "stage"), [(0.01, None), (0.15, "assembly"), (-0.01, "assembly")])
+def test_a_coupler_that_reads_another_error_than_that_of_its_joints_is_assembled_wrongly(read, stage):
+    masses, free = np.array([1.0, 2.0]), np.array([0.3, 0.1])
+    softness = (0.1 / (2 * np.pi)) ** 2 * np.sum(1 / masses)
+    impulse = -(np.sum(free) + read / (2 * drake.DT)) / (np.sum(1 / masses) + softness)
+    step = drake.coupled(np.diag(masses), [0, 1], free, free + impulse / masses, apart=0.01)
+    assert lcplab.receipt(step).stage == stage
 
 
 def test_the_record_has_a_row_for_each_defect_with_the_outcome_of_its_receipts():
