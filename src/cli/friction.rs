@@ -11,7 +11,7 @@ use lcplab::solver::{Method, Options, Solution, Status};
 use serde_json::{Map, Value, json};
 
 use super::limits::Limits;
-use super::problem::outcome;
+use super::problem::{counted, outcome, status_text};
 use super::{Outcome, print};
 
 /// Solves a friction problem by a method, or by the fallback sequence without one, judges the
@@ -51,9 +51,9 @@ pub fn solve(
         object.insert("message".into(), json!(message));
         print_json(question, object, &solution.x, &judged)?;
     } else {
-        let status = if word == message { message } else { format!("{word}: {message}") };
         let solver = format!("solver     {solver}\n");
-        let status = format!("status     {status}, {} iterations\n", solution.iterations);
+        let status = status_text(word, message);
+        let status = format!("status     {status}, {}\n", counted(solution.iterations));
         print_text(
             question,
             title,

@@ -141,15 +141,12 @@ impl Solve {
             let title = title(&problem);
             let iterations = answer.solution.iterations;
             let mut text = format!("{title}\nsolver     {}\n", answer.solver);
-            let status = match (answer.status_word(), answer.message()) {
-                (word, message) if word == message => message,
-                (word, message) => format!("{word}: {message}"),
-            };
+            let status = status_text(answer.status_word(), answer.message());
             let hint = match answer.solution.status {
                 Status::TooLarge { .. } => RAISE_MEMORY,
                 _ => "",
             };
-            text += &format!("status     {status}{hint}, {iterations} iterations\n");
+            text += &format!("status     {status}{hint}, {}\n", counted(iterations));
             if let Some(fallback) = answer.solution.fallback {
                 text += &format!("fallback   {fallback}\n");
             }
@@ -233,4 +230,14 @@ pub fn rows(problem: &Problem, x: &[f64], certificate: &Certificate) -> String {
         );
     }
     text
+}
+
+/// A status as text: its word, and the message if that says more.
+pub(super) fn status_text(word: &str, message: String) -> String {
+    if word.replace('_', " ") == message { message } else { format!("{word}: {message}") }
+}
+
+/// A number of iterations as text.
+pub(super) fn counted(iterations: usize) -> String {
+    if iterations == 1 { "1 iteration".into() } else { format!("{iterations} iterations") }
 }
