@@ -68,6 +68,13 @@ def test_a_coupler_that_reads_another_error_than_that_of_its_joints_is_assembled
     assert lcplab.receipt(step).stage == stage
 
 
+@pytest.mark.parametrize(("times", "stage"), [(1.0, None), (2.0, "assembly"), (0.0, "assembly")])
+def test_a_force_that_does_not_count_once_is_assembled_wrongly(times, stage):
+    place, force = 0.02, 3.0
+    after = drake.DT * (times * force - 100.0 * place) / (2.0 + 10.0 * drake.DT + 100.0 * drake.DT**2)
+    assert lcplab.receipt(drake.free(force, place, 0.0, after)).stage == stage
+
+
 def test_the_record_has_a_row_for_each_defect_with_the_outcome_of_its_receipts():
     record = json.loads((Path(__file__).parents[2] / "reports" / "receipts.json").read_text(encoding="utf-8"))
     assert [row["name"] for row in record["defects"]] == [defect.name for defect in DEFECTS]

@@ -15,6 +15,8 @@ DT = 1e-3
 #: SAP's near-rigid limit: a rigid row gets the compliance β²/(4π²) w, and -φ / (2 dt) as its velocity. For the coupler w
 #: is the sum of inverses of diagonal entries of M: so measured, Drake 1.20 meets the row to 1e-16.
 BETA = 0.1
+#: A driven slider (kg, N/m, N s/m).
+MASS, STIFFNESS, DAMPING = 2.0, 100.0, 10.0
 
 
 def floating_gripper() -> Iterator[Step]:
@@ -66,6 +68,45 @@ def coupled(mass: Array, columns: list[int], target: Array, motion: Array, apart
         version=version,
         expected_bias=np.array([apart / (2 * DT)]),
         not_checked=["solver: Drake reports neither bias nor impulse of the coupler; they are those of its motion"],
+    )
+
+
+def driven_slider() -> Iterator[Step]:
+    """A slider with a PD controller and a feed-forward force, and without constraints."""
+    for force, place, rate in ((3.0, 0.0, 0.0), (3.0, 0.02, 0.5), (-2.0, 0.1, -0.3), (0.5, -0.05, 0.0)):
+        yield _driven(force, place, rate)
+
+
+def _driven(force: float, place: float, rate: float) -> Step:
+    import pydrake.all as drake
+
+    builder, plant = _plant(drake)
+    body = plant.AddRigidBody("body", _inertia(drake, MASS))
+    slider = plant.AddJoint(drake.PrismaticJoint("slider", plant.world_frame(), body.body_frame(), [1, 0, 0]))
+    plant.AddJointActuator("motor", slider).set_controller_gains(drake.PdControllerGains(p=STIFFNESS, d=DAMPING))
+    simulator, context = _started(drake, builder, plant)
+    plant.get_actuation_input_port().FixValue(context, [force])
+    plant.get_desired_state_input_port(drake.default_model_instance()).FixValue(context, [0.0, 0.0])
+    slider.set_translation(context, place)
+    slider.set_translation_rate(context, rate)
+    simulator.AdvanceTo(DT)
+    return free(force, place, rate, slider.get_translation_rate(context), _version())
+
+
+def free(force: float, place: float, rate: float, after: float, version: str = "") -> Step:
+    """The step of the slider, whose controller is implicit: m (v - v₀) = dt (u - k (q₀ + dt v) - d v)."""
+    expected = (MASS * rate + DT * (force - STIFFNESS * place)) / (MASS + DT * DAMPING + DT**2 * STIFFNESS)
+    return Step.of(
+        "Drake",
+        mass=[[MASS]],
+        jacobian=np.zeros((0, 1)),
+        bias=[],
+        target=[after],
+        forces=[],
+        motion=[after],
+        version=version,
+        expected_target=np.array([expected]),
+        not_checked=["write-back: without constraints Drake reports the motion alone, which is taken as u*"],
     )
 
 

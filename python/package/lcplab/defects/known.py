@@ -122,4 +122,12 @@ DEFECTS = (
         _drake("1.19.0"),
         _drake("1.20.0"),
     ),
+    Defect(
+        "driven_slider",
+        "the feed-forward force of an actuator with PD gains counts twice",
+        "Drake 1.22.0, #20259",
+        "assembly",
+        _drake("1.21.0"),
+        _drake("1.22.0"),
+    ),
 )
