@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import lcplab
-from lcplab.defects import DEFECTS, __main__, drake, rapier, replay
+from lcplab.defects import DEFECTS, __main__, drake, newton, rapier, replay
 from lcplab.defects.scenes import SCENES
 
 
@@ -73,6 +73,13 @@ def test_a_force_that_does_not_count_once_is_assembled_wrongly(times, stage):
     place, force = 0.02, 3.0
     after = drake.DT * (times * force - 100.0 * place) / (2.0 + 10.0 * drake.DT + 100.0 * drake.DT**2)
     assert lcplab.receipt(drake.free(force, place, 0.0, after)).stage == stage
+
+
+@pytest.mark.parametrize(("times", "stage"), [(1.0, None), (4.0, "solver"), (0.5, "solver")])
+def test_a_sliding_block_has_the_friction_of_the_cone(times, stage):
+    lost = times * newton.FRICTION * newton.GRAVITY * newton.DT
+    receipt = lcplab.receipt(newton.slide([0.1, 0.0, 0.0], [0.1 - lost, 0.0, 0.0]))
+    assert receipt.stage == stage
 
 
 def test_the_record_has_a_row_for_each_defect_with_the_outcome_of_its_receipts():

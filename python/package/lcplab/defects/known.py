@@ -37,6 +37,10 @@ def _warp(version: str) -> tuple[str, ...]:
     return (f"mujoco-warp=={version}", "mujoco==3.10.0", "warp-lang==1.15.0")
 
 
+def _newton(version: str) -> tuple[str, ...]:
+    return (f"newton=={version}", "warp-lang==1.17.0")
+
+
 def _drake(version: str) -> tuple[str, ...]:
     return (f"drake=={version}", "numpy==1.26.4")
 
@@ -129,5 +133,13 @@ DEFECTS = (
         "assembly",
         _drake("1.21.0"),
         _drake("1.22.0"),
+    ),
+    Defect(
+        "sliding_block",
+        "friction of the penalty solvers exceeds the cone at slips below 1 m/s",
+        "Newton 1.8.0, #4010",
+        "solver",
+        _newton("1.7.0"),
+        _newton("1.8.0"),
     ),
 )
