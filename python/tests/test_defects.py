@@ -82,6 +82,12 @@ def test_a_sliding_block_has_the_friction_of_the_cone(times, stage):
     assert receipt.stage == stage
 
 
+@pytest.mark.parametrize(("part", "stage"), [(0.8, None), (0.675, "assembly"), (0.9, "assembly")])
+def test_a_bounce_of_another_restitution_is_assembled_wrongly(part, stage):
+    step = {"mass": 2.0, "dt": 0.01, "before": -1.5, "after": 1.5 * part}
+    assert lcplab.receipt(rapier.bounce(step)).stage == stage
+
+
 def test_the_record_has_a_row_for_each_defect_with_the_outcome_of_its_receipts():
     record = json.loads((Path(__file__).parents[2] / "reports" / "receipts.json").read_text(encoding="utf-8"))
     assert [row["name"] for row in record["defects"]] == [defect.name for defect in DEFECTS]

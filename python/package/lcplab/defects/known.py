@@ -142,4 +142,12 @@ DEFECTS = (
         _newton("1.7.0"),
         _newton("1.8.0"),
     ),
+    Defect(
+        "bouncing_ball",
+        "the distance at which contacts are predicted takes speed from bounces",
+        "Rapier 0.35.0, #974",
+        "assembly",
+        ("npm:@dimforge/rapier3d-compat@0.19.3",),
+        ("npm:@dimforge/rapier3d-compat@0.20.0",),
+    ),
 )

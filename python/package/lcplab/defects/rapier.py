@@ -1,4 +1,4 @@
-"""A scene of Rapier, which Node runs: the script prints its steps."""
+"""Scenes of Rapier, which Node runs: each has a script that prints its steps."""
 
 from __future__ import annotations
 
@@ -13,18 +13,31 @@ import numpy as np
 
 from lcplab._receipt.step import Array, Step
 
-GRAVITY = -10.0
+GRAVITY, RESTITUTION = -10.0, 0.8
 UP = np.array([0.0, 1.0, 0.0])
 
 
 def resting_cube() -> Iterator[Step]:
     """A cube at rest on four contacts without friction."""
-    script = Path(__file__).with_name("rapier.mjs").read_text(encoding="utf-8")
-    node = ("node", "--input-type=module", "-")
-    done = subprocess.run(node, input=script, capture_output=True, text=True, check=True, cwd=sys.prefix)
-    told = json.loads(done.stdout.splitlines()[-1])
+    told = _told("resting_cube")
     for step in told["steps"]:
         yield read(step, told)
+
+
+def bouncing_ball() -> Iterator[Step]:
+    """A ball falls on the ground from four heights."""
+    told = _told("bouncing_ball")
+    for step in told["steps"]:
+        yield bounce(step, told["version"])
+
+
+def _told(scene: str) -> dict[str, Any]:
+    """What the script of a scene prints, with the Rapier of this environment."""
+    script = Path(__file__).with_name(f"{scene}.mjs").read_text(encoding="utf-8")
+    node = ("node", "--input-type=module", "-")
+    done = subprocess.run(node, input=script, capture_output=True, text=True, check=True, cwd=sys.prefix)
+    told: dict[str, Any] = json.loads(done.stdout.splitlines()[-1])
+    return told
 
 
 def read(step: dict[str, Any], told: dict[str, Any]) -> Step:
@@ -43,6 +56,25 @@ def read(step: dict[str, Any], told: dict[str, Any]) -> Step:
         version=told["version"],
         bits=32,
         not_checked=["assembly: the bias and the compliance of the contacts, which Rapier does not report; 0 at rest"],
+    )
+
+
+def bounce(step: dict[str, Any], version: str = "") -> Step:
+    """The step of the ball that bounces: e times the speed before it is asked for, the speed after it is solved."""
+    mass, before, after = step["mass"], step["before"], step["after"]
+    target = before + step["dt"] * GRAVITY
+    return Step.of(
+        "Rapier",
+        mass=[[mass]],
+        jacobian=[[1.0]],
+        bias=[-after],
+        target=[target],
+        forces=[mass * (after - target)],
+        motion=[after],
+        version=version,
+        bits=32,
+        expected_bias=np.array([RESTITUTION * before]),
+        not_checked=["solver: the bias and the impulse, which Rapier does not report here; they are those of its motion"],
     )
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from lcplab.defects.dart import welded_chain
 from lcplab.defects.drake import driven_slider, floating_gripper
 from lcplab.defects.newton import sliding_block
-from lcplab.defects.rapier import resting_cube
+from lcplab.defects.rapier import bouncing_ball, resting_cube
 
 Frames = Iterator[Any]
 #: Trees of hinged spheres in a walled box, and the steps of each.
@@ -180,6 +180,6 @@ SCENES: dict[str, Callable[[], Frames]] = {
     scene.__name__: scene
     for scene in (
         sparse_factor, uncoupled_hessian, implicit_damping, connect_bias, sphere_in_box, box_in_plate, world_of_zeros,
-        welded_chain, resting_cube, floating_gripper, driven_slider, sliding_block,
+        welded_chain, resting_cube, floating_gripper, driven_slider, sliding_block, bouncing_ball,
     )
 }
