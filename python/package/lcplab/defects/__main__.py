@@ -54,7 +54,7 @@ def main() -> int:
     names = ", ".join(defect.name for defect in DEFECTS)
     parser.add_argument("names", nargs="*", metavar="NAME", help=f"{names}; all without a name")
     parser.add_argument("--environments", type=Path, default=Path.home() / ".cache" / "lcplab-defects",
-                        metavar="FOLDER", help="where the releases are installed (about 2 GB)")
+                        metavar="FOLDER", help="where the releases are installed (about 6 GB)")
     parser.add_argument("--out", type=Path, metavar="FILE", help="record the results as JSON")
     options = parser.parse_args()
     unknown = set(options.names) - {defect.name for defect in DEFECTS}
