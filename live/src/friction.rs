@@ -1,4 +1,4 @@
-//! A block that is pressed and pushed along the floor, under several models of friction.
+//! A block that is pressed and pushed along the floor, under several friction models.
 
 use lcplab_problem::friction::{FrictionProblem, Model, Posed};
 use lcplab_problem::{Coupling, Lcp, Matrix, hypot};

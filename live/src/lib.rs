@@ -29,7 +29,7 @@ enum Question {
     Column(column::Column),
     /// How a column moves.
     Motion(column::Motion),
-    /// A block that is pushed, under several models of friction.
+    /// A block that is pushed, under several friction models.
     Friction(friction::Push),
     /// Its way over the floor.
     Slide(friction::Slide),

@@ -53,7 +53,7 @@ pub fn methods(solver: &Bound<'_, PyAny>) -> PyResult<Vec<Method>> {
     Ok(known(solver)?.methods())
 }
 
-/// The method of a solver by its name, or of a function, for a model of friction, or for LCPs
+/// The method of a solver by its name, or of a function, for a friction model, or for LCPs
 /// without any.
 pub fn method(solver: &Bound<'_, PyAny>, model: Option<Model>) -> PyResult<Method> {
     if let Ok(name) = solver.extract::<String>() {

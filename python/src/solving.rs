@@ -76,7 +76,7 @@ pub fn solve<'py>(
     if let Some(model) = question.model() {
         if trace {
             let reason =
-                "keeps the iterates of a problem that is solved without a model of friction";
+                "keeps the iterates of a problem that is solved without a friction model";
             return Err(refused(Error::invalid("options", "trace", reason)));
         }
         return solve_modelled(py, &question, model, solver, &options, &demand);

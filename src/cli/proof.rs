@@ -25,10 +25,10 @@ Example:
   lcplab check incline.json proof.json
   python3 proofs/lcpcheck.py incline.json proof.json   # a checker that shares no code with lcplab
   lcplab prove incline.json --out proof.html           # a page with a button that checks it
-  lcplab prove tower.json --kind motion   # a bound on the difference to the exact motion
+  lcplab prove tower.json --kind motion   # a bound on the difference from the exact motion
 
 From the strongest to the weakest the kinds are no-solution, unique, not-unique, solution, motion, within. \
-The first that holds is written; for the stronger ones the output says why they do not hold. docs/proofs.md \
+The first kind that can be proved is written; for each stronger kind the output says why it was not proved. docs/proofs.md \
 says what each kind proves. Proofs are about boxes: under a polygon or a friction cone only no-solution can \
 be proved.
 
@@ -103,7 +103,7 @@ impl Prove {
         }
         let Found { proof, missing } = found;
         for (kind, reason) in &missing {
-            say(&format!("not {kind}: {reason}"));
+            say(&format!("no proof of kind {kind}: {reason}"));
         }
         let Some(proof) = proof else { return Ok(Outcome::Refuted) };
         let text = format!("{}\n", proof.to_json());

@@ -102,7 +102,7 @@ def directions(model):
     if name != "polygon":
         return None
     if not k.isdecimal() or str(int(k)) != k or int(k) % 4 or not 4 <= int(k) <= 256:
-        raise ValueError(f"no model of friction: {model}")
+        raise ValueError(f"no friction model: {model}")
     return int(k)
 
 

@@ -50,7 +50,7 @@ impl Question {
             return Ok(Question { problem, under: None, posed });
         };
         let friction = problem.friction().ok_or_else(|| {
-            let reason = format!("is missing: {model} is a model of friction");
+            let reason = format!("is missing: {model} is a friction model");
             Error::invalid(input, "friction_index", reason)
         })?;
         let friction = friction.map_err(|error| error.within(input))?;

@@ -231,7 +231,7 @@ fn near(answer: &[f64], x: &[RBig]) -> Option<Near> {
 /// Why there is at most one solution.
 fn unique(lcp: &Lcp) -> Result<Reason, String> {
     if lcp.has_coupled_rows() {
-        return Err("rows are coupled, for which no theorem is at hand".into());
+        return Err("some rows are coupled, and no theorem used here covers them".into());
     }
     let most = MOST_ROWS_TO_ELIMINATE.min(MOST_ROWS_OF_DEFINITE);
     if lcp.len() <= most && minors::is_definite(lcp) {

@@ -320,7 +320,7 @@ pub fn certificate_text(certificate: &Certificate, problem: &Problem) -> String 
     }
     if certificate.scale > 0.0 {
         text += &format!(
-            "  scale            {:>10}  rows count as at rest if their terms are smaller than those of this x\n",
+            "  scale            {:>10}  smallest significant |x|; rows with smaller terms count as at rest\n",
             readable(certificate.scale, 3)
         );
     }

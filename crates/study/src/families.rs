@@ -1,6 +1,6 @@
 //! Problem families from the library × solvers, each answer judged.
 //!
-//! Families with friction are solved under each model of friction by the methods that it takes, and
+//! Families with friction are solved under each friction model by the methods that it takes, and
 //! judged by the certificate of that model.
 
 use std::ops::ControlFlow;
@@ -25,7 +25,7 @@ use lcplab_solver::{Group, Iterate, Method, Observer, Options, Reason, Solution,
 pub struct Row {
     /// The family.
     pub family: String,
-    /// The model of friction; `None` for a family without friction.
+    /// The friction model; `None` for a family without friction.
     pub model: Option<String>,
     /// The solver.
     pub solver: String,
@@ -209,7 +209,7 @@ fn counted(problems: usize) -> String {
     if problems == 1 { "1 problem".into() } else { format!("{problems} problems") }
 }
 
-/// What a family is solved as: its problems under one model of friction, or without any.
+/// What a family is solved as: its problems under one friction model, or without any.
 struct Posing<'a> {
     family: &'a str,
     model: Option<Model>,

@@ -62,7 +62,7 @@ pub fn by_name(name: &str, model: Model) -> Result<Method> {
             Error::invalid(format!("solver {name}"), "model", reason)
         }
         None => {
-            let kind = "solver for this model of friction";
+            let kind = "solver for this friction model";
             Error::Unknown { kind, name: name.to_string(), known: names }
         }
     })

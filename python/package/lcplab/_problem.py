@@ -36,7 +36,7 @@ class Problem:
     model : str, optional
         The friction model, as in :func:`solve`.
     scale : float, optional
-        Rows whose terms are smaller than what this x causes count as at rest.
+        The smallest significant `|x|`; rows with smaller terms count as at rest.
     name : str, optional
         A name for tables and messages.
 

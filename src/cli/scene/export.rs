@@ -18,7 +18,7 @@ Example:
   lcplab export stack --step 1 --out stack.json; lcplab solve stack.json
 
 The rows are the scene's constraints in order, then the contacts, each with normal, first and second tangent. \
-A step that solves several LCPs (an impact, a bounce) gives the last one.
+If a step solves several LCPs (an impact, a bounce), the last one is written.
 
 Exit codes:
   0  written

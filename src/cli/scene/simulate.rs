@@ -43,7 +43,7 @@ Example:
   index.html      a page with the animation
   trajectory.csv  poses and velocities
   ledger.csv      energy and its changes, momentum, errors
-  forces.csv      x and w of each row; for contacts the bodies and the place at the start of the step
+  forces.csv      x and w of each row; for contacts the bodies and the point at the start of the step
   results.json    the summary
   frames.svg      pictures of some instants
   final.toml      the scene in its last state, to continue from; it contains the changes of --set

@@ -32,7 +32,7 @@ Example:
 
 A problem fails if its answer is not accepted: the solver claims a solution that the judge rejects, crashes, \
 is too slow, or finds no solution. With a baseline, a problem fails only if its result is worse than the \
-recorded one: an accepted answer is accepted no longer, or needs many more iterations or has a much larger \
+recorded one: an accepted answer is no longer accepted, or needs many more iterations or has a much larger \
 residual. Record the baseline in the folder in which the test runs: problems are compared by their paths.
 
 Exit codes:

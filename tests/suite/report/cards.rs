@@ -274,7 +274,7 @@ fn mujoco_solves_what_it_poses_so_that_what_it_misses_is_missed_by_the_model() {
     assert_eq!(table.rows.len(), record.frames.len());
 }
 
-/// The verdict on an engine's own answer, under the model of friction of its problem.
+/// The verdict on an engine's own answer, under the friction model of its problem.
 fn verdict(frame: &Frame) -> Verdict {
     let (problem, demand) =
         (frame.problem().unwrap(), Demand { tolerance: 1e-6, ..Demand::default() });

@@ -138,7 +138,7 @@ fn by_polygons(
     again.map_or(first, |answer| (solver.name(), answer))
 }
 
-/// Whether a solver is made for a model of friction; one that is not registered is thought to be.
+/// Whether a solver is made for a friction model; one that is not registered is thought to be.
 fn takes(solver: &dyn Solver, model: Model) -> bool {
     let entry = lcplab_solver::entry(solver.name());
     entry.map_or(true, |entry| Method::Boxed(*entry).takes(Some(model)))

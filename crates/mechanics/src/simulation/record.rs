@@ -97,7 +97,7 @@ impl Step {
 pub struct Solve {
     /// The problem; its assembly names the rows.
     pub problem: Problem,
-    /// The same under the scene's model of friction, if that is not the coupled box that the
+    /// The same under the scene's friction model, if that is not the coupled box that the
     /// problem's own LCP states.
     pub posing: Option<Posing>,
     /// The x that its solver started from.

@@ -60,7 +60,7 @@ impl Solving<'_> {
         self.answers.extend(rows.map(|(row, &x)| ((stage, row.id), x)));
     }
 
-    /// Poses a problem under the scene's model of friction, solves it from the x that rows of the
+    /// Poses a problem under the scene's friction model, solves it from the x that rows of the
     /// same name had at the same stage, and keeps it. Which contacts stick is decided with the
     /// answer.
     pub fn solve(&mut self, problem: Problem) -> Result<&Solve, Cause> {

@@ -76,7 +76,7 @@ fn models_that_a_plug_in_cannot_get_are_refused_at_the_start() {
         polygon.starts_with("plug-in polygons: start: its \"models\"") && polygon.ends_with(reason)
     );
     let unknown = refusal("unknown", "['cone']");
-    assert!(unknown.contains("there is no model of friction named \"cone\""), "{unknown}");
+    assert!(unknown.contains("there is no friction model named \"cone\""), "{unknown}");
     assert!(refusal("word", "'coulomb-cone'").ends_with("\"models\" is not a list of strings"));
 }
 

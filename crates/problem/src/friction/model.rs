@@ -132,7 +132,7 @@ impl FromStr for Model {
             return Err(Error::invalid(name, "directions", reason));
         }
         Err(Error::Unknown {
-            kind: "model of friction",
+            kind: "friction model",
             name: name.to_string(),
             known: Model::ALL.iter().map(Model::to_string).collect(),
         })

@@ -282,7 +282,7 @@ fn a_friction_problem_keeps_its_contacts_its_model_and_its_frozen_impulses() {
 fn each_defect_of_a_friction_problem_has_its_message() {
     let with = |from: &str, to: &str| message(&PUSHED.replace(from, to));
     assert!(with("polygon-8", "sphere").starts_with(
-        "p.json: model: there is no model of friction named \"sphere\"; there are frozen-box"
+        "p.json: model: there is no friction model named \"sphere\"; there are frozen-box"
     ));
     assert_eq!(with("\"polygon-8\"", "8"), "p.json: model: must be a name, is 8");
     assert_eq!(with("[2, 0, 0]", "[2]"), "p.json: frozen_at: has 1 entries, b has 3");

@@ -31,7 +31,7 @@ impl Method {
         options.validate()?;
         let known = Self::NAMES.into_iter().find(|known| *known == name);
         let name = known.ok_or_else(|| Error::Unknown {
-            kind: "solver that is explained",
+            kind: "solver with a derivation",
             name: name.into(),
             known: Self::NAMES.map(String::from).to_vec(),
         })?;

@@ -13,7 +13,7 @@ use lcplab_problem::friction::{FrictionProblem, Model, Posed};
 pub fn pose(lcp: &Lcp, model: Option<Model>) -> Result<Posed> {
     let Some(model) = model else { return Ok(Posed::Boxed(lcp.clone())) };
     if lcp.coupling().is_none_or(|coupling| coupling.is_empty()) {
-        let reason = format!("is missing: {model} is a model of friction");
+        let reason = format!("is missing: {model} is a friction model");
         return Err(Error::invalid("problem", "friction_index", reason));
     }
     model.pose(&FrictionProblem::of(lcp)?, Some(&frozen_at(lcp)))

@@ -100,7 +100,7 @@ fn an_unknown_solver_is_an_error_that_lists_those_that_are_explained() {
     let error = Method::named("admm").unwrap_err().to_string();
     assert_eq!(
         error,
-        "there is no solver that is explained named \"admm\"; there are pgs, sor, dantzig, lemke"
+        "there is no solver with a derivation named \"admm\"; there are pgs, sor, dantzig, lemke"
     );
 }
 
