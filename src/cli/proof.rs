@@ -28,9 +28,9 @@ Example:
   lcplab prove tower.json --kind motion   # a bound on the difference from the exact motion
 
 From the strongest to the weakest the kinds are no-solution, unique, not-unique, solution, motion, within. \
-The first kind that can be proved is written; for each stronger kind the output says why it was not proved. docs/proofs.md \
-says what each kind proves. Proofs are about boxes: under a polygon or a friction cone only no-solution can \
-be proved.
+The first kind that can be proved is written; for each stronger kind the output says why it was not proved. \
+docs/proofs.md says what each kind proves. Proofs are about boxes: under a polygon or a friction cone only \
+no-solution can be proved.
 
 Exit codes:
   0  a proof was written

@@ -61,7 +61,7 @@ impl Record {
             },
             match self.problems {
                 0 => "–".into(),
-                _ => format!("{} at worst", readable(self.worst_residual, 2)),
+                _ => format!("at most {}", readable(self.worst_residual, 2)),
             },
             readable(self.worst_drift, 3),
             self.drift_in_words(),
@@ -268,7 +268,7 @@ impl Record {
         };
         let [mean, least] = [mean, least].map(|part| readable((1e4 * part).round() / 100.0, 4));
         format!(
-            "contacts, joints and springs support {mean} % of it, at least {least} % (step {step})"
+            "contacts, joints and springs support {mean} % of it on average, at least {least} % (step {step})"
         )
     }
 }

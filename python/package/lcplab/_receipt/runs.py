@@ -37,16 +37,16 @@ class Run:
     ----------
     ok : bool
         Whether some frames were checked, the baseline lists all rejected ones, and no quantile of the motion error is
-        worse than the baseline's by more than its spread.
+        worse than the baseline's by more than the baseline's spread.
     receipts : dict of str to Receipt
-        By the names of the frames.
+        The receipt of each frame, by its name.
     rejected, known, unconverged : list of str
         The rejected frames, those of them that the baseline lists with the same stage, and frames above their limit
         at the engine's iteration cap.
     counts : dict of str to int
         The number of frames with a motion error above 1e-6, 1e-5, 1e-4 and 1e-3.
     quantiles : dict of str to float
-        Of the motion errors.
+        Quantiles of the motion errors.
     fixed : list of str
         Frames that the baseline lists as rejected, and that no longer are.
     worse : list of str
@@ -84,7 +84,7 @@ class Run:
 
     @property
     def ok(self) -> bool:
-        """Whether some frames were checked, the baseline lists all rejected ones, and no quantile is worse than its own."""
+        """Whether frames were checked, the baseline lists all rejected ones, and no quantile is worse than the baseline's."""
         return self.unchecked is None and len(self.known) == len(self.rejected) and not self.worse
 
     @property
