@@ -235,8 +235,8 @@ impl fmt::Display for Cause {
             ),
             Cause::Slow { radius, sweeps } => write!(
                 f,
-                "a sweep of Gauss-Seidel reduces the error to {} times its value while all rows are \
-                 active, so eight digits need {} sweeps. Start from the forces of the previous step, or \
+                "while all rows are active, each sweep of Gauss-Seidel multiplies the error by {}, \
+                 so eight digits need {} sweeps. Start from the forces of the previous step, or \
                  use a pivoting solver.",
                 readable(*radius, DIGITS),
                 readable(sweeps.round(), DIGITS)

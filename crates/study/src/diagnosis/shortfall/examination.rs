@@ -26,7 +26,7 @@ const GOOD_PART: f64 = 0.25;
 const HEALTHY_WORDS: &str = "No cause of errors was found.";
 
 /// The text if the rows are sound but something else is wrong.
-const TROUBLED_WORDS: &str = "The problem of the step can be solved; what goes wrong is below.";
+const TROUBLED_WORDS: &str = "The problem of this step can be solved; causes and warnings follow.";
 
 /// What is not examined.
 const NOT_EXAMINED: &str = "contacts that open and close repeatedly, closed loops, restitution of resting \
