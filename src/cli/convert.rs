@@ -88,6 +88,6 @@ fn description(format: &Format) -> String {
     let endings = format.endings.join(", ");
     let only = if format.write.is_some() { "" } else { "; import only" };
     format!(
-        "{name:<14} {about}\n  files    *{endings}{only}\n  carries  {carries}\n  trap     {trap}\n"
+        "{name:<14} {about}\n  files    *{endings}{only}\n  stores   {carries}\n  pitfall  {trap}\n"
     )
 }

@@ -105,7 +105,7 @@ fn note(id: &str) -> Option<String> {
     let exhibit = exhibit::named(id).ok()?;
     let [printed, holds] = [&exhibit.printed, &exhibit.holds].map(|text| literal(text));
     Some(format!(
-        "> **{}**, {}, {}. *Printed:* {printed} *Holds:* {holds}",
+        "> **{}**, {}, {}. *Printed:* {printed} *Correct:* {holds}",
         exhibit.id,
         literal(&exhibit.place),
         exhibit.severity.word(),

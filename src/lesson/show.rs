@@ -22,7 +22,7 @@ impl Show for Exhibit {
         let words = [
             ("Erratum", format!("{}, {}: {}.", self.id, self.place, self.title)),
             ("Printed", self.printed.to_string()),
-            ("Holds", self.holds.to_string()),
+            ("Correct", self.holds.to_string()),
             ("Why", self.why.to_string()),
         ];
         let words = words.map(|(head, text)| Block::Text(format!("{head}: {text}")));

@@ -1,4 +1,4 @@
-"""Holds JSON and TOML files against a schema that lcplab prints: schema.py SCHEMA FILE..."""
+"""Checks JSON and TOML files against a schema that lcplab prints: schema.py SCHEMA FILE..."""
 
 import json
 import sys

@@ -24,7 +24,7 @@ impl Exhibit {
             ..Document::default()
         };
         for (title, words) in
-            [("Printed", &self.printed), ("Holds", &self.holds), ("Why", &self.why)]
+            [("Printed", &self.printed), ("Correct", &self.holds), ("Why", &self.why)]
         {
             let mut section = Section::new(title);
             section.say(words.as_str());
@@ -54,7 +54,7 @@ impl Exhibit {
             let columns =
                 ["quantity", "unit", "printed", "corrected", "truth", "truth from", "verdict"];
             let rows = finding.measures.iter().map(row).collect();
-            section.table("Both forms against the truth", &columns, rows);
+            section.table("Both forms compared with the true value", &columns, rows);
         }
         if !finding.judged.is_empty() {
             let rows = finding.judged.iter().map(|(problem, printed, corrected)| {

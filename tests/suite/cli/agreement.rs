@@ -55,7 +55,7 @@ fn object(text: &str) -> Value {
     serde_json::from_str(text).unwrap_or_else(|error| panic!("{error}: {text}"))
 }
 
-/// Holds an answer against the law; says whether it is accepted.
+/// Checks an answer against the law; returns whether it is accepted.
 fn holds(answer: &Value, code: Option<i32>, told: &str) -> bool {
     let verdict = answer["verdict"].as_str().unwrap();
     let accepts = verdict != "not_a_solution";

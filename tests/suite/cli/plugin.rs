@@ -278,7 +278,7 @@ fn what_is_found_shows_the_plug_ins_own_answer_and_the_right_one() {
     assert!(test.starts_with("lcplab solve ") && test.trim() == test, "{test:?}");
     assert!(!test.contains("  ") && !test.contains('\n'), "{test:?}");
     let text = out(&run(&hunt));
-    assert!(text.contains("x of root") && text.contains("right x"), "{text}");
+    assert!(text.contains("x of root") && text.contains("correct x"), "{text}");
     assert_eq!(run(&["solve", file.to_str().unwrap()]).status.code(), Some(0));
 }
 

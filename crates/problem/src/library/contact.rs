@@ -27,7 +27,7 @@ pub(super) const FAMILIES: &[Generated] = &[
     },
     Generated {
         name: "near-duplicate",
-        about: "a stack whose every contact is listed twice, the copies apart by 2^−bits",
+        about: "a stack in which every contact is listed twice; the copies differ by 2^−bits",
         source: "contacts that a narrow phase reports twice",
         parameters: &[
             Parameter::whole("n", "number of bodies", 4, [1, 500]),

@@ -9,7 +9,7 @@ use crate::Matrix;
 use crate::file::Problem;
 
 const ORDER: Parameter =
-    Parameter::whole("reversed", "1: rows numbered backwards, the easy way round", 0, [0, 1]);
+    Parameter::whole("reversed", "1: rows in reverse order, which makes it easy", 0, [0, 1]);
 
 pub(super) const FAMILIES: &[Generated] = &[
     Generated {
@@ -58,14 +58,14 @@ pub(super) const FAMILIES: &[Generated] = &[
     },
     Generated {
         name: "hilbert",
-        about: "Hilbert's matrix times a whole number that makes it whole; x = 1, 0, 1, 0, …",
+        about: "Hilbert's matrix, scaled to integer entries; x = 1, 0, 1, 0, …",
         source: "Hilbert 1894; condition about 33ⁿ",
         parameters: &[Parameter::whole("n", "number of rows", 8, [1, 16])],
         make: |values| hilbert(values.whole("n")),
     },
     Generated {
         name: "several",
-        about: "pairs [1 2; 2 1], b = −2: three solutions a pair, 3^pairs in all",
+        about: "pairs [1 2; 2 1], b = −2: three solutions per pair, 3^pairs in total",
         source: "made of pairs; the determinant of each is −3, so A is no P-matrix",
         parameters: &[Parameter::whole("pairs", "number of pairs", 1, [1, 5])],
         make: |values| several(values.whole("pairs")),

@@ -95,7 +95,7 @@ impl Finding {
         let (own, right) = (self.answer.as_deref(), self.right.as_ref());
         let title = format!("x of {}", self.solver);
         let width = title.chars().count().max(15);
-        let mut text = format!("  row  {title:>width$}  {:>15}\n", "right x");
+        let mut text = format!("  row  {title:>width$}  {:>15}\n", "correct x");
         for i in 0..rows.min(Self::PRINTED_ROWS) {
             let right = column(right.map(|right| &*right.x), i);
             text += &format!("{i:>5}  {:>width$}  {right:>15}\n", column(own, i));
@@ -104,7 +104,7 @@ impl Finding {
             text += &format!("       and {} more rows\n", rows - Self::PRINTED_ROWS);
         }
         match right {
-            Some(right) => text + &format!("  right x: {}\n", right.source),
+            Some(right) => text + &format!("  correct x: {}\n", right.source),
             None => text,
         }
     }
