@@ -205,7 +205,7 @@ pub fn optimal_omega(jacobi_radius: f64) -> f64 {
 }
 
 /// Young's ρ(ω) of SOR from the spectral radius of the undamped Jacobi matrix, for a consistently
-/// ordered A: the asymptotic factor by which a sweep reduces the error.
+/// ordered A: the asymptotic factor by which a sweep multiplies the error.
 ///
 /// ```
 /// use lcplab_solver::theory::sor_radius;

@@ -109,7 +109,7 @@ fn table(studies: &[&Rates]) -> Table {
     Table {
         title: "Contraction per sweep, predicted and measured".into(),
         how_to_read:
-            "The factor by which a sweep reduces the error: *predicted* is the spectral radius of the \
+            "The factor by which a sweep multiplies the error: *predicted* is the spectral radius of the \
              iteration matrix on the free rows, *measured* the slope of the second half of the curve. They \
              agree if the digits gained per sweep are the same to 10 %. With bounds, ρ is the limit of the \
              slope; a curve that is still steeper, because the slowest component is small, has *not settled*."

@@ -49,9 +49,9 @@ pub(super) fn show(factors: &[&Factor], document: &mut Document) {
     document.figure(Spies {
         id: "sparsity_factor_pictures".into(),
         title: "The factor L under three orderings".into(),
-        caption: "Per cent are of the lower triangle. Darker cells are denser. Reverse Cuthill-McKee \
-                  gathers the entries near the diagonal; minimum degree leaves most of the triangle empty and \
-                  gathers what it cannot avoid in the last rows."
+        caption: "Percentages refer to the lower triangle. Darker cells are denser. Reverse Cuthill-McKee \
+                  gathers the entries near the diagonal; minimum degree leaves most of the triangle empty, \
+                  with the remaining fill-in in the last rows."
             .into(),
         across: 3,
         panels: all.map(panel).collect(),

@@ -43,7 +43,7 @@ impl Way {
 /// The slowest mode of Gauss-Seidel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Slowest {
-    /// The factor ρ by which a sweep reduces it.
+    /// The factor ρ by which a sweep multiplies it.
     pub rate: f64,
     /// Its forces, one entry per row.
     pub forces: Vec<f64>,
