@@ -27,8 +27,8 @@ pub(super) fn show(pictures: &[Picture], document: &mut Document) {
             id: format!("sparsity_scenes_{}", k + 1),
             title: format!("A of the shipped scenes, {} of {figures}", k + 1),
             caption: "Under each name: the number of rows and the share of entries that are not zero; the \
-                      step, if it is not the first. An empty frame has no rows in that step. Rows at right \
-                      angles share a body and no entry."
+                      step, if it is not the first. An empty frame has no rows in that step. Perpendicular \
+                      rods that share a point mass have no common entry."
                 .into(),
             across: ACROSS,
             panels: some.iter().map(small).collect(),
