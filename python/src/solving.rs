@@ -75,8 +75,7 @@ pub fn solve<'py>(
     let question = question(problem, model, name.as_deref())?;
     if let Some(model) = question.model() {
         if trace {
-            let reason =
-                "keeps the iterates of a problem that is solved without a friction model";
+            let reason = "keeps the iterates of a problem that is solved without a friction model";
             return Err(refused(Error::invalid("options", "trace", reason)));
         }
         return solve_modelled(py, &question, model, solver, &options, &demand);
