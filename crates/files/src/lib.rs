@@ -178,7 +178,9 @@ pub fn read_within(path: &Path, format: Option<&Format>, most: Memory) -> Result
 pub fn write(problem: &Problem, path: &Path, format: Option<&Format>) -> Result<Vec<String>> {
     let format = match format.or_else(|| Format::of(path)) {
         Some(format) => format,
-        None => return Err(Error::invalid(path.display().to_string(), "ending", unknown_ending())),
+        None => {
+            return Err(Error::invalid(path.display().to_string(), "extension", unknown_ending()));
+        }
     };
     let main = match format.in_folder {
         Some(name) if path.is_dir() => path.join(name),
@@ -254,7 +256,7 @@ fn main_file(path: &Path) -> Option<PathBuf> {
 fn unknown_ending() -> String {
     let of = |format: &Format| format!("{} {}", format.name, format.endings.join(" "));
     let known: Vec<String> = ALL.iter().map(of).collect();
-    format!("unknown file extension; known are {}", known.join(", "))
+    format!("is unknown; known are {}", known.join(", "))
 }
 
 #[cfg(doctest)]

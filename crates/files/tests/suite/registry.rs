@@ -34,7 +34,7 @@ fn a_name_without_a_known_ending_is_read_as_json_but_not_written() {
     let problem = exchange::read(&path, None).unwrap();
     assert_eq!(problem.lcp.b(), [-1.0]);
     let error = exchange::write(&problem, &path, None).unwrap_err().to_string();
-    assert!(error.contains("ending: unknown file extension; known are json .json"), "{error}");
+    assert!(error.contains("extension: is unknown; known are json .json"), "{error}");
 }
 
 #[test]
