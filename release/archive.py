@@ -46,7 +46,7 @@ def main() -> None:
     archive.write_bytes(packed(name, contents(given.lcplab)))
     try_out(archive, f"{name}/{program(given.lcplab)}")
     digest = hashlib.sha256(archive.read_bytes()).hexdigest()
-    (given.out / f"{archive.name}.sha256").write_text(f"{digest}  {archive.name}\n", encoding="ascii")
+    (given.out / f"{archive.name}.sha256").write_text(f"{digest}  {archive.name}\n", encoding="ascii", newline="\n")
     print(f"{archive}: {archive.stat().st_size / 1e6:.1f} MB, SHA-256 {digest}")
 
 

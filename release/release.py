@@ -11,6 +11,8 @@ import sys
 import tomllib
 from pathlib import Path
 
+import workflow
+
 ROOT = Path(__file__).resolve().parent.parent
 TARGET = ROOT / "target"
 OUT = TARGET / "released"
@@ -26,13 +28,17 @@ STATED = {
 # Pages that say that there is no release.
 UNRELEASED = ["CHANGELOG.md", "SECURITY.md", "docs/cite.md", "docs/install.md"]
 
-# What a person does at the end; the first step once.
+# What a person does at the end; the first step once, as the step says that sets up PyPI.
 STEPS = [
     "Accounts: the forge, crates.io (`cargo login`), PyPI.",
     "`git push origin main v{version}`",
     "`cargo publish --workspace`: the crates, in their order. A published version cannot be replaced.",
-    "`twine upload target/released/*.whl`: the Python package for this system.",
-    "A release of v{version} on the forge: its part of CHANGELOG.md as text, with the files of `target/released`.",
+    "Once: on PyPI a trusted publisher for `release.yml` and the environment `pypi`; on GitHub that environment, with "
+    "required reviewers, and tags `v*` only.",
+    "GitHub, Actions, Release, Run workflow: choose the tag v{version}, tick `publish`, press Run workflow; when all else "
+    "has passed, Review deployments, `pypi`, Approve and deploy.",
+    "A release of v{version} on GitHub: its part of CHANGELOG.md as text, with the run's artifacts `program-*` and the "
+    "problem set in `target/released`.",
     "The site: copy `target/public` to the folder `{version}` of the host, and let its first page lead there.",
 ]
 
@@ -49,7 +55,7 @@ def arguments() -> argparse.Namespace:
 def main() -> None:
     given = arguments()
     version = tomllib.loads(read("Cargo.toml"))["workspace"]["package"]["version"]
-    wrong = [*versions(version), *tree(version)]
+    wrong = [*versions(version), *tree(version), *workflow.disagreements(version)]
     if wrong:
         sys.exit("\n".join(wrong))
     left = left_to_do(version)
