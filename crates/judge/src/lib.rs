@@ -49,7 +49,7 @@ mod verdict;
 pub use certificate::{Certificate, Evidence};
 pub use cone::{ConeCertificate, judge_cone};
 pub use friction::{FrictionCertificate, judge_friction};
-pub use refutation::{Refutation, refutation, refuting_vector};
+pub use refutation::{Refutation, refutation, refuted_by, refuting_vector};
 pub use verdict::{Refusal, Verdict, printed_up, upper_bound};
 
 use certificate::measure;

@@ -25,16 +25,9 @@ const MEANT_TO_BE_ZERO: f64 = 1e-6;
 pub struct Farkas {
     /// d, exactly.
     pub vector: Vec<RBig>,
-    /// How far the maximum lies below 0, as a fraction of the sizes of its terms.
+    /// How far the maximum lies below 0, as a fraction of the sizes of its terms. It belongs to
+    /// this d: another one may prove the same with a larger margin.
     pub margin: f64,
-}
-
-impl Farkas {
-    /// Whether the proof holds only because of the last digits of the numbers: rows that are meant
-    /// to agree, but were rounded differently.
-    pub fn is_by_rounding(&self) -> bool {
-        self.margin <= 64.0 * f64::EPSILON
-    }
 }
 
 /// Tries to prove from a solver's ray, or from any other guess of d, that a problem has no

@@ -66,11 +66,15 @@ pub fn refutation(lcp: &Lcp, hints: &[&[f64]]) -> Option<Refutation> {
 /// Tries to prove it by a single vector. Such a proof is valid for every friction model, since the
 /// vector is 0 in rows with friction.
 pub fn refuting_vector(lcp: &Lcp, hints: &[&[f64]]) -> Option<Farkas> {
-    let proof = |d: &[f64]| refute(lcp, largest(lcp, d), d);
-    hints.iter().find_map(|d| proof(d)).or_else(|| {
+    hints.iter().find_map(|d| refuted_by(lcp, d)).or_else(|| {
         let is_small = lcp.len() <= MOST_ROWS;
-        is_small.then(|| by_linear_program(lcp)).flatten().and_then(|d| proof(&d))
+        is_small.then(|| by_linear_program(lcp)).flatten().and_then(|d| refuted_by(lcp, &d))
     })
+}
+
+/// Tries to prove it by this vector, whose rounding is repaired.
+pub fn refuted_by(lcp: &Lcp, d: &[f64]) -> Option<Farkas> {
+    refute(lcp, largest(lcp, d), d)
 }
 
 /// The vector that clarabel finds.

@@ -346,11 +346,7 @@ pub(crate) fn evidence_text(evidence: &Evidence) -> String {
             )
         }
         Evidence::NoSolution(Refutation::Vector(farkas)) => {
-            let digits = match farkas.is_by_rounding() {
-                true => "; rows contradict each other only in the last digits of their numbers",
-                false => "",
-            };
-            format!("  no solution exists: proved by d = ({}){digits}\n", listed(&farkas.vector))
+            format!("  no solution exists: proved by d = ({})\n", listed(&farkas.vector))
         }
         Evidence::NoSolution(refutation) => format!("  no solution exists, {}\n", how(refutation)),
     }

@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use lcplab_judge::ray::Farkas;
 use lcplab_page::document::notation::plain;
 use lcplab_page::number::readable;
 
@@ -90,8 +89,8 @@ pub enum Cause {
 pub enum Proof {
     /// By a vector that was checked in exact arithmetic.
     Vector,
-    /// By such a vector, for the numbers as they are written: their last digits differ where they
-    /// are meant to agree.
+    /// By such a vector, but only for the numbers as they are written: rows that are meant to agree
+    /// differ in their last digits.
     LastDigits,
     /// By trying all pieces of the problem in exact arithmetic.
     CaseSplit {
@@ -100,13 +99,6 @@ pub enum Proof {
     },
     /// Not proved: true as far as rounding allows to decide.
     Rounding,
-}
-
-impl Proof {
-    /// The kind of proof that a vector gives.
-    pub(super) fn of(vector: &Farkas) -> Self {
-        if vector.is_by_rounding() { Proof::LastDigits } else { Proof::Vector }
-    }
 }
 
 impl Cause {

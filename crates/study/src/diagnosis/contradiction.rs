@@ -7,7 +7,8 @@
 //! tried piece by piece.
 
 use super::cause::Proof;
-use lcplab_judge::{Refutation, refutation, refuting_vector};
+use lcplab_judge::ray::Farkas;
+use lcplab_judge::{Refutation, refutation, refuted_by, refuting_vector};
 use lcplab_problem::Lcp;
 use lcplab_solver::{Dantzig, Solver, Start, Status};
 
@@ -18,6 +19,9 @@ const PROVED: usize = 150;
 /// zero.
 const ROUNDING: f64 = 1e-9;
 
+/// A contradiction up to this fraction of its terms lies in the last digits of the numbers.
+const LAST_DIGITS: f64 = 64.0 * f64::EPSILON;
+
 /// The rows that contradict each other, and how that is known. `is_box` is whether friction rows,
 /// if there are any, are those of the coupled box.
 pub(super) fn rows(
@@ -27,17 +31,19 @@ pub(super) fn rows(
 ) -> Option<(Vec<usize>, Proof)> {
     let falling: Vec<Vec<f64>> = dependencies.iter().map(|d| falling(d, lcp.b())).collect();
     if lcp.len() <= PROVED {
+        if let Some(proof) = clearest(lcp, &falling) {
+            let is_by_rounding = proof.margin <= LAST_DIGITS;
+            let kind = if is_by_rounding { Proof::LastDigits } else { Proof::Vector };
+            return Some((support_of(&proof), kind));
+        }
         let ray = ray(lcp);
-        let hints: Vec<&[f64]> = falling.iter().chain(&ray).map(Vec::as_slice).collect();
+        let hints: Vec<&[f64]> = ray.iter().map(Vec::as_slice).collect();
         let refutation = match is_box {
             true => refutation(lcp, &hints),
             false => refuting_vector(lcp, &hints).map(Refutation::Vector),
         };
         match refutation {
-            Some(Refutation::Vector(proof)) => {
-                let rows = (0..lcp.len()).filter(|&i| !proof.vector[i].is_zero()).collect();
-                return Some((rows, Proof::of(&proof)));
-            }
+            Some(Refutation::Vector(proof)) => return Some((support_of(&proof), Proof::Vector)),
             Some(Refutation::CaseSplit { pieces }) => {
                 return Some((Vec::new(), Proof::CaseSplit { pieces })); // it takes all rows
             }
@@ -46,6 +52,21 @@ pub(super) fn rows(
     }
     let seems = falling.iter().find(|d| is_free(lcp, d) && contradicts(lcp, d))?;
     Some((support(seems), Proof::Rounding))
+}
+
+/// The proof by one of these vectors: the first that does not depend on the last digits, or else
+/// the one with the largest margin.
+fn clearest(lcp: &Lcp, vectors: &[Vec<f64>]) -> Option<Farkas> {
+    let mut clearest: Option<Farkas> = None;
+    for proof in vectors.iter().filter_map(|d| refuted_by(lcp, d)) {
+        if clearest.as_ref().is_none_or(|known| known.margin < proof.margin) {
+            clearest = Some(proof);
+        }
+        if clearest.as_ref().is_some_and(|proof| proof.margin > LAST_DIGITS) {
+            break;
+        }
+    }
+    clearest
 }
 
 /// d with the sign that makes dᵀb negative.
@@ -67,6 +88,10 @@ fn contradicts(lcp: &Lcp, d: &[f64]) -> bool {
     let size = lcp.b().iter().zip(&units).fold(0.0_f64, |most, (b, unit)| most.max(b.abs() / unit));
     let weight: f64 = d.iter().zip(&units).map(|(d, unit)| d.abs() * unit).sum();
     sum.abs() > ROUNDING * size * weight
+}
+
+fn support_of(proof: &Farkas) -> Vec<usize> {
+    (0..proof.vector.len()).filter(|&i| !proof.vector[i].is_zero()).collect()
 }
 
 fn support(d: &[f64]) -> Vec<usize> {

@@ -114,7 +114,7 @@ fn impossible_polygons(problem: &Problem) -> Option<Cause> {
         return None;
     };
     let proof = match refutation(polygons.lcp(), &[])? {
-        Refutation::Vector(vector) => Proof::of(&vector),
+        Refutation::Vector(_) => Proof::Vector,
         Refutation::CaseSplit { pieces } => Proof::CaseSplit { pieces },
     };
     Some(Cause::Impossible { rows: Vec::new(), proof })

@@ -140,6 +140,21 @@ fn equal_rows_that_differ_by_a_rounding_contradict_each_other_in_the_last_digits
 }
 
 #[test]
+fn large_consistent_rows_do_not_make_a_contradiction_one_of_the_last_digits() {
+    // x₀ + x₁ = 1 and = 2, next to two equal rows whose b are 10²⁰: alone, and in one A.
+    let apart = [[1.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 1.0]];
+    let joined = [[1.0, 1.0, 1.0, 1.0], [1.0, 1.0, 2.0, 2.0]];
+    for [small, large] in [apart, joined] {
+        let b = [1.0, 2.0, 1e20, 1e20];
+        let found = of_lcp(equations(&[&small, &small, &large, &large], &b));
+        assert!(
+            matches!(&found.causes[0], Cause::Impossible { rows, proof: Proof::Vector } if rows == &["0", "1"]),
+            "{found:?}"
+        );
+    }
+}
+
+#[test]
 fn a_row_that_acts_on_nothing_is_named() {
     let found = of_lcp(equations(&[&[1.0, 0.0], &[0.0, 0.0]], &[1.0, 0.0]));
     assert_eq!(found.causes, [Cause::ZeroRow { row: "1".into() }]);

@@ -285,8 +285,8 @@ fn an_order_against_the_way_of_impulses_is_named_first() {
 }
 
 #[test]
-fn a_strong_drive_far_away_does_not_hide_what_a_column_misses() {
-    // A million kilograms on a driven hinge: beside their weight that of the balls is nothing.
+fn a_strong_drive_far_away_does_not_hide_the_error_of_a_column() {
+    // A million kilograms on a driven hinge: compared with their weight, that of the balls is negligible.
     let wheel = "[[bodies]]\nname = \"wheel\"\nshape = { sphere = 1 }\nmass = 1e6\nposition = [90, 0, 9]\n\
          [[constraints]]\nkind = \"hinge\"\nbodies = [\"wheel\"]\npoint = [90, 0, 9]\naxis = [0, 0, 1]\n\
          [[constraints]]\nkind = \"motor_rotation\"\nbodies = [\"wheel\"]\naxis = [0, 0, 1]\n\

@@ -33,11 +33,13 @@ pub(super) fn islands(frame: &Frame) -> Vec<Island> {
     groups.into_iter().map(island).collect::<Option<_>>().unwrap_or_default()
 }
 
-/// The part with the largest error of x, and that error; `None` if it is not larger than `missing`,
+/// The part with the largest error of x, and that error, among those whose constraints have an
+/// effect; `None` if it is not larger than `missing`,
 /// the error of the whole.
 pub(super) fn worst(frame: &Frame, x: &[f64], missing: f64) -> Option<(Island, f64)> {
     let measured = islands(frame).into_iter().filter_map(|island| {
-        let error = Yard::of(&island.frame)?.missing_in_answer(&island.of(x));
+        let yard = Yard::of(&island.frame).filter(Yard::is_needed)?;
+        let error = yard.missing_in_answer(&island.of(x));
         Some((island, error))
     });
     measured.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, error)| *error > missing)
