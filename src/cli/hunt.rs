@@ -5,7 +5,7 @@ use lcplab::error::{Error, Result};
 use lcplab::hunt::{Hunt, KINDS, Record, Tally};
 use lcplab::lcp::friction::Model;
 use lcplab::report::methods;
-use lcplab::report::page::{Cell, Column, Table};
+use lcplab::report::page::{Cell, Table};
 use lcplab::report::text;
 use lcplab::solver::{ALL, Method, Options, Settings, Solver, Stop};
 
@@ -183,23 +183,11 @@ fn table(record: &Record) -> Table {
         ];
         std::iter::once(Cell::text(&tally.solver)).chain(counts.map(Cell::count)).collect()
     };
-    Table {
-        title: "Claims".into(),
-        columns: std::iter::once(Column::words("solver"))
-            .chain(
-                [
-                    "proved",
-                    "within tolerance",
-                    "rejected",
-                    "no solution",
-                    "unsolved",
-                    "outside class",
-                    "false claims",
-                ]
-                .map(|name| Column::numbers(name, "")),
-            )
-            .collect(),
-        rows: record.tallies.iter().map(row).collect(),
-        ..Table::default()
-    }
+    Table::new(
+        "Claims",
+        "",
+        "solver | #proved | #within tolerance | #rejected | #no solution | #unsolved | \
+         #outside class | #false claims",
+        record.tallies.iter().map(row).collect(),
+    )
 }

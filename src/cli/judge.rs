@@ -11,7 +11,7 @@ use lcplab::lcp::friction::Model;
 use lcplab::report::answer::{bound, certificate_json, certificate_text, verdict_json};
 use lcplab::report::friction::Judged as Judgement;
 use lcplab::report::motion_error::MotionError;
-use lcplab::report::page::{Cell, Column, Table};
+use lcplab::report::page::{Cell, Table};
 use lcplab::report::text;
 use lcplab::solver::Settings;
 use serde_json::{Map, Value, json};
@@ -166,17 +166,9 @@ impl Judge {
                 let residual = Cell::number(judged.scaled_residual, 3);
                 vec![Cell::text(&judged.label), residual, Cell::text(judged.verdict.to_string())]
             };
-            let table = Table {
-                title: title(problem),
-                columns: vec![
-                    Column::words("answer"),
-                    Column::numbers("scaled residual", ""),
-                    Column::words("verdict"),
-                ],
-                rows: all.iter().map(row).collect(),
-                ..Table::default()
-            };
-            print(&text::table(&table))?;
+            let rows = all.iter().map(row).collect();
+            let headings = "answer | #scaled residual | verdict";
+            print(&text::table(&Table::new(title(problem), "", headings, rows)))?;
         }
         let fails = |judged: &&Judged| self.fail_on.outcome(&judged.verdict) == Outcome::Refuted;
         let wrong = all.iter().filter(|judged| judged.is_answer).find(fails);

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use serde_json::{Map, Value};
 
-use super::page::{Cell, Column, Table};
+use super::page::{Cell, Table};
 use crate::error::{Error, Result};
 use crate::file;
 use crate::json;
@@ -73,18 +73,12 @@ const LISTED: usize = 40;
 /// The changes as a table.
 pub fn table(changes: &[Change]) -> Table {
     let more = changes.len().saturating_sub(LISTED);
-    Table {
-        title: format!("{} differences", changes.len()),
-        how_to_read: if more > 0 { format!("And {more} more.") } else { String::new() },
-        columns: vec![
-            Column::words("place"),
-            Column::numbers("old", ""),
-            Column::numbers("new", ""),
-            Column::numbers("relative change", ""),
-        ],
-        rows: changes.iter().take(LISTED).map(Change::row).collect(),
-        ..Table::default()
-    }
+    Table::new(
+        format!("{} differences", changes.len()),
+        if more > 0 { format!("And {more} more.") } else { String::new() },
+        "place | #old | #new | #relative change",
+        changes.iter().take(LISTED).map(Change::row).collect(),
+    )
 }
 
 /// Reads a results file.

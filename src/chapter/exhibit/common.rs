@@ -9,7 +9,6 @@ use crate::body::State;
 use crate::constraint::Constraint;
 use crate::error::{Error, Result};
 use crate::lcp::{Lcp, Matrix};
-use crate::plot::{Axis, Lines, Panel, Series};
 use crate::solver::{Damping, Iterate, Observer, Options, Settings, Start, all_solutions, by_name};
 
 /// w = A x + b ≥ 0, x ≥ 0, with A by rows.
@@ -111,12 +110,6 @@ pub(super) fn jacobian(constraint: &dyn Constraint, body: &State) -> Result<DMat
 /// The rank, computed from singular values.
 pub(super) fn rank(j: &DMatrix<f64>) -> f64 {
     j.rank(1e-9) as f64
-}
-
-/// Curves in one panel; `words` are title and caption.
-pub(super) fn curves(id: &str, words: [&str; 2], x: Axis, y: Axis, series: Vec<Series>) -> Lines {
-    let [title, caption] = words.map(str::to_string);
-    Lines { id: id.into(), title, caption, x, panels: vec![Panel { y, series }] }
 }
 
 /// Values as points with this spacing, the first at 0.

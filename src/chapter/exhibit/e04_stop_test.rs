@@ -1,6 +1,6 @@
 //! E04: a stop test that never fires at an active bound, K&M (4).
 
-use super::common::{contacts, curves, spaced, sweeps};
+use super::common::{contacts, spaced, sweeps};
 use super::{Finding, Measure, Outcome};
 use crate::error::Result;
 use crate::lcp::{Lcp, merit};
@@ -62,13 +62,11 @@ fn both_merits() -> Result<Lines> {
         Series::theory("(½)ᵏ⁻¹", halves.collect()),
         Series::reference("1/√11", vec![(0.0, stays), (30.0, stays)]),
     ];
-    Ok(curves(
+    Ok(Lines::new(
         "two_stop_tests",
-        [
-            "Two stop tests on one problem",
-            "Three stacked bodies, the top one leaving. From the first on the natural residual halves with each sweep; the \
+        "Two stop tests on one problem",
+        "Three stacked bodies, the top one leaving. From the first on the natural residual halves with each sweep; the \
              printed test stays at 1/√11, whatever is done.",
-        ],
         Axis::linear("sweep", ""),
         Axis::log("value of the test", ""),
         series,

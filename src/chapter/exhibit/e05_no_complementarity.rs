@@ -1,6 +1,6 @@
 //! E05: two inequalities without complementarity, K&M (15).
 
-use super::common::{contacts, curves, enumerated, last};
+use super::common::{contacts, enumerated, last};
 use super::{Finding, Measure};
 use crate::error::Result;
 use crate::lcp::Lcp;
@@ -51,13 +51,11 @@ fn feasible_set(lcp: &Lcp) -> Lines {
     let point = |x: &Vec<f64>| (x[0], x[1]);
     let feasible = grid().iter().filter(|x| printed(lcp, x)).map(point).collect();
     let solution = point(&last(enumerated(lcp)));
-    curves(
+    Lines::new(
         "feasible_set",
-        [
-            "What two inequalities leave",
-            "Every dot satisfies A x + b ≥ 0 and x ≥ 0, as (15) asks; only one, on the axis where the \
+        "What two inequalities leave",
+        "Every dot satisfies A x + b ≥ 0 and x ≥ 0, as (15) asks; only one, on the axis where the \
              second contact is open, is the answer.",
-        ],
         Axis::linear("x₁", ""),
         Axis::linear("x₂", ""),
         vec![

@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use super::common::{bounded, curves, spaced, sweeps, tridiagonal};
+use super::common::{bounded, spaced, sweeps, tridiagonal};
 use super::{Finding, Measure, Outcome};
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Series};
@@ -59,13 +59,11 @@ fn chain_errors() -> Result<Vec<f64>> {
 fn errors_by_sweep(errors: &[f64]) -> Lines {
     let from = (SETTLED as f64, errors[SETTLED]);
     let line = [0.0, 4700.0].map(|k| (k, from.1 * rho().powf(k - from.0)));
-    curves(
+    Lines::new(
         "error_by_sweep",
-        [
-            "A chain of 50 rods, sweep after sweep",
-            "A straight line down on this scale: a constant factor a sweep, and no end. Dashed: \
+        "A chain of 50 rods, sweep after sweep",
+        "A straight line down on this scale: a constant factor a sweep, and no end. Dashed: \
              the slope of ρ = cos²(π/51) = 0.99621.",
-        ],
         Axis::linear("sweep", ""),
         Axis::log("largest error of x", ""),
         vec![

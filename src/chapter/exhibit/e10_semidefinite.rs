@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, SMatrix, Vector3};
 
-use super::common::{contacts, curves, enumerated, equations, rank, spaced, sweeps};
+use super::common::{contacts, enumerated, equations, rank, spaced, sweeps};
 use super::setting::{DT, G};
 use super::{Finding, Measure};
 use crate::error::Result;
@@ -62,13 +62,11 @@ fn run_off(j: &SMatrix<f64, 4, 6>) -> Result<(Vec<f64>, Vec<f64>)> {
 }
 
 fn off_for_ever(pushes: &[f64], speeds: &[f64]) -> Lines {
-    curves(
+    Lines::new(
         "off_for_ever",
-        [
-            "Forces without bound, a motion at rest",
-            "The push of the first corner grows by ⅛ N s per sweep, without limit; the velocity that all four give \
+        "Forces without bound, a motion at rest",
+        "The push of the first corner grows by ⅛ N s per sweep, without limit; the velocity that all four give \
              to the cube together stays at ¼ m/s. A solver that watches x alone calls this divergence.",
-        ],
         Axis::log("sweep", ""),
         Axis::log("impulse (N s) and velocity (m/s)", ""),
         vec![

@@ -1,11 +1,11 @@
 //! E12: a warm start that starts cold, K&M Codes 6 and 7.
 
-use super::common::{bounded, curves, last, sweeps, tridiagonal};
+use super::common::{bounded, last, sweeps, tridiagonal};
 use super::setting::{DT, G};
 use super::{Finding, Measure};
 use crate::error::Result;
 use crate::lcp::Lcp;
-use crate::plot::{Axis, Series};
+use crate::plot::{Axis, Lines, Series};
 
 const BODIES: usize = 10;
 const FRAMES: usize = 100;
@@ -30,13 +30,11 @@ pub(super) fn example() -> Result<Finding> {
             .map(|(k, &share)| ((k + 1) as f64, 100.0 * share))
             .collect()
     };
-    let lines = curves(
+    let lines = Lines::new(
         "warm_start",
-        [
-            "What the floor carries, frame after frame",
-            "Ten sweeps a frame. With x kept the column settles within twenty frames; with x made anew every \
+        "What the floor carries, frame after frame",
+        "Ten sweeps a frame. With x kept the column settles within twenty frames; with x made anew every \
              frame begins at nothing and the column sinks.",
-        ],
         Axis::linear("frame", ""),
         Axis::linear("carried at the floor", "% of the weight"),
         vec![

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::common::{answer, contacts, curves, enumerated};
+use super::common::{answer, contacts, enumerated};
 use super::setting::G;
 use super::{Finding, Measure, Outcome};
 use crate::error::{Error, Result};
@@ -97,14 +97,12 @@ fn pull_over_time() -> Result<Lines> {
     }
     let run = forces(Scheme::Velocity, dt, 100)?;
     let run = run.iter().enumerate().map(|(k, force)| (k as f64 * dt, -force)).collect();
-    Ok(curves(
+    Ok(Lines::new(
         "pull_of_a_pendulum",
-        [
-            "What the rod of a pendulum pulls with",
-            "A single step at velocity level, started on the exact motion, lacks the part that bends the \
+        "What the rod of a pendulum pulls with",
+        "A single step at velocity level, started on the exact motion, lacks the part that bends the \
              path. A run makes good from its second step on what the first one missed; \
              what is left is the error of steps of 0.02 s.",
-        ],
         Axis::linear("time", "s"),
         Axis::linear("pull of the rod", "N"),
         vec![

@@ -3,7 +3,7 @@
 use super::setting::G;
 use super::{Finding, Measure};
 use crate::error::Result;
-use crate::plot::{Axis, Lines, Panel, Series};
+use crate::plot::{Axis, Lines, Series};
 
 /// Height (m) and velocity (m/s) at the start, and the step (s).
 const X: f64 = 100.0;
@@ -37,22 +37,19 @@ pub(super) fn example() -> Result<Finding> {
     let truth = x + v * dt + 0.5 * a * dt * dt;
     let height = Measure::new("height after the step", "m", printed, corrected);
     let fall = |k: usize| x + v * k as f64 * SHOWN + 0.5 * a * (k as f64 * SHOWN).powi(2);
-    let lines = Lines {
-        id: "e21".into(),
-        title: "A stone thrown upward from 100 m".into(),
-        caption: "The printed formula uses a velocity as the height: after one step the stone is at 1.8 m, because the \
-                  formula drops the old position. The corrected formula follows free fall."
-            .into(),
-        x: Axis::linear("time", "s"),
-        panels: vec![Panel {
-            y: Axis::linear("height", "m"),
-            series: vec![
-                Series::measured("printed", flight(|_, v| v + a * dt)),
-                Series::measured("corrected", flight(|x, v| x + v * dt)),
-                Series::theory("free fall", (0..=10).map(|k| (k as f64 * SHOWN, fall(k))).collect()),
-            ],
-        }],
-    };
+    let lines = Lines::new(
+        "e21",
+        "A stone thrown upward from 100 m",
+        "The printed formula uses a velocity as the height: after one step the stone is at 1.8 m, because the \
+                  formula drops the old position. The corrected formula follows free fall.",
+        Axis::linear("time", "s"),
+        Axis::linear("height", "m"),
+        vec![
+            Series::measured("printed", flight(|_, v| v + a * dt)),
+            Series::measured("corrected", flight(|x, v| x + v * dt)),
+            Series::theory("free fall", (0..=10).map(|k| (k as f64 * SHOWN, fall(k))).collect()),
+        ],
+    );
     Ok(Finding::new(
         "A body at 100 m rises at 2 m/s; g = 9.81 m/s², one step of 0.01 s. The corrected step differs from free \
          fall by ½ g dt² = 0.49 mm: this is the error of the method, and it shrinks with dt.",

@@ -2,7 +2,6 @@
 
 use nalgebra::Vector3;
 
-use super::common::curves;
 use super::{Finding, Measure, Outcome};
 use crate::body::{Gyroscopic, Mass, State, stack};
 use crate::error::Result;
@@ -93,13 +92,11 @@ fn momentum_over_time(printed: &Tumble, corrected: &Tumble) -> Lines {
         let errors = tumble.errors.iter().enumerate().step_by(10);
         errors.map(|(k, &error)| (k as f64 * DT, error)).collect()
     };
-    curves(
+    Lines::new(
         "momentum_of_a_tumbling_body",
-        [
-            "The angular momentum of a free body",
-            "No torque acts, so nothing may change. Without the gyroscopic term it wanders by several \
+        "The angular momentum of a free body",
+        "No torque acts, so nothing may change. Without the gyroscopic term it wanders by several \
              percent and back, however short the step; with it, the error is that of the method.",
-        ],
         Axis::linear("time", "s"),
         Axis::linear("error of the angular momentum", "%"),
         vec![

@@ -9,7 +9,7 @@ use crate::chapter::code::code03_update::update;
 use crate::chapter::code::code05_rigid_body::RigidBody;
 use crate::chapter::code::constraint_class::Joint;
 use crate::error::Result;
-use crate::plot::{Axis, Lines, Panel, Series};
+use crate::plot::{Axis, Lines, Series};
 
 /// The number of frames without a constraint.
 const FRAMES: usize = 60;
@@ -56,23 +56,19 @@ pub(super) fn example() -> Result<Finding> {
     let gained = Measure::new("speed gained in frame 61", "m/s", printed.gained, corrected.gained);
     let exact = |t: f64| 10.0 - 0.5 * G * t * t;
     let curve: Vec<_> = (0..=90).map(|k| k as f64 * DT).map(|t| (t, exact(t))).collect();
-    let lines = Lines {
-        id: "e32".into(),
-        title: "A ball that nothing holds".into(),
-        caption:
-            "As printed the ball hangs for a second, until a constraint appears on another body; \
-                  then it sets off with the speed of the whole second."
-                .into(),
-        x: Axis::linear("time", "s"),
-        panels: vec![Panel {
-            y: Axis::linear("height", "m"),
-            series: vec![
-                Series::measured("printed", over_time(&printed.heights)),
-                Series::measured("corrected", over_time(&corrected.heights)),
-                Series::theory("10 − g t²/2", curve),
-            ],
-        }],
-    };
+    let lines = Lines::new(
+        "e32",
+        "A ball that nothing holds",
+        "As printed the ball hangs for a second, until a constraint appears on another body; \
+                  then it sets off with the speed of the whole second.",
+        Axis::linear("time", "s"),
+        Axis::linear("height", "m"),
+        vec![
+            Series::measured("printed", over_time(&printed.heights)),
+            Series::measured("corrected", over_time(&corrected.heights)),
+            Series::theory("10 − g t²/2", curve),
+        ],
+    );
     Ok(Finding::new(
         "A ball of 1 kg falls from 10 m for 60 frames of 1/60 s, g = 9.81 m/s², without any constraint. In frame 61 \
          another body is nailed, which has nothing to do with the ball.",

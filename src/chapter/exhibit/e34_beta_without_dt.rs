@@ -6,7 +6,7 @@ use crate::chapter::code::Form;
 use crate::chapter::code::code07_whole_step::WholeStep;
 use crate::chapter::code::constraint_class::Joint;
 use crate::error::Result;
-use crate::plot::{Axis, Lines, Panel, Series};
+use crate::plot::{Axis, Lines, Series};
 
 /// The number of steps until at most half is left.
 fn half(errors: &[f64]) -> f64 {
@@ -28,22 +28,19 @@ pub(super) fn example() -> Result<Finding> {
     let second = Measure::new("error after 1 s", "mm", 1e3 * printed[60], 1e3 * corrected[60]);
     let halved = Measure::new("steps until it is halved", "", half(&printed), half(&corrected));
     let steps = (0.5f64.ln() / 0.9f64.ln()).ceil();
-    let lines = Lines {
-        id: "e34".into(),
-        title: "An error of 0.1 m with β = 0.1".into(),
-        caption: "The dashed lines are 0.1 (1 − β)ⁿ and 0.1 (1 − β dt)ⁿ after n steps of 1/60 s."
-            .into(),
-        x: Axis::linear("time", "s"),
-        panels: vec![Panel {
-            y: Axis::log("error", "m"),
-            series: vec![
-                Series::measured("printed", over_time(&printed[..61])),
-                Series::measured("corrected", over_time(&corrected[..61])),
-                Series::theory("1 − β", over_time(&powers(0.9))),
-                Series::theory("1 − β dt", over_time(&powers(1.0 - 0.1 * DT))),
-            ],
-        }],
-    };
+    let lines = Lines::new(
+        "e34",
+        "An error of 0.1 m with β = 0.1",
+        "The dashed lines are 0.1 (1 − β)ⁿ and 0.1 (1 − β dt)ⁿ after n steps of 1/60 s.",
+        Axis::linear("time", "s"),
+        Axis::log("error", "m"),
+        vec![
+            Series::measured("printed", over_time(&printed[..61])),
+            Series::measured("corrected", over_time(&corrected[..61])),
+            Series::theory("1 − β", over_time(&powers(0.9))),
+            Series::theory("1 − β dt", over_time(&powers(1.0 - 0.1 * DT))),
+        ],
+    );
     Ok(Finding::new(
         "A rod of 1 m between two bodies of 1 kg is 0.1 m too long; no forces, β = 0.1, the penalty \
          added once. Steps of 1/60 s but for the last line.",

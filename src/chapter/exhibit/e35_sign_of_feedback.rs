@@ -6,7 +6,7 @@ use crate::chapter::code::Form;
 use crate::chapter::code::code07_whole_step::{Limits, WholeStep};
 use crate::chapter::code::constraint_class::Joint;
 use crate::error::Result;
-use crate::plot::{Axis, Lines, Panel, Series};
+use crate::plot::{Axis, Lines, Series};
 
 pub(super) fn example() -> Result<Finding> {
     let rod = Joint::rod([Some(0), Some(1)], 1.0);
@@ -28,23 +28,19 @@ pub(super) fn example() -> Result<Finding> {
     let alone = Measure::new("factor, β/dt, e once", "", factor(&grows), factor(&dies));
     let second = Measure::new("error after 1 s", "m", grows[60], dies[60]);
     let other = Measure::new("the same, J of (39)", "m", right[60], right[60]);
-    let lines = Lines {
-        id: "e35".into(),
-        title: "An error of 0.1 m with feedback of either sign".into(),
-        caption:
-            "With J = −∂c/∂s, as the ball joint and the contact are printed, the error c fed back \
-                  grows to 30 m in a second; −c lets it die away."
-                .into(),
-        x: Axis::linear("time", "s"),
-        panels: vec![Panel {
-            y: Axis::log("error", "m"),
-            series: vec![
-                Series::measured("printed", over_time(&grows)),
-                Series::measured("printed, β without 1/dt", over_time(&literally)),
-                Series::measured("corrected", over_time(&dies)),
-            ],
-        }],
-    };
+    let lines = Lines::new(
+        "e35",
+        "An error of 0.1 m with feedback of either sign",
+        "With J = −∂c/∂s, as the ball joint and the contact are printed, the error c fed back \
+                  grows to 30 m in a second; −c lets it die away.",
+        Axis::linear("time", "s"),
+        Axis::log("error", "m"),
+        vec![
+            Series::measured("printed", over_time(&grows)),
+            Series::measured("printed, β without 1/dt", over_time(&literally)),
+            Series::measured("corrected", over_time(&dies)),
+        ],
+    );
     Ok(Finding::new(
         "A rod of 1 m between two bodies of 1 kg is 0.1 m too long; no forces, dt = 1/60 s, β = 0.1. Its J is \
          that of (34), −∂c/∂s. In the first line all of Code 7 is as printed, so that its penalty is \

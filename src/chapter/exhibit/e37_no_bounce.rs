@@ -5,7 +5,7 @@ use super::{Finding, Measure};
 use crate::chapter::code::code07_whole_step::WholeStep;
 use crate::chapter::code::constraint_class::Joint;
 use crate::error::Result;
-use crate::plot::{Axis, Lines, Panel, Series};
+use crate::plot::{Axis, Lines, Series};
 use crate::scene::Scene;
 use crate::simulation::Simulation;
 use crate::solver::{Options, by_name};
@@ -71,23 +71,19 @@ pub(super) fn example() -> Result<Finding> {
     let heights = |path: &[(f64, f64)]| {
         path.iter().enumerate().map(|(k, (z, _))| (k as f64 * dt, *z)).collect::<Vec<_>>()
     };
-    let lines = Lines {
-        id: "e37".into(),
-        title: "A ball that falls from 1 m".into(),
-        caption:
-            "As printed the ball stays where it hits; with restitution e = ½ it rises to e² = ¼ of \
-                  its height."
-                .into(),
-        x: Axis::linear("time", "s"),
-        panels: vec![Panel {
-            y: Axis::linear("height", "m"),
-            series: vec![
-                Series::measured("printed", heights(&dead)),
-                Series::measured("corrected", heights(&alive)),
-                Series::reference("e² · 1 m", vec![(0.0, E * E), (1.0, E * E)]),
-            ],
-        }],
-    };
+    let lines = Lines::new(
+        "e37",
+        "A ball that falls from 1 m",
+        "As printed the ball stays where it hits; with restitution e = ½ it rises to e² = ¼ of \
+                  its height.",
+        Axis::linear("time", "s"),
+        Axis::linear("height", "m"),
+        vec![
+            Series::measured("printed", heights(&dead)),
+            Series::measured("corrected", heights(&alive)),
+            Series::reference("e² · 1 m", vec![(0.0, E * E), (1.0, E * E)]),
+        ],
+    );
     // The impact is resolved to within a step, in which the ball falls v dt.
     let uncertain = (2.0 * G).sqrt() * dt;
     Ok(Finding::new(

@@ -6,7 +6,7 @@ use crate::chapter::code::Form;
 use crate::chapter::code::code07_whole_step::WholeStep;
 use crate::chapter::code::constraint_class::Joint;
 use crate::error::Result;
-use crate::plot::{Axis, Lines, Panel, Series};
+use crate::plot::{Axis, Lines, Series};
 
 /// Heights (m) of a ball that starts at rest on the floor.
 fn heights(test: Form, feedback: f64) -> Result<Vec<f64>> {
@@ -43,27 +43,20 @@ pub(super) fn example() -> Result<Finding> {
     let millimetres = |heights: &[f64]| {
         over_time(&heights[..31].iter().map(|height| 1e3 * height).collect::<Vec<_>>())
     };
-    let lines = Lines {
-        id: "e38".into(),
-        title: "A ball at rest on the floor".into(),
-        caption:
-            "The strict test lets the ball sink by g dt² in the first step; feedback with β = 0.2 \
-                  brings it back, without feedback it stays there."
-                .into(),
-        x: Axis::linear("time", "s"),
-        panels: vec![Panel {
-            y: Axis::linear("height", "mm"),
-            series: vec![
-                Series::measured("printed", millimetres(&sunk)),
-                Series::measured("printed, β = 0.2", millimetres(&back)),
-                Series::measured("corrected", millimetres(&held)),
-                Series::theory(
-                    "−g dt²",
-                    vec![(0.0, -1e3 * G * DT * DT), (0.5, -1e3 * G * DT * DT)],
-                ),
-            ],
-        }],
-    };
+    let lines = Lines::new(
+        "e38",
+        "A ball at rest on the floor",
+        "The strict test lets the ball sink by g dt² in the first step; feedback with β = 0.2 \
+                  brings it back, without feedback it stays there.",
+        Axis::linear("time", "s"),
+        Axis::linear("height", "mm"),
+        vec![
+            Series::measured("printed", millimetres(&sunk)),
+            Series::measured("printed, β = 0.2", millimetres(&back)),
+            Series::measured("corrected", millimetres(&held)),
+            Series::theory("−g dt²", vec![(0.0, -1e3 * G * DT * DT), (0.5, -1e3 * G * DT * DT)]),
+        ],
+    );
     Ok(Finding::new(
         "A ball of 1 kg lies still on the floor, c = 0; g = 9.81 m/s², dt = 1/60 s. All but the test is \
          corrected.",

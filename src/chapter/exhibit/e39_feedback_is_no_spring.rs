@@ -4,7 +4,7 @@ use super::setting::{DT, over_time};
 use super::{Finding, Measure};
 use crate::constraint::Spring;
 use crate::error::Result;
-use crate::plot::{Axis, Lines, Panel, Series};
+use crate::plot::{Axis, Lines, Series};
 use crate::scene::{Scene, Scheme};
 use crate::simulation::Simulation;
 use crate::solver::{Options, by_name};
@@ -75,22 +75,19 @@ pub(super) fn example() -> Result<Finding> {
     let top = |heights: &[f64]| heights.iter().copied().fold(0.0, f64::max);
     let push = Measure::new("speed out of 0.1 m, one step", "m/s", pushed, still);
     let jump = Measure::new("peak above ground, from 0.3 m", "m", top(&thrown), top(&lifted));
-    let lines = Lines {
-        id: "e39".into(),
-        title: "A body at rest 0.3 m deep in the ground".into(),
-        caption: "Feedback with β = 0.2 throws the body out of the ground; correcting its position apart \
-                  from its velocity lifts it just to the surface."
-            .into(),
-        x: Axis::linear("time", "s"),
-        panels: vec![Panel {
-            y: Axis::linear("height", "m"),
-            series: vec![
-                Series::measured("printed", over_time(&thrown)),
-                Series::measured("corrected", over_time(&lifted)),
-                Series::reference("the ground", vec![(0.0, 0.0), (1.0, 0.0)]),
-            ],
-        }],
-    };
+    let lines = Lines::new(
+        "e39",
+        "A body at rest 0.3 m deep in the ground",
+        "Feedback with β = 0.2 throws the body out of the ground; correcting its position apart \
+                  from its velocity lifts it just to the surface.",
+        Axis::linear("time", "s"),
+        Axis::linear("height", "m"),
+        vec![
+            Series::measured("printed", over_time(&thrown)),
+            Series::measured("corrected", over_time(&lifted)),
+            Series::reference("the ground", vec![(0.0, 0.0), (1.0, 0.0)]),
+        ],
+    );
     Ok(Finding::new(
         "First a mass on a spring of k = 300 N/m and d = 20 N s/m, stretched by 0.1 m, moving at 0.4 m/s for \
          one step or from rest for ten; dt = 1/60 s, so β = 0.2. Printed is the row with this feedback alone, with 1/dt \

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use super::common::{answer, contacts, curves, delassus, sweeps};
+use super::common::{answer, contacts, delassus, sweeps};
 use super::setting::{DT, G};
 use super::{Finding, Measure};
 use crate::error::Result;
@@ -71,14 +71,12 @@ fn drawing() -> Result<Lines> {
     let theory = |factor: fn(f64) -> f64| {
         ratios.iter().map(|&ratio| (ratio, (1e-6_f64.ln() / factor(ratio).ln()).max(1.0))).collect()
     };
-    Ok(curves(
+    Ok(Lines::new(
         "e47",
-        [
-            "Sweeps until both loads are right to 10⁻⁶",
-            "A heavy body above a light one costs sweeps in proportion to the mass \
+        "Sweeps until both loads are right to 10⁻⁶",
+        "A heavy body above a light one costs sweeps in proportion to the mass \
                  ratio; below it, it makes them fewer. Dashed: ln 10⁻⁶ / ln(m_top / \
                  (m_bottom + m_top)).",
-        ],
         Axis::log("mass of the heavy body / mass of the light one", ""),
         Axis::log("sweeps", ""),
         vec![

@@ -2,7 +2,6 @@
 
 use std::collections::LinkedList;
 
-use super::common::curves;
 use super::{Finding, Measure};
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Series};
@@ -51,13 +50,11 @@ fn mean_steps(entries: usize) -> f64 {
 fn drawing() -> Lines {
     let fills = || (0..=20).map(|k| f64::from(k) / 20.0);
     let list = |fill: f64| (fill * (ENTRIES * LISTED) as f64).round() / 1e3;
-    curves(
+    Lines::new(
         "e57",
-        [
-            "Memory of a 100 × 100 matrix against its fill",
-            "The list's memory is a straight line; it crosses the dense matrix at a \
+        "Memory of a 100 × 100 matrix against its fill",
+        "The list's memory is a straight line; it crosses the dense matrix at a \
                  fill of 1/7. The printed 70000 bytes belong to a quarter, not to a half.",
-        ],
         Axis::linear("fill", ""),
         Axis::linear("memory", "kB"),
         vec![

@@ -2,7 +2,6 @@
 
 use oorandom::Rand64;
 
-use super::common::curves;
 use super::{Finding, Measure};
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Series};
@@ -103,14 +102,12 @@ fn drawing() -> Lines {
     let sizes = [10, 30, 100, 300, 1000, 3000];
     let curve =
         |depth: &dyn Fn(usize) -> f64| sizes.iter().map(|&n| (n as f64, depth(n))).collect();
-    curves(
+    Lines::new(
         "e58",
-        [
-            "Depth of a plain search tree",
-            "Filled row by row the tree is a list, as deep as it has entries; filled \
+        "Depth of a plain search tree",
+        "Filled row by row the tree is a list, as deep as it has entries; filled \
                  in random order it stays within a small multiple of the least depth, \
                  that of a tree filled by halves.",
-        ],
         Axis::log("entries", ""),
         Axis::log("depth", "steps"),
         vec![

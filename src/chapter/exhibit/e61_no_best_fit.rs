@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::common::{answer, curves, delassus, equations, largest, sweeps};
+use super::common::{answer, delassus, equations, largest, sweeps};
 use super::{Finding, Measure};
 use crate::error::Result;
 use crate::lcp::Lcp;
@@ -88,13 +88,11 @@ fn drawing() -> Result<Lines> {
     };
     let share = FEEDBACK * SHORT / 2.0;
     let growth = (0..=100).map(|sweep| (f64::from(sweep), f64::from(sweep) * share)).collect();
-    Ok(curves(
+    Ok(Lines::new(
         "e61",
-        [
-            "Impulses of constraints that contradict each other",
-            "Without compliance the impulses grow by 12 N s in every sweep, without limit. \
+        "Impulses of constraints that contradict each other",
+        "Without compliance the impulses grow by 12 N s in every sweep, without limit. \
                  With γ = 0.1 or 0.3 on the diagonal they settle.",
-        ],
         Axis::linear("sweep", ""),
         Axis::linear("largest impulse", "N s"),
         vec![

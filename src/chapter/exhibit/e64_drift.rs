@@ -2,11 +2,11 @@
 
 use nalgebra::Vector2;
 
-use super::common::{curves, largest};
+use super::common::largest;
 use super::setting::{DT, G, over_time};
 use super::{Finding, Measure};
 use crate::error::Result;
-use crate::plot::{Axis, Series};
+use crate::plot::{Axis, Lines, Series};
 use crate::scene::{Feedback, Scene, Scheme, Step};
 use crate::simulation::Simulation;
 use crate::solver::{Options, by_name};
@@ -70,14 +70,12 @@ pub(super) fn example() -> Result<Finding> {
         finding = finding.measure(measure.truth(&[by_hand], "by hand", 1e-6));
         series.push(Series::measured(name, over_time(&errors)));
     }
-    Ok(finding.plot(&curves(
+    Ok(finding.plot(&Lines::new(
         "e64",
-        [
-            "Error of a pendulum's length",
-            "Without feedback the rod grows by jerks, most where the bob is fastest. \
+        "Error of a pendulum's length",
+        "Without feedback the rod grows by jerks, most where the bob is fastest. \
                  Feedback of β c without 1/dt changes little; β c/dt holds the error at \
                  two centimetres. At the acceleration level the error grows fastest.",
-        ],
         Axis::linear("time", "s"),
         Axis::linear("length error", "m"),
         series,

@@ -3,7 +3,7 @@
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-use super::common::{curves, equations, largest, sweeps};
+use super::common::{equations, largest, sweeps};
 use super::{Finding, Measure};
 use crate::error::Result;
 use crate::lcp::{Lcp, merit};
@@ -84,13 +84,11 @@ fn drawing(lcp: &Lcp, x: &[Vec<f64>]) -> Lines {
         let shown = x.iter().take(21).enumerate();
         shown.map(|(sweep, x)| (sweep as f64, distance(x))).collect::<Vec<_>>()
     };
-    curves(
+    Lines::new(
         "e67",
-        [
-            "Distance from the solution, sweep by sweep",
-            "In the norm of A the iterates come nearer in each sweep. Measured by |x \
+        "Distance from the solution, sweep by sweep",
+        "In the norm of A the iterates come nearer in each sweep. Measured by |x \
                  − x*| the first sweep leads away, to more than twice the distance.",
-        ],
         Axis::linear("sweep", ""),
         Axis::linear("distance from x*", ""),
         vec![

@@ -4,7 +4,7 @@ use super::{Document, Outcome, View};
 use crate::certificate::cross_check::max_difference;
 use crate::error::Result;
 use crate::number::significant;
-use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::page::{Cell, Mark, Table};
 use crate::report::proofs::{Answered, Judged};
 use crate::report::study::cross_check::{CrossCheck, Plan, Wrench, answered};
 use crate::scene::{Scene, Scheme};
@@ -78,31 +78,16 @@ impl View for Plan {
 }
 
 fn table(checks: &[CrossCheck]) -> Table {
-    Table {
-        title: "Differences from the reference solutions".into(),
-        how_to_read: "Largest difference of any entry. *shared* in the column *x* means that the free rows are \
+    Table::new(
+        "Differences from the reference solutions",
+        "Largest difference of any entry. *shared* in the column *x* means that the free rows are \
          dependent, so a difference in x is not an error. *u − û at most* is a bound from duality and interval \
          arithmetic on the largest error of our motion. For rows with friction it applies to the frozen \
-         motion, with the friction limits of our x, and is not a proof for the motion itself."
-            .into(),
-        columns: vec![
-            Column::words("scene"),
-            Column::words("problem"),
-            Column::numbers("step", ""),
-            Column::numbers("rows", ""),
-            Column::numbers("free", ""),
-            Column::numbers("rank", ""),
-            Column::words("x"),
-            Column::numbers("x − x_QP", "x"),
-            Column::numbers("w − w_QP", "w"),
-            Column::numbers("u − u_Gauss", "u"),
-            Column::numbers("u − û at most", "u"),
-            Column::words("verdict"),
-            Column::words("verdict on QP"),
-        ],
-        rows: checks.iter().map(cells).collect(),
-        ..Table::default()
-    }
+         motion, with the friction limits of our x, and is not a proof for the motion itself.",
+        "scene | problem | #step | #rows | #free | #rank | x | #x − x_QP (x) | #w − w_QP (w) | \
+         #u − u_Gauss (u) | #u − û at most (u) | verdict | verdict on QP",
+        checks.iter().map(cells).collect(),
+    )
 }
 
 fn cells(check: &CrossCheck) -> Vec<Cell> {
@@ -147,21 +132,13 @@ fn objectives(checks: &[CrossCheck]) -> Table {
             Cell::number(check.primal_objective, 10),
         ]
     };
-    Table {
-        title: "The optimal value, computed in three ways".into(),
-        how_to_read: "½ xᵀAx + bᵀx at our x, the box QP's optimum, and minus the optimum of \
-                      Gauss's principle: all three should agree. Joules for impulses."
-            .into(),
-        columns: vec![
-            Column::words("scene"),
-            Column::words("problem"),
-            Column::numbers("at our x", ""),
-            Column::numbers("box QP", ""),
-            Column::numbers("− Gauss", ""),
-        ],
-        rows: checks.iter().map(cells).collect(),
-        ..Table::default()
-    }
+    Table::new(
+        "The optimal value, computed in three ways",
+        "½ xᵀAx + bᵀx at our x, the box QP's optimum, and minus the optimum of \
+                      Gauss's principle: all three should agree. Joules for impulses.",
+        "scene | problem | #at our x | #box QP | #− Gauss",
+        checks.iter().map(cells).collect(),
+    )
 }
 
 fn wrenches(checks: &[CrossCheck]) -> Table {
@@ -183,22 +160,13 @@ fn wrenches(checks: &[CrossCheck]) -> Table {
     let rows = checks
         .iter()
         .flat_map(|check| check.wrenches.iter().map(move |wrench| cells(check, wrench)));
-    Table {
-        title: "Resulting force and torque on each body".into(),
-        how_to_read: "Sum over all rows, about the center of mass; the last column is the largest difference \
-         from the answer of the box QP."
-            .into(),
-        columns: vec![
-            Column::words("scene"),
-            Column::words("problem"),
-            Column::words("body"),
-            Column::words("force"),
-            Column::words("torque"),
-            Column::numbers("difference", ""),
-        ],
-        rows: rows.collect(),
-        ..Table::default()
-    }
+    Table::new(
+        "Resulting force and torque on each body",
+        "Sum over all rows, about the center of mass; the last column is the largest difference \
+         from the answer of the box QP.",
+        "scene | problem | body | force | torque | #difference",
+        rows.collect(),
+    )
 }
 
 /// The value, or 0 if it is only rounding relative to the forces of a body.

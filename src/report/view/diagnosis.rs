@@ -9,7 +9,7 @@ use crate::diagnosis::shortfall::{
 use crate::document;
 use crate::error::Result;
 use crate::film::{Film, Frame, Shot, Strip, Take, instants};
-use crate::plot::{Axis, Figure, Lines, Panel, Series};
+use crate::plot::{Axis, Figure, Lines, Series};
 use crate::report::page::{Block, Page, Picture, markup};
 use crate::scene::Scene;
 use crate::simulation::{Simulation, Step};
@@ -188,13 +188,13 @@ pub(super) fn convergence(courses: &[Course]) -> Lines {
             series.push(Series::theory(format!("theory, {}", course.name), theory));
         }
     }
-    Lines {
-        id: "convergence".into(),
-        title: "Error after each sweep".into(),
-        caption: "Cold start. The theory assumes a fixed active set and is not drawn where the active set \
-         would change."
-            .into(),
-        x: Axis::linear("sweeps", ""),
-        panels: vec![Panel { y: Axis::log("error", "%"), series }],
-    }
+    Lines::new(
+        "convergence",
+        "Error after each sweep",
+        "Cold start. The theory assumes a fixed active set and is not drawn where the active set \
+         would change.",
+        Axis::linear("sweeps", ""),
+        Axis::log("error", "%"),
+        series,
+    )
 }

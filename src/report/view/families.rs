@@ -1,43 +1,24 @@
 //! Problem families × solvers as a table.
 
-use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::families::Row;
 use crate::trace::NO_ITERATES;
 
 /// One row per family, friction model and solver.
 pub fn table(rows: &[Row]) -> Table {
-    Table {
-        title: "Problem families and solvers".into(),
-        how_to_read:
-            "*friction*: the friction model for solving and judging. *outside*: the solver reports that the \
+    Table::new(
+        "Problem families and solvers",
+        "*friction*: the friction model for solving and judging. *outside*: the solver reports that the \
              problem is outside its class. *claims*: the solver's own; *proved* and *accepted*: the judge's \
              verdicts; *rejected* and *false* claims must be 0. *worst residual*: over the claimed answers; – \
              if there are none. *multiplications*: by the formula of the method; – if unknown. *iterates*: a \
              hash of their sequence; – if none were reported. *fallback*: other methods that contributed, and \
-             how often. *must fail*: a failure that theory predicts."
-                .into(),
-        columns: vec![
-            Column::words("family"),
-            Column::words("friction"),
-            Column::words("solver"),
-            Column::numbers("problems", ""),
-            Column::numbers("outside", ""),
-            Column::numbers("claims", ""),
-            Column::numbers("proved", ""),
-            Column::numbers("accepted", ""),
-            Column::numbers("rejected", ""),
-            Column::numbers("false", ""),
-            Column::numbers("iterations", "a problem"),
-            Column::numbers("multiplications", "a problem"),
-            Column::numbers("worst residual", ""),
-            Column::numbers("time", "ms"),
-            Column::words("iterates"),
-            Column::words("fallback"),
-            Column::words("why not"),
-        ],
-        rows: rows.iter().map(cells).collect(),
-        ..Table::default()
-    }
+             how often. *must fail*: a failure that theory predicts.",
+        "family | friction | solver | #problems | #outside | #claims | #proved | #accepted | \
+         #rejected | #false | #iterations (a problem) | #multiplications (a problem) | \
+         #worst residual | #time (ms) | iterates | fallback | why not",
+        rows.iter().map(cells).collect(),
+    )
 }
 
 /// One row per solver, over all its problems.
@@ -62,21 +43,12 @@ pub fn by_solver(rows: &[Row]) -> Table {
             Cell::number(1e3 * own.iter().map(|row| row.seconds).sum::<f64>(), 2),
         ]
     };
-    Table {
-        title: "By solver".into(),
-        how_to_read: "All problems of the table above, under all models.".into(),
-        columns: vec![
-            Column::words("solver"),
-            Column::numbers("problems", ""),
-            Column::numbers("outside", ""),
-            Column::numbers("claims", ""),
-            Column::numbers("accepted", ""),
-            Column::numbers("rejected", ""),
-            Column::numbers("time", "ms"),
-        ],
-        rows: names.iter().map(cells).collect(),
-        ..Table::default()
-    }
+    Table::new(
+        "By solver",
+        "All problems of the table above, under all models.",
+        "solver | #problems | #outside | #claims | #accepted | #rejected | #time (ms)",
+        names.iter().map(cells).collect(),
+    )
 }
 
 fn cells(row: &Row) -> Vec<Cell> {

@@ -36,7 +36,7 @@ pub use verification::table as verification_table;
 use serde_json::Value;
 
 use super::experiment::{Experiment, Fold, SHIPPED};
-use super::page::{self, Block, Cell, Column, Mark, Origin, Page, Picture, Section, Table};
+use super::page::{self, Block, Cell, Mark, Origin, Page, Picture, Section, Table};
 use super::proofs::Judged;
 use super::results::{Part, Results, Task};
 use super::study::Study;
@@ -232,13 +232,12 @@ fn failures(document: &mut Document, part: &Part) {
     if rows.is_empty() {
         return;
     }
-    let table = Table {
-        title: format!("What failed: {}", part.title),
-        how_to_read: "These are missing from the figures and tables of this section.".into(),
-        columns: vec![Column::words("task"), Column::words("reason")],
+    let table = Table::new(
+        format!("What failed: {}", part.title),
+        "These are missing from the figures and tables of this section.",
+        "task | reason",
         rows,
-        ..Table::default()
-    };
+    );
     document.table(&format!("{}_failures", part.id), table);
 }
 

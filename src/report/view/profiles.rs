@@ -245,32 +245,19 @@ impl Plan {
                 ]);
             }
         }
-        Table {
-            title: "Solvers on all problems of the families".into(),
-            how_to_read: "*attempted*: the solver attempted the problem. *outside*: the solver reports that \
+        Table::new(
+            "Solvers on all problems of the families",
+            "*attempted*: the solver attempted the problem. *outside*: the solver reports that \
              the problem is outside its class. *claimed*: the solver reports a solution; *accepted* and \
              *proved*: the judge's verdicts on these claims; *rejected* must be 0. *failed*: attempted but not \
              claimed; the table of failures has the reasons. *semidefinite*: accepted answers to the problems \
              that Dantzig's method supports, those with symmetric semidefinite A, such as contact problems. \
              *no solution*: accepted answers to problems without a solution, which are possible only if they \
-             cannot be distinguished from solvable ones at this precision."
-                .into(),
-            columns: vec![
-                Column::words("solver"),
-                Column::numbers("precision", ""),
-                Column::numbers("attempted", ""),
-                Column::numbers("outside", ""),
-                Column::numbers("claimed", ""),
-                Column::numbers("accepted", ""),
-                Column::numbers("proved", ""),
-                Column::numbers("rejected", ""),
-                Column::numbers("failed", ""),
-                Column::numbers("semidefinite", ""),
-                Column::numbers("no solution", ""),
-            ],
+             cannot be distinguished from solvable ones at this precision.",
+            "solver | #precision | #attempted | #outside | #claimed | #accepted | #proved | \
+             #rejected | #failed | #semidefinite | #no solution",
             rows,
-            ..Table::default()
-        }
+        )
     }
 
     fn failures(&self, tried: &[Tried]) -> Table {
@@ -284,21 +271,13 @@ impl Plan {
                 Cell::text(families.join(", ")),
             ]
         };
-        Table {
-            title: "Failures, with their reasons".into(),
-            how_to_read: "Each attempt without an accepted claim, by solver and reason. Families in brackets \
-             have no solution, so failing is correct there."
-                .into(),
-            columns: vec![
-                Column::words("solver"),
-                Column::numbers("precision", ""),
-                Column::words("reason"),
-                Column::numbers("families", ""),
-                Column::words("which"),
-            ],
-            rows: gathered(tried).into_iter().map(row).collect(),
-            ..Table::default()
-        }
+        Table::new(
+            "Failures, with their reasons",
+            "Each attempt without an accepted claim, by solver and reason. Families in brackets \
+             have no solution, so failing is correct there.",
+            "solver | #precision | reason | #families | which",
+            gathered(tried).into_iter().map(row).collect(),
+        )
     }
 }
 
@@ -484,18 +463,12 @@ fn iteration_costs() -> Table {
         let iteration = entry.group.unit().trim_end_matches('s');
         vec![Cell::text(names.join(", ")), Cell::text(iteration), Cell::text(entry.cost.formula)]
     };
-    Table {
-        title: "Cost model of an iteration".into(),
-        how_to_read: "Multiplications, leading term of each method; n rows, s stored entries of A, f rows \
+    Table::new(
+        "Cost model of an iteration",
+        "Multiplications, leading term of each method; n rows, s stored entries of A, f rows \
          between their bounds. The model ignores stop tests, line searches, additions, and zeros of A that a \
-         factorization could use."
-            .into(),
-        columns: vec![
-            Column::words("solver"),
-            Column::words("iteration"),
-            Column::words("multiplications"),
-        ],
-        rows: rows.iter().map(row).collect(),
-        ..Table::default()
-    }
+         factorization could use.",
+        "solver | iteration | multiplications",
+        rows.iter().map(row).collect(),
+    )
 }

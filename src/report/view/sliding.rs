@@ -2,8 +2,8 @@
 
 use super::{Document, Outcome, View};
 use crate::number::readable;
-use crate::plot::{Axis, Lines, Panel, Series};
-use crate::report::page::{Cell, Column, Mark, Table};
+use crate::plot::{Axis, Lines, Series};
+use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::friction::{Answer, Model};
 use crate::report::study::slider::Path;
 use crate::report::study::sliding::{Figure, Finding, Plan, SHOWN, Slide};
@@ -139,46 +139,29 @@ fn path_figure(study: &Finding) -> Lines {
     let straight = study.paths.iter().find(|path| path.model == Model::CoulombCone);
     let line = straight.map(|path| vec![(0.0, 0.0), (path.expected[0], path.expected[1])]);
     let theory = Series::theory("theory, Coulomb".to_string(), line.unwrap_or_default());
-    Lines {
-        id: "friction_paths".into(),
-        title: "Path of a block on the floor, seen from above".into(),
-        caption:
-            "A marker every 0.02 s; the last one is where the block stops. The line is the path by \
-                  Coulomb's law, which has no preferred direction."
-                .into(),
-        x: Axis::linear("position along t₁", "m"),
-        panels: vec![Panel {
-            y: Axis::linear("place along t₂", "m"),
-            series: SHOWN.iter().map(path).chain([theory]).collect(),
-        }],
-    }
+    Lines::new(
+        "friction_paths",
+        "Path of a block on the floor, seen from above",
+        "A marker every 0.02 s; the last one is where the block stops. The line is the path by \
+                  Coulomb's law, which has no preferred direction.",
+        Axis::linear("position along t₁", "m"),
+        Axis::linear("place along t₂", "m"),
+        SHOWN.iter().map(path).chain([theory]).collect(),
+    )
 }
 
 fn path_table(study: &Finding) -> Table {
-    Table {
-        title: "Where the block stops".into(),
-        how_to_read: "Positions along $t_1$ and $t_2$; the expected ones follow from the geometry of the \
+    Table::new(
+        "Where the block stops",
+        "Positions along $t_1$ and $t_2$; the expected ones follow from the geometry of the \
          model, for infinitely short steps. A row agrees if the block stops within the distance of two steps \
          of the expected position (two, because the frozen box has no load in the first step), and its gap \
          agrees to 1 µm. *gap*: the height at which the block slides after 0.1 s, $\\Delta t\\, \\mu |v|$ for \
-         the associated cone. There the block starts at that height; from the floor the cone would throw it up."
-            .into(),
-        columns: vec![
-            Column::words("model"),
-            Column::words("solver"),
-            Column::numbers("problems", ""),
-            Column::numbers("accepted", ""),
-            Column::numbers("t₁", "m"),
-            Column::numbers("expected", "m"),
-            Column::numbers("t₂", "m"),
-            Column::numbers("expected", "m"),
-            Column::numbers("gap", "m"),
-            Column::numbers("expected", "m"),
-            Column::words("agreement"),
-        ],
-        rows: study.paths.iter().map(path_cells).collect(),
-        ..Table::default()
-    }
+         the associated cone. There the block starts at that height; from the floor the cone would throw it up.",
+        "model | solver | #problems | #accepted | #t₁ (m) | #expected (m) | #t₂ (m) | \
+         #expected (m) | #gap (m) | #expected (m) | agreement",
+        study.paths.iter().map(path_cells).collect(),
+    )
 }
 
 /// Whether the block stops and floats as geometry predicts, with answers that the judge accepts.
@@ -231,21 +214,19 @@ fn direction_figure(study: &Finding) -> Lines {
     };
     let theory =
         |model: &Model| Series::theory(format!("theory, {}", short(*model)), stairs(*model));
-    Lines {
-        id: "friction_direction".into(),
-        title: "Direction of friction, and the direction by Coulomb's law".into(),
-        caption: format!(
+    Lines::new(
+        "friction_direction",
+        "Direction of friction, and the direction by Coulomb's law",
+        format!(
             "The block is pushed {} times as hard as friction can hold, from 0 to 90° to t₁ in steps \
              of 5°. Coulomb's law is the diagonal. With the box model, friction points at 45° to the \
              tangents unless the slip is along a tangent.",
             readable(study.push, 3)
         ),
-        x: Axis::linear("direction opposite to the slip", "degrees from t₁"),
-        panels: vec![Panel {
-            y: Axis::linear("direction of friction", "degrees from t₁"),
-            series: SHOWN.iter().map(measured).chain(SHOWN.iter().map(theory)).collect(),
-        }],
-    }
+        Axis::linear("direction opposite to the slip", "degrees from t₁"),
+        Axis::linear("direction of friction", "degrees from t₁"),
+        SHOWN.iter().map(measured).chain(SHOWN.iter().map(theory)).collect(),
+    )
 }
 
 /// The direction of friction as a function of the direction opposite to the slip: the corner that
@@ -272,25 +253,22 @@ fn grip_figure(study: &Finding) -> Lines {
         let points = (0..=180).map(|k| f64::from(k) / 2.0).map(|d| (d, reach(d)));
         Series::theory(format!("theory, {}", short(*model)), points.collect())
     };
-    Lines {
-        id: "friction_grip".into(),
-        title: "The largest push that does not move the block".into(),
-        caption: "By Coulomb's law it is 1 N s in every direction. Markers: measured by halving an interval \
-                  14 times, to 10⁻⁴ N s."
-            .into(),
-        x: Axis::linear("direction of the push", "degrees from t₁"),
-        panels: vec![Panel {
-            y: Axis::linear("push", "N s"),
-            series: SHOWN.iter().map(measured).chain(SHOWN.iter().map(theory)).collect(),
-        }],
-    }
+    Lines::new(
+        "friction_grip",
+        "The largest push that does not move the block",
+        "By Coulomb's law it is 1 N s in every direction. Markers: measured by halving an interval \
+                  14 times, to 10⁻⁴ N s.",
+        Axis::linear("direction of the push", "degrees from t₁"),
+        Axis::linear("push", "N s"),
+        SHOWN.iter().map(measured).chain(SHOWN.iter().map(theory)).collect(),
+    )
 }
 
 fn block_table(study: &Finding) -> Table {
     let slides = study.slides.iter().filter(|slide| slide.degrees == TABLE);
-    Table {
-        title: format!("The block, pushed with {} N s at 30°", readable(study.push, 3)),
-        how_to_read: format!(
+    Table::new(
+        format!("The block, pushed with {} N s at 30°", readable(study.push, 3)),
+        format!(
             "*strength*: $|x_t| / (\\mu x_n)$. *off*: the angle between friction and the direction opposite to \
              the slip. *rise*: the speed $w_n$ at which the block leaves the floor. The expected numbers \
              follow from the geometry of the model, and a row agrees if they differ by at most {}. *verdict*: \
@@ -298,21 +276,10 @@ fn block_table(study: &Finding) -> Table {
              Coulomb's law.",
             readable(AGREES, 1)
         ),
-        columns: vec![
-            Column::words("model"),
-            Column::words("verdict"),
-            Column::numbers("strength", ""),
-            Column::numbers("expected", ""),
-            Column::numbers("off", "°"),
-            Column::numbers("expected", "°"),
-            Column::numbers("rise", "m/s"),
-            Column::numbers("expected", "m/s"),
-            Column::words("agreement"),
-            Column::numbers("Coulomb residual", ""),
-        ],
-        rows: slides.map(block_cells).collect(),
-        ..Table::default()
-    }
+        "model | verdict | #strength | #expected | #off (°) | #expected (°) | #rise (m/s) | \
+         #expected (m/s) | agreement | #Coulomb residual",
+        slides.map(block_cells).collect(),
+    )
 }
 
 /// Strength, angle and rise, each with the expected number.
@@ -342,28 +309,15 @@ fn block_cells(slide: &Slide) -> Vec<Cell> {
 
 fn rod_table(study: &Finding) -> Table {
     let exact = study.rod.iter().find(|answer| answer.model == Model::CoulombCone);
-    Table {
-        title: "The rod on two feet".into(),
-        how_to_read: "Strength and angle as above, for each foot; a dash means that the foot sticks. Along the \
+    Table::new(
+        "The rod on two feet",
+        "Strength and angle as above, for each foot; a dash means that the foot sticks. Along the \
          rod the rows of the feet are dependent, so single impulses may not be unique; velocities are. \
-         *velocity error*: the largest difference of $w$ from that of Coulomb's cone."
-            .into(),
-        columns: vec![
-            Column::words("model"),
-            Column::words("solver"),
-            Column::words("verdict"),
-            Column::numbers("x_n, foot 1", "N s"),
-            Column::numbers("strength", ""),
-            Column::numbers("off", "°"),
-            Column::numbers("x_n, foot 2", "N s"),
-            Column::numbers("strength", ""),
-            Column::numbers("off", "°"),
-            Column::numbers("velocity error", "m/s"),
-            Column::numbers("Coulomb residual", ""),
-        ],
-        rows: study.rod.iter().map(|answer| rod_cells(answer, exact)).collect(),
-        ..Table::default()
-    }
+         *velocity error*: the largest difference of $w$ from that of Coulomb's cone.",
+        "model | solver | verdict | #x_n, foot 1 (N s) | #strength | #off (°) | \
+         #x_n, foot 2 (N s) | #strength | #off (°) | #velocity error (m/s) | #Coulomb residual",
+        study.rod.iter().map(|answer| rod_cells(answer, exact)).collect(),
+    )
 }
 
 fn rod_cells(answer: &Answer, exact: Option<&Answer>) -> Vec<Cell> {

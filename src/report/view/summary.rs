@@ -2,7 +2,7 @@
 
 use super::Document;
 use crate::error::Result;
-use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::page::{Cell, Mark, Table};
 use crate::report::results::Results;
 
 /// One row for each study with an outcome or a failed task.
@@ -22,14 +22,12 @@ pub(super) fn show(results: &Results, document: &mut Document) -> Result<()> {
         let row = vec![Cell::text(&part.title), Cell::text(says.trim()), verdict];
         (!says.is_empty()).then_some(row)
     });
-    let table = Table {
-        title: "The checks, section by section".into(),
-        how_to_read: "One row for each section with checks; the section explains its numbers."
-            .into(),
-        columns: vec![Column::words("section"), Column::words("result"), Column::words("outcome")],
-        rows: rows.collect(),
-        ..Table::default()
-    };
+    let table = Table::new(
+        "The checks, section by section",
+        "One row for each section with checks; the section explains its numbers.",
+        "section | result | outcome",
+        rows.collect(),
+    );
     document.table("summary", table);
     Ok(())
 }

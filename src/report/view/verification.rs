@@ -102,18 +102,10 @@ pub fn table(rows: &[Row]) -> Table {
         level if level + 1 == levels => Column::numbers(format!("at dt/{}", 1 << level), ""),
         level => Column::numbers(format!("at dt/{}", 1 << level), "").on_screen(),
     });
-    let head = vec![
-        Column::words("case"),
-        Column::words("method"),
-        Column::words("quantity"),
-        Column::words("verdict"),
-        Column::numbers("error", ""),
-        Column::numbers("allowed", ""),
-        Column::numbers("observed order", ""),
-        Column::numbers("derived", ""),
-        Column::numbers("expected", ""),
-        Column::words("unit"),
-    ];
+    let head = Column::list(
+        "case | method | quantity | verdict | #error | #allowed | #observed order | #derived | \
+         #expected | unit",
+    );
     let tail = [Column::words("formula").on_screen()];
     Table {
         title: "Closed forms and measured values".into(),

@@ -269,7 +269,38 @@ pub enum Mark {
     Note,
 }
 
+impl Table {
+    /// A table; see [`Column::list`] for the headings.
+    pub fn new(
+        title: impl Into<String>,
+        how_to_read: impl Into<String>,
+        headings: &str,
+        rows: Vec<Vec<Cell>>,
+    ) -> Self {
+        Table {
+            title: title.into(),
+            how_to_read: how_to_read.into(),
+            columns: Column::list(headings),
+            rows,
+            ..Table::default()
+        }
+    }
+}
+
 impl Column {
+    /// The columns with these headings: `scene | #steps | #drift (m)` is a text column, and two of
+    /// numbers, the second one in meters.
+    pub fn list(headings: &str) -> Vec<Self> {
+        let column = |heading: &str| {
+            let Some(title) = heading.strip_prefix('#') else { return Column::words(heading) };
+            match title.strip_suffix(')').and_then(|title| title.rsplit_once(" (")) {
+                Some((title, unit)) => Column::numbers(title, unit),
+                None => Column::numbers(title, ""),
+            }
+        };
+        headings.split(" | ").map(column).collect()
+    }
+
     /// A text column.
     pub fn words(title: impl Into<String>) -> Self {
         Column { title: title.into(), unit: String::new(), align: Align::Left, screen_only: false }

@@ -36,6 +36,21 @@ pub struct Lines {
     pub panels: Vec<Panel>,
 }
 
+impl Lines {
+    /// Curves in a single panel.
+    pub fn new(
+        id: impl Into<String>,
+        title: impl Into<String>,
+        caption: impl Into<String>,
+        x: Axis,
+        y: Axis,
+        series: Vec<Series>,
+    ) -> Self {
+        let (id, title, caption) = (id.into(), title.into(), caption.into());
+        Lines { id, title, caption, x, panels: vec![Panel { y, series }] }
+    }
+}
+
 /// One plot of a stack.
 #[derive(Debug, Clone)]
 pub struct Panel {

@@ -1,7 +1,7 @@
 //! A measure of a grid across its first axis.
 
 use super::curves::{Curve, Curves};
-use crate::plot::{Axis, Lines, Panel, Scale, Series};
+use crate::plot::{Axis, Lines, Scale, Series};
 use crate::report::grid::file::{Grid, REPEAT};
 use crate::report::grid::measure::Measure;
 
@@ -48,21 +48,14 @@ pub(super) fn figure(
         true => Axis::log(label, unit),
         false => Axis::linear(label, unit),
     };
-    Some(Lines {
-        id: format!("{id}{}", measure.name),
-        title: format!(
-            "{}: {} against {}",
-            grid.title,
-            measure.name.replace('_', " "),
-            curves.across
-        ),
-        caption: words.join(" "),
-        x: axis(x.is_wide(), &curves.across, curves.unit()),
-        panels: vec![Panel {
-            y: axis(y_wide, &measure.name.replace('_', " "), measure.unit),
-            series,
-        }],
-    })
+    Some(Lines::new(
+        format!("{id}{}", measure.name),
+        format!("{}: {} against {}", grid.title, measure.name.replace('_', " "), curves.across),
+        words.join(" "),
+        axis(x.is_wide(), &curves.across, curves.unit()),
+        axis(y_wide, &measure.name.replace('_', " "), measure.unit),
+        series,
+    ))
 }
 
 /// Several curves as one series, with a gap after each; `None` if there are no points.

@@ -2,7 +2,7 @@
 //! solve them.
 
 use crate::number::readable;
-use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::cards::{Frame, Record, Tried};
 use crate::report::view::Document;
 use crate::report::view::attempt::iterations_in_words;
@@ -27,27 +27,15 @@ pub fn show(record: &Record, document: &mut Document) {
 }
 
 fn table(record: &Record) -> Table {
-    Table {
-        title: "Engines' own answers".into(),
-        how_to_read: "*accepted*: the number of accepted answers and of solvers for such problems; for Coulomb \
+    Table::new(
+        "Engines' own answers",
+        "*accepted*: the number of accepted answers and of solvers for such problems; for Coulomb \
          cones there is one solver. *cheapest*: the accepted solver with the fewest multiplications. The limit \
-         is 10,000 iterations."
-            .into(),
-        columns: vec![
-            Column::words("engine"),
-            Column::words("phenomenon"),
-            Column::numbers("at", "s"),
-            Column::numbers("rows", ""),
-            Column::words("its own answer"),
-            Column::numbers("scaled residual", ""),
-            Column::words("missed most"),
-            Column::words("lcplab's solvers accepted"),
-            Column::words("cheapest"),
-            Column::words("not within the limit"),
-        ],
-        rows: record.frames.iter().map(|frame| row(record, frame)).collect(),
-        ..Table::default()
-    }
+         is 10,000 iterations.",
+        "engine | phenomenon | #at (s) | #rows | its own answer | #scaled residual | \
+         missed most | lcplab's solvers accepted | cheapest | not within the limit",
+        record.frames.iter().map(|frame| row(record, frame)).collect(),
+    )
 }
 
 /// The row with the largest residual, with its name, and that residual.

@@ -193,20 +193,14 @@ fn settings(record: &Record) -> Table {
             ]
         })
     });
-    Table {
-        title: "What was set".into(),
-        how_to_read: "All differences from the default settings of an engine. Accurate settings are those that \
+    Table::new(
+        "What was set",
+        "All differences from the default settings of an engine. Accurate settings are those that \
          the documentation of the engine recommends; if it recommends none, the text names their source. \
          lcplab's own steps and stiffness were tuned on these scenes. The adapters translate and correct \
          nothing; they reject scenes that an engine cannot express. Times are those of the machine that ran \
-         the engines; a step of sleeping bodies costs little."
-            .into(),
-        columns: ["package", "settings", "in words"]
-            .map(Column::words)
-            .into_iter()
-            .chain([Column::numbers("time for one second of the tower of ten", "ms")])
-            .collect(),
-        rows: rows.collect(),
-        ..Table::default()
-    }
+         the engines; a step of sleeping bodies costs little.",
+        "package | settings | in words | #time for one second of the tower of ten (ms)",
+        rows.collect(),
+    )
 }

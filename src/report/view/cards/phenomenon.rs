@@ -4,7 +4,7 @@ use super::{ACCURATE, DEFAULTS, OWN, times};
 use crate::film::{Frame, Strip};
 use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
-use crate::report::page::{self, Block, Cell, Mark, Table};
+use crate::report::page::{Block, Cell, Mark, Table};
 use crate::report::study::cards::{Column, Measured, Phenomenon, Record};
 use crate::report::view::Document;
 
@@ -118,24 +118,13 @@ fn table(record: &Record, phenomenon: &Phenomenon) -> Table {
         true => vec![nothing(own)],
         false => own.measured.iter().map(|measured| row(record, own, measured)).collect(),
     });
-    Table {
-        title: format!("Measured: {}", phenomenon.name.replace('_', " ")),
-        how_to_read:
-            "A law is obeyed if the measured number agrees with that of the law within the \
-         tolerance."
-                .into(),
-        columns: vec![
-            page::Column::words("engine"),
-            page::Column::words("settings"),
-            page::Column::words("what was measured"),
-            page::Column::numbers("found", ""),
-            page::Column::numbers("law", ""),
-            page::Column::numbers("tolerance", ""),
-            page::Column::words("verdict"),
-        ],
-        rows: rows.collect(),
-        ..Table::default()
-    }
+    Table::new(
+        format!("Measured: {}", phenomenon.name.replace('_', " ")),
+        "A law is obeyed if the measured number agrees with that of the law within the \
+         tolerance.",
+        "engine | settings | what was measured | #found | #law | #tolerance | verdict",
+        rows.collect(),
+    )
 }
 
 fn row(record: &Record, column: &Column, measured: &Measured) -> Vec<Cell> {

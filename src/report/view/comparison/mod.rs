@@ -134,44 +134,25 @@ fn by_scheme(findings: &[Comparison]) -> Table {
         let of_scheme = comparison.runs.chunk_by(|a, b| a.scheme == b.scheme);
         of_scheme.filter_map(best).map(|run| row(comparison, run)).collect()
     };
-    Table {
-        title: "Velocity level, acceleration level and other schemes".into(),
-        how_to_read: "One row per scene and scheme, for the solver with the most steps and the fewest \
+    Table::new(
+        "Velocity level, acceleration level and other schemes",
+        "One row per scene and scheme, for the solver with the most steps and the fewest \
                       rejected answers. *largest energy change*: since the start; *drift* and *penetration* \
-                      are the largest errors."
-            .into(),
-        columns: vec![
-            Column::words("scene"),
-            Column::words("scheme"),
-            Column::words("solver"),
-            Column::numbers("steps", ""),
-            Column::numbers("largest energy change", "J"),
-            Column::numbers("drift", "m"),
-            Column::numbers("penetration", "m"),
-        ],
-        rows: findings.iter().flat_map(rows).collect(),
-        ..Table::default()
-    }
+                      are the largest errors.",
+        "scene | scheme | solver | #steps | #largest energy change (J) | #drift (m) | \
+         #penetration (m)",
+        findings.iter().flat_map(rows).collect(),
+    )
 }
 
 /// One scene's runs as a table.
 pub fn table(comparison: &Comparison) -> Table {
     let Comparison { scene, steps, dt, .. } = comparison;
-    let mut columns = vec![
-        Column::words("level"),
-        Column::words("solver"),
-        Column::numbers("steps", ""),
-        Column::numbers("problems", ""),
-        Column::numbers("claims", ""),
-        Column::numbers("accepted", ""),
-        Column::numbers("iterations", "a problem"),
-        Column::numbers("worst residual", ""),
-        Column::numbers("energy change", "J"),
-        Column::numbers("largest energy change", "J"),
-        Column::numbers("drift", "m"),
-        Column::numbers("penetration", "m"),
-        Column::numbers("support", "% of the weight"),
-    ];
+    let mut columns = Column::list(
+        "level | solver | #steps | #problems | #claims | #accepted | #iterations (a problem) | \
+         #worst residual | #energy change (J) | #largest energy change (J) | #drift (m) | \
+         #penetration (m) | #support (% of the weight)",
+    );
     let left_out = &comparison.left_out;
     let trouble = !left_out.is_empty() || comparison.runs.iter().any(|run| run.trouble.is_some());
     if trouble {
@@ -237,19 +218,12 @@ fn timings(times: &[Timing]) -> Table {
             Cell::number(1e3 * timing.seconds / timing.steps.max(1) as f64, 3),
         ]
     };
-    Table {
-        title: "Wall time of a step".into(),
-        how_to_read: "Mean over the run. Several runs share the processor.".into(),
-        columns: vec![
-            Column::words("scene"),
-            Column::words("level"),
-            Column::words("solver"),
-            Column::numbers("steps", ""),
-            Column::numbers("time a step", "ms"),
-        ],
-        rows: times.iter().map(row).collect(),
-        ..Table::default()
-    }
+    Table::new(
+        "Wall time of a step",
+        "Mean over the run. Several runs share the processor.",
+        "scene | level | solver | #steps | #time a step (ms)",
+        times.iter().map(row).collect(),
+    )
 }
 
 /// A page of its own for one scene: the film, the table, and the motion by solver and level.

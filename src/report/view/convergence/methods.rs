@@ -1,8 +1,8 @@
 //! The residual of several methods by iteration, by multiplication and by second.
 
 use crate::number::{count, readable};
-use crate::plot::{Axis, Lines, Panel, Series};
-use crate::report::page::{Cell, Column, Table};
+use crate::plot::{Axis, Lines, Series};
+use crate::report::page::{Cell, Table};
 use crate::report::study::attempt::Outcome;
 use crate::report::study::convergence::methods::{Clock, Mark, Progress, Watched};
 use crate::report::view::attempt::{
@@ -103,52 +103,53 @@ fn by_iteration(progress: &Progress) -> Lines {
     let across = |mark: &Mark| mark.iteration as f64;
     let mut curves = series(progress, across);
     curves.push(asked(progress, across));
-    Lines {
-        id: id(&progress.problem, "iterations"),
-        title: format!("{}: residual by iteration", progress.problem),
-        caption: format!(
+    Lines::new(
+        id(&progress.problem, "iterations"),
+        format!("{}: residual by iteration", progress.problem),
+        format!(
             "{} rows; SOR uses ω = {}. Second-order methods converge within a few steps once they are near \
              the solution. Sweeps remove the oscillating part of the error quickly and then slow down: the \
              remaining error is smooth, and a row is coupled only to its neighbors.",
             count(progress.rows),
             readable(progress.omega, 3)
         ),
-        x: Axis::log("iteration", ""),
-        panels: vec![Panel { y: Axis::log("scaled residual", ""), series: curves }],
-    }
+        Axis::log("iteration", ""),
+        Axis::log("scaled residual", ""),
+        curves,
+    )
 }
 
 fn by_work(progress: &Progress) -> Lines {
     let across = |mark: &Mark| mark.work;
     let mut curves = series(progress, across);
     curves.push(asked(progress, across));
-    Lines {
-        id: id(&progress.problem, "work"),
-        title: format!("{}: residual by multiplication", progress.problem),
-        caption: format!(
+    Lines::new(
+        id(&progress.problem, "work"),
+        format!("{}: residual by multiplication", progress.problem),
+        format!(
             "The same runs; a product with A takes {} multiplications, one for each stored entry. The \
              cost of a method is where its curve crosses the tolerance.",
             count(progress.stored)
         ),
-        x: Axis::log("multiplications", ""),
-        panels: vec![Panel { y: Axis::log("scaled residual", ""), series: curves }],
-    }
+        Axis::log("multiplications", ""),
+        Axis::log("scaled residual", ""),
+        curves,
+    )
 }
 
 pub(super) fn by_second(clock: &Clock) -> Lines {
     let curves = clock.methods.iter().map(|(solver, points)| {
         curve(solver, points.iter().map(|(s, residual)| (1e3 * s, residual.max(LEAST))).collect())
     });
-    Lines {
-        id: format!("timings_{}", anchor(&clock.problem)),
-        title: format!("{}: residual by time", clock.problem),
-        caption:
-            "The same runs over wall time, stop tests included, without the time for recording \
-                  iterates; other tasks may run on the machine."
-                .into(),
-        x: Axis::log("time", "ms"),
-        panels: vec![Panel { y: Axis::log("scaled residual", ""), series: curves.collect() }],
-    }
+    Lines::new(
+        format!("timings_{}", anchor(&clock.problem)),
+        format!("{}: residual by time", clock.problem),
+        "The same runs over wall time, stop tests included, without the time for recording \
+                  iterates; other tasks may run on the machine.",
+        Axis::log("time", "ms"),
+        Axis::log("scaled residual", ""),
+        curves.collect(),
+    )
 }
 
 fn table(progress: &Progress) -> Table {
@@ -164,24 +165,11 @@ fn table(progress: &Progress) -> Table {
             end.map_or(Cell::text("–"), |end| Cell::number(end.residual, 2)),
         ]
     };
-    Table {
-        title: format!(
-            "{}: cost of a residual of {}",
-            progress.problem,
-            tolerance(progress.tolerance)
-        ),
-        how_to_read:
-            "*judge*: the verdict on the answer, or the reason why there is none. *multiplications*: only for \
-             methods that solved the problem."
-                .into(),
-        columns: vec![
-            Column::words("solver"),
-            Column::words("judge"),
-            Column::numbers("iterations", ""),
-            Column::numbers("multiplications", ""),
-            Column::numbers("scaled residual", ""),
-        ],
-        rows: progress.methods.iter().map(row).collect(),
-        ..Table::default()
-    }
+    Table::new(
+        format!("{}: cost of a residual of {}", progress.problem, tolerance(progress.tolerance)),
+        "*judge*: the verdict on the answer, or the reason why there is none. *multiplications*: only for \
+             methods that solved the problem.",
+        "solver | judge | #iterations | #multiplications | #scaled residual",
+        progress.methods.iter().map(row).collect(),
+    )
 }

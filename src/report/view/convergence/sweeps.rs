@@ -1,7 +1,7 @@
 //! Residuals by sweep, next to the slopes that theory predicts.
 
-use crate::plot::{Axis, Lines, Panel, Series};
-use crate::report::page::{Cell, Column, Mark, Table};
+use crate::plot::{Axis, Lines, Series};
+use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::convergence::sweeps::{Curve, Rates};
 use crate::report::view::attempt::stem;
 use crate::report::view::{Document, Outcome};
@@ -81,17 +81,18 @@ fn figure(study: &Rates) -> Lines {
     } else {
         "With bounds: a slope is to be expected only once the active set has settled."
     };
-    Lines {
-        id: format!("convergence_{}", stem(&study.scene)),
-        title: format!("{} ({rows} rows)", study.title),
-        caption: format!(
+    Lines::new(
+        format!("convergence_{}", stem(&study.scene)),
+        format!("{} ({rows} rows)", study.title),
+        format!(
             "{kind} Dashed gray: the predicted slopes, set at the middle of each curve. Dantzig \
              pivoting needs {} pivots for the same problem.",
             study.pivots
         ),
-        x: Axis::linear("sweep", ""),
-        panels: vec![Panel { y: Axis::log("natural residual", "unit of x or w"), series }],
-    }
+        Axis::linear("sweep", ""),
+        Axis::log("natural residual", "unit of x or w"),
+        series,
+    )
 }
 
 /// The predicted slope, drawn through the middle of the measured curve.
@@ -106,25 +107,15 @@ fn slope(curve: &Curve) -> Option<Series> {
 fn table(studies: &[&Rates]) -> Table {
     let rows =
         studies.iter().flat_map(|study| study.curves.iter().map(|curve| cells(study, curve)));
-    Table {
-        title: "Contraction per sweep, predicted and measured".into(),
-        how_to_read:
-            "The factor by which a sweep multiplies the error: *predicted* is the spectral radius of the \
+    Table::new(
+        "Contraction per sweep, predicted and measured",
+        "The factor by which a sweep multiplies the error: *predicted* is the spectral radius of the \
              iteration matrix on the free rows, *measured* the slope of the second half of the curve. They \
              agree if the digits gained per sweep are the same to 10 %. With bounds, ρ is the limit of the \
-             slope; a curve that is still steeper, because the slowest component is small, has *not settled*."
-                .into(),
-        columns: vec![
-            Column::words("scene"),
-            Column::numbers("ω", ""),
-            Column::numbers("predicted ρ", ""),
-            Column::numbers("measured", ""),
-            Column::numbers("sweeps recorded", ""),
-            Column::words("agreement"),
-        ],
-        rows: rows.collect(),
-        ..Table::default()
-    }
+             slope; a curve that is still steeper, because the slowest component is small, has *not settled*.",
+        "scene | #ω | #predicted ρ | #measured | #sweeps recorded | agreement",
+        rows.collect(),
+    )
 }
 
 fn cells(study: &Rates, curve: &Curve) -> Vec<Cell> {

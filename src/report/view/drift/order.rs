@@ -1,8 +1,8 @@
 //! Errors as a function of the step length, with reference slopes and fitted orders.
 
 use crate::number::significant;
-use crate::plot::{Axis, Lines, Panel, Series};
-use crate::report::page::{Cell, Column, Mark, Table};
+use crate::plot::{Axis, Lines, Series};
+use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::drift::order::{
     Curve, Expected, Finding, Problem, ROUNDING, SLACK, Sample,
 };
@@ -72,18 +72,15 @@ fn figure(finding: &Finding, quantity: &str) -> Lines {
     let measured: Vec<_> = measured.filter(|(_, points)| !points.is_empty()).collect();
     let theory = slopes(&shown);
     let series = measured.into_iter().map(|(name, points)| Series::measured(name, points));
-    Lines {
-        id: format!("order_{}_{}", finding.problem.scene(), quantity.replace(' ', "_")),
-        title: format!("{}: error of the {quantity}", what(finding.problem)),
-        caption: "Gray lines have the slope of the derived order. Methods whose error is a rounding error at \
-                  every step are listed only in the table. Curves with equal errors coincide."
-            .into(),
-        x: Axis::log("step dt", "s"),
-        panels: vec![Panel {
-            y: Axis::log(format!("error of the {quantity}"), unit),
-            series: series.chain(theory).collect(),
-        }],
-    }
+    Lines::new(
+        format!("order_{}_{}", finding.problem.scene(), quantity.replace(' ', "_")),
+        format!("{}: error of the {quantity}", what(finding.problem)),
+        "Gray lines have the slope of the derived order. Methods whose error is a rounding error at \
+                  every step are listed only in the table. Curves with equal errors coincide.",
+        Axis::log("step dt", "s"),
+        Axis::log(format!("error of the {quantity}"), unit),
+        series.chain(theory).collect(),
+    )
 }
 
 /// A reference line for each derived order, through the longest step of the first method with that
@@ -103,29 +100,18 @@ fn slopes(shown: &[&Curve]) -> Vec<Series> {
 }
 
 fn table(findings: &[&Finding]) -> Table {
-    Table {
-        title: "Orders, derived, observed and fitted".into(),
-        how_to_read: format!(
+    Table::new(
+        "Orders, derived, observed and fitted",
+        format!(
             "Errors at the longest and at the shortest step. *derived*: the theoretical order; 0 means that \
              the error does not decrease, *exact* that it is a rounding error (below 10⁻¹¹) at every step, and \
              *open* that no order is claimed. The reasons are given below. A row passes if the observed order \
              is within {SLACK} of the derived one."
         ),
-        columns: vec![
-            Column::words("problem"),
-            Column::words("quantity"),
-            Column::words("method"),
-            Column::numbers("first error", ""),
-            Column::numbers("last error", ""),
-            Column::words("unit"),
-            Column::words("derived"),
-            Column::numbers("observed", ""),
-            Column::words("fitted"),
-            Column::words("verdict"),
-        ],
-        rows: curves(findings).map(|(problem, curve)| cells(problem, curve)).collect(),
-        ..Table::default()
-    }
+        "problem | quantity | method | #first error | #last error | unit | derived | #observed | \
+         fitted | verdict",
+        curves(findings).map(|(problem, curve)| cells(problem, curve)).collect(),
+    )
 }
 
 fn cells(problem: Problem, curve: &Curve) -> Vec<Cell> {

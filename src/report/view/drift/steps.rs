@@ -1,7 +1,7 @@
 //! Energy and constraint errors, level by level, for decreasing step lengths.
 
 use crate::plot::{Axis, Lines, Panel, Series};
-use crate::report::page::{Cell, Column, Table};
+use crate::report::page::{Cell, Table};
 use crate::report::study::comparison::Sample;
 use crate::report::study::drift::steps::{Curve, Levels};
 use crate::report::view::attempt::stem;
@@ -110,23 +110,11 @@ fn table(studies: &[&Levels]) -> Table {
     };
     let rows =
         studies.iter().flat_map(|study| (0..study.curves.len()).map(move |k| cells(study, k)));
-    Table {
-        title: "Largest errors over the run".into(),
-        how_to_read:
-            "*gain*: the error with twice this step, divided by the error with this step; 2 for a \
-         first-order method, 4 for a second-order method."
-                .into(),
-        columns: vec![
-            Column::words("scene"),
-            Column::words("level"),
-            Column::numbers("dt", "s"),
-            Column::numbers("energy error", "%"),
-            Column::numbers("gain", ""),
-            Column::numbers("drift", "mm"),
-            Column::numbers("gain", ""),
-            Column::words("trouble"),
-        ],
-        rows: rows.collect(),
-        ..Table::default()
-    }
+    Table::new(
+        "Largest errors over the run",
+        "*gain*: the error with twice this step, divided by the error with this step; 2 for a \
+         first-order method, 4 for a second-order method.",
+        "scene | level | #dt (s) | #energy error (%) | #gain | #drift (mm) | #gain | trouble",
+        rows.collect(),
+    )
 }

@@ -2,7 +2,7 @@
 
 use crate::number::{count, readable};
 use crate::plot::{Small, Spies};
-use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::sparsity::factor::{Factor, Ordered};
 use crate::report::view::Document;
 
@@ -16,25 +16,14 @@ pub(super) fn show(factors: &[&Factor], document: &mut Document) {
     );
     let rows =
         factors.iter().flat_map(|factor| factor.ordered.iter().map(|own| cells(factor, own)));
-    let table = Table {
-        title: "Entries of the factor by ordering".into(),
-        how_to_read: "*A*: entries on and below the diagonal. *L*: entries of the factor, including the \
+    let table = Table::new(
+        "Entries of the factor by ordering",
+        "*A*: entries on and below the diagonal. *L*: entries of the factor, including the \
          diagonal. *fill*: entries of L divided by those of A; the smallest value of each scene is marked. \
-         *work*: multiplications of the factorization."
-            .into(),
-        columns: vec![
-            Column::words("scene"),
-            Column::numbers("rows", ""),
-            Column::words("ordering"),
-            Column::numbers("bandwidth", ""),
-            Column::numbers("A", ""),
-            Column::numbers("L", ""),
-            Column::numbers("fill", "×"),
-            Column::numbers("work", ""),
-        ],
-        rows: rows.collect(),
-        ..Table::default()
-    };
+         *work*: multiplications of the factorization.",
+        "scene | #rows | ordering | #bandwidth | #A | #L | #fill (×) | #work",
+        rows.collect(),
+    );
     document.table("sparsity_factors", table);
     let panel = |(factor, own): (&&Factor, &Ordered)| Small {
         name: format!("{}, {}", factor.scene, own.ordering),
