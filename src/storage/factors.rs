@@ -8,30 +8,6 @@ use crate::storage::Entry;
 
 /// The factors of A = J M⁻¹ Jᵀ with six columns per moving body; for a point mass the last three
 /// are empty.
-///
-/// ```
-/// use lcplab::storage::Factors;
-/// use lcplab::scene::Scene;
-/// use lcplab::simulation::Simulation;
-/// use lcplab::solver::{Options, by_name};
-/// use lcplab::storage::{CompressedRows, Storage, Workspace, triple_product};
-///
-/// let solver = by_name("dantzig", &Options::default())?;
-/// let mut simulation = Simulation::new(Scene::load("fig7")?, solver);
-/// let step = simulation.step().expect("a step that does not diverge");
-/// let problem = &step.solves[0].problem;
-/// let factors = Factors::of(&problem.assembly);
-///
-/// let mut j = CompressedRows::new(factors.rows, factors.columns);
-/// j.load(&factors.jacobian)?;
-/// let mut m_inv = CompressedRows::new(factors.columns, factors.columns);
-/// m_inv.load(&factors.inverse_mass)?;
-/// let mut a = CompressedRows::new(0, 0);
-/// triple_product(&j, &m_inv, &mut a, &mut Workspace::default())?;
-/// let off = a.get(1, 1)? - problem.lcp.matrix().entry(1, 1);
-/// assert!(off.abs() < 1e-15); // the A that the step was solved with
-/// # Ok::<(), lcplab::error::Error>(())
-/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Factors {
     /// The number of rows of J.
@@ -40,23 +16,18 @@ pub struct Factors {
     pub columns: usize,
     /// The entries of J, row by row.
     pub jacobian: Vec<Entry>,
-    /// The entries of M⁻¹ (1/kg, 1/(kg m²)), row by row.
-    pub inverse_mass: Vec<Entry>,
-    /// The diagonal blocks of M⁻¹, one per moving body.
+    /// The diagonal blocks of M⁻¹ (1/kg, 1/(kg m²)), one per moving body.
     pub inverse_masses: Vec<Matrix6<f64>>,
 }
 
 impl Factors {
     /// The factors of an assembly.
     pub fn of(assembly: &Assembly) -> Self {
-        let inverse_masses: Vec<_> = assembly.blocks.iter().map(inverse_mass).collect();
-        let block = |(k, block)| entries_of(k, block);
         Factors {
             rows: assembly.rows.len(),
             columns: WIDTH * assembly.blocks.len(),
             jacobian: jacobian(assembly),
-            inverse_mass: inverse_masses.iter().enumerate().flat_map(block).collect(),
-            inverse_masses,
+            inverse_masses: assembly.blocks.iter().map(inverse_mass).collect(),
         }
     }
 
@@ -115,11 +86,4 @@ fn jacobian(assembly: &Assembly) -> Vec<Entry> {
 fn inverse_mass(block: &Block) -> Matrix6<f64> {
     let column = |k: usize| block.accelerate(&Vector6::ith(k, f64::from(u8::from(k < block.dof))));
     Matrix6::from_columns(&[0, 1, 2, 3, 4, 5].map(column))
-}
-
-/// The nonzero entries of a body's block.
-fn entries_of(body: usize, block: &Matrix6<f64>) -> Vec<Entry> {
-    let places = (0..WIDTH).flat_map(|i| (0..WIDTH).map(move |j| (i, j)));
-    let nonzero = places.filter(|place| block[*place] != 0.0);
-    nonzero.map(|(i, j)| (WIDTH * body + i, WIDTH * body + j, block[(i, j)])).collect()
 }

@@ -11,9 +11,7 @@
 //! search.
 
 use super::slots::{NONE, Slots};
-use super::{
-    Entry, Result, Storage, check_entry, check_order, check_place, check_product, check_row,
-};
+use super::{Entry, Result, Storage, check_entry, check_order, check_place, check_row};
 
 #[derive(Debug, Clone, PartialEq)]
 struct Link {
@@ -30,11 +28,8 @@ struct Link {
 /// use lcplab::storage::{LinkedList, Storage};
 ///
 /// let mut a = LinkedList::new(100, 100);
-/// for i in 0..100 {
-///     a.set(i, i, 1.0)?;
-/// }
-/// assert_eq!(a.visits(0, 0)?, 1); // entries looked at to find it
-/// assert_eq!(a.visits(99, 99)?, 100);
+/// a.load(&(0..100).map(|i| (i, i, 1.0)).collect::<Vec<_>>())?;
+/// assert_eq!(a.bytes(), 100 * 24);
 /// # Ok::<(), lcplab::error::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -47,27 +42,10 @@ pub struct LinkedList {
     cursor: u32,
 }
 
-/// Bytes per entry.
-const ENTRY: usize = size_of::<Link>();
-
 impl LinkedList {
-    /// Bytes per entry.
-    pub const BYTES_AN_ENTRY: usize = ENTRY;
-
     /// A zero matrix.
     pub fn new(rows: usize, columns: usize) -> Self {
         LinkedList { rows, columns, links: Slots::default(), head: NONE, cursor: NONE }
-    }
-
-    /// The number of entries that [`get`](Storage::get) visits.
-    ///
-    /// # Errors
-    /// [`Error::Outside`](super::Error::Outside).
-    pub fn visits(&self, row: usize, column: usize) -> Result<usize> {
-        let place = check_place(self, row, column)?;
-        let before =
-            self.from(self.head).take_while(|link| (link.row, link.column) < place).count();
-        Ok((before + 1).min(self.links.len()))
     }
 
     /// The entries from this one on.
@@ -204,15 +182,5 @@ impl Storage for LinkedList {
         self.reset(self.rows, self.columns)?;
         self.links.reserve(entries.len());
         entries.iter().try_for_each(|&(row, column, value)| self.set(row, column, value))
-    }
-
-    /// One pass along the list, which is in the order of rows.
-    fn multiply(&self, x: &[f64], y: &mut [f64]) -> Result<()> {
-        check_product(self.rows, self.columns, x, y)?;
-        y.fill(0.0);
-        for link in self.from(self.head) {
-            y[link.row as usize] += link.value * x[link.column as usize];
-        }
-        Ok(())
     }
 }

@@ -11,7 +11,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Result, Storage, check_entry, check_length, check_place, check_row, nodes};
+use super::{Result, Storage, check_entry, check_place, check_row, nodes};
 
 type Row = BTreeMap<u32, f64>;
 
@@ -20,7 +20,10 @@ type Row = BTreeMap<u32, f64>;
 /// ```
 /// use lcplab::storage::{MapOfMaps, Storage};
 ///
-/// let mut a = MapOfMaps::from_rows(3, 3, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0])?;
+/// let mut a = MapOfMaps::new(3, 3);
+/// for (i, j) in (0..9).map(|k| (k / 3, k % 3)) {
+///     a.set(i, j, if i == j { 1.0 } else { 0.0 })?;
+/// }
 /// assert_eq!(a.stored(), 3); // Code 11 keeps 9
 /// a.set(1, 1, 0.0)?;
 /// assert_eq!((a.stored(), a.row(1)?), (2, vec![]));
@@ -40,20 +43,6 @@ impl MapOfMaps {
     /// A zero matrix.
     pub fn new(rows: usize, columns: usize) -> Self {
         MapOfMaps { rows, columns, map: BTreeMap::new(), stored: 0, gone: 0 }
-    }
-
-    /// The matrix with these numbers, row by row; zeros are omitted.
-    ///
-    /// # Errors
-    /// [`Error::Length`](super::Error::Length) unless there are rows · columns values;
-    /// [`Error::NotFinite`](super::Error::NotFinite).
-    pub fn from_rows(rows: usize, columns: usize, values: &[f64]) -> Result<Self> {
-        check_length("the matrix", values.len(), rows * columns)?;
-        let mut map = MapOfMaps::new(rows, columns);
-        for (k, &value) in values.iter().enumerate() {
-            map.set(k / columns, k % columns, value)?;
-        }
-        Ok(map)
     }
 
     fn nodes(&self) -> usize {

@@ -12,7 +12,6 @@
 //! a.set(0, 0, 2.0)?;
 //! a.set(0, 2, -1.0)?;
 //! assert_eq!(a.row(0)?, [(0, 2.0), (2, -1.0)]);
-//! assert_eq!(a.product(&[1.0, 1.0, 1.0])?, [1.0, 0.0, 0.0]);
 //! assert_eq!(a.set(3, 0, 1.0).unwrap_err().to_string(), "entry (3, 0) is outside a 3 × 3 matrix");
 //!
 //! for kind in &storage::ALL {
@@ -25,9 +24,8 @@
 //! ```
 //!
 //! Zero entries are not stored: setting an entry to zero removes it (E54), and a row's entries are
-//! its nonzero ones, columns ascending, in every format. [`triple_product`] assembles A with any of
-//! them, [`sweep`] runs projected Gauss-Seidel with any of them, [`Pool`] keeps the buffers of the
-//! product from step to step, [`Factors`] has J and M⁻¹ for sweeps that never assemble A
+//! its nonzero ones, columns ascending, in every format. [`sweep`] runs projected Gauss-Seidel with
+//! any of them, [`Factors`] has J and M⁻¹ for sweeps that never assemble A
 //! ([`impulses`](crate::solver::kernel::impulses)), and [`Ordering`] gives the fill of a factor of
 //! A.
 
@@ -40,8 +38,6 @@ mod list;
 mod map;
 mod nodes;
 mod ordering;
-mod pool;
-mod product;
 mod slots;
 mod sweep;
 
@@ -53,8 +49,6 @@ pub use kind::{ALL, Kind};
 pub use list::LinkedList;
 pub use map::MapOfMaps;
 pub use ordering::{Graph, Ordering};
-pub use pool::Pool;
-pub use product::{Workspace, triple_product};
 pub use sweep::sweep;
 
 /// A matrix, in any storage format.
@@ -122,39 +116,6 @@ pub trait Storage {
         self.visit_row(row, &mut |column, value| entries.push((column, value)))?;
         Ok(entries)
     }
-
-    /// The sum of row times x, column by column.
-    ///
-    /// # Errors
-    /// [`Error::Outside`], [`Error::Length`].
-    fn row_dot(&self, row: usize, x: &[f64]) -> Result<f64> {
-        check_length("x", x.len(), self.columns())?;
-        let mut sum = 0.0;
-        self.visit_row(row, &mut |column, value| sum += value * x[column])?;
-        Ok(sum)
-    }
-
-    /// y ← A x. Sums run over ascending columns, so that y is bitwise identical in every format.
-    ///
-    /// # Errors
-    /// [`Error::Length`].
-    fn multiply(&self, x: &[f64], y: &mut [f64]) -> Result<()> {
-        check_product(self.rows(), self.columns(), x, y)?;
-        y.iter_mut().enumerate().try_for_each(|(row, y)| {
-            *y = self.row_dot(row, x)?;
-            Ok(())
-        })
-    }
-
-    /// A x.
-    ///
-    /// # Errors
-    /// [`Error::Length`].
-    fn product(&self, x: &[f64]) -> Result<Vec<f64>> {
-        let mut y = vec![0.0; self.rows()];
-        self.multiply(x, &mut y)?;
-        Ok(y)
-    }
 }
 
 /// Row, column and value of an entry.
@@ -194,12 +155,6 @@ fn check_row(matrix: &(impl Storage + ?Sized), row: usize) -> Result<u32> {
 
 fn check_length(what: &'static str, found: usize, expected: usize) -> Result<()> {
     if found == expected { Ok(()) } else { Err(Error::Length { what, found, expected }) }
-}
-
-/// Checks the lengths for y = A x.
-fn check_product(rows: usize, columns: usize, x: &[f64], y: &[f64]) -> Result<()> {
-    check_length("x", x.len(), columns)?;
-    check_length("y", y.len(), rows)
 }
 
 fn check_order(entries: &[Entry]) -> Result<()> {

@@ -1,14 +1,13 @@
 //! The chapter's matrices: one behaviour, whatever keeps the entries.
 
-mod assembly;
 mod errors;
 mod factored_sweeps;
 mod impulses;
 mod laws;
 mod memory;
 mod ordering;
-mod pool;
 mod search;
+mod sweeps;
 
 use lcplab::storage::Entry;
 use proptest::prelude::*;

@@ -13,19 +13,6 @@ fn shuffled(n: usize, seed: u64) -> Vec<usize> {
 }
 
 #[test]
-fn a_search_in_a_list_looks_at_every_entry_before() {
-    // E57: the cost is linear in the entries, not exponential: the k-th takes k looks.
-    let mut list = LinkedList::new(200, 200);
-    for i in 0..200 {
-        list.set(i, 3, 1.0).unwrap();
-    }
-    let visits: Vec<usize> = (0..200).map(|i| list.visits(i, 3).unwrap()).collect();
-    assert_eq!(visits, (1..=200).collect::<Vec<_>>());
-    assert_eq!(list.visits(199, 4).unwrap(), 200); // not there: all were looked at
-    assert_eq!(list.visits(0, 2).unwrap(), 1);
-}
-
-#[test]
 fn a_list_set_backwards_or_mixed_is_sorted_all_the_same() {
     for order in [(0..50).rev().collect(), shuffled(50, 3)] {
         let order: Vec<usize> = order;
