@@ -126,9 +126,11 @@ fn page_of(question: &Question, proof: &Proof, missing: &[(Kind, String)], text:
     let problem = &Problem { model: question.model(), ..question.problem().clone() };
     let name = if problem.name.is_empty() { "a problem" } else { &problem.name };
     let reasons = missing.iter().map(|(kind, reason)| format!("- *{kind}*: {reason}\n"));
-    let claim =
-        page::Proof { claim: proof.sentence(), text: text.to_string(), ..page::Proof::default() };
-    let claim = Block::Proofs { problem: problem.to_json().to_string(), proofs: vec![claim] };
+    let claim = Block::Proof(page::Proof {
+        problem: problem.to_json().to_string(),
+        claim: proof.sentence(),
+        text: text.to_string(),
+    });
     let how = "The button runs a checker that is part of this page. It uses integer arithmetic and shares no code with \
                lcplab; its source is at the end of this file. The page contains the problem and the proof.";
     let mut blocks = vec![claim, Block::Note(how.into())];

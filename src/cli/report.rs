@@ -9,7 +9,6 @@ use lcplab::lesson::Program;
 use lcplab::report::difference::Tolerance;
 use lcplab::report::experiment::{self, Experiment, SHIPPED};
 use lcplab::report::kind::KINDS;
-use lcplab::report::proofs::Proofs;
 use lcplab::report::results::Results;
 use lcplab::report::{difference, run, text, view, write};
 use lcplab::solver::Reason;
@@ -78,7 +77,7 @@ pub struct Report {
     section: Option<String>,
     /// Write only this figure, given by its id, to the file of --out: .svg, .pdf, or its data as
     /// .csv
-    #[arg(long, value_name = "ID", requires = "out", conflicts_with_all = ["compare", "proofs"])]
+    #[arg(long, value_name = "ID", requires = "out", conflicts_with = "compare")]
     figure: Option<String>,
     /// Folder of the report [default: reports/NAME]; or a .pdf file, to which a Chromium or Chrome
     /// on the PATH prints the page
@@ -87,10 +86,6 @@ pub struct Report {
     /// Number of threads [default: one per processor]
     #[arg(long, value_parser = threads())]
     threads: Option<u16>,
-    /// Write a proof file for each row that shows the verdict on one problem; a button on the page
-    /// checks it
-    #[arg(long, conflicts_with_all = ["compare", "list"])]
-    proofs: bool,
     /// For the report engines: first run these installed physics engines, separated by commas, or
     /// all [default: draw the recorded results]
     #[arg(long, value_name = "NAMES|all", conflicts_with_all = ["compare", "section"])]
@@ -221,9 +216,6 @@ impl Report {
         if let Some(folder) = self.folder() {
             words.extend(["--out".into(), shell_word(&folder.display().to_string())]);
         }
-        if self.proofs {
-            words.push("--proofs".into());
-        }
         if let Some(names) = &self.engine {
             words.extend(["--engine".into(), shell_word(names)]);
         }
@@ -231,10 +223,9 @@ impl Report {
         words.join(" ")
     }
 
-    /// Writes the page, with proofs if requested, and prints the summary; or writes only a figure,
-    /// or prints tables.
+    /// Writes the page and prints the summary; or writes only a figure, or prints tables.
     fn shown(&self, results: &Results, folder: &Path) -> Result<(Outcome, Option<PathBuf>)> {
-        let mut document = view::document(results)?;
+        let document = view::document(results)?;
         if let (Some(id), Some(file)) = (&self.figure, &self.out) {
             alone(&document, id, file)?;
             print(&format!("{}\n", file.display()))?;
@@ -245,18 +236,6 @@ impl Report {
             document.tables.iter().try_for_each(|(_, table)| print(&text::table(table)))?;
             print(&format!("{}\n", results.summary()?))?;
             return Ok((outcome, None));
-        }
-        if self.proofs {
-            let progress = bar(0, "proofs");
-            let proofs = Proofs::of(&Experiment::of(results)?, &progress)?;
-            progress.finish_and_clear();
-            proofs.write(folder)?;
-            proofs.onto(&mut document);
-            let left_out = match proofs.left_out {
-                0 => String::new(),
-                count => format!("; {count} more were left out, to limit the number of files"),
-            };
-            say(&format!("{} proofs in {}/proofs{left_out}", proofs.count(), folder.display()));
         }
         let page = write::document(&document, folder)?;
         print(&format!("{}\n{}\n", results.summary()?, page.display()))?;

@@ -8,7 +8,6 @@ use serde_json::Value;
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::proofs::Judged;
 use super::study::{self, Study};
 use super::view::{Document, Outcome, View};
 use crate::error::{Defects, Error, Result};
@@ -129,12 +128,6 @@ pub trait AnyStudy: Send + Sync {
     /// If it is not of this kind.
     fn show_times(&self, times: &[Value], document: &mut Document) -> Result<()>;
 
-    /// The problems whose verdicts are shown in a task's rows, and the answers.
-    ///
-    /// # Errors
-    /// If a problem cannot be reproduced.
-    fn judged(&self, section: &str, task: usize) -> Result<Vec<Judged>>;
-
     /// The answer for the top of the page, if the study has one.
     ///
     /// # Errors
@@ -189,10 +182,6 @@ impl<S: View> AnyStudy for S {
     fn show_times(&self, times: &[Value], document: &mut Document) -> Result<()> {
         View::show_times(self, &read::<S, _>(times)?, document);
         Ok(())
-    }
-
-    fn judged(&self, section: &str, task: usize) -> Result<Vec<Judged>> {
-        View::judged(self, section, task)
     }
 
     fn answer(&self, findings: &[Value]) -> Result<Option<String>> {

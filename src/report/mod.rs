@@ -1,13 +1,12 @@
 //! Results as pages, tables and JSON: [`experiment`] describes a report with [`study`]s of some
 //! [`kind`], [`run`] carries it out, [`results`] stores the findings, [`view`] shows them and
-//! [`write`](mod@write) writes them to disk, with [`proofs`]; [`difference`] compares two runs.
+//! [`write`](mod@write) writes them to disk; [`difference`] compares two runs.
 
 pub mod difference;
 pub mod experiment;
 pub mod grid;
 pub mod kind;
 mod layout;
-pub mod proofs;
 pub mod recording;
 pub mod results;
 pub mod run;

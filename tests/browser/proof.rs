@@ -39,30 +39,3 @@ fn a_proof_that_was_tampered_with_is_refused() {
     let found = proved("fig7").seen(1280, &format!("{tampered}{CLICK}"));
     assert_eq!(found, json!(["bad", "Refused: w of row 0 has the wrong sign.", false]));
 }
-
-#[test]
-fn the_proofs_of_a_report_are_checked_in_its_page_and_a_row_leads_to_its_own() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("mine.toml");
-    fs::write(
-        &file,
-        "title = 'Mine'\nlead = ''\n[[section]]\nstudy = 'cross-check'\n\
-         scenes = [{ scene = 'fig7', step = 1 }, { scene = 'incline', step = 2 }]\n",
-    )
-    .unwrap();
-    let mut lcplab = Command::new(env!("CARGO_BIN_EXE_lcplab"));
-    lcplab.arg("report").arg(&file).arg("--proofs").arg("--out").arg(folder.path());
-    assert!(lcplab.output().unwrap().status.success());
-    let page = Page(fs::read_to_string(folder.path().join("index.html")).unwrap());
-    let found = page.seen(
-        390,
-        "all('.check').forEach((button) => button.click());
-        const links = all('td a').map((link) => find(link.getAttribute('href')));
-        return [all('.proof output').map((output) => output.className),
-                links.map((proof) => proof.className)];",
-    );
-    assert_eq!(
-        found,
-        json!([["good", "good", "good", "good"], ["proof", "proof", "proof", "proof"]])
-    );
-}

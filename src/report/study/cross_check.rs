@@ -103,7 +103,7 @@ pub fn run(scene: &Scene, step: usize) -> Vec<CrossCheck> {
 }
 
 /// The last LCP of a step at a level, and our answer.
-pub fn answered(scene: &Scene, step: usize) -> Option<(Problem, Vec<f64>)> {
+fn answered(scene: &Scene, step: usize) -> Option<(Problem, Vec<f64>)> {
     let problem = simulation::problem_of(scene, step).ok()?;
     let mut options = simulation::options(scene);
     options.settings.tolerance = 1e-12;

@@ -2,12 +2,9 @@
 
 use super::{Document, Outcome, View};
 use crate::certificate::cross_check::max_difference;
-use crate::error::Result;
 use crate::number::significant;
 use crate::report::page::{Cell, Mark, Table};
-use crate::report::proofs::{Answered, Judged};
-use crate::report::study::cross_check::{CrossCheck, Plan, Wrench, answered};
-use crate::scene::{Scene, Scheme};
+use crate::report::study::cross_check::{CrossCheck, Plan, Wrench};
 
 impl View for Plan {
     const TITLE: &'static str = "Cross-check with clarabel";
@@ -44,24 +41,6 @@ impl View for Plan {
             );
             document.table("wrenches", wrenches(checks));
         }
-    }
-
-    fn judged(&self, _section: &str, task: usize) -> Result<Vec<Judged>> {
-        let step = self.scenes[task].step;
-        let scene = Scene::load(&self.scenes[task].scene)?;
-        let at_level = |level| {
-            let (problem, x) = answered(&scene.at_level(level), step)?;
-            let stage = problem.stage.name();
-            let row = Answered {
-                table: "cross_checks".into(),
-                begins: vec![scene.name.clone(), stage.into()],
-                column: "verdict",
-                answer: x,
-            };
-            let name = format!("{}, {stage}, step {step}", scene.name);
-            Some(Judged { problem: problem.in_numbers(name), answers: vec![row] })
-        };
-        Ok(Scheme::LEVELS.into_iter().filter_map(at_level).collect())
     }
 
     fn outcome(&self, findings: &[Vec<CrossCheck>]) -> Outcome {

@@ -37,7 +37,6 @@ use serde_json::Value;
 
 use super::experiment::{Experiment, Fold, SHIPPED};
 use super::page::{self, Block, Cell, Mark, Origin, Page, Picture, Section, Table};
-use super::proofs::Judged;
 use super::results::{Part, Results, Task};
 use super::study::Study;
 use crate::error::Result;
@@ -72,15 +71,6 @@ pub trait View: Study {
 
     /// Adds the machine-dependent data to the section of times.
     fn show_times(&self, _times: &[Self::Times], _document: &mut Document) {}
-
-    /// The problems whose verdicts are shown in a task's rows, and the answers, for
-    /// [proofs](super::proofs); `section` is the section's id.
-    ///
-    /// # Errors
-    /// If a problem cannot be reproduced.
-    fn judged(&self, _section: &str, _task: usize) -> Result<Vec<Judged>> {
-        Ok(Vec::new())
-    }
 
     /// The answer to the study's question, in one or two sentences for the top of the page.
     fn answer(&self, _findings: &[Self::Finding]) -> Option<String> {

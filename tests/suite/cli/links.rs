@@ -37,10 +37,6 @@ const WRITERS: &[Writer] = &[
         &["report", "r.toml", "--section", "c", "--out", "out"],
         &["c", "c/index.html", "c/results.json"],
     ),
-    writer(
-        &["report", "proved.toml", "--proofs", "--out", "out"],
-        &["data", "index.html", "proofs", "results.json"],
-    ),
     Writer {
         arguments: &["report", "out/results.json"],
         first: &["report", "proved.toml", "--out", "out"],

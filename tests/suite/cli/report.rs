@@ -129,31 +129,6 @@ fn the_line_that_reproduces_a_page_does() {
     assert!(html.contains(&line) || html.contains(&escaped(&line)), "{line}");
 }
 
-const JUDGED: &str = "title = 'Judged'\nlead = ''\n\
-                      [[section]]\nstudy = 'cross-check'\n\
-                      scenes = [{ scene = 'incline', step = 2 }, { scene = 'fig7' }]\n";
-
-#[test]
-fn every_row_that_shows_the_verdict_of_a_problem_links_to_a_proof_that_a_stranger_accepts() {
-    let folder = tempfile::tempdir().unwrap();
-    let (file, page) = (folder.path().join("judged.toml"), folder.path().join("page"));
-    fs::write(&file, JUDGED).unwrap();
-    let ran = run(&["report", file.to_str().unwrap(), "--proofs", "--out", page.to_str().unwrap()]);
-    assert_eq!(ran.status.code(), Some(0), "{}", err(&ran));
-    assert!(err(&ran).starts_with("4 proofs in "), "{}", err(&ran));
-    let html = fs::read_to_string(page.join("index.html")).unwrap();
-    let ids = html.split("class=\"proof\" id=\"").skip(1);
-    let ids: Vec<&str> = ids.map(|rest| &rest[..rest.find('"').unwrap()]).collect();
-    assert_eq!(ids.len(), 4);
-    for id in ids {
-        assert!(html.contains(&format!("href=\"#{id}\"")), "no row links to {id}");
-        assert!(page.join(format!("proofs/{id}.proof.json")).exists(), "{id}");
-    }
-    let checker = Path::new(env!("CARGO_MANIFEST_DIR")).join("proofs/lcpcheck.py");
-    let checked = Command::new("python3").arg(checker).arg(page.join("proofs")).output().unwrap();
-    assert!(out(&checked).ends_with("4 of 4 proofs prove their claims\n"), "{}", out(&checked));
-}
-
 #[test]
 fn problem_files_make_a_report_of_what_is_missing_and_who_solves_them() {
     let folder = tempfile::tempdir().unwrap();

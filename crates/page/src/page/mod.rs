@@ -64,7 +64,7 @@ pub enum Fold {
     /// Nothing.
     #[default]
     Nothing,
-    /// Tables and proofs, which come last in the section.
+    /// Tables.
     Tables,
     /// Everything after this number of blocks.
     After(usize),
@@ -75,7 +75,7 @@ impl Fold {
     fn takes(self, place: usize, block: &Block) -> bool {
         match self {
             Fold::Nothing => false,
-            Fold::Tables => matches!(block, Block::Table(_) | Block::Proofs { .. }),
+            Fold::Tables => matches!(block, Block::Table(_)),
             Fold::After(first) => place >= first,
         }
     }
@@ -138,13 +138,8 @@ pub enum Block {
     Note(String),
     /// A page with its own script, which opens in place.
     Live(Live),
-    /// Proofs about one problem that the reader can check within the page.
-    Proofs {
-        /// The problem file, as text.
-        problem: String,
-        /// The proofs about it.
-        proofs: Vec<Proof>,
-    },
+    /// A proof that the reader can check within the page.
+    Proof(Proof),
 }
 
 /// A live page embedded in another page.
@@ -161,20 +156,15 @@ pub struct Live {
     pub state: String,
 }
 
-/// A proof on a page.
-#[derive(Debug, Clone, PartialEq, Default)]
+/// A proof on a page, with its problem.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Proof {
-    /// The anchor that a table's row links to; the proofs of a table are collapsed. Empty if
-    /// nothing links to it.
-    pub id: String,
-    /// The solver whose answer it is about; empty if it is about none in particular.
-    pub about: String,
+    /// The problem file, as text.
+    pub problem: String,
     /// The claim it proves, in a sentence.
     pub claim: String,
     /// The proof file, as text.
     pub text: String,
-    /// The address of this file, relative to the page; empty if it is only in the page.
-    pub file: String,
 }
 
 /// A numbered picture with its caption.

@@ -71,16 +71,10 @@ fn contents<'a>(blocks: impl Iterator<Item = &'a Block> + Clone) -> String {
 const CHECKER: &str = include_str!("lcpcheck.js");
 
 #[derive(Template)]
-#[template(path = "proofs.html")]
-struct ProofsView<'a> {
+#[template(path = "proof.html")]
+struct ProofView<'a> {
     problem: String,
-    proofs: &'a [Proof],
-}
-
-impl ProofsView<'_> {
-    fn is_folded(&self) -> bool {
-        self.proofs.iter().any(|proof| !proof.id.is_empty())
-    }
+    proof: &'a Proof,
 }
 
 /// The start of a pair of programs, with the buttons that select one.
@@ -137,7 +131,7 @@ impl Page {
             only(plots, include_str!("plot.js")),
             only(plays, include_str!("player.js")),
             only(proofs, CHECKER),
-            only(proofs, include_str!("proofs.js")),
+            only(proofs, include_str!("proof.js")),
             only(!lives.is_empty(), include_str!("live.js")),
         ];
         let script = format!("\n{}", script.concat());
@@ -250,9 +244,10 @@ impl Writer {
                 text.trim_end().lines().count(),
                 code(language, text)
             ),
-            Block::Proofs { problem, proofs } => {
+            Block::Proof(proof) => {
                 self.proofs = true;
-                self.checked(place, |_| written(&ProofsView { problem: data(problem), proofs }))
+                let problem = data(&proof.problem);
+                self.checked(place, |_| written(&ProofView { problem, proof }))
             }
             Block::Live(live) => self.live(place, live),
             Block::Figure(figure) => self.figure(place, figure),
