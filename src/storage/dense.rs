@@ -5,8 +5,9 @@
 //! ```
 //!
 //! It takes rows · columns · 8 bytes (4 in the chapter, which uses `float`), whatever the entries
-//! are. Code 10's assertions are errors here, and it has no limit of 500 rows (E50). A matrix without
-//! rows is valid: it occurs in a step without constraints (E59). Copies are independent (E51).
+//! are. Code 10's assertions are errors here, and there is no limit of 500 rows (E50). A matrix
+//! without rows is valid: it occurs in a step without constraints (E59). Copies are independent
+//! (E51).
 
 use super::{Result, Storage, check_entry, check_place, check_row};
 

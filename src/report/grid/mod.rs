@@ -33,9 +33,9 @@
 //! the values; `theory` names a closed form to draw for comparison ([`Theory`]). The measure `rate`
 //! solves the problem once more.
 //!
-//! A setting is the path of a field in the scene file; items of a list are given by their number
-//! from 0 or their name, or neither if there is only one. For a family it is a parameter, or a
-//! field of `solver` as in scenes. `scene`, `family` and `steps` can be axes themselves. A family's
+//! A setting is the path of a field in the scene file, as for `simulate --set`; items of a list are
+//! given by their number from 0 or their name. For a family it is a parameter, or a field of
+//! `solver` as in scenes. `scene`, `family` and `steps` can be axes themselves. A family's
 //! problem is solved once, from 0.
 //!
 //! Random values use a seed of the task, which is derived from `seed`, the repetition, and the

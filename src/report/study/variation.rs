@@ -12,14 +12,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use std::path::Path;
-
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
-use crate::error::{Error, Result};
-use crate::file;
-use crate::scene::{Scene, catalogue};
+use crate::error::Result;
+use crate::scene::Scene;
 
 /// A scene and its overridden fields.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -50,20 +47,20 @@ impl Variation {
     /// # Errors
     /// If the scene does not exist, or is invalid with the overridden fields.
     pub fn scene(&self) -> Result<Scene> {
-        let scene = Scene::load(&self.scene)?;
-        if self.change.is_empty() {
-            return Ok(scene);
+        let mut changes = Vec::new();
+        flatten("", &self.change, &mut changes);
+        Scene::load_with(&self.scene, &changes)
+    }
+}
+
+/// The fields of a table, each with its path and its value.
+fn flatten(parent: &str, table: &Table, fields: &mut Vec<(String, String)>) {
+    for (key, value) in table {
+        let path = format!("{parent}{key}");
+        match value {
+            Value::Table(inner) => flatten(&format!("{path}."), inner, fields),
+            value => fields.push((path, value.to_string())),
         }
-        let path = Path::new(&self.scene);
-        let text = match catalogue::text(&self.scene) {
-            Some(text) if !path.exists() => text.to_string(),
-            _ => file::read(path, file::WRITTEN_BY_HAND)?,
-        };
-        let invalid = |reason: String| Error::invalid(&self.scene, "change", reason);
-        let mut table: Table = text.parse().map_err(|cause| invalid(format!("{cause}")))?;
-        merge(&mut table, &self.change);
-        let text = toml::to_string(&table).map_err(|cause| invalid(cause.to_string()))?;
-        Scene::from_toml(&format!("{}.toml", scene.name), &text)
     }
 }
 

@@ -84,10 +84,16 @@ impl Description {
     /// As for [`Scene::load_with`](super::Scene::load_with).
     pub fn load_with(path_or_name: &str, changes: &[(String, String)]) -> Result<Self> {
         let (path, text) = super::text(path_or_name)?;
-        match changes {
-            [] => Description::from_toml(&path, &text),
-            _ => super::change::changed(&path, &text, changes),
-        }
+        Description::changed(&path, &text, changes)
+    }
+
+    /// The description in a text, with fields set as by
+    /// [`Scene::load_with`](super::Scene::load_with).
+    ///
+    /// # Errors
+    /// As for [`Scene::load_with`](super::Scene::load_with).
+    pub fn changed(path: &str, text: &str, changes: &[(String, String)]) -> Result<Self> {
+        super::change::changed(path, text, changes)
     }
 
     /// The same scene with all defaults written out, for other programs: structures as bodies, a

@@ -110,8 +110,8 @@ fn an_impossible_point_is_a_row_with_its_reason_and_the_rest_goes_on() {
     assert_eq!((collection.done.len(), collection.impossible()), (6, 5));
     let reason = |task: usize| folder.record(task).unwrap().unwrap().reason.unwrap_or_default();
     assert_eq!(reason(1), "");
-    assert!(reason(2).starts_with("chain: generate.links: invalid value"), "{}", reason(2));
-    assert!(reason(3).starts_with("chain: generate.links: invalid type"), "{}", reason(3));
+    assert!(reason(2).starts_with("chain.toml: generate.links: invalid value"), "{}", reason(2));
+    assert!(reason(3).starts_with("chain.toml: generate.links: invalid type"), "{}", reason(3));
     assert_eq!(reason(4), "chain: solver.omega: must lie between 0 and 2, is 2.5");
     assert!(csv.lines().nth(4).unwrap().contains("impossible,none,\"chain: solver.omega"), "{csv}");
 }
