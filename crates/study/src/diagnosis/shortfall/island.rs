@@ -9,6 +9,9 @@ use super::examine::HEALTHY;
 use super::frame::{Body, Frame, Pair};
 use super::yard::Yard;
 
+/// The error of a part is hidden if it is larger than that of the whole by this factor.
+const HIDDEN: f64 = 1.1;
+
 /// A part of a frame.
 pub(super) struct Island {
     /// The part as a frame of its own.
@@ -34,22 +37,22 @@ pub(super) fn islands(frame: &Frame) -> Vec<Island> {
 }
 
 /// The part with the largest error of x, and that error, among those whose constraints have an
-/// effect; `None` if it is not larger than `missing`,
-/// the error of the whole.
+/// effect; `None` if the effect of the other parts does not hide it, or it is negligible. `missing`
+/// is the error of the whole.
 pub(super) fn worst(frame: &Frame, x: &[f64], missing: f64) -> Option<(Island, f64)> {
     let measured = islands(frame).into_iter().filter_map(|island| {
         let yard = Yard::of(&island.frame).filter(Yard::is_needed)?;
         let error = yard.missing_in_answer(&island.of(x));
         Some((island, error))
     });
-    measured.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, error)| *error > missing)
+    let is_hidden = |error: f64| error > HEALTHY && error > HIDDEN * missing;
+    measured.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, error)| is_hidden(*error))
 }
 
-/// The part with the largest error of x and its start, if that error counts and is hidden by the
-/// effect of other parts; otherwise the whole.
+/// The part whose error the others hide, and its start; otherwise the whole.
 pub(super) fn telling(frame: Frame, x: &[f64], start: Vec<f64>) -> (Frame, Vec<f64>) {
     let missing = Yard::of(&frame).map_or(0.0, |yard| yard.missing_in_answer(x));
-    match worst(&frame, x, HEALTHY).filter(|_| missing <= HEALTHY) {
+    match worst(&frame, x, missing) {
         Some((island, _)) => {
             let start = island.of(&start);
             (island.frame, start)
