@@ -19,32 +19,32 @@ UP = np.array([0.0, 1.0, 0.0])
 
 def resting_cube() -> Iterator[Step]:
     """A cube at rest on four contacts without friction."""
-    told = _told("resting_cube")
-    for step in told["steps"]:
-        yield read(step, told)
+    printed = _printed("resting_cube")
+    for step in printed["steps"]:
+        yield read(step, printed)
 
 
 def bouncing_ball() -> Iterator[Step]:
     """A ball falls on the ground from four heights."""
-    told = _told("bouncing_ball")
-    for step in told["steps"]:
-        yield bounce(step, told["version"])
+    printed = _printed("bouncing_ball")
+    for step in printed["steps"]:
+        yield bounce(step, printed["version"])
 
 
-def _told(scene: str) -> dict[str, Any]:
+def _printed(scene: str) -> dict[str, Any]:
     """What the script of a scene prints, with the Rapier of this environment."""
     script = Path(__file__).with_name(f"{scene}.mjs").read_text(encoding="utf-8")
     node = ("node", "--input-type=module", "-")
     done = subprocess.run(node, input=script, capture_output=True, text=True, check=True, cwd=sys.prefix)
-    told: dict[str, Any] = json.loads(done.stdout.splitlines()[-1])
-    return told
+    printed: dict[str, Any] = json.loads(done.stdout.splitlines()[-1])
+    return printed
 
 
-def read(step: dict[str, Any], told: dict[str, Any]) -> Step:
+def read(step: dict[str, Any], printed: dict[str, Any]) -> Step:
     """A step of the cube, whose axes are those of the world to a millionth; Rapier counts impulses in N s."""
-    mass: float = told["mass"]
+    mass: float = printed["mass"]
     rows = [_row(np.array(point)) for point in step["points"]]
-    fall = np.array([*(told["dt"] * GRAVITY * UP), 0.0, 0.0, 0.0])
+    fall = np.array([*(printed["dt"] * GRAVITY * UP), 0.0, 0.0, 0.0])
     return Step.of(
         "Rapier",
         mass=np.diag([mass] * 3 + [mass / 6] * 3),
@@ -53,7 +53,7 @@ def read(step: dict[str, Any], told: dict[str, Any]) -> Step:
         target=np.array(step["before"]) + fall,
         forces=np.array(step["impulses"]),
         motion=np.array(step["after"]),
-        version=told["version"],
+        version=printed["version"],
         bits=32,
         not_checked=["assembly: the bias and the compliance of the contacts, which Rapier does not report; 0 at rest"],
     )
