@@ -91,7 +91,9 @@ impl Answer {
             }
         };
         let status = match word {
-            "solved" if x.is_none() => return Err("its answer has no \"x\"".into()),
+            "solved" | "iteration_limit" if x.is_none() => {
+                return Err("its answer has no \"x\"".into());
+            }
             "solved" => Status::Solved,
             "iteration_limit" => Status::IterationLimit,
             "outside_class" => {

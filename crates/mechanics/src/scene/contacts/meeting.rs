@@ -6,7 +6,7 @@
 //! on the paths given by their velocities and the forces of the step.
 
 use super::Detector;
-use super::passage::Path;
+use super::passage::{Move, Path};
 use super::reach::after_forces;
 use crate::body::{Pose, State};
 use crate::scene::Scene;
@@ -46,7 +46,9 @@ impl Detector {
             return true; // a half space is its own plane
         }
         let bodies = pair.map(|solid| self.owners[solid].body);
-        let path = Path::of(states, after, pair, bodies, &self.arms);
+        let of = |k: usize| Move::of(&states[k], &after[k], scene.step.dt, self.arms[k]);
+        let [a, b] = bodies.map(of);
+        let path = Path::of(states, pair, bodies, [&a, &b]);
         let (mut theta, mut may_meet) = (0.0_f64, true);
         for _ in 0..MOST_LOOKS {
             let gap = self.nearest(scene, &path, moved, theta).map_or(0.0, |(gap, _)| gap);

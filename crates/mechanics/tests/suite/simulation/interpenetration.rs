@@ -75,6 +75,45 @@ proptest! {
         prop_assert!(names.iter().all(|name| name.bodies == [1, 0] && name.depth > 0.0));
     }
 
+    /// A bar of 2 m turns about its center by `swept` in a step, beside a peg at the angle `at`: it
+    /// strikes the peg as soon as one of its arms has that angle, however often it turns.
+    #[test]
+    fn a_bar_that_turns_through_a_peg_is_reported_after_any_number_of_turns(
+        at in 0.5..2.6f64,
+        distance in 0.3..0.9f64,
+        swept in prop_oneof![0.0..3.1f64, 3.2..40.0f64],
+    ) {
+        let text = "gravity = [0, 0, 0]
+            contact.margin = 0.001
+            step.dt = 0.01
+            [[bodies]]
+            name = \"bar\"
+            mass = 1
+            shape = { box = [2, 0.04, 0.04] }
+            [[bodies]]
+            name = \"peg\"
+            fixed = true
+            shape = { sphere = 0.02 }";
+        let mut scene = Scene::from_toml("bar.toml", text).unwrap();
+        scene.states[0].omega = Vector3::new(0.0, 0.0, swept / 0.01);
+        scene.states[1].pose.p = distance * Vector3::new(at.cos(), at.sin(), 0.0);
+        let step = simulation(scene).step().unwrap();
+        let (found, q) = (step.interpenetrations, step.states[0].pose.q);
+        // The integrator turns the bar by a little less.
+        let swept = if swept < 3.15 { q.angle() } else { 0.9 * swept };
+        // Half the width of the bar and the radius of the peg, seen from the center.
+        let width = 0.04 / distance;
+        if swept < at - width {
+            prop_assert!(found.is_empty(), "{found:?}");
+        } else if swept > at + width {
+            let is_passage = |one: &&Interpenetration| {
+                matches!(one.kind, InterpenetrationKind::PassedThrough { .. })
+            };
+            let passages = found.iter().filter(is_passage);
+            prop_assert_eq!(passages.map(|one| one.bodies).collect::<Vec<_>>(), [[0, 1]]);
+        }
+    }
+
     /// With the margin that depends on the speed nothing passes through at all.
     #[test]
     fn a_margin_that_follows_the_speed_stops_a_ball_at_a_thin_plate(
