@@ -29,8 +29,8 @@ const TOUCHING: f64 = 1e-2;
 const INSIDE: f64 = 0.125;
 /// The maximum cosine between the normals before and after if a body emerged on another side.
 const OTHER_SIDE: f64 = 0.5;
-/// A body that turns by more than π may emerge on any side: then an overlap of this fraction of the
-/// thinner one is a passage.
+/// A body that turns by more than π may emerge on any side: then an overlap of this fraction of
+/// the thinner one is a passage.
 const DEEP: f64 = 0.25;
 /// After this many samples, for example along a surface, the path is sampled uniformly.
 const MANY_LOOKS: usize = 10_000;
@@ -47,9 +47,9 @@ pub struct Passage {
 }
 
 impl Detector {
-    /// The pairs of bodies that passed through each other between the start and the end of a step:
-    /// they overlap on the path, and their nearest surfaces are on other sides afterwards, or one of
-    /// them turned by more than π. Half spaces have no other side.
+    /// The pairs of bodies that passed through each other between the start and the end of a
+    /// step: they overlap on the path, and their nearest surfaces are on other sides afterwards,
+    /// or one of them turned by more than π. Half spaces have no other side.
     pub fn passages(&mut self, scene: &Scene, before: &[State], after: &[State]) -> Vec<Passage> {
         let dt = scene.step.dt;
         let moves: Vec<Move> =
@@ -205,8 +205,8 @@ impl Move {
     }
 }
 
-/// The rotation vector (rad) between two orientations: of all that lead from one to the other, which
-/// differ by whole turns, the nearest to the mean angular velocity times dt.
+/// The rotation vector (rad) between two orientations: of all that lead from one to the other,
+/// which differ by whole turns, the nearest to the mean angular velocity times dt.
 fn turn(before: &State, after: &State, dt: f64) -> Vector3<f64> {
     let expected = 0.5 * dt * (before.omega + after.omega);
     let least = (after.pose.q * before.pose.q.inverse()).scaled_axis();
