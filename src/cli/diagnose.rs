@@ -248,12 +248,12 @@ impl Diagnose {
     /// Finds the known mistakes that give an answer.
     fn mistake(&self, problem: &Problem, answer: &Path) -> Result<Outcome> {
         let question = Question::new(problem, None, &self.input)?;
-        let lcp = question.require_boxed("the known mistakes are", &self.input)?;
-        let read = |path: &PathBuf| read_answers(path, lcp.len(), Memory::default());
-        let x = read_answers(answer, lcp.len(), Memory::default())?.x;
+        let rows = problem.lcp.len();
+        let read = |path: &PathBuf| read_answers(path, rows, Memory::default());
+        let x = read_answers(answer, rows, Memory::default())?.x;
         let last = self.last.as_ref().map(read).transpose()?.map(|last| last.x);
-        let search = find_mistakes(lcp, &x, last.as_deref());
-        let single = single_precision(lcp, &x);
+        let search = find_mistakes(question.posed(), &x, last.as_deref());
+        let single = question.boxed().and_then(|lcp| single_precision(lcp, &x));
         if self.json {
             let mut object = mistake::to_json(&search, single);
             if let Some((key, value)) = MotionError::json(&question, &x) {

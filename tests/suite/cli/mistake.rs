@@ -47,9 +47,12 @@ fn the_mistake_behind_an_answer_is_told_with_the_exit_code_of_the_judge() {
     assert_eq!(run(&["diagnose", "fig7", &right]).status.code(), Some(2));
     let polygon = r#"{"model": "polygon-4", "A": {"dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]},
         "b": [-2, -2.6, -1.5], "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5]}"#;
-    let told = run(&["diagnose", &file("polygon.json", polygon), &right]);
-    assert_eq!(told.status.code(), Some(2));
-    assert!(err(&told).contains("is polygon-4, but the known mistakes are about boxes only"));
+    // Each tangent at its own limit μ x_n: right for the box, outside the polygon.
+    let boxed = file("boxed.json", r#"{"x": [2, 1, 1]}"#);
+    let told = run(&["diagnose", &file("polygon.json", polygon), &boxed]);
+    assert_eq!(told.status.code(), Some(1));
+    let text = String::from_utf8(told.stdout).unwrap();
+    assert!(text.contains("x, exactly: friction by the law coupled-box, solved."), "{text}");
 }
 
 #[test]

@@ -1,12 +1,14 @@
 //! Variants of the problem, each with one mistake.
 
-use lcplab_problem::{Lcp, Matrix};
+use lcplab_problem::{Coupling, Lcp, Matrix};
 
 use super::MistakeKind;
 use super::nearest::solution;
 
-/// Maximum number of rows for which bounds are removed row by row.
+/// Maximum number of rows for which rows lose their bounds or are left out one by one.
 const MOST_ROWS: usize = 60;
+/// A factor of μ that differs from 1 by less is none.
+const NO_FACTOR: f64 = 1e-6;
 
 /// A problem that was solved instead of the given one.
 pub(super) struct Changed {
@@ -35,8 +37,10 @@ pub(super) fn changed_problems(lcp: &Lcp) -> Vec<Changed> {
         let lcp = with(lcp, transposed(lcp.matrix()), bounds);
         all.extend(Changed::new(MistakeKind::Transposed, "A transposed", lcp));
     }
+    all.extend(without_side(lcp));
     if lcp.has_coupled_rows() {
         all.extend(changed_friction(lcp));
+        all.extend(changed_coupling(lcp));
     } else {
         let bounds = (negative(lcp.hi()), negative(lcp.lo()));
         all.extend(Changed::new(
@@ -47,6 +51,7 @@ pub(super) fn changed_problems(lcp: &Lcp) -> Vec<Changed> {
     }
     if lcp.len() <= MOST_ROWS {
         all.extend((0..lcp.len()).filter_map(|i| without_bounds(lcp, i)));
+        all.extend((0..lcp.len()).filter_map(|i| without_row(lcp, i)));
     }
     all
 }
@@ -59,7 +64,7 @@ pub(super) fn with_last_normals(lcp: &Lcp, last: &[f64]) -> Option<Changed> {
 }
 
 /// A + ε I instead of A, with the ε that makes w = −ε x in the free rows, as closely as one number
-/// can.
+/// can; compliance left out if ε is negative.
 pub(super) fn compliant(lcp: &Lcp, x: &[f64]) -> Option<(f64, Lcp)> {
     let is_inside = |i: usize| {
         let (lo, hi) = lcp.bounds(i, x);
@@ -68,7 +73,7 @@ pub(super) fn compliant(lcp: &Lcp, x: &[f64]) -> Option<(f64, Lcp)> {
     let free: Vec<usize> = (0..lcp.len()).filter(|&i| is_inside(i)).collect();
     let along: f64 = free.iter().map(|&i| -lcp.row_w(i, x) * x[i]).sum();
     let softness = along / free.iter().map(|&i| x[i] * x[i]).sum::<f64>();
-    if !(softness > 0.0 && softness.is_finite()) {
+    if softness == 0.0 || !softness.is_finite() {
         return None;
     }
     let n = lcp.len();
@@ -81,17 +86,35 @@ pub(super) fn compliant(lcp: &Lcp, x: &[f64]) -> Option<(f64, Lcp)> {
 /// b times the positive factor that brings the solution nearest to x. The factor can be computed
 /// only if all bounds are 0, infinite, or friction, because the solution is then proportional to b.
 pub(super) fn with_factor(lcp: &Lcp, x: &[f64], solution: &[f64]) -> Option<(f64, Lcp)> {
-    let grows = |bound: &f64| *bound == 0.0 || bound.is_infinite();
-    if !lcp.lo().iter().chain(lcp.hi()).all(grows) {
-        return None;
-    }
-    let along: f64 = x.iter().zip(solution).map(|(x, s)| x * s).sum();
-    let factor = along / solution.iter().map(|s| s * s).sum::<f64>();
-    if !(factor > 0.0 && factor.is_finite()) {
-        return None;
-    }
+    let factor = factor_of_b(lcp, x, solution)?;
     let b = lcp.b().iter().map(|b| factor * b).collect();
     Some((factor, lcp.with_b(b).ok()?))
+}
+
+/// The factor of b alone.
+pub(super) fn factor_of_b(lcp: &Lcp, x: &[f64], solution: &[f64]) -> Option<f64> {
+    let along: f64 = x.iter().zip(solution).map(|(x, s)| x * s).sum();
+    let factor = along / solution.iter().map(|s| s * s).sum::<f64>();
+    (is_homogeneous(lcp) && factor > 0.0 && factor.is_finite()).then_some(factor)
+}
+
+/// Whether a multiple of b has the same multiple of x.
+pub(super) fn is_homogeneous(lcp: &Lcp) -> bool {
+    let grows = |bound: &f64| *bound == 0.0 || bound.is_infinite();
+    lcp.lo().iter().chain(lcp.hi()).all(grows)
+}
+
+/// The μ of the coupled rows times the largest |x_t| / (μ x_n), if it is not 1.
+pub(super) fn with_factor_of_mu(lcp: &Lcp, x: &[f64]) -> Option<(f64, Lcp)> {
+    let coupling = lcp.coupling()?;
+    let used = |(i, k): (usize, usize)| {
+        let limit = coupling.mu(i) * x[k];
+        (limit > 0.0).then(|| x[i].abs() / limit)
+    };
+    let factor = coupling.rows().filter_map(used).fold(0.0, f64::max);
+    let is_factor = factor > 0.0 && factor.is_finite() && (factor - 1.0).abs() > NO_FACTOR;
+    let changed = is_factor.then(|| recoupled(lcp, |_, k| k, |mu| factor * mu))??;
+    Some((factor, changed))
 }
 
 /// Mistakes in friction rows.
@@ -120,6 +143,72 @@ fn changed_friction(lcp: &Lcp) -> Vec<Changed> {
         ),
     ];
     all.into_iter().flatten().collect()
+}
+
+/// μ squared, and friction limited by the normal force of the next or the previous contact.
+fn changed_coupling(lcp: &Lcp) -> Vec<Changed> {
+    let mut normals: Vec<usize> =
+        lcp.coupling().into_iter().flat_map(|own| own.rows().map(|(_, k)| k)).collect();
+    normals.sort_unstable();
+    normals.dedup();
+    let count = normals.len();
+    let other = |by: usize| {
+        let of = |k: usize| normals.iter().position(|&own| own == k).map(|at| (at + by) % count);
+        recoupled(lcp, |_, k| of(k).map_or(k, |at| normals[at]), |mu| mu)
+    };
+    let squared = recoupled(lcp, |_, k| k, |mu| mu * mu);
+    let mut all = vec![Changed::new(MistakeKind::FactorOfMu, "μ squared", squared)];
+    if count > 1 {
+        let what = "friction limited by the normal force of the next contact";
+        all.push(Changed::new(MistakeKind::OtherNormals, what, other(1)));
+        let what = "friction limited by the normal force of the previous contact";
+        all.push(Changed::new(MistakeKind::OtherNormals, what, other(count - 1)));
+    }
+    all.into_iter().flatten().collect()
+}
+
+/// The problem with other normal rows and other μ.
+fn recoupled(
+    lcp: &Lcp,
+    normal: impl Fn(usize, usize) -> usize,
+    mu: impl Fn(f64) -> f64,
+) -> Option<Lcp> {
+    let coupling = lcp.coupling()?;
+    let index = (0..lcp.len()).map(|i| coupling.index(i).map(|k| normal(i, k))).collect();
+    let mu = (0..lcp.len()).map(|i| mu(coupling.mu(i))).collect();
+    let bounds = (lcp.lo().to_vec(), lcp.hi().to_vec());
+    let plain = Lcp::new(lcp.matrix().clone(), lcp.b().to_vec(), bounds.0, bounds.1).ok()?;
+    plain.with_coupling(Coupling::new(index, mu).ok()?).ok()
+}
+
+/// Without all lower or all upper bounds, if some are finite.
+fn without_side(lcp: &Lcp) -> Vec<Changed> {
+    let (lo, hi) = (lcp.lo().to_vec(), lcp.hi().to_vec());
+    let (none, all) = (vec![f64::NEG_INFINITY; lo.len()], vec![f64::INFINITY; hi.len()]);
+    let is_bounded = |bounds: &[f64]| bounds.iter().any(|bound| bound.is_finite());
+    let mut found = Vec::new();
+    for (what, is_there, bounds) in [
+        ("lower bounds not applied", is_bounded(&lo), (none, hi.clone())),
+        ("upper bounds not applied", is_bounded(&hi), (lo.clone(), all)),
+    ] {
+        let changed = is_there.then(|| with(lcp, lcp.matrix().clone(), bounds)).flatten();
+        found.extend(Changed::new(MistakeKind::MissingBound, what, changed));
+    }
+    found
+}
+
+/// Row i with its friction rows, held at 0; rows that cannot be 0 are not left out.
+fn without_row(lcp: &Lcp, i: usize) -> Option<Changed> {
+    let (mut lo, mut hi) = (lcp.lo().to_vec(), lcp.hi().to_vec());
+    if lcp.is_coupled(i) || lo[i] > 0.0 || hi[i] < 0.0 {
+        return None;
+    }
+    (lo[i], hi[i]) = (0.0, 0.0);
+    let what = match lcp.coupling().is_some_and(|own| own.rows().any(|(_, k)| k == i)) {
+        true => format!("the contact of row {i} left out"),
+        false => format!("row {i} left out"),
+    };
+    Changed::new(MistakeKind::ContactLeftOut, what, with(lcp, lcp.matrix().clone(), (lo, hi)))
 }
 
 /// Row i as an equation.

@@ -7,23 +7,28 @@
 //! fitted to x; all mistakes that explain it equally well are reported.
 //!
 //! ```
+//! use lcplab_problem::friction::Posed;
 //! use lcplab_problem::{Lcp, Matrix};
 //! use lcplab_study::diagnosis::find_mistakes;
 //!
 //! // Three balls on each other; after two sweeps x = (2, 1.5, 0.25).
 //! let a = Matrix::dense(3, &[1.0, -1.0, 0.0, -1.0, 2.0, -1.0, 0.0, -1.0, 2.0]);
 //! let lcp = Lcp::new(a, vec![-1.0, -1.0, 1.0], vec![0.0; 3], vec![f64::INFINITY; 3])?;
-//! let found = find_mistakes(&lcp, &[2.0, 1.5, 0.25], None);
+//! let problem = Posed::Boxed(lcp);
+//! let found = find_mistakes(&problem, &[2.0, 1.5, 0.25], None);
 //! assert_eq!(found.mistakes[0].what, "projected Gauss-Seidel, stopped after 2 sweeps");
 //! assert_eq!(found.mistakes[0].distance, 0.0);
 //! // The solution (4, 3, 1) but for a thousandth in one entry: no known mistake.
-//! assert!(find_mistakes(&lcp, &[4.001, 3.0, 1.0], None).mistakes.is_empty());
+//! assert!(find_mistakes(&problem, &[4.001, 3.0, 1.0], None).mistakes.is_empty());
 //! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 
 mod changed;
 mod comparison;
+mod flawed_sweep;
+mod friction_law;
 mod kind;
+mod moved_answer;
 mod nearest;
 mod precision;
 mod sweeps;
@@ -32,18 +37,26 @@ pub use kind::MistakeKind;
 pub use precision::Precision;
 pub use sweeps::SweepLimits;
 
-use lcplab_judge::{Demand, Verdict, judge};
+use lcplab_judge::{Demand, Verdict, judge_friction};
+use lcplab_problem::friction::Posed;
 use lcplab_problem::number::readable;
 use lcplab_problem::{Lcp, merit};
 use lcplab_solver::Start;
 
-use changed::{Changed, changed_problems, compliant, with_factor, with_last_normals};
+use changed::{
+    Changed, changed_problems, compliant, is_homogeneous, with_factor, with_factor_of_mu,
+    with_last_normals,
+};
 use comparison::{Agreement, Comparison};
-use nearest::{distance, nearest_solution, solution};
-use sweeps::{Swept, gauss_seidel, methods, single_precision_sweep, sweep};
+use flawed_sweep::{Flaw, flawed_sweeps, scaled_start};
+use friction_law::{Variant, contacts_of, other_laws, rows, variants};
+use nearest::{distance, nearest_solution, on_active_set, solution};
+use sweeps::{Swept, contact_sweep, gauss_seidel, methods, single_precision_sweep, sweep};
 
 /// Maximum number of rows for which mistakes are searched.
 const LARGEST: usize = 500;
+/// Maximum number of rows that a mistake names.
+const LARGEST_LIST: usize = 6;
 
 /// A mistake whose answer is this x.
 #[derive(Debug, Clone, PartialEq)]
@@ -108,11 +121,12 @@ pub enum Conclusion {
 ///
 /// # Panics
 /// If x or the last answer does not have one entry per row.
-pub fn find_mistakes(lcp: &Lcp, x: &[f64], last: Option<&[f64]>) -> MistakeSearch {
+pub fn find_mistakes(problem: &Posed, x: &[f64], last: Option<&[f64]>) -> MistakeSearch {
+    let lcp = rows(problem);
     assert_eq!(x.len(), lcp.len(), "an entry a row");
     assert!(last.is_none_or(|last| last.len() == lcp.len()), "an entry a row");
     let mut search = MistakeSearch {
-        verdict: judge(lcp, x, &Demand::default()).verdict,
+        verdict: judge_friction(problem, x, &Demand::default()).verdict,
         precision: Precision::of(x),
         conclusion: Conclusion::Accepted,
         mistakes: Vec::new(),
@@ -131,8 +145,17 @@ pub fn find_mistakes(lcp: &Lcp, x: &[f64], last: Option<&[f64]>) -> MistakeSearc
     }
     let limits = SweepLimits::of(lcp);
     let mut attempts = Attempts { lcp, x, limits, found: Vec::new(), last_iterates: Vec::new() };
-    attempts.unchanged(last);
-    let Some(solution) = nearest_solution(lcp, x, &attempts.last_iterates) else {
+    let solution = match problem {
+        Posed::Boxed(_) => {
+            attempts.unchanged(last);
+            nearest_solution(lcp, x, &attempts.last_iterates)
+        }
+        Posed::Polyhedral(_) | Posed::Cone(_) => {
+            attempts.unchanged_contacts(problem, last);
+            friction_law::solution(problem)
+        }
+    };
+    let Some(solution) = solution else {
         search.conclusion = Conclusion::NoSolutionKnown;
         return search;
     };
@@ -142,11 +165,18 @@ pub fn find_mistakes(lcp: &Lcp, x: &[f64], last: Option<&[f64]>) -> MistakeSearc
         search.conclusion = Conclusion::RoundedSolution { distance: solution_distance };
         return search;
     }
-    attempts.changed(last);
-    attempts.fitted(&solution);
+    if let Posed::Boxed(_) = problem {
+        attempts.changed(last);
+        attempts.fitted(&solution);
+        attempts.flawed();
+    }
+    attempts.of_any_law(problem, &solution);
     search.conclusion = Conclusion::Compared { solution_distance };
     search.limits = limits;
     search.mistakes = explanations(&comparison, attempts.found);
+    if let (Posed::Boxed(_), true) = (problem, search.mistakes.is_empty()) {
+        search.mistakes = explanations(&comparison, wrong_active_set(lcp, x));
+    }
     search
 }
 
@@ -166,6 +196,21 @@ struct Attempt {
     sweeps: usize,
     /// The number of values that were fitted to x.
     fitted: usize,
+}
+
+impl Attempt {
+    fn new(kind: MistakeKind, what: String, y: Vec<f64>) -> Self {
+        Attempt { kind, what, y, sweeps: 1, fitted: 0 }
+    }
+}
+
+/// The equations of the active set of x, in which the rows at a bound are as in x.
+fn wrong_active_set(lcp: &Lcp, x: &[f64]) -> Vec<Attempt> {
+    let attempt = |(y, fitted): (Vec<f64>, usize)| {
+        let what = "the equations of its own active set, which is not that of a solution".into();
+        Attempt { fitted, ..Attempt::new(MistakeKind::WrongActiveSet, what, y) }
+    };
+    on_active_set(lcp, x).map(attempt).into_iter().collect()
 }
 
 /// The attempts that explain x: the nearest first, then all that are as near.
@@ -202,18 +247,14 @@ impl Attempts<'_> {
     fn unchanged(&mut self, last: Option<&[f64]>) {
         let most = self.limits.of_problem;
         if let Some(last) = last {
-            let what = "the last answer, not updated";
-            self.add(MistakeKind::NothingDone, what.into(), last.to_vec());
+            self.last_unchanged(last);
             for (kind, name, solver) in methods(most) {
                 let swept = sweep(&*solver, self.lcp, &Start::at(last), self.x);
                 self.stopped(kind, &format!("{name} from the last answer"), swept);
             }
+            self.misplaced(last);
         }
-        let mut start = vec![0.0; self.lcp.len()];
-        self.lcp.project_all(&mut start);
-        let moved = if start.iter().all(|&x| x == 0.0) { "" } else { " moved into its bounds" };
-        let what = format!("the start, x = 0{moved}, not updated");
-        self.add(MistakeKind::NothingDone, what, start);
+        self.start_unchanged();
         let cold = if last.is_some() { " from 0 (a missing warm start)" } else { "" };
         for (kind, name, solver) in methods(most) {
             let kind = match kind {
@@ -227,6 +268,98 @@ impl Attempts<'_> {
         let swept = single_precision_sweep(self.lcp, most, self.x);
         let name = "projected Gauss-Seidel in single precision";
         self.stopped(MistakeKind::SinglePrecision, name, swept);
+    }
+
+    /// The same for cones and polygons.
+    fn unchanged_contacts(&mut self, problem: &Posed, last: Option<&[f64]>) {
+        if let Some(last) = last {
+            self.last_unchanged(last);
+        }
+        self.start_unchanged();
+        if let Some(swept) = contact_sweep(problem, self.limits.of_problem, self.x) {
+            self.stopped(
+                MistakeKind::StoppedSweeps,
+                "projected Gauss-Seidel, contact by contact",
+                swept,
+            );
+        }
+    }
+
+    /// Sweeps on the original problem whose bounds are applied wrongly.
+    fn flawed(&mut self) {
+        let most = self.limits.of_problem;
+        for flaw in Flaw::ALL {
+            let swept = flawed_sweeps(flaw, self.lcp, most, self.x);
+            // Where no bound acts, a wrong clamp changes nothing.
+            let is_other = |swept: &Swept| self.found.iter().all(|own| own.y != swept.nearest);
+            if let Some(swept) = swept.filter(is_other) {
+                self.stopped(flaw.kind(), flaw.name(), swept);
+            }
+        }
+    }
+
+    fn last_unchanged(&mut self, last: &[f64]) {
+        let what = "the last answer, not updated";
+        self.add(MistakeKind::NothingDone, what.into(), last.to_vec());
+    }
+
+    fn start_unchanged(&mut self) {
+        let mut start = vec![0.0; self.lcp.len()];
+        self.lcp.project_all(&mut start);
+        let moved = if start.iter().all(|&x| x == 0.0) { "" } else { " moved into its bounds" };
+        let what = format!("the start, x = 0{moved}, not updated");
+        self.add(MistakeKind::NothingDone, what, start);
+    }
+
+    /// Sweeps from the last answer of other rows, or from a multiple of it.
+    fn misplaced(&mut self, last: &[f64]) {
+        let (n, solver) = (self.lcp.len(), gauss_seidel(self.limits.of_changed));
+        let first_normal = self.lcp.contacts().len() > 1;
+        let shifts = [("a row", 1), ("a contact", 3)];
+        for (what, by) in shifts.into_iter().take(if first_normal { 2 } else { 1 }) {
+            for (to, by) in [("up", by), ("down", n - by)] {
+                let start: Vec<f64> = (0..n).map(|i| last[(i + by) % n]).collect();
+                let swept = sweep(&solver, self.lcp, &Start::at(&start), self.x);
+                let name =
+                    format!("projected Gauss-Seidel from the last answer, shifted {to} by {what}");
+                self.stopped(MistakeKind::MisplacedWarmStart, &name, swept);
+            }
+        }
+        if let Some((factor, swept)) = scaled_start(self.lcp, last, self.x) {
+            let factor = readable(factor, 6);
+            let what = match swept.sweeps {
+                0 => format!("the last answer times {factor}, not updated"),
+                _ => format!(
+                    "projected Gauss-Seidel from the last answer times {factor}, stopped after {} sweeps",
+                    swept.sweeps
+                ),
+            };
+            let own = Attempt::new(MistakeKind::ScaledWarmStart, what, swept.nearest);
+            self.found.push(Attempt { fitted: 1, ..own });
+        }
+    }
+
+    /// What does not depend on the friction law: other laws, and answers that were changed.
+    fn of_any_law(&mut self, problem: &Posed, solution: &[f64]) {
+        let friction = contacts_of(problem);
+        let contacts = friction.as_ref().map_or(&[][..], |own| own.contacts());
+        self.found.extend(moved_answer::moved_answers(contacts, solution, self.x));
+        if !is_homogeneous(self.lcp) {
+            self.found.extend(moved_answer::scaled(solution, self.x));
+        }
+        let mut all = Vec::new();
+        if let Some(friction) = friction.as_ref().filter(|own| !own.contacts().is_empty()) {
+            all.extend(other_laws(problem, friction));
+        }
+        if !matches!(problem, Posed::Boxed(_)) {
+            all.extend(variants(problem, self.x, solution));
+        }
+        for Variant { kind, what, posed, fitted } in all {
+            if let Some(y) = friction_law::solution(&posed) {
+                let own = Attempt::new(kind, format!("{what}, solved"), y);
+                self.found.push(Attempt { fitted, ..own });
+            }
+        }
     }
 
     /// Changed problems, solved, or swept from 0.
@@ -249,14 +382,26 @@ impl Attempts<'_> {
     /// Changed problems with a number fitted to x.
     fn fitted(&mut self, solution: &[f64]) {
         let compliant = compliant(self.lcp, self.x).map(|(softness, lcp)| {
-            let what = format!("compliance (CFM) {} on the diagonal of A", readable(softness, 4));
-            (MistakeKind::Compliance, what, lcp)
+            let size = readable(softness.abs(), 4);
+            match softness > 0.0 {
+                true => {
+                    let what = format!("compliance (CFM) {size} on the diagonal of A");
+                    (MistakeKind::Compliance, what, lcp)
+                }
+                false => {
+                    let what = format!("compliance (CFM) {size} left out of the diagonal of A");
+                    (MistakeKind::ComplianceLeftOut, what, lcp)
+                }
+            }
+        });
+        let friction = with_factor_of_mu(self.lcp, self.x).map(|(factor, lcp)| {
+            (MistakeKind::FactorOfMu, format!("μ times {}", readable(factor, 6)), lcp)
         });
         let scaled = with_factor(self.lcp, self.x, solution).map(|(factor, lcp)| {
             let what = format!("b times {} (a time step or a unit?)", readable(factor, 6));
             (MistakeKind::FactorOfB, what, lcp)
         });
-        for (kind, what, lcp) in compliant.into_iter().chain(scaled) {
+        for (kind, what, lcp) in compliant.into_iter().chain(scaled).chain(friction) {
             self.solved(kind, &what, &lcp);
             if let Some(own) = self.found.last_mut().filter(|own| own.kind == kind) {
                 own.fitted = 1;
@@ -265,7 +410,7 @@ impl Attempts<'_> {
     }
 
     fn add(&mut self, kind: MistakeKind, what: String, y: Vec<f64>) {
-        self.found.push(Attempt { kind, what, y, sweeps: 1, fitted: 0 });
+        self.found.push(Attempt::new(kind, what, y));
     }
 
     /// The solution of a changed problem, if a solver finds it.
@@ -291,7 +436,7 @@ impl Attempts<'_> {
         if sweeps > 0 {
             let plural = if sweeps == 1 { "" } else { "s" };
             let what = format!("{name}, stopped after {sweeps} sweep{plural}");
-            self.found.push(Attempt { kind, what, y, sweeps, fitted: 0 });
+            self.found.push(Attempt { sweeps, ..Attempt::new(kind, what, y) });
         }
     }
 }

@@ -13,6 +13,8 @@ use lcplab_solver::{Options, Settings, Solver, Start, Status, by_name, default_f
 const EXACT_ROWS: usize = 50;
 /// Maximum number of rows for which all active sets are tried.
 const ENUMERATED_ROWS: usize = 8;
+/// An entry within this fraction of the largest of a bound is at the bound.
+const AT_BOUND: f64 = 1e-12;
 
 /// The solution nearest to x among those found from these points and solvers; `None` if there are
 /// none.
@@ -74,6 +76,25 @@ fn exact_solutions(lcp: &Lcp, x: &[f64], points: &[Vec<f64>]) -> Vec<Vec<f64>> {
         tried.push(sides);
     }
     found
+}
+
+/// The exact solution of the equations of the active set of x, whether or not its signs are right,
+/// and the number of rows that are at a bound.
+pub(super) fn on_active_set(lcp: &Lcp, x: &[f64]) -> Option<(Vec<f64>, usize)> {
+    if lcp.len() > EXACT_ROWS {
+        return None;
+    }
+    let size = x.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let is_at = |value: f64, bound: f64| (value - bound).abs() <= AT_BOUND * size;
+    let side = |i: usize| match lcp.bounds(i, x) {
+        (lo, _) if is_at(x[i], lo) => Side::Lower,
+        (_, hi) if is_at(x[i], hi) => Side::Upper,
+        _ => Side::Free,
+    };
+    let sides: Vec<Side> = (0..lcp.len()).map(side).collect();
+    let (point, _) = Exact::new(lcp).point(&sides, x)?;
+    let y = point.entries().iter().map(|entry| entry.to_f64().value()).collect();
+    Some((y, sides.iter().filter(|side| **side != Side::Free).count()))
 }
 
 /// The side of Π(x − w/s) in each row.

@@ -3,8 +3,10 @@
 use std::ops::ControlFlow;
 
 use lcplab_problem::Lcp;
+use lcplab_problem::friction::Posed;
 use lcplab_solver::{
-    Code6, Damping, Iterate, Jacobi, Observer, Order, Pgs, Settings, Solver, Start,
+    Code6, ConePgs, ConeSolver, Damping, Iterate, Jacobi, Observer, Order, Pgs, PolygonPgs,
+    Settings, Solver, Start,
 };
 
 use super::MistakeKind;
@@ -33,7 +35,7 @@ impl SweepLimits {
 }
 
 /// The iterate nearest to x.
-struct Nearest<'a> {
+pub(super) struct Nearest<'a> {
     x: &'a [f64],
     sweeps: usize,
     iterate: Vec<f64>,
@@ -41,16 +43,21 @@ struct Nearest<'a> {
 }
 
 impl<'a> Nearest<'a> {
-    fn to(x: &'a [f64]) -> Self {
+    pub fn to(x: &'a [f64]) -> Self {
         Nearest { x, sweeps: 0, iterate: Vec::new(), distance: f64::INFINITY }
     }
 
-    fn look_at(&mut self, sweeps: usize, iterate: &[f64]) {
+    pub fn look_at(&mut self, sweeps: usize, iterate: &[f64]) {
         let distance = distance(self.x, iterate);
         if distance < self.distance && sweeps > 0 {
             (self.sweeps, self.distance) = (sweeps, distance);
             self.iterate = iterate.to_vec();
         }
+    }
+
+    /// The result, with x after all sweeps.
+    pub fn swept(self, last: Vec<f64>) -> Swept {
+        Swept { sweeps: self.sweeps, nearest: self.iterate, last }
     }
 }
 
@@ -75,7 +82,21 @@ pub(super) struct Swept {
 pub(super) fn sweep(solver: &dyn Solver, lcp: &Lcp, start: &Start, x: &[f64]) -> Swept {
     let mut nearest = Nearest::to(x);
     let last = solver.solve(lcp, start, &mut nearest).x;
-    Swept { sweeps: nearest.sweeps, nearest: nearest.iterate, last }
+    nearest.swept(last)
+}
+
+/// Projected Gauss-Seidel of the friction law, contact by contact, from 0; `None` for boxes.
+pub(super) fn contact_sweep(posed: &Posed, most: usize, x: &[f64]) -> Option<Swept> {
+    let mut nearest = Nearest::to(x);
+    let (settings, start) = (settings(most), Start::default());
+    let last = match posed {
+        Posed::Boxed(_) => return None,
+        Posed::Polyhedral(polygons) => {
+            PolygonPgs { settings }.solve(polygons, &start, &mut nearest).x
+        }
+        Posed::Cone(cones) => ConePgs { settings }.solve(cones, &start, &mut nearest).x,
+    };
+    Some(nearest.swept(last))
 }
 
 /// Projected Gauss-Seidel in 32-bit numbers from 0.
@@ -96,7 +117,7 @@ pub(super) fn single_precision_sweep(lcp: &Lcp, most: usize, x: &[f64]) -> Swept
         }
         nearest.look_at(sweeps, &wide);
     }
-    Swept { sweeps: nearest.sweeps, nearest: nearest.iterate, last: wide }
+    nearest.swept(wide)
 }
 
 /// Projected Gauss-Seidel in natural order.

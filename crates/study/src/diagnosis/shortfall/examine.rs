@@ -11,6 +11,7 @@ use super::linear::{Linear, Slowest, Way};
 use super::remedy::{Remedy, remedies, sweeps_to};
 use super::yard::Yard;
 use crate::diagnosis::find_mistakes;
+use lcplab_problem::friction::Posed;
 
 /// An error below this fraction is negligible.
 pub const HEALTHY: f64 = 0.01;
@@ -351,7 +352,9 @@ impl Case<'_> {
             };
             let mistakes = match &refusal {
                 Some(_) => Vec::new(),
-                None => find_mistakes(&self.frame.lcp, &found.x, from).mistakes,
+                None => {
+                    find_mistakes(&Posed::Boxed(self.frame.lcp.clone()), &found.x, from).mistakes
+                }
             };
             let (sweeps, with) = (plain.iterations, found.missing);
             (Slow::Solver { sweeps, with, plain: left, refusal, mistakes }, left)

@@ -78,6 +78,39 @@ impl Plain {
         x
     }
 
+    /// x moved into its bounds, the normal rows first.
+    pub fn projected(&self, mut x: Vec<f64>) -> Vec<f64> {
+        let (normals, friction): (Vec<usize>, Vec<usize>) =
+            (0..x.len()).partition(|&i| self.friction[i].is_none());
+        for i in normals.into_iter().chain(friction) {
+            x[i] = self.clamped(i, x[i], &x);
+        }
+        x
+    }
+
+    /// The solution under Coulomb's law: both tangents of a contact are moved with one step and
+    /// then into the disc of radius μ x_n, until nothing changes.
+    pub fn under_coulomb(&self) -> Option<Vec<f64>> {
+        let mut x = vec![0.0; self.len()];
+        for _ in 0..40_000 {
+            let before = x.clone();
+            for n in (0..x.len()).step_by(3) {
+                x[n] = (x[n] - self.w(&x, n) / self.a[n][n]).max(0.0);
+                let (_, mu) = self.friction[n + 1]?;
+                let step = self.a[n + 1][n + 1] + self.a[n + 2][n + 2];
+                let moved = [n + 1, n + 2].map(|i| x[i] - self.w(&x, i) / step);
+                let share = (mu * x[n] / moved[0].hypot(moved[1])).min(1.0);
+                (x[n + 1], x[n + 2]) = (share * moved[0], share * moved[1]);
+            }
+            let size = x.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+            let moved = x.iter().zip(&before).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+            if moved <= 1e-16 * size {
+                return Some(x);
+            }
+        }
+        None
+    }
+
     /// The solution, by sweeps until nothing changes.
     pub fn solved(&self) -> Option<Vec<f64>> {
         let rows: Vec<usize> = (0..self.len()).collect();
