@@ -1,6 +1,6 @@
 //! `diagnose PROBLEM ANSWER` from outside.
 
-use super::{err, out, run};
+use super::{out, run};
 
 /// Three balls on each other: x = (4, 3, 1).
 const FIG7: &str = r#"{"A": {"dense": [[1, -1, 0], [-1, 2, -1], [0, -1, 2]]}, "b": [-1, -1, 1]}"#;

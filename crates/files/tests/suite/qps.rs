@@ -55,10 +55,7 @@ fn qmatrix_is_all_of_q() {
 #[test]
 fn each_defect_has_its_line() {
     let with = |from: &str, to: &str| message("qps", &BOX.replace(from, to));
-    assert_eq!(
-        with(" N  cost", " N  cost\n L  row"),
-        "p: line 5: row \"row\" is a constraint: only boxes are read"
-    );
+    assert_eq!(with(" N  cost", " N  cost\n N  other"), "p: line 5: there are two objectives");
     assert_eq!(with(" FR bnd y", " FR bnd z"), "p: line 12: there is no column \"z\"");
     assert_eq!(with(" FR bnd y", " BV bnd y"), "p: line 12: integers are not read");
     assert_eq!(with(" FR bnd y", " FR other y"), "p: line 12: a second set of bounds, \"other\"");
@@ -75,6 +72,59 @@ fn each_defect_has_its_line() {
     );
     assert!(with("0.25", "-1").starts_with("p: column 0 (from 0): has an upper bound below 0"));
     assert_eq!(with("RHS", "OBJSENSE MAX\nRHS"), "p: line 8: \"MAX\" is not read: only MIN");
+}
+
+/// min x² + y² − x with these rows.
+fn constrained(rows: &str, columns: [&str; 2], rhs: &str) -> Problem {
+    let [x, y] = columns;
+    let text = format!(
+        "NAME c\nROWS\n N cost\n{rows}COLUMNS\n x cost -1 {x}\n y {y}\n{rhs}BOUNDS\n FR bnd x\n \
+         FR bnd y\nQUADOBJ\n x x 2\n y y 2\nENDATA\n"
+    );
+    parse("qps", &text).unwrap()
+}
+
+/// Each minimum by hand, from the gradient (2x − 1, 2y) = y₁ a.
+#[test]
+fn constraints_are_rows_of_their_multipliers() {
+    // x + y ≥ 2: (2x − 1, 2y) = (z, z) and x + y = 2.
+    let least = constrained(" G sum\n", ["sum 1", "sum 1"], "RHS\n rhs sum 2\n");
+    assert_proved(&least.lcp, &[1.25, 0.75, 1.5]);
+    assert_eq!(least.extra["rows"][2]["label"], "multiplier of sum");
+    // x + y ≤ −1: the multiplier pushes down.
+    let most = constrained(" L sum\n", ["sum 1", "sum 1"], "RHS\n rhs sum -1\n");
+    assert_proved(&most.lcp, &[-0.25, -0.75, -1.5]);
+    // x = 3, and x − y between 1 and 2, at 2.
+    let rows = constrained(
+        " E fix\n L apart\n",
+        ["fix 1 apart 1", "apart -1"],
+        "RHS\n rhs fix 3 apart 2\nRANGES\n rng apart 1\n",
+    );
+    assert_proved(&rows.lcp, &[3.0, 1.0, 7.0, -2.0, 2.0]);
+    // A range of an equation: 1 ≤ x ≤ 3 if positive, −1 ≤ x ≤ 1 if negative.
+    for (range, x, multiplier) in [("2", 1.0, 1.0), ("-2", 0.5, 0.0)] {
+        let rhs = format!("RHS\n rhs fix 1\nRANGES\n rng fix {range}\n");
+        let problem = constrained(" E fix\n", ["fix 1", "fix 0"], &rhs);
+        assert_proved(&problem.lcp, &[x, 0.0, multiplier, x]);
+    }
+}
+
+#[test]
+fn each_defect_of_a_constraint_has_its_line() {
+    let text = "NAME c\nROWS\n N cost\n G sum\nCOLUMNS\n x cost 1 sum 1\nRHS\n rhs sum 2\nENDATA\n";
+    let with = |from: &str, to: &str| message("qps", &text.replace(from, to));
+    assert_eq!(with(" G sum", " Q sum"), "p: line 4: there is no kind of row \"Q\"");
+    assert_eq!(with(" G sum", " G sum\n L sum"), "p: line 5: a second row \"sum\"");
+    assert_eq!(with("rhs sum 2", "rhs sun 2"), "p: line 8: there is no row \"sun\"");
+    assert_eq!(
+        with("rhs sum 2", "rhs sum 2\n rhs sum 3"),
+        "p: line 9: a second right-hand side of row \"sum\""
+    );
+    assert_eq!(with("rhs sum 2", "rhs cost 2\n b sum 3"), "p: line 9: a second set of RHS, \"b\"");
+    assert_eq!(
+        with(" x cost 1 sum 1", " x sum 1\n x sum 2"),
+        "p: line 7: a second entry of this column in row \"sum\""
+    );
 }
 
 #[test]
