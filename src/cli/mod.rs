@@ -26,6 +26,7 @@ mod report;
 mod scene;
 mod search;
 mod shell;
+mod solutions;
 mod test;
 mod trace;
 

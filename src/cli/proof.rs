@@ -6,6 +6,7 @@ use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::lcp::Question;
+use lcplab::lcp::exact::SolutionSet;
 use lcplab::lcp::file::{Problem, read_answer};
 use lcplab::lcp::friction::Model;
 use lcplab::page::{self, Block, Page, Section};
@@ -14,7 +15,7 @@ use lcplab::report::answer::first_answer;
 use serde_json::json;
 
 use super::limits::MemoryLimit;
-use super::{Outcome, print, read_problem, say};
+use super::{Outcome, print, read_problem, say, solutions};
 
 /// Write the strongest proof about a problem, in exact arithmetic, as a file that others can check
 #[derive(Debug, Args)]
@@ -26,15 +27,17 @@ Example:
   python3 proofs/lcpcheck.py incline.json proof.json   # a checker that shares no code with lcplab
   lcplab prove incline.json --out proof.html           # a page with a button that checks it
   lcplab prove tower.json --kind motion   # a bound on the difference from the exact motion
+  lcplab prove game.json --all            # every solution of a small problem
 
 From the strongest to the weakest the kinds are no-solution, unique, not-unique, solution, motion, within. \
 The first kind that can be proved is written; for each stronger kind the output says why it was not proved. \
+With --all, lcplab lists all solutions of a problem of up to 16 contacts, or 10 rows with two bounds. \
 docs/proofs.md says what each kind proves. Proofs are about boxes: under a polygon or a friction cone only \
 no-solution can be proved.
 
 Exit codes:
-  0  a proof was written
-  1  nothing can be proved, for example if the residual is not finite
+  0  a proof was written; with --all, there is a solution
+  1  nothing can be proved, for example if the residual is not finite; with --all, there is no solution
   2  bad input or usage, or no proof under this friction model")]
 pub struct Prove {
     /// Problem file in the format of its extension; - reads JSON from standard input
@@ -51,6 +54,12 @@ pub struct Prove {
     /// File to write; a page if it ends in .html [default: standard output]
     #[arg(long)]
     out: Option<PathBuf>,
+    /// List all solutions instead, in exact arithmetic
+    #[arg(long, conflicts_with_all = ["answer", "kind", "out"])]
+    all: bool,
+    /// With --all: print one JSON object
+    #[arg(long, requires = "all")]
+    json: bool,
     #[command(flatten)]
     memory: MemoryLimit,
 }
@@ -87,6 +96,9 @@ impl Prove {
         let problem = read_problem(&self.problem, memory)?;
         let input = self.problem.display().to_string();
         let question = Question::new(&problem, self.model, &input)?;
+        if self.all {
+            return self.all_solutions(&question, &input);
+        }
         let answer = match &self.answer {
             Some(path) => read_answer(path, problem.lcp.len(), memory)?,
             None => first_answer(question.boxed().unwrap_or(&problem.lcp)),
@@ -117,6 +129,17 @@ impl Prove {
             None => print(&text)?,
         }
         Ok(Outcome::Good)
+    }
+
+    /// Lists all solutions.
+    fn all_solutions(&self, question: &Question, input: &str) -> Result<Outcome> {
+        let lcp = question.require_boxed("all solutions can be listed", input)?;
+        let set = SolutionSet::of(lcp).ok_or_else(|| {
+            let reason = "has more than 65 536 combinations of sides, too many to try";
+            Error::invalid(input, "problem", reason)
+        })?;
+        print(&if self.json { solutions::to_json(&set) } else { solutions::words(&set) })?;
+        Ok(if set.corners.is_empty() { Outcome::Refuted } else { Outcome::Good })
     }
 }
 

@@ -18,11 +18,13 @@ mod echelon;
 pub mod modular;
 mod pieces;
 mod point;
+mod solution_set;
 
 pub use dyadic::rounded_up;
 pub use pieces::Pieces;
 pub use pieces::{MAX_PIECES, all_solutions};
 pub use point::Point;
+pub use solution_set::{Face, SolutionSet};
 
 use super::Lcp;
 use dyadic::{Dyadic, dyadic, integers};

@@ -8,3 +8,4 @@ mod matrix;
 mod merit;
 mod painleve;
 mod problem;
+mod solution_set;
