@@ -47,7 +47,7 @@ pub(super) const FAMILIES: &[Generated] = &[
     },
     Generated {
         name: "friction-pile",
-        about: "random bodies; contacts part, slide and stick in turns; x is chosen first",
+        about: "random bodies; contacts separate, slide or stick in turn; x is chosen first",
         source: "made backwards from its solution",
         parameters: &[
             Parameter::whole("bodies", "number of bodies", 6, [1, 500]),

@@ -21,7 +21,7 @@ pub(super) const FAMILIES: &[Generated] = &[
     },
     Generated {
         name: "murty-exponential",
-        about: "the same matrix, b_i = 2^i − 2^(n+1): Lemke's path has 2ⁿ pieces, no ties",
+        about: "Murty's matrix, b_i = 2^i − 2^(n+1): Lemke's path has 2ⁿ pieces, no ties",
         source: "Murty 1978; lcp_exp_murty2 of Siconos",
         parameters: &[Parameter::whole("n", "number of rows", 6, [1, 50])],
         make: |values| {

@@ -53,7 +53,7 @@ pub(super) const FAMILIES: &[Generated] = &[
     },
     Generated {
         name: "fluid",
-        about: "pressures on a grid of n × n × n cells, sparse; a quarter of them at zero",
+        about: "pressures on a grid of n × n × n cells, sparse; a quarter of them are zero",
         source: "num4lcp, made valid: the seven-point Laplacian",
         parameters: &[
             Parameter::whole("n", "cells along an edge", 4, [1, 30]),

@@ -53,7 +53,7 @@ const TAN: Parameter =
 pub(super) const FAMILIES: &[Generated] = &[
     Generated {
         name: "painleve",
-        about: "a rod slides: above μ = 4/3 no force holds it, or (spin > 1) two do",
+        about: "a rod slides: above μ = 4/3 no contact force exists, or two do (spin > 1)",
         source: "Painlevé 1895; critical μ = (4 + tan²θ) / (3 tan θ)",
         parameters: &[
             MU,
@@ -64,7 +64,7 @@ pub(super) const FAMILIES: &[Generated] = &[
     },
     Generated {
         name: "painleve-impulse",
-        about: "the same rod in a time step: an impulse holds it always; fall < 0 gives several",
+        about: "the rod of painleve in a time step: always solvable; several solutions if fall < 0",
         source: "Stewart & Trinkle 1996; Anitescu & Potra 1997; Lecornu 1905",
         parameters: &[
             MU,

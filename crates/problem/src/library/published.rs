@@ -83,7 +83,7 @@ pub(super) const ALL: &[Published] = &[
     },
     Published {
         name: "cps-3",
-        about: "a bimatrix game: Lemke ends on a ray at once, though there are three solutions",
+        about: "a bimatrix game: Lemke ends on a ray at once, although three solutions exist",
         source: "Handbook of Test Problems 10.2.4; lcp_CPS_3 of Siconos",
         a: &[
             &[0.0, 0.0, 10.0, 20.0],
@@ -106,7 +106,7 @@ pub(super) const ALL: &[Published] = &[
     },
     Published {
         name: "cps-4bis",
-        about: "the same portfolio at the price where one share just drops out: degenerate",
+        about: "the portfolio of cps-4 at the price where one share just drops out: degenerate",
         source: "Handbook of Test Problems 10.2.9; lcp_CPS_4bis of Siconos",
         a: PORTFOLIO,
         b: &[50.0, 50.0, 23.0, -6.0],
@@ -124,7 +124,7 @@ pub(super) const ALL: &[Published] = &[
     },
     Published {
         name: "kostreva-1",
-        about: "a circulant: pivoting may cycle where ties are broken carelessly",
+        about: "a circulant: pivoting can cycle if ties are broken without an anti-cycling rule",
         source: "Kostreva 1979, example 1",
         a: &[&[1.0, 2.0, 0.0], &[0.0, 1.0, 2.0], &[2.0, 0.0, 1.0]],
         b: &[-1.0; 3],
@@ -133,7 +133,7 @@ pub(super) const ALL: &[Published] = &[
     },
     Published {
         name: "kostreva-2",
-        about: "ties again; no solution exists",
+        about: "pivoting meets ties; no solution exists",
         source: "Kostreva 1979, example 2",
         a: &[&[1.0, -1.0, 3.0], &[2.0, -1.0, 3.0], &[-1.0, -2.0, 0.0]],
         b: &[-1.0; 3],
@@ -150,7 +150,7 @@ pub(super) const ALL: &[Published] = &[
     },
     Published {
         name: "pang-perturbed",
-        about: "the same, moved by 1e-4: row 1 is −x2 − x3 − 1e-4, no solution exists",
+        about: "pang-isolated perturbed by 1e-4: row 1 is −x2 − x3 − 1e-4, no solution exists",
         source: "lcp_Pang_isolated_sol_perturbed of Siconos",
         a: &[&[0.0, -1.0, -1.0], &[1.0, 0.0, 0.0], &[-1.0, 0.0, 0.0]],
         b: &[-1e-4, -1.0, 1.0],
@@ -158,7 +158,7 @@ pub(super) const ALL: &[Published] = &[
     },
     Published {
         name: "pang-other",
-        about: "one sign apart from the last: solved by (1, t, t + 1e-4) for t ≥ 0",
+        about: "pang-perturbed with one sign changed: solved by (1, t, t + 1e-4) for t ≥ 0",
         source: "lcp_inf_sol_perturbed of Siconos",
         a: &[&[0.0, -1.0, 1.0], &[1.0, 0.0, 0.0], &[-1.0, 0.0, 0.0]],
         b: &[-1e-4, -1.0, 1.0],
@@ -190,7 +190,7 @@ pub(super) const ALL: &[Published] = &[
     },
     Published {
         name: "trivial",
-        about: "diagonal 1, …, 9: one pivot a row",
+        about: "diagonal 1, …, 9: one pivot per row",
         source: "lcp_trivial of Siconos",
         a: &[
             &[1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
@@ -209,7 +209,7 @@ pub(super) const ALL: &[Published] = &[
     },
     Published {
         name: "path",
-        about: "the introductory problem of the PATH solver, a quadratic program's conditions",
+        about: "the introductory example of the PATH solver: optimality conditions of a quadratic program",
         source: "PATHSolver.jl",
         a: &[
             &[0.0, 0.0, -1.0, -1.0],
@@ -223,7 +223,7 @@ pub(super) const ALL: &[Published] = &[
     },
     Published {
         name: "mcp09",
-        about: "2 (x − 3) on seven intervals, finite and infinite: x = 3 moved into each",
+        about: "2 (x − 3) on seven intervals, finite and infinite: x is 3 clamped to each",
         source: "mcp09 of the GAMS test library",
         a: &[
             &[2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
