@@ -10,7 +10,7 @@ use crate::{Lcp, Matrix};
 
 pub(super) const FAMILIES: &[Generated] = &[Generated {
     name: "box-stack",
-    about: "cubes that fall onto each other, a contact at each corner: rank of A is 3/4 or 1/2 of n",
+    about: "cubes that fall onto each other, a contact at each corner: the rank of A is 3/4 or 1/2 of full",
     source: "redundant contacts, where Open Dynamics Engine and Bullet give up; friction bounds frozen",
     parameters: &[
         Parameter::whole("boxes", "number of cubes", 5, [1, 500]),

@@ -64,7 +64,7 @@ impl Shortfall {
             None => format!("an error of {} of {effect}", percent(self.missing)),
         };
         match self.pairs.first() {
-            Some(pair) => format!("{who} {what}, most of it between {}.", pair.name),
+            Some(pair) => format!("{who} {what}, most of it at {}.", pair.name),
             None => format!("{who} {what}."),
         }
     }
