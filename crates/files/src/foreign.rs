@@ -6,6 +6,10 @@ use std::path::Path;
 
 use super::Format;
 use lcplab_problem::error::Error;
+use lcplab_problem::xml;
+
+/// The number of bytes in which a root element of XML is searched; comments may precede it.
+const BEGINNING: u64 = 1 << 16;
 
 /// The first bytes of a kind of files, the format that reads them, and a message about them.
 const KINDS: [(&[u8], &str, &str); 4] = [
@@ -22,8 +26,9 @@ pub(super) fn explained(error: Error, path: &Path, format: &Format) -> Error {
     let is_other = |(beginning, reader, _): &&(&[u8], &str, &str)| {
         start.starts_with(beginning) && *reader != format.name
     };
-    match KINDS.iter().find(is_other) {
-        Some((_, _, reason)) => Error::invalid(path.display().to_string(), "file", *reason),
+    let kind = KINDS.iter().find(is_other).map(|(_, _, reason)| (*reason).to_string());
+    match kind.or_else(|| xml::reason(&String::from_utf8_lossy(&start))) {
+        Some(reason) => Error::invalid(path.display().to_string(), "file", reason),
         None => error,
     }
 }
@@ -32,6 +37,6 @@ fn beginning(path: &Path) -> Option<Vec<u8>> {
     let mut start = Vec::new();
     let is_file = path.is_file(); // a pipe cannot be read twice
     let file = is_file.then(|| File::open(path).ok()).flatten()?;
-    file.take(32).read_to_end(&mut start).ok()?;
+    file.take(BEGINNING).read_to_end(&mut start).ok()?;
     Some(start)
 }

@@ -31,6 +31,7 @@ pub mod merit;
 pub mod number;
 #[cfg(feature = "json")]
 mod question;
+pub mod xml;
 
 pub use complementarity::Complementarity;
 pub use coupled::Coupling;

@@ -76,6 +76,10 @@ fn files_of_another_kind_are_named() {
     assert!(message("p.dat", &hdf5).starts_with("is an HDF5 file"));
     let archive = std::fs::read(sample("numpy.npz")).unwrap();
     assert!(message("p.dat", &archive).starts_with("is an archive of arrays"));
+    let model = b"<!-- a stack -->\n<mujoco model=\"stack\"/>";
+    for name in ["stack.xml", "stack.json"] {
+        assert!(message(name, model).starts_with("is a MuJoCo model (MJCF)"), "{name}");
+    }
 }
 
 #[test]

@@ -56,7 +56,8 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
             let reason = format!("{:?} is the name of bodies[{first}] too", body.name);
             defects.add(format!("{place}.name"), reason);
         }
-        let (shape, frame) = build_shape(&mut defects, &place, &body.shape);
+        let axes = if body.inertia.is_some() { Axes::Written } else { Axes::Principal };
+        let (shape, frame) = build_shape(&mut defects, &place, &body.shape, axes);
         let mass = build_mass(&mut defects, &place, body, &shape);
         let (friction, static_friction) =
             surface::of_body(&mut defects, &place, body, &whole.contact);
@@ -88,6 +89,7 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
         let place = format!("pairs[{k}]");
         surface::add_pair(&mut defects, &place, pair, &names, &mut scene);
     }
+    surface::separate(&whole.bodies, &mut scene);
     surface::check_scheme(&mut defects, &scene);
     for (k, constraint) in whole.constraints.iter().enumerate() {
         let site = Site { place: format!("constraints[{k}]"), written: constraint };
@@ -181,9 +183,23 @@ fn leaning(defects: &mut Defects, whole: &Description) -> Vector3<f64> {
     }
 }
 
+/// The axes of a hull or a compound.
+#[derive(Clone, Copy)]
+enum Axes {
+    /// The principal axes of its homogeneous solid, with its center of mass as the origin.
+    Principal,
+    /// Those in which it is written, because the moments are given about them.
+    Written,
+}
+
 /// The shape in the body's frame, and the pose of that frame in the axes of the description; they
 /// differ only for hulls and compounds.
-fn build_shape(defects: &mut Defects, place: &str, shape: &description::Shape) -> (Shape, Pose) {
+fn build_shape(
+    defects: &mut Defects,
+    place: &str,
+    shape: &description::Shape,
+    axes: Axes,
+) -> (Shape, Pose) {
     let place = format!("{place}.shape");
     let mut is_length =
         |field: &str, value: f64| range::length(defects, format!("{place}{field}"), value);
@@ -210,8 +226,8 @@ fn build_shape(defects: &mut Defects, place: &str, shape: &description::Shape) -
             }
             None
         }
-        description::Shape::Hull(points) => return build_hull(defects, &place, points),
-        description::Shape::Compound(parts) => return build_compound(defects, &place, parts),
+        description::Shape::Hull(points) => return build_hull(defects, &place, points, axes),
+        description::Shape::Compound(parts) => return build_compound(defects, &place, parts, axes),
         description::Shape::Plane(normal) => {
             Some(Shape::Plane { normal: direction(defects, &place, normal) })
         }
@@ -229,7 +245,12 @@ fn build_cylinder(length: f64, radius: f64) -> (Shape, Pose) {
     (shape, State::WORLD.pose)
 }
 
-fn build_hull(defects: &mut Defects, place: &str, points: &[[f64; 3]]) -> (Shape, Pose) {
+fn build_hull(
+    defects: &mut Defects,
+    place: &str,
+    points: &[[f64; 3]],
+    axes: Axes,
+) -> (Shape, Pose) {
     let points: Vec<_> = points.iter().copied().map(Vector3::from).collect();
     let extent = points.iter().map(|point| point.amax()).fold(0.0, f64::max);
     if extent > 0.0
@@ -243,11 +264,14 @@ fn build_hull(defects: &mut Defects, place: &str, points: &[[f64; 3]]) -> (Shape
         defects.add(format!("{place}.hull"), reason);
         return (SHAPE_STAND_IN, State::WORLD.pose);
     };
-    let frame = inertia::principal_frame(&hull);
+    let frame = match axes {
+        Axes::Principal => inertia::principal_frame(&hull),
+        Axes::Written => State::WORLD.pose,
+    };
     (Shape::Hull(Arc::new(hull.seen_from(&frame))), frame)
 }
 
-fn build_compound(defects: &mut Defects, place: &str, parts: &[Part]) -> (Shape, Pose) {
+fn build_compound(defects: &mut Defects, place: &str, parts: &[Part], axes: Axes) -> (Shape, Pose) {
     let mut placed = Vec::with_capacity(parts.len());
     let mut are_near = true;
     for (k, part) in parts.iter().enumerate() {
@@ -258,7 +282,7 @@ fn build_compound(defects: &mut Defects, place: &str, parts: &[Part]) -> (Shape,
             let reason = "is not a rotation: it must be finite and not 0";
             defects.add(format!("{place}.rotation"), reason);
         }
-        let (shape, frame) = build_shape(defects, &place, &part.shape);
+        let (shape, frame) = build_shape(defects, &place, &part.shape, Axes::Principal);
         if matches!(shape, Shape::Point | Shape::Plane { .. } | Shape::Compound(_)) {
             let reason = "a part is a sphere, a box, a capsule, a cylinder or a hull";
             defects.add(format!("{place}.shape"), reason);
@@ -273,7 +297,10 @@ fn build_compound(defects: &mut Defects, place: &str, parts: &[Part]) -> (Shape,
     if placed.is_empty() || !weighs || !are_near {
         return (SHAPE_STAND_IN, State::WORLD.pose);
     }
-    let frame = inertia::principal_frame_of_parts(&placed);
+    let frame = match axes {
+        Axes::Principal => inertia::principal_frame_of_parts(&placed),
+        Axes::Written => State::WORLD.pose,
+    };
     for part in &mut placed {
         part.pose = Pose { p: frame.local(&part.pose.p), q: frame.q.inverse() * part.pose.q };
     }
@@ -304,15 +331,6 @@ fn build_mass(defects: &mut Defects, place: &str, body: &description::Body, shap
     }
     if matches!(shape, Shape::Plane { .. }) {
         defects.add(format!("{place}.shape"), "a plane must be fixed");
-        return STAND_IN;
-    }
-    let follows = match body.shape {
-        description::Shape::Hull(_) => Some("that of a hull follows from its points"),
-        description::Shape::Compound(_) => Some("that of a compound follows from its parts"),
-        _ => None,
-    };
-    if let (Some(reason), true) = (follows, body.inertia.is_some()) {
-        defects.add(format!("{place}.inertia"), reason);
         return STAND_IN;
     }
     let Some(mass) = weigh(defects, place, body, shape) else { return STAND_IN };

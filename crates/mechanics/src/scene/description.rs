@@ -155,7 +155,8 @@ pub struct Body {
     /// Density (kg/m³), instead of the mass.
     #[serde(default)]
     pub density: Option<f64>,
-    /// Principal moments of inertia (kg m²), instead of those of a homogeneous body.
+    /// Principal moments of inertia (kg m²), instead of those of a homogeneous body. With them, the
+    /// axes of a hull or a compound are its principal axes, and their origin its center of mass.
     #[serde(default)]
     pub inertia: Option<[f64; 3]>,
     /// The center of mass (m); for a plane, any point on it; for a hull, the origin of its points.
@@ -201,6 +202,9 @@ pub struct Body {
     /// A constant torque (N m, world).
     #[serde(default)]
     pub torque: [f64; 3],
+    /// Whether the body touches nothing; its shape is then only drawn.
+    #[serde(default)]
+    pub without_contact: bool,
 }
 
 /// Surface properties of two bodies, overriding those of the bodies. Fields that are not given
@@ -220,6 +224,9 @@ pub struct Pair {
     /// Coefficient of restitution, 0 to 1.
     #[serde(default)]
     pub restitution: Option<f64>,
+    /// Whether the two bodies never touch, even where they overlap.
+    #[serde(default)]
+    pub without_contact: bool,
 }
 
 /// The initial state of a body, as in a row of trajectory.csv.

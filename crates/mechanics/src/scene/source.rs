@@ -7,6 +7,7 @@ use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue, ValueDeserializer};
 
 use lcplab_problem::error::{Defects, Error, Result};
+use lcplab_problem::xml;
 
 /// The keys of a text with their positions.
 ///
@@ -14,6 +15,9 @@ use lcplab_problem::error::{Defects, Error, Result};
 /// If it is not TOML, with the line; `path` is used in the message.
 pub fn parse<'a>(path: &str, text: &'a str) -> Result<Spanned<DeTable<'a>>> {
     DeTable::parse(text).map_err(|error| {
+        if let Some(reason) = xml::reason(text) {
+            return Error::invalid(path, "file", reason);
+        }
         let line = error.span().map_or(1, |span| line_at(text, span.start));
         Error::invalid(path, format!("line {line}"), error.message())
     })

@@ -21,6 +21,8 @@ pub struct Surface {
     pub static_friction: Option<f64>,
     /// The coefficient of restitution.
     pub restitution: Option<f64>,
+    /// Whether the bodies never touch.
+    pub without_contact: bool,
 }
 
 impl Scene {
@@ -123,10 +125,20 @@ pub(super) fn add_pair(
     if let Some(restitution) = pair.restitution {
         within_one(defects, &format!("{place}.restitution"), restitution);
     }
-    let description::Pair { friction, static_friction, restitution, .. } = *pair;
-    scene.pairs.insert(key, Surface { friction, static_friction, restitution });
+    let description::Pair { friction, static_friction, restitution, without_contact, .. } = *pair;
+    scene.pairs.insert(key, Surface { friction, static_friction, restitution, without_contact });
     if let Some(stated) = static_friction {
         check_static(defects, place, stated, scene.friction(key));
+    }
+}
+
+/// Marks the pairs of each body that touches nothing.
+pub(super) fn separate(bodies: &[description::Body], scene: &mut Scene) {
+    for (k, _) in bodies.iter().enumerate().filter(|(_, body)| body.without_contact) {
+        for other in (0..bodies.len()).filter(|&other| other != k) {
+            let key = [k.min(other), k.max(other)];
+            scene.pairs.entry(key).or_default().without_contact = true;
+        }
     }
 }
 

@@ -13,8 +13,8 @@
 //! faces to four corners and do not report which features touch, which both the contact's
 //! identifier and the motion of its normal depend on.
 //!
-//! Bodies joined by a constraint do not collide, nor do two fixed bodies or two points. The result
-//! depends only on the states and comes in the order of the bodies. A [`Detector`] reuses its
+//! Bodies joined by a constraint do not collide, nor do two fixed bodies, two points, or pairs that
+//! the scene says are without contact. The result depends only on the states and comes in the order of the bodies. A [`Detector`] reuses its
 //! memory from step to step and allocates none once warm.
 
 mod broad;
@@ -184,8 +184,8 @@ pub struct Detector {
     /// The distance (m) of each body's farthest vertex from its center.
     arms: Vec<f64>,
     half_spaces: Vec<HalfSpace>,
-    /// The pairs joined by a constraint, ascending.
-    joined: Vec<[usize; 2]>,
+    /// The pairs that never touch, ascending: joined by a constraint, or said to be without contact.
+    apart: Vec<[usize; 2]>,
     broad: Broad,
     touches: Vec<Touch>,
     found: Vec<Found>,
@@ -194,9 +194,10 @@ pub struct Detector {
 impl Detector {
     /// A detector for this scene.
     pub fn new(scene: &Scene) -> Self {
-        let mut joined: Vec<[usize; 2]> =
-            scene.constraints.iter().filter_map(|c| ordered(c.bodies())).collect();
-        joined.sort_unstable();
+        let joined = scene.constraints.iter().filter_map(|c| ordered(c.bodies()));
+        let stated = scene.pairs.iter().filter(|(_, surface)| surface.without_contact);
+        let mut apart: Vec<[usize; 2]> = joined.chain(stated.map(|(&pair, _)| pair)).collect();
+        apart.sort_unstable();
         let mut solids: Vec<Option<Solid>> = Vec::with_capacity(scene.bodies.len());
         let mut owners = Vec::with_capacity(scene.bodies.len());
         let mut arms = Vec::with_capacity(scene.bodies.len());
@@ -217,7 +218,7 @@ impl Detector {
             }
         }
         let (half_spaces, broad, touches, found) = Default::default();
-        Detector { solids, owners, arms, half_spaces, joined, broad, touches, found }
+        Detector { solids, owners, arms, half_spaces, apart, broad, touches, found }
     }
 
     /// All contact points with a gap up to `margin` (m) for the detector's scene. `states` has one
@@ -240,7 +241,7 @@ impl Detector {
             + self.solids.capacity() * size_of::<Option<Solid>>()
             + self.owners.capacity() * size_of::<Owner>()
             + self.arms.capacity() * size_of::<f64>()
-            + self.joined.capacity() * size_of::<[usize; 2]>()
+            + self.apart.capacity() * size_of::<[usize; 2]>()
             + self.broad.bytes()
             + self.touches.capacity() * size_of::<Touch>()
             + self.found.capacity() * size_of::<Found>()
@@ -274,8 +275,8 @@ impl Detector {
                 (None, _) => {}
             }
         }
-        let Detector { solids, owners, arms, half_spaces, joined, broad, .. } = self;
-        let (owners, arms, joined) = (&*owners, &*arms, &*joined);
+        let Detector { solids, owners, arms, half_spaces, apart, broad, .. } = self;
+        let (owners, arms, apart) = (&*owners, &*arms, &*apart);
         let site = |solid: usize| Site { body: owners[solid].body, arm: arms[owners[solid].body] };
         let half = |solid: usize| half(site(solid));
         let margin = |pair: [usize; 2]| margin(pair.map(site));
@@ -284,7 +285,7 @@ impl Detector {
             let [a, b] = pair.map(|k| &scene.bodies[k]);
             let moves = a.mass != Mass::Fixed || b.mass != Mass::Fixed;
             let points_only = a.shape == Shape::Point && b.shape == Shape::Point;
-            pair[0] != pair[1] && moves && !points_only && joined.binary_search(&pair).is_err()
+            pair[0] != pair[1] && moves && !points_only && apart.binary_search(&pair).is_err()
         };
         broad.search(solids, half_spaces, half, margin, may_touch);
     }

@@ -162,8 +162,48 @@ fn what_is_no_compound_is_refused_with_the_part() {
     let message = refused(plane, "mass = 1");
     assert!(message.contains("compound[1].shape: a part is a sphere"), "{message}");
     assert!(refused("{ compound = [] }", "mass = 1").contains("has no parts"));
-    let message = refused(DUMBBELL, "mass = 1\ninertia = [1, 1, 1]");
-    assert!(message.contains("that of a compound follows from its parts"), "{message}");
     let message = refused("{ compound = [{ shape = { sphere = -1 } }] }", "mass = 1");
     assert!(message.contains("compound[0].shape"), "{message}");
+}
+
+#[test]
+fn with_given_moments_the_parts_lie_in_the_principal_axes_about_the_center_of_mass() {
+    let lopsided =
+        scene(&body(DUMBBELL, "mass = 2\ninertia = [1, 2, 2.5]\nposition = [0, 0, 0.5]"));
+    let Mass::Rigid { moments, .. } = lopsided.bodies[1].mass else { panic!("it turns") };
+    assert_eq!(moments, Vector3::new(1.0, 2.0, 2.5));
+    assert_eq!(lopsided.states[1].pose.p, Vector3::new(0.0, 0.0, 0.5));
+    // The balls touch the ground below 0 and 4, not at both ends of a bar of 4 about its middle.
+    let mut touching: Vec<f64> =
+        contacts(&lopsided, &lopsided.states, 1e-9).iter().map(|found| found.point.x).collect();
+    touching.sort_by(f64::total_cmp);
+    assert_eq!(touching, [0.0, 4.0]);
+}
+
+#[test]
+fn a_hull_with_given_moments_keeps_its_written_axes() {
+    let wedge = "{ hull = [[0, 0, 0], [3, 0, 0], [0, 2, 0], [0, 0, 1]] }";
+    let given = scene(&body(wedge, "mass = 1\ninertia = [1, 1, 1]"));
+    let homogeneous = scene(&body(wedge, "mass = 1"));
+    assert_eq!(given.states[1].pose.p, Vector3::zeros());
+    // The center of mass of a tetrahedron is the mean of its corners.
+    assert!((homogeneous.states[1].pose.p - Vector3::new(0.75, 0.5, 0.25)).norm() < 1e-14);
+}
+
+#[test]
+fn bodies_and_pairs_without_contact_touch_nothing() {
+    let ball = |name: &str, more: &str| {
+        format!("[[bodies]]\nname = \"{name}\"\nshape = {{ sphere = 1 }}\nmass = 1\n{more}\n")
+    };
+    let count = |bodies: String| {
+        let scene = scene(&bodies);
+        contacts(&scene, &scene.states, 1e-9).len()
+    };
+    let pair = "[[pairs]]\nbodies = [\"b\", \"a\"]\nwithout_contact = true\n";
+    let (none, away) = ("without_contact = true", "position = [1, 0, 0]");
+    // Two balls that overlap each other and the ground.
+    assert_eq!(count(ball("a", "") + &ball("b", away)), 3);
+    assert_eq!(count(ball("a", "") + &ball("b", away) + pair), 2);
+    assert_eq!(count(ball("a", none) + &ball("b", away)), 1);
+    assert_eq!(count(ball("a", none) + &ball("b", &format!("{away}\n{none}"))), 0);
 }
