@@ -84,6 +84,24 @@ class Scene:
         """
         return cls(_lcplab.Scene.of(json.dumps(dict(description))))
 
+    @classmethod
+    def from_mujoco(cls, model: Any, data: Any = None, skip: bool = False) -> Scene:
+        """Make a scene from a model of MuJoCo, at the state of its data or at its initial state.
+
+        Parts without a counterpart in a scene are an error, which lists them; with ``skip`` they are left out.
+
+        Raises
+        ------
+        InputError
+            With one line for each element that has no counterpart.
+        """
+        from lcplab import _import
+
+        imported = _import.scene(model, data)
+        if not skip:
+            imported.check()
+        return cls.of(imported.scene)
+
     @staticmethod
     def described(
         scene: str | os.PathLike[str] | Mapping[str, Any], *, set: Mapping[str, Any] | None = None

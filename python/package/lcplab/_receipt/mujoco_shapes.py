@@ -29,7 +29,7 @@ def check(model: Any, data: Any) -> Report:
         return Report(not_checked=[f"collision: the model has more than {MOST} shapes"])
     if reader.are_asleep(data):
         return Report(not_checked=["collision: some trees are asleep"])
-    report = collision.check(_shapes(model, data), _pairs(model), _contacts(data))
+    report = collision.check(_shapes(model, data), pairs(model), _contacts(data))
     report.findings += _without_rows(model, data)
     return report
 
@@ -77,7 +77,7 @@ def _body(model: Any, geom: int) -> str:
     return mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_BODY, body) or f"body {body}"
 
 
-def _pairs(model: Any) -> list[tuple[int, int]]:
+def pairs(model: Any) -> list[tuple[int, int]]:
     """Pairs by MuJoCo's documentation, "Collision detection": types, welded bodies, parents, exclusions.
 
     Two bodies that cannot move, such as the world and a mocap body, do not collide.

@@ -1,0 +1,91 @@
+"""The command ``lcplab import FILE``."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+from xml.parsers.expat import ExpatError
+
+from lcplab import _import
+from lcplab._import import toml
+from lcplab._import.source import Lines
+from lcplab._lcplab import InputError
+from lcplab._scene import Scene
+
+EXAMPLES = """\
+Examples:
+  lcplab import stack.xml --out stack.toml               # then: lcplab diagnose stack.toml
+  lcplab import arm.urdf --skip --out arm.toml           # leaves out what has no counterpart, and lists it
+
+The exit code is 0 if the scene was written, and 2 for invalid input, such as an element that has no counterpart in a
+scene. With --skip such elements are listed and left out. The import needs MuJoCo: pip install "lcplab[mujoco]"."""
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Write the scene of an MJCF or URDF file; returns the exit code."""
+    parser = argparse.ArgumentParser(
+        prog="lcplab import",
+        description="Write an MJCF or URDF file as a scene, at its initial state or at one of its keyframes.",
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("file", type=Path, help="an MJCF file (.xml) or a URDF file (.urdf)")
+    parser.add_argument("--skip", action="store_true", help="leave out what has no counterpart in a scene")
+    parser.add_argument("--keyframe", metavar="NAME", help="import the state of this keyframe of the file")
+    parser.add_argument("--out", type=Path, metavar="FILE", help="write the scene here instead of to standard output")
+    options = parser.parse_args(arguments)
+    try:
+        text = _scene(options.file, options.keyframe, options.skip)
+        if options.out:
+            options.out.write_text(text, encoding="utf-8")
+        else:
+            sys.stdout.write(text)
+    except (InputError, OSError) as error:
+        print("\n".join(f"error: {line}" for line in str(error).splitlines()), file=sys.stderr)
+        return 2
+    return 0
+
+
+def _scene(path: Path, keyframe: str | None, skip: bool) -> str:
+    """The text of the scene; refusals are reported on standard error."""
+    model, data = _compile(path, keyframe)
+    imported = _import.scene(model, data)
+    listed = [f"{where}: {refusal}" for where, refusal in _places(path, imported.refusals)]
+    if listed and not skip:
+        raise InputError("\n".join([*listed, f"{path}: is not imported; --skip leaves out these parts"]))
+    for line in [f"skipped: {line}" for line in listed] + [f"note: {line}" for line in imported.notes]:
+        print(line, file=sys.stderr)
+    Scene.of(imported.scene)  # reports what lcplab itself does not accept
+    comments = [f"Imported from {path.name}.", *(f"Skipped: {line}" for line in listed)]
+    return toml.text(imported.scene, comments)
+
+
+def _places(path: Path, refusals: list[_import.Refusal]) -> list[tuple[str, _import.Refusal]]:
+    try:
+        lines = Lines(path)
+    except ExpatError:
+        return [(str(path), refusal) for refusal in refusals]
+    return [(lines.place(refusal.element, refusal.name, refusal.body), refusal) for refusal in refusals]
+
+
+def _compile(path: Path, keyframe: str | None) -> tuple[Any, Any]:
+    try:
+        import mujoco
+    except ImportError as error:
+        raise InputError('the import needs MuJoCo: pip install "lcplab[mujoco]"') from error
+    path.read_bytes()  # so that a missing file is reported as one
+    try:
+        model = mujoco.MjModel.from_xml_path(str(path))
+    except ValueError as error:
+        reason = " ".join(str(error).split())
+        raise InputError(f"{path}: MuJoCo cannot compile it: {reason}") from error
+    data = mujoco.MjData(model)
+    if keyframe is not None:
+        number = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_KEY, keyframe)
+        if number < 0:
+            raise InputError(f"{path}: has no keyframe {keyframe!r}")
+        mujoco.mj_resetDataKeyframe(model, data, number)
+    return model, data

@@ -1,0 +1,219 @@
+"""Joints: the constraints of a scene that leave a body the motions of its joints in MuJoCo.
+
+All joints of one body are translated together, because a scene has no bodies without mass between them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from lcplab._import.model import Array, Model
+from lcplab._import.refused import Log
+
+FREE, BALL, SLIDE, HINGE = range(4)
+#: Axes, points and positions that differ by less than this (relative, m or rad) are the same.
+SAME = 1e-9
+#: The arm (m) of a spring along a slide, added to the length of its range.
+ARM = 10.0
+
+Constraint = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Joint:
+    """A joint at the imported state: a point and an axis in world axes."""
+
+    number: int
+    name: str
+    kind: int
+    point: Array
+    axis: Array
+    position: float
+
+
+def of_group(model: Model, root: int, log: Log) -> list[Constraint]:
+    """The constraints between a moving group and its parent."""
+    first, count = int(model.model.body_jntadr[root]), int(model.model.body_jntnum[root])
+    joints = [_joint(model, number) for number in range(first, first + count)]
+    if joints[0].kind == FREE:
+        _check_free(model, root, joints[0], log)
+        return []
+    bodies = model.bodies_of(model.parent(root), root)
+    found = _kinematics(joints, bodies)
+    if isinstance(found, str):
+        log.refuse("joint", joints[0].name, f"{found}; if skipped, the body is welded", model.names[root])
+        return [{"kind": "fixed", "bodies": bodies}]
+    for joint in joints:
+        found += _passive(model, root, joint, joints, bodies, log)
+    return found
+
+
+def _joint(model: Model, number: int) -> Joint:
+    own = model.model
+    kind = int(own.jnt_type[number])
+    position = float(model.data.qpos[own.jnt_qposadr[number]]) if kind in (SLIDE, HINGE) else 0.0
+    name = model.name("joint", number)
+    return Joint(number, name, kind, model.data.xanchor[number].copy(), model.data.xaxis[number].copy(), position)
+
+
+def _kinematics(joints: list[Joint], bodies: list[str]) -> list[Constraint] | str:
+    """The constraints of the joints' motions, or the reason why there are none."""
+    kinds = [joint.kind for joint in joints]
+    if kinds == [BALL]:
+        return [_ball(joints[0].point, bodies)]
+    if BALL in kinds:
+        return "a ball joint with other joints of the same body has no counterpart"
+    if kinds != sorted(kinds):
+        return "a slide after a hinge of the same body has no counterpart, because the slide turns with the hinge"
+    slides = [joint for joint in joints if joint.kind == SLIDE]
+    hinges = [joint for joint in joints if joint.kind == HINGE]
+    for own in (slides, hinges):
+        if own and np.linalg.matrix_rank(np.array([joint.axis for joint in own]), tol=1e-6) < len(own):
+            return "the axes of the joints of this body depend on each other"
+    if not slides:
+        return _hinges(hinges, bodies)
+    if not hinges:
+        return _slides(slides, bodies)
+    return _planar(slides, hinges, bodies)
+
+
+def _ball(point: Array, bodies: list[str]) -> Constraint:
+    return {"kind": "ball" if len(bodies) == 2 else "nail", "bodies": bodies, "point": point.tolist()}
+
+
+def _hinges(hinges: list[Joint], bodies: list[str]) -> list[Constraint] | str:
+    first = hinges[0]
+    if len(hinges) == 1:
+        return [{"kind": "hinge", "bodies": bodies, "axis": first.axis.tolist(), "point": first.point.tolist()}]
+    point = _common_point(hinges)
+    if point is None:
+        return "hinges of one body whose axes do not meet in a point have no counterpart"
+    if len(hinges) == 3:
+        return [_ball(point, bodies)]
+    axes = [joint.axis for joint in hinges]
+    if abs(axes[0] @ axes[1]) > SAME:
+        return "two hinges of one body whose axes are not perpendicular have no counterpart"
+    return [{"kind": "universal", "bodies": bodies, "axes": [axis.tolist() for axis in axes], "point": point.tolist()}]
+
+
+def _common_point(hinges: list[Joint]) -> Array | None:
+    """The point that all axes pass through."""
+    across = [np.eye(3) - np.outer(joint.axis, joint.axis) for joint in hinges]
+    total = np.sum(across, axis=0)
+    base = hinges[0].point
+    point = base + np.linalg.solve(total, sum(p @ (joint.point - base) for p, joint in zip(across, hinges)))
+    misses = [np.linalg.norm(p @ (point - joint.point)) for p, joint in zip(across, hinges)]
+    return np.asarray(point) if max(misses) <= SAME else None
+
+
+def _slides(slides: list[Joint], bodies: list[str]) -> list[Constraint]:
+    axes = [joint.axis for joint in slides]
+    if len(axes) == 1:
+        return [{"kind": "slider", "bodies": bodies, "axis": axes[0].tolist()}]
+    orientation: list[Constraint] = [{"kind": "orientation", "bodies": bodies}]
+    if len(axes) == 3:
+        return orientation
+    normal = np.cross(axes[0], axes[1])
+    return [{"kind": "lock_translation", "bodies": bodies, "axis": normal.tolist()}, *orientation]
+
+
+def _planar(slides: list[Joint], hinges: list[Joint], bodies: list[str]) -> list[Constraint] | str:
+    """Slides followed by hinges."""
+    axis = hinges[0].axis
+    if len(hinges) == 3 and len(slides) == 3:
+        return []
+    if len(hinges) == 1:
+        if len(slides) == 1 and np.linalg.norm(np.cross(slides[0].axis, axis)) <= SAME:
+            return [{"kind": "cylindrical", "bodies": bodies, "axis": axis.tolist(), "point": hinges[0].point.tolist()}]
+        turn: list[Constraint] = [
+            {"kind": "lock_rotation", "bodies": bodies, "axis": across.tolist()} for across in _perpendicular(axis)
+        ]
+        if len(slides) == 3:
+            return turn
+        if len(slides) == 2 and max(abs(joint.axis @ axis) for joint in slides) <= SAME:
+            return [{"kind": "lock_translation", "bodies": bodies, "axis": axis.tolist()}, *turn]
+    return f"{len(slides)} slides and {len(hinges)} hinges of one body in these directions have no counterpart"
+
+
+def _perpendicular(axis: Array) -> list[Array]:
+    first = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
+    first /= np.linalg.norm(first)
+    return [first, np.cross(axis, first)]
+
+
+def _check_free(model: Model, root: int, joint: Joint, log: Log) -> None:
+    dof = int(model.model.jnt_dofadr[joint.number])
+    for field in ("armature", "damping", "frictionloss"):
+        if np.any(getattr(model.model, f"dof_{field}")[dof : dof + 6]):
+            log.refuse("joint", joint.name, f"{field} of a free joint has no counterpart", model.names[root])
+
+
+def _passive(
+    model: Model, root: int, joint: Joint, joints: list[Joint], bodies: list[str], log: Log
+) -> list[Constraint]:
+    """Range, spring, damper and friction of a joint; its armature has no counterpart."""
+    own = model.model
+    dofs = slice(own.jnt_dofadr[joint.number], own.jnt_dofadr[joint.number] + (3 if joint.kind == BALL else 1))
+
+    def refuse(reason: str) -> None:
+        log.refuse("joint", joint.name, reason, model.names[root])
+
+    if (armature := float(np.max(own.dof_armature[dofs]))) > 0:
+        refuse(f"armature = {armature:g}: a scene has no inertia of rotors")
+    is_limited = bool(own.jnt_limited[joint.number])
+    stiffness = float(np.ravel(own.jnt_stiffness[joint.number])[0])
+    damping, loss = float(np.max(own.dof_damping[dofs])), float(np.max(own.dof_frictionloss[dofs]))
+    hinges = [other for other in joints if other.kind == HINGE]
+    if joint.kind == BALL or (joint.kind == HINGE and len(hinges) > 1):
+        is_of = "a ball joint" if joint.kind == BALL else "one of several hinges of a body"
+        for field, value in (("range", is_limited), ("stiffness", stiffness), ("damping", damping), ("frictionloss", loss)):
+            if value:
+                refuse(f"{field} of {is_of} has no counterpart")
+        return []
+    found: list[Constraint] = []
+    word = "translation" if joint.kind == SLIDE else "rotation"
+    base: Constraint = {"bodies": bodies, "axis": joint.axis.tolist()}
+    place = {"point": joint.point.tolist()} if joint.kind == SLIDE else {}
+    if is_limited:
+        lower, upper = (float(value) for value in own.jnt_range[joint.number])
+        if not lower <= joint.position <= upper:
+            refuse(f"range: the position {joint.position:g} is outside of {lower:g} … {upper:g}")
+        elif lower == upper or (joint.kind == HINGE and upper - lower >= 2 * np.pi):
+            refuse(f"range = {lower:g} {upper:g}: stops must differ, and be less than a turn apart")
+        else:
+            limits = [lower - joint.position, upper - joint.position]
+            found.append({"kind": f"limit_{word}", **base, **place, "limits": limits})
+    if loss:
+        found.append({"kind": f"motor_{word}", **base, **place, "speed": 0.0, "effort": loss})
+    if stiffness or damping:
+        spring = _spring(model, joint, joints, bodies, stiffness, damping)
+        if isinstance(spring, str):
+            refuse(spring)
+        else:
+            found.append(spring)
+    return found
+
+
+def _spring(
+    model: Model, joint: Joint, joints: list[Joint], bodies: list[str], stiffness: float, damping: float
+) -> Constraint | str:
+    """A spring and damper, or the reason why a scene has none."""
+    own = model.model
+    stretch = joint.position - float(own.qpos_spring[own.jnt_qposadr[joint.number]])
+    terms = (("jnt_stiffnesspoly", joint.number), ("dof_dampingpoly", int(own.jnt_dofadr[joint.number])))
+    if any(np.any(getattr(own, field)[number]) for field, number in terms if hasattr(own, field)):
+        return "stiffness and damping with terms of higher order have no counterpart"
+    law = {"bodies": bodies, "stiffness": stiffness, "damping": damping}
+    if joint.kind == HINGE:
+        if stiffness and abs(stretch) > SAME:
+            return f"stiffness: the spring is {stretch:g} rad from its rest angle; a scene's torsion springs start at rest"
+        return {"kind": "spring_rotation", "axis": joint.axis.tolist(), **law}
+    if len(joints) > 1:
+        return "stiffness and damping of a slide with other joints of the same body have no counterpart"
+    # The distance of two points on the axis changes as the slide does, as long as they are on the same side.
+    arm = ARM + abs(stretch) + float(np.ptp(own.jnt_range[joint.number]))
+    points = [(joint.point - arm * joint.axis).tolist(), joint.point.tolist()]
+    return {"kind": "spring", "points": points, "length": arm - stretch if stiffness else arm, **law}

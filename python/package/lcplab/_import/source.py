@@ -1,0 +1,42 @@
+"""Lines of the elements of an MJCF or URDF file, for messages."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from xml.parsers import expat
+
+#: The element of a URDF file that MuJoCo turns into a body.
+TAGS = {"link": "body"}
+
+
+class Lines:
+    """The file and line of each named element, included files too."""
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self._lines: dict[tuple[str, str], str] = {}
+        self._names: dict[str, str] = {}
+        self._read(path)
+
+    def _read(self, path: Path) -> None:
+        parser = expat.ParserCreate()
+
+        def start(tag: str, attributes: dict[str, str]) -> None:
+            place = f"{path}:{parser.CurrentLineNumber}"
+            if (name := attributes.get("name")) is not None:
+                self._lines.setdefault((TAGS.get(tag, tag), name), place)
+                self._names.setdefault(name, place)
+            if tag == "include" and (included := path.parent / attributes.get("file", "")).is_file():
+                self._read(included)
+
+        parser.StartElementHandler = start
+        parser.Parse(path.read_bytes(), True)
+
+    def place(self, element: str, name: str, body: str) -> str:
+        """FILE:LINE of an element, else that of its body, else FILE."""
+        return (
+            self._lines.get((element, name))
+            or self._names.get(name)
+            or self._lines.get(("body", body))
+            or str(self._path)
+        )
