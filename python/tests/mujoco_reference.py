@@ -15,11 +15,12 @@ class Reference:
     """A model without what an import skips, at the imported state."""
 
     def __init__(self, model, data=None):
-        self.imported = _import.scene(model, data)
         self.model = model
         self.data = mujoco.MjData(model)
         if data is not None:
             mujoco.mj_copyData(self.data, model, data)
+        self.data.eq_active[:] = 0  # qacc_smooth is that of the tree
+        self.imported = _import.scene(model, self.data)
         drop_skipped(model, self.imported.refusals)
         mujoco.mj_forward(model, self.data)
         moving = [body for body in self.imported.scene["bodies"] if not body.get("fixed")]
@@ -80,7 +81,11 @@ class Reference:
 
     def delassus(self, rows):
         """J M⁻¹Jᵀ of rows in joint coordinates."""
-        return rows @ np.linalg.solve(full_mass(self.model, self.data), rows.T)
+        return rows @ np.linalg.solve(self.mass_matrix(), rows.T)
+
+    def mass_matrix(self):
+        """M in joint coordinates."""
+        return full_mass(self.model, self.data)
 
 
 def drop_skipped(model, refusals):
@@ -104,12 +109,36 @@ def drop_skipped(model, refusals):
     mujoco.mj_setConst(model, mujoco.MjData(model))  # M of bodies with slides alone is a constant of the model
 
 
+def mass_of(description):
+    """M of the bodies of a scene, (6 bodies, 6 bodies), from its own fields."""
+    blocks = []
+    for body in description["bodies"]:
+        axes = np.zeros(9)
+        mujoco.mju_quat2Mat(axes, np.array(body["rotation"]["quaternion"]))
+        axes = axes.reshape(3, 3)
+        blocks += [body["mass"] * np.eye(3), axes @ np.diag(body["inertia"]) @ axes.T]
+    mass = np.zeros((3 * len(blocks),) * 2)
+    for k, block in enumerate(blocks):
+        mass[3 * k : 3 * k + 3, 3 * k : 3 * k + 3] = block
+    return mass
+
+
 def measured(description):
     """The accelerations of lcplab's bodies, (6 bodies,), from one step."""
     scene = lcplab.Scene.of(description)
     before = scene.velocities.copy()
     scene.step("dantzig")
     return ((scene.velocities - before) / description["step"]["dt"]).ravel()
+
+
+def eliminated(mass, joints, rows):
+    """J M⁻¹Jᵀ of rows after the rows of the joints are eliminated, by an orthogonal basis of what the joints push."""
+    root = np.linalg.cholesky(mass)
+    pushed, signed = np.linalg.solve(root, joints.T), np.linalg.solve(root, rows.T)
+    basis, sizes, _ = np.linalg.svd(pushed, full_matrices=False)
+    basis = basis[:, sizes > 1e-10 * sizes[0]]
+    free = signed - basis @ (basis.T @ signed)
+    return free.T @ free
 
 
 def joint_rows(description):

@@ -69,7 +69,8 @@ def scene(model: Any, data: Any = None) -> Imported:
 
 def _fixed_bodies(read: Model, touching: set[int], log: Log) -> tuple[list[dict[str, Any]], dict[int, str]]:
     """A fixed body for each geom that something can touch and that does not move, and the names by geom."""
-    listed, owners = [], {}
+    listed: list[dict[str, Any]] = []
+    owners: dict[int, str] = {}
     for geom in sorted(touching):
         root = read.root(read.model.geom_bodyid[geom])
         if not read.is_fixed(root):

@@ -1,0 +1,143 @@
+"""Write docs/models.md: public models and their import as scenes.
+
+    pip install -r python/engines.txt gymnasium dm_control pybullet && python python/models.py
+"""
+
+import importlib.metadata
+import importlib.util
+import sys
+from collections import Counter
+from pathlib import Path
+
+import mujoco
+import numpy as np
+
+ROOT = Path(__file__).resolve().parent
+sys.path.insert(0, str(ROOT / "tests"))
+
+from mujoco_reference import Reference, eliminated, joint_rows, mass_of, measured  # noqa: E402
+
+from lcplab import _import  # noqa: E402
+
+#: Folder in each package, and the models by kind.
+MODELS = {
+    "gymnasium": ("envs/mujoco/assets", {
+        "arm": ["pusher_v5.xml", "reacher.xml"],
+        "quadruped": ["ant.xml"],
+        "humanoid": ["humanoid.xml", "humanoidstandup.xml"],
+        "walker": ["half_cheetah.xml", "hopper.xml", "walker2d_v5.xml", "swimmer.xml"],
+        "pendulum": ["inverted_pendulum.xml", "inverted_double_pendulum.xml"],
+        "mobile": ["point.xml"],
+    }),
+    "dm_control": (".", {
+        "arm": ["suite/manipulator.xml", "suite/reacher.xml", "third_party/kinova/jaco_arm.xml"],
+        "gripper": ["third_party/kinova/jaco_hand.xml", "suite/finger.xml"],
+        "quadruped": ["suite/quadruped.xml", "suite/dog.xml", "locomotion/walkers/assets/rodent.xml"],
+        "humanoid": ["suite/humanoid.xml", "suite/humanoid_CMU.xml", "locomotion/walkers/assets/humanoid_CMU_V2020.xml"],
+        "walker": ["suite/cheetah.xml", "suite/hopper.xml", "suite/walker.xml", "suite/swimmer.xml", "suite/fish.xml"],
+        "pendulum": ["suite/acrobot.xml", "suite/cartpole.xml", "suite/pendulum.xml"],
+        "stack": ["suite/stacker.xml"],
+        "mobile": ["suite/ball_in_cup.xml", "suite/point_mass.xml"],
+    }),
+    "pybullet": ("../pybullet_data", {
+        "arm": ["kuka_iiwa/model.urdf"],
+        "gripper": ["pr2_gripper.urdf"],
+        "quadruped": ["a1/a1.urdf", "quadruped/minitaur.urdf", "quadruped/spirit40.urdf"],
+        "humanoid": ["humanoid/humanoid.urdf"],
+        "mobile": ["r2d2.urdf", "racecar/racecar.urdf"],
+        "pendulum": ["cartpole.urdf", "pendulum5.urdf"],
+    }),
+}
+
+HEAD = """# Public models and their import
+
+This page lists {count} models of three Python packages and what [`lcplab import`](import.md) does with them:
+{complete} import without loss. The others are refused with a list, and import with `--skip` without the parts in the
+column *no counterpart*. The column counts those parts in the model's initial state; a part with two defects counts twice.
+
+The last columns compare the scene with MuJoCo {mujoco} at a random state near the initial one, without the parts that
+were skipped: the mass matrix M in joint coordinates; the accelerations of all bodies without contacts, limits and dry
+friction (MuJoCo's `qacc_smooth`, lcplab's own solution of the joint rows); and J M⁻¹Jᵀ of MuJoCo's own contact points
+after the joint rows are eliminated. Each number is the largest difference relative to the largest entry. A dash means
+that the model has no contacts at that state, or that a joint was skipped, so that the mechanisms differ.
+
+`python python/models.py` writes this page. Versions: {versions}.
+
+| kind | model | bodies | dof | no counterpart | M | accelerations | contacts |
+| --- | --- | --- | --- | --- | --- | --- | --- |
+"""
+
+
+def row(kind, package, path, name):
+    """A line of the table, and whether everything was imported."""
+    model = mujoco.MjModel.from_xml_path(str(path))
+    refusals = _import.scene(model).refusals
+    counts = Counter(category(refusal) for refusal in refusals)
+    data = mujoco.MjData(model)
+    data.qvel[:] = np.random.default_rng(1).normal(size=model.nv)
+    mujoco.mj_integratePos(model, data.qpos, data.qvel, 0.02)
+    mujoco.mj_forward(model, data)
+    reference = Reference(model, data)
+    is_comparable = not any("is welded" in refusal.reason for refusal in refusals)
+    errors = differences(reference) if is_comparable else [None] * 3
+    listed = ", ".join(f"{count} {what}" for what, count in sorted(counts.items())) or "all imported"
+    words = ["–" if error is None else f"{error:.0e}" for error in errors]
+    line = f"| {kind} | {package} `{name}` | {len(reference.names)} | {model.nv} | {listed} | {' | '.join(words)} |\n"
+    return line, not refusals, [error for error in errors if error is not None]
+
+
+def category(refusal):
+    """The attribute or element that a refusal is about."""
+    if refusal.element in ("joint", "geom", "contact") and "is welded" not in refusal.reason:
+        return refusal.reason.replace(":", " ").split()[0] if refusal.element != "contact" else "contact pairs"
+    return refusal.element
+
+
+def differences(reference):
+    """Relative differences of M, of accelerations, and of A of the contacts."""
+    description = reference.without_contacts()
+    jacobian, _ = reference.motions()
+    mass, joints = masses(description, jacobian)
+    expected = reference.mass_matrix()
+    found = [relative(jacobian.T @ mass @ jacobian, expected)]
+    accelerations = reference.accelerations()
+    least = np.linalg.norm(reference.model.opt.gravity) or 1.0
+    found.append(float(np.abs(measured(description) - accelerations).max() / max(np.abs(accelerations).max(), least)))
+    if not reference.data.ncon:
+        return [*found, None]
+    own, maximal = reference.contact_rows()
+    return [*found, relative(eliminated(mass, joints, maximal), reference.delassus(own))]
+
+
+def masses(description, jacobian):
+    """M of the bodies, and the joint rows; there are none without joints."""
+    if description["constraints"]:
+        return joint_rows(description)
+    return mass_of(description), np.zeros((0, jacobian.shape[0]))
+
+
+def relative(found, expected):
+    return float(np.abs(found - expected).max() / np.abs(expected).max())
+
+
+def main():
+    lines, complete, worst = [], 0, 0.0
+    for package, (folder, kinds) in MODELS.items():
+        base = Path(importlib.util.find_spec(package).origin).parent
+        base = base / folder if package != "pybullet" else base / "pybullet_data"
+        for kind, names in kinds.items():
+            for name in names:
+                print(name, file=sys.stderr)
+                line, is_complete, errors = row(kind, package, base / name, name)
+                lines.append(line)
+                complete += is_complete
+                worst = max([worst, *errors])
+    versions = ", ".join(f"{name} {importlib.metadata.version(name)}" for name in MODELS)
+    head = HEAD.format(count=len(lines), complete=complete, mujoco=mujoco.__version__, versions=versions)
+    page = ROOT.parent / "docs" / "models.md"
+    page.write_text(head + "".join(sorted(lines)), encoding="utf-8")
+    print(f"{len(lines)} models, {complete} complete, largest difference {worst:.1e}")
+
+
+if __name__ == "__main__":
+    main()
