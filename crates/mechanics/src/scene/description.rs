@@ -203,7 +203,7 @@ pub struct Body {
     #[serde(default)]
     pub torque: [f64; 3],
     /// Whether the body touches nothing; its shape is then only drawn.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub without_contact: bool,
 }
 
@@ -225,7 +225,7 @@ pub struct Pair {
     #[serde(default)]
     pub restitution: Option<f64>,
     /// Whether the two bodies never touch, even where they overlap.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub without_contact: bool,
 }
 

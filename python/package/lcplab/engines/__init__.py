@@ -203,7 +203,7 @@ def springs(scene: Description) -> list[Spring]:
 _REFUSED = {
     "bodies": (
         *("force", "force_at", "torque", "static_friction"),
-        *("force_over_time", "displacement_over_time"),
+        *("force_over_time", "displacement_over_time", "without_contact"),
     ),
     "constraints": ("length", "angle", "limits", "speed", "effort", "stiffness", "damping"),
 }

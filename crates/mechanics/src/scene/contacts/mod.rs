@@ -14,8 +14,8 @@
 //! identifier and the motion of its normal depend on.
 //!
 //! Bodies joined by a constraint do not collide, nor do two fixed bodies, two points, or pairs that
-//! the scene says are without contact. The result depends only on the states and comes in the order of the bodies. A [`Detector`] reuses its
-//! memory from step to step and allocates none once warm.
+//! the scene says are without contact. The result depends only on the states and comes in the order
+//! of the bodies. A [`Detector`] reuses its memory from step to step and allocates none once warm.
 
 mod broad;
 mod crossing;
