@@ -184,7 +184,7 @@ pub struct Detector {
     /// The distance (m) of each body's farthest vertex from its center.
     arms: Vec<f64>,
     half_spaces: Vec<HalfSpace>,
-    /// The pairs that never touch, ascending: joined by a constraint, or said to be without contact.
+    /// The pairs that never touch, ascending: joined by a constraint, or without contact.
     apart: Vec<[usize; 2]>,
     broad: Broad,
     touches: Vec<Touch>,
