@@ -21,12 +21,14 @@ struct Capture : b2ContactListener {
     }
 
     void step(float dt, int velocity_sweeps, int position_sweeps) {
-        frame = lcplab::Frame("Box2D", dt);
+        frame = lcplab::Frame("Box2D", dt, 32);
         numbers.clear();
         touching.clear();
         for (const b2Body* body = world.GetBodyList(); body; body = body->GetNext())
             if (body->GetType() == b2_dynamicBody) add_body(*body, dt);
         world.Step(dt, velocity_sweeps, position_sweeps);
+        for (const auto& own : numbers)
+            frame.moved(own.second, vec(own.first->GetLinearVelocity()), {{0, 0, own.first->GetAngularVelocity()}});
         if (!frame.write(problem, answer)) std::fprintf(stderr, "cannot write %s\n", problem.c_str());
     }
 

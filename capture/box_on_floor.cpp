@@ -19,5 +19,6 @@ int main() {
             frame.along(t, tangent, lcplab::fixed_body, zero, box, arm);
         }
     }
+    frame.moved(box, zero, zero); // the velocity after the step
     return frame.write("frame.json", "frame.x.json") ? 0 : 1;
 }

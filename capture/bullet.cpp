@@ -39,7 +39,7 @@ private:
     }
 
     void add_bodies(double dt) {
-        frame = lcplab::Frame("Bullet", dt);
+        frame = lcplab::Frame("Bullet", dt, 8 * sizeof(btScalar));
         numbers.clear();
         centers.clear();
         for (int k = 0; k < world.getNumCollisionObjects(); ++k) {
@@ -66,6 +66,10 @@ private:
             const btPersistentManifold* manifold = dispatcher->getManifoldByIndexInternal(k);
             for (int point = 0; point < manifold->getNumContacts(); ++point)
                 add_point(*manifold, manifold->getContactPoint(point), dt);
+        }
+        for (const auto& own : numbers) {
+            const btRigidBody* body = btRigidBody::upcast(own.first);
+            frame.moved(own.second, vec(body->getLinearVelocity()), vec(body->getAngularVelocity()));
         }
         if (!frame.write(problem, answer)) std::fprintf(stderr, "cannot write %s\n", problem.c_str());
     }

@@ -43,13 +43,13 @@ const int fixed_body = -1;
 /// The bodies and rows of one step.
 class Frame {
 public:
-    /// A name for messages, and the length of the step (s), 0 if unknown.
-    explicit Frame(const std::string& name = "frame", double dt = 0) : name_(name), dt_(dt) {}
+    /// A name for messages, the length of the step (s), 0 if unknown, and 32 if the engine computes with floats.
+    explicit Frame(const std::string& name = "frame", double dt = 0, int bits = 64) : name_(name), dt_(dt), bits_(bits) {}
 
     /// Adds a moving body and returns its number: mass (kg), inertia about the center of mass (kg m^2, world axes),
     /// and u*, the linear (m/s) and angular velocity (rad/s) without constraints.
     int body(const std::string& name, double mass, const Mat3& inertia, const Vec3& linear, const Vec3& angular) {
-        bodies_.push_back(Body{name, mass, inertia, inverse(inertia), linear, angular});
+        bodies_.push_back(Body{name, mass, inertia, inverse(inertia), linear, angular, {}});
         return static_cast<int>(bodies_.size()) - 1;
     }
 
@@ -87,6 +87,12 @@ public:
     /// Sets what your solver computed for row i.
     void answer(int i, double x) { rows_[i].x = x; }
 
+    /// Sets the velocity of a body after the step, with which `lcplab receipts` checks the capture: it must be
+    /// u* + inv(M) J^T x.
+    void moved(int body, const Vec3& linear, const Vec3& angular) {
+        bodies_[body].after = {linear[0], linear[1], linear[2], angular[0], angular[1], angular[2]};
+    }
+
     /// Chooses the friction law: "coupled-box" (|x| <= mu x_n for each row), "coulomb-cone" or "associated-cone", where
     /// each normal row has two rows of friction with one mu. Without a call, coupled-box.
     void model(const std::string& name) { model_ = name; }
@@ -102,6 +108,7 @@ private:
         double mass;
         Mat3 inertia, inverse;
         Vec3 linear, angular;
+        std::vector<double> after; // empty if unknown
     };
     struct Row {
         std::string label, kind;
@@ -113,6 +120,7 @@ private:
 
     std::string name_, model_;
     double dt_;
+    int bits_;
     std::vector<Body> bodies_;
     std::vector<Row> rows_;
 
@@ -208,7 +216,9 @@ private:
     void problem(std::ostream& out) const {
         out << "{\"name\":";
         text(out, name_);
-        out << ",\"source\":{\"writer\":\"lcplab_dump.h\"},\n\"A\":{\"rows\":" << rows_.size()
+        out << ",\"source\":{\"engine\":";
+        text(out, name_);
+        out << ",\"bits\":" << bits_ << "},\n\"A\":{\"rows\":" << rows_.size()
             << ",\"cols\":" << rows_.size() << ",\"triplets\":[";
         const char* comma = "";
         for (std::size_t i = 0; i < rows_.size(); ++i)
@@ -280,6 +290,12 @@ private:
     void solution(std::ostream& out) const {
         out << '{';
         list(out, "x", rows_, [&](const Row& row) { number(out, row.x); });
+        std::vector<double> after;
+        for (const Body& body : bodies_) after.insert(after.end(), body.after.begin(), body.after.end());
+        if (!after.empty()) {
+            out << ",\n";
+            list(out, "motion", after, [&](double value) { number(out, value); });
+        }
         out << "}\n";
     }
 };

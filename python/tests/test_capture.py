@@ -57,6 +57,17 @@ def test_a_box_on_a_floor_is_proved_from_the_two_files(tmp_path):
     assert not lcplab.judge(problem, x=np.array(x) * 1.001)
 
 
+def test_a_velocity_that_the_impulses_do_not_cause_is_rejected_at_write_back(tmp_path):
+    subprocess.run([built(CAPTURE / "box_on_floor.cpp", tmp_path)], cwd=tmp_path, check=True)
+    assert lcplab.receipts([tmp_path / "frame.json"]).ok
+    answer = json.loads((tmp_path / "frame.x.json").read_text())
+    assert answer["motion"] == [0] * 6
+    answer["motion"][2] = 1e-3
+    (tmp_path / "frame.x.json").write_text(json.dumps(answer))
+    (receipt,) = lcplab.receipts([tmp_path / "frame.json"]).receipts.values()
+    assert receipt.stage == "write-back"
+
+
 @pytest.fixture(scope="module")
 def pair(tmp_path_factory):
     folder = tmp_path_factory.mktemp("pair")
