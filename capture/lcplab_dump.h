@@ -6,6 +6,7 @@
 //     int n = frame.row("normal box floor", "normal", 0, infinity);
 //     frame.entry(n, box, linear, angular);                      // the row of J for this body
 //     frame.answer(n, impulse);                                  // what your solver computed
+//     frame.moved(box, velocity, angular_velocity);              // the velocity after the step
 //     frame.write("frame.json", "frame.x.json");                 // lcplab judge frame.json frame.x.json
 //
 // The problem is w = A x + b with lo <= x <= hi, where w > 0 only at x = lo and w < 0 only at x = hi:

@@ -240,6 +240,21 @@ def test_the_command_refuses_with_file_line_and_element_and_skips_on_request(tmp
     assert f"# Skipped: stack.xml:{line}: <joint> 'lift'" in written and 'kind = "slider"' in written
 
 
+def test_the_command_imports_a_keyframe_and_finds_elements_that_share_a_name(tmp_path):
+    (tmp_path / "arm.xml").write_text("""<mujoco><worldbody><geom type="plane" size="1 1 1" pos="0 0 -9"/><body name="arm" pos="0 0 1">
+      <joint name="swing" axis="0 1 0"/><geom type="capsule" size=".1" fromto="0 0 0 1 0 0"/></body></worldbody>
+      <actuator>
+        <position name="swing" joint="swing" kp="3"/></actuator>
+      <keyframe><key name="down" qpos="1.5707963267948966"/></keyframe></mujoco>""")
+    done = command("import", "arm.xml", "--skip", "--keyframe", "down", cwd=tmp_path)
+    assert "skipped: arm.xml:4: <actuator> 'swing'" in done.stderr
+    (_, position) = [line for line in done.stdout.splitlines() if line.startswith("position")]
+    # A rotation by +90° about y turns x downwards.
+    assert eval(position.split("=")[1]) == pytest.approx([0, 0, 0.5], abs=1e-9)
+    done = command("import", "arm.xml", "--skip", "--keyframe", "up", cwd=tmp_path)
+    assert done.returncode == 2 and "has no keyframe 'up'" in done.stderr
+
+
 def test_a_urdf_file_is_imported_and_other_files_are_reported(tmp_path):
     (tmp_path / "arm.urdf").write_text("""<robot name="arm"><link name="base"/>
       <link name="rod"><inertial><origin xyz="0 0 .5"/><mass value="2"/>

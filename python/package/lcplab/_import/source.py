@@ -5,8 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 from xml.parsers import expat
 
-#: The element of a URDF file that MuJoCo turns into a body.
-TAGS = {"link": "body"}
+#: The elements of a file that become these of the compiled model.
+TAGS = {
+    "body": ("body", "link"),
+    "actuator": ("motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle", "adhesion", "general"),
+    "tendon": ("fixed", "spatial"),
+}
 
 
 class Lines:
@@ -15,7 +19,6 @@ class Lines:
     def __init__(self, path: Path) -> None:
         self._path = path
         self._lines: dict[tuple[str, str], str] = {}
-        self._names: dict[str, str] = {}
         self._read(path)
 
     def _read(self, path: Path) -> None:
@@ -24,8 +27,7 @@ class Lines:
         def start(tag: str, attributes: dict[str, str]) -> None:
             place = f"{path}:{parser.CurrentLineNumber}"
             if (name := attributes.get("name")) is not None:
-                self._lines.setdefault((TAGS.get(tag, tag), name), place)
-                self._names.setdefault(name, place)
+                self._lines.setdefault((tag, name), place)
             if tag == "include" and (included := path.parent / attributes.get("file", "")).is_file():
                 self._read(included)
 
@@ -34,9 +36,5 @@ class Lines:
 
     def place(self, element: str, name: str, body: str) -> str:
         """FILE:LINE of an element, else that of its body, else FILE."""
-        return (
-            self._lines.get((element, name))
-            or self._names.get(name)
-            or self._lines.get(("body", body))
-            or str(self._path)
-        )
+        own = [(tag, name) for tag in TAGS.get(element, (element,))] + [(tag, body) for tag in TAGS["body"]]
+        return next((self._lines[key] for key in own if key in self._lines), str(self._path))
