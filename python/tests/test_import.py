@@ -9,6 +9,7 @@ import pytest
 
 import lcplab
 import lcplab.mujoco
+from lcplab._import.command import compiled as compiled_file
 from mujoco_reference import Reference, eliminated, joint_rows, mass_of, measured
 
 
@@ -171,7 +172,7 @@ REFUSED = {
               "<actuator> 'servo': its force depends on position or speed"),
     "fluid": ('<freejoint/><geom size=".1"/>', '<option density="1.2"/>', "<option> 'density': forces of a fluid"),
     "coupling": ('<joint name="j"/><geom size=".1"/>', '<equality><joint name="gear" joint1="j"/></equality>',
-                 "<joint> 'gear': an equality of this kind has no counterpart"),
+                 "<joint> 'gear': an equality of this kind, such as a coupling"),
     "tendon": ('<joint name="j"/><geom size=".1"/>',
                '<tendon><fixed name="cable" stiffness="3"><joint joint="j" coef="1"/></fixed></tendon>',
                "<tendon> 'cable': stiffness of a tendon"),
@@ -255,6 +256,14 @@ def test_the_command_imports_a_keyframe_and_finds_elements_that_share_a_name(tmp
     assert done.returncode == 2 and "has no keyframe 'up'" in done.stderr
 
 
+def test_without_mujoco_the_command_names_the_package_to_install(tmp_path):
+    (tmp_path / "stack.xml").write_text(STACK)
+    code = "import sys; sys.modules['mujoco'] = None; sys.argv = ['lcplab', 'import', 'stack.xml']; " \
+           "from lcplab.__main__ import main; sys.exit(main())"
+    done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True)
+    assert done.returncode == 2 and 'pip install "lcplab[mujoco]"' in done.stderr
+
+
 def test_a_urdf_file_is_imported_and_other_files_are_reported(tmp_path):
     (tmp_path / "arm.urdf").write_text("""<robot name="arm"><link name="base"/>
       <link name="rod"><inertial><origin xyz="0 0 .5"/><mass value="2"/>
@@ -271,6 +280,36 @@ def test_a_urdf_file_is_imported_and_other_files_are_reported(tmp_path):
     for name, message in (("none.xml", "No such file"), ("scene.sdf", "MuJoCo cannot compile it")):
         done = command("import", name, cwd=tmp_path)
         assert done.returncode == 2 and message in done.stderr and "Traceback" not in done.stderr
+
+
+def test_meshes_of_a_package_are_found_in_the_folders_above(tmp_path):
+    corners = [(x, y, z) for x in (0, 1) for y in (0, 2) for z in (0, 4)]
+    (tmp_path / "arm" / "meshes").mkdir(parents=True)
+    (tmp_path / "arm" / "urdf").mkdir()
+    faces = [(1, 3, 2), (2, 3, 4), (5, 6, 7), (6, 8, 7), (1, 2, 5), (2, 6, 5), (3, 7, 4), (4, 7, 8), (1, 5, 3), (3, 5, 7), (2, 4, 6), (4, 8, 6)]
+    (tmp_path / "arm" / "meshes" / "block.obj").write_text(
+        "".join(f"v {x} {y} {z}\n" for x, y, z in corners) + "".join(f"f {a} {b} {c}\n" for a, b, c in faces))
+    robot = """<robot name="arm"><link name="base"/><link name="block">
+      <inertial><origin xyz=".5 1 2"/><mass value="2"/><inertia ixx="4" iyy="3" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
+      <collision><geometry><mesh filename="package://arm/meshes/{}.obj"/></geometry></collision></link>
+      <link name="other"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
+      <collision><geometry><sphere radius=".1"/></geometry></collision></link>
+      <joint name="a" type="continuous"><parent link="base"/><child link="block"/></joint>
+      <joint name="b" type="continuous"><parent link="base"/><child link="other"/><origin xyz="9 0 0"/></joint></robot>"""
+    path = tmp_path / "arm" / "urdf" / "arm.urdf"
+    path.write_text(robot.format("block"))
+    block = lcplab.mujoco.scene(compiled_file(path)).scene["bodies"][0]
+    (part,) = block["shape"]["compound"]
+    turn = np.zeros(9)
+    for_part, for_body = part["rotation"]["quaternion"], block["rotation"]["quaternion"]
+    found = np.array(part["shape"]["hull"])
+    for place, quaternion in ((part["position"], for_part), (block["position"], for_body)):
+        mujoco.mju_quat2Mat(turn, np.array(quaternion))
+        found = found @ turn.reshape(3, 3).T + place
+    assert sorted(map(tuple, found.round(6))) == sorted(corners)
+    path.write_text(robot.format("missing"))
+    done = command("import", str(path), cwd=tmp_path)
+    assert done.returncode == 2 and "'package://arm/meshes/missing.obj': the file is not in a folder above" in done.stderr
 
 
 def test_one_line_writes_the_problem_of_a_step_and_the_judge_reads_it(tmp_path):

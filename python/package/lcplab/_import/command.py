@@ -7,10 +7,11 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
+from xml.etree.ElementTree import ParseError
 from xml.parsers.expat import ExpatError
 
 from lcplab import _import
-from lcplab._import import toml
+from lcplab._import import toml, urdf
 from lcplab._import.source import Lines
 from lcplab._lcplab import InputError
 from lcplab._scene import Scene
@@ -51,8 +52,8 @@ def main(arguments: Sequence[str]) -> int:
 
 def _scene(path: Path, keyframe: str | None, skip: bool) -> str:
     """The text of the scene; refusals are reported on standard error."""
-    model, data = _compile(path, keyframe)
-    imported = _import.scene(model, data)
+    model = compiled(path)
+    imported = _import.scene(model, _state(path, model, keyframe))
     listed = [f"{where}: {refusal}" for where, refusal in _places(path, imported.refusals)]
     if listed and not skip:
         raise InputError("\n".join([*listed, f"{path}: is not imported; --skip leaves out these parts"]))
@@ -71,21 +72,38 @@ def _places(path: Path, refusals: list[_import.Refusal]) -> list[tuple[str, _imp
     return [(lines.place(refusal.element, refusal.name, refusal.body), refusal) for refusal in refusals]
 
 
-def _compile(path: Path, keyframe: str | None) -> tuple[Any, Any]:
+def compiled(path: Path) -> Any:
+    """The model of a file.
+
+    Raises
+    ------
+    InputError
+        If MuJoCo is not installed or cannot compile the file, or a mesh is not found.
+    """
     try:
         import mujoco
     except ImportError as error:
         raise InputError('the import needs MuJoCo: pip install "lcplab[mujoco]"') from error
-    path.read_bytes()  # so that a missing file is reported as one
+    has_packages = urdf.has_packages(path)
     try:
-        model = mujoco.MjModel.from_xml_path(str(path))
-    except ValueError as error:
+        if has_packages:
+            return mujoco.MjModel.from_xml_string(urdf.resolved(path))
+        return mujoco.MjModel.from_xml_path(str(path))
+    except (ValueError, ParseError) as error:
+        if isinstance(error, InputError):
+            raise
         reason = " ".join(str(error).split())
         raise InputError(f"{path}: MuJoCo cannot compile it: {reason}") from error
+
+
+def _state(path: Path, model: Any, keyframe: str | None) -> Any:
+    """The initial state, or that of a keyframe."""
+    import mujoco
+
     data = mujoco.MjData(model)
     if keyframe is not None:
         number = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_KEY, keyframe)
         if number < 0:
             raise InputError(f"{path}: has no keyframe {keyframe!r}")
         mujoco.mj_resetDataKeyframe(model, data, number)
-    return model, data
+    return data

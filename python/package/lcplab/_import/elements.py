@@ -37,7 +37,7 @@ def _equality(model: Model, number: int) -> dict[str, Any] | str:
     own, data = model.model, model.data
     kind = int(own.eq_type[number])
     if kind not in (CONNECT, WELD):
-        return "an equality of this kind has no counterpart"
+        return "an equality of this kind, such as a coupling of joints, has no counterpart"
     if int(own.eq_objtype[number]) != int(model.mujoco.mjtObj.mjOBJ_BODY):
         return "an equality of two sites is not read; join the bodies instead"
     one, other = int(own.eq_obj1id[number]), int(own.eq_obj2id[number])
@@ -74,9 +74,11 @@ def _turned(model: Model, number: int, one: int, other: int) -> float:
 def check_actuators(model: Model, log: Log) -> None:
     """Refuse an actuator that acts at the imported control; one without force is noted."""
     own, data = model.model, model.data
+    if is_disabled(own, "ACTUATION"):
+        return
+    kind = "actuator"
     for number in range(own.nu):
-        name = model.name("actuator", number)
-        kind = "actuator"
+        name = model.name(kind, number)
         is_feedback = int(own.actuator_biastype[number]) != 0 or int(own.actuator_gaintype[number]) != 0
         if is_feedback:
             log.refuse(kind, name, "its force depends on position or speed, which has no counterpart")
@@ -109,6 +111,8 @@ def check_options(model: Model, log: Log) -> None:
     for flag in FLAGS:
         if is_disabled(own, flag):
             log.refuse("flag", flag.lower(), "is disabled; a scene has no such flag")
+    if own.opt.enableflags & int(model.mujoco.mjtEnableBit.mjENBL_OVERRIDE):
+        log.refuse("flag", "override", "is enabled, and replaces margin and softness of all contacts")
     for field in ("qfrc_applied", "xfrc_applied"):
         if np.any(getattr(data, field)):
             log.refuse("data", field, "applied forces are not translated")
