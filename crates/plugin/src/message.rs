@@ -91,8 +91,9 @@ impl Answer {
             }
         };
         let status = match word {
-            "solved" | "iteration_limit" if x.is_none() => {
-                return Err("its answer has no \"x\"".into());
+            "solved" if x.is_none() => return Err("its answer has no \"x\"".into()),
+            "iteration_limit" if x.is_none() => {
+                Status::NoAnswer { reason: "it reached its iteration limit and gives no x".into() }
             }
             "solved" => Status::Solved,
             "iteration_limit" => Status::IterationLimit,

@@ -121,7 +121,8 @@ fn what_a_plug_in_says_beside_x_is_heard() {
         says("stopped", r#"{"x": [0, 0], "status": "iteration_limit", "iterations": 12}"#);
     assert_eq!((stopped.status, stopped.iterations), (Status::IterationLimit, 12));
     let without = says("without", r#"{"status": "iteration_limit"}"#);
-    assert_eq!(without.status, Status::NoAnswer { reason: "its answer has no \"x\"".into() });
+    let reason = "it reached its iteration limit and gives no x".to_string();
+    assert_eq!(without.status, Status::NoAnswer { reason });
     let outside = says("outside", r#"{"status": "outside_class"}"#);
     assert!(matches!(outside.status, Status::OutsideClass { .. }));
     let none = says("none", r#"{"status": "infeasible", "vector": [0, -1]}"#);
