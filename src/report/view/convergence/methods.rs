@@ -4,7 +4,7 @@ use crate::number::{count, readable};
 use crate::plot::{Axis, Lines, Series};
 use crate::report::page::{Cell, Table};
 use crate::report::study::attempt::Outcome;
-use crate::report::study::convergence::methods::{Clock, Mark, Progress, Watched};
+use crate::report::study::convergence::methods::{Clock, Progress, Watched};
 use crate::report::view::attempt::{
     anchor, iterations_in_words, listed, outcome as outcome_cell, rough, tolerance,
 };
@@ -17,12 +17,10 @@ const LEAST: f64 = 1e-17;
 pub(super) fn show(problems: &[&Progress], document: &mut Document) {
     document.text(
         "Iterations of different methods have different costs: a Newton step solves a linear system, a sweep \
-         is one product with A. Therefore each problem is shown both by iteration and by multiplication, \
-         counted by the leading term of each method. The last section has the times. A pivoting method has no \
-         meaningful residual before it ends; a marker shows its end.",
+         is one product with A. Therefore the residual is shown by multiplication, counted by the leading \
+         term of each method; the last section has the times.",
     );
     for progress in problems {
-        document.figure(by_iteration(progress));
         document.figure(by_work(progress));
         document.table(&id(&progress.problem, "methods"), table(progress));
     }
@@ -73,11 +71,11 @@ fn id(problem: &str, what: &str) -> String {
 }
 
 /// The methods as curves, those with only a final mark as points; separated into solved and not.
-fn series(progress: &Progress, across: fn(&Mark) -> f64) -> Vec<Series> {
+fn series(progress: &Progress) -> Vec<Series> {
     let took_part = |method: &&Watched| method.outcome.is_attempt();
     let points = |method: &Watched| -> Vec<(f64, f64)> {
-        let points = method.marks.iter().map(|mark| (across(mark), mark.residual.max(LEAST)));
-        points.filter(|(across, _)| across.is_finite()).collect()
+        let points = method.marks.iter().map(|mark| (mark.work, mark.residual.max(LEAST)));
+        points.filter(|(work, _)| work.is_finite()).collect()
     };
     let series = |method: &Watched| curve(&method.solver, points(method));
     let series = progress.methods.iter().filter(took_part).map(series);
@@ -92,49 +90,59 @@ fn curve(solver: &str, points: Vec<(f64, f64)>) -> Series {
 }
 
 /// A line at the tolerance.
-fn asked(progress: &Progress, across: fn(&Mark) -> f64) -> Series {
-    let marks = progress.methods.iter().flat_map(|method| &method.marks).map(across);
+fn asked(progress: &Progress) -> Series {
+    let marks = progress.methods.iter().flat_map(|method| &method.marks).map(|mark| mark.work);
     let last = marks.fold(1.0, f64::max);
     let name = format!("tolerance: {}", tolerance(progress.tolerance));
     Series::reference(name, vec![(1e-3, progress.tolerance), (10.0 * last, progress.tolerance)])
 }
 
-fn by_iteration(progress: &Progress) -> Lines {
-    let across = |mark: &Mark| mark.iteration as f64;
-    let mut curves = series(progress, across);
-    curves.push(asked(progress, across));
-    Lines::new(
-        id(&progress.problem, "iterations"),
-        format!("{}: residual by iteration", progress.problem),
-        format!(
-            "{} rows; SOR uses ω = {}. Second-order methods converge within a few steps once they are near \
-             the solution. Sweeps remove the oscillating part of the error quickly and then slow down: the \
-             remaining error is smooth, and a row is coupled only to its neighbors.",
-            count(progress.rows),
-            readable(progress.omega, 3)
-        ),
-        Axis::log("iteration", ""),
-        Axis::log("scaled residual", ""),
-        curves,
-    )
-}
-
 fn by_work(progress: &Progress) -> Lines {
-    let across = |mark: &Mark| mark.work;
-    let mut curves = series(progress, across);
-    curves.push(asked(progress, across));
+    let mut curves = series(progress);
+    curves.push(asked(progress));
+    curves.extend(ten_sweeps(progress));
     Lines::new(
         id(&progress.problem, "work"),
-        format!("{}: residual by multiplication", progress.problem),
+        title(progress),
         format!(
-            "The same runs; a product with A takes {} multiplications, one for each stored entry. The \
-             cost of a method is where its curve crosses the tolerance.",
+            "{} rows; SOR uses ω = {}. A product with A takes {} multiplications, one for each stored entry. \
+             The cost of a method is where its curve crosses the tolerance; a pivoting method has one \
+             marker, at its end. Second-order methods converge within a few steps once they are near the \
+             solution. Sweeps remove the oscillating part of the error quickly and then slow down: the \
+             remaining error is smooth, and a row is coupled only to its neighbors.",
+            count(progress.rows),
+            readable(progress.omega, 3),
             count(progress.stored)
         ),
         Axis::log("multiplications", ""),
         Axis::log("scaled residual", ""),
         curves,
     )
+}
+
+/// The finding: the cheapest solver, and the cost of the dearest.
+fn title(progress: &Progress) -> String {
+    let cost = |method: &Watched| Some((method.marks.last()?.work, method.solver.clone()));
+    let solved = progress.methods.iter().filter(|method| method.outcome.is_solved());
+    let mut costs: Vec<(f64, String)> =
+        solved.filter_map(cost).filter(|(work, _)| work.is_finite()).collect();
+    costs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    match &costs[..] {
+        [(least, cheapest), .., (most, dearest)] => format!(
+            "{}: {cheapest} is cheapest, {dearest} costs {} times as much",
+            progress.problem,
+            rough(most / least)
+        ),
+        _ => format!("{}: residual by multiplication", progress.problem),
+    }
+}
+
+/// The cost of ten sweeps of PGS, a typical budget of an engine.
+fn ten_sweeps(progress: &Progress) -> Option<Series> {
+    let pgs = progress.methods.iter().find(|method| method.solver == "pgs")?;
+    let end = pgs.marks.last().filter(|end| end.iteration > 0)?;
+    let budget = 10.0 * end.work / end.iteration as f64;
+    Some(Series::reference("ten sweeps of pgs", vec![(budget, LEAST), (budget, 1e3)]))
 }
 
 pub(super) fn by_second(clock: &Clock) -> Lines {
