@@ -54,10 +54,18 @@ pub(super) fn answer(progress: &Progress) -> Option<String> {
         )
     };
     let best: Vec<String> = Group::ALL.into_iter().filter_map(first).map(cost).collect();
+    let cheaper = solved.first().zip(budget(progress)).filter(|(first, most)| work(first) < *most);
+    let cheaper = cheaper.map_or(String::new(), |(first, most)| {
+        format!(
+            " *{}* costs less than ten sweeps of *pgs* ({} multiplications), a typical engine budget.",
+            first.solver,
+            rough(most)
+        )
+    });
     (!best.is_empty()).then(|| {
         format!(
             "**Which solver for {}?** {} of {tried} solvers solve it to {}, and the judge accepts \
-             their answers. The cheapest of each kind: {}.",
+             their answers. The cheapest of each kind: {}.{cheaper}",
             progress.problem,
             solved.len(),
             tolerance(progress.tolerance),
@@ -138,10 +146,14 @@ fn title(progress: &Progress) -> String {
 }
 
 /// The cost of ten sweeps of PGS, a typical budget of an engine.
-fn ten_sweeps(progress: &Progress) -> Option<Series> {
+fn budget(progress: &Progress) -> Option<f64> {
     let pgs = progress.methods.iter().find(|method| method.solver == "pgs")?;
     let end = pgs.marks.last().filter(|end| end.iteration > 0)?;
-    let budget = 10.0 * end.work / end.iteration as f64;
+    Some(10.0 * end.work / end.iteration as f64)
+}
+
+fn ten_sweeps(progress: &Progress) -> Option<Series> {
+    let budget = budget(progress)?;
     Some(Series::reference("ten sweeps of pgs", vec![(budget, LEAST), (budget, 1e3)]))
 }
 
