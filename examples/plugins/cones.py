@@ -11,7 +11,7 @@ def on_disc(radius, t1, t2):
 
 
 def solve(A, b, lo, hi, contacts, tolerance, sweeps):
-    """x with |x_t| <= mu x_n in each contact (n, t1, t2, mu); None if it has not converged."""
+    """x with |x_t| <= mu x_n in each contact (n, t1, t2, mu), and whether it has converged."""
     x = [0.0] * len(b)
     tangents = {row for _, t1, t2, _ in contacts for row in (t1, t2)}
 
@@ -46,8 +46,8 @@ def solve(A, b, lo, hi, contacts, tolerance, sweeps):
         for n, t1, t2, mu in contacts:
             x[t1], x[t2] = friction(n, t1, t2, mu)[1]
         if sweep % 10 == 9 and residual() <= tolerance / 10:
-            return x
-    return None
+            return x, True
+    return x, False
 
 
 for line in sys.stdin:
@@ -59,7 +59,9 @@ for line in sys.stdin:
     if not rows or p.get("model") == "coulomb-cone":
         contacts = [(k, t1, t2, mu[t1]) for k, (t1, t2) in rows.items()]
         lo, hi = ([float(v) for v in p[key]] for key in ("lo", "hi"))
-        x = solve(p["A"]["dense"], p["b"], lo, hi, contacts, p["tolerance"], p["max_iterations"])
-        answer = {"x": x, "status": "solved"} if x else {"status": "iteration_limit"}
+        x, converged = solve(
+            p["A"]["dense"], p["b"], lo, hi, contacts, p["tolerance"], p["max_iterations"]
+        )
+        answer = {"x": x, "status": "solved" if converged else "iteration_limit"}
     # The first answer says which friction cones this program takes; without the key it would get boxes only.
     print(json.dumps({**answer, "models": ["coulomb-cone"]}), flush=True)

@@ -4,6 +4,7 @@ import sys
 
 
 def solve(A, b, lo, hi, index, mu, tolerance, sweeps):
+    """x, and whether it has converged."""
     x = [0.0] * len(b)
     for sweep in range(sweeps):
         for i in range(len(b)):
@@ -13,8 +14,8 @@ def solve(A, b, lo, hi, index, mu, tolerance, sweeps):
             w = sum(a * v for a, v in zip(A[i], x)) + b[i]
             x[i] = min(max(x[i] - w / A[i][i], lo[i]), hi[i])
         if sweep % 10 == 9 and residual(A, b, lo, hi, x) <= tolerance:
-            return x
-    return None  # no claim
+            return x, True
+    return x, False
 
 
 def residual(A, b, lo, hi, x):
@@ -31,8 +32,8 @@ for line in sys.stdin:
     p = json.loads(line)
     n = len(p["b"])
     lo, hi = ([float(v) for v in p[key]] for key in ("lo", "hi"))
-    x = solve(
+    x, converged = solve(
         p["A"]["dense"], p["b"], lo, hi, p.get("friction_index", [-1] * n), p.get("mu", [0.0] * n),
         p["tolerance"], p["max_iterations"],
     )
-    print(json.dumps({"x": x} if x else {"status": "iteration_limit"}), flush=True)
+    print(json.dumps({"x": x, "status": "solved" if converged else "iteration_limit"}), flush=True)
