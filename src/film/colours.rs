@@ -8,6 +8,8 @@ pub(super) const GROUND: Rgb = (238, 240, 243);
 /// Bodies in pictures of scenes: those that are fixed, point masses, and the others in turn.
 pub(super) const FIXED: Rgb = (206, 209, 214);
 pub(super) const POINT: Rgb = (0, 114, 178);
+/// The body that is much heavier than all others.
+pub(super) const HEAVY: Rgb = (96, 103, 117);
 const BODIES: [Rgb; 6] = [
     (124, 181, 222),
     (238, 180, 92),

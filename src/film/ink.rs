@@ -5,7 +5,7 @@ use std::fmt::Write;
 use nalgebra::Vector3;
 
 use super::clip::{Place, cut};
-use super::colours::{FIXED, GROUND, POINT, body_color, heated};
+use super::colours::{FIXED, GROUND, HEAVY, POINT, body_color, heated};
 use super::coverage::Coverage;
 use super::ground::Patch;
 use super::joint::Mark;
@@ -34,6 +34,9 @@ pub(super) const FACE: (f64, f64) = (0.70, 0.44);
 /// radii.
 pub(super) const LIT: [(f64, f64, f64); 3] =
     [(0.88, 0.0, 1.0), (0.96, 0.18, 0.78), (1.05, 0.36, 0.45)];
+
+/// A body with this many times the mass of every other one is dark.
+const OUTWEIGHS: f64 = 10.0;
 
 type Rgb = (u8, u8, u8);
 
@@ -345,9 +348,20 @@ fn look(bodies: &[Body], heat: &[f64], solid: &Solid) -> Rgb {
 pub(super) fn paint(bodies: &[Body], k: usize) -> Rgb {
     match &bodies[k] {
         body if body.mass == Mass::Fixed => FIXED,
+        _ if heaviest(bodies) == Some(k) => HEAVY,
         body if body.shape == Shape::Point => POINT,
         _ => body_color(k),
     }
+}
+
+/// The moving body with at least ten times the mass of every other one.
+pub(super) fn heaviest(bodies: &[Body]) -> Option<usize> {
+    let mass = |k: &usize| bodies[*k].mass.mass();
+    let moving = || (0..bodies.len()).filter(|k| bodies[*k].mass != Mass::Fixed);
+    let most = moving().max_by(|a, b| mass(a).total_cmp(&mass(b)))?;
+    let mut others = moving().filter(|k| *k != most).peekable();
+    others.peek()?;
+    others.all(|k| mass(&most) >= OUTWEIGHS * mass(&k)).then_some(most)
 }
 
 /// A color made darker or brighter, clipped at white.

@@ -9,7 +9,7 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use super::study::{self, Study};
-use super::view::{Document, Outcome, View};
+use super::view::{Document, Headline, Outcome, View};
 use crate::error::{Defects, Error, Result};
 use crate::scene::source::Source;
 
@@ -128,11 +128,11 @@ pub trait AnyStudy: Send + Sync {
     /// If it is not of this kind.
     fn show_times(&self, times: &[Value], document: &mut Document) -> Result<()>;
 
-    /// The answer for the top of the page, if the study has one.
+    /// What it adds to the top of the page.
     ///
     /// # Errors
     /// If the findings are not of this kind.
-    fn answer(&self, findings: &[Value]) -> Result<Option<String>>;
+    fn headline(&self, findings: &[Value]) -> Result<Headline>;
 
     /// Whether everything came out as it should.
     ///
@@ -184,8 +184,8 @@ impl<S: View> AnyStudy for S {
         Ok(())
     }
 
-    fn answer(&self, findings: &[Value]) -> Result<Option<String>> {
-        Ok(View::answer(self, &read::<S, _>(findings)?))
+    fn headline(&self, findings: &[Value]) -> Result<Headline> {
+        Ok(View::headline(self, &read::<S, _>(findings)?))
     }
 
     fn outcome(&self, findings: &[Value]) -> Result<Outcome> {

@@ -20,6 +20,11 @@ pub trait Figure {
     /// The picture as a complete SVG document without fonts, scripts or references to other files.
     fn svg(&self) -> String;
 
+    /// The same picture for narrow screens, with a text size that can be read there, if it has one.
+    fn narrow(&self) -> Option<String> {
+        None
+    }
+
     /// Every number in the picture (RFC 4180), with names and units in the first line.
     fn csv(&self) -> String;
 }

@@ -7,12 +7,14 @@ use nalgebra::Vector3;
 use super::Film;
 use crate::film::Camera;
 use crate::film::arrow;
+use crate::film::colours::HEAVY;
 use crate::film::extent::Landmark;
 use crate::film::frame::Origin;
 use crate::film::ground::{self, Patch};
-use crate::film::ink::Ink;
+use crate::film::ink::{Ink, heaviest};
 use crate::film::layout::{Layout, Lens};
 use crate::number::readable;
+use crate::plot::canvas::hex;
 use crate::plot::round_step;
 use crate::plot::style::{WIDTH, width};
 
@@ -22,6 +24,8 @@ const HEIGHT: (f64, f64) = (250.0, 420.0);
 const GAP: f64 = 10.0;
 /// The space below the motion for the scales, in px.
 const FOOT: f64 = 22.0;
+/// The space for the mass of the dark body, above the scales, in px.
+const LINE: f64 = 17.0;
 /// Size of the scales' text in px.
 const SMALL: f64 = 11.0;
 /// The minimum length of the scale bar, as a fraction of the width.
@@ -42,6 +46,8 @@ pub(super) struct Stage {
     origins: Vec<Origin>,
     /// The force (N) whose arrow has the standard length.
     usual: f64,
+    /// The mass (kg) of the dark body, if one outweighs all others.
+    heaviest: Option<f64>,
 }
 
 impl Stage {
@@ -53,7 +59,12 @@ impl Stage {
         let columns = film.columns() as f64;
         let across = ((WIDTH - (columns - 1.0) * GAP) / columns).round();
         let highest = (0.75 * across).clamp(HEIGHT.0, HEIGHT.1);
-        let lens = Layout::single(&window, across, highest).lens(camera, &window).with_foot(FOOT);
+        let is_heated =
+            film.takes.iter().flat_map(|take| &take.shots).any(|shot| !shot.frame.heat.is_empty());
+        let heaviest = heaviest(&film.scene.bodies).filter(|_| !is_heated);
+        let heaviest = heaviest.map(|k| film.scene.bodies[k].mass.mass());
+        let foot = FOOT + if heaviest.is_some() { LINE } else { 0.0 };
+        let lens = Layout::single(&window, across, highest).lens(camera, &window).with_foot(foot);
         let (x, y) = lens.middle();
         let pivot = camera.world(&Vector3::new(x, y, depth));
         let shots = || film.takes.iter().flat_map(|take| &take.shots);
@@ -66,7 +77,7 @@ impl Stage {
         };
         let origins = Origin::ALL.into_iter().filter(acts).collect();
         let newton = (usual > 0.0).then(|| arrow::scale(usual, &lens));
-        Stage { lens, newton, patches, pivot, origins, usual }
+        Stage { lens, newton, patches, pivot, origins, usual, heaviest }
     }
 
     /// The ground and the scales, in px.
@@ -82,7 +93,8 @@ impl Stage {
         )
     }
 
-    /// A bar of a round length, and an arrow of a round force for each origin.
+    /// A bar of a round length, the mass of the dark body, and an arrow of a round force for each
+    /// origin.
     fn scales(&self) -> String {
         let y = self.lens.height - 11.0;
         let metres = round_step(BAR * self.lens.width / self.lens.scale);
@@ -95,6 +107,16 @@ impl Stage {
             length + 15.0,
             y + 4.0
         );
+        if let Some(mass) = self.heaviest {
+            let (words, color, y) = (format!("{} kg", readable(mass, 2)), hex(HEAVY), y - LINE);
+            let _ = write!(
+                out,
+                "<path style=\"fill:{color};stroke:none\" d=\"M10 {:.1}h10v10h-10z\"/>\
+                 <text x=\"25\" y=\"{:.1}\">{words}</text>",
+                y - 5.0,
+                y + 4.0
+            );
+        }
         let Some(newton) = self.newton else { return out };
         let mut x = length + 15.0 + width(&label, SMALL) + 16.0;
         let force = round_step(0.35 * self.usual);

@@ -112,7 +112,7 @@ impl Source {
                     format!("{family}, {}", values.join(", "))
                 }
             }
-            Source::Stack(Loaded { boxes, ratio }) => format!("{boxes} boxes, ratio {ratio}"),
+            Source::Stack(Loaded { boxes, ratio }) => format!("{boxes} boxes, mass ratio {ratio}"),
         }
     }
 

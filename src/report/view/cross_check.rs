@@ -1,6 +1,6 @@
 //! Our answers compared with two independent ones.
 
-use super::{Document, Outcome, View};
+use super::{Document, Headline, Outcome, View};
 use crate::certificate::cross_check::max_difference;
 use crate::number::significant;
 use crate::report::page::{Cell, Mark, Table};
@@ -41,6 +41,13 @@ impl View for Plan {
             );
             document.table("wrenches", wrenches(checks));
         }
+    }
+
+    fn headline(&self, findings: &[Vec<CrossCheck>]) -> Headline {
+        let apart = findings.iter().flatten().map(|check| check.u_difference).fold(0.0, f64::max);
+        let value = significant(apart, 1);
+        let label = "largest difference to clarabel's motion (m/s)".into();
+        Headline { result: Some([value, label]), ..Headline::default() }
     }
 
     fn outcome(&self, findings: &[Vec<CrossCheck>]) -> Outcome {

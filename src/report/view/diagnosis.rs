@@ -82,7 +82,12 @@ fn pictures(
 }
 
 fn drawn(figure: &dyn Figure) -> Picture {
-    Picture { svg: figure.svg(), caption: figure.caption().into(), ..Picture::default() }
+    Picture {
+        svg: figure.svg(),
+        narrow: figure.narrow(),
+        caption: figure.caption().into(),
+        ..Picture::default()
+    }
 }
 
 /// The scene as it is solved next to the exact one; bodies with an error are red.

@@ -1,7 +1,7 @@
 //! The diagnosis of a user's own problems.
 
 use super::diagnosis::convergence;
-use super::{Document, Outcome, View};
+use super::{Document, Headline, Outcome, View};
 use crate::report::page::markup::literal;
 use crate::report::study::frames::{Finding, Plan};
 
@@ -20,13 +20,12 @@ impl View for Plan {
         }
     }
 
-    fn answer(&self, found: &[Finding]) -> Option<String> {
-        let Finding { words, .. } = found.first()?;
-        let who = format!(
-            "**What error does {} leave after {} iterations?**",
-            self.solver, self.max_iterations
-        );
-        Some(format!("{who} {}", literal(words.lead.trim())))
+    fn headline(&self, found: &[Finding]) -> Headline {
+        let (solver, limit) = (&self.solver, self.max_iterations);
+        Headline::of(found.first().map(|Finding { words, .. }| {
+            let answer = literal(words.lead.trim());
+            format!("**What error does {solver} leave after {limit} iterations?** {answer}")
+        }))
     }
 
     fn outcome(&self, found: &[Finding]) -> Outcome {

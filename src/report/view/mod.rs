@@ -36,7 +36,7 @@ pub use verification::table as verification_table;
 use serde_json::Value;
 
 use super::experiment::{Experiment, Fold, SHIPPED};
-use super::page::{self, Block, Cell, Mark, Origin, Page, Picture, Section, Table};
+use super::page::{self, Block, Cell, Mark, Origin, Page, Picture, Section, Table, Tile};
 use super::results::{Part, Results, Task};
 use super::study::Study;
 use crate::error::Result;
@@ -72,14 +72,32 @@ pub trait View: Study {
     /// Adds the machine-dependent data to the section of times.
     fn show_times(&self, _times: &[Self::Times], _document: &mut Document) {}
 
-    /// The answer to the study's question, in one or two sentences for the top of the page.
-    fn answer(&self, _findings: &[Self::Finding]) -> Option<String> {
-        None
+    /// What it adds to the top of the page.
+    fn headline(&self, _findings: &[Self::Finding]) -> Headline {
+        Headline::default()
     }
 
     /// Whether everything came out as it should, by the measurements; [`Outcome::undecided`] only
     /// for the kinds that [`UNDECIDED`](super::kind::UNDECIDED) lists.
     fn outcome(&self, findings: &[Self::Finding]) -> Outcome;
+}
+
+/// What a study adds to the top of the page.
+#[derive(Default)]
+pub struct Headline {
+    /// The answer to the study's question, in one or two sentences.
+    pub answer: Option<String>,
+    /// The main figure, if it has one.
+    pub figure: Option<Box<dyn Figure>>,
+    /// The result of its checks, as a number and what it counts.
+    pub result: Option<[String; 2]>,
+}
+
+impl Headline {
+    /// An answer alone.
+    fn of(answer: Option<String>) -> Self {
+        Headline { answer, ..Headline::default() }
+    }
 }
 
 /// The outcome of a study.
@@ -103,15 +121,10 @@ impl Outcome {
 /// # Errors
 /// If a finding does not have the format of this version.
 pub fn document(results: &Results) -> Result<Document> {
-    let page = Page {
-        title: results.title.clone(),
-        lead: results.lead.clone(),
-        facts: facts(results),
-        ..Page::default()
-    };
+    let page = Page { title: results.title.clone(), facts: facts(results), ..Page::default() };
     let mut document = Document { page, figures: Vec::new(), tables: Vec::new() };
     let experiment = Experiment::of(results)?;
-    let mut answers: Vec<String> = Vec::new();
+    let mut top = Top::default();
     for (section, part) in experiment.sections.iter().zip(&results.sections) {
         let first = document.page.sections.len();
         document.open(&part.id, &part.title);
@@ -124,7 +137,9 @@ pub fn document(results: &Results) -> Result<Document> {
         }
         let open = document.page.sections[first].blocks.len();
         if let Some(study) = &section.study {
-            answers.extend(study.answer(&findings)?);
+            let good =
+                study.outcome(&findings)?.good && part.tasks.iter().all(|t| t.failure.is_none());
+            top.add(study.headline(&findings)?, &part.id, good);
             study.show(&findings, &mut document)?;
             failures(&mut document, part);
             let origin = origin(results, part);
@@ -151,19 +166,41 @@ pub fn document(results: &Results) -> Result<Document> {
         times(&mut document, &experiment, results)?;
     }
     document.page.sections.retain(|section| !section.blocks.is_empty());
-    document.page.lead =
-        format!("{}\n\n{}", paragraphs(&answers), document.page.lead).trim().into();
+    top.put(&results.lead, &mut document);
     Ok(document)
 }
 
-/// Sentences as paragraphs; each question begins a new one.
-fn paragraphs(sentences: &[String]) -> String {
-    let mut text = String::new();
-    for sentence in sentences {
-        let gap = if sentence.starts_with("**") { "\n\n" } else { " " };
-        text += &format!("{gap}{sentence}");
+/// The top of the page: the first answer, the main figures, the results of the checks, and then the
+/// other answers.
+#[derive(Default)]
+struct Top {
+    answers: Vec<String>,
+    figures: Vec<Box<dyn Figure>>,
+    tiles: Vec<Tile>,
+}
+
+impl Top {
+    fn add(&mut self, headline: Headline, section: &str, good: bool) {
+        self.answers.extend(headline.answer);
+        self.figures.extend(headline.figure);
+        let tile =
+            |[value, label]: [String; 2]| Tile { value, label, section: section.into(), good };
+        self.tiles.extend(headline.result.map(tile));
     }
-    text.trim().to_string()
+
+    fn put(self, lead: &str, document: &mut Document) {
+        let lead = Some(lead.trim().to_string()).filter(|lead| !lead.is_empty());
+        let mut texts = self.answers.into_iter().chain(lead);
+        document.page.lead = texts.next().unwrap_or_default();
+        for figure in self.figures {
+            document.page.opening.push(Block::Figure(Picture::of(&*figure, FILES)));
+            document.figures.push(figure);
+        }
+        if !self.tiles.is_empty() {
+            document.page.opening.push(Block::Tiles(self.tiles));
+        }
+        document.page.opening.extend(texts.map(Block::Text));
+    }
 }
 
 /// How to reproduce a section's findings.

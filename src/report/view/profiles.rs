@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::attempt::{listed, tolerance};
-use super::{Document, Outcome as Verdict, View};
+use super::{Document, Headline, Outcome as Verdict, View};
 use crate::plot::Axis;
 use crate::plot::profile::{Curve, Group as Line, Profiles};
 use crate::report::page::{Cell, Column, Mark, Table};
@@ -61,6 +61,25 @@ impl View for Plan {
         }
     }
 
+    fn headline(&self, tried: &[Tried]) -> Headline {
+        Headline::of(self.answer(tried))
+    }
+
+    fn outcome(&self, tried: &[Tried]) -> Verdict {
+        let all = |of| count(tried, None, None, of);
+        let refuted = all(|attempt| attempt.outcome == Outcome::Refuted);
+        let says = format!(
+            "{} attempts: {} reported as solved, {} answers accepted by the judge, {refuted} false claims",
+            all(|attempt| attempt.outcome.is_attempt()),
+            all(|attempt| attempt.outcome.is_claim()),
+            all(|attempt| attempt.outcome.is_solved()),
+        );
+        Verdict { good: refuted == 0, says }
+    }
+}
+
+impl Plan {
+    /// The solvers that solve most problems.
     fn answer(&self, tried: &[Tried]) -> Option<String> {
         let last = self.tolerances.len().checked_sub(1)?;
         let (solvers, costs) = (solvers(tried), costs(tried, last, multiplications));
@@ -96,20 +115,6 @@ impl View for Plan {
         ))
     }
 
-    fn outcome(&self, tried: &[Tried]) -> Verdict {
-        let all = |of| count(tried, None, None, of);
-        let refuted = all(|attempt| attempt.outcome == Outcome::Refuted);
-        let says = format!(
-            "{} attempts: {} reported as solved, {} answers accepted by the judge, {refuted} false claims",
-            all(|attempt| attempt.outcome.is_attempt()),
-            all(|attempt| attempt.outcome.is_claim()),
-            all(|attempt| attempt.outcome.is_solved()),
-        );
-        Verdict { good: refuted == 0, says }
-    }
-}
-
-impl Plan {
     /// By multiplications: for all problems at each tolerance, and at the last one for those that a
     /// solver attempted.
     fn by_work(&self, tried: &[Tried], solvers: &[String]) -> Profiles {

@@ -1,6 +1,6 @@
 //! The friction models on a block that is pushed from all sides, and on a rod.
 
-use super::{Document, Outcome, View};
+use super::{Document, Headline, Outcome, View};
 use crate::number::readable;
 use crate::plot::{Axis, Lines, Series};
 use crate::report::page::{Cell, Mark, Table};
@@ -76,14 +76,18 @@ impl View for Plan {
         }
     }
 
-    fn answer(&self, findings: &[Finding]) -> Option<String> {
-        let study = findings.first()?;
-        let said: Vec<String> = SHOWN.iter().filter_map(|model| bias(study, *model)).collect();
-        Some(format!(
-            "**What is the error of a friction model?** Strength of friction relative to Coulomb's limit, and \
-             deviation of its direction, for a block that is pushed in directions a few degrees apart: {}.",
-            said.join("; ")
-        ))
+    fn headline(&self, findings: &[Finding]) -> Headline {
+        let said = |study: &Finding| -> Vec<String> {
+            SHOWN.iter().filter_map(|model| bias(study, *model)).collect()
+        };
+        Headline::of(findings.first().map(|study| {
+            format!(
+                "**What is the error of a friction model?** Strength of friction relative to Coulomb's limit, \
+                 and deviation of its direction, for a block that is pushed in directions a few degrees \
+                 apart: {}.",
+                said(study).join("; ")
+            )
+        }))
     }
 
     fn outcome(&self, findings: &[Finding]) -> Outcome {

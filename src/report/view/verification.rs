@@ -1,6 +1,6 @@
 //! Closed forms compared with measured numbers.
 
-use super::{Document, Outcome, View};
+use super::{Document, Headline, Outcome, View};
 use crate::number::{significant, tabular};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::verification::{Criterion, ORDER_SLACK, Plan, Row};
@@ -26,9 +26,12 @@ impl View for Plan {
         document.text(tolerances(rows));
     }
 
-    fn answer(&self, findings: &[Vec<Row>]) -> Option<String> {
-        let says = self.outcome(findings).says;
-        Some(format!("**Are the results correct?** {says}."))
+    fn headline(&self, findings: &[Vec<Row>]) -> Headline {
+        let rows = || findings.iter().flatten();
+        let passed = rows().filter(|row| row.passes()).count();
+        let value = format!("{passed} of {}", rows().count());
+        let label = "numbers agree with their closed forms".into();
+        Headline { result: Some([value, label]), ..Headline::default() }
     }
 
     fn outcome(&self, findings: &[Vec<Row>]) -> Outcome {

@@ -343,7 +343,7 @@ fn the_page_has_a_row_a_phenomenon_and_a_column_an_engine_and_every_miss_is_a_nu
             assert_eq!(cell.value.is_some(), missed, "{}: {}", phenomenon.name, column.title);
         }
     }
-    let answer = plan.answer(&[record]).unwrap();
+    let answer = plan.headline(&[record]).answer.unwrap();
     for use_ in [
         "A gripper",
         "A tower",

@@ -73,13 +73,17 @@ fn the_results_are_the_same_every_time_but_for_the_clock() {
 }
 
 #[test]
-fn the_answer_names_the_cheapest_method_of_each_kind() {
+fn the_top_of_the_page_names_the_cheapest_method_and_shows_the_cost_of_each() {
     let document = view::document(&small()).unwrap();
     let page = document.page.render().unwrap();
-    let from = page.find("Which solver for 2 boxes, ratio 3?").unwrap();
+    let from = page.find("Which solver for 2 boxes, mass ratio 3?").unwrap();
     let words = &page[from..from + page[from..].find("</p>").unwrap()];
-    assert!(words.contains("<em>dantzig</em> with"), "{words}");
-    assert!(words.contains("4 of 4 solvers solve it"), "{words}");
+    assert!(words.contains("<em>dantzig</em> is the cheapest"), "{words}");
+    assert!(words.contains("4 of 4 solvers reach"), "{words}");
+    let costs = document.figures.iter().find(|own| own.id().ends_with("_costs")).unwrap().csv();
+    let names: Vec<&str> =
+        costs.lines().skip(1).map(|line| line.split(',').next().unwrap()).collect();
+    assert_eq!((names[0], names.len()), ("dantzig", 5), "{costs}"); // 4 solvers, and ten sweeps of pgs
 }
 
 /// Three problems and three solvers, worked out by hand:

@@ -18,6 +18,7 @@ pub(super) fn written(document: &Document) -> Result<String> {
         lead: literal(&document.lead),
         sections: document.sections.iter().enumerate().map(section).collect(),
         facts: vec![("lcplab".into(), env!("CARGO_PKG_VERSION").into())],
+        ..Page::default()
     };
     page.render()
 }

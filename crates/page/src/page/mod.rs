@@ -39,6 +39,8 @@ pub struct Page {
     pub title: String,
     /// The content and conclusions of the page, in a few sentences.
     pub lead: String,
+    /// What follows the lead before the first section, such as the main figure and [tiles](Tile).
+    pub opening: Vec<Block>,
     /// The numbered sections.
     pub sections: Vec<Section>,
     /// Facts about the run for the page's footer: names and values.
@@ -102,6 +104,8 @@ pub enum Block {
     },
     /// A picture.
     Figure(Picture),
+    /// The main results side by side.
+    Tiles(Vec<Tile>),
     /// An animation of a scene.
     Player(Box<Player>),
     /// A table.
@@ -142,6 +146,19 @@ pub enum Block {
     Proof(Proof),
 }
 
+/// A result in large type, with a link to its section.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Tile {
+    /// The number, such as `316 of 316`.
+    pub value: String,
+    /// What it counts, in a few words.
+    pub label: String,
+    /// The id of the section.
+    pub section: String,
+    /// Whether it is as it should be.
+    pub good: bool,
+}
+
 /// A live page embedded in another page.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Live {
@@ -172,6 +189,9 @@ pub struct Proof {
 pub struct Picture {
     /// An SVG document, put on the page unchanged.
     pub svg: String,
+    /// The same picture for narrow screens.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub narrow: Option<String>,
     /// The finding that it shows.
     pub caption: String,
     /// Files with its data: the name of each link and its address, relative to the page.
@@ -186,6 +206,7 @@ impl Picture {
         let file = |kind: &str| format!("{directory}/{}.{kind}", plot.id());
         Picture {
             svg: plot.svg(),
+            narrow: plot.narrow(),
             caption: plot.words().into(),
             files: vec![("data (CSV)".into(), file("csv")), ("picture (SVG)".into(), file("svg"))],
             origin: None,

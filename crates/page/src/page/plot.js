@@ -170,5 +170,15 @@
     svg.setAttribute("aria-describedby", words_of.id);
     title.remove();
   };
-  for (const svg of document.querySelectorAll("figure.plot svg")) if (svg.querySelector("[data-points]")) enliven(svg);
+  // Of a wide and a narrow picture one is on the page; the other is prepared when it is shown.
+  const waiting = new Set([...document.querySelectorAll("figure.plot svg")].filter((svg) => svg.querySelector("[data-points]")));
+  const prepare = () => {
+    for (const svg of waiting) {
+      if (getComputedStyle(svg.parentElement).display === "none") continue;
+      waiting.delete(svg);
+      enliven(svg);
+    }
+  };
+  prepare();
+  addEventListener("resize", prepare);
 }

@@ -6,7 +6,7 @@ use sha2::{Digest, Sha256};
 use super::code::code;
 use super::markup::Renderer;
 use super::player::{self, Player};
-use super::{Align, Block, Cell, Column, Live, Mark, Page, Picture, Proof, Section, Table};
+use super::{Align, Block, Cell, Column, Live, Mark, Page, Picture, Proof, Section, Table, Tile};
 use crate::escape::html;
 use lcplab_problem::disk;
 use lcplab_problem::error::{Defects, Error, Result};
@@ -30,6 +30,7 @@ const WIDE: usize = 9;
 struct Document<'a> {
     page: &'a Page,
     lead: String,
+    opening: Vec<String>,
     /// Each section, and its blocks as HTML.
     sections: Vec<(&'a Section, Vec<String>)>,
     font: String,
@@ -117,6 +118,7 @@ impl Page {
     pub fn render(&self) -> Result<String> {
         let mut writer = Writer::default();
         let lead = writer.checked("lead", |markup| markup.blocks(&self.lead));
+        let opening = self.opening.iter().map(|block| writer.block("opening", block)).collect();
         let sections = self.sections.iter().enumerate();
         let sections = sections.map(|(k, section)| (section, writer.section(k, section))).collect();
         let only = |used, part: &'static str| if used { part } else { "" };
@@ -138,6 +140,7 @@ impl Page {
         finished(&Document {
             page: self,
             lead,
+            opening,
             sections,
             font: base64(FONT),
             style: [
@@ -251,6 +254,7 @@ impl Writer {
             }
             Block::Live(live) => self.live(place, live),
             Block::Figure(figure) => self.figure(place, figure),
+            Block::Tiles(list) => tiles(list),
             Block::Player(player) => self.player(place, player),
             Block::Table(table) => self.table(place, table),
         }
@@ -317,6 +321,20 @@ impl Writer {
             String::new()
         })
     }
+}
+
+fn tiles(list: &[Tile]) -> String {
+    let tile = |tile: &Tile| {
+        let Tile { value, label, section, good } = tile;
+        let class = if *good { "good" } else { "bad" };
+        format!(
+            "<li><a href=\"#{}\"><b class=\"{class}\">{}</b> {}</a></li>\n",
+            html(section),
+            html(value),
+            html(label)
+        )
+    };
+    format!("<ul class=\"tiles\">\n{}</ul>\n", list.iter().map(tile).collect::<String>())
 }
 
 impl TableView<'_> {

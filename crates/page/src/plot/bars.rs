@@ -11,9 +11,15 @@ use crate::figure::Figure;
 use crate::number::readable;
 
 /// Height of a bar and distance between the tops of two bars in px.
-const THICKNESS: f64 = 18.0;
-const PITCH: f64 = 30.0;
+const THICKNESS: f64 = 16.0;
+const PITCH: f64 = 24.0;
 const TOP: f64 = 46.0;
+/// The space above the bars for the name of the limit in px.
+const LABEL: f64 = 16.0;
+/// The space right of the bars for their values in px.
+const NUMBERS: f64 = 82.0;
+/// The width for a tick in px.
+const TICK: f64 = 110.0;
 
 /// A horizontal bar chart, in the given order.
 #[derive(Debug, Clone)]
@@ -28,6 +34,8 @@ pub struct Bars {
     pub x: Axis,
     /// From top to bottom.
     pub bars: Vec<Bar>,
+    /// A value to compare them with, drawn as a vertical line, and its name.
+    pub limit: Option<(f64, String)>,
 }
 
 /// A named value.
@@ -42,7 +50,9 @@ pub struct Bar {
 impl Bars {
     fn range(&self) -> (f64, f64) {
         let scale = self.x.scale;
-        let positions = self.bars.iter().filter_map(|bar| scale.position(bar.value));
+        let limit = self.limit.iter().map(|(value, _)| *value);
+        let values = self.bars.iter().map(|bar| bar.value).chain(limit);
+        let positions = values.filter_map(|value| scale.position(value));
         match scale {
             Scale::Linear => scale.range(positions.chain([0.0])).unwrap_or((0.0, 1.0)),
             // Bars on a logarithmic axis start a decade below the smallest.
@@ -53,30 +63,22 @@ impl Bars {
     }
 }
 
-impl Figure for Bars {
-    fn id(&self) -> &str {
-        &self.id
-    }
-
-    fn title(&self) -> &str {
-        &self.title
-    }
-
-    fn caption(&self) -> &str {
-        &self.caption
-    }
-
-    fn svg(&self) -> String {
+impl Bars {
+    /// The picture in this width (px).
+    fn drawn(&self, wide: f64, id: &str) -> String {
         let longest =
             self.bars.iter().map(|bar| style::width(&bar.name, TEXT)).fold(40.0, f64::max);
         let left = style::EDGE + 12.0 + longest.min(260.0);
-        let bottom = TOP + PITCH * self.bars.len().max(1) as f64;
+        let tall = PITCH * self.bars.len().max(1) as f64;
+        let head = if self.limit.is_some() { TOP + LABEL } else { TOP };
+        let (mut canvas, lower) = Canvas::headed(wide, head + tall + 58.0, &self.title);
+        let top = head + lower;
+        let bottom = top + tall;
         let x = self.range();
-        let frame = Frame { x, y: (0.0, 1.0), left, right: style::WIDTH - 90.0, top: TOP, bottom };
-        let ticks = self.x.scale.ticks(x, 6);
+        let frame = Frame { x, y: (0.0, 1.0), left, right: wide - NUMBERS, top, bottom };
+        let ticks = self.x.scale.ticks(x, (wide / TICK) as usize);
         let start = if self.x.scale == Scale::Linear { 0.0 } else { x.0 };
 
-        let mut canvas = Canvas::titled(bottom + 58.0, &self.title);
         canvas.layer("class=\"grid\"", |layer| {
             let plane = frame.plane(layer);
             ticks.iter().map(|tick| (tick.at, GRID)).chain([(start, FAINT_INK)]).try_for_each(
@@ -88,7 +90,7 @@ impl Figure for Bars {
         let mut description = format!("{}: ", self.x.heading());
         canvas.raw(&points::panel(&frame, &self.x, None));
         for (k, bar) in self.bars.iter().enumerate() {
-            let middle = TOP + PITCH * (k as f64 + 0.5);
+            let middle = top + PITCH * (k as f64 + 0.5);
             let (from, _) = frame.place((start, 0.0));
             let end = self.x.scale.position(bar.value).map(|at| frame.place((at, 0.0)).0);
             let to = end.unwrap_or(from);
@@ -110,18 +112,51 @@ impl Figure for Bars {
             canvas.raw("</g>\n");
             let amount = readable(bar.value, 3);
             canvas.text((left - 10.0, middle + 5.0), Anchor::End, TEXT, INK, &bar.name);
-            let beside = (from.max(to) + 8.0, middle + 5.0);
-            canvas.text(beside, Anchor::Start, TEXT, FAINT_INK, &amount);
+            let last = (wide - style::EDGE, middle + 5.0);
+            canvas.text(last, Anchor::End, TEXT, FAINT_INK, &amount);
             description += &format!("{} {amount}; ", bar.name);
         }
         canvas.raw("</g>\n");
+        if let Some((value, name)) = &self.limit
+            && let Some(at) = self.x.scale.position(*value)
+        {
+            canvas.layer("class=\"limit\"", |layer| {
+                let line = PathElement::new([(at, 0.0), (at, 1.0)], stroke(INK, 1.5));
+                frame.plane(layer).draw(&line)
+            });
+            let (x, _) = frame.place((at, 0.0));
+            canvas.text((x, top - 6.0), Anchor::Middle, TEXT, INK, name);
+            description += &format!("{name} {}; ", readable(*value, 3));
+        }
         for tick in &ticks {
             let (x, _) = frame.place((tick.at, 0.0));
             canvas.text((x, bottom + 19.0), Anchor::Middle, TEXT, FAINT_INK, &tick.label);
         }
         let middle = (frame.left + frame.right) / 2.0;
         canvas.text((middle, bottom + 42.0), Anchor::Middle, TEXT, INK, &self.x.heading());
-        canvas.finish(&self.id, &self.title, description.trim_end_matches("; "))
+        canvas.finish(id, &self.title, description.trim_end_matches("; "))
+    }
+}
+
+impl Figure for Bars {
+    fn id(&self) -> &str {
+        &self.id
+    }
+
+    fn title(&self) -> &str {
+        &self.title
+    }
+
+    fn caption(&self) -> &str {
+        &self.caption
+    }
+
+    fn svg(&self) -> String {
+        self.drawn(style::WIDTH, &self.id)
+    }
+
+    fn narrow(&self) -> Option<String> {
+        Some(self.drawn(style::NARROW, &format!("{}-narrow", self.id)))
     }
 
     fn csv(&self) -> String {
@@ -129,6 +164,9 @@ impl Figure for Bars {
         csv::record(&mut out, ["name", &self.x.heading()]);
         for bar in &self.bars {
             csv::record(&mut out, [bar.name.as_str(), &csv::number(bar.value)]);
+        }
+        if let Some((value, name)) = &self.limit {
+            csv::record(&mut out, [name.as_str(), &csv::number(*value)]);
         }
         out
     }

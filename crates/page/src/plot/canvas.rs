@@ -16,6 +16,10 @@ use crate::escape::html;
 
 /// The number of drawing units per px.
 const FINE: f64 = 10.0;
+/// The width of bold text relative to that of normal text.
+const BOLD: f64 = 1.1;
+/// The height of a line of the title in px.
+const LINE: f64 = 22.0;
 
 /// The drawing area of plotters.
 pub type Layer<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -64,6 +68,7 @@ impl Frame {
 
 /// An SVG document under construction.
 pub struct Canvas {
+    width: f64,
     height: f64,
     body: String,
 }
@@ -71,8 +76,12 @@ pub struct Canvas {
 impl Canvas {
     /// A canvas of the usual width and this height (px).
     pub fn new(height: f64) -> Self {
-        let mut canvas = Canvas { height, body: String::new() };
-        let corner = (fine(WIDTH), fine(height));
+        Canvas::sized(WIDTH, height)
+    }
+
+    fn sized(width: f64, height: f64) -> Self {
+        let mut canvas = Canvas { width, height, body: String::new() };
+        let corner = (fine(width), fine(height));
         canvas.layer("class=\"paper\"", |layer| {
             layer.draw(&Rectangle::new([(0, 0), corner], PAPER.filled()))
         });
@@ -86,6 +95,19 @@ impl Canvas {
         canvas
     }
 
+    /// A canvas of this width, with a title in as many lines as it needs; `height` is that below
+    /// the first line. Returns the height (px) of its other lines, too.
+    pub(super) fn headed(width: f64, height: f64, title: &str) -> (Self, f64) {
+        let lines = style::wrapped(title, style::TITLE * BOLD, width - 2.0 * style::EDGE);
+        let more = LINE * lines.len().saturating_sub(1) as f64;
+        let mut canvas = Canvas::sized(width, height + more);
+        for (k, line) in lines.iter().enumerate() {
+            let at = (style::EDGE, 28.0 + LINE * k as f64);
+            canvas.text(at, Anchor::Start, style::TITLE, style::INK, line);
+        }
+        (canvas, more)
+    }
+
     /// Draws a layer into a group with these attributes.
     pub fn layer<T, E: std::fmt::Debug>(
         &mut self,
@@ -93,7 +115,7 @@ impl Canvas {
         draw: impl FnOnce(&Layer) -> Result<T, E>,
     ) {
         let mut document = String::new();
-        let size = (fine(WIDTH) as u32, fine(self.height) as u32);
+        let size = (fine(self.width) as u32, fine(self.height) as u32);
         let layer = SVGBackend::with_string(&mut document, size).into_drawing_area();
         draw(&layer).expect("a string takes all that is written to it");
         drop(layer);
@@ -135,10 +157,11 @@ impl Canvas {
         let title = if title.is_empty() { description } else { title };
         let (id, title, description) = (escape(id), escape(title), escape(description));
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{height}\" \
-             viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" aria-labelledby=\"{id}-title {id}-desc\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+             viewBox=\"0 0 {width} {height}\" role=\"img\" aria-labelledby=\"{id}-title {id}-desc\" \
              font-family=\"{FONTS}\">\n<title id=\"{id}-title\">{title}</title>\n\
              <desc id=\"{id}-desc\">{description}</desc>\n{body}</svg>\n",
+            width = self.width,
             height = self.height,
             body = self.body
         )

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use plotters::prelude::*;
 
 use super::canvas::{Anchor, Canvas, dashes, escape, fine, stroke};
-use super::line::{Lines, Look, RIGHT, ROW};
+use super::line::{Lines, Look, MARGIN, ROW};
 use super::marker::{draw_markers, draw_zeros};
 use super::style::{self, FAINT_INK, INK, Marker, Style, TEXT, THEORY, width};
 
@@ -41,7 +41,8 @@ pub(super) struct Legend<'a> {
 impl<'a> Legend<'a> {
     const SAMPLE: f64 = 40.0;
 
-    pub fn new(figure: &'a Lines) -> Self {
+    /// The legend of a figure of this width (px).
+    pub fn new(figure: &'a Lines, room: f64) -> Self {
         let mut kinds: Vec<(&str, Look)> = Vec::new();
         for series in figure.panels.iter().flat_map(|panel| &panel.series) {
             if kinds.iter().all(|(name, _)| *name != series.name) {
@@ -75,7 +76,7 @@ impl<'a> Legend<'a> {
         let zero = figure.has_zeros().then_some(EXACTLY_ZERO);
         for name in kinds.iter().map(|(name, _)| *name).chain(zero) {
             let length = Self::SAMPLE + 8.0 + width(name, TEXT);
-            if x + length > RIGHT && x > style::EDGE {
+            if x + length > room - MARGIN && x > style::EDGE {
                 (x, row) = (style::EDGE, row + 1);
             }
             entries.push((name, (x, 53.0 + ROW * row as f64)));
@@ -84,16 +85,18 @@ impl<'a> Legend<'a> {
         Legend { rows: if entries.is_empty() { 0 } else { row + 1 }, entries, looks }
     }
 
-    pub fn draw(&self, canvas: &mut Canvas) {
+    /// Draws it, lower by this distance (px).
+    pub fn draw(&self, canvas: &mut Canvas, lower: f64) {
         for (name, (x, y)) in &self.entries {
-            let middle = (x + Self::SAMPLE / 2.0, *y);
+            let y = y + lower;
+            let middle = (x + Self::SAMPLE / 2.0, y);
             let Some(drawn) = self.looks.get(name) else {
                 draw_zeros(canvas, &[middle], FAINT_INK);
                 self.name(canvas, name, middle);
                 continue;
             };
             canvas.raw(&self.opening(name));
-            let ends = [(*x, *y), (x + Self::SAMPLE, *y)].map(|(x, y)| (fine(x), fine(y)));
+            let ends = [(*x, y), (x + Self::SAMPLE, y)].map(|(x, y)| (fine(x), fine(y)));
             if drawn.width > 0.0 {
                 canvas.layer(&dashes(drawn.dash), |layer| {
                     layer.draw(&PathElement::new(ends, stroke(drawn.color, drawn.width)))

@@ -15,8 +15,11 @@ use crate::csv;
 use crate::figure::Figure;
 use crate::number::{count, readable};
 
-/// The right edge of the plots in px.
-pub(super) const RIGHT: f64 = style::WIDTH - 12.0;
+/// The space right of the plots in px.
+pub(super) const MARGIN: f64 = 12.0;
+
+/// The width for a tick on the x axis in px.
+const TICK: f64 = 90.0;
 
 /// Height of a line of the legend in px.
 pub(super) const ROW: f64 = 24.0;
@@ -122,42 +125,11 @@ impl Figure for Lines {
     }
 
     fn svg(&self) -> String {
-        let legend = Legend::new(self);
-        let header = 44.0 + ROW * legend.rows as f64;
-        let plot = if self.panels.len() < 2 { 340.0 } else { 190.0 };
-        let pitch = plot + 44.0;
-        let footer = 36.0;
-        let mut canvas =
-            Canvas::titled(header + pitch * self.panels.len() as f64 + footer, &self.title);
-        legend.draw(&mut canvas);
+        self.drawn(style::WIDTH, &self.id)
+    }
 
-        let all = || self.panels.iter().flat_map(|panel| &panel.series);
-        let x = range(self.x.scale, all(), |(x, _)| x);
-        let columns = self.x.scale.ticks(x, 8);
-        let wanted = if plot > 250.0 { 8 } else { 5 };
-        let ranges = self.panels.iter().map(|panel| {
-            let y = range(panel.y.scale, panel.series.iter(), |(_, y)| y);
-            (y, panel.y.scale.ticks(y, wanted))
-        });
-        let ranges: Vec<_> = ranges.collect();
-        let labels = ranges.iter().flat_map(|(_, rows)| rows).map(|row| width(&row.label, TEXT));
-        let left = style::EDGE + 8.0 + labels.fold(32.0, f64::max);
-        for (k, (panel, (y, rows))) in self.panels.iter().zip(&ranges).enumerate() {
-            let top = header + pitch * k as f64 + 32.0;
-            let frame = Frame { x, y: *y, left, right: RIGHT, top, bottom: top + plot };
-            let last = k + 1 == self.panels.len();
-            draw_grid(&mut canvas, &frame, &columns, rows, last);
-            canvas.text((style::EDGE, top - 12.0), Anchor::Start, TEXT, INK, &panel.y.heading());
-            canvas.raw(&points::panel(&frame, &self.x, Some(&panel.y)));
-            self.draw_curves(&mut canvas, &frame, panel, &legend.looks);
-            canvas.raw("</g>\n");
-            if last {
-                let middle = (left + RIGHT) / 2.0;
-                let at = (middle, frame.bottom + 42.0);
-                canvas.text(at, Anchor::Middle, TEXT, INK, &self.x.heading());
-            }
-        }
-        canvas.finish(&self.id, &self.title, &self.description())
+    fn narrow(&self) -> Option<String> {
+        Some(self.drawn(style::NARROW, &format!("{}-narrow", self.id)))
     }
 
     /// One record per point: series, kind, x, and y in the column of its panel.
@@ -198,6 +170,48 @@ impl Look {
 }
 
 impl Lines {
+    /// The picture in this width (px).
+    fn drawn(&self, wide: f64, id: &str) -> String {
+        let legend = Legend::new(self, wide);
+        let header = 44.0 + ROW * legend.rows as f64;
+        let plot = if self.panels.len() < 2 { 340.0 } else { 190.0 };
+        let pitch = plot + 44.0;
+        let footer = 36.0;
+        let height = header + pitch * self.panels.len() as f64 + footer;
+        let (mut canvas, lower) = Canvas::headed(wide, height, &self.title);
+        let header = header + lower;
+        legend.draw(&mut canvas, lower);
+
+        let all = || self.panels.iter().flat_map(|panel| &panel.series);
+        let x = range(self.x.scale, all(), |(x, _)| x);
+        let columns = self.x.scale.ticks(x, (wide / TICK) as usize);
+        let wanted = if plot > 250.0 { 8 } else { 5 };
+        let ranges = self.panels.iter().map(|panel| {
+            let y = range(panel.y.scale, panel.series.iter(), |(_, y)| y);
+            (y, panel.y.scale.ticks(y, wanted))
+        });
+        let ranges: Vec<_> = ranges.collect();
+        let labels = ranges.iter().flat_map(|(_, rows)| rows).map(|row| width(&row.label, TEXT));
+        let left = style::EDGE + 8.0 + labels.fold(32.0, f64::max);
+        let right = wide - MARGIN;
+        for (k, (panel, (y, rows))) in self.panels.iter().zip(&ranges).enumerate() {
+            let top = header + pitch * k as f64 + 32.0;
+            let frame = Frame { x, y: *y, left, right, top, bottom: top + plot };
+            let last = k + 1 == self.panels.len();
+            draw_grid(&mut canvas, &frame, &columns, rows, last);
+            canvas.text((style::EDGE, top - 12.0), Anchor::Start, TEXT, INK, &panel.y.heading());
+            canvas.raw(&points::panel(&frame, &self.x, Some(&panel.y)));
+            self.draw_curves(&mut canvas, &frame, panel, &legend.looks);
+            canvas.raw("</g>\n");
+            if last {
+                let middle = (left + right) / 2.0;
+                let at = (middle, frame.bottom + 42.0);
+                canvas.text(at, Anchor::Middle, TEXT, INK, &self.x.heading());
+            }
+        }
+        canvas.finish(id, &self.title, &self.description())
+    }
+
     /// A description of the picture in words.
     fn description(&self) -> String {
         let mut text = String::new();

@@ -8,6 +8,8 @@ use plotters::style::RGBColor;
 
 /// Width of every figure in px.
 pub const WIDTH: f64 = 720.0;
+/// Width of a figure for a narrow screen in px.
+pub const NARROW: f64 = 400.0;
 /// Size of all text except the title in px.
 pub const TEXT: f64 = 14.0;
 /// Size of the title in px.
@@ -245,6 +247,21 @@ pub fn width(text: &str, size: f64) -> f64 {
         _ => 0.61,
     };
     size * text.chars().map(em).sum::<f64>()
+}
+
+/// The text in lines of at most this width in px; a longer word has a line of its own.
+pub fn wrapped(text: &str, size: f64, room: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ') {
+        match lines.last_mut() {
+            Some(line) if width(line, size) + width(word, size) <= room => {
+                *line += " ";
+                *line += word;
+            }
+            _ => lines.push(word.into()),
+        }
+    }
+    lines
 }
 
 fn place<T: PartialEq>(list: &[T], item: &T) -> usize {

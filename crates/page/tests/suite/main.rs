@@ -18,10 +18,17 @@ fn bars_without_a_place_are_written() {
         let bars = [("pgs", 3.0), ("lemke", 0.0), ("murty", f64::NAN), ("dantzig", -1.0)];
         let bars = bars.map(|(name, value)| Bar { name: name.into(), value }).into();
         let (title, caption) = ("Time <by> solver".into(), String::new());
-        let figure = Bars { id: "time".into(), title, caption, x: axis, bars };
+        let figure = Bars {
+            id: "time".into(),
+            title,
+            caption,
+            x: axis,
+            bars,
+            limit: Some((2.0, "most".into())),
+        };
         assert_well_formed(&figure);
         assert!(figure.svg().contains("not a number") && figure.svg().contains("&lt;by&gt;"));
-        assert_eq!(figure.csv(), "name,time (s)\npgs,3\nlemke,0\nmurty,nan\ndantzig,-1\n");
+        assert_eq!(figure.csv(), "name,time (s)\npgs,3\nlemke,0\nmurty,nan\ndantzig,-1\nmost,2\n");
     }
 }
 

@@ -4,7 +4,7 @@ mod answer;
 mod frames;
 mod phenomenon;
 
-use super::{Document, Outcome, View};
+use super::{Document, Headline, Outcome, View};
 use crate::number::readable;
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::cards::{self, Engine, Phenomenon, Plan, Record};
@@ -78,8 +78,8 @@ impl View for Plan {
         }
     }
 
-    fn answer(&self, findings: &[Record]) -> Option<String> {
-        findings.first().map(answer::of)
+    fn headline(&self, findings: &[Record]) -> Headline {
+        Headline::of(findings.first().map(answer::of))
     }
 
     fn outcome(&self, findings: &[Record]) -> Outcome {

@@ -5,7 +5,7 @@ mod answer;
 pub use answer::answer;
 
 use super::attempt::{listed, stem};
-use super::{Document, Outcome, View};
+use super::{Document, Headline, Outcome, View};
 use crate::film::Film;
 use crate::number::count;
 use crate::plot::{Axis, Lines, Panel, Series};
@@ -53,27 +53,15 @@ impl View for Plan {
         }
     }
 
-    fn answer(&self, findings: &[Comparison]) -> Option<String> {
+    fn headline(&self, findings: &[Comparison]) -> Headline {
         let sum = |count: fn(&Run) -> usize| -> usize {
             findings.iter().flat_map(|comparison| &comparison.runs).map(count).sum()
         };
-        let (solves, claimed) = (sum(|run| run.solves), sum(|run| run.claimed));
-        let refuted = sum(|run| run.refuted_claims);
-        let gave_up = match solves - claimed {
-            0 => String::new(),
-            given_up => format!(" and give up {}", count(given_up)),
-        };
-        Some(format!(
-            "In {} scenes the solvers report {} of {} problems as solved{gave_up}; an independent judge \
-             rejects {} of these answers.",
-            findings.len(),
-            count(claimed),
-            count(solves),
-            match refuted {
-                0 => "none".to_string(),
-                refuted => count(refuted),
-            }
-        ))
+        let claimed = sum(|run| run.claimed);
+        let confirmed = claimed - sum(|run| run.refuted_claims);
+        let value = format!("{} of {}", count(confirmed), count(claimed));
+        let label = "answers of solvers confirmed by an independent judge".into();
+        Headline { result: Some([value, label]), ..Headline::default() }
     }
 
     fn outcome(&self, findings: &[Comparison]) -> Outcome {

@@ -1,14 +1,14 @@
 //! The residual of several methods by iteration, by multiplication and by second.
 
 use crate::number::{count, readable};
-use crate::plot::{Axis, Lines, Series};
+use crate::plot::{Axis, Bar, Bars, Figure, Lines, Series};
 use crate::report::page::{Cell, Table};
 use crate::report::study::attempt::Outcome;
 use crate::report::study::convergence::methods::{Clock, Progress, Watched};
 use crate::report::view::attempt::{
-    anchor, iterations_in_words, listed, outcome as outcome_cell, rough, tolerance,
+    anchor, iterations_in_words, outcome as outcome_cell, rough, tolerance,
 };
-use crate::report::view::{Document, Outcome as Verdict};
+use crate::report::view::{Document, Headline, Outcome as Verdict};
 use crate::solver::Group;
 
 /// The value at which a residual of exactly 0 is drawn on a logarithmic axis.
@@ -34,44 +34,68 @@ pub(super) fn outcome(problems: &[&Progress]) -> Verdict {
     Verdict { good: refuted == 0, says }
 }
 
-/// The number of methods that solve the problem, and the cheapest of each group.
-pub(super) fn answer(progress: &Progress) -> Option<String> {
-    let tried = progress.methods.iter().filter(|method| method.outcome.is_attempt()).count();
-    let mut solved: Vec<&Watched> =
-        progress.methods.iter().filter(|method| method.outcome.is_solved()).collect();
-    let work = |method: &Watched| method.marks.last().map_or(f64::NAN, |end| end.work);
+/// The cheapest solver, and the cost of each as a bar.
+pub(super) fn headline(progress: &Progress) -> Headline {
+    let mut solved: Vec<&Watched> = progress
+        .methods
+        .iter()
+        .filter(|method| method.outcome.is_solved() && work(method).is_finite())
+        .collect();
     solved.sort_by(|a, b| work(a).total_cmp(&work(b)));
-    let first = |group: Group| {
-        solved.iter().find(|method| Group::of(&method.solver) == Some(group)).copied()
-    };
-    let cost = |method: &Watched| {
+    let [first, .., last] = solved[..] else { return Headline::default() };
+    let figure: Box<dyn Figure> = Box::new(costs(progress, &solved));
+    Headline {
+        answer: Some(answer(progress, solved.len(), first, last)),
+        figure: Some(figure),
+        result: None,
+    }
+}
+
+fn answer(progress: &Progress, solved: usize, first: &Watched, last: &Watched) -> String {
+    let tried = progress.methods.iter().filter(|method| method.outcome.is_attempt()).count();
+    let needs = |method: &Watched| {
         let iterations = method.marks.last().map_or(0, |end| end.iteration);
-        format!(
-            "*{}* with {} ({} multiplications)",
-            method.solver,
-            iterations_in_words(&method.solver, iterations),
-            rough(work(method))
-        )
+        iterations_in_words(&method.solver, iterations)
     };
-    let best: Vec<String> = Group::ALL.into_iter().filter_map(first).map(cost).collect();
-    let cheaper = solved.first().zip(budget(progress)).filter(|(first, most)| work(first) < *most);
-    let cheaper = cheaper.map_or(String::new(), |(first, most)| {
-        format!(
-            " *{}* costs less than ten sweeps of *pgs* ({} multiplications), a typical engine budget.",
-            first.solver,
-            rough(most)
-        )
-    });
-    (!best.is_empty()).then(|| {
-        format!(
-            "**Which solver for {}?** {} of {tried} solvers solve it to {}, and the judge accepts \
-             their answers. The cheapest of each kind: {}.{cheaper}",
-            progress.problem,
-            solved.len(),
+    let beside = match budget(progress) {
+        Some(most) if work(first) < most => ", less work than ten sweeps of *pgs*",
+        _ => "",
+    };
+    format!(
+        "**Which solver for {}?** *{}* is the cheapest: it needs {}{beside}. The most expensive, \
+         *{}*, needs {}, {} times the work. {solved} of {tried} solvers reach a residual of {}, and the judge \
+         accepts their answers. Other sizes and ratios have other costs.",
+        progress.problem,
+        first.solver,
+        needs(first),
+        last.solver,
+        needs(last),
+        rough(work(last) / work(first)),
+        tolerance(progress.tolerance)
+    )
+}
+
+/// The multiplications of the methods that solve the problem, the cheapest first.
+fn costs(progress: &Progress, solved: &[&Watched]) -> Bars {
+    let bar = |method: &&Watched| Bar { name: method.solver.clone(), value: work(method) };
+    Bars {
+        id: id(&progress.problem, "costs"),
+        title: title(progress),
+        caption: format!(
+            "Multiplications until the scaled residual is {}: the leading term of each method, for {} rows and \
+             a start from x = 0. Ten sweeps of *pgs* per step are a typical budget in engines.",
             tolerance(progress.tolerance),
-            listed(&best)
-        )
-    })
+            count(progress.rows)
+        ),
+        x: Axis::log("multiplications", ""),
+        bars: solved.iter().map(bar).collect(),
+        limit: budget(progress).map(|value| (value, "ten sweeps of pgs".into())),
+    }
+}
+
+/// The multiplications of a method up to its end.
+fn work(method: &Watched) -> f64 {
+    method.marks.last().map_or(f64::NAN, |end| end.work)
 }
 
 fn id(problem: &str, what: &str) -> String {

@@ -4,7 +4,7 @@ mod methods;
 mod rows;
 mod sweeps;
 
-use super::{Document, Outcome, View};
+use super::{Document, Headline, Outcome, View};
 use crate::report::study::convergence::methods::{Clock, Progress};
 use crate::report::study::convergence::rows::RowResiduals;
 use crate::report::study::convergence::sweeps::Rates;
@@ -26,8 +26,11 @@ impl View for Plan {
         }
     }
 
-    fn answer(&self, findings: &[Finding]) -> Option<String> {
-        methods::answer(Found::of(findings).methods.first()?)
+    fn headline(&self, findings: &[Finding]) -> Headline {
+        Found::of(findings)
+            .methods
+            .first()
+            .map_or_else(Headline::default, |own| methods::headline(own))
     }
 
     fn outcome(&self, findings: &[Finding]) -> Outcome {

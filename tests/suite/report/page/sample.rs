@@ -3,7 +3,7 @@
 use lcplab::film::{Film, Strip, Take};
 use lcplab::plot::{Axis, Bar, Bars, Figure, Lines, Panel, Series, Spy};
 use lcplab::report::page::{
-    Block, Cell, Column, Mark, Origin, Page, Picture, Player, Section, Table,
+    Block, Cell, Column, Mark, Origin, Page, Picture, Player, Section, Table, Tile,
 };
 use lcplab::scene::Scene;
 use lcplab::simulation;
@@ -51,9 +51,14 @@ pub fn page() -> Page {
     Page {
         title: "Every kind of block".into(),
         lead: "A page for tests.".into(),
+        opening: vec![Block::Tiles(vec![tile("words", true), tile("tables", false)])],
         sections: vec![text, pictures, tables],
         facts: vec![("lcplab".into(), "today".into())],
     }
+}
+
+fn tile(section: &str, good: bool) -> Tile {
+    Tile { value: "2 of 3".into(), label: "a <result>".into(), section: section.into(), good }
 }
 
 /// The figures whose files lie in the folder `data`.
@@ -107,7 +112,14 @@ fn times() -> Bars {
     let bars =
         [("pgs", 3.25), ("lemke", 0.5)].map(|(name, value)| Bar { name: name.into(), value });
     let (title, caption) = ("Time a step".into(), "Shorter is better.".into());
-    Bars { id: "times".into(), title, caption, x: Axis::linear("time", "ms"), bars: bars.into() }
+    Bars {
+        id: "times".into(),
+        title,
+        caption,
+        x: Axis::linear("time", "ms"),
+        bars: bars.into(),
+        limit: None,
+    }
 }
 
 fn pattern() -> Spy {
