@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use super::sample;
+use super::{sample, written};
 
 /// Moves the pointer to the k-th corner of a curve as it is drawn; what the tip says then.
 const POINT: &str = "
@@ -139,4 +139,30 @@ fn a_curve_is_hidden_in_all_panels() {
     );
     let pair = [json!(["velocity, dt", false]), json!(["velocity, dt/2", true])];
     assert_eq!(found, json!([pair[0], pair[1], pair[0], pair[1]]));
+}
+
+/// Of each line or bar figure that is shown: the smallest size of its text (px on the screen), and
+/// how far (px) text sticks out of it.
+const LABELS: &str = "
+const shown = all('figure.plot svg').filter((svg) => svg.querySelector('[data-points]') && svg.getBoundingClientRect().width > 0);
+return shown.map((svg) => {
+  const frame = svg.getBoundingClientRect(), scale = frame.width / svg.viewBox.baseVal.width;
+  const words = [...svg.querySelectorAll('text')];
+  const out = (box) => Math.max(frame.left - box.left, box.right - frame.right, frame.top - box.top, box.bottom - frame.bottom);
+  return [Math.min(...words.map((word) => scale * word.getAttribute('font-size'))),
+    Math.max(...words.map((word) => out(word.getBoundingClientRect())))];
+});";
+
+#[test]
+fn labels_can_be_read_on_desk_and_phone_and_stay_in_the_picture() {
+    for width in super::WIDTHS {
+        let page = written(&["report", "standard", "--section", "convergence"], "index.html");
+        let found = page.seen(width, LABELS);
+        let figures = found.as_array().unwrap();
+        assert!(figures.len() >= 4, "{found}");
+        for figure in figures {
+            let [size, out] = [0, 1].map(|k| figure[k].as_f64().unwrap());
+            assert!(size >= 10.0 && out <= 1.0, "at {width} px: {found}");
+        }
+    }
 }

@@ -214,3 +214,17 @@ fn a_simulation_that_fails_says_so_at_its_end() {
     assert!(film.panes()[0].description.ends_with(&reason));
     assert_eq!(data(&page(film))["takes"][0]["ending"], reason);
 }
+
+#[test]
+fn a_body_that_outweighs_all_others_tenfold_is_marked_with_its_mass() {
+    let marks = |mass: f64| {
+        let text = format!(
+            "title = \"two\"\n[[bodies]]\nname = \"a\"\nshape = {{ sphere = 0.5 }}\nmass = 1\nposition = [0, 0, 1]\n\
+             [[bodies]]\nname = \"b\"\nshape = {{ sphere = 0.5 }}\nmass = {mass}\nposition = [2, 0, 1]\n"
+        );
+        let scene = Scene::from_toml("two", &text).unwrap();
+        let take = Take::of("dantzig", &mut simulation(&scene), 2, 2);
+        page(Film::new("film", &scene, vec![take])).contains(" kg</text>")
+    };
+    assert_eq!([1.0, 9.9, 10.0, 0.1].map(marks), [false, false, true, true]);
+}
