@@ -46,13 +46,14 @@ Example:
 INPUT is a problem file if it has an extension that `convert --list` shows, or is -; a folder of such \
 files; otherwise a scene.
 
-For each input it reports rank, condition number and degrees of freedom, and lists zero rows, dependent \
+For each input lcplab reports rank, condition number and degrees of freedom, and lists zero rows, dependent \
 rows, contradictory rows, constraints without direction, drift, overlap, and sign errors in A.
 
 lcplab simulates a scene for one second, with its solver and with an exact one, and measures the unsupported \
-weight. It removes each possible cause in turn to see whether that helps, and tries remedies. It also suspects \
-a solver that leaves twice the error of plain Gauss-Seidel after the same number of sweeps. With --solver or \
---sweeps this also works for a problem file, and for the files of a folder in order of their names.
+weight. It removes each possible cause in turn to see whether that helps, and tries remedies. If a solver \
+leaves twice the error of plain Gauss-Seidel after the same number of sweeps, the first cause is the solver \
+itself. With --solver or --sweeps this also works for a problem file, and for the files of a folder in order \
+of their names. Every error is a fraction of the motion that the constraints cause.
 
 With an answer, lcplab makes each known mistake on purpose. It names a mistake if the result is at least a \
 hundred times closer to x than the exact solution is, at the precision of x. An accepted answer has no mistakes.

@@ -66,7 +66,7 @@ pub struct Explain {
     /// Largest scaled residual that counts as solved [default: the scene's, or that of `solve`]
     #[arg(long, allow_negative_numbers = true)]
     tolerance: Option<f64>,
-    /// Relaxation factor of sor, above 0 and below 2 [default: the scene's, or 1.3]
+    /// Relaxation factor of sor, above 0 and below 2 [default: 1.3, unless the scene sets it]
     #[arg(long, allow_negative_numbers = true)]
     omega: Option<f64>,
     #[command(flatten)]

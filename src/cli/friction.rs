@@ -4,6 +4,7 @@ use lcplab::certificate::{Demand, Verdict};
 use lcplab::error::Result;
 use lcplab::lcp::Question;
 use lcplab::lcp::file::number;
+use lcplab::number::counted;
 use lcplab::report::answer::{attempts_json, attempts_text, claim};
 use lcplab::report::friction::{Judged, solve as solve_and_judge, solve_by_default};
 use lcplab::report::motion_error::MotionError;
@@ -11,7 +12,7 @@ use lcplab::solver::{Method, Options, Solution, Status};
 use serde_json::{Map, Value, json};
 
 use super::limits::Limits;
-use super::problem::{counted, outcome, status_text};
+use super::problem::{outcome, status_text};
 use super::{Outcome, print};
 
 /// Solves a friction problem by a method, or by the fallback sequence without one, judges the
@@ -53,7 +54,8 @@ pub fn solve(
     } else {
         let solver = format!("solver     {solver}\n");
         let status = status_text(word, message);
-        let status = format!("status     {status}, {}\n", counted(solution.iterations));
+        let status =
+            format!("status     {status}, {}\n", counted(solution.iterations, "iteration"));
         print_text(
             question,
             title,
@@ -102,7 +104,7 @@ fn print_text(
     judged: &Judged,
 ) -> Result<()> {
     let model = question.model().zip(question.friction()).map(|(model, friction)| {
-        format!("model      {model}, {} contacts\n", friction.contacts().len())
+        format!("model      {model}, {}\n", counted(friction.contacts().len(), "contact"))
     });
     let model = model.unwrap_or_default();
     let motion = MotionError::text(question, x);

@@ -4,6 +4,7 @@ use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::hunt::{Hunt, KINDS, Record, Tally};
 use lcplab::lcp::friction::Model;
+use lcplab::number::counted;
 use lcplab::report::methods;
 use lcplab::report::page::{Cell, Table};
 use lcplab::report::text;
@@ -27,7 +28,7 @@ Example:
   lcplab hunt --plugin \"python3 mine.py\" --measure lie --model coulomb-cone # friction cones
   lcplab hunt --measure ratio murty:block-pivoting --n 8
 
-Without --measure it prints a table of the claims of each solver. With --measure it starts from random \
+Without --measure lcplab prints a table of the claims of each solver. With --measure lcplab starts from random \
 problems, makes small changes that increase the measure (hill climbing), shrinks the worst problem, and prints \
 it with the solver's x, the correct x and a test. The same seed finds the same problem.
 
@@ -42,7 +43,7 @@ pub struct Challenge {
     /// Random seed
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Examine this solver (repeatable) and the plug-ins [default: all solvers]
+    /// Examine this solver (repeatable) [default: the plug-ins, or all solvers]
     #[arg(long)]
     solver: Vec<String>,
     /// Use problems with friction under this model: frozen-box, coupled-box, polygon-4 (or 8, 12,
@@ -139,7 +140,8 @@ impl Challenge {
         if !names.is_empty() || stop.reason().is_some() {
             return Ok(record);
         }
-        let contacts = self.problems.div_ceil(KINDS.len()); // as many as problems of a kind
+        // As many contacts as problems of each kind.
+        let contacts = self.problems.div_ceil(KINDS.len());
         Ok(record.with_cones(self.seed, contacts, &options.settings))
     }
 
@@ -149,9 +151,9 @@ impl Challenge {
             Some(model) => format!("with friction under {model}"),
             None => format!("of {} kinds", KINDS.len()),
         };
-        words += &format!("{} problems {kinds}, seed {}", record.problems, self.seed);
+        words += &format!("{} {kinds}, seed {}", counted(record.problems, "problem"), self.seed);
         if record.contacts > 0 {
-            words += &format!(", and {} contacts with a cone", record.contacts);
+            words += &format!(", and {} with a cone", counted(record.contacts, "contact"));
         }
         let lied: usize = record.tallies.iter().map(|tally| tally.lied).sum();
         words += &format!(": {lied} false claims\n");

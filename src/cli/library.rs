@@ -7,6 +7,7 @@ use lcplab::error::Result;
 use lcplab::file;
 use lcplab::lcp::file::SCHEMA;
 use lcplab::lcp::library::{self, Family};
+use lcplab::number::counted;
 use lcplab::problem_set;
 
 use super::{Outcome, bar, print};
@@ -55,7 +56,7 @@ impl Problems {
             let progress = bar(0, "problems");
             let count = problem_set::write(folder, &progress)?;
             progress.finish_and_clear();
-            print(&format!("{count} problems in {}\n", folder.display()))?;
+            print(&format!("{} in {}\n", counted(count, "problem"), folder.display()))?;
             return Ok(Outcome::Good);
         }
         match &self.name {

@@ -32,13 +32,14 @@ pub struct SolverArgs {
 /// Options that only some solvers look at; one that no solver of the command does is refused.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct Choices {
-    /// Relaxation factor of sor and ssor, above 0 and below 2 [default: the scene's, or 1.3]
+    /// Relaxation factor of sor and ssor, above 0 and below 2 [default: 1.3, unless the scene sets
+    /// it]
     #[arg(long, allow_negative_numbers = true)]
     pub omega: Option<f64>,
-    /// Order of the rows in a sweep of pgs and sor [default: the scene's, or natural]
+    /// Order of the rows in a sweep of pgs and sor [default: natural, unless the scene sets it]
     #[arg(long, value_enum)]
     pub order: Option<RowOrder>,
-    /// Seed of --order shuffled [default: the scene's, or 1]
+    /// Seed of --order shuffled [default: 1, unless the scene sets it]
     #[arg(long)]
     pub seed: Option<u64>,
     /// Step length of jacobi, above 0 and below 2 [default: one that converges for every

@@ -8,7 +8,7 @@ use lcplab::error::Result;
 use lcplab::lcp::Question;
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::Model;
-use lcplab::number::readable;
+use lcplab::number::{counted, readable};
 use lcplab::report::answer::{Answer, attempts_text, certificate_text};
 use lcplab::report::friction::model;
 use lcplab::report::methods;
@@ -146,7 +146,7 @@ impl Solve {
                 Status::TooLarge { .. } => RAISE_MEMORY,
                 _ => "",
             };
-            text += &format!("status     {status}{hint}, {}\n", counted(iterations));
+            text += &format!("status     {status}{hint}, {}\n", counted(iterations, "iteration"));
             if let Some(fallback) = answer.solution.fallback {
                 text += &format!("fallback   {fallback}\n");
             }
@@ -179,8 +179,8 @@ pub fn outcome(verdict: &Verdict, stopped: Option<Reason>) -> Outcome {
 
 pub fn title(problem: &Problem) -> String {
     let name = if problem.name.is_empty() { "problem" } else { &on_one_line(&problem.name) };
-    let n = problem.lcp.len();
-    format!("{name}: {n} rows, {} stored entries", problem.lcp.matrix().stored())
+    let rows = counted(problem.lcp.len(), "row");
+    format!("{name}: {rows}, {}", counted(problem.lcp.matrix().stored(), "stored entry"))
 }
 
 /// A name that is safe for a terminal: without control characters, and shortened if it is long.
@@ -235,9 +235,4 @@ pub fn rows(problem: &Problem, x: &[f64], certificate: &Certificate) -> String {
 /// A status as text: its word, and the message if that says more.
 pub(super) fn status_text(word: &str, message: String) -> String {
     if word.replace('_', " ") == message { message } else { format!("{word}: {message}") }
-}
-
-/// A number of iterations as text.
-pub(super) fn counted(iterations: usize) -> String {
-    if iterations == 1 { "1 iteration".into() } else { format!("{iterations} iterations") }
 }

@@ -135,7 +135,7 @@ impl Prove {
     fn all_solutions(&self, question: &Question, input: &str) -> Result<Outcome> {
         let lcp = question.require_boxed("all solutions can be listed", input)?;
         let set = SolutionSet::of(lcp).ok_or_else(|| {
-            let reason = "has more than 65 536 combinations of sides, too many to try";
+            let reason = "has more than 65,536 combinations of sides, too many to try";
             Error::invalid(input, "problem", reason)
         })?;
         print(&if self.json { solutions::to_json(&set) } else { solutions::words(&set) })?;

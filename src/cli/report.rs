@@ -44,7 +44,7 @@ Example:
   lcplab report --compare before/results.json after/results.json 1e-9
   lcplab report engines --engine mujoco,rapier
 
-The folder gets index.html, which needs no network, results.json, and the data of every figure and table. \
+The folder gets results.json, the data of every figure and table, and index.html, a page without network access. \
 results.json grows while the report runs: a run that was stopped continues from it. Delete it to start over. \
 Results are identical for any number of threads.
 
@@ -67,8 +67,8 @@ pub struct Report {
     /// report files
     #[arg(long, value_name = "NAME", conflicts_with_all = ["report", "list", "compare"])]
     print: Option<String>,
-    /// List the differences between two results files other than times. Numbers pass if they differ
-    /// by at most TOLERANCE, relative to the larger one [default: 0]
+    /// List the differences between two results files, except for times. Numbers pass if they
+    /// differ by at most TOLERANCE, relative to the larger one [default: 0]
     #[arg(long, num_args = 2..=3, value_names = ["OLD", "NEW", "TOLERANCE"])]
     compare: Vec<String>,
     /// Run only this section, given by its id: the name of the study, or the anchor in the address

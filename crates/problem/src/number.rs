@@ -139,6 +139,22 @@ pub fn count(value: usize) -> String {
     grouped(&value.to_string())
 }
 
+/// A number of things: `1 sweep`, `12 sweeps`.
+///
+/// ```
+/// use lcplab_problem::number::counted;
+///
+/// assert_eq!(counted(1, "sweep"), "1 sweep");
+/// assert_eq!(counted(0, "entry"), "0 entries");
+/// ```
+pub fn counted(number: usize, noun: &str) -> String {
+    match noun.strip_suffix('y') {
+        _ if number == 1 => format!("{number} {noun}"),
+        Some(stem) => format!("{number} {stem}ies"),
+        None => format!("{number} {noun}s"),
+    }
+}
+
 /// A decimal number with a thin space between groups of three digits before the point.
 fn grouped(decimal: &str) -> String {
     let whole = decimal.find('.').unwrap_or(decimal.len());

@@ -7,7 +7,7 @@ use lcplab_judge::{
     Certificate, Demand, Evidence, Refutation, Verdict, error_bound, judge, printed_up, ray,
     refutation, upper_bound,
 };
-use lcplab_page::number::readable;
+use lcplab_page::number::{counted, readable};
 use lcplab_problem::Lcp;
 use lcplab_problem::file::{Problem, number};
 use lcplab_solver::{Attempt, Options, Reason, Solution, Start, Status, solve_boxed_by_sequence};
@@ -103,7 +103,7 @@ pub fn attempts_json(attempts: &[Attempt]) -> Option<(String, Value)> {
 /// The same as lines of text.
 pub fn attempts_text(attempts: &[Attempt]) -> String {
     let line = |Attempt { solver, status, iterations }: &Attempt| {
-        format!("tried      {solver}: {status}, {iterations} iterations\n")
+        format!("tried      {solver}: {status}, {}\n", counted(*iterations, "iteration"))
     };
     attempts.iter().map(line).collect()
 }

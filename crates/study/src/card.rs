@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use lcplab_judge::regularity::regularity;
 use lcplab_problem::exact::dyadic::{dyadic, rational};
-use lcplab_problem::number::readable;
+use lcplab_problem::number::{counted, readable};
 use lcplab_problem::{Lcp, Matrix};
 use lcplab_solver::MatrixClass;
 
@@ -68,7 +68,7 @@ impl Card {
 
     /// The properties as a sentence.
     pub fn words(&self) -> String {
-        let mut words = format!("{} row{}", self.rows, if self.rows == 1 { "" } else { "s" });
+        let mut words = counted(self.rows, "row");
         if self.coupled > 0 {
             words += &format!(", {} of them coupled", self.coupled);
         }

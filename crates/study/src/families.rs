@@ -17,6 +17,7 @@ use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::{Expected, Problem};
 use lcplab_problem::friction::{Model, Posed};
 use lcplab_problem::library::Family;
+use lcplab_problem::number::counted;
 use lcplab_solver::trace::{NO_ITERATES, Provenance, Work};
 use lcplab_solver::{Group, Iterate, Method, Observer, Options, Reason, Solution, Status, Stop};
 
@@ -148,7 +149,7 @@ pub fn useless(rows: &[Row], contenders: &[Contender]) -> Vec<String> {
         let why = own().find_map(|row| row.trouble.as_deref()).unwrap_or("it claims nothing");
         Some(format!(
             "{name} solves none of {}; reason for the first one: {why}",
-            counted(problems)
+            counted(problems, "problem")
         ))
     };
     contenders.iter().filter(|contender| contender.is_named).filter_map(sentence).collect()
@@ -197,16 +198,9 @@ impl Requirement {
         let solver = &self.solver;
         Some(format!(
             "{accepted} of {} of {solver} are accepted, {demanded} are required{example}",
-            match problems {
-                1 => "1 answer".into(),
-                count => format!("{count} answers"),
-            }
+            counted(problems, "answer")
         ))
     }
-}
-
-fn counted(problems: usize) -> String {
-    if problems == 1 { "1 problem".into() } else { format!("{problems} problems") }
 }
 
 /// What a family is solved as: its problems under one friction model, or without any.

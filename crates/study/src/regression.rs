@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::families::Row;
 use lcplab_problem::error::{Error, Result};
+use lcplab_problem::number::counted;
 
 /// Residuals below this part of the tolerance never count as worse.
 const NEGLIGIBLE: f64 = 1e-3;
@@ -195,7 +196,7 @@ impl Run {
     fn worse(&self, now: &Record, before: &Record, factors: Factors) -> Option<String> {
         if now.iterations as f64 > factors.iterations * before.iterations.max(1) as f64 {
             let (now, before) = (now.iterations, before.iterations);
-            return Some(format!("{now} iterations, recorded are {before}"));
+            return Some(format!("{}, recorded are {before}", counted(now, "iteration")));
         }
         let (now, before) = (now.residual?, before.residual?);
         let most = (factors.residual * before).max(NEGLIGIBLE * self.tolerance);

@@ -10,6 +10,7 @@ use lcplab::file;
 use lcplab::lcp::Question;
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::Model;
+use lcplab::number::counted;
 use lcplab::report::study::families::{self, Contender, Models};
 use lcplab::report::study::problems;
 use lcplab::report::study::regression::{Factors, Finding, Run, Verdict};
@@ -54,11 +55,11 @@ pub struct Test {
     /// Write this run to the baseline file
     #[arg(long, requires = "baseline")]
     update: bool,
-    /// A result is worse if it takes this many times the recorded iterations
+    /// A result is worse if it takes more than FACTOR times the recorded iterations
     #[arg(long, value_name = "FACTOR", default_value_t = 2.0, value_parser = factor)]
     worse_iterations: f64,
-    /// A result is worse if its scaled residual is this many times the recorded one, and above a
-    /// thousandth of the tolerance
+    /// A result is worse if its scaled residual is more than FACTOR times the recorded one, and
+    /// above a thousandth of the tolerance
     #[arg(long, value_name = "FACTOR", default_value_t = 10.0, value_parser = factor)]
     worse_residual: f64,
     /// Write the results as JUnit XML
@@ -207,8 +208,8 @@ fn words(findings: &[Finding], is_recorded: bool) -> String {
             true => vec![format!("{} accepted; recorded", count("passed"))],
             false => counts,
         };
-        let problems = if own.len() == 1 { "problem" } else { "problems" };
-        text += &format!("{}: {} {problems}, {}\n", own[0].solver, own.len(), counts.join(", "));
+        let problems = counted(own.len(), "problem");
+        text += &format!("{}: {problems}, {}\n", own[0].solver, counts.join(", "));
         for finding in own {
             let why = match &finding.verdict {
                 Verdict::Passed => continue,

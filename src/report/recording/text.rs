@@ -12,8 +12,6 @@ use crate::simulation::{Slip, momentum_sizes};
 
 /// Maximum number of bodies whose final state is printed.
 const SHOWN: usize = 12;
-/// Maximum number of warnings printed.
-const WARNINGS: usize = 5;
 /// Smaller violations of the laws of friction and impact, in percent, are not reported.
 const MUCH: f64 = 1.0;
 /// Smaller angles between friction and the direction opposite to sliding, in degrees, are not
@@ -88,13 +86,8 @@ impl Record {
         for note in self.notes() {
             text += &format!("note         {note}\n");
         }
-        let warnings = self.warnings.as_slice();
-        for warning in warnings.iter().take(WARNINGS) {
+        for warning in self.warnings.texts() {
             text += &format!("warning      {warning}\n");
-        }
-        if warnings.len() > WARNINGS {
-            let more = warnings.len() - WARNINGS;
-            text += &format!("warning      and {more} more in the JSON output\n");
         }
         if let Some(refused) = &self.refused {
             text += &format!("refused      {refused}\n");

@@ -15,7 +15,7 @@ pub fn table(rows: &[Row]) -> Table {
              hash of their sequence; – if none were reported. *fallback*: other methods that contributed, and \
              how often. *must fail*: a failure that theory predicts.",
         "family | friction | solver | #problems | #outside | #claims | #proved | #accepted | \
-         #rejected | #false | #iterations (a problem) | #multiplications (a problem) | \
+         #rejected | #false | #iterations per problem | #multiplications per problem | \
          #worst residual | #time (ms) | iterates | fallback | why not",
         rows.iter().map(cells).collect(),
     )

@@ -2,6 +2,7 @@
 
 use super::diagnosis::convergence;
 use super::{Document, Headline, Outcome, View};
+use crate::number::counted;
 use crate::report::page::markup::literal;
 use crate::report::study::frames::{Finding, Plan};
 
@@ -21,10 +22,10 @@ impl View for Plan {
     }
 
     fn headline(&self, found: &[Finding]) -> Headline {
-        let (solver, limit) = (&self.solver, self.max_iterations);
+        let (solver, limit) = (&self.solver, counted(self.max_iterations, "iteration"));
         Headline::of(found.first().map(|Finding { words, .. }| {
             let answer = literal(words.lead.trim());
-            format!("**What error does {solver} leave after {limit} iterations?** {answer}")
+            format!("**What error does {solver} leave after {limit}?** {answer}")
         }))
     }
 

@@ -2,13 +2,17 @@
 
 use std::f64::consts::SQRT_2;
 
-use super::{Integrator, Scene, Scheme, Solver, Step};
+use super::{Integrator, Scene, Scheme, Solver, Step, catalogue};
 
 impl Scene {
     /// One sentence for each setting that the scheme ignores without using another instead, and for
-    /// each that makes it unstable.
+    /// each that makes it unstable. A shipped scene has settings for several schemes, so of its
+    /// settings only those that differ from the shipped ones are noted.
     pub fn notes(&self) -> Vec<String> {
-        let (step, usual) = (&self.step, Step::default());
+        let shipped = catalogue::SHIPPED.iter().find(|shipped| shipped.name == self.name);
+        let shipped = shipped.and_then(|shipped| shipped.scene().ok());
+        let usual = shipped.map_or_else(Step::default, |scene| scene.step);
+        let step = &self.step;
         let scheme = step.scheme;
         let is_force = scheme == Scheme::Acceleration;
         let feeds_back = matches!(scheme, Scheme::Velocity | Scheme::SequentialImpulses);

@@ -29,6 +29,9 @@ use crate::scene::Scene;
 #[derive(Debug, Clone, Default)]
 pub struct Warnings(Vec<Warning>);
 
+/// Number of pairs of bodies that a text names after the first.
+const PAIRS: usize = 4;
+
 /// What happened to a pair of bodies, in one step or in several.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Warning {
@@ -86,6 +89,19 @@ impl Warnings {
         }
     }
 
+    /// One text for each kind of event: the first warning, and the other pairs of bodies to which
+    /// the same happened.
+    pub fn texts(&self) -> Vec<String> {
+        let mut kinds: Vec<Vec<&Warning>> = Vec::new();
+        for own in &self.0 {
+            match kinds.iter_mut().find(|kind| kind[0].word == own.word) {
+                Some(kind) => kind.push(own),
+                None => kinds.push(vec![own]),
+            }
+        }
+        kinds.iter().map(|kind| text_of_kind(kind)).collect()
+    }
+
     /// All of them.
     pub fn as_slice(&self) -> &[Warning] {
         &self.0
@@ -116,6 +132,23 @@ impl Warnings {
                 let total = amount.value();
                 self.0.push(Warning { word, bodies, step, amount, message, steps: 1, total });
             }
+        }
+    }
+}
+
+/// The first of several warnings of the same kind, and the pairs of bodies of the others.
+fn text_of_kind(kind: &[&Warning]) -> String {
+    let [first, others @ ..] = kind else { return String::new() };
+    let names = |own: &&Warning| own.bodies.join("–");
+    let pairs: Vec<String> = others.iter().take(PAIRS).map(names).collect();
+    let pairs = pairs.join(", ");
+    match others.len() {
+        0 => first.to_string(),
+        1 => format!("{first} The same happened to {pairs}."),
+        all if all <= PAIRS => format!("{first} The same happened to {all} other pairs: {pairs}."),
+        all => {
+            let more = all - PAIRS;
+            format!("{first} The same happened to {all} other pairs: {pairs} and {more} more.")
         }
     }
 }

@@ -112,7 +112,7 @@ impl Pieces {
 }
 
 /// All solutions of a problem, exactly: every isolated solution, and the corners of every connected
-/// family. `None` if there are more than 65536 pieces.
+/// family. `None` if there are more than 65,536 pieces.
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};

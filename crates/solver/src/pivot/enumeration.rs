@@ -8,7 +8,7 @@
 //! and shows that the worst case of pivoting, 2ⁿ, is no worse than trying all sets.
 //!
 //! Exact elimination costs O(n³) per set, so the number of sets is limited: `OutsideClass` above
-//! 65536 (16 contacts, 10 boxes). Coupled problems are enumerated up to three contacts with two
+//! 65,536 (16 contacts, 10 boxes). Coupled problems are enumerated up to three contacts with two
 //! tangents each; for more, the bounds are [`frozen`], which may give a solution but proves
 //! nothing. Sets are counted with row 0 fastest. The start matters only for frozen bounds.
 
@@ -61,7 +61,7 @@ impl Enumeration {
         observer: &mut dyn Observer,
     ) -> Solution {
         let Some(pieces) = Pieces::of(lcp) else {
-            let reason = "more than 65536 active sets";
+            let reason = "more than 65,536 active sets";
             return Solution::new(lcp, x, Status::OutsideClass { reason }, before);
         };
         for k in 0..pieces.count() {

@@ -98,7 +98,7 @@ pub const ENTRIES: &[Entry] = &[
     },
     Entry {
         name: "enumeration",
-        method: "up to 65536 active sets in exact arithmetic, finite",
+        method: "up to 65,536 active sets in exact arithmetic, finite",
         class: Class::of(MatrixClass::General),
         group: Group::Pivoting,
         cost: Cost::each("n³/3, of fractions", |i| i.n.powi(3) / 3.0),

@@ -71,10 +71,10 @@ impl Diagnosis {
             [] if self.is_unique => {
                 "The problem is well posed: the rows are independent and the answer is unique."
             }
-            [] => {
-                "No obstacle to a solution was found; whether the solution is unique is not known."
+            [] => "Nothing was found that prevents a solution; whether it is unique is not known.",
+            _ if self.is_sound() => {
+                "Nothing was found that prevents a solution; the remarks below say what makes it difficult."
             }
-            _ if self.is_sound() => "No obstacle to a solution was found; see the remarks below.",
             _ => "The problem cannot be solved in this form.",
         };
         words.to_string()

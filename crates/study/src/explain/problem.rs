@@ -8,6 +8,7 @@ use super::{Method, refutation, statement};
 use lcplab_page::document::Document;
 use lcplab_problem::error::Result;
 use lcplab_problem::friction::{Model, Posed};
+use lcplab_problem::number::counted;
 use lcplab_problem::{Lcp, Question, file};
 use lcplab_solver::{Solution, solve_by_sequence};
 
@@ -28,7 +29,7 @@ pub fn problem(question: &Question, method: &Method) -> Result<Document> {
     };
     let mut document = Document {
         title: format!("{name}, {by}"),
-        lead: format!("{} rows, counted from 0.{lead}", problem.lcp.len()),
+        lead: format!("{}, counted from 0.{lead}", counted(problem.lcp.len(), "row")),
         sections: Vec::new(),
         is_accepted: false,
     };

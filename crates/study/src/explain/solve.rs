@@ -7,6 +7,7 @@ use lcplab_page::document::notation::{indexed, interval, plain, vector};
 use lcplab_page::document::{Formula, Section};
 use lcplab_problem::Lcp;
 use lcplab_problem::error::Result;
+use lcplab_problem::number::counted;
 use lcplab_solver::{Observer, Solution, Start, Status};
 
 /// An observer that writes down what a solver does.
@@ -39,12 +40,11 @@ pub(super) fn section(reading: &Reading, method: &Method, start: Option<&[f64]>)
         });
         ray(&mut section, reading, direction);
     }
-    let plural = if solution.iterations == 1 { "" } else { "s" };
     let x = with_unit(&vector(&solution.x), &reading.units.of_x());
     section.say(format!(
-        "{} ends after {} iteration{plural} with x = {x}: {}.",
+        "{} ends after {} with x = {x}: {}.",
         method.name(),
-        solution.iterations,
+        counted(solution.iterations, "iteration"),
         solution.status
     ));
     if let Some(fallback) = solution.fallback {

@@ -7,7 +7,7 @@ use lcplab_judge::{Demand, Evidence, Verdict, judge, judge_friction};
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::exact::all_solutions;
 use lcplab_problem::friction::{FrictionProblem, Model, Posed};
-use lcplab_problem::number::readable;
+use lcplab_problem::number::{counted, readable};
 use lcplab_problem::{Lcp, merit};
 use lcplab_solver::{Choice, MatrixClass, Method, Options, Solution, Status};
 
@@ -256,7 +256,9 @@ impl Trial {
                 format!("{name} finds no solution: the judge rejects its x")
             }
             Measure::Failure => format!("{name} finds no solution: {}", solution.status),
-            Measure::Iterations => format!("{name} needs {} iterations", solution.iterations),
+            Measure::Iterations => {
+                format!("{name} needs {}", counted(solution.iterations, "iteration"))
+            }
             Measure::Error => {
                 let error = readable(self.error(&posed, solution), 2);
                 format!("the answer of {name} is accepted, but its error is {error} of max |x|")
@@ -266,7 +268,8 @@ impl Trial {
                 let rival = self.rival_iterations(&posed, most).unwrap_or_default();
                 let other = self.rival.map_or("", |rival| rival.name());
                 let omega = self.omega_words();
-                format!("{name} needs {} iterations, {other}{omega} {rival}", solution.iterations)
+                let iterations = counted(solution.iterations, "iteration");
+                format!("{name} needs {iterations}, {other}{omega} {rival}")
             }
         }
     }

@@ -74,7 +74,10 @@ impl Record {
     #[must_use]
     pub fn with_cones(mut self, seed: u64, contacts: usize, settings: &Settings) -> Record {
         self.contacts += contacts;
-        self.tallies.extend(cone::tallies(seed, contacts, settings));
+        self.tallies.extend(cone::tallies(seed, contacts, settings).into_iter().map(|tally| {
+            let solver = format!("{} on cones", tally.solver);
+            Tally { solver, ..tally }
+        }));
         self
     }
 

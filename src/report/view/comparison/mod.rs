@@ -65,15 +65,15 @@ impl View for Plan {
     }
 
     fn outcome(&self, findings: &[Comparison]) -> Outcome {
-        let sum = |count: fn(&Run) -> usize| -> usize {
-            findings.iter().flat_map(|comparison| &comparison.runs).map(count).sum()
+        let sum = |of: fn(&Run) -> usize| -> usize {
+            findings.iter().flat_map(|comparison| &comparison.runs).map(of).sum()
         };
         let refuted = sum(|run| run.refuted_claims);
         let says = format!(
             "{} problems: {} reported as solved, {} answers accepted by the judge, {refuted} false claims",
-            sum(|run| run.solves),
-            sum(|run| run.claimed),
-            sum(|run| run.accepted),
+            count(sum(|run| run.solves)),
+            count(sum(|run| run.claimed)),
+            count(sum(|run| run.accepted)),
         );
         Outcome { good: refuted == 0, says }
     }
@@ -137,7 +137,7 @@ fn by_scheme(findings: &[Comparison]) -> Table {
 pub fn table(comparison: &Comparison) -> Table {
     let Comparison { scene, steps, dt, .. } = comparison;
     let mut columns = Column::list(
-        "level | solver | #steps | #problems | #claims | #accepted | #iterations (a problem) | \
+        "level | solver | #steps | #problems | #claims | #accepted | #iterations per problem | \
          #worst residual | #energy change (J) | #largest energy change (J) | #drift (m) | \
          #penetration (m) | #support (% of the weight)",
     );

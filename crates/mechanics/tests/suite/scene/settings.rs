@@ -1,7 +1,7 @@
 //! Settings that are overridden, that have no effect, and that cannot work.
 
 use lcplab_mechanics::body::Mass;
-use lcplab_mechanics::scene::{Integrator, Scene, Scheme};
+use lcplab_mechanics::scene::{Integrator, Scene, Scheme, catalogue};
 use lcplab_mechanics::simulation::Simulation;
 use lcplab_solver as solver;
 use nalgebra::Vector3;
@@ -141,6 +141,20 @@ fn a_setting_that_is_read_in_vain_is_noted_and_one_that_has_a_part_is_not() {
     assert!(notes(&[("step.alpha", "20"), ("step.baumgarte", "0")])[0].contains("step.alpha"));
     assert!(notes(&[("step.alpha", "20"), ("step.baumgarte", "0.2")]).is_empty());
     assert!(notes(&[usual[0], usual[1], ("step.integrator", "rk4")])[0].contains("integrator"));
+}
+
+#[test]
+fn no_setting_of_a_shipped_scene_is_noted_as_without_effect() {
+    for shipped in catalogue::SHIPPED {
+        let notes = Scene::load(shipped.name).unwrap().notes();
+        assert!(
+            !notes.iter().any(|note| note.contains("no effect")),
+            "{}: {notes:?}",
+            shipped.name
+        );
+    }
+    let stack = changed("stack", &[("step.alpha", "30")]).unwrap();
+    assert!(stack.notes()[0].contains("step.alpha has no effect"), "{:?}", stack.notes());
 }
 
 /// The remaining fraction of a separated nail's error after 100 steps of 10 ms.

@@ -341,6 +341,29 @@ fn a_body_that_gets_deep_into_another_one_is_named_at_once() {
 }
 
 #[test]
+fn the_same_event_at_several_pairs_of_bodies_is_one_text_that_names_them() {
+    let ball = |name: &str, x: f64| {
+        format!(
+            "[[bodies]]\nname = \"{name}\"\nshape = {{ sphere = 0.5 }}\nmass = 1\nposition = [{x}, 0, 0.3]\n"
+        )
+    };
+    let plane = "[[bodies]]\nname = \"floor\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n";
+    let text = [plane.into(), ball("left", -2.0), ball("right", 2.0)].concat();
+    let scene = Scene::from_toml("balls.toml", &text).unwrap();
+    let (mut simulation, mut warnings) = (simulation(scene.clone()), Warnings::default());
+    for _ in 0..40 {
+        warnings.add(&scene, &simulation.step().unwrap());
+    }
+    let texts = warnings.texts();
+    let words: Vec<&str> = warnings.as_slice().iter().map(|own| own.word).collect();
+    let count = |word: &str| words.iter().filter(|own| **own == word).count();
+    assert_eq!((count("lasting_overlap"), count("deep_overlap")), (2, 0), "{words:?}");
+    assert_eq!(texts.len(), 1, "{texts:?}");
+    assert!(texts[0].contains("\"left\" has been inside \"floor\""), "{texts:?}");
+    assert!(texts[0].ends_with("The same happened to right–floor."), "{texts:?}");
+}
+
+#[test]
 fn no_shipped_scene_has_a_warning() {
     for shipped in catalogue::SHIPPED {
         let scene = Scene::load(shipped.name).unwrap();

@@ -39,7 +39,7 @@ pub use sweeps::SweepLimits;
 
 use lcplab_judge::{Demand, Verdict, judge_friction};
 use lcplab_problem::friction::Posed;
-use lcplab_problem::number::readable;
+use lcplab_problem::number::{counted, readable};
 use lcplab_problem::{Lcp, merit};
 use lcplab_solver::Start;
 
@@ -330,8 +330,8 @@ impl Attempts<'_> {
             let what = match swept.sweeps {
                 0 => format!("the last answer times {factor}, not updated"),
                 _ => format!(
-                    "projected Gauss-Seidel from the last answer times {factor}, stopped after {} sweeps",
-                    swept.sweeps
+                    "projected Gauss-Seidel from the last answer times {factor}, stopped after {}",
+                    counted(swept.sweeps, "sweep")
                 ),
             };
             let own = Attempt::new(MistakeKind::ScaledWarmStart, what, swept.nearest);
@@ -434,8 +434,7 @@ impl Attempts<'_> {
     fn stopped(&mut self, kind: MistakeKind, name: &str, swept: Swept) {
         let Swept { sweeps, nearest: y, .. } = swept;
         if sweeps > 0 {
-            let plural = if sweeps == 1 { "" } else { "s" };
-            let what = format!("{name}, stopped after {sweeps} sweep{plural}");
+            let what = format!("{name}, stopped after {}", counted(sweeps, "sweep"));
             self.found.push(Attempt { sweeps, ..Attempt::new(kind, what, y) });
         }
     }

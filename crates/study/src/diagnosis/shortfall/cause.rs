@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use lcplab_page::number::readable;
+use lcplab_page::number::{counted, readable};
 
 use super::show::percent;
 use crate::diagnosis::Mistake;
@@ -13,14 +13,12 @@ const DIGITS: usize = 2;
 /// A body that moves less than this (m) counts as not moving.
 const NOWHERE: f64 = 1e-6;
 
-/// A number of sweeps as text.
-fn counted(sweeps: usize) -> String {
-    if sweeps == 1 { "1 sweep".into() } else { format!("{sweeps} sweeps") }
-}
-
-/// A factor as text.
-fn times(factor: f64) -> String {
-    if factor.is_finite() { format!("{} times", readable(factor, DIGITS)) } else { "far".into() }
+/// What is left of a number of sweeps that is divided by this factor.
+fn part_of_sweeps(factor: f64) -> String {
+    match percent(1.0 / factor) {
+        none if none == "0 %" => "far fewer sweeps".into(),
+        part => format!("{part} of the sweeps"),
+    }
 }
 
 /// The effect of removing a cause.
@@ -130,10 +128,10 @@ impl fmt::Display for Slow {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let saves = |own: &Without| {
             format!(
-                "the error would be {} instead of {}, and a good answer would need {} fewer sweeps",
+                "the error of the motion would be {} instead of {}, and a good answer would need {}",
                 percent(own.without),
                 percent(own.with),
-                times(own.factor)
+                part_of_sweeps(own.factor)
             )
         };
         match self {
@@ -143,7 +141,7 @@ impl fmt::Display for Slow {
                     "its error is {}; plain projected Gauss-Seidel has {} after {} from the same start.",
                     percent(*with),
                     percent(*plain),
-                    counted(*sweeps)
+                    counted(*sweeps, "sweep")
                 )?;
                 match (refusal, mistakes.first()) {
                     (Some(refusal), _) => write!(f, " It gave no answer: {refusal}."),

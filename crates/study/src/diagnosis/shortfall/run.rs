@@ -272,7 +272,7 @@ fn go(scene: &Scene, count: usize, every: usize) -> Result<Went> {
         steps: notes.len(),
         is_compared,
     };
-    let warnings = warnings.as_slice().iter().map(ToString::to_string).collect();
+    let warnings = warnings.texts();
     Ok(Went { notes, solves, warnings, ended, tolerance: scene.solver.tolerance, end })
 }
 

@@ -1,7 +1,7 @@
 //! The error, its causes and remedies, as sentences and tables.
 
 use lcplab_page::document::Section;
-use lcplab_page::number::readable;
+use lcplab_page::number::{counted, readable};
 
 use lcplab_problem::file::number;
 use serde_json::{Value, json};
@@ -14,6 +14,12 @@ use crate::diagnosis::Mistake;
 /// Significant digits of measured values.
 const DIGITS: usize = 2;
 
+/// Significant digits of percentages from 10 on.
+const WHOLE: usize = 5;
+
+/// An error below this fraction is not stated as a number.
+const INVISIBLE: f64 = 1e-4;
+
 /// A factor beyond this counts as a cure.
 const LARGE: f64 = 1000.0;
 
@@ -24,7 +30,7 @@ const PAIRS: usize = 6;
 pub fn percent(part: f64) -> String {
     match 100.0 * part {
         small if small.abs() < 0.01 => "0 %".into(),
-        value if value.abs() >= 10.0 => format!("{value:.0} %"),
+        value if value.abs() >= 10.0 => format!("{} %", readable(value.round(), WHOLE)),
         value => format!("{} %", readable(value, DIGITS)),
     }
 }
@@ -48,30 +54,37 @@ impl Shortfall {
         }
         let leave = if self.iterations == 1 { "leaves" } else { "leave" };
         let who = format!("{} of {} {leave}", self.counted(), self.solver);
+        if self.missing < INVISIBLE {
+            return format!(
+                "After {} of {} the motion has no visible error.",
+                self.counted(),
+                self.solver
+            );
+        }
         if !self.is_short() {
-            return format!("{who} an error of only {}.", percent(self.missing));
+            return format!("{who} an error of the motion of only {}.", percent(self.missing));
         }
         let effect = match &self.part {
             Some(part) => format!("the constraints' effect on {part}"),
             None => "the constraints' effect".into(),
         };
-        let what = match self.whole.as_ref().filter(|whole| whole.missing() > 0.5 * self.missing) {
+        let error = percent(self.missing);
+        let place = |pair: &Load| format!(", most of it at {}", pair.name);
+        let most = self.pairs.first().map_or(String::new(), place);
+        match self.whole.as_ref().filter(|whole| whole.missing() > 0.5 * self.missing) {
             _ if self.missing > 1.0 => {
-                let error = percent(self.missing);
-                format!("an error of {error} of {effect}, more than x = 0 has")
+                format!("{who} an error of {error} of {effect}, more than x = 0 has{most}.")
             }
-            Some(whole) => format!("{} of the weight unsupported", percent(whole.missing())),
-            None => format!("an error of {} of {effect}", percent(self.missing)),
-        };
-        match self.pairs.first() {
-            Some(pair) => format!("{who} {what}, most of it at {}.", pair.name),
-            None => format!("{who} {what}."),
+            Some(whole) => format!(
+                "{who} {} of the weight unsupported{most}; the error of the motion is {error}.",
+                percent(whole.missing())
+            ),
+            None => format!("{who} an error of {error} of {effect}{most}."),
         }
     }
 
     fn counted(&self) -> String {
-        let plural = if self.iterations == 1 { "" } else { "s" };
-        format!("{} {}{plural}", self.iterations, self.unit)
+        counted(self.iterations, self.unit)
     }
 
     /// The convergence rate of sweeps, in a sentence, if they are too slow.

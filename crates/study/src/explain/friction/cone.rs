@@ -10,6 +10,7 @@ use lcplab_page::document::notation::{interval, plain};
 use lcplab_page::document::{Document, Formula, Section};
 use lcplab_problem::error::Result;
 use lcplab_problem::friction::{ConeProblem, Contact, Law};
+use lcplab_problem::number::counted;
 use lcplab_solver::{Solution, Status};
 
 /// The cones with their answer, then the box for comparison; returns whether the judge accepts the
@@ -74,8 +75,10 @@ fn contacts(answered: &Answered, cones: &ConeProblem) -> (Section, bool) {
         _ => "found no answer",
     };
     section.say(format!(
-        "{} {how}: {}, after {} iterations.",
-        answered.solver, own.status, own.iterations
+        "{} {how}: {}, after {}.",
+        answered.solver,
+        own.status,
+        counted(own.iterations, "iteration")
     ));
     let contacts = cones.friction().contacts();
     let [x_unit, w_unit] = contacts.first().map_or(["", ""], |contact| {
