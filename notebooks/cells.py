@@ -6,7 +6,6 @@
 A cell is a block ```python; the block ```output under it is what it prints.
 """
 
-import inspect
 import json
 import re
 import subprocess
@@ -19,12 +18,18 @@ FOLLOWS = re.compile(r"^from engine import (\w+)  # as follows$", re.M)
 RUNNER = """
 import contextlib, io, json, sys
 sys.modules["lcplab"] = None  # NumPy alone
+if sys.argv[1] == "arrays":
+    sys.modules["numpy"] = None
+    import arrays
+    sys.modules["numpy"] = arrays
 printed, names = [], {"__name__": "__main__"}
 for k, cell in enumerate(json.load(sys.stdin)):
     with contextlib.redirect_stdout(io.StringIO()) as out:
         exec(compile(cell, f"cell {k + 1}", "exec"), names)
     printed.append(out.getvalue())
-print(json.dumps(printed))
+values = {name: getattr(value, "tolist", lambda: value)() for name, value in names.items()}
+numbers = {name: value for name, value in values.items() if isinstance(value, (bool, int, float, list))}
+print(json.dumps([printed, numbers], default=str))
 """
 
 
@@ -35,22 +40,28 @@ def lessons():
 
 def cells(lesson):
     """Each Python cell of a lesson as readers see it, with what the lesson says that it prints."""
-    import engine
-
-    shown = lambda match: inspect.getsource(getattr(engine, match[1])).rstrip()
+    engine = (FOLDER / "engine.py").read_text(encoding="utf-8")
+    shown = lambda match: re.search(rf"^(?:def|class) {match[1]}\b.*?(?=\n\n\n|\n\Z)", engine, re.M | re.S)[0]
     found = CELL.finditer(lesson.read_text(encoding="utf-8"))
     return [(FOLLOWS.sub(shown, match[1]), match[3] or "") for match in found]
 
 
-def printed(lesson):
-    """What each Python cell of a lesson prints; an error of a cell is raised with its message."""
+def results(lesson, numpy="numpy"):
+    """What each Python cell of a lesson prints, and the numbers that the cells leave, by their names.
+
+    With numpy="arrays" the cells run without NumPy, with arrays.py. An error of a cell is raised.
+    """
     codes = json.dumps([code for code, _ in cells(lesson)])
-    run = subprocess.run(
-        [sys.executable, "-c", RUNNER], input=codes, cwd=FOLDER, capture_output=True, text=True, timeout=300
-    )
+    command = [sys.executable, "-c", RUNNER, numpy]
+    run = subprocess.run(command, input=codes, cwd=FOLDER, capture_output=True, text=True, timeout=300)
     if run.returncode:
         raise RuntimeError(f"{lesson.name}: {run.stderr.strip().splitlines()[-1]}\n{run.stderr}")
     return json.loads(run.stdout)
+
+
+def printed(lesson):
+    """What each Python cell of a lesson prints."""
+    return results(lesson)[0]
 
 
 def renew(lesson):

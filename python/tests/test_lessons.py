@@ -53,6 +53,16 @@ def test_all_methods_of_the_engine_find_the_one_solution(A, b):
     assert engine.natural(A, b, x) < 1e-9 and engine.scaled(A, b, x) < 1e-9
 
 
+def test_the_power_method_finds_the_largest_eigenvalue_also_of_complex_and_double_ones():
+    generator = np.random.default_rng(3)
+    turns = np.array([[0.6, -0.8], [0.8, 0.6]])
+    double = np.array([[0.9, 1.0], [0.0, 0.9]])
+    assert_allclose([engine.radius(turns), engine.radius(double), engine.radius(np.zeros((2, 2)))], [1, 0.9, 0])
+    for n in range(1, 9):
+        G = generator.normal(size=(n, n))
+        assert_allclose(engine.radius(G), abs(np.linalg.eigvals(G)).max(), rtol=1e-9)
+
+
 def test_a_box_slides_down_a_slope_as_coulomb_says():
     theta, mu, dt, g = 0.5, 0.3, 0.01, 9.81
     slope, box = engine.Box((0, -5, theta), 10, 0), engine.Box((0, 0, theta), 1, 2)
