@@ -40,6 +40,11 @@ def arguments() -> argparse.Namespace:
         type=Path,
         help="folder that `cargo doc --workspace --no-deps` wrote; without it the Rust reference is left out",
     )
+    parser.add_argument(
+        "--pyodide",
+        type=Path,
+        help="unpacked Pyodide distribution, with which the Python cells of the lessons run in the browser",
+    )
     parser.add_argument("--quick", action="store_true", help="leave out the reports that have to be solved")
     return parser.parse_args()
 
@@ -50,7 +55,8 @@ def main() -> None:
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
     given.work.mkdir(parents=True, exist_ok=True)
-    maker = Maker(ROOT, given.work.resolve(), given.lcplab.resolve(), given.quick)
+    pyodide = given.pyodide and given.pyodide.resolve()
+    maker = Maker(ROOT, given.work.resolve(), given.lcplab.resolve(), given.quick, pyodide)
     sections = planned(maker, out, given.rustdoc)
     add_unlisted(sections)
     sources = Sources(sections, out)
@@ -110,7 +116,7 @@ RUST = "reference/rust/lcplab/index.html"
 def planned(maker: Maker, out: Path, rustdoc: Path | None) -> list[Section]:
     """The sections of contents.toml; what lcplab writes is written here."""
     groups = {
-        "lessons": maker.lessons,
+        "lessons": lambda: maker.lessons(out),
         "live": maker.live,
         "teaching": maker.teaching,
         "chapter": maker.chapter,

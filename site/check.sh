@@ -13,7 +13,8 @@ mkdir -p target/site
 if [ -e target/set/index.csv ]; then cp -r target/set target/site/set; fi
 if [ -e target/doc/lcplab/index.html ]; then rustdoc=(--rustdoc target/doc); else rustdoc=(); fi
 if [ "${1:-}" = full ]; then program=(--lcplab target/release/lcplab); else program=(--lcplab target/debug/lcplab --quick); fi
-python site/build.py --out target/public "${program[@]}" "${rustdoc[@]}"
+if [ -e target/pyodide/node_modules/pyodide ]; then pyodide=(--pyodide target/pyodide/node_modules/pyodide); else pyodide=(); fi
+python site/build.py --out target/public "${program[@]}" "${rustdoc[@]}" "${pyodide[@]}"
 
 # What a page looks like is checked where there are npm and Chromium.
 if command -v npm >/dev/null && command -v chromium >/dev/null; then

@@ -50,6 +50,7 @@ class Maker:
     work: Path
     lcplab: Path
     quick: bool
+    pyodide: Path | None = None
 
     def run(self, *arguments: str, good: tuple[int, ...] = (0,)) -> str:
         command = [str(self.lcplab), *arguments]
@@ -74,13 +75,19 @@ class Maker:
         title = title.removesuffix(" · lcplab").removeprefix("lcplab: ")
         return Page(address, title[0].upper() + title[1:], about, whole=text)
 
-    def lessons(self) -> list[Page]:
+    def lessons(self, out: Path) -> list[Page]:
         pages = []
+        folder = "lessons_with_python" if self.pyodide else "lessons"
+        python = ["--pyodide", str(self.pyodide)] if self.pyodide else []
         for source in sorted((self.root / "notebooks").glob("[0-9][0-9]_*.md")):
-            file = self.kept(f"lessons/{source.stem}.html", "lesson", source.stem, "--out", "lessons")
+            file = self.kept(f"{folder}/{source.stem}.html", "lesson", source.stem, *python, "--out", folder)
             page = self.whole(file, f"learn/{file.name}", question(source), "")
             page.source = f"notebooks/{source.name}"
             pages.append(page)
+        if self.pyodide:
+            shutil.copytree(self.work / folder / "python", out / "learn/python")
+            for name in ("engine.py", "arrays.py"):
+                shutil.copy(self.work / folder / name, out / "learn" / name)
         return pages
 
     def teaching(self) -> list[Page]:

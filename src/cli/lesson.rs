@@ -7,8 +7,9 @@ use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::lesson::exercise::{Exercise, exercises};
 use lcplab::lesson::problem::{self, Problem, Reply};
-use lcplab::lesson::{ENGINE, Program, unicode};
+use lcplab::lesson::{ENGINE, Program, unicode, write_python};
 use lcplab::live::write_linked;
+use lcplab::page::Page;
 
 use super::{Outcome, bar, print};
 use crate::around::ALL as AROUND;
@@ -28,8 +29,12 @@ Example:
   lcplab lesson 3 --open
   lcplab lesson --all          # writes reports/lessons/index.html, 01_….html, …
   lcplab lesson guide --open   # for teachers
+  lcplab lesson --all --pyodide node_modules/pyodide    # after npm install pyodide
 
-A page needs no network. --ipynb writes Jupyter notebooks with outputs to notebooks/ instead, in Python or, \
+A page needs no network. With --pyodide, readers can change and run the Python cells in the browser, with \
+nothing to install, if the folder is served: python3 -m http.server --directory reports/lessons, then open \
+http://localhost:8000, or copy the folder to any web server. A distribution with NumPy uses NumPy; without it arrays.py replaces \
+what the cells use of it. --ipynb writes Jupyter notebooks with outputs to notebooks/ instead, in Python or, \
 with --rust, for the Rust kernel. Python cells import engine.py, which is written next to them. To change a lesson, \
 edit notebooks/NN_title.md and run the command again.
 
@@ -51,6 +56,9 @@ pub struct Lesson {
     /// Write the notebooks for the Rust kernel, NN_title_rust.ipynb
     #[arg(long, requires = "ipynb")]
     rust: bool,
+    /// Folder of an unpacked Pyodide distribution, to run the Python cells in the browser
+    #[arg(long, value_name = "FOLDER", conflicts_with = "ipynb")]
+    pyodide: Option<PathBuf>,
     /// Folder [default: reports/lessons, or notebooks with --ipynb]
     #[arg(long)]
     out: Option<PathBuf>,
@@ -88,6 +96,9 @@ impl Lesson {
             None if self.all => ALL.iter().chain(AROUND).collect(),
             None => return list(),
         };
+        if let Some(pyodide) = &self.pyodide {
+            write_python(pyodide, &self.folder()?)?;
+        }
         let progress = bar(lessons.len() as u64, "");
         let mut written = String::new();
         for lesson in lessons {
@@ -104,22 +115,25 @@ impl Lesson {
         Ok(Outcome::Good)
     }
 
+    fn folder(&self) -> Result<PathBuf> {
+        let own = if self.ipynb { "notebooks" } else { "reports/lessons" };
+        self.out.clone().map_or_else(|| file::inside(Path::new(""), own), Ok)
+    }
+
     fn write(&self, lesson: &Program) -> Result<PathBuf> {
-        let (folder, kind) =
-            if self.ipynb { ("notebooks", "ipynb") } else { ("reports/lessons", "html") };
-        let folder = match &self.out {
-            Some(folder) => folder.clone(),
-            None => file::inside(Path::new(""), folder)?,
-        };
+        let folder = self.folder()?;
         let record = lesson.run()?;
         let text = match (self.ipynb, self.rust) {
             (true, true) => lesson.rust_notebook(&record)?,
             (true, false) => lesson.notebook(&record)?,
-            (false, _) => lesson.page(&record)?.render()?,
+            (false, _) => {
+                let runs_python = self.pyodide.is_some() && lesson.number() > 0;
+                Page { runs_python, ..lesson.page(&record)? }.render()?
+            }
         };
         let name = if lesson.name == "README" { "index" } else { lesson.name };
         let language = if self.rust { "_rust" } else { "" };
-        let name = format!("{name}{language}.{kind}");
+        let name = format!("{name}{language}.{}", if self.ipynb { "ipynb" } else { "html" });
         file::write_in(&folder, &name, &text)?;
         // Next to the sources of the lessons it already exists, perhaps with changes.
         if self.out.is_some() || !self.ipynb {

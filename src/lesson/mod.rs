@@ -15,6 +15,7 @@ mod notebook;
 mod page;
 mod plot;
 pub mod problem;
+mod python;
 mod record;
 mod show;
 pub mod source;
@@ -24,11 +25,12 @@ mod twin;
 
 pub use crate::document::Show;
 pub use plot::Plot;
+pub use python::write_python;
 pub use record::{Output, Record, cell, put, say};
 pub use show::show;
 pub use table::{Entry, row, table};
 pub use terminal::unicode;
-pub use twin::ENGINE;
+pub use twin::{ARRAYS, ENGINE};
 
 use crate::chapter::exhibit;
 use crate::error::{Error, Result};

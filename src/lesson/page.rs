@@ -27,9 +27,10 @@ impl Program {
             match part {
                 Part::Prose(text) => self.add_prose(&mut page, &quoted(self, text, record)?)?,
                 Part::Python { is_twin: true, .. } => {} // stands with its cell
-                Part::Python { code, output, .. } => printed(code, output)
-                    .into_iter()
-                    .for_each(|(language, text)| add(&mut page, Block::Code { language, text })),
+                Part::Python { code, output, .. } => {
+                    let (code, output) = (twin::shown(code), output.clone());
+                    add(&mut page, Block::Python { code, output });
+                }
                 Part::Cell { code, shown } => {
                     let own = outputs.next().map(Vec::as_slice).unwrap_or_default();
                     let twin = match source.parts.get(k + 1) {

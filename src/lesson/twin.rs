@@ -3,6 +3,9 @@
 /// The engine that grows from lesson to lesson; pages and notebooks are next to it.
 pub const ENGINE: &str = include_str!("../../notebooks/engine.py");
 
+/// What the Python cells use of NumPy, for pages that run where NumPy is missing.
+pub const ARRAYS: &str = include_str!("../../notebooks/arrays.py");
+
 /// Replaces `from engine import murty  # as follows` by the code itself.
 pub(super) fn shown(python: &str) -> String {
     let line = |line: &str| {

@@ -9,8 +9,13 @@
 //! callbacks of `requestAnimationFrame` come from a timer.
 
 use std::fs;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::{TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
+use std::sync::mpsc::{Sender, channel};
+use std::thread;
+use std::time::Duration;
 
 use serde_json::Value;
 
@@ -85,6 +90,86 @@ impl Page {
         assert_eq!(seen["complaints"], serde_json::json!([]));
         seen["answer"].take()
     }
+}
+
+/// What a script returns that opens pages of a folder in a frame. The folder is served over HTTP, and
+/// time is real: workers start in no other way.
+pub fn served(folder: &Path, script: &str) -> Value {
+    let page = format!(
+        "<!DOCTYPE html><html><body><script type=\"module\">{TOOLS}
+        const open = async (name, width = 1280) => {{
+            document.querySelector('iframe')?.remove();
+            const frame = document.createElement('iframe');
+            frame.style = `width:${{width}}px;height:900px`;
+            frame.src = name;
+            await new Promise((done) => {{ frame.onload = done; document.body.append(frame); }});
+            return frame.contentWindow;
+        }};
+        const run = async () => {{ {script} }};
+        const seen = await run().catch((reason) => String(reason.stack));
+        await fetch('seen', {{ method: 'POST', body: JSON.stringify(seen) }});
+        </script></body></html>"
+    );
+    fs::write(folder.join("test.html"), page).unwrap();
+    let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+    let address = format!("http://{}/test.html", listener.local_addr().unwrap());
+    let (answers, seen) = channel();
+    let root = folder.to_path_buf();
+    thread::spawn(move || {
+        for stream in listener.incoming().map_while(Result::ok) {
+            let (root, answers) = (root.clone(), answers.clone());
+            thread::spawn(move || answer(&stream, &root, &answers));
+        }
+    });
+    let profile = tempfile::tempdir().unwrap();
+    let mut command = Command::new(program());
+    command.args(["--headless=new", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr"]);
+    command.arg(format!("--user-data-dir={}", profile.path().display())).arg(address);
+    let mut browser = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+    let seen = seen.recv_timeout(Duration::from_secs(600));
+    browser.kill().unwrap();
+    let said = browser.wait_with_output().unwrap().stderr;
+    let said = String::from_utf8_lossy(&said).into_owned();
+    let console: Vec<_> = said.lines().filter(|line| line.contains("CONSOLE")).collect();
+    assert!(console.is_empty(), "{console:#?}");
+    seen.unwrap_or_else(|_| panic!("the script did not come to its end\n{said}"))
+}
+
+/// Answers one request: a file of the folder, or what the script has seen.
+fn answer(stream: &TcpStream, root: &Path, answers: &Sender<Value>) {
+    let mut reader = BufReader::new(stream);
+    let mut head = Vec::new();
+    for line in reader.by_ref().lines().map_while(Result::ok).take_while(|line| !line.is_empty()) {
+        head.push(line);
+    }
+    let Some(request) = head.first() else { return };
+    let path = request.split(' ').nth(1).unwrap_or("/").trim_start_matches('/');
+    let mut stream = stream;
+    if request.starts_with("POST") {
+        let lengths = head.iter().filter_map(|line| line.split_once(": "));
+        let length = lengths.filter(|(name, _)| name.eq_ignore_ascii_case("content-length"));
+        let length = length.map(|(_, value)| value.parse().unwrap()).next().unwrap_or(0);
+        let mut body = vec![0; length];
+        reader.read_exact(&mut body).unwrap();
+        let _ = stream.write_all(b"HTTP/1.1 204 No Content\r\nConnection: close\r\n\r\n");
+        let _ = answers.send(serde_json::from_slice(&body).unwrap());
+        return;
+    }
+    let kind = match path.rsplit('.').next() {
+        Some("html") => "text/html",
+        Some("js" | "mjs") => "text/javascript",
+        Some("wasm") => "application/wasm",
+        _ => "application/octet-stream",
+    };
+    let (status, body) = match fs::read(root.join(path)) {
+        Ok(body) => ("200 OK", body),
+        Err(_) => ("404 Not Found", Vec::new()),
+    };
+    let head = format!(
+        "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\nConnection: close\r\n\r\n",
+        body.len()
+    );
+    let _ = stream.write_all(head.as_bytes()).and_then(|()| stream.write_all(&body));
 }
 
 /// Runs Chromium on a page.

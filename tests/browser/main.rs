@@ -13,6 +13,7 @@ mod player;
 mod plot;
 mod print;
 mod proof;
+mod python;
 #[path = "../suite/report/page/sample.rs"]
 mod sample;
 mod table;

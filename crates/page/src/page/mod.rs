@@ -45,7 +45,13 @@ pub struct Page {
     pub sections: Vec<Section>,
     /// Facts about the run for the page's footer: names and values.
     pub facts: Vec<(String, String)>,
+    /// Whether readers can change and run the Python cells, if the page is served with a folder
+    /// `python` next to it: [`PYTHON_WORKER`] as `worker.js`, and Pyodide as `pyodide`.
+    pub runs_python: bool,
 }
+
+/// The script that runs the Python cells of a page outside of its main thread.
+pub const PYTHON_WORKER: &str = include_str!("python_worker.js");
 
 /// A numbered section of a page.
 #[derive(Debug, Clone, Default)]
@@ -116,6 +122,13 @@ pub enum Block {
         language: String,
         /// The lines.
         text: String,
+    },
+    /// A Python cell.
+    Python {
+        /// The program.
+        code: String,
+        /// What it prints; may be empty.
+        output: String,
     },
     /// Source code, collapsed.
     FoldedCode {

@@ -34,7 +34,7 @@ struct Document<'a> {
     /// Each section, and its blocks as HTML.
     sections: Vec<(&'a Section, Vec<String>)>,
     font: String,
-    style: [&'static str; 3],
+    style: [&'static str; 4],
     dark: &'static str,
     script: String,
     /// The hash of the script; the browser runs no other script, except those of live pages.
@@ -135,6 +135,7 @@ impl Page {
             only(proofs, CHECKER),
             only(proofs, include_str!("proof.js")),
             only(!lives.is_empty(), include_str!("live.js")),
+            only(self.runs_python, include_str!("python.js")),
         ];
         let script = format!("\n{}", script.concat());
         finished(&Document {
@@ -145,6 +146,7 @@ impl Page {
             font: base64(FONT),
             style: [
                 include_str!("page.css"),
+                only(self.runs_python, include_str!("python.css")),
                 only(plots, include_str!("plot.css")),
                 only(plays, include_str!("player.css")),
             ],
@@ -228,6 +230,10 @@ impl Writer {
                 format!("<div class=\"equation\">{mathml}{label}</div>\n")
             }
             Block::Code { language, text } => code(language, text),
+            Block::Python { code: text, output } => {
+                let output = if output.is_empty() { String::new() } else { code("text", output) };
+                format!("<div class=\"python\">\n{}{output}</div>\n", code("python", text))
+            }
             Block::Twin { python, rust } => {
                 let [python, rust] = [python, rust].map(|pieces| -> String {
                     pieces.iter().map(|(language, text)| code(language, text)).collect()

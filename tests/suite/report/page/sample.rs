@@ -54,6 +54,7 @@ pub fn page() -> Page {
         opening: vec![Block::Tiles(vec![tile("words", true), tile("tables", false)])],
         sections: vec![text, pictures, tables],
         facts: vec![("lcplab".into(), "today".into())],
+        ..Page::default()
     }
 }
 
