@@ -7,6 +7,7 @@ use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::lesson::exercise::{Exercise, exercises};
 use lcplab::lesson::problem::{self, Problem, Reply};
+use lcplab::lesson::template::{Seed, Template};
 use lcplab::lesson::{ENGINE, Program, unicode, write_python};
 use lcplab::live::write_linked;
 use lcplab::page::Page;
@@ -71,10 +72,12 @@ Example:
   lcplab exercise              # lists the exercises, and which are solved
   cargo run --release -- exercise 1.1
   lcplab exercise 4.p1 0.9     # is 0.9 the answer to problem 4.p1?
+  lcplab exercise --for \"Ada Lovelace\" 4.p1 0.9
 
 A code exercise is a file with a gap or a bug, notebooks/exercises/eLESSON_NUMBER_….rs. Complete or fix it, \
 and run the command through cargo, which compiles your answer. It is compared with an independent answer. A \
-problem asks for a number; the lessons state the problems (p on paper, r to predict and run, x on a live page).
+problem asks for a number; the lessons state the problems (p on paper, r to predict and run, x on a live page). \
+With --for its numbers are those of one student, the same on every machine.
 
 Exit codes:
   0  the answer is right
@@ -83,6 +86,9 @@ Exit codes:
 pub struct Answer {
     /// Lesson and number, such as 1.1 or 4.p1
     exercise: Option<String>,
+    /// State a problem with the numbers of this student, and check the answer with them
+    #[arg(long = "for", value_name = "NAME")]
+    student: Option<String>,
     /// Your answer to a problem
     #[arg(allow_negative_numbers = true, requires = "exercise", value_parser = number)]
     number: Option<f64>,
@@ -146,11 +152,17 @@ impl Lesson {
 
 impl Answer {
     pub fn run(&self) -> Result<Outcome> {
-        let Some(id) = &self.exercise else { return list_exercises() };
-        if let Some(problem) = problems()?.into_iter().find(|problem| problem.id == *id) {
+        let Some(id) = &self.exercise else {
+            return if self.student.is_some() { list_problems() } else { list_exercises() };
+        };
+        if let Some(template) = problems()?.into_iter().find(|problem| problem.id == *id) {
+            let problem = match &self.student {
+                Some(student) => template.drawn(&Seed { secret: "", student })?,
+                None => template.printed()?,
+            };
             return answered(&problem, self.number);
         }
-        if self.number.is_some() {
+        if self.number.is_some() || self.student.is_some() {
             let known = problems()?.into_iter().map(|problem| problem.id).collect();
             return Err(Error::Unknown { kind: "problem", name: id.clone(), known });
         }
@@ -180,7 +192,7 @@ fn number(text: &str) -> std::result::Result<f64, String> {
 }
 
 /// The problems of all lessons.
-fn problems() -> Result<Vec<Problem>> {
+pub(super) fn problems() -> Result<Vec<Template>> {
     let sets: Result<Vec<_>> =
         ALL.iter().filter(|lesson| !lesson.problems.is_empty()).map(problem::set).collect();
     Ok(sets?.concat())
@@ -235,8 +247,18 @@ fn list_exercises() -> Result<Outcome> {
         let state = if exercise.verdict().is_ok() { "solved" } else { "open  " };
         format!("{:>5}  {state}  {:<60}  {}\n", exercise.id, exercise.title, exercise.file)
     };
-    let of_problem = |problem: &Problem| format!("{:>5}  number  {}\n", problem.id, problem.title);
+    let of_problem = |problem: &Template| format!("{:>5}  number  {}\n", problem.id, problem.title);
     let text: String = EXERCISES.iter().map(line).collect();
     print(&(text + &problems()?.iter().map(of_problem).collect::<String>()))?;
+    Ok(Outcome::Good)
+}
+
+/// Lists the problems, and whether students have different numbers.
+fn list_problems() -> Result<Outcome> {
+    let line = |problem: &Template| {
+        let kind = if problem.has_parameters() { "own numbers" } else { "same for everyone" };
+        format!("{:>5}  {kind:<17}  {}\n", problem.id, problem.title)
+    };
+    print(&problems()?.iter().map(line).collect::<String>())?;
     Ok(Outcome::Good)
 }

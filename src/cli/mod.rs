@@ -27,6 +27,7 @@ mod scene;
 mod search;
 mod shell;
 mod solutions;
+mod teacher;
 mod test;
 mod trace;
 
@@ -91,6 +92,7 @@ enum Command {
     Lesson(lesson::Lesson),
     Exercise(lesson::Answer),
     Live(live::Live),
+    Teacher(teacher::Teacher),
     Hunt(hunt::Challenge),
     Test(test::Test),
     #[command(hide = true)]
@@ -104,7 +106,7 @@ const GROUPS: [(&str, &[&str]); 5] = [
     ("Most used", &["solve", "judge", "diagnose", "hunt", "test", "simulate", "report", "lesson"]),
     ("Problems", &["compare", "explain", "prove", "check", "problems", "convert"]),
     ("Scenes", &["scenes", "export"]),
-    ("Learn", &["exercise", "live", "chapter"]),
+    ("Learn", &["exercise", "live", "chapter", "teacher"]),
     ("Series of runs", &["grid"]),
 ];
 
@@ -188,6 +190,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Lesson(command) => command.run(),
         Command::Live(command) => command.run(),
         Command::Exercise(command) => command.run(),
+        Command::Teacher(command) => command.run(),
         Command::Hunt(command) => command.run(&limits),
         Command::Test(command) => command.run(&limits),
         Command::Completions(command) => command.run(),

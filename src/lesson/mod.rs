@@ -8,8 +8,10 @@
 //! erratum's exhibit, and [`put`] gives the prose a value that it quotes as `{{name}}`. The same
 //! calls work in a Jupyter kernel for Rust.
 //!
-//! [`exercise`] checks students' programs, [`problem`] their numerical answers.
+//! [`exercise`] checks students' programs, [`problem`] their numerical answers; [`template`] gives
+//! each student other numbers, and [`assignment`] makes and grades sheets of such problems.
 
+pub mod assignment;
 pub mod exercise;
 mod notebook;
 mod page;
@@ -20,6 +22,7 @@ mod record;
 mod show;
 pub mod source;
 mod table;
+pub mod template;
 mod terminal;
 mod twin;
 
@@ -35,6 +38,7 @@ pub use twin::{ARRAYS, ENGINE};
 use crate::chapter::exhibit;
 use crate::error::{Error, Result};
 use crate::report::page::markup::literal;
+use template::Template;
 
 /// The result of running a notebook's cells.
 pub type Ran = std::result::Result<(), Box<dyn std::error::Error>>;
@@ -91,7 +95,11 @@ fn quoted(program: &Program, prose: &str, record: &Record) -> Result<String> {
     for piece in pieces {
         let (name, rest) = piece.split_once("}}").unwrap_or((piece, ""));
         let value = match name {
-            "problems" => Some(problem::markdown(&problem::set(program)?)),
+            "problems" => {
+                let problems = problem::set(program)?;
+                let printed: Result<Vec<_>> = problems.iter().map(Template::printed).collect();
+                Some(problem::markdown(&printed?))
+            }
             name => record.values.get(name).cloned().or_else(|| note(name)),
         };
         out += &value.ok_or_else(|| {

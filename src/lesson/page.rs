@@ -110,7 +110,7 @@ fn drawing(line: &str) -> Option<(&str, &str)> {
 
 /// Converts links: notebooks are next to the folder of live pages and link to each other; pages
 /// have it in their own folder and other extensions.
-fn on_page(text: &str) -> String {
+pub(super) fn on_page(text: &str) -> String {
     text.replace("](../live/", "](live/")
         .replace("](README.md)", "](index.html)")
         .replace(".md)", ".html)")

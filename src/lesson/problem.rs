@@ -2,17 +2,19 @@
 //!
 //! Each lesson has a file `notebooks/problems/NN.toml`. A problem contains the question in
 //! Markdown, the answer and its tolerance, and the answers that result from typical mistakes, each
-//! with a hint.
+//! with a hint. Its numbers may differ from student to student ([`super::template`]).
+
+use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
 use super::Program;
+use super::template::Template;
 use crate::error::{Error, Result};
 use crate::number::readable;
 
-/// A question.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
+/// A question with its numbers.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Problem {
     /// Lesson and number: `4.p1`.
     pub id: String,
@@ -24,6 +26,8 @@ pub struct Problem {
     pub minutes: u32,
     /// 1 easy, 2 medium, 3 hard.
     pub level: u8,
+    /// The numbers that may differ from student to student, by name.
+    pub parameters: BTreeMap<String, f64>,
     /// The question, in Markdown.
     pub text: String,
     /// The unit of the answer; empty without one.
@@ -33,10 +37,8 @@ pub struct Problem {
     /// The relative tolerance; for an answer 0, the absolute tolerance.
     pub within: f64,
     /// Other correct answers, by another convention or a sharper argument.
-    #[serde(default)]
     pub also: Vec<Also>,
     /// The results of typical mistakes.
-    #[serde(default)]
     pub traps: Vec<Trap>,
     /// The derivation of the answer, in Markdown.
     pub because: String,
@@ -57,9 +59,9 @@ pub enum Kind {
 /// Another correct answer, and why it is correct.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Also {
+pub struct Also<Number = f64> {
     /// The number.
-    pub answer: f64,
+    pub answer: Number,
     /// How it differs from the expected one.
     pub remark: String,
 }
@@ -67,9 +69,9 @@ pub struct Also {
 /// A wrong answer with a hint.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Trap {
+pub struct Trap<Number = f64> {
     /// The number.
-    pub answer: f64,
+    pub answer: Number,
     /// A hint that does not give the answer away.
     pub hint: String,
 }
@@ -88,14 +90,14 @@ pub enum Reply {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Set {
-    problem: Vec<Problem>,
+    problem: Vec<Template>,
 }
 
 /// The problems of a lesson.
 ///
 /// # Errors
 /// If its file cannot be read.
-pub fn set(lesson: &Program) -> Result<Vec<Problem>> {
+pub fn set(lesson: &Program) -> Result<Vec<Template>> {
     let set: Set = toml::from_str(lesson.problems)
         .map_err(|cause| Error::invalid(lesson.name, "problem set", cause.to_string()))?;
     Ok(set.problem)
@@ -131,7 +133,7 @@ impl Problem {
         Reply::Wrong(reason)
     }
 
-    fn is_near(&self, number: f64, target: f64) -> bool {
+    pub(super) fn is_near(&self, number: f64, target: f64) -> bool {
         let size = if target == 0.0 { 1.0 } else { target.abs() };
         (number - target).abs() <= self.within * size
     }

@@ -1,11 +1,14 @@
 //! Lessons and exercises: every cell runs, and checks tell right answers from wrong ones.
 
+mod assignment;
 mod exercise;
 mod handout;
 mod kernel;
 mod notebook;
 mod problem;
+mod second_way;
 mod sentences;
+mod template;
 mod terminal;
 
 use std::fs;

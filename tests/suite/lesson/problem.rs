@@ -1,22 +1,32 @@
 //! Problem sets: what is right is taken, what is a typical mistake gets its own hint, and each set
 //! is complete.
 
+use std::collections::BTreeMap;
 use std::process::Command;
 
 use lcplab::lesson::problem::{Kind, Problem, Reply};
+use lcplab::lesson::template::Template;
 
 #[derive(serde::Deserialize)]
 struct Set {
-    problem: Vec<Problem>,
+    problem: Vec<Template>,
 }
 
-fn sets() -> Vec<(usize, Vec<Problem>)> {
+/// The problems of all lessons.
+pub(super) fn templates() -> Vec<(usize, Vec<Template>)> {
     let read = |number: usize| {
         let path = format!("{}/notebooks/problems/{number:02}.toml", env!("CARGO_MANIFEST_DIR"));
         let set: Set = toml::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
         (number, set.problem)
     };
     (1..=17).map(read).collect()
+}
+
+/// With the numbers that the lessons print.
+fn sets() -> Vec<(usize, Vec<Problem>)> {
+    let printed =
+        |templates: Vec<Template>| templates.iter().map(|own| own.printed().unwrap()).collect();
+    templates().into_iter().map(|(lesson, templates)| (lesson, printed(templates))).collect()
 }
 
 #[test]
@@ -60,6 +70,7 @@ fn a_wrong_number_is_said_to_be_too_much_too_little_or_of_the_wrong_sign() {
         title: String::new(),
         minutes: 5,
         level: 1,
+        parameters: BTreeMap::new(),
         text: String::new(),
         unit: "N s".into(),
         answer: 2.0,
