@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 
 use super::page::on_page;
 use super::problem::{Problem, Reply};
-use super::template::{Seed, Template, normal};
+use super::template::{Seed, Template, decimal, normal};
 use crate::csv;
 use crate::error::{Defects, Error, Result};
 use crate::report::page::{Block, Page, Section};
@@ -142,12 +142,13 @@ impl Assignment {
             id: "answers".into(),
             title: "Your answers".into(),
             blocks: vec![
-                Block::Text(
-                    "Copy these lines to a text file whose name ends in `.csv`, or use the file that came with this sheet. \
-                     Write each number after its comma: with a decimal point, in the unit that the problem states, without \
-                     the unit. Three digits are enough. Leave empty what you have not solved, and hand in the file."
-                        .into(),
-                ),
+                Block::Text(format!(
+                    "Copy these lines to a text file whose name ends in `.csv`, or use the file that came with this \
+                     sheet. Write each number after its comma, as in `{},0.25`: with a decimal point, in the unit that \
+                     the problem states, without the unit. Four digits are enough. Leave empty what you have not \
+                     solved, and hand in the file.",
+                    problems.first().map_or("1.p1", |problem| &problem.id),
+                )),
                 Block::Code { language: "text".into(), text: self.form(student) },
             ],
             ..Section::default()
@@ -158,6 +159,7 @@ impl Assignment {
                 .into(),
             sections,
             facts: vec![("lcplab".into(), env!("CARGO_PKG_VERSION").into())],
+            ..Page::default()
         })
     }
 
@@ -173,7 +175,7 @@ impl Assignment {
             for problem in self.problems_of(student, secret)? {
                 let number = |(name, value): (&String, &f64)| format!("{name}={value}");
                 let numbers: Vec<String> = problem.parameters.iter().map(number).collect();
-                let [answer, within] = [problem.answer, problem.within].map(csv::number);
+                let [answer, within] = [problem.answer, problem.within].map(|own| decimal(own, 6));
                 let fields = [student, &problem.id, &answer, &problem.unit, &within];
                 csv::record(&mut out, fields.into_iter().chain([&numbers.join(" ")]));
             }

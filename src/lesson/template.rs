@@ -271,7 +271,7 @@ fn filled(text: &str, numbers: &BTreeMap<String, f64>) -> std::result::Result<St
 }
 
 /// The value with this number of significant digits, without trailing zeros.
-fn decimal(value: f64, digits: usize) -> String {
+pub(super) fn decimal(value: f64, digits: usize) -> String {
     let rounded: f64 = format!("{:.*e}", digits.max(1) - 1, value).parse().unwrap_or(value);
     format!("{}", rounded + 0.0) // no -0
 }
