@@ -6,6 +6,7 @@ mod handout;
 mod kernel;
 mod notebook;
 mod problem;
+mod python;
 mod second_way;
 mod sentences;
 mod template;
