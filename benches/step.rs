@@ -14,8 +14,8 @@ const SWEEPS: usize = 50;
 const WARM: usize = 2;
 const KERNELS: [(&str, Kernel); 3] = [
     ("row by row", Kernel::RowByRow),
-    ("eight pairs, one thread", Kernel::EightPairs { threads: 1 }),
-    ("eight pairs, two threads", Kernel::EightPairs { threads: 2 }),
+    ("eight pairs, one thread", Kernel::SimdPairs { threads: 1 }),
+    ("eight pairs, two threads", Kernel::SimdPairs { threads: 2 }),
 ];
 
 /// A round tower of this many cubes in twenty rings.
@@ -50,7 +50,7 @@ fn steps(criterion: &mut Criterion, name: &str, sizes: &[usize], scene: impl Fn(
     group.sample_size(10).measurement_time(Duration::from_secs(2));
     for &size in sizes {
         let scene = scene(size);
-        let [one, two] = [1, 2].map(|threads| warm(&scene, Kernel::EightPairs { threads }));
+        let [one, two] = [1, 2].map(|threads| warm(&scene, Kernel::SimdPairs { threads }));
         assert_eq!(one.states(), two.states(), "one and two threads differ");
         let contacts = if one.found().is_empty() { one.x().len() } else { one.found().len() };
         group.throughput(Throughput::Elements(contacts as u64));

@@ -7,7 +7,7 @@
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use lcplab::lcp::{Lcp, merit};
 use lcplab::solver::kernel::Width;
-use lcplab::solver::kernel::impulses::{EightPairs, RowByRow, System};
+use lcplab::solver::kernel::impulses::{RowByRow, SimdPairs, System};
 use lcplab::storage::Factors;
 use lcplab_benches::problems::posed;
 
@@ -37,13 +37,13 @@ impl Sweeps for Plain<'_> {
     }
 }
 
-impl Sweeps for EightPairs {
+impl Sweeps for SimdPairs {
     fn sweep(&mut self) {
-        EightPairs::sweep(self);
+        SimdPairs::sweep(self);
     }
 
     fn x(&self) -> Vec<f64> {
-        EightPairs::x(self)
+        SimdPairs::x(self)
     }
 }
 
@@ -81,7 +81,7 @@ fn tower(criterion: &mut Criterion) {
     let rows = factors.scaled_rows();
     let system = System::new(factors.bodies(), &rows, lcp).expect("no row of zeros");
     let plain = || Plain(&system, RowByRow::new(&system));
-    let eight = |width| EightPairs::new(&system, width).expect("pairs");
+    let eight = |width| SimdPairs::new(&system, width).expect("pairs");
     let widest = || eight(Width::widest());
     check(lcp, &(0..lcp.len()).collect::<Vec<_>>(), plain());
     Width::available().for_each(|width| check(lcp, &widest().order(), eight(width)));
@@ -110,7 +110,7 @@ fn tower(criterion: &mut Criterion) {
             });
             let id = BenchmarkId::new("eight pairs", part);
             group.bench_function(id, |bencher| {
-                let run = |mut kernel: EightPairs| (0..by_eight).for_each(|_| kernel.sweep());
+                let run = |mut kernel: SimdPairs| (0..by_eight).for_each(|_| kernel.sweep());
                 bencher.iter_batched(widest, run, criterion::BatchSize::LargeInput);
             });
         }

@@ -10,7 +10,7 @@ use lcplab::error::Result;
 use lcplab::file;
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::{Question, library};
-use lcplab::proof::{Found, prove};
+use lcplab::proof::{ProofSearch, prove};
 use lcplab::report::answer::first_answer;
 use lcplab::scene::catalogue::SHIPPED;
 use lcplab::simulation::Simulation;
@@ -28,7 +28,7 @@ fn main() -> Result<()> {
         }
         let start = Instant::now();
         let question = Question::new(problem, None, &problem.name)?;
-        let Found { proof, missing } = prove(&question, &first_answer(&problem.lcp));
+        let ProofSearch { proof, missing } = prove(&question, &first_answer(&problem.lcp));
         let kind = proof.as_ref().map_or("none", |proof| proof.claim.kind().name());
         let coupled = problem.lcp.has_coupled_rows();
         *kinds.entry((if coupled { "coupled" } else { "not coupled" }, kind)).or_default() += 1;

@@ -17,12 +17,12 @@ use lcplab::diagnosis;
 use lcplab::error::Result;
 use lcplab::hunt;
 use lcplab::lcp::file::{Problem, number};
-use lcplab::lcp::friction::{ConeProblem, FrictionProblem, Law, Model, Polyhedral, Posed};
+use lcplab::lcp::friction::{ConeProblem, FrictionProblem, Law, Model, Polyhedral, ProblemForm};
 use lcplab::lcp::{Lcp, library};
 use lcplab::report::answer::{
     Answer, certificate_json, claim, evidence_json, rounding_json, status_word, verdict_json,
 };
-use lcplab::report::friction::Judged;
+use lcplab::report::friction::JudgedAnswer;
 use lcplab::scene::{Scene, Scheme, catalogue};
 use lcplab::solver::{
     ALL, CONES, Options, PolygonPgs, Settings, Solution, Solver, Start, Status, methods,
@@ -101,12 +101,12 @@ fn of_polygons(subjects: &[Subject]) -> Result<Vec<Value>> {
 
 fn polygon_record(name: &str, friction: &FrictionProblem, corners: usize) -> Result<Value> {
     let model = Model::Polyhedral { directions: corners };
-    let posed = Posed::Polyhedral(Polyhedral::new(friction, corners)?);
+    let posed = ProblemForm::Polyhedral(Polyhedral::new(friction, corners)?);
     let settings = Settings { max_iterations: 500, ..Settings::default() };
     let options = Options { settings: settings.clone(), ..Options::default() };
     let demand = Demand::default();
     let judged = |solver: &str, status: Option<&Status>, x: &[f64]| {
-        let judged = Judged::at_contacts(friction, &posed, x, &demand);
+        let judged = JudgedAnswer::at_contacts(friction, &posed, x, &demand);
         let (word, judged) = match status {
             Some(status) => {
                 let judged = judged.with_claim(&posed, status, &demand);
@@ -136,7 +136,7 @@ fn polygon_record(name: &str, friction: &FrictionProblem, corners: usize) -> Res
     for method in methods().iter().filter(|method| method.takes(Some(model))) {
         solved(method.name(), method.solve(&posed, &options, &mut ()));
     }
-    if let Posed::Polyhedral(polyhedral) = &posed {
+    if let ProblemForm::Polyhedral(polyhedral) = &posed {
         let sweeps = PolygonPgs { settings };
         solved(PolygonPgs::NAME, sweeps.solve(polyhedral, &Start::default(), &mut ()));
     }

@@ -48,7 +48,8 @@ pub use lcplab_solver as solver;
 pub use lcplab_solver::{textbook, trace};
 pub use lcplab_study::{card, diagnosis, explain, hunt};
 
-extern crate self as lcplab; // the command line and the lessons' cells say so
+// The command line and the cells of lessons use this name.
+extern crate self as lcplab;
 
 pub mod chapter;
 pub mod cli;

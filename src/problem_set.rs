@@ -75,7 +75,8 @@ pub fn write(folder: &Path, progress: &ProgressBar) -> Result<usize> {
         let text = format!("{}\n", problem.to_json());
         let hash: String = Sha256::digest(&text).iter().map(|byte| format!("{byte:02x}")).collect();
         if written.contains(&hash) {
-            continue; // a family with another parameter for the same problem
+            // A family with another parameter for the same problem.
+            continue;
         }
         let name = format!("{:03}_{}.json", written.len() + 1, stem(&problem.name));
         file::write_in(folder, &name, text)?;

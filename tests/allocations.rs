@@ -6,7 +6,7 @@ use lcplab::lcp::{Lcp, Matrix};
 use lcplab::scene::Scene;
 use lcplab::simulation::stepper::{Kernel, Stepper};
 use lcplab::solver::kernel::Width;
-use lcplab::solver::kernel::impulses::{EightPairs, Row, RowByRow, System};
+use lcplab::solver::kernel::impulses::{Row, RowByRow, SimdPairs, System};
 use lcplab::storage::{ALL, Entry, MapOfMaps, Storage, sweep};
 
 /// A pile of boxes as a step meets it: so many contacts of three rows between neighbours.
@@ -114,7 +114,7 @@ fn the_bytes_of_a_kernel_are_those_the_allocator_saw() {
     let made = measure(|| plain = Some(RowByRow::new(&system)));
     assert_eq!(made.bytes_current, plain.unwrap().bytes() as i64);
     let mut eight = None;
-    let made = measure(|| eight = Some(EightPairs::new(&system, Width::widest()).unwrap()));
+    let made = measure(|| eight = Some(SimdPairs::new(&system, Width::widest()).unwrap()));
     let beside = made.bytes_current - eight.unwrap().bytes() as i64;
     assert!((0..1000).contains(&beside), "{beside}");
 }
@@ -133,7 +133,7 @@ fn a_map_that_was_set_out_of_order_holds_about_what_it_says() {
 }
 
 const KERNELS: [Kernel; 3] =
-    [Kernel::RowByRow, Kernel::EightPairs { threads: 1 }, Kernel::EightPairs { threads: 2 }];
+    [Kernel::RowByRow, Kernel::SimdPairs { threads: 1 }, Kernel::SimdPairs { threads: 2 }];
 
 fn generated(kind: &str) -> Scene {
     let ground = "[[bodies]]\nname = \"ground\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n";

@@ -29,7 +29,7 @@ pub fn simulator(bytes: &[u8]) -> Result<()> {
             break;
         }
     }
-    let kernels = [Kernel::RowByRow, Kernel::EightPairs { threads: 1 }];
+    let kernels = [Kernel::RowByRow, Kernel::SimdPairs { threads: 1 }];
     for mut stepper in kernels.into_iter().filter_map(|k| Stepper::new(scene.clone(), 10, k).ok()) {
         for _ in 0..STEPS {
             let outcome = stepper.step();

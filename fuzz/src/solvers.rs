@@ -16,7 +16,7 @@ pub fn solvers(bytes: &[u8]) -> Result<()> {
     let options = Options { settings, ..Options::default() };
     let solvers: Vec<_> = ALL.iter().map(|entry| (entry.build)(&options)).collect();
     for (solver, claim) in claims(&lcp, start.as_deref(), &solvers, Settings::default().tolerance) {
-        assert!(!matches!(claim, Claim::Lie(_)), "{solver}: {claim:?} of {lcp:?} from {start:?}");
+        assert!(!matches!(claim, Claim::FalseClaim(_)), "{solver}: {claim:?} of {lcp:?} from {start:?}");
     }
     contact::solved(&mut u)
 }

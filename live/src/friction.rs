@@ -1,6 +1,6 @@
 //! A block that is pressed and pushed along the floor, under several friction models.
 
-use lcplab_problem::friction::{FrictionProblem, Model, Posed};
+use lcplab_problem::friction::{FrictionProblem, Model, ProblemForm};
 use lcplab_problem::{Coupling, Lcp, Matrix, hypot};
 use lcplab_solver::{ConePgs, ConeSolver, Lemke, Pgs, Settings, Solver, Start, solve_polyhedral};
 use serde::Deserialize;
@@ -15,7 +15,7 @@ const G: f64 = 9.81;
 /// A block of 1 kg, what presses it, and what friction would have to do to hold it.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Push {
+pub struct PushedBlock {
     /// N s.
     press: f64,
     mu: f64,
@@ -25,7 +25,7 @@ pub struct Push {
     directions: usize,
 }
 
-impl Push {
+impl PushedBlock {
     /// Under each model: x and w of the normal and both tangents.
     pub fn answer(&self) -> Answer {
         let problem = block(self.mu, self.press, self.wanted)?;
@@ -104,13 +104,13 @@ pub fn solved(model: Model, problem: &FrictionProblem) -> Result<Vec<f64>, Strin
     let settings = Settings { tolerance: 1e-12, ..Settings::default() };
     let start = Start::default();
     Ok(match model.pose(problem, None).map_err(|error| error.to_string())? {
-        Posed::Boxed(lcp) => {
+        ProblemForm::Boxed(lcp) => {
             Pgs { omega: 1.0, order: Default::default(), settings }.solve(&lcp, &start, &mut ()).x
         }
-        Posed::Polyhedral(polygon) => {
+        ProblemForm::Polyhedral(polygon) => {
             let tolerance = settings.tolerance;
             solve_polyhedral(&Lemke { settings }, &polygon, &start, tolerance, &mut ()).x
         }
-        Posed::Cone(cone) => ConePgs { settings }.solve(&cone, &start, &mut ()).x,
+        ProblemForm::Cone(cone) => ConePgs { settings }.solve(&cone, &start, &mut ()).x,
     })
 }

@@ -30,7 +30,7 @@ enum Question {
     /// How a column moves.
     Motion(column::Motion),
     /// A block that is pushed, under several friction models.
-    Friction(friction::Push),
+    Friction(friction::PushedBlock),
     /// Its way over the floor.
     Slide(friction::Slide),
     /// A rod that slides, and what holds it.

@@ -6,7 +6,7 @@ use lcplab_problem::file::Problem;
 use lcplab_problem::{Lcp, Question};
 use lcplab_proof::prove;
 use lcplab_solver::{ALL, Options, Start, by_name, default_for};
-use lcplab_study::answer::{Answer as Judged, certificate_text};
+use lcplab_study::answer::{Answer as JudgedAnswer, certificate_text};
 use lcplab_study::explain::{Method, problem as derivation};
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
@@ -60,7 +60,7 @@ impl Solve {
         }
         let derived =
             Method::NAMES.contains(&name).then(|| derived(&question, name)).transpose()?;
-        let answer = Judged::judged(lcp, solver.name(), solution, &Demand::default());
+        let answer = JudgedAnswer::judged(lcp, solver.name(), solution, &Demand::default());
         Ok(json!({
             "name": problem.name,
             "warnings": problem.warnings,

@@ -89,7 +89,8 @@ impl Run {
             vec![json!({ "at": state.place, "x": [0.0, 0.0, 0.0, 0.0], "slip": -self.slip })];
         for _ in 0..self.steps.min(2_000) {
             let (x, _) = state.touch(self.rod.mu, self.dt)?;
-            let x = [x[0], x[1], x[3], x[4]]; // nothing happens along the second tangent
+            // Nothing happens along the second tangent.
+            let x = [x[0], x[1], x[3], x[4]];
             state.advance(&x, self.dt);
             let slip = state.speed_of(state.rows()[1]);
             frames.push(json!({ "at": state.place, "x": numbers(&x), "slip": slip }));

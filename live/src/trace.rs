@@ -7,8 +7,8 @@ use lcplab_problem::file::{Problem, number};
 use lcplab_problem::{Lcp, merit};
 use lcplab_solver::theory::{principal_submatrix, sor_iteration_matrix};
 use lcplab_solver::{
-    Damping, Dantzig, Event, Iterate, Jacobi, Lemke, Murty, Observer, Order, Part, Pgs, RowUpdate,
-    Settings, Solver, Start,
+    Damping, Dantzig, Event, Iterate, Jacobi, Lemke, Murty, Observer, Order, Pgs, RowUpdate,
+    Settings, Solver, Start, StepDetail,
 };
 use nalgebra::DMatrix;
 use serde::Deserialize;
@@ -95,7 +95,8 @@ fn rate(solver: &str, omega: f64, lcp: &Lcp, x: &[f64]) -> Option<f64> {
         if size == 0.0 || !size.is_finite() {
             return (size == 0.0).then_some(0.0);
         }
-        log += libm::log(size); // now G to this power is e^log N, |N| = 1
+        // G to this power is now e^log N with |N| = 1.
+        log += libm::log(size);
         n /= size;
         logs = [logs[1], log];
         n = squared(&n);
@@ -172,12 +173,13 @@ impl Observer for Steps<'_> {
         ControlFlow::Continue(())
     }
 
-    fn asks_for_parts(&self) -> bool {
+    fn wants_details(&self) -> bool {
         true
     }
 
-    fn part(&mut self, part: &Part<'_>) {
-        if let Part::Row(RowUpdate { row, w, diagonal, before, unclamped, after, .. }) = part {
+    fn part(&mut self, part: &StepDetail<'_>) {
+        if let StepDetail::Row(RowUpdate { row, w, diagonal, before, unclamped, after, .. }) = part
+        {
             self.rows.push(json!({
                 "row": row, "w": number(*w), "diagonal": number(*diagonal), "before": number(*before),
                 "unclamped": number(*unclamped), "after": number(*after),

@@ -109,7 +109,8 @@ fn has_parameter(function: &Bound<'_, PyAny>, name: &str) -> bool {
             [parameter.getattr("POSITIONAL_OR_KEYWORD")?, parameter.getattr("KEYWORD_ONLY")?];
         PyResult::Ok(takes_keyword.iter().any(|other| kind.is(other)))
     };
-    parameters().unwrap_or(false) // a function in C may have no signature
+    // A function in C may have no signature.
+    parameters().unwrap_or(false)
 }
 
 impl Function {
@@ -193,8 +194,8 @@ impl ConeSolver for Set {
             Law::Associated => Model::AssociatedCone,
             Law::Coulomb => Model::CoulombCone,
         };
-        let told = problem.friction().coupled_box();
-        self.answered(&told, Some(model), start.point(problem), start, observer)
+        let record = problem.friction().coupled_box();
+        self.answered(&record, Some(model), start.point(problem), start, observer)
     }
 }
 
@@ -212,9 +213,10 @@ impl Set {
         if waiting::is_interrupted() || observer.observe(&begun).is_break() {
             return Solution::new(lcp, first, Status::Stopped, 0);
         }
-        let mut told = Told { lcp, observer, x: first, iterations: 0, is_stopped: false };
-        let status = Python::attach(|py| match self.answer(py, lcp, model, start, &mut told) {
-            Ok(_) if told.is_stopped => Status::Stopped,
+        let mut record =
+            IterateRecord { lcp, observer, x: first, iterations: 0, is_stopped: false };
+        let status = Python::attach(|py| match self.answer(py, lcp, model, start, &mut record) {
+            Ok(_) if record.is_stopped => Status::Stopped,
             Ok(true) => Status::Solved,
             Ok(false) => Status::IterationLimit,
             Err(error) if error.is_instance_of::<PyNotImplementedError>(py) => {
@@ -223,12 +225,12 @@ impl Set {
             Err(error) => Status::NoAnswer { reason: reason(py, &error) },
         });
         // A function has no word of its own for "solved".
-        Solution::new(lcp, told.x, status, told.iterations).with_implied_claim(true)
+        Solution::new(lcp, record.x, status, record.iterations).with_implied_claim(true)
     }
 }
 
-/// What was told of the way to x.
-struct Told<'a> {
+/// The iterates that the function returned.
+struct IterateRecord<'a> {
     lcp: &'a Lcp,
     observer: &'a mut dyn Observer,
     x: Vec<f64>,
@@ -236,9 +238,9 @@ struct Told<'a> {
     is_stopped: bool,
 }
 
-impl Told<'_> {
+impl IterateRecord<'_> {
     /// Hears an iterate.
-    fn hear(&mut self, x: &Bound<'_, PyAny>) -> PyResult<()> {
+    fn add(&mut self, x: &Bound<'_, PyAny>) -> PyResult<()> {
         let x = numbers(x)?;
         if x.len() != self.lcp.len() {
             let reason =
@@ -266,7 +268,7 @@ impl Set {
         lcp: &Lcp,
         model: Option<Model>,
         start: &Start<'_>,
-        told: &mut Told<'_>,
+        record: &mut IterateRecord<'_>,
     ) -> PyResult<bool> {
         let a = arrays::matrix(py, lcp)?;
         let vector = |values: &[f64]| PyArray1::from_slice(py, values);
@@ -289,20 +291,20 @@ impl Set {
             return Ok(false);
         }
         if !answer.hasattr("__next__")? {
-            told.hear(&answer)?;
+            record.add(&answer)?;
             return Ok(true);
         }
         for x in answer.try_iter()? {
             let x = x?;
-            if told.iterations >= self.settings.max_iterations {
+            if record.iterations >= self.settings.max_iterations {
                 return Ok(false);
             }
-            told.hear(&x)?;
-            if told.is_stopped {
+            record.add(&x)?;
+            if record.is_stopped {
                 break;
             }
         }
-        Ok(told.iterations > 0)
+        Ok(record.iterations > 0)
     }
 }
 

@@ -17,7 +17,7 @@ use crate::{callable, refused};
 
 /// What is hunted, and where.
 #[derive(FromPyObject)]
-pub struct Quarry {
+pub struct SearchArgs {
     #[pyo3(item("measure"))]
     measure: String,
     #[pyo3(item("rows"))]
@@ -44,16 +44,16 @@ pub fn hunt<'py>(
     py: Python<'py>,
     solver: Bound<'py, PyAny>,
     rival: Option<Bound<'py, PyAny>>,
-    quarry: Quarry,
+    search: SearchArgs,
     given: SolverSettings,
     start: Vec<PyRef<'py, Problem>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let measure: Measure = quarry
+    let measure: Measure = search
         .measure
         .parse()
         .map_err(|reason: String| PyValueError::new_err(format!("measure: {reason}")))?;
-    let within = quarry.within.as_deref().map(MatrixClass::by_word).transpose().map_err(refused)?;
-    let model = quarry.model.as_deref().map(str::parse::<Model>).transpose().map_err(refused)?;
+    let within = search.within.as_deref().map(MatrixClass::by_word).transpose().map_err(refused)?;
+    let model = search.model.as_deref().map(str::parse::<Model>).transpose().map_err(refused)?;
     let start: Vec<_> = start
         .iter()
         .enumerate()
@@ -70,7 +70,7 @@ pub fn hunt<'py>(
         options: given.options()?,
         model: start.model,
         within: start.within,
-        friction: match quarry.friction.as_str() {
+        friction: match search.friction.as_str() {
             "only" => Friction::Only,
             "never" => Friction::Never,
             _ => Friction::Any,
@@ -80,35 +80,38 @@ pub fn hunt<'py>(
     };
     trial.validate().map_err(refused)?;
     let search = Search {
-        rows: quarry.rows.0..=quarry.rows.1,
-        evaluations: quarry.evaluations,
-        seed: quarry.seed,
-        at_least: quarry.at_least,
+        rows: search.rows.0..=search.rows.1,
+        evaluations: search.evaluations,
+        seed: search.seed,
+        at_least: search.at_least,
         from: start.problems,
     };
     search.validate(&trial).map_err(refused)?;
-    let limit = quarry.seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+    let limit = search.seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
     let stop = limit.map_or_else(Stop::default, Stop::after);
-    let (searched, finding) = wait(py, &stop, || {
-        let searched = search.run(&trial, &stop, &|_| ());
-        let finding = searched.catch.as_ref().map(|catch| Finding::of(catch, &trial, quarry.seed));
-        (searched, finding)
+    let (result, finding) = wait(py, &stop, || {
+        let result = search.run(&trial, &stop, &|_| ());
+        let finding = result
+            .counterexample
+            .as_ref()
+            .map(|counterexample| Finding::of(counterexample, &trial, search.seed));
+        (result, finding)
     })?;
-    let told = PyDict::new(py);
-    told.set_item("evaluations", searched.evaluations)?;
-    told.set_item("solved", searched.solved)?;
-    told.set_item("useless", searched.useless(trial.solver.name()))?;
-    told.set_item("notes", start.notes)?;
-    if let (Some(catch), Some(finding)) = (searched.catch, finding) {
-        told.set_item("value", catch.value)?;
-        told.set_item("evaluation", catch.evaluation)?;
-        told.set_item("words", finding.words.clone())?;
-        told.set_item("equations", finding.equations())?;
-        told.set_item("answers", finding.answers())?;
+    let fields = PyDict::new(py);
+    fields.set_item("evaluations", result.evaluations)?;
+    fields.set_item("solved", result.solved)?;
+    fields.set_item("useless", result.useless(trial.solver.name()))?;
+    fields.set_item("notes", start.notes)?;
+    if let (Some(counterexample), Some(finding)) = (result.counterexample, finding) {
+        fields.set_item("value", counterexample.value)?;
+        fields.set_item("evaluation", counterexample.evaluation)?;
+        fields.set_item("words", finding.words.clone())?;
+        fields.set_item("equations", finding.equations())?;
+        fields.set_item("answers", finding.answers())?;
         let vector = |x: &[f64]| PyArray1::from_slice(py, x);
-        told.set_item("x", finding.answer.as_deref().map(vector))?;
-        told.set_item("right_x", finding.right.as_ref().map(|right| vector(&right.x)))?;
-        told.set_item("problem", Bound::new(py, Problem(finding.problem))?)?;
+        fields.set_item("x", finding.answer.as_deref().map(vector))?;
+        fields.set_item("right_x", finding.right.as_ref().map(|right| vector(&right.x)))?;
+        fields.set_item("problem", Bound::new(py, Problem(finding.problem))?)?;
     }
-    Ok(told)
+    Ok(fields)
 }

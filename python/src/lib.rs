@@ -35,7 +35,7 @@ fn _lcplab(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add_class::<problem::Problem>()?;
     module.add_class::<scene::Scene>()?;
-    module.add_class::<scene::Taken>()?;
+    module.add_class::<scene::SimulatedStep>()?;
     module.add_function(wrap_pyfunction!(scene::describe, module)?)?;
     module.add_function(wrap_pyfunction!(scene::describe_json, module)?)?;
     module.add_function(wrap_pyfunction!(solving::solve, module)?)?;

@@ -1,7 +1,7 @@
 //! Proofs as JSON.
 
 use lcplab::error::Error;
-use lcplab::proof::{self, Found, Kind};
+use lcplab::proof::{self, Kind, ProofSearch};
 use lcplab::report::answer::first_answer;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
@@ -41,10 +41,10 @@ pub fn prove(
         let reason = format!("{reason}; model=\"coupled-box\" asks about the coupled box");
         return Err(refused(Error::invalid("problem", "model", reason)));
     }
-    let Found { proof, missing } = found;
-    let told = |proof: &proof::Proof| (proof.to_json().to_string(), proof.sentence());
+    let ProofSearch { proof, missing } = found;
+    let json_and_sentence = |proof: &proof::Proof| (proof.to_json().to_string(), proof.sentence());
     let missing = missing.into_iter().map(|(kind, reason)| (kind.name(), reason));
-    Ok((proof.as_ref().map(told), missing.collect()))
+    Ok((proof.as_ref().map(json_and_sentence), missing.collect()))
 }
 
 /// Why a proof proves nothing of this problem, or none.

@@ -62,13 +62,13 @@ pub fn motion_bounds(
 ) -> PyResult<Vec<(Option<Bounds>, Option<String>)>> {
     let frames = steps.iter().map(Step::frame).collect::<Result<Vec<_>>>().map_err(refused)?;
     let bounds = py.detach(|| of_all(&frames));
-    let told = |bound: std::result::Result<GapBound, Unproved>| match bound {
+    let parts = |bound: std::result::Result<GapBound, Unproved>| match bound {
         Ok(GapBound { motion, answer, closure, row }) => {
             (Some((motion, answer, closure, row)), None)
         }
         Err(why) => (None, Some(why.to_string())),
     };
-    Ok(bounds.into_iter().map(told).collect())
+    Ok(bounds.into_iter().map(parts).collect())
 }
 
 fn of_all(frames: &[Frame]) -> Vec<std::result::Result<GapBound, Unproved>> {

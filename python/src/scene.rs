@@ -27,12 +27,12 @@ pub struct Scene {
 
 /// A step that was taken. It is judged when somebody asks: a proof may take longer than the step.
 #[pyclass(unsendable, module = "lcplab._lcplab")]
-pub struct Taken {
+pub struct SimulatedStep {
     step: Rc<Step>,
     scene: Rc<Described>,
 }
 
-impl Taken {
+impl SimulatedStep {
     /// The solves; those of a step of sweeps are posed now.
     fn solves(&self) -> PyResult<Cow<'_, [Solve]>> {
         self.step.posed(&self.scene).map_err(|cause| PyRuntimeError::new_err(cause.to_string()))
@@ -40,7 +40,7 @@ impl Taken {
 }
 
 #[pymethods]
-impl Taken {
+impl SimulatedStep {
     #[getter]
     fn number(&self) -> usize {
         self.step.number
@@ -113,7 +113,11 @@ impl Scene {
     }
 
     /// Takes one step, by this solver if one is named.
-    fn step(&mut self, py: Python<'_>, solver: Option<Bound<'_, PyAny>>) -> PyResult<Taken> {
+    fn step(
+        &mut self,
+        py: Python<'_>,
+        solver: Option<Bound<'_, PyAny>>,
+    ) -> PyResult<SimulatedStep> {
         if let Some(solver) = solver {
             let scene = self.simulation.scene();
             let options = simulation::options(scene);
@@ -139,7 +143,7 @@ impl Scene {
         let step = step.map_err(|failure| PyRuntimeError::new_err(failure.to_string()))?;
         let step = Rc::new(step);
         self.last = Some(Rc::clone(&step));
-        Ok(Taken { step, scene: Rc::clone(&self.scene) })
+        Ok(SimulatedStep { step, scene: Rc::clone(&self.scene) })
     }
 
     /// The last problem of the last step.

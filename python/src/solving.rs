@@ -8,11 +8,11 @@ use lcplab::lcp::Lcp;
 use lcplab::lcp::Question;
 use lcplab::lcp::friction::Model;
 use lcplab::report::answer::{Answer, attempts_json, certificate_json, claim};
-use lcplab::report::friction::{self, Judged};
+use lcplab::report::friction::{self, JudgedAnswer};
 use lcplab::report::study::families::{self, Contender, Models};
 use lcplab::report::{methods, text, view};
 use lcplab::solver::{
-    Answered, Entry, Observer, Options, Settings, Solution, Start, Stop, default_for,
+    Entry, Observer, Options, SequenceAnswer, Settings, Solution, Start, Stop, default_for,
     solve_boxed_by_sequence,
 };
 use lcplab::trace::Convergence;
@@ -83,7 +83,8 @@ pub fn solve<'py>(
     let lcp = &problem.0.lcp;
     let entry = match solver {
         Some(solver) => Some(callable::entry(&solver)?),
-        None if trace => Some(methods::entry(default_for(lcp)).map_err(refused)?), // of one method
+        // With a trace, one method runs.
+        None if trace => Some(methods::entry(default_for(lcp)).map_err(refused)?),
         None => None,
     };
     let stop = Stop::default();
@@ -93,13 +94,13 @@ pub fn solve<'py>(
         false => wait(py, &stop, work)?,
     };
     let certificate = &answer.certificate;
-    let told = told(py, &answer.solution, &certificate.w, &certificate.verdict)?;
-    told.set_item("status", answer.status_word())?;
-    told.set_item("message", answer.message())?;
-    told.set_item("solver", answer.solver)?;
+    let fields = fields(py, &answer.solution, &certificate.w, &certificate.verdict)?;
+    fields.set_item("status", answer.status_word())?;
+    fields.set_item("message", answer.message())?;
+    fields.set_item("solver", answer.solver)?;
     let mut object = certificate_json(certificate);
     object.extend(attempts_json(&answer.attempts));
-    told.set_item("certificate", Value::Object(object).to_string())?;
+    fields.set_item("certificate", Value::Object(object).to_string())?;
     if trace {
         let column =
             |of: fn(&lcplab::trace::Record) -> f64| PyArray1::from_iter(py, records.iter().map(of));
@@ -108,24 +109,24 @@ pub fn solve<'py>(
         columns.set_item("scaled_residual", column(|record| record.scaled_residual))?;
         columns.set_item("natural_residual", column(|record| record.natural_residual))?;
         columns.set_item("objective", column(|record| record.objective))?;
-        told.set_item("trace", columns)?;
+        fields.set_item("trace", columns)?;
     }
-    Ok(told)
+    Ok(fields)
 }
 
 /// What every answer has.
-fn told<'py>(
+fn fields<'py>(
     py: Python<'py>,
     solution: &Solution,
     w: &[f64],
     verdict: &Verdict,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let told = PyDict::new(py);
-    told.set_item("x", PyArray1::from_slice(py, &solution.x))?;
-    told.set_item("w", PyArray1::from_slice(py, w))?;
-    told.set_item("iterations", solution.iterations)?;
-    told.set_item("is_solution", verdict.is_solution())?;
-    Ok(told)
+    let fields = PyDict::new(py);
+    fields.set_item("x", PyArray1::from_slice(py, &solution.x))?;
+    fields.set_item("w", PyArray1::from_slice(py, w))?;
+    fields.set_item("iterations", solution.iterations)?;
+    fields.set_item("is_solution", verdict.is_solution())?;
+    Ok(fields)
 }
 
 /// The problem under the friction model that is asked for, or that it states.
@@ -156,22 +157,22 @@ fn solve_modelled<'py>(
             Some(method) => {
                 let (solution, judged) =
                     friction::solve(question, method, options, demand, observer);
-                (Answered { solver: method.name(), solution, attempts: Vec::new() }, judged)
+                (SequenceAnswer { solver: method.name(), solution, attempts: Vec::new() }, judged)
             }
             None => friction::solve_by_default(question, options, demand, observer),
         }
     })?;
-    let Answered { solver, solution, attempts } = answered;
+    let SequenceAnswer { solver, solution, attempts } = answered;
     let certificate = &judged.certificate;
     let (status, message) = claim(&solution.status, certificate.refutation(), None);
-    let told = told(py, &solution, &certificate.w, &certificate.verdict)?;
-    told.set_item("status", status)?;
-    told.set_item("message", message)?;
-    told.set_item("solver", solver)?;
+    let fields = fields(py, &solution, &certificate.w, &certificate.verdict)?;
+    fields.set_item("status", status)?;
+    fields.set_item("message", message)?;
+    fields.set_item("solver", solver)?;
     let mut certificate = judged.json();
     certificate.extend(attempts_json(&attempts));
-    told.set_item("certificate", Value::Object(certificate).to_string())?;
-    Ok(told)
+    fields.set_item("certificate", Value::Object(certificate).to_string())?;
+    Ok(fields)
 }
 
 fn answered(
@@ -185,8 +186,8 @@ fn answered(
     let mut convergence = Convergence::of(lcp);
     let observer: &mut dyn Observer = if trace { &mut convergence } else { &mut () };
     let (observer, start) = (&mut stop.watch(observer), Start::default());
-    let Answered { solver, solution, attempts } = match entry {
-        Some(entry) => Answered {
+    let SequenceAnswer { solver, solution, attempts } = match entry {
+        Some(entry) => SequenceAnswer {
             solver: entry.name,
             solution: (entry.build)(options).solve(lcp, &start, observer),
             attempts: Vec::new(),
@@ -214,7 +215,7 @@ pub fn judge(
     let question = question(problem, model, None)?;
     let (verdict, object) = match question.model() {
         Some(_) => {
-            let judged = py.detach(|| Judged::of(&question, &x, &demand));
+            let judged = py.detach(|| JudgedAnswer::of(&question, &x, &demand));
             (judged.certificate.verdict, judged.json())
         }
         None => {

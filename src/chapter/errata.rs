@@ -8,7 +8,7 @@ use crate::error::Result;
 
 /// An erratum and the result of its example.
 #[derive(Debug, Clone, Copy)]
-pub struct Tried {
+pub struct ErratumResult {
     /// The erratum.
     pub exhibit: &'static Exhibit,
     /// Whether the example distinguished the printed form from the corrected one; `None` without an
@@ -20,13 +20,13 @@ pub struct Tried {
 ///
 /// # Errors
 /// If an example cannot be set up.
-pub fn tried() -> Result<Vec<Tried>> {
-    exhibit::all().iter().map(Tried::of).collect()
+pub fn tried() -> Result<Vec<ErratumResult>> {
+    exhibit::all().iter().map(ErratumResult::of).collect()
 }
 
 /// The list of errata with their results.
-pub fn document(tried: &[Tried]) -> Document {
-    let line = |tried: &Tried| {
+pub fn document(tried: &[ErratumResult]) -> Document {
+    let line = |tried: &ErratumResult| {
         let Exhibit { id, severity, place, title, .. } = tried.exhibit;
         [id, severity.word(), tried.word(), place, title].map(str::to_string).to_vec()
     };
@@ -48,14 +48,14 @@ pub fn document(tried: &[Tried]) -> Document {
     document
 }
 
-impl Tried {
+impl ErratumResult {
     /// Runs the example of an erratum.
     ///
     /// # Errors
     /// If it cannot be set up.
     pub fn of(exhibit: &'static Exhibit) -> Result<Self> {
         let is_shown = exhibit.found()?.map(|finding| finding.is_shown());
-        Ok(Tried { exhibit, is_shown })
+        Ok(ErratumResult { exhibit, is_shown })
     }
 
     /// The result, in words.

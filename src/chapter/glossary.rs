@@ -32,7 +32,8 @@ pub fn terms() -> &'static [Term] {
 /// The rows of the table on the page.
 fn table(page: &str) -> Vec<Term> {
     let rows = page.lines().filter(|line| line.starts_with("| "));
-    rows.skip(2).map(|row| term(&cells(row))).collect() // the head and the line below it
+    // Skips the head and the line below it.
+    rows.skip(2).map(|row| term(&cells(row))).collect()
 }
 
 fn term(cells: &[String]) -> Term {

@@ -93,7 +93,7 @@ impl Chapter {
         if !self.json {
             return self.writing.write(&exhibit.document()?);
         }
-        let tried = errata::Tried::of(exhibit)?;
+        let tried = errata::ErratumResult::of(exhibit)?;
         self.object(&tried.to_json(), outcome(tried.is_shown != Some(false)))
     }
 
@@ -103,7 +103,7 @@ impl Chapter {
         if !self.json {
             return self.writing.write(&document);
         }
-        let list = tried.iter().map(errata::Tried::to_json).collect();
+        let list = tried.iter().map(errata::ErratumResult::to_json).collect();
         self.object(&list, outcome(document.is_accepted))
     }
 

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use lcplab::diagnosis::shortfall::{
-    Examination, Practice, examine_scene, examine_sequence, main_solve, practice,
+use lcplab::diagnosis::unsupported::{
+    Examination, UserSolver, examine_scene, examine_sequence, main_solve, user_solver,
 };
 use lcplab::diagnosis::{self, Diagnosis, find_mistakes, problem, single_precision};
 use lcplab::document::Document;
@@ -139,7 +139,7 @@ impl Diagnose {
     }
 
     /// Diagnoses a problem, and its solve if a solver is given.
-    fn problem(&self, solver: Option<&str>) -> Result<(Diagnosis, Option<Examined>)> {
+    fn problem(&self, solver: Option<&str>) -> Result<(Diagnosis, Option<ExaminedInput>)> {
         let refuse = |option| {
             Error::invalid(&self.input, option, "applies to scenes, but the input is a problem")
         };
@@ -154,27 +154,27 @@ impl Diagnose {
         if solver.is_none() && self.max_iterations.is_none() {
             return Ok((diagnosis, None));
         }
-        let practice = self.practice(solver)?;
-        let found = examine_sequence(&[as_box(read, &self.input)?], &practice);
-        Ok((diagnosis, Some(Examined { found, practice, scene: None })))
+        let user_solver = self.user_solver(solver)?;
+        let found = examine_sequence(&[as_box(read, &self.input)?], &user_solver);
+        Ok((diagnosis, Some(ExaminedInput { found, user_solver, scene: None })))
     }
 
     /// Diagnoses a scene, and its solve if possible.
-    fn of_scene(&self, solver: Option<&str>) -> Result<(Diagnosis, Option<Examined>)> {
+    fn of_scene(&self, solver: Option<&str>) -> Result<(Diagnosis, Option<ExaminedInput>)> {
         let scene = self.scene(solver)?;
         let step = self.step.map(|step| step as usize);
         let diagnosis = diagnosis::scene(&scene, step.unwrap_or(1))?;
         if !diagnosis.is_sound() || methods::entry(&scene.solver.name).is_err() {
             return Ok((diagnosis, None));
         }
-        let (found, practice) = (examine_scene(&scene, step)?, practice(&scene)?);
-        Ok((diagnosis, Some(Examined { found, practice, scene: Some(scene) })))
+        let (found, user_solver) = (examine_scene(&scene, step)?, user_solver(&scene)?);
+        Ok((diagnosis, Some(ExaminedInput { found, user_solver, scene: Some(scene) })))
     }
 
     /// Writes the result as text, or as a page with pictures and the problems of the worst steps
     /// next to it.
-    fn write(&self, mut document: Document, examined: Option<&Examined>) -> Result<Outcome> {
-        let Some(Examined { found, practice, scene }) = examined else {
+    fn write(&self, mut document: Document, examined: Option<&ExaminedInput>) -> Result<Outcome> {
+        let Some(ExaminedInput { found, user_solver, scene }) = examined else {
             return self.writing.write(&document);
         };
         found.open(&mut document);
@@ -183,7 +183,7 @@ impl Diagnose {
             Some(scene) => worst_problems(scene, found, path)?,
             None => Vec::new(),
         };
-        let page = diagnosis_page(&document, found, practice, scene.as_ref(), &problems)?;
+        let page = diagnosis_page(&document, found, user_solver, scene.as_ref(), &problems)?;
         file::write(path, &page.render()?)?;
         Ok(if document.is_accepted { Outcome::Good } else { Outcome::Refuted })
     }
@@ -205,13 +205,13 @@ impl Diagnose {
     }
 
     /// The solver and options for a problem.
-    fn practice(&self, solver: Option<&str>) -> Result<Practice> {
+    fn user_solver(&self, solver: Option<&str>) -> Result<UserSolver> {
         let entry = methods::entry(solver.unwrap_or("pgs"))?;
         let mut options = Options::default();
         if let Some(most) = self.max_iterations {
             options.settings.max_iterations = most;
         }
-        Ok(Practice { entry, options })
+        Ok(UserSolver { entry, options })
     }
 
     /// Diagnoses the problems of a folder, in the order of their names.
@@ -229,9 +229,9 @@ impl Diagnose {
         if problems.is_empty() {
             return Err(Error::invalid(&self.input, "the folder", "contains no problem files"));
         }
-        let practice = self.practice(solver)?;
-        let found = examine_sequence(&problems, &practice);
-        let tolerance = practice.options.settings.tolerance;
+        let user_solver = self.user_solver(solver)?;
+        let found = examine_sequence(&problems, &user_solver);
+        let tolerance = user_solver.options.settings.tolerance;
         let unsolved = found.unsolved(tolerance);
         let is_accepted = unsolved.is_empty();
         if self.json {
@@ -243,7 +243,7 @@ impl Diagnose {
         let title = format!("Diagnosis of {}", self.input);
         let lead = found.unsolved_in_words(tolerance);
         let document = Document { title, lead, is_accepted, ..Document::default() };
-        self.write(document, Some(&Examined { found, practice, scene: None }))
+        self.write(document, Some(&ExaminedInput { found, user_solver, scene: None }))
     }
 
     /// Finds the known mistakes that give an answer.
@@ -279,9 +279,9 @@ fn as_box(problem: Problem, place: &str) -> Result<Problem> {
 }
 
 /// An examination and its subject.
-struct Examined {
+struct ExaminedInput {
     found: Examination,
-    practice: Practice,
+    user_solver: UserSolver,
     scene: Option<Scene>,
 }
 

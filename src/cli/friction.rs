@@ -6,7 +6,7 @@ use lcplab::lcp::Question;
 use lcplab::lcp::file::number;
 use lcplab::number::counted;
 use lcplab::report::answer::{attempts_json, attempts_text, claim};
-use lcplab::report::friction::{Judged, solve as solve_and_judge, solve_by_default};
+use lcplab::report::friction::{JudgedAnswer, solve as solve_and_judge, solve_by_default};
 use lcplab::report::motion_error::MotionError;
 use lcplab::solver::{Method, Options, Solution, Status};
 use serde_json::{Map, Value, json};
@@ -75,7 +75,7 @@ pub fn judge(
     demand: &Demand,
     json: bool,
 ) -> Result<Verdict> {
-    let judged = Judged::of(question, x, demand);
+    let judged = JudgedAnswer::of(question, x, demand);
     if json {
         print_json(question, Map::new(), x, &judged)?;
     } else {
@@ -88,7 +88,7 @@ fn print_json(
     question: &Question,
     mut object: Map<String, Value>,
     x: &[f64],
-    judged: &Judged,
+    judged: &JudgedAnswer,
 ) -> Result<()> {
     object.insert("model".into(), json!(question.model().map(|model| model.to_string())));
     object.extend(judged.json());
@@ -101,7 +101,7 @@ fn print_text(
     title: &str,
     claim: &str,
     x: &[f64],
-    judged: &Judged,
+    judged: &JudgedAnswer,
 ) -> Result<()> {
     let model = question.model().zip(question.friction()).map(|(model, friction)| {
         format!("model      {model}, {}\n", counted(friction.contacts().len(), "contact"))

@@ -12,7 +12,7 @@ use lcplab::solver::{ALL, Method, Options, Settings, Solver, Stop};
 
 use super::limits::Limits;
 use super::plugin::Plugins;
-use super::search::{Quarry, Target};
+use super::search::{SearchArgs, Target};
 use super::{Outcome, bar, print, say};
 
 /// Search for false claims of solvers on random hostile problems, or for the smallest problem that
@@ -57,7 +57,7 @@ pub struct Challenge {
     #[arg(long, default_value = "1e-8")]
     tolerance: f64,
     #[command(flatten)]
-    quarry: Quarry,
+    search: SearchArgs,
     #[command(flatten)]
     plugins: Plugins,
     /// Print one JSON object
@@ -75,7 +75,7 @@ impl Challenge {
         let named = self.solver.iter().map(String::as_str);
         let names: Vec<&str> =
             named.chain(plugins.iter().map(|plugin| -> &str { plugin.name() })).collect();
-        if self.quarry.is_given() {
+        if self.search.is_given() {
             let target = Target {
                 names: &names,
                 model: self.model,
@@ -83,7 +83,7 @@ impl Challenge {
                 seed: self.seed,
                 command: self.plugins.first(),
             };
-            return self.quarry.hunt(target, self.json, limits);
+            return self.search.hunt(target, self.json, limits);
         }
         let progress = bar(self.problems as u64, "problems");
         let stop = limits.stop();
@@ -97,14 +97,14 @@ impl Challenge {
             .iter()
             .filter(|tally| names.contains(&&*tally.solver) && tally.right() == 0)
             .collect();
-        if let Some(reason) = stopped.filter(|_| record.is_honest()) {
+        if let Some(reason) = stopped.filter(|_| record.has_no_false_claims()) {
             return Ok(Outcome::Stopped(reason));
         }
         for tally in &useless {
             let problems = record.problems;
             say(&format!("failed: {} solves none of {problems} problems", tally.solver));
         }
-        Ok(match record.is_honest() && useless.is_empty() {
+        Ok(match record.has_no_false_claims() && useless.is_empty() {
             true => Outcome::Good,
             false => Outcome::Refuted,
         })
@@ -155,10 +155,11 @@ impl Challenge {
         if record.contacts > 0 {
             words += &format!(", and {} with a cone", counted(record.contacts, "contact"));
         }
-        let lied: usize = record.tallies.iter().map(|tally| tally.lied).sum();
-        words += &format!(": {lied} false claims\n");
+        let false_claim_count: usize =
+            record.tallies.iter().map(|tally| tally.false_claim_count).sum();
+        words += &format!(": {false_claim_count} false claims\n");
         for tally in &record.tallies {
-            for (number, kind, what) in &tally.lies {
+            for (number, kind, what) in &tally.false_claims {
                 words += &format!("  {} on problem {number} ({kind}): {what}\n", tally.solver);
             }
         }
@@ -181,7 +182,7 @@ fn table(record: &Record) -> Table {
             tally.impossible,
             tally.unsolved,
             tally.outside,
-            tally.lied,
+            tally.false_claim_count,
         ];
         std::iter::once(Cell::text(&tally.solver)).chain(counts.map(Cell::count)).collect()
     };

@@ -9,7 +9,7 @@ use lcplab::lcp::Question;
 use lcplab::lcp::file::{Problem, number, read_answers};
 use lcplab::lcp::friction::Model;
 use lcplab::report::answer::{bound, certificate_json, certificate_text, verdict_json};
-use lcplab::report::friction::Judged as Judgement;
+use lcplab::report::friction::JudgedAnswer as Judgement;
 use lcplab::report::motion_error::MotionError;
 use lcplab::report::page::{Cell, Table};
 use lcplab::report::text;
@@ -79,7 +79,7 @@ impl Worst {
 }
 
 /// One x with the judge's verdict.
-struct Judged {
+struct AnswerRow {
     label: String,
     verdict: Verdict,
     scaled_residual: f64,
@@ -143,16 +143,16 @@ impl Judge {
         Ok(self.fail_on.outcome(&certificate.verdict))
     }
 
-    fn judged(&self, label: String, question: &Question, x: &[f64], is_answer: bool) -> Judged {
+    fn judged(&self, label: String, question: &Question, x: &[f64], is_answer: bool) -> AnswerRow {
         let certificate = Judgement::of(question, x, &self.demand()).certificate;
         let (verdict, scaled_residual) = (certificate.verdict, certificate.scaled_residual);
-        Judged { label, verdict, scaled_residual, is_answer }
+        AnswerRow { label, verdict, scaled_residual, is_answer }
     }
 
     /// Judges several answers and prints one line for each.
-    fn many(&self, problem: &Problem, all: &[Judged]) -> Result<Outcome> {
+    fn many(&self, problem: &Problem, all: &[AnswerRow]) -> Result<Outcome> {
         if self.json {
-            let object = |judged: &Judged| {
+            let object = |judged: &AnswerRow| {
                 let mut object = Map::new();
                 object.insert("answer".into(), json!(judged.label));
                 object.insert("scaled_residual".into(), number(judged.scaled_residual));
@@ -162,7 +162,7 @@ impl Judge {
             let answers: Vec<Value> = all.iter().map(object).collect();
             print(&format!("{}\n", json!({ "answers": answers })))?;
         } else {
-            let row = |judged: &Judged| {
+            let row = |judged: &AnswerRow| {
                 let residual = Cell::number(judged.scaled_residual, 3);
                 vec![Cell::text(&judged.label), residual, Cell::text(judged.verdict.to_string())]
             };
@@ -170,7 +170,7 @@ impl Judge {
             let headings = "answer | #scaled residual | verdict";
             print(&text::table(&Table::new(title(problem), "", headings, rows)))?;
         }
-        let fails = |judged: &&Judged| self.fail_on.outcome(&judged.verdict) == Outcome::Refuted;
+        let fails = |judged: &&AnswerRow| self.fail_on.outcome(&judged.verdict) == Outcome::Refuted;
         let wrong = all.iter().filter(|judged| judged.is_answer).find(fails);
         Ok(wrong.map_or(Outcome::Good, |_| Outcome::Refuted))
     }

@@ -68,7 +68,8 @@ impl Limits {
     /// signal ends the program immediately.
     pub fn stop(&self) -> &Stop {
         if self.asks.swap(true, Ordering::Relaxed) {
-            return &self.stop; // it listens already
+            // The handler is already installed.
+            return &self.stop;
         }
         let (stop, mut was_asked) = (self.stop.clone(), false);
         at_signals(move || {

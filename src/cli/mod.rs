@@ -253,7 +253,8 @@ fn bar(length: u64, message: &str) -> ProgressBar {
         .unwrap_or_else(|_| ProgressStyle::default_bar());
     let bar =
         ProgressBar::new(length).with_style(style).with_message(printable(message).into_owned());
-    bar.with_finish(ProgressFinish::AndClear) // also where an error ends the work
+    // Also if an error ends the work.
+    bar.with_finish(ProgressFinish::AndClear)
 }
 
 /// The folder for results: that of the user, or one named after the file that says what to do.

@@ -14,7 +14,7 @@ use lcplab::report::friction::model;
 use lcplab::report::methods;
 use lcplab::report::motion_error::MotionError;
 use lcplab::solver::{
-    Answered, Method, Observer, Reason, Start, Status, default_for, solve_boxed_by_sequence,
+    Method, Observer, Reason, SequenceAnswer, Start, Status, default_for, solve_boxed_by_sequence,
 };
 use lcplab::trace::Convergence;
 use serde_json::Value;
@@ -119,8 +119,8 @@ impl Solve {
         let observer: &mut dyn Observer =
             if self.tracing.is_wanted() { &mut trace } else { &mut () };
         let observer = &mut stop.watch(observer);
-        let Answered { solver, solution, attempts } = match entry {
-            Some(entry) => Answered {
+        let SequenceAnswer { solver, solution, attempts } = match entry {
+            Some(entry) => SequenceAnswer {
                 solver: entry.name,
                 solution: (entry.build)(&options).solve(&problem.lcp, &start, observer),
                 attempts: Vec::new(),

@@ -10,7 +10,7 @@ use lcplab::lcp::exact::SolutionSet;
 use lcplab::lcp::file::{Problem, read_answer};
 use lcplab::lcp::friction::Model;
 use lcplab::page::{self, Block, Page, Section};
-use lcplab::proof::{Found, Kind, Proof, check, prove, prove_kind};
+use lcplab::proof::{Kind, Proof, ProofSearch, check, prove, prove_kind};
 use lcplab::report::answer::first_answer;
 use serde_json::json;
 
@@ -113,7 +113,7 @@ impl Prove {
             );
             return Err(Error::invalid(input, "model", reason));
         }
-        let Found { proof, missing } = found;
+        let ProofSearch { proof, missing } = found;
         for (kind, reason) in &missing {
             say(&format!("no proof of kind {kind}: {reason}"));
         }

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use lcplab::error::{Error, Result};
 use lcplab::file;
-use lcplab::hunt::{Catch, Finding, Friction, Given, Measure, Search, Trial};
+use lcplab::hunt::{Counterexample, Finding, Friction, Given, Measure, Search, Trial};
 use lcplab::lcp::file::{Problem, number};
 use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
@@ -21,7 +21,7 @@ use super::{Outcome, bar, print, say, warn};
 
 /// What to look for, and where.
 #[derive(Debug, Args)]
-pub struct Quarry {
+pub struct SearchArgs {
     /// Search for the smallest problem on which the solver makes a false claim (lie), fails
     /// (failure), takes many iterations (iterations), is accepted far from the exact solution
     /// (error), or takes many times the iterations of another solver (ratio A:B)
@@ -93,7 +93,7 @@ impl From<Class> for MatrixClass {
     }
 }
 
-impl Quarry {
+impl SearchArgs {
     /// Whether a measure was given.
     pub fn is_given(&self) -> bool {
         !self.measure.is_empty()
@@ -115,14 +115,14 @@ impl Quarry {
         search.validate(&trial)?;
         let progress = bar(self.evaluations as u64, "problems");
         let stop = limits.stop();
-        let searched = search.run(&trial, stop, &|tried| progress.inc(tried as u64));
+        let result = search.run(&trial, stop, &|tried| progress.inc(tried as u64));
         let stopped = stop.reason();
         limits.over();
         progress.finish_and_clear();
         let name = trial.solver.name();
-        let useless = searched.useless(name);
-        let Some(catch) = searched.catch else {
-            let (tried, solved) = (searched.evaluations, searched.solved);
+        let useless = result.useless(name);
+        let Some(counterexample) = result.counterexample else {
+            let (tried, solved) = (result.evaluations, result.solved);
             print(&match json {
                 true => {
                     let object = json!({ "found": false, "evaluations": tried, "solved": solved });
@@ -139,7 +139,7 @@ impl Quarry {
                 None => Outcome::Good,
             });
         };
-        let mut finding = Finding::of(&catch, &trial, seed);
+        let mut finding = Finding::of(&counterexample, &trial, seed);
         if let Some(path) = &self.out {
             finding.test = finding.test.replace("PROBLEM", &path.display().to_string());
         }
@@ -150,8 +150,8 @@ impl Quarry {
             file::write(path, format!("{}\n", finding.problem.to_json()))?;
         }
         print(&match json {
-            true => in_json(&catch, &finding, seed),
-            false => self.text(&catch, &finding, &trial, seed),
+            true => in_json(&counterexample, &finding, seed),
+            false => self.text(&counterexample, &finding, &trial, seed),
         })?;
         Ok(match stopped {
             _ if trial.measure == Measure::Lie => Outcome::Refuted,
@@ -204,8 +204,15 @@ impl Quarry {
         Ok(trial)
     }
 
-    fn text(&self, catch: &Catch, finding: &Finding, trial: &Trial, seed: u64) -> String {
-        let Catch { evaluation, shrinking, rows_at_first, value, value_at_first, .. } = catch;
+    fn text(
+        &self,
+        counterexample: &Counterexample,
+        finding: &Finding,
+        trial: &Trial,
+        seed: u64,
+    ) -> String {
+        let Counterexample { evaluation, shrinking, rows_at_first, value, value_at_first, .. } =
+            counterexample;
         let measure = trial.measure;
         let mut text = format!(
             "{measure} found at evaluation {evaluation} of seed {seed}, with {rows_at_first} rows; shrunk in \
@@ -231,17 +238,17 @@ impl Quarry {
     }
 }
 
-fn in_json(catch: &Catch, finding: &Finding, seed: u64) -> String {
+fn in_json(counterexample: &Counterexample, finding: &Finding, seed: u64) -> String {
     let vector = |x: &[f64]| -> Value { x.iter().map(|&x| number(x)).collect() };
     let right = finding.right.as_ref();
     let object = json!({
         "found": true,
         "seed": seed,
-        "evaluation": catch.evaluation,
-        "value": catch.value,
-        "value_at_first": catch.value_at_first,
-        "rows_at_first": catch.rows_at_first,
-        "shrinking": catch.shrinking,
+        "evaluation": counterexample.evaluation,
+        "value": counterexample.value,
+        "value_at_first": counterexample.value_at_first,
+        "rows_at_first": counterexample.rows_at_first,
+        "shrinking": counterexample.shrinking,
         "words": finding.words,
         "x": finding.answer.as_deref().map(vector),
         "right_x": right.map(|right| vector(&right.x)),

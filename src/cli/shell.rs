@@ -48,7 +48,8 @@ impl Manual {
 
     fn command(&self) -> Result<Command> {
         let mut whole = Cli::command();
-        whole.build(); // the global options come to the commands
+        // This passes the global options to the commands.
+        whole.build();
         let Some(name) = &self.command else { return Ok(whole) };
         whole.find_subcommand(name).cloned().ok_or_else(|| Error::Unknown {
             kind: "command",

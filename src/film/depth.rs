@@ -81,7 +81,8 @@ fn relation(camera: &Camera, a: &Solid, b: &Solid) -> Ordering {
         let touch = TOUCH * (a_hi - a_lo + b_hi - b_lo);
         if towards.abs() <= EDGE_ON {
             if gap >= -touch {
-                return Ordering::Equal; // side by side in the picture
+                // They are next to each other in the picture.
+                return Ordering::Equal;
             }
             continue;
         }

@@ -193,7 +193,8 @@ impl<'a> Ink<'a> {
         let m = self.lens.camera.project(&(solid.turn * axis));
         let flat = m.x.hypot(m.y);
         if flat < 1e-6 {
-            return; // it is the outline
+            // It is the outline.
+            return;
         }
         let (along_x, along_y) = (radius * m.y / flat, radius * m.x / flat);
         // The ellipse's ends lie perpendicular to m; the half towards the viewer bends along −m.

@@ -26,7 +26,8 @@ impl Program {
         for (k, part) in source.parts.iter().enumerate() {
             match part {
                 Part::Prose(text) => self.add_prose(&mut page, &quoted(self, text, record)?)?,
-                Part::Python { is_twin: true, .. } => {} // stands with its cell
+                // It is shown with its cell.
+                Part::Python { is_twin: true, .. } => {}
                 Part::Python { code, output, .. } => {
                     let (code, output) = (twin::shown(code), output.clone());
                     add(&mut page, Block::Python { code, output });

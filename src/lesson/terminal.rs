@@ -122,7 +122,8 @@ fn command<'a>(rest: &'a str, out: &mut String) -> &'a str {
         }
         name => {
             let known = SYMBOLS.iter().find(|own| own.0 == name);
-            *out += known.map_or(name, |own| own.1); // cos, sin, min stay words
+            // cos, sin and min remain words.
+            *out += known.map_or(name, |own| own.1);
             after
         }
     }

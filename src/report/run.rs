@@ -43,7 +43,8 @@ pub fn run(
     let (alone, together) = missing.into_iter().partition(is_alone);
     let (names, bar) = (names(&results), progress.clone());
     let work = move |&(section, task): &Place| {
-        let study = studies[section].as_ref()?; // a section of words has no tasks
+        // A section with text only has no tasks.
+        let study = studies[section].as_ref()?;
         let message = format!("{}: {}", study.name(), names[section][task]);
         bar.set_message(printable(&message).into_owned());
         Some(study.run(task))

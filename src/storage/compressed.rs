@@ -174,7 +174,8 @@ impl Storage for CompressedRows {
         self.change(|arrays| {
             arrays.clear(rows, entries.len());
             for &(row, column, value) in entries.iter().filter(|(.., value)| *value != 0.0) {
-                arrays.starts.resize(row + 1, arrays.columns.len() as u32); // ends the rows before
+                // This ends the rows before it.
+                arrays.starts.resize(row + 1, arrays.columns.len() as u32);
                 arrays.columns.push(column as u32);
                 arrays.values.push(value);
             }

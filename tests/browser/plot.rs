@@ -156,7 +156,8 @@ return shown.map((svg) => {
 #[test]
 fn labels_can_be_read_on_desk_and_phone_and_stay_in_the_picture() {
     for width in super::WIDTHS {
-        let page = written(&["report", "standard", "--section", "convergence"], "convergence/index.html");
+        let page =
+            written(&["report", "standard", "--section", "convergence"], "convergence/index.html");
         let found = page.seen(width, LABELS);
         let figures = found.as_array().unwrap();
         assert!(figures.len() >= 4, "{found}");

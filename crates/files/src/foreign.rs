@@ -35,7 +35,8 @@ pub(super) fn explained(error: Error, path: &Path, format: &Format) -> Error {
 
 fn beginning(path: &Path) -> Option<Vec<u8>> {
     let mut start = Vec::new();
-    let is_file = path.is_file(); // a pipe cannot be read twice
+    // A pipe cannot be read twice.
+    let is_file = path.is_file();
     let file = is_file.then(|| File::open(path).ok()).flatten()?;
     file.take(BEGINNING).read_to_end(&mut start).ok()?;
     Some(start)

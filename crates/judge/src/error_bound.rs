@@ -49,7 +49,8 @@ pub fn error_bound(lcp: &Lcp, x: &[f64]) -> Option<f64> {
     let norm = (0..n).map(|i| (0..n).map(|j| a[(i, j)].abs()).sum::<f64>()).fold(0.0, f64::max);
     let at = Rows::at(lcp, x);
     let residual = norm_up((0..n).map(|i| Interval::around_zero(residual(&at, i, d[i]))));
-    let slack = 1.0 + 8.0 * (n as f64 + 4.0) * U; // rounding errors of this and the sums above
+    // Rounding errors of this and the sums above.
+    let slack = 1.0 + 8.0 * (n as f64 + 4.0) * U;
     let bound = mul_up(mul_up(div_up(1.0 + norm, least), slack), residual);
     let largest = d.iter().copied().fold(0.0, f64::max);
     Some(mul_up(bound, largest)).filter(|bound| bound.is_finite())
@@ -92,7 +93,8 @@ fn residual(at: &Rows<'_>, i: usize, d: f64) -> f64 {
     let (lcp, w, terms) = (at.lcp, at.rows[i].w.value(), at.rows[i].terms.value());
     let n = lcp.len() as f64 + 2.0;
     if terms != 0.0 && !SAFE.contains(&terms) {
-        return f64::INFINITY; // too large or too small for unscaled numbers
+        // Too large or too small for unscaled numbers.
+        return f64::INFINITY;
     }
     let error = U * w.abs() + (n * U) * (n * U) * terms + f64::MIN_POSITIVE;
     let (w, x) = (d * w, at.x[i] / d);

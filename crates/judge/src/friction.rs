@@ -25,7 +25,7 @@
 
 use super::polygon::judge_polygon;
 use super::{Certificate, Demand, Evidence, Refutation, Verdict, judge, judge_cone};
-use lcplab_problem::friction::Posed;
+use lcplab_problem::friction::ProblemForm;
 
 /// The judge's result on x.
 #[derive(Debug, Clone, PartialEq)]
@@ -88,11 +88,11 @@ impl From<Certificate> for FrictionCertificate {
 ///
 /// # Panics
 /// If x does not have one entry per row.
-pub fn judge_friction(problem: &Posed, x: &[f64], demand: &Demand) -> FrictionCertificate {
+pub fn judge_friction(problem: &ProblemForm, x: &[f64], demand: &Demand) -> FrictionCertificate {
     match problem {
-        Posed::Boxed(lcp) => judge(lcp, x, demand).into(),
-        Posed::Polyhedral(polyhedral) => judge_polygon(polyhedral, x, demand),
-        Posed::Cone(cone) => {
+        ProblemForm::Boxed(lcp) => judge(lcp, x, demand).into(),
+        ProblemForm::Polyhedral(polyhedral) => judge_polygon(polyhedral, x, demand),
+        ProblemForm::Cone(cone) => {
             let certificate = judge_cone(cone, x, demand);
             FrictionCertificate {
                 w: certificate.w,

@@ -175,7 +175,8 @@ fn may_be_rounding(lcp: &Lcp, x: &[f64], bounds: &[f64]) -> bool {
         let of_w: f64 = lcp.matrix().row(i).iter().map(|(j, a)| moved(j, a)).sum();
         let of_bound = lcp.coupled_to(i).map_or(0.0, |(k, mu)| mu * bounds[k]);
         let scale = at.rows[i].scale.value();
-        let least = 2.0 * (of_w + scale * (bounds[i] + of_bound)); // twice: this is rounded, too
+        // Twice, because this is rounded, too.
+        let least = 2.0 * (of_w + scale * (bounds[i] + of_bound));
         let size = at.residual(i).step * at.rows[i].scale.sqrt();
         !(size.value() > least)
     })
@@ -195,7 +196,8 @@ fn searched(at: &Rows<'_>, within: Certificate) -> Certificate {
             distance if is_near(at.x, distance) => {
                 Certificate { verdict: Verdict::Proved { distance }, ..within }
             }
-            _ => within, // one of several, which says nothing about x
+            // It is one of several solutions, which says nothing about x.
+            _ => within,
         },
         Existence::Unknown => within,
     }

@@ -69,10 +69,11 @@ fn judge_as_given(polyhedral: &Polyhedral, x: &[f64], demand: &Demand) -> Fricti
     let proof = proof(polyhedral, x, &z, demand).map(|(_, distance)| distance);
     let verdict = match proof.filter(|&distance| is_near(x, distance)) {
         Some(distance) => Verdict::Proved { distance },
-        None if !is_worth_something(polyhedral, &found, demand.tolerance) => {
+        None if !polygon_improves_on_zero(polyhedral, &found, demand.tolerance) => {
             refusal(worst_row, scaled_residual, Refusal::NoBetterThanZero)
         }
-        None if proof.is_some() => Verdict::WithinTolerance, // the solution is too far from x
+        // The solution is too far from x.
+        None if proof.is_some() => Verdict::WithinTolerance,
         None => return searched(polyhedral, x, &z, certificate, demand),
     };
     FrictionCertificate { verdict, ..certificate }
@@ -97,7 +98,7 @@ fn proof(
 }
 
 /// Whether x is ten times closer to a solution than Π(0), given the residuals of x.
-fn is_worth_something(
+fn polygon_improves_on_zero(
     polyhedral: &Polyhedral,
     found: &[(usize, Residual)],
     tolerance: f64,
@@ -135,12 +136,14 @@ fn searched(
         return within;
     }
     match existence(polyhedral.lcp(), &[z]) {
-        Existence::None(_) => impossible(None), // the proof is about the rows of z, not of x
+        // The proof is about the rows of z, not of x.
+        Existence::None(_) => impossible(None),
         Existence::Solution(point) => match polyhedral.exact_x(&point).distance(x) {
             distance if is_near(x, distance) => {
                 FrictionCertificate { verdict: Verdict::Proved { distance }, ..within }
             }
-            _ => within, // one of several, which says nothing about x
+            // It is one of several solutions, which says nothing about x.
+            _ => within,
         },
         Existence::Unknown => within,
     }

@@ -124,7 +124,8 @@ pub fn upper_bound(bound: f64) -> String {
     if bound == 0.0 || !bound.is_finite() {
         return format!("{bound}");
     }
-    let all = format!("{bound:.800e}"); // every digit that a number has
+    // All digits of the number.
+    let all = format!("{bound:.800e}");
     let (digits, exponent) = all.split_once('e').expect("an exponent");
     let (two, rest) = digits.split_at(3);
     let exponent: i32 = exponent.parse().expect("a whole number");

@@ -36,11 +36,12 @@ impl DerefMut for ProcessGroup {
 
 impl Drop for ProcessGroup {
     fn drop(&mut self) {
+        // The process may have ended already.
         #[cfg(unix)]
         let _ = rustix::process::kill_process_group(
             rustix::process::Pid::from_child(&self.0),
             rustix::process::Signal::KILL,
-        ); // the process may have ended already
+        );
         let _ = self.0.kill();
         let _ = self.0.wait();
     }

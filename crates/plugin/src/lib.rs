@@ -228,7 +228,7 @@ impl Program {
             Err(trouble) => Err(trouble),
         };
         let again = match process.take().map(ask) {
-            Some(Err(Trouble::Ended(_))) | None => ask(Process::start(&self.words)?), // a new process
+            Some(Err(Trouble::Ended(_))) | None => ask(Process::start(&self.words)?),
             Some(answered) => answered,
         };
         let (running, line) = again.map_err(Trouble::in_words)?;
@@ -277,8 +277,8 @@ impl ConeSolver for Outside {
         };
         // As in a problem file, friction_index and mu list the contacts, and the model says what
         // they mean.
-        let told = problem.friction().coupled_box();
-        self.answered(&told, Some(model), start.point(problem), start, observer)
+        let boxed = problem.friction().coupled_box();
+        self.answered(&boxed, Some(model), start.point(problem), start, observer)
     }
 }
 

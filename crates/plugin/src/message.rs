@@ -117,7 +117,8 @@ impl Answer {
             Some(_) => return Err(format!("its iterates are not a list of at most {ITERATES}")),
         };
         let iterates = match (iterates.is_empty(), &x) {
-            (true, Some(x)) => vec![x.clone()], // one step to the answer
+            // A single iterate: the answer.
+            (true, Some(x)) => vec![x.clone()],
             _ => iterates,
         };
         let iterations = match object.get("iterations") {
@@ -156,7 +157,8 @@ fn laws(models: &Value) -> Result<Vec<Law>, String> {
 
 /// A nonnegative integer: a number of iterations.
 fn whole(value: &Value) -> Option<usize> {
-    const MOST: f64 = 9_007_199_254_740_992.0; // 2⁵³
+    // 2⁵³
+    const MOST: f64 = 9_007_199_254_740_992.0;
     let count = as_number(value)?;
     (count.fract() == 0.0 && (0.0..=MOST).contains(&count)).then_some(count as usize)
 }

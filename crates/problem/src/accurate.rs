@@ -17,7 +17,8 @@ impl Sum {
     fn add(&mut self, term: f64) {
         let sum = self.value + term;
         let part = sum - self.value;
-        self.error += (self.value - (sum - part)) + (term - part); // value + term − sum
+        // value + term − sum
+        self.error += (self.value - (sum - part)) + (term - part);
         self.value = sum;
     }
 }
@@ -25,7 +26,8 @@ impl Sum {
 impl merit::Sum for Sum {
     fn add_product(&mut self, a: f64, b: f64) {
         let product = a * b;
-        self.error += a.mul_add(b, -product); // a b − product
+        // a b − product
+        self.error += a.mul_add(b, -product);
         self.add(product);
     }
 

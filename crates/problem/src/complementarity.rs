@@ -33,7 +33,7 @@ pub trait Complementarity: Sized {
 
     /// Whether x is closer to a solution than x = Π(0). If not, x has diverged, and its residual is
     /// small only relative to its terms.
-    fn is_worth_something(&self, _x: &[f64], _tolerance: f64) -> bool {
+    fn improves_on_zero(&self, _x: &[f64], _tolerance: f64) -> bool {
         true
     }
 }
@@ -76,7 +76,7 @@ impl Complementarity for Lcp {
         (0..d.len()).all(is_open)
     }
 
-    fn is_worth_something(&self, x: &[f64], tolerance: f64) -> bool {
-        merit::is_worth_something(self, x, tolerance)
+    fn improves_on_zero(&self, x: &[f64], tolerance: f64) -> bool {
+        merit::improves_on_zero(self, x, tolerance)
     }
 }

@@ -44,7 +44,8 @@ impl Coupling {
             }
         }
         for (i, mu) in mu.iter().enumerate().filter(|(_, mu)| !mu.is_finite()) {
-            defects.add(format!("mu[{i}]"), format!("must be finite, is {mu}")); // coupled or not
+            // Whether the row is coupled or not.
+            defects.add(format!("mu[{i}]"), format!("must be finite, is {mu}"));
         }
         defects.into_result("problem")?;
         let contacts = pairs(&index, &mu);

@@ -24,14 +24,14 @@
 use crate::Lcp;
 use crate::error::{Error, Result};
 use crate::file::Problem;
-use crate::friction::{FrictionProblem, Model, Posed};
+use crate::friction::{FrictionProblem, Model, ProblemForm};
 
 /// A problem and the friction model under which its answers are judged.
 #[derive(Debug, Clone)]
 pub struct Question {
     problem: Problem,
     under: Option<(Model, FrictionProblem)>,
-    posed: Posed,
+    posed: ProblemForm,
 }
 
 impl Question {
@@ -46,7 +46,7 @@ impl Question {
     pub fn new(problem: &Problem, asked: Option<Model>, input: &str) -> Result<Self> {
         let problem = problem.clone();
         let Some(model) = asked.or(problem.model) else {
-            let posed = Posed::Boxed(problem.lcp.clone());
+            let posed = ProblemForm::Boxed(problem.lcp.clone());
             return Ok(Question { problem, under: None, posed });
         };
         let friction = problem.friction().ok_or_else(|| {
@@ -75,7 +75,7 @@ impl Question {
     }
 
     /// The problem as the model states it.
-    pub fn posed(&self) -> &Posed {
+    pub fn posed(&self) -> &ProblemForm {
         &self.posed
     }
 
@@ -83,8 +83,8 @@ impl Question {
     /// unknowns.
     pub fn boxed(&self) -> Option<&Lcp> {
         match &self.posed {
-            Posed::Boxed(lcp) => Some(lcp),
-            Posed::Polyhedral(_) | Posed::Cone(_) => None,
+            ProblemForm::Boxed(lcp) => Some(lcp),
+            ProblemForm::Polyhedral(_) | ProblemForm::Cone(_) => None,
         }
     }
 

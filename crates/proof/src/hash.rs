@@ -79,7 +79,8 @@ fn integer(bytes: &mut Vec<u8>, value: usize) {
 }
 
 fn number(bytes: &mut Vec<u8>, value: f64) {
-    bytes.extend((value + 0.0).to_be_bytes()); // + 0 turns −0 into 0
+    // Adding 0 turns −0 into 0.
+    bytes.extend((value + 0.0).to_be_bytes());
 }
 
 /// SHA-256 of the canonical bytes, in hexadecimal digits.

@@ -40,7 +40,7 @@ pub use check::check;
 pub use claim::{Bounded, Claim, Entry, Fraction, Kind, Motion, Near, Proof, Reason, Vector};
 pub use hash::{canonical_bytes, hash};
 pub use lcplab_judge::cases::Tree;
-pub use prove::{Found, prove, prove_kind};
+pub use prove::{ProofSearch, prove, prove_kind};
 pub use residual::scaled as exact_residual;
 
 #[cfg(doctest)]

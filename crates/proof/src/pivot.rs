@@ -174,7 +174,8 @@ impl Table {
                 if size(new.0, new.1) > size(best.0, best.1) { new } else { best }
             })?;
             if is_zero(&self.rows[r][c], &self.unit) {
-                return None; // equations that depend on each other
+                // Equations that depend on each other.
+                return None;
             }
             self.pivot(r, c);
             rows.retain(|&row| row != r);
@@ -192,7 +193,8 @@ impl Table {
 
     /// Whether a variable belongs to an equation: its y is unrestricted and its v is 0.
     fn is_equation(&self, variable: usize) -> bool {
-        let is_of_a_pair = variable < 2 * self.pairs; // not Lemke's artificial variable
+        // Not Lemke's artificial variable.
+        let is_of_a_pair = variable < 2 * self.pairs;
         is_of_a_pair && self.forms.get(variable % self.pairs) == Some(&Form::Equation)
     }
 
@@ -257,7 +259,8 @@ impl Table {
         let is_basic = |variable: usize| self.basic.contains(&variable);
         match self.forms[i] {
             Form::Equation => Side::Free,
-            Form::Between(p) if is_basic(p) => Side::Upper, // u > 0
+            // u > 0
+            Form::Between(p) if is_basic(p) => Side::Upper,
             Form::Down if !is_basic(i) => Side::Upper,
             _ if !is_basic(i) => Side::Lower,
             _ => Side::Free,

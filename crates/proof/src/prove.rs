@@ -25,14 +25,14 @@ const MOST_ROWS_OF_PIECES: usize = 8;
 
 /// The result of a search for a proof.
 #[derive(Debug, Clone)]
-pub struct Found {
+pub struct ProofSearch {
     /// The strongest proof; `None` if there is not even a finite residual.
     pub proof: Option<Proof>,
     /// The stronger kinds that were tried, and why there is no proof of them.
     pub missing: Vec<(Kind, String)>,
 }
 
-impl Found {
+impl ProofSearch {
     /// Why nothing was proved about a problem whose model is not a box, if that is the case.
     pub fn refusal(&self, question: &Question) -> Option<String> {
         if self.proof.is_some() || question.boxed().is_some() {
@@ -57,26 +57,26 @@ impl Found {
 ///
 /// # Panics
 /// If the answer does not have one entry per row.
-pub fn prove(question: &Question, answer: &[f64]) -> Found {
+pub fn prove(question: &Question, answer: &[f64]) -> ProofSearch {
     let prover = Prover::new(question, answer);
     let mut missing = Vec::new();
     for kind in Kind::ALL.into_iter().filter(|kind| *kind != Kind::FrozenMotion) {
         match prover.proof(kind) {
-            Ok(proof) => return Found { proof: Some(proof), missing },
+            Ok(proof) => return ProofSearch { proof: Some(proof), missing },
             Err(reason) => missing.push((kind, reason)),
         }
     }
-    Found { proof: None, missing }
+    ProofSearch { proof: None, missing }
 }
 
 /// Searches for a proof of this kind only.
 ///
 /// # Panics
 /// If the answer does not have one entry per row.
-pub fn prove_kind(question: &Question, answer: &[f64], kind: Kind) -> Found {
+pub fn prove_kind(question: &Question, answer: &[f64], kind: Kind) -> ProofSearch {
     match Prover::new(question, answer).proof(kind) {
-        Ok(proof) => Found { proof: Some(proof), missing: Vec::new() },
-        Err(reason) => Found { proof: None, missing: vec![(kind, reason)] },
+        Ok(proof) => ProofSearch { proof: Some(proof), missing: Vec::new() },
+        Err(reason) => ProofSearch { proof: None, missing: vec![(kind, reason)] },
     }
 }
 

@@ -12,7 +12,7 @@
 //! `Stalled`, not `Solved`, usually as soon as an x repeats, because the sequence is then periodic
 //! (Brent 1980), and after 200 rounds at the latest.
 
-use super::{Observer, Part, Settings, Solution, Status};
+use super::{Observer, Settings, Solution, Status, StepDetail};
 use lcplab_problem::{Complementarity, Lcp};
 
 /// Maximum number of frozen problems to solve.
@@ -39,7 +39,7 @@ pub(super) fn solve<P: Complementarity>(
         let status = match solution.status {
             Status::Solved
                 if problem.scaled_residual(&x) > settings.tolerance
-                    || !problem.is_worth_something(&x, settings.tolerance) =>
+                    || !problem.improves_on_zero(&x, settings.tolerance) =>
             {
                 if x == remembered {
                     break;
@@ -58,8 +58,8 @@ pub(super) fn solve<P: Complementarity>(
 
 /// Tells an observer of step details that `frozen` is solved instead of a problem whose bounds
 /// depend on x.
-pub(super) fn tell(problem: &Lcp, frozen: &Lcp, observer: &mut dyn Observer) {
-    if !problem.is_frozen() && observer.asks_for_parts() {
-        observer.part(&Part::Frozen(frozen));
+pub(super) fn report(problem: &Lcp, frozen: &Lcp, observer: &mut dyn Observer) {
+    if !problem.is_frozen() && observer.wants_details() {
+        observer.part(&StepDetail::Frozen(frozen));
     }
 }

@@ -48,7 +48,7 @@ pub(super) fn iterate_in_parts(
     let lcp = problem.lcp();
     let mut last_outside = 0;
     let mut is_within = |x: &[f64]| problem.is_within(x, tolerance, &mut last_outside);
-    let is_worth = |x: &[f64]| problem.is_worth_something(x, tolerance);
+    let is_better = |x: &[f64]| problem.improves_on_zero(x, tolerance);
     let is_finite = |x: &[f64]| x.iter().all(|x| x.is_finite());
     let start = x.clone();
     let (mut before, mut last_finite, mut event) = (x.clone(), x.clone(), Event::Start);
@@ -58,7 +58,7 @@ pub(super) fn iterate_in_parts(
             match step(&mut x, observer) {
                 ControlFlow::Continue(done) => event = done,
                 ControlFlow::Break(status) => {
-                    let is_solved = is_within(&x) && is_worth(&x);
+                    let is_solved = is_within(&x) && is_better(&x);
                     let status = if is_solved { Status::Solved } else { status };
                     let x = if is_finite(&x) { x } else { last_finite };
                     return Solution::new(lcp, x, status, iteration - 1);
@@ -77,7 +77,7 @@ pub(super) fn iterate_in_parts(
                 return Solution::new(lcp, last_finite, Status::Diverged, iteration);
             }
             if is_within(&x) {
-                let status = if is_worth(&x) { Status::Solved } else { Status::Diverged };
+                let status = if is_better(&x) { Status::Solved } else { Status::Diverged };
                 let end = finish(problem, [&before, &start], x.clone(), status, iteration);
                 if end.status != Status::Diverged {
                     return end;
@@ -102,7 +102,7 @@ pub(super) fn finish(
     let lcp = problem.lcp();
     for before in before {
         let direction = long_part(lcp, &x, before);
-        if problem.recedes(&direction) && is_downhill_for_ever(lcp, &direction) {
+        if problem.recedes(&direction) && is_unbounded_descent(lcp, &direction) {
             let ray = Status::Ray { row: largest(&direction), direction };
             return Solution::new(lcp, before.to_vec(), ray, iterations);
         }
@@ -125,7 +125,7 @@ fn long_part(lcp: &Lcp, x: &[f64], before: &[f64]) -> Vec<f64> {
 }
 
 /// Whether the objective decreases along d at a constant rate: A d = 0, bᵀd < 0.
-fn is_downhill_for_ever(lcp: &Lcp, d: &[f64]) -> bool {
+fn is_unbounded_descent(lcp: &Lcp, d: &[f64]) -> bool {
     let size = |u: &[f64]| u.iter().map(|u| u.abs()).collect::<Vec<_>>();
     let slope_terms = dot(&size(lcp.b()), &size(d));
     if !(dot(lcp.b(), d) < -RELATIVE_ZERO_SLOPE * slope_terms) {

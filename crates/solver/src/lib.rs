@@ -53,18 +53,20 @@ pub use gradient::{Admm, AndersonPgs, Apgd, Mprgp, Nncg, Spectral};
 pub use lcplab_problem::exact::all_solutions;
 pub use method::{Method, methods, nameable, solve_polyhedral};
 pub use newton::{Equations, InteriorPoint, Newton};
-pub use observer::{Centring, Event, Iterate, Leaving, Move, Observer, Part, RowUpdate, Tableau};
+pub use observer::{
+    Centring, Event, Iterate, Leaving, Move, Observer, RowUpdate, StepDetail, Tableau,
+};
 pub use pivot::{BlockPivoting, Dantzig, Enumeration, Lemke, Murty, Side, Variable};
 pub use registry::{
     ALL, Build, Choice, Entry, Group, Options, SPECIMENS, add, added, by_name, default_for, entry,
 };
 pub use sequence::{
-    Answered, Attempt, solve as solve_by_sequence, solve_boxed as solve_boxed_by_sequence,
+    Attempt, SequenceAnswer, solve as solve_by_sequence, solve_boxed as solve_boxed_by_sequence,
     solve_boxed_without,
 };
 pub use settings::Settings;
 pub use solution::{Fallback, Solution, Status};
-pub use stop::{Reason, Stop, Watched};
+pub use stop::{Reason, Stop, StopObserver};
 pub use sweep::{BlockPgs, Code6, ConePgs, Damping, Jacobi, Order, Pgs, PolygonPgs};
 pub use trace::{Cost, Effort};
 pub use warm::Warm;
@@ -97,10 +99,10 @@ impl<'a> Start<'a> {
     }
 
     /// Passes the warm-start cache to this solve, which updates it.
-    fn carry<T>(&self, solve: impl FnOnce(&mut warm::Left) -> T) -> T {
+    fn with_cache<T>(&self, solve: impl FnOnce(&mut warm::Cache) -> T) -> T {
         match self.warm {
-            Some(warm) => warm.lend(solve),
-            None => solve(&mut warm::Left::default()),
+            Some(warm) => warm.borrow(solve),
+            None => solve(&mut warm::Cache::default()),
         }
     }
 

@@ -10,7 +10,7 @@ use super::{
     Solver, Start, Status, added, added_cones,
 };
 use lcplab_problem::Complementarity;
-use lcplab_problem::friction::{Law, Model, Polyhedral, Posed};
+use lcplab_problem::friction::{Law, Model, Polyhedral, ProblemForm};
 
 /// A box or cone solver.
 #[derive(Debug, Clone, Copy)]
@@ -124,32 +124,32 @@ impl Method {
     /// Solves a problem from x = 0 and returns x. A problem of the other kind gives `OutsideClass`.
     pub fn solve(
         &self,
-        problem: &Posed,
+        problem: &ProblemForm,
         options: &Options,
         observer: &mut dyn Observer,
     ) -> Solution {
         let start = Start::default();
         match (self, problem) {
-            (Method::Boxed(entry), Posed::Boxed(lcp)) => {
+            (Method::Boxed(entry), ProblemForm::Boxed(lcp)) => {
                 (entry.build)(options).solve(lcp, &start, observer)
             }
-            (Method::Boxed(entry), Posed::Polyhedral(polyhedral)) => {
+            (Method::Boxed(entry), ProblemForm::Polyhedral(polyhedral)) => {
                 let solver = (entry.build)(options);
                 solve_polyhedral(&*solver, polyhedral, &start, options.settings.tolerance, observer)
             }
-            (Method::Cone(entry), Posed::Cone(problem)) => {
+            (Method::Cone(entry), ProblemForm::Cone(problem)) => {
                 (entry.build)(&options.settings).solve(problem, &start, observer)
             }
-            (Method::Boxed(_), Posed::Cone(problem)) => {
+            (Method::Boxed(_), ProblemForm::Cone(problem)) => {
                 let reason = "the problem has cones, not bounds";
                 let x = start.point(problem);
                 Solution::new(problem.lcp(), x, Status::OutsideClass { reason }, 0)
             }
-            (Method::Cone(_), Posed::Boxed(_) | Posed::Polyhedral(_)) => {
+            (Method::Cone(_), ProblemForm::Boxed(_) | ProblemForm::Polyhedral(_)) => {
                 let lcp = match problem {
-                    Posed::Polyhedral(polyhedral) => polyhedral.friction().lcp(),
-                    Posed::Boxed(lcp) => lcp,
-                    Posed::Cone(problem) => problem.lcp(),
+                    ProblemForm::Polyhedral(polyhedral) => polyhedral.friction().lcp(),
+                    ProblemForm::Boxed(lcp) => lcp,
+                    ProblemForm::Cone(problem) => problem.lcp(),
                 };
                 let reason = "the problem has bounds, not cones";
                 let x = start.point(lcp);

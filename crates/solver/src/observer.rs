@@ -13,12 +13,12 @@ pub trait Observer {
 
     /// Whether the observer also wants the details of an iteration; if not, the solver does not
     /// compute them.
-    fn asks_for_parts(&self) -> bool {
+    fn wants_details(&self) -> bool {
         false
     }
 
     /// Receives a detail of the current iteration, if the observer wants details.
-    fn part(&mut self, _: &Part<'_>) {}
+    fn part(&mut self, _: &StepDetail<'_>) {}
 }
 
 impl Observer for () {
@@ -66,7 +66,7 @@ pub enum Event {
 /// A detail of an iteration, as in a calculation by hand. PGS and SOR report the rows of a sweep,
 /// Dantzig's method its moves, Lemke's method its tableaux.
 #[derive(Debug, Clone, Copy)]
-pub enum Part<'a> {
+pub enum StepDetail<'a> {
     /// Bounds that depend on x are frozen at x; the details that follow are about this problem.
     Frozen(&'a Lcp),
     /// A row of a sweep: x_i ← Π_i(x_i − ω w_i / a_ii).

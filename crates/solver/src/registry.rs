@@ -145,7 +145,8 @@ impl Options {
         let mut defects = Defects::default();
         let damping = match self.damping {
             Damping::Safe => 1.0,
-            Damping::Factor(theta) => theta, // 2/λ and above diverges, and λ ≥ 1
+            // Values from 2/λ on diverge, and λ ≥ 1.
+            Damping::Factor(theta) => theta,
         };
         for (choice, value) in [(Choice::Omega, self.omega), (Choice::Damping, damping)] {
             if !(value > 0.0 && value < 2.0) {
@@ -207,7 +208,8 @@ static ADDED: RwLock<Vec<&'static Entry>> = RwLock::new(Vec::new());
 pub fn add(entry: Entry) -> Result<&'static Entry> {
     let mut added = ADDED.write().unwrap_or_else(PoisonError::into_inner);
     let known = ALL.iter().chain(SPECIMENS).chain(added.iter().copied()).map(|known| known.name);
-    let reserved = CONES.iter().map(|known| known.name).chain(["clarabel"]); // the reference
+    // clarabel is the reference.
+    let reserved = CONES.iter().map(|known| known.name).chain(["clarabel"]);
     if known.chain(reserved).any(|known| known == entry.name) {
         let reason = format!("there is a solver named {:?} already", entry.name);
         return Err(Error::invalid("solvers", "name", reason));

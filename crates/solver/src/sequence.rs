@@ -14,14 +14,14 @@
 //! enumeration at most 65,536 active sets. A solver that the user names is never replaced.
 //!
 //! ```
-//! use lcplab_problem::friction::Posed;
+//! use lcplab_problem::friction::ProblemForm;
 //! use lcplab_problem::{Lcp, Matrix};
 //! use lcplab_solver::{Options, Status, solve_by_sequence};
 //!
 //! // A bimatrix game: Lemke's path ends on a ray, the enumeration finds the equilibrium.
 //! let a = [0.0, 0.0, 2.0, 4.0, 0.0, 0.0, 3.0, 1.0, 1.0, 3.0, 0.0, 0.0, 4.0, 2.0, 0.0, 0.0];
 //! let lcp = Lcp::new(Matrix::dense(4, &a), vec![-1.0; 4], vec![0.0; 4], vec![f64::INFINITY; 4])?;
-//! let answer = solve_by_sequence(&Posed::Boxed(lcp), &Options::default(), &mut ());
+//! let answer = solve_by_sequence(&ProblemForm::Boxed(lcp), &Options::default(), &mut ());
 //! assert_eq!(answer.solution.status, Status::Solved);
 //! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
@@ -31,7 +31,7 @@ use crate::{
     solve_polyhedral,
 };
 use lcplab_problem::Lcp;
-use lcplab_problem::friction::{ConeProblem, Polyhedral, Posed};
+use lcplab_problem::friction::{ConeProblem, Polyhedral, ProblemForm};
 
 /// Iteration limit of Newton's method and the interior-point method, which normally need about ten.
 const MOST_STEPS: usize = 100;
@@ -51,7 +51,7 @@ pub struct Attempt {
 
 /// The answer of the fallback sequence.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Answered {
+pub struct SequenceAnswer {
     /// The method that gave the answer: the one that solved the problem, otherwise the first.
     pub solver: &'static str,
     /// Its answer.
@@ -61,11 +61,15 @@ pub struct Answered {
 }
 
 /// Solves a problem from 0 with the suitable methods, one after the other, until one succeeds.
-pub fn solve(problem: &Posed, options: &Options, observer: &mut dyn Observer) -> Answered {
+pub fn solve(
+    problem: &ProblemForm,
+    options: &Options,
+    observer: &mut dyn Observer,
+) -> SequenceAnswer {
     match problem {
-        Posed::Boxed(lcp) => solve_boxed(lcp, &Start::default(), options, observer),
-        Posed::Polyhedral(polygons) => solve_polygons(polygons, options, observer),
-        Posed::Cone(cones) => solve_cones(cones, options, observer),
+        ProblemForm::Boxed(lcp) => solve_boxed(lcp, &Start::default(), options, observer),
+        ProblemForm::Polyhedral(polygons) => solve_polygons(polygons, options, observer),
+        ProblemForm::Cone(cones) => solve_cones(cones, options, observer),
     }
 }
 
@@ -75,7 +79,7 @@ pub fn solve_boxed(
     start: &Start<'_>,
     options: &Options,
     observer: &mut dyn Observer,
-) -> Answered {
+) -> SequenceAnswer {
     solve_boxed_without("", lcp, start, options, observer)
 }
 
@@ -86,7 +90,7 @@ pub fn solve_boxed_without(
     start: &Start<'_>,
     options: &Options,
     observer: &mut dyn Observer,
-) -> Answered {
+) -> SequenceAnswer {
     let symmetric = ["dantzig", "block-pivoting", "newton", "interior-point"];
     let names: &[&'static str] = match lcp.matrix().is_nearly_symmetric() {
         true => &symmetric,
@@ -104,7 +108,7 @@ fn solve_polygons(
     polygons: &Polyhedral,
     options: &Options,
     observer: &mut dyn Observer,
-) -> Answered {
+) -> SequenceAnswer {
     let (start, settings) = (Start::default(), options.settings.clone());
     let attempt = |name: &'static str, observer: &mut dyn Observer| match entry(name) {
         Ok(entry) => {
@@ -116,7 +120,11 @@ fn solve_polygons(
     first_success(&["lemke", PolygonPgs::NAME], observer, attempt)
 }
 
-fn solve_cones(cones: &ConeProblem, options: &Options, observer: &mut dyn Observer) -> Answered {
+fn solve_cones(
+    cones: &ConeProblem,
+    options: &Options,
+    observer: &mut dyn Observer,
+) -> SequenceAnswer {
     use lcplab_problem::Complementarity;
     let names: &[&'static str] = match cones.lcp().matrix().is_nearly_symmetric() {
         true => &["apgd", "cone-pgs"],
@@ -148,7 +156,7 @@ fn first_success(
     names: &[&'static str],
     observer: &mut dyn Observer,
     attempt: impl Fn(&'static str, &mut dyn Observer) -> Option<Solution>,
-) -> Answered {
+) -> SequenceAnswer {
     let mut failed: Vec<(&'static str, Solution)> = Vec::new();
     let mut success = None;
     for &name in names {
@@ -159,12 +167,12 @@ fn first_success(
         }
         failed.push((name, solution));
     }
-    let told = |(solver, solution): &(&'static str, Solution)| Attempt {
+    let attempt = |(solver, solution): &(&'static str, Solution)| Attempt {
         solver,
         status: solution.status.clone(),
         iterations: solution.iterations,
     };
-    let attempts = failed.iter().map(told).collect();
+    let attempts = failed.iter().map(attempt).collect();
     let (solver, solution) = success.unwrap_or_else(|| failed.swap_remove(0));
-    Answered { solver, solution, attempts }
+    SequenceAnswer { solver, solution, attempts }
 }

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use super::{Iterate, Observer, Part};
+use super::{Iterate, Observer, StepDetail};
 
 /// A stop condition. Clones share the flag.
 ///
@@ -64,18 +64,18 @@ impl Stop {
     }
 
     /// Wraps the observer so that it also stops the solver when this condition is met.
-    pub fn watch<'a>(&'a self, observer: &'a mut dyn Observer) -> Watched<'a> {
-        Watched { stop: self, observer }
+    pub fn watch<'a>(&'a self, observer: &'a mut dyn Observer) -> StopObserver<'a> {
+        StopObserver { stop: self, observer }
     }
 }
 
 /// An observer that also checks a stop condition.
-pub struct Watched<'a> {
+pub struct StopObserver<'a> {
     stop: &'a Stop,
     observer: &'a mut dyn Observer,
 }
 
-impl Observer for Watched<'_> {
+impl Observer for StopObserver<'_> {
     fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
         self.observer.observe(iterate)?;
         match self.stop.reason() {
@@ -84,11 +84,11 @@ impl Observer for Watched<'_> {
         }
     }
 
-    fn asks_for_parts(&self) -> bool {
-        self.observer.asks_for_parts()
+    fn wants_details(&self) -> bool {
+        self.observer.wants_details()
     }
 
-    fn part(&mut self, part: &Part<'_>) {
+    fn part(&mut self, part: &StepDetail<'_>) {
         self.observer.part(part);
     }
 }

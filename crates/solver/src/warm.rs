@@ -32,21 +32,21 @@ use super::pivot::free_rows::FreeRows;
 /// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 #[derive(Debug, Default)]
-pub struct Warm(RefCell<Left>);
+pub struct Warm(RefCell<Cache>);
 
 /// The contents of the cache.
 #[derive(Debug, Default)]
-pub(super) struct Left {
+pub(super) struct Cache {
     pub(super) set: Option<ActiveSet>,
     pub(super) equations: Option<FreeRows>,
 }
 
 impl Warm {
     /// Passes the contents to a solve, and keeps what it stores.
-    pub(super) fn lend<T>(&self, solve: impl FnOnce(&mut Left) -> T) -> T {
-        let mut left = self.0.take();
-        let solution = solve(&mut left);
-        self.0.replace(left);
+    pub(super) fn borrow<T>(&self, solve: impl FnOnce(&mut Cache) -> T) -> T {
+        let mut cache = self.0.take();
+        let solution = solve(&mut cache);
+        self.0.replace(cache);
         solution
     }
 }

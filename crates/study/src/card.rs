@@ -99,7 +99,8 @@ pub(crate) fn class_of(a: &Matrix) -> Option<MatrixClass> {
         let class = match pivots(exact) {
             Some(0) => MatrixClass::Definite,
             Some(_) => MatrixClass::Semidefinite,
-            None => MatrixClass::General, // a symmetric P-matrix is definite
+            // A symmetric P-matrix is definite.
+            None => MatrixClass::General,
         };
         return Some(class);
     }

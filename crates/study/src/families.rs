@@ -15,7 +15,7 @@ use lcplab_judge::{Demand, FrictionCertificate, judge_friction};
 use lcplab_problem::Complementarity;
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::{Expected, Problem};
-use lcplab_problem::friction::{Model, Posed};
+use lcplab_problem::friction::{Model, ProblemForm};
 use lcplab_problem::library::Family;
 use lcplab_problem::number::counted;
 use lcplab_solver::trace::{NO_ITERATES, Provenance, Work};
@@ -182,7 +182,7 @@ impl std::str::FromStr for Requirement {
 
 impl Requirement {
     /// How the rows fail it, in a sentence; `None` if they meet it.
-    pub fn shortfall(&self, rows: &[Row]) -> Option<String> {
+    pub fn unmet(&self, rows: &[Row]) -> Option<String> {
         let own = || rows.iter().filter(|row| row.solver == self.solver && row.solvable() > 0);
         let accepted: usize = own().map(|row| row.accepted).sum();
         let problems: usize = own().map(Row::solvable).sum();
@@ -209,7 +209,7 @@ struct Posing<'a> {
     model: Option<Model>,
     /// Whether the user named the model, or the problem states it.
     is_stated: bool,
-    problems: Vec<(&'a Problem, Posed)>,
+    problems: Vec<(&'a Problem, ProblemForm)>,
 }
 
 /// Runs each method on each family that it takes, with the seeds 1 … `seeds`; on families with
@@ -357,11 +357,11 @@ fn posings<'a>(family: &'a str, problems: &'a [Problem], models: Models<'_>) -> 
 
 /// The problem under the model; `None` if it cannot be stated so. Friction rows that are not two
 /// tangents a contact each are a coupled box and nothing else.
-fn pose(problem: &Problem, model: Option<Model>) -> Option<Posed> {
-    let Some(model) = model else { return Some(Posed::Boxed(problem.lcp.clone())) };
+fn pose(problem: &Problem, model: Option<Model>) -> Option<ProblemForm> {
+    let Some(model) = model else { return Some(ProblemForm::Boxed(problem.lcp.clone())) };
     match problem.friction()? {
         Ok(friction) => model.pose(&friction, problem.frozen_at.as_deref()).ok(),
-        Err(_) => (model == Model::CoupledBox).then(|| Posed::Boxed(problem.lcp.clone())),
+        Err(_) => (model == Model::CoupledBox).then(|| ProblemForm::Boxed(problem.lcp.clone())),
     }
 }
 
@@ -421,18 +421,18 @@ fn attempt(
     for (problem, posed) in problems {
         limits.stop.reason().is_none().then_some(())?;
         let lcp = match posed {
-            Posed::Boxed(lcp) => lcp,
-            Posed::Polyhedral(polyhedral) => polyhedral.lcp(),
-            Posed::Cone(cone) => cone.lcp(),
+            ProblemForm::Boxed(lcp) => lcp,
+            ProblemForm::Polyhedral(polyhedral) => polyhedral.lcp(),
+            ProblemForm::Cone(cone) => cone.lcp(),
         };
         let work = match method {
             Method::Boxed(entry) => Some(Work::of(entry, lcp)),
             Method::Cone(_) => None,
         };
-        let mut told = Told { provenance: Provenance::of(lcp), work };
+        let mut record = IterateRecord { provenance: Provenance::of(lcp), work };
         let start = Instant::now();
         let each = limits.each.map_or_else(Stop::default, Stop::after);
-        let mut watched = limits.stop.watch(&mut told);
+        let mut watched = limits.stop.watch(&mut record);
         let mut solution = method.solve(posed, options, &mut each.watch(&mut watched));
         row.seconds += start.elapsed().as_secs_f64();
         if solution.status == Status::Stopped {
@@ -441,13 +441,13 @@ fn attempt(
             solution.status = Status::NoAnswer { reason };
         }
         if row.fingerprint.is_empty() {
-            row.fingerprint = format!("{:016x}", told.provenance.fingerprint);
+            row.fingerprint = format!("{:016x}", record.provenance.fingerprint);
         }
-        let known = told.work.map(|work| work.multiplications).filter(|work| work.is_finite());
+        let known = record.work.map(|work| work.multiplications).filter(|work| work.is_finite());
         row.multiplications = row.multiplications.zip(known).map(|(sum, own)| sum + own);
         let demand = Demand { tolerance: options.settings.tolerance, ..Demand::default() };
         let certificate = judge_friction(posed, &solution.x, &demand);
-        if let Posed::Boxed(lcp) = posed {
+        if let ProblemForm::Boxed(lcp) = posed {
             row.denied += usize::from(proof_of_denial(lcp, &solution.status, &demand).is_some());
         }
         row.add(&solution, &certificate, problem);
@@ -462,12 +462,12 @@ fn attempt(
 }
 
 /// What is kept of a solve's iterates.
-struct Told<'a> {
+struct IterateRecord<'a> {
     provenance: Provenance<'a>,
     work: Option<Work<'a>>,
 }
 
-impl Observer for Told<'_> {
+impl Observer for IterateRecord<'_> {
     fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
         if let Some(work) = &mut self.work {
             work.observe(iterate)?;

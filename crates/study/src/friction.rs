@@ -9,11 +9,13 @@ use super::answer::{
 use super::methods;
 use lcplab_judge::{Demand, FrictionCertificate, judge_cone, judge_friction};
 use lcplab_problem::file::{Problem, number};
-use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law, Model, Posed};
+use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law, Model, ProblemForm};
 use lcplab_problem::merit::RowTerms;
 use lcplab_problem::number::readable;
 use lcplab_problem::{Lcp, Question};
-use lcplab_solver::{Answered, Method, Observer, Options, Solution, Status, solve_by_sequence};
+use lcplab_solver::{
+    Method, Observer, Options, SequenceAnswer, Solution, Status, solve_by_sequence,
+};
 
 /// A contact slides if |w_t| is above this fraction of its terms.
 const SLIP: f64 = 1e-6;
@@ -38,9 +40,9 @@ pub fn solve(
     options: &Options,
     demand: &Demand,
     observer: &mut dyn Observer,
-) -> (Solution, Judged) {
+) -> (Solution, JudgedAnswer) {
     let solution = method.solve(question.posed(), options, observer);
-    let judged = Judged::of(question, &solution.x, demand);
+    let judged = JudgedAnswer::of(question, &solution.x, demand);
     let judged = judged.with_claim(question.posed(), &solution.status, demand);
     (solution, judged)
 }
@@ -52,9 +54,9 @@ pub fn solve_by_default(
     options: &Options,
     demand: &Demand,
     observer: &mut dyn Observer,
-) -> (Answered, Judged) {
+) -> (SequenceAnswer, JudgedAnswer) {
     let answered = solve_by_sequence(question.posed(), options, observer);
-    let judged = Judged::of(question, &answered.solution.x, demand);
+    let judged = JudgedAnswer::of(question, &answered.solution.x, demand);
     let judged = judged.with_claim(question.posed(), &answered.solution.status, demand);
     (answered, judged)
 }
@@ -75,7 +77,7 @@ pub struct ContactAnswer {
 
 /// The evaluation of an x, regardless of its source.
 #[derive(Debug, Clone)]
-pub struct Judged {
+pub struct JudgedAnswer {
     /// The judge's verdict on x as a solution of the model's own problem.
     pub certificate: FrictionCertificate,
     /// The contacts, one by one.
@@ -84,16 +86,16 @@ pub struct Judged {
     pub coulomb_residual: f64,
 }
 
-impl Judged {
+impl JudgedAnswer {
     /// Judges an answer, one number per row of the problem, under the model of the question.
     /// Without contacts, Coulomb's law requires nothing beyond the problem.
     pub fn of(question: &Question, x: &[f64], demand: &Demand) -> Self {
         match question.friction() {
-            Some(friction) => Judged::at_contacts(friction, question.posed(), x, demand),
+            Some(friction) => JudgedAnswer::at_contacts(friction, question.posed(), x, demand),
             None => {
                 let certificate = judge_friction(question.posed(), x, demand);
                 let coulomb_residual = certificate.scaled_residual;
-                Judged { certificate, contacts: Vec::new(), coulomb_residual }
+                JudgedAnswer { certificate, contacts: Vec::new(), coulomb_residual }
             }
         }
     }
@@ -101,14 +103,14 @@ impl Judged {
     /// Judges x under the model of the posed problem.
     pub fn at_contacts(
         problem: &FrictionProblem,
-        posed: &Posed,
+        posed: &ProblemForm,
         x: &[f64],
         demand: &Demand,
     ) -> Self {
         let coulomb = ConeProblem::new(problem.clone(), Law::Coulomb);
         let certificate = judge_friction(posed, x, demand);
         let contact = |c: &Contact| contact(problem.lcp(), c, x, &certificate.w);
-        Judged {
+        JudgedAnswer {
             contacts: problem.contacts().iter().map(contact).collect(),
             certificate,
             coulomb_residual: judge_cone(&coulomb, x, demand).scaled_residual,
@@ -116,17 +118,17 @@ impl Judged {
     }
 
     /// The same with the judge's result on the solver's claim that there is no solution.
-    pub fn with_claim(self, posed: &Posed, status: &Status, demand: &Demand) -> Self {
+    pub fn with_claim(self, posed: &ProblemForm, status: &Status, demand: &Demand) -> Self {
         let proof = match posed {
-            Posed::Boxed(lcp) => proof_of_denial(lcp, status, demand),
+            ProblemForm::Boxed(lcp) => proof_of_denial(lcp, status, demand),
             // The directions of more corners are rounded numbers.
-            Posed::Polyhedral(polygon) if polygon.directions() == 4 => {
+            ProblemForm::Polyhedral(polygon) if polygon.directions() == 4 => {
                 proof_of_denial(polygon.lcp(), status, demand)
             }
-            Posed::Polyhedral(_) | Posed::Cone(_) => None,
+            ProblemForm::Polyhedral(_) | ProblemForm::Cone(_) => None,
         };
         match proof {
-            Some(proof) => Judged { certificate: self.certificate.refuted_by(proof), ..self },
+            Some(proof) => JudgedAnswer { certificate: self.certificate.refuted_by(proof), ..self },
             None => self,
         }
     }

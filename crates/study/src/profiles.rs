@@ -18,16 +18,16 @@ use crate::attempt::Attempt;
 
 /// The attempts of the solvers on a family.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Tried {
+pub struct FamilyAttempts {
     /// The family, or the scene's step.
     pub family: String,
     /// Its problems.
-    pub problems: Vec<Posed>,
+    pub problems: Vec<ProblemAttempts>,
 }
 
 /// A problem with all attempts.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Posed {
+pub struct ProblemAttempts {
     /// The number of rows.
     pub rows: usize,
     /// Whether it is known that no solution exists; a claim to have solved it is then false.
@@ -101,7 +101,7 @@ pub fn profiles(costs: &[Vec<Cost>]) -> Vec<Profile> {
 /// `measure` from the rows and an attempt. If it is NaN, as for uncounted multiplications, the
 /// solver counts as not having attempted it.
 pub fn costs(
-    tried: &[Tried],
+    tried: &[FamilyAttempts],
     tolerance: usize,
     measure: fn(usize, &Attempt) -> f64,
 ) -> Vec<Vec<Cost>> {
@@ -112,7 +112,7 @@ pub fn costs(
         outcome if outcome.is_attempt() => Cost::Failed,
         _ => Cost::NotTried,
     };
-    let costs = |problem: &Posed| {
+    let costs = |problem: &ProblemAttempts| {
         problem.attempts[tolerance].iter().map(|attempt| cost(problem.rows, attempt)).collect()
     };
     solvable.map(costs).collect()

@@ -40,7 +40,8 @@ impl<T: Send + 'static> Tasks<T> {
             let one = |task: T| {
                 asked.reason().is_none().then_some(())?;
                 let end = work(&task);
-                sender.send((task, end)).ok() // None if the receiver is gone
+                // `None` if the receiver no longer exists.
+                sender.send((task, end)).ok()
             };
             let _ = pool.install(|| together.into_par_iter().try_for_each(one));
             let _ = pool.install(|| alone.into_iter().try_for_each(one));

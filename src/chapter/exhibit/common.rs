@@ -96,7 +96,8 @@ pub(super) fn delassus(j: &DMatrix<f64>, inverse_mass: &[f64]) -> Vec<f64> {
     let m_inv = DMatrix::from_fn(inverse_mass.len(), inverse_mass.len(), |r, c| {
         if r == c { inverse_mass[r] } else { 0.0 }
     });
-    (j * m_inv * j.transpose()).as_slice().to_vec() // symmetric: by columns is by rows
+    // The matrix is symmetric, so the order by columns is that by rows.
+    (j * m_inv * j.transpose()).as_slice().to_vec()
 }
 
 /// J of a constraint between the world and a body in this state: n × 6.

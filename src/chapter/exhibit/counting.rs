@@ -42,7 +42,8 @@ pub(super) fn equations_and_state() -> Result<Finding> {
     let point = Coincidence { bodies, anchors: [Vector3::new(0.5, 0.0, 0.0); 2] };
     let hinge: Hinge = (point, [across(Vector3::x()), across(Vector3::y())]);
     let j = jacobian(&hinge, &State::WORLD)?;
-    let remaining = 1.0; // the angle about the axis
+    // The angle about the axis.
+    let remaining = 1.0;
     let State { pose, v, omega } = State::WORLD;
     let numbers = pose.p.len() + pose.q.coords.len() + v.len() + omega.len();
     let equations = Measure::new("equations", "", 6.0 - j.nrows() as f64, 6.0 - remaining);

@@ -16,7 +16,8 @@ const STEP: f64 = G * DT;
 /// The fraction of the weight of ten resting bodies that the floor supports, frame by frame.
 pub(super) fn example() -> Result<Finding> {
     let mut b = [0.0; BODIES];
-    b[0] = -STEP; // only the lowest contact closes when all fall alike
+    // Only the lowest contact closes if all bodies fall at the same speed.
+    b[0] = -STEP;
     let lcp = bounded(tridiagonal(BODIES, 1.0), &b, 0.0)?;
     let (printed, corrected) =
         (frames(&lcp, |_| vec![0.0; BODIES])?, frames(&lcp, <[f64]>::to_vec)?);

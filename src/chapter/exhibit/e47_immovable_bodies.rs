@@ -38,7 +38,8 @@ fn sweeps_needed(bottom: f64, top: f64) -> Result<f64> {
 
 pub(super) fn example() -> Result<Finding> {
     let factor = |quantity: &str, bottom: f64, top: f64| -> Result<Measure> {
-        let heavy = 1000.0 / 1001.0; // what a heavy body would cost wherever it is
+        // The cost of a heavy body in any position.
+        let heavy = 1000.0 / 1001.0;
         let measure = Measure::new(quantity, "", heavy, top / (bottom + top));
         Ok(measure.truth(&[measured_factor(bottom, top)?], "PGS, measured", 1e-6))
     };

@@ -15,7 +15,8 @@ pub(super) fn example() -> Result<Finding> {
     let along_y = |y: f64| DMatrix::from_row_slice(1, 6, &[0.0, y, 0.0, 0.0, 0.0, 0.0]);
     let printed = printed::system(&one, &along_y(v), &along_y(g), &one);
     let mut inverse_mass = DMatrix::identity(6, 6);
-    inverse_mass.view_mut((3, 3), (3, 3)).fill_diagonal(10.0); // a ball of inertia 0.1 kg m²
+    // A ball of inertia 0.1 kg m².
+    inverse_mass.view_mut((3, 3), (3, 3)).fill_diagonal(10.0);
     let corrected = corrected::system(
         &inverse_mass,
         &along_y(v).transpose(),

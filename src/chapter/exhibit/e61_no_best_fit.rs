@@ -48,7 +48,8 @@ pub(super) fn example() -> Result<Finding> {
     let first = sweeps("pgs", &problem(ROD_FIRST, 0.0)?, &[0.0; 3], 1000)?;
     let end = |x: &[Vec<f64>]| x.last().cloned().unwrap_or_default();
     let size = |k: usize| largest(last[k].iter().copied());
-    let share = FEEDBACK * SHORT / 2.0; // what a mass gets of the rod's demand
+    // The share of the rod's correction that each mass gets.
+    let share = FEEDBACK * SHORT / 2.0;
     let soft = problem(ROD_LAST, 1e-6)?;
     let [one, other] = [ROD_LAST, ROD_FIRST].map(|order| -> Result<_> {
         Ok(velocities(order, &answer("dantzig", &problem(order, 1e-6)?)?))

@@ -62,7 +62,8 @@ pub(super) fn velocity_matrix() -> Result<Finding> {
     let column = DMatrix::from_column_slice(6, 1, &u);
     let row = DMatrix::from_row_slice(1, 6, &u);
     let diagonal = DMatrix::from_diagonal(&column.column(0).into_owned());
-    let as_scanned = diagonal.clone().insert_row(4, 0.0); // seven rows: ω_x stands twice
+    // Seven rows: ω_x occurs twice.
+    let as_scanned = diagonal.clone().insert_row(4, 0.0);
     let rate = product(&j, &column);
     let measure = |name: &str, shape: &DMatrix<f64>| {
         let rate = Measure::new(name, "m/s", product(&j, shape), rate.clone());

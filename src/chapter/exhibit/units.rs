@@ -86,7 +86,8 @@ fn load(length: f64, time: f64, mass: f64) -> Result<f64> {
 pub(super) fn force_not_strain() -> Result<Finding> {
     let si = load(1.0, 1.0, 1.0)?;
     let measure = |quantity: &str, length: f64, time: f64, mass: f64| -> Result<Measure> {
-        let newton = time * time / (mass * length); // kg m s⁻² in the new units
+        // 1 N = 1 kg m s⁻² in the new units.
+        let newton = time * time / (mass * length);
         let measure = Measure::new(quantity, "", 1.0, newton);
         Ok(measure.truth(&[load(length, time, mass)? / si], "solved in both", 1e-6 * newton))
     };

@@ -111,8 +111,10 @@ impl Compare {
             families::run_on(problems, models, &contenders, &options, &all)
         };
         let mut rows = run(&library, Models::Usual(&Model::ALL));
-        rows.extend(run(&files, Models::Stated(&[]))); // a file says under which model it is a problem
-        rows.retain(|row| row.problems > 0); // a file may not say at what to freeze a box
+        // A file states its friction model.
+        rows.extend(run(&files, Models::Stated(&[])));
+        // A file may lack the forces at which a box is frozen.
+        rows.retain(|row| row.problems > 0);
         let stopped = stop.reason();
         limits.over();
         progress.finish_and_clear();
@@ -149,7 +151,7 @@ impl Compare {
     /// Named solvers that solve nothing, and requirements that are not met, in a sentence each.
     fn failures(&self, rows: &[Row], contenders: &[Contender]) -> Vec<String> {
         let shortfalls =
-            self.problems.require_accepted.iter().filter_map(|demand| demand.shortfall(rows));
+            self.problems.require_accepted.iter().filter_map(|demand| demand.unmet(rows));
         families::useless(rows, contenders).into_iter().chain(shortfalls).collect()
     }
 

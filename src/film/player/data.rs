@@ -58,7 +58,7 @@ pub(super) fn json(film: &Film) -> Value {
         "turn": 1.0 / TURN,
         "bodies": bodies(&film.scene, &stage.lens),
         "joints": joints(&film.scene),
-        "start": film.telling(),
+        "start": film.first_shown(),
         "times": film.times().iter().map(|time| short(*time)).collect::<Vec<_>>(),
         "steps": steps.collect::<Vec<_>>(),
         "plot": PLOT,
@@ -138,7 +138,8 @@ fn poses(film: &Film, take: &Take, body: usize, unit: f64) -> Vec<Vec<i64>> {
     let rows = take.shots.iter().map(|shot| {
         let pose = &shot.frame.states[body].pose;
         let q = *pose.q.quaternion();
-        last = if q.dot(&last) < 0.0 { -q } else { q }; // the same turn, without a jump
+        // The same rotation, without a jump.
+        last = if q.dot(&last) < 0.0 { -q } else { q };
         let place = [pose.p.x, pose.p.y, pose.p.z].map(|x| whole(x / unit));
         let turn = [last.w, last.i, last.j, last.k].map(|x| whole(x * TURN));
         [&place[..], &turn].concat()

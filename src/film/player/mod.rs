@@ -153,13 +153,13 @@ impl Film {
 
     /// The first instant to show: the one with the largest difference between takes or, for a
     /// single take, with the largest forces; the first of these.
-    pub fn telling(&self) -> usize {
+    pub fn first_shown(&self) -> usize {
         let shot = |take: &Take, k: usize| take.shots.get(k).map(|shot| shot.frame.clone());
         let apart = |one: &Frame, other: &Frame| {
             let pairs = one.states.iter().zip(&other.states);
             pairs.map(|(a, b)| (a.pose.p - b.pose.p).norm()).fold(0.0, f64::max)
         };
-        let told = |k: usize| match self.takes.as_slice() {
+        let size = |k: usize| match self.takes.as_slice() {
             [only] => shot(only, k)
                 .map_or(0.0, |frame| frame.forces.iter().map(|own| own.force.norm()).sum()),
             takes => {
@@ -169,7 +169,7 @@ impl Film {
             }
         };
         let instants =
-            (0..self.longest().len()).map(|k| (k, told(k))).filter(|(_, told)| told.is_finite());
+            (0..self.longest().len()).map(|k| (k, size(k))).filter(|(_, size)| size.is_finite());
         let (first, most) =
             instants.fold((0, 0.0), |best, own| if own.1 > best.1 { own } else { best });
         if most > 0.0 { first } else { 0 }

@@ -99,8 +99,10 @@ pub fn two_rows(answer: fn([[f64; 2]; 2], [f64; 2]) -> [f64; 2]) -> Verdict {
 /// Names the condition that an answer violates.
 pub fn two_contacts(answer: fn([[f64; 2]; 2], [f64; 2]) -> [f64; 2]) -> Verdict {
     let apart = [[2.0, 0.0], [0.0, 1.0]];
-    let balls = [[2.0, -1.0], [-1.0, 2.0]]; // three in a line
-    let plank = [[2.0, 1.0], [1.0, 2.0]]; // each end lifts the other
+    // Three balls in a line.
+    let balls = [[2.0, -1.0], [-1.0, 2.0]];
+    // Each end of the plank lifts the other.
+    let plank = [[2.0, 1.0], [1.0, 2.0]];
     for (a, b) in [
         (apart, [-1.0, -1.0]),
         (apart, [-1.0, 1.0]),

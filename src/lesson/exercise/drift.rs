@@ -34,7 +34,8 @@ pub fn bias(answer: fn(f64, f64, f64, f64) -> f64) -> Verdict {
         (-0.1, 0.02, 0.4, 0.01),
     ] {
         let bias = answer(c, dt, beta, slop);
-        let after = c - dt * bias; // w = 0: ċ = −bias
+        // w = 0: ċ = −bias
+        let after = c - dt * bias;
         let beyond = |c: f64| -(c + slop).min(0.0);
         let at = format!("gap {c} m, dt = {dt} s, β = {beta}, slop = {slop} m");
         if c > 0.0 && !(after.abs() < 1e-12) {

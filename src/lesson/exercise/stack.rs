@@ -81,7 +81,8 @@ pub fn tower(answer: fn(&[f64], &[f64], f64) -> Option<Vec<[f64; 2]>>) -> Verdic
                     moment += sign * impulse * end;
                 }
             }
-            let turn = moment - force * x[k]; // about its middle
+            // The moment about its middle.
+            let turn = moment - force * x[k];
             if !(force.abs() < 1e-9) {
                 let way = if force > 0.0 { "up" } else { "down" };
                 return Err(format!("{at}: box {k} moves {way} at {:.4} m/s", force.abs() / m[k]));

@@ -108,10 +108,10 @@ fn table(axes: &[String], points: &[Point<'_>]) -> String {
     let findings = || points.iter().filter_map(|point| point.finding);
     let is_any = |has: &dyn Fn(&Finding) -> bool| findings().any(has);
     let names = MEASURES.iter().map(|measure| measure.name);
-    let taken = |name: &&str| is_any(&|finding| finding.values.contains_key(*name));
-    let told = |name: &&str| is_any(&|finding| finding.predicted(name).is_some());
+    let is_measured = |name: &&str| is_any(&|finding| finding.values.contains_key(*name));
+    let has_theory = |name: &&str| is_any(&|finding| finding.predicted(name).is_some());
     let (measures, predicted): (Vec<&str>, Vec<&str>) =
-        (names.clone().filter(taken).collect(), names.filter(told).collect());
+        (names.clone().filter(is_measured).collect(), names.filter(has_theory).collect());
     let mut out = String::new();
     let heading = ["task"].into_iter().chain(axes.iter().map(String::as_str));
     let heading = heading.chain(["task_seed"]).chain(measures.iter().copied()).map(String::from);

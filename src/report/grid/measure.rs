@@ -129,7 +129,7 @@ fn simulate(task: &Task, scene: &Scene, steps: usize, grid: &Grid) -> Result<(Fi
     let mut simulation = Simulation::of(scene)?;
     let demand = Demand { tolerance: scene.solver.tolerance, prove_up_to: 0 };
     let mut tally = Tally::default();
-    let mut course = Course::from(simulation.motion());
+    let mut course = SceneMotion::from(simulation.motion());
     let (mut seconds, mut last) = (0.0, None);
     for _ in 0..steps {
         let start = Instant::now();
@@ -305,7 +305,7 @@ fn rank(verdict: &Verdict) -> u8 {
 }
 
 /// The motion of a scene.
-struct Course {
+struct SceneMotion {
     steps: usize,
     start: f64,
     energy_change: f64,
@@ -313,14 +313,14 @@ struct Course {
     penetration: f64,
 }
 
-impl From<Motion> for Course {
+impl From<Motion> for SceneMotion {
     fn from(motion: Motion) -> Self {
         let (start, Motion { drift, penetration, .. }) = (motion.energy(), motion);
-        Course { steps: 0, start, energy_change: 0.0, drift, penetration }
+        SceneMotion { steps: 0, start, energy_change: 0.0, drift, penetration }
     }
 }
 
-impl Course {
+impl SceneMotion {
     fn add(&mut self, motion: &Motion) {
         let change = motion.energy() - self.start;
         self.steps += 1;

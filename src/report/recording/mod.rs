@@ -1,6 +1,6 @@
 //! Records a simulation step by step: the output of `simulate`.
 
-mod books;
+mod energy_totals;
 mod refused;
 mod tables;
 mod text;
@@ -10,7 +10,7 @@ use std::path::Path;
 use nalgebra::Vector3;
 use serde_json::{Value, json};
 
-use books::Books;
+use energy_totals::EnergyTotals;
 use refused::{Refused, proof};
 use tables::Tables;
 
@@ -22,7 +22,7 @@ use crate::lcp::file::number;
 use crate::memory::Memory;
 use crate::scene::Scene;
 use crate::simulation::{
-    Failure, Impact, Impacts, Laws, Motion, Simulation, Slips, Step, Warnings, carried,
+    Failure, Impact, Impacts, LawErrors, Motion, Simulation, Slips, Step, Warnings, carried,
 };
 use crate::solver::Status;
 
@@ -52,12 +52,12 @@ pub struct Record {
     worst_penetration: f64,
     /// The step with the smallest supported fraction of the weight, and that fraction.
     least_carried: Option<(usize, f64)>,
-    laws: Laws,
+    laws: LawErrors,
     slips: Slips,
     impacts: Impacts,
     /// The impact that missed the law of restitution by most.
     worst_impact: Option<Impact>,
-    books: Option<Books>,
+    energy_totals: Option<EnergyTotals>,
     conflict: Vec<String>,
     /// Problems of the motion although every LCP was solved.
     warnings: Warnings,
@@ -88,11 +88,11 @@ impl Record {
             worst_drift: 0.0,
             worst_penetration: 0.0,
             least_carried: None,
-            laws: Laws::default(),
+            laws: LawErrors::default(),
             slips: Slips::default(),
             impacts: Impacts::default(),
             worst_impact: None,
-            books: Some(Books::default()),
+            energy_totals: Some(EnergyTotals::default()),
             conflict: Vec::new(),
             warnings: Warnings::default(),
             refused: None,
@@ -155,7 +155,10 @@ impl Record {
         self.slips.add(step);
         let ended = self.impacts.add(&self.scene, step);
         self.worst_impact = worse_of(self.worst_impact.into_iter().chain(ended));
-        self.books = self.books.zip(step.ledger).map(|(books, ledger)| books.with(&ledger));
+        self.energy_totals = self
+            .energy_totals
+            .zip(step.ledger)
+            .map(|(energy_totals, ledger)| energy_totals.with(&ledger));
         self.note(&step.motion);
     }
 
@@ -218,8 +221,8 @@ impl Record {
             "drift": number(self.worst_drift),
             "penetration": number(self.worst_penetration),
             "carried": self.carried().map(|[mean, least]| json!({ "mean": number(mean), "least": number(least) })),
-            "work": self.accounted(|books| books.by_account()),
-            "remainder": self.accounted(|books| number(books.remainder)),
+            "work": self.accounted(|energy_totals| energy_totals.by_account()),
+            "remainder": self.accounted(|energy_totals| number(energy_totals.remainder)),
             "laws": {
                 "attraction": measured(self.laws.attraction),
                 "cone_excess": number(self.laws.cone_excess),
@@ -266,8 +269,8 @@ impl Record {
     }
 
     /// A value from the energy balance, or the text that there is none.
-    fn accounted(&self, says: impl Fn(&Books) -> Value) -> Value {
-        self.books.as_ref().map_or(Value::from(NOT_ACCOUNTED), says)
+    fn accounted(&self, says: impl Fn(&EnergyTotals) -> Value) -> Value {
+        self.energy_totals.as_ref().map_or(Value::from(NOT_ACCOUNTED), says)
     }
 
     /// The current positions and velocities of the bodies.

@@ -9,7 +9,7 @@ use crate::csv::{number, record};
 use crate::formulation::Stage;
 use crate::memory::Memory;
 use crate::scene::Scene;
-use crate::simulation::{Laws, Ledger, Motion, Solve, Step};
+use crate::simulation::{LawErrors, Ledger, Motion, Solve, Step};
 
 /// Three tables, one line at a time; names and units are in their first lines.
 #[derive(Debug, Clone)]
@@ -40,7 +40,7 @@ impl Tables {
 
     /// Adds the state at the start, before any step.
     pub fn start(&mut self, scene: &Scene, motion: &Motion, states: &[State]) {
-        self.add_motion(motion, Some(&Ledger::default()), &Laws::default());
+        self.add_motion(motion, Some(&Ledger::default()), &LawErrors::default());
         self.add_states(scene, motion, states);
     }
 
@@ -64,7 +64,7 @@ impl Tables {
         Memory::bytes(texts.map(|text| text.capacity() as u64).iter().sum())
     }
 
-    fn add_motion(&mut self, motion: &Motion, ledger: Option<&Ledger>, laws: &Laws) {
+    fn add_motion(&mut self, motion: &Motion, ledger: Option<&Ledger>, laws: &LawErrors) {
         let [p, l] = [&motion.linear_momentum, &motion.angular_momentum];
         let state = [motion.time, motion.kinetic, motion.potential, motion.energy()];
         let momenta = [p.x, p.y, p.z, l.x, l.y, l.z];

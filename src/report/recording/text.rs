@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::books::Books;
+use super::energy_totals::EnergyTotals;
 use super::{NOT_ACCOUNTED, Record};
 use crate::body::State;
 use crate::lcp::friction::Model;
@@ -70,11 +70,11 @@ impl Record {
                 false => readable(self.laws.attraction, 2),
             },
             readable(100.0 * self.laws.cone_excess, 2),
-            match self.books {
+            match self.energy_totals {
                 Some(_) => format!("{} J", readable(self.laws.friction_gain, 2)),
                 None => NOT_ACCOUNTED.into(),
             },
-            self.books.as_ref().map_or(NOT_ACCOUNTED.into(), Books::text),
+            self.energy_totals.as_ref().map_or(NOT_ACCOUNTED.into(), EnergyTotals::text),
         );
         text.push('\n');
         if self.scene.step.scheme == Scheme::Acceleration {

@@ -99,12 +99,12 @@ pub struct Frame {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub missed: Option<f64>,
     /// The results of lcplab's solvers on the same problem.
-    pub solvers: Vec<Tried>,
+    pub solvers: Vec<SolverAttempt>,
 }
 
 /// A solver on an engine's problem.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Tried {
+pub struct SolverAttempt {
     /// Its name.
     pub solver: String,
     /// Whether the judge accepts its answer.

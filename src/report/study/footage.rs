@@ -33,7 +33,7 @@ pub struct Plan {
     #[serde(default = "shots")]
     pub shots: usize,
     /// The takes.
-    pub takes: Vec<Way>,
+    pub takes: Vec<Variant>,
     /// What to see, one or two sentences.
     pub caption: String,
 }
@@ -41,7 +41,7 @@ pub struct Plan {
 /// A variant of a scene: a name, and the overridden fields.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Way {
+pub struct Variant {
     /// Its name; the part after a comma marks a variant of the name before it.
     pub name: String,
     /// The overridden fields of the scene.
@@ -174,7 +174,8 @@ impl Still {
                 time: self.time,
                 kinetic,
                 potential,
-                elastic: 0.0, // in the potential
+                // Elastic energy is part of the potential energy.
+                elastic: 0.0,
                 linear_momentum: Vector3::zeros(),
                 angular_momentum: Vector3::zeros(),
                 drift,
@@ -201,7 +202,7 @@ impl Study for Plan {
 
     fn run(&self, _: usize) -> Result<(Self::Finding, ())> {
         let base = Variation::of(&self.scene, &self.change);
-        let take = |way: &Way| {
+        let take = |way: &Variant| {
             let scene = base.and(&way.change).scene()?;
             let steps = (self.duration / scene.step.dt).round() as usize;
             Ok(Take::of(&way.name, &mut Simulation::of(&scene)?, steps, self.shots))

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
-use crate::diagnosis::shortfall::{Course, Practice, courses, examine_sequence};
+use crate::diagnosis::unsupported::{ErrorHistory, UserSolver, error_histories, examine_sequence};
 use crate::document::Document;
 use crate::error::{Error, Result};
 use crate::lcp::exchange;
@@ -43,7 +43,7 @@ pub struct Finding {
     /// The diagnosis as text and tables.
     pub words: Document,
     /// The error after each sweep in the examined problem.
-    pub courses: Vec<Course>,
+    pub error_histories: Vec<ErrorHistory>,
     /// Whether the error of the answers is negligible, and each problem is known to be solved.
     pub is_good: bool,
 }
@@ -61,17 +61,18 @@ impl Study for Plan {
         let problems = self.problems()?;
         let mut options = Options::default();
         options.settings.max_iterations = self.max_iterations;
-        let practice = Practice { entry: methods::entry(&self.solver)?, options };
-        let tolerance = practice.options.settings.tolerance;
-        let found = examine_sequence(&problems, &practice);
+        let user_solver = UserSolver { entry: methods::entry(&self.solver)?, options };
+        let tolerance = user_solver.options.settings.tolerance;
+        let found = examine_sequence(&problems, &user_solver);
         let unsolved = found.unsolved_in_words(tolerance);
         let mut words = Document { lead: unsolved.clone(), ..Document::default() };
         found.open(&mut words);
-        let is_short = found.shortfall.as_ref().is_some_and(|own| own.is_short());
+        let is_short = found.unsupported.as_ref().is_some_and(|own| own.is_short());
         let frame = found.frame.as_ref().filter(|_| is_short);
-        let courses = frame.map_or_else(Vec::new, |frame| courses(frame, &practice));
+        let error_histories =
+            frame.map_or_else(Vec::new, |frame| error_histories(frame, &user_solver));
         let is_good = !is_short && unsolved.is_empty();
-        Ok((Finding { words, courses, is_good }, ()))
+        Ok((Finding { words, error_histories, is_good }, ()))
     }
 }
 

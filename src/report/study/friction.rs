@@ -26,7 +26,7 @@ use serde::{Deserialize, Serialize};
 use crate::certificate::Demand;
 use crate::error::Result;
 use crate::lcp::friction::FrictionProblem;
-use crate::report::friction::Judged;
+use crate::report::friction::JudgedAnswer;
 use crate::report::methods;
 use crate::solver::{Options, Settings};
 
@@ -82,7 +82,7 @@ fn answer(problem: &FrictionProblem, model: Model, options: &Options) -> Result<
     };
     let posed = model.pose(problem, frozen_at.as_deref())?;
     let solution = method.solve(&posed, options, &mut ());
-    let judged = Judged::at_contacts(problem, &posed, &solution.x, &Demand::default());
+    let judged = JudgedAnswer::at_contacts(problem, &posed, &solution.x, &Demand::default());
     Ok(Answer {
         model,
         solver: method.name().to_string(),

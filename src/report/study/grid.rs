@@ -40,7 +40,7 @@ struct Settings {
 
 /// The result at a point.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Found {
+pub struct PointResult {
     /// The number of the point, from 1.
     pub task: usize,
     /// The result.
@@ -80,7 +80,7 @@ impl From<Plan> for Settings {
 
 impl Study for Plan {
     const NAME: &'static str = "grid";
-    type Finding = Found;
+    type Finding = PointResult;
     type Times = Option<Seconds>;
 
     fn alone(&self) -> bool {
@@ -104,11 +104,11 @@ impl Study for Plan {
         self.plan.tasks.iter().map(name).collect()
     }
 
-    fn run(&self, task: usize) -> Result<(Found, Option<Seconds>)> {
+    fn run(&self, task: usize) -> Result<(PointResult, Option<Seconds>)> {
         let task = &self.plan.tasks[task];
         let (finding, seconds) = measure::run(task, &self.grid)?;
         let seconds = Some(seconds).filter(|_| finding.status == "solved");
         let times = self.timed.then_some(Seconds { task: task.task, seconds });
-        Ok((Found { task: task.task, finding }, times))
+        Ok((PointResult { task: task.task, finding }, times))
     }
 }

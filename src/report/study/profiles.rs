@@ -17,7 +17,8 @@ use crate::lcp::library;
 use crate::memory::Memory;
 use lcplab_study::attempt::{attempt, entries, options};
 pub use lcplab_study::profiles::{
-    Cost, Posed, Profile, Tried, costs, iterations, multiplications, of_all, profiles,
+    Cost, FamilyAttempts, ProblemAttempts, Profile, costs, iterations, multiplications, of_all,
+    profiles,
 };
 
 /// The problems and solvers.
@@ -69,7 +70,7 @@ pub struct Seconds {
 
 impl Study for Plan {
     const NAME: &'static str = "profiles";
-    type Finding = Tried;
+    type Finding = FamilyAttempts;
     type Times = Seconds;
 
     fn alone(&self) -> bool {
@@ -81,7 +82,7 @@ impl Study for Plan {
         self.families().into_iter().chain(steps).collect()
     }
 
-    fn run(&self, task: usize) -> Result<(Tried, Seconds)> {
+    fn run(&self, task: usize) -> Result<(FamilyAttempts, Seconds)> {
         let entries = entries(&self.solvers)?;
         let families = self.families();
         let (family, problems) = match families.get(task) {
@@ -102,18 +103,21 @@ impl Study for Plan {
                 attempts.push(tried);
                 clock.push(times);
             }
-            posed.push(Posed { rows: lcp.len(), impossible, attempts });
+            posed.push(ProblemAttempts { rows: lcp.len(), impossible, attempts });
             clocks.push(clock);
         }
         let seconds = (0..self.tolerances.len()).map(|k| seconds(&posed, &clocks, k)).collect();
-        Ok((Tried { family: family.clone(), problems: posed }, Seconds { family, seconds }))
+        Ok((
+            FamilyAttempts { family: family.clone(), problems: posed },
+            Seconds { family, seconds },
+        ))
     }
 }
 
 /// The times of a family for each solver, at the tolerance with this index; `clocks` has the times
 /// (s) by problem, tolerance and solver.
 pub fn seconds(
-    posed: &[Posed],
+    posed: &[ProblemAttempts],
     clocks: &[Vec<Vec<f64>>],
     tolerance: usize,
 ) -> BTreeMap<String, Option<f64>> {

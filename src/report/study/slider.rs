@@ -80,7 +80,8 @@ fn path(model: Model, mu: f64) -> Result<Path> {
     scene.states[1].pose.p.z += floats * speed;
     scene.validate()?;
     let mu_g = mu * scene.gravity.norm();
-    let steps = (1.5 * speed / (mu_g * DT)).ceil() as usize; // a polygon rubs with μ g/√2 at least
+    // Friction with a polygon decelerates by at least μ g/√2.
+    let steps = (1.5 * speed / (mu_g * DT)).ceil() as usize;
     let demand = Demand { prove_up_to: 0, ..Demand::default() };
     let mut simulation = Simulation::of(&scene)?;
     let mut path = Path {
@@ -96,7 +97,8 @@ fn path(model: Model, mu: f64) -> Result<Path> {
         expected_gap: 0.0,
     };
     for number in 1..=steps {
-        let Ok(step) = simulation.step() else { break }; // fewer problems tell
+        // The number of problems shows an early end.
+        let Ok(step) = simulation.step() else { break };
         for solve in &step.solves {
             path.problems += 1;
             path.accepted += usize::from(solve.judged(&demand).verdict.is_solution());

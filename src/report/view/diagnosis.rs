@@ -3,8 +3,9 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::Document;
-use crate::diagnosis::shortfall::{
-    Course, Examination, Frame as Problem, Practice, Yard, courses, exact, main_solve,
+use crate::diagnosis::unsupported::{
+    ErrorHistory, Examination, Frame as Problem, ReferenceSolution, UserSolver, error_histories,
+    exact, main_solve,
 };
 use crate::document;
 use crate::error::Result;
@@ -28,7 +29,7 @@ const FILM: &str = "Left: with this solver; right: with exact answers. The redde
 pub fn diagnosis_page(
     words: &document::Document,
     found: &Examination,
-    practice: &Practice,
+    user_solver: &UserSolver,
     scene: Option<&Scene>,
     problems: &[(String, String)],
 ) -> Result<Page> {
@@ -48,7 +49,7 @@ pub fn diagnosis_page(
         if k == 0
             && let Some(frame) = &found.frame
         {
-            pictures(&mut page, frame, found, practice, scene)?;
+            pictures(&mut page, frame, found, user_solver, scene)?;
         }
     }
     if !problems.is_empty() {
@@ -64,19 +65,19 @@ fn pictures(
     page: &mut Document,
     frame: &Problem,
     found: &Examination,
-    practice: &Practice,
+    user_solver: &UserSolver,
     scene: Option<&Scene>,
 ) -> Result<()> {
-    let Some(shortfall) = found.shortfall.as_ref().filter(|own| own.is_short()) else {
+    let Some(unsupported) = found.unsupported.as_ref().filter(|own| own.is_short()) else {
         return Ok(());
     };
-    if let (Some(slowest), Some(scene)) = (&shortfall.slowest, scene) {
+    if let (Some(slowest), Some(scene)) = (&unsupported.slowest, scene) {
         let strip = pattern(scene, frame, &slowest.forces, found.place)?;
         page.add(Block::Figure(drawn(&strip)));
     }
-    let courses = courses(frame, practice);
-    if !courses.is_empty() {
-        page.add(Block::Figure(drawn(&convergence(&courses))));
+    let error_histories = error_histories(frame, user_solver);
+    if !error_histories.is_empty() {
+        page.add(Block::Figure(drawn(&convergence(&error_histories))));
     }
     Ok(())
 }
@@ -93,7 +94,7 @@ fn drawn(figure: &dyn Figure) -> Picture {
 /// The scene as it is solved next to the exact one; bodies with an error are red.
 fn film(scene: &Scene, steps: usize) -> Result<Film> {
     let takes = [
-        take(&scene.solver.name, scene, steps, &|step| uncarried(scene, step))?,
+        take(&scene.solver.name, scene, steps, &|step| unsupported(scene, step))?,
         take("exact", &exact(scene), steps, &|_| vec![0.0; scene.bodies.len()])?,
     ];
     Ok(Film::new("film", scene, takes.into()))
@@ -121,12 +122,12 @@ fn take(name: &str, scene: &Scene, steps: usize, heat: &dyn Fn(&Step) -> Vec<f64
 }
 
 /// The unsupported fraction of each body's weight in a step; 0 if unknown.
-fn uncarried(scene: &Scene, step: &Step) -> Vec<f64> {
+fn unsupported(scene: &Scene, step: &Step) -> Vec<f64> {
     let mut heat = vec![0.0; scene.bodies.len()];
     let Some(solve) = main_solve(step).filter(|solve| solve.posing.is_none()) else { return heat };
     let frame = Problem::of(&solve.exported(scene, step.number));
-    let Some(yard) = Yard::new(&frame.lcp, 0.0) else { return heat };
-    let left = frame.left(&solve.solution.x, &yard.exact);
+    let Some(reference) = ReferenceSolution::new(&frame.lcp, 0.0) else { return heat };
+    let left = frame.left(&solve.solution.x, &reference.exact);
     for (body, left) in frame.bodies.iter().zip(left) {
         if let Some(k) = scene.bodies.iter().position(|own| own.name == body.name) {
             heat[k] = left;
@@ -179,18 +180,18 @@ fn pattern(scene: &Scene, frame: &Problem, forces: &[f64], place: usize) -> Resu
 }
 
 /// The error after each sweep.
-pub(super) fn convergence(courses: &[Course]) -> Lines {
+pub(super) fn convergence(error_histories: &[ErrorHistory]) -> Lines {
     let points = |missing: &mut dyn Iterator<Item = Option<f64>>| {
         let placed = |(k, missing): (usize, Option<f64>)| Some((k as f64, 100.0 * missing?));
         missing.enumerate().filter_map(placed).collect::<Vec<_>>()
     };
     let mut series = Vec::new();
-    for course in courses {
-        let measured = points(&mut course.missing.iter().map(|missing| Some(*missing)));
-        series.push(Series::measured(&course.name, measured));
-        let theory = points(&mut course.theory.iter().copied());
+    for error_history in error_histories {
+        let measured = points(&mut error_history.missing.iter().map(|missing| Some(*missing)));
+        series.push(Series::measured(&error_history.name, measured));
+        let theory = points(&mut error_history.theory.iter().copied());
         if !theory.is_empty() {
-            series.push(Series::theory(format!("theory, {}", course.name), theory));
+            series.push(Series::theory(format!("theory, {}", error_history.name), theory));
         }
     }
     Lines::new(

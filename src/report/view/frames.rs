@@ -10,9 +10,9 @@ impl View for Plan {
     const TITLE: &'static str = "Remaining error and its causes";
 
     fn show(&self, found: &[Finding], document: &mut Document) {
-        for Finding { words, courses, .. } in found {
-            if !courses.is_empty() {
-                document.figure(convergence(courses));
+        for Finding { words, error_histories, .. } in found {
+            if !error_histories.is_empty() {
+                document.figure(convergence(error_histories));
             }
             for section in &words.sections {
                 document.text(format!("**{}.**", literal(&section.title)));

@@ -3,24 +3,24 @@
 use super::attempt::section_id;
 use super::{Document, Outcome, View};
 use crate::report::grid::{self, Finding, Point};
-use crate::report::study::grid::{Found, Plan, Seconds};
+use crate::report::study::grid::{Plan, PointResult, Seconds};
 
 impl View for Plan {
     const TITLE: &'static str = "A grid of settings";
 
-    fn show(&self, found: &[Found], document: &mut Document) {
+    fn show(&self, found: &[PointResult], document: &mut Document) {
         document.text(self.grid.text.trim());
         let id = format!("{}_", section_id(document));
         grid::show(&self.grid, &self.plan, &self.points(found), &id, document);
     }
 
     fn show_times(&self, times: &[Option<Seconds>], document: &mut Document) {
-        let found: Vec<Found> = times.iter().flatten().map(Seconds::found).collect();
+        let found: Vec<PointResult> = times.iter().flatten().map(Seconds::found).collect();
         let id = format!("{}_", self.grid.name);
         grid::show_seconds(&self.grid, &self.plan, &self.points(&found), &id, document);
     }
 
-    fn outcome(&self, found: &[Found]) -> Outcome {
+    fn outcome(&self, found: &[PointResult]) -> Outcome {
         let refuted = found.iter().filter(|own| own.finding.get("refuted") > Some(0.0)).count();
         let claims: Vec<bool> = found.iter().flat_map(|own| own.finding.claims()).collect();
         let held = claims.iter().filter(|held| **held).count();
@@ -36,8 +36,8 @@ impl View for Plan {
 }
 
 impl Plan {
-    fn points<'a>(&'a self, found: &'a [Found]) -> Vec<Point<'a>> {
-        let point = |Found { task, finding }: &'a Found| {
+    fn points<'a>(&'a self, found: &'a [PointResult]) -> Vec<Point<'a>> {
+        let point = |PointResult { task, finding }: &'a PointResult| {
             let task = self.plan.tasks.get(task - 1)?;
             Some(Point { task, finding: Some(finding), reason: None })
         };
@@ -47,13 +47,13 @@ impl Plan {
 
 impl Seconds {
     /// The time as a measure.
-    fn found(&self) -> Found {
+    fn found(&self) -> PointResult {
         let seconds = self.seconds.map(|seconds| ("seconds".to_string(), seconds.into()));
         let finding = Finding {
             status: "solved".into(),
             values: seconds.into_iter().collect(),
             ..Finding::default()
         };
-        Found { task: self.task, finding }
+        PointResult { task: self.task, finding }
     }
 }

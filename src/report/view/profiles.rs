@@ -9,7 +9,8 @@ use crate::plot::profile::{Curve, Group as Line, Profiles};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::attempt::{Attempt, Outcome};
 use crate::report::study::profiles::{
-    Cost, Plan, Profile, Seconds, Tried, costs, iterations, multiplications, of_all, profiles,
+    Cost, FamilyAttempts, Plan, Profile, Seconds, costs, iterations, multiplications, of_all,
+    profiles,
 };
 use crate::solver::{ALL, Entry, Group};
 
@@ -19,7 +20,7 @@ type Failures = Vec<((String, usize, String), Vec<String>)>;
 impl View for Plan {
     const TITLE: &'static str = "All solvers on all families";
 
-    fn show(&self, tried: &[Tried], document: &mut Document) {
+    fn show(&self, tried: &[FamilyAttempts], document: &mut Document) {
         let solvers = solvers(tried);
         if solvers.is_empty() {
             return;
@@ -61,11 +62,11 @@ impl View for Plan {
         }
     }
 
-    fn headline(&self, tried: &[Tried]) -> Headline {
+    fn headline(&self, tried: &[FamilyAttempts]) -> Headline {
         Headline::of(self.answer(tried))
     }
 
-    fn outcome(&self, tried: &[Tried]) -> Verdict {
+    fn outcome(&self, tried: &[FamilyAttempts]) -> Verdict {
         let all = |of| count(tried, None, None, of);
         let refuted = all(|attempt| attempt.outcome == Outcome::Refuted);
         let says = format!(
@@ -80,7 +81,7 @@ impl View for Plan {
 
 impl Plan {
     /// The solvers that solve most problems.
-    fn answer(&self, tried: &[Tried]) -> Option<String> {
+    fn answer(&self, tried: &[FamilyAttempts]) -> Option<String> {
         let last = self.tolerances.len().checked_sub(1)?;
         let (solvers, costs) = (solvers(tried), costs(tried, last, multiplications));
         let solved = |solver: usize| costs.iter().filter(|row| is_solved(&row[solver])).count();
@@ -117,7 +118,7 @@ impl Plan {
 
     /// By multiplications: for all problems at each tolerance, and at the last one for those that a
     /// solver attempted.
-    fn by_work(&self, tried: &[Tried], solvers: &[String]) -> Profiles {
+    fn by_work(&self, tried: &[FamilyAttempts], solvers: &[String]) -> Profiles {
         let mut columns = Vec::new();
         for (k, precision) in self.tolerances.iter().enumerate() {
             let costs = costs(tried, k, multiplications);
@@ -137,7 +138,7 @@ impl Plan {
     }
 
     /// By iterations, at the last tolerance.
-    fn by_iterations(&self, tried: &[Tried], solvers: &[String]) -> Profiles {
+    fn by_iterations(&self, tried: &[FamilyAttempts], solvers: &[String]) -> Profiles {
         let costs = costs(tried, self.tolerances.len().saturating_sub(1), iterations);
         let columns = both(&costs);
         let caption = "The same by sweeps, steps or pivots. A pivot of Dantzig's method is cheap, a step \
@@ -170,7 +171,7 @@ impl Plan {
 
     /// The solvers that solved everything they attempted, and the cheapest ones, at the last
     /// tolerance.
-    fn words(&self, tried: &[Tried], solvers: &[String]) -> String {
+    fn words(&self, tried: &[FamilyAttempts], solvers: &[String]) -> String {
         let Some(last) = self.tolerances.len().checked_sub(1) else { return String::new() };
         let costs = costs(tried, last, multiplications);
         let profiles = profiles(&costs);
@@ -221,7 +222,7 @@ impl Plan {
         )
     }
 
-    fn by_solver(&self, tried: &[Tried], solvers: &[String]) -> Table {
+    fn by_solver(&self, tried: &[FamilyAttempts], solvers: &[String]) -> Table {
         let mut rows = Vec::new();
         for solver in solvers {
             for (k, value) in self.tolerances.iter().enumerate() {
@@ -265,7 +266,7 @@ impl Plan {
         )
     }
 
-    fn failures(&self, tried: &[Tried]) -> Table {
+    fn failures(&self, tried: &[FamilyAttempts]) -> Table {
         let row = |((solver, k, reason), families): ((String, usize, String), Vec<String>)| {
             let value = self.tolerances[k];
             vec![
@@ -287,7 +288,7 @@ impl Plan {
 }
 
 /// The solvers, in the order of the attempts.
-fn solvers(tried: &[Tried]) -> Vec<String> {
+fn solvers(tried: &[FamilyAttempts]) -> Vec<String> {
     let first = tried.iter().flat_map(|family| &family.problems).next();
     let attempts = first.and_then(|problem| problem.attempts.first());
     attempts.into_iter().flatten().map(|attempt| attempt.solver.clone()).collect()
@@ -348,7 +349,7 @@ fn at_one(profile: &Profile) -> f64 {
 
 /// The number of attempts of a solver at a tolerance (or at all) that satisfy a condition.
 fn count(
-    tried: &[Tried],
+    tried: &[FamilyAttempts],
     solver: Option<&str>,
     tolerance: Option<usize>,
     of: fn(&Attempt) -> bool,
@@ -363,7 +364,7 @@ fn count(
 }
 
 /// Accepted answers to problems without solution.
-fn false_claims(tried: &[Tried], solver: &str, tolerance: usize) -> usize {
+fn false_claims(tried: &[FamilyAttempts], solver: &str, tolerance: usize) -> usize {
     let problems = tried.iter().flat_map(|family| &family.problems).filter(|p| p.impossible);
     let attempts = problems.flat_map(|problem| &problem.attempts[tolerance]);
     attempts.filter(|a| a.solver == solver && a.outcome.is_solved()).count()
@@ -371,7 +372,7 @@ fn false_claims(tried: &[Tried], solver: &str, tolerance: usize) -> usize {
 
 /// The number of accepted answers, and of all, among the solvable problems that Dantzig's method
 /// attempts.
-fn semidefinite(tried: &[Tried], solver: &str, tolerance: usize) -> (usize, usize) {
+fn semidefinite(tried: &[FamilyAttempts], solver: &str, tolerance: usize) -> (usize, usize) {
     let problems = tried.iter().flat_map(|family| &family.problems).filter(|p| !p.impossible);
     let of = |attempts: &[Attempt], name: &str| attempts.iter().find(|a| a.solver == name).cloned();
     let fit = problems.filter(|problem| {
@@ -386,7 +387,7 @@ fn semidefinite(tried: &[Tried], solver: &str, tolerance: usize) -> (usize, usiz
 }
 
 /// The attempts without an accepted claim, grouped by solver, tolerance and reason.
-fn gathered(tried: &[Tried]) -> Failures {
+fn gathered(tried: &[FamilyAttempts]) -> Failures {
     let mut failures: Failures = Vec::new();
     for family in tried {
         for problem in &family.problems {
@@ -415,8 +416,8 @@ fn gathered(tried: &[Tried]) -> Failures {
 }
 
 /// One row per family, one column per solver, at one tolerance.
-fn matrix(tried: &[Tried], solvers: &[String], k: usize, value: f64) -> Table {
-    let row = |family: &Tried| {
+fn matrix(tried: &[FamilyAttempts], solvers: &[String], k: usize, value: f64) -> Table {
+    let row = |family: &FamilyAttempts| {
         let cells = solvers.iter().map(|solver| {
             let attempts = family.problems.iter().flat_map(|problem| {
                 problem.attempts[k].iter().filter(|attempt| attempt.solver == *solver)

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use lcplab::certificate::{Demand, Verdict};
 use lcplab::lcp::Question;
-use lcplab::report::friction::Judged;
+use lcplab::report::friction::JudgedAnswer;
 use lcplab::report::study::Study;
 use lcplab::report::study::cards::{Column, Frame, Phenomenon, Plan, Record};
 use lcplab::report::view::{Document, View};
@@ -279,7 +279,7 @@ fn verdict(frame: &Frame) -> Verdict {
     let (problem, demand) =
         (frame.problem().unwrap(), Demand { tolerance: 1e-6, ..Demand::default() });
     let question = Question::new(&problem, None, "engines.json").unwrap();
-    Judged::of(&question, &frame.answer, &demand).certificate.verdict
+    JudgedAnswer::of(&question, &frame.answer, &demand).certificate.verdict
 }
 
 #[test]

@@ -131,7 +131,7 @@ fn the_clock_of_a_family_counts_what_has_a_solution_and_was_solved() {
         (false, [Outcome::Accepted, failed.clone(), outside]),
         (true, [failed.clone(), failed.clone(), failed]),
     ]
-    .map(|(impossible, own)| profiles::Posed {
+    .map(|(impossible, own)| profiles::ProblemAttempts {
         rows: 1,
         impossible,
         attempts: vec![attempts(own)],

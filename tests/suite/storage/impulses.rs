@@ -4,7 +4,7 @@ use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
 use lcplab::solver::Status;
 use lcplab::solver::kernel::Width;
-use lcplab::solver::kernel::impulses::{EightPairs, Row, RowByRow, System};
+use lcplab::solver::kernel::impulses::{Row, RowByRow, SimdPairs, System};
 use lcplab::solver::{Options, Settings, by_name};
 use lcplab::storage::Factors;
 
@@ -94,10 +94,10 @@ fn eight_pairs_sweep_as_the_assembled_matrix_does_in_their_order() {
         for (factors, lcp) in cases(&problem) {
             let rows = factors.scaled_rows();
             let system = System::new(factors.bodies(), &rows, &lcp).unwrap();
-            let kernel = EightPairs::new(&system, Width::widest()).unwrap();
+            let kernel = SimdPairs::new(&system, Width::widest()).unwrap();
             let order = kernel.order();
             let expected = plain(&reordered(&lcp, &order), 1.0, SWEEPS);
-            let x = swept(kernel, EightPairs::sweep, EightPairs::x);
+            let x = swept(kernel, SimdPairs::sweep, SimdPairs::x);
             let found: Vec<f64> = order.iter().map(|&i| x[i]).collect();
             assert_close(&found, &expected, 1e-12);
         }
@@ -110,7 +110,7 @@ fn all_of_a_tower_of_equal_pairs_is_swept_in_every_order() {
     let factors = Factors::of(&problem.assembly);
     let rows = factors.scaled_rows();
     let system = System::new(factors.bodies(), &rows, &problem.lcp).unwrap();
-    let mut order = EightPairs::new(&system, Width::Portable).unwrap().order();
+    let mut order = SimdPairs::new(&system, Width::Portable).unwrap().order();
     assert_ne!(order, (0..rows.len()).collect::<Vec<_>>());
     order.sort_unstable();
     assert_eq!(order, (0..rows.len()).collect::<Vec<_>>());
@@ -126,7 +126,7 @@ fn layers(problem: &Problem, renumbered: impl Fn(usize) -> usize) -> Vec<usize> 
         .map(|row| Row { bodies: row.bodies.map(&renumbered), jacobian: row.jacobian })
         .collect();
     let system = System::new(factors.bodies(), &other, &problem.lcp).unwrap();
-    let order = EightPairs::new(&system, Width::widest()).unwrap().order();
+    let order = SimdPairs::new(&system, Width::widest()).unwrap().order();
     let ring = 12;
     let layer = |row: &Row| match row.bodies {
         [p, q] if p == q => 0,
@@ -154,7 +154,7 @@ fn a_lone_stack_is_swept_by_colours() {
     let factors = Factors::of(&problem.assembly);
     let rows = factors.scaled_rows();
     let system = System::new(factors.bodies(), &rows, &problem.lcp).unwrap();
-    let order = EightPairs::new(&system, Width::widest()).unwrap().order();
+    let order = SimdPairs::new(&system, Width::widest()).unwrap().order();
     let colour =
         |row: &Row| if row.bodies[0] == row.bodies[1] { 0 } else { (row.bodies[0] + 1) % 2 };
     let colours: Vec<usize> = order.iter().map(|&i| colour(&rows[i])).collect();
@@ -168,8 +168,8 @@ fn the_bits_are_the_same_with_all_instructions() {
         let rows = factors.scaled_rows();
         let system = System::new(factors.bodies(), &rows, &lcp).unwrap();
         let run = |width| {
-            let eight = EightPairs::new(&system, width).unwrap();
-            swept(eight, EightPairs::sweep, EightPairs::x)
+            let eight = SimdPairs::new(&system, width).unwrap();
+            swept(eight, SimdPairs::sweep, SimdPairs::x)
         };
         let portable = run(Width::Portable);
         for width in Width::available() {
@@ -189,7 +189,7 @@ fn rows_between_other_bodies_cannot_bound_a_pair() {
     let coupling = Coupling::new(vec![None, Some(0)], vec![0.0, 0.5]).unwrap();
     let lcp = lcp.with_coupling(coupling).unwrap();
     let system = System::new(2, &rows, &lcp).unwrap();
-    let refused = EightPairs::new(&system, Width::widest()).unwrap_err();
+    let refused = SimdPairs::new(&system, Width::widest()).unwrap_err();
     assert!(matches!(refused, Status::OutsideClass { .. }), "{refused}");
     let mut by_rows = RowByRow::new(&system);
     by_rows.sweep(&system);
@@ -226,9 +226,9 @@ fn star(pairs: usize) -> (usize, Vec<Row>, Lcp) {
 fn a_body_may_have_more_neighbours_than_a_word_has_bits() {
     let (bodies, rows, lcp) = star(150);
     let system = System::new(bodies, &rows, &lcp).unwrap();
-    let kernel = EightPairs::new(&system, Width::widest()).unwrap();
+    let kernel = SimdPairs::new(&system, Width::widest()).unwrap();
     assert_eq!(kernel.order(), (0..rows.len()).collect::<Vec<_>>());
-    let x = swept(kernel, EightPairs::sweep, EightPairs::x);
+    let x = swept(kernel, SimdPairs::sweep, SimdPairs::x);
     let plain = swept(RowByRow::new(&system), |k| k.sweep(&system), |k| k.x().to_vec());
     assert_close(&x, &plain, 1e-12);
 }
@@ -240,7 +240,7 @@ fn the_bits_are_the_same_on_any_number_of_threads() {
         let rows = factors.scaled_rows();
         let system = System::new(factors.bodies(), &rows, &lcp).unwrap();
         let run = |threads| {
-            let mut kernel = EightPairs::on_threads(&system, Width::widest(), threads).unwrap();
+            let mut kernel = SimdPairs::on_threads(&system, Width::widest(), threads).unwrap();
             assert_eq!(kernel.threads(), threads);
             kernel.sweeps(SWEEPS);
             kernel.x()
@@ -262,7 +262,7 @@ fn the_velocities_are_those_that_x_makes() {
     let start: Vec<f64> = (0..rows.len()).map(|i| 0.01 * (i % 3) as f64).collect();
     let free: Vec<[f64; 6]> =
         (0..factors.bodies()).map(|b| std::array::from_fn(|k| (b * k % 5) as f64)).collect();
-    let mut eight = EightPairs::idle(Width::widest(), 2);
+    let mut eight = SimdPairs::idle(Width::widest(), 2);
     eight.start(&system, &start, &free).unwrap();
     eight.sweeps(SWEEPS);
     let mut v = free.clone();
@@ -276,7 +276,7 @@ fn the_velocities_are_those_that_x_makes() {
 /// bodies.
 #[test]
 fn a_kernel_that_is_started_again_sweeps_as_a_new_one() {
-    let mut kept = EightPairs::idle(Width::widest(), 2);
+    let mut kept = SimdPairs::idle(Width::widest(), 2);
     for problem in [tower(), tower(), stack(), tower()] {
         let factors = Factors::of(&problem.assembly);
         let rows = factors.scaled_rows();
@@ -284,8 +284,8 @@ fn a_kernel_that_is_started_again_sweeps_as_a_new_one() {
         let (x, v) = (vec![0.0; rows.len()], vec![[0.0; 6]; factors.bodies()]);
         kept.start(&system, &x, &v).unwrap();
         kept.sweeps(SWEEPS);
-        let new = EightPairs::new(&system, Width::widest()).unwrap();
-        assert_eq!(kept.x(), swept(new, EightPairs::sweep, EightPairs::x));
+        let new = SimdPairs::new(&system, Width::widest()).unwrap();
+        assert_eq!(kept.x(), swept(new, SimdPairs::sweep, SimdPairs::x));
     }
 }
 

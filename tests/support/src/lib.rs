@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 use lcplab_judge::{Certificate, Demand, Verdict, judge};
 use lcplab_problem::friction::{Contact, FrictionProblem};
 use lcplab_problem::{Coupling, Lcp, Matrix, merit};
-use lcplab_solver::{Event, Iterate, Observer, Part, Pgs, Settings, Solution, Solver, Start};
+use lcplab_solver::{Event, Iterate, Observer, Pgs, Settings, Solution, Solver, Start, StepDetail};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, FileFailurePersistence, RngSeed};
@@ -73,24 +73,24 @@ struct Record<F, T> {
     taken: Vec<T>,
 }
 
-impl<T, F: FnMut(&Part<'_>) -> Option<T>> Observer for Record<F, T> {
+impl<T, F: FnMut(&StepDetail<'_>) -> Option<T>> Observer for Record<F, T> {
     fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
         self.events.push(iterate.event);
         ControlFlow::Continue(())
     }
 
-    fn asks_for_parts(&self) -> bool {
+    fn wants_details(&self) -> bool {
         self.take.is_some()
     }
 
-    fn part(&mut self, part: &Part<'_>) {
+    fn part(&mut self, part: &StepDetail<'_>) {
         self.taken.extend(self.take.as_mut().and_then(|take| take(part)));
     }
 }
 
 /// The solution from 0 and the events of its iterates; no parts are asked for.
 pub fn events(solver: &dyn Solver, lcp: &Lcp) -> (Solution, Vec<Event>) {
-    let take: Option<fn(&Part<'_>) -> Option<()>> = None;
+    let take: Option<fn(&StepDetail<'_>) -> Option<()>> = None;
     let mut record = Record { events: Vec::new(), take, taken: Vec::new() };
     (solver.solve(lcp, &Start::default(), &mut record), record.events)
 }
@@ -99,7 +99,7 @@ pub fn events(solver: &dyn Solver, lcp: &Lcp) -> (Solution, Vec<Event>) {
 pub fn parts<T>(
     solver: &dyn Solver,
     lcp: &Lcp,
-    take: impl FnMut(&Part<'_>) -> Option<T>,
+    take: impl FnMut(&StepDetail<'_>) -> Option<T>,
 ) -> (Solution, Vec<Event>, Vec<T>) {
     let mut record = Record { events: Vec::new(), take: Some(take), taken: Vec::new() };
     let solution = solver.solve(lcp, &Start::default(), &mut record);

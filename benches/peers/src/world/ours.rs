@@ -15,7 +15,7 @@ pub const ROW_BY_ROW: Engine = Engine {
 pub const EIGHT_PAIRS: Engine = Engine {
     name: "lcplab, eight pairs at a time",
     ours: true,
-    build: |setting, iterations| stepper(setting, iterations, Kernel::EightPairs { threads: 1 }),
+    build: |setting, iterations| stepper(setting, iterations, Kernel::SimdPairs { threads: 1 }),
 };
 
 struct Ours(Stepper);

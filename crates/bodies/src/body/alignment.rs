@@ -40,7 +40,8 @@ pub fn alignment(
     let pairs = reference.iter().zip(points);
     let H: Matrix3<f64> = pairs.map(|(r, p)| (p - p_mean) * (r - r_mean).transpose()).sum();
     let svd = H.try_svd(true, true, f64::EPSILON, 0)?;
-    let (U, V_t, sigma) = (svd.u?, svd.v_t?, svd.singular_values); // in descending order
+    // The singular values are in descending order.
+    let (U, V_t, sigma) = (svd.u?, svd.v_t?, svd.singular_values);
     if !(sigma[1] > FLAT * sigma[0]) {
         return None;
     }

@@ -184,7 +184,8 @@ fn round(
     let across = |y: Vector3<f64>| axis.map_or(y, |e| y - e * e.dot(&y));
     let h = across(arms.d);
     let n = h.try_normalize(0.0).ok_or(COINCIDENT)?;
-    let h_rate = across(arms.rel - states[0].omega.cross(&arms.d)); // seen from body 0
+    // The rate as seen from body 0.
+    let h_rate = across(arms.rel - states[0].omega.cross(&arms.d));
     let slide = h_rate - n * n.dot(&h_rate);
     let fixed = face(arms, states, n);
     let n_rate = fixed.n_rate + slide / h.norm();

@@ -124,9 +124,11 @@ fn twist(n: &Vector3<f64>, relative: &Orientation, states: [&State; 2]) -> Resul
         });
     }
     let a = s0.pose.q.inverse() * (s1.omega - s0.omega);
-    let across = e_w * n - n.cross(&e_v); // Gᵀ n
+    // Gᵀ n
+    let across = e_w * n - n.cross(&e_v);
     let t = (e_w * across + s * e_v) / square;
-    let stretch = 0.5 * (s * across.dot(&a) - e_w * e_v.dot(&a)) / square; // |z|'/|z|
+    // |z|'/|z|
+    let stretch = 0.5 * (s * across.dot(&a) - e_w * e_v.dot(&a)) / square;
     let t_world = s0.pose.q * t;
     let product = -t_world.dot(&s0.omega.cross(&s1.omega)) - 2.0 * t.dot(&a) * stretch;
     Ok(Row::equation(Kind::Rotation, 2.0 * s.atan2(e_w), turning_row(&t_world), product))

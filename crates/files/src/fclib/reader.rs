@@ -20,7 +20,8 @@ pub(super) fn read(input: &Input) -> Result<Problem> {
     let name = input.name();
     // A small array may be stored in a large chunk.
     let most = usize::try_from(input.most().in_bytes()).unwrap_or(usize::MAX);
-    let chunk_cache_bytes = 0; // every array is read once
+    // Every array is read once.
+    let chunk_cache_bytes = 0;
     let usual = OpenOptions { chunk_cache_bytes, max_read_bytes: most, ..OpenOptions::default() };
     let options = OpenOptions { max_chunk_bytes: usual.max_chunk_bytes.min(most), ..usual };
     let file = Hdf5File::from_vec_with_options(input.bytes()?, options)
@@ -51,7 +52,8 @@ pub(super) fn read(input: &Input) -> Result<Problem> {
     let lcp = coulomb(entries, b, &mu).into_lcp().map_err(|error| error.within(&name))?;
     let title = file.read(&format!("{kind}/info/title"), Some(1), Dataset::read_string);
     let title = title.unwrap_or_else(|_| input.stem());
-    let model = lcp.coupling().map(|_| Model::CoulombCone); // there may be no contacts
+    // Without coupling there are no contacts.
+    let model = lcp.coupling().map(|_| Model::CoulombCone);
     let warnings = beside.into_iter().collect();
     Ok(Problem { model, warnings, ..Problem::new(title, lcp) })
 }
@@ -176,7 +178,8 @@ impl File<'_> {
         let (i, j) = match nz {
             -1 => (wholes(&i), unpacked(&p, cols, x.len())),
             -2 => (unpacked(&p, rows, x.len()), wholes(&i)),
-            _ => (wholes(&i), wholes(&p)), // CSparse's meaning
+            // The meaning in CSparse.
+            _ => (wholes(&i), wholes(&p)),
         };
         let (Some(i), Some(j)) = (i, j) else {
             return Err(fault("p and i do not determine the positions of the numbers"));

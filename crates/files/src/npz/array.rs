@@ -56,7 +56,8 @@ impl Outline {
     pub fn filled(self, file: &mut dyn Read) -> Result<Array, Reason> {
         let (count, entry) = self.size();
         let (size, mut bytes) = (count.saturating_mul(entry), Vec::new());
-        let most = (size as u64).saturating_add(1); // one more, to detect excess bytes
+        // One more, to detect excess bytes.
+        let most = (size as u64).saturating_add(1);
         file.take(most).read_to_end(&mut bytes).map_err(|cause| cause.to_string())?;
         let Header { fortran_order, shape, .. } = self.head;
         if bytes.len() < size {
@@ -174,7 +175,8 @@ impl Kind {
         let size = match (letter, size) {
             (b'f', Some(size @ (4 | 8))) | (b'i' | b'u', Some(size @ (1 | 2 | 4 | 8))) => size,
             (b'S', Some(size @ 1..=MOST_LETTERS)) => size,
-            (b'U', Some(size @ 1..=MOST_LETTERS)) => 4 * size, // four bytes per character
+            // Four bytes per character.
+            (b'U', Some(size @ 1..=MOST_LETTERS)) => 4 * size,
             _ => return Err(unknown()),
         };
         Ok(Kind { is_big_endian: *order == b'>', letter: *letter, size })
@@ -190,7 +192,8 @@ impl Kind {
                 Values::Integers(entries.map(whole).collect::<Result<_, _>>()?)
             }
             b'i' => {
-                let unused = 64 - 8 * self.size as u32; // the highest used bit is the sign
+                // The highest used bit is the sign.
+                let unused = 64 - 8 * self.size as u32;
                 Values::Integers(entries.map(|e| ((e << unused) as i64) >> unused).collect())
             }
             _ => {

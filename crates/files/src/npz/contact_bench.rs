@@ -42,6 +42,7 @@ pub(super) fn problem(arrays: &HashMap<&str, Array>, name: String, input: &str) 
     let entries = matrix.square(n, input)?;
     let parts = Parts { entries, b, lo: None, hi: None, index: Some(index), mu: Some(mu) };
     let lcp = parts.into_lcp().map_err(|error| error.within(input))?;
-    let model = lcp.coupling().map(|_| Model::CoulombCone); // there may be no contacts
+    // Without coupling there are no contacts.
+    let model = lcp.coupling().map(|_| Model::CoulombCone);
     Ok(Problem { model, ..Problem::new(name, lcp) })
 }

@@ -134,7 +134,8 @@ fn sparse(arrays: &Arrays, names: &[String], input: &str) -> Result<Table> {
     };
     let data = get("data")?.vector().map_err(|reason| Error::invalid(input, "data", reason))?;
     let places = if format == "coo" { ["row", "col"] } else { ["indices", "indptr"] };
-    let matrix = ["format", "shape", "data", "_is_array"]; // the last one: a scipy.sparse array
+    // `_is_array` marks a scipy.sparse array.
+    let matrix = ["format", "shape", "data", "_is_array"];
     check_names(names, &[&matrix, &places, &VECTORS], input)?;
     let (lines, across) = if format == "csc" { (cols, rows) } else { (rows, cols) };
     let (i, j) = match format.as_str() {

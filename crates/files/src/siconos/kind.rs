@@ -35,7 +35,8 @@ pub(super) fn kind(words: &Words) -> Result<Kind> {
         [n, _, ..] if is_square(2, n) => refused("a problem over second-order cones (SOCLCP)"),
         [3, _, 1 | 2, ..] if has_matrix(3) => refused("a problem of plasticity"),
         _ if has_matrix(0) => refused("a generic mechanical problem (GMP), or a matrix alone"),
-        [n, 0..=2, m, ..] if n == m => Ok(Kind::Boxes), // defective; its reader reports details
+        // Defective: its reader reports the details.
+        [n, 0..=2, m, ..] if n == m => Ok(Kind::Boxes),
         _ => {
             let reason = "does not begin like a problem of Siconos: an LCP, a relay problem, a mixed LCP, or \
              contacts";

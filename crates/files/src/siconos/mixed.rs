@@ -34,7 +34,8 @@ fn whole(words: &mut Words, equations: usize, n: usize) -> Result<Parts> {
         }
         ends.push(end);
     }
-    let mut bounds = Vec::new(); // of each block
+    // The bounds of each block.
+    let mut bounds = Vec::new();
     for _ in 1..ends.len() {
         bounds.push(match words.whole("the flag of a block")? {
             0 => -f64::INFINITY,
@@ -56,7 +57,8 @@ fn whole(words: &mut Words, equations: usize, n: usize) -> Result<Parts> {
         );
         return Err(words.fault(reason));
     }
-    let b = words.numbers(n, "q")?; // so there are n numbers, and room for n bounds
+    // q has n numbers, so there is memory for n bounds.
+    let b = words.numbers(n, "q")?;
     let lo = blocks().flat_map(|(rows, lo)| std::iter::repeat_n(*lo, rows)).collect();
     Ok(Parts { entries, b, lo: Some(lo), hi: None, index: None, mu: None })
 }

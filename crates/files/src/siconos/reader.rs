@@ -31,7 +31,8 @@ pub(super) fn read(input: &Input) -> Result<Problem> {
         return Err(words.fault_ahead(reason));
     }
     let lcp = parts.into_lcp().map_err(|error| error.within(&name))?;
-    let model = lcp.coupling().map(|_| Model::CoulombCone); // there may be no contacts
+    // Without coupling there are no contacts.
+    let model = lcp.coupling().map(|_| Model::CoulombCone);
     let mut problem = Problem { model, ..Problem::new(input.stem(), lcp) };
     problem.warnings = comment_found(numbers, comment, &name).into_iter().collect();
     Ok(problem)

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use lcplab_files as exchange;
 use lcplab_judge::{Demand, Verdict, judge, judge_friction};
 use lcplab_problem::file::read_answer;
-use lcplab_problem::friction::{Model, Posed};
+use lcplab_problem::friction::{Model, ProblemForm};
 use lcplab_problem::memory::Memory;
 use lcplab_solver::{Options, Settings, Start, Status, by_name, cone_by_name};
 
@@ -45,7 +45,7 @@ fn elliptic_cones_are_the_associated_model_and_not_coulombs_law() {
     assert_eq!(problem.model, Some(Model::AssociatedCone));
     assert!(verdict(Model::AssociatedCone).is_solution());
     assert!(!verdict(Model::CoulombCone).is_solution());
-    let Posed::Cone(cone) = posed(Model::AssociatedCone) else { unreachable!() };
+    let ProblemForm::Cone(cone) = posed(Model::AssociatedCone) else { unreachable!() };
     let settings = Settings { tolerance: 1e-13, max_iterations: 5000, ..Settings::default() };
     let sweeps = cone_by_name("cone-pgs", &settings).unwrap();
     let ours = sweeps.solve(&cone, &Start::default(), &mut ());

@@ -182,16 +182,17 @@ impl Cases<'_> {
         for (terms, constant) in &form.limits {
             let mut row = vec![Dyadic::ZERO; form.unknowns];
             terms.iter().for_each(|(u, factor)| row[*u] += factor);
-            put(row, constant.clone(), -1); // y − limit ≤ 0
+            // y − limit ≤ 0
+            put(row, constant.clone(), -1);
         }
         let all = integers(&rows.concat());
         let rows = all.chunks(columns + 1).map(<[IBig]>::to_vec).collect();
         match program::solve(rows, columns) {
-            program::Found::Multipliers(p) => {
+            program::ProgramResult::Multipliers(p) => {
                 let d = asked.iter().zip(p).map(|(&(i, _), p)| (i, p));
                 Err(shortened(d.filter(|(_, p)| *p != IBig::ZERO).collect()))
             }
-            program::Found::Point(y, denominator) => {
+            program::ProgramResult::Point(y, denominator) => {
                 let denominator = whole(denominator);
                 let y: Vec<Dyadic> = y.into_iter().map(whole).collect();
                 let entry = |x: &Affine| {

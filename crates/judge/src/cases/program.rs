@@ -7,7 +7,7 @@
 use dashu_int::IBig;
 
 /// The result of a linear program.
-pub enum Found {
+pub enum ProgramResult {
     /// y, over a positive denominator.
     Point(Vec<IBig>, IBig),
     /// p with pᵀM ≤ 0 and pᵀr > 0, times a positive number: it proves that there is no y.
@@ -15,7 +15,7 @@ pub enum Found {
 }
 
 /// Decides whether M y = r, y ≥ 0 has a solution; each row holds M's entries, then r's.
-pub fn solve(mut rows: Vec<Vec<IBig>>, columns: usize) -> Found {
+pub fn solve(mut rows: Vec<Vec<IBig>>, columns: usize) -> ProgramResult {
     let m = rows.len();
     let signs: Vec<bool> = rows.iter().map(|row| row[columns] < IBig::ZERO).collect();
     for (i, row) in rows.iter_mut().enumerate() {
@@ -23,7 +23,8 @@ pub fn solve(mut rows: Vec<Vec<IBig>>, columns: usize) -> Found {
             row.iter_mut().for_each(|value| *value = -std::mem::take(value));
         }
         let right = row.pop().expect("its right side");
-        row.extend((0..m).map(|k| IBig::from(u8::from(k == i)))); // artificial variables
+        // Artificial variables
+        row.extend((0..m).map(|k| IBig::from(u8::from(k == i))));
         row.push(right);
     }
     let width = columns + m + 1;
@@ -41,7 +42,8 @@ pub fn solve(mut rows: Vec<Vec<IBig>>, columns: usize) -> Found {
         };
         let rising = (0..m).filter(|&i| rows[i][c] > IBig::ZERO);
         let Some(r) = rising.reduce(|best, i| if ratio_is_less(i, best) { i } else { best }) else {
-            break; // impossible, because the sum is at least 0
+            // Impossible: the sum is at least 0.
+            break;
         };
         let own = std::mem::take(&mut rows[r]);
         for row in rows.iter_mut().filter(|row| !row.is_empty()).chain([&mut costs]) {
@@ -60,7 +62,7 @@ pub fn solve(mut rows: Vec<Vec<IBig>>, columns: usize) -> Found {
             let p = &denominator - &costs[columns + i];
             if signs[i] { -p } else { p }
         };
-        return Found::Multipliers((0..m).map(multiplier).collect());
+        return ProgramResult::Multipliers((0..m).map(multiplier).collect());
     }
     let mut point = vec![IBig::ZERO; columns];
     for (row, &variable) in rows.iter().zip(&basis) {
@@ -68,5 +70,5 @@ pub fn solve(mut rows: Vec<Vec<IBig>>, columns: usize) -> Found {
             point[variable] = row[width - 1].clone();
         }
     }
-    Found::Point(point, denominator)
+    ProgramResult::Point(point, denominator)
 }

@@ -31,7 +31,7 @@ pub fn prove(problem: &ConeProblem, x: &[f64], bounds: Option<&[f64]>) -> Option
     }
     let inside: Vec<f64> = (0..x.len()).map(|i| boxed.project(i, x[i], x)).collect();
     let (point, _) = exact.point(&sides, &inside)?;
-    let at = Judged { exact: &exact, point: &point, law: problem.law() };
+    let at = ExactCheck { exact: &exact, point: &point, law: problem.law() };
     let solves = friction.others().iter().all(|&i| at.row_holds(i))
         && friction.contacts().iter().all(|contact| at.contact_holds(contact, &sides));
     let entries: Vec<RBig> = if bounds.is_some() { point.entries() } else { Vec::new() };
@@ -41,13 +41,13 @@ pub fn prove(problem: &ConeProblem, x: &[f64], bounds: Option<&[f64]>) -> Option
 
 /// A point and the problem to check it against; all numbers are multiplied by the point's positive
 /// denominator.
-struct Judged<'a> {
+struct ExactCheck<'a> {
     exact: &'a Exact,
     point: &'a Point,
     law: Law,
 }
 
-impl Judged<'_> {
+impl ExactCheck<'_> {
     /// Whether a row that belongs to no contact is solved.
     fn row_holds(&self, i: usize) -> bool {
         let (lo, hi) = self.exact.scaled_bounds(i, self.point);

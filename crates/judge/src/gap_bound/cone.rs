@@ -69,7 +69,8 @@ impl EllipticCone {
 /// The Lagrange multiplier of the nearest point: the λ > 0 with (1 − λ) N(λ) = y_n, whose left side
 /// is decreasing.
 fn multiplier(normal: f64, length: &dyn Fn(f64) -> f64) -> f64 {
-    let (mut low, mut high) = (0.0, 1.0); // the range of λ / (1 + λ)
+    // The range of λ / (1 + λ).
+    let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
         let factor = middle / (1.0 - middle);

@@ -203,7 +203,8 @@ impl Trial {
         if !w.iter().all(|w| w.magnitude().is_finite()) {
             return Err(Unproved::NotFinite);
         }
-        let still = problem.length_of_correction(&w)?; // |e|_M
+        // |e|_M
+        let still = problem.length_of_correction(&w)?;
         let gap = |i: usize| {
             if problem.is_equation(i) {
                 return 0.0;

@@ -188,7 +188,8 @@ fn stiffness(
 ) -> Option<(f64, Vec<f64>)> {
     let (n, k) = (equations.len(), mass.scales.len());
     if n == 0 {
-        return None; // not needed
+        // Without equations there is nothing to scale.
+        return None;
     }
     let square = |&i: &usize| jacobian[i].iter().map(|&(_, v)| v * v).sum::<f64>();
     let scales: Vec<f64> = equations.iter().map(square).map(power).collect::<Option<_>>()?;

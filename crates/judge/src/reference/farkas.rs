@@ -17,7 +17,8 @@ use lcplab_problem::Lcp;
 pub fn farkas(lcp: &Lcp) -> Option<Vec<f64>> {
     let n = lcp.len();
     if n == 0 {
-        return None; // clarabel does not accept an empty program
+        // clarabel does not accept an empty program.
+        return None;
     }
     let zero = vec![0.0; n];
     let unit: Vec<f64> =
@@ -29,7 +30,8 @@ pub fn farkas(lcp: &Lcp) -> Option<Vec<f64>> {
             columns[j].push((i, a / unit[i] / unit[j]));
         }
         let (lo, hi) = match lcp.is_coupled(i) {
-            true => (0.0, 0.0), // d_i = 0
+            // d_i = 0
+            true => (0.0, 0.0),
             false => (lcp.lo()[i], lcp.hi()[i]),
         };
         let least = if lo.is_finite() { 0.0 } else { -1.0 };
@@ -46,7 +48,8 @@ pub fn farkas(lcp: &Lcp) -> Option<Vec<f64>> {
         program.equate(column, 0.0);
     }
     if !program.is_finite() {
-        return None; // in these units, some number is too large
+        // In these units, some number is too large.
+        return None;
     }
     let found = program.solve_within(MAX_ITERATIONS);
     let is_proof = found.solved && found.objective < 0.0;

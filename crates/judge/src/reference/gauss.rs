@@ -42,7 +42,8 @@ fn add_support(program: &mut Program, row: Vec<(usize, f64)>, bias: f64, lo: f64
     let negated = |row: &[(usize, f64)]| row.iter().map(|&(j, v)| (j, -v)).collect::<Vec<_>>();
     let mut linear = |row: &[(usize, f64)], x: f64| {
         for &(j, v) in row {
-            program.linear[j] -= x * v; // σ(−z) = −x z
+            // σ(−z) = −x z
+            program.linear[j] -= x * v;
         }
         -x * bias
     };
@@ -50,17 +51,20 @@ fn add_support(program: &mut Program, row: Vec<(usize, f64)>, bias: f64, lo: f64
         (false, false) => program.equate(row, -bias),
         (true, false) => {
             let cost = linear(&row, lo);
-            program.at_most(negated(&row), bias); // z ≥ 0
+            // z ≥ 0
+            program.at_most(negated(&row), bias);
             return cost;
         }
         (false, true) => {
             let cost = linear(&row, hi);
-            program.at_most(row, -bias); // z ≤ 0
+            // z ≤ 0
+            program.at_most(row, -bias);
             return cost;
         }
         (true, true) if lo == hi => return linear(&row, lo),
         (true, true) => {
-            let t = program.add_variable(1.0); // t ≥ −lo z, t ≥ −hi z
+            // t ≥ −lo z, t ≥ −hi z
+            let t = program.add_variable(1.0);
             for bound in [lo, hi] {
                 let mut g: Vec<_> = row.iter().map(|&(j, v)| (j, -bound * v)).collect();
                 g.push((t, -1.0));

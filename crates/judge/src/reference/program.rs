@@ -75,7 +75,8 @@ impl Program {
 
     /// |(z_j, z_k)| ≤ μ z_i for the variables i, j, k, with μ > 0.
     pub(super) fn within_cone(&mut self, mu: f64, [i, j, k]: [usize; 3]) {
-        let rows = [(i, mu), (j, 1.0), (k, 1.0)]; // s = (μ z_i, z_j, z_k)
+        // s = (μ z_i, z_j, z_k)
+        let rows = [(i, mu), (j, 1.0), (k, 1.0)];
         self.cones.extend(rows.map(|(i, value)| (vec![(i, -value)], 0.0)));
     }
 

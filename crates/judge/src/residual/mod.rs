@@ -105,7 +105,8 @@ impl Row {
         let Row { w, terms, scale } = *self;
         let room = |bound: f64| Wide::from(x) - bound.into();
         let clamped = |step: Wide, below: Wide, above: Wide| step.min(below).max(above).abs();
-        let size = clamped(w, room(lo) * scale, room(hi) * scale); // |x − Π(x − w/s)| s
+        // |x − Π(x − w/s)| s
+        let size = clamped(w, room(lo) * scale, room(hi) * scale);
         let relative = if scale * reach < terms {
             clamped(w / terms, room(lo) / reach, room(hi) / reach).relative_to(1.0.into())
         } else {
@@ -170,10 +171,12 @@ fn sums(products: impl Iterator<Item = (f64, f64)>) -> (f64, f64) {
     let (mut sum, mut error, mut terms) = (0.0f64, 0.0f64, 0.0);
     for (a, x) in products {
         let product = a * x;
-        error += a.mul_add(x, -product); // a x − product
+        // a x − product
+        error += a.mul_add(x, -product);
         let next = sum + product;
         let part = next - sum;
-        error += (sum - (next - part)) + (product - part); // sum + product − next
+        // sum + product − next
+        error += (sum - (next - part)) + (product - part);
         sum = next;
         terms += product.abs();
     }

@@ -72,7 +72,8 @@ impl OnPolygon {
     fn of(at: &Rows<'_>, contact: &Unknowns) -> Self {
         let rounding = Wide::from(f64::EPSILON * at.x[contact.gamma]);
         let row = |row: &Row| match row.w.abs() <= rounding {
-            true => Row { w: Wide::ZERO, ..*row }, // γ is the rounded speed of this β
+            // γ is the rounded speed of this β.
+            true => Row { w: Wide::ZERO, ..*row },
             false => *row,
         };
         OnPolygon {

@@ -29,7 +29,8 @@ impl Wide {
 
     /// The nearest `f64`, which may be 0 or ∞.
     pub fn value(self) -> f64 {
-        let most = 10_000; // larger than any exponent of an `f64`
+        // Larger than any exponent of an `f64`.
+        let most = 10_000;
         libm::ldexp(self.mantissa, self.exponent.clamp(-most, most) as i32)
     }
 
@@ -81,7 +82,8 @@ impl Wide {
     pub(crate) fn relative_to(self, other: Self) -> f64 {
         match (self / other).value() {
             _ if self.is_zero() => 0.0,
-            _ if !other.is_finite() => f64::INFINITY, // x is not finite
+            // x is not finite.
+            _ if !other.is_finite() => f64::INFINITY,
             ratio if ratio.is_nan() => f64::INFINITY,
             ratio => ratio,
         }

@@ -35,11 +35,11 @@ impl Assembly {
     /// The remaining degrees of freedom if every row holds as an equation: k − rank J.
     ///
     /// ```
-    /// use lcplab_mechanics::assembly::{Assembly, Entering};
+    /// use lcplab_mechanics::assembly::{Assembly, ConstraintFilter};
     /// use lcplab_mechanics::scene::Scene;
     ///
     /// let scene = Scene::load("bricard")?; // 5 rods, 6 hinges: 30 columns and 30 rows
-    /// let assembly = Assembly::new(&scene, &scene.states, &[], Entering::Near)?;
+    /// let assembly = Assembly::new(&scene, &scene.states, &[], ConstraintFilter::Near)?;
     /// assert_eq!((assembly.rank(), assembly.freedoms()), (29, 1)); // and yet it moves
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

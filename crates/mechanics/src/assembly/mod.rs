@@ -9,7 +9,7 @@ mod mass;
 mod rows;
 
 pub use mass::Block;
-pub use rows::{Entering, Part, Row, RowId, Source};
+pub use rows::{ConstraintFilter, Part, Row, RowId, Source};
 
 use std::fmt;
 
@@ -17,7 +17,7 @@ use nalgebra::Vector6;
 
 use crate::body::{Gyroscopic, State};
 use crate::constraint::{Bodies, Degenerate};
-use crate::scene::{Found, Scene};
+use crate::scene::{DetectedContact, Scene};
 
 /// The matrices of a scene at one instant.
 #[derive(Debug, Clone)]
@@ -41,8 +41,8 @@ impl Assembly {
     pub fn new(
         scene: &Scene,
         states: &[State],
-        contacts: &[Found],
-        entering: Entering,
+        contacts: &[DetectedContact],
+        entering: ConstraintFilter,
     ) -> Result<Self, Undefined> {
         let blocks = mass::blocks(scene, states);
         let moving = |values: Vec<Vector6<f64>>| -> Vec<f64> {

@@ -7,11 +7,11 @@ use nalgebra::{Vector3, Vector6};
 use super::{Block, Undefined};
 use crate::body::{Shape, State, linear};
 use crate::constraint::{self, Bodies, Bounds, Constraint, Kind, Spring};
-use crate::scene::{ContactId, Found, Resting, Scene};
+use crate::scene::{ContactId, DetectedContact, Resting, Scene};
 
 /// Which inequalities (contacts and limits) are included; equations always are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Entering<'a> {
+pub enum ConstraintFilter<'a> {
     /// Contacts with a gap up to the search margin, and all limits: for the velocity level, where
     /// gaps may close within the step.
     Near,
@@ -126,7 +126,7 @@ impl Row {
 
     /// Whether its force is limited, by its bounds or by compliance, so that it does not take part
     /// in an impact.
-    pub(crate) fn is_gentle(&self) -> bool {
+    pub(crate) fn is_force_limited(&self) -> bool {
         self.spring.is_some() || matches!(self.bounds, Bounds::Effort(_))
     }
 
@@ -198,8 +198,8 @@ impl fmt::Display for Source {
 pub(super) fn rows(
     scene: &Scene,
     states: &[State],
-    contacts: &[Found],
-    entering: Entering,
+    contacts: &[DetectedContact],
+    entering: ConstraintFilter,
     blocks: &[Block],
 ) -> Result<Vec<Row>, Undefined> {
     let mut block_of = vec![None; scene.bodies.len()];
@@ -218,10 +218,11 @@ pub(super) fn rows(
         for (component, row) in own.iter().enumerate() {
             let wanted = match row.bounds {
                 Bounds::Unilateral => match entering {
-                    Entering::Near => row.c <= margin || row.c.is_nan(), // what is not finite is named later
-                    Entering::Touching => row.c <= resting.gap,
-                    Entering::Resting => rests(row, pair, resting, scene.step.alpha),
-                    Entering::Only(chosen) => chosen.contains(&RowId { source, component }),
+                    // Values that are not finite are reported later.
+                    ConstraintFilter::Near => row.c <= margin || row.c.is_nan(),
+                    ConstraintFilter::Touching => row.c <= resting.gap,
+                    ConstraintFilter::Resting => rests(row, pair, resting, scene.step.alpha),
+                    ConstraintFilter::Only(chosen) => chosen.contains(&RowId { source, component }),
                 },
                 Bounds::Friction { normal, .. } => places[normal].is_some(),
                 Bounds::Bilateral | Bounds::Effort(_) => true,

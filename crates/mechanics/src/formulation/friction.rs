@@ -7,7 +7,7 @@
 
 use super::{Problem, Stage};
 use lcplab_problem::error::Result;
-use lcplab_problem::friction::{FrictionProblem, Model, Posed};
+use lcplab_problem::friction::{FrictionProblem, Model, ProblemForm};
 
 /// A problem under a friction model other than the coupled box.
 #[derive(Debug, Clone)]
@@ -17,7 +17,7 @@ pub struct Posing {
     /// The x whose normal impulses define the frozen box, one entry per row.
     pub frozen_at: Option<Vec<f64>>,
     /// The problem to solve.
-    pub posed: Posed,
+    pub posed: ProblemForm,
 }
 
 impl Problem {
@@ -28,8 +28,8 @@ impl Problem {
     /// # Errors
     /// If friction rows do not come in pairs, or the number of directions is invalid.
     pub fn pose(&self, model: Model, frozen_at: &[f64]) -> Result<Option<Posing>> {
-        let rubs = self.lcp.coupling().is_some();
-        if model == Model::CoupledBox || !rubs || self.stage == Stage::Position {
+        let has_friction = self.lcp.coupling().is_some();
+        if model == Model::CoupledBox || !has_friction || self.stage == Stage::Position {
             return Ok(None);
         }
         let frozen_at = (model == Model::FrozenBox).then(|| frozen_at.to_vec());

@@ -327,7 +327,7 @@ fn offsets(assembly: &Assembly, target: &[f64], bias: &[f64]) -> Vec<f64> {
 /// nothing to an impact, which has no duration, or to position corrections, which involve no force.
 fn limits(row: &Row, stage: Stage, dt: f64) -> (f64, f64) {
     match (stage, row.bounds) {
-        (Stage::Impact | Stage::Position, _) if row.is_gentle() => (0.0, 0.0),
+        (Stage::Impact | Stage::Position, _) if row.is_force_limited() => (0.0, 0.0),
         (Stage::Velocity, Bounds::Effort(effort)) => (-effort * dt, effort * dt),
         (_, bounds) => bounds.interval(),
     }

@@ -11,7 +11,8 @@ const SHORT: [(&str, &str); 3] =
 
 /// The description in a text with these overrides.
 pub(super) fn changed(path: &str, text: &str, changes: &[(String, String)]) -> Result<Description> {
-    Description::from_toml(path, text)?; // its defects have lines, those of the changed one have not
+    // Defects of the file have line numbers; those of the changed description do not.
+    Description::from_toml(path, text)?;
     let mut table = table(path, text, &[])?;
     let mut description = None;
     for change in changes {

@@ -23,9 +23,9 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::course::Course;
 use super::generate::Generator;
 use super::settings::{Contacts, Solver, Step};
+use super::time_function::TimeFunction;
 use lcplab_problem::error::Result;
 
 /// A scene description. [`Scene::new`](super::Scene::new) builds a scene from it.
@@ -194,11 +194,11 @@ pub struct Body {
     /// amplitude = [5, 0, 0], angular_frequency = 3 } }`, or `{ table = [[0, 0, 0, 0], [1, 5, 0,
     /// 0]] }` with rows of time (s), x, y, z.
     #[serde(default)]
-    pub force_over_time: Option<Course>,
+    pub force_over_time: Option<TimeFunction>,
     /// The time-dependent displacement (m, world) of a fixed body from `position`, in the same
     /// format.
     #[serde(default)]
-    pub displacement_over_time: Option<Course>,
+    pub displacement_over_time: Option<TimeFunction>,
     /// A constant torque (N m, world).
     #[serde(default)]
     pub torque: [f64; 3],

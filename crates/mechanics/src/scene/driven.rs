@@ -8,7 +8,7 @@ use std::borrow::Cow;
 
 use nalgebra::Vector3;
 
-use super::{Course, Scene, Scheme, description};
+use super::{Scene, Scheme, TimeFunction, description};
 use crate::body::State;
 use lcplab_problem::error::Defects;
 
@@ -18,9 +18,9 @@ pub struct Driven {
     /// The body.
     pub body: usize,
     /// The constant force on it (N, world), and the time-dependent force added to it.
-    pub force: Option<(Vector3<f64>, Course)>,
+    pub force: Option<(Vector3<f64>, TimeFunction)>,
     /// Its position (m, world) at displacement 0, and its displacement.
-    pub displacement: Option<(Vector3<f64>, Course)>,
+    pub displacement: Option<(Vector3<f64>, TimeFunction)>,
 }
 
 impl Scene {
@@ -32,8 +32,8 @@ impl Scene {
         }
         let mut scene = self.clone();
         for driven in &self.driven {
-            if let Some((constant, course)) = &driven.force {
-                let added = if h == 0.0 { course.at(time) } else { course.mean(time, h) };
+            if let Some((constant, function)) = &driven.force {
+                let added = if h == 0.0 { function.at(time) } else { function.mean(time, h) };
                 scene.bodies[driven.body].force = constant + added;
             }
         }
@@ -44,8 +44,8 @@ impl Scene {
     pub fn supported<'s>(&self, states: &'s [State], time: f64, h: f64) -> Cow<'s, [State]> {
         let mut states = Cow::Borrowed(states);
         for driven in &self.driven {
-            if let Some((rest, course)) = &driven.displacement {
-                let (now, then) = (course.at(time), course.at(time + h));
+            if let Some((rest, function)) = &driven.displacement {
+                let (now, then) = (function.at(time), function.at(time + h));
                 let state = &mut states.to_mut()[driven.body];
                 state.pose.p = rest + now;
                 state.v = (then - now) / h;
@@ -64,24 +64,25 @@ pub(super) fn of_body(
     body: usize,
 ) -> Option<Driven> {
     let description::Body { force_over_time, displacement_over_time, fixed, .. } = written;
-    if let Some(course) = force_over_time {
+    if let Some(function) = force_over_time {
         let place = format!("{place}.force_over_time");
-        course.check(defects, &place);
+        function.check(defects, &place);
         if *fixed {
             defects.add(place, "a fixed body has none");
         }
     }
-    if let Some(course) = displacement_over_time {
+    if let Some(function) = displacement_over_time {
         let place = format!("{place}.displacement_over_time");
-        course.check(defects, &place);
+        function.check(defects, &place);
         if !fixed {
             defects.add(place, "needs fixed = true, because forces move all other bodies");
         } else if written.velocity != [0.0; 3] {
             defects.add(place, "there is a velocity too, give one of them");
         }
     }
-    let with =
-        |at: Vector3<f64>, course: &Option<Course>| course.clone().map(|course| (at, course));
+    let with = |at: Vector3<f64>, function: &Option<TimeFunction>| {
+        function.clone().map(|function| (at, function))
+    };
     let driven = Driven {
         body,
         force: with(scene.bodies[body].force, force_over_time),

@@ -18,7 +18,8 @@ pub(super) fn check(defects: &mut Defects, step: &Step, contact: &Contacts) {
     let (scheme, model) = (step.scheme, contact.model);
     let mut refuse = |reason: String| defects.add("contact.model", reason);
     if let Err(error) = model.to_string().parse::<Model>() {
-        refuse(error.to_string()); // a number of corners that no polygon has
+        // No polygon has this number of corners.
+        refuse(error.to_string());
     }
     if model != Model::CoupledBox && !scheme.poses_friction() {
         let scheme = scheme.name();

@@ -61,7 +61,8 @@ impl Site<'_> {
         let (Some(axis), Some(last)) =
             (self.written.axis, self.written.bodies.last().and_then(place))
         else {
-            return; // said already
+            // This was already reported.
+            return;
         };
         if !speed.is_finite() {
             return refuse(format!("must be finite, is {speed}"));

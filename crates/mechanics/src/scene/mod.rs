@@ -7,7 +7,6 @@ mod build;
 pub mod catalogue;
 mod change;
 mod contacts;
-mod course;
 pub mod description;
 mod driven;
 mod file;
@@ -23,9 +22,11 @@ mod scheme;
 mod settings;
 pub mod source;
 mod surface;
+mod time_function;
 
-pub use contacts::{ContactId, Detector, Feature, Found, Passage, Reach, contacts, step_contacts};
-pub use course::{Course, Sine};
+pub use contacts::{
+    ContactId, DetectedContact, Detector, Feature, Passage, Reach, contacts, step_contacts,
+};
 pub use description::Description;
 pub use driven::Driven;
 pub use file::schema;
@@ -34,6 +35,7 @@ pub use saved::saved;
 pub use scheme::{Feedback, Integrator, Penalty, Scheme, Soft, Xpbd};
 pub use settings::{Contacts, Manifold, Order, Persistence, Sliding, Solver, Step};
 pub use surface::Surface;
+pub use time_function::{Sine, TimeFunction};
 
 use std::collections::BTreeMap;
 use std::path::Path;

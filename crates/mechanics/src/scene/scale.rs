@@ -38,7 +38,8 @@ impl Scene {
             let bodies = constraint.bodies();
             let states =
                 bodies.map(|body| body.map_or(&crate::body::State::WORLD, |k| &self.states[k]));
-            let Ok(rows) = constraint.rows(states) else { continue }; // a step says why
+            // The step reports the reason.
+            let Ok(rows) = constraint.rows(states) else { continue };
             for body in bodies.into_iter().flatten() {
                 let forces = rows.iter().map(|row| self.force_on(body, row));
                 largest[body] = forces.fold(largest[body], f64::max);

@@ -12,7 +12,7 @@
 use crate::formulation::{Posing, Problem};
 use crate::scene::Scene;
 use lcplab_problem::Lcp;
-use lcplab_problem::friction::{Model, Polyhedral, Posed};
+use lcplab_problem::friction::{Model, Polyhedral, ProblemForm};
 use lcplab_solver::{
     self, ConeSolver, Fallback, Lemke, MatrixClass, Method, Observer, Options, PolygonPgs,
     Settings, Solution, Solver, Start, Status, solve_boxed_without, solve_polyhedral,
@@ -25,7 +25,7 @@ pub(super) struct Solvers<'a> {
     pub boxed: &'a dyn Solver,
     /// For cones.
     pub cone: &'a dyn ConeSolver,
-    /// What both were told.
+    /// The scene with its settings.
     pub scene: &'a Scene,
 }
 
@@ -41,14 +41,14 @@ impl Solvers<'_> {
         let start = Start::at(x);
         match posing.map(|posing| (posing.model, &posing.posed)) {
             None => self.boxed(&problem.lcp, &start, observer),
-            Some((_, Posed::Boxed(lcp))) => self.boxed(lcp, &start, observer),
-            Some((model, Posed::Polyhedral(polyhedral))) => {
+            Some((_, ProblemForm::Boxed(lcp))) => self.boxed(lcp, &start, observer),
+            Some((model, ProblemForm::Polyhedral(polyhedral))) => {
                 let settings = settings(self.scene);
                 let lemke = Lemke { settings: settings.clone() };
                 let solver = if takes(self.boxed, model) { self.boxed } else { &lemke };
                 by_polygons(solver, polyhedral, &start, &settings, observer)
             }
-            Some((_, Posed::Cone(cones))) => {
+            Some((_, ProblemForm::Cone(cones))) => {
                 (self.cone.name(), self.cone.solve(cones, &start, observer))
             }
         }
@@ -94,9 +94,9 @@ const FEW_CONTACTS: usize = 8;
 const SOFTENINGS: [f64; 3] = [1e-12, 1e-10, 1e-9];
 
 /// An answer, and who gave it.
-type Answered = (&'static str, Solution);
+type NamedSolution = (&'static str, Solution);
 /// A way to get one.
-type Attempt<'a> = &'a dyn Fn(&mut dyn Observer) -> Answered;
+type Attempt<'a> = &'a dyn Fn(&mut dyn Observer) -> NamedSolution;
 
 /// Sweeps and pivots, in the order that suits the number of contacts. Redundant contacts make the
 /// polyhedral LCP so degenerate that rounding leads pivots astray. Rows that yield are not
@@ -117,7 +117,8 @@ fn by_polygons(
     };
     let has_few = polyhedral.friction().contacts().len() <= FEW_CONTACTS;
     let [one, other] = if has_few { [pivoted, swept] } else { [swept, pivoted] };
-    let ends = |(_, answer): &Answered| matches!(answer.status, Status::Solved | Status::Stopped);
+    let ends =
+        |(_, answer): &NamedSolution| matches!(answer.status, Status::Solved | Status::Stopped);
     let first = one(observer);
     if ends(&first) {
         return first;

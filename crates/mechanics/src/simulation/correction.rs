@@ -4,16 +4,16 @@
 
 use nalgebra::Vector6;
 
-use super::{Act, Cause};
+use super::{Cause, StepEvent};
 use crate::assembly::{Source, Undefined};
 use crate::body::State;
 use crate::constraint::{Constraint, Row};
-use crate::scene::{Found, Scene};
+use crate::scene::{DetectedContact, Scene};
 
 /// All constraints, then all contacts, in the order of assembly.
 pub(super) fn sources<'a>(
     scene: &'a Scene,
-    found: &'a [Found],
+    found: &'a [DetectedContact],
 ) -> Vec<(Source, &'a dyn Constraint)> {
     let constraints = scene.constraints.iter().enumerate();
     let constraints = constraints.map(|(k, c)| (Source::Constraint(k), c.as_ref()));
@@ -65,10 +65,10 @@ impl Lever {
     }
 
     /// What such a shift does, to be written down.
-    pub fn moves(&self, y: f64) -> impl Iterator<Item = Act> {
+    pub fn moves(&self, y: f64) -> impl Iterator<Item = StepEvent> {
         self.responses
             .iter()
-            .map(move |(body, response)| Act::Shift { body: *body, by: response * y })
+            .map(move |(body, response)| StepEvent::Shift { body: *body, by: response * y })
     }
 
     /// u ← u + M⁻¹Jᵀ x.

@@ -17,7 +17,7 @@
 use std::collections::BTreeMap;
 
 use super::interpenetration::{faster_first, thickness};
-use super::{Act, Solve};
+use super::{Solve, StepEvent};
 use crate::assembly::{Assembly, Row, Source};
 use crate::body::{State, angular, linear};
 use crate::constraint::{Bounds, Kind};
@@ -75,14 +75,14 @@ impl ImpactEnergy {
         scene: &Scene,
         states: &[State],
         solves: &[Solve],
-        acts: Option<&[Act]>,
+        events: Option<&[StepEvent]>,
     ) -> Option<Vec<ImpactEnergy>> {
         if matches!(scene.step.scheme, Scheme::Xpbd | Scheme::Soft | Scheme::Penalty) {
             return None;
         }
         let mut found = Vec::new();
-        for act in acts? {
-            let Act::Answer(k) = act else { continue };
+        for event in events? {
+            let StepEvent::Answer(k) = event else { continue };
             let Solve { problem, solution, .. } = &solves[*k];
             if matches!(problem.stage, Stage::Velocity | Stage::Impact | Stage::Restitution) {
                 let impulses = Impulses::of(scene, states, problem, &solution.x);

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use crate::body::State;
-use crate::scene::{Found, Passage, Scene, Scheme, resting};
+use crate::scene::{DetectedContact, Passage, Scene, Scheme, resting};
 use lcplab_problem::number::readable;
 
 /// An overlap of more than this part of the thinner body is deep.
@@ -155,7 +155,7 @@ impl Overlaps {
         &mut self,
         scene: &Scene,
         states: &[State],
-        found: &[Found],
+        found: &[DetectedContact],
     ) -> Vec<Interpenetration> {
         let mut depths: BTreeMap<[usize; 2], f64> = BTreeMap::new();
         for found in found {

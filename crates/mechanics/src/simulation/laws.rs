@@ -20,7 +20,7 @@ use crate::scene::Scene;
 
 /// How far a step is from the laws of contact and of momentum; 0 is perfect.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Laws {
+pub struct LawErrors {
     /// The strongest pull of a contact or limit (N s, or N at acceleration level).
     pub attraction: f64,
     /// How far friction reaches out of the cone: the largest |x_t| − μ x_n beyond what the solver's
@@ -38,7 +38,7 @@ pub struct Laws {
     pub internal_torque: f64,
 }
 
-impl Laws {
+impl LawErrors {
     /// The laws in a step of a scene that started from these states.
     pub(super) fn of(
         scene: &Scene,
@@ -47,7 +47,7 @@ impl Laws {
         ledger: Option<&Ledger>,
     ) -> Self {
         let friction_gain = ledger.map_or(0.0, |ledger| ledger.friction.max(0.0));
-        let mut laws = Laws { friction_gain, ..Laws::default() };
+        let mut laws = LawErrors { friction_gain, ..LawErrors::default() };
         for Solve { problem, solution, .. } in solves {
             let (rows, x) = (&problem.assembly.rows, problem.efforts(&solution.x));
             let tolerated = scene.solver.tolerance * problem.lcp.scale();
@@ -79,7 +79,7 @@ impl Laws {
         let acting: Vec<&Row> =
             totals.rows().filter(|(_, impulse)| *impulse != 0.0).map(|(row, _)| row).collect();
         if acting.is_empty() || !acting.iter().all(|row| is_internal(row)) {
-            return Laws { cone_excess, ..self };
+            return LawErrors { cone_excess, ..self };
         }
         let bodies = || scene.bodies.iter().zip(before.iter().zip(after));
         let gained = bodies().map(|(body, (old, new))| {
@@ -92,7 +92,7 @@ impl Laws {
         let is_free = |body: &Body| body.force == Vector3::zeros() && body.torque == body.force;
         let is_free = scene.gravity == Vector3::zeros() && scene.bodies.iter().all(is_free);
         let keeps_turning = scene.step.gyroscopic == Gyroscopic::Conserving;
-        Laws {
+        LawErrors {
             cone_excess,
             internal_impulse: gained.sum::<Vector3<f64>>().norm(),
             internal_torque: if is_free && keeps_turning {
@@ -105,8 +105,8 @@ impl Laws {
     }
 
     /// The worse of two steps, law by law.
-    pub fn worse(self, other: Laws) -> Laws {
-        Laws {
+    pub fn worse(self, other: LawErrors) -> LawErrors {
+        LawErrors {
             attraction: self.attraction.max(other.attraction),
             cone_excess: self.cone_excess.max(other.cone_excess),
             friction_gain: self.friction_gain.max(other.friction_gain),

@@ -13,16 +13,16 @@
 //! of their rows and of their dampers that leaves what the step itself takes. A body that is put
 //! elsewhere by d gains −m g·d, and what its inertia turns.
 //!
-//! All this is computed from the [acts](super::Act) that the scheme wrote down; the change is
-//! measured from the states before and after. What is missing between the two is a row of its own:
-//! rounding, unless something acted that was not recorded. A scheme that does not write its acts
-//! down has no ledger.
+//! All this is computed from the [events](super::StepEvent) that the scheme recorded; the change
+//! is measured from the states before and after. What is missing between the two is a row of its
+//! own: rounding, unless something acted that was not recorded. A scheme that does not record its
+//! events has no ledger.
 
 use nalgebra::Vector3;
 
-use super::acts::Impulses;
+use super::events::Impulses;
 use super::motion::elastic;
-use super::{Act, Solve};
+use super::{Solve, StepEvent};
 use crate::assembly::Assembly;
 use crate::body::{Body, State, angular, linear};
 use crate::constraint::Bounds;
@@ -104,7 +104,7 @@ impl Ledger {
         scene: &Scene,
         before: &[State],
         solves: &[Solve],
-        acts: &[Act],
+        events: &[StepEvent],
         after: &[State],
     ) -> Self {
         let mut ledger = Ledger {
@@ -114,23 +114,23 @@ impl Ledger {
         };
         let mut states = before.to_vec();
         let mut assembly = None;
-        for act in acts {
-            if let Some(impulses) = Impulses::of(scene, act, solves) {
+        for event in events {
+            if let Some(impulses) = Impulses::of(scene, event, solves) {
                 ledger.add_rows(&impulses);
                 ledger.add_forces(scene, &impulses);
                 states = impulses.assembly.with_velocities(&states, &impulses.next);
                 assembly = Some(impulses.assembly);
             }
-            match act {
-                Act::Advance(h) => ledger.advance(scene, assembly, &mut states, *h),
-                Act::Shift { body, by } => {
+            match event {
+                StepEvent::Advance(h) => ledger.advance(scene, assembly, &mut states, *h),
+                StepEvent::Shift { body, by } => {
                     let moved = states[*body].displaced(by);
                     ledger.correction += shift(scene, *body, &states[*body], &moved, &linear(by));
                     let stored = elastic(scene, &states);
                     states[*body] = moved;
                     ledger.correction += elastic(scene, &states) - stored;
                 }
-                Act::Answer(_) | Act::Push(_) => (),
+                StepEvent::Answer(_) | StepEvent::VelocityUpdate(_) => (),
             }
         }
         ledger
@@ -150,7 +150,8 @@ impl Ledger {
                     let damping = row.spring.map_or(0.0, |spring| spring.damping);
                     let mean = 0.5 * (row.velocity + row.drift + next[i]);
                     let taken = 0.0 - damping * impulses.h * mean * mean;
-                    let moved = 0.0 - impulse * row.drift; // by a support that moves
+                    // The work of a moving support.
+                    let moved = 0.0 - impulse * row.drift;
                     self.damper += taken;
                     self.motor += moved;
                     self.spring += work - taken - moved;

@@ -6,10 +6,10 @@
 //! A [`Simulation`] keeps all that a step was made of, to be looked at. A [`Stepper`] keeps the
 //! memory and nothing else: the velocity level by sweeps, the same motion, many times faster.
 
-mod acts;
 mod answering;
 mod conflict;
 mod correction;
+mod events;
 mod exported;
 mod impact_energy;
 mod impacts;
@@ -30,11 +30,11 @@ mod swept;
 mod unlocated;
 mod warnings;
 
-pub use acts::{Act, Push};
+pub use events::{StepEvent, VelocityUpdate};
 pub use impact_energy::{ImpactCause, ImpactEnergy};
 pub use impacts::{Impact, Impacts, Touch};
 pub use interpenetration::{DEEP, Interpenetration, InterpenetrationKind, LASTING, NOTABLE};
-pub use laws::Laws;
+pub use laws::LawErrors;
 pub use ledger::Ledger;
 pub use motion::{Motion, carried, momentum_sizes};
 pub use record::{Cause, Failure, Recording, Solve, Step};
@@ -48,7 +48,7 @@ pub use warnings::{Amount, Warning, Warnings};
 use std::ops::ControlFlow;
 
 use crate::body::State;
-use crate::scene::{Detector, Found, Passage, Scene, step_contacts};
+use crate::scene::{DetectedContact, Detector, Passage, Scene, step_contacts};
 use answering::Solvers;
 use interpenetration::Overlaps;
 use lcplab_solver::{Apgd, ConeSolver, Observer, Solver, Status, Stop};
@@ -205,13 +205,13 @@ impl Simulation {
             observer,
             solves: Vec::new(),
             answers: Memory::new(),
-            acts: None,
+            events: None,
             pushed: Vec::new(),
         };
         let outcome = scheme::step(&mut solving, &before, &found);
-        let Solving { solves, answers, acts, mut pushed, .. } = solving;
+        let Solving { solves, answers, events, mut pushed, .. } = solving;
         let is_stopped = |solve: &Solve| solve.solution.status == Status::Stopped;
-        let totals = Totals::of(scene, acts.as_deref(), &solves, &pushed);
+        let totals = Totals::of(scene, events.as_deref(), &solves, &pushed);
         let sound = |states: Vec<State>| match self.divergence(&states, &totals) {
             _ if solves.iter().any(is_stopped) => Err(Cause::Stopped(None)),
             Some(cause) => Err(cause),
@@ -226,19 +226,20 @@ impl Simulation {
             }
         };
         if pushed.is_empty() {
-            pushed = acts.as_deref().map(acts::pushed).unwrap_or_default();
+            pushed = events.as_deref().map(events::pushed).unwrap_or_default();
         }
-        let account = |acts: &Vec<Act>| Ledger::of(scene, &before, &solves, acts, &states);
-        let ledger = acts.as_ref().map(account);
+        let account =
+            |events: &Vec<StepEvent>| Ledger::of(scene, &before, &solves, events, &states);
+        let ledger = events.as_ref().map(account);
         let slips = Slip::of(scene, &totals, &states);
         let touches = Touch::of(&totals, &states);
         let unlocated = Unlocated::of(scene, &before, &totals);
-        let laws = Laws::of(scene, &before, &solves, ledger.as_ref());
+        let laws = LawErrors::of(scene, &before, &solves, ledger.as_ref());
         let laws = match scene.step.scheme.solves_lcps() {
             true => laws,
             false => laws.of_pushes(scene, [&before, &states], &totals, &slips),
         };
-        let impact_energy = ImpactEnergy::of(scene, &before, &solves, acts.as_deref());
+        let impact_energy = ImpactEnergy::of(scene, &before, &solves, events.as_deref());
         let scene = self.scene.forced(from, dt);
         let passages = self.detector.passages(&scene, &before, &states);
         let overlapping = self.detector.find(&scene, &states, 0.0);
@@ -256,7 +257,7 @@ impl Simulation {
             impact_energy,
             states,
             motion,
-            acts,
+            events,
             pushed,
             ledger,
             laws,
@@ -306,7 +307,7 @@ fn measured(
     after: &[State],
     step: usize,
     passages: &[Passage],
-    overlapping: &[Found],
+    overlapping: &[DetectedContact],
 ) -> (Vec<Interpenetration>, Motion) {
     let of_passage = |passage: &Passage| Interpenetration::passed(scene, after, passage);
     let mut interpenetrations: Vec<_> = passages.iter().map(of_passage).collect();

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use crate::body::{Body, State};
 use crate::constraint::{Bounds, Row};
-use crate::scene::{Found, Scene, contacts};
+use crate::scene::{DetectedContact, Scene, contacts};
 
 /// Energy, momentum and errors at one instant.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,7 +42,7 @@ impl Motion {
         scene: &Scene,
         states: &[State],
         step: usize,
-        overlapping: &[Found],
+        overlapping: &[DetectedContact],
     ) -> Self {
         let bodies = || scene.bodies.iter().map(|body| &body.mass).zip(states);
         let deepest = overlapping.iter().map(|found| -found.gap).fold(0.0, f64::max);

@@ -4,13 +4,15 @@ use std::fmt;
 
 use nalgebra::Vector3;
 
-use super::acts::Impulses;
+use super::events::Impulses;
 use super::swept::Swept;
-use super::{Act, ImpactEnergy, Interpenetration, Laws, Ledger, Motion, Slip, Touch, Unlocated};
+use super::{
+    ImpactEnergy, Interpenetration, LawErrors, Ledger, Motion, Slip, StepEvent, Touch, Unlocated,
+};
 use crate::assembly::{Row, Undefined};
 use crate::body::State;
 use crate::formulation::{Posing, Problem};
-use crate::scene::{Found, Scene};
+use crate::scene::{DetectedContact, Scene};
 use lcplab_judge::ray::Farkas;
 use lcplab_judge::{Demand, FrictionCertificate, judge, judge_friction};
 use lcplab_problem::error::Error;
@@ -25,7 +27,7 @@ pub struct Step {
     /// The LCPs of the step and their answers, in the order of solving.
     pub solves: Vec<Solve>,
     /// The contacts at its beginning.
-    pub contacts: Vec<Found>,
+    pub contacts: Vec<DetectedContact>,
     /// Bodies that went through each other, and overlaps that became deep or last; each overlap is
     /// named once.
     pub interpenetrations: Vec<Interpenetration>,
@@ -39,14 +41,14 @@ pub struct Step {
     pub motion: Motion,
     /// What acted on the bodies, in its order; `None` where that is not written down: by XPBD,
     /// whose velocities are what positions did, and by integrators with stages.
-    pub acts: Option<Vec<Act>>,
+    pub events: Option<Vec<StepEvent>>,
     /// The impulse of each row (N s, N m s) where the scheme poses no problem: all that its
     /// substeps gave it together, 0 for none.
     pub pushed: Vec<(Row, f64)>,
     /// The energy ledger; `None` if the scheme does not record what acted.
     pub ledger: Option<Ledger>,
     /// How well it kept the laws of contact and momentum.
-    pub laws: Laws,
+    pub laws: LawErrors,
     /// The friction of each pair of bodies that rub, beside Coulomb's law.
     pub slips: Vec<Slip>,
     /// The pairs of bodies that push each other.
@@ -70,7 +72,7 @@ impl Step {
                 sums[body.unwrap_or(world)] += push;
             }
         };
-        match &self.acts {
+        match &self.events {
             None if self.swept.is_some() => {
                 for Solve { problem, solution, impulse_factor, .. } in &*self.posed(scene).ok()? {
                     let rows = problem.assembly.rows.iter().zip(&solution.x);
@@ -79,8 +81,9 @@ impl Step {
             }
             None if self.pushed.is_empty() && !self.solves.is_empty() => return None,
             None => self.pushed.iter().for_each(|(row, impulse)| add(row, *impulse)),
-            Some(acts) => {
-                for impulses in acts.iter().filter_map(|act| Impulses::of(scene, act, &self.solves))
+            Some(events) => {
+                for impulses in
+                    events.iter().filter_map(|event| Impulses::of(scene, event, &self.solves))
                 {
                     let rows = impulses.assembly.rows.iter().zip(&impulses.x);
                     rows.for_each(|(row, impulse)| add(row, *impulse));

@@ -20,9 +20,9 @@ use std::collections::BTreeMap;
 
 use nalgebra::Vector3;
 
-use super::acts::Impulses;
+use super::events::Impulses;
 use super::interpenetration::faster_first;
-use super::{Act, Solve, Step};
+use super::{Solve, Step, StepEvent};
 use crate::assembly::{Row, RowId};
 use crate::body::State;
 use crate::constraint::{Bounds, Kind};
@@ -257,14 +257,15 @@ impl Totals {
     /// says that was pushed.
     pub fn of(
         scene: &Scene,
-        acts: Option<&[Act]>,
+        events: Option<&[StepEvent]>,
         solves: &[Solve],
         pushed: &[(Row, f64)],
     ) -> Self {
         let mut totals = Totals::default();
-        match acts {
-            Some(acts) => {
-                for impulses in acts.iter().filter_map(|act| Impulses::of(scene, act, solves)) {
+        match events {
+            Some(events) => {
+                for impulses in events.iter().filter_map(|event| Impulses::of(scene, event, solves))
+                {
                     totals.add(impulses.assembly.rows.iter().zip(impulses.x.iter().copied()));
                 }
             }

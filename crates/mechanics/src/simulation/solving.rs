@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::answering::Solvers;
-use super::{Act, Cause, Solve};
-use crate::assembly::{Assembly, Entering, Row, RowId};
+use super::{Cause, Solve, StepEvent};
+use crate::assembly::{Assembly, ConstraintFilter, Row, RowId};
 use crate::body::State;
 use crate::formulation::{Problem, Stage};
-use crate::scene::{Found, Persistence, Scene};
+use crate::scene::{DetectedContact, Persistence, Scene};
 use lcplab_solver::{Observer, Solution};
 
 /// The x of each row at the end of a step, by what it decided.
@@ -31,7 +31,7 @@ pub(super) struct Solving<'a> {
     /// The answers so far.
     pub answers: Memory,
     /// What acted so far, if the scheme writes it down.
-    pub acts: Option<Vec<Act>>,
+    pub events: Option<Vec<StepEvent>>,
     /// The impulse of each row, of a scheme that knows it and does not write down what acted.
     pub pushed: Vec<(Row, f64)>,
 }
@@ -41,8 +41,8 @@ impl Solving<'_> {
     pub fn assemble(
         &self,
         states: &[State],
-        found: &[Found],
-        entering: Entering,
+        found: &[DetectedContact],
+        entering: ConstraintFilter,
     ) -> Result<Assembly, Cause> {
         assembled(self.scene, states, found, entering)
     }
@@ -133,13 +133,13 @@ impl Solving<'_> {
     }
 
     /// Writes down what acted.
-    pub fn note(&mut self, act: Act) {
-        self.acts.get_or_insert_default().push(act);
+    pub fn note(&mut self, event: StepEvent) {
+        self.events.get_or_insert_default().push(event);
     }
 
     /// Writes down that the last answer acted.
     pub fn note_answer(&mut self) {
-        self.note(Act::Answer(self.solves.len() - 1));
+        self.note(StepEvent::Answer(self.solves.len() - 1));
     }
 
     /// The last solve, of which there is one.
@@ -152,8 +152,8 @@ impl Solving<'_> {
 pub(super) fn assembled(
     scene: &Scene,
     states: &[State],
-    found: &[Found],
-    entering: Entering,
+    found: &[DetectedContact],
+    entering: ConstraintFilter,
 ) -> Result<Assembly, Cause> {
     Assembly::new(scene, states, found, entering).map_err(Cause::Undefined)
 }

@@ -16,7 +16,7 @@ use crate::constraint::Bounds;
 
 /// What a row is to do: J u + bias + γ x → 0.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Aim {
+pub(super) struct RowTarget {
     /// Added to J u (m/s or rad/s).
     pub bias: f64,
     /// γ (m/s per N s, rad/s per N m s).
@@ -55,7 +55,7 @@ impl<'a> Sweeper<'a> {
 
     /// One pass over all rows; x has an entry a row, u one a column. Rows that move nothing are
     /// left alone.
-    pub fn sweep(&self, aims: &[Aim], x: &mut [f64], u: &mut [f64]) {
+    pub fn sweep(&self, aims: &[RowTarget], x: &mut [f64], u: &mut [f64]) {
         for i in 0..x.len() {
             let a = self.diagonal[i] + aims[i].compliance;
             if a > 0.0 {

@@ -4,11 +4,11 @@
 use std::borrow::Cow;
 
 use super::stepper::{Kernel, Stepper};
-use super::{Cause, Failure, Laws, Simulation, Solve, Step, measured, solver};
-use crate::assembly::{Assembly, Entering};
+use super::{Cause, Failure, LawErrors, Simulation, Solve, Step, measured, solver};
+use crate::assembly::{Assembly, ConstraintFilter};
 use crate::body::{Mass, State};
 use crate::formulation::Problem;
-use crate::scene::{Found, Scene};
+use crate::scene::{DetectedContact, Scene};
 use lcplab_problem::error;
 use lcplab_solver::{Solution, Status};
 
@@ -51,7 +51,7 @@ impl Simulation {
         let moving = scene.bodies.iter().filter(|body| body.mass != Mass::Fixed).count();
         let kernel = match moving {
             0..=FEW_BODIES => Kernel::RowByRow,
-            _ => Kernel::EightPairs { threads: 1 },
+            _ => Kernel::SimdPairs { threads: 1 },
         };
         let stepper =
             Some(Box::new(Stepper::new(scene.clone(), scene.solver.max_iterations, kernel)?));
@@ -66,8 +66,9 @@ impl Simulation {
         let contacts = stepper.found().to_vec();
         let cone_excess = stepper.cone_excess();
         stepper.find_contacts(&mut |_| ());
-        let is_overlap = |found: &&Found| found.gap < 0.0;
-        let overlapping: Vec<Found> = stepper.found().iter().filter(is_overlap).cloned().collect();
+        let is_overlap = |found: &&DetectedContact| found.gap < 0.0;
+        let overlapping: Vec<DetectedContact> =
+            stepper.found().iter().filter(is_overlap).cloned().collect();
         let (number, scene, states) = (self.steps + 1, &self.scene, stepper.states());
         let passages = self.detector.passages(scene, &self.states, states);
         let (interpenetrations, motion) =
@@ -82,10 +83,10 @@ impl Simulation {
             impact_energy: None,
             states: self.states.clone(),
             motion,
-            acts: None,
+            events: None,
             pushed: Vec::new(),
             ledger: None,
-            laws: Laws { cone_excess, ..Laws::default() },
+            laws: LawErrors { cone_excess, ..LawErrors::default() },
             slips: Vec::new(),
             touches: Vec::new(),
             unlocated: Vec::new(),
@@ -109,7 +110,7 @@ impl Step {
 
 impl Swept {
     fn posed(&self, scene: &Scene, step: &Step) -> Result<Vec<Solve>, Cause> {
-        let assembly = Assembly::new(scene, &self.before, &step.contacts, Entering::Near)
+        let assembly = Assembly::new(scene, &self.before, &step.contacts, ConstraintFilter::Near)
             .map_err(Cause::Undefined)?;
         let mut problem = Problem::velocity(scene, assembly)?;
         let mut solves: Vec<Solve> = Vec::new();

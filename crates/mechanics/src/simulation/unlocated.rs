@@ -14,7 +14,7 @@ use nalgebra::{Vector3, Vector6};
 
 use super::interpenetration::faster_first;
 use super::slip::{Contact, Totals};
-use crate::assembly::{Assembly, Entering, Row};
+use crate::assembly::{Assembly, ConstraintFilter, Row};
 use crate::body::{State, linear};
 use crate::constraint::Kind;
 use crate::scene::{Scene, step_contacts};
@@ -127,7 +127,7 @@ fn meeting(pair: &Scene, row: &Row) -> Option<Option<(Vec<State>, Row)>> {
         let moved = pair.states.iter().map(|state| state.displaced(&(time * state.velocity())));
         let moved: Vec<State> = moved.collect();
         let found = step_contacts(pair, &moved);
-        let there = Assembly::new(pair, &moved, &found, Entering::Near).ok()?;
+        let there = Assembly::new(pair, &moved, &found, ConstraintFilter::Near).ok()?;
         let normals = there.rows.into_iter().filter(|own| own.kind == Kind::Normal);
         let own = normals.min_by(|a, b| a.c.total_cmp(&b.c))?;
         if own.velocity >= 0.0 {

@@ -1,11 +1,11 @@
 //! Matrices of a scene at one instant.
 
-use lcplab_mechanics::assembly::{Assembly, Entering, RowId, Source};
+use lcplab_mechanics::assembly::{Assembly, ConstraintFilter, RowId, Source};
 use lcplab_mechanics::constraint::Bounds;
 use lcplab_mechanics::scene::{Scene, step_contacts};
 use nalgebra::DMatrix;
 
-fn assembled(name: &str, entering: Entering) -> (Scene, Assembly) {
+fn assembled(name: &str, entering: ConstraintFilter) -> (Scene, Assembly) {
     let scene = Scene::load(name).unwrap();
     let found = step_contacts(&scene, &scene.states);
     let assembly = Assembly::new(&scene, &scene.states, &found, entering).unwrap();
@@ -25,7 +25,7 @@ fn jacobian(assembly: &Assembly) -> DMatrix<f64> {
 #[test]
 fn freedoms_are_counted_by_rank_and_not_by_rows() {
     let freedoms = |name| {
-        let (_, assembly) = assembled(name, Entering::Near);
+        let (_, assembly) = assembled(name, ConstraintFilter::Near);
         (assembly.columns(), assembly.rows.len(), assembly.freedoms())
     };
     assert_eq!(freedoms("dzhanibekov"), (6, 0, 6));
@@ -35,16 +35,16 @@ fn freedoms_are_counted_by_rank_and_not_by_rows() {
 
 #[test]
 fn fixed_bodies_have_no_columns_and_point_masses_three() {
-    let (_, fig6) = assembled("fig6", Entering::Near);
+    let (_, fig6) = assembled("fig6", ConstraintFilter::Near);
     assert_eq!((fig6.columns(), fig6.rows.len()), (3, 1));
-    let (_, stack) = assembled("stack", Entering::Near);
+    let (_, stack) = assembled("stack", ConstraintFilter::Near);
     assert_eq!((stack.columns(), stack.rows.len()), (30, 5 * 4 * 3));
 }
 
 #[test]
 fn the_jacobian_of_figure_7_is_that_of_the_gap_rates() {
     // Rows ground-bottom, bottom-middle, middle-top; the columns of v_z.
-    let (_, fig7) = assembled("fig7", Entering::Near);
+    let (_, fig7) = assembled("fig7", ConstraintFilter::Near);
     let j = jacobian(&fig7);
     let v_z = DMatrix::from_fn(3, 3, |i, body| j[(i, 6 * body + 2)]);
     let expected = DMatrix::from_row_slice(3, 3, &[1.0, 0.0, 0.0, -1.0, 1.0, 0.0, 0.0, -1.0, 1.0]);
@@ -54,7 +54,7 @@ fn the_jacobian_of_figure_7_is_that_of_the_gap_rates() {
 
 #[test]
 fn pulling_back_is_the_transpose_of_pushing_forward() {
-    let (_, stack) = assembled("stack", Entering::Near);
+    let (_, stack) = assembled("stack", ConstraintFilter::Near);
     let x: Vec<f64> = (0..stack.rows.len()).map(|i| (i as f64).sin()).collect();
     let u: Vec<f64> = (0..stack.columns()).map(|j| (j as f64).cos()).collect();
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
@@ -66,7 +66,7 @@ fn pulling_back_is_the_transpose_of_pushing_forward() {
 
 #[test]
 fn contact_rows_come_as_normal_and_two_tangents_bound_by_it() {
-    let (_, stack) = assembled("stack", Entering::Near);
+    let (_, stack) = assembled("stack", ConstraintFilter::Near);
     for (i, row) in stack.rows.iter().enumerate() {
         assert_eq!(row.id.component, i % 3);
         let expected = match i % 3 {
@@ -81,13 +81,13 @@ fn contact_rows_come_as_normal_and_two_tangents_bound_by_it() {
 fn resting_contacts_enter_and_hitting_ones_only_touch() {
     // The middle body of Figure 7 leaves the top one and hits the bottom one.
     let count = |entering| assembled("fig7", entering).1.rows.len();
-    assert_eq!(count(Entering::Touching), 3);
-    assert_eq!(count(Entering::Resting), 2); // the row between middle and top parts
+    assert_eq!(count(ConstraintFilter::Touching), 3);
+    assert_eq!(count(ConstraintFilter::Resting), 2); // the row between middle and top parts
 }
 
 #[test]
 fn rows_have_labels_and_names() {
-    let (scene, pendulum) = assembled("pendulum", Entering::Near);
+    let (scene, pendulum) = assembled("pendulum", ConstraintFilter::Near);
     assert_eq!(pendulum.rows[0].label(&scene), "distance world bob 0");
     assert_eq!(pendulum.rows[0].id, RowId { source: Source::Constraint(0), component: 0 });
 }

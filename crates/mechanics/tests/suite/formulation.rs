@@ -1,6 +1,6 @@
 //! From physics to the LCP and back.
 
-use lcplab_mechanics::assembly::{Assembly, Entering};
+use lcplab_mechanics::assembly::{Assembly, ConstraintFilter};
 use lcplab_mechanics::formulation::{Problem, Stage};
 use lcplab_mechanics::scene::catalogue::SHIPPED;
 use lcplab_mechanics::scene::{Scene, step_contacts};
@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector};
 
 fn problem(scene: &Scene) -> Problem {
     let found = step_contacts(scene, &scene.states);
-    let assembly = Assembly::new(scene, &scene.states, &found, Entering::Near).unwrap();
+    let assembly = Assembly::new(scene, &scene.states, &found, ConstraintFilter::Near).unwrap();
     Problem::velocity(scene, assembly).unwrap()
 }
 

@@ -3,7 +3,7 @@
 //! singular.
 
 use lcplab_judge::{Demand, judge};
-use lcplab_mechanics::assembly::{Assembly, Entering};
+use lcplab_mechanics::assembly::{Assembly, ConstraintFilter};
 use lcplab_mechanics::body::Mass;
 use lcplab_mechanics::formulation::Problem;
 use lcplab_mechanics::scene::{Scene, step_contacts};
@@ -90,7 +90,7 @@ fn last(scene: Scene, copies: Copies) -> Lcp {
         }
         found.extend(again);
     }
-    let assembly = Assembly::new(scene, states, &found, Entering::Near).unwrap();
+    let assembly = Assembly::new(scene, states, &found, ConstraintFilter::Near).unwrap();
     Problem::velocity(scene, assembly).unwrap().lcp
 }
 

@@ -111,7 +111,8 @@ impl Heat {
             canvas.raw(&format!(
                 "<rect x=\"{:.2}\" y=\"{top}\" width=\"{:.2}\" height=\"{height}\" fill=\"{}\"/>\n",
                 left + step * k as f64,
-                step + 0.3, // no gaps between shades
+                // No gaps between shades.
+                step + 0.3,
                 hex(shade(k))
             ));
         }

@@ -11,7 +11,8 @@ pub type Dyadic = FBig<Zero, 2>;
 
 /// A finite number as an exact binary fraction.
 pub fn dyadic(x: f64) -> Dyadic {
-    exact_precision(Dyadic::try_from(x + 0.0).expect("a finite number")) // + 0 turns −0 into 0
+    // Adding 0 turns −0 into 0.
+    exact_precision(Dyadic::try_from(x + 0.0).expect("a finite number"))
 }
 
 /// An integer as an exact binary fraction.

@@ -23,7 +23,8 @@ pub(super) fn solve(mut rows: Vec<Vec<IBig>>, m: usize) -> System {
         let top = pivots.len();
         let Some(r) = (top..rows.len()).find(|&r| rows[r][c] != IBig::ZERO) else { continue };
         if c == m {
-            return System::None; // 0 = 1
+            // 0 = 1
+            return System::None;
         }
         rows.swap(top, r);
         let own = std::mem::take(&mut rows[top]);

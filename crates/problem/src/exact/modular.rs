@@ -241,11 +241,13 @@ fn add(a: u64, b: u64) -> u64 {
 
 fn mul(a: u64, b: u64) -> u64 {
     let product = u128::from(a) * u128::from(b);
-    add((product as u64) & P, (product >> 61) as u64) // 2⁶¹ ≡ 1
+    // 2⁶¹ ≡ 1
+    add((product as u64) & P, (product >> 61) as u64)
 }
 
 fn invert(a: u64) -> u64 {
-    let (mut result, mut base, mut exponent) = (1, a, P - 2); // Fermat
+    // The inverse by Fermat's little theorem.
+    let (mut result, mut base, mut exponent) = (1, a, P - 2);
     while exponent > 0 {
         if exponent & 1 == 1 {
             result = mul(result, base);

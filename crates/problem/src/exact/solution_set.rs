@@ -128,7 +128,8 @@ fn faces(exact: &Exact, corners: &[Point], rays: &[Point]) -> Vec<Face> {
         _ if i == j => true,
         None => {
             let (x, y) = (&corners[i], &corners[j]);
-            let nearer = sum(x, &sum(x, y)); // three times the point at a third of the way
+            // Three times the point at a third of the way.
+            let nearer = sum(x, &sum(x, y));
             let is_solved = |sum: Point, parts: f64| exact.is_solved_by(&part(&sum, parts));
             is_solved(sum(x, y), 2.0) && is_solved(nearer, 3.0)
         }

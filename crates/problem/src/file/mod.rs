@@ -149,7 +149,8 @@ impl Problem {
         for key in ["A", "b"].into_iter().filter(|key| !object.contains_key(*key)) {
             defects.add(key, "is missing");
         }
-        defects.result(input)?; // A and b give the sizes for all later checks
+        // A and b give the sizes for all later checks.
+        defects.result(input)?;
         let parts = Parts::read(&object, &mut defects);
         let model = model(&object, &mut defects);
         let frozen_at = frozen_at(&object, parts.b.len(), &mut defects);

@@ -53,19 +53,19 @@ impl Model {
     ///
     /// # Errors
     /// If the number of directions is not allowed, or model 1 has no `frozen_at`.
-    pub fn pose(self, problem: &FrictionProblem, frozen_at: Option<&[f64]>) -> Result<Posed> {
-        let cone = |law| Posed::Cone(ConeProblem::new(problem.clone(), law));
+    pub fn pose(self, problem: &FrictionProblem, frozen_at: Option<&[f64]>) -> Result<ProblemForm> {
+        let cone = |law| ProblemForm::Cone(ConeProblem::new(problem.clone(), law));
         Ok(match self {
             Model::FrozenBox => {
                 let x = frozen_at.ok_or_else(|| {
                     let reason = "is missing: the frozen box needs the normal impulses x_n";
                     Error::invalid("problem", "frozen_at", reason)
                 })?;
-                Posed::Boxed(problem.coupled_box().frozen_at(x))
+                ProblemForm::Boxed(problem.coupled_box().frozen_at(x))
             }
-            Model::CoupledBox => Posed::Boxed(problem.coupled_box()),
+            Model::CoupledBox => ProblemForm::Boxed(problem.coupled_box()),
             Model::Polyhedral { directions } => {
-                Posed::Polyhedral(Polyhedral::new(problem, directions)?)
+                ProblemForm::Polyhedral(Polyhedral::new(problem, directions)?)
             }
             Model::AssociatedCone => cone(Law::Associated),
             Model::CoulombCone => cone(Law::Coulomb),
@@ -75,7 +75,7 @@ impl Model {
 
 /// A friction problem stated under a model; x means the same in all of them.
 #[derive(Debug, Clone)]
-pub enum Posed {
+pub enum ProblemForm {
     /// Models 1 and 2; also any LCP without friction.
     Boxed(Lcp),
     /// Model 3: its LCP has unknowns z, from which x is computed.

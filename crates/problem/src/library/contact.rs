@@ -89,7 +89,8 @@ fn stack(n: usize, ratio: f64) -> Problem {
     let top = RBig::ONE / (rational(a.diagonal(n - 1)) - below);
     let x = (0..n).map(|i| &top + RBig::from(n - 1 - i)).collect();
     let mut b = vec![0.0; n];
-    b[0] = -1.0; // all bodies fall at unit speed; only the lowest contact closes
+    // All bodies fall at unit speed; only the lowest contact closes.
+    b[0] = -1.0;
     contacts(a, b, &Expected::unique(x))
 }
 

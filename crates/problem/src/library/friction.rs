@@ -102,7 +102,8 @@ fn friction_table(side: usize, mu: f64) -> Problem {
         })
         .collect();
     let n = side * side;
-    let b = [-1.0, -1.0 - mu, 0.0].repeat(n); // Σ x_n = 1 stops the fall; with Σ x_t = μ it slips
+    // Σ x_n = 1 stops the fall; with Σ x_t = μ it slips.
+    let b = [-1.0, -1.0 - mu, 0.0].repeat(n);
     let load = RBig::ONE / RBig::from(n);
     let each = [load.clone(), load * rational(mu), RBig::ZERO];
     let x = (0..3 * n).map(|i| each[i % 3].clone()).collect();

@@ -141,7 +141,8 @@ fn motions([a_nn, a_nt, a_tt, mu, fall]: [RBig; 5]) -> Vec<Vec<RBig>> {
             motions.push(unknowns(x_n.clone(), &mu * x_n, -w_t));
         }
     }
-    let determinant = &a_nn * &a_tt - &a_nt * &a_nt; // 4, rounded
+    // 4, up to rounding.
+    let determinant = &a_nn * &a_tt - &a_nt * &a_nt;
     let x_n = (&a_tt * &fall - &a_nt) / &determinant;
     let x_t = (&a_nn - &a_nt * &fall) / &determinant;
     let limit = &mu * &x_n;

@@ -6,7 +6,7 @@
 
 mod row;
 
-pub use row::{Miss, RowTerms, Sum, block_scale, reach_of_friction, row_scale};
+pub use row::{RowResidual, RowTerms, Sum, block_scale, reach_of_friction, row_scale};
 pub(super) use row::{product, relative};
 
 use super::{Lcp, accurate};
@@ -76,25 +76,32 @@ const BETTER: f64 = 0.1;
 ///
 /// The scaled residual alone is not sufficient: it becomes small for any x that is far enough away
 /// along a direction with A d = 0.
-pub fn is_worth_something(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
+pub fn improves_on_zero(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
     let terms = terms(lcp, x);
-    is_nearer_than_nothing(lcp, x, &misses(lcp, x, &terms), tolerance)
+    improves_on_zero_by_residuals(lcp, x, &row_residuals(lcp, x, &terms), tolerance)
 }
 
-/// [`is_worth_something`], given the residuals of all rows at x in plain sums. If rounding makes
+/// [`improves_on_zero`], given the residuals of all rows at x in plain sums. If rounding makes
 /// the comparison uncertain, compensated sums decide.
-fn is_nearer_than_nothing(lcp: &Lcp, x: &[f64], plain: &[Miss], tolerance: f64) -> bool {
-    let of_nothing = misses_of_nothing(lcp, plain);
+fn improves_on_zero_by_residuals(
+    lcp: &Lcp,
+    x: &[f64],
+    plain: &[RowResidual],
+    tolerance: f64,
+) -> bool {
+    let at_zero = residuals_at_zero(lcp, plain);
     let rounding = rounding(lcp.len());
-    let at_most = |miss: &Miss| Miss { size: miss.size + rounding * miss.magnitude, ..*miss };
-    let at_most: Vec<Miss> = plain.iter().map(at_most).collect();
+    let at_most = |row_residual: &RowResidual| RowResidual {
+        size: row_residual.size + rounding * row_residual.magnitude,
+        ..*row_residual
+    };
+    let at_most: Vec<RowResidual> = plain.iter().map(at_most).collect();
     let exactly = || {
         let terms = |i| RowTerms::summed::<accurate::Sum>(lcp, i, x);
-        misses(lcp, x, &(0..lcp.len()).map(terms).collect::<Vec<_>>())
+        row_residuals(lcp, x, &(0..lcp.len()).map(terms).collect::<Vec<_>>())
     };
-    is_better(&at_most, of_nothing.clone(), tolerance)
-        || is_better(plain, of_nothing.clone(), tolerance)
-            && is_better(&exactly(), of_nothing, tolerance)
+    is_better(&at_most, at_zero.clone(), tolerance)
+        || is_better(plain, at_zero.clone(), tolerance) && is_better(&exactly(), at_zero, tolerance)
 }
 
 /// The terms of all rows.
@@ -103,47 +110,52 @@ fn terms(lcp: &Lcp, x: &[f64]) -> Vec<RowTerms> {
 }
 
 /// The residuals of all rows at x, given their terms.
-pub fn misses(lcp: &Lcp, x: &[f64], terms: &[RowTerms]) -> Vec<Miss> {
-    terms.iter().enumerate().map(|(i, terms)| terms.miss(lcp, i, x)).collect()
+pub fn row_residuals(lcp: &Lcp, x: &[f64], terms: &[RowTerms]) -> Vec<RowResidual> {
+    terms.iter().enumerate().map(|(i, terms)| terms.row_residual(lcp, i, x)).collect()
 }
 
-/// The residuals at Π(0), row by row, with the scales of `misses`.
-fn misses_of_nothing(lcp: &Lcp, misses: &[Miss]) -> impl Iterator<Item = Miss> + Clone {
+/// The residuals at Π(0), row by row, with the scales of `row_residuals`.
+fn residuals_at_zero(
+    lcp: &Lcp,
+    row_residuals: &[RowResidual],
+) -> impl Iterator<Item = RowResidual> + Clone {
     let mut nothing = vec![0.0; lcp.len()];
     lcp.project_all(&mut nothing);
     let is_zero = nothing.iter().all(|&x| x == 0.0);
-    misses.iter().enumerate().map(move |(i, own)| {
-        let b = lcp.b()[i]; // w_i at x = 0
+    row_residuals.iter().enumerate().map(move |(i, own)| {
+        // w_i at x = 0
+        let b = lcp.b()[i];
         let at_zero = || RowTerms::of_sums(lcp, b, b.abs(), own.scale);
         let terms = is_zero.then(at_zero).flatten();
-        terms.unwrap_or_else(|| RowTerms::at(lcp, i, &nothing)).miss(lcp, i, &nothing)
+        terms.unwrap_or_else(|| RowTerms::at(lcp, i, &nothing)).row_residual(lcp, i, &nothing)
     })
 }
 
-/// Whether the longest step of `misses` is at most a tenth of the longest one at Π(0), or Π(0) is
-/// within the tolerance. Evaluates only as many rows at Π(0) as the decision needs.
+/// Whether the longest step of `row_residuals` is at most a tenth of the longest one at Π(0), or
+/// Π(0) is within the tolerance. Evaluates only as many rows at Π(0) as the decision needs.
 pub(super) fn is_better(
-    misses: &[Miss],
-    mut of_nothing: impl Iterator<Item = Miss> + Clone,
+    row_residuals: &[RowResidual],
+    mut at_zero: impl Iterator<Item = RowResidual> + Clone,
     tolerance: f64,
 ) -> bool {
-    let (longest, mut all) = (Miss::longest_step(misses), of_nothing.clone());
-    of_nothing.any(|miss| longest <= miss.step() + libm::log2(BETTER))
-        || all.all(|miss| miss.residual <= tolerance)
+    let (longest, mut all) = (RowResidual::longest_step(row_residuals), at_zero.clone());
+    at_zero.any(|row_residual| longest <= row_residual.step() + libm::log2(BETTER))
+        || all.all(|row_residual| row_residual.residual <= tolerance)
 }
 
 /// Whether x counts as a solution: the scaled residual is within the tolerance, and x is ten times
 /// closer to a solution than Π(0).
 pub fn is_solution(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
-    is_solution_by(lcp, x, &misses(lcp, x, &terms(lcp, x)), tolerance)
+    is_solution_by(lcp, x, &row_residuals(lcp, x, &terms(lcp, x)), tolerance)
 }
 
 /// [`is_solution`], given the residuals of all rows at x in plain sums. If rounding makes the
 /// decision uncertain, compensated sums decide.
-pub fn is_solution_by(lcp: &Lcp, x: &[f64], misses: &[Miss], tolerance: f64) -> bool {
+pub fn is_solution_by(lcp: &Lcp, x: &[f64], row_residuals: &[RowResidual], tolerance: f64) -> bool {
     let surely = tolerance - rounding(lcp.len());
-    let is_within = misses.iter().all(|miss| miss.residual <= surely) || holds(lcp, x, tolerance);
-    is_within && is_nearer_than_nothing(lcp, x, misses, tolerance)
+    let is_within = row_residuals.iter().all(|row_residual| row_residual.residual <= surely)
+        || holds(lcp, x, tolerance);
+    is_within && improves_on_zero_by_residuals(lcp, x, row_residuals, tolerance)
 }
 
 /// max_i |x_i − Π(x_i − w_i)|: zero exactly at the solutions; it mixes the units of x and w.

@@ -96,35 +96,36 @@ impl RowTerms {
     /// r_i at the x of these terms ([`scaled_residual`](super::scaled_residual)).
     #[inline]
     pub fn scaled_residual(&self, lcp: &Lcp, i: usize, x: &[f64]) -> f64 {
-        self.miss(lcp, i, x).residual
+        self.row_residual(lcp, i, x).residual
     }
 
     /// The distance of x_i from its projected step, between the bounds of row i at x.
     #[inline]
-    pub fn miss(&self, lcp: &Lcp, i: usize, x: &[f64]) -> Miss {
+    pub fn row_residual(&self, lcp: &Lcp, i: usize, x: &[f64]) -> RowResidual {
         let (lo, hi) = lcp.bounds(i, x);
         let is_at = |bound: f64| lcp.is_coupled(i) && (x[i] - bound).abs() <= ROUNDING * hi;
         let own = [lo, hi].into_iter().find(|&bound| is_at(bound)).unwrap_or(x[i]);
-        self.miss_between(own, lo, hi, || self.reach(lcp, i, x))
+        self.row_residual_between(own, lo, hi, || self.reach(lcp, i, x))
     }
 
-    /// [`RowTerms::miss`] for an x_i with any bounds and their [reach](Self::reach), which is
-    /// computed only if x_i is not at the bound to which its step leads.
+    /// [`RowTerms::row_residual`] for an x_i with any bounds and their [reach](Self::reach), which
+    /// is computed only if x_i is not at the bound to which its step leads.
     ///
     /// The step is the median of x − lo, w/s and x − hi: multiplied by s it needs no division by s,
     /// and in units of e = R no division by the terms.
     #[inline]
-    pub(crate) fn miss_between(
+    pub(crate) fn row_residual_between(
         &self,
         x: f64,
         lo: f64,
         hi: f64,
         reach: impl FnOnce() -> f64,
-    ) -> Miss {
+    ) -> RowResidual {
         let scale = self.positive_scale();
         let slack = |bound: f64| match x - bound {
             distance if distance.is_infinite() && bound.is_finite() => {
-                product(scale, 0.5 * x - 0.5 * bound, 1 - self.exponent) // x − bound overflows
+                // x − bound would overflow.
+                product(scale, 0.5 * x - 0.5 * bound, 1 - self.exponent)
             }
             distance => product(scale, distance, -self.exponent),
         };
@@ -144,7 +145,7 @@ impl RowTerms {
                 residual = part.min(away(lo)).max(away(hi)).abs();
             }
         }
-        Miss { size, scale, magnitude: self.magnitude, exponent: self.exponent, residual }
+        RowResidual { size, scale, magnitude: self.magnitude, exponent: self.exponent, residual }
     }
 
     /// R_i: the largest size of x_i that the bounds of row i imply, from these terms of the row
@@ -204,7 +205,7 @@ pub fn reach_of_friction(mu: f64, normal: f64) -> f64 {
 
 /// The distance of a row or a contact from its projected step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Miss {
+pub struct RowResidual {
     /// |x − Π(x − w/s)| s, in units of 2^`exponent`.
     pub size: f64,
     /// s.
@@ -217,20 +218,20 @@ pub struct Miss {
     pub residual: f64,
 }
 
-impl Miss {
+impl RowResidual {
     /// A residual without a step.
     pub(crate) fn of_residual(residual: f64) -> Self {
-        Miss { size: 0.0, scale: 1.0, magnitude: 0.0, exponent: 0, residual }
+        RowResidual { size: 0.0, scale: 1.0, magnitude: 0.0, exponent: 0, residual }
     }
 
     /// log₂ of the longest |x − Π(x − w/s)| √s, −∞ for an empty list. Its square is an energy in
     /// any units of x and w.
-    pub(crate) fn longest_step(misses: &[Miss]) -> f64 {
-        if misses.iter().all(|miss| miss.exponent == 0) {
-            let longest = misses.iter().map(Miss::length).fold(0.0, f64::max);
+    pub(crate) fn longest_step(row_residuals: &[RowResidual]) -> f64 {
+        if row_residuals.iter().all(|row_residual| row_residual.exponent == 0) {
+            let longest = row_residuals.iter().map(RowResidual::length).fold(0.0, f64::max);
             return libm::log2(longest);
         }
-        misses.iter().map(Miss::step).fold(f64::NEG_INFINITY, f64::max)
+        row_residuals.iter().map(RowResidual::step).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// log₂ of |x − Π(x − w/s)| √s.
@@ -249,7 +250,8 @@ impl Miss {
 pub fn relative(size: f64, magnitude: f64) -> f64 {
     match size / magnitude {
         _ if size == 0.0 => 0.0,
-        _ if magnitude.is_infinite() => f64::INFINITY, // x is not finite
+        // x is not finite.
+        _ if magnitude.is_infinite() => f64::INFINITY,
         relative if relative.is_nan() => f64::INFINITY,
         relative => relative,
     }

@@ -2,7 +2,7 @@
 
 use lcplab_judge::{Demand, Verdict, judge_friction};
 use lcplab_problem::friction::{
-    ConeProblem, Contact, FrictionProblem, Law, Model, Polyhedral, Posed, project,
+    ConeProblem, Contact, FrictionProblem, Law, Model, Polyhedral, ProblemForm, project,
 };
 use lcplab_problem::{Complementarity, Coupling, Lcp, merit};
 use lcplab_solver::{Settings, Start, Status, cone_by_name};
@@ -158,7 +158,8 @@ fn each_model_poses_its_own_problem() {
     let problem = pushed_mass(2.0, 3.0, 0.0);
     let missing = Model::FrozenBox.pose(&problem, None).unwrap_err().to_string();
     assert!(missing.contains("frozen_at: is missing"), "{missing}");
-    let Posed::Boxed(frozen) = Model::FrozenBox.pose(&problem, Some(&[4.0, 0.0, 0.0])).unwrap()
+    let ProblemForm::Boxed(frozen) =
+        Model::FrozenBox.pose(&problem, Some(&[4.0, 0.0, 0.0])).unwrap()
     else {
         panic!()
     };
@@ -166,7 +167,7 @@ fn each_model_poses_its_own_problem() {
     for (model, expected) in
         [(Model::AssociatedCone, Law::Associated), (Model::CoulombCone, Law::Coulomb)]
     {
-        let Posed::Cone(cone) = model.pose(&problem, None).unwrap() else { panic!() };
+        let ProblemForm::Cone(cone) = model.pose(&problem, None).unwrap() else { panic!() };
         assert_eq!(cone.law(), expected);
     }
     assert!(Model::Polyhedral { directions: 6 }.pose(&problem, None).is_err());
@@ -316,7 +317,7 @@ fn a_polygon_s_proof_is_a_proof_of_x_and_not_of_the_slips_beside_it() {
     let rows = [&[1.0, 0.0, 0.0][..], &[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0]];
     let lcp = boxed(&rows, &[-1.0, 1e9, 0.0], &[0.0, -INF, -INF], &[INF; 3]);
     let friction = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.3 }]).unwrap();
-    let posed = Posed::Polyhedral(Polyhedral::new(&friction, 4).unwrap());
+    let posed = ProblemForm::Polyhedral(Polyhedral::new(&friction, 4).unwrap());
     let verdict = |x: [f64; 3]| judge_friction(&posed, &x, &Demand::default()).verdict;
     assert!(matches!(verdict([1.0, -0.3, 0.0]), Verdict::Proved { .. }));
     for wrong in [[1.0, 0.3, 0.0], [1.0, 0.0, 0.3]] {

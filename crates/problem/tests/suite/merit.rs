@@ -10,11 +10,11 @@ fn a_small_relative_residual_far_along_a_ray_is_no_better_than_nothing() {
     // A d = 0 for d = (1, 1), so that w is there what it is at 0, and little beside terms of 10⁹.
     let lcp = |b2| contacts(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-0.125, b2]);
     assert!(merit::scaled_residual(&lcp(0.0625), &[1e9; 2]) < 1e-9);
-    assert!(!merit::is_worth_something(&lcp(0.0625), &[1e9; 2], 1e-8));
-    assert!(merit::is_worth_something(&lcp(0.125), &[0.125, 0.0], 1e-8)); // w = 0
+    assert!(!merit::improves_on_zero(&lcp(0.0625), &[1e9; 2], 1e-8));
+    assert!(merit::improves_on_zero(&lcp(0.125), &[0.125, 0.0], 1e-8)); // w = 0
     // Zero solves it, so that nothing has to be gained by another x.
     let rest = contacts(&[&[1.0]], &[1.0]);
-    assert!(merit::is_worth_something(&rest, &[1e-20], 1e-8));
+    assert!(merit::improves_on_zero(&rest, &[1e-20], 1e-8));
 }
 
 #[test]
@@ -130,11 +130,11 @@ proptest! {
             let residual = (0..8).map(compensated).fold(0.0, f64::max);
             let by_lanes = terms(&lcp, &x, Width::widest());
             for tolerance in [residual.next_down(), residual, residual * (1.0 + 1e-14), 2.0 * residual] {
-                let worth = merit::is_worth_something(&lcp, &x, tolerance);
-                let misses = merit::misses(&lcp, &x, &by_lanes);
+                let worth = merit::improves_on_zero(&lcp, &x, tolerance);
+                let row_residuals = merit::row_residuals(&lcp, &x, &by_lanes);
                 let expected = residual <= tolerance && worth;
                 prop_assert_eq!(merit::is_solution(&lcp, &x, tolerance), expected);
-                prop_assert_eq!(merit::is_solution_by(&lcp, &x, &misses, tolerance), expected);
+                prop_assert_eq!(merit::is_solution_by(&lcp, &x, &row_residuals, tolerance), expected);
                 let within = merit::is_within(&lcp, &x, tolerance, &mut 0);
                 prop_assert!(!within || residual <= tolerance);
             }

@@ -3,7 +3,7 @@
 use dashu_ratio::RBig;
 use lcplab_problem::file::Problem;
 use lcplab_problem::{Coupling, Gauss, Lcp, Matrix};
-use lcplab_proof::{Claim, Found, Kind, Proof, check, prove, prove_kind};
+use lcplab_proof::{Claim, Kind, Proof, ProofSearch, check, prove, prove_kind};
 use oorandom::Rand64;
 
 use super::{INF, problem, question, whole, with_bodies};
@@ -27,7 +27,7 @@ fn falling(contacts: usize) -> Problem {
 }
 
 fn bound(problem: &Problem, answer: &[f64], kind: Kind) -> Result<f64, String> {
-    let Found { proof, missing } = prove_kind(&question(problem), answer, kind);
+    let ProofSearch { proof, missing } = prove_kind(&question(problem), answer, kind);
     let proof = proof.ok_or_else(|| missing[0].1.clone())?;
     let text = proof.to_json().to_string();
     let read = Proof::parse(&text, "proof.json").unwrap();

@@ -63,7 +63,8 @@ impl Solver for Admm {
             return Solution::new(lcp, z, Status::OutsideClass { reason }, 0);
         }
         if let Some(status) = self.settings.refusal(Memory::square(lcp.len()).times(2)) {
-            return Solution::new(lcp, z, status, 0); // A and R as dense matrices, summed in place
+            // Memory: A and R as dense matrices, summed in place.
+            return Solution::new(lcp, z, status, 0);
         }
         let metric = match Metric::of_symmetric(lcp) {
             Ok(metric) => metric,
@@ -76,7 +77,8 @@ impl Solver for Admm {
             return Solution::new(lcp, z, Status::OutsideClass { reason }, 0);
         };
         frozen::solve(lcp, z, &self.settings, |lcp, z, first| {
-            let mut y = DVector::from_vec(lcp.w(&z)).component_div(&-&weight); // R y = −w
+            // R y = −w
+            let mut y = DVector::from_vec(lcp.w(&z)).component_div(&-&weight);
             iterate(lcp, z, first, &self.settings, observer, |z| {
                 let pull = |i: usize| weight[i] * (z[i] - y[i]) - lcp.b()[i];
                 let x = factor.solve(&DVector::from_fn(z.len(), |i, _| pull(i)));

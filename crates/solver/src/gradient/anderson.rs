@@ -82,7 +82,8 @@ fn height(lcp: &Lcp, metric: &Metric, x: &[f64]) -> f64 {
         let step = difference(&swept(lcp, metric, x), x);
         return metric.inner(&step, &step);
     }
-    0.5 * (dot(&lcp.w(x), x) + dot(lcp.b(), x)) // w = A x + b
+    // w = A x + b
+    0.5 * (dot(&lcp.w(x), x) + dot(lcp.b(), x))
 }
 
 /// The results and steps of the last sweeps.
@@ -117,7 +118,8 @@ impl Memory {
 /// the first f_k that depends on the previous ones.
 fn least_squares(metric: &Metric, columns: &[&[f64]], f: &[f64]) -> Vec<f64> {
     let mut basis: Vec<Vec<f64>> = Vec::new();
-    let mut triangle: Vec<Vec<f64>> = Vec::new(); // column k: its parts along the basis, then its own length
+    // Column k: its components along the basis, then the length of the rest.
+    let mut triangle: Vec<Vec<f64>> = Vec::new();
     for column in columns {
         let (mut rest, mut parts) = (column.to_vec(), Vec::new());
         for direction in &basis {

@@ -86,9 +86,11 @@ impl Apgd {
             let lcp = problem.lcp();
             let residual = problem.scaled_residual(&x);
             if is_unsolved && residual <= inner.tolerance {
-                inner.tolerance = TIGHTER * residual; // the frozen problem is measured more kindly
+                // The frozen problem has a smaller residual than the cone problem.
+                inner.tolerance = TIGHTER * residual;
             }
-            is_unsolved = true; // from the second round on the tolerance is tightened
+            // From the second round on the tolerance is tightened.
+            is_unsolved = true;
             let (mut y, mut theta, mut curvature) = (x.clone(), 1.0, 1.0);
             iterate(problem, x, first, &inner, observer, |x| {
                 let gradient = metric.gradient(lcp, &y);
@@ -104,7 +106,8 @@ impl Apgd {
                 let step = difference(&next, x);
                 let uphill = metric.inner(&gradient, &step) > 0.0;
                 if uphill {
-                    theta = 1.0; // with which β is 0
+                    // This makes β = 0.
+                    theta = 1.0;
                 }
                 let beta = momentum(&mut theta);
                 for i in 0..x.len() {
@@ -132,6 +135,7 @@ fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
 fn momentum(theta: &mut f64) -> f64 {
     let old = *theta;
     let square = old * old;
-    *theta = 0.5 * ((square * square + 4.0 * square).sqrt() - square); // θ⁺² = (1 − θ⁺) θ²
+    // θ⁺² = (1 − θ⁺) θ²
+    *theta = 0.5 * ((square * square + 4.0 * square).sqrt() - square);
     old * (1.0 - old) / (square + *theta)
 }

@@ -85,7 +85,8 @@ impl Run<'_> {
         for i in 0..n {
             x[i] -= f64::min(length, limit) * p[i];
         }
-        self.lcp.project_all(x); // rounding may leave a row beside the bound that it met
+        // Rounding may leave a row slightly off the bound that it reached.
+        self.lcp.project_all(x);
         if length <= limit && proportional {
             self.p = Some(p);
         } else if proportional {

@@ -47,7 +47,8 @@ impl Solver for Nncg {
             Err(status) => return Solution::new(lcp, x, status, 0),
         };
         let mut p = vec![0.0; lcp.len()];
-        let mut last_square = 0.0; // |g|² of the sweep before; 0 makes the first β > 1
+        // |g|² of the previous sweep; 0 makes the first β > 1.
+        let mut last_square = 0.0;
         iterate(lcp, x, 0, &self.settings, observer, |x| {
             let before = x.to_vec();
             for i in 0..x.len() {

@@ -9,7 +9,7 @@
 //! | [`dense::Rows`] | n² entries read | four rows at a time, their four sums independent |
 //! | [`dense::Columns`] | n entries for each x that changes | rows that stay at a bound are skipped |
 //! | [`impulses::RowByRow`] | 12 entries per row, A never formed | the plain form of the next one |
-//! | [`impulses::EightPairs`] | the same | eight pairs of a group at once, one per lane |
+//! | [`impulses::SimdPairs`] | the same | eight pairs of a group at once, one per lane |
 //!
 //! | kernel | cost of a pivot | why it is faster |
 //! | --- | --- | --- |

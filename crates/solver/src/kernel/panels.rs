@@ -1,7 +1,7 @@
 //! The loops of a triangular factor, with L stored in panels of eight rows.
 //!
 //! ```text
-//! panel p: rows 8p … 8p + 7, cut into tiles of eight columns; in a tile, column by column
+//! panel p: rows 8p … 8p + 7, cut into tiles of simd_pairs columns; in a tile, column by column
 //! ```
 //!
 //! Eight rows are eight lanes, whose sums are independent and need no horizontal addition, and all
@@ -12,10 +12,10 @@
 use super::lanes::{Lanes, Width, Work, sum};
 
 /// Eight consecutive entries of a vector or of a column.
-pub(crate) type Eight = [f64; 8];
+pub(crate) type Lane8 = [f64; 8];
 
 /// Eight columns of eight rows: `tile[column][row]`.
-pub(crate) type Tile = [Eight; 8];
+pub(crate) type Tile = [Lane8; 8];
 
 /// A unit lower triangular matrix. The unit diagonal is not stored; all other entries of a row may
 /// be zero.
@@ -57,7 +57,7 @@ impl Panels {
 
     /// Writes a row, either after the last or over a zero one; its entries before tile `begin` are
     /// zero.
-    pub(crate) fn set(&mut self, row: usize, entries: &[Eight], begin: usize) {
+    pub(crate) fn set(&mut self, row: usize, entries: &[Lane8], begin: usize) {
         let (panel, lane) = (row / 8, row % 8);
         if panel == self.begin.len() {
             self.begin.push(panel);
@@ -83,19 +83,19 @@ impl Panels {
     }
 
     /// z ← L⁻¹ z; z is zero before panel `begin`.
-    pub(crate) fn forward(&self, z: &mut [Eight], begin: usize) {
+    pub(crate) fn forward(&self, z: &mut [Lane8], begin: usize) {
         self.width.run(Forward { l: self, z, begin });
     }
 
     /// z ← L⁻ᵀ z.
-    pub(crate) fn backward(&self, z: &mut [Eight], sums: &mut Vec<Tile>) {
+    pub(crate) fn backward(&self, z: &mut [Lane8], sums: &mut Vec<Tile>) {
         sums.clear();
         sums.resize(z.len(), [[0.0; 8]; 8]);
         self.width.run(Backward { l: self, z, sums });
     }
 
     /// L D Lᵀ ← L D Lᵀ without row and column k, which become those of the identity.
-    pub(crate) fn remove(&mut self, k: usize, diagonal: &mut [Eight]) {
+    pub(crate) fn remove(&mut self, k: usize, diagonal: &mut [Lane8]) {
         let (begin, width) = (self.begin[k / 8], self.width);
         for tile in &mut self.tiles[place(k / 8)][begin..] {
             tile.iter_mut().for_each(|column| column[k % 8] = 0.0);
@@ -107,7 +107,7 @@ impl Panels {
 
 struct Forward<'a> {
     l: &'a Panels,
-    z: &'a mut [Eight],
+    z: &'a mut [Lane8],
     begin: usize,
 }
 
@@ -141,7 +141,7 @@ impl Work for Forward<'_> {
 
 struct Backward<'a> {
     l: &'a Panels,
-    z: &'a mut [Eight],
+    z: &'a mut [Lane8],
     /// Σ l_rc z_r of each column c over the rows processed so far, in eight parts.
     sums: &'a mut [Tile],
 }
@@ -179,7 +179,7 @@ struct Removal<'a> {
     l: &'a mut Panels,
     k: usize,
     alpha: f64,
-    diagonal: &'a mut [Eight],
+    diagonal: &'a mut [Lane8],
 }
 
 impl Work for Removal<'_> {
@@ -189,7 +189,8 @@ impl Work for Removal<'_> {
     fn run<V: Lanes>(self) {
         let Removal { l, k, mut alpha, diagonal } = self;
         let first = k / 8;
-        let mut steps = vec![([0.0; 8], [0.0; 8]); diagonal.len() - first]; // (p, β) by columns
+        // (p, β) by columns.
+        let mut steps = vec![([0.0; 8], [0.0; 8]); diagonal.len() - first];
         for panel in first..diagonal.len() {
             let begin = l.begin[panel];
             let tiles = &mut l.tiles[place(panel)];

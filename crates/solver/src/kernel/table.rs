@@ -62,7 +62,7 @@ impl Table {
 
     /// Sets an entry, regardless of deferred pivots.
     pub fn set(&mut self, r: usize, c: usize, value: f64) {
-        self.settle_row(r);
+        self.flush_row(r);
         put(self.row_mut(r), c, value);
     }
 
@@ -75,7 +75,7 @@ impl Table {
 
     /// Row r.
     pub fn row(&mut self, r: usize) -> impl Iterator<Item = f64> {
-        self.settle_row(r);
+        self.flush_row(r);
         let row = &self.entries[r * self.blocks..(r + 1) * self.blocks];
         row.iter().flat_map(|block| block.0).take(self.columns)
     }
@@ -99,7 +99,7 @@ impl Table {
     pub fn pivot(&mut self, r: usize, c: usize) -> Vec<f64> {
         let column = self.column(c);
         self.clear_column(c);
-        self.settle_row(r);
+        self.flush_row(r);
         let row = self.row_mut(r);
         put(row, c, -1.0);
         row.iter_mut().flat_map(|block| &mut block.0).for_each(|entry| *entry /= -column[r]);
@@ -110,20 +110,20 @@ impl Table {
         }
         self.waiting.push(Pivot { factors, row });
         if self.waiting.len() == TOGETHER {
-            self.settle();
+            self.flush();
         }
         column
     }
 
     /// Applies the deferred pivots.
-    pub fn settle(&mut self) {
-        self.settle_rows(0..self.rows);
+    pub fn flush(&mut self) {
+        self.flush_rows(0..self.rows);
         self.waiting.clear();
     }
 
     /// T_rj ← −T_rj.
     pub fn negate_row(&mut self, r: usize) {
-        self.settle_row(r);
+        self.flush_row(r);
         let row = self.row_mut(r);
         row.iter_mut().flat_map(|block| &mut block.0).for_each(|entry| *entry = -*entry);
     }
@@ -159,29 +159,29 @@ impl Table {
         &mut self.entries[r * self.blocks..(r + 1) * self.blocks]
     }
 
-    fn settle_row(&mut self, r: usize) {
-        self.settle_rows(r..r + 1);
+    fn flush_row(&mut self, r: usize) {
+        self.flush_rows(r..r + 1);
     }
 
-    fn settle_rows(&mut self, rows: std::ops::Range<usize>) {
+    fn flush_rows(&mut self, rows: std::ops::Range<usize>) {
         if self.waiting.is_empty() {
             return;
         }
         let (blocks, width) = (self.blocks, self.width);
         let entries = &mut self.entries[rows.start * blocks..rows.end * blocks];
-        width.run(Settle { rows, entries, blocks, waiting: &mut self.waiting });
+        width.run(Flush { rows, entries, blocks, waiting: &mut self.waiting });
     }
 }
 
 /// Applies the deferred pivots to these rows.
-struct Settle<'a> {
+struct Flush<'a> {
     rows: std::ops::Range<usize>,
     entries: &'a mut [Block],
     blocks: usize,
     waiting: &'a mut [Pivot],
 }
 
-impl Work for Settle<'_> {
+impl Work for Flush<'_> {
     type Output = ();
 
     #[inline(always)]

@@ -91,20 +91,20 @@ impl Tableau {
 
     /// The offset of the rows of group g, and the number of blocks of each.
     #[inline(always)]
-    fn eight(&self, g: usize) -> (usize, usize) {
+    fn group(&self, g: usize) -> (usize, usize) {
         (8 * g * self.blocks - 4 * g * g.saturating_sub(1), self.blocks - g)
     }
 
     /// Row i from its own block on.
     #[inline(always)]
     fn row(&self, i: usize) -> &[Block] {
-        let (start, length) = self.eight(i / 8);
+        let (start, length) = self.group(i / 8);
         &self.entries[start + i % 8 * length..][..length]
     }
 
     #[inline(always)]
     fn row_mut(&mut self, i: usize) -> &mut [Block] {
-        let (start, length) = self.eight(i / 8);
+        let (start, length) = self.group(i / 8);
         &mut self.entries[start + i % 8 * length..][..length]
     }
 
@@ -187,7 +187,7 @@ impl Tableau {
     #[inline(always)]
     fn sweep<V: Lanes>(&mut self, k: usize, row: &[Block], sign: f64) {
         if self.count == TOGETHER {
-            self.settle::<V>();
+            self.flush::<V>();
         }
         let (first, blocks) = (k / 8, self.blocks);
         let pivot = get(row, k);
@@ -228,7 +228,7 @@ impl Tableau {
 
     /// Applies the deferred sweeps.
     #[inline(always)]
-    fn settle<V: Lanes>(&mut self) {
+    fn flush<V: Lanes>(&mut self) {
         let (blocks, waiting) = (self.blocks, &self.waiting);
         let mut rest = &mut self.entries[..];
         for i in (0..8 * blocks).step_by(ROWS) {

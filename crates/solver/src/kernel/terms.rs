@@ -77,7 +77,8 @@ impl Work for Sums<'_> {
         let Sums { a, x } = self;
         let n = x.len();
         let mut sums = Vec::with_capacity(n);
-        let in_fours = if V::WIDE { n - n % TOGETHER } else { 0 }; // else there are not registers enough
+        // Otherwise there are too few registers.
+        let in_fours = if V::WIDE { n - n % TOGETHER } else { 0 };
         let (fours, rest) = a.split_at(in_fours * n);
         for four in fours.chunks_exact(TOGETHER * n) {
             let mut rows = [four; TOGETHER];

@@ -42,7 +42,8 @@ impl Lu {
             let top = &top[k];
             for row in below.iter_mut().filter(|row| row[k] != 0.0) {
                 row[k] /= top[k];
-                add_multiple(-row[k], &top[k + 1..], &mut row[k + 1..]); // row ← row − l_k top
+                // row ← row − l_k top
+                add_multiple(-row[k], &top[k + 1..], &mut row[k + 1..]);
             }
         }
         Ok(Lu { order, rows })
@@ -53,14 +54,16 @@ impl Lu {
         let mut z: Vec<f64> = self.order.iter().map(|&r| rhs[r]).collect();
         for i in 0..z.len() {
             for j in 0..i {
-                z[i] -= self.rows[i][j] * z[j]; // z = L \ P rhs
+                // z = L \ P rhs
+                z[i] -= self.rows[i][j] * z[j];
             }
         }
         for i in (0..z.len()).rev() {
             for j in i + 1..z.len() {
                 z[i] -= self.rows[i][j] * z[j];
             }
-            z[i] /= self.rows[i][i]; // z = U \ z
+            // z = U \ z
+            z[i] /= self.rows[i][i];
         }
         rhs.copy_from_slice(&z);
     }

@@ -71,7 +71,8 @@ impl Envelope {
                     let begin = first.max(self.first[q]);
                     let other = &before[self.starts[q]..self.starts[q + 1]];
                     let sum = dot(&row[begin - first..q - first], &other[begin - self.first[q]..]);
-                    row[q - first] -= sum; // l_rq d_q
+                    // l_rq d_q
+                    row[q - first] -= sum;
                 }
                 for (l, d) in row.iter_mut().zip(&self.diagonal[first..]) {
                     let scaled = *l;
@@ -97,7 +98,8 @@ impl Envelope {
         let row = |r: usize| (self.first[r], &self.lower[self.starts[r]..self.starts[r + 1]]);
         for r in 0..rhs.len() {
             let (first, l) = row(r);
-            rhs[r] -= dot(l, &rhs[first..r]); // rhs ← L⁻¹ rhs
+            // rhs ← L⁻¹ rhs.
+            rhs[r] -= dot(l, &rhs[first..r]);
         }
         for (z, d) in rhs.iter_mut().zip(&self.diagonal) {
             *z /= d;
@@ -106,7 +108,8 @@ impl Envelope {
             let (first, l) = row(r);
             let z = rhs[r];
             for (rhs, l) in rhs[first..r].iter_mut().zip(l) {
-                *rhs -= l * z; // rhs ← L⁻ᵀ rhs, by rows of L
+                // rhs ← L⁻ᵀ rhs, by rows of L.
+                *rhs -= l * z;
             }
         }
     }

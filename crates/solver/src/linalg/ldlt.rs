@@ -10,7 +10,7 @@
 //! [`kernel`](crate::kernel).
 
 use crate::kernel::Width;
-use crate::kernel::panels::{Eight, Panels, Tile};
+use crate::kernel::panels::{Lane8, Panels, Tile};
 
 /// The number of holes that are always allowed.
 const HOLES: usize = 8;
@@ -20,7 +20,7 @@ const HOLES: usize = 8;
 pub struct Ldlt {
     lower: Panels,
     /// D; 1 in a hole and past the last row.
-    diagonal: Vec<Eight>,
+    diagonal: Vec<Lane8>,
     /// The position of each row of C in L, ascending.
     places: Vec<usize>,
 }
@@ -29,10 +29,10 @@ pub struct Ldlt {
 #[derive(Debug, Clone, Default)]
 pub struct Elimination {
     /// D⁻¹ L⁻¹ a: the row of L.
-    row: Vec<Eight>,
+    row: Vec<Lane8>,
     /// The block of eight in which it begins.
     begin: usize,
-    solution: Vec<Eight>,
+    solution: Vec<Lane8>,
     sums: Vec<Tile>,
 }
 

@@ -98,7 +98,8 @@ impl SparseFactor {
             &mut self.lower,
             SparseColMatRef::new(self.pattern.as_ref(), values),
             Side::Lower,
-            LltRegularization::default(), // none
+            // No regularization.
+            LltRegularization::default(),
             Par::Seq,
             MemStack::new(&mut self.memory),
             Default::default(),

@@ -105,7 +105,8 @@ impl Solver for Newton {
             return Solution::new(lcp, x, Status::OutsideClass { reason }, 0);
         }
         if let Some(status) = self.settings.refusal(Memory::square(lcp.len()).times(4)) {
-            return Solution::new(lcp, x, status, 0); // the 2n × n least-squares problem and its factors
+            // Memory: the 2n × n least-squares problem and its factors.
+            return Solution::new(lcp, x, status, 0);
         }
         let diagonal = match metric::diagonal(lcp) {
             Ok(diagonal) => diagonal,
@@ -142,8 +143,8 @@ struct Run<'a> {
     proximal: Option<Proximal>,
     watch: Option<Watch>,
     /// The equations that were solved last, for A itself and with a ρ.
-    posed: Option<Softened>,
-    softened: Option<Softened>,
+    posed: Option<RegularizedSystem>,
+    softened: Option<RegularizedSystem>,
 }
 
 /// ρ D (x − c) is added to w.
@@ -153,7 +154,7 @@ struct Proximal {
 }
 
 /// A + ρ D and its equations.
-struct Softened {
+struct RegularizedSystem {
     rho: f64,
     problem: Lcp,
     equations: FreeRows,
@@ -228,7 +229,8 @@ impl<'a> Run<'a> {
         if !self.can_raise_rho() {
             return false;
         }
-        self.watch = None; // these are other equations
+        // The equations have changed.
+        self.watch = None;
         match &mut self.proximal {
             None => self.proximal = Some(Proximal { rho: Rho::least(), centre: x.to_vec() }),
             Some(own) => {
@@ -346,9 +348,9 @@ impl<'a> Run<'a> {
         if kept.as_ref().is_none_or(|kept| kept.rho != rho) {
             let problem =
                 if rho == 0.0 { self.lcp.clone() } else { self.lcp.softened(rho).ok()? };
-            *kept = Some(Softened { rho, equations: FreeRows::of(&problem), problem });
+            *kept = Some(RegularizedSystem { rho, equations: FreeRows::of(&problem), problem });
         }
-        let Softened { problem, equations, .. } = kept.as_mut()?;
+        let RegularizedSystem { problem, equations, .. } = kept.as_mut()?;
         let mut z = rhs.to_vec();
         equations.solve(problem, free, &mut z).ok()?;
         Some(z)
@@ -360,7 +362,8 @@ impl<'a> Run<'a> {
         let root: Vec<f64> = (0..n).map(|i| self.diagonal[i].sqrt()).collect();
         let start: f64 = (0..n).map(|i| (self.lcp.b()[i] / root[i]).powi(2)).sum();
         let reduction = if start > 0.0 { (square / start).min(1.0) } else { 1.0 };
-        let damping = (DAMPING * reduction).max(LEAST_DAMPING).sqrt(); // √ν
+        // √ν
+        let damping = (DAMPING * reduction).max(LEAST_DAMPING).sqrt();
         let mut j = Mat::<f64>::zeros(2 * n, n);
         let mut rhs = Mat::<f64>::zeros(2 * n, 1);
         for (i, row) in rows.iter().enumerate() {

@@ -82,7 +82,8 @@ impl ActiveSet {
         let side = |i: usize| {
             let is_at = |bound: f64| {
                 let terms = merit::RowTerms::at(lcp, i, x);
-                terms.scale * (x[i] - bound).abs() <= ROUNDING * terms.magnitude // false for ∞
+                // This is false for an infinite bound.
+                terms.scale * (x[i] - bound).abs() <= ROUNDING * terms.magnitude
             };
             match self.0[i] {
                 Side::Free if is_at(lcp.lo()[i]) => Side::Lower,
@@ -111,7 +112,8 @@ impl ActiveSet {
         match self.0[i] {
             Side::Free if point.x[i] < lcp.lo()[i] => Some(Side::Lower),
             Side::Free if point.x[i] > lcp.hi()[i] => Some(Side::Upper),
-            Side::Free => None, // A_FF is so ill conditioned that w_F is not zero
+            // A_FF is so ill conditioned that w_F is not zero.
+            Side::Free => None,
             Side::Lower | Side::Upper => Some(Side::Free),
         }
     }
@@ -123,7 +125,8 @@ pub(crate) fn unit(lcp: &Lcp, i: usize) -> f64 {
     match merit::row_scale(lcp, i) {
         0.0 => 1.0,
         scale => {
-            let exponent = (scale.to_bits() >> 52) as i32 - 1023; // 2^exponent ≤ scale
+            // 2^exponent ≤ scale
+            let exponent = (scale.to_bits() >> 52) as i32 - 1023;
             f64::from_bits(((1023 + exponent.div_euclid(2)) as u64) << 52)
         }
     }

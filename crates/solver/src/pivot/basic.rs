@@ -11,7 +11,7 @@ use crate::kernel::rank_one::Block;
 
 /// The basic variables, one per row.
 pub(crate) struct Basic {
-    eights: Vec<Eight>,
+    lanes_of_rows: Vec<RowLanes>,
     /// The number of blocks up to the last driven row; later rows do not move.
     used: usize,
     width: Width,
@@ -20,7 +20,7 @@ pub(crate) struct Basic {
 /// The variables of eight rows, as arrays suitable for vectorization.
 #[derive(Clone)]
 #[repr(align(64))]
-struct Eight {
+struct RowLanes {
     value: [f64; 8],
     low: [f64; 8],
     high: [f64; 8],
@@ -44,7 +44,7 @@ pub(crate) const TIE: f64 = 1e-10;
 
 /// dᵀA d = s is accepted above this fraction of (Σ √a_jj |d_j|)²; it then has about five correct
 /// digits.
-pub(crate) const TRUSTED: f64 = 1e-11;
+pub(crate) const MIN_PIVOT: f64 = 1e-11;
 
 /// s below this fraction is rounding and counts as zero.
 pub(crate) const REDUNDANT: f64 = 1e-14;
@@ -54,7 +54,7 @@ pub(crate) const REDUNDANT: f64 = 1e-14;
 const ROUNDING: f64 = 1e-13;
 
 /// Rows without requirements.
-const IDLE: Eight = Eight {
+const IDLE: RowLanes = RowLanes {
     value: [0.0; 8],
     low: [f64::NEG_INFINITY; 8],
     high: [f64::INFINITY; 8],
@@ -69,7 +69,7 @@ const IDLE: Eight = Eight {
 impl Basic {
     /// n rows without requirements, padded to a multiple of eight.
     pub(crate) fn of(n: usize) -> Self {
-        Basic { eights: vec![IDLE; n.div_ceil(8)], used: 0, width: Width::widest() }
+        Basic { lanes_of_rows: vec![IDLE; n.div_ceil(8)], used: 0, width: Width::widest() }
     }
 
     /// Sets row j to this side, with this value of x or w, whichever may move; √a_jj is its unit.
@@ -88,7 +88,7 @@ impl Basic {
             Side::Upper if lo < hi => (f64::NEG_INFINITY, 0.0, 1.0),
             _ => (f64::NEG_INFINITY, f64::INFINITY, 0.0),
         };
-        let (own, k) = (&mut self.eights[j / 8], j % 8);
+        let (own, k) = (&mut self.lanes_of_rows[j / 8], j % 8);
         (own.value[k], own.low[k], own.high[k], own.factor[k]) = (value, low, high, factor);
         (own.weight[k], own.rounding[k]) = if is_free { (unit, 0.0) } else { (0.0, unit) };
         self.used = self.used.max(j / 8 + 1);
@@ -97,9 +97,9 @@ impl Basic {
     /// Σ_C √a_jj |d_j|, given a row of the tableau.
     pub(crate) fn size(&self, row: &[Block]) -> f64 {
         let mut lanes = [0.0; 8];
-        for (eight, row) in self.eights[..self.used].iter().zip(row) {
+        for (rows, row) in self.lanes_of_rows[..self.used].iter().zip(row) {
             for k in 0..8 {
-                lanes[k] += eight.weight[k] * row.0[k].abs();
+                lanes[k] += rows.weight[k] * row.0[k].abs();
             }
         }
         lanes.iter().sum()
@@ -109,38 +109,38 @@ impl Basic {
     /// variable reaches a limit, if that is within `most`; otherwise ∞. `size` is the size of the
     /// direction.
     pub(crate) fn reach(&mut self, row: &[Block], sign: f64, size: f64, most: f64) -> f64 {
-        let eights = &mut self.eights[..self.used];
-        self.width.run(Reach { eights, row, sign, rounding: ROUNDING * size, most })
+        let lanes_of_rows = &mut self.lanes_of_rows[..self.used];
+        self.width.run(Reach { lanes_of_rows, row, sign, rounding: ROUNDING * size, most })
     }
 
     /// The rows whose variables end a move within this length.
     pub(crate) fn all_within(&self, length: f64) -> impl Iterator<Item = usize> {
-        let ending = self.eights[..self.used].iter().enumerate().filter(|(_, eight)| eight.ends);
-        let lengths =
-            ending.flat_map(|(b, eight)| (0..8).map(move |k| (8 * b + k, eight.length[k])));
+        let ending =
+            self.lanes_of_rows[..self.used].iter().enumerate().filter(|(_, rows)| rows.ends);
+        let lengths = ending.flat_map(|(b, rows)| (0..8).map(move |k| (8 * b + k, rows.length[k])));
         lengths.filter(move |(_, own)| *own <= length).map(|(j, _)| j)
     }
 
     /// The speed of row j's variable.
     pub(crate) fn speed(&self, j: usize) -> f64 {
-        self.eights[j / 8].speed[j % 8]
+        self.lanes_of_rows[j / 8].speed[j % 8]
     }
 
     /// The value of row j's variable.
     pub(crate) fn value(&self, j: usize) -> f64 {
-        self.eights[j / 8].value[j % 8]
+        self.lanes_of_rows[j / 8].value[j % 8]
     }
 
     /// Moves all variables by this length; a value becomes exactly 0 if only rounding is left,
     /// because ties would be missed otherwise.
     pub(crate) fn advance(&mut self, length: f64) {
-        self.width.run(Advance { eights: &mut self.eights[..self.used], length });
+        self.width.run(Advance { lanes_of_rows: &mut self.lanes_of_rows[..self.used], length });
     }
 }
 
 /// See [`Basic::reach`].
 struct Reach<'a> {
-    eights: &'a mut [Eight],
+    lanes_of_rows: &'a mut [RowLanes],
     row: &'a [Block],
     sign: f64,
     /// The threshold, relative to √a_jj, below which an entry is rounding.
@@ -156,23 +156,24 @@ impl Work for Reach<'_> {
         let (rounding, sign) = (V::splat(self.rounding), V::splat(self.sign));
         let (most, zero) = (V::splat(2.0 * self.most), V::splat(0.0));
         let mut least = [f64::INFINITY; 8];
-        for (eight, row) in self.eights.iter_mut().zip(self.row) {
-            let entry = V::load(&row.0).zero_within(rounding * V::load(&eight.rounding));
-            let speed = sign * V::load(&eight.factor) * entry;
-            speed.store(&mut eight.speed);
-            let (value, way) = (V::load(&eight.value), most * speed);
-            let meets_high = (V::load(&eight.high) - value).any_at_most(way);
-            let meets_low = (value - V::load(&eight.low)).any_at_most(zero - way);
-            eight.ends = meets_high || meets_low;
-            if eight.ends {
-                eight.measure(&mut least); // a division takes longer than all of this
+        for (rows, row) in self.lanes_of_rows.iter_mut().zip(self.row) {
+            let entry = V::load(&row.0).zero_within(rounding * V::load(&rows.rounding));
+            let speed = sign * V::load(&rows.factor) * entry;
+            speed.store(&mut rows.speed);
+            let (value, way) = (V::load(&rows.value), most * speed);
+            let meets_high = (V::load(&rows.high) - value).any_at_most(way);
+            let meets_low = (value - V::load(&rows.low)).any_at_most(zero - way);
+            rows.ends = meets_high || meets_low;
+            if rows.ends {
+                // A division takes longer than all other operations here.
+                rows.measure(&mut least);
             }
         }
         least.into_iter().fold(f64::INFINITY, f64::min)
     }
 }
 
-impl Eight {
+impl RowLanes {
     /// Computes how far each variable can move, and updates the least.
     #[inline(always)]
     fn measure(&mut self, least: &mut [f64; 8]) {
@@ -190,7 +191,7 @@ impl Eight {
 
 /// See [`Basic::advance`].
 struct Advance<'a> {
-    eights: &'a mut [Eight],
+    lanes_of_rows: &'a mut [RowLanes],
     length: f64,
 }
 
@@ -200,7 +201,7 @@ impl Work for Advance<'_> {
     #[inline(always)]
     fn run<V: Lanes>(self) {
         let (length, zero) = (V::splat(self.length), V::splat(ROUNDING));
-        for Eight { value, speed, .. } in self.eights {
+        for RowLanes { value, speed, .. } in self.lanes_of_rows {
             let (before, change) = (V::load(value), length * V::load(speed));
             let rounding = zero * (before.abs() + change.abs());
             (before + change).zero_within(rounding).store(value);

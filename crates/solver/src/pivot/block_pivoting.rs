@@ -51,7 +51,7 @@ impl Solver for BlockPivoting {
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
-        start.carry(|left| {
+        start.with_cache(|left| {
             principal::solve(lcp, start, &mut left.set, &self.settings, observer, |lcp, search| {
                 self.search(lcp, search, FreeRows::kept(&mut left.equations, lcp))
             })

@@ -71,7 +71,8 @@ impl Enumeration {
             }
             let found = pieces.solutions(&pieces.piece(k)).first().map(rounded);
             if !found.iter().flatten().all(|x| x.is_finite()) {
-                return Solution::new(lcp, x, Status::NotFinite, count); // beyond 1.8e308
+                // A number exceeds 1.8e308.
+                return Solution::new(lcp, x, Status::NotFinite, count);
             }
             let iterate = found.as_deref().unwrap_or(&x);
             let iterate = Iterate { iteration: count, x: iterate, event: Event::Trial };

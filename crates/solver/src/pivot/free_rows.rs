@@ -93,7 +93,8 @@ impl FreeRows {
         let free = &free;
         let mut x = set.moved_to_bounds(lcp, &vec![0.0; lcp.len()]);
         match x.iter().all(|&x| x == 0.0) {
-            true => self.factor.correct(lcp, free, &mut x, |i, _| lcp.b()[i]), // w = b
+            // w = b
+            true => self.factor.correct(lcp, free, &mut x, |i, _| lcp.b()[i]),
             false => self.factor.correct(lcp, free, &mut x, |i, x| lcp.row_w(i, x)),
         }
         let mut point = Point::at(lcp, x);

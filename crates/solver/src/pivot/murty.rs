@@ -41,7 +41,7 @@ impl Solver for Murty {
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
-        start.carry(|left| {
+        start.with_cache(|left| {
             principal::solve(lcp, start, &mut left.set, &self.settings, observer, |lcp, search| {
                 let status = match search.run(lcp, |set| point(lcp, set), |_| Change::Least, None) {
                     ControlFlow::Continue(()) => search.claim(lcp),

@@ -8,7 +8,7 @@ use crate::kernel::{Width, terms};
 use crate::{Event, Fallback, Iterate, Observer, Settings, Solution, Start, Status, frozen};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
-use lcplab_problem::merit::{self, Miss, RowTerms};
+use lcplab_problem::merit::{self, RowResidual, RowTerms};
 
 /// Which of the unsatisfied rows change sides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,18 +26,18 @@ pub(crate) enum Change {
 pub(crate) struct Point {
     pub(crate) x: Vec<f64>,
     pub(crate) terms: Vec<RowTerms>,
-    misses: Vec<Miss>,
+    row_residuals: Vec<RowResidual>,
 }
 
 impl Point {
     pub(crate) fn at(lcp: &Lcp, x: Vec<f64>) -> Self {
         let terms = terms(lcp, &x, Width::widest());
-        Point { misses: merit::misses(lcp, &x, &terms), terms, x }
+        Point { row_residuals: merit::row_residuals(lcp, &x, &terms), terms, x }
     }
 
     /// Whether x is a solution within the tolerance.
     pub(crate) fn is_solution(&self, lcp: &Lcp, tolerance: f64) -> bool {
-        merit::is_solution_by(lcp, &self.x, &self.misses, tolerance)
+        merit::is_solution_by(lcp, &self.x, &self.row_residuals, tolerance)
     }
 
     /// The status of a method that stops at x.
@@ -47,20 +47,22 @@ impl Point {
 
     /// r_i.
     pub(crate) fn residual(&self, i: usize) -> f64 {
-        self.misses[i].residual
+        self.row_residuals[i].residual
     }
 
     /// max_i r_i; ∞ if x is not finite.
     pub(crate) fn largest_residual(&self) -> f64 {
-        let residuals = self.misses.iter().map(|miss| miss.residual);
+        let residuals = self.row_residuals.iter().map(|row_residual| row_residual.residual);
         residuals.fold(0.0, |most, r| if r.is_nan() { f64::INFINITY } else { f64::max(most, r) })
     }
 
     /// max_i |x_i − Π(x_i − w_i/s_i)| √s_i: the distance of x from a solution, in the unit of √(x
     /// w).
     pub(crate) fn largest_miss(&self) -> f64 {
-        let miss = |miss: &Miss| libm::ldexp(miss.size / miss.scale.sqrt(), miss.exponent);
-        self.misses.iter().map(miss).fold(0.0, f64::max)
+        let row_residual = |row_residual: &RowResidual| {
+            libm::ldexp(row_residual.size / row_residual.scale.sqrt(), row_residual.exponent)
+        };
+        self.row_residuals.iter().map(row_residual).fold(0.0, f64::max)
     }
 
     /// The solution with this x.

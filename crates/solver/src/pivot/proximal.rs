@@ -144,10 +144,12 @@ pub(crate) fn after(lcp: &Lcp, failed: Solution, settings: &Settings) -> Solutio
         return failed;
     }
     let start = Start::default();
-    let x = start.point(lcp); // a warm start may lie far out along what the rows leave open
+    // A warm start may be large in directions that the rows do not determine.
+    let x = start.point(lcp);
     let set = ActiveSet::initial(lcp, &start, &x);
     let (point, count) = (Point::at(lcp, x.clone()), failed.iterations);
-    let observer = &mut (); // the way of another method is not that of the one that is watched
+    // The observer watches another method, so it does not receive these iterates.
+    let observer = &mut ();
     let mut search =
         Search { settings, observer, set, point, count, fallback: None, safeguard: None };
     let solution = solve(lcp, &mut search, x);

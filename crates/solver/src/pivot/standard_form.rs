@@ -20,12 +20,12 @@
 //! 0 ≤ y ⟂ w ≥ 0 and 0 ≤ v ⟂ t = −w ≥ 0. A stays positive semidefinite in all of this.
 
 use super::active_set::{ActiveSet, Side, unit};
-use super::dictionary::{Dictionary, Taken};
+use super::dictionary::{Dictionary, RenamedLine};
 use super::variable::Variable;
 use lcplab_problem::{Lcp, merit::RowTerms};
 
 /// The rounding error allowed for a constant in a block exchange, relative to its terms.
-pub(crate) const FORGIVEN: f64 = 1e-11;
+pub(crate) const CANCELLATION_TOLERANCE: f64 = 1e-11;
 /// Units of w that differ by more than this factor are considered very different.
 const FAR_APART: f64 = 1024.0;
 
@@ -102,22 +102,23 @@ impl StandardForm {
             |v| matches!(v, Variable::W(_)) && is_free(v),
             |v| matches!(v, Variable::Y(_)) && is_free(v),
         );
-        let take = |(index, &name): (usize, &Variable)| Taken { name, index, sign: 1.0 };
+        let take = |(index, &name): (usize, &Variable)| RenamedLine { name, index, sign: 1.0 };
         let of_basic = d.basic().iter().enumerate().map(take);
-        let (mut pairs, solved): (Vec<Taken>, Vec<Taken>) =
+        let (mut pairs, solved): (Vec<RenamedLine>, Vec<RenamedLine>) =
             of_basic.partition(|row| matches!(row.name, Variable::W(_)));
         let of_nonbasic = d.nonbasic().iter().enumerate().map(take);
-        let mut columns: Vec<Taken> =
+        let mut columns: Vec<RenamedLine> =
             of_nonbasic.filter(|column| !matches!(column.name, Variable::W(_))).collect();
         let cover = columns.pop();
         let left_rows: Vec<usize> = (0..pairs.len()).filter(|&r| is_free(pairs[r].name)).collect();
-        let left_columns: Vec<Taken> =
+        let left_columns: Vec<RenamedLine> =
             columns.iter().filter(|column| is_free(column.name)).copied().collect();
         for (r, column) in left_rows.into_iter().zip(left_columns) {
             let Variable::Y(i) = column.name else { continue };
-            pairs[r].name = Variable::W(i); // any of the leftover equations will do
-            pairs.push(Taken { name: Variable::T(i), sign: -1.0, ..pairs[r] });
-            columns.push(Taken { name: Variable::V(i), sign: -1.0, ..column });
+            // Any of the remaining equations works.
+            pairs[r].name = Variable::W(i);
+            pairs.push(RenamedLine { name: Variable::T(i), sign: -1.0, ..pairs[r] });
+            columns.push(RenamedLine { name: Variable::V(i), sign: -1.0, ..column });
         }
         columns.extend(cover);
         self.pairs = pairs.len();
@@ -157,7 +158,8 @@ impl StandardForm {
         d.column_of(variable).or_else(|| {
             let is_boxed = variable.row().is_some_and(|i| self.kind[i] == Kind::Both);
             let c = d.column_of(variable.mirrored()).filter(|_| is_boxed)?;
-            d.mirror_column(c, 0.0); // v = −w
+            // v = −w
+            d.mirror_column(c, 0.0);
             Some(c)
         })
     }
@@ -244,7 +246,7 @@ fn equations(lcp: &Lcp, rows: &[usize], base: &[f64], sign: &[f64]) -> Dictionar
         rows.iter().map(|&i| sign[i] * lcp.row_w(i, base)).collect(),
         rows.iter().map(|&i| RowTerms::at(lcp, i, base).magnitude).collect(),
     );
-    dictionary.forgives = FORGIVEN;
+    dictionary.forgives = CANCELLATION_TOLERANCE;
     for (r, &i) in rows.iter().enumerate() {
         for (j, a) in lcp.matrix().row(i).iter() {
             if let Some(c) = column[j] {

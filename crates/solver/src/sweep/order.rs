@@ -38,7 +38,8 @@ impl Order {
             Order::Coloured => {
                 let colour = colours(lcp);
                 let mut rows: Vec<usize> = natural.collect();
-                rows.sort_by_key(|&i| colour[i]); // stable: natural within a colour
+                // The sort is stable: natural order within a color.
+                rows.sort_by_key(|&i| colour[i]);
                 rows
             }
         }

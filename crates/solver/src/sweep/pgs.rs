@@ -23,7 +23,7 @@ use std::ops::ControlFlow;
 
 use crate::iterate::iterate_in_parts;
 use crate::metric::Metric;
-use crate::{Event, Observer, Order, Part, RowUpdate, Settings, Solution, Solver, Start};
+use crate::{Event, Observer, Order, RowUpdate, Settings, Solution, Solver, Start, StepDetail};
 use lcplab_problem::Lcp;
 
 /// Projected Gauss-Seidel with relaxation.
@@ -61,15 +61,16 @@ impl Solver for Pgs {
         };
         let (order, omega) = (self.order.rows(lcp), self.omega);
         iterate_in_parts(lcp, x, 0, &self.settings, observer, |x, observer| {
-            let tells = observer.asks_for_parts();
+            let wants_details = observer.wants_details();
             for &i in &order {
                 let (w, diagonal, before) = (lcp.row_w(i, x), metric.diagonal[i], x[i]);
                 let unclamped = before - omega * w / diagonal;
-                x[i] = lcp.project(i, unclamped, x); // x_i ← Π_i(x_i − ω w_i / a_ii)
-                if tells {
+                // x_i ← Π_i(x_i − ω w_i / a_ii)
+                x[i] = lcp.project(i, unclamped, x);
+                if wants_details {
                     let after = x[i];
                     let row = RowUpdate { row: i, w, diagonal, omega, before, unclamped, after };
-                    observer.part(&Part::Row(row));
+                    observer.part(&StepDetail::Row(row));
                 }
             }
             ControlFlow::Continue(Event::Sweep)

@@ -72,7 +72,8 @@ impl<'a> Convergence<'a> {
         }
         let n = logs.len() as f64;
         let middle = (n - 1.0) / 2.0;
-        let spread = n * (n * n - 1.0) / 12.0; // Σ (k − middle)²
+        // Σ (k − middle)²
+        let spread = n * (n * n - 1.0) / 12.0;
         let slope: f64 = logs.iter().enumerate().map(|(k, log)| (k as f64 - middle) * log).sum();
         Some((slope / spread).exp())
     }

@@ -1,7 +1,7 @@
 //! Dantzig's method on redundant contacts: x moves to the middle of the solution set.
 
 use lcplab_problem::{Lcp, library, merit};
-use lcplab_solver::{Centring, Dantzig, Part, Solver, Start};
+use lcplab_solver::{Centring, Dantzig, Solver, Start, StepDetail};
 use proptest::prelude::*;
 
 use lcplab_testing::{INF, assert_proved, boxed, cases, contacts, manufactured, parts};
@@ -28,8 +28,8 @@ impl Middle {
 }
 
 fn middles(lcp: &Lcp) -> Vec<Middle> {
-    let middle = |part: &Part<'_>| match part {
-        Part::Centring(own) => Some(Middle::of(own)),
+    let middle = |part: &StepDetail<'_>| match part {
+        StepDetail::Centring(own) => Some(Middle::of(own)),
         _ => None,
     };
     parts(&Dantzig::default(), lcp, middle).2

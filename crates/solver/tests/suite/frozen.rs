@@ -1,5 +1,5 @@
 use lcplab_problem::{Coupling, Lcp};
-use lcplab_solver::{Options, Part, Status, by_name};
+use lcplab_solver::{Options, Status, StepDetail, by_name};
 
 use lcplab_testing::{INF, boxed, parts};
 
@@ -17,7 +17,7 @@ fn rubbing(c: f64, mu: f64) -> Lcp {
 fn rounds(lcp: &Lcp) -> (Vec<f64>, Status) {
     let dantzig = by_name("dantzig", &Options::default()).unwrap();
     let (solution, _, bounds) = parts(dantzig.as_ref(), lcp, |part| match part {
-        Part::Frozen(frozen) => Some(frozen.hi()[1]),
+        StepDetail::Frozen(frozen) => Some(frozen.hi()[1]),
         _ => None,
     });
     (bounds, solution.status)

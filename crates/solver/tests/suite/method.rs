@@ -1,6 +1,6 @@
 //! Methods of both kinds on friction problems under each model.
 
-use lcplab_problem::friction::{Contact, FrictionProblem, Model, Polyhedral, Posed};
+use lcplab_problem::friction::{Contact, FrictionProblem, Model, Polyhedral, ProblemForm};
 use lcplab_problem::merit;
 use lcplab_solver::{
     Lemke, Method, Options, PolygonPgs, SPECIMENS, Settings, Start, Status, methods,
@@ -14,7 +14,7 @@ fn method(name: &str) -> Method {
     method.unwrap_or_else(|| panic!("no method {name}"))
 }
 
-fn posed(model: Model, problem: &FrictionProblem) -> Posed {
+fn posed(model: Model, problem: &FrictionProblem) -> ProblemForm {
     model.pose(problem, Some(&[2.0, 0.0, 0.0])).unwrap()
 }
 

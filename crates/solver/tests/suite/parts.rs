@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use lcplab_problem::{Lcp, library};
 use lcplab_solver::{
-    ALL, Event, Iterate, Observer, Options, Part, Side, Solution, Start, Variable, by_name,
+    ALL, Event, Iterate, Observer, Options, Side, Solution, Start, StepDetail, Variable, by_name,
 };
 use proptest::prelude::*;
 
@@ -38,35 +38,35 @@ impl Observer for Follower {
         ControlFlow::Continue(())
     }
 
-    fn asks_for_parts(&self) -> bool {
+    fn wants_details(&self) -> bool {
         true
     }
 
-    fn part(&mut self, part: &Part<'_>) {
+    fn part(&mut self, part: &StepDetail<'_>) {
         self.parts += 1;
         match part {
-            Part::Row(row) => {
+            StepDetail::Row(row) => {
                 assert_eq!(row.before, self.x[row.row]);
                 self.x[row.row] = row.after;
             }
-            Part::Move(own) => {
+            StepDetail::Move(own) => {
                 self.x[own.driven] += own.sign * own.length;
                 for (&j, d) in own.free.iter().zip(own.direction) {
                     assert_eq!(own.side[j], Side::Free);
                     self.x[j] += own.sign * own.length * d;
                 }
             }
-            Part::Centring(own) => {
+            StepDetail::Centring(own) => {
                 self.x[own.row] += own.length();
                 for (&j, d) in own.free.iter().zip(own.direction) {
                     self.x[j] += own.length() * d;
                 }
             }
-            Part::Tableau(own) => {
+            StepDetail::Tableau(own) => {
                 let values = own.basic.iter().copied().zip(own.constant.iter().copied());
                 self.last_values = values.collect();
             }
-            Part::Satisfied { .. } | Part::Frozen(_) => {}
+            StepDetail::Satisfied { .. } | StepDetail::Frozen(_) => {}
         }
     }
 }
@@ -122,7 +122,7 @@ impl Observer for Deaf {
         ControlFlow::Continue(())
     }
 
-    fn part(&mut self, part: &Part<'_>) {
+    fn part(&mut self, part: &StepDetail<'_>) {
         panic!("told of {part:?}");
     }
 }

@@ -2,13 +2,13 @@
 //! failed ones.
 
 use lcplab_problem::file::Problem;
-use lcplab_problem::friction::{Model, Posed};
+use lcplab_problem::friction::{Model, ProblemForm};
 use lcplab_problem::{Lcp, Matrix};
-use lcplab_solver::{Answered, Options, Status, solve_by_sequence};
+use lcplab_solver::{Options, SequenceAnswer, Status, solve_by_sequence};
 use lcplab_testing::{INF, boxed, contacts};
 
-fn solve(lcp: Lcp) -> Answered {
-    solve_by_sequence(&Posed::Boxed(lcp), &Options::default(), &mut ())
+fn solve(lcp: Lcp) -> SequenceAnswer {
+    solve_by_sequence(&ProblemForm::Boxed(lcp), &Options::default(), &mut ())
 }
 
 #[test]

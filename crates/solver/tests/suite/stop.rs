@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::time::Duration;
 
-use lcplab_solver::{Iterate, Observer, Part, Pgs, Reason, Solver, Start, Status, Stop};
+use lcplab_solver::{Iterate, Observer, Pgs, Reason, Solver, Start, Status, StepDetail, Stop};
 
 use lcplab_testing::stack;
 
@@ -22,11 +22,11 @@ impl Observer for Count {
         if self.iterates > self.most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    fn asks_for_parts(&self) -> bool {
+    fn wants_details(&self) -> bool {
         self.asks
     }
 
-    fn part(&mut self, _: &Part<'_>) {
+    fn part(&mut self, _: &StepDetail<'_>) {
         self.parts += 1;
     }
 }
@@ -67,8 +67,8 @@ fn the_observer_behind_it_sees_everything_and_may_stop_first() {
     assert_eq!((count.iterates, count.parts), (4, 60)); // the start, and three sweeps of 20 rows
     let stop = Stop::default();
     let mut watched = stop.watch(&mut count);
-    assert!(watched.asks_for_parts());
-    watched.part(&Part::Frozen(&stack(1)));
+    assert!(watched.wants_details());
+    watched.part(&StepDetail::Frozen(&stack(1)));
     assert_eq!(count.parts, 61);
-    assert!(!stop.watch(&mut Count::default()).asks_for_parts());
+    assert!(!stop.watch(&mut Count::default()).wants_details());
 }

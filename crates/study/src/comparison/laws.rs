@@ -36,7 +36,7 @@ pub enum Energy {
 /// What a run measured of the laws.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
-pub struct Laws {
+pub struct RunLaws {
     /// What energy may do.
     pub energy: Energy,
     /// The largest kinetic energy of the run (J).
@@ -72,7 +72,7 @@ pub struct Laws {
     pub cone_excess: f64,
 }
 
-impl Laws {
+impl RunLaws {
     /// Whether energy did what it may do.
     pub fn keeps_energy(&self) -> bool {
         self.energy_error.abs() <= self.energy_tolerance
@@ -81,13 +81,13 @@ impl Laws {
 
 /// The change of energy since the start (J), and the ledger of all steps.
 #[derive(Debug, Clone, Copy, Default)]
-struct Books {
+struct EnergyTotals {
     change: f64,
     ledger: Ledger,
 }
 
 /// From one instant to a later one.
-type Span = [Books; 2];
+type Span = [EnergyTotals; 2];
 
 fn change([from, to]: &Span) -> f64 {
     to.change - from.change
@@ -104,9 +104,9 @@ pub(super) struct LawMonitor {
     /// What impacts that are too slow to bounce may have lost (J).
     plastic: f64,
     has_ledger: bool,
-    now: Books,
-    lowest: Books,
-    highest: Books,
+    now: EnergyTotals,
+    lowest: EnergyTotals,
+    highest: EnergyTotals,
     gain: Span,
     loss: Span,
     /// The largest sizes, and changes, of the momentum and the angular momentum.
@@ -143,9 +143,9 @@ impl LawMonitor {
             is_isolated: joints().all(|joint| joint.bodies().into_iter().all(moves)),
             plastic: 0.0,
             has_ledger: true,
-            now: Books::default(),
-            lowest: Books::default(),
-            highest: Books::default(),
+            now: EnergyTotals::default(),
+            lowest: EnergyTotals::default(),
+            highest: EnergyTotals::default(),
             gain: Span::default(),
             loss: Span::default(),
             sizes: momentum_sizes(scene, &scene.states),
@@ -182,7 +182,7 @@ impl LawMonitor {
 
     fn add_energy(&mut self, step: &Step) {
         self.has_ledger &= step.ledger.is_some();
-        let now = Books {
+        let now = EnergyTotals {
             change: step.motion.energy() - self.first.energy(),
             ledger: self.now.ledger + step.ledger.unwrap_or_default(),
         };
@@ -212,14 +212,15 @@ impl LawMonitor {
         self.sizes = larger(self.sizes, momentum_sizes(scene, &step.states));
     }
 
-    pub fn laws(mut self, scene: &Scene) -> Laws {
+    pub fn laws(mut self, scene: &Scene) -> RunLaws {
         let energy = match (self.is_driven, self.is_lossy) {
             (true, _) => Energy::Changes,
             (false, true) => Energy::Falls,
             (false, false) => Energy::Stays,
         };
         if scene.step.scheme == Scheme::Penalty {
-            (self.gain, self.loss) = ([Books::default(), self.now], [Books::default(), self.now]);
+            (self.gain, self.loss) =
+                ([EnergyTotals::default(), self.now], [EnergyTotals::default(), self.now]);
         }
         let mass: f64 = scene.bodies.iter().map(|body| body.mass.mass()).sum();
         let weight = mass * scene.gravity.norm();
@@ -238,7 +239,7 @@ impl LawMonitor {
             true => self.momenta[k] / self.sizes[k],
             false => 0.0,
         };
-        Laws {
+        RunLaws {
             energy,
             kinetic: self.kinetic,
             energy_error,

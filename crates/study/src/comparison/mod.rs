@@ -3,7 +3,7 @@
 mod laws;
 mod levels;
 
-pub use laws::{Energy, FRICTION_ANGLE, LAW_TOLERANCE, Laws};
+pub use laws::{Energy, FRICTION_ANGLE, LAW_TOLERANCE, RunLaws};
 pub use levels::{EXACT, LevelRefinement, Levels, Phase};
 
 use std::cmp::Reverse;
@@ -98,7 +98,7 @@ pub struct Run {
     pub carried: Option<f64>,
     /// What it measured of the laws.
     #[serde(default)]
-    pub laws: Laws,
+    pub laws: RunLaws,
     /// The motion at the start and after each step.
     pub motion: Vec<Sample>,
 }
@@ -313,7 +313,7 @@ fn run(scene: &Scene, solver: &Method, steps: usize, stop: &Stop) -> (Run, Timin
         rows: 0,
         trouble: None,
         carried: None,
-        laws: Laws::default(),
+        laws: RunLaws::default(),
         motion: Vec::new(),
     };
     let simulation = Simulation::by(scene, solver);
@@ -359,7 +359,8 @@ impl Run {
             let Solve { problem, solution, .. } = solve;
             let is_answered = !matches!(solution.status, Status::NoAnswer { .. });
             let claims = solution.status == Status::Solved;
-            let holds = is_answered && certificate.verdict.is_solution(); // without answer x is the start
+            // Without an answer, x is the start.
+            let holds = is_answered && certificate.verdict.is_solution();
             self.solves += 1;
             self.outside += usize::from(matches!(solution.status, Status::OutsideClass { .. }));
             self.unanswered += usize::from(!is_answered);

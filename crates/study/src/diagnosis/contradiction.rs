@@ -45,7 +45,8 @@ pub(super) fn rows(
         match refutation {
             Some(Refutation::Vector(proof)) => return Some((support_of(&proof), Proof::Vector)),
             Some(Refutation::CaseSplit { pieces }) => {
-                return Some((Vec::new(), Proof::CaseSplit { pieces })); // it takes all rows
+                // The contradiction needs all rows.
+                return Some((Vec::new(), Proof::CaseSplit { pieces }));
             }
             None => {}
         }

@@ -22,10 +22,10 @@ mod contradiction;
 mod freedom;
 mod immovable;
 mod mistake;
-pub mod shortfall;
 mod show;
 #[cfg(feature = "mechanics")]
 mod situation;
+pub mod unsupported;
 
 pub use cause::{Cause, Proof};
 pub use freedom::Freedoms;
@@ -42,7 +42,7 @@ use lcplab_problem::Lcp;
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::exact::all_solutions;
 use lcplab_problem::file::Problem;
-use lcplab_problem::friction::{Model, Posed};
+use lcplab_problem::friction::{Model, ProblemForm};
 use lcplab_solver::theory;
 
 /// Maximum number of rows.
@@ -110,7 +110,7 @@ pub fn problem(problem: &Problem) -> Result<Diagnosis> {
 /// one. The directions of more corners are rounded numbers, so nothing is proved for them.
 fn impossible_polygons(problem: &Problem) -> Option<Cause> {
     let model = problem.model.filter(|model| *model == Model::Polyhedral { directions: 4 })?;
-    let Ok(Posed::Polyhedral(polygons)) = model.pose(&problem.friction()?.ok()?, None) else {
+    let Ok(ProblemForm::Polyhedral(polygons)) = model.pose(&problem.friction()?.ok()?, None) else {
         return None;
     };
     let proof = match refutation(polygons.lcp(), &[])? {

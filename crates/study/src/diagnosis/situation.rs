@@ -3,7 +3,7 @@
 use super::{Cause, Diagnosis, Freedoms};
 use nalgebra::DMatrix;
 
-use lcplab_mechanics::assembly::{Assembly, Entering, Row};
+use lcplab_mechanics::assembly::{Assembly, ConstraintFilter, Row};
 use lcplab_mechanics::constraint::Bounds;
 use lcplab_mechanics::formulation::{Problem, Slide};
 use lcplab_mechanics::scene::{Scene, Scheme, step_contacts};
@@ -36,9 +36,9 @@ pub fn scene(scene: &Scene, step: usize) -> Result<Diagnosis> {
     }
     let states = simulation.states();
     let is_force = scene.step.scheme == Scheme::Acceleration;
-    let entering = if is_force { Entering::Resting } else { Entering::Near };
+    let filter = if is_force { ConstraintFilter::Resting } else { ConstraintFilter::Near };
     let touching = step_contacts(scene, states);
-    let assembly = match Assembly::new(scene, states, &touching, entering) {
+    let assembly = match Assembly::new(scene, states, &touching, filter) {
         Ok(assembly) => assembly,
         Err(undefined) => {
             let place =

@@ -8,7 +8,7 @@ use super::solve::{self, Scribe};
 use super::units::{headed, with_unit};
 use lcplab_page::document::notation::{bracketed, indexed, interval, plain, set, vector};
 use lcplab_page::document::{Formula, SHOWN, Section};
-use lcplab_solver::{Centring, Event, Iterate, Move, Observer, Part, Side, Solution};
+use lcplab_solver::{Centring, Event, Iterate, Move, Observer, Side, Solution, StepDetail};
 
 pub(super) struct Moves<'a> {
     reading: &'a Reading<'a>,
@@ -187,24 +187,24 @@ impl Observer for Moves<'_> {
         ControlFlow::Continue(())
     }
 
-    fn asks_for_parts(&self) -> bool {
+    fn wants_details(&self) -> bool {
         true
     }
 
-    fn part(&mut self, part: &Part<'_>) {
+    fn part(&mut self, part: &StepDetail<'_>) {
         match part {
-            Part::Frozen(lcp) => {
+            StepDetail::Frozen(lcp) => {
                 self.rounds += 1;
                 self.bounds = lcp.lo().iter().copied().zip(lcp.hi().iter().copied()).collect();
                 if self.moves < SHOWN {
                     solve::frozen(&mut self.section, self.reading, self.rounds, lcp);
                 }
             }
-            Part::Satisfied { row, w, side } if self.moves <= SHOWN => {
+            StepDetail::Satisfied { row, w, side } if self.moves <= SHOWN => {
                 let words = self.satisfied(*row, *w, *side);
                 self.section.say(words);
             }
-            Part::Move(own) => {
+            StepDetail::Move(own) => {
                 self.moves += 1;
                 self.writes = self.moves <= SHOWN && own.w[own.driven] != 0.0;
                 if !self.writes && self.moves <= SHOWN {
@@ -220,7 +220,7 @@ impl Observer for Moves<'_> {
                     self.end = Some(self.end(own));
                 }
             }
-            Part::Centring(own) => {
+            StepDetail::Centring(own) => {
                 self.writes = self.moves <= SHOWN;
                 if self.writes {
                     let words = self.centring(own);

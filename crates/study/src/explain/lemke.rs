@@ -9,7 +9,7 @@ use super::units::with_unit;
 use lcplab_page::document::notation::{bracketed, indexed, plain};
 use lcplab_page::document::{Block, Formula, SHOWN, Section, Table};
 use lcplab_problem::Lcp;
-use lcplab_solver::{Iterate, Leaving, Observer, Part, Solution, Tableau, Variable};
+use lcplab_solver::{Iterate, Leaving, Observer, Solution, StepDetail, Tableau, Variable};
 
 pub(super) struct Tableaux<'a> {
     reading: &'a Reading<'a>,
@@ -161,20 +161,20 @@ impl Observer for Tableaux<'_> {
         ControlFlow::Continue(())
     }
 
-    fn asks_for_parts(&self) -> bool {
+    fn wants_details(&self) -> bool {
         true
     }
 
-    fn part(&mut self, part: &Part<'_>) {
+    fn part(&mut self, part: &StepDetail<'_>) {
         match part {
-            Part::Frozen(lcp) => {
+            StepDetail::Frozen(lcp) => {
                 self.rounds += 1;
                 self.lcp = (*lcp).clone();
                 if self.tableaux < SHOWN {
                     solve::frozen(&mut self.section, self.reading, self.rounds, lcp);
                 }
             }
-            Part::Tableau(own) => {
+            StepDetail::Tableau(own) => {
                 self.tableaux += 1;
                 if self.tableaux <= SHOWN {
                     self.write(own);

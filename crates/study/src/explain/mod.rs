@@ -3,9 +3,9 @@
 //! The derivation is written as in a calculation by hand: states and forces, each row's c, J and
 //! J'u, the four steps that lead from Newton's law to the LCP (K&M Figure 4), A and b, and then the
 //! solver at work, row by row, pivot by pivot, or tableau by tableau, as it reports its step
-//! details to an observer ([`Part`](lcplab_solver::Part)). Friction with polygons or cones is shown
-//! in its own formulation, and for a problem without solution the proof is given. All numbers are
-//! those of the simulation.
+//! details to an observer ([`StepDetail`](lcplab_solver::StepDetail)). Friction with polygons or
+//! cones is shown in its own formulation, and for a problem without solution the proof is given.
+//! All numbers are those of the simulation.
 //!
 //! ```
 //! use lcplab_page::document::Format;

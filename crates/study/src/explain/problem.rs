@@ -1,13 +1,13 @@
 //! Explains a problem file, from A and b on.
 
 use super::answer::{self, Reading};
-use super::friction::{self, Answered};
+use super::friction::{self, ExplainedAnswer};
 use super::solve::{self, Solved};
 use super::units::Units;
 use super::{Method, refutation, statement};
 use lcplab_page::document::Document;
 use lcplab_problem::error::Result;
-use lcplab_problem::friction::{Model, Posed};
+use lcplab_problem::friction::{Model, ProblemForm};
 use lcplab_problem::number::counted;
 use lcplab_problem::{Lcp, Question, file};
 use lcplab_solver::{Solution, solve_by_sequence};
@@ -34,13 +34,13 @@ pub fn problem(question: &Question, method: &Method) -> Result<Document> {
         is_accepted: false,
     };
     document.is_accepted = match question.posed() {
-        Posed::Boxed(lcp) => boxed(question, lcp, method, &mut document)?,
-        Posed::Polyhedral(polygons) => {
+        ProblemForm::Boxed(lcp) => boxed(question, lcp, method, &mut document)?,
+        ProblemForm::Polyhedral(polygons) => {
             let answer = answer(question, method);
             let answered = answered(question, method, &answer, &mut document);
             friction::polygons(&answered, &mut document, polygons)?
         }
-        Posed::Cone(cones) => {
+        ProblemForm::Cone(cones) => {
             let answer = answer(question, method);
             let answered = answered(question, method, &answer, &mut document);
             friction::cones(&answered, &mut document, cones)?
@@ -89,8 +89,8 @@ fn answered<'a>(
     method: &'a Method,
     (answer, solver): &'a (Solution, &'static str),
     document: &mut Document,
-) -> Answered<'a> {
+) -> ExplainedAnswer<'a> {
     let rows = reading(question.problem(), &question.problem().lcp);
     document.add("", statement::without_friction(rows.lcp, &rows.units));
-    Answered { place: "", method, rows, answer, solver, start: None }
+    ExplainedAnswer { place: "", method, rows, answer, solver, start: None }
 }

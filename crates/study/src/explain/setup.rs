@@ -10,7 +10,7 @@ use lcplab_mechanics::scene::{Feedback, Scene};
 use lcplab_mechanics::simulation::Step;
 use lcplab_page::document::notation::{bracketed, interval, plain, vector};
 use lcplab_page::document::{SHOWN, Section};
-use lcplab_problem::friction::Posed;
+use lcplab_problem::friction::ProblemForm;
 
 /// s and u of all bodies, with this time as the title.
 pub(super) fn states(when: &str, scene: &Scene, states: &[State]) -> Section {
@@ -112,9 +112,11 @@ pub(super) fn rows(scene: &Scene, problem: &Problem, posing: Option<&Posing>) ->
             Some((normal, coupling)) => {
                 let mu = plain(coupling.mu(i));
                 match posing.map(|posing| &posing.posed) {
-                    None | Some(Posed::Boxed(_)) => format!("±{mu} x of row {normal}"),
-                    Some(Posed::Polyhedral(_)) => format!("polygon, μ = {mu}, on row {normal}"),
-                    Some(Posed::Cone(_)) => format!("cone, μ = {mu}, on row {normal}"),
+                    None | Some(ProblemForm::Boxed(_)) => format!("±{mu} x of row {normal}"),
+                    Some(ProblemForm::Polyhedral(_)) => {
+                        format!("polygon, μ = {mu}, on row {normal}")
+                    }
+                    Some(ProblemForm::Cone(_)) => format!("cone, μ = {mu}, on row {normal}"),
                 }
             }
             None => interval(lcp.lo()[i], lcp.hi()[i]),

@@ -11,14 +11,14 @@ use lcplab_mechanics::scene::Scene;
 use lcplab_mechanics::simulation::Solve;
 use lcplab_page::document::Document;
 use lcplab_problem::error::Result;
-use lcplab_problem::friction::Posed;
+use lcplab_problem::friction::ProblemForm;
 use lcplab_solver::Solution;
 
 /// How the solve of an LCP ended.
 #[derive(Clone, Copy)]
 pub(super) enum Ending<'a> {
     /// With an answer, accepted or not.
-    Answered,
+    ExplainedAnswer,
     /// The simulation knows that there is none, by this vector; without one, all active sets were
     /// tried.
     Impossible(Option<&'a Farkas>),
@@ -47,7 +47,7 @@ impl Single<'_> {
             Some(posing) => self.posed(document, posing)?,
         };
         document.is_accepted &= is_accepted;
-        if matches!(ending, Ending::Answered) {
+        if matches!(ending, Ending::ExplainedAnswer) {
             document.add(place, derivation::motion(problem, &own.solution.x, scene.step.dt));
         }
         Ok(())
@@ -57,7 +57,7 @@ impl Single<'_> {
     fn boxed(&self, document: &mut Document, ending: Ending) -> Result<bool> {
         let reading = self.reading();
         match ending {
-            Ending::Answered => self.answered(document, &reading),
+            Ending::ExplainedAnswer => self.answered(document, &reading),
             Ending::Impossible(proof) => {
                 let Solved { section, .. } =
                     solve::by_suitable(&reading, self.method, Some(&self.own.start))?;
@@ -71,22 +71,22 @@ impl Single<'_> {
     /// The LCP under another law of friction.
     fn posed(&self, document: &mut Document, posing: &Posing) -> Result<bool> {
         match &posing.posed {
-            Posed::Boxed(frozen) => {
+            ProblemForm::Boxed(frozen) => {
                 let at = posing.frozen_at.as_deref().unwrap_or(&self.own.start);
                 let reading = Reading { lcp: frozen, ..self.reading() };
                 document.add(self.place, friction::frozen(&reading, &self.own.problem.lcp, at));
                 self.answered(document, &reading)
             }
-            Posed::Polyhedral(polygons) => {
+            ProblemForm::Polyhedral(polygons) => {
                 friction::polygons(&self.under_friction(), document, polygons)
             }
-            Posed::Cone(cones) => friction::cones(&self.under_friction(), document, cones),
+            ProblemForm::Cone(cones) => friction::cones(&self.under_friction(), document, cones),
         }
     }
 
     /// The answer to a polygon or a cone.
-    fn under_friction(&self) -> friction::Answered<'_> {
-        friction::Answered {
+    fn under_friction(&self) -> friction::ExplainedAnswer<'_> {
+        friction::ExplainedAnswer {
             place: self.place,
             method: self.method,
             rows: self.reading(),

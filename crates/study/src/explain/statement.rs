@@ -41,10 +41,10 @@ pub(super) fn bounds(section: &mut Section, lcp: &Lcp, law_follows: bool, units:
         .vector(lcp.hi())
         .symbols("= hi", "= \\mathrm{hi}");
     section.formula(formula.unit(units.of_x()));
-    let rubs = lcp.has_coupled_rows();
+    let has_friction = lcp.has_coupled_rows();
     if law_follows {
         section.say("Friction rows have no bounds yet; the friction law follows.");
-    } else if rubs {
+    } else if has_friction {
         section.say("Friction rows have the bounds ±μ x of their normal row instead of ∓∞.");
     }
 }

@@ -82,7 +82,7 @@ fn solves(
             Some(Cause::NoSolution { proof, .. }) if k + 1 == solves.len() => {
                 Ending::Impossible(proof.as_ref())
             }
-            _ => Ending::Answered,
+            _ => Ending::ExplainedAnswer,
         };
         Single { scene, method, own, place: &place }.explain(document, ending)?;
     }

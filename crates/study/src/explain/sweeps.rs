@@ -9,7 +9,7 @@ use super::units::{headed, with_unit};
 use lcplab_page::document::notation::{bracketed, interval, plain, sum, vector};
 use lcplab_page::document::{Formula, SHOWN, Section};
 use lcplab_problem::merit;
-use lcplab_solver::{Event, Iterate, Observer, Part, RowUpdate, Solution};
+use lcplab_solver::{Event, Iterate, Observer, RowUpdate, Solution, StepDetail};
 
 /// Number of sweeps that are written row by row; for the others only x is written.
 const IN_FULL: usize = 3;
@@ -123,12 +123,12 @@ impl Observer for Sweeps<'_> {
         ControlFlow::Continue(())
     }
 
-    fn asks_for_parts(&self) -> bool {
+    fn wants_details(&self) -> bool {
         self.sweeps < IN_FULL
     }
 
-    fn part(&mut self, part: &Part<'_>) {
-        if let Part::Row(own) = part {
+    fn part(&mut self, part: &StepDetail<'_>) {
+        if let StepDetail::Row(own) = part {
             let line = self.line(own);
             self.lines.push(line);
             self.x[own.row] = own.after;

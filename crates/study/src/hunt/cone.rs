@@ -104,8 +104,8 @@ fn tally(entry: &ConeEntry, truth: &ConeTruth, number: usize, settings: &Setting
         solver: entry.name.into(),
         within: usize::from(is_claim && wrong.is_none()),
         unsolved: usize::from(!is_claim && wrong.is_none()),
-        lied: usize::from(wrong.is_some()),
-        lies: wrong.into_iter().map(|what| (number, "cone", what)).collect(),
+        false_claim_count: usize::from(wrong.is_some()),
+        false_claims: wrong.into_iter().map(|what| (number, "cone", what)).collect(),
         ..Tally::default()
     }
 }

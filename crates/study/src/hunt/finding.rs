@@ -13,7 +13,7 @@ use lcplab_solver::{Group, MatrixClass, Settings, Solution, Status};
 use super::measure::{Measure, Trial};
 use super::posing::frozen_at;
 use super::right::RightAnswer;
-use super::search::Catch;
+use super::search::Counterexample;
 use crate::card::{Card, class_of};
 
 /// Maximum number of solutions that are written out.
@@ -46,11 +46,12 @@ pub struct Finding {
 
 impl Finding {
     /// The result of a search with this seed.
-    pub fn of(catch: &Catch, trial: &Trial, seed: u64) -> Finding {
-        let lcp = &catch.lcp;
+    pub fn of(counterexample: &Counterexample, trial: &Trial, seed: u64) -> Finding {
+        let lcp = &counterexample.lcp;
         let measure = trial.measure;
         let solver = trial.solver.name();
-        let title = format!("{measure} of {solver}, seed {seed}, evaluation {}", catch.evaluation);
+        let title =
+            format!("{measure} of {solver}, seed {seed}, evaluation {}", counterexample.evaluation);
         let mut problem = Problem { model: trial.model, ..Problem::new(title, lcp.clone()) };
         problem.frozen_at = (trial.model == Some(Model::FrozenBox)).then(|| frozen_at(lcp));
         problem.extra.insert("source".into(), json!("found by lcplab hunt"));
@@ -80,7 +81,7 @@ impl Finding {
         let (happens, card) = (trial.words(lcp, &solution), Card::of(lcp).words());
         let model = trial.model.map_or(String::new(), |model| format!(" under {model}"));
         let words = format!("{happens}. The problem{model} has {card}.{truth}");
-        let test = test(&problem, trial, catch, right.as_ref());
+        let test = test(&problem, trial, counterexample, right.as_ref());
         Finding { problem, words, answer, right, test, solver }
     }
 
@@ -215,7 +216,12 @@ fn truth(solutions: &[Vec<RBig>], is_unique: bool) -> String {
 }
 
 /// A test that fails as long as the solver's behavior is unchanged; for a plug-in, a command.
-fn test(problem: &Problem, trial: &Trial, catch: &Catch, right: Option<&RightAnswer>) -> String {
+fn test(
+    problem: &Problem,
+    trial: &Trial,
+    counterexample: &Counterexample,
+    right: Option<&RightAnswer>,
+) -> String {
     let Settings { max_iterations: most, tolerance, .. } = trial.options.settings;
     let is_usual = tolerance == Settings::default().tolerance;
     if trial.solver.group() == Group::Plugin {
@@ -240,13 +246,16 @@ fn test(problem: &Problem, trial: &Trial, catch: &Catch, right: Option<&RightAns
                  let size = exact.iter().fold(0.0, |most: f64, x| most.max(x.abs()));\n    \
                  let misses = solution.x.iter().zip(exact).map(|(x, exact)| (x - exact).abs());\n    \
                  assert!(misses.fold(0.0, f64::max) < {:e} * size);",
-                0.5 * catch.value
+                0.5 * counterexample.value
             )
         }
-        Measure::Iterations => format!("assert!(solution.iterations < {});", catch.iterations),
+        Measure::Iterations => {
+            format!("assert!(solution.iterations < {});", counterexample.iterations)
+        }
         Measure::Ratio => {
-            let (name, ratio) = (trial.rival.map_or("", |rival| rival.name()), catch.value);
-            let fewer = format!("assert!(solution.iterations < {});", catch.iterations);
+            let (name, ratio) =
+                (trial.rival.map_or("", |rival| rival.name()), counterexample.value);
+            let fewer = format!("assert!(solution.iterations < {});", counterexample.iterations);
             format!("{fewer} // {ratio:.0} times those of {name}")
         }
     };

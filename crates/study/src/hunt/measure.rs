@@ -6,7 +6,7 @@ use std::str::FromStr;
 use lcplab_judge::{Demand, Evidence, Verdict, judge, judge_friction};
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::exact::all_solutions;
-use lcplab_problem::friction::{FrictionProblem, Model, Posed};
+use lcplab_problem::friction::{FrictionProblem, Model, ProblemForm};
 use lcplab_problem::number::{counted, readable};
 use lcplab_problem::{Lcp, merit};
 use lcplab_solver::{Choice, MatrixClass, Method, Options, Solution, Status};
@@ -14,7 +14,7 @@ use lcplab_solver::{Choice, MatrixClass, Method, Options, Solution, Status};
 use super::membership::is_of;
 use super::posing::pose;
 use super::sweeps;
-use super::truth::{Claim, Lie, Truth};
+use super::truth::{Claim, FalseClaim, Truth};
 
 /// Maximum number of rows for which an accepted claim is checked against all pieces of the problem.
 const TRUTH_ROWS: usize = 5;
@@ -134,7 +134,7 @@ impl Score {
 
 /// Why a problem is excluded from a search.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Unfair {
+pub enum Exclusion {
     /// It has friction, or has none, contrary to the request.
     Friction(Friction),
     /// Its friction rows are not the two tangents of contacts, for this reason.
@@ -145,14 +145,14 @@ pub enum Unfair {
     Solver(&'static str),
 }
 
-impl fmt::Display for Unfair {
+impl fmt::Display for Exclusion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Unfair::Friction(Friction::Never) => write!(f, "it has friction rows"),
-            Unfair::Friction(_) => write!(f, "it has no friction rows"),
-            Unfair::NoPairs(reason) => write!(f, "{reason}"),
-            Unfair::Class(class) => write!(f, "A is not shown to be {class}"),
-            Unfair::Solver(name) => write!(f, "{name} does not support such a problem"),
+            Exclusion::Friction(Friction::Never) => write!(f, "it has friction rows"),
+            Exclusion::Friction(_) => write!(f, "it has no friction rows"),
+            Exclusion::NoPairs(reason) => write!(f, "{reason}"),
+            Exclusion::Class(class) => write!(f, "A is not shown to be {class}"),
+            Exclusion::Solver(name) => write!(f, "{name} does not support such a problem"),
         }
     }
 }
@@ -245,11 +245,11 @@ impl Trial {
         let Ok(posed) = pose(lcp, self.model) else { return format!("{name} is not tried") };
         match self.measure {
             Measure::Lie => match self.claim(&posed, solution) {
-                Claim::Lie(lie) if solution.is_claim_implied => format!(
+                Claim::FalseClaim(lie) if solution.is_claim_implied => format!(
                     "{name} says: {lie}. (It returns x without a status, which counts as \"solved\" if plain \
                      projected Gauss-Seidel has less than half the residual after the same number of sweeps.)"
                 ),
-                Claim::Lie(lie) => format!("{name} says: {lie}"),
+                Claim::FalseClaim(lie) => format!("{name} says: {lie}"),
                 _ => format!("{name}: {}", solution.status),
             },
             Measure::Failure if solution.status == Status::Solved => {
@@ -281,21 +281,27 @@ impl Trial {
         }
     }
 
-    fn solve(&self, method: &Method, posed: &Posed, most: usize) -> Solution {
+    fn solve(&self, method: &Method, posed: &ProblemForm, most: usize) -> Solution {
         self.solve_with(method, posed, most, self.options.omega)
     }
 
-    fn solve_with(&self, method: &Method, posed: &Posed, most: usize, omega: f64) -> Solution {
+    fn solve_with(
+        &self,
+        method: &Method,
+        posed: &ProblemForm,
+        most: usize,
+        omega: f64,
+    ) -> Solution {
         let mut options = Options { omega, ..self.options.clone() };
         options.settings.max_iterations = most;
         method.solve(posed, &options, &mut ())
     }
 
-    fn is_solved(&self, posed: &Posed, solution: &Solution) -> bool {
+    fn is_solved(&self, posed: &ProblemForm, solution: &Solution) -> bool {
         let tolerance = self.options.settings.tolerance;
         solution.status == Status::Solved
             && match posed {
-                Posed::Boxed(lcp) => merit::is_solution(lcp, &solution.x, tolerance),
+                ProblemForm::Boxed(lcp) => merit::is_solution(lcp, &solution.x, tolerance),
                 _ => {
                     let demand = Demand { tolerance, prove_up_to: 0 };
                     judge_friction(posed, &solution.x, &demand).verdict.is_solution()
@@ -304,10 +310,11 @@ impl Trial {
     }
 
     /// The claim, compared with the true solutions if they can be computed quickly.
-    fn claim(&self, posed: &Posed, solution: &Solution) -> Claim {
+    fn claim(&self, posed: &ProblemForm, solution: &Solution) -> Claim {
         let mut claim = Claim::under(posed, solution, self.options.settings.tolerance);
-        let is_proved = matches!(claim, Claim::Proved); // by a solution that was checked
-        if let Posed::Boxed(lcp) = posed
+        // Proved by a solution that was checked.
+        let is_proved = matches!(claim, Claim::Proved);
+        if let ProblemForm::Boxed(lcp) = posed
             && lcp.len() <= TRUTH_ROWS
             && !is_proved
         {
@@ -319,7 +326,7 @@ impl Trial {
     fn failure(
         &self,
         lcp: &Lcp,
-        posed: &Posed,
+        posed: &ProblemForm,
         solution: &Solution,
         is_solved: bool,
     ) -> (f64, bool) {
@@ -340,33 +347,34 @@ impl Trial {
 
     /// Why the problem is not valid for this trial: it is not of the requested class or kind or,
     /// for measures of cost, the solver or its baseline is not made for it.
-    pub(crate) fn unfair(&self, lcp: &Lcp) -> Option<Unfair> {
+    pub(crate) fn unfair(&self, lcp: &Lcp) -> Option<Exclusion> {
         let has_friction = lcp.coupling().is_some_and(|coupling| !coupling.is_empty());
         let is_barred = has_friction && self.friction == Friction::Never;
         if is_barred || self.needs_friction() && !has_friction {
-            return Some(Unfair::Friction(self.friction));
+            return Some(Exclusion::Friction(self.friction));
         }
         if has_friction
             && !self.allows_single_tangents
             && let Err(error) = FrictionProblem::of(lcp)
         {
-            return Some(Unfair::NoPairs(error.to_string()));
+            return Some(Exclusion::NoPairs(error.to_string()));
         }
         if !is_of(self.within, lcp) {
-            return Some(Unfair::Class(self.within));
+            return Some(Exclusion::Class(self.within));
         }
         let must_suit = matches!(self.measure, Measure::Iterations | Measure::Ratio);
         let unsuited = self.methods().find(|method| must_suit && !is_in_class(method, lcp));
-        unsuited.map(|method| Unfair::Solver(method.name()))
+        unsuited.map(|method| Exclusion::Solver(method.name()))
     }
 
     /// The distance of the accepted answer from the nearest exact solution, relative to max |x|.
-    fn error(&self, posed: &Posed, solution: &Solution) -> f64 {
-        let Posed::Boxed(lcp) = posed else { return 0.0 };
+    fn error(&self, posed: &ProblemForm, solution: &Solution) -> f64 {
+        let ProblemForm::Boxed(lcp) = posed else { return 0.0 };
         let tolerance = self.options.settings.tolerance;
         let certificate = judge(lcp, &solution.x, &Demand { tolerance, prove_up_to: lcp.len() });
         let distance = match (&certificate.verdict, &certificate.evidence) {
-            (Verdict::Proved { distance }, None) => *distance, // the only one with these active rows
+            // It is the only solution with these active rows.
+            (Verdict::Proved { distance }, None) => *distance,
             (Verdict::WithinTolerance, Some(Evidence::FarSolution { distance })) => *distance,
             _ => return 0.0,
         };
@@ -375,7 +383,7 @@ impl Trial {
     }
 
     /// The least number of iterations of the baseline, if it solves the problem within this limit.
-    fn rival_iterations(&self, posed: &Posed, most: usize) -> Option<usize> {
+    fn rival_iterations(&self, posed: &ProblemForm, most: usize) -> Option<usize> {
         let rival = self.rival.as_ref()?;
         let mut best = None;
         for omega in self.omegas() {
@@ -400,10 +408,10 @@ impl Trial {
 }
 
 /// The amount by which a claim is false, and whether it is.
-fn lie(posed: &Posed, claim: &Claim, solution: &Solution) -> (f64, bool) {
+fn lie(posed: &ProblemForm, claim: &Claim, solution: &Solution) -> (f64, bool) {
     match claim {
-        Claim::Lie(Lie::Refuted { amount, .. }) => (*amount, true),
-        Claim::Lie(_) => (1.0, true),
+        Claim::FalseClaim(FalseClaim::Refuted { amount, .. }) => (*amount, true),
+        Claim::FalseClaim(_) => (1.0, true),
         // Nearly rejected answers score by their residual, which gives the search a direction.
         Claim::Proved | Claim::Within => (sweeps::residual(posed, &solution.x), false),
         _ => (0.0, false),
@@ -412,11 +420,13 @@ fn lie(posed: &Posed, claim: &Claim, solution: &Solution) -> (f64, bool) {
 
 /// Whether the problem is known to have a solution: by exact arithmetic or, with friction, because
 /// A is definite.
-fn has_solution(lcp: &Lcp, posed: &Posed) -> bool {
+fn has_solution(lcp: &Lcp, posed: &ProblemForm) -> bool {
     match posed {
-        Posed::Boxed(lcp) => all_solutions(lcp).is_some_and(|solutions| !solutions.is_empty()),
+        ProblemForm::Boxed(lcp) => {
+            all_solutions(lcp).is_some_and(|solutions| !solutions.is_empty())
+        }
         // Acary, Cadoux, Lemaréchal & Malick 2011; Stewart & Trinkle 1996.
-        Posed::Polyhedral(_) | Posed::Cone(_) => is_of(MatrixClass::Definite, lcp),
+        ProblemForm::Polyhedral(_) | ProblemForm::Cone(_) => is_of(MatrixClass::Definite, lcp),
     }
 }
 

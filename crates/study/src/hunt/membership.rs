@@ -23,7 +23,8 @@ const ENLARGED: [f64; 4] = [1e-15, 1e-13, 1e-12, 1e-11];
 pub(super) fn is_of(class: MatrixClass, lcp: &Lcp) -> bool {
     use MatrixClass::{CopositivePlus, Definite, General, P, P0, POrSemidefinite, Semidefinite};
     if class == General || (lcp.len() > QUICK_ROWS && is_definite(lcp)) {
-        return true; // a definite matrix is in all classes
+        // A definite matrix is in all classes.
+        return true;
     }
     let of = class_of(lcp.matrix());
     match class {

@@ -2,7 +2,7 @@
 //! is compared with the truth.
 //!
 //! A solver may fail, but it must not claim success falsely, and the judge must not give a false
-//! verdict. These count as a [`Lie`]:
+//! verdict. These count as a [`FalseClaim`]:
 //!
 //! - *solved*, but x is not finite, violates a row, or is no nearer to a solution than zero;
 //! - *no solution*, but one exists;
@@ -26,7 +26,7 @@
 //!
 //! let solvers = [by_name("pgs", &Options::default())?, by_name("dantzig", &Options::default())?];
 //! let record = Hunt { problems: 40, seed: 7, tolerance: 1e-8 }.of(&solvers, &|| ());
-//! assert!(record.tallies.iter().all(|tally| tally.lies.is_empty()));
+//! assert!(record.tallies.iter().all(|tally| tally.false_claims.is_empty()));
 //! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 //!
@@ -54,13 +54,13 @@ mod truth;
 
 pub use finding::Finding;
 pub use given::Given;
-pub use measure::{Friction, Measure, Score, Trial, Unfair};
+pub use measure::{Exclusion, Friction, Measure, Score, Trial};
 pub use posing::{frozen_at, pose};
 pub use problem::{KINDS, Kind, contact_problem, problem};
 pub use right::RightAnswer;
-pub use search::{Catch, Search, Searched};
+pub use search::{Counterexample, Search, SearchResult};
 pub use tally::{Record, Tally};
-pub use truth::{Claim, Lie, Truth};
+pub use truth::{Claim, FalseClaim, Truth};
 
 use rayon::prelude::*;
 

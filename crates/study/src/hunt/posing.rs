@@ -2,7 +2,7 @@
 
 use lcplab_problem::Lcp;
 use lcplab_problem::error::{Error, Result};
-use lcplab_problem::friction::{FrictionProblem, Model, Posed};
+use lcplab_problem::friction::{FrictionProblem, Model, ProblemForm};
 
 /// The problem under a model; without one, the LCP itself with friction rows as coupled rows. The
 /// frozen box is frozen at [`frozen_at`].
@@ -10,8 +10,8 @@ use lcplab_problem::friction::{FrictionProblem, Model, Posed};
 /// # Errors
 /// If there is a model and the problem has no friction rows, or they are not the two tangents of
 /// contacts.
-pub fn pose(lcp: &Lcp, model: Option<Model>) -> Result<Posed> {
-    let Some(model) = model else { return Ok(Posed::Boxed(lcp.clone())) };
+pub fn pose(lcp: &Lcp, model: Option<Model>) -> Result<ProblemForm> {
+    let Some(model) = model else { return Ok(ProblemForm::Boxed(lcp.clone())) };
     if lcp.coupling().is_none_or(|coupling| coupling.is_empty()) {
         let reason = format!("is missing: {model} is a friction model");
         return Err(Error::invalid("problem", "friction_index", reason));

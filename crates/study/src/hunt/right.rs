@@ -4,7 +4,7 @@ use dashu_ratio::RBig;
 
 use lcplab_judge::{Demand, judge_friction};
 use lcplab_problem::exact::all_solutions;
-use lcplab_problem::friction::{Model, Posed};
+use lcplab_problem::friction::{Model, ProblemForm};
 use lcplab_solver::{Method, Options, Settings};
 
 use crate::methods;
@@ -29,7 +29,7 @@ impl RightAnswer {
     /// (`exact`) or can be found; otherwise one from a solver of the library that the judge
     /// accepts. `None` if there is no solution, or none is found.
     pub fn of(
-        posed: &Posed,
+        posed: &ProblemForm,
         model: Option<Model>,
         exact: Option<&[Vec<RBig>]>,
         own: Option<&[f64]>,
@@ -37,7 +37,7 @@ impl RightAnswer {
         let solutions: Option<Vec<Vec<f64>>> = match (posed, exact) {
             (_, Some(exact)) => Some(exact.iter().map(|x| rounded(x)).collect()),
             // The directions of more corners are rounded numbers.
-            (Posed::Polyhedral(polygon), None) if polygon.directions() == 4 => {
+            (ProblemForm::Polyhedral(polygon), None) if polygon.directions() == 4 => {
                 let all = all_solutions(polygon.lcp());
                 all.map(|all| all.iter().map(|z| polygon.x(&rounded(z))).collect())
             }
@@ -51,7 +51,7 @@ impl RightAnswer {
 }
 
 /// The first answer of a solver of the library that the judge accepts.
-fn by_a_solver(posed: &Posed, model: Option<Model>) -> Option<RightAnswer> {
+fn by_a_solver(posed: &ProblemForm, model: Option<Model>) -> Option<RightAnswer> {
     let methods: Vec<Method> = ASKED
         .iter()
         .filter_map(|name| methods::named(name).ok())

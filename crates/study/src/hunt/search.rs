@@ -53,7 +53,7 @@ pub struct Search {
 
 /// A counterexample.
 #[derive(Debug, Clone)]
-pub struct Catch {
+pub struct Counterexample {
     /// The smallest problem that shows the behavior.
     pub lcp: Lcp,
     /// Its measure.
@@ -72,10 +72,10 @@ pub struct Catch {
 
 /// The result of a search.
 #[derive(Debug, Clone)]
-pub struct Searched {
+pub struct SearchResult {
     /// The counterexample, if there is one: a false claim or a failure, or the largest measure
     /// above 0.
-    pub catch: Option<Catch>,
+    pub counterexample: Option<Counterexample>,
     /// The number of problems tried before the shrinking.
     pub evaluations: usize,
     /// The number of problems that the solver answered correctly.
@@ -88,12 +88,14 @@ pub struct Searched {
     pub trouble: Option<String>,
 }
 
-impl Searched {
+impl SearchResult {
     /// Why the search says nothing about the solver: it answered no problem correctly, or some not
     /// at all.
     pub fn useless(&self, solver: &str) -> Option<String> {
-        let trouble =
-            self.trouble.as_ref().filter(|_| self.catch.is_none() && self.evaluations > 0)?;
+        let trouble = self
+            .trouble
+            .as_ref()
+            .filter(|_| self.counterexample.is_none() && self.evaluations > 0)?;
         let (count, all) = (self.unanswered, self.evaluations);
         Some(match self.solved {
             0 => format!(
@@ -161,7 +163,7 @@ impl Search {
     }
 
     /// Runs the search; `tick` receives the number of additional problems tried.
-    pub fn run(&self, trial: &Trial, stop: &Stop, tick: &(dyn Fn(usize) + Sync)) -> Searched {
+    pub fn run(&self, trial: &Trial, stop: &Stop, tick: &(dyn Fn(usize) + Sync)) -> SearchResult {
         let (mut evaluations, mut solved, mut round) = (0, 0, 0);
         let (mut unanswered, mut first_unanswered) = (0, None);
         let mut best = self.given(trial, &mut evaluations, &mut solved, stop);
@@ -170,7 +172,8 @@ impl Search {
             let left = self.evaluations - evaluations;
             let most = |k: usize| (left / ROUND + usize::from(k < left % ROUND)).min(CLIMB);
             let elite = best.as_ref().map(|(climb, _)| &climb.numbers);
-            let first = AtomicUsize::new(usize::MAX); // the first climb of the round that came to the end
+            // The first climb of the round that was completed.
+            let first = AtomicUsize::new(usize::MAX);
             let climb = |k: usize| {
                 let from = elite.filter(|_| k % 2 == 1);
                 let is_too_late = || first.load(Relaxed) < k || stop.reason().is_some();
@@ -192,7 +195,8 @@ impl Search {
                     best = Some((climb, at));
                 }
                 if is_over {
-                    break; // the climbs after it were cut short
+                    // The climbs after it were stopped early.
+                    break;
                 }
             }
             round += 1;
@@ -200,13 +204,13 @@ impl Search {
         let found = best.filter(|(climb, _)| {
             climb.score.value > 0.0 && trial.measure.is_found(climb.score.is_found)
         });
-        let catch = found.map(|(climb, at)| self.shrunk(trial, &climb, at, stop));
-        let told =
+        let counterexample = found.map(|(climb, at)| self.shrunk(trial, &climb, at, stop));
+        let status_on =
             |numbers: Numbers| Some(trial.answer(&numbers.lcp().ok()?).ok()?.status.to_string());
         let trouble = first_unanswered
-            .and_then(told)
+            .and_then(status_on)
             .or_else(|| (solved == 0).then(|| self.first_trouble(trial)).flatten());
-        Searched { catch, evaluations, solved, unanswered, trouble }
+        SearchResult { counterexample, evaluations, solved, unanswered, trouble }
     }
 
     /// The solver's message on the first problem.
@@ -313,7 +317,13 @@ impl Search {
     }
 
     /// The smallest problem that shows what the climb found.
-    fn shrunk(&self, trial: &Trial, climb: &Climb, evaluation: usize, stop: &Stop) -> Catch {
+    fn shrunk(
+        &self,
+        trial: &Trial,
+        climb: &Climb,
+        evaluation: usize,
+        stop: &Stop,
+    ) -> Counterexample {
         let kept = if trial.measure.is_yes_or_no() { KEPT_OF_A_LIE } else { KEPT };
         let goal = self.at_least.unwrap_or(kept * climb.score.value).min(climb.score.value);
         let rows = *self.rows.start()..=climb.numbers.len();
@@ -338,7 +348,7 @@ impl Search {
                 None => (failed, at) = (failed + 1, at + 1),
             }
         }
-        Catch {
+        Counterexample {
             lcp: smallest.lcp().expect("a problem that was solved"),
             value: score.value,
             iterations: score.iterations,

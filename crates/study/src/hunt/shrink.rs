@@ -47,7 +47,8 @@ impl Numbers {
     fn plainer(&self) -> Vec<Numbers> {
         let (n, mut all) = (self.len(), Vec::new());
         if self.friction.is_some() {
-            all.push(Numbers { friction: None, ..self.clone() }); // with rows that have no bounds
+            // The friction rows then have no bounds.
+            all.push(Numbers { friction: None, ..self.clone() });
         }
         self.simpler_all(&mut all);
         for i in 0..n {

@@ -13,7 +13,7 @@
 use std::ops::ControlFlow;
 
 use lcplab_judge::{Demand, judge_friction};
-use lcplab_problem::friction::Posed;
+use lcplab_problem::friction::ProblemForm;
 use lcplab_solver::{
     ConePgs, Iterate, Observer, Order, Pgs, PolygonPgs, Settings, Solution, Solver, Start,
 };
@@ -32,11 +32,11 @@ const LIKE: f64 = 2.0;
 /// The largest scaled residual of plain projected Gauss-Seidel between half the sweeps of the
 /// solution and all of them, in any of several orders, times two; that of x = Π(0) if Gauss-Seidel
 /// cannot sweep.
-pub(super) fn residual_left(posed: &Posed, solution: &Solution, tolerance: f64) -> f64 {
+pub(super) fn residual_left(posed: &ProblemForm, solution: &Solution, tolerance: f64) -> f64 {
     let sweeps = if solution.iterations > 1 { solution.iterations.min(MOST) } else { USUAL };
     let stride = (sweeps / 2).div_ceil(LOOKS).max(1);
     let left = |order: Order| {
-        let mut kept = Kept { from: sweeps.div_ceil(2), stride, x: Vec::new() };
+        let mut kept = IterateSample { from: sweeps.div_ceil(2), stride, x: Vec::new() };
         let last = swept(posed, sweeps, tolerance, order, &mut kept);
         let residuals = kept.x.iter().chain([&last]).map(|x| residual(posed, x));
         residuals.fold(0.0, f64::max)
@@ -47,13 +47,13 @@ pub(super) fn residual_left(posed: &Posed, solution: &Solution, tolerance: f64) 
 }
 
 /// An observer that keeps iterates at a fixed interval from a given one on.
-struct Kept {
+struct IterateSample {
     from: usize,
     stride: usize,
     x: Vec<Vec<f64>>,
 }
 
-impl Observer for Kept {
+impl Observer for IterateSample {
     fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
         let k = iterate.iteration;
         if k >= self.from && (k - self.from).is_multiple_of(self.stride) {
@@ -66,7 +66,7 @@ impl Observer for Kept {
 /// x after this number of sweeps of plain projected Gauss-Seidel; polygons and cones have only one
 /// order.
 fn swept(
-    posed: &Posed,
+    posed: &ProblemForm,
     sweeps: usize,
     tolerance: f64,
     order: Order,
@@ -75,9 +75,13 @@ fn swept(
     let settings = Settings { tolerance, max_iterations: sweeps, ..Settings::default() };
     let start = Start::default();
     let swept = match posed {
-        Posed::Boxed(lcp) => Pgs { settings, order, ..Pgs::default() }.solve(lcp, &start, observer),
-        Posed::Polyhedral(polygon) => PolygonPgs { settings }.solve(polygon, &start, observer),
-        Posed::Cone(cone) => {
+        ProblemForm::Boxed(lcp) => {
+            Pgs { settings, order, ..Pgs::default() }.solve(lcp, &start, observer)
+        }
+        ProblemForm::Polyhedral(polygon) => {
+            PolygonPgs { settings }.solve(polygon, &start, observer)
+        }
+        ProblemForm::Cone(cone) => {
             lcplab_solver::ConeSolver::solve(&ConePgs { settings }, cone, &start, observer)
         }
     };
@@ -85,6 +89,6 @@ fn swept(
 }
 
 /// The judge's scaled residual of x.
-pub(super) fn residual(posed: &Posed, x: &[f64]) -> f64 {
+pub(super) fn residual(posed: &ProblemForm, x: &[f64]) -> f64 {
     judge_friction(posed, x, &Demand { prove_up_to: 0, ..Demand::default() }).scaled_residual
 }

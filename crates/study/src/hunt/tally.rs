@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Claim, Lie, cone};
+use super::{Claim, FalseClaim, cone};
 use lcplab_solver::Settings;
 
 /// Maximum number of false claims kept per solver; all are counted.
@@ -37,9 +37,9 @@ pub struct Tally {
     /// Problems outside its class.
     pub outside: usize,
     /// False claims.
-    pub lied: usize,
+    pub false_claim_count: usize,
     /// The first of those: the problem's number, its kind, and what is wrong.
-    pub lies: Vec<(usize, &'static str, String)>,
+    pub false_claims: Vec<(usize, &'static str, String)>,
 }
 
 impl Record {
@@ -82,8 +82,8 @@ impl Record {
     }
 
     /// Whether there are no false claims.
-    pub fn is_honest(&self) -> bool {
-        self.tallies.iter().all(|tally| tally.lied == 0)
+    pub fn has_no_false_claims(&self) -> bool {
+        self.tallies.iter().all(|tally| tally.false_claim_count == 0)
     }
 }
 
@@ -102,20 +102,21 @@ impl Tally {
             Claim::Impossible => tally.impossible = 1,
             Claim::Unsolved => tally.unsolved = 1,
             Claim::Outside => tally.outside = 1,
-            Claim::Lie(lie) => tally.add_lie(number, kind, *lie),
+            Claim::FalseClaim(lie) => tally.add_false_claim(number, kind, *lie),
         }
         tally
     }
 
-    fn add_lie(&mut self, number: usize, kind: &'static str, lie: Lie) {
-        self.lied = 1;
-        self.lies.push((number, kind, lie.to_string()));
+    fn add_false_claim(&mut self, number: usize, kind: &'static str, lie: FalseClaim) {
+        self.false_claim_count = 1;
+        self.false_claims.push((number, kind, lie.to_string()));
     }
 
     pub(super) fn and(mut self, other: Tally) -> Tally {
-        self.lies.extend(other.lies);
-        self.lies.sort_by_key(|lie| lie.0); // the first ones, whoever was done first
-        self.lies.truncate(KEPT);
+        self.false_claims.extend(other.false_claims);
+        // The first ones, regardless of which thread finished first.
+        self.false_claims.sort_by_key(|lie| lie.0);
+        self.false_claims.truncate(KEPT);
         Tally {
             proved: self.proved + other.proved,
             within: self.within + other.within,
@@ -123,7 +124,7 @@ impl Tally {
             impossible: self.impossible + other.impossible,
             unsolved: self.unsolved + other.unsolved,
             outside: self.outside + other.outside,
-            lied: self.lied + other.lied,
+            false_claim_count: self.false_claim_count + other.false_claim_count,
             ..self
         }
     }

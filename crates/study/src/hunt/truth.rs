@@ -3,7 +3,7 @@
 use lcplab_judge::{Demand, Refusal, Verdict, judge, judge_friction, refutation};
 use lcplab_problem::Lcp;
 use lcplab_problem::exact::all_solutions;
-use lcplab_problem::friction::Posed;
+use lcplab_problem::friction::ProblemForm;
 use lcplab_problem::number::readable;
 use lcplab_solver::{Solution, Status};
 
@@ -36,12 +36,12 @@ pub enum Claim {
     /// The problem is outside its class.
     Outside,
     /// A false claim or verdict.
-    Lie(Lie),
+    FalseClaim(FalseClaim),
 }
 
 /// A claim, or a verdict, that is not true.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Lie {
+pub enum FalseClaim {
     /// *Solved*, but row `row` has the relative residual `amount`.
     Refuted {
         /// The worst row.
@@ -61,21 +61,23 @@ pub enum Lie {
     WronglyRefused,
 }
 
-impl std::fmt::Display for Lie {
+impl std::fmt::Display for FalseClaim {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Lie::Refuted { row, amount } => {
+            FalseClaim::Refuted { row, amount } => {
                 write!(
                     f,
                     "solved, but the scaled residual is {} in row {row}",
                     readable(*amount, 2)
                 )
             }
-            Lie::Worthless => write!(f, "solved, but x is no closer to a solution than x = 0"),
-            Lie::NotFinite => write!(f, "solved, but x is not finite"),
-            Lie::DeniedASolution => write!(f, "no solution, but one exists"),
-            Lie::Accepted => write!(f, "accepted by the judge, but no solution exists"),
-            Lie::WronglyRefused => write!(f, "no solution by the judge, but one exists"),
+            FalseClaim::Worthless => {
+                write!(f, "solved, but x is no closer to a solution than x = 0")
+            }
+            FalseClaim::NotFinite => write!(f, "solved, but x is not finite"),
+            FalseClaim::DeniedASolution => write!(f, "no solution, but one exists"),
+            FalseClaim::Accepted => write!(f, "accepted by the judge, but no solution exists"),
+            FalseClaim::WronglyRefused => write!(f, "no solution by the judge, but one exists"),
         }
     }
 }
@@ -100,7 +102,7 @@ impl Truth {
 impl Claim {
     /// The claim of a solution to an LCP, as far as the judge can decide.
     pub fn of(lcp: &Lcp, solution: &Solution, tolerance: f64) -> Claim {
-        Claim::under(&Posed::Boxed(lcp.clone()), solution, tolerance)
+        Claim::under(&ProblemForm::Boxed(lcp.clone()), solution, tolerance)
     }
 
     /// The claim of a solution under a friction model, as far as the judge can decide.
@@ -108,9 +110,9 @@ impl Claim {
     /// An x without a status that the judge rejects is not a claim if it may be the last iterate of
     /// a solver that ran out of sweeps: if plain projected Gauss-Seidel does not come twice as near
     /// in the same number of sweeps either.
-    pub fn under(posed: &Posed, solution: &Solution, tolerance: f64) -> Claim {
+    pub fn under(posed: &ProblemForm, solution: &Solution, tolerance: f64) -> Claim {
         match Claim::stated(posed, solution, tolerance) {
-            Claim::Lie(Lie::Refuted { amount, .. })
+            Claim::FalseClaim(FalseClaim::Refuted { amount, .. })
                 if solution.is_claim_implied
                     && amount <= residual_left(posed, solution, tolerance) =>
             {
@@ -121,21 +123,21 @@ impl Claim {
     }
 
     /// The claim, taken literally.
-    fn stated(posed: &Posed, solution: &Solution, tolerance: f64) -> Claim {
+    fn stated(posed: &ProblemForm, solution: &Solution, tolerance: f64) -> Claim {
         match &solution.status {
             Status::Solved if solution.x.iter().any(|x| !x.is_finite()) => {
-                Claim::Lie(Lie::NotFinite)
+                Claim::FalseClaim(FalseClaim::NotFinite)
             }
             Status::Solved => {
                 let demand = Demand { tolerance, prove_up_to: posed_rows(posed) };
                 Claim::judged(match posed {
-                    Posed::Boxed(lcp) => judge(lcp, &solution.x, &demand).verdict,
+                    ProblemForm::Boxed(lcp) => judge(lcp, &solution.x, &demand).verdict,
                     _ => judge_friction(posed, &solution.x, &demand).verdict,
                 })
             }
             Status::NoSolution => match refuted(posed, &[]) {
                 Some(true) => Claim::Impossible,
-                Some(false) => Claim::Lie(Lie::DeniedASolution),
+                Some(false) => Claim::FalseClaim(FalseClaim::DeniedASolution),
                 None => Claim::Unsolved,
             },
             Status::Ray { direction, .. } if refuted(posed, &[direction]) == Some(true) => {
@@ -153,10 +155,10 @@ impl Claim {
             Verdict::WithinTolerance => Claim::Within,
             Verdict::NotASolution { why: Refusal::Impossible, .. } => Claim::Refused,
             Verdict::NotASolution { why: Refusal::NoBetterThanZero, .. } => {
-                Claim::Lie(Lie::Worthless)
+                Claim::FalseClaim(FalseClaim::Worthless)
             }
             Verdict::NotASolution { row, amount, why: Refusal::Residual } => {
-                Claim::Lie(Lie::Refuted { row, amount })
+                Claim::FalseClaim(FalseClaim::Refuted { row, amount })
             }
         }
     }
@@ -169,9 +171,15 @@ impl Claim {
     /// Compares a claim, and the judge's verdict on it, with the truth.
     pub(super) fn weigh(&mut self, truth: Truth) {
         match (truth, &self) {
-            (Truth::Impossible, Claim::Proved | Claim::Within) => *self = Claim::Lie(Lie::Accepted),
-            (Truth::Solvable, Claim::Refused) => *self = Claim::Lie(Lie::WronglyRefused),
-            (Truth::Solvable, Claim::Impossible) => *self = Claim::Lie(Lie::DeniedASolution),
+            (Truth::Impossible, Claim::Proved | Claim::Within) => {
+                *self = Claim::FalseClaim(FalseClaim::Accepted)
+            }
+            (Truth::Solvable, Claim::Refused) => {
+                *self = Claim::FalseClaim(FalseClaim::WronglyRefused)
+            }
+            (Truth::Solvable, Claim::Impossible) => {
+                *self = Claim::FalseClaim(FalseClaim::DeniedASolution)
+            }
             _ => {}
         }
     }
@@ -179,17 +187,17 @@ impl Claim {
 
 /// Whether the judge proves that there is no solution; `None` for cones and rounded polygons, for
 /// which no proof is possible.
-fn refuted(posed: &Posed, hints: &[&[f64]]) -> Option<bool> {
+fn refuted(posed: &ProblemForm, hints: &[&[f64]]) -> Option<bool> {
     match posed {
-        Posed::Boxed(lcp) => Some(refutation(lcp, hints).is_some()),
-        Posed::Polyhedral(_) | Posed::Cone(_) => None,
+        ProblemForm::Boxed(lcp) => Some(refutation(lcp, hints).is_some()),
+        ProblemForm::Polyhedral(_) | ProblemForm::Cone(_) => None,
     }
 }
 
-fn posed_rows(posed: &Posed) -> usize {
+fn posed_rows(posed: &ProblemForm) -> usize {
     match posed {
-        Posed::Boxed(lcp) => lcp.len(),
-        Posed::Polyhedral(polygon) => polygon.lcp().len(),
-        Posed::Cone(cone) => cone.friction().lcp().len(),
+        ProblemForm::Boxed(lcp) => lcp.len(),
+        ProblemForm::Polyhedral(polygon) => polygon.lcp().len(),
+        ProblemForm::Cone(cone) => cone.friction().lcp().len(),
     }
 }

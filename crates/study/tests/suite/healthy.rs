@@ -2,7 +2,7 @@
 
 use lcplab_mechanics::constraint::ALL;
 use lcplab_mechanics::scene::Scene;
-use lcplab_study::diagnosis::shortfall::{Examination, HEALTHY, examine_scene};
+use lcplab_study::diagnosis::unsupported::{Examination, HEALTHY, examine_scene};
 
 const GROUND: &str = "[[bodies]]\nname = \"ground\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n";
 
@@ -398,10 +398,10 @@ fn of_scenes_in_which_nothing_is_wrong_no_cause_is_named() {
     let mut accused = Vec::new();
     for (name, text) in &kinds {
         let found = examined(text);
-        let is_short = found.shortfall.as_ref().is_some_and(|own| own.is_short())
+        let is_short = found.unsupported.as_ref().is_some_and(|own| own.is_short())
             || found.notes.iter().any(|note| note.missing.is_some_and(|part| part > HEALTHY));
         if is_short || !found.causes().is_empty() || found.no_reference.is_some() {
-            let part = found.shortfall.as_ref().map(|own| (own.missing, own.residual));
+            let part = found.unsupported.as_ref().map(|own| (own.missing, own.residual));
             accused.push(format!("{name}: {:?} {part:?} {:?}", found.causes(), found.no_reference));
         }
     }

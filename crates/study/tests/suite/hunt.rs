@@ -6,7 +6,7 @@ use lcplab_solver::{
     ALL, CONES, Observer, Options, Settings, Solution, Solver, Start, Status, all_solutions,
 };
 use lcplab_study::hunt::cone::{ConeTruth, contact, tallies};
-use lcplab_study::hunt::{Claim, Hunt, KINDS, Lie, claims, problem};
+use lcplab_study::hunt::{Claim, FalseClaim, Hunt, KINDS, claims, problem};
 
 use lcplab_testing::{INF, boxed};
 
@@ -37,7 +37,7 @@ fn no_solver_lies_about_ten_thousand_hostile_problems() {
     let record = Hunt { problems: 10_000, seed: 8, tolerance: 1e-8 }.of(&solvers, &|| ());
     assert_eq!(record.problems, 10_000);
     for tally in &record.tallies {
-        assert_eq!(tally.lied, 0, "{} {:?}", tally.solver, tally.lies);
+        assert_eq!(tally.false_claim_count, 0, "{} {:?}", tally.solver, tally.false_claims);
         assert!(tally.proved > 2_000, "{} proved {} only", tally.solver, tally.proved);
     }
 }
@@ -47,16 +47,16 @@ fn a_wrong_answer_called_solved_is_noticed() {
     let lcp = boxed(&[&[2.0]], &[-6.0], &[0.0], &[INF]); // x = 3
     assert_eq!(said(&lcp, Status::Solved, 3.0), Claim::Proved);
     assert_eq!(said(&lcp, Status::Solved, 3.0 + 3e-9), Claim::Proved); // the active set is right
-    let lie = Lie::Refuted { row: 0, amount: 0.5 }; // |x − 0|·2 over 2 + 6 … of 1: (6 − 2)/8
-    assert_eq!(said(&lcp, Status::Solved, 1.0), Claim::Lie(lie));
-    assert_eq!(said(&lcp, Status::Solved, f64::NAN), Claim::Lie(Lie::NotFinite));
+    let lie = FalseClaim::Refuted { row: 0, amount: 0.5 }; // |x − 0|·2 over 2 + 6 … of 1: (6 − 2)/8
+    assert_eq!(said(&lcp, Status::Solved, 1.0), Claim::FalseClaim(lie));
+    assert_eq!(said(&lcp, Status::Solved, f64::NAN), Claim::FalseClaim(FalseClaim::NotFinite));
     assert_eq!(said(&lcp, Status::Inaccurate, 1.0), Claim::Unsolved);
 }
 
 #[test]
 fn a_denied_solution_is_noticed() {
     let lcp = boxed(&[&[2.0]], &[-6.0], &[0.0], &[INF]);
-    assert_eq!(said(&lcp, Status::NoSolution, 0.0), Claim::Lie(Lie::DeniedASolution));
+    assert_eq!(said(&lcp, Status::NoSolution, 0.0), Claim::FalseClaim(FalseClaim::DeniedASolution));
     // w = −1 for any x: no solution, and 1 is the Farkas vector.
     let lcp = boxed(&[&[0.0]], &[-1.0], &[0.0], &[INF]);
     assert_eq!(said(&lcp, Status::NoSolution, 0.0), Claim::Impossible);
@@ -75,7 +75,7 @@ fn an_answer_far_away_to_a_problem_without_one_is_no_answer() {
     // terms.
     let lcp = boxed(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-1.0, -1.0], &[0.0; 2], &[INF; 2]);
     assert_eq!(all_solutions(&lcp).unwrap().len(), 0);
-    assert_eq!(said(&lcp, Status::Solved, 1e9), Claim::Lie(Lie::Worthless));
+    assert_eq!(said(&lcp, Status::Solved, 1e9), Claim::FalseClaim(FalseClaim::Worthless));
 }
 
 #[test]
@@ -95,8 +95,8 @@ fn a_bound_that_is_missed_is_seen_beside_terms_of_any_size() {
     let lcp = boxed(&[&[a, e], &[e, 0.0]], &[0.0, 3.0], &[0.0, -2.0], &[INF; 2]);
     assert_eq!(all_solutions(&lcp).unwrap().len(), 0);
     assert_eq!(said(&lcp, Status::NoSolution, 0.0), Claim::Impossible);
-    let refuted = Lie::Refuted { row: 1, amount: 1.0 };
-    assert_eq!(said(&lcp, Status::Solved, 0.0), Claim::Lie(refuted));
+    let refuted = FalseClaim::Refuted { row: 1, amount: 1.0 };
+    assert_eq!(said(&lcp, Status::Solved, 0.0), Claim::FalseClaim(refuted));
 }
 
 #[test]
@@ -149,12 +149,21 @@ fn a_hunt_counts_each_contact_of_each_solver_of_cones_once() {
     let [few, all] = [100, 200].map(|contacts| tallies(6, contacts, &settings));
     for (few, all) in few.iter().zip(&all) {
         assert_eq!(few.within + few.unsolved, 100);
-        assert_eq!((all.within + all.unsolved, all.lied), (200, 0), "{:?}", all.lies);
+        assert_eq!(
+            (all.within + all.unsolved, all.false_claim_count),
+            (200, 0),
+            "{:?}",
+            all.false_claims
+        );
         assert!(all.within >= few.within && all.within > 140, "{}: {}", all.solver, all.within);
     }
     // Without any steps only a start that is the answer is claimed.
     let none = Settings { max_iterations: 0, ..Settings::default() };
-    assert!(tallies(6, 200, &none).iter().all(|tally| tally.unsolved > 50 && tally.lied == 0));
+    assert!(
+        tallies(6, 200, &none)
+            .iter()
+            .all(|tally| tally.unsolved > 50 && tally.false_claim_count == 0)
+    );
 }
 
 #[test]
@@ -194,5 +203,5 @@ fn the_record_is_the_same_on_any_number_of_threads() {
     };
     assert_eq!(record(1), record(2));
     assert_eq!(record(1), record(4));
-    assert!(record(1).tallies[0].lied > 50);
+    assert!(record(1).tallies[0].false_claim_count > 50);
 }

@@ -10,7 +10,9 @@ use lcplab_solver::{
     ConeEntry, ConeSolver, Entry, Group, MatrixClass, Method, Observer, Options, Order, Pgs,
     Settings, Solution, Solver, Start, Status, Stop, entry,
 };
-use lcplab_study::hunt::{Catch, Finding, Friction, Given, Measure, Search, Searched, Trial};
+use lcplab_study::hunt::{
+    Counterexample, Finding, Friction, Given, Measure, Search, SearchResult, Trial,
+};
 use lcplab_testing::boxed;
 
 /// A solver that returns x and no status, as most plug-ins do: projected Gauss-Seidel with one
@@ -143,7 +145,7 @@ fn trial(solver: Method, within: MatrixClass, with_friction: bool) -> Trial {
     }
 }
 
-fn searched(trial: &Trial, seed: u64, evaluations: usize) -> Searched {
+fn result(trial: &Trial, seed: u64, evaluations: usize) -> SearchResult {
     let search = Search { rows: 1..=6, evaluations, seed, at_least: None, from: Vec::new() };
     search.validate(trial).unwrap();
     search.run(trial, &Stop::default(), &|_| ())
@@ -225,7 +227,9 @@ fn a_thousand_hunts_report_problems_of_their_class_alone() {
         let with_friction = k / 4 % 2 == 0;
         let bug = BUGS[k as usize % BUGS.len()];
         let trial = trial(engine(bug, 30, k % 3 == 0), class, with_friction);
-        let Some(Catch { lcp, .. }) = searched(&trial, k, 40).catch else { continue };
+        let Some(Counterexample { lcp, .. }) = result(&trial, k, 40).counterexample else {
+            continue;
+        };
         reported += 1;
         let a = rational(&lcp);
         let is_in_class = match class {
@@ -253,8 +257,12 @@ fn a_right_solver_without_a_status_is_never_accused() {
     ] {
         for seed in 0..seeds {
             let trial = trial(exact(), class, seed % 2 == 0);
-            let Searched { catch, solved, .. } = searched(&trial, seed, 60);
-            assert!(catch.is_none(), "{class}, seed {seed}: {:?}", catch.unwrap().lcp);
+            let SearchResult { counterexample, solved, .. } = result(&trial, seed, 60);
+            assert!(
+                counterexample.is_none(),
+                "{class}, seed {seed}: {:?}",
+                counterexample.unwrap().lcp
+            );
             assert!(solved > 10, "{class}, seed {seed}: {solved}");
         }
     }
@@ -270,8 +278,12 @@ fn a_solver_that_runs_out_of_sweeps_is_not_accused_of_a_false_claim() {
             (Sweeps::Right, 50, true),
         ] {
             let trial = trial(engine(sweeps, count, says), MatrixClass::Definite, seed % 2 == 0);
-            let catch = searched(&trial, seed, 60).catch;
-            assert!(catch.is_none(), "{sweeps:?} {count} {seed}: {:?}", catch.unwrap().lcp);
+            let counterexample = result(&trial, seed, 60).counterexample;
+            assert!(
+                counterexample.is_none(),
+                "{sweeps:?} {count} {seed}: {:?}",
+                counterexample.unwrap().lcp
+            );
         }
     }
 }
@@ -281,8 +293,9 @@ fn a_planted_bug_is_found_with_its_own_answer_and_the_right_one() {
     for bug in BUGS {
         for says in [false, true] {
             let trial = trial(engine(bug, 200, says), MatrixClass::Definite, true);
-            let catch = searched(&trial, 1, 2000).catch.unwrap_or_else(|| panic!("{bug:?}"));
-            let finding = Finding::of(&catch, &trial, 1);
+            let counterexample =
+                result(&trial, 1, 2000).counterexample.unwrap_or_else(|| panic!("{bug:?}"));
+            let finding = Finding::of(&counterexample, &trial, 1);
             let lcp = &finding.problem.lcp;
             let own = bug.swept(lcp, 200);
             assert_eq!(finding.answer.as_ref(), Some(&own), "{bug:?}");
@@ -309,8 +322,13 @@ fn every_problem_of_the_default_class_has_a_solution() {
     for seed in 0..100 {
         let bug = BUGS[seed as usize % BUGS.len()];
         let trial = trial(engine(bug, 30, true), MatrixClass::Definite, seed % 2 == 0);
-        if let Some(catch) = searched(&trial, seed, 60).catch {
-            assert_ne!(all_solutions(&catch.lcp).map(|all| all.len()), Some(0), "{:?}", catch.lcp);
+        if let Some(counterexample) = result(&trial, seed, 60).counterexample {
+            assert_ne!(
+                all_solutions(&counterexample.lcp).map(|all| all.len()),
+                Some(0),
+                "{:?}",
+                counterexample.lcp
+            );
             caught += 1;
         }
     }
@@ -356,8 +374,8 @@ fn square() -> Method {
 #[test]
 fn a_solver_of_cones_is_examined_under_the_cone() {
     let trial = under_cones(square());
-    let catch = searched(&trial, 1, 2000).catch.expect("a box is no cone");
-    let finding = Finding::of(&catch, &trial, 1);
+    let counterexample = result(&trial, 1, 2000).counterexample.expect("a box is no cone");
+    let finding = Finding::of(&counterexample, &trial, 1);
     assert_eq!(finding.problem.model, Some(Model::CoulombCone));
     let lcp = &finding.problem.lcp;
     let contact = lcp.contacts()[0];
@@ -370,8 +388,8 @@ fn a_solver_of_cones_is_examined_under_the_cone() {
     assert!(finding.equations().contains("|(x_1, x_2)| ≤"), "{}", finding.equations());
     assert!(finding.words.contains("under coulomb-cone"), "{}", finding.words);
     let honest = lcplab_study::methods::by_name("cone-pgs", Model::CoulombCone).unwrap();
-    let Searched { catch, solved, .. } = searched(&under_cones(honest), 1, 300);
-    assert!(catch.is_none() && solved > 100, "{solved} {catch:?}");
+    let SearchResult { counterexample, solved, .. } = result(&under_cones(honest), 1, 300);
+    assert!(counterexample.is_none() && solved > 100, "{solved} {counterexample:?}");
 }
 
 #[test]
@@ -387,8 +405,8 @@ fn every_model_can_be_hunted_under() {
         let solver = lcplab_study::methods::by_name(name, model).unwrap();
         let trial = Trial { model: Some(model), ..trial(solver, MatrixClass::Definite, false) };
         trial.validate().unwrap();
-        let Searched { catch, solved, .. } = searched(&trial, 3, 100);
-        assert!(catch.is_none() && solved > 20, "{model}: {solved} {catch:?}");
+        let SearchResult { counterexample, solved, .. } = result(&trial, 3, 100);
+        assert!(counterexample.is_none() && solved > 20, "{model}: {solved} {counterexample:?}");
     }
     let boxes = Trial {
         model: Some(Model::CoulombCone),
@@ -445,8 +463,8 @@ fn the_scale_of_a_given_problem_stays_and_frozen_bounds_that_do_not_are_told() {
     let trial = Trial { measure: Measure::Iterations, ..trial };
     let search =
         Search { rows: 3..=3, evaluations: 60, seed: 1, at_least: None, from: given.problems };
-    let catch = search.run(&trial, &Stop::default(), &|_| ()).catch.unwrap();
-    assert_eq!(catch.lcp.scale(), 0.25);
+    let counterexample = search.run(&trial, &Stop::default(), &|_| ()).counterexample.unwrap();
+    assert_eq!(counterexample.lcp.scale(), 0.25);
 }
 
 #[test]
@@ -463,10 +481,10 @@ fn a_hunt_from_an_identity_with_friction_keeps_to_its_class() {
         let search =
             Search { rows: 1..=6, evaluations: 400, seed: 1, at_least: None, from: given.problems };
         search.validate(&trial).unwrap();
-        let catch = search.run(&trial, &Stop::default(), &|_| ()).catch;
-        assert_eq!(catch.is_some(), bug != Sweeps::Right, "{bug:?} {catch:?}");
-        if let Some(catch) = catch {
-            assert!(definiteness(rational(&catch.lcp)).0, "{:?}", catch.lcp);
+        let counterexample = search.run(&trial, &Stop::default(), &|_| ()).counterexample;
+        assert_eq!(counterexample.is_some(), bug != Sweeps::Right, "{bug:?} {counterexample:?}");
+        if let Some(counterexample) = counterexample {
+            assert!(definiteness(rational(&counterexample.lcp)).0, "{:?}", counterexample.lcp);
         }
     }
 }
@@ -488,14 +506,14 @@ impl Solver for Dead {
 #[test]
 fn a_solver_that_solves_nothing_is_not_passed_for_want_of_false_claims() {
     let dead = trial(method("dead", || Box::new(Dead)), MatrixClass::Definite, false);
-    let searched = searched(&dead, 1, 200);
-    assert_eq!((searched.catch.is_none(), searched.solved), (true, 0));
+    let result = result(&dead, 1, 200);
+    assert_eq!((result.counterexample.is_none(), result.solved), (true, 0));
     assert_eq!(
-        searched.useless("dead").unwrap(),
+        result.useless("dead").unwrap(),
         "dead solves none of 200 problems; reason for the first one: no answer: IndexError: list index out of range"
     );
     let alive = trial(engine(Sweeps::Right, 100, true), MatrixClass::Definite, false);
-    assert_eq!(self::searched(&alive, 1, 200).useless("engine"), None);
+    assert_eq!(self::result(&alive, 1, 200).useless("engine"), None);
 }
 
 /// The exact solution of one row, and a crash on more.
@@ -518,8 +536,8 @@ impl Solver for Crashes {
 #[test]
 fn a_solver_that_crashes_is_no_honest_one() {
     let trial = trial(method("crashes", || Box::new(Crashes)), MatrixClass::Definite, false);
-    let found = searched(&trial, 1, 60);
-    assert!(found.catch.is_none() && found.unanswered > 0, "{found:?}");
+    let found = result(&trial, 1, 60);
+    assert!(found.counterexample.is_none() && found.unanswered > 0, "{found:?}");
     let told = found.useless("crashes").unwrap();
     assert!(told.contains("IndexError"), "{told}");
 }
@@ -531,8 +549,12 @@ fn sweeps_in_another_order_are_not_accused() {
             let build = move || -> Box<dyn Solver> { Box::new(Ordered { order, count }) };
             for seed in 0..10 {
                 let trial = trial(method("ordered", build), MatrixClass::Definite, seed % 2 == 0);
-                let catch = searched(&trial, seed, 60).catch;
-                assert!(catch.is_none(), "{order:?} {count} {seed}: {:?}", catch.unwrap().lcp);
+                let counterexample = result(&trial, seed, 60).counterexample;
+                assert!(
+                    counterexample.is_none(),
+                    "{order:?} {count} {seed}: {:?}",
+                    counterexample.unwrap().lcp
+                );
             }
         }
     }

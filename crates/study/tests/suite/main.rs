@@ -14,6 +14,6 @@ mod proofs;
 mod range;
 mod reference;
 mod search;
-mod shortfall;
 mod suspects;
+mod unsupported;
 mod worked_examples;

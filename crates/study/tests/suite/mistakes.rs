@@ -4,7 +4,7 @@ mod chance;
 mod plain;
 mod planted;
 
-use lcplab_problem::friction::Posed;
+use lcplab_problem::friction::ProblemForm;
 use lcplab_problem::library;
 use lcplab_problem::{Coupling, Lcp, Matrix};
 use lcplab_solver::{Dantzig, Solver, Start};
@@ -15,7 +15,7 @@ use lcplab_study::diagnosis::{
 use lcplab_testing::{boxed, contacts};
 
 fn mistakes(lcp: &Lcp, x: &[f64]) -> Vec<Mistake> {
-    find_mistakes(&Posed::Boxed(lcp.clone()), x, None).mistakes
+    find_mistakes(&ProblemForm::Boxed(lcp.clone()), x, None).mistakes
 }
 
 /// A column of eight, with unequal masses and pushes.
@@ -206,7 +206,7 @@ fn mistakes_that_have_to_do_with_the_last_frame_are_named() {
     let last: Vec<f64> =
         exact(&lcp).iter().enumerate().map(|(i, x)| x * (1.0 + 0.1 * i as f64)).collect();
     let first = |x: &[f64], last: &[f64]| {
-        let found = find_mistakes(&Posed::Boxed(lcp.clone()), x, Some(last)).mistakes;
+        let found = find_mistakes(&ProblemForm::Boxed(lcp.clone()), x, Some(last)).mistakes;
         assert!(found[0].distance < 1e-12, "{found:?}");
         found[0].what.clone()
     };
@@ -236,7 +236,8 @@ fn friction_that_is_limited_by_the_last_normal_forces_is_named() {
     let lcp = Lcp::new(matrix, vec![-2.0, -3.0], vec![0.0, free[0]], vec![free[1]; 2]).unwrap();
     let lcp =
         lcp.with_coupling(Coupling::new(vec![None, Some(0)], vec![0.0, 0.5]).unwrap()).unwrap();
-    let found = find_mistakes(&Posed::Boxed(lcp.clone()), &[2.0, 2.0], Some(&[4.0, 2.0])).mistakes;
+    let found =
+        find_mistakes(&ProblemForm::Boxed(lcp.clone()), &[2.0, 2.0], Some(&[4.0, 2.0])).mistakes;
     // A sweep from the friction row to the normal row, starting at the last answer, gives the same
     // x.
     let all: Vec<(&str, f64)> =
@@ -251,7 +252,7 @@ fn friction_that_is_limited_by_the_last_normal_forces_is_named() {
 fn whatever_is_near_a_solution_is_not_a_mistake_that_leads_to_it() {
     // x = (1, 1) is the solution; Gauss-Seidel and Jacobi come equally near on their way.
     let lcp = contacts(&[&[2.0, 1.0], &[1.0, 2.0]], &[-3.0, -3.0]);
-    let found = find_mistakes(&Posed::Boxed(lcp.clone()), &[1.000_000_3, 0.999_999_8], None);
+    let found = find_mistakes(&ProblemForm::Boxed(lcp.clone()), &[1.000_000_3, 0.999_999_8], None);
     assert_eq!(found.mistakes, []);
     let Conclusion::Compared { solution_distance } = found.conclusion else { panic!("{found:?}") };
     assert!((solution_distance / 3e-7 - 1.0).abs() < 1e-5, "{solution_distance}");
@@ -308,7 +309,7 @@ fn a_solution_printed_with_few_digits_is_no_mistake() {
     for decimals in [2, 3, 6] {
         let unit = 10f64.powi(decimals);
         let printed: Vec<f64> = exact(&lcp).iter().map(|x| (x * unit).round() / unit).collect();
-        let found = find_mistakes(&Posed::Boxed(lcp.clone()), &printed, None);
+        let found = find_mistakes(&ProblemForm::Boxed(lcp.clone()), &printed, None);
         assert!(matches!(found.conclusion, Conclusion::RoundedSolution { .. }), "{found:?}");
     }
 }
@@ -317,7 +318,7 @@ fn a_solution_printed_with_few_digits_is_no_mistake() {
 fn of_many_solutions_the_one_beside_x_is_compared() {
     // Two copies of a contact: every x₀ + x₁ = 1 solves it. Sweeps end at (1, 0).
     let lcp = contacts(&[&[1.0, 1.0], &[1.0, 1.0]], &[-1.0, -1.0]);
-    let found = find_mistakes(&Posed::Boxed(lcp.clone()), &[0.3, 0.700_002], None);
+    let found = find_mistakes(&ProblemForm::Boxed(lcp.clone()), &[0.3, 0.700_002], None);
     let Conclusion::Compared { solution_distance } = found.conclusion else { panic!("{found:?}") };
     assert!(solution_distance < 1e-5 && found.mistakes.is_empty(), "{found:?}");
 }
@@ -325,11 +326,11 @@ fn of_many_solutions_the_one_beside_x_is_compared() {
 #[test]
 fn without_a_solution_nothing_is_named() {
     let lcp = contacts(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-1.0, -1.0]); // walls that close in
-    let found = find_mistakes(&Posed::Boxed(lcp.clone()), &[1.0, 2.0], None);
+    let found = find_mistakes(&ProblemForm::Boxed(lcp.clone()), &[1.0, 2.0], None);
     assert_eq!((found.conclusion, found.mistakes), (Conclusion::NoSolutionKnown, vec![]));
     let bounded = boxed(&[&[1.0]], &[-1.0], &[0.0], &[2.0]);
     assert_eq!(
-        find_mistakes(&Posed::Boxed(bounded.clone()), &[1.0], None).conclusion,
+        find_mistakes(&ProblemForm::Boxed(bounded.clone()), &[1.0], None).conclusion,
         Conclusion::Accepted
     );
 }

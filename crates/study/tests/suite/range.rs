@@ -186,7 +186,7 @@ fn nobody_lies_at_the_ends_of_the_doubles() {
         for k in 0..60 {
             let Ok(lcp) = in_units(&problem(19, k).0, end) else { continue }; // a number beyond the end
             for (solver, claim) in claims(&lcp, None, &solvers, 1e-8) {
-                assert!(!matches!(claim, Claim::Lie(_)), "{solver} {end:?} {k}: {claim:?}");
+                assert!(!matches!(claim, Claim::FalseClaim(_)), "{solver} {end:?} {k}: {claim:?}");
                 let is_solved = matches!(claim, Claim::Proved | Claim::Within);
                 solved += usize::from(solver == "dantzig" && is_solved);
             }

@@ -11,7 +11,7 @@ use lcplab_solver::{
     Entry, MatrixClass, Method, Observer, Options, Settings, Solution, Solver, Start, Status, Stop,
     entry,
 };
-use lcplab_study::hunt::{Catch, Finding, Friction, Measure, Search, Trial};
+use lcplab_study::hunt::{Counterexample, Finding, Friction, Measure, Search, Trial};
 
 /// A plain projected Gauss-Seidel with one mistake.
 #[derive(Clone, Copy)]
@@ -91,10 +91,14 @@ fn trial(measure: Measure, solver: Entry, rival: Option<&str>, max_iterations: u
     }
 }
 
-fn search(trial: &Trial, rows: RangeInclusive<usize>, evaluations: usize) -> Option<Catch> {
+fn search(
+    trial: &Trial,
+    rows: RangeInclusive<usize>,
+    evaluations: usize,
+) -> Option<Counterexample> {
     let search = Search { rows, evaluations, seed: 1, at_least: None, from: Vec::new() };
     search.validate(trial).unwrap();
-    search.run(trial, &Stop::default(), &|_| ()).catch
+    search.run(trial, &Stop::default(), &|_| ()).counterexample
 }
 
 #[test]
@@ -105,18 +109,23 @@ fn three_planted_mistakes_are_found_and_shrunk_to_a_contact_or_two() {
         (Mistaken::AddsInSinglePrecision, 2),
     ] {
         let trial = trial(Measure::Lie, mistaken(mistake), None, 1000);
-        let catch = search(&trial, 1..=8, 20_000).expect("a lie");
-        assert!(catch.lcp.len() <= rows, "{} rows: {:?}", catch.lcp.len(), catch.lcp);
-        assert!(trial.score(&catch.lcp, 1000).is_found);
-        assert!(all_solutions(&catch.lcp).is_some());
+        let counterexample = search(&trial, 1..=8, 20_000).expect("a lie");
+        assert!(
+            counterexample.lcp.len() <= rows,
+            "{} rows: {:?}",
+            counterexample.lcp.len(),
+            counterexample.lcp
+        );
+        assert!(trial.score(&counterexample.lcp, 1000).is_found);
+        assert!(all_solutions(&counterexample.lcp).is_some());
     }
 }
 
 #[test]
 fn the_wrong_fixed_point_of_code_6_is_found() {
     let trial = trial(Measure::Failure, *entry("code6").unwrap(), None, 1000);
-    let catch = search(&trial, 2..=5, 20_000).expect("a failure");
-    assert_eq!(catch.lcp.len(), 2);
+    let counterexample = search(&trial, 2..=5, 20_000).expect("a failure");
+    assert_eq!(counterexample.lcp.len(), 2);
 }
 
 #[test]
@@ -135,12 +144,13 @@ fn a_problem_of_ones_own_is_made_smaller_until_only_the_mistake_is_left() {
     let trial = Trial { friction: Friction::Only, ..trial(Measure::Lie, solver, None, 1000) };
     let from = vec![pile];
     let search = Search { rows: 1..=6, evaluations: 3000, seed: 1, at_least: None, from };
-    let catch = search.run(&trial, &Stop::default(), &|_| ()).catch.expect("a lie");
-    assert_eq!((catch.evaluation, catch.rows_at_first >= 36), (1, true));
-    assert_eq!(catch.lcp.len(), 3); // a normal and two tangents
-    assert_eq!(catch.lcp.contacts().len(), 1);
-    assert!(catch.value >= 0.1 * catch.value_at_first);
-    let mu = catch.lcp.coupling().unwrap();
+    let counterexample =
+        search.run(&trial, &Stop::default(), &|_| ()).counterexample.expect("a lie");
+    assert_eq!((counterexample.evaluation, counterexample.rows_at_first >= 36), (1, true));
+    assert_eq!(counterexample.lcp.len(), 3); // a normal and two tangents
+    assert_eq!(counterexample.lcp.contacts().len(), 1);
+    assert!(counterexample.value >= 0.1 * counterexample.value_at_first);
+    let mu = counterexample.lcp.coupling().unwrap();
     assert!((0..3).all(|i| mu.index(i).is_some() || mu.mu(i) == 0.0));
 }
 
@@ -148,63 +158,67 @@ fn a_problem_of_ones_own_is_made_smaller_until_only_the_mistake_is_left() {
 fn a_small_lie_does_not_end_a_search_for_a_large_one() {
     let solver = mistaken(Mistaken::AddsInSinglePrecision);
     let trial = trial(Measure::Lie, solver, None, 1000);
-    let catch = enough(&trial, 1..=4, 1e-3);
-    assert!(catch.value >= 1e-3 && trial.score(&catch.lcp, 1000).value >= 1e-3);
+    let counterexample = enough(&trial, 1..=4, 1e-3);
+    assert!(counterexample.value >= 1e-3 && trial.score(&counterexample.lcp, 1000).value >= 1e-3);
 }
 
 #[test]
 fn what_is_within_the_tolerance_that_was_asked_for_is_no_lie() {
     let mut trial = trial(Measure::Lie, mistaken(Mistaken::AddsInSinglePrecision), None, 1000);
-    let catch = search(&trial, 1..=4, 20_000).expect("a lie");
-    trial.options.settings.tolerance = 2.0 * catch.value;
-    assert!(!trial.score(&catch.lcp, 1000).is_found);
-    trial.options.settings.tolerance = 0.5 * catch.value;
-    assert!(trial.score(&catch.lcp, 1000).is_found);
+    let counterexample = search(&trial, 1..=4, 20_000).expect("a lie");
+    trial.options.settings.tolerance = 2.0 * counterexample.value;
+    assert!(!trial.score(&counterexample.lcp, 1000).is_found);
+    trial.options.settings.tolerance = 0.5 * counterexample.value;
+    assert!(trial.score(&counterexample.lcp, 1000).is_found);
 }
 
 /// The same with an upper limit of the measure; `docs/hunt.md` has the results of the complete
 /// search.
-fn enough(trial: &Trial, rows: RangeInclusive<usize>, at_least: f64) -> Catch {
+fn enough(trial: &Trial, rows: RangeInclusive<usize>, at_least: f64) -> Counterexample {
     let search =
         Search { rows, evaluations: 20_000, seed: 1, at_least: Some(at_least), from: Vec::new() };
-    search.run(trial, &Stop::default(), &|_| ()).catch.expect("a ratio")
+    search.run(trial, &Stop::default(), &|_| ()).counterexample.expect("a ratio")
 }
 
 #[test]
 fn a_matrix_is_found_on_which_least_index_pivoting_takes_many_pivots_and_block_pivoting_few() {
     let trial = trial(Measure::Ratio, *entry("murty").unwrap(), Some("block-pivoting"), 1000);
-    let catch = enough(&trial, 6..=6, 12.0);
+    let counterexample = enough(&trial, 6..=6, 12.0);
     let pivots = |name: &str| {
         let solver = (entry(name).unwrap().build)(&Options::default());
-        solver.solve(&catch.lcp, &Start::default(), &mut ()).iterations
+        solver.solve(&counterexample.lcp, &Start::default(), &mut ()).iterations
     };
     let (murty, block) = (pivots("murty"), pivots("block-pivoting"));
-    assert_eq!(murty as f64 / block as f64, catch.value);
-    assert!(catch.value >= 12.0, "{murty} {block}");
+    assert_eq!(murty as f64 / block as f64, counterexample.value);
+    assert!(counterexample.value >= 12.0, "{murty} {block}");
 }
 
 #[test]
 fn two_rows_are_found_on_which_gauss_seidel_takes_a_hundred_times_the_sweeps_of_the_best_sor() {
     let trial = trial(Measure::Ratio, *entry("pgs").unwrap(), Some("sor"), 10_000_000);
-    let catch = enough(&trial, 2..=3, 100.0);
-    assert!(catch.value >= 100.0, "{}", catch.value);
+    let counterexample = enough(&trial, 2..=3, 100.0);
+    assert!(counterexample.value >= 100.0, "{}", counterexample.value);
     // Young: with rho of Jacobi, ln rho^2 of Gauss-Seidel beside ln (omega* - 1) of the best SOR.
-    let a = catch.lcp.matrix();
-    if catch.lcp.len() == 2 {
+    let a = counterexample.lcp.matrix();
+    if counterexample.lcp.len() == 2 {
         let jacobi = (a.entry(0, 1) * a.entry(1, 0) / (a.diagonal(0) * a.diagonal(1))).sqrt();
         let best = optimal_omega(jacobi) - 1.0;
         let ratio = best.ln() / (jacobi * jacobi).ln();
-        assert!((0.3..3.0).contains(&(catch.value / ratio)), "{} {ratio}", catch.value);
+        assert!(
+            (0.3..3.0).contains(&(counterexample.value / ratio)),
+            "{} {ratio}",
+            counterexample.value
+        );
     }
 }
 
 #[test]
 fn what_was_found_is_explained_with_its_exact_solution() {
     let trial = trial(Measure::Lie, mistaken(Mistaken::ClampsAfterTheSweep), None, 1000);
-    let catch = search(&trial, 2..=2, 2000).expect("a lie");
-    let finding = Finding::of(&catch, &trial, 1);
+    let counterexample = search(&trial, 2..=2, 2000).expect("a lie");
+    let finding = Finding::of(&counterexample, &trial, 1);
     let solutions = Expected::of(&finding.problem).unwrap().solutions;
-    assert_eq!(solutions.len(), all_solutions(&catch.lcp).unwrap().len());
+    assert_eq!(solutions.len(), all_solutions(&counterexample.lcp).unwrap().len());
     assert!(
         finding.words.starts_with("mistaken says: solved, but the scaled residual is "),
         "{}",

@@ -6,7 +6,7 @@ use lcplab_solver::trace::Cost;
 use lcplab_solver::{
     Class, Entry, Group, MatrixClass, Observer, Options, Solution, Solver, Start, Status, add,
 };
-use lcplab_study::diagnosis::shortfall::{Examination, Slow, examine_scene};
+use lcplab_study::diagnosis::unsupported::{Examination, Slow, examine_scene};
 
 /// The bug in a loop of projected Gauss-Seidel.
 #[derive(Debug, Clone, Copy)]
@@ -115,7 +115,7 @@ fn pushed(boxes: usize, solver: &str, sweeps: usize) -> Examination {
 /// The first cause, if it is the solver.
 fn suspected(found: &Examination) -> &Slow {
     assert_eq!(found.causes().first(), Some(&"suspect the solver"), "{}", found.headline());
-    let cause = &found.shortfall.as_ref().unwrap().causes[0];
+    let cause = &found.unsupported.as_ref().unwrap().causes[0];
     let words = cause.to_string();
     assert!(
         words.starts_with("its error is ") && words.contains("plain projected Gauss-Seidel has "),
@@ -136,7 +136,7 @@ fn a_solver_that_is_worse_than_plain_sweeps_is_suspected_first_and_the_scene_is_
             let found = pushed(3, name, sweeps);
             let Slow::Solver { with, plain, .. } = suspected(&found) else { panic!("{name}") };
             assert!(*plain < 0.01 && *with > 2.0 * plain, "{name}: {with} {plain}");
-            assert_eq!(found.shortfall.as_ref().unwrap().causes.len(), 1, "{name}");
+            assert_eq!(found.unsupported.as_ref().unwrap().causes.len(), 1, "{name}");
         }
     }
 }
@@ -147,9 +147,9 @@ fn the_scene_is_blamed_for_no_more_than_plain_sweeps_leave() {
     let mut blamed = 0;
     for (boxes, sweeps) in [(4, 20), (6, 20), (8, 20), (8, 40)] {
         let found = pushed(boxes, "left-out", sweeps);
-        let shortfall = found.shortfall.as_ref().unwrap();
-        let Some(Slow::Solver { plain, .. }) = shortfall.causes.first() else { continue };
-        for cause in &shortfall.causes[1..] {
+        let unsupported = found.unsupported.as_ref().unwrap();
+        let Some(Slow::Solver { plain, .. }) = unsupported.causes.first() else { continue };
+        for cause in &unsupported.causes[1..] {
             let (Slow::Tall { without, .. }
             | Slow::MassRatio { without, .. }
             | Slow::Order { without }) = cause

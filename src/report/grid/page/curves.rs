@@ -38,7 +38,8 @@ impl<'a> Curves<'a> {
             let task = point.task;
             let parts = others.iter().map(|path| match task.number(path) {
                 Some(_) => format!("{} = {}", grid.label(path), task.shown(path)),
-                None => task.shown(path), // the name of a solver or family has a look of its own
+                // The name of a solver or family has its own style.
+                None => task.shown(path),
             });
             let name = parts.collect::<Vec<_>>().join(", ");
             let name = if name.is_empty() { "measured".to_string() } else { name };
@@ -58,8 +59,8 @@ impl<'a> Curves<'a> {
 
     /// The position of a curve's minimum along the axis, according to theory.
     pub fn optimum(&self, curve: &Curve<'_>) -> Option<f64> {
-        let told = || curve.points.iter().find_map(|(_, point)| point.get("optimum"));
-        (self.path == "solver.omega").then(told)?
+        let predicted = || curve.points.iter().find_map(|(_, point)| point.get("optimum"));
+        (self.path == "solver.omega").then(predicted)?
     }
 }
 

@@ -54,7 +54,8 @@ pub(super) fn growth(grid: &Grid, curves: &Curves<'_>) -> Option<Table> {
         let [(x0, y0), (x1, y1)] = curve.end(measure)?;
         Some((y1 / y0).ln() / (x1 / x0).ln()).filter(|exponent| exponent.is_finite())
     };
-    let grows = |measure: &&&Measure| measure.name != "rate"; // it lies between 0 and 1
+    // The rate lies between 0 and 1.
+    let grows = |measure: &&&Measure| measure.name != "rate";
     let measures: Vec<&&Measure> = grid.measures.iter().filter(grows).collect();
     let cells = |curve: &Curve| {
         let exponents = measures.iter().map(|measure| exponent(curve, measure));
@@ -95,11 +96,12 @@ pub(super) fn results(grid: &Grid, plan: &Plan, points: &[Point<'_>]) -> Table {
     };
     let measures: Vec<&Measure> = MEASURES.iter().filter(shown).collect();
     // The claim about the rate is checked on the eigenvalue.
-    let told = |measure: &Measure| {
-        let is_said = measure.name == "eigenvalue" && measures.iter().any(|own| own.name == "rate");
-        !is_said && findings().any(|own| own.predicted(measure.name).is_some())
+    let is_predicted = |measure: &Measure| {
+        let is_checked_elsewhere =
+            measure.name == "eigenvalue" && measures.iter().any(|own| own.name == "rate");
+        !is_checked_elsewhere && findings().any(|own| own.predicted(measure.name).is_some())
     };
-    let has_theory: Vec<bool> = measures.iter().map(|measure| told(measure)).collect();
+    let has_theory: Vec<bool> = measures.iter().map(|measure| is_predicted(measure)).collect();
     let mut columns = vec![Column::numbers("task", "")];
     let is_number = |path: &String| points.iter().all(|point| point.task.number(path).is_some());
     columns.extend(plan.axes.iter().map(|path| match is_number(path) {

@@ -57,12 +57,12 @@ pub struct Progress {
     /// The required scaled residual.
     pub tolerance: f64,
     /// The progress of each solver.
-    pub methods: Vec<Watched>,
+    pub methods: Vec<MethodProgress>,
 }
 
 /// The progress of one method.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Watched {
+pub struct MethodProgress {
     /// The solver.
     pub solver: String,
     /// Its outcome.

@@ -15,7 +15,7 @@ use super::posed::Source;
 use crate::error::Result;
 use methods::{Clock, Methods, Progress};
 use rows::{RowResiduals, Rows, Sweep};
-use sweeps::{Rates, Swept};
+use sweeps::{Rates, SweepCase};
 
 /// LCPs whose iterative solution is recorded.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -23,7 +23,7 @@ use sweeps::{Rates, Swept};
 pub struct Plan {
     /// LCPs solved by PGS and SOR.
     #[serde(default)]
-    pub scenes: Vec<Swept>,
+    pub scenes: Vec<SweepCase>,
     /// LCPs solved by several methods.
     #[serde(default)]
     pub methods: Option<Methods>,
@@ -46,7 +46,7 @@ pub enum Finding {
 
 /// A task.
 enum Task<'a> {
-    Sweeps(&'a Swept),
+    Sweeps(&'a SweepCase),
     Methods(&'a Methods, &'a Source),
     Rows(&'a Rows, Sweep),
 }

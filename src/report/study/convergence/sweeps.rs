@@ -12,7 +12,7 @@ use crate::trace::Convergence;
 /// An LCP with relaxation factors.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Swept {
+pub struct SweepCase {
     /// A shipped scene, or the file of a scene or a problem; `problem` is an alias of this key.
     #[serde(alias = "problem")]
     pub scene: String,
@@ -23,7 +23,7 @@ pub struct Swept {
     pub omegas: Vec<f64>,
 }
 
-impl Swept {
+impl SweepCase {
     /// Runs PGS and SOR on the problem.
     ///
     /// # Errors

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use serde::{Deserialize, Serialize};
 
-use super::methods::Watched;
+use super::methods::MethodProgress;
 use crate::lcp::{Lcp, merit};
 use crate::report::study::attempt::Outcome;
 use crate::solver::{Entry, Group, Iterate, Observer, Options, Start};
@@ -30,7 +30,7 @@ pub(super) fn run(
     entry: &Entry,
     lcp: &Lcp,
     options: &Options,
-) -> (Watched, (String, Vec<(f64, f64)>)) {
+) -> (MethodProgress, (String, Vec<(f64, f64)>)) {
     let mut watch = Watch {
         lcp,
         work: Work::of(entry, lcp),
@@ -59,7 +59,7 @@ pub(super) fn run(
     let outcome = Outcome::of(&solution, lcp, options.settings.tolerance);
     let times = times.into_iter().zip(marks.iter().map(|mark| mark.residual)).collect();
     let solver = entry.name.to_string();
-    (Watched { solver: solver.clone(), outcome, marks }, (solver, times))
+    (MethodProgress { solver: solver.clone(), outcome, marks }, (solver, times))
 }
 
 /// An observer that records selected iterates and stops the clock meanwhile.

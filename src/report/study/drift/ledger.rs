@@ -116,7 +116,8 @@ impl Run {
         let names = |sum: &Ledger| sum.accounts().map(|(name, _)| name.to_string()).to_vec();
         let accounts = sum.as_ref().map_or(Vec::new(), names);
         if sum.is_none() {
-            books.iter_mut().for_each(|book| book.accounts.clear()); // the start's, before it was known
+            // The entry of the start was made before this was known.
+            books.iter_mut().for_each(|book| book.accounts.clear());
         }
         let (remainder, scale) = (sum.map(|_| remainder), sum.map_or(0.0, |sum| sum.scale));
         let (run, ending) = (self.clone(), recording.failure.map(|failure| failure.to_string()));

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::measure::{Case, Known, Method, first};
 use super::{Row, Size};
-use crate::assembly::{Assembly, Entering};
+use crate::assembly::{Assembly, ConstraintFilter};
 use crate::error::Result;
 use crate::scene::Scene;
 use crate::simulation::Simulation;
@@ -63,7 +63,7 @@ fn jacobian(assembly: &Assembly) -> DMatrix<f64> {
 
 /// The magnitude of rod 3's acceleration (m/s²), from the degree of freedom n alone.
 fn freedom(scene: &Scene) -> Option<f64> {
-    let assembly = Assembly::new(scene, &scene.states, &[], Entering::Resting).ok()?;
+    let assembly = Assembly::new(scene, &scene.states, &[], ConstraintFilter::Resting).ok()?;
     let svd = jacobian(&assembly).svd(false, true);
     let (last, _) = svd.singular_values.argmin();
     let n: DVector<f64> = svd.v_t?.row(last).transpose();

@@ -161,7 +161,8 @@ pub(super) fn ladder(size: Size) -> Result<Vec<Row>> {
         rows.extend(slippery.rows(level, known, |scene| {
             let mut simulation = start(scene)?;
             let omega = simulation.step().ok()?.states[ladder].omega.y;
-            Some(vec![omega / scene.step.dt]) // θ grows with the turn about +y
+            // θ grows with the rotation about +y.
+            Some(vec![omega / scene.step.dt])
         }));
     }
     Ok(rows)

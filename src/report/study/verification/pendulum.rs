@@ -109,7 +109,8 @@ pub(super) fn iftomm(size: Size) -> Result<Vec<Row>> {
                 greatest = greatest.max(-step.solves[0].solution.x[0]);
             }
             let p = simulation.states()[0].pose.p;
-            let pull = -simulation.step().ok()?.solves[0].solution.x[0]; // at the step's beginning
+            // At the beginning of the step.
+            let pull = -simulation.step().ok()?.solves[0].solution.x[0];
             Some(vec![p.x, p.z, pull, greatest])
         }));
     }

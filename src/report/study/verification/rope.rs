@@ -17,7 +17,8 @@ pub(super) fn catenary(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("catenary", "catenary", size)?;
     let rope = Rope { links: 12, length: 3.0, span: 2.0, mass: 0.25 };
     let (slopes, ratio) = rope.catenary();
-    let level = rope.mass * -case.scene.gravity.z / ratio; // H
+    // The horizontal force H.
+    let level = rope.mass * -case.scene.gravity.z / ratio;
     let mut rows = Vec::new();
     for method in LEVELS {
         let formula = ["H sqrt(1 + s_k^2)", "H\\sqrt{1 + s_k^2}"];

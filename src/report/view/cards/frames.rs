@@ -3,7 +3,7 @@
 
 use crate::number::readable;
 use crate::report::page::{Cell, Mark, Table};
-use crate::report::study::cards::{Frame, Record, Tried};
+use crate::report::study::cards::{Frame, Record, SolverAttempt};
 use crate::report::view::Document;
 use crate::report::view::attempt::iterations_in_words;
 
@@ -45,8 +45,9 @@ fn missed(frame: &Frame) -> Option<String> {
 }
 
 fn row(record: &Record, frame: &Frame) -> Vec<Cell> {
-    let accepted: Vec<&Tried> = frame.solvers.iter().filter(|tried| tried.accepted).collect();
-    let cost = |own: &&&Tried| own.multiplications.unwrap_or(f64::INFINITY);
+    let accepted: Vec<&SolverAttempt> =
+        frame.solvers.iter().filter(|tried| tried.accepted).collect();
+    let cost = |own: &&&SolverAttempt| own.multiplications.unwrap_or(f64::INFINITY);
     let cheapest = accepted.iter().min_by(|a, b| cost(a).total_cmp(&cost(b)));
     let failed: Vec<&str> =
         frame.solvers.iter().filter(|own| !own.accepted).map(|own| own.solver.as_str()).collect();

@@ -67,7 +67,8 @@ fn figure(record: &Record, phenomenon: &Phenomenon) -> Lines {
 /// The name of a column in comparisons: a scheme of lcplab has its own name.
 fn name(record: &Record, column: &Column) -> String {
     match column.engine.as_str() {
-        OWN => column.settings.replace(", ", " "), // a comma would make it a shade of another
+        // A comma would make it a shade of another series.
+        OWN => column.settings.replace(", ", " "),
         engine => record.title(engine).into(),
     }
 }

@@ -2,8 +2,8 @@
 
 use crate::number::readable;
 use crate::report::study::comparison::{
-    Comparison, EXACT, Energy, FRICTION_ANGLE, HELD, LAW_TOLERANCE, Laws, LevelRefinement, Levels,
-    Phase, Run, Sample, best,
+    Comparison, EXACT, Energy, FRICTION_ANGLE, HELD, LAW_TOLERANCE, LevelRefinement, Levels, Phase,
+    Run, RunLaws, Sample, best,
 };
 use crate::scene::Scheme;
 
@@ -76,7 +76,7 @@ fn closure(runs: &[Run], steps: usize, thinnest: f64) -> String {
 
 /// What one run kept of the laws.
 fn laws(run: &Run) -> Vec<String> {
-    let Laws { momentum, angular_momentum, restitution, friction_angle, cone_excess, .. } =
+    let RunLaws { momentum, angular_momentum, restitution, friction_angle, cone_excess, .. } =
         &run.laws;
     let kept = |what: &str, error: f64, allowed: f64, of: &str| match error <= allowed {
         true => format!("{what} kept"),

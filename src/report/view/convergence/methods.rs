@@ -4,7 +4,7 @@ use crate::number::{count, readable};
 use crate::plot::{Axis, Bar, Bars, Figure, Lines, Series};
 use crate::report::page::{Cell, Table};
 use crate::report::study::attempt::Outcome;
-use crate::report::study::convergence::methods::{Clock, Progress, Watched};
+use crate::report::study::convergence::methods::{Clock, MethodProgress, Progress};
 use crate::report::view::attempt::{
     anchor, iterations_in_words, outcome as outcome_cell, rough, tolerance,
 };
@@ -36,7 +36,7 @@ pub(super) fn outcome(problems: &[&Progress]) -> Verdict {
 
 /// The cheapest solver, and the cost of each as a bar.
 pub(super) fn headline(progress: &Progress) -> Headline {
-    let mut solved: Vec<&Watched> = progress
+    let mut solved: Vec<&MethodProgress> = progress
         .methods
         .iter()
         .filter(|method| method.outcome.is_solved() && work(method).is_finite())
@@ -51,9 +51,14 @@ pub(super) fn headline(progress: &Progress) -> Headline {
     }
 }
 
-fn answer(progress: &Progress, solved: usize, first: &Watched, last: &Watched) -> String {
+fn answer(
+    progress: &Progress,
+    solved: usize,
+    first: &MethodProgress,
+    last: &MethodProgress,
+) -> String {
     let tried = progress.methods.iter().filter(|method| method.outcome.is_attempt()).count();
-    let needs = |method: &Watched| {
+    let needs = |method: &MethodProgress| {
         let iterations = method.marks.last().map_or(0, |end| end.iteration);
         iterations_in_words(&method.solver, iterations)
     };
@@ -76,8 +81,8 @@ fn answer(progress: &Progress, solved: usize, first: &Watched, last: &Watched) -
 }
 
 /// The multiplications of the methods that solve the problem, the cheapest first.
-fn costs(progress: &Progress, solved: &[&Watched]) -> Bars {
-    let bar = |method: &&Watched| Bar { name: method.solver.clone(), value: work(method) };
+fn costs(progress: &Progress, solved: &[&MethodProgress]) -> Bars {
+    let bar = |method: &&MethodProgress| Bar { name: method.solver.clone(), value: work(method) };
     Bars {
         id: id(&progress.problem, "costs"),
         title: title(progress),
@@ -94,7 +99,7 @@ fn costs(progress: &Progress, solved: &[&Watched]) -> Bars {
 }
 
 /// The multiplications of a method up to its end.
-fn work(method: &Watched) -> f64 {
+fn work(method: &MethodProgress) -> f64 {
     method.marks.last().map_or(f64::NAN, |end| end.work)
 }
 
@@ -104,12 +109,12 @@ fn id(problem: &str, what: &str) -> String {
 
 /// The methods as curves, those with only a final mark as points; separated into solved and not.
 fn series(progress: &Progress) -> Vec<Series> {
-    let took_part = |method: &&Watched| method.outcome.is_attempt();
-    let points = |method: &Watched| -> Vec<(f64, f64)> {
+    let took_part = |method: &&MethodProgress| method.outcome.is_attempt();
+    let points = |method: &MethodProgress| -> Vec<(f64, f64)> {
         let points = method.marks.iter().map(|mark| (mark.work, mark.residual.max(LEAST)));
         points.filter(|(work, _)| work.is_finite()).collect()
     };
-    let series = |method: &Watched| curve(&method.solver, points(method));
+    let series = |method: &MethodProgress| curve(&method.solver, points(method));
     let series = progress.methods.iter().filter(took_part).map(series);
     series.filter(|series| !series.points.is_empty()).collect()
 }
@@ -154,7 +159,7 @@ fn by_work(progress: &Progress) -> Lines {
 
 /// The finding: the cheapest solver, and the cost of the dearest.
 fn title(progress: &Progress) -> String {
-    let cost = |method: &Watched| Some((method.marks.last()?.work, method.solver.clone()));
+    let cost = |method: &MethodProgress| Some((method.marks.last()?.work, method.solver.clone()));
     let solved = progress.methods.iter().filter(|method| method.outcome.is_solved());
     let mut costs: Vec<(f64, String)> =
         solved.filter_map(cost).filter(|(work, _)| work.is_finite()).collect();
@@ -197,7 +202,7 @@ pub(super) fn by_second(clock: &Clock) -> Lines {
 }
 
 fn table(progress: &Progress) -> Table {
-    let row = |method: &Watched| {
+    let row = |method: &MethodProgress| {
         let end = method.marks.last();
         let solved = method.outcome.is_solved();
         vec![

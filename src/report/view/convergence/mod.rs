@@ -14,7 +14,7 @@ impl View for Plan {
     const TITLE: &'static str = "Convergence of the residual";
 
     fn show(&self, findings: &[Finding], document: &mut Document) {
-        let Found { sweeps, methods, rows } = Found::of(findings);
+        let FindingsByKind { sweeps, methods, rows } = FindingsByKind::of(findings);
         if !methods.is_empty() {
             methods::show(&methods, document);
         }
@@ -27,14 +27,14 @@ impl View for Plan {
     }
 
     fn headline(&self, findings: &[Finding]) -> Headline {
-        Found::of(findings)
+        FindingsByKind::of(findings)
             .methods
             .first()
             .map_or_else(Headline::default, |own| methods::headline(own))
     }
 
     fn outcome(&self, findings: &[Finding]) -> Outcome {
-        let Found { sweeps, methods, .. } = Found::of(findings);
+        let FindingsByKind { sweeps, methods, .. } = FindingsByKind::of(findings);
         let (rates, progress) = (sweeps::outcome(&sweeps), methods::outcome(&methods));
         let mut says = Vec::new();
         if !self.scenes.is_empty() || self.methods.is_none() {
@@ -54,15 +54,16 @@ impl View for Plan {
 }
 
 /// The findings by kind.
-struct Found<'a> {
+struct FindingsByKind<'a> {
     sweeps: Vec<&'a Rates>,
     methods: Vec<&'a Progress>,
     rows: Vec<&'a RowResiduals>,
 }
 
-impl<'a> Found<'a> {
+impl<'a> FindingsByKind<'a> {
     fn of(findings: &'a [Finding]) -> Self {
-        let mut found = Found { sweeps: Vec::new(), methods: Vec::new(), rows: Vec::new() };
+        let mut found =
+            FindingsByKind { sweeps: Vec::new(), methods: Vec::new(), rows: Vec::new() };
         for finding in findings {
             match finding {
                 Finding::Sweeps(rates) => found.sweeps.push(rates),

@@ -13,7 +13,7 @@ impl View for Plan {
     const TITLE: &'static str = "Drift of energy and constraints";
 
     fn show(&self, findings: &[Finding], document: &mut Document) {
-        let Found { levels, ledgers, orders } = Found::of(findings);
+        let FindingsByKind { levels, ledgers, orders } = FindingsByKind::of(findings);
         if !levels.is_empty() {
             steps::show(&levels, document);
         }
@@ -26,7 +26,7 @@ impl View for Plan {
     }
 
     fn outcome(&self, findings: &[Finding]) -> Outcome {
-        let Found { levels, ledgers, orders } = Found::of(findings);
+        let FindingsByKind { levels, ledgers, orders } = FindingsByKind::of(findings);
         let mut parts = Vec::new();
         if !self.scenes.is_empty() || (self.ledgers.is_empty() && self.orders.is_none()) {
             parts.push(steps::outcome(&levels));
@@ -44,15 +44,16 @@ impl View for Plan {
 }
 
 /// The findings by kind.
-struct Found<'a> {
+struct FindingsByKind<'a> {
     levels: Vec<&'a Levels>,
     ledgers: Vec<&'a Account>,
     orders: Vec<&'a measured::Finding>,
 }
 
-impl<'a> Found<'a> {
+impl<'a> FindingsByKind<'a> {
     fn of(findings: &'a [Finding]) -> Self {
-        let mut found = Found { levels: Vec::new(), ledgers: Vec::new(), orders: Vec::new() };
+        let mut found =
+            FindingsByKind { levels: Vec::new(), ledgers: Vec::new(), orders: Vec::new() };
         for finding in findings {
             match finding {
                 Finding::Levels(levels) => found.levels.push(levels),

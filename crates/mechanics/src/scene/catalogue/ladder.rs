@@ -41,7 +41,8 @@ impl Ladder {
     pub fn angular_acceleration(&self, gravity: f64, mu: f64, inertia: f64) -> f64 {
         let (sin, cos) = self.angle.sin_cos();
         let half = 0.5 * self.length;
-        let lever = mu * (self.length * sin + self.radius) - half * cos; // (moment of N)/N
+        // (moment of N) / N
+        let lever = mu * (self.length * sin + self.radius) - half * cos;
         let resistance =
             inertia + self.mass * half * half * sin * sin - self.mass * half * cos * lever;
         self.mass * gravity * lever / resistance

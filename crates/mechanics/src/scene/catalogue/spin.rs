@@ -38,12 +38,14 @@ impl FreeBody {
             let terms = self.moments.iter().zip(&self.rates);
             terms.map(|(i, w)| i.powi(power) * w * w).sum()
         };
-        let (energy, momentum) = (sum(1), sum(2)); // 2 E and L²
+        // 2 E and L²
+        let (energy, momentum) = (sum(1), sum(2));
         if momentum < energy * i2 {
             (i1, i3) = (i3, i1);
         }
         let scale = (i3 - i2) * (momentum - energy * i1);
-        let modulus = (i2 - i1) * (energy * i3 - momentum) / scale; // k²
+        // k²
+        let modulus = (i2 - i1) * (energy * i3 - momentum) / scale;
         4.0 * PI / (2.0 * agm(1.0, (1.0 - modulus).sqrt())) * (i1 * i2 * i3 / scale).sqrt()
     }
 }

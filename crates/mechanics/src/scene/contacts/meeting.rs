@@ -43,7 +43,8 @@ impl Detector {
         FreeMotion { after, moved }: &mut FreeMotion,
     ) -> bool {
         if pair.iter().any(|&solid| self.solids[solid].is_none()) {
-            return true; // a half space is its own plane
+            // A half space is its own plane.
+            return true;
         }
         let bodies = pair.map(|solid| self.owners[solid].body);
         let of = |k: usize| Move::of(&states[k], &after[k], scene.step.dt, self.arms[k]);

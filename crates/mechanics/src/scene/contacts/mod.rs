@@ -84,7 +84,7 @@ impl fmt::Display for ContactId {
 
 /// A detected contact point.
 #[derive(Debug, Clone)]
-pub struct Found {
+pub struct DetectedContact {
     /// Its identifier.
     pub id: ContactId,
     /// Its constraint.
@@ -126,7 +126,7 @@ impl Touch {
 }
 
 /// All contact points with a gap up to `margin` (m). `states` has one entry per body.
-pub fn contacts(scene: &Scene, states: &[State], margin: f64) -> Vec<Found> {
+pub fn contacts(scene: &Scene, states: &[State], margin: f64) -> Vec<DetectedContact> {
     let mut detector = Detector::new(scene);
     detector.find(scene, states, margin);
     detector.found
@@ -146,7 +146,7 @@ pub fn contacts(scene: &Scene, states: &[State], margin: f64) -> Vec<Found> {
 /// assert_eq!(step_contacts(&scene, &scene.states).len(), 1);
 /// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
-pub fn step_contacts(scene: &Scene, states: &[State]) -> Vec<Found> {
+pub fn step_contacts(scene: &Scene, states: &[State]) -> Vec<DetectedContact> {
     let mut detector = Detector::new(scene);
     let reach = Reach::of_step(scene);
     detector.find_pairs(scene, states, reach);
@@ -188,7 +188,7 @@ pub struct Detector {
     apart: Vec<[usize; 2]>,
     broad: Broad,
     touches: Vec<Touch>,
-    found: Vec<Found>,
+    found: Vec<DetectedContact>,
 }
 
 impl Detector {
@@ -204,7 +204,8 @@ impl Detector {
         let mut parts = Vec::new();
         for (k, body) in scene.bodies.iter().enumerate() {
             if k == 0 || scene.bodies[k - 1].shape != body.shape {
-                parts = solid::parts(&body.shape); // else those of the body before, shared
+                // Otherwise the parts of the previous body are shared.
+                parts = solid::parts(&body.shape);
             }
             let of_parts = parts.iter().flatten().map(solid::Round::arm);
             arms.push(of_parts.fold(0.0, f64::max));
@@ -223,14 +224,14 @@ impl Detector {
 
     /// All contact points with a gap up to `margin` (m) for the detector's scene. `states` has one
     /// entry per body.
-    pub fn find(&mut self, scene: &Scene, states: &[State], margin: f64) -> &[Found] {
+    pub fn find(&mut self, scene: &Scene, states: &[State], margin: f64) -> &[DetectedContact] {
         self.find_pairs(scene, states, Reach::Gap(margin));
         self.find_points(scene, states, Reach::Gap(margin));
         &self.found
     }
 
     /// The contacts found last.
-    pub fn found(&self) -> &[Found] {
+    pub fn found(&self) -> &[DetectedContact] {
         &self.found
     }
 
@@ -244,7 +245,7 @@ impl Detector {
             + self.apart.capacity() * size_of::<[usize; 2]>()
             + self.broad.bytes()
             + self.touches.capacity() * size_of::<Touch>()
-            + self.found.capacity() * size_of::<Found>()
+            + self.found.capacity() * size_of::<DetectedContact>()
     }
 
     /// The first phase of [`find`](Detector::find): pairs of bodies that are near each other.
@@ -360,7 +361,7 @@ fn point(
     radii: [f64; 2],
     margin: f64,
     touch: &Touch,
-) -> Option<Found> {
+) -> Option<DetectedContact> {
     let pair = owners.map(|owner| owner.body);
     let in_order = |of: [f64; 2]| if touch.swapped { [of[1], of[0]] } else { of };
     let [k0, k1] = if touch.swapped { [pair[1], pair[0]] } else { pair };
@@ -386,5 +387,5 @@ fn point(
     let point = contact.point(pair_of).ok()?;
     let [f0, f1] = touch.names();
     let id = ContactId { bodies: pair, features: [owners[0].name(f0), owners[1].name(f1)] };
-    Some(Found { id, contact, gap, margin, normal, point })
+    Some(DetectedContact { id, contact, gap, margin, normal, point })
 }

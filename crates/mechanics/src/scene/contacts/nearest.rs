@@ -32,7 +32,8 @@ fn vertices_of_second(a: &Solid, b: &Solid, reach: f64) -> impl Iterator<Item = 
         let touch = nearest_feature(a, k, vertex);
         let counts = match (touch.anchors[0] - vertex).try_normalize(0.0) {
             Some(towards) => touch.separation <= reach && b.vertex_faces(k, &towards, LEVEL),
-            None => a.vertices.len() == 1 && b.vertices.len() == 1, // balls with one centre
+            // Two balls with the same center.
+            None => a.vertices.len() == 1 && b.vertices.len() == 1,
         };
         counts.then_some(touch)
     })

@@ -32,7 +32,8 @@ pub(super) fn touches(a: &Solid, b: &Solid, margin: f64, out: &mut Vec<Touch>) {
         return;
     }
     over_face(a, b, faces, least, out);
-    out.retain(|touch| touch.separation >= least); // none deeper than the way out
+    // No point is deeper than the shortest way out.
+    out.retain(|touch| touch.separation >= least);
     if out.iter().any(|touch| touch.separation <= best + equal) {
         return;
     }

@@ -7,13 +7,13 @@
 
 use nalgebra::Vector3;
 
-use super::Found;
+use super::DetectedContact;
 
 /// Measures that differ by less than this fraction of the points' extent are equal.
 const EQUAL: f64 = 1e-6;
 
 /// Keeps only the four selected contacts among those from `first` on, in their order.
-pub(super) fn to_four(all: &mut Vec<Found>, first: usize) {
+pub(super) fn to_four(all: &mut Vec<DetectedContact>, first: usize) {
     let Some(kept) = four(&all[first..]) else { return };
     let mut end = first;
     for place in (first..all.len()).filter(|place| kept.contains(&(place - first))) {
@@ -24,12 +24,13 @@ pub(super) fn to_four(all: &mut Vec<Found>, first: usize) {
 }
 
 /// The indices of the four; `None` if there are no more than four.
-fn four(found: &[Found]) -> Option<[usize; 4]> {
+fn four(found: &[DetectedContact]) -> Option<[usize; 4]> {
     if found.len() <= 4 {
         return None;
     }
     let point = |k: usize| found[k].point;
-    let n = found[0].normal; // either sign serves: only sides relative to each other count
+    // Either sign works: only the relative sides matter.
+    let n = found[0].normal;
     let extent = found.iter().map(|f| (f.point - point(0)).norm()).fold(0.0, f64::max);
     let most = |measure: &dyn Fn(usize) -> f64, unit: f64| {
         let equal = EQUAL * unit;

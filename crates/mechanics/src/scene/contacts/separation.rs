@@ -39,7 +39,8 @@ pub(super) fn by_faces(a: &Solid, b: &Solid) -> Option<FaceAxis> {
         for vertex in &b.vertices {
             separation = separation.min(a.height(face, vertex));
             if separation <= highest {
-                break; // another face parts them better
+                // Another face separates them better.
+                break;
             }
         }
         if separation > highest {

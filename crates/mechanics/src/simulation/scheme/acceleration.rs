@@ -16,15 +16,15 @@
 
 use std::borrow::Cow;
 
-use super::arrival::Way;
-use crate::assembly::{Assembly, Entering, Row, RowId};
+use super::arrival::Interval;
+use crate::assembly::{Assembly, ConstraintFilter, Row, RowId};
 use crate::body::State;
 use crate::constraint::Bounds;
 use crate::formulation::{Problem, Slide};
-use crate::scene::{Found, Integrator, Scene, Step, step_contacts};
+use crate::scene::{DetectedContact, Integrator, Scene, Step, step_contacts};
 use crate::simulation::integrator::{self, Rate};
 use crate::simulation::solving::{Solving, assembled};
-use crate::simulation::{Act, Cause, Solve};
+use crate::simulation::{Cause, Solve, StepEvent};
 use lcplab_judge::ray::refute;
 use lcplab_solver::Status;
 
@@ -37,17 +37,22 @@ const HIT: f64 = 1e-6;
 pub(super) fn step(
     solving: &mut Solving,
     states: &[State],
-    found: &[Found],
+    found: &[DetectedContact],
 ) -> Result<Vec<State>, Cause> {
     let after = parts(solving, states, found)?;
     if solving.scene.step.integrator != Integrator::SemiImplicitEuler {
-        solving.acts = None; // the work of forces along the path of the stages is not known
+        // The work of forces along the path of the stages is not known.
+        solving.events = None;
     }
     Ok(after)
 }
 
 /// The parts of a step, from one arrival to the next.
-fn parts(solving: &mut Solving, states: &[State], found: &[Found]) -> Result<Vec<State>, Cause> {
+fn parts(
+    solving: &mut Solving,
+    states: &[State],
+    found: &[DetectedContact],
+) -> Result<Vec<State>, Cause> {
     let mut found = found.to_vec();
     let mut states = impacts(solving, states, &found)?;
     let dt = solving.scene.step.dt;
@@ -55,7 +60,7 @@ fn parts(solving: &mut Solving, states: &[State], found: &[Found]) -> Result<Vec
     for _ in 0..MOST_ARRIVALS {
         let kept = Mark::of(solving);
         let (after, resting) = part(solving, &states, &found, (dt - left, left))?;
-        let way = Way { scene: solving.scene, before: &states, after: &after, h: left };
+        let way = Interval { scene: solving.scene, before: &states, after: &after, h: left };
         let arrival = solving.scene.step.events.then(|| way.arrival(&resting)).flatten();
         let Some(theta) = arrival else { return Ok(after) };
         kept.restore(solving);
@@ -72,19 +77,19 @@ fn parts(solving: &mut Solving, states: &[State], found: &[Found]) -> Result<Vec
 /// What was solved and done before an attempt.
 struct Mark {
     solves: usize,
-    acts: Option<usize>,
+    events: Option<usize>,
 }
 
 impl Mark {
     fn of(solving: &Solving) -> Self {
-        Mark { solves: solving.solves.len(), acts: solving.acts.as_ref().map(Vec::len) }
+        Mark { solves: solving.solves.len(), events: solving.events.as_ref().map(Vec::len) }
     }
 
     fn restore(&self, solving: &mut Solving) {
         solving.solves.truncate(self.solves);
-        match (&mut solving.acts, self.acts) {
-            (Some(acts), Some(count)) => acts.truncate(count),
-            (acts, _) => *acts = None,
+        match (&mut solving.events, self.events) {
+            (Some(events), Some(count)) => events.truncate(count),
+            (events, _) => *events = None,
         }
     }
 }
@@ -94,7 +99,7 @@ impl Mark {
 fn part(
     solving: &mut Solving,
     states: &[State],
-    found: &[Found],
+    found: &[DetectedContact],
     (begins, h): (f64, f64),
 ) -> Result<(Vec<State>, Vec<RowId>), Cause> {
     let whole = solving.scene;
@@ -104,14 +109,14 @@ fn part(
     };
     let scene = scene.as_ref();
     let first = solving.solves.len();
-    let assembly = solving.assemble(states, found, Entering::Resting)?;
+    let assembly = solving.assemble(states, found, ConstraintFilter::Resting)?;
     let resting: Vec<RowId> = assembly.rows.iter().map(|row| row.id).collect();
     let method = match scene.step.integrator {
         Integrator::SemiImplicitEuler => {
             let solve = forces(solving, scene, assembly)?;
             let after = solve.problem.next_states(states, &solve.solution.x, h);
             solving.note_answer();
-            solving.note(Act::Advance(h));
+            solving.note(StepEvent::Advance(h));
             set_impulse_factors(&mut solving.solves[first..], h, &[1.0]);
             return Ok((after, resting));
         }
@@ -126,7 +131,8 @@ fn part(
     })?;
     let weights: &[f64] = match scene.step.integrator {
         Integrator::Rk4 => &[1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0],
-        _ => &[1.0], // of the last repetition of the midpoint
+        // Only the last iterate of the midpoint counts.
+        _ => &[1.0],
     };
     set_impulse_factors(&mut solving.solves[first..], h, weights);
     Ok((after, resting))
@@ -146,11 +152,11 @@ fn rates(
     solving: &mut Solving,
     scene: &Scene,
     stage: &[State],
-    found: &[Found],
+    found: &[DetectedContact],
     resting: &[RowId],
 ) -> Result<Vec<Rate>, Cause> {
     let unit = integrator::normalised(stage);
-    let assembly = assembled(scene, &unit, found, Entering::Only(resting))?;
+    let assembly = assembled(scene, &unit, found, ConstraintFilter::Only(resting))?;
     let solve = forces(solving, scene, assembly)?;
     let accelerations = solve.problem.motion(&solve.solution.x);
     let still = vec![State::WORLD; stage.len()];
@@ -182,7 +188,8 @@ fn forces<'s>(
         if slides.len() == count {
             return Ok(solving.last());
         }
-        solving.solves.pop(); // an answer to a question that was the wrong one
+        // The answer belongs to a problem that was discarded.
+        solving.solves.pop();
     }
 }
 
@@ -220,8 +227,12 @@ fn impossible(solve: &Solve, scene: &Scene) -> Option<Cause> {
 }
 
 /// The states after the impacts, where bodies touch or limits are met, and approach.
-fn impacts(solving: &mut Solving, states: &[State], found: &[Found]) -> Result<Vec<State>, Cause> {
-    let assembly = solving.assemble(states, found, Entering::Touching)?;
+fn impacts(
+    solving: &mut Solving,
+    states: &[State],
+    found: &[DetectedContact],
+) -> Result<Vec<State>, Cause> {
+    let assembly = solving.assemble(states, found, ConstraintFilter::Touching)?;
     let limit = -HIT * solving.scene.resting().speed;
     let hits = |row: &Row| row.bounds == Bounds::Unilateral && row.velocity < limit;
     if !assembly.rows.iter().any(hits) {

@@ -16,14 +16,14 @@ const HALVINGS: usize = 48;
 const ROUNDING: f64 = 1e-6;
 
 /// A way from one instant to another, h (s) later.
-pub(super) struct Way<'a> {
+pub(super) struct Interval<'a> {
     pub scene: &'a Scene,
     pub before: &'a [State],
     pub after: &'a [State],
     pub h: f64,
 }
 
-impl Way<'_> {
+impl Interval<'_> {
     /// The part θ of the way, before 1, after which a contact or limit that is not among the
     /// resting ones would become an overlap.
     pub fn arrival(&self, resting: &[RowId]) -> Option<f64> {

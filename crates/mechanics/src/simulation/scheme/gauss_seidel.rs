@@ -14,7 +14,7 @@
 use super::velocity;
 use crate::body::State;
 use crate::constraint::{Bounds, Kind, Row};
-use crate::scene::{Contacts, Found};
+use crate::scene::{Contacts, DetectedContact};
 use crate::simulation::Cause;
 use crate::simulation::correction::{Lever, rows, sources};
 use crate::simulation::solving::Solving;
@@ -22,7 +22,7 @@ use crate::simulation::solving::Solving;
 pub(super) fn step(
     solving: &mut Solving,
     states: &[State],
-    found: &[Found],
+    found: &[DetectedContact],
 ) -> Result<Vec<State>, Cause> {
     let mut states = velocity::unbiased(solving, states, found)?;
     let scene = solving.scene;

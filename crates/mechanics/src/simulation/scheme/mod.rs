@@ -11,16 +11,16 @@ mod velocity;
 mod xpbd;
 
 use super::solving::Solving;
-use super::{Act, Cause, Solve};
+use super::{Cause, Solve, StepEvent};
 use crate::body::State;
 use crate::formulation::Scheme;
-use crate::scene::{Found, Scene, Step};
+use crate::scene::{DetectedContact, Scene, Step};
 
 /// The states after a step; `found` are the contacts at its beginning.
 pub(super) fn step(
     solving: &mut Solving,
     states: &[State],
-    found: &[Found],
+    found: &[DetectedContact],
 ) -> Result<Vec<State>, Cause> {
     match solving.scene.step.scheme {
         Scheme::Velocity => velocity::step(solving, states, found),
@@ -37,7 +37,7 @@ pub(super) fn step(
 /// The states that the last answer leads to: its impulses, then a move for dt.
 fn moved(solving: &mut Solving, states: &[State], dt: f64) -> Vec<State> {
     solving.note_answer();
-    solving.note(Act::Advance(dt));
+    solving.note(StepEvent::Advance(dt));
     let Solve { problem, solution, .. } = solving.last();
     problem.next_states(states, &solution.x, dt)
 }

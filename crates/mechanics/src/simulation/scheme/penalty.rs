@@ -14,24 +14,24 @@
 //! K&M, the first of the chapter's schemes.
 
 use super::substepped;
-use crate::assembly::{Assembly, Entering, Row};
+use crate::assembly::{Assembly, ConstraintFilter, Row};
 use crate::body::State;
 use crate::constraint::Bounds;
-use crate::scene::{Found, Penalty};
+use crate::scene::{DetectedContact, Penalty};
 use crate::simulation::solving::{Solving, assembled};
 use crate::simulation::sweep::Sweeper;
-use crate::simulation::{Act, Cause, Push};
+use crate::simulation::{Cause, StepEvent, VelocityUpdate};
 
 pub(super) fn step(
     solving: &mut Solving,
     states: &[State],
-    found: &[Found],
+    found: &[DetectedContact],
 ) -> Result<Vec<State>, Cause> {
     let scene = substepped(solving.scene);
     let h = scene.step.dt;
     let mut states = states.to_vec();
     for _ in 0..scene.step.substeps {
-        let assembly = assembled(&scene, &states, found, Entering::Near)?;
+        let assembly = assembled(&scene, &states, found, ConstraintFilter::Near)?;
         let x = forces(&assembly, &scene.step.penalty, h);
         let pull = assembly.pull_back(&x);
         let force: Vec<f64> = assembly.force.iter().zip(pull).map(|(f, x)| f + x).collect();
@@ -41,8 +41,14 @@ pub(super) fn step(
         states = assembly.advanced(&moved, h);
         let impulses: Vec<f64> = x.iter().map(|x| h * x).collect();
         let feedback = vec![0.0; impulses.len()];
-        solving.note(Act::Push(Push { assembly, h, impulses, feedback, bounces: false }));
-        solving.note(Act::Advance(h));
+        solving.note(StepEvent::VelocityUpdate(VelocityUpdate {
+            assembly,
+            h,
+            impulses,
+            feedback,
+            bounces: false,
+        }));
+        solving.note(StepEvent::Advance(h));
     }
     Ok(states)
 }

@@ -10,22 +10,22 @@
 //! rows' aim. Catto, GDC 2005; K&M, the third of the chapter's schemes.
 
 use super::moved;
-use crate::assembly::Entering;
+use crate::assembly::ConstraintFilter;
 use crate::body::State;
 use crate::formulation::Problem;
-use crate::scene::Found;
+use crate::scene::DetectedContact;
 use crate::simulation::Cause;
 use crate::simulation::solving::Solving;
-use crate::simulation::sweep::{Aim, Sweeper};
+use crate::simulation::sweep::{RowTarget, Sweeper};
 use lcplab_problem::Complementarity;
 use lcplab_solver::{Event, Iterate, Observer, Solution, Status};
 
 pub(super) fn step(
     solving: &mut Solving,
     states: &[State],
-    found: &[Found],
+    found: &[DetectedContact],
 ) -> Result<Vec<State>, Cause> {
-    let assembly = solving.assemble(states, found, Entering::Near)?;
+    let assembly = solving.assemble(states, found, ConstraintFilter::Near)?;
     let problem = Problem::velocity(solving.scene, assembly)?;
     let (dt, sweeps) = (solving.scene.step.dt, solving.scene.step.sweeps);
     let tolerance = solving.scene.solver.tolerance;
@@ -48,8 +48,8 @@ fn impulses(
     tolerance: f64,
     observer: &mut dyn Observer,
 ) -> Solution {
-    let aim = |(&bias, &compliance): (&f64, &f64)| Aim { bias, compliance };
-    let aims: Vec<Aim> = problem.bias.iter().zip(&problem.compliance).map(aim).collect();
+    let aim = |(&bias, &compliance): (&f64, &f64)| RowTarget { bias, compliance };
+    let aims: Vec<RowTarget> = problem.bias.iter().zip(&problem.compliance).map(aim).collect();
     let sweeper = Sweeper::new(&problem.assembly, dt);
     let mut x = start.to_vec();
     problem.lcp.project_all(&mut x);

@@ -20,14 +20,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;
 
 use super::substepped;
-use crate::assembly::{Assembly, Entering, Row, RowId};
+use crate::assembly::{Assembly, ConstraintFilter, Row, RowId};
 use crate::body::State;
 use crate::constraint::{Bounds, Kind, Spring};
 use crate::formulation::Stage;
-use crate::scene::{Found, Scene};
+use crate::scene::{DetectedContact, Scene};
 use crate::simulation::solving::{Solving, assembled};
-use crate::simulation::sweep::{Aim, Sweeper};
-use crate::simulation::{Act, Cause, Push};
+use crate::simulation::sweep::{RowTarget, Sweeper};
+use crate::simulation::{Cause, StepEvent, VelocityUpdate};
 
 /// A bounce is swept so often at most.
 const MOST_SWEEPS: usize = 100;
@@ -40,10 +40,10 @@ type Impulses = BTreeMap<RowId, f64>;
 pub(super) fn step(
     solving: &mut Solving,
     states: &[State],
-    found: &[Found],
+    found: &[DetectedContact],
 ) -> Result<Vec<State>, Cause> {
     let scene = substepped(solving.scene);
-    let first = assembled(&scene, states, found, Entering::Near)?;
+    let first = assembled(&scene, states, found, ConstraintFilter::Near)?;
     let approach: Impulses = first.rows.iter().map(|row| (row.id, row.velocity)).collect();
     let mut impulses = named(&first, &solving.start(Stage::Velocity, &first));
     // Drop the impulse of a contact that separates: removing it corner by corner would leave the
@@ -60,21 +60,22 @@ pub(super) fn step(
     for _ in 0..scene.step.substeps {
         let (moved, push) = substep(&scene, &states, found, &mut impulses)?;
         states = moved;
-        solving.note(Act::Push(push));
-        solving.note(Act::Advance(scene.step.dt));
+        solving.note(StepEvent::VelocityUpdate(push));
+        solving.note(StepEvent::Advance(scene.step.dt));
         raise(&mut pushed, &impulses);
         for _ in 0..scene.step.soft.relax {
             let (relaxed, push) = swept(&scene, &states, found, &mut impulses, relaxed_aim)?;
             states = relaxed;
-            solving.note(Act::Push(push));
-            raise(&mut pushed, &impulses); // it may close a gap and hit, too
+            solving.note(StepEvent::VelocityUpdate(push));
+            // This may also close a gap and cause an impact.
+            raise(&mut pushed, &impulses);
         }
     }
-    let last = assembled(&scene, &states, found, Entering::Near)?;
+    let last = assembled(&scene, &states, found, ConstraintFilter::Near)?;
     let x = placed(&last, &impulses);
     solving.remember(Stage::Velocity, &last, &x);
     let (states, push) = bounced(&scene, last, &states, x, &approach, &pushed);
-    solving.note(Act::Push(push));
+    solving.note(StepEvent::VelocityUpdate(push));
     Ok(states)
 }
 
@@ -82,11 +83,11 @@ pub(super) fn step(
 fn substep(
     scene: &Scene,
     states: &[State],
-    found: &[Found],
+    found: &[DetectedContact],
     impulses: &mut Impulses,
-) -> Result<(Vec<State>, Push), Cause> {
+) -> Result<(Vec<State>, VelocityUpdate), Cause> {
     let h = scene.step.dt;
-    let assembly = assembled(scene, states, found, Entering::Near)?;
+    let assembly = assembled(scene, states, found, ConstraintFilter::Near)?;
     let rates = assembly.accelerate(&assembly.force);
     let push = assembly.accelerate(&assembly.pull_back(&placed(&assembly, impulses)));
     let kicked =
@@ -94,7 +95,7 @@ fn substep(
     let kicked = assembly.with_velocities(states, &kicked.collect::<Vec<_>>());
     let (swept, push) = swept(scene, &kicked, found, impulses, soft_aim)?;
     let states = assembly.advanced(&swept, h);
-    let push = Push { h, impulses: placed(&assembly, impulses), assembly, ..push };
+    let push = VelocityUpdate { h, impulses: placed(&assembly, impulses), assembly, ..push };
     Ok((states, push))
 }
 
@@ -102,31 +103,32 @@ fn substep(
 fn swept(
     scene: &Scene,
     states: &[State],
-    found: &[Found],
+    found: &[DetectedContact],
     impulses: &mut Impulses,
-    aim: impl Fn(&Row, f64, &Scene) -> Aim,
-) -> Result<(Vec<State>, Push), Cause> {
-    let assembly = assembled(scene, states, found, Entering::Near)?;
+    aim: impl Fn(&Row, f64, &Scene) -> RowTarget,
+) -> Result<(Vec<State>, VelocityUpdate), Cause> {
+    let assembly = assembled(scene, states, found, ConstraintFilter::Near)?;
     let sweeper = Sweeper::new(&assembly, scene.step.dt);
     let rows = assembly.rows.iter().enumerate();
     let of_row = |(i, row): (usize, &Row)| {
         let aim = aim(row, sweeper.diagonal(i), scene);
-        Aim { bias: aim.bias + row.drift, ..aim }
+        RowTarget { bias: aim.bias + row.drift, ..aim }
     };
-    let aims: Vec<Aim> = rows.map(of_row).collect();
+    let aims: Vec<RowTarget> = rows.map(of_row).collect();
     let (before, mut u) = (placed(&assembly, impulses), assembly.u.clone());
     let mut x = before.clone();
     sweeper.sweep(&aims, &mut x, &mut u);
     *impulses = named(&assembly, &x);
     let states = assembly.with_velocities(states, &u);
-    let own = |((aim, x), row): ((&Aim, &f64), &Row)| aim.bias - row.drift + aim.compliance * x;
+    let own =
+        |((aim, x), row): ((&RowTarget, &f64), &Row)| aim.bias - row.drift + aim.compliance * x;
     let feedback = aims.iter().zip(&x).zip(&assembly.rows).map(own).collect();
     let added = x.iter().zip(before).map(|(x, before)| x - before).collect();
-    Ok((states, Push { assembly, h: 0.0, impulses: added, feedback, bounces: false }))
+    Ok((states, VelocityUpdate { assembly, h: 0.0, impulses: added, feedback, bounces: false }))
 }
 
 /// A row as a spring; `a` is J M⁻¹ Jᵀ.
-fn soft_aim(row: &Row, a: f64, scene: &Scene) -> Aim {
+fn soft_aim(row: &Row, a: f64, scene: &Scene) -> RowTarget {
     let (h, soft, contact) = (scene.step.dt, &scene.step.soft, row.kind == Kind::Normal);
     let (hertz, ratio) = match row.bounds {
         Bounds::Unilateral => (soft.contact_hertz, soft.contact_damping),
@@ -142,24 +144,25 @@ fn soft_aim(row: &Row, a: f64, scene: &Scene) -> Aim {
     let push = if contact { soft.push_speed } else { f64::INFINITY };
     match firm_aim(row, h) {
         Some(aim) => aim,
-        None => {
-            Aim { bias: (spring.feedback(h) * error).max(-push), compliance: spring.compliance(h) }
-        }
+        None => RowTarget {
+            bias: (spring.feedback(h) * error).max(-push),
+            compliance: spring.compliance(h),
+        },
     }
 }
 
 /// The same row without feedback.
-fn relaxed_aim(row: &Row, _: f64, scene: &Scene) -> Aim {
-    firm_aim(row, scene.step.dt).unwrap_or(Aim { bias: 0.0, compliance: 0.0 })
+fn relaxed_aim(row: &Row, _: f64, scene: &Scene) -> RowTarget {
+    firm_aim(row, scene.step.dt).unwrap_or(RowTarget { bias: 0.0, compliance: 0.0 })
 }
 
 /// What springs, gaps, friction and motors aim at in every sweep; `None` for the others.
-fn firm_aim(row: &Row, h: f64) -> Option<Aim> {
-    let firm = |bias| Some(Aim { bias, compliance: 0.0 });
+fn firm_aim(row: &Row, h: f64) -> Option<RowTarget> {
+    let firm = |bias| Some(RowTarget { bias, compliance: 0.0 });
     match (row.spring, row.bounds) {
         (Some(spring), _) => {
             let (bias, compliance) = (spring.feedback(h) * row.c, spring.compliance(h));
-            Some(Aim { bias, compliance })
+            Some(RowTarget { bias, compliance })
         }
         (None, Bounds::Friction { .. } | Bounds::Effort(_)) => firm(-row.speed),
         (None, Bounds::Unilateral) if row.c > 0.0 => firm(row.c / h),
@@ -177,7 +180,7 @@ fn bounced(
     x: Vec<f64>,
     approach: &Impulses,
     pushed: &Impulses,
-) -> (Vec<State>, Push) {
+) -> (Vec<State>, VelocityUpdate) {
     let sweeper = Sweeper::new(&assembly, scene.step.dt);
     let aim = |row: &Row| {
         let before = approach.get(&row.id).copied().unwrap_or(0.0);
@@ -215,7 +218,7 @@ fn bounced(
     }
     let feedback = aims.into_iter().map(|aim| aim.unwrap_or(0.0)).collect();
     let states = assembly.with_velocities(states, &u);
-    (states, Push { assembly, h: 0.0, impulses, feedback, bounces: true })
+    (states, VelocityUpdate { assembly, h: 0.0, impulses, feedback, bounces: true })
 }
 
 /// The most that each row has pushed.

@@ -11,27 +11,28 @@
 //! *Bullet*, 2005.
 
 use super::velocity;
-use crate::assembly::Entering;
+use crate::assembly::ConstraintFilter;
 use crate::body::State;
 use crate::formulation::Problem;
-use crate::scene::Found;
+use crate::scene::DetectedContact;
 use crate::simulation::solving::Solving;
-use crate::simulation::{Act, Cause, Solve};
+use crate::simulation::{Cause, Solve, StepEvent};
 
 pub(super) fn step(
     solving: &mut Solving,
     states: &[State],
-    found: &[Found],
+    found: &[DetectedContact],
 ) -> Result<Vec<State>, Cause> {
     let states = velocity::unbiased(solving, states, found)?;
-    let assembly = solving.assemble(&states, found, Entering::Near)?;
+    let assembly = solving.assemble(&states, found, ConstraintFilter::Near)?;
     let problem = Problem::position(solving.scene, assembly)?;
     let Solve { problem, solution, .. } = solving.solve(problem)?;
     let (shifts, x) = (problem.motion(&solution.x), &solution.x);
     let shifted = problem.next_states(&states, x, 0.0);
     let blocks = problem.assembly.blocks.iter();
-    let shifts: Vec<Act> =
-        blocks.map(|block| Act::Shift { body: block.body, by: block.gather(&shifts) }).collect();
+    let shifts: Vec<StepEvent> = blocks
+        .map(|block| StepEvent::Shift { body: block.body, by: block.gather(&shifts) })
+        .collect();
     shifts.into_iter().for_each(|shift| solving.note(shift));
     Ok(shifted)
 }

@@ -7,19 +7,19 @@
 //! Stewart & Trinkle 1996, Anitescu & Potra 1997.
 
 use super::moved;
-use crate::assembly::Entering;
+use crate::assembly::ConstraintFilter;
 use crate::body::State;
 use crate::formulation::Problem;
-use crate::scene::Found;
+use crate::scene::DetectedContact;
 use crate::simulation::Cause;
 use crate::simulation::solving::Solving;
 
 pub(super) fn step(
     solving: &mut Solving,
     states: &[State],
-    found: &[Found],
+    found: &[DetectedContact],
 ) -> Result<Vec<State>, Cause> {
-    let assembly = solving.assemble(states, found, Entering::Near)?;
+    let assembly = solving.assemble(states, found, ConstraintFilter::Near)?;
     let problem = Problem::velocity(solving.scene, assembly)?;
     let dt = solving.scene.step.dt;
     solving.solve_bouncing(problem)?;
@@ -30,9 +30,9 @@ pub(super) fn step(
 pub(super) fn unbiased(
     solving: &mut Solving,
     states: &[State],
-    found: &[Found],
+    found: &[DetectedContact],
 ) -> Result<Vec<State>, Cause> {
-    let assembly = solving.assemble(states, found, Entering::Near)?;
+    let assembly = solving.assemble(states, found, ConstraintFilter::Near)?;
     let problem = Problem::unbiased(solving.scene, assembly)?;
     let dt = solving.scene.step.dt;
     solving.solve_bouncing(problem)?;

@@ -27,11 +27,11 @@
 use std::collections::BTreeMap;
 
 use super::substepped;
-use crate::assembly::{Entering, RowId, Source};
+use crate::assembly::{ConstraintFilter, RowId, Source};
 use crate::body::State;
 use crate::constraint::{Bounds, Constraint, Kind, Row};
 use crate::formulation::Stage;
-use crate::scene::{Found, Scene};
+use crate::scene::{DetectedContact, Scene};
 use crate::simulation::Cause;
 use crate::simulation::correction::{Lever, rows, sources};
 use crate::simulation::solving::{Solving, assembled};
@@ -48,10 +48,10 @@ const ARRIVED: f64 = 1e-6;
 pub(super) fn step(
     solving: &mut Solving,
     states: &[State],
-    found: &[Found],
+    found: &[DetectedContact],
 ) -> Result<Vec<State>, Cause> {
     let scene = substepped(solving.scene);
-    let first = assembled(&scene, states, found, Entering::Near)?;
+    let first = assembled(&scene, states, found, ConstraintFilter::Near)?;
     let start = solving.start(Stage::Velocity, &first);
     let mut x: Impulses = first.rows.iter().zip(start).map(|(row, x)| (row.id, x)).collect();
     let before = states;
@@ -64,12 +64,12 @@ pub(super) fn step(
         }
     }
     let ids: Vec<RowId> = x.keys().copied().collect();
-    let assembly = assembled(&scene, &states, found, Entering::Only(&ids))?;
+    let assembly = assembled(&scene, &states, found, ConstraintFilter::Only(&ids))?;
     let of_rows = |x: &Impulses| assembly.rows.iter().map(|row| x[&row.id]).collect::<Vec<_>>();
     solving.remember(Stage::Velocity, &assembly, &of_rows(&x));
     // What pushed is told with the rows at the beginning of the step, as under other schemes: their
     // speeds are those of the approach.
-    let assembly = assembled(&scene, before, found, Entering::Only(&ids))?;
+    let assembly = assembled(&scene, before, found, ConstraintFilter::Only(&ids))?;
     let pushed = assembly.rows.iter().map(|row| sums[&row.id]).collect::<Vec<_>>();
     solving.pushed = assembly.rows.into_iter().zip(pushed).collect();
     Ok(states)
@@ -82,7 +82,7 @@ type Impulses = BTreeMap<RowId, f64>;
 fn substep(
     scene: &Scene,
     states: &mut Vec<State>,
-    found: &[Found],
+    found: &[DetectedContact],
     named: &mut Impulses,
 ) -> Result<(), Cause> {
     let sources = sources(scene, found);
@@ -123,7 +123,7 @@ fn by_name(sources: &[(Source, &dyn Constraint)], x: Vec<Vec<f64>>) -> Impulses 
 /// The states after h without constraints.
 fn free(scene: &Scene, states: &[State]) -> Result<Vec<State>, Cause> {
     let h = scene.step.dt;
-    let mut assembly = assembled(scene, states, &[], Entering::Near)?;
+    let mut assembly = assembled(scene, states, &[], ConstraintFilter::Near)?;
     assembly.rows.clear();
     let rates = assembly.accelerate(&assembly.force);
     let u: Vec<f64> = assembly.u.iter().zip(rates).map(|(u, rate)| u + h * rate).collect();

@@ -24,9 +24,9 @@ mod scope;
 mod sweeper;
 
 use super::{Cause, DIVERGED, Failure};
-use crate::assembly::{Assembly, Entering};
+use crate::assembly::{Assembly, ConstraintFilter};
 use crate::body::State;
-use crate::scene::{Detector, Found, Reach, Scene};
+use crate::scene::{DetectedContact, Detector, Reach, Scene};
 use impulses::Impulses;
 use lcplab_problem::error::{Error, Result};
 use lcplab_solver::Status;
@@ -40,7 +40,7 @@ pub enum Kernel {
     /// One row after the other, constraints first, then contacts.
     RowByRow,
     /// Eight pairs of bodies at a time, colour by colour.
-    EightPairs {
+    SimdPairs {
         /// On how many threads; the bits are the same with any number.
         threads: usize,
     },
@@ -153,7 +153,7 @@ impl Stepper {
     }
 
     /// The contacts at the beginning of the last step, or of the next one if they are known.
-    pub fn found(&self) -> &[Found] {
+    pub fn found(&self) -> &[DetectedContact] {
         self.detector.found()
     }
 
@@ -169,8 +169,8 @@ impl Stepper {
         self.impulses.solves()
     }
 
-    /// How far friction reached out of the cone in the last step, as [`Laws`](super::Laws) measures
-    /// it.
+    /// How far friction reached out of the cone in the last step, as
+    /// [`LawErrors`](super::LawErrors) measures it.
     pub(super) fn cone_excess(&self) -> f64 {
         self.rows.cone_excess(self.x())
     }
@@ -247,7 +247,7 @@ impl Stepper {
         let body = self.next.iter().position(|state| !sane(state))?;
         // The same rows in the same order, with their names.
         let found = self.detector.found();
-        let named = Assembly::new(&self.scene, &self.states, found, Entering::Near).ok();
+        let named = Assembly::new(&self.scene, &self.states, found, ConstraintFilter::Near).ok();
         let rows = named.iter().flat_map(|assembly| assembly.rows.iter().zip(self.impulses.x()));
         let acting = rows.filter(|(row, _)| row.bodies.contains(&Some(body)));
         let largest = acting.max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()));

@@ -5,12 +5,12 @@ use crate::assembly::{Source, Undefined};
 use crate::body::State;
 use crate::constraint::{self, Bounds, Constraint, Kind};
 use crate::formulation::Bias;
-use crate::scene::{ContactId, Found, Scene};
+use crate::scene::{ContactId, DetectedContact, Scene};
 use crate::simulation::Cause;
 use crate::simulation::laws::excess_of;
 use lcplab_problem::error::Error;
 use lcplab_solver::Status;
-use lcplab_solver::kernel::impulses::{Aim, Row, System};
+use lcplab_solver::kernel::impulses::{Row, RowTarget, System};
 
 /// All rows: those of the constraints, then those of the contacts.
 #[derive(Default)]
@@ -41,13 +41,13 @@ impl Rows {
         &mut self,
         scene: &Scene,
         states: &[State],
-        found: &[Found],
+        found: &[DetectedContact],
         masses: &Masses,
     ) -> Result<(), Cause> {
         self.system.clear(masses.len());
         self.contacts.clear();
         self.approaching.clear();
-        let asking = Asking::of(scene);
+        let asking = RowRequest::of(scene);
         for (k, constraint) in scene.constraints.iter().enumerate() {
             self.add(Source::Constraint(k), constraint.as_ref(), states, masses, &asking)?;
         }
@@ -65,7 +65,7 @@ impl Rows {
         constraint: &dyn Constraint,
         states: &[State],
         masses: &Masses,
-        asking: &Asking,
+        asking: &RowRequest,
     ) -> Result<(), Cause> {
         let bodies = constraint.bodies();
         let pair = bodies.map(|body| body.map_or(&State::WORLD, |k| &states[k]));
@@ -93,7 +93,8 @@ impl Rows {
         Ok(())
     }
 
-    /// How far friction is outside Coulomb's cone, as in [`Laws`](crate::simulation::Laws).
+    /// How far friction is outside Coulomb's cone, as in
+    /// [`LawErrors`](crate::simulation::LawErrors).
     pub fn cone_excess(&self, x: &[f64]) -> f64 {
         let with_friction = self.contacts.iter().filter(|place| place.rows == 3);
         let sizes = with_friction.map(|&Place { first, .. }| {
@@ -112,7 +113,7 @@ impl Rows {
     }
 }
 
-fn refused(asking: &Asking, source: Source, status: &Status) -> Cause {
+fn refused(asking: &RowRequest, source: Source, status: &Status) -> Cause {
     Cause::Problem(Error::invalid(asking.name, source.to_string(), status.to_string()))
 }
 
@@ -129,7 +130,7 @@ fn scaled(row: &constraint::Row, places: [Option<usize>; 2], masses: &Masses) ->
 }
 
 /// What a scene asks of rows.
-struct Asking<'a> {
+struct RowRequest<'a> {
     name: &'a str,
     dt: f64,
     bias: Bias,
@@ -137,9 +138,9 @@ struct Asking<'a> {
     bounce_speed: f64,
 }
 
-impl<'a> Asking<'a> {
+impl<'a> RowRequest<'a> {
     fn of(scene: &'a Scene) -> Self {
-        Asking {
+        RowRequest {
             name: &scene.name,
             dt: scene.step.dt,
             bias: Bias::new(scene, scene.step.baumgarte),
@@ -149,13 +150,13 @@ impl<'a> Asking<'a> {
     }
 
     /// What it asks of a row, of a constraint whose first row stands there.
-    fn aim(&self, row: &constraint::Row, first: usize) -> Aim {
+    fn aim(&self, row: &constraint::Row, first: usize) -> RowTarget {
         let b = self.bias.of(row.kind, row.bounds, row.spring, row.c, row.speed);
         let ((lo, hi), follows) = match row.bounds {
             Bounds::Friction { normal, mu } => ((-mu, mu), Some(first + normal)),
             Bounds::Effort(effort) => ((-effort * self.dt, effort * self.dt), None),
             bounds => (bounds.interval(), None),
         };
-        Aim { b, lo, hi, follows }
+        RowTarget { b, lo, hi, follows }
     }
 }

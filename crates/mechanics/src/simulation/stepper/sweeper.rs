@@ -3,7 +3,7 @@
 use super::Kernel;
 use lcplab_solver::Status;
 use lcplab_solver::kernel::Width;
-use lcplab_solver::kernel::impulses::{EightPairs, RowByRow, System, Velocity};
+use lcplab_solver::kernel::impulses::{RowByRow, SimdPairs, System, Velocity};
 
 /// Something that sweeps, and the velocities it ended with.
 pub(super) struct Sweeper {
@@ -13,15 +13,15 @@ pub(super) struct Sweeper {
 
 enum Form {
     RowByRow(RowByRow),
-    EightPairs(Box<EightPairs>),
+    SimdPairs(Box<SimdPairs>),
 }
 
 impl Sweeper {
     pub fn new(kernel: Kernel) -> Self {
         let form = match kernel {
             Kernel::RowByRow => Form::RowByRow(RowByRow::default()),
-            Kernel::EightPairs { threads } => {
-                Form::EightPairs(Box::new(EightPairs::idle(Width::widest(), threads)))
+            Kernel::SimdPairs { threads } => {
+                Form::SimdPairs(Box::new(SimdPairs::idle(Width::widest(), threads)))
             }
         };
         Sweeper { form, v: Vec::new() }
@@ -43,7 +43,7 @@ impl Sweeper {
                 x.copy_from_slice(kernel.x());
                 self.v.copy_from_slice(kernel.v());
             }
-            Form::EightPairs(kernel) => {
+            Form::SimdPairs(kernel) => {
                 kernel.start(system, x, free)?;
                 kernel.sweeps(count);
                 kernel.write_x(x);
@@ -57,7 +57,7 @@ impl Sweeper {
     pub fn order(&self, rows: usize) -> Vec<usize> {
         match &self.form {
             Form::RowByRow(_) => (0..rows).collect(),
-            Form::EightPairs(kernel) => kernel.order(),
+            Form::SimdPairs(kernel) => kernel.order(),
         }
     }
 
@@ -65,7 +65,7 @@ impl Sweeper {
     pub fn bytes(&self) -> usize {
         let form = match &self.form {
             Form::RowByRow(kernel) => kernel.bytes(),
-            Form::EightPairs(kernel) => kernel.bytes(),
+            Form::SimdPairs(kernel) => kernel.bytes(),
         };
         form + self.v.capacity() * size_of::<Velocity>()
     }

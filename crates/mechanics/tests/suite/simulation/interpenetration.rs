@@ -223,7 +223,7 @@ proptest! {
         let pose = Pose { p: 0.4 * p, q: UnitQuaternion::from_scaled_axis(3.0 * turn) };
         scene.states[1] = State { pose, v, omega };
         scene.states[2].v = -v;
-        let names = |found: Vec<lcplab_mechanics::scene::Found>| -> Vec<_> {
+        let names = |found: Vec<lcplab_mechanics::scene::DetectedContact>| -> Vec<_> {
             found.iter().map(|own| (own.id, own.gap.to_bits())).collect()
         };
         let least = names(contacts(&scene, &scene.states, 0.05));

@@ -2,7 +2,7 @@
 
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::scene::{Integrator, Scene, Scheme, catalogue};
-use lcplab_mechanics::simulation::{Act, Ledger, Step};
+use lcplab_mechanics::simulation::{Ledger, Step, StepEvent};
 
 use super::{assert_near, scene, simulation};
 
@@ -161,8 +161,14 @@ fn who_does_not_write_down_what_acted_has_no_account() {
 }
 
 /// The energy balance of a step with these impulses and final states.
-fn audited(scene: &Scene, before: &[State], step: &Step, acts: &[Act], after: &[State]) -> Ledger {
-    Ledger::of(scene, before, &step.solves, acts, after)
+fn audited(
+    scene: &Scene,
+    before: &[State],
+    step: &Step,
+    events: &[StepEvent],
+    after: &[State],
+) -> Ledger {
+    Ledger::of(scene, before, &step.solves, events, after)
 }
 
 /// The last step of several, and the states before it.
@@ -183,8 +189,8 @@ fn an_energy_that_nobody_put_in_is_missing_in_every_account() {
             let (before, step) = last_step(&scene, 12);
             let faster = |state: &State| state.with_velocity(&(state.velocity() * 1.01f64.sqrt()));
             let after: Vec<State> = step.states.iter().map(faster).collect();
-            let acts = step.acts.as_ref().unwrap();
-            let ledger = audited(&scene, &before, &step, acts, &after);
+            let events = step.events.as_ref().unwrap();
+            let ledger = audited(&scene, &before, &step, events, &after);
             let planted = 0.01 * step.motion.kinetic;
             assert!(planted > 1e-6, "{name} {scheme:?} moves");
             assert_near(ledger.remainder(), planted, 1e-9 * ledger.scale);
@@ -200,7 +206,7 @@ fn a_height_that_nobody_climbed_is_missing_in_every_account() {
         let (before, step) = last_step(&scene, 5);
         let mut after = step.states.clone();
         after.iter_mut().for_each(|state| state.pose.p.z += 0.01);
-        let ledger = audited(&scene, &before, &step, step.acts.as_ref().unwrap(), &after);
+        let ledger = audited(&scene, &before, &step, step.events.as_ref().unwrap(), &after);
         let weights = scene.bodies.iter().map(|body| -body.mass.mass() * scene.gravity.z);
         assert_near(ledger.remainder(), 0.01 * weights.sum::<f64>(), 1e-9);
         assert!(!ledger.closes(), "{scheme:?}");
@@ -215,10 +221,12 @@ fn an_impulse_that_is_not_written_down_is_missing_in_every_account() {
         let mut scene = ball(0.0, 3.0, 0.0, 0.0, scheme);
         scene.step.penalty.stiffness = 2e4;
         let (before, step) = last_step(&scene, 3);
-        let impact = |act: &Act| matches!(act, Act::Answer(_) | Act::Push(_));
-        let acts: Vec<Act> =
-            step.acts.iter().flatten().filter(|act| !impact(act)).cloned().collect();
-        let ledger = audited(&scene, &before, &step, &acts, &step.states);
+        let impact = |event: &StepEvent| {
+            matches!(event, StepEvent::Answer(_) | StepEvent::VelocityUpdate(_))
+        };
+        let events: Vec<StepEvent> =
+            step.events.iter().flatten().filter(|event| !impact(event)).cloned().collect();
+        let ledger = audited(&scene, &before, &step, &events, &step.states);
         assert_near(ledger.remainder(), step.ledger.unwrap().change, 1e-12);
     }
     for scheme in accounted() {
@@ -245,9 +253,9 @@ fn a_position_that_is_corrected_in_secret_is_missing() {
     for scheme in [Scheme::SplitImpulse, Scheme::GaussSeidel] {
         let scene = scene("pendulum", scheme);
         let (before, step) = last_step(&scene, 30);
-        let acts: Vec<Act> = step.acts.iter().flatten().cloned().collect();
-        let (shifts, others): (Vec<Act>, Vec<Act>) =
-            acts.into_iter().partition(|act| matches!(act, Act::Shift { .. }));
+        let events: Vec<StepEvent> = step.events.iter().flatten().cloned().collect();
+        let (shifts, others): (Vec<StepEvent>, Vec<StepEvent>) =
+            events.into_iter().partition(|event| matches!(event, StepEvent::Shift { .. }));
         assert!(!shifts.is_empty());
         let ledger = audited(&scene, &before, &step, &others, &step.states);
         let honest = step.ledger.unwrap();

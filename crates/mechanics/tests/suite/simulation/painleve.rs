@@ -1,7 +1,7 @@
 //! Sliding friction at acceleration level, and Painlevé's rod.
 
 use lcplab_judge::ray::refute;
-use lcplab_mechanics::assembly::{Assembly, Entering};
+use lcplab_mechanics::assembly::{Assembly, ConstraintFilter};
 use lcplab_mechanics::formulation::{Problem, Slide};
 use lcplab_mechanics::scene::{Scene, Scheme, Sliding, contacts};
 use lcplab_mechanics::simulation::Cause;
@@ -14,7 +14,7 @@ const G: f64 = 9.81;
 /// The force LCP of a scene at its start.
 fn problem(scene: &Scene) -> Problem {
     let found = contacts(scene, &scene.states, scene.resting().gap);
-    let assembly = Assembly::new(scene, &scene.states, &found, Entering::Resting).unwrap();
+    let assembly = Assembly::new(scene, &scene.states, &found, ConstraintFilter::Resting).unwrap();
     let slides = Slide::all(&assembly, scene.contact.sticking_speed);
     Problem::sliding(scene, assembly, slides).unwrap()
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use lcplab_mechanics::assembly::{Assembly, Entering};
+use lcplab_mechanics::assembly::{Assembly, ConstraintFilter};
 use lcplab_mechanics::formulation::Problem;
 use lcplab_mechanics::scene::Scheme;
 use nalgebra::Vector3;
@@ -94,7 +94,8 @@ fn a_coordinate_check_of_the_bias_at_acceleration_level() {
     pendulum.step.alpha = 3.0;
     pendulum.states[0].pose.p = Vector3::new(0.0, 0.0, -1.1);
     pendulum.states[0].v = Vector3::new(2.0, 0.0, -0.5);
-    let assembly = Assembly::new(&pendulum, &pendulum.states, &[], Entering::Resting).unwrap();
+    let assembly =
+        Assembly::new(&pendulum, &pendulum.states, &[], ConstraintFilter::Resting).unwrap();
     let b = Problem::acceleration(&pendulum, assembly).unwrap().lcp.b()[0];
     assert_near(b, G + 4.0 / 1.1 + 2.0 * 3.0 * 0.5 + 9.0 * 0.1, 1e-13);
 }

@@ -2,7 +2,7 @@
 
 use lcplab_judge::Demand;
 use lcplab_mechanics::scene::Scene;
-use lcplab_problem::friction::{Model, Posed};
+use lcplab_problem::friction::{Model, ProblemForm};
 use lcplab_solver::{PolygonPgs, Settings, Start, Status};
 use nalgebra::Vector3;
 
@@ -52,7 +52,8 @@ fn sweeps_and_pivots_find_the_same_friction_in_a_polygon() {
     let mut block = simulation(scene);
     let step = block.step().unwrap();
     let solve = &step.solves[0];
-    let Some(Posed::Polyhedral(polyhedral)) = solve.posing.as_ref().map(|posing| &posing.posed)
+    let Some(ProblemForm::Polyhedral(polyhedral)) =
+        solve.posing.as_ref().map(|posing| &posing.posed)
     else {
         panic!("no polygon");
     };

@@ -66,7 +66,7 @@ fn go_together(scene: Scene, kernel: Kernel, steps: usize, tolerance: f64) {
     let order = Arc::new(Mutex::new(Vec::new()));
     let solver = match kernel {
         Kernel::RowByRow => pgs(),
-        Kernel::EightPairs { .. } => Box::new(InOrder(order.clone())),
+        Kernel::SimdPairs { .. } => Box::new(InOrder(order.clone())),
     };
     let mut stepper = Stepper::new(scene.clone(), SWEEPS, kernel).unwrap();
     let mut simulation = Simulation::new(scene, solver);
@@ -105,7 +105,7 @@ fn the_stepper_moves_every_shipped_scene_as_a_simulation_by_pgs_does() {
 #[test]
 fn eight_pairs_move_as_a_simulation_by_pgs_in_their_order_does() {
     for name in ["stack", "pyramid", "chain", "net", "sphere_net", "ragdoll", "arch", "cradle"] {
-        let kernel = Kernel::EightPairs { threads: 1 };
+        let kernel = Kernel::SimdPairs { threads: 1 };
         go_together(velocity_level(name), kernel, steps(name), 1e-9);
     }
 }
@@ -114,7 +114,7 @@ fn eight_pairs_move_as_a_simulation_by_pgs_in_their_order_does() {
 fn any_number_of_threads_moves_with_the_same_bits() {
     for name in ["pyramid", "sphere_net", "dominoes"] {
         let run = |threads| {
-            let kernel = Kernel::EightPairs { threads };
+            let kernel = Kernel::SimdPairs { threads };
             let mut stepper = Stepper::new(velocity_level(name), SWEEPS, kernel).unwrap();
             (0..30).for_each(|_| stepper.step().unwrap());
             (stepper.states().to_vec(), stepper.x().to_vec())
@@ -129,7 +129,7 @@ fn any_number_of_threads_moves_with_the_same_bits() {
 #[test]
 fn a_run_from_the_start_again_is_the_same_run() {
     for name in ["pyramid", "cradle"] {
-        let kernel = Kernel::EightPairs { threads: 2 };
+        let kernel = Kernel::SimdPairs { threads: 2 };
         let mut stepper = Stepper::new(velocity_level(name), SWEEPS, kernel).unwrap();
         let mut run = || {
             stepper.restart();

@@ -39,11 +39,11 @@
 //! μ max(x_n, terms_n / s_n), as for a row with bounds
 //! ([`scaled_residual`](merit::scaled_residual)).
 
-mod misses;
+mod row_residuals;
 
 use super::{Contact, FrictionProblem};
 use crate::accurate;
-use crate::merit::{self, Miss, RowTerms};
+use crate::merit::{self, RowResidual, RowTerms};
 use crate::{Complementarity, Lcp};
 
 /// The normal velocity of a sliding contact.
@@ -104,9 +104,9 @@ impl ConeProblem {
 
     /// The residual of each row, from the terms of all rows at x; both tangents of a contact have
     /// the residual of their plane.
-    pub fn misses(&self, terms: &[RowTerms], x: &[f64]) -> Vec<Miss> {
-        let mut misses: Vec<Miss> =
-            (0..x.len()).map(|i| terms[i].miss(&self.friction.lcp, i, x)).collect();
+    pub fn row_residuals(&self, terms: &[RowTerms], x: &[f64]) -> Vec<RowResidual> {
+        let mut row_residuals: Vec<RowResidual> =
+            (0..x.len()).map(|i| terms[i].row_residual(&self.friction.lcp, i, x)).collect();
         for contact in &self.friction.contacts {
             let rows = contact.rows.map(|i| terms[i]);
             let size = rows[0].size(&self.friction.lcp, contact.rows[0], x);
@@ -115,21 +115,22 @@ impl ConeProblem {
                 Law::Coulomb => self.coulomb(contact, rows, contact.of(x), size),
             };
             let [n, t1, t2] = contact.rows;
-            (misses[n], misses[t1], misses[t2]) = (normal, tangential, tangential);
+            (row_residuals[n], row_residuals[t1], row_residuals[t2]) =
+                (normal, tangential, tangential);
         }
-        misses
+        row_residuals
     }
 
     /// The scaled residual r_i of each row from the terms of all rows at x. NaN counts as ∞.
     pub fn residuals(&self, terms: &[RowTerms], x: &[f64]) -> Vec<f64> {
-        self.misses(terms, x).iter().map(|miss| miss.residual).collect()
+        self.row_residuals(terms, x).iter().map(|row_residual| row_residual.residual).collect()
     }
 
     /// The residuals of all rows, their terms summed by S.
-    fn all_misses<S: merit::Sum>(&self, x: &[f64]) -> Vec<Miss> {
+    fn all_row_residuals<S: merit::Sum>(&self, x: &[f64]) -> Vec<RowResidual> {
         let lcp = &self.friction.lcp;
         let terms: Vec<_> = (0..x.len()).map(|i| RowTerms::summed::<S>(lcp, i, x)).collect();
-        self.misses(&terms, x)
+        self.row_residuals(&terms, x)
     }
 }
 
@@ -148,23 +149,26 @@ impl Complementarity for ConeProblem {
     }
 
     fn scaled_residual(&self, x: &[f64]) -> f64 {
-        self.all_misses::<f64>(x).iter().map(|miss| miss.residual).fold(0.0, f64::max)
+        self.all_row_residuals::<f64>(x)
+            .iter()
+            .map(|row_residual| row_residual.residual)
+            .fold(0.0, f64::max)
     }
 
     fn is_within(&self, x: &[f64], tolerance: f64, _first: &mut usize) -> bool {
-        let exactly = || self.all_misses::<accurate::Sum>(x);
+        let exactly = || self.all_row_residuals::<accurate::Sum>(x);
         self.scaled_residual(x) <= tolerance
-            && exactly().iter().all(|miss| miss.residual <= tolerance)
+            && exactly().iter().all(|row_residual| row_residual.residual <= tolerance)
     }
 
-    fn is_worth_something(&self, x: &[f64], tolerance: f64) -> bool {
+    fn improves_on_zero(&self, x: &[f64], tolerance: f64) -> bool {
         let nothing = {
             let mut x = vec![0.0; x.len()];
             self.project_all(&mut x);
             x
         };
-        let misses = |x: &[f64]| self.all_misses::<accurate::Sum>(x);
-        merit::is_better(&misses(x), misses(&nothing).into_iter(), tolerance)
+        let row_residuals = |x: &[f64]| self.all_row_residuals::<accurate::Sum>(x);
+        merit::is_better(&row_residuals(x), row_residuals(&nothing).into_iter(), tolerance)
     }
 
     fn is_frozen(&self) -> bool {

@@ -32,10 +32,10 @@
 //!
 //! Stewart & Trinkle 1996; Anitescu & Potra 1997.
 
-mod miss;
+mod row_residual;
 mod unknowns;
 
-pub use self::miss::Unknowns;
+pub use self::row_residual::Unknowns;
 use self::unknowns::{along, beta, delassus, direction, impulses};
 use super::FrictionProblem;
 use crate::error::{Error, Result};
@@ -81,10 +81,13 @@ impl Polyhedral {
         let mut entries = delassus(problem.lcp().matrix(), &impulses);
         let (mut beta, mut gamma) = (others.len() + contacts.len(), impulses.len());
         for (c, contact) in contacts.iter().enumerate().filter(|(_, contact)| contact.mu > 0.0) {
-            entries.push((gamma, others.len() + c, contact.mu)); // μ
+            // μ
+            entries.push((gamma, others.len() + c, contact.mu));
             for beta in beta..beta + k {
-                entries.push((beta, gamma, 1.0)); // E
-                entries.push((gamma, beta, -1.0)); // −Eᵀ
+                // E
+                entries.push((beta, gamma, 1.0));
+                // −Eᵀ
+                entries.push((gamma, beta, -1.0));
             }
             (beta, gamma) = (beta + k, gamma + 1);
         }
@@ -196,7 +199,8 @@ impl Polyhedral {
             let edge = [b[0] - a[0], b[1] - a[1]];
             let way = [p[0] - a[0], p[1] - a[1]];
             if edge[0] * way[1] - edge[1] * way[0] >= 0.0 {
-                return None; // on the inner side
+                // The point is on the inner side.
+                return None;
             }
             let length = edge[0] * edge[0] + edge[1] * edge[1];
             let part = ((edge[0] * way[0] + edge[1] * way[1]) / length).clamp(0.0, 1.0);

@@ -60,7 +60,8 @@ pub(super) fn direction(j: usize, k: usize) -> [f64; 2] {
 pub(super) fn delassus(a: &Matrix, impulses: &[Vec<(usize, f64)>]) -> Vec<(usize, usize, f64)> {
     let mut entries = Vec::new();
     for (p, u_p) in impulses.iter().enumerate() {
-        let mut row = vec![0.0; a.len()]; // u_pᵀ A
+        // u_pᵀ A
+        let mut row = vec![0.0; a.len()];
         for &(i, value) in u_p {
             for (j, a) in a.row(i).iter() {
                 row[j] += value * a;

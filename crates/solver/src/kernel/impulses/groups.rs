@@ -63,10 +63,10 @@ impl Groups {
             return false;
         }
         self.colour(system.bodies);
-        let least = self.count_octets();
+        let least = self.count_lane_groups();
         self.layer(system.bodies);
         self.colour(system.bodies);
-        if self.count_octets() > EMPTY_LANES * least {
+        if self.count_lane_groups() > EMPTY_LANES * least {
             self.pairs.iter_mut().for_each(|pair| pair.layer = 0);
             self.colour(system.bodies);
         }
@@ -140,7 +140,7 @@ impl Groups {
     }
 
     /// The number of octets if pairs are combined without regard to their rows.
-    fn count_octets(&mut self) -> usize {
+    fn count_lane_groups(&mut self) -> usize {
         self.sizes.clear();
         for pair in &self.pairs {
             if self.sizes.len() <= pair.group {
@@ -158,16 +158,17 @@ impl Groups {
 
     /// The pairs in runs of up to eight that can be processed together, the longest first in each
     /// run.
-    pub fn octets(&self) -> impl Iterator<Item = &[Pair]> {
+    pub fn lane_groups(&self) -> impl Iterator<Item = &[Pair]> {
         let mut rest = &self.pairs[..];
         std::iter::from_fn(move || {
             let leader = rest.first()?;
             let goes = |pair: &&Pair| {
                 pair.group == leader.group && self.bounded(leader).starts_with(self.bounded(pair))
             };
-            let (octet, others) = rest.split_at(rest.iter().take(LANES).take_while(goes).count());
+            let (pair_lanes, others) =
+                rest.split_at(rest.iter().take(LANES).take_while(goes).count());
             rest = others;
-            Some(octet)
+            Some(pair_lanes)
         })
     }
 

@@ -14,22 +14,22 @@
 //! half of the data of J and M⁻¹Jᵀ.
 //!
 //! [`RowByRow`] waits for the sum of each row before the next begins: about 60 cycles per row,
-//! nearly all of them latency. [`EightPairs`] processes eight pairs that share no body at once:
+//! nearly all of them latency. [`SimdPairs`] processes eight pairs that share no body at once:
 //! layer by layer from the ground up if enough pairs can be combined, as in a tower; otherwise, as
 //! in a single stack, by colors alone. A different order needs a different number of sweeps.
 //! Several threads may share a group of pairs with bitwise identical results.
 //!
 //! These sweeps do not support compliance (γ on A's diagonal).
 
-mod eight;
 mod groups;
-mod octet;
+mod pair_lanes;
 mod rows;
-mod team;
+mod simd_pairs;
+mod thread_pool;
 mod velocities;
 
-pub use eight::EightPairs;
 pub use rows::RowByRow;
+pub use simd_pairs::SimdPairs;
 
 use crate::Status;
 use lcplab_problem::Lcp;
@@ -52,7 +52,7 @@ pub struct Row {
 
 /// The target of a row: its offset and bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Aim {
+pub struct RowTarget {
     /// The term added to Ĵ v.
     pub b: f64,
     /// The lower bound of x.
@@ -82,7 +82,7 @@ impl Row {
 pub struct System {
     bodies: usize,
     rows: Vec<Row>,
-    aims: Vec<Aim>,
+    aims: Vec<RowTarget>,
     /// 1 / a_ii.
     inverse: Vec<f64>,
 }
@@ -102,8 +102,8 @@ impl System {
         for (i, row) in rows.iter().enumerate() {
             let (b, lo, hi) = (lcp.b()[i], lcp.lo()[i], lcp.hi()[i]);
             let aim = match lcp.coupled_to(i) {
-                Some((normal, mu)) => Aim { b, lo, hi: mu, follows: Some(normal) },
-                None => Aim { b, lo, hi, follows: None },
+                Some((normal, mu)) => RowTarget { b, lo, hi: mu, follows: Some(normal) },
+                None => RowTarget { b, lo, hi, follows: None },
             };
             system.push(*row, aim)?;
         }
@@ -125,7 +125,7 @@ impl System {
     ///
     /// # Panics
     /// If a body index is out of range.
-    pub fn push(&mut self, row: Row, aim: Aim) -> Result<(), Status> {
+    pub fn push(&mut self, row: Row, aim: RowTarget) -> Result<(), Status> {
         assert!(row.bodies.iter().all(|body| *body < self.bodies), "bodies");
         let inverse = row.diagonal().recip();
         if !inverse.is_finite() {
@@ -143,12 +143,12 @@ impl System {
     }
 
     /// The targets of the rows.
-    pub fn aims(&self) -> &[Aim] {
+    pub fn aims(&self) -> &[RowTarget] {
         &self.aims
     }
 
     /// The targets of the rows, mutable.
-    pub fn aims_mut(&mut self) -> &mut [Aim] {
+    pub fn aims_mut(&mut self) -> &mut [RowTarget] {
         &mut self.aims
     }
 
@@ -163,7 +163,7 @@ impl System {
 
     /// Π_i at x.
     fn project(&self, i: usize, value: f64, x: &[f64]) -> f64 {
-        let Aim { lo, hi, follows, .. } = self.aims[i];
+        let RowTarget { lo, hi, follows, .. } = self.aims[i];
         let (lo, hi) = match follows {
             Some(k) => (-hi * x[k].max(0.0), hi * x[k].max(0.0)),
             None => (lo, hi),

@@ -30,13 +30,15 @@ impl RowByRow {
             let Row { bodies: [p, q], jacobian: [j_p, j_q] } = *row;
             let mut w = system.aims[i].b;
             for k in 0..WIDTH {
-                w += j_p[k] * self.v[p][k] + j_q[k] * self.v[q][k]; // w_i = Ĵ_i v + b_i
+                // w_i = Ĵ_i v + b_i
+                w += j_p[k] * self.v[p][k] + j_q[k] * self.v[q][k];
             }
             let x = system.project(i, self.x[i] - w * system.inverse[i], &self.x);
             let change = x - self.x[i];
             self.x[i] = x;
             for k in 0..WIDTH {
-                self.v[p][k] += j_p[k] * change; // v ← v + Ĵ_iᵀ δ_i
+                // v ← v + Ĵ_iᵀ δ_i
+                self.v[p][k] += j_p[k] * change;
                 self.v[q][k] += j_q[k] * change;
             }
         }

@@ -117,7 +117,8 @@ impl InteriorPoint {
         observer: &mut dyn Observer,
     ) -> Solution {
         frozen::solve(lcp, x, &self.settings, |lcp, x, first| {
-            let mut path = None; // a start that is a solution must not be moved inside
+            // A start that is a solution must not be moved inside.
+            let mut path = None;
             iterate(lcp, x, first, &self.settings, observer, |x| {
                 let path = path.get_or_insert_with(|| Path::from_inside(lcp, equations, x));
                 path.step(equations, x)

@@ -93,7 +93,8 @@ impl<'a> Path<'a> {
         for (x, d) in x.iter_mut().zip(&direction.x) {
             *x += length * d;
         }
-        self.lcp.project_all(x); // a slack below the rounding of x may leave it beside the bound
+        // A slack below the rounding error of x may leave x slightly off the bound.
+        self.lcp.project_all(x);
         for (k, bound) in self.bounds.iter_mut().enumerate() {
             bound.slack += length * direction.slack[k];
             bound.push += length * direction.push[k];
@@ -124,7 +125,8 @@ impl<'a> Path<'a> {
         let product: Vec<f64> = self.bounds.iter().map(|k| k.slack * k.push).collect();
         let predictor = self.towards(equations, &w, product.iter().map(|p| -p).collect());
         if self.bounds.is_empty() {
-            return predictor; // w = 0 is linear
+            // The equation w = 0 is linear.
+            return predictor;
         }
         let target = self.target(&product, &predictor);
         let second_order = predictor.slack.iter().zip(&predictor.push).map(|(r, z)| r * z);

@@ -73,7 +73,8 @@ impl<'a> Velocities<'a> {
         self.diagonal.iter().for_each(|&place| self.values[place] = 1.0);
         for pair in &self.pairs {
             for block in &pair.blocks {
-                let mut sum = [[0.0; WIDTH]; WIDTH]; // by columns
+                // Stored by columns.
+                let mut sum = [[0.0; WIDTH]; WIDTH];
                 for i in pair.rows.clone() {
                     let [left, right] =
                         [block.row, block.column].map(|s| &self.system.rows()[i].jacobian[s]);
@@ -113,9 +114,11 @@ impl StepEquations for Velocities<'_> {
     fn solve(&mut self, r: &mut [f64]) {
         let scaled: Vec<f64> =
             r.iter().zip(&self.inverse).map(|(r, inverse)| r * inverse).collect();
-        let mut v = self.system.transposed_product(&scaled); // Ĵᵀ D⁻¹ r
+        // Ĵᵀ D⁻¹ r
+        let mut v = self.system.transposed_product(&scaled);
         self.factor.solve(&mut v);
-        let back = self.system.product(&v); // Ĵ v
+        // Ĵ v
+        let back = self.system.product(&v);
         for (r, (back, inverse)) in r.iter_mut().zip(back.iter().zip(&self.inverse)) {
             *r = inverse * (*r - back);
         }

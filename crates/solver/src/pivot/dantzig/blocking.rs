@@ -87,7 +87,8 @@ impl Run<'_> {
 
     /// How far w_j of a row at a bound can move at this velocity until it is zero.
     fn distance_to_zero(&self, j: usize, velocity: f64) -> f64 {
-        let length = -self.state.w[j] / velocity; // a division costs less than a wrong guess of who needs it
+        // A division costs less than a mispredicted branch.
+        let length = -self.state.w[j] / velocity;
         let away = if self.state.side[j] == Side::Upper { velocity } else { -velocity };
         if away > 0.0 && self.may_leave(j) { length } else { f64::INFINITY }
     }

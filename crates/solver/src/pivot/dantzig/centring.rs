@@ -24,25 +24,25 @@ use super::Side;
 use super::blocking::Block;
 use super::direction::{Direction, RELATIVE_ZERO};
 use super::run::Run;
-use crate::{Centring, Part, Status};
+use crate::{Centring, Status, StepDetail};
 
 impl Run<'_> {
     /// Makes row i dependent, in the middle, if it is at a bound, depends on C, and its w is zero;
     /// returns whether it did.
-    pub(super) fn settle_idle(&mut self, i: usize) -> bool {
+    pub(super) fn is_made_dependent(&mut self, i: usize) -> bool {
         if !self.is_at_rest(i) {
             return false;
         }
         let ControlFlow::Continue(d) = self.direction(i) else { return false };
-        let is_idle = d.schur == 0.0 && self.slope(i, &d) == 0.0 && self.centre(i, &d, None);
+        let is_dependent = d.schur == 0.0 && self.slope(i, &d) == 0.0 && self.centre(i, &d, None);
         self.scratch.directions.push(d);
-        is_idle
+        is_dependent
     }
 
     /// Whether row i has not been driven yet and is at a bound with w = 0.
     pub(super) fn is_at_rest(&self, i: usize) -> bool {
         let (lo, hi, x) = (self.lcp.lo()[i], self.lcp.hi()[i], self.state.x[i]);
-        self.state.side[i] == Side::Waiting && !(lo < x && x < hi) && self.is_level(i)
+        self.state.side[i] == Side::Unprocessed && !(lo < x && x < hi) && self.is_level(i)
     }
 
     /// Ends a move of x_i: either x moves off the bound that the blocking row of C reached, to the
@@ -66,9 +66,9 @@ impl Run<'_> {
     fn move_off_bound(&mut self, row: usize, served: &mut Vec<usize>) -> bool {
         let Some(k) = self.basis.free.iter().position(|&j| j == row) else { return false };
         let is_spare = |&j: &usize| match self.state.side[j] {
-            Side::Idle => true,
+            Side::Dependent => true,
             Side::Lower | Side::Upper => self.may_leave(j) && self.state.w[j] == 0.0,
-            Side::Waiting | Side::Free => false,
+            Side::Unprocessed | Side::Free => false,
         };
         let rows =
             (0..self.state.x.len()).filter(is_spare).filter(|j| !served.contains(j)).collect();
@@ -105,10 +105,10 @@ impl Run<'_> {
         if !(length.is_finite() && length > 0.0) {
             return false;
         }
-        if self.observer.asks_for_parts() {
+        if self.observer.wants_details() {
             let x = &self.state.x;
             let own = Centring { row: j, keeps, x, free, direction: &d.free, forward, back };
-            self.observer.part(&Part::Centring(own));
+            self.observer.part(&StepDetail::Centring(own));
         }
         let t = (forward - back) / 2.0;
         self.state.x[j] += t;
@@ -116,7 +116,7 @@ impl Run<'_> {
             self.state.x[k] += t * d;
         }
         self.state.w[j] = 0.0;
-        self.put(j, Side::Idle);
+        self.put(j, Side::Dependent);
         true
     }
 }

@@ -118,7 +118,8 @@ impl Run<'_> {
         d.delta_w.clear();
         d.delta_w.resize(self.state.x.len(), 0.0);
         if d.schur == 0.0 {
-            return; // the whole of A d vanishes
+            // All of A d vanishes.
+            return;
         }
         let end = self.basis.bound.iter().max().map_or(0, |last| last + 1);
         d.product.resize(end, 0.0);

@@ -39,14 +39,15 @@ impl Run<'_> {
         match (self.state.side[row], side) {
             (Side::Free, _) => {
                 let k = self.basis.free.iter().position(|&j| j == row).expect("a free row is in C");
-                let idle =
-                    (0..self.state.x.len()).filter(|&j| self.state.side[j] == Side::Idle).collect();
-                let dependents = self.dependents(k, idle);
+                let set_aside = (0..self.state.x.len())
+                    .filter(|&j| self.state.side[j] == Side::Dependent)
+                    .collect();
+                let dependents = self.dependents(k, set_aside);
                 self.basis.free.remove(k);
                 self.basis.factor.remove(k);
                 self.state.w[row] = 0.0;
                 self.put(row, side);
-                self.admit_idle(&dependents)?;
+                self.admit_dependent(&dependents)?;
             }
             (_, Side::Free) if row == i => self.enter(row, &direction),
             (_, Side::Free) => {
@@ -54,7 +55,8 @@ impl Run<'_> {
                 if own.schur > 0.0 {
                     self.enter(row, &own);
                 } else {
-                    self.put(row, Side::Idle); // only rounding had moved its w
+                    // Its w had changed only by rounding.
+                    self.put(row, Side::Dependent);
                 }
                 self.scratch.directions.push(own);
             }
@@ -93,7 +95,7 @@ impl Run<'_> {
     }
 
     /// After a row has left C, the dependent row that no longer depends on C enters C instead.
-    fn admit_idle(&mut self, dependents: &[usize]) -> ControlFlow<Status> {
+    fn admit_dependent(&mut self, dependents: &[usize]) -> ControlFlow<Status> {
         for &row in dependents {
             let direction = self.direction(row)?;
             let is_free = direction.schur > 0.0;

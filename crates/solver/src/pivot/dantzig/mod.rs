@@ -13,9 +13,9 @@
 //!
 //! Redundant contacts make A singular. Then s = 0 for a row that depends on C, and since A is
 //! semidefinite, A d = 0: moving along d changes no w, and w_i is dᵀw. If that is zero, the row is
-//! *dependent* (`Idle`): C keeps its w at zero, and when a row leaves C, a dependent one replaces
-//! it. x moves to the middle of its feasible range along d, so that few rows need to leave C
-//! (centring.rs). If dᵀw is not zero, x moves until it reaches a bound, and that row leaves C. If
+//! *dependent* (`Dependent`): C keeps its w at zero, and when a row leaves C, a dependent one
+//! replaces it. x moves to the middle of its feasible range along d, so that few rows need to leave
+//! C (centring.rs). If dᵀw is not zero, x moves until it reaches a bound, and that row leaves C. If
 //! there is no such bound, a dᵀw within the tolerance is attributed to rounding in the data of
 //! redundant joints, and the row is dependent; a larger one, bᵀd < 0 with A d = 0, proves that no
 //! solution exists (`Ray`).
@@ -23,7 +23,7 @@
 //! The test whether s is zero is independent of units and based on rounding. A itself is rounded,
 //! each a_jk by up to ε √(a_jj a_kk), which changes s = dᵀA d by up to ε (Σ √a_jj |d_j|)²; an s
 //! below about ten times that counts as zero. run.rs has the method, direction.rs the direction and
-//! this test, blocking.rs the end of a move and the rule for ties, exchange.rs the pivot, polish.rs
+//! this test, blocking.rs the end of a move and the rule for ties, exchange.rs the pivot, refine.rs
 //! the final refinement. [`textbook`](crate::textbook) has a one-page version for definite A
 //! without regard to rounding.
 //!
@@ -40,7 +40,7 @@ mod blocking;
 mod centring;
 mod direction;
 mod exchange;
-mod polish;
+mod refine;
 mod run;
 
 use self::run::Run;
@@ -71,7 +71,8 @@ impl Solver for Dantzig {
             return Solution::new(lcp, x, Status::OutsideClass { reason }, 0);
         }
         if let Some(status) = self.settings.refusal(Memory::square(lcp.len())) {
-            return Solution::new(lcp, x, status, 0); // two triangles: a factor, and one made anew
+            // Memory: two triangles, the factor and its recomputation.
+            return Solution::new(lcp, x, status, 0);
         }
         if !lcp.matrix().is_nearly_symmetric() {
             let reason = "A is not symmetric";
@@ -81,7 +82,7 @@ impl Solver for Dantzig {
             return Solution::new(lcp, x, Status::Stopped, 0);
         }
         frozen::solve(lcp, x, &self.settings, |frozen, start, pivots| {
-            frozen::tell(lcp, frozen, observer);
+            frozen::report(lcp, frozen, observer);
             let lcp = frozen;
             let mut run = Run::new(lcp, start.clone(), pivots, &self.settings, observer);
             let end = run.solve();
@@ -113,11 +114,11 @@ fn is_unbounded(lcp: &Lcp, i: usize) -> bool {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
     /// Not processed yet: no requirement on its w.
-    Waiting,
+    Unprocessed,
     /// In C: x moves to keep w = 0.
     Free,
     /// Its w is a combination of those of C, and zero like them, or within the tolerance.
-    Idle,
+    Dependent,
     /// At its lower bound, w ≥ 0.
     Lower,
     /// At its upper bound, w ≤ 0.

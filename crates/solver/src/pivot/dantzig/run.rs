@@ -10,7 +10,7 @@ use crate::kernel::Width;
 use crate::kernel::rows::Rows;
 use crate::linalg::ldlt::Ldlt;
 use crate::pivot::principal::Point;
-use crate::{Event, Fallback, Iterate, Move, Observer, Part, Settings, Status};
+use crate::{Event, Fallback, Iterate, Move, Observer, Settings, Status, StepDetail};
 use lcplab_problem::Lcp;
 use lcplab_problem::merit::RowTerms;
 
@@ -77,7 +77,7 @@ impl<'a> Run<'a> {
             lcp,
             settings,
             observer,
-            state: State { x, w: vec![0.0; n], side: vec![Side::Waiting; n] },
+            state: State { x, w: vec![0.0; n], side: vec![Side::Unprocessed; n] },
             basis: Basis::default(),
             scratch: Scratch::default(),
             pivots,
@@ -110,7 +110,7 @@ impl<'a> Run<'a> {
                 return Ok(self.point());
             }
         }
-        self.settle();
+        self.gauss_seidel_cleanup();
         Ok(self.point())
     }
 
@@ -121,7 +121,7 @@ impl<'a> Run<'a> {
     /// Moves x_i until row i is satisfied.
     fn drive(&mut self, i: usize) -> ControlFlow<Status> {
         self.state.w[i] = self.lcp.row_w(i, &self.state.x);
-        if self.pivots < self.settings.max_iterations && self.settle_idle(i) {
+        if self.pivots < self.settings.max_iterations && self.is_made_dependent(i) {
             return self.moved(i, i);
         }
         let (pivots, mut served) = (self.pivots, Vec::new());
@@ -137,8 +137,8 @@ impl<'a> Run<'a> {
             let mut direction = self.direction(i)?;
             if direction.schur == 0.0 {
                 self.state.w[i] = self.slope(i, &direction);
-                let idle = (self.state.w[i] == 0.0).then_some(Side::Idle);
-                if let Some(side) = self.satisfied(i).or(idle) {
+                let dependent = (self.state.w[i] == 0.0).then_some(Side::Dependent);
+                if let Some(side) = self.satisfied(i).or(dependent) {
                     self.put(i, side);
                     self.scratch.directions.push(direction);
                     return ControlFlow::Continue(());
@@ -148,17 +148,18 @@ impl<'a> Run<'a> {
             self.respond(i, &mut direction);
             let Some(block) = self.blocking(i, sign, &mut direction)? else {
                 if direction.schur > 0.0 {
-                    return ControlFlow::Break(Status::NotFinite); // w_i = 0 only beyond all numbers
+                    // w_i = 0 would need an x that overflows.
+                    return ControlFlow::Break(Status::NotFinite);
                 }
                 if self.residual_for_good(i) > self.settings.tolerance {
                     let ray = self.ray(i, sign, &direction);
                     return ControlFlow::Break(ray);
                 }
-                self.put(i, Side::Idle);
+                self.put(i, Side::Dependent);
                 self.scratch.directions.push(direction);
                 return ControlFlow::Continue(());
             };
-            self.tell(i, sign, &direction, &block);
+            self.report(i, sign, &direction, &block);
             self.advance(i, sign * block.length, &direction);
             let row = block.row;
             self.centre_or_leave(i, block, direction, &mut served)?;
@@ -179,15 +180,15 @@ impl<'a> Run<'a> {
     /// was made since `pivots`.
     #[inline]
     pub(super) fn tell_satisfied(&mut self, i: usize, side: Side, pivots: usize) {
-        if self.pivots == pivots && self.observer.asks_for_parts() {
-            self.observer.part(&Part::Satisfied { row: i, w: self.state.w[i], side });
+        if self.pivots == pivots && self.observer.wants_details() {
+            self.observer.part(&StepDetail::Satisfied { row: i, w: self.state.w[i], side });
         }
     }
 
     /// Reports the next move to an observer of step details.
-    fn tell(&mut self, i: usize, sign: f64, d: &Direction, block: &Block) {
-        if self.observer.asks_for_parts() {
-            self.observer.part(&Part::Move(Move {
+    fn report(&mut self, i: usize, sign: f64, d: &Direction, block: &Block) {
+        if self.observer.wants_details() {
+            self.observer.part(&StepDetail::Move(Move {
                 lcp: self.lcp,
                 driven: i,
                 sign,
@@ -210,7 +211,7 @@ impl<'a> Run<'a> {
     pub(super) fn satisfied(&self, i: usize) -> Option<Side> {
         let (lo, hi, x, w) = (self.lcp.lo()[i], self.lcp.hi()[i], self.state.x[i], self.state.w[i]);
         match self.state.side[i] {
-            Side::Free | Side::Idle => Some(self.state.side[i]),
+            Side::Free | Side::Dependent => Some(self.state.side[i]),
             _ if x == lo && (w >= 0.0 || lo == hi) => Some(Side::Lower),
             _ if x == hi && w <= 0.0 => Some(Side::Upper),
             _ => None,

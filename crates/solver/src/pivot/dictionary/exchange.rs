@@ -21,7 +21,7 @@ impl Dictionary {
         loop {
             rows.retain(|&r| is_leaving(self.basic[r]));
             columns.retain(|&c| is_entering(self.nonbasic[c]));
-            self.table.settle();
+            self.table.flush();
             let (mut pivot, mut size) = (None, 0.0);
             for &r in &rows {
                 for &c in &columns {

@@ -158,8 +158,8 @@ impl Dictionary {
     }
 
     /// The dictionary of some of these equations and variables, or their negatives, in this order.
-    pub(crate) fn selection(&self, rows: &[Taken], columns: &[Taken]) -> Self {
-        let name = |taken: &Taken| taken.name;
+    pub(crate) fn selection(&self, rows: &[RenamedLine], columns: &[RenamedLine]) -> Self {
+        let name = |taken: &RenamedLine| taken.name;
         let mut selection = Dictionary::new(
             rows.iter().map(name).collect(),
             columns.iter().map(name).collect(),
@@ -213,7 +213,7 @@ impl Dictionary {
 
 /// A row or column of another dictionary, or its negative, with a new name.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Taken {
+pub(crate) struct RenamedLine {
     pub(crate) name: Variable,
     pub(crate) index: usize,
     /// 1, or −1 for the negative.

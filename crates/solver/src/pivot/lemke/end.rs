@@ -43,7 +43,8 @@ pub(super) fn from_active_set(lcp: &Lcp, set: &ActiveSet, x: &[f64]) -> Point {
             }
         }
         if best.largest_residual() <= ROUNDING {
-            break; // none is better but by rounding
+            // No other is better by more than rounding.
+            break;
         }
     }
     best

@@ -47,7 +47,9 @@ use self::parametric::{End, Parametric};
 use self::path::Path;
 use crate::pivot::standard_form::cover;
 use crate::pivot::{opening, proximal};
-use crate::{Fallback, Iterate, Observer, Part, Settings, Solution, Solver, Start, Status, frozen};
+use crate::{
+    Fallback, Iterate, Observer, Settings, Solution, Solver, Start, Status, StepDetail, frozen,
+};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 
@@ -69,16 +71,17 @@ impl Solver for Lemke {
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
         let x = start.point(lcp);
-        let by_principal_pivots = !observer.asks_for_parts() && lcp.matrix().is_nearly_symmetric();
+        let by_principal_pivots = !observer.wants_details() && lcp.matrix().is_nearly_symmetric();
         let open = match start.x {
-            None if by_principal_pivots => opening::begin, // the path begins with the same look at x
+            // The path begins with the same check of x.
+            None if by_principal_pivots => opening::begin,
             _ => opening::at_once,
         };
         if let Some(status) = open(lcp, &x, tableaux(lcp), &self.settings, observer) {
             return Solution::new(lcp, x, status, 0);
         }
         frozen::solve(lcp, x, &self.settings, |frozen, _, before| {
-            frozen::tell(lcp, frozen, observer);
+            frozen::report(lcp, frozen, observer);
             let lcp = frozen;
             let mut seen = 0;
             if by_principal_pivots {
@@ -92,7 +95,7 @@ impl Solver for Lemke {
                     None => seen = path.pivots - before,
                 }
             }
-            let solution = self.by_tables(lcp, before, &mut Later { seen, observer });
+            let solution = self.by_tables(lcp, before, &mut AfterFirstPivots { seen, observer });
             match lcp.matrix().is_nearly_symmetric() {
                 true => proximal::after(lcp, solution, &self.settings),
                 false => solution,
@@ -124,12 +127,12 @@ impl Lemke {
 }
 
 /// An observer that has already received the first pivots.
-struct Later<'a> {
+struct AfterFirstPivots<'a> {
     seen: usize,
     observer: &'a mut dyn Observer,
 }
 
-impl Observer for Later<'_> {
+impl Observer for AfterFirstPivots<'_> {
     fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
         if self.seen > 0 {
             self.seen -= 1;
@@ -138,11 +141,11 @@ impl Observer for Later<'_> {
         self.observer.observe(iterate)
     }
 
-    fn asks_for_parts(&self) -> bool {
-        self.observer.asks_for_parts()
+    fn wants_details(&self) -> bool {
+        self.observer.wants_details()
     }
 
-    fn part(&mut self, part: &Part<'_>) {
+    fn part(&mut self, part: &StepDetail<'_>) {
         self.observer.part(part);
     }
 }

@@ -24,7 +24,7 @@ use super::end::from_active_set;
 use crate::kernel::rank_one::{Block, get};
 use crate::kernel::tableau::Tableau;
 use crate::pivot::active_set::{self, ActiveSet};
-use crate::pivot::basic::{Basic, REDUNDANT, TIE, TRUSTED};
+use crate::pivot::basic::{Basic, MIN_PIVOT, REDUNDANT, TIE};
 use crate::pivot::dantzig::Side;
 use crate::pivot::principal::Point;
 use crate::pivot::proximal::NEARLY;
@@ -72,7 +72,7 @@ impl<'a> Parametric<'a> {
         let start = |i: usize| match (lcp.lo()[i], lcp.hi()[i]) {
             (lo, _) if lo.is_finite() => (Side::Lower, lo),
             (_, hi) if hi.is_finite() => (Side::Upper, hi),
-            _ => (Side::Waiting, 0.0),
+            _ => (Side::Unprocessed, 0.0),
         };
         let (side, x) = (0..n).map(start).unzip();
         let root: Vec<f64> = (0..n).map(|i| lcp.matrix().diagonal(i).max(0.0).sqrt()).collect();
@@ -114,15 +114,16 @@ impl<'a> Parametric<'a> {
             ControlFlow::Break(status) => Some(End::Status(status, self.x.clone())),
             ControlFlow::Continue(()) => {
                 let (lcp, x) = (self.lcp, self.x.clone());
-                let is_idle = |i: usize| self.side[i] == Side::Idle;
-                let exact = refined(lcp, &self.tableau, &self.free, x, settings.tolerance, is_idle);
+                let is_dependent = |i: usize| self.side[i] == Side::Dependent;
+                let exact =
+                    refined(lcp, &self.tableau, &self.free, x, settings.tolerance, is_dependent);
                 let point =
                     exact.unwrap_or_else(|last| from_active_set(lcp, &self.active_set(), &last.x));
                 if point.is_solution(self.lcp, settings.tolerance) {
                     return Some(End::Point(point));
                 }
                 let is_nearly =
-                    point.largest_residual() <= NEARLY && self.side.contains(&Side::Idle);
+                    point.largest_residual() <= NEARLY && self.side.contains(&Side::Dependent);
                 is_nearly.then_some(End::Status(Status::Inaccurate, point.x))
             }
         }
@@ -133,13 +134,13 @@ impl<'a> Parametric<'a> {
     /// row that it depends on ever leaves C. Whether that w is zero is tested at the end.
     fn solve_free_rows(&mut self) -> Option<()> {
         for row in 0..self.lcp.len() {
-            if self.side[row] != Side::Waiting {
+            if self.side[row] != Side::Unprocessed {
                 continue;
             }
             self.tableau.read(row, &mut self.other);
             let size = self.root[row] + self.basic.size(&self.other);
             match get(&self.other, row).abs() <= REDUNDANT * size * size {
-                true => self.side[row] = Side::Idle,
+                true => self.side[row] = Side::Dependent,
                 false => self.enter(row)?,
             }
         }
@@ -201,7 +202,8 @@ impl<'a> Parametric<'a> {
             self.advance(length);
             idle = if length > 0.0 { 0 } else { idle + 1 };
             if idle > self.x.len() {
-                return None; // rounding may lead in circles
+                // Rounding may cause a cycle.
+                return None;
             }
             if next.is_none() {
                 self.z = 0.0;
@@ -229,7 +231,8 @@ impl<'a> Parametric<'a> {
         let (first, is_only) = (tied.next()?, tied.next().is_none());
         let row = if is_only { first } else { self.least(others * (1.0 + TIE))? };
         if !others.is_finite() || !self.basic.speed(row).is_finite() {
-            return None; // numbers have overflowed
+            // Numbers have overflowed.
+            return None;
         }
         let side = match self.side[row] {
             Side::Free if self.basic.speed(row) > 0.0 => Side::Upper,
@@ -244,7 +247,8 @@ impl<'a> Parametric<'a> {
     fn least(&self, length: f64) -> Option<usize> {
         let tied: Vec<usize> = self.basic.all_within(length).collect();
         if tied.iter().any(|&row| row >= self.lcp.len()) {
-            return None; // numbers have overflowed
+            // Numbers have overflowed.
+            return None;
         }
         let rows: Vec<Vec<Block>> = tied
             .iter()
@@ -294,7 +298,7 @@ impl<'a> Parametric<'a> {
     fn enter(&mut self, row: usize) -> Option<()> {
         self.tableau.read(row, &mut self.other);
         let size = self.root[row] + self.basic.size(&self.other);
-        if !(get(&self.other, row) > TRUSTED * size * size) {
+        if !(get(&self.other, row) > MIN_PIVOT * size * size) {
             return None;
         }
         self.free.push(row);

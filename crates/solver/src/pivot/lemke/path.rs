@@ -7,12 +7,12 @@ use super::PIVOTS_TO_RENEWAL;
 use super::end::from_active_set;
 use crate::linalg::elimination::difference;
 use crate::pivot::ratio_test::{Blocking, Candidate, least};
-use crate::pivot::standard_form::{FORGIVEN, StandardForm};
-use crate::{Event, Iterate, Leaving, Observer, Part, Settings, Status, Tableau, Variable};
+use crate::pivot::standard_form::{CANCELLATION_TOLERANCE, StandardForm};
+use crate::{Event, Iterate, Leaving, Observer, Settings, Status, StepDetail, Tableau, Variable};
 use lcplab_problem::Lcp;
 
 /// A pivot below this fraction of its row may be rounding.
-const DOUBTFUL: f64 = 1e-10;
+const UNCERTAIN_PIVOT: f64 = 1e-10;
 
 /// A path in progress.
 pub(super) struct Path<'a> {
@@ -39,7 +39,7 @@ impl<'a> Path<'a> {
 
     /// The same, with tableaux recomputed periodically and larger thresholds for zero.
     pub(super) fn with_renewals(mut self) -> Self {
-        self.form.dictionary.forgives = FORGIVEN;
+        self.form.dictionary.forgives = CANCELLATION_TOLERANCE;
         Path { renews: true, ..self }
     }
 
@@ -75,18 +75,19 @@ impl<'a> Path<'a> {
             let Some(c) = column else { return ControlFlow::Break(Status::Stalled) };
             let blocking = self.blocking(c);
             let leaving = blocking.map(|blocking| self.name_leaving(blocking));
-            self.tell(Some(c), leaving, observer);
+            self.report(Some(c), leaving, observer);
             let Some(leaving) = leaving else { return ControlFlow::Break(self.endless(c)) };
             if self.pivots >= limit {
                 return ControlFlow::Break(Status::IterationLimit);
             }
             let left = self.pivot(leaving, c, observer)?;
             if left == Variable::Cover {
-                self.tell(None, None, observer);
+                self.report(None, None, observer);
                 return ControlFlow::Continue(());
             }
             if !seen.insert(self.form.dictionary.basis()) {
-                return ControlFlow::Break(Status::Stalled); // only rounding leads back
+                // Only rounding can lead back to an earlier basis.
+                return ControlFlow::Break(Status::Stalled);
             }
             if self.renews && (self.pivots - start).is_multiple_of(PIVOTS_TO_RENEWAL) {
                 self.renew();
@@ -96,11 +97,16 @@ impl<'a> Path<'a> {
     }
 
     /// Reports the tableau and the entering and leaving variables to an observer of step details.
-    fn tell(&self, entering: Option<usize>, leaving: Option<Leaving>, observer: &mut dyn Observer) {
-        if observer.asks_for_parts() {
+    fn report(
+        &self,
+        entering: Option<usize>,
+        leaving: Option<Leaving>,
+        observer: &mut dyn Observer,
+    ) {
+        if observer.wants_details() {
             let d = &self.form.dictionary;
             let range = |&v: &Variable| self.form.range(self.lcp, v);
-            observer.part(&Part::Tableau(Tableau {
+            observer.part(&StepDetail::Tableau(Tableau {
                 basic: d.basic(),
                 nonbasic: d.nonbasic(),
                 constant: d.constant(),
@@ -124,7 +130,7 @@ impl<'a> Path<'a> {
         let entering = d.nonbasic()[c];
         let left = match leaving {
             Leaving::Basic(r) => {
-                self.is_doubtful |= d.part_of_row(r, c) <= DOUBTFUL;
+                self.is_doubtful |= d.part_of_row(r, c) <= UNCERTAIN_PIVOT;
                 d.pivot(r, c);
                 d.nonbasic()[c]
             }
@@ -182,7 +188,7 @@ impl<'a> Path<'a> {
         let mut rate = self.form.dictionary.column(c);
         if self.renews {
             for (r, rate) in rate.iter_mut().enumerate() {
-                if self.form.dictionary.part_of_row(r, c) <= DOUBTFUL {
+                if self.form.dictionary.part_of_row(r, c) <= UNCERTAIN_PIVOT {
                     *rate = 0.0;
                 }
             }

@@ -75,7 +75,7 @@ proptest! {
                 let row: Vec<f64> = table.row(k % ROWS).collect();
                 prop_assert_eq!(&row, &plain.0[k % ROWS]);
             }
-            table.settle();
+            table.flush();
             prop_assert_eq!(entries(&table), plain.0);
         }
     }
@@ -95,7 +95,7 @@ proptest! {
             plain.0.iter_mut().for_each(|row| row[k % COLUMNS] = -row[k % COLUMNS]);
             table.negate_column(k % COLUMNS);
         }
-        table.settle();
+        table.flush();
         prop_assert_eq!(entries(&table), plain.0);
     }
 
@@ -128,6 +128,6 @@ fn what_cancels_is_exactly_zero() {
     let mut table = table(&[vec![3.0, 0.7], vec![1.0, 0.7 * third]], Width::widest());
     table.pivot(0, 0);
     assert_eq!(table.entry(1, 1), 0.0);
-    table.settle();
+    table.flush();
     assert_eq!(table.entry(1, 1), 0.0);
 }

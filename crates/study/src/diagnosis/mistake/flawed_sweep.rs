@@ -5,7 +5,7 @@ use lcplab_solver::{Solver, Start};
 
 use super::MistakeKind;
 use super::nearest::distance;
-use super::sweeps::{Nearest, Swept, gauss_seidel};
+use super::sweeps::{Nearest, SweepMatch, gauss_seidel};
 
 /// Maximum number of sweeps from a multiple of the last answer.
 const SCALED_SWEEPS: usize = 20;
@@ -62,7 +62,7 @@ impl Flaw {
 
 /// Flawed sweeps from 0, stopped where they come nearest to x; `None` if a row has no positive
 /// diagonal, or if the flaw changes nothing.
-pub(super) fn flawed_sweeps(flaw: Flaw, lcp: &Lcp, most: usize, x: &[f64]) -> Option<Swept> {
+pub(super) fn flawed_sweeps(flaw: Flaw, lcp: &Lcp, most: usize, x: &[f64]) -> Option<SweepMatch> {
     let n = lcp.len();
     if !flaw.matters(lcp) || (0..n).any(|i| lcp.matrix().diagonal(i) <= 0.0) {
         return None;
@@ -98,11 +98,11 @@ pub(super) fn flawed_sweeps(flaw: Flaw, lcp: &Lcp, most: usize, x: &[f64]) -> Op
 }
 
 /// The factor of the last answer and the sweeps from there that come nearest to x.
-pub(super) fn scaled_start(lcp: &Lcp, last: &[f64], x: &[f64]) -> Option<(f64, Swept)> {
+pub(super) fn scaled_start(lcp: &Lcp, last: &[f64], x: &[f64]) -> Option<(f64, SweepMatch)> {
     let fits = (0..=SCALED_SWEEPS).filter_map(|sweeps| {
         let (factor, y) = fitted_start(lcp, last, x, sweeps)?;
         let is_factor = FACTORS.contains(&factor) && (factor - 1.0).abs() > NO_FACTOR;
-        is_factor.then_some((factor, Swept { sweeps, last: y.clone(), nearest: y }))
+        is_factor.then_some((factor, SweepMatch { sweeps, last: y.clone(), nearest: y }))
     });
     fits.min_by(|(_, a), (_, b)| distance(x, &a.nearest).total_cmp(&distance(x, &b.nearest)))
 }

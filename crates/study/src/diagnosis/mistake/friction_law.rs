@@ -1,7 +1,9 @@
 //! Variants of a problem with contacts under any friction law, each with one mistake.
 
 use lcplab_problem::Lcp;
-use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Model, Polyhedral, Posed};
+use lcplab_problem::friction::{
+    ConeProblem, Contact, FrictionProblem, Model, Polyhedral, ProblemForm,
+};
 use lcplab_problem::number::readable;
 use lcplab_solver::{Options, Settings, Status, solve_by_sequence};
 
@@ -16,22 +18,22 @@ const NO_FACTOR: f64 = 1e-6;
 pub(super) struct Variant {
     pub kind: MistakeKind,
     pub what: String,
-    pub posed: Posed,
+    pub posed: ProblemForm,
     /// The number of values that were fitted to x.
     pub fitted: usize,
 }
 
 /// A, b and the bounds, whatever the friction law.
-pub(super) fn rows(posed: &Posed) -> &Lcp {
+pub(super) fn rows(posed: &ProblemForm) -> &Lcp {
     match posed {
-        Posed::Boxed(lcp) => lcp,
-        Posed::Polyhedral(polygons) => polygons.friction().lcp(),
-        Posed::Cone(cones) => cones.friction().lcp(),
+        ProblemForm::Boxed(lcp) => lcp,
+        ProblemForm::Polyhedral(polygons) => polygons.friction().lcp(),
+        ProblemForm::Cone(cones) => cones.friction().lcp(),
     }
 }
 
 /// The solution by the fallback sequence, as precise as it can be had.
-pub(super) fn solution(posed: &Posed) -> Option<Vec<f64>> {
+pub(super) fn solution(posed: &ProblemForm) -> Option<Vec<f64>> {
     [TIGHT, Settings::default().tolerance].into_iter().find_map(|tolerance| {
         let settings = Settings { tolerance, ..Settings::default() };
         let options = Options { settings, ..Options::default() };
@@ -41,11 +43,13 @@ pub(super) fn solution(posed: &Posed) -> Option<Vec<f64>> {
 }
 
 /// The same contacts under the other friction laws.
-pub(super) fn other_laws(posed: &Posed, friction: &FrictionProblem) -> Vec<Variant> {
+pub(super) fn other_laws(posed: &ProblemForm, friction: &FrictionProblem) -> Vec<Variant> {
     let own = match posed {
-        Posed::Boxed(_) => Model::CoupledBox,
-        Posed::Polyhedral(polygons) => Model::Polyhedral { directions: polygons.directions() },
-        Posed::Cone(cones) => match cones.law() {
+        ProblemForm::Boxed(_) => Model::CoupledBox,
+        ProblemForm::Polyhedral(polygons) => {
+            Model::Polyhedral { directions: polygons.directions() }
+        }
+        ProblemForm::Cone(cones) => match cones.law() {
             lcplab_problem::friction::Law::Associated => Model::AssociatedCone,
             lcplab_problem::friction::Law::Coulomb => Model::CoulombCone,
         },
@@ -66,7 +70,7 @@ pub(super) fn other_laws(posed: &Posed, friction: &FrictionProblem) -> Vec<Varia
 }
 
 /// The variants of a problem whose friction law is a cone or a polygon; boxes have their own.
-pub(super) fn variants(posed: &Posed, x: &[f64], solution: &[f64]) -> Vec<Variant> {
+pub(super) fn variants(posed: &ProblemForm, x: &[f64], solution: &[f64]) -> Vec<Variant> {
     let Some(friction) = contacts_of(posed) else { return Vec::new() };
     let lcp = friction.lcp();
     let variant = |kind, what: &str, changed: Option<FrictionProblem>| {
@@ -101,22 +105,24 @@ pub(super) fn variants(posed: &Posed, x: &[f64], solution: &[f64]) -> Vec<Varian
 }
 
 /// The contacts of a problem, if its friction is that of contacts.
-pub(super) fn contacts_of(posed: &Posed) -> Option<FrictionProblem> {
+pub(super) fn contacts_of(posed: &ProblemForm) -> Option<FrictionProblem> {
     match posed {
-        Posed::Boxed(lcp) => FrictionProblem::of(lcp).ok(),
-        Posed::Polyhedral(polygons) => Some(polygons.friction().clone()),
-        Posed::Cone(cones) => Some(cones.friction().clone()),
+        ProblemForm::Boxed(lcp) => FrictionProblem::of(lcp).ok(),
+        ProblemForm::Polyhedral(polygons) => Some(polygons.friction().clone()),
+        ProblemForm::Cone(cones) => Some(cones.friction().clone()),
     }
 }
 
 /// Other contacts under the same law.
-fn posed_alike(posed: &Posed, friction: &FrictionProblem) -> Option<Posed> {
+fn posed_alike(posed: &ProblemForm, friction: &FrictionProblem) -> Option<ProblemForm> {
     Some(match posed {
-        Posed::Boxed(_) => Posed::Boxed(friction.coupled_box()),
-        Posed::Polyhedral(polygons) => {
-            Posed::Polyhedral(Polyhedral::new(friction, polygons.directions()).ok()?)
+        ProblemForm::Boxed(_) => ProblemForm::Boxed(friction.coupled_box()),
+        ProblemForm::Polyhedral(polygons) => {
+            ProblemForm::Polyhedral(Polyhedral::new(friction, polygons.directions()).ok()?)
         }
-        Posed::Cone(cones) => Posed::Cone(ConeProblem::new(friction.clone(), cones.law())),
+        ProblemForm::Cone(cones) => {
+            ProblemForm::Cone(ConeProblem::new(friction.clone(), cones.law()))
+        }
     })
 }
 

@@ -7,14 +7,14 @@
 //! fitted to x; all mistakes that explain it equally well are reported.
 //!
 //! ```
-//! use lcplab_problem::friction::Posed;
+//! use lcplab_problem::friction::ProblemForm;
 //! use lcplab_problem::{Lcp, Matrix};
 //! use lcplab_study::diagnosis::find_mistakes;
 //!
 //! // Three balls on each other; after two sweeps x = (2, 1.5, 0.25).
 //! let a = Matrix::dense(3, &[1.0, -1.0, 0.0, -1.0, 2.0, -1.0, 0.0, -1.0, 2.0]);
 //! let lcp = Lcp::new(a, vec![-1.0, -1.0, 1.0], vec![0.0; 3], vec![f64::INFINITY; 3])?;
-//! let problem = Posed::Boxed(lcp);
+//! let problem = ProblemForm::Boxed(lcp);
 //! let found = find_mistakes(&problem, &[2.0, 1.5, 0.25], None);
 //! assert_eq!(found.mistakes[0].what, "projected Gauss-Seidel, stopped after 2 sweeps");
 //! assert_eq!(found.mistakes[0].distance, 0.0);
@@ -38,7 +38,7 @@ pub use precision::Precision;
 pub use sweeps::SweepLimits;
 
 use lcplab_judge::{Demand, Verdict, judge_friction};
-use lcplab_problem::friction::Posed;
+use lcplab_problem::friction::ProblemForm;
 use lcplab_problem::number::{counted, readable};
 use lcplab_problem::{Lcp, merit};
 use lcplab_solver::Start;
@@ -51,7 +51,7 @@ use comparison::{Agreement, Comparison};
 use flawed_sweep::{Flaw, flawed_sweeps, scaled_start};
 use friction_law::{Variant, contacts_of, other_laws, rows, variants};
 use nearest::{distance, nearest_solution, on_active_set, solution};
-use sweeps::{Swept, contact_sweep, gauss_seidel, methods, single_precision_sweep, sweep};
+use sweeps::{SweepMatch, contact_sweep, gauss_seidel, methods, single_precision_sweep, sweep};
 
 /// Maximum number of rows for which mistakes are searched.
 const LARGEST: usize = 500;
@@ -121,7 +121,7 @@ pub enum Conclusion {
 ///
 /// # Panics
 /// If x or the last answer does not have one entry per row.
-pub fn find_mistakes(problem: &Posed, x: &[f64], last: Option<&[f64]>) -> MistakeSearch {
+pub fn find_mistakes(problem: &ProblemForm, x: &[f64], last: Option<&[f64]>) -> MistakeSearch {
     let lcp = rows(problem);
     assert_eq!(x.len(), lcp.len(), "an entry a row");
     assert!(last.is_none_or(|last| last.len() == lcp.len()), "an entry a row");
@@ -146,11 +146,11 @@ pub fn find_mistakes(problem: &Posed, x: &[f64], last: Option<&[f64]>) -> Mistak
     let limits = SweepLimits::of(lcp);
     let mut attempts = Attempts { lcp, x, limits, found: Vec::new(), last_iterates: Vec::new() };
     let solution = match problem {
-        Posed::Boxed(_) => {
+        ProblemForm::Boxed(_) => {
             attempts.unchanged(last);
             nearest_solution(lcp, x, &attempts.last_iterates)
         }
-        Posed::Polyhedral(_) | Posed::Cone(_) => {
+        ProblemForm::Polyhedral(_) | ProblemForm::Cone(_) => {
             attempts.unchanged_contacts(problem, last);
             friction_law::solution(problem)
         }
@@ -165,7 +165,7 @@ pub fn find_mistakes(problem: &Posed, x: &[f64], last: Option<&[f64]>) -> Mistak
         search.conclusion = Conclusion::RoundedSolution { distance: solution_distance };
         return search;
     }
-    if let Posed::Boxed(_) = problem {
+    if let ProblemForm::Boxed(_) = problem {
         attempts.changed(last);
         attempts.fitted(&solution);
         attempts.flawed();
@@ -174,7 +174,7 @@ pub fn find_mistakes(problem: &Posed, x: &[f64], last: Option<&[f64]>) -> Mistak
     search.conclusion = Conclusion::Compared { solution_distance };
     search.limits = limits;
     search.mistakes = explanations(&comparison, attempts.found);
-    if let (Posed::Boxed(_), true) = (problem, search.mistakes.is_empty()) {
+    if let (ProblemForm::Boxed(_), true) = (problem, search.mistakes.is_empty()) {
         search.mistakes = explanations(&comparison, wrong_active_set(lcp, x));
     }
     search
@@ -221,7 +221,8 @@ fn explanations(comparison: &Comparison<'_>, attempts: Vec<Attempt>) -> Vec<Mist
         agreement.is_no_chance(count * attempt.sweeps).then_some((attempt, agreement))
     };
     let mut found: Vec<(Attempt, Agreement)> = attempts.into_iter().filter_map(agreement).collect();
-    found.sort_by(|(_, a), (_, b)| a.distance.total_cmp(&b.distance)); // stable: the simplest first
+    // The sort is stable: the simplest first.
+    found.sort_by(|(_, a), (_, b)| a.distance.total_cmp(&b.distance));
     let nearest = found.first().map(|(_, agreement)| *agreement);
     found.retain(|(_, own)| nearest.is_some_and(|nearest| own.is_as_near_as(&nearest)));
     let mistake = |(attempt, agreement): (Attempt, Agreement)| Mistake {
@@ -271,7 +272,7 @@ impl Attempts<'_> {
     }
 
     /// The same for cones and polygons.
-    fn unchanged_contacts(&mut self, problem: &Posed, last: Option<&[f64]>) {
+    fn unchanged_contacts(&mut self, problem: &ProblemForm, last: Option<&[f64]>) {
         if let Some(last) = last {
             self.last_unchanged(last);
         }
@@ -291,7 +292,7 @@ impl Attempts<'_> {
         for flaw in Flaw::ALL {
             let swept = flawed_sweeps(flaw, self.lcp, most, self.x);
             // Where no bound acts, a wrong clamp changes nothing.
-            let is_other = |swept: &Swept| self.found.iter().all(|own| own.y != swept.nearest);
+            let is_other = |swept: &SweepMatch| self.found.iter().all(|own| own.y != swept.nearest);
             if let Some(swept) = swept.filter(is_other) {
                 self.stopped(flaw.kind(), flaw.name(), swept);
             }
@@ -340,7 +341,7 @@ impl Attempts<'_> {
     }
 
     /// What does not depend on the friction law: other laws, and answers that were changed.
-    fn of_any_law(&mut self, problem: &Posed, solution: &[f64]) {
+    fn of_any_law(&mut self, problem: &ProblemForm, solution: &[f64]) {
         let friction = contacts_of(problem);
         let contacts = friction.as_ref().map_or(&[][..], |own| own.contacts());
         self.found.extend(moved_answer::moved_answers(contacts, solution, self.x));
@@ -351,7 +352,7 @@ impl Attempts<'_> {
         if let Some(friction) = friction.as_ref().filter(|own| !own.contacts().is_empty()) {
             all.extend(other_laws(problem, friction));
         }
-        if !matches!(problem, Posed::Boxed(_)) {
+        if !matches!(problem, ProblemForm::Boxed(_)) {
             all.extend(variants(problem, self.x, solution));
         }
         for Variant { kind, what, posed, fitted } in all {
@@ -431,8 +432,8 @@ impl Attempts<'_> {
     }
 
     /// Sweeps stopped where they come nearest to x.
-    fn stopped(&mut self, kind: MistakeKind, name: &str, swept: Swept) {
-        let Swept { sweeps, nearest: y, .. } = swept;
+    fn stopped(&mut self, kind: MistakeKind, name: &str, swept: SweepMatch) {
+        let SweepMatch { sweeps, nearest: y, .. } = swept;
         if sweeps > 0 {
             let what = format!("{name}, stopped after {}", counted(sweeps, "sweep"));
             self.found.push(Attempt { sweeps, ..Attempt::new(kind, what, y) });

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use lcplab_problem::Lcp;
-use lcplab_problem::friction::Posed;
+use lcplab_problem::friction::ProblemForm;
 use lcplab_solver::{
     Code6, ConePgs, ConeSolver, Damping, Iterate, Jacobi, Observer, Order, Pgs, PolygonPgs,
     Settings, Solver, Start,
@@ -56,8 +56,8 @@ impl<'a> Nearest<'a> {
     }
 
     /// The result, with x after all sweeps.
-    pub fn swept(self, last: Vec<f64>) -> Swept {
-        Swept { sweeps: self.sweeps, nearest: self.iterate, last }
+    pub fn swept(self, last: Vec<f64>) -> SweepMatch {
+        SweepMatch { sweeps: self.sweeps, nearest: self.iterate, last }
     }
 }
 
@@ -69,7 +69,7 @@ impl Observer for Nearest<'_> {
 }
 
 /// The result of a sequence of sweeps.
-pub(super) struct Swept {
+pub(super) struct SweepMatch {
     /// The number of sweeps after which x is nearest to the answer; 0 if none were done.
     pub sweeps: usize,
     /// x after these sweeps.
@@ -79,28 +79,28 @@ pub(super) struct Swept {
 }
 
 /// The sweeps of a solver from a start.
-pub(super) fn sweep(solver: &dyn Solver, lcp: &Lcp, start: &Start, x: &[f64]) -> Swept {
+pub(super) fn sweep(solver: &dyn Solver, lcp: &Lcp, start: &Start, x: &[f64]) -> SweepMatch {
     let mut nearest = Nearest::to(x);
     let last = solver.solve(lcp, start, &mut nearest).x;
     nearest.swept(last)
 }
 
 /// Projected Gauss-Seidel of the friction law, contact by contact, from 0; `None` for boxes.
-pub(super) fn contact_sweep(posed: &Posed, most: usize, x: &[f64]) -> Option<Swept> {
+pub(super) fn contact_sweep(posed: &ProblemForm, most: usize, x: &[f64]) -> Option<SweepMatch> {
     let mut nearest = Nearest::to(x);
     let (settings, start) = (settings(most), Start::default());
     let last = match posed {
-        Posed::Boxed(_) => return None,
-        Posed::Polyhedral(polygons) => {
+        ProblemForm::Boxed(_) => return None,
+        ProblemForm::Polyhedral(polygons) => {
             PolygonPgs { settings }.solve(polygons, &start, &mut nearest).x
         }
-        Posed::Cone(cones) => ConePgs { settings }.solve(cones, &start, &mut nearest).x,
+        ProblemForm::Cone(cones) => ConePgs { settings }.solve(cones, &start, &mut nearest).x,
     };
     Some(nearest.swept(last))
 }
 
 /// Projected Gauss-Seidel in 32-bit numbers from 0.
-pub(super) fn single_precision_sweep(lcp: &Lcp, most: usize, x: &[f64]) -> Swept {
+pub(super) fn single_precision_sweep(lcp: &Lcp, most: usize, x: &[f64]) -> SweepMatch {
     let (n, a) = (lcp.len(), lcp.matrix());
     let single = |v: &[f64]| -> Vec<f32> { v.iter().map(|&v| v as f32).collect() };
     let b = single(lcp.b());

@@ -1,7 +1,7 @@
 //! Friction with circular cones: the problem, its answer contact by contact, and for comparison the
 //! box, whose solver can be followed.
 
-use super::Answered;
+use super::ExplainedAnswer;
 use crate::explain::answer;
 use crate::explain::solve::Solved;
 use crate::explain::units::with_unit;
@@ -16,7 +16,7 @@ use lcplab_solver::{Solution, Status};
 /// The cones with their answer, then the box for comparison; returns whether the judge accepts the
 /// cones' x.
 pub(in crate::explain) fn cones(
-    answered: &Answered,
+    answered: &ExplainedAnswer,
     document: &mut Document,
     cones: &ConeProblem,
 ) -> Result<bool> {
@@ -66,7 +66,7 @@ fn law(cones: &ConeProblem) -> Section {
 }
 
 /// x and w of each contact, their meaning for the law, and the judge's verdict.
-fn contacts(answered: &Answered, cones: &ConeProblem) -> (Section, bool) {
+fn contacts(answered: &ExplainedAnswer, cones: &ConeProblem) -> (Section, bool) {
     let (own, reading) = (answered.answer, &answered.rows);
     let certificate = judge_cone(cones, &own.x, &answered.demand());
     let mut section = Section::new("the cones' answer");
@@ -133,7 +133,7 @@ fn contacts(answered: &Answered, cones: &ConeProblem) -> (Section, bool) {
 }
 
 /// Why the box is shown, and how far its x is from that of the cones.
-fn beside(answered: &Answered, boxed: &Solution) -> Section {
+fn beside(answered: &ExplainedAnswer, boxed: &Solution) -> Section {
     let mut section = Section::new("the cones and the box");
     section.say(
         "The box |x_t1| ≤ μ x_n, |x_t2| ≤ μ x_n is a different law with a different x: along its diagonal, \

@@ -18,7 +18,7 @@ pub(super) use cone::cones;
 pub(super) use polygon::polygons;
 
 /// An answer to a problem under a polygon or a cone, to be explained at a place in a document.
-pub(super) struct Answered<'a> {
+pub(super) struct ExplainedAnswer<'a> {
     pub place: &'a str,
     /// The solver that is followed.
     pub method: &'a Method,
@@ -32,7 +32,7 @@ pub(super) struct Answered<'a> {
     pub start: Option<&'a [f64]>,
 }
 
-impl Answered<'_> {
+impl ExplainedAnswer<'_> {
     /// Adds a section at this place.
     fn add(&self, document: &mut Document, section: Section) {
         document.add(self.place, section);

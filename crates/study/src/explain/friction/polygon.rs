@@ -1,6 +1,6 @@
 //! Friction with polygons: the LCP of Stewart & Trinkle, written down and solved by Lemke's method.
 
-use super::Answered;
+use super::ExplainedAnswer;
 use crate::explain::answer::{self, Reading};
 use crate::explain::refutation;
 use crate::explain::solve::Solved;
@@ -10,13 +10,13 @@ use lcplab_judge::judge_friction;
 use lcplab_page::document::notation::{indexed, plain};
 use lcplab_page::document::{Document, Formula, Section};
 use lcplab_problem::error::Result;
-use lcplab_problem::friction::{Polyhedral, Posed};
+use lcplab_problem::friction::{Polyhedral, ProblemForm};
 use lcplab_solver::Solution;
 
 /// The LCP of the polygons, its solution, and the corresponding x; returns whether the judge
 /// accepts x.
 pub(in crate::explain) fn polygons(
-    answered: &Answered,
+    answered: &ExplainedAnswer,
     document: &mut Document,
     polygons: &Polyhedral,
 ) -> Result<bool> {
@@ -109,9 +109,9 @@ fn reading<'a>(polygons: &'a Polyhedral, units: &Units) -> Reading<'a> {
 }
 
 /// x = D β, and the judge's verdict on it.
-fn impulses(answered: &Answered, polygons: &Polyhedral) -> (Section, bool) {
+fn impulses(answered: &ExplainedAnswer, polygons: &Polyhedral) -> (Section, bool) {
     let own = answered.answer;
-    let posed = Posed::Polyhedral(polygons.clone());
+    let posed = ProblemForm::Polyhedral(polygons.clone());
     let certificate = judge_friction(&posed, &own.x, &answered.demand());
     let rows = &answered.rows;
     let mut section = Section::new("back to the rows");

@@ -1,5 +1,5 @@
 use lcplab_judge::motion_bound::{Unproved, motion_bound};
-use lcplab_mechanics::assembly::{Assembly, Entering};
+use lcplab_mechanics::assembly::{Assembly, ConstraintFilter};
 use lcplab_mechanics::formulation::Problem;
 use lcplab_mechanics::scene::{Scene, step_contacts};
 use lcplab_problem::Gauss;
@@ -186,7 +186,7 @@ fn bad_numbers_are_refused() {
 fn every_sweep_tightens_the_bound_of_a_stack() {
     let scene = Scene::load("stack").unwrap();
     let found = step_contacts(&scene, &scene.states);
-    let assembly = Assembly::new(&scene, &scene.states, &found, Entering::Near).unwrap();
+    let assembly = Assembly::new(&scene, &scene.states, &found, ConstraintFilter::Near).unwrap();
     let problem = Problem::velocity(&scene, assembly).unwrap();
     let bound = |tolerance: f64| {
         let mut options = Options::default();

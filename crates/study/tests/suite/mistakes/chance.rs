@@ -1,6 +1,6 @@
 //! An answer that no mistake produced is not attributed to one.
 
-use lcplab_problem::friction::Posed;
+use lcplab_problem::friction::ProblemForm;
 use lcplab_study::diagnosis::find_mistakes;
 use oorandom::Rand64;
 
@@ -69,7 +69,7 @@ fn no_mistake_is_named_for_answers_that_chance_made() {
             _ => Written::Decimals(2 + (seed % 7) as i32),
         };
         let x = answer(&mut generator, &solution, departure, written);
-        let found = find_mistakes(&Posed::Boxed(problem.lcp()), &x, None);
+        let found = find_mistakes(&ProblemForm::Boxed(problem.lcp()), &x, None);
         if !found.mistakes.is_empty() {
             accused.push((seed, departure, written, x, found));
         }

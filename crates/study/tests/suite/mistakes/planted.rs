@@ -1,7 +1,7 @@
 //! Every known mistake, made by hand-written code, is recognized.
 
 use lcplab_problem::Lcp;
-use lcplab_problem::friction::Posed;
+use lcplab_problem::friction::ProblemForm;
 use lcplab_study::diagnosis::{Mistake, MistakeKind, find_mistakes};
 use oorandom::Rand64;
 
@@ -258,7 +258,7 @@ fn every_known_mistake_is_named_where_it_was_made() {
         let made = (0..40 * TIMES).filter_map(|seed| Some((seed, planted(kind, seed)?)));
         for (seed, (problem, last, x)) in made {
             let lcp: Lcp = problem.lcp();
-            let found = find_mistakes(&Posed::Boxed(lcp.clone()), &x, last.as_deref());
+            let found = find_mistakes(&ProblemForm::Boxed(lcp.clone()), &x, last.as_deref());
             let is_same = |own: &Mistake| own.distance <= 1e-14;
             if found.mistakes.iter().any(|own| own.kind == kind) {
                 named += 1;
@@ -326,7 +326,7 @@ fn mistakes_with_cones_are_named() {
                 continue;
             }
             let friction = FrictionProblem::of(&problem.lcp()).unwrap();
-            let posed = Posed::Cone(ConeProblem::new(friction, Law::Coulomb));
+            let posed = ProblemForm::Cone(ConeProblem::new(friction, Law::Coulomb));
             let found = find_mistakes(&posed, &x, None);
             if !found.mistakes.iter().any(|own| own.kind == kind) {
                 missed.push((kind, seed, x, solution, found));

@@ -9,7 +9,7 @@ mod persistence;
 mod points;
 
 use lcplab_mechanics::body::{Pose, State};
-use lcplab_mechanics::scene::{Found, Scene, contacts};
+use lcplab_mechanics::scene::{DetectedContact, Scene, contacts};
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
 
@@ -37,12 +37,12 @@ fn pair(shapes: [&str; 2]) -> Scene {
 }
 
 /// The contact points of two shapes in two poses.
-fn found(shapes: [&str; 2], poses: [Pose; 2], margin: f64) -> Vec<Found> {
+fn found(shapes: [&str; 2], poses: [Pose; 2], margin: f64) -> Vec<DetectedContact> {
     let states = poses.map(|pose| State { pose, ..State::WORLD });
     contacts(&pair(shapes), &states, margin)
 }
 
-fn nearest(found: &[Found]) -> &Found {
+fn nearest(found: &[DetectedContact]) -> &DetectedContact {
     found.iter().min_by(|a, b| a.gap.total_cmp(&b.gap)).expect("a contact")
 }
 

@@ -3,7 +3,7 @@
 
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::constraint::{Constraint, Normal};
-use lcplab_mechanics::scene::{Feature, Found, contacts};
+use lcplab_mechanics::scene::{DetectedContact, Feature, contacts};
 use nalgebra::UnitQuaternion;
 use proptest::prelude::*;
 
@@ -21,7 +21,7 @@ fn moved(state: &State, t: f64) -> State {
 
 /// Whether a crossing of edges has the normal of a face, because the edges are nearly parallel or
 /// the faces are not: its anchor is treated as material although the crossing moves.
-fn approximate(found: &Found) -> bool {
+fn approximate(found: &DetectedContact) -> bool {
     let edges = found.id.features.iter().all(|feature| matches!(feature, Feature::Edge(_)));
     edges && matches!(found.contact.normal, Normal::Face(_))
 }
@@ -39,8 +39,8 @@ proptest! {
         let at = |t: f64| contacts(&scene, &states.map(|state| moved(&state, t)), 0.5);
         let [before, now, after] = [-h, 0.0, h].map(at);
         for found in now.iter().filter(|found| !approximate(found) && found.gap.abs() > 1e-2) {
-            let same = |others: &[Found]| {
-                let kind = |f: &Found| std::mem::discriminant(&f.contact.normal);
+            let same = |others: &[DetectedContact]| {
+                let kind = |f: &DetectedContact| std::mem::discriminant(&f.contact.normal);
                 others.iter().find(|o| o.id == found.id && kind(o) == kind(found)).map(|o| o.gap)
             };
             let (Some(before), Some(after)) = (same(&before), same(&after)) else { continue };

@@ -2,7 +2,7 @@
 
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::constraint::Normal;
-use lcplab_mechanics::scene::{Found, Scene, contacts};
+use lcplab_mechanics::scene::{DetectedContact, Scene, contacts};
 use nalgebra::{UnitQuaternion, Vector3};
 
 fn scene(bodies: &[&str]) -> Scene {
@@ -18,7 +18,7 @@ const PLANE: &str = "fixed = true\nshape = { plane = [0, 0, 1] }";
 const BALL: &str = "mass = 1\nshape = { sphere = 0.5 }";
 const CUBE: &str = "mass = 1\nshape = { box = [1, 1, 1] }";
 
-fn found(bodies: &[&str], states: impl Fn(&mut [State]), margin: f64) -> Vec<Found> {
+fn found(bodies: &[&str], states: impl Fn(&mut [State]), margin: f64) -> Vec<DetectedContact> {
     let scene = scene(bodies);
     let mut moved = scene.states.clone();
     states(&mut moved);

@@ -3,7 +3,7 @@
 use super::{ConeProblem, project};
 use crate::friction::Contact;
 use crate::friction::tangents::Tangents;
-use crate::merit::{self, Miss, RowTerms};
+use crate::merit::{self, RowResidual, RowTerms};
 
 impl ConeProblem {
     /// Coulomb's law: the normal as a contact without friction, the tangents with their disk.
@@ -13,7 +13,7 @@ impl ConeProblem {
         rows: [RowTerms; 3],
         x: [f64; 3],
         size: f64,
-    ) -> [Miss; 2] {
+    ) -> [RowResidual; 2] {
         let [n, t1, t2] = rows;
         let exponent = common_exponent(&[t1, t2]);
         let scale = self.tangential_scale(contact);
@@ -26,9 +26,9 @@ impl ConeProblem {
             crate::hypot(p1 - d1, p2 - d2)
         });
         let residual = merit::relative(of_reach, tangents.magnitude);
-        let normal = n.miss_between(x[0], 0.0, f64::INFINITY, || f64::INFINITY);
+        let normal = n.row_residual_between(x[0], 0.0, f64::INFINITY, || f64::INFINITY);
         let magnitude = tangents.magnitude;
-        [normal, Miss { size: of_scale, scale, magnitude, exponent, residual }]
+        [normal, RowResidual { size: of_scale, scale, magnitude, exponent, residual }]
     }
 
     /// The associated law, in coordinates in which both scales are s_t: p = (s_n x_n ρ, s_t x_t), ρ
@@ -39,7 +39,7 @@ impl ConeProblem {
         rows: [RowTerms; 3],
         x: [f64; 3],
         size: f64,
-    ) -> [Miss; 2] {
+    ) -> [RowResidual; 2] {
         let [n, t1, t2] = rows;
         let exponent = common_exponent(&rows);
         let (of_normal, scale) = (n.positive_scale(), self.tangential_scale(contact));
@@ -53,11 +53,11 @@ impl ConeProblem {
             let [q, q1, q2] = project(contact.mu * rho, [rho * (p_n - w_n), p1 - w1, p2 - w2]);
             [(p_n - q / rho).abs(), crate::hypot(p1 - q1, p2 - q2)]
         });
-        let miss = |k: usize, scale, terms| {
+        let row_residual = |k: usize, scale, terms| {
             let residual = merit::relative(of_reach[k], terms);
-            Miss { size: of_scale[k], scale, magnitude: terms, exponent, residual }
+            RowResidual { size: of_scale[k], scale, magnitude: terms, exponent, residual }
         };
-        [miss(0, of_normal, load), miss(1, scale, tangents.magnitude)]
+        [row_residual(0, of_normal, load), row_residual(1, scale, tangents.magnitude)]
     }
 
     /// s_t: the largest absolute row sum of the contact's 2 × 2 tangential block; if that is 0, the

@@ -13,7 +13,7 @@ use super::run::{End, WORTH, end_of, exact, is_of_impulses, sunk};
 const YIELDS: f64 = 0.1;
 
 /// A cause must explain at least this part of the symptom.
-const TELLING: f64 = 0.5;
+const LARGE_FACTOR: f64 = 0.5;
 
 /// Feedback is wrong if the error without it is below this fraction.
 const LARGER: f64 = 0.9;
@@ -45,17 +45,17 @@ pub(super) fn causes(
     own: &End,
     exactly: &End,
 ) -> Result<(Vec<Moving>, Vec<String>)> {
-    let mut innocent = Vec::new();
+    let mut ruled_out = Vec::new();
     let size = scene.thinnest().unwrap_or(1.0);
     let mut found = Vec::new();
     if scene.contact.persistence == Persistence::None && own.missing > HEALTHY {
         let mut warm = scene.clone();
         warm.contact.persistence = Persistence::Features;
         let without = end_of(&warm, count)?.missing;
-        if without < TELLING * own.missing {
+        if without < LARGE_FACTOR * own.missing {
             found.push((own.missing / without, Moving::Cold { with: own.missing, without }));
         } else {
-            innocent.push("the cold start".into());
+            ruled_out.push("the cold start".into());
         }
     }
     if scene.step.baumgarte > 0.0 {
@@ -65,7 +65,7 @@ pub(super) fn causes(
         let counts = WORTH * energy_scale(scene, size, own);
         let gains = own.gained > counts;
         let (with, without) = (own.gained, plain.gained.max(0.0));
-        if gains && without < TELLING * with {
+        if gains && without < LARGE_FACTOR * with {
             let exactly = exactly.gained.max(0.0);
             let cause = Moving::Feedback { with, without, exactly };
             found.push((with / counts, cause));
@@ -77,22 +77,22 @@ pub(super) fn causes(
             found.push((with / (WORTH * size), Moving::Away { with, without }));
         }
         if !gains && !errs {
-            innocent.push("Baumgarte feedback (it adds no energy)".into());
+            ruled_out.push("Baumgarte feedback (it adds no energy)".into());
         }
     }
-    let rubs = scene.bodies.iter().any(|body| body.friction > 0.0);
+    let has_friction = scene.bodies.iter().any(|body| body.friction > 0.0);
     let model = scene.contact.model;
     let is_cone = matches!(model, Model::CoulombCone | Model::AssociatedCone);
-    let law = match rubs && !is_cone {
+    let law = match has_friction && !is_cone {
         true => friction(scene, count, own, exactly)?,
         false => None,
     };
-    if rubs && !is_cone && law.is_none() && scene.step.scheme.solves_lcps() {
-        innocent.push("the friction model (Coulomb's cone gives the same motion)".into());
+    if has_friction && !is_cone && law.is_none() && scene.step.scheme.solves_lcps() {
+        ruled_out.push("the friction model (Coulomb's cone gives the same motion)".into());
     }
     if !is_of_impulses(scene.step.scheme) && law.is_none() {
         let rigid = end_of(&exact(scene).at_level(Scheme::Velocity), count)?;
-        let yields = own.error > YIELDS * WORTH * size && own.error > rigid.error / TELLING;
+        let yields = own.error > YIELDS * WORTH * size && own.error > rigid.error / LARGE_FACTOR;
         let sunk = sunk(scene, &own.states, &rigid.states);
         let deep = sunk.filter(|(_, depth)| yields && *depth > WORTH * size);
         if let Some((body, depth)) = deep {
@@ -102,7 +102,7 @@ pub(super) fn causes(
     }
     found.extend(law);
     found.sort_by(|a, b| b.0.total_cmp(&a.0));
-    Ok((found.into_iter().map(|(_, cause)| cause).collect(), innocent))
+    Ok((found.into_iter().map(|(_, cause)| cause).collect(), ruled_out))
 }
 
 /// Friction as the cause, if a body moves differently under Coulomb's cone: compared with exact

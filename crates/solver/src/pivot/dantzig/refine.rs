@@ -13,9 +13,9 @@ const INDEPENDENT: f64 = 1e-14;
 /// Below this, sums lose digits to underflow.
 const TINY: f64 = 1e-280;
 /// A scaled residual below this may be due to rounding.
-const SETTLED_FROM: f64 = 1e-3;
+const CLEANUP_LIMIT: f64 = 1e-3;
 /// Maximum number of sweeps that redistribute rounding errors between rows.
-const SETTLING_SWEEPS: usize = 200;
+const CLEANUP_SWEEPS: usize = 200;
 /// Steps of iterative refinement per round; the second removes what the first leaves.
 const REFINEMENTS: usize = 2;
 
@@ -33,8 +33,8 @@ impl Run<'_> {
         self.state.w = self.lcp.w(&self.state.x);
         let tolerance = self.settings.tolerance;
         (0..self.state.x.len()).all(|j| {
-            let is_idle = self.state.side[j] == Side::Idle && is_unbounded(self.lcp, j);
-            let most = if is_idle { tolerance } else { tolerance.min(EXACT) };
+            let is_dependent = self.state.side[j] == Side::Dependent && is_unbounded(self.lcp, j);
+            let most = if is_dependent { tolerance } else { tolerance.min(EXACT) };
             let b = self.lcp.b()[j];
             // at most Σ |a_jk x_k| + |b_j|, and usually large enough
             let magnitude = (self.state.w[j] - b).abs() + b.abs();
@@ -50,13 +50,13 @@ impl Run<'_> {
     /// Selects C again among the rows with w = 0, largest pivot first.
     fn refactor(&mut self) {
         let rows: Vec<usize> = (0..self.state.x.len())
-            .filter(|&j| matches!(self.state.side[j], Side::Free | Side::Idle))
+            .filter(|&j| matches!(self.state.side[j], Side::Free | Side::Dependent))
             .collect();
         let (order, factor) = Ldlt::pivoted(rows.len(), INDEPENDENT, |r, c| {
             self.lcp.matrix().entry(rows[r], rows[c])
         });
         for &row in &rows {
-            self.state.side[row] = Side::Idle;
+            self.state.side[row] = Side::Dependent;
         }
         self.basis.free = order.into_iter().map(|r| rows[r]).collect();
         for &row in &self.basis.free {
@@ -112,7 +112,8 @@ impl Run<'_> {
             .collect();
         for &j in &unsatisfied {
             if self.state.side[j] != Side::Free {
-                self.put(j, Side::Waiting); // to be driven once more
+                // It is processed once more.
+                self.put(j, Side::Unprocessed);
             }
         }
         unsatisfied
@@ -121,13 +122,13 @@ impl Run<'_> {
     /// Sweeps of projected Gauss-Seidel, for errors that are only rounding. The equations of C hold
     /// up to the rounding of their own terms, which is a lot for a row with small terms if bodies
     /// of very different mass touch. A sweep moves only x whose last digits are small enough.
-    pub(super) fn settle(&mut self) {
+    pub(super) fn gauss_seidel_cleanup(&mut self) {
         let mut x = self.state.x.clone();
         let mut least = merit::scaled_residual(self.lcp, &x);
-        if least > SETTLED_FROM {
+        if least > CLEANUP_LIMIT {
             return;
         }
-        for _ in 0..SETTLING_SWEEPS {
+        for _ in 0..CLEANUP_SWEEPS {
             for i in 0..x.len() {
                 let a_ii = self.lcp.matrix().diagonal(i);
                 if a_ii > 0.0 {

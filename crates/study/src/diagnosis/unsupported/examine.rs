@@ -7,11 +7,11 @@ use lcplab_solver::{
 
 use super::cause::{Moving, Slow, Without};
 use super::frame::{Body, Frame};
-use super::linear::{Linear, Slowest, Way};
+use super::linear::{Linear, Slowest, SweepParameters};
+use super::reference::ReferenceSolution;
 use super::remedy::{Remedy, remedies, sweeps_to};
-use super::yard::Yard;
 use crate::diagnosis::find_mistakes;
-use lcplab_problem::friction::Posed;
+use lcplab_problem::friction::ProblemForm;
 
 /// An error below this fraction is negligible.
 pub const HEALTHY: f64 = 0.01;
@@ -20,7 +20,7 @@ pub const HEALTHY: f64 = 0.01;
 pub const GOOD: f64 = 1e-3;
 
 /// A cause must reduce the number of sweeps by at least this factor when removed.
-const TELLING: f64 = 2.0;
+const LARGE_FACTOR: f64 = 2.0;
 
 /// It must also explain this part of the error.
 const WORTH: f64 = 0.1;
@@ -41,14 +41,14 @@ const MULTIPLICATIONS: usize = 10_000_000;
 
 /// How the user solves a problem.
 #[derive(Clone)]
-pub struct Practice {
+pub struct UserSolver {
     /// The solver.
     pub entry: Entry,
     /// Its settings.
     pub options: Options,
 }
 
-impl Practice {
+impl UserSolver {
     /// Whether it works row by row.
     pub(crate) fn is_sweep(&self) -> bool {
         self.entry.group == Group::Sweeps
@@ -109,7 +109,7 @@ impl Load {
 
 /// The error of an answer, its causes, and remedies.
 #[derive(Debug, Clone)]
-pub struct Shortfall {
+pub struct UnsupportedLoad {
     /// The problem.
     pub subject: String,
     /// If only an independent part was examined: some of its bodies, as text.
@@ -155,29 +155,33 @@ pub struct Shortfall {
 
 /// Solves the problem of a frame as the user does, from a start if there is one, and examines the
 /// answer. `None` if no reference solution is known, or A is not symmetric.
-pub fn examine(frame: &Frame, practice: &Practice, start: Option<&[f64]>) -> Option<Shortfall> {
+pub fn examine(
+    frame: &Frame,
+    user_solver: &UserSolver,
+    start: Option<&[f64]>,
+) -> Option<UnsupportedLoad> {
     let lcp = &frame.lcp;
     let own = start.map_or_else(Start::default, Start::at);
-    let Solution { x, status, iterations, .. } = practice.solver().solve(lcp, &own, &mut ());
-    let yard = Yard::of(frame)?;
-    let linear = Linear::new(lcp, &yard);
-    let zero = super::yard::start(lcp);
-    let sweeps = practice.options.settings.max_iterations;
-    let is_plain = practice.entry.name == "pgs" && practice.options.order == Order::Natural;
-    let missing = yard.missing(&x);
+    let Solution { x, status, iterations, .. } = user_solver.solver().solve(lcp, &own, &mut ());
+    let reference = ReferenceSolution::of(frame)?;
+    let linear = Linear::new(lcp, &reference);
+    let zero = super::reference::start(lcp);
+    let sweeps = user_solver.options.settings.max_iterations;
+    let is_plain = user_solver.entry.name == "pgs" && user_solver.options.order == Order::Natural;
+    let missing = reference.missing(&x);
     let predicted = (is_plain && sweeps <= MOST_SWEEPS)
-        .then(|| linear.missing(start.unwrap_or(&zero), Way::PLAIN, sweeps))
+        .then(|| linear.missing(start.unwrap_or(&zero), SweepParameters::PLAIN, sweeps))
         .flatten();
-    let mut found = Shortfall {
+    let mut found = UnsupportedLoad {
         subject: frame.name.clone(),
         part: frame.part.clone(),
-        solver: practice.entry.name.into(),
+        solver: user_solver.entry.name.into(),
         iterations,
-        unit: practice.unit(),
+        unit: user_solver.unit(),
         status,
         residual: merit::scaled_residual(lcp, &x),
         missing,
-        is_accepted: yard.is_accepted(&x),
+        is_accepted: reference.is_accepted(&x),
         predicted,
         whole: None,
         bodies: Vec::new(),
@@ -190,22 +194,22 @@ pub fn examine(frame: &Frame, practice: &Practice, start: Option<&[f64]>) -> Opt
         remedies: Vec::new(),
         x,
     };
-    found.loads(frame, &yard.exact);
-    if yard.is_needed() && found.is_short() {
-        let case = Case { frame, practice, yard: &yard, linear: &linear };
+    found.loads(frame, &reference.exact);
+    if reference.is_needed() && found.is_short() {
+        let case = Case { frame, user_solver, reference: &reference, linear: &linear };
         let suspected = case.solver(&found, start);
-        let plain = Practice { entry: *entry("pgs").ok()?, options: practice.options.clone() };
+        let plain = UserSolver { entry: *entry("pgs").ok()?, options: user_solver.options.clone() };
         match suspected {
             None => case.explain(&mut found, start, missing),
             Some((cause, left)) => {
                 found.causes.push(cause);
                 if left > HEALTHY {
                     // The scene is responsible only for the error of plain sweeps.
-                    Case { practice: &plain, ..case }.explain(&mut found, start, left);
+                    Case { user_solver: &plain, ..case }.explain(&mut found, start, left);
                 }
             }
         }
-        found.remedies = remedies(frame, practice, &yard, &linear);
+        found.remedies = remedies(frame, user_solver, &reference, &linear);
     }
     Some(found)
 }
@@ -214,14 +218,15 @@ pub fn examine(frame: &Frame, practice: &Practice, start: Option<&[f64]>) -> Opt
 pub fn creep(frame: &Frame) -> Option<Moving> {
     let rigid = frame.rigid()?;
     let weight = frame.weight(|_| 1.0);
-    let (soft, hard) = (Yard::new(&frame.lcp, weight)?, Yard::new(&rigid, weight)?);
+    let (soft, hard) =
+        (ReferenceSolution::new(&frame.lcp, weight)?, ReferenceSolution::new(&rigid, weight)?);
     let missing = hard.missing(&soft.exact);
     let approach = rigid.w(&soft.exact);
     let speed = approach.iter().fold(0.0, |most: f64, w| most.max(-w));
     (missing > HEALTHY).then_some(Moving::Creep { speed, missing })
 }
 
-impl Shortfall {
+impl UnsupportedLoad {
     /// The load of each body and pair.
     fn loads(&mut self, frame: &Frame, exact: &[f64]) {
         if frame.bodies.is_empty() || frame.fall.is_none() {
@@ -270,8 +275,8 @@ impl Shortfall {
 #[derive(Clone, Copy)]
 struct Case<'a> {
     frame: &'a Frame,
-    practice: &'a Practice,
-    yard: &'a Yard<'a>,
+    user_solver: &'a UserSolver,
+    reference: &'a ReferenceSolution<'a>,
     linear: &'a Linear<'a>,
 }
 
@@ -283,22 +288,22 @@ impl Case<'_> {
     /// For a changed problem, with the effect of gravity `weight`: the number of sweeps that it
     /// needs, and the error if it is solved like the original.
     fn changed(&self, lcp: &Lcp, weight: f64) -> Option<[f64; 2]> {
-        let yard = Yard::new(lcp, weight)?;
-        if !yard.is_needed() {
+        let reference = ReferenceSolution::new(lcp, weight)?;
+        if !reference.is_needed() {
             return Some([1.0, 0.0]);
         }
-        let needed = sweeps_to(lcp, &yard, Order::Natural, GOOD, self.most()).0;
-        let solution = self.practice.solver().solve(lcp, &Start::default(), &mut ());
-        Some([needed.max(1.0), yard.missing(&solution.x)])
+        let needed = sweeps_to(lcp, &reference, Order::Natural, GOOD, self.most()).0;
+        let solution = self.user_solver.solver().solve(lcp, &Start::default(), &mut ());
+        Some([needed.max(1.0), reference.missing(&solution.x)])
     }
 
     /// Adds the causes of slow sweeps; `missing` is the error after the user's number of sweeps.
-    fn explain(&self, found: &mut Shortfall, from: Option<&[f64]>, missing: f64) {
+    fn explain(&self, found: &mut UnsupportedLoad, from: Option<&[f64]>, missing: f64) {
         let lcp = &self.frame.lcp;
-        let zero = super::yard::start(lcp);
+        let zero = super::reference::start(lcp);
         found.slowest = self.linear.slowest(&zero, GOOD, self.most());
         let Some(slowest) = &found.slowest else { return };
-        let (needed, is_done) = sweeps_to(lcp, self.yard, Order::Natural, GOOD, self.most());
+        let (needed, is_done) = sweeps_to(lcp, self.reference, Order::Natural, GOOD, self.most());
         found.sweeps = Some((needed, is_done));
         let speeds = self.frame.speeds(&slowest.forces);
         let speed = |k: &usize| speeds[*k];
@@ -308,12 +313,12 @@ impl Case<'_> {
         let mut causes: Vec<(Without, Slow)> = Vec::new();
         causes.extend(self.masses_and_height([needed, missing], mover, &speed));
         causes.extend(self.motors([needed, missing]));
-        if self.practice.is_sweep() {
+        if self.user_solver.is_sweep() {
             causes.extend(self.order());
         }
         causes.extend(from.and_then(|_| self.stale(missing)));
-        let is_telling = |own: &Without| own.factor >= TELLING && own.share() >= WORTH * missing;
-        causes.retain(|(without, _)| is_telling(without));
+        let is_bad = |own: &Without| own.factor >= LARGE_FACTOR && own.share() >= WORTH * missing;
+        causes.retain(|(without, _)| is_bad(without));
         // Of the causes that each explain most of the error alone, the one that is removed most
         // easily comes first.
         let explains = |own: &Without| own.share() >= MOST * missing;
@@ -333,15 +338,16 @@ impl Case<'_> {
 
     /// The solver as a cause, if plain Gauss-Seidel has a much smaller error after the same number
     /// of sweeps; with the error of plain Gauss-Seidel.
-    fn solver(&self, found: &Shortfall, from: Option<&[f64]>) -> Option<(Slow, f64)> {
-        let Practice { entry, options } = self.practice;
+    fn solver(&self, found: &UnsupportedLoad, from: Option<&[f64]>) -> Option<(Slow, f64)> {
+        let UserSolver { entry, options } = self.user_solver;
         if entry.group != Group::Plugin {
-            return None; // those of the library are tested; some of them are slower than sweeps
+            // Solvers of the library are tested; some of them are slower than sweeps.
+            return None;
         }
         let start = from.map_or_else(Start::default, Start::at);
         let pgs = Pgs { settings: options.settings.clone(), ..Pgs::default() };
         let plain = pgs.solve(&self.frame.lcp, &start, &mut ());
-        let left = self.yard.missing(&plain.x);
+        let left = self.reference.missing(&plain.x);
         let is_worse = !(found.missing < WORSE * left || found.missing - left < HEALTHY);
         is_worse.then(|| {
             let refusal = match &found.status {
@@ -353,7 +359,8 @@ impl Case<'_> {
             let mistakes = match &refusal {
                 Some(_) => Vec::new(),
                 None => {
-                    find_mistakes(&Posed::Boxed(self.frame.lcp.clone()), &found.x, from).mistakes
+                    find_mistakes(&ProblemForm::Boxed(self.frame.lcp.clone()), &found.x, from)
+                        .mistakes
                 }
             };
             let (sweeps, with) = (plain.iterations, found.missing);
@@ -416,7 +423,7 @@ impl Case<'_> {
 
     /// The effect of motors at their limits.
     fn motors(&self, [needed, missing]: [f64; 2]) -> Option<(Without, Slow)> {
-        let rows = self.yard.motors_at_limits();
+        let rows = self.reference.motors_at_limits();
         if rows.is_empty() {
             return None;
         }
@@ -431,20 +438,20 @@ impl Case<'_> {
     /// impulse.
     fn order(&self) -> Option<(Without, Slow)> {
         let lcp = &self.frame.lcp;
-        let mut reversed = self.practice.clone();
+        let mut reversed = self.user_solver.clone();
         reversed.options.order = Order::Reverse;
-        let run = |practice: &Practice| {
-            let solution = practice.solver().solve(lcp, &Start::default(), &mut ());
-            self.yard.missing(&solution.x)
+        let run = |user_solver: &UserSolver| {
+            let solution = user_solver.solver().solve(lcp, &Start::default(), &mut ());
+            self.reference.missing(&solution.x)
         };
-        let (with, without) = (run(self.practice), run(&reversed));
+        let (with, without) = (run(self.user_solver), run(&reversed));
         let without = Without { factor: with / without, with, without };
         Some((without, Slow::Order { without }))
     }
 
     fn stale(&self, missing: f64) -> Option<(Without, Slow)> {
-        let solution = self.practice.solver().solve(&self.frame.lcp, &Start::default(), &mut ());
-        let left = self.yard.missing(&solution.x);
+        let solution = self.user_solver.solver().solve(&self.frame.lcp, &Start::default(), &mut ());
+        let left = self.reference.missing(&solution.x);
         let without = Without { factor: missing / left, with: missing, without: left };
         Some((without, Slow::Stale { without }))
     }

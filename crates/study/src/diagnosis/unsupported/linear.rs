@@ -7,7 +7,7 @@
 
 use lcplab_problem::Lcp;
 
-use super::yard::Yard;
+use super::reference::ReferenceSolution;
 
 /// ρ has converged when it changes by less than this fraction of 1 − ρ.
 const SETTLED: f64 = 1e-4;
@@ -28,16 +28,16 @@ enum Role {
 
 /// The parameters of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Way {
+pub struct SweepParameters {
     /// The relaxation factor.
     pub omega: f64,
     /// Whether the rows are taken from the last to the first.
     pub is_reversed: bool,
 }
 
-impl Way {
+impl SweepParameters {
     /// Gauss-Seidel.
-    pub const PLAIN: Way = Way { omega: 1.0, is_reversed: false };
+    pub const PLAIN: SweepParameters = SweepParameters { omega: 1.0, is_reversed: false };
 }
 
 /// The slowest mode of Gauss-Seidel.
@@ -54,38 +54,38 @@ pub struct Slowest {
 /// Relaxation sweeps while no row changes sides.
 #[derive(Debug, Clone)]
 pub struct Linear<'a> {
-    yard: &'a Yard<'a>,
+    reference: &'a ReferenceSolution<'a>,
     lcp: &'a Lcp,
     roles: Vec<Role>,
 }
 
 impl<'a> Linear<'a> {
     /// The sweeps of a problem linearized at its solution.
-    pub fn new(lcp: &'a Lcp, yard: &'a Yard<'a>) -> Self {
-        let free = yard.free_rows();
+    pub fn new(lcp: &'a Lcp, reference: &'a ReferenceSolution<'a>) -> Self {
+        let free = reference.free_rows();
         let role = |i: usize| {
             let normal = lcp.coupling().and_then(|coupling| coupling.index(i));
             match normal {
                 _ if free[i] => Role::Free,
-                Some(normal) if yard.exact[normal] > 0.0 => {
-                    Role::Follows { normal, factor: yard.exact[i] / yard.exact[normal] }
+                Some(normal) if reference.exact[normal] > 0.0 => {
+                    Role::Follows { normal, factor: reference.exact[i] / reference.exact[normal] }
                 }
                 _ => Role::Held,
             }
         };
-        Linear { yard, lcp, roles: (0..lcp.len()).map(role).collect() }
+        Linear { reference, lcp, roles: (0..lcp.len()).map(role).collect() }
     }
 
     /// The predicted error after this number of sweeps from x; `None` if rows change sides, so that
     /// the theory does not apply.
-    pub fn missing(&self, x: &[f64], way: Way, sweeps: usize) -> Option<f64> {
+    pub fn missing(&self, x: &[f64], way: SweepParameters, sweeps: usize) -> Option<f64> {
         let mut x = self.placed(x);
         for _ in 0..sweeps {
             self.sweep(&mut x, way);
         }
-        let missing = self.yard.missing(&x);
+        let missing = self.reference.missing(&x);
         let inside: Vec<f64> = (0..x.len()).map(|i| self.lcp.project(i, x[i], &x)).collect();
-        let outside = self.yard.apart(&x, &inside);
+        let outside = self.reference.apart(&x, &inside);
         (outside <= OUTSIDE * missing).then_some(missing)
     }
 
@@ -93,12 +93,12 @@ impl<'a> Linear<'a> {
     /// is none.
     pub fn slowest(&self, start: &[f64], target: f64, most: usize) -> Option<Slowest> {
         let mut x = self.placed(start);
-        let (mut before, mut rate, mut reached) = (self.yard.missing(&x), 0.0, None);
+        let (mut before, mut rate, mut reached) = (self.reference.missing(&x), 0.0, None);
         let mut sweeps = 0;
         while sweeps < most {
-            self.sweep(&mut x, Way::PLAIN);
+            self.sweep(&mut x, SweepParameters::PLAIN);
             sweeps += 1;
-            let missing = self.yard.missing(&x);
+            let missing = self.reference.missing(&x);
             let next = missing / before;
             if !(next > 0.0 && next < 1.0) {
                 break;
@@ -114,7 +114,7 @@ impl<'a> Linear<'a> {
         }
         let left = || sweeps as f64 + (target / before).ln() / rate.ln();
         let sweeps = reached.map_or_else(left, |sweeps| sweeps as f64);
-        let forces = x.iter().zip(&self.yard.exact).map(|(x, exact)| x - exact).collect();
+        let forces = x.iter().zip(&self.reference.exact).map(|(x, exact)| x - exact).collect();
         (rate > 0.0).then_some(Slowest { rate, forces, sweeps })
     }
 
@@ -123,7 +123,7 @@ impl<'a> Linear<'a> {
         let mut x = x.to_vec();
         for (i, role) in self.roles.iter().enumerate() {
             if *role == Role::Held {
-                x[i] = self.yard.exact[i];
+                x[i] = self.reference.exact[i];
             }
         }
         self.follow(&mut x);
@@ -138,7 +138,7 @@ impl<'a> Linear<'a> {
         }
     }
 
-    fn sweep(&self, x: &mut [f64], Way { omega, is_reversed }: Way) {
+    fn sweep(&self, x: &mut [f64], SweepParameters { omega, is_reversed }: SweepParameters) {
         let last = x.len() - 1;
         for k in 0..x.len() {
             let i = if is_reversed { last - k } else { k };

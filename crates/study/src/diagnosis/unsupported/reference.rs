@@ -45,7 +45,7 @@ const ULPS: f64 = 1_048_576.0;
 
 /// A problem with a reference solution.
 #[derive(Debug, Clone)]
-pub struct Yard<'a> {
+pub struct ReferenceSolution<'a> {
     lcp: &'a Lcp,
     /// x*.
     pub exact: Vec<f64>,
@@ -53,26 +53,32 @@ pub struct Yard<'a> {
     is_needed: bool,
 }
 
-impl<'a> Yard<'a> {
+impl<'a> ReferenceSolution<'a> {
     /// The reference for a problem with symmetric A, with the effect of gravity `weight`; `None` if
     /// no solution was found that the judge accepts.
     pub fn new(lcp: &'a Lcp, weight: f64) -> Option<Self> {
         let none = vec![0.0; lcp.len()];
-        Yard::beside(lcp, weight, &none, &none, 0.0)
+        ReferenceSolution::with_compliances(lcp, weight, &none, &none, 0.0)
     }
 
     /// The reference for a frame.
     pub fn of(frame: &'a Frame) -> Option<Self> {
         let terms = frame.offset_terms();
         let weight = frame.weight(|_| 1.0);
-        Yard::beside(&frame.lcp, weight, &frame.yielding(), &terms, frame.rounding())
+        ReferenceSolution::with_compliances(
+            &frame.lcp,
+            weight,
+            &frame.compliances(),
+            &terms,
+            frame.rounding(),
+        )
     }
 
     /// The same with compliance γ, these terms of b, and this additional rounding.
-    fn beside(
+    fn with_compliances(
         lcp: &'a Lcp,
         weight: f64,
-        yielding: &[f64],
+        compliances: &[f64],
         terms: &[f64],
         rounding: f64,
     ) -> Option<Self> {
@@ -80,12 +86,16 @@ impl<'a> Yard<'a> {
             return None;
         }
         let exact = solution(lcp)?;
-        let yard = Yard { lcp, exact, size: 1.0, is_needed: true };
+        let reference = ReferenceSolution { lcp, exact, size: 1.0, is_needed: true };
         let origin = vec![0.0; lcp.len()];
-        let loads = weight.max(yard.apart_in_full(&yard.driving(yielding), &origin));
-        let needed = yard.apart_in_full(&start(lcp), &yard.exact).max(loads);
-        let rounding = ULPS * (f64::EPSILON * yard.terms(terms) + rounding);
-        Some(Yard { size: needed.max(rounding), is_needed: needed > rounding, ..yard })
+        let loads = weight.max(reference.apart_in_full(&reference.driving(compliances), &origin));
+        let needed = reference.apart_in_full(&start(lcp), &reference.exact).max(loads);
+        let rounding = ULPS * (f64::EPSILON * reference.terms(terms) + rounding);
+        Some(ReferenceSolution {
+            size: needed.max(rounding),
+            is_needed: needed > rounding,
+            ..reference
+        })
     }
 
     /// Why there is no reference for a problem.
@@ -98,11 +108,11 @@ impl<'a> Yard<'a> {
 
     /// The forces of motors at their limits and of springs, 0 in all other rows: for the other rows
     /// they are loads.
-    fn driving(&self, yielding: &[f64]) -> Vec<f64> {
+    fn driving(&self, compliances: &[f64]) -> Vec<f64> {
         let motors = self.motors_at_limits();
         let is_spring = |i: usize| {
             let is_free = self.lcp.lo()[i].is_infinite() && self.lcp.hi()[i].is_infinite();
-            yielding[i] > 0.0 && is_free && !self.lcp.is_coupled(i)
+            compliances[i] > 0.0 && is_free && !self.lcp.is_coupled(i)
         };
         let drives = |i: usize| motors.contains(&i) || is_spring(i);
         (0..self.exact.len()).map(|i| if drives(i) { self.exact[i] } else { 0.0 }).collect()
@@ -167,10 +177,11 @@ impl<'a> Yard<'a> {
     }
 
     /// The error after each sweep from `x`, until it is `target`, for at most `most` sweeps.
-    pub fn course(&self, solver: &dyn Solver, x: &[f64], target: f64) -> Vec<f64> {
-        let mut course = Course { yard: self, target, missing: vec![self.missing(x)] };
-        solver.solve(self.lcp, &Start::at(x), &mut course);
-        course.missing
+    pub fn error_history(&self, solver: &dyn Solver, x: &[f64], target: f64) -> Vec<f64> {
+        let mut error_history =
+            ErrorObserver { reference: self, target, missing: vec![self.missing(x)] };
+        solver.solve(self.lcp, &Start::at(x), &mut error_history);
+        error_history.missing
     }
 
     /// The rows whose w is 0: between their bounds, or at a bound without a force.
@@ -209,18 +220,18 @@ pub(super) fn is_accepted(lcp: &Lcp, x: &[f64]) -> bool {
 }
 
 /// An observer that records the error.
-struct Course<'a, 'b> {
-    yard: &'a Yard<'b>,
+struct ErrorObserver<'a, 'b> {
+    reference: &'a ReferenceSolution<'b>,
     target: f64,
     missing: Vec<f64>,
 }
 
-impl Observer for Course<'_, '_> {
+impl Observer for ErrorObserver<'_, '_> {
     fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
         if iterate.iteration == 0 {
             return ControlFlow::Continue(());
         }
-        let missing = self.yard.missing(iterate.x);
+        let missing = self.reference.missing(iterate.x);
         self.missing.push(missing);
         if missing <= self.target { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }

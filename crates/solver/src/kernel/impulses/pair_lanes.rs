@@ -16,7 +16,7 @@ use crate::kernel::lanes::{Lanes, prefetch};
 /// The octets of one thread, some of each group.
 #[derive(Debug, Default)]
 pub(super) struct Share {
-    octets: Vec<Octet>,
+    lane_groups: Vec<PairLanes>,
     /// For each group, the end of its octets.
     groups: Vec<usize>,
     /// Row r of the eight pairs of an octet, octet after octet.
@@ -27,7 +27,7 @@ pub(super) struct Share {
 
 /// Eight pairs.
 #[derive(Debug)]
-struct Octet {
+struct PairLanes {
     rows: Range<usize>,
     bodies: [[u32; 8]; 2],
     /// The range of system rows in each lane.
@@ -57,7 +57,7 @@ pub(super) const NOBODIES: usize = 16;
 pub(super) fn deal(groups: &Groups, bodies: usize, shares: &mut [Share]) {
     shares.iter_mut().for_each(Share::clear);
     let (mut group, mut turn) = (0, 0);
-    for pairs in groups.octets() {
+    for pairs in groups.lane_groups() {
         if pairs[0].group != group {
             shares.iter_mut().for_each(Share::end_group);
             (group, turn) = (pairs[0].group, 0);
@@ -71,14 +71,14 @@ pub(super) fn deal(groups: &Groups, bodies: usize, shares: &mut [Share]) {
 
 impl Share {
     fn clear(&mut self) {
-        self.octets.clear();
+        self.lane_groups.clear();
         self.groups.clear();
         self.rows.clear();
         self.follows.clear();
     }
 
     fn end_group(&mut self) {
-        self.groups.push(self.octets.len());
+        self.groups.push(self.lane_groups.len());
     }
 
     fn add(&mut self, groups: &Groups, pairs: &[Pair], nobody: usize) {
@@ -96,14 +96,14 @@ impl Share {
         let first = self.rows.len();
         self.follows.extend(groups.bounded(&pairs[0]));
         self.rows.resize(first + pairs[0].rows, Rows::default());
-        self.octets.push(Octet { rows: first..self.rows.len(), bodies, places });
+        self.lane_groups.push(PairLanes { rows: first..self.rows.len(), bodies, places });
     }
 
     /// Copies the rows of the system, and x.
     pub fn load(&mut self, system: &System, x: &[f64]) {
-        for octet in &self.octets {
-            let rows = &mut self.rows[octet.rows.clone()];
-            for (lane, places) in octet.places.iter().enumerate() {
+        for pair_lanes in &self.lane_groups {
+            let rows = &mut self.rows[pair_lanes.rows.clone()];
+            for (lane, places) in pair_lanes.places.iter().enumerate() {
                 for (row, i) in rows.iter_mut().zip(places.clone()) {
                     row.put(lane, system, i, x[i]);
                 }
@@ -113,9 +113,9 @@ impl Share {
 
     /// Writes x for each row of the system in this share.
     pub fn unload(&self, x: &mut [f64]) {
-        for octet in &self.octets {
-            let rows = &self.rows[octet.rows.clone()];
-            for (lane, places) in octet.places.iter().enumerate() {
+        for pair_lanes in &self.lane_groups {
+            let rows = &self.rows[pair_lanes.rows.clone()];
+            for (lane, places) in pair_lanes.places.iter().enumerate() {
                 rows.iter().zip(places.clone()).for_each(|(row, i)| x[i] = row.x[lane]);
             }
         }
@@ -124,11 +124,11 @@ impl Share {
     /// One sweep, with a callback after each group.
     #[inline(always)]
     pub fn sweep<V: Lanes>(&mut self, v: &Velocities, mut after_group: impl FnMut()) {
-        let Share { octets, groups, rows, follows } = self;
+        let Share { lane_groups, groups, rows, follows } = self;
         let mut first = 0;
         for &end in &*groups {
-            for octet in &octets[first..end] {
-                octet.sweep::<V>(rows, follows, v);
+            for pair_lanes in &lane_groups[first..end] {
+                pair_lanes.sweep::<V>(rows, follows, v);
             }
             first = end;
             after_group();
@@ -137,7 +137,7 @@ impl Share {
 
     /// The size of its arrays in bytes.
     pub fn bytes(&self) -> usize {
-        bytes(&self.octets) + bytes(&self.groups) + bytes(&self.rows) + bytes(&self.follows)
+        bytes(&self.lane_groups) + bytes(&self.groups) + bytes(&self.rows) + bytes(&self.follows)
     }
 }
 
@@ -167,7 +167,7 @@ impl Rows {
     }
 }
 
-impl Octet {
+impl PairLanes {
     #[inline(always)]
     fn sweep<V: Lanes>(&self, rows: &mut [Rows], follows: &[Option<usize>], v: &Velocities) {
         let mut u = [V::splat(0.0); 2 * WIDTH];

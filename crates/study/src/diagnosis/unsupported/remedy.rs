@@ -4,10 +4,10 @@ use lcplab_problem::Lcp;
 use lcplab_solver::trace::Work;
 use lcplab_solver::{Entry, Order, Pgs, Settings, Solver, Start};
 
-use super::examine::Practice;
+use super::examine::UserSolver;
 use super::frame::Frame;
-use super::linear::{Linear, Way};
-use super::yard::{Yard, start};
+use super::linear::{Linear, SweepParameters};
+use super::reference::{ReferenceSolution, start};
 
 /// Other methods that are tried, by name.
 pub(super) const METHODS: [&str; 4] = ["anderson-pgs", "block-pgs", "block-pivoting", "dantzig"];
@@ -36,7 +36,7 @@ pub struct Remedy {
 
 /// A change of a run and its effect.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Relief {
+pub struct RemedyEffect {
     /// The change.
     pub what: String,
     /// The mean error in the second half of the run.
@@ -50,24 +50,25 @@ pub struct Relief {
 /// The remedies of one solve.
 pub fn remedies(
     frame: &Frame,
-    practice: &Practice,
-    yard: &Yard<'_>,
+    user_solver: &UserSolver,
+    reference: &ReferenceSolution<'_>,
     linear: &Linear<'_>,
 ) -> Vec<Remedy> {
-    let (lcp, sweeps) = (&frame.lcp, practice.options.settings.max_iterations);
-    let settings = || Settings { max_iterations: sweeps, ..practice.options.settings.clone() };
+    let (lcp, sweeps) = (&frame.lcp, user_solver.options.settings.max_iterations);
+    let settings = || Settings { max_iterations: sweeps, ..user_solver.options.settings.clone() };
     let mut all = Vec::new();
     let mut add = |what: String, entry: &Entry, solver: &dyn Solver, predicted: Option<f64>| {
         let mut work = Work::of(entry, lcp);
         let solution = solver.solve(lcp, &Start::default(), &mut work);
-        let (missing, work) = (yard.missing(&solution.x), work.multiplications);
+        let (missing, work) = (reference.missing(&solution.x), work.multiplications);
         all.push(Remedy { what, missing, predicted, iterations: solution.iterations, work });
     };
-    let own = &practice.entry;
+    let own = &user_solver.entry;
     let zero = start(lcp);
-    let theory =
-        |omega, is_reversed, sweeps| linear.missing(&zero, Way { omega, is_reversed }, sweeps);
-    if practice.is_sweep() {
+    let theory = |omega, is_reversed, sweeps| {
+        linear.missing(&zero, SweepParameters { omega, is_reversed }, sweeps)
+    };
+    if user_solver.is_sweep() {
         for omega in OMEGAS {
             let solver = Pgs { omega, order: Order::Natural, settings: settings() };
             add(format!("ω = {omega}"), own, &solver, theory(omega, false, sweeps));
@@ -82,8 +83,8 @@ pub fn remedies(
             add(what, own, &solver, theory(1.0, false, more));
         }
     }
-    for name in METHODS.into_iter().filter(|name| *name != practice.entry.name) {
-        if let (Some(solver), Ok(entry)) = (practice.other(name), lcplab_solver::entry(name)) {
+    for name in METHODS.into_iter().filter(|name| *name != user_solver.entry.name) {
+        if let (Some(solver), Ok(entry)) = (user_solver.other(name), lcplab_solver::entry(name)) {
             add(name.into(), entry, &*solver, None);
         }
     }
@@ -95,21 +96,21 @@ pub fn remedies(
 /// done, the rest is extrapolated from the last ones.
 pub fn sweeps_to(
     lcp: &Lcp,
-    yard: &Yard<'_>,
+    reference: &ReferenceSolution<'_>,
     order: Order,
     target: f64,
     most: usize,
 ) -> (f64, bool) {
     let settings = Settings { tolerance: 0.0, max_iterations: most, ..Settings::default() };
     let solver = Pgs { omega: 1.0, order, settings };
-    let course = yard.course(&solver, &start(lcp), target);
-    let (sweeps, last) = (course.len() - 1, course[course.len() - 1]);
+    let error_history = reference.error_history(&solver, &start(lcp), target);
+    let (sweeps, last) = (error_history.len() - 1, error_history[error_history.len() - 1]);
     if last <= target {
         return (sweeps as f64, true);
     }
     // Over many sweeps, so that rounding does not matter.
     let back = sweeps / 2;
-    let rate = (last / course[sweeps - back]).ln() / back.max(1) as f64;
+    let rate = (last / error_history[sweeps - back]).ln() / back.max(1) as f64;
     let rest = if rate < 0.0 { (target / last).ln() / rate } else { f64::INFINITY };
     (sweeps as f64 + rest, false)
 }

@@ -10,16 +10,16 @@ use lcplab_problem::error::Defects;
 /// A vector (N or m, world axes) as a function of time.
 ///
 /// ```
-/// use lcplab_mechanics::scene::Course;
+/// use lcplab_mechanics::scene::TimeFunction;
 ///
-/// let ramp = Course::Table(vec![[0.0; 4], [2.0, 6.0, 0.0, 0.0]]); // rows of t, x, y, z
+/// let ramp = TimeFunction::Table(vec![[0.0; 4], [2.0, 6.0, 0.0, 0.0]]); // rows of t, x, y, z
 /// assert_eq!(ramp.at(1.0).x, 3.0);
 /// assert_eq!(ramp.mean(0.0, 2.0).x, 3.0);
 /// assert_eq!(ramp.at(5.0).x, 6.0); // before the first row and after the last it stays
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
-pub enum Course {
+pub enum TimeFunction {
     /// Rows of a time (s), ascending, and the vector's x, y and z at that time; linear in between.
     Table(Vec<[f64; 4]>),
     /// amplitude · sin(angular_frequency · t + phase).
@@ -39,20 +39,20 @@ pub struct Sine {
     pub phase: f64,
 }
 
-impl Course {
+impl TimeFunction {
     /// The vector at a time (s).
     pub fn at(&self, time: f64) -> Vector3<f64> {
         match self {
-            Course::Table(rows) => between(rows, time),
-            Course::Sine(sine) => sine.wave(time),
+            TimeFunction::Table(rows) => between(rows, time),
+            TimeFunction::Sine(sine) => sine.wave(time),
         }
     }
 
     /// The mean over the time from `from` to `from + h` (s), h > 0.
     pub fn mean(&self, from: f64, h: f64) -> Vector3<f64> {
         match self {
-            Course::Table(rows) => mean(rows, from, h),
-            Course::Sine(sine) => {
+            TimeFunction::Table(rows) => mean(rows, from, h),
+            TimeFunction::Sine(sine) => {
                 let half = 0.5 * sine.angular_frequency * h;
                 sine.wave(from + 0.5 * h) * (libm::sin(half) / half)
             }
@@ -62,7 +62,7 @@ impl Course {
     /// Checks that it is valid.
     pub(super) fn check(&self, defects: &mut Defects, place: &str) {
         match self {
-            Course::Table(rows) => {
+            TimeFunction::Table(rows) => {
                 let numbers = rows.iter().flatten();
                 if rows.is_empty() {
                     defects.add(format!("{place}.table"), "has no rows");
@@ -74,7 +74,7 @@ impl Course {
                     defects.add(format!("{place}.table"), reason);
                 }
             }
-            Course::Sine(Sine { amplitude, angular_frequency, phase }) => {
+            TimeFunction::Sine(Sine { amplitude, angular_frequency, phase }) => {
                 let place = format!("{place}.sine");
                 range::vector(defects, &format!("{place}.amplitude"), amplitude);
                 let what = ["angular frequency", "rad/s"];

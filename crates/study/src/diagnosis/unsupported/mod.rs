@@ -8,31 +8,31 @@
 //! alone.
 
 mod cause;
-mod course;
+mod error_history;
 mod examination;
 mod examine;
 mod frame;
 mod island;
 mod linear;
-#[cfg(feature = "mechanics")]
-mod relief;
+mod reference;
 mod remedy;
+#[cfg(feature = "mechanics")]
+mod remedy_effect;
 #[cfg(feature = "mechanics")]
 mod run;
 mod sequence;
 mod show;
 #[cfg(feature = "mechanics")]
 mod suspect;
-mod yard;
 
 pub use cause::{Moving, Slow, Without};
-pub use course::{Course, courses};
-pub use examination::{Examination, Note};
-pub use examine::{GOOD, HEALTHY, Load, Practice, Shortfall, examine};
+pub use error_history::{ErrorHistory, error_histories};
+pub use examination::{Examination, StepSummary};
+pub use examine::{GOOD, HEALTHY, Load, UnsupportedLoad, UserSolver, examine};
 pub use frame::{Body, Frame, Pair};
-pub use linear::{Linear, Slowest, Way};
-pub use remedy::{Relief, Remedy};
+pub use linear::{Linear, Slowest, SweepParameters};
+pub use reference::ReferenceSolution;
+pub use remedy::{Remedy, RemedyEffect};
 #[cfg(feature = "mechanics")]
-pub use run::{exact, examine_scene, main_solve, practice};
+pub use run::{exact, examine_scene, main_solve, user_solver};
 pub use sequence::examine_sequence;
-pub use yard::Yard;

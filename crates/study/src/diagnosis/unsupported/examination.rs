@@ -5,9 +5,9 @@ use lcplab_page::number::readable;
 use serde_json::{Value, json};
 
 use super::cause::Moving;
-use super::examine::{HEALTHY, Shortfall};
+use super::examine::{HEALTHY, UnsupportedLoad};
 use super::frame::Frame;
-use super::remedy::Relief;
+use super::remedy::RemedyEffect;
 use super::show::percent;
 
 /// Significant digits of measured values.
@@ -34,14 +34,14 @@ const NOT_EXAMINED: &str = "contacts that open and close repeatedly, closed loop
 
 /// A summary of one step or one file of a sequence.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Note {
+pub struct StepSummary {
     /// The step, or the file.
     pub name: String,
     /// The error of its answer, as a fraction of the constraints' effect; `None` if it was not
     /// compared with a solution.
     pub missing: Option<f64>,
     /// The upward impulse (N s) or force (N) that is missing, summed over all bodies.
-    pub uncarried: f64,
+    pub unsupported: f64,
     /// The scaled residual of its answer.
     pub residual: f64,
     /// The largest velocity (m/s, rad/s) that feedback of errors requests.
@@ -54,17 +54,18 @@ pub struct Note {
 
 /// The step to examine: the first whose error is a large part of the largest error, because later
 /// errors follow from it. The first step if there is no error.
-pub(crate) fn telling_step(notes: &[Note]) -> usize {
+pub(crate) fn first_bad_step(notes: &[StepSummary]) -> usize {
     let most = notes.iter().filter_map(|note| note.missing).fold(HEALTHY, f64::max);
-    let is_telling = |note: &Note| note.missing.is_some_and(|missing| missing >= GOOD_PART * most);
-    notes.iter().position(is_telling).unwrap_or(0)
+    let is_bad =
+        |note: &StepSummary| note.missing.is_some_and(|missing| missing >= GOOD_PART * most);
+    notes.iter().position(is_bad).unwrap_or(0)
 }
 
 /// The result of the examination of a scene or a sequence.
 #[derive(Debug, Clone, Default)]
 pub struct Examination {
     /// The summaries of the steps.
-    pub notes: Vec<Note>,
+    pub notes: Vec<StepSummary>,
     /// Why there is no run with exact answers to compare the motion with, if there is none.
     pub no_reference: Option<String>,
     /// The step that could not be computed and why, if the run ended there.
@@ -83,15 +84,15 @@ pub struct Examination {
     /// Causes of wrong motion even if every problem is solved, the strongest first.
     pub moving: Vec<Moving>,
     /// The step that was examined, and the result; `None` if no solution is known.
-    pub shortfall: Option<Shortfall>,
+    pub unsupported: Option<UnsupportedLoad>,
     /// The frame that was examined.
     pub frame: Option<Frame>,
     /// The index of the examined frame among the summaries.
     pub place: usize,
     /// Possible causes that were ruled out.
-    pub innocent: Vec<String>,
+    pub ruled_out: Vec<String>,
     /// The effect of remedies over the whole run, the best first.
-    pub reliefs: Vec<Relief>,
+    pub remedy_effects: Vec<RemedyEffect>,
 }
 
 /// The name of the cause that the solver gave up in a step.
@@ -104,7 +105,8 @@ impl Examination {
     pub fn causes(&self) -> Vec<&'static str> {
         let ended = self.ended.as_ref().map(|_| ENDED);
         let gave_up = self.gave_up.as_ref().map(|_| GAVE_UP).into_iter().chain(ended);
-        let slow = self.shortfall.iter().flat_map(|found| &found.causes).map(|cause| cause.name());
+        let slow =
+            self.unsupported.iter().flat_map(|found| &found.causes).map(|cause| cause.name());
         let moving = self.moving.iter().map(Moving::name);
         // If the solver gives up or is worse than plain sweeps, all other results are doubtful. A
         // cold start gives every step an error that a warm start avoids, and added energy spoils
@@ -115,14 +117,16 @@ impl Examination {
             _ => 2,
         };
         let mut all: Vec<&str> = gave_up.chain(slow).chain(moving).collect();
-        all.sort_by_key(|name| place(name)); // stable: the strongest first
+        // The sort is stable: the strongest first.
+        all.sort_by_key(|name| place(name));
         all
     }
 
     /// The names of the problems without a known answer that the judge accepts: no method found a
     /// reference solution, and the solver's answer is outside the tolerance.
     pub fn unsolved(&self, tolerance: f64) -> Vec<&str> {
-        let is_unsolved = |note: &&Note| note.missing.is_none() && !(note.residual <= tolerance);
+        let is_unsolved =
+            |note: &&StepSummary| note.missing.is_none() && !(note.residual <= tolerance);
         self.notes.iter().filter(is_unsolved).map(|note| note.name.as_str()).collect()
     }
 
@@ -141,7 +145,7 @@ impl Examination {
 
     /// The first sentences.
     pub fn headline(&self) -> String {
-        let mut words = match (&self.shortfall, &self.unmeasured) {
+        let mut words = match (&self.unsupported, &self.unmeasured) {
             (Some(found), _) => found.headline(),
             (None, Some(reason)) => format!("The error was not measured: {reason}."),
             (None, None) if self.ended.is_some() => "The run ended.".into(),
@@ -173,11 +177,13 @@ impl Examination {
             _ => &document.lead,
         };
         document.lead = format!("{} {rest}", self.headline());
-        let found = self.shortfall.as_ref();
+        let found = self.unsupported.as_ref();
         let mut sections: Vec<Section> = self.why().into_iter().collect();
-        sections.extend(found.and_then(Shortfall::remedies_section));
-        sections.extend(self.reliefs_section());
-        sections.extend(found.filter(|found| found.is_short()).and_then(Shortfall::loads_section));
+        sections.extend(found.and_then(UnsupportedLoad::remedies_section));
+        sections.extend(self.remedy_effects_section());
+        sections.extend(
+            found.filter(|found| found.is_short()).and_then(UnsupportedLoad::loads_section),
+        );
         sections.extend(self.steps());
         let mut rest = std::mem::take(&mut document.sections);
         if document.is_accepted {
@@ -195,7 +201,7 @@ impl Examination {
     fn why(&self) -> Option<Section> {
         let mut section = Section::new("why");
         let mut lines: Vec<String> = Vec::new();
-        let slow = self.shortfall.iter().flat_map(|found| &found.causes);
+        let slow = self.unsupported.iter().flat_map(|found| &found.causes);
         let mut named: Vec<(&str, String)> =
             slow.map(|cause| (cause.name(), cause.to_string())).collect();
         named.extend(self.ended.iter().map(|why| (ENDED, format!("{why}."))));
@@ -214,10 +220,10 @@ impl Examination {
                 lines.push(format!("{word}: {name}: {text}"));
             }
         }
-        if let Some(found) = &self.shortfall {
+        if let Some(found) = &self.unsupported {
             lines.extend(found.pace());
         }
-        lines.extend(self.shortfall.as_ref().and_then(Shortfall::advice));
+        lines.extend(self.unsupported.as_ref().and_then(UnsupportedLoad::advice));
         if let Some(reason) = &self.no_reference {
             lines.push(format!(
                 "No reference: {reason}. Sinking, feedback, compliance and friction were not \
@@ -225,8 +231,8 @@ impl Examination {
             ));
         }
         lines.extend(self.warnings.iter().map(|warning| format!("Warning: {warning}")));
-        if !self.innocent.is_empty() {
-            lines.push(format!("Ruled out: {}.", self.innocent.join("; ")));
+        if !self.ruled_out.is_empty() {
+            lines.push(format!("Ruled out: {}.", self.ruled_out.join("; ")));
         }
         if !lines.is_empty() {
             lines.push(format!("Not examined: {NOT_EXAMINED}."));
@@ -237,10 +243,11 @@ impl Examination {
 
     /// The steps, first the worst by error, then the worst by each of the other measures.
     fn steps(&self) -> Option<Section> {
-        if self.notes.len() < 2 || !self.shortfall.as_ref().is_some_and(Shortfall::is_short) {
+        if self.notes.len() < 2 || !self.unsupported.as_ref().is_some_and(UnsupportedLoad::is_short)
+        {
             return None;
         }
-        let mut notes: Vec<&Note> =
+        let mut notes: Vec<&StepSummary> =
             self.notes.iter().filter(|note| note.missing.is_some_and(|part| part > 0.0)).collect();
         notes.sort_by(|a, b| b.missing.unwrap_or(0.0).total_cmp(&a.missing.unwrap_or(0.0)));
         notes.truncate(STEPS);
@@ -257,7 +264,7 @@ impl Examination {
         }
         let optional =
             |value: Option<f64>| value.map_or(String::new(), |value| readable(value, DIGITS));
-        let row = |(note, why): (&&Note, &String)| {
+        let row = |(note, why): (&&StepSummary, &String)| {
             vec![
                 note.name.clone(),
                 why.clone(),
@@ -304,29 +311,29 @@ impl Examination {
     }
 
     /// The effect of remedies over the whole run.
-    fn reliefs_section(&self) -> Option<Section> {
+    fn remedy_effects_section(&self) -> Option<Section> {
         let mut section = Section::new("remedies for the whole run");
-        let row = |relief: &Relief| {
+        let row = |remedy_effect: &RemedyEffect| {
             vec![
-                relief.what.clone(),
-                percent(relief.missing),
-                readable(1e3 * relief.off, DIGITS),
-                readable(relief.iterations, DIGITS),
+                remedy_effect.what.clone(),
+                percent(remedy_effect.missing),
+                readable(1e3 * remedy_effect.off, DIGITS),
+                readable(remedy_effect.iterations, DIGITS),
             ]
         };
         section.table(
             "remedies for the whole run, each one simulated",
             &["remedy", "error", "largest position error of a body (mm)", "iterations per step"],
-            self.reliefs.iter().map(row).collect(),
+            self.remedy_effects.iter().map(row).collect(),
         );
-        (!self.reliefs.is_empty()).then_some(section)
+        (!self.remedy_effects.is_empty()).then_some(section)
     }
 
     /// The same as JSON.
     pub fn to_json(&self) -> Value {
         let number = lcplab_problem::file::number;
-        let note = |note: &Note| {
-            json!({ "name": note.name, "missing": note.missing.map(number), "uncarried": number(note.uncarried),
+        let note = |note: &StepSummary| {
+            json!({ "name": note.name, "missing": note.missing.map(number), "unsupported": number(note.unsupported),
                 "residual": number(note.residual), "bias": number(note.bias),
                 "penetration": note.penetration, "energy": note.energy })
         };
@@ -334,14 +341,14 @@ impl Examination {
             .sunk
             .as_ref()
             .map(|(body, depth)| json!({ "body": body, "depth": number(*depth) }));
-        let relief = |relief: &Relief| {
-            json!({ "what": relief.what, "missing": number(relief.missing), "off": number(relief.off),
-                "iterations": number(relief.iterations) })
+        let remedy_effect = |remedy_effect: &RemedyEffect| {
+            json!({ "what": remedy_effect.what, "missing": number(remedy_effect.missing), "off": number(remedy_effect.off),
+                "iterations": number(remedy_effect.iterations) })
         };
         json!({
             "headline": self.headline(),
             "causes": self.causes(),
-            "innocent": self.innocent,
+            "ruled_out": self.ruled_out,
             "no_reference": self.no_reference,
             "ended": self.ended,
             "gave_up": self.gave_up,
@@ -349,8 +356,8 @@ impl Examination {
             "seconds": self.time,
             "sunk": sunk,
             "warnings": self.warnings,
-            "solve": self.shortfall.as_ref().map(Shortfall::to_json),
-            "remedies": self.reliefs.iter().map(relief).collect::<Vec<_>>(),
+            "solve": self.unsupported.as_ref().map(UnsupportedLoad::to_json),
+            "remedies": self.remedy_effects.iter().map(remedy_effect).collect::<Vec<_>>(),
             "steps": self.notes.iter().map(note).collect::<Vec<_>>(),
         })
     }

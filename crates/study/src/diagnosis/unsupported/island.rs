@@ -7,7 +7,7 @@ use lcplab_problem::{Coupling, Gauss, Lcp, Matrix};
 
 use super::examine::HEALTHY;
 use super::frame::{Body, Frame, Pair};
-use super::yard::Yard;
+use super::reference::ReferenceSolution;
 
 /// The error of a part is hidden if it is larger than that of the whole by this factor.
 const HIDDEN: f64 = 1.1;
@@ -41,8 +41,9 @@ pub(super) fn islands(frame: &Frame) -> Vec<Island> {
 /// is the error of the whole.
 pub(super) fn worst(frame: &Frame, x: &[f64], missing: f64) -> Option<(Island, f64)> {
     let measured = islands(frame).into_iter().filter_map(|island| {
-        let yard = Yard::of(&island.frame).filter(Yard::is_needed)?;
-        let error = yard.missing_in_answer(&island.of(x));
+        let reference =
+            ReferenceSolution::of(&island.frame).filter(ReferenceSolution::is_needed)?;
+        let error = reference.missing_in_answer(&island.of(x));
         Some((island, error))
     });
     let is_hidden = |error: f64| error > HEALTHY && error > HIDDEN * missing;
@@ -50,8 +51,9 @@ pub(super) fn worst(frame: &Frame, x: &[f64], missing: f64) -> Option<(Island, f
 }
 
 /// The part whose error the others hide, and its start; otherwise the whole.
-pub(super) fn telling(frame: Frame, x: &[f64], start: Vec<f64>) -> (Frame, Vec<f64>) {
-    let missing = Yard::of(&frame).map_or(0.0, |yard| yard.missing_in_answer(x));
+pub(super) fn worst_part(frame: Frame, x: &[f64], start: Vec<f64>) -> (Frame, Vec<f64>) {
+    let missing =
+        ReferenceSolution::of(&frame).map_or(0.0, |reference| reference.missing_in_answer(x));
     match worst(&frame, x, missing) {
         Some((island, _)) => {
             let start = island.of(&start);

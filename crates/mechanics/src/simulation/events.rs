@@ -1,7 +1,7 @@
-//! What acted on the bodies in a step, as the scheme that took the step wrote it down.
+//! The impulses and moves of a step, as recorded by its scheme.
 //!
-//! A step is a row of impulses at fixed poses and of moves at fixed velocities. From them the work
-//! can be measured from outside, and held against the states that the step led to: see
+//! A step is a sequence of impulses at fixed poses and of moves at fixed velocities. From them the
+//! work is computed independently of the scheme and compared with the states after the step: see
 //! [`Ledger`](super::Ledger).
 
 use std::collections::BTreeMap;
@@ -16,11 +16,11 @@ use crate::scene::Scene;
 
 /// Something that changed velocities or positions.
 #[derive(Debug, Clone)]
-pub enum Act {
+pub enum StepEvent {
     /// The impulses of the step's solve of this number, and of the forces of its duration.
     Answer(usize),
     /// Impulses of a scheme that poses no problem.
-    Push(Push),
+    VelocityUpdate(VelocityUpdate),
     /// All bodies moved with their velocities for so long (s): s ← s + h S u.
     Advance(f64),
     /// A body was put elsewhere and kept its velocity: s ← s + S d.
@@ -34,7 +34,7 @@ pub enum Act {
 
 /// Impulses at fixed poses: u⁺ = u + M⁻¹(h F + Jᵀ X).
 #[derive(Debug, Clone)]
-pub struct Push {
+pub struct VelocityUpdate {
     /// u, M, F, and J of each row.
     pub assembly: Assembly,
     /// For how long the forces F acted (s).
@@ -49,10 +49,12 @@ pub struct Push {
 }
 
 /// The impulse of each row, summed over all pushes; a row is as it was last.
-pub(super) fn pushed(acts: &[Act]) -> Vec<(Row, f64)> {
+pub(super) fn pushed(events: &[StepEvent]) -> Vec<(Row, f64)> {
     let mut sums: BTreeMap<RowId, (Row, f64)> = BTreeMap::new();
-    for act in acts {
-        let Act::Push(Push { assembly, impulses, .. }) = act else { continue };
+    for event in events {
+        let StepEvent::VelocityUpdate(VelocityUpdate { assembly, impulses, .. }) = event else {
+            continue;
+        };
         for (row, impulse) in assembly.rows.iter().zip(impulses) {
             let sum = sums.entry(row.id).or_insert_with(|| (row.clone(), 0.0));
             *sum = (row.clone(), sum.1 + impulse);
@@ -75,11 +77,11 @@ pub(super) struct Impulses<'a> {
 
 impl<'a> Impulses<'a> {
     /// Those of an act, if it is one of impulses.
-    pub fn of(scene: &Scene, act: &'a Act, solves: &'a [Solve]) -> Option<Self> {
-        match act {
-            Act::Answer(k) => Some(Impulses::answered(scene, &solves[*k])),
-            Act::Push(push) => Some(Impulses::pushed(push)),
-            Act::Advance(_) | Act::Shift { .. } => None,
+    pub fn of(scene: &Scene, event: &'a StepEvent, solves: &'a [Solve]) -> Option<Self> {
+        match event {
+            StepEvent::Answer(k) => Some(Impulses::answered(scene, &solves[*k])),
+            StepEvent::VelocityUpdate(push) => Some(Impulses::pushed(push)),
+            StepEvent::Advance(_) | StepEvent::Shift { .. } => None,
         }
     }
 
@@ -96,8 +98,8 @@ impl<'a> Impulses<'a> {
         }
     }
 
-    fn pushed(push: &'a Push) -> Self {
-        let Push { assembly, h, impulses, feedback, bounces } = push;
+    fn pushed(push: &'a VelocityUpdate) -> Self {
+        let VelocityUpdate { assembly, h, impulses, feedback, bounces } = push;
         let pull = assembly.pull_back(impulses);
         let total: Vec<f64> = assembly.force.iter().zip(pull).map(|(f, p)| h * f + p).collect();
         let change = assembly.accelerate(&total);

@@ -8,16 +8,16 @@ use lcplab_problem::merit;
 use lcplab_solver::Start;
 use serde_json::Value;
 
-use super::examination::{Examination, Note, telling_step};
-use super::examine::{Practice, creep, examine};
+use super::examination::{Examination, StepSummary, first_bad_step};
+use super::examine::{UserSolver, creep, examine};
 use super::frame::Frame;
-use super::island::{telling, worst};
-use super::yard::{Yard, start};
+use super::island::{worst, worst_part};
+use super::reference::{ReferenceSolution, start};
 
 /// Examines problems in the order of their steps: rows with the same name start from the last
 /// answer. The first problem with a large error is examined.
-pub fn examine_sequence(problems: &[Problem], practice: &Practice) -> Examination {
-    let solver = practice.solver();
+pub fn examine_sequence(problems: &[Problem], user_solver: &UserSolver) -> Examination {
+    let solver = user_solver.solver();
     let (mut last, mut taken) = (BTreeMap::new(), Vec::new());
     let mut found = Examination::default();
     for problem in problems {
@@ -31,14 +31,14 @@ pub fn examine_sequence(problems: &[Problem], practice: &Practice) -> Examinatio
         last = names.into_iter().zip(x.iter().copied()).collect();
         taken.push((from, x));
     }
-    let worst = telling_step(&found.notes);
+    let worst = first_bad_step(&found.notes);
     if let Some(problem) = problems.get(worst) {
         let (from, x) = taken.swap_remove(worst);
-        let (frame, from) = telling(Frame::of(problem), &x, from);
+        let (frame, from) = worst_part(Frame::of(problem), &x, from);
         let from = (problems.len() > 1).then_some(from.as_slice());
-        found.shortfall = examine(&frame, practice, from);
-        if found.shortfall.is_none() {
-            found.unmeasured = Some(Yard::absence(&frame.lcp).into());
+        found.unsupported = examine(&frame, user_solver, from);
+        if found.unsupported.is_none() {
+            found.unmeasured = Some(ReferenceSolution::absence(&frame.lcp).into());
         }
         found.place = worst;
         found.moving = creep(&frame).into_iter().collect();
@@ -47,19 +47,21 @@ pub fn examine_sequence(problems: &[Problem], practice: &Practice) -> Examinatio
     found
 }
 
-fn note(problem: &Problem, x: &[f64]) -> Note {
+fn note(problem: &Problem, x: &[f64]) -> StepSummary {
     let frame = Frame::of(problem);
-    let yard = Yard::of(&frame);
-    let missing = yard.as_ref().map(|yard| yard.missing_in_answer(x));
+    let reference = ReferenceSolution::of(&frame);
+    let missing = reference.as_ref().map(|reference| reference.missing_in_answer(x));
     let missing = missing.map(|whole| worst(&frame, x, whole).map_or(whole, |(_, error)| error));
-    let error = |yard: &Yard<'_>| yard.exact.iter().zip(x).map(|(exact, x)| exact - x).collect();
-    let impulse = frame.impulse(&yard.as_ref().map_or_else(Vec::new, error), |_| true);
+    let error = |reference: &ReferenceSolution<'_>| {
+        reference.exact.iter().zip(x).map(|(exact, x)| exact - x).collect()
+    };
+    let impulse = frame.impulse(&reference.as_ref().map_or_else(Vec::new, error), |_| true);
     let upward = |body| if impulse.is_empty() { 0.0 } else { frame.upward(&impulse, body) };
     let bias = frame.motion.iter().flat_map(|motion| &motion.bias);
-    Note {
+    StepSummary {
         name: problem.name.clone(),
         missing,
-        uncarried: frame.bodies.iter().map(upward).sum(),
+        unsupported: frame.bodies.iter().map(upward).sum(),
         residual: merit::scaled_residual(&problem.lcp, x),
         bias: bias.fold(0.0, |most, bias| most.max(-bias)),
         penetration: None,

@@ -7,7 +7,7 @@ use lcplab_problem::file::number;
 use serde_json::{Value, json};
 
 use super::cause::Slow;
-use super::examine::{HEALTHY, Load, Shortfall};
+use super::examine::{HEALTHY, Load, UnsupportedLoad};
 use super::remedy::Remedy;
 use crate::diagnosis::Mistake;
 
@@ -35,7 +35,7 @@ pub fn percent(part: f64) -> String {
     }
 }
 
-impl Shortfall {
+impl UnsupportedLoad {
     /// The error as a fraction: of the weight if that is known, otherwise of the constraints'
     /// effect.
     pub fn part(&self) -> f64 {

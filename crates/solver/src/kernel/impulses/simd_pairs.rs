@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::groups::Groups;
-use super::octet::{self, NOBODIES, Share};
-use super::team::{Shared, Team};
+use super::pair_lanes::{self, NOBODIES, Share};
+use super::thread_pool::{Shared, ThreadPool};
 use super::{System, Velocity, WIDTH, bytes};
 use crate::Status;
 use crate::kernel::lanes::Width;
@@ -14,11 +14,11 @@ use crate::kernel::lanes::Width;
 /// How pairs are assigned to octets and threads does not affect the results, which are bitwise
 /// identical for any number of threads.
 #[derive(Debug)]
-pub struct EightPairs {
+pub struct SimdPairs {
     groups: Groups,
     shares: Vec<Share>,
     shared: Arc<Shared>,
-    team: Team,
+    thread_pool: ThreadPool,
     width: Width,
     /// Velocities before they are written to `shared`.
     v: Vec<Velocity>,
@@ -28,15 +28,15 @@ pub struct EightPairs {
 /// The status for unsupported problems.
 const FAR: Status = Status::OutsideClass { reason: "friction reaches beyond its pair of bodies" };
 
-impl EightPairs {
+impl SimdPairs {
     /// An empty solver with this number of threads (at least one).
     pub fn idle(width: Width, threads: usize) -> Self {
-        let team = Team::new(threads);
-        EightPairs {
+        let thread_pool = ThreadPool::new(threads);
+        SimdPairs {
             groups: Groups::default(),
-            shares: (0..team.threads()).map(|_| Share::default()).collect(),
-            shared: Arc::new(Shared::new(0, team.threads())),
-            team,
+            shares: (0..thread_pool.threads()).map(|_| Share::default()).collect(),
+            shared: Arc::new(Shared::new(0, thread_pool.threads())),
+            thread_pool,
             width,
             v: Vec::new(),
             rows: 0,
@@ -48,15 +48,15 @@ impl EightPairs {
     /// # Errors
     /// [`Status::OutsideClass`] if the bounds of a row depend on a row between other bodies.
     pub fn new(system: &System, width: Width) -> Result<Self, Status> {
-        EightPairs::on_threads(system, width, 1)
+        SimdPairs::on_threads(system, width, 1)
     }
 
     /// The same on this number of threads.
     ///
     /// # Errors
-    /// As [`EightPairs::new`].
+    /// As [`SimdPairs::new`].
     pub fn on_threads(system: &System, width: Width, threads: usize) -> Result<Self, Status> {
-        let mut kernel = EightPairs::idle(width, threads);
+        let mut kernel = SimdPairs::idle(width, threads);
         let (x, v) = (vec![0.0; system.rows.len()], vec![[0.0; WIDTH]; system.bodies]);
         kernel.start(system, &x, &v)?;
         Ok(kernel)
@@ -67,13 +67,13 @@ impl EightPairs {
     /// is too small.
     ///
     /// # Errors
-    /// As [`EightPairs::new`].
+    /// As [`SimdPairs::new`].
     pub fn start(&mut self, system: &System, x: &[f64], v: &[Velocity]) -> Result<(), Status> {
         if !self.groups.fits(system) {
             if !self.groups.arrange(system) {
                 return Err(FAR);
             }
-            octet::deal(&self.groups, system.bodies, &mut self.shares);
+            pair_lanes::deal(&self.groups, system.bodies, &mut self.shares);
             let bodies = system.bodies + NOBODIES * self.shares.len();
             if self.shared.v.len() != bodies {
                 self.shared = Arc::new(Shared::new(bodies, self.shares.len()));
@@ -88,14 +88,14 @@ impl EightPairs {
         Ok(())
     }
 
-    /// One sweep over all rows, in the order of [`EightPairs::order`].
+    /// One sweep over all rows, in the order of [`SimdPairs::order`].
     pub fn sweep(&mut self) {
         self.sweeps(1);
     }
 
     /// This number of sweeps.
     pub fn sweeps(&mut self, count: usize) {
-        self.team.sweep(&mut self.shares, &self.shared, self.width, count);
+        self.thread_pool.sweep(&mut self.shares, &self.shared, self.width, count);
     }
 
     /// The rows of the system in the order of a sweep.

@@ -8,7 +8,7 @@ use crate::simulation::Ledger;
 
 /// The energy balance of all steps so far.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Books {
+pub(super) struct EnergyTotals {
     /// The sum of each account.
     pub(super) work: Ledger,
     /// The largest unexplained energy in a step (J).
@@ -17,11 +17,11 @@ pub(super) struct Books {
     pub(super) missed: f64,
 }
 
-impl Books {
+impl EnergyTotals {
     pub(super) fn with(self, ledger: &Ledger) -> Self {
         let remainder = ledger.remainder().abs();
         let missed = if ledger.closes() { 0.0 } else { remainder };
-        Books {
+        EnergyTotals {
             work: self.work + *ledger,
             remainder: self.remainder.max(remainder),
             missed: self.missed.max(missed),

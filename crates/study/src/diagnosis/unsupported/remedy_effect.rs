@@ -8,7 +8,7 @@ use lcplab_solver::Group;
 
 use super::cause::Slow;
 use super::examination::Examination;
-use super::remedy::{METHODS, Relief};
+use super::remedy::{METHODS, RemedyEffect};
 use super::run::{End, end_of};
 use super::suspect::apart;
 
@@ -25,22 +25,22 @@ const UNCHANGED: &str = "unchanged";
 const COLD: &str = "cold start in every step";
 
 /// The remedies of a run of this number of steps, the best first; the unchanged run is one of them.
-pub(super) fn reliefs(
+pub(super) fn remedy_effects(
     scene: &Scene,
     count: usize,
     own: &End,
     exact: &[State],
-) -> Result<Vec<Relief>> {
-    let relief = |what: String, end: &End, parts: usize| Relief {
+) -> Result<Vec<RemedyEffect>> {
+    let remedy_effect = |what: String, end: &End, parts: usize| RemedyEffect {
         what,
         missing: end.missing,
         off: apart(&end.states, exact),
         iterations: end.iterations * parts as f64,
     };
-    let mut all = vec![relief(UNCHANGED.into(), own, 1)];
+    let mut all = vec![remedy_effect(UNCHANGED.into(), own, 1)];
     for change in changes(scene) {
         let end = end_of(&change.scene, count * change.parts)?;
-        all.push(relief(change.what, &end, change.parts));
+        all.push(remedy_effect(change.what, &end, change.parts));
     }
     all.sort_by(|a, b| a.off.total_cmp(&b.off));
     Ok(all)
@@ -99,10 +99,12 @@ impl Examination {
     /// Drops a start that is worse than none in the examined step as a cause, unless the run is
     /// better without it.
     pub(super) fn clear_the_start(&mut self) {
-        let of = |what: &str| self.reliefs.iter().find(|relief| relief.what == what);
+        let of = |what: &str| {
+            self.remedy_effects.iter().find(|remedy_effect| remedy_effect.what == what)
+        };
         let (Some(own), Some(cold)) = (of(UNCHANGED), of(COLD)) else { return };
         let helps = cold.missing < 0.5 * own.missing;
-        let Some(found) = self.shortfall.as_mut().filter(|_| !helps) else { return };
+        let Some(found) = self.unsupported.as_mut().filter(|_| !helps) else { return };
         let before = found.causes.len();
         found.causes.retain(|cause| !matches!(cause, Slow::Stale { .. }));
         let was_alone = before > 0 && found.causes.is_empty();

@@ -12,7 +12,7 @@ use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use super::octet::Share;
+use super::pair_lanes::Share;
 use super::velocities::Velocities;
 use crate::kernel::lanes::{Lanes, Width, Work};
 
@@ -119,17 +119,17 @@ impl Worker {
 
 /// The calling thread and its workers.
 #[derive(Debug)]
-pub(super) struct Team {
+pub(super) struct ThreadPool {
     workers: Vec<Worker>,
 }
 
 /// A worker's channels stay open until its team is dropped.
 const ENDED: &str = "a worker that has not ended";
 
-impl Team {
+impl ThreadPool {
     /// A team of this number of threads, or as many as the system can start.
     pub fn new(threads: usize) -> Self {
-        Team { workers: (1..threads).map_while(|_| Worker::start()).collect() }
+        ThreadPool { workers: (1..threads).map_while(|_| Worker::start()).collect() }
     }
 
     /// The number of threads.
@@ -152,11 +152,12 @@ impl Team {
     }
 }
 
-impl Drop for Team {
+impl Drop for ThreadPool {
     fn drop(&mut self) {
         for Worker { tasks, thread, .. } in self.workers.drain(..) {
             drop(tasks);
-            let _ = thread.join(); // it has nothing left to say
+            // The result of the thread is not needed.
+            let _ = thread.join();
         }
     }
 }

@@ -275,7 +275,7 @@ impl Frame {
     }
 
     /// γ of each row, 0 if unknown.
-    pub fn yielding(&self) -> Vec<f64> {
+    pub fn compliances(&self) -> Vec<f64> {
         let none = || vec![0.0; self.lcp.len()];
         self.motion.as_ref().map_or_else(none, |motion| motion.compliance.clone())
     }

@@ -10,13 +10,13 @@ use lcplab_problem::error::Result;
 use lcplab_problem::{Lcp, merit};
 use lcplab_solver::Status;
 
-use super::examination::{Examination, Note, telling_step};
-use super::examine::{HEALTHY, Practice, examine};
+use super::examination::{Examination, StepSummary, first_bad_step};
+use super::examine::{HEALTHY, UserSolver, examine};
 use super::frame::Frame;
-use super::island::{telling, worst};
-use super::relief::reliefs;
+use super::island::{worst, worst_part};
+use super::reference::{ReferenceSolution, is_accepted};
+use super::remedy_effect::remedy_effects;
 use super::suspect::causes;
-use super::yard::{Yard, is_accepted};
 
 /// The duration of a run (s), or that of the scene if it is shorter.
 const TIME: f64 = 1.0;
@@ -68,16 +68,16 @@ pub(super) struct End {
 /// # Errors
 /// If its solver does not exist, or is not for boxes.
 pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> {
-    let practice = practice(scene)?;
+    let user_solver = user_solver(scene)?;
     let count = steps(scene);
-    let went = go(scene, count, 1)?;
-    let taken = went.notes.len();
-    let (gave_up, refused) = (went.gave_up(), went.refused());
+    let run = go(scene, count, 1)?;
+    let taken = run.notes.len();
+    let (gave_up, refused) = (run.gave_up(), run.refused());
     let mut found = Examination {
-        notes: went.notes,
-        warnings: went.warnings,
+        notes: run.notes,
+        warnings: run.warnings,
         gave_up,
-        ended: went.ended.clone(),
+        ended: run.ended.clone(),
         ..Examination::default()
     };
     if taken == 0 {
@@ -91,30 +91,30 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
         found.no_reference = Some(format!(
             "the judge rejects the answer of {EXACT} in step {step}, so there is no run with exact answers"
         ));
-    } else if went.end.is_compared && exactly.is_compared && exactly.steps == taken {
+    } else if run.end.is_compared && exactly.is_compared && exactly.steps == taken {
         // Exact answers are no reference for another scheme, nor if they let rows drift apart
         // themselves.
         let is_alike = is_of_impulses(scene.step.scheme);
         if is_alike && exactly.error <= WORTH * scene.thinnest().unwrap_or(1.0) {
-            found.sunk = sunk(scene, &went.end.states, &exactly.states);
+            found.sunk = sunk(scene, &run.end.states, &exactly.states);
         }
-        let (moving, innocent) = causes(scene, taken, &went.end, &exactly)?;
-        (found.moving, found.innocent) = (moving, innocent);
-        if went.end.missing > HEALTHY {
-            found.reliefs = reliefs(scene, taken, &went.end, &exactly.states)?;
+        let (moving, ruled_out) = causes(scene, taken, &run.end, &exactly)?;
+        (found.moving, found.ruled_out) = (moving, ruled_out);
+        if run.end.missing > HEALTHY {
+            found.remedy_effects = remedy_effects(scene, taken, &run.end, &exactly.states)?;
         }
     }
-    let number = step.unwrap_or_else(|| telling_step(&found.notes) + 1);
-    let solve = went.solves.get(number - 1).and_then(Option::as_ref);
+    let number = step.unwrap_or_else(|| first_bad_step(&found.notes) + 1);
+    let solve = run.solves.get(number - 1).and_then(Option::as_ref);
     if let Some(solve) = solve.filter(|solve| solve.posing.is_none()) {
         let whole = frame(scene, solve, number);
-        let (frame, start) = telling(whole, &solve.solution.x, solve.start.clone());
-        found.shortfall = examine(&frame, &practice, Some(&start));
+        let (frame, start) = worst_part(whole, &solve.solution.x, solve.start.clone());
+        found.unsupported = examine(&frame, &user_solver, Some(&start));
         found.clear_the_start();
-        found.innocent.extend(redundancy(&solve.problem.lcp));
+        found.ruled_out.extend(redundancy(&solve.problem.lcp));
         (found.place, found.frame) = (number - 1, Some(frame));
     }
-    if found.shortfall.is_none() && went.solves.iter().any(Option::is_some) {
+    if found.unsupported.is_none() && run.solves.iter().any(Option::is_some) {
         let refused = refused.map_or(String::new(), |refused| format!("; {refused}"));
         found.unmeasured = Some(unmeasured(solve, number) + &refused);
     }
@@ -132,7 +132,7 @@ fn unmeasured(solve: Option<&Solve>, step: usize) -> String {
                 posing.model
             )
         }
-        Some(solve) => Yard::absence(&solve.problem.lcp).into(),
+        Some(solve) => ReferenceSolution::absence(&solve.problem.lcp).into(),
     }
 }
 
@@ -173,8 +173,8 @@ pub(super) fn is_of_impulses(scheme: Scheme) -> bool {
 }
 
 /// The result of a run.
-struct Went {
-    notes: Vec<Note>,
+struct RunResult {
+    notes: Vec<StepSummary>,
     solves: Vec<Option<Solve>>,
     warnings: Vec<String>,
     /// Why a step could not be computed, if so.
@@ -184,7 +184,7 @@ struct Went {
     end: End,
 }
 
-impl Went {
+impl RunResult {
     /// The solver's message in the first step in which it gave up and the judge does not accept its
     /// answer, if there is one. Reaching the iteration limit does not count as giving up.
     fn gave_up(&self) -> Option<String> {
@@ -231,7 +231,7 @@ impl Went {
 }
 
 /// Takes this number of steps; every `every`-th is compared with its exact answer.
-fn go(scene: &Scene, count: usize, every: usize) -> Result<Went> {
+fn go(scene: &Scene, count: usize, every: usize) -> Result<RunResult> {
     let mut simulation = Simulation::of(scene)?;
     let start = simulation.motion().energy();
     let (mut notes, mut solves) = (Vec::new(), Vec::new());
@@ -273,7 +273,7 @@ fn go(scene: &Scene, count: usize, every: usize) -> Result<Went> {
         is_compared,
     };
     let warnings = warnings.texts();
-    Ok(Went { notes, solves, warnings, ended, tolerance: scene.solver.tolerance, end })
+    Ok(RunResult { notes, solves, warnings, ended, tolerance: scene.solver.tolerance, end })
 }
 
 fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {
@@ -307,11 +307,11 @@ pub fn main_solve(step: &Step) -> Option<&Solve> {
     step.solves.iter().find(carries)
 }
 
-fn note(scene: &Scene, step: &Step, solve: Option<&Solve>, every: usize) -> Note {
-    let mut note = Note {
+fn note(scene: &Scene, step: &Step, solve: Option<&Solve>, every: usize) -> StepSummary {
+    let mut note = StepSummary {
         name: format!("step {}", step.number),
         missing: None,
-        uncarried: 0.0,
+        unsupported: 0.0,
         residual: 0.0,
         bias: 0.0,
         penetration: Some(step.motion.penetration),
@@ -327,12 +327,12 @@ fn note(scene: &Scene, step: &Step, solve: Option<&Solve>, every: usize) -> Note
         return note;
     }
     let frame = frame(scene, solve, step.number);
-    if let Some(yard) = Yard::of(&frame) {
-        let missing = yard.missing_in_answer(x);
+    if let Some(reference) = ReferenceSolution::of(&frame) {
+        let missing = reference.missing_in_answer(x);
         note.missing = Some(worst(&frame, x, missing).map_or(missing, |(_, error)| error));
-        let error: Vec<f64> = yard.exact.iter().zip(x).map(|(exact, x)| exact - x).collect();
+        let error: Vec<f64> = reference.exact.iter().zip(x).map(|(exact, x)| exact - x).collect();
         let impulse = frame.impulse(&error, |_| true);
-        note.uncarried = frame.bodies.iter().map(|body| frame.upward(&impulse, body)).sum();
+        note.unsupported = frame.bodies.iter().map(|body| frame.upward(&impulse, body)).sum();
     }
     note
 }
@@ -349,7 +349,7 @@ pub(super) fn sunk(scene: &Scene, own: &[State], exact: &[State]) -> Option<(Str
 ///
 /// # Errors
 /// If its solver is not for boxes.
-pub fn practice(scene: &Scene) -> Result<Practice> {
+pub fn user_solver(scene: &Scene) -> Result<UserSolver> {
     let entry = crate::methods::entry(&scene.solver.name)?;
-    Ok(Practice { entry, options: simulation::options(scene) })
+    Ok(UserSolver { entry, options: simulation::options(scene) })
 }

@@ -5,17 +5,17 @@ use lcplab_mechanics::simulation::problem_of;
 use lcplab_problem::file::Problem;
 use lcplab_problem::{Lcp, Matrix};
 use lcplab_solver::{Options, Settings};
-use lcplab_study::diagnosis::shortfall::{
-    Examination, Frame, GOOD, Linear, Moving, Practice, Shortfall, Way, Yard, examine,
-    examine_scene, examine_sequence,
+use lcplab_study::diagnosis::unsupported::{
+    Examination, Frame, GOOD, Linear, Moving, ReferenceSolution, SweepParameters, UnsupportedLoad,
+    UserSolver, examine, examine_scene, examine_sequence,
 };
 use lcplab_study::methods::entry;
 use lcplab_testing::INF;
 
-fn practice(solver: &str, sweeps: usize) -> Practice {
+fn user_solver(solver: &str, sweeps: usize) -> UserSolver {
     let settings = Settings { max_iterations: sweeps, ..Settings::default() };
     let options = Options { settings, ..Options::default() };
-    Practice { entry: entry(solver).unwrap(), options }
+    UserSolver { entry: entry(solver).unwrap(), options }
 }
 
 /// A scene with these changes and this number of iterations of a solver.
@@ -59,21 +59,21 @@ fn column(n: usize) -> Lcp {
 #[test]
 fn nothing_misses_all_of_it_and_a_solution_nothing() {
     let lcp = column(6);
-    let yard = Yard::new(&lcp, 0.0).unwrap();
-    assert_eq!(yard.missing(&[0.0; 6]), 1.0);
+    let reference = ReferenceSolution::new(&lcp, 0.0).unwrap();
+    assert_eq!(reference.missing(&[0.0; 6]), 1.0);
     let loads: Vec<f64> = (0..6).map(|i| f64::from(6 - i)).collect(); // each carries what is above it
-    assert!(yard.missing(&loads) < 1e-9);
+    assert!(reference.missing(&loads) < 1e-9);
     // Half of each force leaves half of the motion: the measure is a norm.
     let half: Vec<f64> = loads.iter().map(|load| load / 2.0).collect();
-    assert!((yard.missing(&half) - 0.5).abs() < 1e-9);
+    assert!((reference.missing(&half) - 0.5).abs() < 1e-9);
 }
 
 #[test]
 fn the_slowest_pattern_of_a_column_shrinks_by_its_closed_form() {
     for n in [3_usize, 6, 12] {
         let lcp = column(n);
-        let yard = Yard::new(&lcp, 0.0).unwrap();
-        let linear = Linear::new(&lcp, &yard);
+        let reference = ReferenceSolution::new(&lcp, 0.0).unwrap();
+        let linear = Linear::new(&lcp, &reference);
         let found = linear.slowest(&vec![0.0; n], GOOD, 10_000).unwrap();
         let closed = (std::f64::consts::PI / (2 * n) as f64).cos().powi(2);
         assert!(
@@ -100,7 +100,7 @@ fn a_problem_rebuilt_from_its_bodies_is_the_problem() {
 #[test]
 fn the_carried_weight_is_the_weight() {
     let problem = problem_of(&scene("stack", "dantzig", 10_000, &[]), 1).unwrap();
-    let found = examine(&Frame::of(&dumped("stack", &[])), &practice("dantzig", 10_000), None);
+    let found = examine(&Frame::of(&dumped("stack", &[])), &user_solver("dantzig", 10_000), None);
     let whole = found.unwrap().whole.unwrap();
     // Five boxes of 1 kg for 0.01 s.
     assert!((whole.due - 5.0 * 9.81 * 0.01).abs() < 1e-9 && problem.lcp.len() == 60);
@@ -110,10 +110,10 @@ fn the_carried_weight_is_the_weight() {
 #[test]
 fn what_is_left_of_a_body_that_nothing_carries_is_all_of_its_weight() {
     let frame = Frame::of(&dumped("stack", &[]));
-    let yard = Yard::new(&frame.lcp, 0.0).unwrap();
-    let left = frame.left(&vec![0.0; frame.lcp.len()], &yard.exact);
+    let reference = ReferenceSolution::new(&frame.lcp, 0.0).unwrap();
+    let left = frame.left(&vec![0.0; frame.lcp.len()], &reference.exact);
     assert!(left.len() == 5 && left.iter().all(|left| (left - 1.0).abs() < 1e-9), "{left:?}");
-    assert!(frame.left(&yard.exact, &yard.exact).iter().all(|left| *left == 0.0));
+    assert!(frame.left(&reference.exact, &reference.exact).iter().all(|left| *left == 0.0));
 }
 
 #[test]
@@ -122,7 +122,7 @@ fn theory_foretells_what_is_missing() {
     for name in ["stack", "stack15", "mass_ratio1", "mass_ratio3", "arch", "rope", "bridge"] {
         let frame = Frame::of(&dumped(name, &[]));
         for sweeps in [4, 10, 30] {
-            let found = examine(&frame, &practice("pgs", sweeps), None).unwrap();
+            let found = examine(&frame, &user_solver("pgs", sweeps), None).unwrap();
             let Some(predicted) = found.predicted else {
                 silent.push((name, sweeps));
                 continue;
@@ -138,7 +138,7 @@ fn theory_foretells_what_is_missing() {
 fn a_remedy_does_what_theory_foretells_or_theory_is_silent() {
     let (mut foretold, mut silent) = (0, 0);
     for name in ["stack", "stack15", "mass_ratio1", "mass_ratio3", "arch", "rope", "card_house"] {
-        let found = examine(&Frame::of(&dumped(name, &[])), &practice("pgs", 10), None).unwrap();
+        let found = examine(&Frame::of(&dumped(name, &[])), &user_solver("pgs", 10), None).unwrap();
         for remedy in &found.remedies {
             let Some(predicted) = remedy.predicted else {
                 silent += 1;
@@ -157,24 +157,24 @@ fn a_reversed_sweep_of_theory_is_that_of_the_reversed_column() {
     // While no bound is active, the last row first is equivalent to the first row first with the
     // rows in reverse.
     let lcp = column(5);
-    let yard = Yard::new(&lcp, 0.0).unwrap();
-    let linear = Linear::new(&lcp, &yard);
-    let way = Way { omega: 1.0, is_reversed: true };
+    let reference = ReferenceSolution::new(&lcp, 0.0).unwrap();
+    let linear = Linear::new(&lcp, &reference);
+    let way = SweepParameters { omega: 1.0, is_reversed: true };
     // From x = 0 only the ground's row approaches, and it comes last: x = (1, 0, 0, 0, 0).
     let one = linear.missing(&[0.0; 5], way, 1).unwrap();
     let x = [1.0, 0.0, 0.0, 0.0, 0.0];
-    assert!((one - yard.missing(&x)).abs() < 1e-12);
+    assert!((one - reference.missing(&x)).abs() < 1e-12);
 }
 
 #[test]
 fn a_start_that_is_worse_than_none_is_named_first() {
     for (name, times) in [("stack", 8.0), ("catenary", 5.0), ("rope", 10.0)] {
         let frame = Frame::of(&dumped(name, &[]));
-        let exact = Yard::new(&frame.lcp, 0.0).unwrap().exact;
+        let exact = ReferenceSolution::new(&frame.lcp, 0.0).unwrap().exact;
         let start: Vec<f64> = exact.iter().map(|x| times * x).collect();
-        let found = examine(&frame, &practice("pgs", 10), Some(&start)).unwrap();
+        let found = examine(&frame, &user_solver("pgs", 10), Some(&start)).unwrap();
         assert_eq!(found.causes[0].name(), "stale start", "{name}");
-        let good = examine(&frame, &practice("pgs", 10), Some(&exact)).unwrap();
+        let good = examine(&frame, &user_solver("pgs", 10), Some(&exact)).unwrap();
         assert!(good.causes.is_empty() && good.missing < 1e-6, "{name}");
     }
 }
@@ -200,7 +200,7 @@ fn feedback_that_only_few_sweeps_turn_into_energy_is_named_first() {
         found.causes()[..2],
         ["energy from Baumgarte feedback", "tall column or long chain"]
     );
-    let off = |what: &str| found.reliefs.iter().find(|own| own.what == what).unwrap().off;
+    let off = |what: &str| found.remedy_effects.iter().find(|own| own.what == what).unwrap().off;
     assert!(off("without feedback") < 0.2 * off("unchanged"));
     scene.step.baumgarte = 0.0;
     assert_eq!(examine_scene(&scene, None).unwrap().causes(), ["tall column or long chain"]);
@@ -301,13 +301,13 @@ fn a_strong_drive_far_away_does_not_hide_the_error_of_a_column() {
         scene.solver.max_iterations = 4;
         examine_scene(&scene, None).unwrap()
     };
-    let missing = |found: &Examination| found.shortfall.as_ref().unwrap().missing;
+    let missing = |found: &Examination| found.unsupported.as_ref().unwrap().missing;
     let alone = examined("");
     for mass in [10.0, 1e6] {
         let beside = examined(&wheel(mass));
         assert_eq!(beside.causes(), alone.causes(), "{mass}");
         assert!((missing(&beside) - missing(&alone)).abs() < 1e-3 * missing(&alone), "{mass}");
-        assert_eq!(beside.shortfall.unwrap().part.as_deref(), Some("ball8, ball7, ball6, …"));
+        assert_eq!(beside.unsupported.unwrap().part.as_deref(), Some("ball8, ball7, ball6, …"));
     }
 }
 
@@ -322,7 +322,7 @@ fn a_long_chain_is_told_by_its_whole_length() {
         (scene.solver.name, scene.solver.max_iterations) = ("pgs".into(), 5);
         let found = examine_scene(&scene, None).unwrap();
         let told: String =
-            found.shortfall.unwrap().causes.iter().map(ToString::to_string).collect();
+            found.unsupported.unwrap().causes.iter().map(ToString::to_string).collect();
         assert!(told.contains(&format!("through {links} bodies")), "{told}");
     }
 }
@@ -330,15 +330,25 @@ fn a_long_chain_is_told_by_its_whole_length() {
 #[test]
 fn of_a_run_the_remedies_are_done_and_a_pivoting_method_leaves_nothing_undone() {
     let found = examined("mass_ratio3", "pgs", 10, &[]);
-    let of = |what: &str| found.reliefs.iter().find(|relief| relief.what == what).unwrap();
+    let of = |what: &str| {
+        found.remedy_effects.iter().find(|remedy_effect| remedy_effect.what == what).unwrap()
+    };
     let (own, exact) = (of("unchanged"), of("dantzig"));
     assert!(own.missing > 0.5 && own.off > 0.2, "{own:?}");
     assert!(exact.missing < 1e-6 && exact.off < 1e-6, "{exact:?}");
-    let off: Vec<f64> = found.reliefs.iter().map(|relief| relief.off).collect();
+    let off: Vec<f64> =
+        found.remedy_effects.iter().map(|remedy_effect| remedy_effect.off).collect();
     assert!(off.is_sorted() && off[0] < 1e-6, "the best first: {off:?}");
     // A warm start helps against a cold one.
     let found = examined("stack", "pgs", 10, &[("contact.persistence", "none")]);
-    let of = |what: &str| found.reliefs.iter().find(|relief| relief.what == what).unwrap().missing;
+    let of = |what: &str| {
+        found
+            .remedy_effects
+            .iter()
+            .find(|remedy_effect| remedy_effect.what == what)
+            .unwrap()
+            .missing
+    };
     assert!(of("warm start") < of("unchanged") / 2.0);
 }
 
@@ -440,7 +450,7 @@ fn contacts_that_yield_creep_by_their_compliance_times_their_load() {
             1.0 + gamma
         );
         let problem = Problem::parse(&text, "soft.json").unwrap();
-        let found = examine_sequence(&[problem], &practice("pgs", 10));
+        let found = examine_sequence(&[problem], &user_solver("pgs", 10));
         let [Moving::Creep { speed, missing }] = found.moving[..] else { panic!("{gamma}") };
         let part = gamma / (1.0 + gamma);
         assert!((missing - part).abs() < 1e-9 && (speed - 0.1 * part).abs() < 1e-10, "{gamma}");
@@ -459,7 +469,7 @@ fn of_healthy_scenes_no_cause_is_named() {
     ] {
         let found = examined(name, solver, iterations, &[]);
         assert!(found.causes().is_empty(), "{name}: {:?}", found.causes());
-        assert!(found.shortfall.is_none_or(|found: Shortfall| found.remedies.is_empty()));
+        assert!(found.unsupported.is_none_or(|found: UnsupportedLoad| found.remedies.is_empty()));
     }
 }
 
@@ -467,8 +477,8 @@ fn of_healthy_scenes_no_cause_is_named() {
 fn a_dump_without_bodies_says_that_masses_are_not_known() {
     let mut problem = dumped("stack15", &[]);
     problem.extra.remove("bodies");
-    let found = examine_sequence(&[problem], &practice("pgs", 10));
-    let first = &found.shortfall.as_ref().unwrap().causes[0];
+    let found = examine_sequence(&[problem], &user_solver("pgs", 10));
+    let first = &found.unsupported.as_ref().unwrap().causes[0];
     assert_eq!(first.name(), "tall column or long chain");
     assert!(first.to_string().contains("names no bodies"), "{first}");
 }
@@ -477,9 +487,9 @@ fn a_dump_without_bodies_says_that_masses_are_not_known() {
 fn a_sequence_starts_each_step_from_the_last_answer() {
     let problem = dumped("stack", &[]);
     let frames = vec![problem; 5];
-    let found = examine_sequence(&frames, &practice("pgs", 10));
+    let found = examine_sequence(&frames, &user_solver("pgs", 10));
     let missing: Vec<f64> = found.notes.iter().filter_map(|note| note.missing).collect();
     // The same problem repeated: 5 times 10 sweeps are 50.
-    let whole = examine_sequence(&frames[..1], &practice("pgs", 50)).notes[0].missing.unwrap();
+    let whole = examine_sequence(&frames[..1], &user_solver("pgs", 50)).notes[0].missing.unwrap();
     assert!((missing[4] - whole).abs() < 1e-12 && missing[4] < missing[0] / 5.0, "{missing:?}");
 }

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use super::Polyhedral;
 use crate::accurate;
-use crate::merit::{Miss, RowTerms, is_better, reach_of_friction, relative};
+use crate::merit::{RowResidual, RowTerms, is_better, reach_of_friction, relative};
 
 /// The positions of a contact's unknowns in the LCP, and its μ. Only for contacts with μ > 0.
 #[derive(Debug, Clone)]
@@ -42,23 +42,23 @@ impl Polyhedral {
     /// Whether x counts as a solution: no residual of its z is above the tolerance, and x is ten
     /// times closer to a solution than Π(0).
     pub fn is_solution(&self, x: &[f64], tolerance: f64) -> bool {
-        let misses = self.misses(&self.z(x));
+        let row_residuals = self.row_residuals(&self.z(x));
         let nothing = || {
             let mut nothing = vec![0.0; self.lcp.len()];
             self.lcp.project_all(&mut nothing);
-            self.misses(&self.z(&self.x(&nothing)))
+            self.row_residuals(&self.z(&self.x(&nothing)))
         };
-        misses.iter().all(|miss| miss.residual <= tolerance)
-            && is_better(&misses, nothing().into_iter(), tolerance)
+        row_residuals.iter().all(|row_residual| row_residual.residual <= tolerance)
+            && is_better(&row_residuals, nothing().into_iter(), tolerance)
     }
 
     /// The residuals of the rows of z; those of γ have no step size.
-    fn misses(&self, z: &[f64]) -> Vec<Miss> {
+    fn row_residuals(&self, z: &[f64]) -> Vec<RowResidual> {
         let at = |unknown: usize| RowTerms::summed::<accurate::Sum>(&self.lcp, unknown, z);
-        let others = (0..self.first_beta()).map(|i| at(i).miss(&self.lcp, i, z));
+        let others = (0..self.first_beta()).map(|i| at(i).row_residual(&self.lcp, i, z));
         let friction = self.unknowns().flat_map(|contact| {
             let friction = ContactFriction::of(self, &contact, z, at);
-            friction.misses(z[contact.gamma])
+            friction.row_residuals(z[contact.gamma])
         });
         others.chain(friction).collect()
     }
@@ -72,8 +72,8 @@ impl Polyhedral {
         let fastest = friction.rows.iter().map(speed).fold(0.0, f64::max);
         let pushing = friction.beta.iter().zip(&friction.rows).filter(|(beta, _)| **beta > 0.0);
         let left = |gamma: f64| {
-            let misses = friction.sliding_at(gamma).misses(gamma);
-            misses.iter().map(|miss| miss.residual).fold(0.0, f64::max)
+            let row_residuals = friction.sliding_at(gamma).row_residuals(gamma);
+            row_residuals.iter().map(|row_residual| row_residual.residual).fold(0.0, f64::max)
         };
         let speeds = [0.0, fastest].into_iter().chain(pushing.map(|(_, row)| speed(row)));
         speeds.min_by(|a, b| left(*a).total_cmp(&left(*b))).unwrap_or(0.0)
@@ -101,7 +101,8 @@ impl<'a> ContactFriction<'a> {
         let normal = at(contact.normal).size(&polyhedral.lcp, contact.normal, z);
         let rounding = f64::EPSILON * z[contact.gamma];
         let row = |unknown: usize| match at(unknown) {
-            row if row.w().abs() <= rounding => RowTerms { w: 0.0, ..row }, // γ is its speed
+            // γ is its speed.
+            row if row.w().abs() <= rounding => RowTerms { w: 0.0, ..row },
             row => row,
         };
         ContactFriction {
@@ -118,13 +119,13 @@ impl<'a> ContactFriction<'a> {
     }
 
     /// The residuals of each β and of γ.
-    fn misses(&self, gamma: f64) -> Vec<Miss> {
+    fn row_residuals(&self, gamma: f64) -> Vec<RowResidual> {
         let push = |(&beta, row): (&f64, &RowTerms)| {
-            row.miss_between(beta, 0.0, f64::INFINITY, || self.reach)
+            row.row_residual_between(beta, 0.0, f64::INFINITY, || self.reach)
         };
         let slip = |row: &RowTerms| relative(libm::ldexp(gamma, -row.exponent), row.magnitude);
         let slips = self.rows.iter().map(slip).fold(f64::INFINITY, f64::min);
-        let of_gamma = Miss::of_residual((self.left / self.reach).min(slips).abs());
+        let of_gamma = RowResidual::of_residual((self.left / self.reach).min(slips).abs());
         self.beta.iter().zip(&self.rows).map(push).chain([of_gamma]).collect()
     }
 }
