@@ -92,8 +92,8 @@ impl Page {
     }
 }
 
-/// What a script returns that opens pages of a folder in a frame. The folder is served over HTTP, and
-/// time is real: workers start in no other way.
+/// What a script returns that opens pages of a folder in a frame. The folder is served over HTTP,
+/// and time is real: workers start in no other way.
 pub fn served(folder: &Path, script: &str) -> Value {
     let page = format!(
         "<!DOCTYPE html><html><body><script type=\"module\">{TOOLS}

@@ -1,5 +1,5 @@
-//! Python cells in the reader's browser: all of them print what the lessons say, can be changed, fail
-//! with a line, and can be stopped.
+//! Python cells in the reader's browser: all of them print what the lessons say, can be changed,
+//! name the line of an error, and can be stopped.
 //!
 //! Pyodide is needed once: `npm install --prefix target/pyodide pyodide@314`, or any other
 //! distribution in the folder that LCPLAB_PYODIDE names.
@@ -138,8 +138,9 @@ fn an_endless_cell_is_stopped_by_its_button_by_time_and_by_its_output() {
         write(second, 'while True: pass\\n');
         find('.run', second).click();
         while (!status(second).startsWith('Running cell 2')) await wait(20);
+        const others = cells(page).map((cell) => find('.run', cell).disabled);
         find('.run', second).click();
-        const ends = [await ended(second), find('.run', second).textContent];
+        const ends = [others, await ended(second), find('.run', second).textContent];
         const slow = page.setTimeout;
         page.setTimeout = (act, ms) => slow.call(page, act, ms / 60); // 60 s pass in one
         ends.push(await run(second));
@@ -150,6 +151,7 @@ fn an_endless_cell_is_stopped_by_its_button_by_time_and_by_its_output() {
         return ends;"
     );
     let ends = json!([
+        [true, false, true, true],
         "Stopped. Python starts again at the next run.",
         "Run cell 2",
         "Stopped: cell 2 ran for s. Python starts again at the next run.",

@@ -35,13 +35,18 @@
     cell.output.textContent = (isFirst ? "" : cell.output.textContent) + words;
   };
 
-  const rest = () => { // no cell is running
-    clearTimeout(timer);
-    for (const cell of cells) cell.run.textContent = cell.name;
-    running = null;
+  const asked = (k) => { // for this cell, whose button stops it, or for none
+    running = k;
+    cells.forEach((cell, i) => {
+      cell.run.textContent = i === k ? "Stop" : cell.name;
+      cell.run.disabled = k !== null && i !== k;
+    });
   };
 
+  const rest = () => { clearTimeout(timer); asked(null); };
+
   const stop = (words) => { // only the end of its worker ends a cell
+    if (worker) worker.onmessage = worker.onerror = null; // what it has sent already is not wanted
     worker?.terminate();
     worker = null;
     ran = [];
@@ -72,7 +77,8 @@
   };
 
   const run = (k) => {
-    if (running !== null) return stop("Stopped.");
+    if (running === k) return stop("Stopped.");
+    if (running !== null) return;
     if (!worker) {
       worker = new Worker("python/worker.js", { type: "module" });
       worker.onmessage = answered;
@@ -83,8 +89,7 @@
     // The first cell that the interpreter has not run as it is now, or the one that was asked for.
     const first = cells.findIndex((cell, i) => i === k || ran[i] !== cell.sent);
     ran.length = Math.min(ran.length, first);
-    running = k;
-    cells[k].run.textContent = "Stop";
+    asked(k);
     worker.postMessage({ cells: cells.slice(0, k + 1).map((cell) => cell.sent), first });
   };
 
