@@ -86,15 +86,18 @@ fn permuted(solution: &[f64], x: &[f64]) -> Option<Attempt> {
     Some(Attempt { sweeps: orders, ..Attempt::new(MistakeKind::OtherRows, what, y) })
 }
 
+/// Other values for n, t1 and t2 of a contact.
+type Change = fn([f64; 3]) -> [f64; 3];
+
 /// t1 and t2 swapped, or with the opposite sign, in all contacts.
 fn turned(contacts: &[Contact], solution: &[f64]) -> Vec<Attempt> {
-    let changes: [(&str, fn([f64; 3]) -> [f64; 3]); 4] = [
+    let changes: [(&str, Change); 4] = [
         ("t1 and t2 swapped", |[n, s, t]| [n, t, s]),
         ("the opposite sign of t1", |[n, s, t]| [n, -s, t]),
         ("the opposite sign of t2", |[n, s, t]| [n, s, -t]),
         ("the opposite sign of t1 and t2", |[n, s, t]| [n, -s, -t]),
     ];
-    let turned = |(what, change): (&str, fn([f64; 3]) -> [f64; 3])| {
+    let turned = |(what, change): (&str, Change)| {
         let mut y = solution.to_vec();
         for contact in contacts {
             contact.put(change(contact.of(solution)), &mut y);

@@ -168,7 +168,7 @@ fn answer(
         },
         MistakeKind::ContactLeftOut => {
             let row = (seed % n as u64) as usize;
-            if seed % 3 == 0 {
+            if seed.is_multiple_of(3) {
                 let mut x = problem.solved()?;
                 x[row] = 0.0;
                 return Some(x);
@@ -279,12 +279,13 @@ fn every_known_mistake_is_named_where_it_was_made() {
 fn mistakes_with_cones_are_named() {
     use lcplab_problem::friction::{ConeProblem, FrictionProblem, Law};
     type Change = fn(&Plain) -> Option<Vec<f64>>;
+    type Maker<'a> = dyn Fn(&Plain) -> Option<Vec<f64>> + 'a;
     let changed = |problem: &Plain, change: &dyn Fn(&mut Plain)| {
         let mut changed = problem.clone();
         change(&mut changed);
         changed.under_coulomb()
     };
-    let made: [(MistakeKind, &dyn Fn(&Plain) -> Option<Vec<f64>>); 8] = [
+    let made: [(MistakeKind, &Maker<'_>); 8] = [
         (MistakeKind::OtherLaw, &(Plain::solved as Change)),
         (MistakeKind::SignOfB, &|own| changed(own, &|own| own.b.iter_mut().for_each(|b| *b = -*b))),
         (MistakeKind::FactorOfB, &|own| {
