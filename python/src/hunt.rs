@@ -79,6 +79,7 @@ pub fn hunt<'py>(
         best_omega: true,
     };
     trial.validate().map_err(refused)?;
+    let limit = search.seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
     let search = Search {
         rows: search.rows.0..=search.rows.1,
         evaluations: search.evaluations,
@@ -87,7 +88,6 @@ pub fn hunt<'py>(
         from: start.problems,
     };
     search.validate(&trial).map_err(refused)?;
-    let limit = search.seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
     let stop = limit.map_or_else(Stop::default, Stop::after);
     let (result, finding) = wait(py, &stop, || {
         let result = search.run(&trial, &stop, &|_| ());

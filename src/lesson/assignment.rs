@@ -155,8 +155,7 @@ impl Assignment {
         });
         Ok(Page {
             title: student.to_string(),
-            lead: "The numbers on this sheet are yours alone: other students have other ones."
-                .into(),
+            lead: "Other students have other numbers.".into(),
             sections,
             facts: vec![("lcplab".into(), env!("CARGO_PKG_VERSION").into())],
             ..Page::default()

@@ -306,11 +306,11 @@ const METHODS: [(&str, Method); 35] = [
 fn run_by_student(problem: &Problem) -> Option<f64> {
     let folder = tempfile::tempdir().unwrap();
     let spans = problem.text.split('`').skip(1).step_by(2);
-    let commands = spans.filter(|span| span.contains("cargo run --release -- "));
+    let commands = spans.filter(|span| span.contains("lcplab "));
     let mut printed = String::new();
     for command in commands {
-        let is_solve = command.contains("-- solve ");
-        let command = command.replace("cargo run --release --", env!("CARGO_BIN_EXE_lcplab"));
+        let is_solve = command.contains("lcplab solve ");
+        let command = command.replace("lcplab", env!("CARGO_BIN_EXE_lcplab"));
         let command = if is_solve { format!("{command} --json") } else { command };
         let output =
             Command::new("sh").args(["-c", &command]).current_dir(&folder).output().unwrap();
