@@ -7,6 +7,8 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
+use lcplab::lesson::template::{Seed, Template};
+
 use super::driver::Page;
 use super::live::{READY, page};
 
@@ -261,6 +263,23 @@ fn an_address_that_a_page_wrote_shows_the_same_again() {
     }
 }
 
+/// The texts of a file's problems with the printed numbers and those of four students.
+fn problem_texts(file: &str) -> Vec<String> {
+    #[derive(serde::Deserialize)]
+    struct Problems {
+        problem: Vec<Template>,
+    }
+    let problems: Problems = toml::from_str(file).unwrap();
+    let of_student = |template: &Template, student: &str| {
+        template.drawn(&Seed { secret: "", student }).unwrap().text
+    };
+    let texts = |template: &Template| {
+        let drawn = ["Ada", "Bo", "Cem", "Dora"].map(|student| of_student(template, student));
+        [vec![template.printed().unwrap().text], drawn.to_vec()].concat()
+    };
+    problems.problem.iter().flat_map(texts).collect()
+}
+
 #[test]
 fn every_address_that_the_lessons_link_to_is_shown() {
     let mut links: BTreeSet<(String, String)> = BTreeSet::new();
@@ -268,15 +287,17 @@ fn every_address_that_the_lessons_link_to_is_shown() {
         let (file, state) = link.split_once('#')?;
         Some((file.strip_suffix(".html")?.to_string(), state.to_string()))
     };
-    for folder in ["notebooks", "notebooks/problems"] {
-        for entry in fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)).unwrap() {
-            let path = entry.unwrap().path();
-            if path.extension().is_some_and(|ending| ending == "md" || ending == "toml") {
-                let text = fs::read_to_string(path).unwrap();
-                let after = text.split("](../live/").skip(1);
-                links.extend(after.filter_map(|rest| link(rest.split(')').next()?)));
-            }
-        }
+    let files = |folder: &str, ending: &str| -> Vec<String> {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+        let paths = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+        let wanted = paths.filter(|path| path.extension().is_some_and(|own| own == ending));
+        wanted.map(|path| fs::read_to_string(path).unwrap()).collect()
+    };
+    let mut texts = files("notebooks", "md");
+    texts.extend(files("notebooks/problems", "toml").iter().flat_map(|file| problem_texts(file)));
+    for text in texts {
+        let after = text.split("](../live/").skip(1);
+        links.extend(after.filter_map(|rest| link(rest.split(')').next()?)));
     }
     assert!(links.len() > 20, "{links:?}");
     for (name, _) in KEYS {

@@ -4,7 +4,7 @@ Each number is found in two ways where that is possible: in fractions or by a pr
 The commands of the "predict" problems are taken from the texts and run. With the argument "pages" the live pages are opened
 by chromium at the addresses of the texts, and what they say is read (a minute more).
 """
-import json, re, shlex, subprocess, sys, tempfile, tomllib
+import json, re, shlex, subprocess, sys, tempfile
 from fractions import Fraction as F
 from itertools import product
 from math import *
@@ -13,15 +13,18 @@ from pathlib import Path
 import numpy as np
 from scipy.optimize import linprog
 import lcplab
+
+sys.path.insert(0, str(Path(__file__).parent))
+from printed import problems
 from lcplab import textbook
 
 ROOT = Path(__file__).parent.parent.parent.parent
-HERE, G, INF = ROOT / "notebooks" / "problems", 9.81, float("inf")
+G, INF = 9.81, float("inf")
 P, done = {}, {}
 for k in range(1, 10):
-    data = tomllib.loads((HERE / f"{k:02}.toml").read_text(encoding="utf-8"))
-    assert set(data) == {"problem"} and all(re.fullmatch(rf"{k}\.[prx][12]", p["id"]) for p in data["problem"])
-    for p in data["problem"]:
+    data = problems(k)
+    assert all(re.fullmatch(rf"{k}\.[prx][12]", p["id"]) for p in data)
+    for p in data:
         kinds = {"p": "pencil", "r": "predict", "x": "live"}
         assert set(p) - {"also"} == {"id", "kind", "title", "minutes", "level", "text", "unit", "answer", "within", "traps", "because"}
         assert p["kind"] == kinds[p["id"].split(".")[1][0]] and len(p["title"]) <= 60 and p["level"] in (1, 2, 3)
@@ -33,10 +36,9 @@ for k in range(1, 10):
         assert not any(near(t, p["answer"]) or near(p["answer"], t) for t in numbers), p["id"]
         assert len(set(numbers)) == len(numbers), p["id"]  # of two near ones the nearest speaks
         if p["kind"] == "live": assert "](../live/" in p["text"]
-        if p["kind"] == "predict": assert "cargo run --release -- " in p["text"] or "cell `" in p["text"]
+        if p["kind"] == "predict": assert "`lcplab " in p["text"] or "| lcplab " in p["text"] or "cell `" in p["text"]
         P[p["id"]] = p
-titles = [tomllib.loads(f.read_text())["problem"] for f in sorted(HERE.glob("[01][0-9].toml"))]
-titles = [p["title"] for s in titles for p in s]
+titles = [p["title"] for k in range(1, 18) for p in problems(k)]
 assert len(set(titles)) == len(titles)
 
 def check(id, answer, traps, how, rel=5e-4):
@@ -51,8 +53,8 @@ def check(id, answer, traps, how, rel=5e-4):
 TMP = tempfile.mkdtemp()
 def run(id, which):
     """The output of a command of the text, by python -m lcplab."""
-    line = re.findall(r"`([^`]*cargo run --release -- [^`]*)`", P[id]["text"])[which]
-    before, words = line.split("cargo run --release -- ")
+    line = re.findall(r"`((?:[^`]*\| )?lcplab [^`]*)`", P[id]["text"])[which]
+    before, words = line.split("lcplab ", 1)
     given = re.match(r"echo '(.*)' \| $", before)[1] if before else None
     r = subprocess.run([sys.executable, "-m", "lcplab", *shlex.split(words)], capture_output=True, text=True, timeout=300, cwd=TMP, input=given)
     assert r.returncode in (0, 1), (line, r.stderr)
