@@ -143,7 +143,7 @@ pub struct Move<'a> {
 /// `direction`, with A d = 0.
 #[derive(Debug, Clone, Copy)]
 pub struct Centring<'a> {
-    /// The row j, which depends on C and has the side [`Side::Idle`] from now on.
+    /// The row j, which depends on C and has the side [`Side::Dependent`] from now on.
     pub row: usize,
     /// The row of C that reached a bound and stays in C because x moves away from it; `None` if row
     /// j itself has just been processed.
