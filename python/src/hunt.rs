@@ -15,7 +15,7 @@ use crate::solving::SolverSettings;
 use crate::waiting::wait;
 use crate::{callable, refused};
 
-/// What is hunted, and where.
+/// What to search for, and where.
 #[derive(FromPyObject)]
 pub struct SearchArgs {
     #[pyo3(item("measure"))]
@@ -38,22 +38,22 @@ pub struct SearchArgs {
     friction: String,
 }
 
-/// What was found, or how many problems were tried in vain.
+/// What was found, and how many problems were tried.
 #[pyfunction]
 pub fn hunt<'py>(
     py: Python<'py>,
     solver: Bound<'py, PyAny>,
     rival: Option<Bound<'py, PyAny>>,
-    search: SearchArgs,
+    args: SearchArgs,
     given: SolverSettings,
     start: Vec<PyRef<'py, Problem>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let measure: Measure = search
+    let measure: Measure = args
         .measure
         .parse()
         .map_err(|reason: String| PyValueError::new_err(format!("measure: {reason}")))?;
-    let within = search.within.as_deref().map(MatrixClass::by_word).transpose().map_err(refused)?;
-    let model = search.model.as_deref().map(str::parse::<Model>).transpose().map_err(refused)?;
+    let within = args.within.as_deref().map(MatrixClass::by_word).transpose().map_err(refused)?;
+    let model = args.model.as_deref().map(str::parse::<Model>).transpose().map_err(refused)?;
     let start: Vec<_> = start
         .iter()
         .enumerate()
@@ -70,7 +70,7 @@ pub fn hunt<'py>(
         options: given.options()?,
         model: start.model,
         within: start.within,
-        friction: match search.friction.as_str() {
+        friction: match args.friction.as_str() {
             "only" => Friction::Only,
             "never" => Friction::Never,
             _ => Friction::Any,
@@ -79,22 +79,22 @@ pub fn hunt<'py>(
         best_omega: true,
     };
     trial.validate().map_err(refused)?;
-    let limit = search.seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
     let search = Search {
-        rows: search.rows.0..=search.rows.1,
-        evaluations: search.evaluations,
-        seed: search.seed,
-        at_least: search.at_least,
+        rows: args.rows.0..=args.rows.1,
+        evaluations: args.evaluations,
+        seed: args.seed,
+        at_least: args.at_least,
         from: start.problems,
     };
     search.validate(&trial).map_err(refused)?;
+    let limit = args.seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
     let stop = limit.map_or_else(Stop::default, Stop::after);
     let (result, finding) = wait(py, &stop, || {
         let result = search.run(&trial, &stop, &|_| ());
         let finding = result
             .counterexample
             .as_ref()
-            .map(|counterexample| Finding::of(counterexample, &trial, search.seed));
+            .map(|counterexample| Finding::of(counterexample, &trial, args.seed));
         (result, finding)
     })?;
     let fields = PyDict::new(py);

@@ -182,7 +182,7 @@ def search(
     start: Any = None,
 ) -> dict[str, Any]:
     """What a search finds, with the number of problems that the solver solved. Friction: ``any``, ``only`` or ``never``."""
-    quarry = {
+    search = {
         "measure": measure,
         "rows": (n, n) if isinstance(n, int) else tuple(n),
         "evaluations": evaluations,
@@ -196,4 +196,4 @@ def search(
     for function in (solver, rival):
         check_signature(function, has_friction=friction != "never")
     given = [] if start is None else [problem._inner for _, problem in named(start)]
-    return _lcplab.hunt(solver, rival, quarry, settings, given)
+    return _lcplab.hunt(solver, rival, search, settings, given)
