@@ -159,6 +159,9 @@ impl Template {
         let mut rest = index;
         let mut numbers = BTreeMap::new();
         for (name, list) in &self.parameters {
+            if list.is_empty() {
+                return Err(self.error(name, "needs at least one value"));
+            }
             let at = usize::try_from(rest % list.len() as u64).unwrap_or(0);
             numbers.insert(name.clone(), list[at]);
             rest /= list.len() as u64;

@@ -46,7 +46,7 @@ impl View for Plan {
     fn headline(&self, findings: &[Vec<CrossCheck>]) -> Headline {
         let apart = findings.iter().flatten().map(|check| check.u_difference).fold(0.0, f64::max);
         let value = significant(apart, 1);
-        let label = "largest difference to clarabel's motion (m/s)".into();
+        let label = "largest difference to clarabel's motion (SI units)".into();
         Headline { result: Some([value, label]), ..Headline::default() }
     }
 

@@ -16,6 +16,7 @@ mod film;
 mod footage;
 mod frames;
 mod grid;
+mod headline;
 mod profiles;
 mod scenes;
 mod sliding;
@@ -28,15 +29,18 @@ pub use comparison::{
 };
 
 pub use diagnosis::diagnosis_page;
+pub use headline::Headline;
+
 pub use families::by_solver as solvers_table;
 pub use families::table as families_table;
 pub use film::simulation_page;
 pub use verification::table as verification_table;
 
+use headline::Top;
 use serde_json::Value;
 
 use super::experiment::{Experiment, Fold, SHIPPED};
-use super::page::{self, Block, Cell, Mark, Origin, Page, Picture, Section, Table, Tile};
+use super::page::{self, Block, Cell, Mark, Origin, Page, Picture, Section, Table};
 use super::results::{Part, Results, Task};
 use super::study::Study;
 use crate::error::Result;
@@ -82,24 +86,6 @@ pub trait View: Study {
     fn outcome(&self, findings: &[Self::Finding]) -> Outcome;
 }
 
-/// What a study adds to the top of the page.
-#[derive(Default)]
-pub struct Headline {
-    /// The answer to the study's question, in one or two sentences.
-    pub answer: Option<String>,
-    /// The main figure, if it has one.
-    pub figure: Option<Box<dyn Figure>>,
-    /// The result of its checks, as a number and what it counts.
-    pub result: Option<[String; 2]>,
-}
-
-impl Headline {
-    /// An answer alone.
-    fn of(answer: Option<String>) -> Self {
-        Headline { answer, ..Headline::default() }
-    }
-}
-
 /// The outcome of a study.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Outcome {
@@ -132,13 +118,14 @@ pub fn document(results: &Results) -> Result<Document> {
             document.text(&part.text);
         }
         let findings: Vec<Value> = part.findings().collect();
-        if let (Some(study), Some(Fold::All)) = (&section.study, part.shown.fold) {
-            document.text(format!("{}.", study.outcome(&findings)?.says));
+        let outcome = section.study.as_ref().map(|study| study.outcome(&findings)).transpose()?;
+        if let (Some(outcome), Some(Fold::All)) = (&outcome, part.shown.fold) {
+            document.text(format!("{}.", outcome.says));
         }
         let open = document.page.sections[first].blocks.len();
         if let Some(study) = &section.study {
-            let good =
-                study.outcome(&findings)?.good && part.tasks.iter().all(|t| t.failure.is_none());
+            let failed = part.tasks.iter().any(|task| task.failure.is_some());
+            let good = outcome.is_some_and(|outcome| outcome.good) && !failed;
             top.add(study.headline(&findings)?, &part.id, good);
             study.show(&findings, &mut document)?;
             failures(&mut document, part);
@@ -168,39 +155,6 @@ pub fn document(results: &Results) -> Result<Document> {
     document.page.sections.retain(|section| !section.blocks.is_empty());
     top.put(&results.lead, &mut document);
     Ok(document)
-}
-
-/// The top of the page: the first answer, the main figures, the results of the checks, and then the
-/// other answers.
-#[derive(Default)]
-struct Top {
-    answers: Vec<String>,
-    figures: Vec<Box<dyn Figure>>,
-    tiles: Vec<Tile>,
-}
-
-impl Top {
-    fn add(&mut self, headline: Headline, section: &str, good: bool) {
-        self.answers.extend(headline.answer);
-        self.figures.extend(headline.figure);
-        let tile =
-            |[value, label]: [String; 2]| Tile { value, label, section: section.into(), good };
-        self.tiles.extend(headline.result.map(tile));
-    }
-
-    fn put(self, lead: &str, document: &mut Document) {
-        let lead = Some(lead.trim().to_string()).filter(|lead| !lead.is_empty());
-        let mut texts = self.answers.into_iter().chain(lead);
-        document.page.lead = texts.next().unwrap_or_default();
-        for figure in self.figures {
-            document.page.opening.push(Block::Figure(Picture::of(&*figure, FILES)));
-            document.figures.push(figure);
-        }
-        if !self.tiles.is_empty() {
-            document.page.opening.push(Block::Tiles(self.tiles));
-        }
-        document.page.opening.extend(texts.map(Block::Text));
-    }
 }
 
 /// How to reproduce a section's findings.

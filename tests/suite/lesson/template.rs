@@ -132,6 +132,7 @@ fn a_formula_that_cannot_be_used_is_an_error_that_quotes_it() {
         ("text = \"\"\nanswer = \"1/0\"", "\"1/0\" is not finite"),
         ("text = \"{{x\"\nanswer = 1", "has no end"),
         ("text = \"\"\nvalues.y = 2\nanswer = 1", "y: must be a formula"),
+        ("text = \"\"\nparameters.x = []\nanswer = 1", "x: needs at least one value"),
         (
             "text = \"\"\nparameters.x = [1, 2]\npositive = [\"x - 1\"]\nanswer = 1",
             "not admissible",

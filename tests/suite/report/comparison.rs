@@ -1,7 +1,7 @@
 //! What a comparison says: nothing that was not measured.
 
-use lcplab::report::study::comparison::{Comparison, LevelRefinement, Levels, Run, compare};
-use lcplab::report::view::{comparison_answer, comparison_table};
+use lcplab::report::study::comparison::{Comparison, LevelRefinement, Levels, Plan, Run, compare};
+use lcplab::report::view::{View, comparison_answer, comparison_table};
 use lcplab::scene::{Scene, Scheme};
 use lcplab::solver::entry;
 
@@ -103,4 +103,15 @@ fn the_trouble_of_a_solver_stands_left_of_the_measures() {
     assert!(table.rows.iter().all(|row| row.len() == titles.len()));
     assert!(table.rows[0][6].text.starts_with("step "), "{}", table.rows[0][6].text);
     assert_eq!(table.rows[1][6].text, "");
+}
+
+#[test]
+fn the_top_of_a_report_counts_confirmed_answers_and_names_what_was_not_solved() {
+    let plan = Plan { solvers: Vec::new(), schemes: Vec::new(), scenes: Vec::new() };
+    let mut comparison = compared(&["dantzig"]);
+    let run = &mut comparison.runs[0];
+    (run.solves, run.claimed, run.refuted_claims) = (10, 8, 1);
+    let [value, label] = plan.headline(&[comparison]).result.unwrap();
+    assert_eq!(value, "7 of 8");
+    assert!(label.ends_with("; 2 problems not solved"), "{label}");
 }

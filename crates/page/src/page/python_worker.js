@@ -34,10 +34,10 @@ def run(k, code):
     try:
         exec(compile(code, file, "exec"), names)
     except BaseException as error:
-        told = traceback.TracebackException.from_exception(error)
-        own = [frame for frame in told.stack[1:] if not frame.filename.endswith("arrays.py")]
-        told.stack = traceback.StackSummary.from_list(own)
-        return "".join(told.format())
+        details = traceback.TracebackException.from_exception(error)
+        own = [frame for frame in details.stack[1:] if not frame.filename.endswith("arrays.py")]
+        details.stack = traceback.StackSummary.from_list(own)
+        return "".join(details.format())
     finally:
         sys.stdout.flush()
 `;

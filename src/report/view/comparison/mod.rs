@@ -7,7 +7,7 @@ pub use answer::answer;
 use super::attempt::{listed, stem};
 use super::{Document, Headline, Outcome, View};
 use crate::film::Film;
-use crate::number::count;
+use crate::number::{count, counted};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Page, Table, markup};
 use crate::report::study::comparison::{Comparison, LeftOut, Plan, Run, Sample, Timing, best};
@@ -60,7 +60,11 @@ impl View for Plan {
         let claimed = sum(|run| run.claimed);
         let confirmed = claimed - sum(|run| run.refuted_claims);
         let value = format!("{} of {}", count(confirmed), count(claimed));
-        let label = "answers of solvers confirmed by an independent judge".into();
+        let mut label = "answers of solvers confirmed by an independent judge".to_string();
+        let given_up = sum(|run| run.solves) - claimed;
+        if given_up > 0 {
+            label += &format!("; {} not solved", counted(given_up, "problem"));
+        }
         Headline { result: Some([value, label]), ..Headline::default() }
     }
 
