@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::Camera;
 use super::extent::Landmark;
-use crate::plot::style::{EDGE, WIDTH};
+use crate::plot::style::EDGE;
 
 /// The gap between two frames in px.
 const GAP: f64 = 6.0;
@@ -83,12 +83,12 @@ impl Window {
 }
 
 impl Layout {
-    /// The layout with the fewest rows that shows the window nearly as large as possible, in cells
-    /// at least as wide as a label.
-    pub fn new(window: &Window, frames: usize, label: f64) -> Self {
-        let mut best = Layout::in_rows(window, frames, 1);
+    /// The layout on a sheet of this width (px) with the fewest rows that shows the window nearly
+    /// as large as possible, in cells at least as wide as a label.
+    pub fn new(window: &Window, sheet: f64, frames: usize, label: f64) -> Self {
+        let mut best = Layout::in_rows(window, sheet, frames, 1);
         for rows in 2..=frames {
-            let other = Layout::in_rows(window, frames, rows);
+            let other = Layout::in_rows(window, sheet, frames, rows);
             if best.width < label || other.scale > WORTH * best.scale {
                 best = other;
             }
@@ -103,11 +103,11 @@ impl Layout {
         Layout { columns: 1, rows: 1, width, height: h * scale + 2.0 * PADDING, scale }
     }
 
-    fn in_rows(window: &Window, frames: usize, rows: usize) -> Self {
+    fn in_rows(window: &Window, sheet: f64, frames: usize, rows: usize) -> Self {
         let columns = frames.max(1).div_ceil(rows);
         let rows = frames.max(1).div_ceil(columns);
         let budget = (HEIGHT.0 * frames as f64).max(HEIGHT.1);
-        let width = (WIDTH - 2.0 * EDGE - (columns - 1) as f64 * GAP) / columns as f64;
+        let width = (sheet - 2.0 * EDGE - (columns - 1) as f64 * GAP) / columns as f64;
         let most = budget / rows as f64 - LABEL;
         let (w, h) = window.size();
         let scale = ((width - 2.0 * PADDING) / w).min((most - 2.0 * PADDING) / h);

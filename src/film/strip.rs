@@ -10,7 +10,7 @@ use crate::number::readable;
 use crate::plot::Figure;
 use crate::plot::canvas::{Anchor, Canvas, hex};
 use crate::plot::round_step;
-use crate::plot::style::{self, EDGE, FAINT_INK, GRID, INK, TEXT, WIDTH};
+use crate::plot::style::{self, EDGE, FAINT_INK, GRID, INK, TEXT};
 use crate::scene::Scene;
 
 /// The space above the frames in px, for the title and the scales.
@@ -176,7 +176,7 @@ impl Figure for Strip {
         &self.caption
     }
 
-    fn svg(&self) -> String {
+    fn drawn(&self, width: f64, id: &str) -> String {
         let label = |(k, frame): (usize, &Frame)| {
             let time = || format!("{} s", readable(frame.time, 3));
             self.labels.get(k).cloned().unwrap_or_else(time)
@@ -189,14 +189,14 @@ impl Figure for Strip {
         let landmarks = extent::landmarks(&self.scene, &frames);
         let patches = ground::patches(&self.scene, &landmarks);
         let window = ground::window(&camera, landmarks, &patches);
-        let layout = Layout::new(&window, frames.len(), widest);
+        let layout = Layout::new(&window, width, frames.len(), widest);
         let lens = layout.lens(camera, &window);
         let largest = arrow::largest(&frames);
         let shown = self.arrows == Arrows::Shown && largest > 0.0;
         let newton = shown.then(|| arrow::scale(largest, &lens));
 
-        let mut canvas = Canvas::new(TOP + layout.total() + EDGE);
-        let fit = (WIDTH - 2.0 * EDGE) / (BOLD * style::width(&self.title, style::TITLE));
+        let mut canvas = Canvas::new(width, TOP + layout.total() + EDGE);
+        let fit = (width - 2.0 * EDGE) / (BOLD * style::width(&self.title, style::TITLE));
         let size = style::TITLE * fit.min(1.0);
         canvas.text((EDGE, 26.0), Anchor::Start, size, INK, &self.title);
         self.scales(&mut canvas, &frames, &lens, newton);
@@ -214,7 +214,12 @@ impl Figure for Strip {
                 h = tenth(lens.height),
             ));
         }
-        canvas.finish(&self.id, &self.title, &self.description(&frames))
+        canvas.finish(id, &self.title, &self.description(&frames))
+    }
+
+    /// None: the names of the forces do not fit beside each other on a phone.
+    fn narrow(&self) -> Option<String> {
+        None
     }
 
     /// One record per frame and body: its pose.

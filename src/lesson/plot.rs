@@ -114,8 +114,8 @@ impl Figure for Plot {
         self.0.caption()
     }
 
-    fn svg(&self) -> String {
-        self.0.svg()
+    fn drawn(&self, width: f64, id: &str) -> String {
+        self.0.drawn(width, id)
     }
 
     fn csv(&self) -> String {

@@ -55,27 +55,33 @@ fn buttons_are_not_printed_and_heads_are_repeated() {
 }
 
 #[test]
-fn the_standard_report_has_at_most_24_sheets_and_every_figure_on_them_has_its_marks() {
+fn the_standard_report_has_at_most_12_sheets_and_every_figure_on_them_has_its_marks() {
     let folder = tempfile::tempdir().unwrap();
     let mut command = Command::new(env!("CARGO_BIN_EXE_lcplab"));
     command.args(["report", "--out", "report.pdf"]).current_dir(folder.path());
     let output = command.output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let count = pages(&fs::read(folder.path().join("report.pdf")).unwrap());
-    assert!((10..=24).contains(&count), "{count} sheets");
+    assert!((8..=12).contains(&count), "{count} sheets");
     // The rules for print, applied to the screen: of every figure that is not folded away,
     // something of each kind of mark has a size.
     let page = folder.path().join("reports/standard/index.html");
     let page = fs::read_to_string(page).unwrap();
     let page = page.replace("@media print", "@media all").replace("@media screen", "@media print");
     let seen = Page(page).seen(
-        700,
+        688, // px between the margins of A4
         "const bare = (figure) => [...figure.querySelectorAll('svg [class]')].filter((mark) =>
             !mark.closest('.here, [hidden]') && getComputedStyle(mark).display === 'none');
         const open = all('figure.plot').filter((figure) => !figure.closest('details'));
-        return [open.length > 10, open.flatMap(bare).map((mark) => mark.getAttribute('class'))];",
+        // Text of at least 7 pt: on a sheet, 1 px is 0.75 pt.
+        const scale = (svg) => svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
+        const size = (text) => 0.75 * scale(text.ownerSVGElement) * Number(text.getAttribute('font-size'));
+        const texts = open.flatMap((figure) => [...figure.querySelectorAll('svg text')]).filter(shown);
+        const small = texts.filter((text) => size(text) < 7.0);
+        return [open.length > 10, open.flatMap(bare).map((mark) => mark.getAttribute('class')),
+          texts.length > 200, small.map((text) => text.textContent + ': ' + size(text).toFixed(1) + ' pt')];",
     );
-    assert_eq!(seen, json!([true, []]));
+    assert_eq!(seen, json!([true, [], true, []]));
 }
 
 #[test]

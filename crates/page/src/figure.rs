@@ -1,5 +1,7 @@
 //! The common interface of all figures.
 
+use crate::plot::style::{NARROW, WIDTH};
+
 /// A picture with a name, texts and numbers.
 pub trait Figure {
     /// A short name without spaces: the stem of the file name and the anchor on a page.
@@ -17,12 +19,19 @@ pub trait Figure {
         if self.caption().is_empty() { self.title() } else { self.caption() }
     }
 
-    /// The picture as a complete SVG document without fonts, scripts or references to other files.
-    fn svg(&self) -> String;
+    /// The picture with this width (px) and this id, which no other picture on its page has: a
+    /// complete SVG document without fonts, scripts or references to other files.
+    fn drawn(&self, width: f64, id: &str) -> String;
 
-    /// The same picture for narrow screens, with a text size that can be read there, if it has one.
+    /// The picture in the usual width.
+    fn svg(&self) -> String {
+        self.drawn(WIDTH, self.id())
+    }
+
+    /// The same picture for phones and for a column of a printed sheet, where its text can still
+    /// be read; `None` if so narrow a picture shows nothing.
     fn narrow(&self) -> Option<String> {
-        None
+        Some(self.drawn(NARROW, &format!("{}-narrow", self.id())))
     }
 
     /// Every number in the picture (RFC 4180), with names and units in the first line.

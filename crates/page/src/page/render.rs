@@ -110,6 +110,20 @@ struct TableView<'a> {
 }
 
 impl Page {
+    /// Whether it is printed in two columns: it has figures that fit them, and no programs, whose
+    /// lines need the width of a sheet.
+    fn has_columns(&self) -> bool {
+        let any = |is: fn(&Block) -> bool| self.sections.iter().flat_map(|s| &s.blocks).any(is);
+        any(|block| matches!(block, Block::Figure(picture) if picture.narrow.is_some()))
+            && !any(|block| {
+                use Block::{Code, FoldedCode, Proof, Python, Twin};
+                matches!(
+                    block,
+                    Code { .. } | FoldedCode { .. } | Proof(_) | Python { .. } | Twin { .. }
+                )
+            })
+    }
+
     /// The page as one HTML document.
     ///
     /// # Errors

@@ -63,15 +63,26 @@ impl Bars {
     }
 }
 
-impl Bars {
-    /// The picture in this width (px).
+impl Figure for Bars {
+    fn id(&self) -> &str {
+        &self.id
+    }
+
+    fn title(&self) -> &str {
+        &self.title
+    }
+
+    fn caption(&self) -> &str {
+        &self.caption
+    }
+
     fn drawn(&self, wide: f64, id: &str) -> String {
         let longest =
             self.bars.iter().map(|bar| style::width(&bar.name, TEXT)).fold(40.0, f64::max);
         let left = style::EDGE + 12.0 + longest.min(260.0);
         let tall = PITCH * self.bars.len().max(1) as f64;
         let head = if self.limit.is_some() { TOP + LABEL } else { TOP };
-        let (mut canvas, lower) = Canvas::headed(wide, head + tall + 58.0, &self.title);
+        let (mut canvas, lower) = Canvas::titled(wide, head + tall + 58.0, &self.title);
         let top = head + lower;
         let bottom = top + tall;
         let x = self.range();
@@ -135,28 +146,6 @@ impl Bars {
         let middle = (frame.left + frame.right) / 2.0;
         canvas.text((middle, bottom + 42.0), Anchor::Middle, TEXT, INK, &self.x.heading());
         canvas.finish(id, &self.title, description.trim_end_matches("; "))
-    }
-}
-
-impl Figure for Bars {
-    fn id(&self) -> &str {
-        &self.id
-    }
-
-    fn title(&self) -> &str {
-        &self.title
-    }
-
-    fn caption(&self) -> &str {
-        &self.caption
-    }
-
-    fn svg(&self) -> String {
-        self.drawn(style::WIDTH, &self.id)
-    }
-
-    fn narrow(&self) -> Option<String> {
-        Some(self.drawn(style::NARROW, &format!("{}-narrow", self.id)))
     }
 
     fn csv(&self) -> String {

@@ -11,7 +11,7 @@ use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 
-use super::style::{self, FONTS, PAPER, WIDTH};
+use super::style::{self, FONTS, PAPER};
 use crate::escape::html;
 
 /// The number of drawing units per px.
@@ -74,12 +74,8 @@ pub struct Canvas {
 }
 
 impl Canvas {
-    /// A canvas of the usual width and this height (px).
-    pub fn new(height: f64) -> Self {
-        Canvas::sized(WIDTH, height)
-    }
-
-    fn sized(width: f64, height: f64) -> Self {
+    /// An empty canvas of this width and height (px).
+    pub fn new(width: f64, height: f64) -> Self {
         let mut canvas = Canvas { width, height, body: String::new() };
         let corner = (fine(width), fine(height));
         canvas.layer("class=\"paper\"", |layer| {
@@ -88,19 +84,12 @@ impl Canvas {
         canvas
     }
 
-    /// A canvas with a title at its top left.
-    pub fn titled(height: f64, title: &str) -> Self {
-        let mut canvas = Canvas::new(height);
-        canvas.text((style::EDGE, 28.0), Anchor::Start, style::TITLE, style::INK, title);
-        canvas
-    }
-
     /// A canvas of this width, with a title in as many lines as it needs; `height` is that below
     /// the first line. Returns the height (px) of its other lines, too.
-    pub(super) fn headed(width: f64, height: f64, title: &str) -> (Self, f64) {
+    pub(super) fn titled(width: f64, height: f64, title: &str) -> (Self, f64) {
         let lines = style::wrapped(title, style::TITLE * BOLD, width - 2.0 * style::EDGE);
         let more = LINE * lines.len().saturating_sub(1) as f64;
-        let mut canvas = Canvas::sized(width, height + more);
+        let mut canvas = Canvas::new(width, height + more);
         for (k, line) in lines.iter().enumerate() {
             let at = (style::EDGE, 28.0 + LINE * k as f64);
             canvas.text(at, Anchor::Start, style::TITLE, style::INK, line);

@@ -104,8 +104,11 @@ impl Heat {
         Range { least, most: most.ceil(), zero: self.zero }
     }
 
-    fn draw_scale(&self, canvas: &mut Canvas, range: Range) {
-        let (left, top, width, height) = (style::EDGE + 14.0, 50.0, 330.0, 12.0);
+    /// The scale of shades below the title, as wide as the text beside it allows.
+    fn draw_scale(&self, canvas: &mut Canvas, range: Range, wide: f64, lower: f64) {
+        let heading = style::width(&self.value.heading(), TEXT);
+        let (left, top, height) = (style::EDGE + 14.0, 50.0 + lower, 12.0);
+        let width = (wide - left - heading - 100.0).min(330.0);
         let step = width / STEPS as f64;
         for k in 0..STEPS {
             canvas.raw(&format!(
@@ -124,13 +127,13 @@ impl Heat {
             top,
             bottom: top + height,
         };
-        for tick in Scale::Log.ticks(frame.x, 6) {
+        for tick in Scale::Log.ticks(frame.x, (width / 55.0) as usize) {
             let (x, _) = frame.place((tick.at, 0.0));
-            canvas.text((x, top + 27.0), Anchor::Middle, 12.0, FAINT_INK, &tick.label);
+            canvas.text((x, top + 27.0), Anchor::Middle, TEXT, FAINT_INK, &tick.label);
         }
         let after = left + width + 16.0;
         canvas.text((after, top + 11.0), Anchor::Start, TEXT, INK, &self.value.heading());
-        let zero = after + style::width(&self.value.heading(), TEXT) + 24.0;
+        let zero = after + heading + 24.0;
         outline(canvas, (zero, top), (18.0, height));
         canvas.text((zero + 26.0, top + 11.0), Anchor::Start, TEXT, INK, "0");
     }
@@ -162,20 +165,20 @@ impl Figure for Heat {
         &self.caption
     }
 
-    fn svg(&self) -> String {
+    fn drawn(&self, wide: f64, id: &str) -> String {
         let across = self.panels.len().clamp(1, 2);
         let lines = self.panels.len().div_ceil(across).max(1);
-        let width = (style::WIDTH - 2.0 * style::EDGE + GAP) / across as f64 - GAP - LEFT;
+        let width = (wide - 2.0 * style::EDGE + GAP) / across as f64 - GAP - LEFT;
         let tallest = self.panels.iter().map(|panel| panel.rows.len()).max().unwrap_or(1);
-        let height = (9.0 * tallest as f64).clamp(80.0, 260.0);
+        let height = (9.0 * tallest as f64).clamp(80.0, 260.0).min(width);
         let pitch = height + 28.0 + BELOW;
         let range = self.range();
 
-        let mut canvas = Canvas::titled(TOP + pitch * lines as f64, &self.title);
-        self.draw_scale(&mut canvas, range);
+        let (mut canvas, lower) = Canvas::titled(wide, TOP + pitch * lines as f64, &self.title);
+        self.draw_scale(&mut canvas, range, wide, lower);
         for (k, panel) in self.panels.iter().enumerate() {
             let left = style::EDGE + LEFT + (width + LEFT + GAP) * (k % across) as f64;
-            let top = TOP + 28.0 + pitch * (k / across) as f64;
+            let top = TOP + lower + 28.0 + pitch * (k / across) as f64;
             panel.draw(&mut canvas, (left, top), (width, height), range);
             canvas.text((left, top - 9.0), Anchor::Start, TEXT, INK, &panel.name);
             let middle = (left + width / 2.0, top + height + 36.0);
@@ -189,7 +192,7 @@ impl Figure for Heat {
         }
         let words: Vec<String> = self.panels.iter().map(|panel| self.describe(panel)).collect();
         let description = format!("{} as shades. {}.", self.value.heading(), words.join("; "));
-        canvas.finish(&self.id, &self.title, &description)
+        canvas.finish(id, &self.title, &description)
     }
 
     /// One record per cell: panel, position upward, position across, value.
@@ -233,11 +236,11 @@ impl Shaded {
         outline(canvas, (left, top), (width, height));
         for (at, label) in whole(self.places(), width) {
             let x = left + (at as f64 + 0.5) * wide;
-            canvas.text((x, top + height + 17.0), Anchor::Middle, 12.0, FAINT_INK, &label);
+            canvas.text((x, top + height + 17.0), Anchor::Middle, TEXT, FAINT_INK, &label);
         }
         for (at, label) in whole(self.rows.len(), 2.0 * height) {
             let y = top + height - (at as f64 + 0.5) * high + 4.0;
-            canvas.text((left - 5.0, y), Anchor::End, 12.0, FAINT_INK, &label);
+            canvas.text((left - 5.0, y), Anchor::End, TEXT, FAINT_INK, &label);
         }
     }
 

@@ -124,12 +124,50 @@ impl Figure for Lines {
         &self.caption
     }
 
-    fn svg(&self) -> String {
-        self.drawn(style::WIDTH, &self.id)
-    }
+    fn drawn(&self, wide: f64, id: &str) -> String {
+        let legend = Legend::new(self, wide);
+        let header = 44.0 + ROW * legend.rows as f64;
+        let plot = match (self.panels.len() < 2, wide < style::WIDTH) {
+            (true, false) => 340.0,
+            (true, true) => 230.0,
+            (false, false) => 190.0,
+            (false, true) => 125.0,
+        };
+        let pitch = plot + 44.0;
+        let footer = 36.0;
+        let height = header + pitch * self.panels.len() as f64 + footer;
+        let (mut canvas, lower) = Canvas::titled(wide, height, &self.title);
+        let header = header + lower;
+        legend.draw(&mut canvas, lower);
 
-    fn narrow(&self) -> Option<String> {
-        Some(self.drawn(style::NARROW, &format!("{}-narrow", self.id)))
+        let all = || self.panels.iter().flat_map(|panel| &panel.series);
+        let x = range(self.x.scale, all(), |(x, _)| x);
+        let columns = self.x.scale.ticks(x, (wide / TICK) as usize);
+        let wanted = if plot > 250.0 { 8 } else { 5 };
+        let ranges = self.panels.iter().map(|panel| {
+            let y = range(panel.y.scale, panel.series.iter(), |(_, y)| y);
+            (y, panel.y.scale.ticks(y, wanted))
+        });
+        let ranges: Vec<_> = ranges.collect();
+        let labels = ranges.iter().flat_map(|(_, rows)| rows).map(|row| width(&row.label, TEXT));
+        let left = style::EDGE + 8.0 + labels.fold(32.0, f64::max);
+        let right = wide - MARGIN;
+        for (k, (panel, (y, rows))) in self.panels.iter().zip(&ranges).enumerate() {
+            let top = header + pitch * k as f64 + 32.0;
+            let frame = Frame { x, y: *y, left, right, top, bottom: top + plot };
+            let last = k + 1 == self.panels.len();
+            draw_grid(&mut canvas, &frame, &columns, rows, last);
+            canvas.text((style::EDGE, top - 12.0), Anchor::Start, TEXT, INK, &panel.y.heading());
+            canvas.raw(&points::panel(&frame, &self.x, Some(&panel.y)));
+            self.draw_curves(&mut canvas, &frame, panel, &legend.looks);
+            canvas.raw("</g>\n");
+            if last {
+                let middle = (left + right) / 2.0;
+                let at = (middle, frame.bottom + 42.0);
+                canvas.text(at, Anchor::Middle, TEXT, INK, &self.x.heading());
+            }
+        }
+        canvas.finish(id, &self.title, &self.description())
     }
 
     /// One record per point: series, kind, x, and y in the column of its panel.
@@ -170,48 +208,6 @@ impl Look {
 }
 
 impl Lines {
-    /// The picture in this width (px).
-    fn drawn(&self, wide: f64, id: &str) -> String {
-        let legend = Legend::new(self, wide);
-        let header = 44.0 + ROW * legend.rows as f64;
-        let plot = if self.panels.len() < 2 { 340.0 } else { 190.0 };
-        let pitch = plot + 44.0;
-        let footer = 36.0;
-        let height = header + pitch * self.panels.len() as f64 + footer;
-        let (mut canvas, lower) = Canvas::headed(wide, height, &self.title);
-        let header = header + lower;
-        legend.draw(&mut canvas, lower);
-
-        let all = || self.panels.iter().flat_map(|panel| &panel.series);
-        let x = range(self.x.scale, all(), |(x, _)| x);
-        let columns = self.x.scale.ticks(x, (wide / TICK) as usize);
-        let wanted = if plot > 250.0 { 8 } else { 5 };
-        let ranges = self.panels.iter().map(|panel| {
-            let y = range(panel.y.scale, panel.series.iter(), |(_, y)| y);
-            (y, panel.y.scale.ticks(y, wanted))
-        });
-        let ranges: Vec<_> = ranges.collect();
-        let labels = ranges.iter().flat_map(|(_, rows)| rows).map(|row| width(&row.label, TEXT));
-        let left = style::EDGE + 8.0 + labels.fold(32.0, f64::max);
-        let right = wide - MARGIN;
-        for (k, (panel, (y, rows))) in self.panels.iter().zip(&ranges).enumerate() {
-            let top = header + pitch * k as f64 + 32.0;
-            let frame = Frame { x, y: *y, left, right, top, bottom: top + plot };
-            let last = k + 1 == self.panels.len();
-            draw_grid(&mut canvas, &frame, &columns, rows, last);
-            canvas.text((style::EDGE, top - 12.0), Anchor::Start, TEXT, INK, &panel.y.heading());
-            canvas.raw(&points::panel(&frame, &self.x, Some(&panel.y)));
-            self.draw_curves(&mut canvas, &frame, panel, &legend.looks);
-            canvas.raw("</g>\n");
-            if last {
-                let middle = (left + right) / 2.0;
-                let at = (middle, frame.bottom + 42.0);
-                canvas.text(at, Anchor::Middle, TEXT, INK, &self.x.heading());
-            }
-        }
-        canvas.finish(id, &self.title, &self.description())
-    }
-
     /// A description of the picture in words.
     fn description(&self) -> String {
         let mut text = String::new();

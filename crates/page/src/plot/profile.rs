@@ -102,15 +102,15 @@ impl Figure for Profiles {
         &self.caption
     }
 
-    fn svg(&self) -> String {
+    fn drawn(&self, wide: f64, id: &str) -> String {
         let across = self.columns.len().max(1) as f64;
-        let width = (style::WIDTH - 2.0 * style::EDGE + GAP) / across - GAP - LEFT;
-        let legends: Vec<_> = self.groups.iter().map(Legend::of).collect();
+        let width = (wide - 2.0 * style::EDGE + GAP) / across - GAP - LEFT;
+        let legends: Vec<_> = self.groups.iter().map(|group| Legend::of(group, wide)).collect();
         let heads: Vec<f64> = legends.iter().map(|l| 30.0 + LINE * l.lines as f64 + 22.0).collect();
         let total: f64 = heads.iter().map(|head| head + HEIGHT + 28.0).sum();
-        let mut canvas = Canvas::titled(TOP + total + 30.0, &self.title);
+        let (mut canvas, lower) = Canvas::titled(wide, TOP + total + 30.0, &self.title);
         let x = self.range();
-        let mut top = TOP;
+        let mut top = TOP + lower;
         for (k, (group, legend)) in self.groups.iter().zip(&legends).enumerate() {
             legend.draw(&mut canvas, group, top);
             let above = top + heads[k];
@@ -127,9 +127,14 @@ impl Figure for Profiles {
             canvas.raw("</g>\n");
             top = above + HEIGHT + 28.0;
         }
-        let middle = (style::WIDTH / 2.0, top + 14.0);
+        let middle = (wide / 2.0, top + 14.0);
         canvas.text(middle, Anchor::Middle, TEXT, INK, &self.x.heading());
-        canvas.finish(&self.id, &self.title, &self.description())
+        canvas.finish(id, &self.title, &self.description())
+    }
+
+    /// None: several columns of panels do not fit a phone.
+    fn narrow(&self) -> Option<String> {
+        None
     }
 
     /// One record per step: column, method, problems, τ, fraction.
@@ -232,12 +237,12 @@ struct Legend {
 }
 
 impl Legend {
-    fn of(group: &Group) -> Self {
+    fn of(group: &Group, wide: f64) -> Self {
         let (mut x, mut line) = (style::EDGE, 0);
         let mut entries = Vec::new();
         for label in group.curves.iter().map(Curve::label) {
             let length = SAMPLE + 8.0 + style::width(&label, TEXT);
-            if x + length > style::WIDTH - style::EDGE && x > style::EDGE {
+            if x + length > wide - style::EDGE && x > style::EDGE {
                 (x, line) = (style::EDGE, line + 1);
             }
             entries.push((label, (x, LINE * line as f64)));

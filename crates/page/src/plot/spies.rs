@@ -8,12 +8,12 @@ use super::style::{self, FAINT_INK, INK, TEXT};
 use crate::csv;
 use crate::figure::Figure;
 
-/// The gap between panels, and the height of the two lines of text above each, in px.
+/// The gap between panels, and the least distance from one to the next, in px.
 const GAP: f64 = 16.0;
-const WORDS: f64 = 40.0;
+const LEAST: f64 = 125.0;
 const TOP: f64 = 44.0;
-/// Text size of the second line in px.
-const SMALL: f64 = 12.0;
+/// The height of a line of the name and of the note in px.
+const LINE: f64 = 17.0;
 
 /// Patterns in a grid of panels.
 #[derive(Debug, Clone)]
@@ -24,7 +24,7 @@ pub struct Spies {
     pub title: String,
     /// See [`Figure::caption`].
     pub caption: String,
-    /// The number of panels side by side, positive.
+    /// The largest number of panels side by side, positive; fewer on a narrow picture.
     pub across: usize,
     /// The panels, from left to right, then down.
     pub panels: Vec<Small>,
@@ -54,19 +54,24 @@ impl Figure for Spies {
         &self.caption
     }
 
-    fn svg(&self) -> String {
-        let across = self.across.max(1);
-        let pitch = (style::WIDTH - 2.0 * style::EDGE + GAP) / across as f64;
+    fn drawn(&self, wide: f64, id: &str) -> String {
+        let room = wide - 2.0 * style::EDGE + GAP;
+        let across = self.across.min((room / LEAST) as usize).max(1);
+        let pitch = room / across as f64;
         let side = pitch - GAP;
+        let words: Vec<Words> = self.panels.iter().map(|panel| panel.words(side)).collect();
+        let above = words.iter().map(Words::height).fold(0.0, f64::max);
         let lines = self.panels.len().div_ceil(across);
-        let mut canvas = Canvas::titled(TOP + lines as f64 * (side + WORDS + GAP), &self.title);
-        for (k, panel) in self.panels.iter().enumerate() {
+        let height = TOP + lines as f64 * (side + above + GAP);
+        let (mut canvas, lower) = Canvas::titled(wide, height, &self.title);
+        for (k, (panel, words)) in self.panels.iter().zip(&words).enumerate() {
             let left = style::EDGE + (k % across) as f64 * pitch;
-            let top = TOP + (k / across) as f64 * (side + WORDS + GAP) + WORDS;
+            let top = TOP + lower + (k / across) as f64 * (side + above + GAP) + above;
+            words.draw(&mut canvas, (left, top));
             panel.draw(&mut canvas, (left, top), side);
         }
         let names: Vec<&str> = self.panels.iter().map(|panel| panel.name.as_str()).collect();
-        canvas.finish(&self.id, &self.title, &names.join(", "))
+        canvas.finish(id, &self.title, &names.join(", "))
     }
 
     /// One record per nonempty cell: the pattern, entries along a side of its cells, line,
@@ -84,9 +89,13 @@ impl Figure for Spies {
 }
 
 impl Small {
+    /// Its texts in lines of this width (px).
+    fn words(&self, side: f64) -> Words {
+        let wrapped = |text| style::wrapped(text, TEXT, side);
+        Words { name: wrapped(&self.name), note: wrapped(&self.note) }
+    }
+
     fn draw(&self, canvas: &mut Canvas, (left, top): (f64, f64), side: f64) {
-        canvas.text((left, top - 23.0), Anchor::Start, TEXT, INK, &self.name);
-        canvas.text((left, top - 7.0), Anchor::Start, SMALL, FAINT_INK, &self.note);
         let entries = self.raster.rows.max(self.raster.columns).max(1) as f64;
         let scale = side / entries;
         canvas.raw(&self.raster.markup((left, top), (scale, scale)));
@@ -96,5 +105,27 @@ impl Small {
             let corners = corners.map(|(x, y)| (fine(x), fine(y)));
             layer.draw(&PathElement::new(corners, stroke(FAINT_INK, 1.0)))
         });
+    }
+}
+
+/// The texts above a panel, in lines.
+struct Words {
+    name: Vec<String>,
+    note: Vec<String>,
+}
+
+impl Words {
+    fn height(&self) -> f64 {
+        6.0 + LINE * (self.name.len() + self.note.len()) as f64
+    }
+
+    /// Writes the lines so that they end above this corner of the panel.
+    fn draw(&self, canvas: &mut Canvas, (left, top): (f64, f64)) {
+        let name = self.name.iter().map(|line| (line, INK));
+        let note = self.note.iter().map(|line| (line, FAINT_INK));
+        let first = top - 7.0 - LINE * (self.name.len() + self.note.len() - 1) as f64;
+        for (k, (line, ink)) in name.chain(note).enumerate() {
+            canvas.text((left, first + LINE * k as f64), Anchor::Start, TEXT, ink, line);
+        }
     }
 }

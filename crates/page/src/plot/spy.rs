@@ -15,9 +15,11 @@ use lcplab_problem::error::{Defects, Result};
 
 /// The number of cells along the longer side; in larger matrices several entries share a cell.
 const CELLS: usize = 160;
-/// The largest width and height of the drawing in px.
-const WIDTH: f64 = 560.0;
+/// The largest height of the drawing, and the space beside it for its labels, in px.
 const HEIGHT: f64 = 440.0;
+const BESIDE: f64 = 160.0;
+/// The height of a line of the subtitle in px.
+const LINE: f64 = 18.0;
 
 /// The sparsity pattern of a matrix.
 #[derive(Debug, Clone)]
@@ -105,16 +107,21 @@ impl Figure for Spy {
         &self.caption
     }
 
-    fn svg(&self) -> String {
+    fn drawn(&self, wide: f64, id: &str) -> String {
         let (rows, columns) = (self.rows.max(1) as f64, self.columns.max(1) as f64);
-        let scale = (WIDTH / columns).min(HEIGHT / rows).min(24.0);
+        let scale = ((wide - BESIDE) / columns).min(HEIGHT.min(0.65 * wide) / rows).min(24.0);
         // A long thin matrix keeps a visible width.
         let (width, height) = ((columns * scale).max(12.0), (rows * scale).max(12.0));
-        let (left, top) = ((style::WIDTH - width) / 2.0 + 20.0, 96.0);
         let raster = self.raster();
         let subtitle = self.subtitle(raster.block);
-        let mut canvas = Canvas::titled(top + height + 14.0, &self.title);
-        canvas.text((style::EDGE, 50.0), Anchor::Start, TEXT, FAINT_INK, &subtitle);
+        let lines = style::wrapped(&subtitle, TEXT, wide - 2.0 * style::EDGE);
+        let below = 96.0 + LINE * lines.len().saturating_sub(1) as f64;
+        let (mut canvas, lower) = Canvas::titled(wide, below + height + 14.0, &self.title);
+        for (k, line) in lines.iter().enumerate() {
+            let at = (style::EDGE, 50.0 + lower + LINE * k as f64);
+            canvas.text(at, Anchor::Start, TEXT, FAINT_INK, line);
+        }
+        let (left, top) = ((wide - width) / 2.0 + 20.0, below + lower);
         canvas.raw(&raster.markup((left, top), (width / columns, height / rows)));
         canvas.layer("class=\"frame\"", |layer| {
             let (right, bottom) = (left + width, top + height);
@@ -122,7 +129,7 @@ impl Figure for Spy {
             let corners = corners.map(|(x, y)| (fine(x), fine(y)));
             layer.draw(&PathElement::new(corners, stroke(FAINT_INK, 1.0)))
         });
-        canvas.text((left + width / 2.0, 72.0), Anchor::Middle, TEXT, INK, "column");
+        canvas.text((left + width / 2.0, top - 24.0), Anchor::Middle, TEXT, INK, "column");
         canvas.raw(&format!("<g transform=\"rotate(-90 {:.1} {:.1})\">", left - 48.0, top));
         canvas.text((left - 48.0 - height / 2.0, top), Anchor::Middle, TEXT, INK, "row");
         canvas.raw("</g>\n");
@@ -133,7 +140,7 @@ impl Figure for Spy {
             let at = (left - 7.0, top + at + 4.5);
             canvas.text(at, Anchor::End, TEXT, FAINT_INK, &count(index));
         }
-        canvas.finish(&self.id, &self.title, &subtitle)
+        canvas.finish(id, &self.title, &subtitle)
     }
 
     /// One record per entry, counted from 0.

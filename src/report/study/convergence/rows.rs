@@ -69,10 +69,10 @@ impl Sweep {
     /// A short name.
     pub fn name(self) -> &'static str {
         match self {
-            Sweep::Up => "PGS from the ground up",
-            Sweep::Down => "PGS from the top down",
-            Sweep::BestSor => "SOR from the ground up, ω*",
-            Sweep::Jacobi => "Jacobi, all rows at once",
+            Sweep::Up => "PGS, upward",
+            Sweep::Down => "PGS, downward",
+            Sweep::BestSor => "SOR, upward, ω*",
+            Sweep::Jacobi => "Jacobi",
         }
     }
 }

@@ -43,7 +43,7 @@ impl Rows {
                       every second sweep."
                 .into(),
             across: "sweep".into(),
-            upwards: "contact, from the ground up".into(),
+            upwards: "contact, upward".into(),
             value: Axis::log("residual", "m/s"),
             zero: ROUNDING,
             panels: maps.iter().map(panel).collect(),

@@ -22,9 +22,11 @@ pub(super) fn show(findings: &[&Account], document: &mut Document) {
     );
     document.equation(
         "\\Delta E = \\sum_{\\text{rows}} \\tfrac12 x_i (J u + J u^+)_i + \\Delta E_{\\text{integrator}} \
-         + \\dots, \\qquad \\text{remainder} = \\Delta E - \\textstyle\\sum \\text{causes}",
+         + \\dots",
         "ledger of a step",
     );
+    document
+        .text("What the causes do not add up to is the *remainder*; in exact arithmetic it is 0.");
     for finding in findings {
         document.text(format!("**{}.** {}", finding.run.title, finding.run.text));
         document.figure(figure(finding));

@@ -28,7 +28,7 @@ pub(super) fn show(factors: &[&Factor], document: &mut Document) {
     let panel = |(factor, own): (&&Factor, &Ordered)| Small {
         name: format!("{}, {}", factor.scene, own.ordering),
         note: format!(
-            "{} entries, {} %",
+            "{}\u{a0}entries, {}\u{a0}%",
             count(own.entries),
             readable(2.0 * own.picture.fill(), 3)
         ),

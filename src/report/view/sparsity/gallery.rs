@@ -25,7 +25,7 @@ pub(super) fn show(pictures: &[Picture], document: &mut Document) {
         };
         document.figure(Spies {
             id: format!("sparsity_scenes_{}", k + 1),
-            title: format!("A of the shipped scenes, {} of {figures}", k + 1),
+            title: title(k + 1, figures),
             caption: "Under each name: the number of rows and the share of entries that are not zero; the \
                       step, if it is not the first. An empty frame has no rows in that step. Perpendicular \
                       rods that share a point mass have no common entry."
@@ -36,11 +36,17 @@ pub(super) fn show(pictures: &[Picture], document: &mut Document) {
     }
 }
 
+fn title(figure: usize, figures: usize) -> String {
+    let part = if figures > 1 { format!(", {figure} of {figures}") } else { String::new() };
+    format!("A of the shipped scenes{part}")
+}
+
 fn note(picture: &Picture) -> String {
     let raster = &picture.raster;
-    let step = if picture.step > 1 { format!(", step {}", picture.step) } else { String::new() };
+    let step =
+        if picture.step > 1 { format!(", step\u{a0}{}", picture.step) } else { String::new() };
     if raster.rows == 0 {
         return format!("no rows{step}");
     }
-    format!("{}², {} %{step}", count(raster.rows), readable(raster.fill(), 2))
+    format!("{}², {}\u{a0}%{step}", count(raster.rows), readable(raster.fill(), 2))
 }
