@@ -93,7 +93,7 @@ def others():
     from lcplab import testing
 
     text = "\n## `lcplab.testing`\n\n" + inspect.getdoc(testing).splitlines()[0] + "\n\n"
-    for name in ("assert_solves", "assert_honest"):
+    for name in ("assert_solves", "assert_no_false_claims"):
         function = getattr(testing, name)
         text += f"- `{name}{signature(function)}`: {first_line(function)}\n"
     text += "\n## `lcplab.textbook`\n\n" + inspect.getdoc(lcplab.textbook) + "\n\n"

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import lcplab
-from lcplab.testing import assert_honest, assert_solves
+from lcplab.testing import assert_no_false_claims, assert_solves
 
 
 def sweeps(A, b, lo, hi, tolerance, max_iterations, **settings):
@@ -133,7 +133,7 @@ def test_other_projects_can_ask_whether_a_solver_solves():
     with pytest.raises(AssertionError, match="row 3 has no mass"):
         assert_solves(breaks, [P])
     with pytest.raises(AssertionError, match="clamps_late says: solved"):
-        assert_honest(clamps_late)
+        assert_no_false_claims(clamps_late)
 
 
 C = lcplab.Problem(
@@ -199,7 +199,7 @@ def test_a_solver_that_solves_nothing_is_not_honest():
             raise ValueError("no licence")
 
         with pytest.raises(AssertionError, match="fails solves none of .*ValueError: no licence"):
-            assert_honest(fails, evaluations=100, **options)
+            assert_no_false_claims(fails, evaluations=100, **options)
 
 
 def test_single_precision_is_honest_within_its_own_tolerance():
@@ -216,7 +216,7 @@ def test_single_precision_is_honest_within_its_own_tolerance():
             if (x == before).all():
                 return
 
-    assert_honest(single, evaluations=300, tolerance=1e-5, friction=True)
+    assert_no_false_claims(single, evaluations=300, tolerance=1e-5, friction=True)
 
 
 def test_an_x_that_has_not_converged_is_no_lie():
@@ -227,7 +227,7 @@ def test_an_x_that_has_not_converged_is_no_lie():
                 x[i] = np.clip(x[i] - (A[i] @ x + b[i]) / A[i, i], lo[i], hi[i])
         return x
 
-    assert_honest(ten, evaluations=1000)
+    assert_no_false_claims(ten, evaluations=1000)
 
 
 def test_ctrl_c_stops_a_hunt():
@@ -260,4 +260,4 @@ def test_the_hunt_refuses_a_function_that_cannot_be_called_as_a_solver(function)
         with pytest.raises(TypeError, match=r"solver: .*\(A, b, lo, hi, tolerance=, max_iterations=.* is no valid call"):
             search(function)
     with pytest.raises(TypeError, match="is no valid call"):
-        lcplab.testing.assert_honest(function, evaluations=10)
+        lcplab.testing.assert_no_false_claims(function, evaluations=10)

@@ -13,7 +13,7 @@ use super::{Outcome, print};
 /// List the statements of the chapter with their verdicts, or show a statement or an erratum
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab chapter              # all equations, listings, figures, notes, claims, …
   lcplab chapter --kind equations --verdict wrong
   lcplab chapter 16           # equation (16); also \"Code 6\", \"Fig 8\", T20
@@ -29,7 +29,7 @@ Verdicts: right, convention, misprint, misleading, wrong, confirmed (by measurem
 Exit codes:
   0  printed or written
   1  an example does not show what its erratum claims
-  2  bad input or usage")]
+  2  invalid input or usage")]
 pub struct Chapter {
     /// Entry such as (16), 16, "Code 6" or T20, erratum such as E07, or one of errata, glossary,
     /// references [default: list the entries]

@@ -12,7 +12,7 @@ use super::{Outcome, print, say, warn};
 /// Convert a problem file to another format, or list the formats
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab convert problem.npz problem.json
   lcplab export stack --step 50 | lcplab convert - stack.mtx   # also writes stack_b.mtx, …
   lcplab convert dumps/ contact.json        # Chrono's dump_H.dat, dump_Cq.dat, … in a folder
@@ -25,14 +25,13 @@ warns if the format of TO implies another model.
 
 Exit codes:
   0  written
-  2  bad input or usage")]
+  2  invalid input or usage")]
 pub struct Convert {
     /// Problem: a file, a folder, the common beginning of the names of several files, or - for
     /// standard input
     #[arg(value_name = "FROM", required_unless_present = "list")]
     source: Option<PathBuf>,
-    /// File to write, with further files next to it where the format has several; - for standard
-    /// output
+    /// File to write, with more files next to it if the format has several; - for standard output
     #[arg(value_name = "TO", required_unless_present = "list")]
     target: Option<PathBuf>,
     /// Format of FROM

@@ -31,7 +31,7 @@ use super::{Outcome, print, read_problem};
 /// answer
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab diagnose mass_ratio3 --solver pgs --sweeps 10   # why do the boxes sink, and what helps?
   lcplab diagnose frames/ --solver pgs --sweeps 10       # the same for problem files, one per step
   lcplab diagnose fig8                      # three rows that contradict each other, proved
@@ -56,12 +56,12 @@ itself. With --solver or --sweeps this also works for a problem file, and for th
 of their names. Every error is a fraction of the motion that the constraints cause.
 
 With an answer, lcplab makes each known mistake on purpose. It names a mistake if the result is at least a \
-hundred times closer to x than the exact solution is, at the precision of x. An accepted answer has no mistakes.
+hundred times closer to x than the exact solution is, at the precision of x. It names none for an accepted answer.
 
 Exit codes:
   0  the problem, or each problem of the folder, can be solved
   1  a problem cannot be solved, or the judge rejects the answer
-  2  bad input or usage")]
+  2  invalid input or usage")]
 pub struct Diagnose {
     /// Scene file, name of a shipped scene, problem file, folder of problem files, or - for a JSON
     /// problem from standard input

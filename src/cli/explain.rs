@@ -23,7 +23,7 @@ use super::{Outcome, read_problem};
 /// Derive a time step of a scene, or the solution of a problem file, line by line
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab explain fig7 --solver pgs
   lcplab explain fig7 --solver lemke --scheme acceleration --format html --out fig7.html
   lcplab explain bouncing_ball --from 80
@@ -40,13 +40,12 @@ INPUT is a problem file if it has an extension that `convert --list` shows, or i
 Exit codes:
   0  the judge accepts every answer
   1  the judge rejects an answer, or a step cannot be taken
-  2  bad input or usage")]
+  2  invalid input or usage")]
 pub struct Explain {
     /// Scene file, name of a shipped scene, problem file, or - for a JSON problem from standard
     /// input
     input: String,
-    /// pgs, sor, dantzig or lemke [default: the scene's, or dantzig; lemke where A is not
-    /// symmetric]
+    /// pgs, sor, dantzig or lemke [default: the scene's, or dantzig; lemke if A is not symmetric]
     #[arg(long)]
     solver: Option<String>,
     /// Velocity or acceleration level [default: the scene's]

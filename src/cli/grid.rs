@@ -17,7 +17,7 @@ const SHOWN: usize = 40;
 /// Measure a scene or a problem family at every point of a grid of settings
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab grid plan omega      # the tasks of a shipped grid or of a grid file
   lcplab grid run omega       # on all cores; continues after an interruption
   lcplab grid collect omega   # grids/omega/results.csv, results.json and index.html
@@ -29,7 +29,7 @@ point cannot be computed, its row gives the reason.
 Exit codes:
   0  all results exist, and the judge rejects no claim
   1  the judge rejects a claim, or results are missing
-  2  bad input or usage")]
+  2  invalid input or usage")]
 pub struct Grid {
     #[command(subcommand)]
     action: Action,

@@ -19,7 +19,7 @@ use super::{Outcome, bar, print, say};
 /// breaks one
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab hunt --problems 100000 --seed 1
   lcplab hunt --solver dantzig --json
   lcplab hunt --plugin \"python3 mine.py\" --problems 1000
@@ -35,7 +35,7 @@ it with the solver's x, the correct x and a test. The same seed finds the same p
 Exit codes:
   0  no false claim
   1  a claim is false, or a solver that you name solves no problem
-  2  bad input or usage")]
+  2  invalid input or usage")]
 pub struct Challenge {
     /// Number of problems
     #[arg(long, default_value_t = 10_000)]

@@ -24,7 +24,7 @@ use super::{Outcome, print, read_problem};
 /// Check answers of any program against a problem
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab solve problem.json --json > answer.json; lcplab judge problem.json answer.json
   lcplab judge problem.json mine.json theirs.json     # a table, one answer per row
   lcplab judge friction.json answer.json --model coulomb-cone
@@ -35,7 +35,7 @@ each of them; iterates do not change the exit code.
 Exit codes:
   0  every answer is accepted
   1  an answer is rejected
-  2  bad input or usage")]
+  2  invalid input or usage")]
 pub struct Judge {
     /// Problem file in the format of its extension; - reads JSON from standard input
     problem: PathBuf,

@@ -25,23 +25,23 @@ const EXERCISES: &[Exercise] = {
 /// Run the cells of a lesson and write it as a page
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab lesson                # lists the lessons
   lcplab lesson 3 --open
   lcplab lesson --all          # writes reports/lessons/index.html, 01_….html, …
   lcplab lesson guide --open   # for teachers
   lcplab lesson --all --pyodide node_modules/pyodide    # after npm install pyodide
 
-A page needs no network. With --pyodide, readers can change and run the Python cells in the browser, with \
-nothing to install, if the folder is served: python3 -m http.server --directory reports/lessons, then open \
-http://localhost:8000, or copy the folder to any web server. A distribution with NumPy uses NumPy; without it arrays.py replaces \
-what the cells use of it. --ipynb writes Jupyter notebooks with outputs to notebooks/ instead, in Python or, \
-with --rust, for the Rust kernel. Python cells import engine.py, which is written next to them. To change a lesson, \
-edit notebooks/NN_title.md and run the command again.
+A page needs no network connection. With --pyodide, readers can change and run the Python cells in the browser; they \
+install nothing, but a web server must serve the folder: copy it to one, or run python3 -m http.server --directory \
+reports/lessons and open http://localhost:8000. If the Pyodide distribution lacks NumPy, the cells use arrays.py, \
+which has the functions that they need. --ipynb writes Jupyter notebooks with outputs to notebooks/ instead, in Python \
+or, with --rust, for the Rust kernel. Python cells import engine.py, which is written next to them. To change a \
+lesson, edit notebooks/NN_title.md and run the command again.
 
 Exit codes:
   0  written
-  2  a Rust cell fails, or bad input")]
+  2  a Rust cell fails, or invalid input or usage")]
 pub struct Lesson {
     /// Number or name of a lesson
     lesson: Option<String>,
@@ -68,21 +68,21 @@ pub struct Lesson {
 /// Check your answers to the exercises of the lessons
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab exercise              # lists the exercises, and which are solved
   cargo run --release -- exercise 1.1
   lcplab exercise 4.p1 0.9     # is 0.9 the answer to problem 4.p1?
   lcplab exercise --for \"Ada Lovelace\" 4.p1 0.9
 
 A code exercise is a file with a gap or a bug, notebooks/exercises/eLESSON_NUMBER_….rs. Complete or fix it, \
-and run the command through cargo, which compiles your answer. It is compared with an independent answer. A \
+and run the command through cargo, which compiles your answer; lcplab compares it with an independent answer. A \
 problem asks for a number; the lessons state the problems (p on paper, r to predict and run, x on a live page). \
-With --for its numbers are those of one student, the same on every machine.
+With --for, a problem has different numbers for each student, the same on every machine.
 
 Exit codes:
   0  the answer is right
   1  the answer is wrong
-  2  bad input or usage")]
+  2  invalid input or usage")]
 pub struct Answer {
     /// Lesson and number, such as 1.1 or 4.p1
     exercise: Option<String>,

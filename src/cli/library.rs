@@ -15,14 +15,14 @@ use super::{Outcome, bar, print};
 /// List the problem library, or write one of its problems as a problem file
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab problems                             # the families of the library
   lcplab problems manufactured --parameters   # its parameters
   lcplab problems fathi --n 8 | lcplab solve - --solver murty
   lcplab problems manufactured --n 100 --seed 7 --set rank=0.5 --out singular.json
   lcplab problems --export set; lcplab compare set --profile profile
 
-The key \"expected\" of a problem file holds the exact solutions, where they are known.")]
+The key \"expected\" of a problem file contains the exact solutions, if they are known.")]
 pub struct Problems {
     /// Write a problem of this family [default: list all families]
     name: Option<String>,

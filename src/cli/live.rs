@@ -12,7 +12,7 @@ use super::{Outcome, folder_of, print};
 /// Write a live page, on which you drag a problem and step through methods
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab live                  # lists the pages
   lcplab live two_rows --open
   lcplab live stack --out lecture
@@ -23,7 +23,7 @@ the problem and the settings, so that you can send it to others.
 
 Exit codes:
   0  written
-  2  bad input or usage")]
+  2  invalid input or usage")]
 pub struct Live {
     /// Name of a page [default: list the pages]
     page: Option<String>,

@@ -1,4 +1,4 @@
-//! The command line: the commands, one a file, and their exit codes.
+//! The command line: the commands, one per file, and their exit codes.
 
 mod chapter;
 mod compare;
@@ -51,7 +51,7 @@ use limits::{Limits, RAISE_MEMORY, TimeLimit, outlive_file_size_limit};
 #[derive(Debug, Parser)]
 #[command(name = "lcplab", version, max_term_width = 100, arg_required_else_help = true)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab report                        # the standard report
   lcplab simulate stack
   lcplab export stack --step 50 --out stack.json; lcplab solve stack.json
@@ -61,7 +61,7 @@ Example:
 Exit codes:
   0    solved, accepted, or written
   1    rejected, failed, diverged, or stopped by the time limit
-  2    bad input or usage, or a file that cannot be read or written
+  2    invalid input or usage, or a file that cannot be read or written
   130  stopped by Ctrl-C or SIGTERM
 
 A command that is stopped writes what it has computed. lcplab COMMAND --help shows examples.")]
@@ -124,17 +124,17 @@ fn grouped(cli: clap::Command) -> clap::Command {
     cli.help_template(format!("{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{groups}\nOptions:\n{{options}}{{after-help}}"))
 }
 
-/// How a command ended, other than by bad input.
+/// How a command ended, other than by invalid input.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Outcome {
     Good,
     Refuted,
-    /// Before the end; the results so far were written.
+    /// It was stopped; the results so far were written.
     Stopped(Reason),
 }
 
 impl Outcome {
-    /// 0 good; 1 refuted, failed, or out of time; 130 interrupted. Bad input is 2.
+    /// 0 success; 1 rejected, failed, or out of time; 130 interrupted. Invalid input is 2.
     fn code(self) -> u8 {
         match self {
             Outcome::Good => 0,
@@ -152,8 +152,8 @@ fn code(reason: Reason) -> u8 {
     }
 }
 
-/// Runs the command line of these arguments, the program's name first, and returns the exit code;
-/// at once where they are for help or cannot be used.
+/// Runs the command line with these arguments, of which the first is the program's name, and
+/// returns the exit code. Ends the program if they ask for help or are invalid.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let words: Vec<String> =
@@ -227,17 +227,17 @@ fn say(line: &str) {
     let _ = writeln!(std::io::stderr().lock(), "{}", plain(&printable(line)));
 }
 
-/// The problem of a file, in the format that its ending says; JSON by default.
+/// The problem of a file, in the format of its extension; JSON by default.
 fn read_problem(path: &Path, most: Memory) -> Result<Problem> {
     let problem = exchange::read_within(path, None, most)?;
     warn(&problem);
     Ok(problem)
 }
 
-/// Warnings that are printed at most.
+/// Maximum number of warnings that are printed.
 const WARNINGS: usize = 20;
 
-/// Says what was ignored while a problem was read.
+/// Prints what was ignored while a problem was read.
 fn warn(problem: &Problem) {
     for warning in problem.warnings.iter().take(WARNINGS) {
         say(&format!("warning: {warning}"));
@@ -253,11 +253,11 @@ fn bar(length: u64, message: &str) -> ProgressBar {
         .unwrap_or_else(|_| ProgressStyle::default_bar());
     let bar =
         ProgressBar::new(length).with_style(style).with_message(printable(message).into_owned());
-    // Also if an error ends the work.
+    // The bar is removed even if an error ends the work.
     bar.with_finish(ProgressFinish::AndClear)
 }
 
-/// The folder for results: that of the user, or one named after the file that says what to do.
+/// The folder for results: the one that the user names, or one named after the input file.
 fn folder_of(out: Option<&Path>, usual: &str, name: &str) -> Result<PathBuf> {
     if let Some(out) = out {
         return Ok(out.into());
@@ -272,16 +272,16 @@ fn threads() -> clap::builder::RangedI64ValueParser<u16> {
     clap::value_parser!(u16).range(1..=1024)
 }
 
-/// Prints to standard output, without escapes; a reader who has gone away is no error.
+/// Prints to standard output, without escapes; it is no error if the reader has closed the pipe.
 fn print(text: &str) -> Result<()> {
     print_coloured(&printable(text))
 }
 
-/// How pages, pictures and JSON begin; they are printed as they are.
+/// First characters of pages, pictures and JSON, which are printed unchanged.
 const MARKUP: [char; 4] = ['<', '#', '{', '['];
 
-/// Prints a text with escapes of our own, which has been rid of all others. Powers of ten are
-/// written as in `1.3e-8`, so that they can be copied into programs.
+/// Prints a text whose only escapes are our own. Powers of ten are written as `1.3e-8`, so that
+/// they can be copied into programs.
 fn print_coloured(text: &str) -> Result<()> {
     use std::io::Write;
     let text = if text.starts_with(MARKUP) { text.to_string() } else { plain(text) };

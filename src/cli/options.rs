@@ -29,7 +29,7 @@ pub struct SolverArgs {
     choices: Choices,
 }
 
-/// Options that only some solvers look at; one that no solver of the command does is refused.
+/// Options that only some solvers use; one that no solver of the command uses is an error.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct Choices {
     /// Relaxation factor of sor and ssor, above 0 and below 2 [default: 1.3, unless the scene sets
@@ -48,7 +48,7 @@ pub struct Choices {
     pub damping: Option<f64>,
 }
 
-/// The orders that can be chosen; symmetric and coloured sweeps are solvers of their own.
+/// The orders of rows that can be chosen; symmetric and colored sweeps are separate solvers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum RowOrder {
     /// First row first

@@ -35,7 +35,7 @@ const PRINTED_ROWS: usize = 40;
 /// Solve a problem file; the judge checks the answer
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   echo '{\"A\": {\"dense\": [[2, -1], [-1, 2]]}, \"b\": [-1, 2]}' | lcplab solve -
   lcplab problems pushed-rod | lcplab solve - --model coulomb-cone --solver cone-pgs
   lcplab problems stack | lcplab solve - --solver pgs --order shuffled --seed 7
@@ -49,7 +49,7 @@ friction cones selects another model.
 Exit codes:
   0  the judge accepts the answer
   1  the judge rejects the answer
-  2  bad input or usage")]
+  2  invalid input or usage")]
 pub struct Solve {
     /// Problem file in the format of its extension; - reads JSON from standard input
     problem: PathBuf,

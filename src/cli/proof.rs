@@ -20,7 +20,7 @@ use super::{Outcome, print, read_problem, say, solutions};
 /// Write the strongest proof about a problem, in exact arithmetic, as a file that others can check
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab export incline --out incline.json
   lcplab prove incline.json --out proof.json
   lcplab check incline.json proof.json
@@ -38,7 +38,7 @@ no-solution can be proved.
 Exit codes:
   0  a proof was written; with --all, there is a solution
   1  nothing can be proved, for example if the residual is not finite; with --all, there is no solution
-  2  bad input or usage, or no proof under this friction model")]
+  2  invalid input or usage, or no proof under this friction model")]
 pub struct Prove {
     /// Problem file in the format of its extension; - reads JSON from standard input
     problem: PathBuf,
@@ -67,14 +67,14 @@ pub struct Prove {
 /// Check a proof file against its problem
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab check problem.json proof.json
   lcplab check cone.json proof.json --model coupled-box   # written with --model coupled-box
 
 Exit codes:
   0  the proof is valid
   1  the proof proves nothing about this problem
-  2  bad input or usage, or the file is not a proof file")]
+  2  invalid input or usage, or the file is not a proof file")]
 pub struct Check {
     /// Problem file in the format of its extension; - reads JSON from standard input
     problem: PathBuf,

@@ -32,7 +32,7 @@ const ENGINES: &str = "engines";
 /// Run a report: a list of studies, written as a page with figures and tables
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab report                        # writes reports/standard/index.html
   lcplab report --list                 # the shipped reports, and what a report file can contain
   lcplab report verification --list    # a line per closed form, on the terminal
@@ -54,7 +54,7 @@ solvers on them, and a report file with the studies `frames` and `profiles` make
 Exit codes:
   0  every section passes
   1  a section or a task fails, or compared results differ
-  2  bad input or usage")]
+  2  invalid input or usage")]
 pub struct Report {
     /// Report file, name of a shipped report, or results.json of a report to draw again
     #[arg(value_name = "REPORT")]

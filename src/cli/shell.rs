@@ -7,7 +7,7 @@ use lcplab::error::{Error, Result};
 
 use super::{Cli, Outcome, print};
 
-/// Print the completions of a shell
+/// Print the completions for a shell
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
@@ -20,7 +20,7 @@ pub struct Completions {
 /// Print the manual page, or that of a command
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab man > ~/.local/share/man/man1/lcplab.1
   lcplab man solve | man -l -")]
 pub struct Manual {

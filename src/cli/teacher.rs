@@ -15,28 +15,28 @@ use serde_json::{Value, json};
 use super::lesson::problems;
 use super::{Outcome, print};
 
-/// Hand out number problems with other numbers for each student, and grade the answers
+/// Hand out problems with different numbers for each student, and grade the answers
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab teacher --seed SECRET --set 3 --students class.txt --out set3
   lcplab teacher --seed SECRET --set 3 --students class.txt --grade handed_in
 
 The first command writes a sheet for each name in class.txt (set3/sheets), the file that the student fills in \
-(set3/answers), and the right answers (set3/key.csv). In --set a lesson stands for those of its problems that have \
-parameters. Numbers follow from the secret and the name, on every machine; they cannot be computed without the \
-secret. Keep it: the second command needs it. A right answer gives as many points as the problem has levels: \
-easy 1, middle 2, hard 3.
+(set3/answers), and the right answers (set3/key.csv). The number of a lesson in --set selects all of its problems that \
+have parameters. The numbers depend only on the secret and the name, so every machine computes the same; without the \
+secret they cannot be computed. Keep the secret: the second command needs it. A right answer to an easy problem gives \
+1 point, to a middle one 2, to a hard one 3.
 
---grade takes files or folders of .csv files. Without --set the set is every problem that a file names; with \
---students a student without a file is in the table too, and a name that is not in the list is reported. A line \
-that cannot be read is reported with its file; everything else counts.
+--grade accepts .csv files and folders of them. Without --set, every problem that a file names is graded. With \
+--students, the table also lists students without a file, and lcplab reports files of students that are not in the \
+list. It reports each line that it cannot read, with the file, and grades the others.
 
 Exit codes:
-  0  written, or graded, whatever the grades
-  2  bad input or usage, or graded but with lines or files that cannot be read")]
+  0  written, or graded
+  2  invalid input or usage, or graded except for lines or files that cannot be read")]
 pub struct Teacher {
-    /// A long secret word: it selects the numbers, together with the name
+    /// A long secret word; together with a student's name it determines the numbers
     #[arg(long, value_name = "SECRET", value_parser = secret)]
     seed: String,
     /// Lessons and problems, such as 3,4.p1

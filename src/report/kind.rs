@@ -134,7 +134,7 @@ pub trait AnyStudy: Send + Sync {
     /// If the findings are not of this kind.
     fn headline(&self, findings: &[Value]) -> Result<Headline>;
 
-    /// Whether everything came out as it should.
+    /// Whether all results are as expected.
     ///
     /// # Errors
     /// If the findings are not of this kind.

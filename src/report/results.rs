@@ -232,7 +232,7 @@ impl Results {
         found.map(read).collect()
     }
 
-    /// Whether nothing failed, and every study came out as it should.
+    /// Whether no task failed, and the results of every study are as expected.
     ///
     /// # Errors
     /// If a finding does not have the format of this version.

@@ -53,7 +53,7 @@ def assert_solves(
         raise AssertionError("\n".join(failures))
 
 
-def assert_honest(
+def assert_no_false_claims(
     solver: Solver,
     *,
     evaluations: int = 2000,
@@ -82,9 +82,9 @@ def assert_honest(
 
     Examples
     --------
-    >>> from lcplab.testing import assert_honest
-    >>> assert_honest("dantzig", evaluations=200, friction=True)
-    >>> assert_honest("cone-pgs", evaluations=200, model="coulomb-cone")
+    >>> from lcplab.testing import assert_no_false_claims
+    >>> assert_no_false_claims("dantzig", evaluations=200, friction=True)
+    >>> assert_no_false_claims("cone-pgs", evaluations=200, model="coulomb-cone")
     """
     from lcplab._hunt import Finding, search
     from lcplab._solve import settings

@@ -20,13 +20,13 @@ use super::scene::{SolveArgs, StepArgs};
 use problems::ProblemArgs;
 use scene::MotionArgs;
 
-/// What stands before the name of a problem family that is the name of a scene, too.
+/// The prefix that distinguishes a problem family from a scene of the same name.
 const FAMILY: &str = "family:";
 
 /// Compare solvers on every step of a scene, or on problems; the judge checks every answer
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab compare stack --steps 20 --out stack-report
   lcplab compare stack --show pgs:5 --show dantzig --out stack-report
   lcplab compare murty fathi --solver dantzig --solver lemke
@@ -40,7 +40,7 @@ A scene: every solver simulates it at the velocity and at the acceleration level
 select some. A scheme that solves no LCP has one row. lcplab measures the errors of contacts and joints, \
 energy, momentum, restitution and the direction of friction, and compares the two levels with each other and \
 with half the time step. --out writes a page with the table, the plots and an animation of the solvers side \
-by side. Where several solvers give the same motion, the animation shows one of them; --show selects others.
+by side. If several solvers give the same motion, the animation shows one of them; --show selects others.
 
 Problems: eight solvers, one of each kind, solve them, or every solver with --all; clarabel is the reference. \
 lcplab solves families with friction under seven friction models, and a problem file under the model that it \
@@ -53,7 +53,7 @@ Exit codes:
   0  the judge accepts every claim of a solver
   1  the judge rejects a claim, a solver claims a solution where none exists, an expected failure does not \
 occur, a solver that you name solves nothing, or --require-accepted is not met
-  2  bad input or usage")]
+  2  invalid input or usage")]
 pub struct Compare {
     /// Scene file or name of a shipped scene; or problems: families that `problems` lists, problem
     /// files, folders of them, or patterns [default: all families]
@@ -103,7 +103,7 @@ impl Compare {
     }
 }
 
-/// Refuses an option that is given and has no meaning for this input.
+/// Rejects a given option that has no meaning for this input.
 fn refuse(option: Option<&'static str>, input: &str, reason: &str) -> Result<()> {
     option.map_or(Ok(()), |option| Err(Error::invalid(input, option, reason)))
 }

@@ -155,7 +155,7 @@ impl Compare {
         families::useless(rows, contenders).into_iter().chain(shortfalls).collect()
     }
 
-    /// Says which problems cannot be stated under a model that was asked for.
+    /// Reports which problems cannot be stated under a requested model.
     ///
     /// # Errors
     /// If a problem cannot be stated under the model that its own file names.
@@ -164,7 +164,7 @@ impl Compare {
             problems.iter().flat_map(|(name, all)| all.iter().map(move |p| (name, p)))
         {
             let own = problem.model.iter().filter(|_| self.model.is_empty());
-            // Tangents that are no pairs are a coupled box and nothing else.
+            // Tangents that are not pairs can only form a coupled box.
             let is_open = |model: &&Model| **model != Model::CoupledBox;
             for model in own.filter(is_open) {
                 Question::new(problem, Some(*model), name)?;
@@ -178,7 +178,7 @@ impl Compare {
         Ok(())
     }
 
-    /// Whether each solver that something is required of takes part.
+    /// Checks that each solver of a requirement takes part.
     fn check_requirements(&self, contenders: &[Contender]) -> Result<()> {
         let is_missing = |demand: &&Requirement| {
             contenders.iter().all(|contender| contender.name() != demand.solver)
@@ -189,7 +189,7 @@ impl Compare {
         })
     }
 
-    /// Why there is not one row: by the options that were given, or by the problems themselves.
+    /// Why there are no rows: because of the given options, or of the problems themselves.
     fn nothing_to_compare(&self) -> Error {
         let (key, reason) = match (self.solver.is_empty(), self.model.is_empty()) {
             (true, true) => ("problems", "no solver can solve any of these"),

@@ -10,8 +10,9 @@ use lcplab::plot::{Axis, Figure};
 use lcplab::report::study::families::Row;
 use lcplab::report::study::profiles::{Cost, Profile, of_all, profiles};
 
-/// Writes NAME.svg, NAME.csv and NAME.tex: Dolan & Moré's profile of the wall times, once of all
-/// rows, where what was not attempted is not solved, and once of those that the solver took on.
+/// Writes NAME.svg, NAME.csv and NAME.tex: two of Dolan & Moré's profiles of the wall times. In the
+/// first one, a problem that a solver did not attempt counts as unsolved; the second one has only
+/// the problems that the solver attempted.
 pub fn write(name: &Path, rows: &[Row]) -> Result<()> {
     let solvers = distinct(rows.iter().map(|row| row.solver.as_str()));
     let costs = costs(rows, &solvers);
@@ -29,7 +30,7 @@ pub fn write(name: &Path, rows: &[Row]) -> Result<()> {
     write("_problems.csv", problems(rows))
 }
 
-/// What every solver made of every problem, as CSV.
+/// The result of every solver on every problem, as CSV.
 fn problems(rows: &[Row]) -> String {
     let mut text = String::new();
     let columns = [
@@ -40,7 +41,7 @@ fn problems(rows: &[Row]) -> String {
         "iterations",
         "multiplications",
         "time (s)",
-        "why not",
+        "reason",
     ];
     csv::record(&mut text, columns);
     for row in rows {
@@ -71,8 +72,8 @@ fn distinct<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
     found
 }
 
-/// By problem, or family, under a model, and then by solver. Where no solution exists there is
-/// nothing to win.
+/// The costs by problem or family under a model, and then by solver, without those that no solver
+/// solved.
 fn costs(rows: &[Row], solvers: &[&str]) -> Vec<Vec<Cost>> {
     let mut posings: Vec<(&str, Option<&str>)> = Vec::new();
     for row in rows {

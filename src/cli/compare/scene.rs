@@ -128,7 +128,7 @@ impl Compare {
     }
 }
 
-/// The method of a solver that was named, or why it takes no part.
+/// The method of a named solver, or the reason why it takes no part.
 ///
 /// # Errors
 /// If there is no solver of this name.

@@ -23,7 +23,7 @@ If a step solves several LCPs (an impact, a bounce), the last one is written.
 Exit codes:
   0  written
   1  the step cannot be reached, or it solves no LCP
-  2  bad input or usage")]
+  2  invalid input or usage")]
 pub struct Export {
     #[command(flatten)]
     scene: SceneArgs,

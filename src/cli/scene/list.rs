@@ -11,7 +11,7 @@ use crate::cli::{Outcome, print};
 /// List the shipped scenes, or print one
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab scenes
   lcplab scenes pendulum > mine.toml   # start your own scene from this one
   lcplab scenes stack --json           # every body in full, for another program

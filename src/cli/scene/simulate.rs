@@ -35,7 +35,7 @@ const MOST_STEPS: f64 = 1e9;
 /// Simulate a scene and record its motion
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab simulate pendulum --steps 500 --out swing --frames 8 --forces
   lcplab simulate sliding --set mu=0.3 --set angle=17   # on a slope of 17 degrees
 
@@ -43,15 +43,15 @@ Example:
   index.html      a page with the animation
   trajectory.csv  poses and velocities
   ledger.csv      energy and its changes, momentum, errors
-  forces.csv      x and w of each row; for contacts the bodies and the point at the start of the step
+  forces.csv      x and w of each row; for contacts also the bodies and the point
   results.json    the summary
   frames.svg      pictures of some instants
-  final.toml      the scene in its last state, to continue from; it contains the changes of --set
+  final.toml      the scene in its final state, with the changes of --set, to continue from
 
 Exit codes:
   0  every step was solved
   1  a step was not solved, or the motion diverged; the steps before it are written
-  2  bad input or usage")]
+  2  invalid input or usage")]
 pub struct Simulate {
     #[command(flatten)]
     scene: SceneArgs,

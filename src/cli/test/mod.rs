@@ -25,7 +25,7 @@ use crate::cli::options::SolverArgs;
 /// Test your solver on problems, and compare with a recorded run
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab test dumps --plugin \"python3 mine.py\"
   lcplab test dumps --plugin \"python3 mine.py\" --baseline base.json --update  # record this run
   lcplab test dumps --plugin \"python3 mine.py\" --baseline base.json           # in CI
@@ -39,7 +39,7 @@ residual. Record the baseline in the folder in which the test runs: problems are
 Exit codes:
   0  no problem fails, or the baseline was written
   1  a problem fails
-  2  bad input or usage")]
+  2  invalid input or usage")]
 pub struct Test {
     /// Problem files, folders of them, patterns, or families that `problems` lists
     #[arg(required = true)]

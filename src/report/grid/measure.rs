@@ -183,8 +183,8 @@ fn solve(task: &Task, problem: &Problem, settings: &Scene, grid: &Grid) -> Resul
 }
 
 impl Finding {
-    /// Adds the predictions of the closed form for the last problem, and its rate if the grid asks
-    /// for it.
+    /// Adds the predictions of the closed form for the last problem, and its rate if the grid
+    /// requests it.
     fn beside_theory(&mut self, task: &Task, grid: &Grid, lcp: &Lcp, scene: &Scene) -> Result<()> {
         let (name, options) = (&scene.solver.name, simulation::options(scene));
         if grid.measures.iter().any(|measure| measure.name == "rate") {

@@ -220,13 +220,13 @@ impl Record {
         if !(part > DRIFT) {
             return String::new();
         }
-        let setting = match self.scene.step.scheme {
-            Scheme::Velocity | Scheme::SequentialImpulses => "step.baumgarte",
-            Scheme::Acceleration => "step.alpha",
-            _ => "a shorter step",
+        let remedy = match self.scene.step.scheme {
+            Scheme::Velocity | Scheme::SequentialImpulses => "step.baumgarte corrects it",
+            Scheme::Acceleration => "step.alpha corrects it",
+            _ => "a shorter step reduces it",
         };
         let percent = readable(100.0 * part, 2);
-        format!(", {percent} % of the scene's size; {setting} feeds it back")
+        format!(", {percent} % of the scene's size; {remedy}")
     }
 
     /// The current positions and velocities of the moving bodies.

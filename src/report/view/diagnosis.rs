@@ -60,7 +60,7 @@ pub fn diagnosis_page(
     Ok(page.page)
 }
 
-/// The mode and the courses of the examined frame, if its error is not negligible.
+/// The slowest mode and the errors by sweep of the examined frame, if its error is not negligible.
 fn pictures(
     page: &mut Document,
     frame: &Problem,

@@ -81,15 +81,15 @@ pub trait View: Study {
         Headline::default()
     }
 
-    /// Whether everything came out as it should, by the measurements; [`Outcome::undecided`] only
-    /// for the kinds that [`UNDECIDED`](super::kind::UNDECIDED) lists.
+    /// Whether all measurements are as expected; [`Outcome::undecided`] only for the kinds that
+    /// [`UNDECIDED`](super::kind::UNDECIDED) lists.
     fn outcome(&self, findings: &[Self::Finding]) -> Outcome;
 }
 
 /// The outcome of a study.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Outcome {
-    /// Whether everything is as it should be.
+    /// Whether all results are as expected.
     pub good: bool,
     /// The outcome in one line, with numbers; may be empty.
     pub says: String,

@@ -129,11 +129,12 @@ impl Plan {
                 columns.push((title, profiles(&costs)));
             }
         }
-        let caption = "A curve is the share of the problems (how many: in brackets, one number a column \
-         where they differ) that a solver solves within τ times the cheapest solver's multiplications. Far \
-         left: how often it is the cheapest. Far right: how often it succeeds at all. Steep and high is \
-         good. The other groups are pale behind. Sweeps and Newton's method do not look whether A is \
-         symmetric: they attempt problems that they are not made for, and lose them.";
+        let caption = "A curve is the share of the problems that a solver solves within τ times the \
+         cheapest solver's multiplications; the number of problems is in brackets, one for each column if \
+         they differ. The left end shows how often the solver is the cheapest, the right end how often it \
+         succeeds at all; higher is better. The curves of other groups are pale. Sweeps and Newton's \
+         method do not check whether A is symmetric, so they attempt problems outside their class and fail \
+         on them.";
         drawn("performance_profiles", "multiplications", caption, solvers, columns)
     }
 
@@ -189,7 +190,7 @@ impl Plan {
         let unsolved = costs.iter().filter(|row| !row.iter().any(is_solved)).count();
         let mut text = format!("At {} ", tolerance(self.tolerances[last]));
         text += &match all.is_empty() {
-            true => "No solver solved all solvable problems that it attempted. ".to_string(),
+            true => "no solver solved all solvable problems that it attempted. ".to_string(),
             false => {
                 format!(
                     "{} solved all solvable problems that they attempted (number in brackets). ",

@@ -110,7 +110,8 @@ fn every_command_has_help_with_an_example() {
     let mut names = commands(&out(&run(&["--help"])));
     for name in &names {
         let help = out(&run(&[name, "--help"]));
-        assert!(help.contains("Example:\n  "), "{name} --help shows no example");
+        let has_example = ["Example:\n  ", "Examples:\n  "].iter().any(|head| help.contains(head));
+        assert!(has_example, "{name} --help shows no example");
     }
     names.sort_unstable();
     let page = include_str!("../../../docs/commands.md").lines();

@@ -208,9 +208,10 @@ impl fmt::Display for Cause {
             ),
             Cause::Redundant { rows, spare } => write!(
                 f,
-                "{spare} of {} rows are redundant, up to rounding: {}. How they share the load need not be \
-                 unique; with friction, the motion need not be unique either.",
+                "{spare} of {} rows {} redundant, up to rounding: {}. The distribution of the load among them \
+                 need not be unique; with friction, the motion need not be unique either.",
                 rows.len(),
+                if *spare == 1 { "is" } else { "are" },
                 listed(rows)
             ),
             Cause::Apart { row, error } => write!(

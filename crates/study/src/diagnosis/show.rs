@@ -73,7 +73,7 @@ impl Diagnosis {
             }
             [] => "Nothing was found that prevents a solution; whether it is unique is not known.",
             _ if self.is_sound() => {
-                "Nothing was found that prevents a solution; the remarks below say what makes it difficult."
+                "Nothing was found that prevents a solution. The remarks below name what makes it difficult."
             }
             _ => "The problem cannot be solved in this form.",
         };
@@ -103,7 +103,7 @@ impl Diagnosis {
     }
 
     fn findings(&self) -> Section {
-        let mut section = Section::new("causes");
+        let mut section = Section::new(if self.is_sound() { "remarks" } else { "causes" });
         for cause in &self.causes {
             section.say(format!("{}: {cause}", cause.name()));
         }

@@ -137,7 +137,7 @@ pub(super) fn rows(scene: &Scene, problem: &Problem, posing: Option<&Posing>) ->
     let rate = of_motion(Stage::Acceleration, is_angular);
     let columns = [
         "row",
-        "what it keeps",
+        "constraint",
         &format!("c ({length})"),
         &format!("J u ({speed})"),
         &format!("J'u ({rate})"),

@@ -80,7 +80,7 @@ impl Known {
     }
 }
 
-/// The tolerance of what only rounding spoils.
+/// The tolerance for quantities whose only error is rounding.
 pub(super) const ROUNDING: (f64, &str) = (1e-10, "rounding errors, accumulated over all steps");
 
 /// A case with its scene at the longest step.

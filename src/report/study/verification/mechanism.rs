@@ -8,7 +8,7 @@ use crate::scene::{Scene, Scheme};
 const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
 const G: f64 = 9.81;
 const SUMMED: (f64, &str) = (1e-7, "the tolerance of the solver, accumulated over the steps");
-/// The gap at which a limit counts as met at acceleration level is a part of g dt².
+/// At acceleration level a limit counts as reached below a gap that is a fraction of g dt².
 const MET: (f64, &str) = (1e-6, "the gap below which a limit counts as reached");
 
 /// A joint's scene, the closed forms of its motion after a time, and how they are measured.

@@ -48,7 +48,7 @@ pub(super) fn sphere(size: Size) -> Result<Vec<Row>> {
         ];
         rows.extend(case.rows(level, known, |scene| {
             let mut simulation = super::measure::start(scene)?;
-            // The slip v − ω R decreases by 7/2 μ g dt per step, in the last one by what is left.
+            // The slip v − ω R decreases by 7/2 μ g dt per step, and in the last step to 0.
             let slip = |state: &crate::body::State| state.v.x - 0.5 * state.omega.y;
             let (mut before, mut slid) = (slip(&simulation.states()[1]), 0.0);
             for _ in 0..(time / scene.step.dt).round() as usize {

@@ -33,7 +33,7 @@ fn table(record: &Record) -> Table {
          cones there is one solver. *cheapest*: the accepted solver with the fewest multiplications. The limit \
          is 10,000 iterations.",
         "engine | phenomenon | #at (s) | #rows | its own answer | #scaled residual | \
-         missed most | lcplab's solvers accepted | cheapest | not within the limit",
+         worst row | lcplab's solvers accepted | cheapest | not within the limit",
         record.frames.iter().map(|frame| row(record, frame)).collect(),
     )
 }

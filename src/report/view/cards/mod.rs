@@ -109,7 +109,7 @@ fn fault(phenomenon: &str, column: &cards::Column) -> Option<String> {
     let why = if column.measured.iter().any(cards::Measured::is_misjudged) {
         "its verdict contradicts its numbers"
     } else if misses && column.engine == OWN && !is_known {
-        "misses its law"
+        "violates its law"
     } else if misses && column.engine != OWN && column.settings == ACCURATE && phenomenon == FALL {
         "free fall is wrong, so the adapter is wrong"
     } else {
@@ -194,7 +194,7 @@ fn settings(record: &Record) -> Table {
         })
     });
     Table::new(
-        "What was set",
+        "Settings of the engines",
         "All differences from the default settings of an engine. Accurate settings are those that \
          the documentation of the engine recommends; if it recommends none, the text names their source. \
          lcplab's own steps and stiffness were tuned on these scenes. The adapters translate and correct \

@@ -109,19 +109,19 @@ fn energy(run: &Run) -> String {
     let own = &run.laws;
     let joules = |change: f64| joules(change, own.kinetic);
     let [end, most] = [run.energy_at_end(), run.energy_change()].map(joules);
-    let change = format!("energy change {end} J at the end, {most} J at most");
+    let change = format!("energy change {end} J at the end (largest: {most} J)");
     let at_end = if run.scheme == Scheme::Penalty.name() { " at the end" } else { "" };
     let error = readable(own.energy_error.abs(), DIGITS);
     let fault = match (own.energy, own.keeps_energy()) {
         (Energy::Changes, _) => {
-            return format!("{change}, not judged because a motor, force or moving support acts");
+            return format!("{change}; not judged, because a motor, force or moving support acts");
         }
-        (Energy::Stays, true) => return format!("{change}, kept{at_end}"),
-        (Energy::Falls, true) => return format!("{change}, none added{at_end}"),
+        (Energy::Stays, true) => return format!("{change}; energy is conserved{at_end}"),
+        (Energy::Falls, true) => return format!("{change}; no energy was added{at_end}"),
         _ if own.energy_error > 0.0 => {
-            format!("{error} J added{at_end}, although nothing drives the bodies")
+            format!("{error} J were added{at_end}, although nothing drives the bodies")
         }
-        _ => format!("{error} J lost{at_end}, although nothing dissipates energy"),
+        _ => format!("{error} J were lost{at_end}, although nothing dissipates energy"),
     };
     let cause = match &own.account {
         Some((account, part)) => {
@@ -130,7 +130,7 @@ fn energy(run: &Run) -> String {
         None if own.has_ledger => "no single account explains it".into(),
         None => format!("{} has no energy ledger", run.scheme),
     };
-    format!("{change}, {fault}; {cause}")
+    format!("{change}; {fault}; {cause}")
 }
 
 /// A change of energy, 0 where it is rounding compared with the kinetic energy.

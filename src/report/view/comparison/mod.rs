@@ -13,9 +13,9 @@ use crate::report::page::{Cell, Column, Mark, Page, Table, markup};
 use crate::report::study::comparison::{Comparison, LeftOut, Plan, Run, Sample, Timing, best};
 use crate::scene::Scheme;
 
-/// The place of the column for trouble, left of the measures so that a narrow screen shows it.
+/// The position of the column for trouble, left of the measures so that a narrow screen shows it.
 const TROUBLE: usize = 6;
-/// What stands for the solver of a scheme that solves no LCP.
+/// The entry in the column of solvers for a scheme that solves no LCP.
 const NO_SOLVER: &str = "none";
 /// A motion of fewer steps is not drawn,
 const STEPS: usize = 20;
@@ -33,10 +33,11 @@ impl View for Plan {
         );
         let refuted = runs().map(|run| run.refuted_claims).sum::<usize>();
         document.text(format!(
-            "Each solver simulates each scene with {}, and every solve starts from the answer of the previous \
-             step. The solvers report {claimed} of {solves} problems as solved; the judge rejects {refuted} of \
-             these answers.",
-            listed(&self.schemes.iter().map(|&scheme| in_words(scheme)).collect::<Vec<_>>())
+            "Each solver simulates each scene with {}. Every solve starts from the answer of the previous \
+             step. The solvers report {} of {} problems as solved; the judge rejects {refuted} of these answers.",
+            listed(&self.schemes.iter().map(|&scheme| in_words(scheme)).collect::<Vec<_>>()),
+            count(claimed),
+            count(solves)
         ));
         document.table("comparison_schemes", by_scheme(findings));
         for comparison in findings {
@@ -199,7 +200,7 @@ fn cells(run: &Run, steps: usize) -> Vec<Cell> {
     ]
 }
 
-/// How long a step took, run by run.
+/// The wall time of a step in each run.
 fn timings(times: &[Timing]) -> Table {
     let row = |timing: &Timing| {
         vec![
@@ -218,7 +219,7 @@ fn timings(times: &[Timing]) -> Table {
     )
 }
 
-/// A page of its own for one scene: the film, the table, and the motion by solver and level.
+/// A separate page for one scene: the animation, the table, and the motion by solver and level.
 pub fn document(comparison: &Comparison, film: Film) -> Document {
     let page = Page {
         title: comparison.title.clone(),
@@ -266,7 +267,7 @@ fn motion_figure(comparison: &Comparison) -> Lines {
         title: format!("{}: energy and errors", comparison.title),
         caption:
             "Solvers share a curve if their motions agree to within a thousandth of the largest \
-                  energy change and of the largest error; then only the level makes a difference."
+                  energy change and of the largest error; the motion then depends only on the level."
                 .into(),
         x: Axis::linear("time", "s"),
         panels,

@@ -157,7 +157,7 @@ fn by_work(progress: &Progress) -> Lines {
     )
 }
 
-/// The finding: the cheapest solver, and the cost of the dearest.
+/// The finding: the cheapest solver, and the cost of the most expensive one.
 fn title(progress: &Progress) -> String {
     let cost = |method: &MethodProgress| Some((method.marks.last()?.work, method.solver.clone()));
     let solved = progress.methods.iter().filter(|method| method.outcome.is_solved());

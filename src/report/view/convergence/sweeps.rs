@@ -12,10 +12,10 @@ const AGREES: f64 = 0.1;
 
 pub(super) fn show(studies: &[&Rates], document: &mut Document) {
     document.text(
-        "While no row changes between bound and interior, a sweep multiplies the error by a fixed \
+        "While the active set does not change, each sweep multiplies the error by the same \
          matrix. Its spectral radius $\\rho$ is the slope of the curves below: the residual falls \
-         like $\\rho^k$. For a chain, whose matrix is consistently ordered, Young's theory gives \
-         the best relaxation factor too:",
+         like $\\rho^k$. For a chain, whose matrix is consistently ordered, Young's theory also \
+         gives the best relaxation factor:",
     );
     document.equation(
         "\\rho_{GS} = \\rho_J^2, \\qquad \\omega^* = \\frac{2}{1 + \\sqrt{1 - \\rho_J^2}}, \
@@ -77,9 +77,10 @@ fn figure(study: &Rates) -> Lines {
     series.extend(study.curves.iter().filter_map(slope));
     let rows = study.rows;
     let kind = if study.equations_only {
-        "Equations only: the slope is the spectral radius from the first sweeps on, until rounding."
+        "Equations only: after the first sweeps, the curves have the predicted slopes until rounding \
+         errors dominate."
     } else {
-        "With bounds: a slope is to be expected only once the active set has settled."
+        "With bounds: the prediction applies only once the active set no longer changes."
     };
     Lines::new(
         format!("convergence_{}", stem(&study.scene)),

@@ -20,7 +20,7 @@ fn figure_6_at_velocity_level_gives_two_newton_seconds() {
 
     3 Step 1, velocity: constraints
       Step 1, velocity: the rows
-        row   what it keeps          c (m)   J u (m/s)   J'u (m/s²)   bias (m/s)   bounds of x (N s)
+        row   constraint             c (m)   J u (m/s)   J'u (m/s²)   bias (m/s)   bounds of x (N s)
           0   normal ground body 0       0          −1            0            0   [0, ∞)
     The bias is the feedback of errors. A position error c is multiplied by β/dt = 0/1 = 0 1/s, and
     a gap c > 0 of a contact by 1/dt, so that the gap can close within the step but not become an

@@ -12,7 +12,7 @@ fn figure_7_at_velocity_level_by_sweeps() {
     insta::assert_snapshot!(text, @r"
     3 Step 1, velocity: constraints
       Step 1, velocity: the rows
-        row   what it keeps            c (m)   J u (m/s)   J'u (m/s²)   bias (m/s)   bounds of x (N s)
+        row   constraint               c (m)   J u (m/s)   J'u (m/s²)   bias (m/s)   bounds of x (N s)
           0   normal ground bottom 0       0           0            0            0   [0, ∞)
           1   normal bottom middle 0       0          −1            0            0   [0, ∞)
           2   normal middle top 0          0           1            0            0   [0, ∞)
