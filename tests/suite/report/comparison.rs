@@ -36,7 +36,7 @@ fn a_fault_of_energy_is_explained_only_by_what_was_measured() {
         run.laws.impact = Some("impacts added 2 J in step 1.".into());
     };
     let unexplained = said(fault);
-    let wrong = "2 J added, although nothing drives the bodies; no single account explains it";
+    let wrong = "2 J were added, although nothing drives the bodies; no single account explains it";
     assert!(unexplained.contains(wrong), "{unexplained}");
     assert!(unexplained.contains(". First, impacts added 2 J in step 1."), "{unexplained}");
     let explained = said(|run| {

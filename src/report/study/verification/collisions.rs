@@ -168,7 +168,7 @@ pub(super) fn gap(size: Size) -> Result<Vec<Row>> {
         shape = { sphere = 0.5 }\nvelocity = [3, 0, 0]\n[[bodies]]\nname = \"b\"\nmass = 1\n\
         shape = { sphere = 0.5 }\nposition = [2.3, 0.6, 0]\n";
     let case = Case::of("gap-below-a-step", Scene::from_toml("billiards", text)?, size);
-    // When they meet, the line of centers makes an angle of sine 0.6 with the path of the first one.
+    // When they meet, the line of centers and the path of the first ball make an angle of sine 0.6.
     let sin = offset / reach;
     let along = speed * (1.0 - sin * sin).sqrt();
     let expected = [along * (1.0 - sin * sin).sqrt(), along * sin];
