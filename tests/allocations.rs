@@ -9,7 +9,7 @@ use lcplab::solver::kernel::Width;
 use lcplab::solver::kernel::impulses::{Row, RowByRow, SimdPairs, System};
 use lcplab::storage::{ALL, Entry, MapOfMaps, Storage, sweep};
 
-/// A pile of boxes as a step meets it: so many contacts of three rows between neighbours.
+/// A pile of boxes as a step meets it: so many contacts of three rows between neighbors.
 fn jacobian(contacts: usize) -> Vec<Entry> {
     let row = |i: usize| {
         let below = i / 12; // four contacts a pair

@@ -91,7 +91,7 @@ pub struct Scene {
 pub struct Bounds {
     /// The deepest overlap (m).
     pub penetration: f64,
-    /// The farthest way of a body's centre from its place at the start (m).
+    /// The farthest way of a body's center from its place at the start (m).
     pub drift: f64,
 }
 

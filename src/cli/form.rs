@@ -8,7 +8,7 @@ use lcplab::document::{Document, Format};
 use lcplab::error::Result;
 use lcplab::file;
 
-use super::{Outcome, print, print_coloured};
+use super::{Outcome, print, print_colored};
 
 /// The form of a document, and where it goes.
 #[derive(Debug, Args)]
@@ -39,7 +39,7 @@ impl Writing {
         let text = document.written(format)?;
         match &self.out {
             Some(path) => file::write(path, &text)?,
-            None if format == Format::ColouredText => print_coloured(&text)?,
+            None if format == Format::ColoredText => print_colored(&text)?,
             None => print(&text)?,
         }
         Ok(if document.is_accepted { Outcome::Good } else { Outcome::Refuted })
@@ -50,7 +50,7 @@ impl Writing {
         match (self.format, ending) {
             (Some(Form::Html), _) | (None, Some("html")) => Format::Html,
             (Some(Form::Markdown), _) | (None, Some("md")) => Format::Markdown,
-            _ if self.out.is_none() && wants_colour() => Format::ColouredText,
+            _ if self.out.is_none() && wants_color() => Format::ColoredText,
             _ => Format::Text,
         }
     }
@@ -67,7 +67,7 @@ impl Writing {
 }
 
 /// Whether standard output is a terminal and the user has not disabled colors.
-fn wants_colour() -> bool {
+fn wants_color() -> bool {
     let allowed = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
     allowed && std::io::stdout().is_terminal()
 }

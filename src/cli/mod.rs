@@ -274,7 +274,7 @@ fn threads() -> clap::builder::RangedI64ValueParser<u16> {
 
 /// Prints to standard output, without escapes; it is no error if the reader has closed the pipe.
 fn print(text: &str) -> Result<()> {
-    print_coloured(&printable(text))
+    print_colored(&printable(text))
 }
 
 /// First characters of pages, pictures and JSON, which are printed unchanged.
@@ -282,7 +282,7 @@ const MARKUP: [char; 4] = ['<', '#', '{', '['];
 
 /// Prints a text whose only escapes are our own. Powers of ten are written as `1.3e-8`, so that
 /// they can be copied into programs.
-fn print_coloured(text: &str) -> Result<()> {
+fn print_colored(text: &str) -> Result<()> {
     use std::io::Write;
     let text = if text.starts_with(MARKUP) { text.to_string() } else { plain(text) };
     let mut out = std::io::stdout().lock();

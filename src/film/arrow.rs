@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::clip::Place;
-use super::colours::FORCES;
+use super::colors::FORCES;
 use super::frame::{Force, Frame, Origin};
 use super::ink::tenth;
 use super::layout::Lens;

@@ -59,7 +59,7 @@ impl Seen {
                 .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| (lo.min(x), hi.max(x)));
             (lo - solid.radius, hi + solid.radius)
         };
-        Seen { x: range(0), y: range(1), depth: camera.project(&solid.centre()).z }
+        Seen { x: range(0), y: range(1), depth: camera.project(&solid.center()).z }
     }
 
     fn meets(&self, other: &Seen) -> bool {
@@ -115,7 +115,7 @@ fn candidates(camera: &Camera, a: &Solid, b: &Solid) -> Vec<Vector3<f64>> {
     for e in &a.edges {
         all.extend(b.edges.iter().filter_map(|f| e.cross(f).try_normalize(1e-9)));
     }
-    all.extend((b.centre() - a.centre()).try_normalize(0.0));
+    all.extend((b.center() - a.center()).try_normalize(0.0));
     all.push(camera.toward());
     all
 }

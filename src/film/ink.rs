@@ -5,7 +5,7 @@ use std::fmt::Write;
 use nalgebra::Vector3;
 
 use super::clip::{Place, cut};
-use super::colours::{FIXED, GROUND, HEAVY, POINT, body_color, heated};
+use super::colors::{FIXED, GROUND, HEAVY, POINT, body_color, heated};
 use super::coverage::Coverage;
 use super::ground::Patch;
 use super::joint::Mark;
@@ -148,27 +148,27 @@ impl<'a> Ink<'a> {
                 Part::Body(_) => self.capsule(base, radius, [start, end]),
             };
         }
-        let centre = ends[0];
+        let center = ends[0];
         if base == POINT || radius < PLAIN {
-            return self.disc("stroke=\"none\"", base, centre, radius);
+            return self.disc("stroke=\"none\"", base, center, radius);
         }
-        self.disc("", shade(base, LIT[0].0), centre, radius);
+        self.disc("", shade(base, LIT[0].0), center, radius);
         for (light, aside, size) in LIT.into_iter().skip(1) {
             let (x, y) = (aside * radius * LIGHT.x, aside * radius * LIGHT.y);
-            let at = (centre.0 + x, centre.1 - y);
+            let at = (center.0 + x, center.1 - y);
             self.disc("stroke=\"none\"", shade(base, light), at, size * radius);
         }
         for axis in [Vector3::z(), Vector3::y()] {
-            self.great_circle(solid, &axis, base, centre, radius);
+            self.great_circle(solid, &axis, base, center, radius);
         }
-        self.outline(centre, radius);
+        self.outline(center, radius);
     }
 
     /// Draws a line with the width of a round solid and round ends.
-    fn stroke(&mut self, colour: Rgb, radius: f64, ends: [Place; 2]) {
-        let (colour, width) = (hex(colour), tenth(2.0 * radius));
+    fn stroke(&mut self, color: Rgb, radius: f64, ends: [Place; 2]) {
+        let (color, width) = (hex(color), tenth(2.0 * radius));
         let style = "fill=\"none\" stroke-linecap=\"round\"";
-        self.line(&format!("{style} stroke=\"{colour}\" stroke-width=\"{width}\""), ends);
+        self.line(&format!("{style} stroke=\"{color}\" stroke-width=\"{width}\""), ends);
     }
 
     /// Draws strokes on top of each other: a dark outline, then the brightness of a ball's disks.

@@ -14,7 +14,7 @@
 mod arrow;
 mod camera;
 mod clip;
-mod colours;
+mod colors;
 mod coverage;
 mod depth;
 mod extent;
@@ -31,5 +31,5 @@ mod strip;
 use crate::plot::Figure;
 pub use camera::{Camera, View};
 pub use frame::{Force, Frame, Origin, instants};
-pub use player::{Film, Measure, Shot, Take};
+pub use player::{Film, Measure, Recording, Sample};
 pub use strip::{Arrows, Strip};

@@ -90,7 +90,7 @@ impl Solid {
     }
 
     /// The mean of its corners (m).
-    pub fn centre(&self) -> Vector3<f64> {
+    pub fn center(&self) -> Vector3<f64> {
         self.corners.iter().sum::<Vector3<f64>>() / self.corners.len() as f64
     }
 }

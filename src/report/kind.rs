@@ -37,7 +37,7 @@ pub const KINDS: &[Kind] = &[
     Kind::of::<study::sparsity::Plan>(),
     Kind::of::<study::drift::Plan>(),
     Kind::of::<study::profiles::Plan>(),
-    Kind::of::<study::footage::Plan>(),
+    Kind::of::<study::film::Plan>(),
     Kind::of::<study::scenes::Plan>(),
     Kind::of::<study::frames::Plan>(),
     Kind::of::<study::cards::Plan>(),

@@ -20,7 +20,7 @@ use faer::sparse::linalg::amd;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Graph {
     /// The neighbors of each row, ascending.
-    neighbours: Vec<Vec<usize>>,
+    neighbors: Vec<Vec<usize>>,
 }
 
 /// An ordering of the rows.
@@ -49,31 +49,31 @@ impl Graph {
     /// # Panics
     /// If an index is not below n.
     pub fn of(n: usize, pattern: impl IntoIterator<Item = (usize, usize)>) -> Self {
-        let mut neighbours = vec![Vec::new(); n];
+        let mut neighbors = vec![Vec::new(); n];
         for (i, j) in pattern.into_iter().filter(|(i, j)| i != j) {
-            neighbours[i].push(j);
-            neighbours[j].push(i);
+            neighbors[i].push(j);
+            neighbors[j].push(i);
         }
-        for own in &mut neighbours {
+        for own in &mut neighbors {
             own.sort_unstable();
             own.dedup();
         }
-        Graph { neighbours }
+        Graph { neighbors }
     }
 
     /// The number of rows.
     pub fn len(&self) -> usize {
-        self.neighbours.len()
+        self.neighbors.len()
     }
 
     /// Whether there are no rows.
     pub fn is_empty(&self) -> bool {
-        self.neighbours.is_empty()
+        self.neighbors.is_empty()
     }
 
     /// The number of entries of the matrix on and below the diagonal: the minimum for its factor.
     pub fn lower_entries(&self) -> usize {
-        self.len() + self.neighbours.iter().map(Vec::len).sum::<usize>() / 2
+        self.len() + self.neighbors.iter().map(Vec::len).sum::<usize>() / 2
     }
 
     /// Calls `visit` with the positions (row, column) of the matrix with its rows in this order.
@@ -81,7 +81,7 @@ impl Graph {
         let place = inverse(order);
         for (i, &row) in order.iter().enumerate() {
             visit(i, i);
-            self.neighbours[row].iter().for_each(|&other| visit(i, place[other]));
+            self.neighbors[row].iter().for_each(|&other| visit(i, place[other]));
         }
     }
 
@@ -95,7 +95,7 @@ impl Graph {
         for (i, &row) in order.iter().enumerate() {
             seen_by[i] = i;
             visit(i, i);
-            for &other in &self.neighbours[row] {
+            for &other in &self.neighbors[row] {
                 let mut j = place[other];
                 while j < i && seen_by[j] != i {
                     seen_by[j] = i;
@@ -132,13 +132,13 @@ impl Graph {
         let mut next = 0;
         while next < rows.len() {
             let first = rows.len();
-            for &other in &self.neighbours[rows[next]] {
+            for &other in &self.neighbors[rows[next]] {
                 if !std::mem::replace(&mut reached[other], true) {
                     rows.push(other);
                     distance.push(distance[next] + 1);
                 }
             }
-            rows[first..].sort_by_key(|&row| self.neighbours[row].len());
+            rows[first..].sort_by_key(|&row| self.neighbors[row].len());
             next += 1;
         }
         (rows, distance.last().copied().unwrap_or(0))
@@ -161,7 +161,7 @@ impl Graph {
         let mut order = Vec::with_capacity(self.len());
         let mut reached = vec![false; self.len()];
         let mut starts: Vec<usize> = (0..self.len()).collect();
-        starts.sort_by_key(|&row| self.neighbours[row].len());
+        starts.sort_by_key(|&row| self.neighbors[row].len());
         for start in starts {
             if !reached[start] {
                 order.extend(self.levels(self.rim(start), &mut reached).0);
@@ -175,7 +175,7 @@ impl Graph {
         let n = self.len();
         let mut starts = vec![0];
         let mut entries = Vec::new();
-        for own in &self.neighbours {
+        for own in &self.neighbors {
             entries.extend_from_slice(own);
             starts.push(entries.len());
         }

@@ -14,7 +14,7 @@ for (let k = 0; k < 2; k++) { button.click(); views.push(look()); }
 return [views, button.hidden, localStorage.length];";
 
 #[test]
-fn the_button_turns_the_colours_and_turns_them_back() {
+fn the_button_turns_the_colors_and_turns_them_back() {
     let (light, dark) = (json!([PAPERS[0], "false", false]), json!([PAPERS[1], "true", true]));
     assert_eq!(sample().seen(1280, LOOK), json!([[light, dark, light], false, 0]));
     // The same for one who prefers dark.

@@ -1,5 +1,5 @@
 //! Who may import whom. Between crates Cargo sees to it, by their manifests; within a crate a
-//! module may use those of the rows above its own, never a neighbour's.
+//! module may use those of the rows above its own, never a neighbor's.
 
 use std::fs;
 use std::path::{Path, PathBuf};

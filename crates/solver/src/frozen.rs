@@ -56,7 +56,7 @@ pub(super) fn solve<P: Complementarity>(
     Solution::new(problem.lcp(), x, Status::Stalled, iterations).with_fallback(fallback)
 }
 
-/// Tells an observer of step details that `frozen` is solved instead of a problem whose bounds
+/// Reports to an observer of step details that `frozen` is solved instead of a problem whose bounds
 /// depend on x.
 pub(super) fn report(problem: &Lcp, frozen: &Lcp, observer: &mut dyn Observer) {
     if !problem.is_frozen() && observer.wants_details() {

@@ -54,11 +54,11 @@ pub use lcplab_problem::exact::all_solutions;
 pub use method::{Method, methods, nameable, solve_polyhedral};
 pub use newton::{Equations, InteriorPoint, Newton};
 pub use observer::{
-    Centring, Event, Iterate, Leaving, Move, Observer, RowUpdate, StepDetail, Tableau,
+    Centering, Event, Iterate, Leaving, Move, Observer, RowUpdate, StepDetail, Tableau,
 };
 pub use pivot::{BlockPivoting, Dantzig, Enumeration, Lemke, Murty, Side, Variable};
 pub use registry::{
-    ALL, Build, Choice, Entry, Group, Options, SPECIMENS, add, added, by_name, default_for, entry,
+    ALL, Build, Choice, Entry, Group, KNOWN_WRONG, Options, add, added, by_name, default_for, entry,
 };
 pub use sequence::{
     Attempt, SequenceAnswer, solve as solve_by_sequence, solve_boxed as solve_boxed_by_sequence,
@@ -110,7 +110,7 @@ impl<'a> Start<'a> {
     pub fn point(&self, problem: &impl Complementarity) -> Vec<f64> {
         let n = problem.lcp().len();
         let mut x = self.x.map_or_else(|| vec![0.0; n], <[f64]>::to_vec);
-        assert_eq!(x.len(), n, "a start needs one entry a row");
+        assert_eq!(x.len(), n, "a start needs one entry per row");
         problem.project_all(&mut x);
         x
     }

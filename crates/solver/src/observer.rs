@@ -83,7 +83,7 @@ pub enum StepDetail<'a> {
     /// A move of x along a direction.
     Move(Move<'a>),
     /// A move of x that changes no w, to the middle of the feasible range.
-    Centring(Centring<'a>),
+    Centering(Centering<'a>),
     /// A tableau and its next pivot.
     Tableau(Tableau<'a>),
 }
@@ -142,7 +142,7 @@ pub struct Move<'a> {
 /// A centering move in Dantzig's method: x_j changes by a length, x_C by the same length times
 /// `direction`, with A d = 0.
 #[derive(Debug, Clone, Copy)]
-pub struct Centring<'a> {
+pub struct Centering<'a> {
     /// The row j, which depends on C and has the side [`Side::Dependent`] from now on.
     pub row: usize,
     /// The row of C that reached a bound and stays in C because x moves away from it; `None` if row
@@ -160,7 +160,7 @@ pub struct Centring<'a> {
     pub back: f64,
 }
 
-impl Centring<'_> {
+impl Centering<'_> {
     /// The signed length of the move, negative along −d.
     pub fn length(&self) -> f64 {
         (self.forward - self.back) / 2.0

@@ -3,7 +3,7 @@
 
 use std::sync::{PoisonError, RwLock};
 
-pub use super::sweep::SPECIMENS;
+pub use super::sweep::KNOWN_WRONG;
 use super::{CONES, Class, Cost, Damping, Order, Settings, Solver, gradient, newton, pivot, sweep};
 use lcplab_problem::Lcp;
 use lcplab_problem::error::{Defects, Error, Result};
@@ -157,7 +157,7 @@ impl Options {
     }
 }
 
-/// All solvers, group by group, without the known-wrong variants [`SPECIMENS`].
+/// All solvers, group by group, without the known-wrong variants [`KNOWN_WRONG`].
 pub const ALL: &[Entry] = &joined::<COUNT>();
 
 const GROUPS: [&[Entry]; 4] = [sweep::ENTRIES, gradient::ENTRIES, newton::ENTRIES, pivot::ENTRIES];
@@ -207,7 +207,7 @@ static ADDED: RwLock<Vec<&'static Entry>> = RwLock::new(Vec::new());
 /// If an entry already has this name.
 pub fn add(entry: Entry) -> Result<&'static Entry> {
     let mut added = ADDED.write().unwrap_or_else(PoisonError::into_inner);
-    let known = ALL.iter().chain(SPECIMENS).chain(added.iter().copied()).map(|known| known.name);
+    let known = ALL.iter().chain(KNOWN_WRONG).chain(added.iter().copied()).map(|known| known.name);
     // clarabel is the reference.
     let reserved = CONES.iter().map(|known| known.name).chain(["clarabel"]);
     if known.chain(reserved).any(|known| known == entry.name) {
@@ -231,7 +231,7 @@ pub fn added() -> Vec<&'static Entry> {
 /// If no entry has this name.
 pub fn entry(name: &str) -> Result<&'static Entry> {
     let added = added();
-    let entries = || ALL.iter().chain(SPECIMENS).chain(added.iter().copied());
+    let entries = || ALL.iter().chain(KNOWN_WRONG).chain(added.iter().copied());
     entries().find(|entry| entry.name == name).ok_or_else(|| Error::Unknown {
         kind: "solver",
         name: name.to_string(),

@@ -150,10 +150,10 @@ impl fmt::Display for Status {
             Status::ZeroDiagonal { row } => write!(f, "the diagonal of row {row} is not positive"),
             Status::Singular { row } => write!(f, "singular at row {row}"),
             Status::Ray { row, .. } => {
-                write!(f, "a ray: row {row} is not reached, which alone proves nothing")
+                write!(f, "ended on a ray: row {row} is not satisfied, which alone proves nothing")
             }
             Status::NoSolution => {
-                write!(f, "all active sets were tried, and none carries a solution")
+                write!(f, "all active sets were tried, and none gives a solution")
             }
             Status::TooLarge { needs, limit } => {
                 write!(f, "needs {needs}; the limit is {limit}")

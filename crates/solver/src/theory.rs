@@ -134,7 +134,7 @@ pub fn rate(method: &str, options: &Options, lcp: &Lcp, free: &[usize]) -> Optio
         "pgs" => relaxed(1.0, options.order),
         "sor" => relaxed(options.omega, options.order),
         "ssor" => relaxed(options.omega, Order::Symmetric),
-        "red-black" => relaxed(1.0, Order::Coloured),
+        "red-black" => relaxed(1.0, Order::Colored),
         "jacobi" => jacobi_iteration_matrix(&block, options.damping.factor(&Metric::of(lcp).ok()?)),
         _ => return None,
     };

@@ -4,7 +4,7 @@
 use super::clarabel;
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::friction::Model;
-use lcplab_solver::{ALL, Entry, Method, SPECIMENS, added, methods};
+use lcplab_solver::{ALL, Entry, KNOWN_WRONG, Method, added, methods};
 
 /// One method of each kind: sweeps, Newton, gradients, an interior point, two pivoting methods,
 /// sweeps for cones, and the reference.
@@ -36,7 +36,7 @@ fn nameable() -> impl Iterator<Item = Method> {
 pub fn entry(name: &str) -> Result<Entry> {
     let added = added();
     let reference: Vec<Entry> = REFERENCE.into_iter().filter_map(boxed).collect();
-    let entries = || ALL.iter().chain(&reference).chain(SPECIMENS).chain(added.iter().copied());
+    let entries = || ALL.iter().chain(&reference).chain(KNOWN_WRONG).chain(added.iter().copied());
     if let Some(found) = entries().find(|entry| entry.name == name) {
         return Ok(*found);
     }
@@ -71,9 +71,9 @@ pub fn by_name(name: &str, model: Model) -> Result<Method> {
 /// Why the methods with this name are not made for a model; `None` if there is no such name, or one
 /// of them is.
 fn refusal(name: &str, model: Option<Model>) -> Option<String> {
-    let specimens = SPECIMENS.iter().copied().map(Method::Boxed);
+    let known_wrong = KNOWN_WRONG.iter().copied().map(Method::Boxed);
     let named: Vec<Method> =
-        nameable().chain(specimens).filter(|method| method.name() == name).collect();
+        nameable().chain(known_wrong).filter(|method| method.name() == name).collect();
     why_none_takes(&named, model)
 }
 
@@ -98,7 +98,7 @@ pub fn default_for(model: Model) -> &'static str {
 /// # Errors
 /// If no method has this name.
 pub fn named(name: &str) -> Result<Vec<Method>> {
-    let known = || nameable().chain(SPECIMENS.iter().copied().map(Method::Boxed));
+    let known = || nameable().chain(KNOWN_WRONG.iter().copied().map(Method::Boxed));
     let found: Vec<Method> = known().filter(|method| method.name() == name).collect();
     if found.is_empty() {
         return Err(unknown("solver", name, known().map(|method| method.name())));

@@ -42,7 +42,7 @@ pub(super) fn example() -> Result<Finding> {
         Measure::new(quantity, "m/s", printed, corrected).truth(truth, "dual numbers", 1e-9)
     };
     Ok(Finding::new(
-        "Body 0 rests at the origin and spins about z with 1 rad/s; body 1 has its centre at (3, 2, 0) m, \
+        "Body 0 rests at the origin and spins about z with 1 rad/s; body 1 has its center at (3, 2, 0) m, \
          rises with 2 m/s and spins with 2 rad/s. Anchors r₀ = (1, 0, 0) m and r₁ = (0, −1, 0) m, n = (0, 1, 0), \
          so d = (2, 1, 0) m. The rate of c = d·n by rows without the last term, with the ω of the other \
          body, and with that of the owner. In the last line body 1 is at (1, 2, 0) m, and d = (0, 1, 0) m \

@@ -28,7 +28,7 @@ pub(super) fn example() -> Result<Finding> {
     let impulse = Measure::new("landing impulse", "N s", landing(&a)?, landing(&single)?);
     Ok(Finding::new(
         "The touching points r of a ball, (0, −0.5, 0) m, and of a box's corner, (0.5, −0.5, 0.5) m, from \
-         their centres, on a floor with n = (0, 1, 0). For the corner: how far is the gradient of c, by dual \
+         their centers, on a floor with n = (0, 1, 0). For the corner: how far is the gradient of c, by dual \
          numbers (0, 1, 0, −0.5, 0, 0.5), from the space that the rows span, and how many motions do they \
          forbid? For the ball, of 1 kg and landing at 1 m/s: the diagonal of A, and the impulse that stops it.",
     )

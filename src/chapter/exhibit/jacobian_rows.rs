@@ -61,7 +61,7 @@ pub(super) fn ball_joint_arms() -> Result<Finding> {
         measure.truth(&truth[..2], "dual numbers", 1e-9)
     };
     Ok(Finding::new(
-        "Both bodies have their centre at the origin; body 0 spins about z with 1 rad/s and has its anchor \
+        "Both bodies have their center at the origin; body 0 spins about z with 1 rad/s and has its anchor \
          at r₀ = (1, 0, 0) m, body 1 spins with 2 rad/s and has it at r₁ = (0, 2, 0) m. The rate (x, y) of \
          the gap between the anchors is ω₁ × r₁ − ω₀ × r₀. The printed rows are given the sign of (32).",
     )
@@ -116,7 +116,7 @@ pub(super) fn binary_rows() -> Result<Finding> {
         Measure::new(quantity, "m/s", mirrored, corrected).truth(&truth, "dual numbers", 1e-9)
     };
     Ok(Finding::new(
-        "Two bodies, centres at (1, 0, 0) m and (−1, 0, 0) m, spin about z with 1 and 2 rad/s. How fast do \
+        "Two bodies, centers at (1, 0, 0) m and (−1, 0, 0) m, spin about z with 1 and 2 rad/s. How fast do \
          their anchors part along y? First the anchors meet at the origin, r₀ = (−1, 0, 0) m and \
          r₁ = (1, 0, 0) m; then both arms are (1, 0, 0) m.",
     )

@@ -26,7 +26,7 @@ pub(super) fn shape_of_the_jacobian() -> Result<Finding> {
         Measure::new("rates of the gaps", "m/s", product(&j.transpose(), &u), product(&j, &u));
     Ok(Finding::new(
         "Three bodies at 0, 2 and 5 m along x move along it at 1, 3 and 6 m/s: 6m = 18 velocities. Two \
-         constraints, the gaps between neighbours: n = 2. We multiply J by the velocities u.",
+         constraints, the gaps between neighbors: n = 2. We multiply J by the velocities u.",
     )
     .measure(rates.truth(&[rate(0), rate(1)], "gaps after ½ s", 1e-12)))
 }

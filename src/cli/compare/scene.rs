@@ -8,7 +8,7 @@ use lcplab::file;
 use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
 use lcplab::report::study::comparison::{self, LeftOut, Sample};
-use lcplab::report::study::film::{self, Actor};
+use lcplab::report::study::side_by_side::{self, AnimatedSolver};
 use lcplab::report::{methods, text, view, write};
 use lcplab::scene::Scheme;
 use lcplab::solver::{self, Method};
@@ -71,8 +71,8 @@ impl Compare {
         let contenders = comparison::contenders(&scene, &schemes, &solvers);
         let running: Vec<Method> = contenders.iter().map(|(_, solver)| *solver).collect();
         args.check(&running, &scene)?;
-        let shown = motion.show.iter().map(|name| Actor::named(name, &scene));
-        let shown = shown.collect::<Result<Vec<Actor>>>()?;
+        let shown = motion.show.iter().map(|name| AnimatedSolver::named(name, &scene));
+        let shown = shown.collect::<Result<Vec<AnimatedSolver>>>()?;
         let what = format!("the motion of {} runs of {steps} steps", contenders.len());
         let samples = Memory::bytes(size_of::<Sample>() as u64).times(steps);
         scene.memory.check(what, samples.times(contenders.len()))?;
@@ -98,11 +98,11 @@ impl Compare {
         progress.finish_and_clear();
         let has_runs = !comparison.runs.is_empty();
         let written = motion.out.as_ref().filter(|_| has_runs).map(|folder| {
-            let actors = match shown.is_empty() {
-                true => film::alike(&contenders, &view::alike(&comparison.runs)),
-                false => shown.into_iter().map(|actor| (actor.name(), actor)).collect(),
+            let animated = match shown.is_empty() {
+                true => side_by_side::alike(&contenders, &view::alike(&comparison.runs)),
+                false => shown.into_iter().map(|solver| (solver.name(), solver)).collect(),
             };
-            let film = film::film("film", &scene, &actors, steps, stop);
+            let film = side_by_side::film("film", &scene, &animated, steps, stop);
             write::document(&view::comparison_document(&comparison, film), folder)
         });
         if json {

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::file;
-use lcplab::film::{Film, Frame, Strip, Take, instants};
+use lcplab::film::{Film, Frame, Recording, Strip, instants};
 use lcplab::plot::Figure;
 use lcplab::report::aside::{Aside, GRACE};
 use lcplab::report::recording::Record;
@@ -92,9 +92,9 @@ impl Simulate {
             record = record.with_tables(&simulation, self.every as usize);
         }
         let mut camera = Camera {
-            shots: self.instants(steps, Film::shots(1)),
+            samples: self.instants(steps, Film::samples_each(1)),
             instants: self.instants(steps, self.frames as usize),
-            take: Take::start(scene.solver.name.clone(), &simulation),
+            recording: Recording::start(scene.solver.name.clone(), &simulation),
             frames: vec![Frame::start(&scene)],
             last: Frame::start(&scene),
         };
@@ -177,7 +177,7 @@ impl Simulate {
         let (states, time) = (&camera.last.states, camera.last.time);
         let saved = self.scene.step.changes.saved(&self.scene.scene, scene, states, time)?;
         file::write_in(folder, "final.toml", &saved)?;
-        let page = view::simulation_page(Film::new("film", scene, vec![camera.take]), record);
+        let page = view::simulation_page(Film::new("film", scene, vec![camera.recording]), record);
         file::write_in(folder, "index.html", &page.render()?)?;
         let strip = Strip::new(scene, camera.frames);
         let strip = if self.forces { strip.with_forces() } else { strip };
@@ -196,10 +196,10 @@ impl Simulate {
 /// The instants for the animation and for the strip of frames.
 struct Camera {
     /// The steps that the animation shows.
-    shots: Vec<usize>,
+    samples: Vec<usize>,
     /// The steps that the strip shows.
     instants: Vec<usize>,
-    take: Take,
+    recording: Recording,
     frames: Vec<Frame>,
     /// The last instant, without forces.
     last: Frame,
@@ -207,8 +207,8 @@ struct Camera {
 
 impl Camera {
     fn look(&mut self, scene: &Scene, step: &Step) {
-        if self.shots.binary_search(&step.number).is_ok() {
-            self.take.add(scene, step);
+        if self.samples.binary_search(&step.number).is_ok() {
+            self.recording.add(scene, step);
         }
         if self.instants.binary_search(&step.number).is_ok() {
             self.frames.push(Frame::after(scene, step));
@@ -218,7 +218,7 @@ impl Camera {
     }
 
     fn end(&mut self, why: &Failure) {
-        self.take.end(Some(why));
+        self.recording.end(Some(why));
         self.frames.push(self.last.clone());
     }
 }

@@ -1,8 +1,8 @@
-//! Charts of measures over time: one curve per take, above the animation's time axis.
+//! Charts of measures over time: one curve per recording, above the animation's time axis.
 
 use std::fmt::Write;
 
-use super::{Film, Shot, Take};
+use super::{Film, Recording, Sample};
 use crate::film::extent;
 use crate::plot::Scale;
 use crate::plot::canvas::escape;
@@ -46,25 +46,25 @@ impl Measure {
         }
     }
 
-    fn of(self, shot: &Shot, start: &Shot) -> f64 {
+    fn of(self, sample: &Sample, start: &Sample) -> f64 {
         match self {
-            Measure::Energy => shot.motion.energy() - start.motion.energy(),
-            Measure::Drift => shot.motion.drift,
-            Measure::Penetration => shot.motion.penetration,
+            Measure::Energy => sample.motion.energy() - start.motion.energy(),
+            Measure::Drift => sample.motion.drift,
+            Measure::Penetration => sample.motion.penetration,
         }
     }
 }
 
-/// A measure at each instant of a take.
-pub(super) fn values(take: &Take, measure: Measure) -> Vec<f64> {
-    let Some(start) = take.shots.first() else { return Vec::new() };
-    take.shots.iter().map(|shot| measure.of(shot, start)).collect()
+/// A measure at each instant of a recording.
+pub(super) fn values(recording: &Recording, measure: Measure) -> Vec<f64> {
+    let Some(start) = recording.samples.first() else { return Vec::new() };
+    recording.samples.iter().map(|sample| measure.of(sample, start)).collect()
 }
 
 pub(super) fn measures(film: &Film) -> Vec<Measure> {
     let matters = |measure: &Measure| {
         let least = least(film, *measure);
-        film.takes.iter().any(|take| take.worst(*measure).abs() > least)
+        film.recordings.iter().any(|recording| recording.worst(*measure).abs() > least)
     };
     Measure::ALL.into_iter().filter(matters).collect()
 }
@@ -87,7 +87,7 @@ fn most(film: &Film, measure: Measure) -> f64 {
 /// The values at the bottom and the top of a plot; values beyond the reference are cut off.
 pub(super) fn range(film: &Film, measure: Measure) -> (f64, f64) {
     let most = most(film, measure);
-    let all = film.takes.iter().flat_map(|take| values(take, measure));
+    let all = film.recordings.iter().flat_map(|recording| values(recording, measure));
     let (lo, hi) =
         all.filter(|x| x.is_finite()).fold((0.0f64, 0.0f64), |(lo, hi), x| (lo.min(x), hi.max(x)));
     let (lo, hi) = (lo.max(-most), hi.min(most));
@@ -135,11 +135,11 @@ pub(super) fn svg(film: &Film, measure: Measure) -> String {
         out,
         "<svg x=\"{left}\" y=\"{top}\" width=\"{w}\" height=\"{h}\" viewBox=\"{left} {top} {w} {h}\">"
     );
-    for ((take, color), k) in film.takes.iter().zip(film.colors()).zip(0..) {
-        let points = take.shots.iter().zip(values(take, measure));
-        let drawn = points
-            .filter(|(_, v)| v.is_finite())
-            .map(|(shot, v)| format!("{:.1} {:.1}", x(shot.motion.time), y(v).clamp(-1e4, 1e4)));
+    for ((recording, color), k) in film.recordings.iter().zip(film.colors()).zip(0..) {
+        let points = recording.samples.iter().zip(values(recording, measure));
+        let drawn = points.filter(|(_, v)| v.is_finite()).map(|(sample, v)| {
+            format!("{:.1} {:.1}", x(sample.motion.time), y(v).clamp(-1e4, 1e4))
+        });
         let course: Vec<_> = drawn.collect();
         let _ = writeln!(
             out,
@@ -153,10 +153,10 @@ pub(super) fn svg(film: &Film, measure: Measure) -> String {
 
 fn words(film: &Film, measure: Measure) -> String {
     let end = crate::number::readable(end(film), 3);
-    let of = |take: &Take| {
-        let worst = crate::number::readable(take.worst(measure), 2);
-        format!("{} up to {worst} {}", take.name, measure.unit())
+    let of = |recording: &Recording| {
+        let worst = crate::number::readable(recording.worst(measure), 2);
+        format!("{} up to {worst} {}", recording.name, measure.unit())
     };
-    let takes: Vec<_> = film.takes.iter().map(of).collect();
-    format!("{} over {end} s: {}", measure.name(), takes.join("; "))
+    let recordings: Vec<_> = film.recordings.iter().map(of).collect();
+    format!("{} over {end} s: {}", measure.name(), recordings.join("; "))
 }

@@ -3,10 +3,10 @@
 use nalgebra::Vector3;
 use serde_json::{Value, json};
 
-use super::super::colours::{POINT, heated};
+use super::super::colors::{POINT, heated};
 use super::chart::{self, PLOT};
 use super::stage::Stage;
-use super::{Film, Take};
+use super::{Film, Recording};
 use crate::body::{Body, Mass, Shape, State};
 use crate::film::frame::{Force, Origin};
 use crate::film::ground::Patch;
@@ -32,7 +32,7 @@ pub(super) fn json(film: &Film) -> Value {
         let (lo, hi) = chart::range(film, measure);
         json!({ "name": measure.name(), "unit": measure.unit(), "range": [short(lo), short(hi)] })
     });
-    let steps = film.longest().iter().map(|shot| shot.motion.step);
+    let steps = film.longest().iter().map(|sample| sample.motion.step);
     let camera = Camera::new(film.view);
     let basis = [0, 1, 2].map(|k| {
         let axis = Vector3::ith(k, 1.0);
@@ -64,7 +64,7 @@ pub(super) fn json(film: &Film) -> Value {
         "plot": PLOT,
         "end": chart::end(film),
         "measures": measures.collect::<Vec<_>>(),
-        "takes": film.takes.iter().map(|own| take(film, own, &stage, unit)).collect::<Vec<_>>(),
+        "recordings": film.recordings.iter().map(|own| recording(film, own, &stage, unit)).collect::<Vec<_>>(),
     })
 }
 
@@ -115,28 +115,28 @@ fn joints(scene: &Scene) -> Vec<Value> {
     scene.constraints.iter().map(|joint| Value::from(of(joint.as_ref()))).collect()
 }
 
-fn take(film: &Film, take: &Take, stage: &Stage, unit: f64) -> Value {
+fn recording(film: &Film, recording: &Recording, stage: &Stage, unit: f64) -> Value {
     let values = |measure| {
         let least = chart::least(film, measure);
         let shown = |value: f64| if value.abs() > least { short(value) } else { 0.0 };
-        chart::values(take, measure).into_iter().map(shown).collect::<Vec<_>>()
+        chart::values(recording, measure).into_iter().map(shown).collect::<Vec<_>>()
     };
-    let forces = take.shots.iter().map(|shot| forces(&shot.frame.forces, stage, unit));
+    let forces = recording.samples.iter().map(|sample| forces(&sample.frame.forces, stage, unit));
     json!({
-        "name": take.name,
-        "poses": (0..film.scene.bodies.len()).map(|k| poses(film, take, k, unit)).collect::<Vec<_>>(),
-        "heat": heat(film, take),
+        "name": recording.name,
+        "poses": (0..film.scene.bodies.len()).map(|k| poses(film, recording, k, unit)).collect::<Vec<_>>(),
+        "heat": heat(film, recording),
         "forces": forces.collect::<Vec<_>>(),
         "measures": film.measures().into_iter().map(values).collect::<Vec<_>>(),
-        "ending": take.ending,
+        "ending": recording.ending,
     })
 }
 
 /// The channels of a body: x, y, z, and the quaternion components w, i, j, k unless it is a point.
-fn poses(film: &Film, take: &Take, body: usize, unit: f64) -> Vec<Vec<i64>> {
+fn poses(film: &Film, recording: &Recording, body: usize, unit: f64) -> Vec<Vec<i64>> {
     let mut last = nalgebra::Quaternion::identity();
-    let rows = take.shots.iter().map(|shot| {
-        let pose = &shot.frame.states[body].pose;
+    let rows = recording.samples.iter().map(|sample| {
+        let pose = &sample.frame.states[body].pose;
         let q = *pose.q.quaternion();
         // The same rotation, without a jump.
         last = if q.dot(&last) < 0.0 { -q } else { q };
@@ -166,13 +166,13 @@ fn changes(numbers: impl Iterator<Item = i64>) -> Vec<i64> {
 }
 
 /// The color of each body, in steps; empty if bodies have their own colors.
-fn heat(film: &Film, take: &Take) -> Vec<Vec<i64>> {
-    if take.shots.iter().all(|shot| shot.frame.heat.is_empty()) {
+fn heat(film: &Film, recording: &Recording) -> Vec<Vec<i64>> {
+    if recording.samples.iter().all(|sample| sample.frame.heat.is_empty()) {
         return Vec::new();
     }
     let steps = |heat: f64| whole(heat.clamp(0.0, 1.0) * f64::from(HEATS));
-    let of = |shot: &super::Shot, k: usize| shot.frame.heat.get(k).copied().map_or(0, steps);
-    let body = |k: usize| changes(take.shots.iter().map(|shot| of(shot, k)));
+    let of = |sample: &super::Sample, k: usize| sample.frame.heat.get(k).copied().map_or(0, steps);
+    let body = |k: usize| changes(recording.samples.iter().map(|sample| of(sample, k)));
     (0..film.scene.bodies.len()).map(body).collect()
 }
 

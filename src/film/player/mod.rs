@@ -2,8 +2,8 @@
 //! scale.
 //!
 //! ```text
-//! simulation ─→ takes ─→ poses, order, forces, measures as numbers ─→ a player
-//!               shots     rounded to the visible precision
+//! simulation ─→ recordings ─→ poses, order, forces, measures as numbers ─→ a player
+//!               samples          rounded to the visible precision
 //! ```
 
 mod chart;
@@ -15,7 +15,7 @@ use super::frame::{Frame, instants};
 use super::strip::Strip;
 use super::{Camera, View};
 use crate::number::readable;
-use crate::page::{Chart, Pane, Reel};
+use crate::page::{Animation, Chart, Pane};
 use crate::plot::canvas::hex;
 use crate::plot::{Figure as _, style};
 use crate::scene::Scene;
@@ -24,8 +24,8 @@ use crate::solver::Stop;
 pub use chart::Measure;
 use stage::Stage;
 
-/// Maximum number of instants in a take, and in all takes of an animation.
-const SHOTS: (usize, usize) = (151, 600);
+/// Maximum number of instants in a recording, and in all recordings of an animation.
+const SAMPLES: (usize, usize) = (151, 600);
 /// Number of instants in the strip shown where the animation cannot be played.
 const STILLS: usize = 5;
 /// Names whose colors are used for variants of one name.
@@ -34,13 +34,13 @@ const SPARE: [&str; 5] = ["acceleration", "soft", "penalty", "position", "exact"
 /// One scene, simulated in several ways.
 ///
 /// ```
-/// use lcplab::film::{Film, Take};
+/// use lcplab::film::{Film, Recording};
 /// use lcplab::{scene::Scene, simulation::Simulation, solver};
 ///
 /// let scene = Scene::load("stack")?;
 /// let solver = solver::by_name("dantzig", &solver::Options::default())?;
 /// let mut simulation = Simulation::new(scene.clone(), solver);
-/// let film = Film::new("stack", &scene, vec![Take::of("dantzig", &mut simulation, 10, 11)]);
+/// let film = Film::new("stack", &scene, vec![Recording::of("dantzig", &mut simulation, 10, 11)]);
 /// assert_eq!(film.times().len(), 11);
 /// # Ok::<(), lcplab::error::Error>(())
 /// ```
@@ -50,43 +50,43 @@ pub struct Film {
     pub id: String,
     /// The scene.
     pub scene: Scene,
-    /// The takes, one per solver; all have their shots after the same steps.
-    pub takes: Vec<Take>,
+    /// The recordings, one per solver; all have their samples after the same steps.
+    pub recordings: Vec<Recording>,
     /// The view.
     pub view: View,
 }
 
 /// A scene as simulated by one solver.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Take {
+pub struct Recording {
     /// The solver, and after a comma its settings.
     pub name: String,
     /// Its instants from the start on.
-    pub shots: Vec<Shot>,
+    pub samples: Vec<Sample>,
     /// Why it ended early, if it did.
     pub ending: Option<String>,
 }
 
 /// An instant with its measures.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Shot {
+pub struct Sample {
     /// The poses and forces.
     pub frame: Frame,
     /// Energy, momentum and errors.
     pub motion: Motion,
 }
 
-impl Take {
-    /// A take at the start of a simulation.
+impl Recording {
+    /// A recording at the start of a simulation.
     pub fn start(name: impl Into<String>, simulation: &Simulation) -> Self {
         let (frame, motion) = (Frame::now(simulation), simulation.motion());
-        Take { name: name.into(), shots: vec![Shot { frame, motion }], ending: None }
+        Recording { name: name.into(), samples: vec![Sample { frame, motion }], ending: None }
     }
 
     /// Adds the end of a step.
     pub fn add(&mut self, scene: &Scene, step: &Step) {
         let (frame, motion) = (Frame::after(scene, step), step.motion.clone());
-        self.shots.push(Shot { frame, motion });
+        self.samples.push(Sample { frame, motion });
     }
 
     /// Records why the simulation ended early, if it did.
@@ -95,8 +95,8 @@ impl Take {
     }
 
     /// Runs a simulation and keeps this number of instants.
-    pub fn of(name: &str, simulation: &mut Simulation, steps: usize, shots: usize) -> Self {
-        Take::until(&Stop::default(), name, simulation, steps, shots)
+    pub fn of(name: &str, simulation: &mut Simulation, steps: usize, samples: usize) -> Self {
+        Recording::until(&Stop::default(), name, simulation, steps, samples)
     }
 
     /// The same with a stop condition.
@@ -105,28 +105,30 @@ impl Take {
         name: &str,
         simulation: &mut Simulation,
         steps: usize,
-        shots: usize,
+        samples: usize,
     ) -> Self {
-        let mut take = Take::start(name, simulation);
-        let (scene, kept) = (simulation.scene().clone(), instants(steps, shots));
+        let mut recording = Recording::start(name, simulation);
+        let (scene, kept) = (simulation.scene().clone(), instants(steps, samples));
         for _ in 0..steps {
             match simulation.step_before(stop) {
-                Ok(step) if kept.binary_search(&step.number).is_ok() => take.add(&scene, &step),
+                Ok(step) if kept.binary_search(&step.number).is_ok() => {
+                    recording.add(&scene, &step)
+                }
                 Ok(_) => {}
                 Err(failure) => {
-                    take.end(Some(&failure));
+                    recording.end(Some(&failure));
                     break;
                 }
             }
         }
-        take
+        recording
     }
 
     fn frames(&self) -> Vec<Frame> {
-        self.shots.iter().map(|shot| shot.frame.clone()).collect()
+        self.samples.iter().map(|sample| sample.frame.clone()).collect()
     }
 
-    /// The largest value of a measure over the take.
+    /// The largest value of a measure over the recording.
     fn worst(&self, measure: Measure) -> f64 {
         let values = chart::values(self, measure);
         values.into_iter().fold(0.0, |worst: f64, x| if x.abs() > worst.abs() { x } else { worst })
@@ -134,36 +136,39 @@ impl Take {
 }
 
 impl Film {
-    /// An animation of these takes, with the best view for all of them.
-    pub fn new(id: impl Into<String>, scene: &Scene, takes: Vec<Take>) -> Self {
-        let frames: Vec<_> = takes.iter().flat_map(Take::frames).collect();
+    /// An animation of these recordings, with the best view for all of them.
+    pub fn new(id: impl Into<String>, scene: &Scene, recordings: Vec<Recording>) -> Self {
+        let frames: Vec<_> = recordings.iter().flat_map(Recording::frames).collect();
         let view = View::of(scene, &frames);
-        Film { id: id.into(), scene: scene.clone(), takes, view }
+        Film { id: id.into(), scene: scene.clone(), recordings, view }
     }
 
-    /// The number of instants for each of this number of takes.
-    pub fn shots(takes: usize) -> usize {
-        SHOTS.0.min(SHOTS.1 / takes.max(1))
+    /// The number of instants for each of this number of recordings.
+    pub fn samples_each(recordings: usize) -> usize {
+        SAMPLES.0.min(SAMPLES.1 / recordings.max(1))
     }
 
-    /// The instants (s), up to the end of the longest take.
+    /// The instants (s), up to the end of the longest recording.
     pub fn times(&self) -> Vec<f64> {
-        self.longest().iter().map(|shot| shot.motion.time).collect()
+        self.longest().iter().map(|sample| sample.motion.time).collect()
     }
 
-    /// The first instant to show: the one with the largest difference between takes or, for a
-    /// single take, with the largest forces; the first of these.
+    /// The first instant to show: the one with the largest difference between recordings or, for a
+    /// single recording, with the largest forces; the first of these.
     pub fn first_shown(&self) -> usize {
-        let shot = |take: &Take, k: usize| take.shots.get(k).map(|shot| shot.frame.clone());
+        let sample = |recording: &Recording, k: usize| {
+            recording.samples.get(k).map(|sample| sample.frame.clone())
+        };
         let apart = |one: &Frame, other: &Frame| {
             let pairs = one.states.iter().zip(&other.states);
             pairs.map(|(a, b)| (a.pose.p - b.pose.p).norm()).fold(0.0, f64::max)
         };
-        let size = |k: usize| match self.takes.as_slice() {
-            [only] => shot(only, k)
+        let size = |k: usize| match self.recordings.as_slice() {
+            [only] => sample(only, k)
                 .map_or(0.0, |frame| frame.forces.iter().map(|own| own.force.norm()).sum()),
-            takes => {
-                let frames: Vec<Frame> = takes.iter().filter_map(|take| shot(take, k)).collect();
+            recordings => {
+                let frames: Vec<Frame> =
+                    recordings.iter().filter_map(|recording| sample(recording, k)).collect();
                 let pairs = frames.iter().flat_map(|a| frames.iter().map(move |b| (a, b)));
                 pairs.map(|(a, b)| apart(a, b)).fold(0.0, f64::max)
             }
@@ -175,43 +180,43 @@ impl Film {
         if most > 0.0 { first } else { 0 }
     }
 
-    fn longest(&self) -> &[Shot] {
-        let longest = self.takes.iter().max_by_key(|take| take.shots.len());
-        longest.map_or(&[], |take| &take.shots)
+    fn longest(&self) -> &[Sample] {
+        let longest = self.recordings.iter().max_by_key(|recording| recording.samples.len());
+        longest.map_or(&[], |recording| &recording.samples)
     }
 
     /// The animation, drawn for a page.
-    pub fn reel(&self) -> Reel {
+    pub fn animation(&self) -> Animation {
         let chart = |measure: Measure| Chart {
             name: measure.name().into(),
             unit: measure.unit().into(),
             svg: chart::svg(self, measure),
         };
-        Reel {
+        Animation {
             columns: self.columns(),
             size: self.size(),
             times: self.times(),
             panes: self.panes(),
             charts: self.measures().into_iter().map(chart).collect(),
-            strips: (0..self.takes.len()).map(|k| self.strip(k).svg()).collect(),
+            strips: (0..self.recordings.len()).map(|k| self.strip(k).svg()).collect(),
             data: self.data(),
         }
     }
 
-    /// The number of takes side by side.
+    /// The number of recordings side by side.
     fn columns(&self) -> usize {
-        match self.takes.len() {
+        match self.recordings.len() {
             4 => 2,
-            takes => takes.clamp(1, 3),
+            recordings => recordings.clamp(1, 3),
         }
     }
 
-    /// The measures that are available and not 0 in every take, the energy first.
+    /// The measures that are available and not 0 in every recording, the energy first.
     pub fn measures(&self) -> Vec<Measure> {
         chart::measures(self)
     }
 
-    /// A measure over time, one curve per take, as an SVG element for a page that defines the
+    /// A measure over time, one curve per recording, as an SVG element for a page that defines the
     /// colors.
     pub fn chart(&self, measure: Measure) -> String {
         chart::svg(self, measure)
@@ -223,16 +228,16 @@ impl Film {
         (lens.width, lens.height)
     }
 
-    /// The takes as a page shows them.
+    /// The recordings as a page shows them.
     pub fn panes(&self) -> Vec<Pane> {
         let (backdrop, colors) = (self.stage().backdrop(), self.colors());
-        let pane = |(take, color): (&Take, String)| Pane {
-            name: take.name.clone(),
+        let pane = |(recording, color): (&Recording, String)| Pane {
+            name: recording.name.clone(),
             color,
             backdrop: backdrop.clone(),
-            description: self.description(take),
+            description: self.description(recording),
         };
-        self.takes.iter().zip(colors).map(pane).collect()
+        self.recordings.iter().zip(colors).map(pane).collect()
     }
 
     /// The data for the player, as one JSON object. Positions are in units of `unit` (m),
@@ -242,31 +247,31 @@ impl Film {
         data::json(self).to_string()
     }
 
-    /// Some instants of a take as a picture.
-    pub fn strip(&self, take: usize) -> Strip {
-        let Take { name, shots, .. } = &self.takes[take];
-        let last = shots.len().saturating_sub(1);
-        let kept = instants(last, STILLS).into_iter().filter_map(|k| shots.get(k));
+    /// Some instants of a recording as a picture.
+    pub fn strip(&self, recording: usize) -> Strip {
+        let Recording { name, samples, .. } = &self.recordings[recording];
+        let last = samples.len().saturating_sub(1);
+        let kept = instants(last, STILLS).into_iter().filter_map(|k| samples.get(k));
         let strip = Strip {
-            id: format!("{}-{take}", self.id),
+            id: format!("{}-{recording}", self.id),
             title: name.clone(),
             view: self.view,
-            ..Strip::new(&self.scene, kept.map(|shot| shot.frame.clone()).collect())
+            ..Strip::new(&self.scene, kept.map(|sample| sample.frame.clone()).collect())
         };
         strip.with_forces()
     }
 
     fn stage(&self) -> Stage {
-        let motions: Vec<_> = self.takes.iter().map(Take::frames).collect();
+        let motions: Vec<_> = self.recordings.iter().map(Recording::frames).collect();
         let landmarks = extent::shared(&self.scene, &motions);
         Stage::new(self, Camera::new(self.view), landmarks)
     }
 
-    /// The colors of the takes' names; variants of one name get other unused colors.
+    /// The colors of the recordings' names; variants of one name get other unused colors.
     fn colors(&self) -> Vec<String> {
         let mut taken = Vec::new();
-        for take in &self.takes {
-            let own = style::style(&take.name).color;
+        for recording in &self.recordings {
+            let own = style::style(&recording.name).color;
             let spare = || SPARE.map(|name| style::style(name).color);
             let free = [own].into_iter().chain(spare()).find(|color| !taken.contains(color));
             taken.push(free.unwrap_or(own));
@@ -274,19 +279,20 @@ impl Film {
         taken.into_iter().map(hex).collect()
     }
 
-    fn description(&self, take: &Take) -> String {
+    fn description(&self, recording: &Recording) -> String {
         let worst = |measure: &Measure| {
-            let value = readable(take.worst(*measure), 2);
+            let value = readable(recording.worst(*measure), 2);
             format!("{} {value} {} at most", measure.name(), measure.unit())
         };
         let measures: Vec<_> = self.measures().iter().map(worst).collect();
-        let end = take.shots.last().map_or(0.0, |shot| shot.motion.time);
-        let ending = take.ending.as_ref().map_or(String::new(), |why| format!("; ended: {why}"));
+        let end = recording.samples.last().map_or(0.0, |sample| sample.motion.time);
+        let ending =
+            recording.ending.as_ref().map_or(String::new(), |why| format!("; ended: {why}"));
         format!(
             "{} by {}, {} instants to {} s, seen {}: {}{ending}",
             self.scene.title,
-            take.name,
-            take.shots.len(),
+            recording.name,
+            recording.samples.len(),
             readable(end, 3),
             self.view.name(),
             measures.join(", ")

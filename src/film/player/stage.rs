@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use super::Film;
 use crate::film::Camera;
 use crate::film::arrow;
-use crate::film::colours::HEAVY;
+use crate::film::colors::HEAVY;
 use crate::film::extent::Landmark;
 use crate::film::frame::Origin;
 use crate::film::ground::{self, Patch};
@@ -59,21 +59,24 @@ impl Stage {
         let columns = film.columns() as f64;
         let across = ((WIDTH - (columns - 1.0) * GAP) / columns).round();
         let highest = (0.75 * across).clamp(HEIGHT.0, HEIGHT.1);
-        let is_heated =
-            film.takes.iter().flat_map(|take| &take.shots).any(|shot| !shot.frame.heat.is_empty());
+        let is_heated = film
+            .recordings
+            .iter()
+            .flat_map(|recording| &recording.samples)
+            .any(|sample| !sample.frame.heat.is_empty());
         let heaviest = heaviest(&film.scene.bodies).filter(|_| !is_heated);
         let heaviest = heaviest.map(|k| film.scene.bodies[k].mass.mass());
         let foot = FOOT + if heaviest.is_some() { LINE } else { 0.0 };
         let lens = Layout::single(&window, across, highest).lens(camera, &window).with_foot(foot);
         let (x, y) = lens.middle();
         let pivot = camera.world(&Vector3::new(x, y, depth));
-        let shots = || film.takes.iter().flat_map(|take| &take.shots);
-        let largest = |shot: &super::Shot| arrow::largest(std::slice::from_ref(&shot.frame));
-        let mut forces: Vec<f64> = shots().map(largest).filter(|force| *force > 0.0).collect();
+        let samples = || film.recordings.iter().flat_map(|recording| &recording.samples);
+        let largest = |sample: &super::Sample| arrow::largest(std::slice::from_ref(&sample.frame));
+        let mut forces: Vec<f64> = samples().map(largest).filter(|force| *force > 0.0).collect();
         forces.sort_by(f64::total_cmp);
         let usual = forces.get((USUAL * forces.len() as f64) as usize).copied().unwrap_or(0.0);
         let acts = |origin: &Origin| {
-            shots().any(|shot| shot.frame.forces.iter().any(|force| force.origin == *origin))
+            samples().any(|sample| sample.frame.forces.iter().any(|force| force.origin == *origin))
         };
         let origins = Origin::ALL.into_iter().filter(acts).collect();
         let newton = (usual > 0.0).then(|| arrow::scale(usual, &lens));

@@ -5,10 +5,10 @@ use serde::{Deserialize, Serialize};
 use toml::Table;
 
 use super::Study;
-use super::footage::Footage;
+use super::film::FilmData;
 use super::variation::Variation;
 use crate::error::Result;
-use crate::film::Take;
+use crate::film::Recording;
 use crate::scene::Scene;
 use crate::simulation::Simulation;
 
@@ -28,7 +28,7 @@ pub struct Finding {
     /// What it teaches.
     pub teaches: String,
     /// Its motion.
-    pub footage: Footage,
+    pub film: FilmData,
 }
 
 /// The number of instants of an animation, and for a scene with more bodies than [`MANY`].
@@ -49,8 +49,8 @@ impl Study for Plan {
         let scene = Scene::load(name)?;
         let instants = INSTANTS[usize::from(scene.bodies.len() > MANY)];
         let steps = scene.step.count;
-        let take = Take::of("as shipped", &mut Simulation::of(&scene)?, steps, instants);
-        let footage = Footage::of(&scene.name, Variation::of(name, &Table::new()), &[take]);
-        Ok((Finding { title: scene.title, teaches: scene.teaches, footage }, ()))
+        let recording = Recording::of("as shipped", &mut Simulation::of(&scene)?, steps, instants);
+        let film = FilmData::of(&scene.name, Variation::of(name, &Table::new()), &[recording]);
+        Ok((Finding { title: scene.title, teaches: scene.teaches, film }, ()))
     }
 }

@@ -9,7 +9,7 @@ use crate::diagnosis::unsupported::{
 };
 use crate::document;
 use crate::error::Result;
-use crate::film::{Film, Frame, Shot, Strip, Take, instants};
+use crate::film::{Film, Frame, Recording, Sample, Strip, instants};
 use crate::plot::{Axis, Figure, Lines, Series};
 use crate::report::page::{Block, Page, Picture, markup};
 use crate::scene::Scene;
@@ -93,32 +93,37 @@ fn drawn(figure: &dyn Figure) -> Picture {
 
 /// The scene as it is solved next to the exact one; bodies with an error are red.
 fn film(scene: &Scene, steps: usize) -> Result<Film> {
-    let takes = [
-        take(&scene.solver.name, scene, steps, &|step| unsupported(scene, step))?,
-        take("exact", &exact(scene), steps, &|_| vec![0.0; scene.bodies.len()])?,
+    let recordings = [
+        recording(&scene.solver.name, scene, steps, &|step| unsupported(scene, step))?,
+        recording("exact", &exact(scene), steps, &|_| vec![0.0; scene.bodies.len()])?,
     ];
-    Ok(Film::new("film", scene, takes.into()))
+    Ok(Film::new("film", scene, recordings.into()))
 }
 
-fn take(name: &str, scene: &Scene, steps: usize, heat: &dyn Fn(&Step) -> Vec<f64>) -> Result<Take> {
+fn recording(
+    name: &str,
+    scene: &Scene,
+    steps: usize,
+    heat: &dyn Fn(&Step) -> Vec<f64>,
+) -> Result<Recording> {
     let mut simulation = Simulation::of(scene)?;
-    let shots = instants(steps, Film::shots(2));
-    let mut take = Take::start(name, &simulation);
-    take.shots[0].frame.heat = vec![0.0; scene.bodies.len()];
+    let samples = instants(steps, Film::samples_each(2));
+    let mut recording = Recording::start(name, &simulation);
+    recording.samples[0].frame.heat = vec![0.0; scene.bodies.len()];
     for _ in 0..steps {
         let step = match simulation.step() {
             Ok(step) => step,
             Err(failure) => {
-                take.end(Some(&failure));
+                recording.end(Some(&failure));
                 break;
             }
         };
-        if shots.binary_search(&step.number).is_ok() {
+        if samples.binary_search(&step.number).is_ok() {
             let frame = Frame::after(scene, &step).heated(heat(&step));
-            take.shots.push(Shot { frame, motion: step.motion });
+            recording.samples.push(Sample { frame, motion: step.motion });
         }
     }
-    Ok(take)
+    Ok(recording)
 }
 
 /// The unsupported fraction of each body's weight in a step; 0 if unknown.

@@ -4,6 +4,7 @@
 //! and a common interpreter were tried: their 1,631 lines became 1,539 in two languages, plus an
 //! interpreter of 808, and a wrong column name was no longer a compile error.
 
+mod animation;
 pub mod attempt;
 mod cards;
 mod comparison;
@@ -13,7 +14,6 @@ mod diagnosis;
 mod drift;
 mod families;
 mod film;
-mod footage;
 mod frames;
 mod grid;
 mod headline;
@@ -31,9 +31,9 @@ pub use comparison::{
 pub use diagnosis::diagnosis_page;
 pub use headline::Headline;
 
+pub use animation::simulation_page;
 pub use families::by_solver as solvers_table;
 pub use families::table as families_table;
-pub use film::simulation_page;
 pub use verification::table as verification_table;
 
 use headline::Top;

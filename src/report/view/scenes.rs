@@ -8,15 +8,16 @@ impl View for Plan {
     const TITLE: &'static str = "Animations of scenes";
 
     fn show(&self, findings: &[Finding], document: &mut Document) {
-        for Finding { title, teaches, footage } in findings {
-            document.text(format!("**{}**: {}", literal(&footage.id), literal(title)));
-            document.footage(footage, &literal(teaches.trim()));
+        for Finding { title, teaches, film } in findings {
+            document.text(format!("**{}**: {}", literal(&film.id), literal(title)));
+            document.recorded(film, &literal(teaches.trim()));
         }
     }
 
     fn outcome(&self, findings: &[Finding]) -> Outcome {
-        let comes_to_its_end =
-            |finding: &&Finding| finding.footage.reels.iter().all(|reel| reel.ending.is_none());
+        let comes_to_its_end = |finding: &&Finding| {
+            finding.film.recordings.iter().all(|recording| recording.ending.is_none())
+        };
         let whole = findings.iter().filter(comes_to_its_end).count();
         let says = format!("{whole} of {} scenes run to the end", findings.len());
         Outcome { good: whole == findings.len(), says }

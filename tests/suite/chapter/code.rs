@@ -131,7 +131,7 @@ proptest! {
             let of = |r: &Vector3<f64>| {
                 Matrix3::identity() * r.norm_squared() - r * r.transpose()
             };
-            // A ball at the centre keeps it regular.
+            // A ball at the center keeps it regular.
             points.iter().map(of).sum::<Matrix3<f64>>() + Matrix3::identity()
         };
         let turn = UnitQuaternion::from_scaled_axis(axis);

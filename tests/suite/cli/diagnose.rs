@@ -23,7 +23,7 @@ fn a_page_shows_film_pattern_and_sweeps_and_the_problems_lie_beside_it() {
     let film = page.split("<script type=\"application/json\">").nth(1).unwrap();
     let film: serde_json::Value =
         serde_json::from_str(film.split("</script>").next().unwrap()).unwrap();
-    let heat = |take: usize, body: usize| film["takes"][take]["heat"][body].clone();
+    let heat = |recording: usize, body: usize| film["recordings"][recording]["heat"][body].clone();
     assert_eq!(
         (0..5).map(|body| heat(1, body)).collect::<Vec<_>>(),
         vec![serde_json::json!([0]); 5]

@@ -4,7 +4,7 @@ use lcplab::simulation;
 use std::ops::ControlFlow;
 
 use lcplab::body::State;
-use lcplab::film::{Film, Measure, Take, instants};
+use lcplab::film::{Film, Measure, Recording, instants};
 use lcplab::report::page::{Block, Page, Player, SPEEDS, Section, speed};
 use lcplab::scene::{Scene, Scheme};
 use lcplab::simulation::{Motion, Simulation};
@@ -16,15 +16,15 @@ fn simulation(scene: &Scene) -> Simulation {
     Simulation::new(scene.clone(), simulation::solver(scene).unwrap())
 }
 
-/// Two takes of the same motion, of which the second has fewer sweeps.
-fn film(name: &str, shots: usize) -> Film {
+/// Two recordings of the same motion, of which the second has fewer sweeps.
+fn film(name: &str, samples: usize) -> Film {
     let scene = Scene::load(name).unwrap();
     let mut hasty = scene.clone();
     hasty.solver.name = "pgs".into();
     hasty.solver.max_iterations = 2;
-    let takes =
-        [&scene, &hasty].map(|own| Take::of(&own.solver.name, &mut simulation(own), STEPS, shots));
-    Film::new("film", &scene, takes.into())
+    let recordings = [&scene, &hasty]
+        .map(|own| Recording::of(&own.solver.name, &mut simulation(own), STEPS, samples));
+    Film::new("film", &scene, recordings.into())
 }
 
 /// The states and the motion at the start and after each step, without any film.
@@ -50,8 +50,12 @@ fn numbers(changes: &Value, count: usize) -> Vec<f64> {
 }
 
 fn page(film: Film) -> String {
-    let player =
-        Player { reel: film.reel(), caption: "A *film*.".into(), files: Vec::new(), origin: None };
+    let player = Player {
+        animation: film.animation(),
+        caption: "A *film*.".into(),
+        files: Vec::new(),
+        origin: None,
+    };
     let blocks = vec![Block::Player(Box::new(player))];
     let section = Section { id: "one".into(), title: "One".into(), blocks, ..Section::default() };
     Page { sections: vec![section], ..Page::default() }.render().unwrap()
@@ -74,7 +78,7 @@ fn the_poses_on_the_page_are_those_of_the_simulation() {
         let (all, shown) = (states(&scene), instants(STEPS, 11));
         assert_eq!(data["steps"], serde_json::json!(shown));
         for body in 0..scene.bodies.len() {
-            let channels = data["takes"][0]["poses"][body].as_array().unwrap();
+            let channels = data["recordings"][0]["poses"][body].as_array().unwrap();
             let channels: Vec<_> = channels.iter().map(|list| numbers(list, shown.len())).collect();
             for (k, &step) in shown.iter().enumerate() {
                 let pose = &all[step].0[body].pose;
@@ -100,7 +104,7 @@ fn the_curves_pass_through_the_cursor_at_each_instant() {
     let (all, shown, data) = (states(&film.scene), instants(STEPS, 9), data(&page(film.clone())));
     let side = |k: usize| data["plot"][k].as_f64().unwrap();
     let (left, right, top, bottom) = (side(0), side(1), side(2), side(3));
-    let energies = data["takes"][0]["measures"][0].as_array().unwrap();
+    let energies = data["recordings"][0]["measures"][0].as_array().unwrap();
     let [lo, hi] = [0, 1].map(|k| data["measures"][0]["range"][k].as_f64().unwrap());
     let chart = film.chart(Measure::Energy);
     let course = chart.split("curve-0").nth(1).unwrap().split(" d=\"M").nth(1).unwrap();
@@ -121,11 +125,12 @@ fn the_curves_pass_through_the_cursor_at_each_instant() {
 #[test]
 fn a_box_at_rest_is_held_by_arrows_as_long_as_its_weight() {
     let scene = Scene::load("stack").unwrap();
-    let take = Take::of("dantzig", &mut simulation(&scene), 2, 3);
-    let film = Film::new("film", &scene, vec![take]);
+    let recording = Recording::of("dantzig", &mut simulation(&scene), 2, 3);
+    let film = Film::new("film", &scene, vec![recording]);
     let data: Value = serde_json::from_str(&film.data()).unwrap();
-    let forces: Vec<i64> = serde_json::from_value(data["takes"][0]["forces"][2].clone()).unwrap();
-    let acting = &film.takes[0].shots[2].frame.forces;
+    let forces: Vec<i64> =
+        serde_json::from_value(data["recordings"][0]["forces"][2].clone()).unwrap();
+    let acting = &film.recordings[0].samples[2].frame.forces;
     let upward: f64 = acting.iter().map(|force| force.force.z).sum();
     let weights = 15.0 * 9.81; // 5 + 4 + 3 + 2 + 1 boxes of 1 kg
     assert!((upward - weights).abs() < 1e-6 * weights, "{upward}");
@@ -162,7 +167,7 @@ fn a_film_is_the_same_bytes_twice_and_fetches_nothing() {
 fn a_page_with_a_film_reads_without_its_script() {
     let html = page(film("stack", 9));
     let visible = html.split("<div class=\"stills\">").nth(1).unwrap();
-    assert_eq!(visible.matches("class=\"instant\"").count(), 10, "five frames of either take");
+    assert_eq!(visible.matches("class=\"instant\"").count(), 10, "five frames of either recording");
     assert_eq!(html.matches("class=\"screen\" hidden").count(), 1);
     assert!(html.contains("aria-label=\"energy change over 0.4 s: "));
     assert!(!Page::default().render().unwrap().contains("figure.player"), "only where needed");
@@ -172,22 +177,23 @@ fn a_page_with_a_film_reads_without_its_script() {
 fn a_name_cannot_end_the_data() {
     let scene = Scene::load("fig7").unwrap();
     let evil = "</script><script>alert(1)</script>";
-    let take = Take::of(evil, &mut simulation(&scene), 2, 3);
-    let html = page(Film::new("film", &scene, vec![take]));
+    let recording = Recording::of(evil, &mut simulation(&scene), 2, 3);
+    let html = page(Film::new("film", &scene, vec![recording]));
     assert_eq!(html.matches("<script>").count(), 1);
-    assert_eq!(data(&html)["takes"][0]["name"], evil);
+    assert_eq!(data(&html)["recordings"][0]["name"], evil);
 }
 
 #[test]
 fn a_take_that_flies_apart_does_not_make_the_others_small() {
     let scene = Scene::load("stack").unwrap();
-    let good = Take::of("dantzig", &mut simulation(&scene), 10, 6);
+    let good = Recording::of("dantzig", &mut simulation(&scene), 10, 6);
     let mut wild = good.clone();
-    for (k, shot) in wild.shots.iter_mut().enumerate() {
-        shot.frame.states[1].pose.p.x += 10f64.powi(k as i32);
+    for (k, sample) in wild.samples.iter_mut().enumerate() {
+        sample.frame.states[1].pose.p.x += 10f64.powi(k as i32);
     }
-    let scale = |takes: Vec<Take>| {
-        let data: Value = serde_json::from_str(&Film::new("film", &scene, takes).data()).unwrap();
+    let scale = |recordings: Vec<Recording>| {
+        let data: Value =
+            serde_json::from_str(&Film::new("film", &scene, recordings).data()).unwrap();
         data["scale"].as_f64().unwrap()
     };
     let (alone, beside) = (scale(vec![good.clone(), good.clone()]), scale(vec![good, wild]));
@@ -208,11 +214,12 @@ fn a_film_lasts_at_least_four_seconds_where_slowing_can_do_that() {
 fn a_simulation_that_fails_says_so_at_its_end() {
     let mut scene = Scene::load("painleve").unwrap();
     scene.step.scheme = Scheme::Acceleration;
-    let take = Take::of("lemke", &mut simulation(&scene), 200, 50);
-    assert!(take.ending.is_some() && take.shots.len() < 50);
-    let (reason, film) = (take.ending.clone().unwrap(), Film::new("film", &scene, vec![take]));
+    let recording = Recording::of("lemke", &mut simulation(&scene), 200, 50);
+    assert!(recording.ending.is_some() && recording.samples.len() < 50);
+    let (reason, film) =
+        (recording.ending.clone().unwrap(), Film::new("film", &scene, vec![recording]));
     assert!(film.panes()[0].description.ends_with(&reason));
-    assert_eq!(data(&page(film))["takes"][0]["ending"], reason);
+    assert_eq!(data(&page(film))["recordings"][0]["ending"], reason);
 }
 
 #[test]
@@ -223,8 +230,8 @@ fn a_body_that_outweighs_all_others_tenfold_is_marked_with_its_mass() {
              [[bodies]]\nname = \"b\"\nshape = {{ sphere = 0.5 }}\nmass = {mass}\nposition = [2, 0, 1]\n"
         );
         let scene = Scene::from_toml("two", &text).unwrap();
-        let take = Take::of("dantzig", &mut simulation(&scene), 2, 2);
-        page(Film::new("film", &scene, vec![take])).contains(" kg</text>")
+        let recording = Recording::of("dantzig", &mut simulation(&scene), 2, 2);
+        page(Film::new("film", &scene, vec![recording])).contains(" kg</text>")
     };
     assert_eq!([1.0, 9.9, 10.0, 0.1].map(marks), [false, false, true, true]);
 }

@@ -277,13 +277,13 @@ fn instants_are_spread_evenly_from_the_start_to_the_end() {
 }
 
 #[test]
-fn where_colour_says_how_much_a_body_is_red_from_grey_and_the_ground_stays() {
+fn where_color_says_how_much_a_body_is_red_from_gray_and_the_ground_stays() {
     let ground = "[[bodies]]\nname = \"ground\"\nfixed = true\nshape = { sphere = 1 }\nposition = [0, 0, 3]\n";
     let text = ground.to_string()
         + &body("cool", "sphere = 1", [0.0, 0.0, 0.0])
         + &body("hot", "sphere = 1", [0.0, 0.0, 6.0]);
     let scene = scene(&text);
-    let colours = |heat: Vec<f64>| -> Vec<[f64; 3]> {
+    let colors = |heat: Vec<f64>| -> Vec<[f64; 3]> {
         let strip = Strip::new(&scene, vec![Frame::start(&scene).heated(heat)]);
         let svg = strip.svg();
         let discs = drawing(&svg).into_iter().filter(|line| line.starts_with("<circle"));
@@ -293,11 +293,11 @@ fn where_colour_says_how_much_a_body_is_red_from_grey_and_the_ground_stays() {
         filled.map(|hex| [0, 2, 4].map(|k| channel(hex, k))).collect()
     };
     let is_red = |[r, g, b]: &[f64; 3]| *r > 3.0 * g.max(*b);
-    let grey = |[r, g, b]: &[f64; 3]| r.max(*g).max(*b) - r.min(*g).min(*b) < 16.0;
-    let (cool, hot) = (colours(vec![0.0, 0.0, 0.0]), colours(vec![1.0, 0.0, 1.0]));
-    assert!(cool.len() == hot.len() && cool.iter().all(grey), "{cool:?}");
+    let gray = |[r, g, b]: &[f64; 3]| r.max(*g).max(*b) - r.min(*g).min(*b) < 16.0;
+    let (cool, hot) = (colors(vec![0.0, 0.0, 0.0]), colors(vec![1.0, 0.0, 1.0]));
+    assert!(cool.len() == hot.len() && cool.iter().all(gray), "{cool:?}");
     // Of three balls one is red: the fixed one stays as it is.
-    assert_eq!(3 * hot.iter().filter(|colour| is_red(colour)).count(), hot.len(), "{hot:?}");
+    assert_eq!(3 * hot.iter().filter(|color| is_red(color)).count(), hot.len(), "{hot:?}");
 }
 
 #[test]

@@ -59,9 +59,9 @@ fn every_status_is_claimed_by_a_solver_and_told_in_words() {
         Status::ZeroDiagonal { .. } => said("pgs", &flat, usual()),
             "the diagonal of row 1 is not positive";
         Status::Singular { .. } => said("block-pivoting", &dependent, usual()), "singular at row 1";
-        Status::Ray { .. } => said("lemke", &torn, usual()), "a ray: row 0 is not reached, which alone proves nothing";
+        Status::Ray { .. } => said("lemke", &torn, usual()), "ended on a ray: row 0 is not satisfied, which alone proves nothing";
         Status::NoSolution => said("enumeration", &negative, usual()),
-            "all active sets were tried, and none carries a solution";
+            "all active sets were tried, and none gives a solution";
         Status::TooLarge { needs, limit } => said("dantzig", &pair, small.clone()),
             format!("needs {needs}; the limit is {limit}");
         Status::OutsideClass { .. } => said("dantzig", &skew, usual()),

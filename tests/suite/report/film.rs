@@ -1,8 +1,8 @@
 //! Films, and scenes with changed fields.
 
-use lcplab::film::{Film, Take};
+use lcplab::film::{Film, Recording};
 use lcplab::report::study::Study;
-use lcplab::report::study::footage::{self, Footage};
+use lcplab::report::study::film::{self, FilmData};
 use lcplab::report::study::variation::Variation;
 use lcplab::report::view::Document;
 use lcplab::simulation::Simulation;
@@ -34,15 +34,15 @@ fn a_variation_that_is_no_scene_is_refused() {
 fn a_film_survives_as_plain_data() {
     let scene = variation("scene = 'double_pendulum'");
     let mut simulation = Simulation::of(&scene.scene().unwrap()).unwrap();
-    let take = Take::of("velocity", &mut simulation, 20, 6);
-    let footage = Footage::of("film", scene.clone(), std::slice::from_ref(&take));
-    let text = serde_json::to_string(&footage).unwrap();
-    let back: Footage = serde_json::from_str(&text).unwrap();
-    assert_eq!(back, footage);
+    let recording = Recording::of("velocity", &mut simulation, 20, 6);
+    let data = FilmData::of("film", scene.clone(), std::slice::from_ref(&recording));
+    let text = serde_json::to_string(&data).unwrap();
+    let back: FilmData = serde_json::from_str(&text).unwrap();
+    assert_eq!(back, data);
     let (film, was) =
-        (back.film().unwrap(), Film::new("film", &scene.scene().unwrap(), vec![take]));
+        (back.film().unwrap(), Film::new("film", &scene.scene().unwrap(), vec![recording]));
     assert_eq!(film.times(), was.times());
-    for (now, then) in film.takes[0].shots.iter().zip(&was.takes[0].shots) {
+    for (now, then) in film.recordings[0].samples.iter().zip(&was.recordings[0].samples) {
         for (a, b) in now.frame.states.iter().zip(&then.frame.states) {
             assert!((a.pose.p - b.pose.p).norm() < 1e-5);
         }
@@ -51,15 +51,15 @@ fn a_film_survives_as_plain_data() {
 }
 
 #[test]
-fn a_film_section_shows_its_takes_side_by_side() {
-    let plan: footage::Plan = toml::from_str(
+fn a_film_section_shows_its_variants_side_by_side() {
+    let plan: film::Plan = toml::from_str(
         "name = 'f'\nscene = 'pendulum'\nduration = 0.1\nshots = 3\ncaption = 'Look.'\n\
-         takes = [{ name = 'velocity' },\n\
+         variants = [{ name = 'velocity' },\n\
          { name = 'acceleration', change = { step = { scheme = 'acceleration' } } }]",
     )
     .unwrap();
     let found = plan.run(0).unwrap().0;
-    assert_eq!(found.reels.iter().map(|reel| reel.stills.len()).collect::<Vec<_>>(), [3, 3]);
+    assert_eq!(found.recordings.iter().map(|own| own.samples.len()).collect::<Vec<_>>(), [3, 3]);
     let page = Document::of(&plan, &[found]).page.render().unwrap();
     assert!(page.contains("acceleration") && page.contains("Look."));
 }

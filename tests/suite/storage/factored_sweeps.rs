@@ -119,7 +119,7 @@ fn a_net_is_solved_as_by_dense_elimination() {
     }
 }
 
-/// 200 points in a row, numbered so that neighbours are far apart: an envelope would be half of n².
+/// 200 points in a row, numbered so that neighbors are far apart: an envelope would be half of n².
 fn scattered(lo: f64, hi: f64) -> (Lcp, Vec<f64>) {
     let n = 200;
     let place = |i: usize| 67 * i % n;

@@ -146,19 +146,19 @@ fn a_tower_is_swept_from_the_ground_up_whatever_its_bodies_numbers() {
     }
 }
 
-/// Cubes one on another: by layers every octet would hold one pair, by colours it holds up to
+/// Cubes one on another: by layers every octet would hold one pair, by colors it holds up to
 /// eight.
 #[test]
-fn a_lone_stack_is_swept_by_colours() {
+fn a_lone_stack_is_swept_by_colors() {
     let problem = stack();
     let factors = Factors::of(&problem.assembly);
     let rows = factors.scaled_rows();
     let system = System::new(factors.bodies(), &rows, &problem.lcp).unwrap();
     let order = SimdPairs::new(&system, Width::widest()).unwrap().order();
-    let colour =
+    let color =
         |row: &Row| if row.bodies[0] == row.bodies[1] { 0 } else { (row.bodies[0] + 1) % 2 };
-    let colours: Vec<usize> = order.iter().map(|&i| colour(&rows[i])).collect();
-    assert!(colours.is_sorted(), "{colours:?}");
+    let colors: Vec<usize> = order.iter().map(|&i| color(&rows[i])).collect();
+    assert!(colors.is_sorted(), "{colors:?}");
 }
 
 #[test]
@@ -204,7 +204,7 @@ fn a_row_of_zeros_is_refused() {
     assert_eq!(System::new(1, &rows, &lcp).unwrap_err(), Status::ZeroDiagonal { row: 0 });
 }
 
-/// A crowd of bodies that all touch the first: more colours than a word has bits, pairs of all
+/// A crowd of bodies that all touch the first: more colors than a word has bits, pairs of all
 /// lengths.
 fn star(pairs: usize) -> (usize, Vec<Row>, Lcp) {
     let mut rows = Vec::new();
@@ -221,9 +221,9 @@ fn star(pairs: usize) -> (usize, Vec<Row>, Lcp) {
     (1 + pairs, rows, lcp)
 }
 
-/// All pairs share a body: every colour has one pair, and the order is theirs.
+/// All pairs share a body: every color has one pair, and the order is theirs.
 #[test]
-fn a_body_may_have_more_neighbours_than_a_word_has_bits() {
+fn a_body_may_have_more_neighbors_than_a_word_has_bits() {
     let (bodies, rows, lcp) = star(150);
     let system = System::new(bodies, &rows, &lcp).unwrap();
     let kernel = SimdPairs::new(&system, Width::widest()).unwrap();

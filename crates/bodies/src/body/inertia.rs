@@ -83,7 +83,7 @@ fn capsule(l: f64, r: f64, mass: f64) -> Vector3<f64> {
 /// The integrals of 1, x and x xᵀ over a homogeneous solid of density 1.
 struct Solid {
     volume: f64,
-    centre: Vector3<f64>,
+    center: Vector3<f64>,
     /// ∫ (x − center)(x − center)ᵀ dV.
     second: Matrix3<f64>,
 }
@@ -109,7 +109,7 @@ impl Solid {
         let offset = first / volume;
         Solid {
             volume,
-            centre: within + offset,
+            center: within + offset,
             second: second - offset * offset.transpose() * volume,
         }
     }
@@ -120,15 +120,15 @@ impl Solid {
         let volumes: Vec<f64> = parts.iter().map(|p| volume(&p.shape).unwrap_or(0.0)).collect();
         let volume: f64 = volumes.iter().sum();
         let weighted = parts.iter().zip(&volumes).map(|(part, v)| part.pose.p * *v);
-        let centre = weighted.sum::<Vector3<f64>>() / volume;
+        let center = weighted.sum::<Vector3<f64>>() / volume;
         let second = |(part, v): (&Placed, &f64)| {
             let moments = moments(&part.shape, *v).unwrap_or_default();
             let own = Matrix3::from_diagonal(&moments.map(|moment| 0.5 * moments.sum() - moment));
-            let (r, d) = (part.pose.q.to_rotation_matrix(), part.pose.p - centre);
+            let (r, d) = (part.pose.q.to_rotation_matrix(), part.pose.p - center);
             r.matrix() * own * r.matrix().transpose() + d * d.transpose() * *v
         };
         let second = parts.iter().zip(&volumes).map(second).sum();
-        Solid { volume, centre, second }
+        Solid { volume, center, second }
     }
 
     /// The inertia tensor about the center for density 1: tr(C) 1 − C.
@@ -146,12 +146,12 @@ impl Solid {
         let inertia = self.inertia();
         let products = inertia - Matrix3::from_diagonal(&inertia.diagonal());
         if products.amax() <= DIAGONAL * inertia.trace() {
-            return Pose { p: self.centre, q: UnitQuaternion::identity() };
+            return Pose { p: self.center, q: UnitQuaternion::identity() };
         }
         let axes = SymmetricEigen::new(inertia).eigenvectors;
         let (x, y) = (axes.column(0).into_owned(), axes.column(1).into_owned());
         let right_handed = Matrix3::from_columns(&[x, y, x.cross(&y)]);
         let rotation = Rotation3::from_matrix_unchecked(right_handed);
-        Pose { p: self.centre, q: UnitQuaternion::from_rotation_matrix(&rotation) }
+        Pose { p: self.center, q: UnitQuaternion::from_rotation_matrix(&rotation) }
     }
 }

@@ -31,7 +31,7 @@ pub struct Polytope {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cylinder {
     /// Its center (m).
-    pub centre: Vector3<f64>,
+    pub center: Vector3<f64>,
     /// Its unit axis.
     pub axis: Vector3<f64>,
     /// Half of its length (m).
@@ -145,7 +145,7 @@ impl Polytope {
         let turned = |face: &mut Face| face.normal = frame.q.inverse() * face.normal;
         seen.faces.iter_mut().for_each(turned);
         if let Some(cylinder) = &mut seen.cylinder {
-            cylinder.centre = frame.local(&cylinder.centre);
+            cylinder.center = frame.local(&cylinder.center);
             cylinder.axis = frame.q.inverse() * cylinder.axis;
         }
         seen

@@ -70,7 +70,7 @@ impl Constraint for ConeLimit {
             Row::inequality(Kind::Rotation, c, turning_row(&-m), product)
         };
         if sine < PARALLEL && cosine < 0.0 {
-            return Err(Degenerate { reason: "the axis points out of the back of its cone" });
+            return Err(Degenerate { reason: "the axis points opposite to the axis of its cone" });
         }
         if sine < PARALLEL {
             return Ok(vec![row(tangents(&e0)[0], 0.0)]);

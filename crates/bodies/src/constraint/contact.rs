@@ -51,7 +51,7 @@ pub enum Normal {
     /// The normal of a face of body 0.
     Face(Vector3<f64>),
     /// The direction from anchor 0 to anchor 1.
-    Centres,
+    Centers,
     /// Perpendicular to an edge of body 0 with this direction, toward anchor 1.
     Edge(Vector3<f64>),
     /// Perpendicular to an edge of body 0 and one of body 1, along e0 × e1.
@@ -93,7 +93,7 @@ impl Contact {
         let frame = match &self.normal {
             Normal::Rim(of) => return rim(arms, states, of),
             Normal::Face(n) => face(arms, states, states[0].pose.direction(n)),
-            Normal::Centres => round(arms, states, None)?,
+            Normal::Centers => round(arms, states, None)?,
             Normal::Edge(axis) => round(arms, states, Some(states[0].pose.direction(axis)))?,
             Normal::Edges([e0, e1]) => {
                 edges(arms, states, states[0].pose.direction(e0), states[1].pose.direction(e1))?
@@ -278,7 +278,7 @@ impl Position for Contact {
                 let s = poses[1].direction(axis).cross(&n).norm();
                 n.dot(&d) - s * constant::<T>(*radius)
             }
-            Normal::Centres => d.norm(),
+            Normal::Centers => d.norm(),
             Normal::Edge(axis) => {
                 let e = poses[0].direction(axis);
                 (d - e * e.dot(&d)).norm()

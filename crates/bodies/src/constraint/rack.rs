@@ -32,7 +32,7 @@ pub struct Rack {
     /// The displacement of the moved body along its direction.
     pub way: Coordinate,
     /// The displacement of the wheel's center along the same direction.
-    pub centre: Coordinate,
+    pub center: Coordinate,
     /// The radius r (m), positive.
     pub radius: f64,
 }
@@ -56,8 +56,8 @@ pub(super) const RACK: Joint = Joint {
             let motion = Motion::Translation { anchors, offset: 0.0 };
             Coordinate { bodies: of_world(k), axis: direction, motion }
         };
-        let (centre, way) = (along(0), along(1));
-        Ok(Arc::new(Rack { bodies: at.bodies, wheel, way, centre, radius }))
+        let (center, way) = (along(0), along(1));
+        Ok(Arc::new(Rack { bodies: at.bodies, wheel, way, center, radius }))
     },
 };
 
@@ -76,12 +76,12 @@ impl Constraint for Rack {
     fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate> {
         let wheel = self.wheel.row([&State::WORLD, states[0]])?;
         let way = self.way.row([&State::WORLD, states[1]])?;
-        let centre = self.centre.row([&State::WORLD, states[0]])?;
+        let center = self.center.row([&State::WORLD, states[0]])?;
         Ok(vec![Row::equation(
             Kind::Translation,
-            self.wound(way.c - centre.c - self.radius * wheel.c),
-            [-self.radius * wheel.jacobian[1] - centre.jacobian[1], way.jacobian[1]],
-            way.velocity_product - centre.velocity_product - self.radius * wheel.velocity_product,
+            self.wound(way.c - center.c - self.radius * wheel.c),
+            [-self.radius * wheel.jacobian[1] - center.jacobian[1], way.jacobian[1]],
+            way.velocity_product - center.velocity_product - self.radius * wheel.velocity_product,
         )])
     }
 }
@@ -90,7 +90,7 @@ impl Position for Rack {
     fn c<T: RealField + Copy>(&self, poses: [&Pose<T>; 2]) -> Vec<T> {
         let world = Pose { p: Vector3::zeros(), q: UnitQuaternion::identity() };
         let turned = self.wheel.value([&world, poses[0]]) * constant(self.radius);
-        let moved = self.way.value([&world, poses[1]]) - self.centre.value([&world, poses[0]]);
+        let moved = self.way.value([&world, poses[1]]) - self.center.value([&world, poses[0]]);
         let c = moved - turned;
         vec![c + constant(self.wound(plain(c)) - plain(c))]
     }

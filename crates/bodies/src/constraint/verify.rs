@@ -4,7 +4,6 @@
 //! c''(0) = J'u. Second-order dual numbers compute both to full accuracy: there is no step size to
 //! choose, unlike for finite differences, and the only trusted formula is that of [`Position`]. J
 //! is checked with each velocity component separately, J'u with the states' own velocities.
-//! velocity component alone, J'u along the states' own velocities.
 
 use std::fmt;
 

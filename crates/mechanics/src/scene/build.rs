@@ -238,8 +238,8 @@ fn build_shape(
 /// The prism that approximates a cylinder along z.
 fn build_cylinder(length: f64, radius: f64) -> (Shape, Pose) {
     let points: Vec<Vector3<f64>> = prism(length, radius).into_iter().map(Vector3::from).collect();
-    let (centre, axis) = (Vector3::zeros(), Vector3::z());
-    let cylinder = Some(Cylinder { centre, axis, half_length: 0.5 * length, radius });
+    let (center, axis) = (Vector3::zeros(), Vector3::z());
+    let cylinder = Some(Cylinder { center, axis, half_length: 0.5 * length, radius });
     let prism = Polytope::hull(&points).map(|hull| Polytope { cylinder, ..hull });
     let shape = prism.map_or(SHAPE_STAND_IN, |prism| Shape::Hull(Arc::new(prism)));
     (shape, State::WORLD.pose)

@@ -24,7 +24,7 @@ pub enum Format {
     /// Aligned lines for a terminal.
     Text,
     /// Aligned lines with bold headings and faint marks, by ANSI escape sequences.
-    ColouredText,
+    ColoredText,
     /// Markdown with formulas in LaTeX between dollar signs.
     Markdown,
     /// A self-contained page, with formulas as MathML.
@@ -154,7 +154,7 @@ impl Document {
     pub fn written(&self, format: Format) -> Result<String> {
         match format {
             Format::Text => Ok(text::written(self, text::Ink::Plain)),
-            Format::ColouredText => Ok(text::written(self, text::Ink::Coloured)),
+            Format::ColoredText => Ok(text::written(self, text::Ink::Colored)),
             Format::Markdown => Ok(markdown::written(self)),
             Format::Html => html::written(self),
         }

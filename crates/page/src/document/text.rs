@@ -9,7 +9,7 @@ use crate::text::{padded, printable};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Ink {
     Plain,
-    Coloured,
+    Colored,
 }
 
 impl Ink {
@@ -24,7 +24,7 @@ impl Ink {
     fn styled(self, code: &str, words: &str) -> String {
         match self {
             Ink::Plain => words.to_string(),
-            Ink::Coloured => format!("\x1b[{code}m{}\x1b[0m", printable(words)),
+            Ink::Colored => format!("\x1b[{code}m{}\x1b[0m", printable(words)),
         }
     }
 }

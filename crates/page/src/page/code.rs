@@ -39,7 +39,7 @@ fn listing(language: &str, text: &str) -> String {
     let name = html(language);
     format!(
         "<pre tabindex=\"0\"><code class=\"language-{name}\">{}</code></pre>\n",
-        coloured(language, text)
+        colored(language, text)
     )
 }
 
@@ -65,7 +65,7 @@ fn imports(language: &str, text: &str) -> usize {
 }
 
 /// Code with a span around each colored piece.
-fn coloured(language: &str, text: &str) -> String {
+fn colored(language: &str, text: &str) -> String {
     let (words, comment): (&[&str], &str) = match language {
         "rust" => (&RUST, "//"),
         "python" => (&PYTHON, "#"),

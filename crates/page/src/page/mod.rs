@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 use crate::figure::Figure;
 use crate::{csv, number};
 pub use origin::Origin;
-pub use player::{Chart, Pane, Player, Reel, SPEEDS, speed};
+pub use player::{Animation, Chart, Pane, Player, SPEEDS, speed};
 pub use render::base64;
 
 /// A page.

@@ -1,11 +1,11 @@
-// Plays films: poses as they were simulated, drawn as the strips of frames are.
+// Plays animations: the simulated poses, drawn like the strips of frames.
 function play(root) {
   const film = JSON.parse(root.querySelector("script").textContent);
   film.bodies = film.bodies.map((parts) => parts.map(directed));
   const find = (name) => root.querySelector(name);
   const [range, clock, button] = [find(".scrub"), find(".clock"), find(".play")];
   const last = film.times.length - 1;
-  const stages = [...root.querySelectorAll(".pane")].map((pane, k) => stage(film, film.takes[k], pane));
+  const stages = [...root.querySelectorAll(".pane")].map((pane, k) => stage(film, film.recordings[k], pane));
   const charts = [...root.querySelectorAll(".chart")].map((svg, m) => chart(film, m, svg));
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
   let now = 0, running = 0;
@@ -96,13 +96,13 @@ function play(root) {
   root.classList.add("live");
   find(".screen").hidden = false;
   find(".tabs").hidden = tabs.length < 1;
-  find(".toggle").hidden = film.takes.every((take) => take.forces.every((list) => list.length === 0));
+  find(".toggle").hidden = film.recordings.every((recording) => recording.forces.every((list) => list.length === 0));
   pick(0);
   show(film.start);
   jump();
 }
 
-// The camera of all takes: a drag turns it about the pivot, two clicks turn it back. Returns what turns it by angles in rad.
+// The camera of all recordings: a drag turns it about the pivot, two clicks turn it back. Returns what turns it by angles in rad.
 function turnable(film, stages, back, redraw) {
   const first = film.camera, middle = film.middle, soils = stages.map((svg) => svg.querySelector(".soil"));
   const ground = soils.map((soil) => soil.innerHTML);
@@ -160,7 +160,7 @@ function chart(film, measure, svg) {
   const line = make("path");
   line.setAttribute("class", "cursor");
   const colors = [...svg.querySelectorAll(".curve")].map((curve) => curve.getAttribute("style"));
-  const dots = film.takes.map((_, k) => {
+  const dots = film.recordings.map((_, k) => {
     const dot = make("circle");
     dot.setAttribute("r", 3.6);
     dot.setAttribute("style", colors[k]);
@@ -170,7 +170,7 @@ function chart(film, measure, svg) {
     const x = left + (film.times[now] / film.end) * (right - left);
     line.setAttribute("d", `M${x.toFixed(1)} ${top}V${bottom}`);
     dots.forEach((dot, k) => {
-      const value = film.takes[k].measures[measure][now];
+      const value = film.recordings[k].measures[measure][now];
       const y = bottom - ((value - lo) / (hi - lo)) * (bottom - top);
       const seen = y >= top - 1 && y <= bottom + 1;
       dot.setAttribute("visibility", seen ? "visible" : "hidden");
@@ -179,16 +179,16 @@ function chart(film, measure, svg) {
   };
 }
 
-// One take in its pane.
-function stage(film, take, pane) {
+// One recording in its pane.
+function stage(film, recording, pane) {
   const [bodies, forces, values] = [".bodies", ".acting", ".values"].map((name) => pane.querySelector(name));
-  const count = take.forces.length;
+  const count = recording.forces.length;
   const grown = (list) => {
     let sum = 0;
     return Array.from({ length: count }, (_, k) => (sum += list[k] || 0));
   };
-  const poses = take.poses.map((channels) => channels.map(grown));
-  const heats = take.heat.map(grown);
+  const poses = recording.poses.map((channels) => channels.map(grown));
+  const heats = recording.heat.map(grown);
   // The parts of a body, as red as it is if colour says how much.
   const parts = (k, now) => heats.length > 0
     ? film.bodies[k].map((part) => part.fixed ? part : { ...part, color: film.heat[heats[k][now]], plain: false })
@@ -226,14 +226,14 @@ function stage(film, take, pane) {
       : []);
     const solids = film.bodies.flatMap((_, k) => moved(k)).concat(rods);
     bodies.innerHTML = painted(film, solids).map((own) => own.draw()).join("") + marks(film, ends);
-    forces.innerHTML = arrows(film, take.forces[now]);
+    forces.innerHTML = arrows(film, recording.forces[now]);
     const shown = film.measures.map((measure, m) =>
-      `<span>${measure.name} <b>${number(take.measures[m][now])}</b> ${measure.unit}</span>`);
+      `<span>${measure.name} <b>${number(recording.measures[m][now])}</b> ${measure.unit}</span>`);
     values.innerHTML = shown.join("");
-    if (take.ending && asked >= count - 1) {
+    if (recording.ending && asked >= count - 1) {
       const end = document.createElement("span");
       end.className = "end";
-      end.textContent = take.ending;
+      end.textContent = recording.ending;
       values.append(end);
     }
   };

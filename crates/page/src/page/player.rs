@@ -8,7 +8,7 @@ use crate::escape::html;
 
 /// An animation, drawn: everything that a page plays.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Reel {
+pub struct Animation {
     /// The number of panes side by side.
     pub columns: usize,
     /// The width and height of a pane in px.
@@ -53,7 +53,7 @@ pub struct Chart {
 #[derive(Debug, Clone)]
 pub struct Player {
     /// The animation.
-    pub reel: Reel,
+    pub animation: Animation,
     /// The finding that it shows.
     pub caption: String,
     /// Files with its data: the name of each link and its address, relative to the page.
@@ -101,20 +101,20 @@ pub(super) fn rendered(
     number: usize,
     caption: String,
 ) -> std::result::Result<String, String> {
-    let reel = &player.reel;
-    let own = speed(reel.times.last().copied().unwrap_or(0.0));
+    let animation = &player.animation;
+    let own = speed(animation.times.last().copied().unwrap_or(0.0));
     let view = View {
         number,
         player,
         caption,
-        columns: reel.columns,
-        size: reel.size,
-        panes: &reel.panes,
-        charts: &reel.charts,
-        strips: &reel.strips,
+        columns: animation.columns,
+        size: animation.size,
+        panes: &animation.panes,
+        charts: &animation.charts,
+        strips: &animation.strips,
         speeds: SPEEDS.map(|speed| (speed, name(speed), speed == own)).into(),
-        last: reel.times.len().saturating_sub(1),
-        data: reel.data.replace('<', "\\u003c"),
+        last: animation.times.len().saturating_sub(1),
+        data: animation.data.replace('<', "\\u003c"),
     };
     view.render().map_err(|error| error.to_string())
 }

@@ -77,7 +77,7 @@ impl Figure for Spies {
     /// One record per nonempty cell: the pattern, entries along a side of its cells, line,
     /// position, shade from 1 (pale) to 5.
     fn csv(&self) -> String {
-        let mut out = String::from("pattern,entries a side,line,place,shade\n");
+        let mut out = String::from("pattern,entries per side,line,position,shade\n");
         for Small { name, raster, .. } in &self.panels {
             for cell in raster.records() {
                 let head = [name.clone(), raster.block.to_string()];

@@ -87,7 +87,7 @@ impl Spy {
         if block > 1 {
             let _ = write!(
                 text,
-                ";  a cell is {block} × {block} entries, the stronger its colour the denser"
+                "; a cell is {block} × {block} entries, darker if more of them are nonzero"
             );
         }
         text

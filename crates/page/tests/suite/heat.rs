@@ -45,7 +45,7 @@ fn one_scale_serves_all_panels() {
 }
 
 #[test]
-fn neighbours_of_one_shade_are_one_rectangle_and_the_csv_has_them_all() {
+fn neighbors_of_one_shade_are_one_rectangle_and_the_csv_has_them_all() {
     let figure = heat(vec![vec![vec![1.0; 50], vec![1.0; 50]]]);
     let svg = figure.svg();
     let path = svg.split("<path").nth(1).unwrap();

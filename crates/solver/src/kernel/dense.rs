@@ -94,7 +94,7 @@ impl<'a> Rows<'a> {
     /// # Panics
     /// If x does not have n entries.
     pub fn sweep(&self, x: &mut [f64]) {
-        assert_eq!(x.len(), self.0.lcp.len(), "one x a row");
+        assert_eq!(x.len(), self.0.lcp.len(), "one x per row");
         self.0.width.run(RowSweep { dense: &self.0, x });
     }
 }
@@ -204,7 +204,7 @@ impl<'a> Columns<'a> {
     /// # Panics
     /// If x does not have n entries.
     pub fn sweep(&mut self, x: &mut [f64]) -> usize {
-        assert_eq!(x.len(), self.dense.lcp.len(), "one x a row");
+        assert_eq!(x.len(), self.dense.lcp.len(), "one x per row");
         if self.sweeps.is_multiple_of(RENEWED) {
             self.w = self.dense.lcp.w(x);
         }

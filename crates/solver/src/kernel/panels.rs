@@ -1,7 +1,7 @@
 //! The loops of a triangular factor, with L stored in panels of eight rows.
 //!
 //! ```text
-//! panel p: rows 8p … 8p + 7, cut into tiles of simd_pairs columns; in a tile, column by column
+//! panel p: rows 8p … 8p + 7, cut into tiles of eight columns; in a tile, column by column
 //! ```
 //!
 //! Eight rows are eight lanes, whose sums are independent and need no horizontal addition, and all

@@ -31,7 +31,7 @@ const TOGETHER: usize = 4;
 /// If x does not have n entries.
 pub fn terms(lcp: &Lcp, x: &[f64], width: Width) -> Vec<RowTerms> {
     let n = lcp.len();
-    assert_eq!(x.len(), n, "one x a row");
+    assert_eq!(x.len(), n, "one x per row");
     let Matrix::Dense(dense) = lcp.matrix() else {
         return (0..n).map(|i| of_stored(lcp, i, x)).collect();
     };

@@ -119,7 +119,7 @@ impl Solver for Newton {
                 let rows = known.take().unwrap_or_else(|| run.rows(x));
                 if let Some(next) = run.newton_step(x, &rows) {
                     x.copy_from_slice(&next.x);
-                    let has_moved = next.is_root && run.move_centre(x);
+                    let has_moved = next.is_root && run.move_center(x);
                     known = (!has_moved).then_some(next.rows);
                     return ControlFlow::Continue(Event::Step);
                 }
@@ -150,7 +150,7 @@ struct Run<'a> {
 /// ρ D (x − c) is added to w.
 struct Proximal {
     rho: Rho,
-    centre: Vec<f64>,
+    center: Vec<f64>,
 }
 
 /// A + ρ D and its equations.
@@ -209,9 +209,9 @@ impl<'a> Run<'a> {
     }
 
     /// c ← x, and ρ decreases; returns whether a proximal step is active.
-    fn move_centre(&mut self, x: &[f64]) -> bool {
+    fn move_center(&mut self, x: &[f64]) -> bool {
         let Some(own) = &mut self.proximal else { return false };
-        own.centre.copy_from_slice(x);
+        own.center.copy_from_slice(x);
         own.rho.fall(true);
         self.watch = None;
         true
@@ -232,9 +232,9 @@ impl<'a> Run<'a> {
         // The equations have changed.
         self.watch = None;
         match &mut self.proximal {
-            None => self.proximal = Some(Proximal { rho: Rho::least(), centre: x.to_vec() }),
+            None => self.proximal = Some(Proximal { rho: Rho::least(), center: x.to_vec() }),
             Some(own) => {
-                own.centre.copy_from_slice(x);
+                own.center.copy_from_slice(x);
                 own.rho.rise();
             }
         }
@@ -251,7 +251,7 @@ impl<'a> Run<'a> {
     /// w_i, including the proximal term.
     fn w(&self, i: usize, x: &[f64]) -> f64 {
         let added =
-            self.proximal.as_ref().map_or(0.0, |own| own.rho.value() * (x[i] - own.centre[i]));
+            self.proximal.as_ref().map_or(0.0, |own| own.rho.value() * (x[i] - own.center[i]));
         self.lcp.row_w(i, x) + self.diagonal[i] * added
     }
 

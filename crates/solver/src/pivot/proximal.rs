@@ -90,11 +90,11 @@ impl Rho {
 pub(crate) fn solve(lcp: &Lcp, search: &mut Search<'_>, x: Vec<f64>) -> Solution {
     search.fallback = Some(Fallback::Proximal);
     let mut steps = Steps { lcp, rho: Rho::least(), soft: None };
-    let mut centre = x.clone();
+    let mut center = x.clone();
     let (mut best, mut least, mut idle) = (search.point.clone(), f64::INFINITY, 0);
     loop {
         let first = search.count + 1;
-        match steps.step(search, &centre) {
+        match steps.step(search, &center) {
             ControlFlow::Continue(()) => {}
             ControlFlow::Break(Status::Stalled | Status::Singular { .. })
                 if !steps.rho.is_safe() =>
@@ -104,7 +104,7 @@ pub(crate) fn solve(lcp: &Lcp, search: &mut Search<'_>, x: Vec<f64>) -> Solution
             }
             ControlFlow::Break(status) => return search.solution(status),
         }
-        let before = std::mem::replace(&mut centre, search.point.x.clone());
+        let before = std::mem::replace(&mut center, search.point.x.clone());
         let residual = search.point.largest_residual();
         if residual < BETTER * least {
             (best, least, idle) = (search.point.clone(), residual, 0);
@@ -113,7 +113,7 @@ pub(crate) fn solve(lcp: &Lcp, search: &mut Search<'_>, x: Vec<f64>) -> Solution
         }
         if residual <= ROUNDING || idle == IDLE {
             let (status, count) = (Status::Inaccurate, search.count);
-            let solution = iterate::finish(lcp, [&before, &x], centre, status, count);
+            let solution = iterate::finish(lcp, [&before, &x], center, status, count);
             if is_solved(lcp, &best, search.settings.tolerance) {
                 search.point = best;
                 return search.solution(Status::Solved);
@@ -168,7 +168,7 @@ struct Steps<'a> {
 
 impl Steps<'_> {
     /// One step; the point of the search then refers to the original problem.
-    fn step(&mut self, search: &mut Search<'_>, centre: &[f64]) -> ControlFlow<Status> {
+    fn step(&mut self, search: &mut Search<'_>, center: &[f64]) -> ControlFlow<Status> {
         let not_finite = |_| ControlFlow::Break(Status::NotFinite);
         let Steps { lcp, rho, soft } = self;
         let (rho, exponent) = (rho.value(), rho.exponent);
@@ -183,7 +183,7 @@ impl Steps<'_> {
                 soft.insert((exponent, problem, equations))
             }
         };
-        let b = |i: usize| lcp.b()[i] - rho * lcp.matrix().diagonal(i) * centre[i];
+        let b = |i: usize| lcp.b()[i] - rho * lcp.matrix().diagonal(i) * center[i];
         let problem = match soft.with_b((0..lcp.len()).map(b).collect()) {
             Ok(p) => p,
             Err(e) => return not_finite(e),

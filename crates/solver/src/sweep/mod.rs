@@ -70,7 +70,7 @@ pub const ENTRIES: &[Entry] = &[
         cost: SWEEP,
         source: "Young 1950",
         uses: &[],
-        build: &|options| relaxation(1.0, Order::Coloured, options),
+        build: &|options| relaxation(1.0, Order::Colored, options),
     },
     Entry {
         name: "jacobi",
@@ -99,7 +99,7 @@ pub const ENTRIES: &[Entry] = &[
 ];
 
 /// Known-wrong variants, kept for comparison with the correct methods.
-pub const SPECIMENS: &[Entry] = &[Entry {
+pub const KNOWN_WRONG: &[Entry] = &[Entry {
     name: "code6",
     method: "the chapter's Code 6: Gauss-Seidel, clamped after the whole sweep",
     class: Class { bounds: false, coupling: false, ..CLASS },

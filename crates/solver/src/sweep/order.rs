@@ -23,7 +23,7 @@ pub enum Order {
     },
     /// Color by color, where no two rows of a color share an entry of A: red and black for a
     /// tridiagonal A. Rows of one color are independent and could be updated in parallel.
-    Coloured,
+    Colored,
 }
 
 impl Order {
@@ -35,11 +35,11 @@ impl Order {
             Order::Reverse => natural.rev().collect(),
             Order::Symmetric => natural.clone().chain(natural.rev()).collect(),
             Order::Shuffled { seed } => shuffled(natural.collect(), seed),
-            Order::Coloured => {
-                let colour = colours(lcp);
+            Order::Colored => {
+                let color = colors(lcp);
                 let mut rows: Vec<usize> = natural.collect();
                 // The sort is stable: natural order within a color.
-                rows.sort_by_key(|&i| colour[i]);
+                rows.sort_by_key(|&i| color[i]);
                 rows
             }
         }
@@ -62,18 +62,18 @@ fn shuffled(mut rows: Vec<usize>, seed: u64) -> Vec<usize> {
 
 /// For each row, the least color that no earlier neighbor has. A friction row is a neighbor of the
 /// row that bounds it.
-fn colours(lcp: &Lcp) -> Vec<usize> {
+fn colors(lcp: &Lcp) -> Vec<usize> {
     let n = lcp.len();
-    let mut neighbours = vec![Vec::new(); n];
+    let mut neighbors = vec![Vec::new(); n];
     let friction = lcp.coupling().into_iter().flat_map(|coupling| coupling.rows());
     for (i, j) in lcp.matrix().pattern().into_iter().chain(friction) {
-        neighbours[i].push(j);
-        neighbours[j].push(i);
+        neighbors[i].push(j);
+        neighbors[j].push(i);
     }
-    let mut colour = vec![usize::MAX; n];
+    let mut color = vec![usize::MAX; n];
     for i in 0..n {
-        let taken = |c: usize| neighbours[i].iter().any(|&j| j != i && colour[j] == c);
-        colour[i] = (0..n).find(|&c| !taken(c)).unwrap_or(0);
+        let taken = |c: usize| neighbors[i].iter().any(|&j| j != i && color[j] == c);
+        color[i] = (0..n).find(|&c| !taken(c)).unwrap_or(0);
     }
-    colour
+    color
 }

@@ -47,7 +47,7 @@ impl Solver for Pgs {
     fn name(&self) -> &'static str {
         match self.order {
             Order::Symmetric => "ssor",
-            Order::Coloured => "red-black",
+            Order::Colored => "red-black",
             _ if self.omega == 1.0 => "pgs",
             _ => "sor",
         }

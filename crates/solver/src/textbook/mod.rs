@@ -58,7 +58,7 @@ pub fn text(name: &str) -> &'static str {
         "dantzig" => include_str!("dantzig.rs"),
         "lemke" => include_str!("lemke.rs"),
         "interior_point" => include_str!("interior_point.rs"),
-        other => panic!("the textbook has no page {other:?}"),
+        other => panic!("the textbook has no function {other:?}"),
     };
     page.find("///").map_or(page, |start| &page[start..])
 }

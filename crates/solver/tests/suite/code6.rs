@@ -46,8 +46,8 @@ fn c_it_diverges_on_a_definite_matrix() {
 #[test]
 fn without_bounds_it_is_gauss_seidel() {
     let lcp = chain(6);
-    let (specimen, pgs) = (iterates(&Code6::default(), &lcp), iterates(&Pgs::default(), &lcp));
-    for (x, y) in specimen.iter().zip(&pgs) {
+    let (code6, pgs) = (iterates(&Code6::default(), &lcp), iterates(&Pgs::default(), &lcp));
+    for (x, y) in code6.iter().zip(&pgs) {
         assert!(x.iter().zip(y).all(|(x, y)| (x - y).abs() < 1e-13));
     }
 }

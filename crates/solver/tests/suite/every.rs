@@ -7,7 +7,7 @@ use lcplab_judge::{Demand, judge};
 use lcplab_problem::merit::RowTerms;
 use lcplab_problem::{Coupling, Lcp, Matrix};
 use lcplab_solver::trace::Provenance;
-use lcplab_solver::{ALL, Options, SPECIMENS, Settings, Solver, Start, Status, by_name};
+use lcplab_solver::{ALL, KNOWN_WRONG, Options, Settings, Solver, Start, Status, by_name};
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 
@@ -42,7 +42,7 @@ fn no_two_take_the_same_path() {
     ];
     let lcp = boxed(&a, &[-1.0, 0.75, -2.0, 1.5, -3.0], &[0.0; 5], &[INF, INF, INF, 0.5, 1.75]);
     let mut paths: HashMap<u64, &str> = HashMap::new();
-    for entry in ALL.iter().chain(SPECIMENS) {
+    for entry in ALL.iter().chain(KNOWN_WRONG) {
         let solver = by_name(entry.name, &Options::default()).unwrap();
         let mut provenance = Provenance::of(&lcp);
         let solution = solver.solve(&lcp, &Start::default(), &mut provenance);

@@ -1,7 +1,7 @@
 //! Solvers on problems given as numbers.
 
 mod block_pgs;
-mod centring;
+mod centering;
 mod cholesky;
 mod code6;
 mod cone;

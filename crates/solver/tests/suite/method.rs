@@ -3,7 +3,7 @@
 use lcplab_problem::friction::{Contact, FrictionProblem, Model, Polyhedral, ProblemForm};
 use lcplab_problem::merit;
 use lcplab_solver::{
-    Lemke, Method, Options, PolygonPgs, SPECIMENS, Settings, Start, Status, methods,
+    KNOWN_WRONG, Lemke, Method, Options, PolygonPgs, Settings, Start, Status, methods,
     solve_polyhedral,
 };
 
@@ -37,7 +37,7 @@ fn a_model_is_taken_by_the_methods_whose_theory_holds_for_it() {
     assert_eq!(takes("lemke"), [true, true, true, false, false]);
     assert_eq!(takes("cone-pgs"), [false, false, false, true, true]);
     assert!(method("lemke").takes(None) && !method("cone-pgs").takes(None));
-    let code6 = Method::Boxed(SPECIMENS[0]); // it knows no coupled rows
+    let code6 = Method::Boxed(KNOWN_WRONG[0]); // it knows no coupled rows
     assert!(code6.takes(Some(Model::FrozenBox)) && !code6.takes(Some(Model::CoupledBox)));
 }
 

@@ -5,21 +5,16 @@ use proptest::prelude::*;
 
 use lcplab_testing::{assert_certified, cases, chain, contacts, manufactured};
 
-const ORDERS: [Order; 5] = [
-    Order::Natural,
-    Order::Reverse,
-    Order::Symmetric,
-    Order::Shuffled { seed: 7 },
-    Order::Coloured,
-];
+const ORDERS: [Order; 5] =
+    [Order::Natural, Order::Reverse, Order::Symmetric, Order::Shuffled { seed: 7 }, Order::Colored];
 
 #[test]
-fn a_chain_is_coloured_red_and_black() {
-    assert_eq!(Order::Coloured.rows(&chain(7)), [0, 2, 4, 6, 1, 3, 5]);
+fn a_chain_is_colored_red_and_black() {
+    assert_eq!(Order::Colored.rows(&chain(7)), [0, 2, 4, 6, 1, 3, 5]);
 }
 
 #[test]
-fn rows_of_a_colour_do_not_touch() {
+fn rows_of_a_color_do_not_touch() {
     let a: [&[f64]; 4] = [
         &[4.0, 0.0, 1.0, 0.0],
         &[0.0, 4.0, 1.0, 1.0],
@@ -27,7 +22,7 @@ fn rows_of_a_colour_do_not_touch() {
         &[0.0, 1.0, 0.0, 4.0],
     ];
     // 0 and 1 red; 2 is coupled with both, 3 with 1: both black.
-    assert_eq!(Order::Coloured.rows(&contacts(&a, &[0.0; 4])), [0, 1, 2, 3]);
+    assert_eq!(Order::Colored.rows(&contacts(&a, &[0.0; 4])), [0, 1, 2, 3]);
 }
 
 #[test]
@@ -56,12 +51,12 @@ fn errors_shrink_by_the_spectral_radius_in_every_order() {
 }
 
 #[test]
-fn natural_and_coloured_order_of_a_chain_have_the_same_rate() {
+fn natural_and_colored_order_of_a_chain_have_the_same_rate() {
     let lcp = chain(12);
     let radius = |order: Order| {
         spectral_radius(&ordered_iteration_matrix(lcp.matrix(), 1.2, order.rows(&lcp)))
     };
-    assert!((radius(Order::Natural) - radius(Order::Coloured)).abs() < 1e-10);
+    assert!((radius(Order::Natural) - radius(Order::Colored)).abs() < 1e-10);
 }
 
 proptest! {

@@ -56,7 +56,7 @@ impl Observer for Follower {
                     self.x[j] += own.sign * own.length * d;
                 }
             }
-            StepDetail::Centring(own) => {
+            StepDetail::Centering(own) => {
                 self.x[own.row] += own.length();
                 for (&j, d) in own.free.iter().zip(own.direction) {
                     self.x[j] += own.length() * d;

@@ -8,7 +8,7 @@ use super::solve::{self, Scribe};
 use super::units::{headed, with_unit};
 use lcplab_page::document::notation::{bracketed, indexed, interval, plain, set, vector};
 use lcplab_page::document::{Formula, SHOWN, Section};
-use lcplab_solver::{Centring, Event, Iterate, Move, Observer, Side, Solution, StepDetail};
+use lcplab_solver::{Centering, Event, Iterate, Move, Observer, Side, Solution, StepDetail};
 
 pub(super) struct Moves<'a> {
     reading: &'a Reading<'a>,
@@ -115,7 +115,7 @@ impl<'a> Moves<'a> {
     }
 
     /// Why x moves to the middle of its range, and how far.
-    fn centring(&mut self, own: &Centring<'_>) -> String {
+    fn centering(&mut self, own: &Centering<'_>) -> String {
         let (j, w) = (own.row, indexed("w", own.row));
         let why = match (own.keeps, self.end.take()) {
             (Some(row), Some([after, _])) => format!(
@@ -220,10 +220,10 @@ impl Observer for Moves<'_> {
                     self.end = Some(self.end(own));
                 }
             }
-            StepDetail::Centring(own) => {
+            StepDetail::Centering(own) => {
                 self.writes = self.moves <= SHOWN;
                 if self.writes {
-                    let words = self.centring(own);
+                    let words = self.centering(own);
                     self.section.say(words);
                 }
             }

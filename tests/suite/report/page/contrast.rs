@@ -20,7 +20,7 @@ fn color(hex: &str) -> Option<Rgb> {
     Some([part(0)?, part(1)?, part(2)?].map(|c| f64::from(c) / 255.0))
 }
 
-/// The colours among the variables of a style sheet's first rule.
+/// The colors among the variables of a style sheet's first rule.
 fn variables(css: &str) -> BTreeMap<&str, Rgb> {
     let rule = css.split('}').next().unwrap();
     rule.split([';', '{'])
@@ -52,11 +52,11 @@ fn turned(color: Rgb) -> Rgb {
 fn contrast_is_that_of_the_standard() {
     let [black, white] = ["#000000", "#ffffff"].map(|hex| color(hex).unwrap());
     assert!((contrast(black, white) - 21.0).abs() < 1e-12);
-    // The grey that is known to pass just so on white.
-    let grey = color("#767676").unwrap();
-    assert!((contrast(grey, white) - 4.54).abs() < 0.005);
-    let back = turned(turned(grey));
-    assert!(back.iter().zip(grey).all(|(a, b)| (a - b).abs() < 1e-9), "greys turn and turn back");
+    // The gray that is known to pass just so on white.
+    let gray = color("#767676").unwrap();
+    assert!((contrast(gray, white) - 4.54).abs() < 0.005);
+    let back = turned(turned(gray));
+    assert!(back.iter().zip(gray).all(|(a, b)| (a - b).abs() < 1e-9), "grays turn and turn back");
 }
 
 #[test]

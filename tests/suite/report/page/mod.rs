@@ -58,7 +58,7 @@ fn literal_text_reads_as_itself() {
     assert_eq!(text(&literal(name)), "<p>- my *scene* `[1](x)` $5 \\ &lt;b&gt;</p>");
 }
 
-/// The text of the listings on a page, without what colours and folds them.
+/// The text of the listings on a page, without what colors and folds them.
 fn listed(language: &str, code: &str) -> Vec<String> {
     let block = Block::Code { language: language.into(), text: code.into() };
     let html = main_part(&page(vec![block]));
@@ -76,7 +76,7 @@ fn listed(language: &str, code: &str) -> Vec<String> {
 }
 
 #[test]
-fn colours_change_no_sign_of_code() {
+fn colors_change_no_sign_of_code() {
     let rust =
         "let é = \"a \\\" // b\"; // <&'> 'a\nfn f<'a>(x: &'a str) -> f64 { 1.5e3_f64 }\n\"no end";
     assert_eq!(listed("rust", rust), [rust]);

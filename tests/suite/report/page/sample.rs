@@ -1,6 +1,6 @@
 //! A page with every kind of block, whose numbers are known.
 
-use lcplab::film::{Film, Strip, Take};
+use lcplab::film::{Film, Recording, Strip};
 use lcplab::plot::{Axis, Bar, Bars, Figure, Lines, Panel, Series, Spy};
 use lcplab::report::page::{
     Block, Cell, Column, Mark, Origin, Page, Picture, Player, Section, Table, Tile,
@@ -136,12 +136,17 @@ fn strip() -> Strip {
 /// A swinging pendulum, eleven instants.
 fn player() -> Player {
     let scene = Scene::load("pendulum").unwrap();
-    let take = |name: &str| {
+    let recording = |name: &str| {
         let mut simulation = Simulation::new(scene.clone(), simulation::solver(&scene).unwrap());
-        Take::of(name, &mut simulation, 100, 11)
+        Recording::of(name, &mut simulation, 100, 11)
     };
-    let film = Film::new("swing", &scene, vec![take("dantzig"), take("pgs")]);
-    Player { reel: film.reel(), caption: "It swings.".into(), files: Vec::new(), origin: None }
+    let film = Film::new("swing", &scene, vec![recording("dantzig"), recording("pgs")]);
+    Player {
+        animation: film.animation(),
+        caption: "It swings.".into(),
+        files: Vec::new(),
+        origin: None,
+    }
 }
 
 /// A small table: the order of its rows is neither that of the names nor that of the numbers.

@@ -105,8 +105,8 @@ impl HalfSpace {
     /// Whether a box comes within a distance (m) of the half space.
     fn reaches(&self, around: &Aabb, distance: f64) -> bool {
         let vector = |v: DVec3| Vector3::new(v.x, v.y, v.z);
-        let (centre, half) = (vector(around.center()), vector(around.half_extents()));
-        let height = self.normal.dot(&(centre - self.point)) - self.normal.abs().dot(&half);
+        let (center, half) = (vector(around.center()), vector(around.half_extents()));
+        let height = self.normal.dot(&(center - self.point)) - self.normal.abs().dot(&half);
         height <= distance + ROUNDING * self.point.amax()
     }
 }

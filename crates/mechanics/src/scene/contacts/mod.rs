@@ -376,7 +376,7 @@ fn point(
     let pair_of = [&states[k0], &states[k1]];
     let (contact, (gap, normal)) = match (contact.gap(pair_of), touch.normal) {
         (Ok(measured), _) => (contact, measured),
-        (Err(_), Normal::Centres) => {
+        (Err(_), Normal::Centers) => {
             let normal = Normal::Face(states[k0].pose.q.inverse() * Vector3::z());
             let contact = Contact { normal, ..contact };
             let measured = contact.gap(pair_of).ok()?;

@@ -60,9 +60,9 @@ fn nearest_feature(a: &Solid, k: usize, vertex: &Vector3<f64>) -> Touch {
         let beside = along > 0.0 && along < a.length(edge);
         beside.then(|| touch(Feature::Edge(edge), from + e * along, Normal::Edge(a.local(&e))))
     });
-    let first = touch(Feature::Vertex(0), a.vertices[0], Normal::Centres);
+    let first = touch(Feature::Vertex(0), a.vertices[0], Normal::Centers);
     let corners = a.vertices.iter().enumerate().skip(1);
-    let corners = corners.map(|(i, v)| touch(Feature::Vertex(i), *v, Normal::Centres));
+    let corners = corners.map(|(i, v)| touch(Feature::Vertex(i), *v, Normal::Centers));
     let nearer = |best: Touch, touch: Touch| {
         if touch.separation < best.separation { touch } else { best }
     };

@@ -45,7 +45,7 @@ pub(super) fn on_face(flat: &Solid, face: usize, solid: &Solid, out: &mut Vec<To
     let Some((cylinder, ends)) = solid.cylinder() else { return false };
     let (n, corners) = (flat.normals[face], flat.corners(face));
     let Some(down) = lowest(&cylinder, &n) else { return false };
-    let line = cylinder.centre + down;
+    let line = cylinder.center + down;
     let (mut low, mut high) = (-cylinder.half_length, cylinder.half_length);
     for k in 0..corners.len() {
         let [from, to] = [k, (k + 1) % corners.len()].map(|k| flat.vertices[corners[k]]);
@@ -88,13 +88,13 @@ fn touch(
     along: f64,
     face: usize,
 ) -> Option<Touch> {
-    let centre = cylinder.centre + cylinder.axis * along;
-    let point = centre + lowest(cylinder, &flat.n)?;
+    let center = cylinder.center + cylinder.axis * along;
+    let point = center + lowest(cylinder, &flat.n)?;
     let separation = flat.n.dot(&(point - flat.point));
     let axis = solid.local(&cylinder.axis);
     Some(Touch {
         features: [Feature::Face(flat.feature), Feature::Face(face)],
-        anchors: [point - flat.n * separation, centre],
+        anchors: [point - flat.n * separation, center],
         normal: Normal::Rim(Rim { normal: flat.local, axis, radius: cylinder.radius }),
         separation,
         swapped: false,

@@ -162,8 +162,8 @@ impl Solid {
     /// The cylinder that it approximates, in world axes, with the faces at its lower and upper end.
     pub fn cylinder(&self) -> Option<(Cylinder, [usize; 2])> {
         let own = self.polytope.cylinder?;
-        let centre = self.pose.point(&own.centre);
-        let world = Cylinder { centre, axis: self.pose.direction(&own.axis), ..own };
+        let center = self.pose.point(&own.center);
+        let world = Cylinder { center, axis: self.pose.direction(&own.axis), ..own };
         let along = |f: &usize| self.polytope.faces[*f].normal.dot(&own.axis);
         let faces = || 0..self.normals.len();
         let lower = faces().min_by(|f, g| along(f).total_cmp(&along(g)))?;

@@ -172,7 +172,7 @@ proptest! {
         let rim = Rim { normal: e0, axis: e1, radius: 0.4 };
         let kinds = [
             Normal::Face(e0),
-            Normal::Centres,
+            Normal::Centers,
             Normal::Edge(e0),
             Normal::Edges([e0, e1]),
             Normal::Rim(rim),

@@ -10,7 +10,7 @@ fn scene(generator: &str) -> Scene {
 }
 
 #[test]
-fn the_tower_has_the_chapters_700_cubes_each_on_its_neighbours() {
+fn the_tower_has_the_chapters_700_cubes_each_on_its_neighbors() {
     let tower = scene("kind = \"circular_tower\"\ncount = 700\nsize = 1\nmass = 1");
     assert_eq!(tower.bodies.len(), 701);
     let found = contacts(&tower, &tower.states, 1e-9);

@@ -63,7 +63,7 @@ fn a_capsule_without_length_weighs_as_a_ball() {
 }
 
 #[test]
-fn a_right_tetrahedron_has_its_textbook_volume_centre_and_moments() {
+fn a_right_tetrahedron_has_its_textbook_volume_center_and_moments() {
     // Legs of length 1 from the corner at the origin: V = 1/6, center (¼, ¼, ¼); per mass ∫x² =
     // 1/10 and ∫xy = 1/20, so about the center I_xx = 2 (1/10 − 1/16) = 3/40, I_xy = −(1/20 −
     // 1/16) = 1/80.

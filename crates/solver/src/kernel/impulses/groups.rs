@@ -62,13 +62,13 @@ impl Groups {
         if !self.follow(system) {
             return false;
         }
-        self.colour(system.bodies);
+        self.color(system.bodies);
         let least = self.count_lane_groups();
         self.layer(system.bodies);
-        self.colour(system.bodies);
+        self.color(system.bodies);
         if self.count_lane_groups() > EMPTY_LANES * least {
             self.pairs.iter_mut().for_each(|pair| pair.layer = 0);
-            self.colour(system.bodies);
+            self.color(system.bodies);
         }
         let Groups { pairs, follows, .. } = self;
         let bounded = |pair: &Pair| &follows[pair.first..pair.first + pair.rows];
@@ -130,12 +130,12 @@ impl Groups {
     }
 
     /// Assigns the least colors, layer by layer.
-    fn colour(&mut self, bodies: usize) {
+    fn color(&mut self, bodies: usize) {
         self.pairs.sort_unstable_by_key(|pair| (pair.layer, pair.first));
         self.taken.resize(bodies, 0);
         let mut first = 0;
         for layer in self.pairs.chunk_by_mut(|a, b| a.layer == b.layer) {
-            first = colour_layer(layer, &mut self.taken, first);
+            first = color_layer(layer, &mut self.taken, first);
         }
     }
 
@@ -186,7 +186,7 @@ impl Groups {
 /// Gives each pair of a layer the least color, from `first` on, that neither of its bodies has;
 /// returns the first unused color. A pair that finds none in a window waits for the next window,
 /// which does not affect the others.
-fn colour_layer(layer: &mut [Pair], taken: &mut [u64], first: usize) -> usize {
+fn color_layer(layer: &mut [Pair], taken: &mut [u64], first: usize) -> usize {
     layer.iter_mut().for_each(|pair| pair.group = usize::MAX);
     let (mut window, mut end) = (first, first);
     loop {
@@ -194,11 +194,11 @@ fn colour_layer(layer: &mut [Pair], taken: &mut [u64], first: usize) -> usize {
         let mut waiting = false;
         for pair in layer.iter_mut().filter(|pair| pair.group == usize::MAX) {
             let [p, q] = pair.bodies;
-            let colour = (!(taken[p] | taken[q])).trailing_zeros() as usize;
-            if colour < WINDOW {
-                pair.group = window + colour;
+            let color = (!(taken[p] | taken[q])).trailing_zeros() as usize;
+            if color < WINDOW {
+                pair.group = window + color;
                 end = end.max(pair.group + 1);
-                pair.bodies.iter().for_each(|&body| taken[body] |= 1 << colour);
+                pair.bodies.iter().for_each(|&body| taken[body] |= 1 << color);
             } else {
                 waiting = true;
             }

@@ -96,7 +96,7 @@ impl System {
     /// # Panics
     /// If the number of rows differs from the LCP's, or a body index is out of range.
     pub fn new(bodies: usize, rows: &[Row], lcp: &Lcp) -> Result<Self, Status> {
-        assert_eq!(rows.len(), lcp.len(), "a row of Ĵ for each of the LCP");
+        assert_eq!(rows.len(), lcp.len(), "one row of Ĵ for each row of the LCP");
         let mut system = System::default();
         system.clear(bodies);
         for (i, row) in rows.iter().enumerate() {

@@ -123,11 +123,11 @@ pub(super) struct ThreadPool {
     workers: Vec<Worker>,
 }
 
-/// A worker's channels stay open until its team is dropped.
+/// A worker's channels stay open until its pool is dropped.
 const ENDED: &str = "a worker that has not ended";
 
 impl ThreadPool {
-    /// A team of this number of threads, or as many as the system can start.
+    /// A pool of this number of threads, or as many as the system can start.
     pub fn new(threads: usize) -> Self {
         ThreadPool { workers: (1..threads).map_while(|_| Worker::start()).collect() }
     }

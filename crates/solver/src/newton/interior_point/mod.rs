@@ -1,14 +1,15 @@
 //! A primal-dual interior-point method for the quadratic program over the box.
 //!
 //! Each finite bound k of a row i(k) gets a *slack* ρ_k > 0, the distance from x_i to it, and a
-//! *push* (multiplier) z_k > 0 away from it, with sign s_k = 1 at a lower bound and −1 at an upper
-//! one. The product of slack and push approaches zero along the *central path*, μ → 0:
+//! multiplier z_k > 0, the force away from it, with sign s_k = 1 at a lower bound and −1 at an
+//! upper one. The product of slack and multiplier approaches zero along the *central path*, μ → 0:
 //!
 //! ```text
 //! A x + b = Σ_k s_k z_k,   ρ_k z_k = μ
 //! ```
 //!
-//! An iteration is a Newton step on these equations. Eliminating the changes of the pushes gives
+//! An iteration is a Newton step on these equations. Eliminating the changes of the multipliers
+//! gives
 //!
 //! ```text
 //! (A + Σ_k z_k/ρ_k) dx = −(A x + b − Σ_k s_k z_k) + Σ_k s_k r_k/ρ_k,   r_k = μ − ρ_k z_k

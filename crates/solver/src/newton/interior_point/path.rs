@@ -1,4 +1,4 @@
-//! The central path: slacks, pushes, and the steps along it.
+//! The central path: slacks, multipliers, and the steps along it.
 
 use std::ops::ControlFlow;
 
@@ -8,7 +8,7 @@ use lcplab_problem::Lcp;
 
 /// The fraction of the distance to the nearest bound that a step may use.
 const STAY_INSIDE: f64 = 0.995;
-/// A slack below this fraction of √(e / a_ii) counts as zero. If push and slack both vanish at the
+/// A slack below this fraction of √(e / a_ii) counts as zero. If multiplier and slack both vanish at the
 /// solution, x approaches its bound only as √μ, which is never small relative to the terms of the
 /// row.
 const NONE: f64 = 1e-12;
@@ -24,7 +24,7 @@ struct Bound {
     /// ρ_k, updated incrementally: x minus the bound would eventually round to 0.
     slack: f64,
     /// z_k.
-    push: f64,
+    multiplier: f64,
 }
 
 /// A point near the central path.
@@ -36,15 +36,15 @@ pub(super) struct Path<'a> {
     unit: Vec<f64>,
 }
 
-/// A change of x, with the changes of the slacks and pushes.
+/// A change of x, with the changes of the slacks and multipliers.
 struct Direction {
     x: Vec<f64>,
     slack: Vec<f64>,
-    push: Vec<f64>,
+    multiplier: Vec<f64>,
 }
 
 impl<'a> Path<'a> {
-    /// Moves x inside its bounds and chooses the pushes such that every ρ z equals the energy e = Σ
+    /// Moves x inside its bounds and chooses the multipliers such that every ρ z equals the energy e = Σ
     /// w_i² / a_ii, w = A Π(0) + b: bounds that exclude 0 act like b. Distances are measured by
     /// √(e / a_ii).
     pub(super) fn from_inside(lcp: &'a Lcp, equations: &impl StepEquations, x: &mut [f64]) -> Self {
@@ -64,7 +64,7 @@ impl<'a> Path<'a> {
             for (sign, at) in [(1.0, lo), (-1.0, hi)] {
                 if at.is_finite() {
                     let slack = sign * (x[row] - at);
-                    bounds.push(Bound { row, sign, slack, push: energy / slack });
+                    bounds.push(Bound { row, sign, slack, multiplier: energy / slack });
                 }
             }
         }
@@ -97,7 +97,7 @@ impl<'a> Path<'a> {
         self.lcp.project_all(x);
         for (k, bound) in self.bounds.iter_mut().enumerate() {
             bound.slack += length * direction.slack[k];
-            bound.push += length * direction.push[k];
+            bound.multiplier += length * direction.multiplier[k];
             if bound.slack < NONE * self.unit[bound.row] {
                 let [lo, hi] = [self.lcp.lo(), self.lcp.hi()];
                 x[bound.row] = if bound.sign > 0.0 { lo[bound.row] } else { hi[bound.row] };
@@ -110,7 +110,7 @@ impl<'a> Path<'a> {
     fn added<E: StepEquations>(&self, equations: &E) -> Vec<f64> {
         let mut added = vec![0.0; self.pinned.len()];
         for k in &self.bounds {
-            added[k.row] += k.push / k.slack;
+            added[k.row] += k.multiplier / k.slack;
         }
         for (i, added) in added.iter_mut().enumerate() {
             let least = if *added > 0.0 { LEAST } else { E::UNBOUNDED };
@@ -122,14 +122,14 @@ impl<'a> Path<'a> {
     /// The corrected predictor.
     fn direction(&self, equations: &mut impl StepEquations, x: &[f64]) -> Direction {
         let w = equations.w(x);
-        let product: Vec<f64> = self.bounds.iter().map(|k| k.slack * k.push).collect();
+        let product: Vec<f64> = self.bounds.iter().map(|k| k.slack * k.multiplier).collect();
         let predictor = self.towards(equations, &w, product.iter().map(|p| -p).collect());
         if self.bounds.is_empty() {
             // The equation w = 0 is linear.
             return predictor;
         }
         let target = self.target(&product, &predictor);
-        let second_order = predictor.slack.iter().zip(&predictor.push).map(|(r, z)| r * z);
+        let second_order = predictor.slack.iter().zip(&predictor.multiplier).map(|(r, z)| r * z);
         let r = product.iter().zip(second_order).map(|(p, e)| target - p - e).collect();
         self.towards(equations, &w, r)
     }
@@ -138,7 +138,7 @@ impl<'a> Path<'a> {
     fn towards(&self, equations: &mut impl StepEquations, w: &[f64], r: Vec<f64>) -> Direction {
         let mut rhs: Vec<f64> = w.iter().map(|w| -w).collect();
         for (k, r) in self.bounds.iter().zip(&r) {
-            rhs[k.row] += k.sign * (k.push + r / k.slack);
+            rhs[k.row] += k.sign * (k.multiplier + r / k.slack);
         }
         for (rhs, _) in rhs.iter_mut().zip(&self.pinned).filter(|(_, pinned)| **pinned) {
             *rhs = 0.0;
@@ -147,8 +147,9 @@ impl<'a> Path<'a> {
         let dx = rhs;
         let slack: Vec<f64> = self.bounds.iter().map(|k| k.sign * dx[k.row]).collect();
         let changes = self.bounds.iter().zip(r.iter().zip(&slack));
-        let push = changes.map(|(k, (r, slack))| (r - k.push * slack) / k.slack).collect();
-        Direction { x: dx, slack, push }
+        let multiplier =
+            changes.map(|(k, (r, slack))| (r - k.multiplier * slack) / k.slack).collect();
+        Direction { x: dx, slack, multiplier }
     }
 
     /// The target μ: small if the predictor gets far.
@@ -156,21 +157,22 @@ impl<'a> Path<'a> {
         let count = product.len().max(1) as f64;
         let mu = product.iter().sum::<f64>() / count;
         let reach = self.longest(predictor).min(1.0);
-        let changes = predictor.slack.iter().zip(&predictor.push);
-        let ahead = |(k, (slack, push)): (&Bound, (&f64, &f64))| {
-            (k.slack + reach * slack) * (k.push + reach * push)
+        let changes = predictor.slack.iter().zip(&predictor.multiplier);
+        let ahead = |(k, (slack, multiplier)): (&Bound, (&f64, &f64))| {
+            (k.slack + reach * slack) * (k.multiplier + reach * multiplier)
         };
         let ahead = self.bounds.iter().zip(changes).map(ahead).sum::<f64>() / count;
         if mu > 0.0 { mu * (ahead / mu).powi(3) } else { 0.0 }
     }
 
-    /// The step length at which the first slack or push would vanish.
+    /// The step length at which the first slack or multiplier would vanish.
     fn longest(&self, direction: &Direction) -> f64 {
         let until = |value: f64, change: f64| {
             if change < 0.0 { -value / change } else { f64::INFINITY }
         };
         let slacks = self.bounds.iter().zip(&direction.slack).map(|(k, d)| until(k.slack, *d));
-        let pushes = self.bounds.iter().zip(&direction.push).map(|(k, d)| until(k.push, *d));
-        slacks.chain(pushes).fold(f64::INFINITY, f64::min)
+        let multipliers =
+            self.bounds.iter().zip(&direction.multiplier).map(|(k, d)| until(k.multiplier, *d));
+        slacks.chain(multipliers).fold(f64::INFINITY, f64::min)
     }
 }

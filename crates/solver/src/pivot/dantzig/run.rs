@@ -162,7 +162,7 @@ impl<'a> Run<'a> {
             self.report(i, sign, &direction, &block);
             self.advance(i, sign * block.length, &direction);
             let row = block.row;
-            self.centre_or_leave(i, block, direction, &mut served)?;
+            self.center_or_leave(i, block, direction, &mut served)?;
             self.moved(i, row)?;
         }
     }

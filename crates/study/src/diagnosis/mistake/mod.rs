@@ -123,8 +123,8 @@ pub enum Conclusion {
 /// If x or the last answer does not have one entry per row.
 pub fn find_mistakes(problem: &ProblemForm, x: &[f64], last: Option<&[f64]>) -> MistakeSearch {
     let lcp = rows(problem);
-    assert_eq!(x.len(), lcp.len(), "an entry a row");
-    assert!(last.is_none_or(|last| last.len() == lcp.len()), "an entry a row");
+    assert_eq!(x.len(), lcp.len(), "one entry per row");
+    assert!(last.is_none_or(|last| last.len() == lcp.len()), "one entry per row");
     let mut search = MistakeSearch {
         verdict: judge_friction(problem, x, &Demand::default()).verdict,
         precision: Precision::of(x),

@@ -139,7 +139,7 @@ pub(super) fn methods(most: usize) -> [(MistakeKind, &'static str, Box<dyn Solve
             pgs(Order::Reverse),
         ),
         (StoppedSweeps, "projected Gauss-Seidel forward and backward", pgs(Order::Symmetric)),
-        (StoppedSweeps, "projected Gauss-Seidel color by color", pgs(Order::Coloured)),
+        (StoppedSweeps, "projected Gauss-Seidel color by color", pgs(Order::Colored)),
         (AllAtOnce, "Jacobi instead of Gauss-Seidel", Box::new(jacobi)),
         (
             LateClamp,

@@ -190,29 +190,29 @@ impl Frame {
     }
 
     /// For each body, those that share a row with it.
-    pub fn neighbours(&self) -> Vec<Vec<usize>> {
-        let mut neighbours = vec![Vec::new(); self.bodies.len()];
+    pub fn neighbors(&self) -> Vec<Vec<usize>> {
+        let mut neighbors = vec![Vec::new(); self.bodies.len()];
         for row in self.motion.iter().flat_map(|motion| &motion.jacobian) {
             let touches =
                 |k: &usize| row.iter().any(|(column, _)| self.bodies[*k].columns.contains(column));
             let pair: Vec<usize> = (0..self.bodies.len()).filter(touches).collect();
             if let [one, other] = pair[..] {
-                neighbours[one].push(other);
-                neighbours[other].push(one);
+                neighbors[one].push(other);
+                neighbors[other].push(one);
             }
         }
-        for own in &mut neighbours {
+        for own in &mut neighbors {
             own.sort_unstable();
             own.dedup();
         }
-        neighbours
+        neighbors
     }
 
     /// The maximum number of bodies on a shortest path between two bodies connected with this one.
     pub fn diameter(&self, body: usize) -> usize {
-        let neighbours = self.neighbours();
-        let connected = by_distance(&neighbours, body).concat();
-        connected.iter().map(|&k| by_distance(&neighbours, k).len()).max().unwrap_or(0)
+        let neighbors = self.neighbors();
+        let connected = by_distance(&neighbors, body).concat();
+        connected.iter().map(|&k| by_distance(&neighbors, k).len()).max().unwrap_or(0)
     }
 
     /// M⁻¹ Jᵀ x: the velocity change due to x. Empty if the bodies are unknown.
@@ -386,13 +386,13 @@ fn is_same(one: &Matrix, other: &Matrix) -> bool {
 }
 
 /// The bodies at distance 0, 1, 2, … from this one.
-fn by_distance(neighbours: &[Vec<usize>], body: usize) -> Vec<Vec<usize>> {
-    let mut is_reached = vec![false; neighbours.len()];
+fn by_distance(neighbors: &[Vec<usize>], body: usize) -> Vec<Vec<usize>> {
+    let mut is_reached = vec![false; neighbors.len()];
     is_reached[body] = true;
     let mut rings = vec![vec![body]];
     loop {
         let mut next = Vec::new();
-        for other in rings[rings.len() - 1].iter().flat_map(|&k| &neighbours[k]) {
+        for other in rings[rings.len() - 1].iter().flat_map(|&k| &neighbors[k]) {
             if !std::mem::replace(&mut is_reached[*other], true) {
                 next.push(*other);
             }

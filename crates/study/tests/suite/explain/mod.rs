@@ -1,6 +1,6 @@
 //! Explanations. The two one-dimensional examples were verified by hand.
 
-mod centring;
+mod centering;
 mod ending;
 mod figure6;
 mod figure7;
@@ -75,7 +75,7 @@ fn every_shipped_scene_is_explained_in_every_form_or_says_why_not() {
             let document = explained(scene, level, "dantzig");
             let impossible = scene == "painleve" && level == Scheme::Acceleration;
             assert_eq!(document.is_accepted, !impossible, "{scene}");
-            for format in [Format::Text, Format::ColouredText, Format::Markdown, Format::Html] {
+            for format in [Format::Text, Format::ColoredText, Format::Markdown, Format::Html] {
                 assert!(document.written(format).unwrap().len() > 300, "{scene}");
             }
         }

@@ -21,7 +21,7 @@ fn cases() -> Vec<Case> {
     let (x, y, z) = (Vector3::x(), Vector3::y(), Vector3::z());
     let diagonal = Vector3::repeat(1.0f64).normalize();
     let slope = Vector3::new(1.0, 0.0, 1.0).normalize();
-    let face = 1.0 / 3f64.sqrt(); // from the octahedron's centre to a face
+    let face = 1.0 / 3f64.sqrt(); // from the octahedron's center to a face
     let straight = UnitQuaternion::identity();
     let lying = turned(y, 90.0); // a capsule along x
     let case = |shapes, touching, n, aside, turn, points| Case {

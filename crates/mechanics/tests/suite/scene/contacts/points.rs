@@ -45,16 +45,16 @@ fn a_ball_touches_a_face_an_edge_or_a_corner_of_a_box() {
     let cases = [
         (Vector3::new(0.1, 0.2, 0.5 + r), "face", Vector3::z()),
         (Vector3::new(0.1, 0.5 + 0.6 * r, 0.5 + 0.8 * r), "edge", Vector3::new(0.0, 0.6, 0.8)),
-        (Vector3::repeat(0.5 + r / 3f64.sqrt()), "centres", Vector3::repeat(1.0 / 3f64.sqrt())),
-        (Vector3::new(0.45, 0.0, 0.0), "face", Vector3::x()), // the centre is inside
+        (Vector3::repeat(0.5 + r / 3f64.sqrt()), "centers", Vector3::repeat(1.0 / 3f64.sqrt())),
+        (Vector3::new(0.45, 0.0, 0.0), "face", Vector3::x()), // the center is inside
     ];
-    for (centre, kind, n) in cases {
-        let touching = found(&[CUBE, BALL], |s| s[1].pose.p = centre, 0.01);
+    for (center, kind, n) in cases {
+        let touching = found(&[CUBE, BALL], |s| s[1].pose.p = center, 0.01);
         let [only] = &touching[..] else { panic!("{} contacts", touching.len()) };
         let found = match only.contact.normal {
             Normal::Face(_) => "face",
             Normal::Edge(_) => "edge",
-            Normal::Centres => "centres",
+            Normal::Centers => "centers",
             Normal::Edges(_) => "edges",
             Normal::Rim(_) => "rim",
         };

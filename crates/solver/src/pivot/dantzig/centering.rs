@@ -24,7 +24,7 @@ use super::Side;
 use super::blocking::Block;
 use super::direction::{Direction, RELATIVE_ZERO};
 use super::run::Run;
-use crate::{Centring, Status, StepDetail};
+use crate::{Centering, Status, StepDetail};
 
 impl Run<'_> {
     /// Makes row i dependent, in the middle, if it is at a bound, depends on C, and its w is zero;
@@ -34,7 +34,7 @@ impl Run<'_> {
             return false;
         }
         let ControlFlow::Continue(d) = self.direction(i) else { return false };
-        let is_dependent = d.schur == 0.0 && self.slope(i, &d) == 0.0 && self.centre(i, &d, None);
+        let is_dependent = d.schur == 0.0 && self.slope(i, &d) == 0.0 && self.center(i, &d, None);
         self.scratch.directions.push(d);
         is_dependent
     }
@@ -48,7 +48,7 @@ impl Run<'_> {
     /// Ends a move of x_i: either x moves off the bound that the blocking row of C reached, to the
     /// middle of the range that a dependent row leaves, or that row leaves C. `served` are the rows
     /// already used in this way.
-    pub(super) fn centre_or_leave(
+    pub(super) fn center_or_leave(
         &mut self,
         i: usize,
         block: Block,
@@ -76,7 +76,7 @@ impl Run<'_> {
             served.push(j);
             let ControlFlow::Continue(d) = self.direction(j) else { continue };
             let leads_away = d.schur == 0.0 && d.free[k] != 0.0;
-            let moved = leads_away && self.centre(j, &d, Some(row));
+            let moved = leads_away && self.center(j, &d, Some(row));
             self.scratch.directions.push(d);
             if moved {
                 return true;
@@ -93,7 +93,7 @@ impl Run<'_> {
 
     /// Moves x to the middle of its range along d, A d = 0: x_j by 1, x of the free rows by d. Row
     /// j is then dependent. False if the range is empty or unbounded.
-    fn centre(&mut self, j: usize, d: &Direction, keeps: Option<usize>) -> bool {
+    fn center(&mut self, j: usize, d: &Direction, keeps: Option<usize>) -> bool {
         let free = &self.basis.free;
         let reach = |sign: f64| {
             let of_free = free.iter().zip(&d.free);
@@ -107,8 +107,8 @@ impl Run<'_> {
         }
         if self.observer.wants_details() {
             let x = &self.state.x;
-            let own = Centring { row: j, keeps, x, free, direction: &d.free, forward, back };
-            self.observer.part(&StepDetail::Centring(own));
+            let own = Centering { row: j, keeps, x, free, direction: &d.free, forward, back };
+            self.observer.part(&StepDetail::Centering(own));
         }
         let t = (forward - back) / 2.0;
         self.state.x[j] += t;

@@ -1,7 +1,7 @@
 //! Dantzig's method on redundant contacts: x moves to the middle of the solution set.
 
 use lcplab_problem::{Lcp, library, merit};
-use lcplab_solver::{Centring, Dantzig, Solver, Start, StepDetail};
+use lcplab_solver::{Centering, Dantzig, Solver, Start, StepDetail};
 use proptest::prelude::*;
 
 use lcplab_testing::{INF, assert_proved, boxed, cases, contacts, manufactured, parts};
@@ -14,7 +14,7 @@ struct Middle {
 }
 
 impl Middle {
-    fn of(own: &Centring<'_>) -> Self {
+    fn of(own: &Centering<'_>) -> Self {
         let at = |t: f64| {
             let mut x = own.x.to_vec();
             x[own.row] += t;
@@ -29,7 +29,7 @@ impl Middle {
 
 fn middles(lcp: &Lcp) -> Vec<Middle> {
     let middle = |part: &StepDetail<'_>| match part {
-        StepDetail::Centring(own) => Some(Middle::of(own)),
+        StepDetail::Centering(own) => Some(Middle::of(own)),
         _ => None,
     };
     parts(&Dantzig::default(), lcp, middle).2
