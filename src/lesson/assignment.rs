@@ -97,7 +97,7 @@ impl Assignment {
         let mut defects = Defects::default();
         for name in names {
             if !all.iter().any(|problem| is_meant(name, problem)) {
-                defects.add(name, "is neither a lesson with number problems nor a number problem");
+                defects.add(name, "is neither a problem with parameters nor a lesson that has some");
             }
         }
         defects.into_result("set")?;
@@ -155,7 +155,7 @@ impl Assignment {
         });
         Ok(Page {
             title: student.to_string(),
-            lead: "Other students have other numbers.".into(),
+            lead: "Other students have different numbers.".into(),
             sections,
             facts: vec![("lcplab".into(), env!("CARGO_PKG_VERSION").into())],
             ..Page::default()
@@ -298,7 +298,7 @@ pub fn students(text: &str, input: &str) -> Result<Vec<String>> {
             Some(first) => defects.add(
                 format!("line {}", k + 1),
                 format!(
-                    "{name:?} is the name in line {first}; add something that tells the two apart"
+                    "{name:?} is also the name in line {first}; add something that distinguishes the two"
                 ),
             ),
             None => names.push(name),

@@ -9,7 +9,7 @@
 //! calls work in a Jupyter kernel for Rust.
 //!
 //! [`exercise`] checks students' programs, [`problem`] their numerical answers; [`template`] gives
-//! each student other numbers, and [`assignment`] makes and grades sheets of such problems.
+//! each student different numbers, and [`assignment`] makes and grades sheets of such problems.
 
 pub mod assignment;
 pub mod exercise;

@@ -119,13 +119,13 @@ impl Problem {
         }
         let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
         let reason = match number {
-            number if !number.is_finite() => "a finite number is asked for".to_string(),
+            number if !number.is_finite() => "enter a finite number".to_string(),
             number if self.answer != 0.0 && self.is_near(-number, self.answer) => {
-                "the size is right, the sign is not".to_string()
+                "the magnitude is right, the sign is not".to_string()
             }
             // A direction would turn a prediction into a search by bisection.
             number if self.kind != Kind::Pencil => {
-                format!("{}{unit} is not what it shows", readable(number, 4))
+                format!("{}{unit} is not the right number", readable(number, 4))
             }
             number if number > self.answer => format!("{}{unit} is too much", readable(number, 4)),
             number => format!("{}{unit} is too little", readable(number, 4)),

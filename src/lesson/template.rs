@@ -1,4 +1,5 @@
-//! Problems with parameters: their numbers are formulas, so that each student can have other ones.
+//! Problems with parameters: their numbers are formulas, so that each student can have different
+//! ones.
 //!
 //! A problem's file lists the values of each parameter; the first of each list is the one that the
 //! lesson prints. Everything else follows by formulas, which lcplab reads with the crate `exmex`

@@ -21,7 +21,7 @@ pub enum Error {
         columns: usize,
     },
     /// A wrong number of values.
-    #[error("{what} has {found} values, needed are {expected}")]
+    #[error("{what} has {found} values, but {expected} are needed")]
     Length {
         /// The object that has them.
         what: &'static str,
@@ -52,7 +52,7 @@ pub enum Error {
         limit: usize,
     },
     /// Entries must be loaded row by row, columns ascending, each position once.
-    #[error("entry ({row}, {column}) comes after a later place, or twice")]
+    #[error("entry ({row}, {column}) is out of order, or occurs twice")]
     Unordered {
         /// The row of the entry.
         row: usize,
@@ -73,7 +73,7 @@ impl From<Error> for error::Error {
     fn from(error: Error) -> Self {
         let (place, reason) = match error {
             Error::Length { what, found, expected } => {
-                (what.to_string(), format!("has {found} values, needed are {expected}"))
+                (what.to_string(), format!("has {found} values, but {expected} are needed"))
             }
             other => ("storage".into(), other.to_string()),
         };

@@ -16,7 +16,7 @@ pub(in crate::chapter) const LISTING: Listing = Listing {
     id: "Code 1",
     title: "a step without constraints",
     printed: "u⁺ = u + dt M⁻¹ F, s⁺ = s + dt S u⁺",
-    corrected: "The same: the listing stands.",
+    corrected: "The same: the listing is correct.",
     errata: &["E26"],
 };
 

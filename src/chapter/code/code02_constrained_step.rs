@@ -19,7 +19,7 @@ use super::code01_unconstrained_step::Blocks;
 pub(in crate::chapter) const LISTING: Listing = Listing {
     id: "Code 2",
     title: "a step with the constraints' x",
-    printed: "u⁺ = u + dt M⁻¹ F − M⁻¹ Jᵀ x; beside it (23), with dt M⁻¹ Jᵀ x",
+    printed: "u⁺ = u + dt M⁻¹ F − M⁻¹ Jᵀ x; next to it (23), with dt M⁻¹ Jᵀ x",
     corrected: "u⁺ = u + dt M⁻¹ F + M⁻¹ Jᵀ x, x an impulse that pushes where it is positive",
     errata: &["E28", "E30", "E60"],
 };

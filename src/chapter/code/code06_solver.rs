@@ -17,7 +17,7 @@ pub(in crate::chapter) const LISTING: Listing = Listing {
     id: "Code 6",
     title: "the iterative solver",
     printed: "Clear x, sweep ten times over the rows of A x = b, and clamp x after each sweep.",
-    corrected: "Start from the last step's x, and clamp each row before the next one is looked at.",
+    corrected: "Start from the last step's x, and clamp each row before the next one is updated.",
     errata: &["E02", "E06", "E11", "E12"],
 };
 

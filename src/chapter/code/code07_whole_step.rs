@@ -25,7 +25,7 @@ pub(in crate::chapter) const LISTING: Listing = Listing {
     title: "the whole step",
     printed: "Return if there is nothing to constrain; else J, A x = J u* + β e with e added up over \
               bodies, no bounds, x from 0, and u⁺ = u* − M⁻¹ Jᵀ x.",
-    corrected: "Always step; e once a constraint, β/dt, each row's bounds, x from the last frame, and \
+    corrected: "Always step; e once per constraint, β/dt, each row's bounds, x from the last frame, and \
                 u⁺ = u* + M⁻¹ Jᵀ x.",
     errata: &[
         "E12", "E26", "E28", "E29", "E30", "E31", "E32", "E33", "E34", "E35", "E36", "E37", "E59",

@@ -15,7 +15,7 @@ use super::Listing;
 pub(in crate::chapter) const LISTING: Listing = Listing {
     id: "Code 8",
     title: "the matrices of a step, written with operators",
-    printed: "Transpose J, then fill it; A = J M⁻¹ Jᵀ and b = J (V + M⁻¹ F), a body a row in V and F.",
+    printed: "Transpose J, then fill it; A = J M⁻¹ Jᵀ and b = J (V + M⁻¹ F), one row per body in V and F.",
     corrected: "Fill J, then transpose it; b = J (u + dt M⁻¹ F), with all velocities in one column.",
     errata: &["E27", "E49"],
 };

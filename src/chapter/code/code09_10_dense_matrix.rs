@@ -13,17 +13,17 @@ use super::Listing;
 pub(in crate::chapter) const MEMBERS: Listing = Listing {
     id: "Code 9",
     title: "the members of a dense matrix",
-    printed: "A pointer to floats, the number of rows and the number of columns, open to everyone.",
-    corrected: "The same three, closed, so that the entries are always rows × columns many.",
+    printed: "A pointer to floats, the number of rows and the number of columns, all public.",
+    corrected: "The same three, private, so that there are always rows × columns entries.",
     errata: &[],
 };
 
 pub(in crate::chapter) const ACCESS: Listing = Listing {
     id: "Code 10",
     title: "construction and access of a dense matrix",
-    printed: "Assert sizes below 500 and not one of them 0, allocate, free in the destructor; \
+    printed: "Assert sizes below 500, both or neither of them 0, allocate, free in the destructor; \
               entry (row, col) lies at col + columns · row.",
-    corrected: "Any size from 0 on, errors in place of assertions, and copies that own their entries; the \
+    corrected: "Any size from 0 on, errors instead of assertions, and copies that own their entries; the \
                 index stays.",
     errata: &["E50", "E51", "E59"],
 };

@@ -26,14 +26,14 @@ pub(super) fn example() -> Result<Finding> {
     Ok(Finding::new(
         "A cube of 1 m and 1 kg (moment of inertia 1/6 kg m²) on its four lower corners: A = [4 1 1 −2; 1 4 \
          −2 1; 1 −2 4 1; −2 1 1 4]. First its weight is held, w = A x + b ≥ 0, x ≥ 0 with b = −g/60 in each \
-         row: we count the ways to carry it on as few corners as possible. Then an equation that no force can \
+         row: we count the ways to support it on as few corners as possible. Then an equation that no force can \
          meet: one corner is to rise at 1 m/s and the others to stay, b = (−1, 0, 0, 0); the chapter has −b. \
          Printed is what a definite A would give: rank 4, one way, an x that settles.",
     )
     .measure(Measure::new("rank of A", "", 4.0, rank(&a)).truth(&[3.0], "height, two tilts", 0.0))
-    .measure(Measure::new("ways to carry it", "", 1.0, solutions).truth(&[2.0], "two diagonals", 0.0))
+    .measure(Measure::new("ways to support it", "", 1.0, solutions).truth(&[2.0], "two diagonals", 0.0))
     .measure(
-        Measure::new("growth of x₁ a sweep", "N s", 0.0, growth)
+        Measure::new("growth of x₁ per sweep", "N s", 0.0, growth)
             .truth(&[expected], "zᵀb / ½ zᵀD z", 1e-9),
     )
     .plot(&off_for_ever(&pushes, &speeds)))

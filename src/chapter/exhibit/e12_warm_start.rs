@@ -22,7 +22,7 @@ pub(super) fn example() -> Result<Finding> {
     let (printed, corrected) =
         (frames(&lcp, |_| vec![0.0; BODIES])?, frames(&lcp, <[f64]>::to_vec)?);
     let share =
-        Measure::new("weight carried at the floor", "", printed[FRAMES - 1], corrected[FRAMES - 1]);
+        Measure::new("weight supported by the floor", "", printed[FRAMES - 1], corrected[FRAMES - 1]);
     let points = |shares: &[f64]| -> Vec<(f64, f64)> {
         shares
             .iter()
@@ -33,14 +33,14 @@ pub(super) fn example() -> Result<Finding> {
     };
     let lines = Lines::new(
         "warm_start",
-        "What the floor carries, frame after frame",
-        "Ten sweeps a frame. With x kept the column settles within twenty frames; with x made anew every \
-             frame begins at nothing and the column sinks.",
+        "The weight supported by the floor, frame by frame",
+        "Ten sweeps per frame. If x is kept, the column settles within twenty frames; if x is cleared, \
+             every frame starts from 0 and the column sinks.",
         Axis::linear("frame", ""),
-        Axis::linear("carried at the floor", "% of the weight"),
+        Axis::linear("supported by the floor", "% of the weight"),
         vec![
             Series::measured("x kept", points(&corrected)),
-            Series::measured("x made anew", points(&printed)),
+            Series::measured("x cleared", points(&printed)),
             Series::reference("the weight", vec![(1.0, 100.0), (40.0, 100.0)]),
         ],
     );

@@ -99,12 +99,12 @@ fn pull_over_time() -> Result<Lines> {
     let run = run.iter().enumerate().map(|(k, force)| (k as f64 * dt, -force)).collect();
     Ok(Lines::new(
         "pull_of_a_pendulum",
-        "What the rod of a pendulum pulls with",
+        "Tension of the rod of a pendulum",
         "A single step at velocity level, started on the exact motion, lacks the part that bends the \
-             path. A run makes good from its second step on what the first one missed; \
-             what is left is the error of steps of 0.02 s.",
+             path. In a run, each step from the second on corrects the error of the one before; \
+             the remaining error is that of steps of 0.02 s.",
         Axis::linear("time", "s"),
-        Axis::linear("pull of the rod", "N"),
+        Axis::linear("tension of the rod", "N"),
         vec![
             Series::measured("velocity level, a run", run),
             Series::reference("exact", exact),

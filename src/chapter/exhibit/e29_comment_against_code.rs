@@ -34,7 +34,7 @@ pub(super) fn example() -> Result<Finding> {
          λ = {} N. First its λ is put into the code's step; corrected is b = J u* = {} m/s in w = A x + b. \
          Then −x/dt of the code (as printed) and λ of the comment (as corrected) are compared in the stack \
          of Figure 7, three such balls at rest but for the middle one, which moves down at 1 m/s: they are \
-         the same forces. Each contact carries the weight above it, and the two lower ones stop the moving body.",
+         the same forces. Each contact supports the weight above it, and the two lower ones stop the moving body.",
         plain(lambda[0]),
         plain(-x[0]),
     ));

@@ -86,7 +86,7 @@ const HOLDS: [f64; 2] = [0.0, 1.0];
 pub(super) fn example() -> Result<Finding> {
     let mut finding = Finding::new(
         "A body of 1 kg touches the ground, once approaching at 1 m/s, once parting at 1 m/s; no forces. \
-         The ground stops the first and lets the second go: u⁺ = 0 and u⁺ = 1. All b are in the sign of \
+         The ground stops the first and does not hold the second: u⁺ = 0 and u⁺ = 1. All b are in the sign of \
          w = A x + b, where Code 7's A x = J u* has b = −J u*.",
     );
     let right = CORRECTED.speeds()?;

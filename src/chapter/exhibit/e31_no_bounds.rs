@@ -36,7 +36,7 @@ pub(super) fn example() -> Result<Finding> {
     Ok(Finding::new(
         "A body of 1 kg on the ground leaves it at 1 m/s, without forces; dt = 1/60 s. And a body that is \
          nailed through its center hangs for a second, g = 9.81 m/s², with the default of IsEquality as \
-         bound: as printed x ≥ 0 in Code 7's own sign, where a nail that carries has x < 0. The judge sees \
+         bound: as printed x ≥ 0 in Code 7's own sign, where a loaded nail has x < 0. The judge sees \
          the contact's x in the sign of w = A x + b.",
     )
     .measure(speed.truth(&[1.0], "nothing holds it", 1e-12))

@@ -65,9 +65,9 @@ pub(super) fn example() -> Result<Finding> {
     };
     Ok(Finding::new(
         "Two masses of 1 kg at rest are nailed 3 m apart and joined by a rod of 1 m; β = 0.2, dt = 1/60 s, so \
-         the rod asks for 24 m/s of approach. Printed: |x| stays what it is after 10 sweeps, and u is the \
-         best fit. Corrected: 12 N s more in each sweep; u is (12, −12) if the rod has the last word, and (0, 0) \
-         if the nails have. The last two lines: no compliance against γ = 10⁻⁶, both orders.\n\n\
+         the rod requires an approach at 24 m/s. Printed: |x| stays what it is after 10 sweeps, and u is the \
+         best fit. Corrected: 12 N s more in each sweep; u is (12, −12) if the rod is updated last, and (0, 0) \
+         if the nails are. The last two lines: no compliance compared with γ = 10⁻⁶, in both orders.\n\n\
          For a problem without a solution there is nothing to judge; the judge sees the x of 1000 sweeps and \
          that of Dantzig's method on the problem with γ = 10⁻⁶.",
     )

@@ -54,7 +54,7 @@ pub(super) fn example() -> Result<Finding> {
     Ok(Finding::new(
         "A plank of 1 kg lands flat at 1 m/s on two supports, one at each side, where A = [1.5 0.5; 0.5 1.5] and \
          b = (−1, −1). Fifty sweeps of impulses on the bodies, once clamping each single impulse (printed: the \
-         reading in which the families differ) and once the total of each contact (corrected), beside fifty \
+         reading in which the families differ) and once the total of each contact (corrected), compared with fifty \
          sweeps of projected Gauss-Seidel on A x + b. A plank that lands flat stays down at both ends.",
     )
     .measure(difference.truth(&[0.0], "PGS on A x + b", 1e-14))

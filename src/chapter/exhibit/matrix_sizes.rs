@@ -62,7 +62,7 @@ pub(super) fn matrices_of_size_zero() -> Result<Finding> {
     let step = Measure::new("velocity after the step", "m/s", flight, falling);
     let accepted = Measure::new("zero sizes accepted", "", 0.0, 1.0);
     Ok(Finding::new(
-        "Three bodies fall at 1 m/s and touch nothing; g = 9.81 m/s², a step of 1/60 s. Code 7 asks for a J of \
+        "Three bodies fall at 1 m/s and touch nothing; g = 9.81 m/s², a step of 1/60 s. Code 7 requests a J of \
          0 × 18. The last line counts which of 0 × 0, 0 × 18 and 18 × 0 Code 10 accepts; by the text, none.",
     )
     .measure(columns.truth(&[f64::from(6 * m)], "6 a body", 0.0))

@@ -44,7 +44,7 @@ impl Exhibit {
     fn evidence(&self, finding: Option<&Finding>) -> Section {
         let mut section = Section::new("Example");
         let Some(finding) = finding else {
-            section.say(format!("In words alone: {}", self.in_words));
+            section.say(format!("No example: {}", self.in_words));
             return section;
         };
         for paragraph in finding.example.split("\n\n") {
@@ -70,7 +70,7 @@ impl Exhibit {
         section.say(if finding.is_shown() {
             "Shown: the printed form fails, the corrected one holds."
         } else {
-            "Not shown: the example does not tell the two forms apart."
+            "Not shown: the example does not distinguish the two forms."
         });
         section
     }

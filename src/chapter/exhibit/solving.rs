@@ -29,7 +29,7 @@ pub(super) fn pivoting() -> Result<Finding> {
          visits every active set. Printed is a recursion that settles a row with each smaller instance. \
          Then a column of 60 bodies of 1 kg that all fall at 1 m/s, b = (−1, 0, …, 0): the floor's impulse \
          must stop them all. Printed is the method that the chapter takes for the more reliable one, with \
-         1000 sweeps; beside it Lemke's pivoting.",
+         1000 sweeps; corrected is Lemke's pivoting.",
     )
     .measure(count.truth(&[2_f64.powi(ROWS as i32) - 1.0], "2ⁿ − 1", 0.0))
     .measure(floor.truth(&[BODIES as f64], "momentum", 1e-9))

@@ -95,7 +95,7 @@ pub(super) fn force_not_strain() -> Result<Finding> {
         "A ball of 1 kg rests on the floor, g = 9.81 m/s², a step of 1/60 s; λ = x/dt. The same problem is set up \
          and solved in other units: by what factor does the number λ change? A strain would keep its number.",
     )
-    .measure(measure("mm in place of m", 1e-3, 1.0, 1.0)?)
-    .measure(measure("ms in place of s", 1.0, 1e-3, 1.0)?)
-    .measure(measure("g in place of kg", 1.0, 1.0, 1e-3)?))
+    .measure(measure("mm instead of m", 1e-3, 1.0, 1.0)?)
+    .measure(measure("ms instead of s", 1.0, 1e-3, 1.0)?)
+    .measure(measure("g instead of kg", 1.0, 1.0, 1e-3)?))
 }

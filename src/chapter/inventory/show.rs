@@ -29,7 +29,7 @@ pub fn list(kind: Option<&Group>, verdict: Option<Verdict>) -> Document {
         let mut section = Section::new(&group.title);
         let columns = ["no.", "verdict", "errata", "says", "lesson", "code"];
         section.blocks.push(Block::Table(Table {
-            title: format!("{}: what became of them", group.title),
+            title: format!("{}, with verdicts", group.title),
             columns: columns.map(str::to_string).to_vec(),
             rows: entries.into_iter().map(line).collect(),
             left_out: 0,
@@ -144,18 +144,18 @@ impl Verdict {
     /// What the word means.
     pub fn meaning(self) -> &'static str {
         match self {
-            Verdict::Right => "derived again or tested, and it holds.",
+            Verdict::Right => "derived again or tested, and correct.",
             Verdict::Convention => {
-                "a choice of signs or words, or true under a condition left unsaid."
+                "a choice of signs or terms, or true under an unstated condition."
             }
-            Verdict::Misprint => "a reader repairs it at sight.",
+            Verdict::Misprint => "a reader corrects it at a glance.",
             Verdict::Misleading => {
                 "a reader draws a wrong conclusion, or parts that are usable alone do not fit together."
             }
             Verdict::Wrong => "following it gives a wrong result or a crash.",
-            Verdict::Confirmed => "measured here, and so it is.",
-            Verdict::Opinion => "advice or taste, which no number decides.",
-            Verdict::Rebuilt => "it claims nothing; here it is built anew.",
+            Verdict::Confirmed => "a claim that our measurements confirm.",
+            Verdict::Opinion => "advice or taste, which no number can decide.",
+            Verdict::Rebuilt => "it makes no claim; it is rebuilt here.",
         }
     }
 }

@@ -19,7 +19,7 @@ pub fn hand(answer: fn(f64, &[f64], f64) -> Vec<f64>) -> Verdict {
     for (m, dt, pull) in cases {
         let got = answer(m, pull, dt);
         if got.len() != pull.len() {
-            return Err(format!("{} steps have as many impulses, not {}", pull.len(), got.len()));
+            return Err(format!("{} steps need one impulse each, the answer has {}", pull.len(), got.len()));
         }
         let (mut z, mut v) = (0.0, 0.0);
         for (k, (&x, force)) in got.iter().zip(pull).enumerate() {
@@ -130,7 +130,7 @@ fn solves(a: [[f64; 2]; 2], b: [f64; 2], x: [f64; 2]) -> Verdict {
             return Err(format!("{at}; x[{i}] must not be negative"));
         }
         if !(w >= -1e-12) {
-            return Err(format!("{at}; that contact goes on closing"));
+            return Err(format!("{at}; that contact still closes"));
         }
         if x[i] * w > 1e-12 {
             return Err(format!("{at}; a contact that opens must have no impulse"));

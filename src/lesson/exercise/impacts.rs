@@ -107,7 +107,7 @@ pub fn bounce(answer: fn(f64, f64, f64, usize) -> Vec<[f64; 2]>) -> Verdict {
     ] {
         let got = answer(height, e, dt, steps);
         if got.len() != steps {
-            return Err(format!("{steps} steps have as many states, not {}", got.len()));
+            return Err(format!("{steps} steps need one state each, the answer has {}", got.len()));
         }
         let (mut z, mut v) = (height, 0.0);
         for (k, [now, after]) in got.into_iter().enumerate() {

@@ -39,7 +39,7 @@ pub fn column(answer: fn(&[f64], &[f64]) -> Vec<f64>) -> Verdict {
                 return Err(format!("{at}; contact {k} pulls"));
             }
             if !(w >= -1e-9) {
-                return Err(format!("{at}; contact {k} goes on closing"));
+                return Err(format!("{at}; contact {k} still closes"));
             }
             if x[k] > 1e-9 && w > 1e-9 {
                 return Err(format!("{at}; contact {k} opens, yet it pushes"));
@@ -78,7 +78,7 @@ pub fn step(answer: fn([f64; 2], [f64; 2], [f64; 2], f64) -> [f64; 2]) -> Verdic
             return Err(format!("{at}; the contact pulls the bodies together"));
         }
         if !(w >= -1e-12) {
-            return Err(format!("{at}; the contact goes on closing at {:.4} m/s", -w));
+            return Err(format!("{at}; the contact still closes at {:.4} m/s", -w));
         }
         if push > 1e-12 && w > 1e-12 {
             return Err(format!(

@@ -32,7 +32,7 @@ pub fn sweep(answer: fn(&[Vec<f64>], &[f64], &[f64], &[f64], Vec<f64>) -> Vec<f6
             }
             let fits = w.abs() < 1e-12 || (w > 0.0 && x[i] == lo[i]) || (w < 0.0 && x[i] == hi[i]);
             if !fits {
-                return Err(format!("{at}; this row could still do better on its own"));
+                return Err(format!("{at}; this row alone does not satisfy its LCP"));
             }
         }
     }
@@ -170,7 +170,7 @@ pub fn projected(answer: fn(&[Vec<f64>], &[f64], usize) -> Vec<f64>) -> Verdict 
                 return Err(format!("{at}; contact {i} pulls"));
             }
             if !(w >= -1e-9) {
-                return Err(format!("{at}; contact {i} goes on closing at {:.4} m/s", -w));
+                return Err(format!("{at}; contact {i} still closes at {:.4} m/s", -w));
             }
             if x[i] > 1e-9 && w > 1e-9 {
                 return Err(format!("{at}; contact {i} opens at {w:.4} m/s, yet it pushes"));

@@ -46,7 +46,7 @@ fn the_pendulums_length_drifts_by_these_amounts_in_ten_seconds() {
 #[test]
 fn a_force_scales_with_its_units_and_a_strain_would_not() {
     for (quantity, factor) in
-        [("mm in place of m", 1e3), ("ms in place of s", 1e-6), ("g in place of kg", 1e3)]
+        [("mm instead of m", 1e3), ("ms instead of s", 1e-6), ("g instead of kg", 1e3)]
     {
         let [strain, force] = both("E63", quantity);
         assert_eq!(strain, 1.0);

@@ -130,7 +130,7 @@ fn e12_ten_sweeps_from_nothing_carry_a_third_of_the_weight() {
             x[i] = (x[i - 1] + x[i + 1]) / 2.0;
         }
     }
-    let [printed, corrected] = both("E12", "weight carried at the floor");
+    let [printed, corrected] = both("E12", "weight supported by the floor");
     assert_near(printed, x[0] / 10.0, 1e-12);
     assert_near(printed, 0.352, 5e-4);
     assert_near(corrected, 1.0, 1e-9);

@@ -182,7 +182,7 @@ fn what_the_commands_cannot_use_exits_with_2() {
         (&["teacher", "--seed", " ", "--grade", "class.txt"], "must not be empty"),
         (
             &["teacher", "--seed", "a", "--set", "3,99", "--students", "class.txt", "--out", "o"],
-            "set: 99: is neither a lesson with number problems nor a number problem",
+            "set: 99: is neither a problem with parameters nor a lesson that has some",
         ),
         (
             &["teacher", "--seed", "a", "--set", "3", "--students", "none", "--out", "o"],

@@ -86,8 +86,8 @@ fn a_wrong_number_is_said_to_be_too_much_too_little_or_of_the_wrong_sign() {
     assert_eq!(says(2.019), "right");
     assert_eq!(says(2.021), "2.021 N s is too much");
     assert_eq!(says(1.9), "1.9 N s is too little");
-    assert_eq!(says(-2.0), "the size is right, the sign is not");
-    assert_eq!(says(f64::NAN), "a finite number is asked for");
+    assert_eq!(says(-2.0), "the magnitude is right, the sign is not");
+    assert_eq!(says(f64::NAN), "enter a finite number");
 }
 
 #[test]
