@@ -1,7 +1,7 @@
-//! What does a sweep over a dense A cost beside reading A once?
+//! What does a sweep over a dense A cost, compared with reading A once?
 //!
-//! The eigenvalues of A are 1/n, 2/n, …, 1, and half of the rows are free. The read adds up the
-//! entries of the very memory that the sweeps read, in three ways, of which the fastest counts.
+//! The eigenvalues of A are 1/n, 2/n, …, 1, and half of the rows are free. The read sums the
+//! entries of the same memory that the sweeps read, in three ways, of which the fastest counts.
 
 use std::hint::black_box;
 
@@ -13,7 +13,7 @@ use lcplab::solver::kernel::reading::{Reading, read};
 
 /// Sweeps from x = 0 that are timed together, which must still change x.
 const SWEEPS: usize = 8;
-/// Iterates agree to rounding: part of the largest |x|.
+/// The allowed difference of iterates, as a fraction of the largest |x|.
 const ROUNDING: f64 = 1e-11;
 
 fn problem(n: usize) -> Lcp {
@@ -43,7 +43,10 @@ fn swept(n: usize, mut sweep: impl FnMut(&mut [f64])) -> Vec<f64> {
 fn assert_same(found: &[f64], expected: &[f64]) {
     let size = expected.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
     let apart = found.iter().zip(expected).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
-    assert!(apart <= ROUNDING * size, "nothing is timed that is another sweep: {apart}");
+    assert!(
+        apart <= ROUNDING * size,
+        "the iterates differ from those of the plain sweep by {apart}"
+    );
 }
 
 fn dense(criterion: &mut Criterion) {

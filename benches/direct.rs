@@ -1,5 +1,5 @@
-//! What do direct and Newton-like methods cost on definite problems beside clarabel, and what is
-//! the last active set worth?
+//! What do direct and Newton-like methods cost on definite problems, compared with clarabel, and
+//! how much does a start from the last active set save?
 
 mod contest;
 
@@ -28,8 +28,8 @@ fn definite(criterion: &mut Criterion) {
     }
 }
 
-/// b moves by about a hundredth and the active set of the answer stays: block pivoting cold, and
-/// with the set and factor of the problem before.
+/// b changes by about a hundredth, and the active set of the answer does not: block pivoting from a
+/// cold start, and with the active set and factor of the previous problem.
 fn warm_factor(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("block pivoting, b moved");
     group.sample_size(10).measurement_time(Duration::from_secs(1));
@@ -47,8 +47,8 @@ fn warm_factor(criterion: &mut Criterion) {
     }
 }
 
-/// The problem with the b that belongs to x and w a little larger or smaller, each by its own part,
-/// so that the active set is the same by construction.
+/// The problem whose b belongs to a slightly changed x and w, with the same active set by
+/// construction.
 fn moved(lcp: &Lcp, answer: &Solution) -> Result<Lcp> {
     const CHANGE: f64 = 0.01;
     let mut random = oorandom::Rand64::new(1);

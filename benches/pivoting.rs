@@ -35,7 +35,7 @@ fn pivoting(criterion: &mut Criterion) {
         for count in [15, 75] {
             let lcp = tower(count, mu);
             let solve = || solver.solve(black_box(&lcp), &Start::default(), &mut ());
-            assert_eq!(solve().status, Status::Solved, "nothing is timed that is not solved");
+            assert_eq!(solve().status, Status::Solved, "the problem must be solved");
             let id = BenchmarkId::new(format!("{name}, friction {mu}"), 4 * count);
             group.bench_function(id, |bencher| bencher.iter(solve));
         }

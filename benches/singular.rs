@@ -1,4 +1,4 @@
-//! What does an exact answer cost where contacts are redundant, beside clarabel?
+//! What does an exact answer cost with redundant contacts, compared with clarabel?
 
 mod contest;
 

@@ -1,7 +1,7 @@
-//! What does an exact answer cost where A is large and sparse, beside clarabel?
+//! What does an exact answer cost for a large sparse A, compared with clarabel?
 //!
-//! A net is equations only; a tower has contacts, with friction bounds frozen where some sweeps
-//! have led to. Ours and clarabel, both by rows, with A, and by velocities, with the factors of A:
+//! A net has equations only; a tower has contacts, with friction bounds frozen after some sweeps.
+//! Ours and clarabel, both by rows, with A, and by velocities, with the factors of A:
 //!
 //! ```text
 //! (A + D) dx = r      or      (1 + Ĵᵀ D⁻¹ Ĵ) v = Ĵᵀ D⁻¹ r,   A = Ĵ Ĵᵀ
@@ -21,7 +21,7 @@ use lcplab_benches::problems::posed;
 const TOLERANCE: f64 = 2e-7;
 /// Sweeps from x = 0 before friction bounds are frozen.
 const SWEEPS: usize = 500;
-/// By rows the tower takes seconds: problems of more rows are only solved by velocities.
+/// Problems with more rows are only solved by velocities: by rows the tower takes seconds.
 const MOST_ROWS: usize = 2000;
 
 fn sparse(criterion: &mut Criterion) {

@@ -1,7 +1,7 @@
-//! What does a whole step cost, and how does that grow from 700 to 20,000 cubes? Finding what
-//! touches, making rows, sweeping, moving, by the stepper with a fixed number of sweeps.
+//! What does a whole step cost, and how does the cost grow from 700 to 20,000 cubes? Contact
+//! detection, rows, sweeps and motion, by the stepper with a fixed number of sweeps.
 //!
-//! One and two threads must give the same bits before anything is timed.
+//! The results of one and two threads must be bitwise identical before anything is timed.
 
 use std::time::Duration;
 
@@ -69,7 +69,7 @@ fn is_test() -> bool {
 }
 
 fn towers(criterion: &mut Criterion) {
-    // Rings of 20 and more keep clear of themselves.
+    // The cubes of a ring of 20 or more do not overlap.
     let sizes: &[usize] = if is_test() { &[400] } else { &[700, 1400, 2800, 5600, 10_000, 20_000] };
     steps(criterion, "step of a tower", sizes, tower);
 }

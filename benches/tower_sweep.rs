@@ -1,8 +1,8 @@
-//! What does a sweep over a tower of 700 cubes cost, and what does a tolerance?
+//! What do a sweep over a tower of 700 cubes, and a solve to a tolerance, cost?
 //!
-//! A is not formed. Eight pairs at a time need another order of the rows, and with it another
-//! number of sweeps, so the sweeps to a part of the first natural residual are counted and timed
-//! too.
+//! A is not formed. Processing eight pairs at a time changes the order of the rows and therefore
+//! the number of sweeps, so the sweeps to a fraction of the first natural residual are also counted
+//! and timed.
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use lcplab::lcp::{Lcp, merit};
@@ -13,9 +13,9 @@ use lcplab_benches::problems::posed;
 
 /// Sweeps of the check against the plain sweep.
 const CHECKED: usize = 11;
-/// Iterates agree to rounding: part of the largest |x|.
+/// The allowed difference of iterates, as a fraction of the largest |x|.
 const ROUNDING: f64 = 1e-11;
-/// Sweeps between two looks at the residual, and at most.
+/// Sweeps between two residual checks, and the maximum number of sweeps.
 const LOOK: usize = 20;
 const MOST: usize = 20_000;
 
@@ -63,10 +63,13 @@ fn check(lcp: &Lcp, order: &[usize], mut form: impl Sweeps) {
     let expected = by_definition(lcp, order);
     let size = expected.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
     let apart = form.x().iter().zip(&expected).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
-    assert!(apart <= ROUNDING * size, "nothing is timed that is another sweep: {apart}");
+    assert!(
+        apart <= ROUNDING * size,
+        "the iterates differ from those of the plain sweep by {apart}"
+    );
 }
 
-/// Sweeps until the natural residual is this part of the first; none if they are too many.
+/// Sweeps until the natural residual is this fraction of the first; none above the maximum.
 fn sweeps_to(lcp: &Lcp, part: f64, mut form: impl Sweeps) -> Option<usize> {
     let first = merit::natural_residual(lcp, &vec![0.0; lcp.len()]);
     (LOOK..=MOST).step_by(LOOK).find(|_| {

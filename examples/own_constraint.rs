@@ -1,4 +1,4 @@
-//! A constraint of one's own: a body slides in a bowl, z = ½ κ (x² + y² − 1).
+//! A user-defined constraint: a body slides in a bowl, z = ½ κ (x² + y² − 1).
 //!
 //! Run it with `cargo run --release --example own_constraint`.
 

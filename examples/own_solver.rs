@@ -1,4 +1,4 @@
-//! A solver of one's own in lcplab's comparison: projected Jacobi in eleven lines.
+//! A user-defined solver in lcplab's comparison: projected Jacobi in eleven lines.
 //!
 //! Run it with `cargo run --release --example own_solver`.
 

@@ -1,6 +1,6 @@
-//! Proofs of every problem of the library and of every shipped scene at steps 1, 10 and 60, with at
-//! most so many rows: `cargo run --release --example prove_all -- FOLDER [ROWS]`. Then `python3
-//! proofs/lcpcheck.py FOLDER` checks them.
+//! Writes proofs of all problems of the library, and of all shipped scenes at steps 1, 10 and 60,
+//! with at most ROWS rows: `cargo run --release --example prove_all -- FOLDER [ROWS]`. Then
+//! `python3 proofs/lcpcheck.py FOLDER` checks them.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -58,7 +58,7 @@ fn main() -> Result<()> {
         for number in 1..=STEPS[STEPS.len() - 1] {
             let Ok(step) = simulation.step() else { break };
             if step.solves.iter().any(|solve| solve.problem.lcp.len() > 4 * most) {
-                break; // a scene that stays too large
+                break; // all later steps are too large, too
             }
             if let (true, Some(solve)) = (STEPS.contains(&number), step.solves.last()) {
                 let problem = solve.exported(simulation.scene(), number);

@@ -1,13 +1,13 @@
-//! Every verdict as a line of JSON, for a judge of one's own: the problems of the library, random
-//! hostile ones and steps of the shipped scenes, each with the answers of all solvers and some that
-//! nobody would give, what the judge says of them, and what the diagnosis says of the problem.
+//! Verdicts as lines of JSON, to test another judge: the problems of the library, random hostile
+//! problems and steps of the shipped scenes, each with the answers of all solvers and some wrong
+//! answers, the judge's verdicts on them, and the diagnosis of the problem.
 //!
 //! ```console
 //! $ cargo run --example verdicts -- 2000 > verdicts.jsonl
 //! $ for judge in judge cones polygons; do python3 tests/independent/$judge.py verdicts.jsonl; done
 //! ```
 //!
-//! The number is that of the random problems. `tests/independent` says what is checked.
+//! The argument is the number of random problems. `tests/independent` states what is checked.
 
 use lcplab::simulation::Simulation;
 use std::io::{self, BufWriter, Write};
@@ -32,15 +32,15 @@ use serde_json::{Value, json};
 
 /// Larger problems are left out: exact arithmetic in Python takes too long.
 const MOST_ROWS: usize = 60;
-/// Random hostile problems come with this seed.
+/// The seed of the random hostile problems.
 const SEED: u64 = 17;
-/// Contacts with a cone in units far apart.
+/// The number of contacts with a cone in very different units.
 const CONTACTS: usize = 300;
 /// The corners of the friction polygons.
 const CORNERS: [usize; 2] = [4, 8];
 /// Larger problems are left out under a polygon, where a contact has up to ten unknowns.
 const MOST_POLYGON_ROWS: usize = 24;
-/// The steps of each scene that are looked at.
+/// The steps of each scene that are examined.
 const STEPS: [usize; 3] = [1, 5, 20];
 
 fn main() -> Result<()> {
@@ -63,7 +63,7 @@ fn main() -> Result<()> {
     Ok(())
 }
 
-/// Every problem with pairs of tangents under both laws of cones, and contacts in units far apart.
+/// Every problem with pairs of tangents under both cone laws, and contacts in very different units.
 fn of_cones(subjects: &[Subject]) -> Vec<Value> {
     let single = |k: usize| {
         let truth = hunt::cone::contact(SEED, k);
@@ -84,8 +84,8 @@ fn with_contacts(subjects: &[Subject]) -> impl Iterator<Item = (String, Friction
     })
 }
 
-/// The smaller of these problems under polygons, contacts in units far apart, and contacts whose
-/// numbers are small integers, which have many ties.
+/// The smaller of these problems under polygons, contacts in very different units, and contacts
+/// whose numbers are small integers, which have many ties.
 fn of_polygons(subjects: &[Subject]) -> Result<Vec<Value>> {
     let random = |k: usize| {
         let friction = FrictionProblem::of(&hunt::contact_problem(SEED, k)).ok()?;
@@ -112,7 +112,7 @@ fn polygon_record(name: &str, friction: &FrictionProblem, corners: usize) -> Res
                 let judged = judged.with_claim(&posed, status, &demand);
                 (claim(status, judged.certificate.refutation(), None).0, judged)
             }
-            None => ("failed", judged), // nobody claims it
+            None => ("failed", judged), // no solver claims it
         };
         let certificate = &judged.certificate;
         let mut answer = verdict_json(&certificate.verdict);
@@ -248,7 +248,7 @@ fn of_scene(name: &str, level: Scheme) -> Result<Vec<Subject>> {
     for step in 1..=STEPS[2] {
         let Ok(taken) = simulation.step() else { break };
         if taken.solves.iter().any(|solve| solve.problem.lcp.len() > 4 * MOST_ROWS) {
-            break; // a scene that stays too large
+            break; // all later steps are too large, too
         }
         let solves = taken.solves.iter().filter(|_| STEPS.contains(&step));
         for solve in solves.filter(|solve| solve.posing.is_none()) {
@@ -285,7 +285,7 @@ fn record(subject: &Subject, solvers: &[Box<dyn Solver>]) -> Value {
 /// An entry of x and its row, changed.
 type Change = fn(f64, usize) -> f64;
 
-/// Answers that are wrong, or right by a hair.
+/// Answers that are wrong, or barely right.
 fn strange<'a>(lcp: &'a Lcp, x: &'a [f64]) -> impl Iterator<Item = (&'static str, Vec<f64>)> + 'a {
     let changes: [(&'static str, Change); 8] = [
         ("nothing", |_, _| 0.0),
@@ -302,7 +302,7 @@ fn strange<'a>(lcp: &'a Lcp, x: &'a [f64]) -> impl Iterator<Item = (&'static str
         let size = x.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
         match name {
             "far" => lcp.project_all(&mut x),
-            // Rounding error, and what is no rounding error any more, in every third entry.
+            // A rounding error, and a larger error, in every third entry.
             "dusty" => x.iter_mut().step_by(3).for_each(|x| *x += 1e-15 * size),
             "dirty" => x.iter_mut().step_by(3).for_each(|x| *x += 1e-12 * size),
             _ => {}
@@ -316,7 +316,7 @@ fn judged(lcp: &Lcp, name: &str, x: &[f64], demand: &Demand) -> Value {
     let vector = |v: &[f64]| -> Value { v.iter().map(|&v| number(v)).collect() };
     let mut answer = certificate_json(&certificate);
     answer.insert("solver".into(), json!(name));
-    answer.insert("status".into(), json!("failed")); // nobody claims it
+    answer.insert("status".into(), json!("failed")); // no solver claims it
     answer.insert("x".into(), vector(x));
     answer.insert("w".into(), vector(&certificate.w));
     Value::Object(answer)

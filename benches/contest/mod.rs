@@ -1,4 +1,4 @@
-//! Solvers beside clarabel on one problem: an answer that the judge rejects is not timed.
+//! Solvers compared with clarabel on one problem: an answer that the judge rejects is not timed.
 
 use std::hint::black_box;
 
@@ -9,12 +9,12 @@ use lcplab::lcp::Lcp;
 use lcplab::reference::{Reference, box_qp_to};
 use lcplab::solver::{Options, Settings, Solution, Start, Status, by_name};
 
-/// The gap and feasibility that clarabel is asked for, one after the other, until x is accepted.
+/// The tolerances of gap and feasibility for clarabel, tried in order until x is accepted.
 const ASKED: [f64; 5] = [1e-8, 1e-9, 1e-10, 1e-11, 1e-12];
 
 pub type Group<'a> = BenchmarkGroup<'a, WallTime>;
 
-/// The sizes to measure; of a run that only tests the benchmarks, the first.
+/// The sizes to measure; only the first one in a run that tests the benchmarks.
 pub fn sizes<T>(all: &[T]) -> &[T] {
     if std::env::args().any(|argument| argument == "--test") { &all[..1] } else { all }
 }
@@ -42,7 +42,7 @@ pub fn ours(
     group.bench_function(BenchmarkId::new(name, problem), |bencher| bencher.iter(&run));
 }
 
-/// Times clarabel, asked for no more than it needs to be within the tolerance.
+/// Times clarabel with the loosest tolerance that the judge accepts.
 pub fn clarabel(
     group: &mut Group,
     name: &str,

@@ -3,21 +3,21 @@
 
 use std::path::{Path, PathBuf};
 
-/// A library that need not be there.
+/// An optional library.
 struct Peer {
-    /// The cfg that is set if it is.
+    /// The cfg that is set if it is installed.
     cfg: &'static str,
     /// The files that call it.
     shim: &'static str,
     /// Its name for pkg-config, if it has one.
     package: Option<&'static str>,
-    /// A header, and the folder of headers below a prefix: without pkg-config it is there if this
-    /// is.
+    /// A header, and the folder of headers below a prefix: without pkg-config the library counts as
+    /// installed if this header exists.
     header: &'static str,
     folder: &'static str,
-    /// What else the compiler is to know.
+    /// Further arguments for the compiler.
     define: Option<&'static str>,
-    /// What to link.
+    /// The libraries to link.
     libraries: &'static [&'static str],
 }
 
@@ -63,7 +63,7 @@ fn main() {
     }
 }
 
-/// Where a library's headers are, and its version.
+/// The folder of a library's headers, and its version.
 struct Found {
     folders: Vec<PathBuf>,
     version: String,
@@ -97,7 +97,7 @@ impl Peer {
     }
 }
 
-/// The version in the name of the shared library, for want of a better one.
+/// The version in the name of the shared library, if there is no other.
 fn version_of(library: &str) -> String {
     let name = format!("lib{library}.so.");
     let folders = ["/usr/lib/x86_64-linux-gnu", "/usr/lib/aarch64-linux-gnu", "/usr/lib", "/usr/local/lib"];

@@ -1,5 +1,5 @@
-//! What the benchmarks share: their problems, and the recorded run beside other engines with its
-//! table.
+//! Shared by the benchmarks: their problems, and the recorded comparison with other engines with
+//! its table.
 
 pub mod problems;
 pub mod recording;

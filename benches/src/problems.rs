@@ -57,7 +57,7 @@ impl Stack {
     pub fn name(&self) -> String {
         let kind = if self.friction > 0.0 { "friction" } else { "stack" };
         let name = format!("{kind} {}", self.boxes);
-        if self.compliance > 0.0 { format!("{name}, regularised") } else { name }
+        if self.compliance > 0.0 { format!("{name}, regularized") } else { name }
     }
 
     /// Its problem.
@@ -81,7 +81,7 @@ fn softened(lcp: &Lcp, part: f64) -> Result<Lcp> {
     Lcp::new(matrix, lcp.b().to_vec(), lcp.lo().to_vec(), lcp.hi().to_vec())
 }
 
-/// Sweeps for each step before the posed one: direct methods take too long on a tower.
+/// Sweeps for each step before the one that is solved: direct methods take too long on a tower.
 const SWEEPS: usize = 20;
 
 /// The first problem of a scene's step, counted from 1, after steps by a few sweeps each.

@@ -1,4 +1,4 @@
-//! What `benches/peers` writes: plain numbers, with the machine and the day they belong to.
+//! The record that `benches/peers` writes: numbers, with the machine and the day of the run.
 
 use serde::{Deserialize, Serialize};
 
@@ -9,11 +9,11 @@ use crate::timing::Time;
 pub struct Recording {
     /// The day of the run, year-month-day.
     pub date: String,
-    /// What it ran on.
+    /// The machine.
     pub machine: Machine,
     /// The libraries, installed or not.
     pub libraries: Vec<Library>,
-    /// Problems in numbers.
+    /// Numerical problems.
     pub problems: Vec<Problem>,
     /// Whole scenes.
     pub scenes: Vec<Scene>,
@@ -24,7 +24,7 @@ pub struct Recording {
 pub struct Machine {
     /// The processor's own name.
     pub processor: String,
-    /// How many threads it can run; every time is of one.
+    /// The number of threads it can run; all times are those of one thread.
     pub threads: usize,
     /// The operating system.
     pub system: String,
@@ -43,7 +43,7 @@ pub struct Library {
     pub package: String,
 }
 
-/// A problem and what everybody made of it.
+/// A problem with all answers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Problem {
     /// Its name.
@@ -54,22 +54,22 @@ pub struct Problem {
     pub answers: Vec<Answer>,
 }
 
-/// An answer that was looked at before it was timed.
+/// An answer that was checked before it was timed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Answer {
-    /// Whose.
+    /// The contender.
     pub contender: String,
     /// Whether it is one of lcplab's own methods.
     pub ours: bool,
     /// The scaled residual of x; none if it is not finite.
     pub residual: Option<f64>,
-    /// What the contender itself complained of.
+    /// The error that the contender itself reported.
     pub complaint: Option<String>,
-    /// What it took; none if x is not an answer.
+    /// The times; none if x is not an answer.
     pub time: Option<Time>,
 }
 
-/// A scene that several engines stepped.
+/// A scene stepped by several engines.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Scene {
     /// Its name.
@@ -78,41 +78,41 @@ pub struct Scene {
     pub bodies: usize,
     /// The length of a step (s).
     pub dt: f64,
-    /// How long the bodies were left alone (s) before they were looked at.
+    /// The simulated time (s) before the bodies were checked.
     pub after: f64,
-    /// What they had to keep to then.
+    /// The bounds that they had to satisfy then.
     pub bounds: Bounds,
     /// By engine.
     pub engines: Vec<Engine>,
 }
 
-/// How far bodies that should rest may be from where they belong.
+/// The largest allowed deviations of bodies that should rest.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Bounds {
     /// The deepest overlap (m).
     pub penetration: f64,
-    /// The farthest way of a body's center from its place at the start (m).
+    /// The largest displacement of a body's center from the start (m).
     pub drift: f64,
 }
 
 impl Bounds {
-    /// Whether both are at most those.
+    /// Whether both are within these limits.
     pub fn is_within(&self, bounds: &Bounds) -> bool {
         self.penetration <= bounds.penetration && self.drift <= bounds.drift
     }
 }
 
-/// An engine's go at a scene, with as few iterations as keep to the bounds.
+/// An engine's run of a scene, with the smallest number of iterations that satisfies the bounds.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Engine {
-    /// The engine and what it calls the step.
+    /// The engine and its name of the step.
     pub engine: String,
     /// Whether it is lcplab.
     pub ours: bool,
-    /// The number of iterations of a step: the least that was enough, or the most that was tried.
+    /// Iterations per step: the smallest sufficient number, or the largest number tried.
     pub iterations: usize,
-    /// What was measured with them; none if it is not finite.
+    /// The measured deviations; none if they are not finite.
     pub reached: Option<Bounds>,
-    /// One step (s); none if it did not keep to the bounds.
+    /// The time of one step (s); none if the bounds were not satisfied.
     pub step: Option<Time>,
 }

@@ -1,4 +1,4 @@
-//! The recorded run beside other engines as one table, and the goals that it misses.
+//! The recorded comparison with other engines as one table, and the goals that it misses.
 
 use std::fmt::Write;
 
@@ -8,7 +8,7 @@ use serde::Deserialize;
 
 use crate::recording::{Machine, Problem, Recording, Scene};
 
-/// A number that was asked for beside another engine, before anything was measured.
+/// A goal compared with another engine, set before anything was measured.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Goal {
@@ -18,7 +18,7 @@ pub struct Goal {
     pub ours: Option<String>,
     /// How the names of its contenders begin, of which the fastest counts; any without one.
     pub peer: Option<String>,
-    /// At least this many times as fast.
+    /// The required ratio of speeds.
     pub faster: f64,
 }
 
@@ -38,7 +38,7 @@ pub fn recorded() -> Result<Recording> {
         .map_err(|cause| Error::invalid("benches/peers.json", "recording", cause.to_string()))
 }
 
-/// The goals beside other engines.
+/// The goals compared with other engines.
 ///
 /// # Errors
 /// If the file of goals has defects.
@@ -97,8 +97,8 @@ pub fn page(recording: &Recording, goals: &[Goal]) -> String {
         "# Other engines\n\n\
          Recorded on {}, on {processor} ({threads} threads, one used), {system}, {compiler}, with {}.\n\n\
          Milliseconds, the best of all rounds, of the fastest method of each library whose answer was \
-         accepted. All got\nthe same numbers, in turns, in one process; a scene is stepped with as few \
-         iterations as keep its cubes in place.\n`cargo run -p lcplab-benches` writes this page from \
+         accepted. All were\ngiven the same numbers, in turns, in one process; scenes use the smallest \
+         number of iterations that keeps the cubes in place.\n`cargo run -p lcplab-benches` writes this page from \
          `peers.json`, which has every method, answer and median.\n\n\
          {}\nGoals of [goals.toml](goals.toml) that this run misses:\n\n{missed}",
         recording.date,
@@ -108,7 +108,7 @@ pub fn page(recording: &Recording, goals: &[Goal]) -> String {
 }
 
 impl Recording {
-    /// How many times as fast ours is, by the best of all rounds; none if either has no answer.
+    /// The ratio of the speeds by the best of all rounds; none if either has no answer.
     pub fn faster(&self, goal: &Goal) -> Option<f64> {
         let problem = self.problems.iter().find(|problem| problem.name == goal.problem)?;
         let method = |name: &str| goal.ours.as_deref().is_none_or(|ours| ours == name);
@@ -128,14 +128,14 @@ impl Recording {
             goal.problem,
             goal.ours.as_deref().unwrap_or("our fastest"),
             measured.map_or("–".into(), |faster| readable(faster, 3)),
-            goal.peer.as_deref().unwrap_or("the fastest of others"),
+            goal.peer.as_deref().unwrap_or("the fastest of the others"),
             readable(goal.faster, 3),
         ))
     }
 }
 
 impl Problem {
-    /// The least time (s) of those contenders that have an answer; told by their name and whether
+    /// The least time (s) of the contenders that have an answer, selected by their name and whether
     /// they are ours.
     fn best(&self, who: impl Fn(&str, bool) -> bool) -> Option<f64> {
         let times = self.answers.iter().filter(|answer| who(&answer.contender, answer.ours));

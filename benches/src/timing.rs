@@ -1,6 +1,6 @@
-//! Times side by side: in each round every contender has its turn, so that whatever else the
-//! machine does meets all of them alike. Medians, and the best of all rounds: the median contains
-//! other people's work, the best hardly any, so ratios of bests repeat.
+//! Comparative timing: in each round every contender has its turn, so that other work of the
+//! machine affects all of them equally. Medians, and the best of all rounds: the median includes
+//! the work of other processes, the best hardly any, so ratios of bests are reproducible.
 
 use std::time::Instant;
 
@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 /// Something to be timed.
 pub struct Contender<'a> {
-    /// Runs once and says how many seconds of it count.
+    /// Runs once and returns the number of seconds that count.
     pub run: Box<dyn FnMut() -> f64 + 'a>,
 }
 
@@ -28,7 +28,7 @@ pub struct Time {
     pub best: f64,
 }
 
-/// The times of all contenders, after so many rounds (at least one) and one to warm up.
+/// The times of all contenders in this number of rounds (at least one), after one to warm up.
 pub fn interleaved(rounds: usize, contenders: &mut [Contender<'_>]) -> Vec<Time> {
     let mut seconds = vec![Vec::new(); contenders.len()];
     for round in 0..=rounds.max(1) {

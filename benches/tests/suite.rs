@@ -1,10 +1,10 @@
-//! The table of other engines. What the clock says is no test.
+//! The table of other engines; times are not tested.
 
 use lcplab_benches::recording::{Answer, Recording};
 use lcplab_benches::table::{Goal, goals, page, recorded};
 use lcplab_benches::timing::{Contender, Time, interleaved};
 
-/// In each round everybody has a turn; the first round warms up and does not count.
+/// In each round every contender has its turn; the first round warms up and does not count.
 #[test]
 fn contenders_take_turns_and_the_first_round_does_not_count() {
     let turns = std::cell::RefCell::new(String::new());

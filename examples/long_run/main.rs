@@ -1,7 +1,6 @@
-//! A stack, a chain and a pile for 100 000 steps: no energy out of nothing, no drift, no more
-//! memory.
+//! A stack, a chain and a pile for 100 000 steps: energy, drift and memory stay within bounds.
 //!
-//! `cargo run --release --example long_run [STEPS]`; a broken bound ends it with exit code 1.
+//! `cargo run --release --example long_run [STEPS]`; the exit code is 1 if a bound is exceeded.
 
 mod record;
 
@@ -10,7 +9,7 @@ use std::time::Instant;
 
 use record::{RUNS, Record};
 
-/// What the cells of a record are.
+/// The headings of the cells of a record.
 const COLUMNS: [&str; 8] = [
     "energy at the start, J",
     "highest − start, J",

@@ -1,40 +1,40 @@
-//! What many steps of a scene do to its energy, its joints and its memory.
+//! The effect of many steps of a scene on its energy, its joints and its memory.
 
 use lcplab::scene::Scene;
 use lcplab::simulation::stepper::{Kernel, Stepper};
 use lcplab::simulation::{Failure, Motion};
 
-/// Sweeps a step: enough that what they leave undone is far below the bounds.
+/// Sweeps per step, enough to keep the remaining error far below the bounds.
 const SWEEPS: usize = 100;
-/// From here on a run asks for no more memory.
+/// After this step a run allocates no more memory.
 const WARM: usize = 1000;
-/// The motion is measured every so many steps.
+/// The number of steps between two measurements of the motion.
 const EVERY: usize = 10;
 
-/// A scene, and what must not be exceeded in it however long it runs.
+/// A scene, and its bounds for a run of any length.
 pub struct LongRun {
     /// The shipped scene.
     pub scene: &'static str,
-    /// How far the energy may rise above that of the start (J).
+    /// The largest allowed increase of the energy above that of the start (J).
     pub gain: f64,
     /// The deepest overlap (m).
     pub penetration: f64,
     /// The largest error of a joint (m).
     pub drift: f64,
-    /// How far a body may get from where it began (m).
+    /// The largest allowed displacement of a body (m).
     pub creep: f64,
 }
 
-/// The runs. What the first step leaves undone, from impulses 0, stays: the shipped stack and pile
-/// feed no error back. The chain falls from level and cannot get farther than twice its length, 2
-/// m.
+/// The runs. The error of the first step, which starts from zero impulses, remains, because the
+/// shipped stack and pile have no error feedback. The chain falls from the horizontal, and no point
+/// of it can move farther than twice its length of 2 m.
 pub const RUNS: [LongRun; 3] = [
     LongRun { scene: "stack", gain: 1e-9, penetration: 2e-3, drift: 0.0, creep: 2e-3 },
     LongRun { scene: "chain", gain: 1e-9, penetration: 0.0, drift: 4e-2, creep: 4.1 },
     LongRun { scene: "pyramid", gain: 1e-9, penetration: 1e-4, drift: 0.0, creep: 1e-3 },
 ];
 
-/// What was found.
+/// The result of a run.
 #[derive(Debug)]
 pub struct Record {
     /// Energy at the start, the highest one and the last one (J).
@@ -43,14 +43,14 @@ pub struct Record {
     pub penetration: f64,
     /// The largest error of a joint (m).
     pub drift: f64,
-    /// The farthest way of a body from where it began (m).
+    /// The largest displacement of a body (m).
     pub creep: f64,
-    /// What the stepper's arrays hold when they are warm and at the end.
+    /// The size of the stepper's arrays after the warm-up and at the end (bytes).
     pub bytes: [usize; 2],
 }
 
 impl LongRun {
-    /// Takes so many steps.
+    /// Takes this number of steps.
     pub fn record(&self, steps: usize) -> Result<Record, Failure> {
         let scene = Scene::load(self.scene).expect("a shipped scene");
         let mut stepper = Stepper::new(scene, SWEEPS, Kernel::RowByRow).expect("velocity level");
@@ -70,7 +70,7 @@ impl LongRun {
         Ok(record)
     }
 
-    /// Which bounds were exceeded.
+    /// The names of the bounds that were exceeded.
     pub fn broken(&self, record: &Record) -> Vec<&'static str> {
         let [start, highest, last] = record.energy;
         let is_kept = [

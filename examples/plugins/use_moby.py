@@ -1,4 +1,4 @@
-"""Drake's MobyLcpSolver, Lemke's method with regularisation where it fails, as a plug-in."""
+"""Drake's MobyLcpSolver, Lemke's method with regularization where it fails, as a plug-in."""
 import numpy as np
 from pydrake.solvers import MathematicalProgram, MobyLcpSolver
 

@@ -1,19 +1,19 @@
-//! Three functions for a page that has nothing but WebAssembly: memory for a question, the
-//! question, and the memory back.
+//! Three functions for a page that uses WebAssembly without bindings: allocate memory for a
+//! question, answer it, and free the answer.
 
 #![allow(unsafe_code)]
 
-/// So many bytes for a question.
+/// Allocates this number of bytes for a question.
 #[unsafe(no_mangle)]
 pub extern "C" fn room(length: usize) -> *mut u8 {
     Box::into_raw(vec![0u8; length].into_boxed_slice()).cast()
 }
 
-/// Answers the question in this room, which it takes back. The answer begins with its length in
-/// four bytes, the lowest first; it is given back by [`back`].
+/// Answers the question in this memory, which it frees. The answer begins with its length in four
+/// bytes, the lowest first; [`back`] frees it.
 ///
 /// # Safety
-/// The room must be one that [`room`] has given for so many bytes, and is not used any more.
+/// The memory must come from [`room`] for this number of bytes, and must not be used afterwards.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ask(question: *mut u8, length: usize) -> *mut u8 {
     // SAFETY: the room was made by `room` for this length.
@@ -23,10 +23,10 @@ pub unsafe extern "C" fn ask(question: *mut u8, length: usize) -> *mut u8 {
     Box::into_raw([&length, answer.as_bytes()].concat().into_boxed_slice()).cast()
 }
 
-/// Takes an answer of this length back, its first four bytes not counted.
+/// Frees an answer of this length, not counting its first four bytes.
 ///
 /// # Safety
-/// It must be one that [`ask`] has given, and is not used any more.
+/// The answer must come from [`ask`], and must not be used afterwards.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn back(answer: *mut u8, length: usize) {
     // SAFETY: `ask` made it for this length and four bytes.

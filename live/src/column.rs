@@ -1,4 +1,4 @@
-//! A column of bodies on the ground: one contact below each body, all motion upwards or downwards.
+//! A column of bodies on the ground, with one contact below each body and vertical motion only.
 //!
 //! ```text
 //! w_i = u_i − u_{i−1} + gap_i / dt,   a_ii = 1/m_i + 1/m_{i−1},   a_{i,i−1} = −1/m_{i−1},   m_{−1} = ∞
@@ -56,7 +56,7 @@ impl Column {
     }
 }
 
-/// How a column moves with so many sweeps a step.
+/// The motion of a column with a fixed number of sweeps per step.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Motion {
@@ -66,11 +66,11 @@ pub struct Motion {
     solver: String,
     #[serde(default = "one")]
     omega: f64,
-    /// Sweeps a step; without it each step is solved.
+    /// Sweeps per step; without it each step is solved.
     sweeps: Option<usize>,
     #[serde(default)]
     backward: bool,
-    /// Whether a step starts from the impulses of the one before.
+    /// Whether a step starts from the impulses of the previous one.
     warm: bool,
 }
 
@@ -79,8 +79,8 @@ fn one() -> f64 {
 }
 
 impl Motion {
-    /// After each step: how far each body has sunk (m), the impulses (N s), and the part of the
-    /// weight that the ground does not carry.
+    /// After each step: how far each body has sunk (m), the impulses (N s), and the unsupported
+    /// fraction of the weight.
     pub fn answer(self) -> Answer {
         let column = Column { masses: self.masses, dt: self.dt };
         let (m, n, dt) = (&column.masses, column.masses.len(), column.dt);

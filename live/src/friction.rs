@@ -1,4 +1,4 @@
-//! A block that is pressed and pushed along the floor, under several friction models.
+//! A block that is pressed on the floor and pushed along it, under several friction models.
 
 use lcplab_problem::friction::{FrictionProblem, Model, ProblemForm};
 use lcplab_problem::{Coupling, Lcp, Matrix, hypot};
@@ -12,7 +12,7 @@ use super::trace::numbers;
 /// Standard gravity (m/s²).
 const G: f64 = 9.81;
 
-/// A block of 1 kg, what presses it, and what friction would have to do to hold it.
+/// A block of 1 kg, the impulse that presses it, and the friction that would hold it.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PushedBlock {
@@ -55,7 +55,7 @@ pub struct Slide {
 }
 
 impl Slide {
-    /// Under each model: the places of the block, until it rests or the steps are over (m).
+    /// Under each model: the positions of the block (m), until it rests or the last step.
     pub fn answer(&self) -> Answer {
         if !(self.dt > 0.0 && self.dt.is_finite()) {
             return Err(format!("dt: must be positive, is {}", self.dt));
@@ -99,7 +99,7 @@ fn block(mu: f64, press: f64, wanted: [f64; 2]) -> Result<FrictionProblem, Strin
     posed.map_err(|error| error.to_string())
 }
 
-/// x under a model, by a solver that is made for it.
+/// x under a model, by a solver that supports it.
 pub fn solved(model: Model, problem: &FrictionProblem) -> Result<Vec<f64>, String> {
     let settings = Settings { tolerance: 1e-12, ..Settings::default() };
     let start = Start::default();

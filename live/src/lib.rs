@@ -1,8 +1,8 @@
-//! What the live pages ask, as JSON in and out: the same solvers and the same judge as everywhere
-//! else.
+//! Answers the questions of the live pages, as JSON in and out, with the solvers and the judge of
+//! lcplab.
 //!
 //! A page sends a question as text and gets the answer as text, natively by [`answer`], in a
-//! browser through the three functions of [`abi`]. Numbers keep all their bits on the way.
+//! browser through the three functions of [`abi`]. All bits of the numbers are preserved.
 
 #![deny(missing_docs)]
 
@@ -17,7 +17,7 @@ mod trace;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-/// What a page wants to know.
+/// A question of a page.
 #[derive(Debug, Deserialize)]
 #[serde(tag = "ask", rename_all = "snake_case")]
 enum Question {
@@ -27,25 +27,25 @@ enum Question {
     Solutions(solutions::Question),
     /// The problem of a column of bodies.
     Column(column::Column),
-    /// How a column moves.
+    /// The motion of a column.
     Motion(column::Motion),
     /// A block that is pushed, under several friction models.
     Friction(friction::PushedBlock),
-    /// Its way over the floor.
+    /// Its path over the floor.
     Slide(friction::Slide),
-    /// A rod that slides, and what holds it.
+    /// The forces on a rod that slides.
     Rod(rod::Rod),
-    /// How it goes on.
+    /// Its further motion.
     Run(rod::Run),
-    /// A problem that somebody brings, by any method.
+    /// A problem of the user, by any method.
     Solve(problem::Solve),
-    /// The judge's word on an x.
+    /// The judge's verdict on an x.
     Judge(problem::Judge),
     /// The strongest proof.
     Prove(problem::Prove),
 }
 
-/// Answers a question: an object, which has the key `error` if the question makes no sense.
+/// Answers a question with an object, which has the key `error` if the question is invalid.
 ///
 /// ```
 /// let question = r#"{"ask": "trace", "solver": "pgs", "sweeps": 2,
@@ -71,5 +71,5 @@ pub fn answer(question: &str) -> String {
     answered.unwrap_or_else(|reason| json!({ "error": reason })).to_string()
 }
 
-/// What came of a question.
+/// The answer to a question, or its error.
 type Answer = Result<Value, String>;

@@ -1,4 +1,4 @@
-//! A problem that somebody brings: solved by any method and derived, judged, proved.
+//! A problem of the user: solved by any method and derived, judged, proved.
 
 use lcplab_judge::{Demand, judge};
 use lcplab_page::document::Block;
@@ -14,9 +14,9 @@ use serde_json::{Map, Value, json};
 use super::Answer;
 use super::trace::Steps;
 
-/// More rows are for the program itself.
+/// Maximum number of rows; larger problems need the program itself.
 const MOST_ROWS: usize = 60;
-/// More steps nobody looks at.
+/// Maximum number of steps that are shown.
 const MOST_STEPS: usize = 2_000;
 
 /// A problem by a method.
@@ -25,11 +25,11 @@ const MOST_STEPS: usize = 2_000;
 pub struct Solve {
     /// A problem file.
     problem: Map<String, Value>,
-    /// Any of the registry; what suits the problem without it.
+    /// A solver of the registry; by default one that suits the problem.
     solver: Option<String>,
 }
 
-/// An x for a problem, and what the judge says of it.
+/// An x for a problem, and the judge's verdict on it.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Judge {
@@ -37,7 +37,7 @@ pub struct Judge {
     x: Vec<f64>,
 }
 
-/// The same, and the strongest proof that there is.
+/// The same, and the strongest proof.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Prove {
@@ -88,7 +88,7 @@ impl Judge {
 }
 
 impl Prove {
-    /// What is proved, as a sentence and as a proof file, and why nothing stronger is.
+    /// The proof as a sentence and as a file, and why there is no stronger one.
     pub fn answer(self) -> Answer {
         let question = read(self.problem)?;
         fits(&question.problem().lcp, &self.x)?;
@@ -102,7 +102,7 @@ impl Prove {
     }
 }
 
-/// A problem that this page can treat, under the model that it states.
+/// A problem that this page supports, under the model that it states.
 fn read(problem: Map<String, Value>) -> Result<Question, String> {
     let text = Value::Object(problem).to_string();
     let problem = Problem::parse(&text, "problem").map_err(|error| error.to_string())?;

@@ -1,5 +1,5 @@
-//! Painlevé's rod: how many forces hold its end, which impulses do, and how it goes on. Mass, half
-//! length and g are 1; `lcplab_problem::library::painleve` derives the rows.
+//! Painlevé's rod: the number of forces that hold its end, the impulses that do, and its further
+//! motion. Mass, half length and g are 1; `lcplab_problem::library::painleve` derives the rows.
 
 use lcplab_problem::exact::all_solutions;
 use lcplab_problem::friction::{FrictionProblem, Model};
@@ -13,7 +13,8 @@ use super::trace::numbers;
 
 /// 1 / (moment of inertia).
 const INVERSE_INERTIA: f64 = 3.0;
-/// A polygon of four corners has the sides ±1 along the only direction in which the rod slides.
+/// A polygon with four corners has the exact limits ±μ x_n along the direction in which the rod
+/// slides.
 const MODEL: Model = Model::Polyhedral { directions: 4 };
 
 /// A rod whose end slides to the left on the ground, and leans to the right.
@@ -27,13 +28,13 @@ pub struct Rod {
     omega: f64,
 }
 
-/// The same rod, left to itself.
+/// The same rod in free motion.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Run {
     #[serde(flatten)]
     rod: Rod,
-    /// The speed with which the end slides to the left.
+    /// The speed at which the end slides to the left.
     slip: f64,
     dt: f64,
     steps: usize,
@@ -78,7 +79,7 @@ impl Rod {
 }
 
 impl Run {
-    /// The rod after each step: place of its middle, angle, impulses (n, t) on both ends.
+    /// The rod after each step: position of its center, angle, impulses (n, t) on both ends.
     pub fn answer(&self) -> Answer {
         self.rod.checked()?;
         if !(self.dt > 0.0 && self.dt <= 0.1 && self.slip.is_finite()) {
@@ -125,14 +126,13 @@ impl State {
         dot(row, self.velocity)
     }
 
-    /// The impulses of a step of this length and what they leave: w = J (u + dt f) + A x, with the
-    /// gap of each end.
+    /// The impulses of a step of this length, and w = J (u + dt f) + A x with the gap of each end.
     fn touch(&self, mu: f64, dt: f64) -> Result<(Vec<f64>, Vec<f64>), String> {
         let rows = self.rows();
         let half = libm::sin(self.place[2]);
         let gaps = [self.place[1] - half, self.place[1] + half];
         let free = [self.velocity[0], self.velocity[1] - dt, self.velocity[2]];
-        // Six rows (n, t1, t2) an end; nothing happens along t2, which is a row of its own.
+        // Three rows (n, t1, t2) per end; nothing happens along t2, which is a separate row.
         let row = |i: usize| (i % 3 < 2).then(|| rows[2 * (i / 3) + i % 3]);
         let entry = |i: usize, j: usize| match (row(i), row(j)) {
             (Some(p), Some(q)) => p[0] * q[0] + p[1] * q[1] + INVERSE_INERTIA * p[2] * q[2],

@@ -16,8 +16,8 @@ pub struct Question {
 }
 
 impl Question {
-    /// The solutions, or corners of the set of them, as numbers and as fractions; `null` if there
-    /// are too many pieces to look at.
+    /// The solutions, or the corners of their set, as numbers and as fractions; `null` if there are
+    /// too many active sets to try.
     pub fn answer(self) -> Answer {
         let text = Value::Object(self.problem).to_string();
         let Problem { lcp, .. } = Problem::parse(&text, "problem").map_err(|e| e.to_string())?;

@@ -16,12 +16,12 @@ use serde_json::{Map, Value, json};
 
 use super::Answer;
 
-/// More rows are for the program itself.
+/// Maximum number of rows; larger problems need the program itself.
 const MOST_ROWS: usize = 60;
-/// More steps nobody looks at.
+/// Maximum number of steps that are shown.
 const MOST_STEPS: usize = 10_000;
 
-/// Which solver's steps, and on what.
+/// The solver, and the problem.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Question {
@@ -32,12 +32,12 @@ pub struct Question {
     /// ω of `sor`.
     #[serde(default = "one")]
     omega: f64,
-    /// Sweeps or steps; without it until it is solved.
+    /// The number of sweeps or steps; by default until the problem is solved.
     sweeps: Option<usize>,
     /// Whether sweeps go from the last row to the first.
     #[serde(default)]
     backward: bool,
-    /// Where it starts; at 0 without it.
+    /// The start; 0 by default.
     start: Option<Vec<f64>>,
 }
 
@@ -46,7 +46,7 @@ fn one() -> f64 {
 }
 
 impl Question {
-    /// The steps, each with x, w, the residual and what led to it; the status; the judge's word.
+    /// The steps, each with x, w, the residual and its event; the status; the judge's verdict.
     pub fn answer(self) -> Answer {
         let text = Value::Object(self.problem).to_string();
         let Problem { lcp, .. } = Problem::parse(&text, "problem").map_err(|e| e.to_string())?;
@@ -77,9 +77,9 @@ impl Question {
     }
 }
 
-/// What a sweep leaves of the error while no row changes sides: the spectral radius of the free
-/// rows' iteration matrix G, as (|G^2k| / |G^k|)^(1/k) for k = 2¹² (Gelfand); a module without
-/// eigenvalues is smaller by a quarter.
+/// The factor by which a sweep multiplies the error while no row changes sides: the spectral radius
+/// of the free rows' iteration matrix G, as (|G^2k| / |G^k|)^(1/k) for k = 2¹² (Gelfand). Without
+/// an eigenvalue routine the module is smaller by a quarter.
 fn rate(solver: &str, omega: f64, lcp: &Lcp, x: &[f64]) -> Option<f64> {
     let omega = match solver {
         "pgs" => 1.0,
@@ -112,7 +112,7 @@ fn squared(n: &DMatrix<f64>) -> DMatrix<f64> {
     DMatrix::from_fn(n.nrows(), n.ncols(), entry)
 }
 
-/// A solver by its name.
+/// The solver with this name.
 pub fn solver(
     name: &str,
     omega: f64,
@@ -135,13 +135,13 @@ pub fn solver(
     })
 }
 
-/// Writes down what a solver does.
+/// Records the steps of a solver.
 pub struct Steps<'a> {
     lcp: &'a Lcp,
     solver: &'a str,
-    /// After so many the solver goes on, but nothing is kept.
+    /// After this number of steps the solver continues, but nothing is recorded.
     most: usize,
-    /// The rows of the sweep that is under way.
+    /// The rows of the current sweep.
     rows: Vec<Value>,
     /// x, w, residual, event and rows of each.
     pub steps: Vec<Value>,
@@ -152,7 +152,7 @@ impl<'a> Steps<'a> {
         Steps { lcp, solver, most, rows: Vec::new(), steps: Vec::new() }
     }
 
-    /// Keeps what led to x.
+    /// Records x and its event.
     pub fn keep(&mut self, x: &[f64], event: String) {
         let rows = std::mem::take(&mut self.rows);
         if self.steps.len() < self.most {

@@ -6,7 +6,7 @@ use lcplab::lcp::file::{Entries, Parts, Problem};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
-/// A dense matrix, or the rows, columns and values of a sparse one with so many rows.
+/// A dense matrix, or the rows, columns and values of a sparse one with this number of rows.
 #[derive(FromPyObject)]
 pub enum Given<'py> {
     Dense(PyReadonlyArray2<'py, f64>),
@@ -48,7 +48,7 @@ impl Given<'_> {
     }
 }
 
-/// The vectors of a problem beside A.
+/// The vectors of a problem.
 #[derive(FromPyObject)]
 pub struct Vectors<'py> {
     #[pyo3(item("b"))]
@@ -92,7 +92,7 @@ pub fn problem(a: &Given<'_>, vectors: &Vectors<'_>) -> Result<Problem> {
     Ok(Problem { model, ..Problem::new(&vectors.name, lcp) })
 }
 
-/// The row that an entry of `friction_index` names; −1 for none.
+/// The row to which an entry of `friction_index` refers; −1 for none.
 fn row(k: i64) -> Result<Option<usize>> {
     match k {
         -1 => Ok(None),

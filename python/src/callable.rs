@@ -1,4 +1,4 @@
-//! A function of Python's as a solver.
+//! A Python function as a solver.
 
 use std::collections::HashMap;
 use std::sync::{Mutex, PoisonError};
@@ -19,12 +19,12 @@ use pyo3::types::PyDict;
 use crate::{arrays, refused, waiting};
 
 /// `solver(A, b, lo, hi, **settings)`, which returns x, or yields iterates of which the last one is
-/// x, or returns `None` where it found nothing.
+/// x, or returns `None` if it found no solution.
 #[derive(Clone, Copy)]
 struct Callable {
     name: &'static str,
     function: &'static Py<PyAny>,
-    /// Whether it has a parameter `model`: then it gets friction cones too.
+    /// Whether it has a parameter `model`; it is then also given friction cones.
     takes_models: bool,
 }
 
@@ -41,7 +41,7 @@ struct Function {
     cone: Option<ConeEntry>,
 }
 
-/// Functions as solvers, by their addresses. They are kept, and so is their place.
+/// Functions as solvers, by their addresses. They are never freed, so addresses are not reused.
 static KNOWN: Mutex<Option<HashMap<usize, Function>>> = Mutex::new(None);
 
 /// The methods of a solver by its name, or of a function: for boxes, and for cones if it has a
@@ -82,7 +82,7 @@ pub fn entry(solver: &Bound<'_, PyAny>) -> PyResult<Entry> {
     Ok(known(solver)?.boxed)
 }
 
-/// The function, which is kept from its first use on.
+/// The function, which is stored at its first use.
 fn known(solver: &Bound<'_, PyAny>) -> PyResult<Function> {
     if !solver.is_callable() {
         return Err(PyTypeError::new_err("a solver is a name or a function of A, b, lo, hi"));
@@ -93,8 +93,8 @@ fn known(solver: &Bound<'_, PyAny>) -> PyResult<Function> {
     Ok(*known.entry(address).or_insert_with(|| Callable::new(solver).into_function()))
 }
 
-/// Whether a function has a parameter of this name; a keyword that only its `**settings` would take
-/// does not count, since such a function need not look at it.
+/// Whether a function has a parameter of this name; `**settings` does not count, because the
+/// function may ignore it.
 fn has_parameter(function: &Bound<'_, PyAny>, name: &str) -> bool {
     let parameters = || {
         let inspect = function.py().import("inspect")?;
@@ -224,7 +224,7 @@ impl Set {
             }
             Err(error) => Status::NoAnswer { reason: reason(py, &error) },
         });
-        // A function has no word of its own for "solved".
+        // A function returns no status.
         Solution::new(lcp, record.x, status, record.iterations).with_implied_claim(true)
     }
 }
@@ -239,7 +239,7 @@ struct IterateRecord<'a> {
 }
 
 impl IterateRecord<'_> {
-    /// Hears an iterate.
+    /// Receives an iterate.
     fn add(&mut self, x: &Bound<'_, PyAny>) -> PyResult<()> {
         let x = numbers(x)?;
         if x.len() != self.lcp.len() {
@@ -260,8 +260,8 @@ impl IterateRecord<'_> {
 }
 
 impl Set {
-    /// Asks the function; whether it ended with an x. One that would yield more iterates than it
-    /// may has not.
+    /// Calls the function; returns whether it ended with an x, which is false if it yields more
+    /// iterates than allowed.
     fn answer(
         &self,
         py: Python<'_>,
@@ -308,7 +308,7 @@ impl Set {
     }
 }
 
-/// A list of real numbers, whatever holds it.
+/// A list of real numbers, from any sequence or array.
 fn numbers(x: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
     if let Ok(array) = x.extract::<PyReadonlyArray1<'_, f64>>() {
         return Ok(array.as_array().to_vec());
@@ -321,8 +321,8 @@ fn numbers(x: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
     x.extract::<Vec<f64>>()
 }
 
-/// An exception in a line. One that is no error of the function but ends what called it, as Ctrl-C
-/// and `sys.exit` do, is kept for who waits.
+/// An exception as one line. An exception that ends the caller, such as Ctrl-C or `sys.exit`, is
+/// stored and raised there.
 fn reason(py: Python<'_>, error: &PyErr) -> String {
     if !error.is_instance_of::<PyException>(py) {
         waiting::interrupt(error.clone_ref(py));

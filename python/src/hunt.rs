@@ -15,7 +15,7 @@ use crate::solving::SolverSettings;
 use crate::waiting::wait;
 use crate::{callable, refused};
 
-/// What to search for, and where.
+/// The target of the search, and its problems.
 #[derive(FromPyObject)]
 pub struct SearchArgs {
     #[pyo3(item("measure"))]
@@ -38,7 +38,7 @@ pub struct SearchArgs {
     friction: String,
 }
 
-/// What was found, and how many problems were tried.
+/// The finding, and the number of problems that were tried.
 #[pyfunction]
 pub fn hunt<'py>(
     py: Python<'py>,

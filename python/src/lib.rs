@@ -1,8 +1,8 @@
-//! lcplab for Python: what the package `lcplab` is built on.
+//! lcplab for Python: the extension module of the package `lcplab`.
 //!
-//! Arrays come in as NumPy's and go out as NumPy's; what is not an array goes out as the JSON that
-//! the command line prints, which the package reads. While Rust works, Python's other threads run;
-//! a function of the user's that is called from Rust is called with the interpreter held.
+//! Arrays are passed as NumPy arrays in both directions; all other results are the JSON that the
+//! command line prints, which the package reads. While Rust computes, other Python threads run; the
+//! interpreter lock is held only during calls of the user's functions.
 
 mod arrays;
 mod callable;
@@ -24,7 +24,7 @@ create_exception!(
     "Invalid input; the message lists every defect."
 );
 
-/// An error of lcplab as one of Python's.
+/// An error of lcplab as a Python exception.
 fn refused(error: lcplab::error::Error) -> PyErr {
     InputError::new_err(error.to_string())
 }

@@ -41,17 +41,17 @@ impl Problem {
         made.map(Problem).map_err(refused)
     }
 
-    /// Writes it to a file; what its reader should know.
+    /// Writes it to a file; returns warnings for its readers.
     fn write(&self, path: PathBuf) -> PyResult<Vec<String>> {
         exchange::write(&self.0, &path, None).map_err(refused)
     }
 
-    /// It as the text of a problem file.
+    /// The text of its problem file.
     fn json(&self) -> String {
         self.0.to_json().to_string()
     }
 
-    /// What can be said of it before it is solved, as JSON.
+    /// Its properties that are known before it is solved, as JSON.
     fn card(&self) -> String {
         serde_json::to_string(&Card::of(&self.0.lcp)).unwrap_or_default()
     }
@@ -113,7 +113,7 @@ impl Problem {
         self.0.model.map(|model| model.to_string())
     }
 
-    /// What is known of its solutions, as JSON.
+    /// Its known solutions, as JSON.
     fn expected(&self) -> Option<String> {
         self.0.extra.get("expected").map(ToString::to_string)
     }

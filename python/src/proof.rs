@@ -10,10 +10,10 @@ use crate::problem::Problem;
 use crate::refused;
 use crate::solving::question;
 
-/// The strongest proof and its sentence, and why there is no stronger one.
+/// The strongest proof with its claim, and why there is no stronger one.
 type Proved = (Option<(String, String)>, Vec<(&'static str, String)>);
 
-/// Proves what can be proved, beginning with this answer or a solver's.
+/// Proves the strongest statement that it can, starting from this answer or that of a solver.
 #[pyfunction]
 pub fn prove(
     py: Python<'_>,
@@ -47,7 +47,7 @@ pub fn prove(
     Ok((proof.as_ref().map(json_and_sentence), missing.collect()))
 }
 
-/// Why a proof proves nothing of this problem, or none.
+/// The reason why a proof is not valid for this problem, or none.
 #[pyfunction]
 pub fn check(
     py: Python<'_>,

@@ -1,4 +1,4 @@
-//! How far the motion of an engine's step is from the exact one.
+//! Bounds on the error of the motion of an engine's step.
 
 use std::thread;
 
@@ -43,7 +43,7 @@ pub struct Step<'py> {
     motion: Numbers<'py>,
 }
 
-/// A step in Rust's own numbers.
+/// A step as Rust values.
 struct Frame {
     gauss: Gauss,
     cones: Vec<EllipticCone>,
@@ -54,7 +54,7 @@ struct Frame {
 /// Bounds on the motion, on u(x) and between them, with the worst row.
 type Bounds = (f64, f64, f64, Option<usize>);
 
-/// The bounds of many steps, on all processors; where a step has none, the reason.
+/// The bounds of many steps, on all processors; for a step without bounds, the reason.
 #[pyfunction]
 pub fn motion_bounds(
     py: Python<'_>,

@@ -1,4 +1,4 @@
-//! A scene on its way through time.
+//! The simulation of a scene.
 
 use std::borrow::Cow;
 use std::rc::Rc;
@@ -16,7 +16,7 @@ use crate::problem::Problem;
 use crate::waiting::quickly;
 use crate::{callable, refused};
 
-/// A scene that is stepped.
+/// A scene that is simulated.
 #[pyclass(unsendable, module = "lcplab._lcplab")]
 pub struct Scene {
     simulation: Simulation,
@@ -25,7 +25,7 @@ pub struct Scene {
     last: Option<Rc<Step>>,
 }
 
-/// A step that was taken. It is judged when somebody asks: a proof may take longer than the step.
+/// A simulated step. It is judged on request, because a proof may take longer than the step.
 #[pyclass(unsendable, module = "lcplab._lcplab")]
 pub struct SimulatedStep {
     step: Rc<Step>,
@@ -61,7 +61,7 @@ impl SimulatedStep {
         Ok(self.solves()?.last().map(|last| PyArray1::from_slice(py, &last.solution.x)))
     }
 
-    /// The judge's word on each solve, and whether it accepts it.
+    /// The judge's verdict on each solve, and whether it accepts it.
     fn judged(&self) -> PyResult<Vec<(String, bool)>> {
         let solves = self.solves()?;
         let verdicts = solves.iter().map(|solve| solve.judged(&Demand::default()).verdict);
@@ -199,7 +199,7 @@ impl Scene {
         self.simulation.scene().title.clone()
     }
 
-    /// The time now (s).
+    /// The current time (s).
     #[getter]
     fn time(&self) -> f64 {
         self.simulation.time()

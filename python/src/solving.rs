@@ -25,10 +25,10 @@ use crate::problem::Problem;
 use crate::waiting::{quickly, wait};
 use crate::{callable, refused};
 
-/// Smaller problems are solved before anyone could have waited.
+/// Smaller problems are solved on the calling thread, too fast to be interrupted.
 const QUICK_ROWS: usize = 200;
 
-/// What a solver may use.
+/// The settings of a solver.
 #[derive(FromPyObject)]
 pub struct SolverSettings {
     #[pyo3(item("tolerance"))]
@@ -114,7 +114,7 @@ pub fn solve<'py>(
     Ok(fields)
 }
 
-/// What every answer has.
+/// The keys that every answer has.
 fn fields<'py>(
     py: Python<'py>,
     solution: &Solution,
@@ -129,7 +129,7 @@ fn fields<'py>(
     Ok(fields)
 }
 
-/// The problem under the friction model that is asked for, or that it states.
+/// The problem under the requested friction model, or under the one that it states.
 pub fn question(
     problem: &Problem,
     model: Option<String>,
@@ -283,7 +283,7 @@ pub fn compare(
     Ok((json, table))
 }
 
-/// The solvers that have a name: the name, what it is, and the matrices it is made for.
+/// The named solvers: name, description, and the class of matrices.
 #[pyfunction]
 pub fn solvers() -> Vec<(&'static str, &'static str, String)> {
     let all = lcplab::solver::ALL.iter();

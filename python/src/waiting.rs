@@ -1,4 +1,4 @@
-//! Long work beside an interpreter that goes on: other threads run, and Ctrl-C is heard.
+//! Long computations without the interpreter lock: other threads run, and Ctrl-C is handled.
 
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Mutex, PoisonError};
@@ -8,18 +8,18 @@ use std::time::Duration;
 use lcplab::solver::Stop;
 use pyo3::prelude::*;
 
-/// How often it is looked whether someone wants to stop.
+/// The interval for checking whether the user wants to stop.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// What a function of the user's raised to end more than itself: KeyboardInterrupt, SystemExit.
+/// An exception of the user's function that ends its caller: KeyboardInterrupt, SystemExit.
 static INTERRUPT: Mutex<Option<PyErr>> = Mutex::new(None);
 
-/// Notes that a function of the user's ends what called it.
+/// Records an exception of the user's function that ends its caller.
 pub fn interrupt(error: PyErr) {
     *INTERRUPT.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
 }
 
-/// Whether what is under way is to end.
+/// Whether the current computation must end.
 pub fn is_interrupted() -> bool {
     INTERRUPT.lock().unwrap_or_else(PoisonError::into_inner).is_some()
 }
@@ -28,13 +28,13 @@ fn interrupted() -> Option<PyErr> {
     INTERRUPT.lock().unwrap_or_else(PoisonError::into_inner).take()
 }
 
-/// Does short work without the interpreter; returns what a function of the user's raised to end it.
+/// Runs a short computation without the interpreter lock; returns the exception that ended it.
 pub fn quickly<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
     let result = py.detach(work);
     interrupted().map_or(Ok(result), Err)
 }
 
-/// Does the work on another thread, without the interpreter, until it is done or the user stops it.
+/// Runs a computation on another thread, without the interpreter lock, until it is done or stopped.
 pub fn wait<T: Send>(py: Python<'_>, stop: &Stop, work: impl FnOnce() -> T + Send) -> PyResult<T> {
     let mut asked = None;
     let result = py.detach(|| {

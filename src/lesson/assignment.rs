@@ -97,7 +97,8 @@ impl Assignment {
         let mut defects = Defects::default();
         for name in names {
             if !all.iter().any(|problem| is_meant(name, problem)) {
-                defects.add(name, "is neither a problem with parameters nor a lesson that has some");
+                defects
+                    .add(name, "is neither a problem with parameters nor a lesson that has some");
             }
         }
         defects.into_result("set")?;

@@ -133,7 +133,7 @@ fn the_help_and_the_messages_of_the_command_line_have_none_of_the_phrases() {
 #[test]
 fn what_the_library_and_its_reports_print_has_none_of_the_phrases() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut sources = files(&root.join("src/report"), "rs");
+    let mut sources = files(&root.join("src"), "rs");
     for folder in fs::read_dir(root.join("crates")).unwrap() {
         sources.extend(files(&folder.unwrap().path().join("src"), "rs"));
     }
@@ -141,6 +141,46 @@ fn what_the_library_and_its_reports_print_has_none_of_the_phrases() {
         for text in literals(&fs::read_to_string(&source).unwrap()) {
             assert_eq!(found(&text), [""; 0], "{}: {text}", source.display());
         }
+    }
+}
+
+/// The comments of a Rust source, also those after code, with consecutive lines as one text.
+fn comments(source: &str) -> Vec<String> {
+    let mut texts = vec![String::new()];
+    for line in source.lines() {
+        let text = line.trim_start();
+        let whole = ["///", "//!", "//"].iter().find_map(|mark| text.strip_prefix(mark));
+        match (whole, text.split_once(" // ")) {
+            (Some(comment), _) => *texts.last_mut().unwrap() += comment,
+            (None, Some((_, comment))) => texts.extend([comment.to_string(), String::new()]),
+            (None, None) => texts.push(String::new()),
+        }
+    }
+    texts
+}
+
+#[test]
+fn comments_have_none_of_the_phrases() {
+    let hits = |source: &str| -> Vec<&str> {
+        comments(source).iter().flat_map(|text| found(text)).collect()
+    };
+    assert_eq!(
+        hits("// not so\n// many\nlet a = 1; // nobody\n\"held against\""),
+        ["so many", "nobody"]
+    );
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folders = [
+        "src",
+        "crates/page/src",
+        "crates/bodies/src",
+        "crates/solver/src",
+        "live/src",
+        "python/src",
+        "examples",
+        "benches",
+    ];
+    for path in folders.iter().flat_map(|folder| files(&root.join(folder), "rs")) {
+        assert_eq!(hits(&fs::read_to_string(&path).unwrap()), [""; 0], "{}", path.display());
     }
 }
 

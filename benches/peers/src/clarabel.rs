@@ -1,7 +1,7 @@
-//! Clarabel on the LCP as a quadratic program over a box, with each of its two factorisations.
+//! Clarabel on the LCP as a quadratic program over a box, with each of its two factorizations.
 //!
 //! ```text
-//! minimise ½ xᵀA x + bᵀx   subject to   lo ≤ x ≤ hi
+//! minimize ½ xᵀA x + bᵀx   subject to   lo ≤ x ≤ hi
 //! ```
 
 use std::time::Instant;
@@ -14,7 +14,7 @@ use lcplab::lcp::{Lcp, merit};
 use crate::contender::{Contender, Run};
 use crate::ours::TOLERANCE;
 
-/// What it is asked for, gap and feasibility, until it is where ours are.
+/// The tolerances of gap and feasibility that are tried until its residual is as small as ours.
 const ASKED: [f64; 3] = [1e-8, 1e-10, 1e-12];
 
 /// A program in its form: min ½ xᵀP x + qᵀx, G x ≤ h.
@@ -25,7 +25,7 @@ struct Program {
     h: Vec<f64>,
 }
 
-/// Clarabel's own factorisation and faer's.
+/// Clarabel's own factorization and faer's.
 pub fn solvers<'a>(lcp: &Lcp) -> Vec<Contender<'a>> {
     let names = [("clarabel, qdldl", "qdldl"), ("clarabel, faer", "faer")];
     names.map(|(name, method)| contender(name, method, lcp)).into()

@@ -1,12 +1,12 @@
-//! Who takes part in a trial on numbers.
+//! The contenders of a trial on a numerical problem.
 
-/// What came of one run.
+/// The result of one run.
 pub struct Run {
-    /// What it took (s).
+    /// The time (s).
     pub seconds: f64,
     /// The answer.
     pub x: Vec<f64>,
-    /// What the contender itself says is wrong.
+    /// The error that the contender itself reports.
     pub complaint: Option<String>,
 }
 
@@ -15,13 +15,13 @@ pub struct Contender<'a> {
     pub name: String,
     /// Whether it is one of lcplab's.
     pub ours: bool,
-    /// The scaled residual that it has to reach.
+    /// The required scaled residual.
     pub tolerance: f64,
     pub run: Box<dyn FnMut() -> Run + 'a>,
 }
 
 impl<'a> Contender<'a> {
-    /// A peer; 1e-6 tells an answer from none, and no peer can be asked for a scaled residual.
+    /// A peer, whose answers need a scaled residual of 1e-6; no peer accepts a scaled tolerance.
     pub fn peer(name: &str, run: impl FnMut() -> Run + 'a) -> Self {
         Contender { name: name.into(), ours: false, tolerance: 1e-6, run: Box::new(run) }
     }

@@ -1,8 +1,8 @@
-//! DART's Dantzig solver, out of its Python wheel.
+//! DART's Dantzig solver, from its Python wheel.
 //!
-//! The wheel's own call takes each array for one number, so it solves one row. But the library
-//! exports the function, and this program calls it there, in the same process and under the same
-//! clock as all others.
+//! The Python function of the wheel treats each array as one number, so it solves one row. But the
+//! library exports the function, and this program calls it there, in the same process and with the
+//! same clock as all others.
 
 use std::os::raw::c_int;
 use std::process::Command;
@@ -14,7 +14,7 @@ use libloading::os::unix::{Library, RTLD_GLOBAL, RTLD_LAZY, RTLD_LOCAL};
 use crate::contender::{Contender, Run};
 use crate::raw::Raw;
 
-/// Which Python is asked where its wheel is: that of this variable, or `python3`.
+/// The environment variable for the Python that has the wheel; the default is `python3`.
 const PYTHON: &str = "PEERS_PYTHON";
 
 /// Prints the version of the wheel, its library, and Python's own.

@@ -1,8 +1,8 @@
-//! Which libraries take part, and how to install those that do not.
+//! The libraries that take part, and how to install the missing ones.
 
 use lcplab_benches::recording::Library;
 
-/// lcplab, and everybody else.
+/// lcplab and all other libraries.
 pub fn all() -> Vec<Library> {
     let library = |name: &str, version: &str, package: &str| Library {
         name: name.into(),

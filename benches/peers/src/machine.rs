@@ -1,4 +1,4 @@
-//! The machine and the day of a run, as far as the system says.
+//! The machine and the day of a run, as far as the system reports them.
 
 use std::fs::read_to_string;
 use std::process::Command;

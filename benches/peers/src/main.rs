@@ -1,13 +1,13 @@
-//! lcplab beside Open Dynamics Engine, Bullet, Siconos, DART, Rapier and clarabel.
+//! lcplab compared with Open Dynamics Engine, Bullet, Siconos, DART, Rapier and clarabel.
 //!
 //! ```text
 //! cargo run --release                            all, as a table on the terminal
-//! cargo run --release -- problems                problems in numbers only; `scenes`: whole scenes only
+//! cargo run --release -- problems                numerical problems only; `scenes`: whole scenes only
 //! cargo run --release -- --json ../peers.json    the same, and the recording behind `peers.md`
 //! ```
 //!
 //! All contenders get the same numbers, take turns in this process and use one thread. An answer is
-//! looked at before its time counts; a failing run has no time.
+//! checked before its time counts; a failing run has no time.
 
 mod bullet;
 mod clarabel;
@@ -29,7 +29,7 @@ use std::path::PathBuf;
 use lcplab_benches::recording::Recording;
 use lcplab_benches::table;
 
-/// What the command line asks for.
+/// The options of the command line.
 struct Asked {
     problems: bool,
     scenes: bool,

@@ -8,14 +8,13 @@ use lcplab::solver::{self, Options, Settings, Start, Status};
 
 use crate::contender::{Contender, Run};
 
-/// The scaled residual that our methods are asked for.
+/// The required scaled residual of our methods.
 pub const TOLERANCE: f64 = 1e-9;
 
 /// The methods that end with an exact answer, by their names in the registry.
 const NAMES: [&str; 5] = ["dantzig", "block-pivoting", "lemke", "newton", "interior-point"];
 
-/// All of them on a problem. Their time contains all that they do: setup, solve, the look at the
-/// residual.
+/// All of them on a problem. Their time includes setup, solve and the check of the residual.
 pub fn solvers(lcp: &Lcp) -> Result<Vec<Contender<'_>>> {
     let settings = Settings { tolerance: TOLERANCE, ..Settings::default() };
     let options = Options { settings, ..Options::default() };

@@ -1,4 +1,4 @@
-//! The problems in numbers, and who takes part.
+//! The numerical problems, and their contenders.
 
 use lcplab::error::Result;
 use lcplab::lcp::Lcp;
@@ -18,7 +18,7 @@ const ONE_SIDED: [usize; 4] = [50, 200, 500, 1000];
 const TWO_SIDED: [usize; 2] = [200, 500];
 /// The condition of A.
 const CONDITION: f64 = 400.0;
-/// Cubes of the stacks, whose A is singular unless it is regularised by a part of its mean
+/// Cubes of the stacks, whose A is singular unless it is regularized by a fraction of its mean
 /// diagonal.
 const BOXES: [usize; 4] = [5, 10, 20, 50];
 const FRICTION: [f64; 2] = [0.0, 0.5];

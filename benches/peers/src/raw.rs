@@ -1,4 +1,4 @@
-//! A problem as C has it: dense, by rows.
+//! A problem as C arrays: dense, by rows.
 
 use std::os::raw::c_int;
 
@@ -15,8 +15,8 @@ pub struct Raw {
     pub hi: Vec<f64>,
 }
 
-/// A solver behind C's calling convention: n, A, b, lo, hi, then x and the number of complaints,
-/// which it writes. It returns the seconds.
+/// A solver with C's calling convention: n, A, b, lo, hi, then x and the number of errors, which it
+/// writes. It returns the seconds.
 pub type Solver = unsafe extern "C" fn(
     c_int,
     *const f64,
@@ -52,8 +52,8 @@ impl Raw {
         Raw { n, a, b: lcp.b().to_vec(), lo: lcp.lo().to_vec(), hi: lcp.hi().to_vec() }
     }
 
-    /// A copy for a solver in which A x = b + w, and a row of A begins every so many numbers or a
-    /// multiple of that.
+    /// A copy for a solver of A x = b + w; the distance between rows of A is a multiple of this
+    /// number of entries.
     pub fn padded(&self, every: usize) -> Raw {
         let (rows, stride) = (self.rows(), self.rows().next_multiple_of(every));
         let mut a = vec![0.0; rows * stride];
@@ -74,7 +74,7 @@ impl Raw {
         self.b.len()
     }
 
-    /// A contender that calls this solver, whose complaints mean this.
+    /// A contender that calls this solver, with the meaning of its errors.
     pub fn contender<'a>(
         &'a self,
         name: &str,
@@ -84,8 +84,8 @@ impl Raw {
         Contender::peer(name, move || {
             let (mut x, mut complaints) = (vec![0.0; self.rows()], 0);
             let [a, b, lo, hi] = [&self.a, &self.b, &self.lo, &self.hi].map(|v| v.as_ptr());
-            // SAFETY: the shims read n² numbers of A and n of b, lo and hi, write n of x and one
-            // complaint, and keep no pointer.
+            // SAFETY: the shims read n² numbers of A and n of b, lo and hi, write n of x and one number
+            // of errors, and keep no pointer.
             let seconds =
                 unsafe { solver(self.n, a, b, lo, hi, x.as_mut_ptr(), &raw mut complaints) };
             let complaint = (complaints != 0).then(|| format!("{meaning} ({complaints})"));

@@ -1,4 +1,4 @@
-//! All contenders on one problem: looked at first, then in turns under the clock.
+//! All contenders on one problem: their answers are checked first, then they are timed in turns.
 
 use lcplab::certificate::{Demand, Verdict, judge};
 use lcplab::lcp::{Lcp, merit};
@@ -11,20 +11,20 @@ use crate::contender::{Contender, Run};
 const SECONDS: f64 = 1.5;
 /// Rounds, at least and at most.
 const ROUNDS: [usize; 2] = [3, 101];
-/// A run this short (s) is done twice in a turn, and the better one counts: the first reads again
-/// what the others have pushed out of the cache.
+/// A run this short (s) is done twice in a turn, and the better one counts: the first one reloads
+/// data that the others have evicted from the cache.
 const SHORT: f64 = 2e-2;
 
-/// A contender and how its first run came out.
+/// A contender and the result of its first run.
 struct Tried<'a> {
     contender: Contender<'a>,
     first: Run,
     is_right: bool,
-    /// Of every run that counts (s).
+    /// The times (s) of all runs that count.
     seconds: Vec<f64>,
 }
 
-/// Everybody's answer, and the time of those that are right.
+/// The answers of all contenders, and the times of those that are right.
 pub fn trial(name: &str, lcp: &Lcp, contenders: Vec<Contender>) -> Problem {
     let mut all: Vec<Tried> = contenders.into_iter().map(|c| Tried::of(lcp, c)).collect();
     let a_round: f64 = all.iter().filter(|tried| tried.is_right).map(|tried| tried.first.seconds).sum();

@@ -21,8 +21,12 @@ pub(super) fn example() -> Result<Finding> {
     let lcp = bounded(tridiagonal(BODIES, 1.0), &b, 0.0)?;
     let (printed, corrected) =
         (frames(&lcp, |_| vec![0.0; BODIES])?, frames(&lcp, <[f64]>::to_vec)?);
-    let share =
-        Measure::new("weight supported by the floor", "", printed[FRAMES - 1], corrected[FRAMES - 1]);
+    let share = Measure::new(
+        "weight supported by the floor",
+        "",
+        printed[FRAMES - 1],
+        corrected[FRAMES - 1],
+    );
     let points = |shares: &[f64]| -> Vec<(f64, f64)> {
         shares
             .iter()

@@ -19,7 +19,11 @@ pub fn hand(answer: fn(f64, &[f64], f64) -> Vec<f64>) -> Verdict {
     for (m, dt, pull) in cases {
         let got = answer(m, pull, dt);
         if got.len() != pull.len() {
-            return Err(format!("{} steps need one impulse each, the answer has {}", pull.len(), got.len()));
+            return Err(format!(
+                "{} steps need one impulse each, the answer has {}",
+                pull.len(),
+                got.len()
+            ));
         }
         let (mut z, mut v) = (0.0, 0.0);
         for (k, (&x, force)) in got.iter().zip(pull).enumerate() {

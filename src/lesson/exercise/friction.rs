@@ -152,7 +152,11 @@ pub fn pressed(answer: fn(f64, f64, f64, &[[f64; 2]]) -> Vec<f64>) -> Verdict {
         let dt = 0.01;
         let got = answer(m, mu, dt, forces);
         if got.len() != forces.len() {
-            return Err(format!("{} steps need one speed each, the answer has {}", forces.len(), got.len()));
+            return Err(format!(
+                "{} steps need one speed each, the answer has {}",
+                forces.len(),
+                got.len()
+            ));
         }
         let mut before = 0.0;
         for (k, (&v, [push, press])) in got.iter().zip(forces).enumerate() {

@@ -80,7 +80,11 @@ pub fn ratio(answer: fn(&[f64], &[f64]) -> Option<usize>) -> Verdict {
         let at = format!("constants {constant:?}, rates {rate:?}");
         let Some(row) = answer(constant, rate) else {
             match rate.iter().position(|&rate| rate < 0.0) {
-                Some(row) => return Err(format!("{at}: the path does not end on a ray: variable {row} becomes 0")),
+                Some(row) => {
+                    return Err(format!(
+                        "{at}: the path does not end on a ray: variable {row} becomes 0"
+                    ));
+                }
                 None => continue,
             }
         };

@@ -87,7 +87,11 @@ pub fn colors(answer: fn(&[[Option<usize>; 2]]) -> Vec<usize>) -> Verdict {
     for rows in cases {
         let got = answer(rows);
         if got.len() != rows.len() {
-            return Err(format!("{} rows need one color each, the answer has {}", rows.len(), got.len()));
+            return Err(format!(
+                "{} rows need one color each, the answer has {}",
+                rows.len(),
+                got.len()
+            ));
         }
         let shares = |i: usize, j: usize| {
             rows[i].iter().flatten().any(|body| rows[j].contains(&Some(*body)))

@@ -9,7 +9,7 @@ use crate::report::methods;
 use crate::scene::{Scene, Scheme};
 use crate::solver::{Method, Stop};
 
-/// A solver with its scheme in an animation.
+/// A solver with its scheme and iteration limit in an animation.
 #[derive(Debug, Clone, Copy)]
 pub struct AnimatedSolver {
     /// The scheme.
@@ -21,8 +21,8 @@ pub struct AnimatedSolver {
 }
 
 impl AnimatedSolver {
-    /// An animated solver from the name of its solver, with its iteration limit after a colon if it is not
-    /// the scene's: `pgs:5`.
+    /// The solver with this name; an iteration limit other than the scene's follows after a colon:
+    /// `pgs:5`.
     ///
     /// # Errors
     /// If there is no such solver, or the number is invalid.

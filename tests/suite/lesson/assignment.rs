@@ -155,7 +155,10 @@ fn a_bad_line_or_file_is_named_and_everything_else_counts() {
 #[test]
 fn two_students_of_one_name_are_an_error_with_both_lines() {
     let error = students("Ada\nGrace\n ada \n", "class.txt").unwrap_err().to_string();
-    assert!(error.starts_with("class.txt: line 3: \"ada\" is the name in line 1; "), "{error}");
+    assert!(
+        error.starts_with("class.txt: line 3: \"ada\" is also the name in line 1; "),
+        "{error}"
+    );
     assert!(students("\n\n", "class.txt").is_err());
     let names = students("\u{feff}Ada\r\n  Grace   Hopper\r\n", "class.txt").unwrap();
     assert_eq!(names, ["Ada", "Grace Hopper"]);

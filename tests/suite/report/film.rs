@@ -53,7 +53,7 @@ fn a_film_survives_as_plain_data() {
 #[test]
 fn a_film_section_shows_its_variants_side_by_side() {
     let plan: film::Plan = toml::from_str(
-        "name = 'f'\nscene = 'pendulum'\nduration = 0.1\nshots = 3\ncaption = 'Look.'\n\
+        "name = 'f'\nscene = 'pendulum'\nduration = 0.1\nsamples = 3\ncaption = 'Look.'\n\
          variants = [{ name = 'velocity' },\n\
          { name = 'acceleration', change = { step = { scheme = 'acceleration' } } }]",
     )

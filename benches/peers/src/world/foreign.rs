@@ -1,4 +1,4 @@
-//! An engine behind C's calling convention.
+//! An engine with C's calling convention.
 
 use std::os::raw::{c_int, c_void};
 
@@ -80,7 +80,7 @@ impl World for Foreign {
 
 impl Drop for Foreign {
     fn drop(&mut self) {
-        // SAFETY: as in `step`; nobody else has the pointer.
+        // SAFETY: as in `step`; there is no other copy of the pointer.
         unsafe { (self.calls.free)(self.world) }
     }
 }

@@ -1,8 +1,8 @@
 //! Whole scenes: cubes that should rest, in several engines.
 //!
-//! An engine that does less work a step is not faster if its bodies sink or creep. So each one gets
-//! as few iterations as keep, after two seconds, the overlap and the drift within the same bounds;
-//! then all step in turns under the clock.
+//! An engine that does less work per step is not faster if its bodies sink or creep. Therefore each
+//! one uses the smallest number of iterations that keeps overlap and drift within the same bounds
+//! after two seconds; then all are timed in turns.
 
 pub mod foreign;
 mod ours;
@@ -20,40 +20,41 @@ pub const MASS: f64 = 1.0;
 
 /// The length of a step (s).
 const DT: f64 = 1.0 / 60.0;
-/// Steps before the bodies are looked at: two seconds.
+/// Steps before the bodies are checked: two seconds.
 const STEPS: usize = 120;
-/// Looks on the way, to give up early.
+/// The number of earlier checks, to give up early.
 const LOOKS: usize = 4;
-/// Steps that are timed, of each engine.
+/// Timed steps per engine.
 const TIMED: usize = 40;
 /// The coefficient of friction.
 const FRICTION: f64 = 0.6;
-/// The part of an overlap that lcplab takes back in a step. It becomes velocity, which feeds the
-/// rocking of the cubes: with 0.2 the tower needs 32 sweeps row by row, with 0.02 it needs 8.
+/// The fraction of an overlap that lcplab corrects in a step. The correction becomes velocity,
+/// which excites rocking of the cubes: with 0.2 the tower needs 32 sweeps row by row, with 0.02 it
+/// needs 8.
 const BAUMGARTE: f64 = 0.02;
-/// What the cubes must keep to.
+/// The bounds for the cubes.
 const BOUNDS: Bounds = Bounds { penetration: 0.01, drift: 0.05 };
-/// Beyond this they will not come back.
+/// Larger deviations are not recovered.
 const HOPELESS: Bounds =
     Bounds { penetration: 4.0 * BOUNDS.penetration, drift: 2.0 * BOUNDS.drift };
-/// Iterations that are tried, one after the other: four to each doubling.
+/// The numbers of iterations that are tried, in order: four per doubling.
 const ITERATIONS: [usize; 24] =
     [1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 28, 32, 40, 48, 56, 64, 80, 96, 112, 128];
 
 /// A scene for every engine.
 pub struct Setting {
-    /// As lcplab reads it.
+    /// As a scene of lcplab.
     pub scene: Scene,
-    /// Where the cubes are at the start.
+    /// The initial positions of the cubes.
     pub places: Vec<State>,
     pub friction: f64,
     pub dt: f64,
 }
 
-/// Something that steps cubes.
+/// A world of cubes that can be stepped.
 pub trait World {
     fn step(&mut self);
-    /// Where the cubes are.
+    /// The positions of the cubes.
     fn poses(&self) -> Vec<Pose>;
 }
 
@@ -62,7 +63,7 @@ pub struct Engine {
     pub name: &'static str,
     /// Whether it is lcplab.
     pub ours: bool,
-    /// A world with so many iterations a step.
+    /// A world with this number of iterations per step.
     pub build: fn(&Setting, usize) -> Box<dyn World>,
 }
 
@@ -88,7 +89,7 @@ impl Setting {
         Ok(Setting { scene, places, friction: FRICTION, dt: DT })
     }
 
-    /// How deep they overlap and how far they are from their places.
+    /// Their overlap and displacement.
     fn look(&self, poses: &[Pose]) -> Option<Bounds> {
         let mut poses = poses.iter();
         let mut states = self.scene.states.clone();
@@ -106,7 +107,7 @@ impl Setting {
     }
 }
 
-/// What an engine reached with so many iterations, and its world then.
+/// The result of an engine with this number of iterations, and its world afterwards.
 struct Tuned {
     engine: Engine,
     iterations: usize,
@@ -148,7 +149,7 @@ fn engines() -> Vec<Engine> {
     ]
 }
 
-/// The least of the iterations that are enough.
+/// The smallest sufficient number of iterations.
 fn tuned(engine: Engine, setting: &Setting) -> Tuned {
     let mut last = None;
     for iterations in ITERATIONS {
@@ -164,7 +165,7 @@ fn tuned(engine: Engine, setting: &Setting) -> Tuned {
     Tuned { engine, iterations, reached: last, world: None }
 }
 
-/// What is reached after the steps, or at the look on the way that shows it to be hopeless.
+/// The deviations after the steps, or at the first check that rules out success.
 fn after(world: &mut dyn World, setting: &Setting) -> Option<Bounds> {
     let mut reached = None;
     for _ in 0..LOOKS {

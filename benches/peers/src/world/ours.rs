@@ -11,7 +11,7 @@ pub const ROW_BY_ROW: Engine = Engine {
     build: |setting, iterations| stepper(setting, iterations, Kernel::RowByRow),
 };
 
-/// From the ground up, or by colors in a lone stack; on one thread as everybody else.
+/// From the ground up, or by colors in a single stack; on one thread like all others.
 pub const EIGHT_PAIRS: Engine = Engine {
     name: "lcplab, eight pairs at a time",
     ours: true,

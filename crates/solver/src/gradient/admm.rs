@@ -71,8 +71,8 @@ impl Solver for Admm {
             Err(status) => return Solution::new(lcp, z, status, 0),
         };
         let weight = self.weights(lcp, &metric);
-        let regularised = lcp.matrix().to_dense() + DMatrix::from_diagonal(&weight);
-        let Some(factor) = regularised.cholesky() else {
+        let regularized = lcp.matrix().to_dense() + DMatrix::from_diagonal(&weight);
+        let Some(factor) = regularized.cholesky() else {
             let reason = "A is not positive semidefinite";
             return Solution::new(lcp, z, Status::OutsideClass { reason }, 0);
         };

@@ -74,7 +74,7 @@ impl Run<'_> {
             Some(p) => self.conjugate(x, &free, p),
             None => free,
         };
-        let (length, limit) = (self.minimiser(&gradient, &p)?, self.slack(x, &p));
+        let (length, limit) = (self.minimizer(&gradient, &p)?, self.slack(x, &p));
         if length.is_infinite() && limit.is_infinite() {
             if p.iter().any(|p| !p.is_finite()) {
                 return ControlFlow::Break(Status::NotFinite);
@@ -124,7 +124,7 @@ impl Run<'_> {
 
     /// The step length that minimizes the objective along −p; ∞ if the objective decreases without
     /// limit.
-    fn minimiser(&self, gradient: &[f64], p: &[f64]) -> ControlFlow<Status, f64> {
+    fn minimizer(&self, gradient: &[f64], p: &[f64]) -> ControlFlow<Status, f64> {
         let slope = self.metric.inner(gradient, p);
         match self.metric.curvature(self.lcp, p) {
             _ if !(slope > 0.0) => ControlFlow::Break(Status::Stalled),

@@ -36,11 +36,11 @@ use crate::{Class, Cost, Effort, Entry, Group, MatrixClass};
 /// bound if A is symmetric.
 const ACTIVE_SET: Cost = Cost {
     formula: "f³/3 + f² + s, and once before the first",
-    start: factorisation,
-    iteration: factorisation,
+    start: factorization,
+    iteration: factorization,
 };
 
-fn factorisation(i: &Effort<'_>) -> f64 {
+fn factorization(i: &Effort<'_>) -> f64 {
     let f = i.free();
     f.powi(3) / 3.0 + f * f + i.stored
 }

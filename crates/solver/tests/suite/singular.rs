@@ -20,7 +20,7 @@ fn stacks(seed: u32) -> impl Iterator<Item = (String, Lcp)> {
 }
 
 /// A plus 1e-8 times its mean diagonal.
-fn regularised(lcp: &Lcp) -> Lcp {
+fn regularized(lcp: &Lcp) -> Lcp {
     let n = lcp.len();
     let gamma = 1e-8 * (0..n).map(|i| lcp.matrix().diagonal(i)).sum::<f64>() / n as f64;
     let entries = (0..n).flat_map(|i| lcp.matrix().row(i).iter().map(move |(j, a)| (i, j, a)));
@@ -56,11 +56,11 @@ fn four_contacts_a_face_leave_a_rank_of_three_quarters_without_friction_and_a_ha
 }
 
 #[test]
-fn three_solvers_solve_eight_of_eight_and_the_regularised_ones() {
+fn three_solvers_solve_eight_of_eight_and_the_regularized_ones() {
     for solver in ["dantzig", "interior-point", "block-pivoting"] {
         assert_eq!(solved(solver, stacks(1)), 8, "{solver}");
-        let regularised = stacks(1).map(|(name, lcp)| (name, regularised(&lcp)));
-        assert_eq!(solved(solver, regularised), 8, "{solver}, regularised");
+        let regularized = stacks(1).map(|(name, lcp)| (name, regularized(&lcp)));
+        assert_eq!(solved(solver, regularized), 8, "{solver}, regularized");
     }
 }
 

@@ -1,4 +1,4 @@
-"""Drake: joint coordinates in discrete steps, compliant contacts with regularised friction, solved by SAP.
+"""Drake: joint coordinates in discrete steps, compliant contacts with regularized friction, solved by SAP.
 
 Static and dynamic friction both get the scene's coefficient; of two equal ones Drake makes the same again. It
 has no coefficient of restitution: dissipation d bounds the speed after a bounce by 1/d, 2 cm/s by default.

@@ -1,4 +1,4 @@
-"""MuJoCo: joint coordinates, soft contacts whose forces minimise a convex function. A spring is a tendon.
+"""MuJoCo: joint coordinates, soft contacts whose forces minimize a convex function. A spring is a tendon.
 
 The larger friction of two geoms counts, so equal ones are translated as they are. MuJoCo has no coefficient
 of restitution: by default nothing bounces, and its documentation says to lower the damping of a contact
