@@ -125,40 +125,43 @@ impl Record {
     /// The deviation of friction from Coulomb's law, if it is large enough to report.
     fn friction_in_words(&self) -> Option<String> {
         let model = self.scene.contact.model;
-        let pair = |slip: &Slip| {
-            let [body, other] = slip.bodies.map(|body| &self.scene.bodies[body].name);
-            format!("of {body:?} on {other:?}")
+        let pair = |bodies: [usize; 2]| {
+            let [body, other] = bodies.map(|body| &self.scene.bodies[body].name);
+            format!(", between {body:?} and {other:?}")
         };
         let is_cone = matches!(model, Model::CoulombCone | Model::AssociatedCone);
         let degrees = |slip: &Slip| slip.angle.unwrap_or(0.0).to_degrees();
         let angle =
             self.slips.friction_angle.filter(|slip| degrees(slip) > FRICTION_ANGLE && !is_cone);
+        let angle = angle.map(|slip| {
+            let what = "away from the direction opposite to the slip";
+            (slip.bodies, format!("pointed up to {:.0}° {what}", degrees(&slip)))
+        });
         let excess = self.slips.cone_excess.filter(|slip| 100.0 * slip.excess > MUCH);
-        let error = self.slips.speed_error(&self.scene);
-        let mut says = Vec::new();
-        says.extend(angle.map(|slip| {
-            format!(
-                "was up to {:.0}° from the direction opposite to sliding {}",
-                degrees(&slip),
-                pair(&slip)
-            )
-        }));
-        says.extend(excess.map(|slip| {
+        let excess = excess.map(|slip| {
             let percent = 100.0 * slip.excess;
-            format!("was at least {percent:.0} % outside Coulomb's cone {}", pair(&slip))
-        }));
-        says.extend(error.map(|(body, error)| {
+            (slip.bodies, format!("exceeded Coulomb's limit by at least {percent:.0} %"))
+        });
+        let mut says: Vec<String> = match (angle, excess) {
+            (Some((bodies, angle)), Some((same, excess))) if bodies == same => {
+                vec![format!("{angle} and {excess}{}", pair(bodies))]
+            }
+            (angle, excess) => {
+                let own = angle.into_iter().chain(excess);
+                own.map(|(bodies, what)| what + &pair(bodies)).collect()
+            }
+        };
+        says.extend(self.slips.speed_error(&self.scene).map(|(body, error)| {
             format!(
-                "differs from Coulomb's by a total impulse that corresponds to about {} m/s of {:?}",
+                "differed from Coulomb's law by a total impulse of about {} m/s times the mass of {:?}",
                 readable(error, 2),
                 self.scene.bodies[body].name
             )
         }));
-        let how = match &says[..] {
-            [] => return None,
-            [one] => one.clone(),
-            [others @ .., last] => format!("{} and {last}", others.join(", ")),
-        };
+        if says.is_empty() {
+            return None;
+        }
+        let how = says.join("; it ");
         let scheme = self.scene.step.scheme;
         let remedy = match model {
             _ if !scheme.poses_friction() => {
