@@ -9,7 +9,7 @@ use lcplab::solver::kernel::Width;
 use lcplab::solver::kernel::impulses::{Row, RowByRow, SimdPairs, System};
 use lcplab::storage::{ALL, Entry, MapOfMaps, Storage, sweep};
 
-/// A pile of boxes as a step meets it: so many contacts of three rows between neighbors.
+/// A pile of boxes as a step meets it: `contacts` contacts of three rows, between neighbors.
 fn jacobian(contacts: usize) -> Vec<Entry> {
     let row = |i: usize| {
         let below = i / 12; // four contacts a pair
@@ -62,7 +62,7 @@ fn frame(
 }
 
 #[test]
-fn a_warm_step_asks_for_no_memory_where_nodes_are_kept() {
+fn a_warm_step_allocates_nothing_where_nodes_are_kept() {
     let steps = steps();
     for kind in &ALL {
         let mut matrices = [(); 2].map(|()| (kind.new)(6 * BODIES, 6 * BODIES));
@@ -97,7 +97,7 @@ fn bytes_and_allocations_are_those_the_allocator_saw() {
     }
 }
 
-/// Beside its arrays a kernel has its team and the counters that the team shares.
+/// Besides its arrays a kernel has its threads and the counters that they share.
 #[test]
 fn the_bytes_of_a_kernel_are_those_the_allocator_saw() {
     let bodies = 100;
@@ -151,7 +151,7 @@ fn scenes() -> Vec<Scene> {
 
 /// The second time along the same way: every list is as long as it ever gets.
 #[test]
-fn a_warm_step_of_a_scene_asks_for_no_memory() {
+fn a_warm_step_of_a_scene_allocates_nothing() {
     for scene in scenes() {
         for kernel in KERNELS {
             let mut stepper = Stepper::new(scene.clone(), 10, kernel).unwrap();

@@ -70,7 +70,7 @@ fn the_table_has_the_fastest_method_of_each_library_and_a_dash_without_an_answer
 }
 
 #[test]
-fn a_goal_is_missed_below_the_number_that_was_asked_for() {
+fn a_goal_is_missed_below_the_required_number() {
     let goal = |ours: &str, faster| Goal {
         problem: "three rods".into(),
         ours: Some(ours.into()),

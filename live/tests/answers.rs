@@ -1,4 +1,4 @@
-//! What the module answers, held against closed forms.
+//! What the module answers, compared with closed forms.
 
 use std::f64::consts::PI;
 
@@ -119,7 +119,7 @@ fn a_rod_without_friction_falls_straight_down_and_no_rod_sinks_in() {
 }
 
 #[test]
-fn all_solutions_are_told_as_fractions() {
+fn all_solutions_are_given_as_fractions() {
     let two = json!({ "A": { "dense": [[2, -3], [-3, 2]] }, "b": [1, 1.5] });
     let found = ask(json!({ "ask": "solutions", "problem": two }));
     let fractions: Vec<&Value> =
@@ -176,7 +176,7 @@ mod study {
     }
 
     #[test]
-    fn every_method_of_the_registry_can_be_asked_for() {
+    fn every_method_of_the_registry_can_be_selected() {
         let first = ask(json!({ "ask": "solve", "problem": fig7() }));
         for own in first["solvers"].as_array().unwrap() {
             let found = ask(json!({ "ask": "solve", "problem": fig7(), "solver": own[0] }));

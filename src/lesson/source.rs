@@ -7,7 +7,7 @@
 //! ```rust                      a cell: shown, compiled and run
 //! ```rust tags=["hide"]        a cell whose code is not shown
 //! ```rust tags=["fold"]        a cell whose code is folded: set-up, tables, plots
-//! ```python                    a cell in Python; right after an open cell in Rust: the same in Python
+//! ```python                    a cell in Python; after an open cell in Rust: the same in Python
 //! ```output                    what the Python cell above it prints
 //! ```text                      anything else in fences belongs to the prose
 //! ```

@@ -48,7 +48,7 @@ fn answers_and_what_only_readers_of_the_chapter_want_are_folded() {
 }
 
 #[test]
-fn drawings_are_seen_and_told() {
+fn drawings_are_visible_and_described() {
     let script = "const drawings = all('.drawing img'); await wait(200);
         return drawings.map((image) => [image.naturalWidth > 300, image.getBoundingClientRect().width <= innerWidth, image.alt.length > 60]);";
     let found = lesson("11", "11_friction.html").seen(390, script);

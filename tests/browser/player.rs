@@ -75,7 +75,8 @@ fn a_drag_turns_the_camera_and_two_clicks_turn_it_back() {
         at('pointerdown', 100, 100);
         at('pointermove', 150, 100);
         const turned = [stage() !== first[0], soil.innerHTML !== first[1], part('.untilt').hidden];
-        at('pointermove', 150, 100 + 1000); // from right above: of the ground all of its plane is seen
+        // Seen from above, the whole plane of the ground is visible.
+        at('pointermove', 150, 100 + 1000);
         const above = soil.innerHTML.includes('#eef0f3');
         at('pointermove', 150, 100 - 2000);
         const below = soil.innerHTML.includes('#eef0f3');

@@ -185,7 +185,7 @@ fn enter_keeps_the_indentation_and_shift_enter_runs() {
 }
 
 #[test]
-fn a_page_that_is_opened_as_a_file_reads_as_ever_and_says_how_its_cells_run() {
+fn a_page_opened_as_a_file_is_readable_and_says_how_its_cells_run() {
     let folder = lessons("1");
     let page = std::fs::read_to_string(folder.path().join("01_complementarity.html")).unwrap();
     let script = "return [all('.python .bar, .python [contenteditable]').length, all('.hint').length, find('.hint').textContent.includes('http.server')];";

@@ -47,7 +47,7 @@ fn a_and_b_follow_from_the_bodies_and_rows() {
     }
 }
 
-/// How many of the frames the methods that nobody chose solve under a law; the judge accepts each
+/// How many of the frames the default methods solve under a law; the judge accepts each
 /// of these answers.
 fn solved(law: Model) -> usize {
     let settings = Settings { tolerance: 1e-8, ..Settings::default() };

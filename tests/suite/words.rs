@@ -14,7 +14,7 @@ fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
-        if path.is_dir() {
+        if path.is_dir() && !path.ends_with("target") {
             found.extend(files(&path, extension));
         } else if path.extension().is_some_and(|own| own == extension) {
             found.push(path);
@@ -171,13 +171,25 @@ fn comments_have_none_of_the_phrases() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let folders = [
         "src",
-        "crates/page/src",
-        "crates/bodies/src",
-        "crates/solver/src",
+        "crates/bodies",
+        "crates/page",
+        "crates/plugin",
+        "crates/problem",
+        "crates/solver",
         "live/src",
+        "live/tests",
         "python/src",
         "examples",
         "benches",
+        "tests/browser",
+        "tests/support",
+        "tests/suite/chapter",
+        "tests/suite/cli",
+        "tests/suite/film",
+        "tests/suite/lesson",
+        "tests/suite/messages",
+        "tests/suite/report",
+        "tests/suite/storage",
     ];
     for path in folders.iter().flat_map(|folder| files(&root.join(folder), "rs")) {
         assert_eq!(hits(&fs::read_to_string(&path).unwrap()), [""; 0], "{}", path.display());

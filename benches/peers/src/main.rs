@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! cargo run --release                            all, as a table on the terminal
-//! cargo run --release -- problems                numerical problems only; `scenes`: whole scenes only
+//! cargo run --release -- problems                only numerical problems; `scenes`: only scenes
 //! cargo run --release -- --json ../peers.json    the same, and the recording behind `peers.md`
 //! ```
 //!

@@ -84,8 +84,8 @@ impl Raw {
         Contender::peer(name, move || {
             let (mut x, mut complaints) = (vec![0.0; self.rows()], 0);
             let [a, b, lo, hi] = [&self.a, &self.b, &self.lo, &self.hi].map(|v| v.as_ptr());
-            // SAFETY: the shims read n² numbers of A and n of b, lo and hi, write n of x and one number
-            // of errors, and keep no pointer.
+            // SAFETY: the shims read n² numbers of A and n of b, lo and hi, write n of x and one
+            // number of errors, and keep no pointer.
             let seconds =
                 unsafe { solver(self.n, a, b, lo, hi, x.as_mut_ptr(), &raw mut complaints) };
             let complaint = (complaints != 0).then(|| format!("{meaning} ({complaints})"));

@@ -18,8 +18,8 @@ pub(super) fn example() -> Result<Finding> {
     let a = delassus(&j);
     let weight = contacts(a.as_slice(), &[-G * DT; 4])?;
     let solutions = enumerated(&weight).len() as f64;
-    let (pushes, speeds) = run_off(&j)?;
-    let growth = (pushes[SWEEPS] - pushes[SWEEPS / 2]) / (SWEEPS / 2) as f64;
+    let (impulses, speeds) = run_off(&j)?;
+    let growth = (impulses[SWEEPS] - impulses[SWEEPS / 2]) / (SWEEPS / 2) as f64;
     // zᵀb = α zᵀ(D + L) z with zᵀA z = 0: each sweep adds α z.
     let diagonal: f64 = (0..4).map(|i| NULL[i] * NULL[i] * a[(i, i)]).sum();
     let expected = NULL[0] / (0.5 * diagonal);
@@ -36,7 +36,7 @@ pub(super) fn example() -> Result<Finding> {
         Measure::new("growth of x₁ per sweep", "N s", 0.0, growth)
             .truth(&[expected], "zᵀb / ½ zᵀD z", 1e-9),
     )
-    .plot(&off_for_ever(&pushes, &speeds)))
+    .plot(&unbounded_impulse(&impulses, &speeds)))
 }
 
 /// Four corners at (±½, ±½, −½), pushed upwards.
@@ -61,16 +61,16 @@ fn run_off(j: &SMatrix<f64, 4, 6>) -> Result<(Vec<f64>, Vec<f64>)> {
     Ok(iterates.iter().map(|x| (x[0], x.iter().sum::<f64>())).unzip())
 }
 
-fn off_for_ever(pushes: &[f64], speeds: &[f64]) -> Lines {
+fn unbounded_impulse(impulses: &[f64], speeds: &[f64]) -> Lines {
     Lines::new(
-        "off_for_ever",
+        "unbounded_impulse",
         "Forces without bound, a motion at rest",
-        "The push of the first corner grows by ⅛ N s per sweep, without limit; the velocity that all four give \
-             to the cube together stays at ¼ m/s. A solver that watches x alone calls this divergence.",
+        "The impulse of the first corner grows by ⅛ N s per sweep, without limit; the velocity that all four \
+             together give the cube stays at ¼ m/s. A solver that watches x alone calls this divergence.",
         Axis::log("sweep", ""),
         Axis::log("impulse (N s) and velocity (m/s)", ""),
         vec![
-            Series::measured("x₁ (N s)", powers(pushes)),
+            Series::measured("x₁ (N s)", powers(impulses)),
             Series::measured("velocity of the cube (m/s)", powers(speeds)),
         ],
     )

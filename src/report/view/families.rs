@@ -16,7 +16,7 @@ pub fn table(rows: &[Row]) -> Table {
              how often. *must fail*: a failure that theory predicts.",
         "family | friction | solver | #problems | #outside | #claims | #proved | #accepted | \
          #rejected | #false | #iterations per problem | #multiplications per problem | \
-         #worst residual | #time (ms) | iterates | fallback | why not",
+         #worst residual | #time (ms) | iterates | fallback | reason",
         rows.iter().map(cells).collect(),
     )
 }

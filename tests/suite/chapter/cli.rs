@@ -23,7 +23,7 @@ fn the_list_has_a_line_an_entry_and_is_the_same_for_machines() {
 }
 
 #[test]
-fn filters_leave_what_was_asked_for() {
+fn filters_leave_the_selected_entries() {
     let wrong = json(&["--kind", "equations", "--verdict", "wrong"]);
     let ids: Vec<&str> =
         wrong.as_array().unwrap().iter().map(|e| e["id"].as_str().unwrap()).collect();

@@ -368,7 +368,7 @@ fn code_7_as_printed_glues_what_parts() {
     };
     assert_eq!(speed(&WholeStep::PRINTED, contact()), 0.0);
     assert_eq!(speed(&WholeStep::CORRECTED, contact()), 1.0);
-    // With the bound "λ ≥ 0" in the listing's own sign only J = −∂c/∂s is let go.
+    // With the bound "λ ≥ 0" in the listing's own sign only J = −∂c/∂s lets the bodies separate.
     let bounded = WholeStep { limits: Limits::OfEachRow, ..WholeStep::PRINTED };
     assert_eq!(speed(&bounded, contact()), 0.0);
     assert_eq!(speed(&bounded, vec![Joint { jacobian: -1.0, ..contact().remove(0) }]), 1.0);

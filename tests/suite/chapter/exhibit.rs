@@ -5,7 +5,7 @@ use lcplab::chapter::{errata, inventory};
 use lcplab::document::Format;
 
 #[test]
-fn every_example_tells_the_printed_form_from_the_corrected_one() {
+fn every_example_separates_the_printed_form_from_the_corrected_one() {
     for exhibit in all() {
         let finding = exhibit.found().unwrap();
         assert_ne!(finding.is_some(), !exhibit.in_words.is_empty(), "{}", exhibit.id);

@@ -93,7 +93,7 @@ fn what_is_named_exists() {
 }
 
 #[test]
-fn what_does_not_exist_is_told() {
+fn a_reference_to_nothing_is_reported() {
     for place in ["lcp::nothing", "nothing", "scene nothing", "lcplab nothing", "lcp::Lcp::nothing"]
     {
         assert!(!exists(place), "{place}");

@@ -1,4 +1,4 @@
-//! The museum of the chapter.
+//! The code, the formulas and the claims of the chapter.
 
 mod claims;
 mod cli;

@@ -89,7 +89,8 @@ fn e09_jacobi_overshoots_where_gauss_seidel_converges() {
     let gauss_seidel = spectral_radius(&sor_iteration_matrix(a.matrix(), 1.0));
     assert_near(gauss_seidel, 0.9f64.powf(1.5), 1e-9);
     let [printed, _] = both("E09", "x₁ after the sweeps");
-    assert_near(printed / (1.0 - 1.8f64.powi(30)), 1.0, 1e-9); // the error (−1, −1, −1) times (−1.8)³⁰
+    // The error is (−1, −1, −1) times (−1.8)³⁰.
+    assert_near(printed / (1.0 - 1.8f64.powi(30)), 1.0, 1e-9);
 }
 
 #[test]
@@ -111,7 +112,7 @@ fn e10_from_zero_the_corners_share_the_weight_though_they_need_not() {
     for x in pgs.solve(&lcp, &Start::default(), &mut ()).x {
         assert_near(x, 9.81 / 240.0, 1e-8);
     }
-    assert_near(both("E10", "growth of x₁ a sweep")[1], 0.125, 1e-9);
+    assert_near(both("E10", "growth of x₁ per sweep")[1], 0.125, 1e-9);
 }
 
 #[test]

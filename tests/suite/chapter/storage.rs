@@ -9,7 +9,7 @@ use super::{both, measure};
 
 #[test]
 fn without_dt_the_ball_leaves_the_floor_at_the_speed_that_gravity_would_give_it_in_a_second() {
-    // x = 1 + g in place of 1 + g dt: v⁺ = g − g dt.
+    // x = 1 + g instead of 1 + g dt: v⁺ = g − g dt.
     let [printed, corrected] = both("E49", "velocity after the step");
     assert!((printed - (9.81 - 9.81 / 60.0)).abs() < 1e-12);
     assert!(corrected.abs() < 1e-12);

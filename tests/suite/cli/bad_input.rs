@@ -1,4 +1,4 @@
-//! Bad input: one message, which names the file, the key and the number, and code 2.
+//! Invalid input: one message, which names the file, the key and the number, and code 2.
 
 use super::{GOOD, err, out, run, run_with};
 

@@ -90,7 +90,7 @@ fn how_many_solvers_keep_gaps_and_joints_closed_is_counted_from_the_runs() {
     }
 }
 
-/// Projected Gauss-Seidel with friction, in which someone wrote the friction limit with μ twice.
+/// Projected Gauss-Seidel with friction, with the error that the friction limit contains μ twice.
 const MU_SQUARED: &str = "import json, sys
 for line in sys.stdin:
     p = json.loads(line)

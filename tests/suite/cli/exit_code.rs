@@ -9,7 +9,8 @@ fn the_exit_codes_of_the_help_are_those_of_commands() {
         assert!(help.contains(code), "{help}");
     }
     assert_eq!(run_with(GOOD, &["solve", "-"]).status.code(), Some(0));
-    let coupled = r#"{"A": {"dense": [[2, -1], [-1, 2]]}, "b": [-3, -3]}"#; // x = (3, 3), not in a sweep
+    // The solution is (3, 3); one sweep does not reach it.
+    let coupled = r#"{"A": {"dense": [[2, -1], [-1, 2]]}, "b": [-3, -3]}"#;
     let unsolved = run_with(coupled, &["solve", "-", "--solver", "pgs", "--max-iterations", "1"]);
     assert_eq!(unsolved.status.code(), Some(1));
     assert_eq!(run_with("{", &["solve", "-"]).status.code(), Some(2));

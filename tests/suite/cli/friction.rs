@@ -52,7 +52,7 @@ fn a_solver_for_cones_or_the_file_chooses_the_model() {
         answer["model"].as_str().map(str::to_string)
     };
     let stated = pushed().replacen('{', "{\"model\": \"polygon-12\", ", 1);
-    assert_eq!(chosen(&pushed(), &[]), None); // the boxed LCP as it stands
+    assert_eq!(chosen(&pushed(), &[]), None); // the boxed LCP unchanged
     assert_eq!(chosen(&pushed(), &["--solver", "cone-pgs"]).as_deref(), Some("coulomb-cone"));
     assert_eq!(chosen(&stated, &[]).as_deref(), Some("polygon-12"));
     assert_eq!(chosen(&stated, &["--model", "frozen-box"]).as_deref(), Some("frozen-box"));
@@ -107,7 +107,7 @@ fn models_that_do_not_fit_are_bad_usage_with_one_message() {
 }
 
 #[test]
-fn a_scene_is_stepped_and_exported_under_the_model_that_is_asked_for() {
+fn a_scene_is_stepped_and_exported_under_the_given_model() {
     let summary = |arguments: &[&str]| -> Value {
         let all = [&["simulate", "sliding", "--steps", "5", "--json"], arguments].concat();
         let output = run(&all);

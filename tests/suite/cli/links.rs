@@ -83,7 +83,7 @@ const WRITERS: &[Writer] = &[
     writer(&["diagnose", "fig6", "--step", "1", "--out", "out/page.html"], &["page-step-1.json"]),
 ];
 
-/// A folder with the files that the commands read, and one, `home`, that nobody may change.
+/// A folder with the files that the commands read, and one, `home`, that no command may change.
 struct Workspace(tempfile::TempDir);
 
 impl Workspace {

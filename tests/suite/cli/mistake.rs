@@ -6,7 +6,7 @@ use super::{out, run};
 const FIG7: &str = r#"{"A": {"dense": [[1, -1, 0], [-1, 2, -1], [0, -1, 2]]}, "b": [-1, -1, 1]}"#;
 
 #[test]
-fn the_mistake_behind_an_answer_is_told_with_the_exit_code_of_the_judge() {
+fn the_mistake_behind_an_answer_is_named_with_the_exit_code_of_the_judge() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str, text: &str| {
         let path = folder.path().join(name);

@@ -1,4 +1,4 @@
-//! `--plugin`: someone else's program as a solver.
+//! `--plugin`: a program of the user as a solver.
 
 use serde_json::Value;
 

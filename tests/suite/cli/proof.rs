@@ -72,7 +72,7 @@ fn that_no_solution_exists_is_proved_under_every_model_where_one_vector_shows_it
 }
 
 #[test]
-fn a_page_of_a_proof_holds_the_problem_under_the_model_that_was_asked_for() {
+fn a_page_of_a_proof_contains_the_problem_under_the_given_model() {
     let (folder, problem, _) = folder(CONE);
     let page = folder.path().join("proof.html");
     let options = ["--model", "coupled-box", "--out", page.to_str().unwrap()];

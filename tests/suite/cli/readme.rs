@@ -46,7 +46,8 @@ fn the_summary_on_the_page_of_reports_is_that_of_the_committed_report() {
     let table = plain(&table.csv());
     let (_, rest) = page.split_once("$ lcplab report\n").unwrap();
     let shown = rest.lines().take_while(|line| !line.starts_with("reports/"));
-    let shown: Vec<&str> = shown.map(|line| line.split_at(15).1).collect(); // after the section's id
+    // The text follows the id of the section.
+    let shown: Vec<&str> = shown.map(|line| line.split_at(15).1).collect();
     assert_eq!(shown.len(), table.lines().count() - 1);
     for result in shown {
         assert!(table.contains(result), "{result}");

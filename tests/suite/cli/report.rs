@@ -44,7 +44,7 @@ fn first_number(value: &mut Value) -> Option<&mut Value> {
 }
 
 #[test]
-fn an_interrupted_report_does_again_what_somebody_has_edited_since() {
+fn an_interrupted_report_repeats_the_tasks_edited_since() {
     let folder = tempfile::tempdir().unwrap();
     let (file, page) = (folder.path().join("two.toml"), folder.path().join("page"));
     fs::write(&file, TWO).unwrap();

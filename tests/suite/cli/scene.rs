@@ -14,7 +14,7 @@ fn scenes_lists_every_joint_with_its_fields() {
 }
 
 #[test]
-fn a_scene_is_stepped_in_the_order_asked_for() {
+fn a_scene_is_stepped_in_the_given_order() {
     let sweeps = |arguments: &[&str]| {
         let all = ["simulate", "stack", "--steps", "2", "--solver", "pgs", "--json"];
         let output = run(&[&all[..], arguments].concat());
@@ -41,7 +41,7 @@ fn simulate_records_every_step_and_body() {
 }
 
 #[test]
-fn simulate_draws_as_many_instants_as_asked() {
+fn simulate_draws_the_given_number_of_instants() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().to_str().unwrap();
     for (frames, shown) in [(None, 6), (Some("3"), 3), (Some("60"), 11)] {
@@ -54,7 +54,7 @@ fn simulate_draws_as_many_instants_as_asked() {
 }
 
 #[test]
-fn compare_shows_the_solvers_asked_for_side_by_side() {
+fn compare_shows_the_given_solvers_side_by_side() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().to_str().unwrap();
     let all = ["compare", "pendulum", "--steps", "3", "--solver", "dantzig", "--out", path];

@@ -47,7 +47,7 @@ fn is_reading(child: &Child) -> bool {
         && status.lines().any(|line| line.starts_with("State:") && line.contains("S (sleeping)"))
 }
 
-/// Waits until something is so; not for ever.
+/// Waits until a condition holds, up to a time limit.
 #[track_caller]
 fn wait_until(is_so: impl Fn() -> bool) {
     for _ in 0..6000 {

@@ -56,7 +56,7 @@ fn a_generated_problem_is_solved_from_the_pipe() {
 }
 
 #[test]
-fn solve_tells_people_the_verdict() {
+fn solve_prints_the_verdict_as_text() {
     let output = run_with(GOOD, &["solve", "-"]);
     assert!(out(&output).contains("verdict    proved: x is an exact solution"));
 }

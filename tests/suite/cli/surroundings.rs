@@ -8,7 +8,7 @@ use std::process::{Command, Output, Stdio};
 
 use super::{GOOD, err, out, run, run_with};
 
-/// Bad input or a file that cannot be read or written, told in one line on standard error alone.
+/// Invalid input or a file that cannot be read or written: one line on standard error alone.
 #[track_caller]
 fn assert_refused(output: &Output, message: &str) {
     let told = format!("error: {message}\n");
@@ -60,7 +60,7 @@ fn what_was_computed_is_written_even_if_it_cannot_be_printed() {
 
 #[test]
 fn a_folder_that_cannot_be_written_is_refused_before_the_work() {
-    // Nobody may write to /proc, not even root; below a device there is no folder.
+    // Not even root can write to /proc; below a device there is no folder.
     for (folder, reason) in [
         ("/proc/lcplab", "No such file or directory (os error 2)"),
         ("/dev/null/lcplab", "Not a directory (os error 20)"),
@@ -112,7 +112,7 @@ fn a_pipe_with_a_name_is_read_like_a_file() {
     assert_eq!((read.status.code(), err(&read)), (Some(0), String::new()));
     let written = sh(&format!("cat {path} & lcplab problems fathi --out {path}; wait"));
     assert!(out(&written).starts_with('{') && written.status.success(), "{}", err(&written));
-    // Nobody writes: what would wait for ever ends at the time limit.
+    // Nothing writes to the pipe: the endless wait ends at the time limit.
     let waiting = run(&["solve", pipe.to_str().unwrap(), "--time-limit", "0.2"]);
     let told = "error: stopped by the time limit of 0.2 s; unfinished work is lost\n";
     assert_eq!((waiting.status.code(), err(&waiting).as_str()), (Some(1), told));

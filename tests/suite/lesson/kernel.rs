@@ -56,7 +56,7 @@ fn items_stand_outside_so_that_later_cells_see_them() {
 }
 
 #[test]
-fn a_name_that_is_made_anew_is_not_kept_for_it() {
+fn a_name_that_is_defined_again_is_not_kept_for_it() {
     // The second cell makes its own a; the third one uses that.
     let made = cells(&["let a = vec![1];\nuse_up(a);", "let a = vec![2];", "show(&a);"]);
     assert_eq!(made[0], "{\nlet a = vec![1];\nuse_up(a);\n}");

@@ -17,7 +17,7 @@ fn said(solver: &str, lcp: &Lcp, settings: Settings) -> Status {
 }
 
 #[test]
-fn every_status_is_claimed_by_a_solver_and_told_in_words() {
+fn every_status_is_claimed_by_a_solver_and_put_into_words() {
     let usual = Settings::default;
     let one = boxed(&[&[2.0]], &[-6.0], &[0.0], &[INF]); // x = 3
     let pair = contacts(&[&[2.0, -1.0], &[-1.0, 2.0]], &[-3.0, -3.0]); // x = (3, 3)

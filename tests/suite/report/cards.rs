@@ -1,5 +1,5 @@
-//! Engine cards: the shipped record, held against closed forms that share nothing with the Python
-//! that wrote it.
+//! Engine cards: the shipped measurements, compared with closed forms that share no code with the
+//! Python that recorded them.
 
 use std::f64::consts::TAU;
 use std::path::PathBuf;

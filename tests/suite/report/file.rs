@@ -56,7 +56,7 @@ fn a_setting_that_does_not_exist_is_named_with_its_line_wherever_it_stands() {
 }
 
 #[test]
-fn all_defects_are_told_at_once_and_nothing_else() {
+fn all_defects_are_reported_at_once_and_nothing_else() {
     let text = format!(
         "{HEAD}leed = 3
 [[section]]

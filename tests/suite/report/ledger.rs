@@ -1,4 +1,4 @@
-//! Books of energy with closed forms, and orders of errors.
+//! Energy balances with closed forms, and orders of errors.
 
 use lcplab::report::page::Mark;
 use lcplab::report::study::Study;

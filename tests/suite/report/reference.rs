@@ -1,7 +1,6 @@
-//! The standard report as it is committed: a change in behaviour is a difference here.
+//! The standard report as it is committed: a change of behavior shows as a difference here.
 //!
-//! After a change that is meant, `cargo run --release -- report --out reports/reference` writes it
-//! anew.
+//! After an intended change, `cargo run --release -- report --out reports/reference` renews it.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! The studies of solvers, held against closed forms.
+//! The studies of solvers, compared with closed forms.
 
 use lcplab::lcp::{Lcp, Matrix};
 use lcplab::report::results::Results;
@@ -83,7 +83,8 @@ fn the_top_of_the_page_names_the_cheapest_method_and_shows_the_cost_of_each() {
     let costs = document.figures.iter().find(|own| own.id().ends_with("_costs")).unwrap().csv();
     let names: Vec<&str> =
         costs.lines().skip(1).map(|line| line.split(',').next().unwrap()).collect();
-    assert_eq!((names[0], names.len()), ("dantzig", 5), "{costs}"); // 4 solvers, and ten sweeps of pgs
+    // Four solvers, and pgs with ten sweeps.
+    assert_eq!((names[0], names.len()), ("dantzig", 5), "{costs}");
 }
 
 /// Three problems and three solvers, worked out by hand:

@@ -1,4 +1,4 @@
-//! The chapter's matrices: one behaviour, whatever keeps the entries.
+//! The chapter's matrices: the same behavior for every form of storage.
 
 mod errors;
 mod factored_sweeps;

@@ -88,7 +88,7 @@ impl<T, F: FnMut(&StepDetail<'_>) -> Option<T>> Observer for Record<F, T> {
     }
 }
 
-/// The solution from 0 and the events of its iterates; no parts are asked for.
+/// The solution from 0 and the events of its iterates, without parts.
 pub fn events(solver: &dyn Solver, lcp: &Lcp) -> (Solution, Vec<Event>) {
     let take: Option<fn(&StepDetail<'_>) -> Option<()>> = None;
     let mut record = Record { events: Vec::new(), take, taken: Vec::new() };
@@ -226,7 +226,7 @@ pub fn rubbing(
     })
 }
 
-/// x after so many sweeps of the plain method.
+/// x after `sweeps` sweeps of the plain method.
 pub fn plain(lcp: &Lcp, omega: f64, sweeps: usize) -> Vec<f64> {
     let settings = Settings {
         tolerance: 0.0,

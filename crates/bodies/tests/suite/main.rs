@@ -1,4 +1,4 @@
-//! Bodies and constraints by themselves, held against closed forms and differences.
+//! Bodies and constraints by themselves, compared with closed forms and difference quotients.
 
 mod body;
 mod degenerate;

@@ -95,7 +95,7 @@ fn no_two_rows_of_a_shipped_scene_have_one_label() {
 
 /// A hinge, its motor and its limit are three angular constraints between the same two bodies.
 #[test]
-fn constraints_between_the_same_bodies_are_told_apart() {
+fn constraints_between_the_same_bodies_are_distinguished() {
     let text = r#"
         [[bodies]]
         name = "A"

@@ -29,8 +29,10 @@ impl Section {
     /// ```
     /// use lcplab_page::page::{Block, Origin, Section, Table};
     ///
-    /// let mut section = Section { blocks: vec![Block::Table(Table::default())], ..Section::default() };
-    /// section.obtained(&Origin { command: "lcplab report verification".into(), ..Origin::default() });
+    /// let blocks = vec![Block::Table(Table::default())];
+    /// let mut section = Section { blocks, ..Section::default() };
+    /// let command = "lcplab report verification".to_string();
+    /// section.obtained(&Origin { command, ..Origin::default() });
     /// let Block::Table(table) = &section.blocks[0] else { unreachable!() };
     /// assert_eq!(table.origin.as_ref().unwrap().command, "lcplab report verification");
     /// ```

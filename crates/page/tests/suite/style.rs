@@ -7,7 +7,7 @@ fn spelling_does_not_change_the_look() {
 }
 
 #[test]
-fn names_that_would_look_the_same_are_told_apart_in_a_figure() {
+fn names_that_would_look_the_same_differ_in_a_figure() {
     let names = ["sor ω = 1.31", "sor ω = 1.311", "mine", "mine", "mine", "mine", "mine"];
     let looks = styles(&names);
     for (k, look) in looks.iter().enumerate() {

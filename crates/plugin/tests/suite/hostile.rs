@@ -19,7 +19,7 @@ fn reason(name: &str, answer: &str, limit: Duration) -> String {
 }
 
 #[test]
-fn one_that_lies_is_refuted() {
+fn one_with_a_false_claim_is_refuted() {
     let script = Script::answering("liar", "print('{\"x\": [7, 7]}', flush=True)");
     let plugin = script.start(LONG);
     let (solution, certificate) = solve(&plugin, &pushed());
@@ -70,7 +70,7 @@ fn one_that_answers_nan_is_ended() {
 }
 
 #[test]
-fn one_that_crashes_is_named_and_begins_anew() {
+fn one_that_crashes_is_named_and_starts_again() {
     let script = Script::answering(
         "crashes",
         "print(json.dumps({'x': [0.5, 0] if p['b'][1] == 2 else [1 / 0]}), flush=True)",

@@ -92,7 +92,7 @@ fn an_x_without_a_status_is_a_claim_that_is_only_implied() {
 }
 
 #[test]
-fn a_plug_in_is_told_the_problem_and_what_is_demanded() {
+fn a_plug_in_receives_the_problem_and_the_demands() {
     let script = Script::answering(
         "echo",
         "open(sys.argv[0] + '.json', 'w').write(line); print('{\"x\": [0.5, 0]}', flush=True)",
@@ -112,7 +112,7 @@ fn a_plug_in_is_told_the_problem_and_what_is_demanded() {
 }
 
 #[test]
-fn what_a_plug_in_says_beside_x_is_heard() {
+fn what_a_plug_in_reports_besides_x_is_kept() {
     let says = |name: &str, answer: &str| {
         let script = Script::answering(name, &format!("print('{answer}', flush=True)"));
         solve(&script.start(LONG), &pushed()).0
@@ -177,7 +177,7 @@ fn an_answer_without_iterates_is_one_iteration() {
 }
 
 #[test]
-fn a_declared_plug_in_has_a_class_and_is_told_its_settings() {
+fn a_declared_plug_in_has_a_class_and_receives_its_settings() {
     let answer = "c = p['settings']['root']; print(json.dumps({'x': [c, c]}), flush=True)";
     let script = Script::answering("settings", answer);
     let command = format!("python3 '{}'", script.path("settings.py").display());

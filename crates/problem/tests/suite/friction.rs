@@ -1,4 +1,4 @@
-//! The four models as problems: sizes, entries, bad input.
+//! The four models as problems: sizes, entries, invalid input.
 
 use lcplab_judge::{Demand, Verdict, judge_friction};
 use lcplab_problem::friction::{

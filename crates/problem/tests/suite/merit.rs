@@ -19,7 +19,7 @@ fn a_small_relative_residual_far_along_a_ray_is_no_better_than_nothing() {
 
 #[test]
 fn a_bound_is_missed_by_a_part_of_the_bound_and_not_of_the_terms() {
-    // Two motors of 1 N m that are asked for 10⁹: (1, −1), and doing nothing is wrong by all of it.
+    // Two motors of 1 N m that would need 10⁹ N m: the solution is (1, −1), the residual of 0 is 1.
     let lcp = boxed(&[&[2.0, 1.0], &[1.0, 2.0]], &[-1e9, 1e9], &[-1.0, -1.0], &[1.0, 1.0]);
     assert_eq!(merit::scaled_residual(&lcp, &[1.0, -1.0]), 0.0);
     assert_eq!(merit::scaled_residual(&lcp, &[0.0, 0.0]), 1.0);

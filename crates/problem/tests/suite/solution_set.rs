@@ -41,7 +41,7 @@ fn a_set_without_end_has_a_ray() {
 
 /// x = 0 and x = 1 solve w = 1 − x, x ≥ 0; w = −1 with x ≥ 0 has no solution.
 #[test]
-fn isolated_solutions_and_none_are_told_apart() {
+fn isolated_solutions_and_none_are_distinguished() {
     let two = set(&[-1.0], &[1.0], 0.0, INF);
     assert_eq!(two.corners, [[0.into()], [1.into()]]);
     assert_eq!(two.faces.len(), 2);

@@ -28,18 +28,18 @@ fn nor_on_the_mass_ratio() {
 /// Mehrotra's step on x − 1 ⟂ x, written out for one unknown from x = 4.
 #[test]
 fn a_step_is_mehrotras() {
-    // energy b²/a = 1, so that the push is 1/4; w = 3
-    let (room, push, w) = (4.0, 0.25, 3.0);
+    // energy b²/a = 1, so that the multiplier is 1/4; w = 3
+    let (room, multiplier, w) = (4.0, 0.25, 3.0);
     let step = |mu: f64, second_order: f64| {
-        let r = mu - room * push - second_order;
-        let dx = (push - w + r / room) / (1.0 + push / room);
-        (dx, (r - push * dx) / room)
+        let r = mu - room * multiplier - second_order;
+        let dx = (multiplier - w + r / room) / (1.0 + multiplier / room);
+        (dx, (r - multiplier * dx) / room)
     };
     let (dx, dz) = step(0.0, 0.0);
-    let reach = f64::min(1.0, f64::min(-room / dx, -push / dz));
-    let ahead = (room + reach * dx) * (push + reach * dz);
-    let (x, z) = step((ahead / (room * push)).powi(3) * room * push, dx * dz);
-    let length = f64::min(1.0, 0.995 * f64::min(-room / x, -push / z));
+    let reach = f64::min(1.0, f64::min(-room / dx, -multiplier / dz));
+    let ahead = (room + reach * dx) * (multiplier + reach * dz);
+    let (x, z) = step((ahead / (room * multiplier)).powi(3) * room * multiplier, dx * dz);
+    let length = f64::min(1.0, 0.995 * f64::min(-room / x, -multiplier / z));
     let lcp = boxed(&[&[1.0]], &[-1.0], &[0.0], &[f64::INFINITY]);
     let mut path = Iterates::default();
     InteriorPoint::default().solve(&lcp, &Start::at(&[room]), &mut path);

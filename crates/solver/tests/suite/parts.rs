@@ -128,7 +128,7 @@ impl Observer for Deaf {
 }
 
 #[test]
-fn nobody_is_told_of_parts_who_does_not_ask() {
+fn only_an_observer_that_asks_receives_parts() {
     for entry in ALL {
         let solver = by_name(entry.name, &Options::default()).unwrap();
         let heard = solver.solve(&stack(4), &Start::default(), &mut Deaf);

@@ -226,7 +226,8 @@ proptest! {
         a in (2..=6usize).prop_flat_map(|n| gram(n, n, 0.25)),
         k in proptest::collection::vec(-500..=500i32, 6),
     ) {
-        let plain = gauss_seidel_rate(&Matrix::from(a.as_view())).unwrap(); // Ostrowski and Reich: below 1
+        // Below 1 by the theorem of Ostrowski and Reich.
+        let plain = gauss_seidel_rate(&Matrix::from(a.as_view())).unwrap();
         prop_assert_eq!(gauss_seidel_rate(&in_units(&a, &k)), Some(plain));
         let expected = radius_by_powers(swept_errors(&a));
         prop_assert!((plain - expected).abs() <= 1e-6, "{} for {}", plain, expected);

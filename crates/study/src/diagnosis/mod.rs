@@ -11,7 +11,8 @@
 //! use lcplab_study::diagnosis::{Cause, Proof, scene};
 //! use lcplab_mechanics::scene::Scene;
 //!
-//! let found = scene(&Scene::load("fig8")?, 1)?; // two nails farther apart than the rod between them
+//! // The distance of the two nails is larger than the length of the rod between them.
+//! let found = scene(&Scene::load("fig8")?, 1)?;
 //! let is_proof = |cause: &Cause| matches!(cause, Cause::Impossible { proof: Proof::Vector, .. });
 //! assert!(found.causes.iter().any(is_proof));
 //! # Ok::<(), lcplab_problem::error::Error>(())

@@ -107,7 +107,7 @@ position = [0, -9.5, 0]
 }
 
 #[test]
-fn a_rounded_contradiction_is_told_though_not_proved() {
+fn a_rounded_contradiction_is_reported_though_not_proved() {
     // Two rods between the same points, of different length, along a direction that rounds.
     let n = [0.6_f64.sin(), 0.6_f64.cos()];
     let row = |k: f64| [k * n[0], k * n[1]];
@@ -237,7 +237,7 @@ fn every_cause_ends_its_sentences_and_names_its_rows() {
 }
 
 #[test]
-fn a_motion_that_fails_on_the_way_is_told() {
+fn a_motion_that_fails_on_the_way_is_reported() {
     let mut pendulum = Scene::load("pendulum").unwrap();
     pendulum.step.scheme = lcplab_mechanics::scene::Scheme::Acceleration;
     pendulum.step.alpha = 1000.0; // far beyond what a step of 0.01 s can follow

@@ -89,7 +89,7 @@ fn feasible(
 }
 
 /// Requirements on every solver for a problem with a solution.
-fn keeps_its_word(lcp: &Lcp) -> Result<(), TestCaseError> {
+fn makes_no_false_claim(lcp: &Lcp) -> Result<(), TestCaseError> {
     let settings = Settings { max_iterations: 300, ..Settings::default() };
     for entry in ALL {
         let solver =
@@ -110,22 +110,22 @@ proptest! {
 
     #[test]
     fn entries_from_1e_minus_24_to_1e24(problem in feasible(40, 0, 0..=0)) {
-        keeps_its_word(&problem.lcp())?;
+        makes_no_false_claim(&problem.lcp())?;
     }
 
     #[test]
     fn mass_ratios_to_1e12(problem in feasible(0, 40, 0..=0)) {
-        keeps_its_word(&problem.lcp())?;
+        makes_no_false_claim(&problem.lcp())?;
     }
 
     #[test]
     fn masses_and_units_far_apart(problem in feasible(20, 40, -100..=100)) {
-        keeps_its_word(&problem.lcp())?;
+        makes_no_false_claim(&problem.lcp())?;
     }
 
     #[test]
     fn subnormal_loads(problem in feasible(0, 0, -1070..=-1010)) {
-        keeps_its_word(&problem.lcp())?;
+        makes_no_false_claim(&problem.lcp())?;
     }
 }
 

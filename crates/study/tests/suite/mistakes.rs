@@ -77,7 +77,7 @@ fn sweeps_that_were_stopped_are_counted_in_every_order() {
 }
 
 #[test]
-fn the_clamp_after_the_sweep_and_all_rows_at_once_are_told_apart() {
+fn the_clamp_after_the_sweep_and_all_rows_at_once_are_distinguished() {
     let lcp = column();
     let (mut late, mut jacobi) = (vec![0.0; 8], vec![0.0; 8]);
     for _ in 0..4 {

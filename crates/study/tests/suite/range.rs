@@ -2,9 +2,9 @@
 //! are no false claims.
 //!
 //! The ratio is that of LAPACK's own tests (*LAPACK Working Note 41*, threshold 30): the largest
-//! |A x + b| of a row that is free, over n ε (|A|∞ |x|∞ + |b|∞) with ε = 2⁻⁵³ and the norms those of the
-//! free rows; a row at a bound counts by as much as its w points the wrong way. Its x lies exactly
-//! within its bounds.
+//! |A x + b| of a free row, divided by n ε (|A|∞ |x|∞ + |b|∞) with ε = 2⁻⁵³ and the norms of the
+//! free rows; a row at a bound counts with the part of its w that has the wrong sign. x lies
+//! exactly within its bounds.
 
 use lcplab_problem::error::Result;
 use lcplab_problem::{Lcp, Matrix};
@@ -168,7 +168,7 @@ fn all() -> Vec<Box<dyn Solver>> {
 }
 
 #[test]
-fn nobody_lies_at_the_ends_of_the_doubles() {
+fn no_solver_makes_a_false_claim_at_the_ends_of_the_doubles() {
     // Multiples of the smallest double, 2⁻¹⁰⁷⁴, are as exact as those of 2¹⁰⁰⁰.
     let ends = [
         (1000, 1000),
@@ -184,7 +184,8 @@ fn nobody_lies_at_the_ends_of_the_doubles() {
     for end in ends {
         let mut solved = 0;
         for k in 0..60 {
-            let Ok(lcp) = in_units(&problem(19, k).0, end) else { continue }; // a number beyond the end
+            // An error: a number of the problem leaves the range of doubles in these units.
+            let Ok(lcp) = in_units(&problem(19, k).0, end) else { continue };
             for (solver, claim) in claims(&lcp, None, &solvers, 1e-8) {
                 assert!(!matches!(claim, Claim::FalseClaim(_)), "{solver} {end:?} {k}: {claim:?}");
                 let is_solved = matches!(claim, Claim::Proved | Claim::Within);

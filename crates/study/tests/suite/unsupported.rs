@@ -61,7 +61,8 @@ fn nothing_misses_all_of_it_and_a_solution_nothing() {
     let lcp = column(6);
     let reference = ReferenceSolution::new(&lcp, 0.0).unwrap();
     assert_eq!(reference.missing(&[0.0; 6]), 1.0);
-    let loads: Vec<f64> = (0..6).map(|i| f64::from(6 - i)).collect(); // each carries what is above it
+    // Each contact carries the weight above it.
+    let loads: Vec<f64> = (0..6).map(|i| f64::from(6 - i)).collect();
     assert!(reference.missing(&loads) < 1e-9);
     // Half of each force leaves half of the motion: the measure is a norm.
     let half: Vec<f64> = loads.iter().map(|load| load / 2.0).collect();
@@ -117,7 +118,7 @@ fn what_is_left_of_a_body_that_nothing_carries_is_all_of_its_weight() {
 }
 
 #[test]
-fn theory_foretells_what_is_missing() {
+fn theory_predicts_what_is_missing() {
     let mut silent = Vec::new();
     for name in ["stack", "stack15", "mass_ratio1", "mass_ratio3", "arch", "rope", "bridge"] {
         let frame = Frame::of(&dumped(name, &[]));
@@ -135,7 +136,7 @@ fn theory_foretells_what_is_missing() {
 }
 
 #[test]
-fn a_remedy_does_what_theory_foretells_or_theory_is_silent() {
+fn a_remedy_does_what_theory_predicts_if_it_predicts_anything() {
     let (mut foretold, mut silent) = (0, 0);
     for name in ["stack", "stack15", "mass_ratio1", "mass_ratio3", "arch", "rope", "card_house"] {
         let found = examine(&Frame::of(&dumped(name, &[])), &user_solver("pgs", 10), None).unwrap();
@@ -312,7 +313,7 @@ fn a_strong_drive_far_away_does_not_hide_the_error_of_a_column() {
 }
 
 #[test]
-fn a_long_chain_is_told_by_its_whole_length() {
+fn a_long_chain_is_described_by_its_whole_length() {
     // Whichever link moves most, an impulse at one end goes through all of them.
     for links in [12, 31] {
         let text = format!(

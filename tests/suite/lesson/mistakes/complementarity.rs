@@ -2,7 +2,7 @@ use lcplab::lesson::exercise::{Verdict, complementarity};
 
 pub fn mistakes() -> Vec<(&'static str, Verdict)> {
     vec![
-        // The height is not looked at: the ground reaches up to the box.
+        // The height is not tested: the ground reaches up to the box.
         (
             "1.1",
             complementarity::hand(|m, pull, dt| {
@@ -64,7 +64,7 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
             "1.b",
             complementarity::two_contacts(|a, b| cases(a, b, |i, k, push| b[k] + a[i][i] * push)),
         ),
-        // Not looked at the other contact at all.
+        // The other contact is ignored.
         ("1.b", complementarity::two_contacts(|a, b| cases(a, b, |_, _, _| 0.0))),
     ]
 }

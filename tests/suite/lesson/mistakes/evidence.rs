@@ -36,7 +36,7 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
                 })
             }),
         ),
-        // The signs of the set are not looked at.
+        // The signs of the set are not tested.
         (
             "8.2",
             evidence::repair(|a, b, x| {
@@ -44,7 +44,7 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
                 Some((exact, far(exact, x)))
             }),
         ),
-        // Only the impulses are looked at, not what the other contact does.
+        // Only the impulses are tested, not the motion of the other contact.
         (
             "8.2",
             evidence::repair(|a, b, x| {
@@ -62,7 +62,7 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
                 fits.then(|| (exact, far(exact, x)))
             }),
         ),
-        // The sign of d is not looked at.
+        // The sign of d is not tested.
         (
             "9.1",
             evidence::farkas(|a, b, d| {
@@ -70,7 +70,7 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
                     && d[0] * b[0] + d[1] * b[1] < 0.0
             }),
         ),
-        // A d in place of Aᵀd.
+        // A d instead of Aᵀd.
         (
             "9.1",
             evidence::farkas(|a, b, d| {
@@ -83,7 +83,7 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
         ("8.b", evidence::stop(|a, b, tolerance| swept(a, b, tolerance, |_, w| f64::max(0.0, -w)))),
         // The product alone.
         ("8.b", evidence::stop(|a, b, tolerance| swept(a, b, tolerance, |x, w| (x * w).abs()))),
-        // The sum in place of the smaller one.
+        // The sum instead of the smaller one.
         ("8.b", evidence::stop(|a, b, tolerance| swept(a, b, tolerance, |x, w| (x + w).abs()))),
     ]
 }

@@ -55,7 +55,7 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
                 [n, mu * n * p[1] / t, mu * n * p[2] / t]
             }),
         ),
-        // Friction downhill for ever.
+        // Friction always points downhill.
         (
             "11.3",
             friction::uphill(|theta, mu, v0, t| v0 - 9.81 * (theta.sin() + mu * theta.cos()) * t),

@@ -34,7 +34,7 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
             "12.b",
             impacts::bounce(|h, e, dt, n| fall(h, dt, n, |gap, v| f64::max(gap, e * v.min(0.0)))),
         ),
-        // Taken off in place of added.
+        // Subtracted instead of added.
         ("12.b", impacts::bounce(|h, e, dt, n| fall(h, dt, n, |gap, v| gap - e * v.min(0.0)))),
         // No restitution at all.
         ("12.b", impacts::bounce(|h, _, dt, n| fall(h, dt, n, |gap, _| gap))),

@@ -35,7 +35,7 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
                 first(p, j, |q, p| 0.5 * (c(q) - c(mirrored(q, p))), 1e-5, 0.02)
             }),
         ),
-        // Divided in place of multiplied.
+        // Divided instead of multiplied.
         (
             "17.b",
             own_constraint::bead(|slope, mu, m, dt, n| {

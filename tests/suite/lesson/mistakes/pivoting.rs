@@ -21,7 +21,7 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
                 [0, 1].map(|i| if free[i] { x[i] } else { 0.0 })
             }),
         ),
-        // The most negative in place of the first.
+        // The most negative instead of the first.
         (
             "7.1",
             pivoting::murty(|x, w| {
@@ -30,9 +30,9 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
                 (size(least) < 0.0).then_some(least)
             }),
         ),
-        // Only the rows at a bound are looked at.
+        // Only the rows at a bound are tested.
         ("7.1", pivoting::murty(|_, w| w.iter().position(|&w| w < 0.0))),
-        // The fastest in place of the first to arrive.
+        // The fastest instead of the first to arrive.
         (
             "7.2",
             pivoting::ratio(|_, rate| {
@@ -59,7 +59,7 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
         ),
         // Sizes of ratios are compared.
         ("6.b", pivoting::dantzig_step(|x, w, dx, dw| first(x, w, dx, dw, |v, dv| (v / dv).abs()))),
-        // Those that rise are looked at, those that fall are not.
+        // Only rising values are tested, falling ones are not.
         (
             "6.b",
             pivoting::dantzig_step(|x, w, dx, dw| {

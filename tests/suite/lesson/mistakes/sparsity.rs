@@ -24,9 +24,9 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
         ),
         // A color of its own for each row.
         ("14.2", sparsity::colors(|rows| (0..rows.len()).collect())),
-        // Only the row before is looked at.
+        // Only the row before is compared.
         ("14.2", sparsity::colors(|rows| (0..rows.len()).map(|i| i % 2).collect())),
-        // The same place in the pair only: first with first, second with second.
+        // Only the same position in the pair is compared: first with first, second with second.
         (
             "14.2",
             sparsity::colors(|rows| {
@@ -59,7 +59,7 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
                 summed(rows, inverse, |sum, part| if part.abs() > sum.abs() { part } else { sum })
             }),
         ),
-        // Taken off in place of added.
+        // Subtracted instead of added.
         (
             "14.b",
             sparsity::assembled(|rows, inverse| summed(rows, inverse, |sum, part| sum - part)),

@@ -35,7 +35,7 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
                 (reduction.ln() / (below / (below + above)).ln()).ceil() as usize
             }),
         ),
-        // The ratio of the masses in place of the number of sweeps.
+        // The ratio of the masses instead of the number of sweeps.
         (
             "15.3",
             stack::sweeps(|below, above, reduction| {

@@ -52,7 +52,7 @@ fn a_report_finds_at_each_point_of_a_grid_what_the_grid_alone_finds() {
 }
 
 #[test]
-fn a_number_that_theory_does_not_say_is_told_and_the_report_is_not_good() {
+fn a_number_that_contradicts_theory_is_reported_and_the_report_is_not_good() {
     let folder = tempfile::tempdir().unwrap();
     let (_, report) = written(folder.path(), GRID);
     let mut results = results(&report);
@@ -100,7 +100,7 @@ fn a_grid_with_plug_ins_of_its_own_is_refused() {
 }
 
 #[test]
-fn a_grid_file_with_defects_is_told_with_its_lines() {
+fn defects_of_a_grid_file_are_reported_with_their_lines() {
     let folder = tempfile::tempdir().unwrap();
     let (_, report) = written(folder.path(), &GRID.replace("'stack'", "'stacks'"));
     let refused = Experiment::parse(&report, "mine.toml", "mine").err();

@@ -95,7 +95,7 @@ fn column() -> Vec<(Task, Finding)> {
     found(include_str!("../../../../grids/column.toml"))
 }
 
-/// What was found for a solver and so many bodies.
+/// What was found for a solver and `n` bodies.
 fn at<'a>(all: &'a [(Task, Finding)], solver: &str, n: f64) -> &'a (Task, Finding) {
     let is_it = |(task, _): &&(Task, Finding)| {
         task.text("solver.name") == Some(solver) && task.number("n") == Some(n)

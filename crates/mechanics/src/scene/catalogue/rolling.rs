@@ -1,8 +1,8 @@
 //! Rolling balls. The scenes `rolling_sphere` and `rolling_balls`.
 //!
 //! ```text
-//! a ball, I = 2/5 m R², thrown without spin:  v = v0 − μ g t, ω R = 5/2 μ g t, so that it rolls from
-//!     T = 2 v0/(7 μ g) on, at 5/7 v0
+//! a ball, I = 2/5 m R², thrown without spin:  v = v0 − μ g t, ω R = 5/2 μ g t, so that it rolls
+//!     from T = 2 v0/(7 μ g) on, at 5/7 v0
 //! on a box with acceleration a, without slip:  m a_b = f, I α = f R, a_b + α R = a, so a_b = 2/7 a
 //! ```
 

@@ -104,7 +104,8 @@ fn is_regular(at: &Placement, states: [&State; 2]) -> bool {
     let relative = q0.inverse() * q1 * (at.poses[0].q.inverse() * at.poses[1].q).inverse();
     let wheel = |k: usize| states[k].pose.q * at.poses[k].q.inverse();
     (end1 - end0).norm() > 0.1
-        && [0, 1].into_iter().all(|k| (states[k].pose.p - ends[k]).norm() > 0.1) // a pulley's rollers
+        // The rollers of a pulley.
+        && [0, 1].into_iter().all(|k| (states[k].pose.p - ends[k]).norm() > 0.1)
         && axis0.cross(&axis1).norm() > 0.1
         && axis0.dot(&axis1).abs() > 0.02
         && twists(at.poses[0].q.inverse() * axis, relative)

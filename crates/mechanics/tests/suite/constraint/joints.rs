@@ -56,7 +56,8 @@ pub fn cases() -> Vec<Case> {
     use Place::{Beside, Under};
     let post = "point = [0, 0, 1]\n";
     let along = "point = [0, 0, 1]\naxis = [1, 0, 0]\n"; // the axis runs from the post to the body
-    let across = "axis = [0, 1, 0]\n"; // the weight turns the body about it, towards positive angles
+    // The weight turns the body about this axis, towards positive angles.
+    let across = "axis = [0, 1, 0]\n";
     let up = "axis = [0, 0, 1]\n";
     let rod = "points = [[0, 0, 1], [0, 0, 0.6]]\n";
     let with = |fields: &str, more: &str| format!("{fields}{more}\n");

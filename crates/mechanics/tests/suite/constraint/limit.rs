@@ -75,7 +75,7 @@ fn an_arm_falls_on_its_stop_and_leans_on_it_with_its_torque() {
 }
 
 #[test]
-fn stops_three_quarters_of_a_turn_apart_are_told_from_each_other() {
+fn stops_three_quarters_of_a_turn_apart_are_distinguished() {
     let text = ball(
         "[0, 0, 0]",
         &[

@@ -83,7 +83,8 @@ fn a_saved_scene_begins_with_every_bit_of_the_states() {
                 body.name
             );
             let turned = (a.pose.q.coords - b.pose.q.coords).norm();
-            assert!(turned < 4e-16, "{} {} {turned:e}", shipped.name, body.name); // normalised again
+            // Normalizing again rounds.
+            assert!(turned < 4e-16, "{} {} {turned:e}", shipped.name, body.name);
         }
     }
 }
@@ -103,7 +104,7 @@ fn a_motion_goes_on_from_where_it_was_saved() {
 }
 
 #[test]
-fn a_start_of_nobody_is_refused() {
+fn a_start_of_an_unknown_body_is_refused() {
     let text = "[[start]]\nbody = 'nobody'\nposition = [0, 0, 0]\n";
     let error = Scene::from_toml("a.toml", text).unwrap_err().to_string();
     assert_eq!(error, "a.toml: line 2: start[0].body: there is no body named \"nobody\"");

@@ -27,7 +27,7 @@ fn pulled(scheme: Scheme, force: f64) -> Scene {
     scene
 }
 
-/// The speed along x of the last body after so many steps.
+/// The speed along x of the last body after `steps` steps.
 fn speed(scene: Scene, steps: usize) -> f64 {
     let mut simulation = simulation(scene);
     for _ in 0..steps {

@@ -6,7 +6,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use super::{scene, simulation};
 
-/// The states after so many steps.
+/// The states after `steps` steps.
 fn after(scene: Scene, steps: usize) -> Vec<State> {
     let mut simulation = simulation(scene);
     for _ in 0..steps {

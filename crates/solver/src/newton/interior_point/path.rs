@@ -8,9 +8,9 @@ use lcplab_problem::Lcp;
 
 /// The fraction of the distance to the nearest bound that a step may use.
 const STAY_INSIDE: f64 = 0.995;
-/// A slack below this fraction of √(e / a_ii) counts as zero. If multiplier and slack both vanish at the
-/// solution, x approaches its bound only as √μ, which is never small relative to the terms of the
-/// row.
+/// A slack below this fraction of √(e / a_ii) counts as zero. If multiplier and slack both vanish
+/// at the solution, x approaches its bound only as √μ, which is never small relative to the terms
+/// of the row.
 const NONE: f64 = 1e-12;
 /// Steps shorter than this count as no progress.
 const SHORTEST: f64 = 1e-10;
@@ -44,9 +44,9 @@ struct Direction {
 }
 
 impl<'a> Path<'a> {
-    /// Moves x inside its bounds and chooses the multipliers such that every ρ z equals the energy e = Σ
-    /// w_i² / a_ii, w = A Π(0) + b: bounds that exclude 0 act like b. Distances are measured by
-    /// √(e / a_ii).
+    /// Moves x inside its bounds and chooses the multipliers such that every ρ z equals the energy
+    /// e = Σ w_i² / a_ii, w = A Π(0) + b: bounds that exclude 0 act like b. The unit of distances
+    /// is √(e / a_ii).
     pub(super) fn from_inside(lcp: &'a Lcp, equations: &impl StepEquations, x: &mut [f64]) -> Self {
         let pinned: Vec<bool> = (0..x.len()).map(|i| lcp.lo()[i] == lcp.hi()[i]).collect();
         let mut least = vec![0.0; x.len()];

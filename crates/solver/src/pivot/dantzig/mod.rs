@@ -15,8 +15,8 @@
 //! semidefinite, A d = 0: moving along d changes no w, and w_i is dᵀw. If that is zero, the row is
 //! *dependent* (`Dependent`): C keeps its w at zero, and when a row leaves C, a dependent one
 //! replaces it. x moves to the middle of its feasible range along d, so that few rows need to leave
-//! C (centering.rs). If dᵀw is not zero, x moves until it reaches a bound, and that row leaves C. If
-//! there is no such bound, a dᵀw within the tolerance is attributed to rounding in the data of
+//! C (centering.rs). If dᵀw is not zero, x moves until it reaches a bound, and that row leaves C.
+//! If there is no such bound, a dᵀw within the tolerance is attributed to rounding in the data of
 //! redundant joints, and the row is dependent; a larger one, bᵀd < 0 with A d = 0, proves that no
 //! solution exists (`Ray`).
 //!

@@ -33,7 +33,8 @@ fn cut(m: &Manufactured, keep: Pattern) -> [Lcp; 2] {
     let entries: Vec<_> = (0..N * N).map(|k| (k / N, k % N, a[(k / N, k % N)])).collect();
     let stored: Vec<_> = entries.iter().copied().filter(|entry| entry.2 != 0.0).collect();
     [Matrix::from(a.as_view()), Matrix::sparse(N, &stored)].map(|matrix| {
-        let b = (0..N).map(|i| m.w[i] - matrix.row_dot(i, &m.x)).collect(); // exact: x and A are quarters
+        // Exact: the entries of x and A are multiples of 1/4.
+        let b = (0..N).map(|i| m.w[i] - matrix.row_dot(i, &m.x)).collect();
         Lcp::new(matrix, b, m.lcp.lo().to_vec(), m.lcp.hi().to_vec()).unwrap()
     })
 }

@@ -12,7 +12,7 @@ const SCALED_SWEEPS: usize = 20;
 /// The factors that are looked for; one next to 1 is none.
 const FACTORS: std::ops::Range<f64> = 0.01..100.0;
 const NO_FACTOR: f64 = 1e-6;
-/// The fit of the factor: so many corrections, each from two points that are so far apart.
+/// The fit of the factor: the number of corrections, and the distance of the two points of each.
 const FITS: usize = 4;
 const APART: f64 = 1e-4;
 

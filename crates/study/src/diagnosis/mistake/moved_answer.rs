@@ -81,7 +81,7 @@ fn permuted(solution: &[f64], x: &[f64]) -> Option<Attempt> {
     let named: Vec<String> = moved.iter().take(LARGEST_LIST).map(usize::to_string).collect();
     let more = if moved.len() > LARGEST_LIST { " and others" } else { "" };
     let what = format!("the solution with the values of rows {}{more} exchanged", named.join(", "));
-    // So many orders could have been made of the same values.
+    // The number of orders of the same values.
     let orders = (1..=moved.len()).fold(1usize, |all, k| all.saturating_mul(k));
     Some(Attempt { sweeps: orders, ..Attempt::new(MistakeKind::OtherRows, what, y) })
 }

@@ -11,7 +11,7 @@ fn verdict(press: f64, push: f64, law: Law, x: [f64; 3]) -> Verdict {
 }
 
 #[test]
-fn each_line_of_coulombs_law_is_asked_for() {
+fn each_line_of_coulombs_law_is_required() {
     let law = Law::Coulomb;
     assert_eq!(verdict(2.0, 3.0, law, [2.0, 1.0, 0.0]), Verdict::WithinTolerance);
     for (wrong, x) in [

@@ -8,7 +8,7 @@ use lcplab_study::explain::{Method, problem};
 use super::question;
 
 #[test]
-fn a_move_to_the_middle_is_told_with_its_direction_and_its_ends() {
+fn a_move_to_the_middle_is_explained_with_its_direction_and_its_ends() {
     // A = JJᵀ, J = (1 0; 1 0; 1 1). Rows 0 and 1 share x₀ + x₁ = 1. Row 2 then has w = 1 − 1.8; x₀
     // falls as x₂ rises, and reaches 0 at x₂ = ½, where x₁ = ½. Along (−1, 1, 0) the distances are
     // 0 and ½.

@@ -92,7 +92,8 @@ fn a_later_step_starts_where_the_one_before_ended() {
     let document = step(&scene, &Method::named("pgs").unwrap(), 2).unwrap();
     let text = sections(&document, &["Step 2, velocity: projected"]);
     assert!(text.contains("The start is x = (4, 3, 1) N s."), "{text}"); // the impulses of step 1
-    assert!(text.contains("with x = (3, 2, 1) N s: solved."), "{text}"); // the weights above each row
+    // Each x is the weight above the contact.
+    assert!(text.contains("with x = (3, 2, 1) N s: solved."), "{text}");
 }
 
 #[test]

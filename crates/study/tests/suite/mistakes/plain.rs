@@ -161,7 +161,8 @@ pub fn random(random: &mut Rand64, rows: Rows) -> (Plain, Vec<f64>) {
     let (mut lo, mut hi) = (vec![0.0; n], vec![infinite; n]);
     let (mut x, mut w, mut friction) = (vec![0.0; n], vec![0.0; n], vec![None; n]);
     for i in 0..n {
-        let place = (2.999 * number(0.0, 1.0)) as usize; // at the lower bound, between, at the upper bound
+        // 0: at the lower bound, 1: between the bounds, 2: at the upper bound.
+        let place = (2.999 * number(0.0, 1.0)) as usize;
         if rows == Rows::Friction && i % 3 > 0 {
             let (normal, mu) = (i - i % 3, 0.5);
             friction[i] = Some((normal, mu));
