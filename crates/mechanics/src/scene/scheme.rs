@@ -77,6 +77,12 @@ impl Scheme {
         use Scheme::{GaussSeidel, SequentialImpulses, SplitImpulse, Velocity};
         matches!(self, Velocity | SplitImpulse | GaussSeidel | SequentialImpulses)
     }
+
+    /// Whether it may spread an impact over several steps, or takes it without impulses at fixed
+    /// poses.
+    pub fn spreads_impacts(self) -> bool {
+        matches!(self, Scheme::Xpbd | Scheme::Soft | Scheme::Penalty)
+    }
 }
 
 /// How accelerations become motion; acceleration level only.

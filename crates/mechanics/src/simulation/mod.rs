@@ -50,6 +50,7 @@ use std::ops::ControlFlow;
 use crate::body::State;
 use crate::scene::{DetectedContact, Detector, Passage, Scene, step_contacts};
 use answering::Solvers;
+use impact_energy::SpreadImpacts;
 use interpenetration::Overlaps;
 use lcplab_solver::{Apgd, ConeSolver, Observer, Solver, Status, Stop};
 use slip::Totals;
@@ -79,6 +80,7 @@ pub struct Simulation {
     previous: Memory,
     detector: Detector,
     overlaps: Overlaps,
+    spread_impacts: SpreadImpacts,
     unfinished: Vec<Solve>,
     /// Takes the steps of a scene with a fixed number of sweeps.
     stepper: Option<Box<Stepper>>,
@@ -102,6 +104,7 @@ impl Simulation {
             previous: Memory::new(),
             detector,
             overlaps,
+            spread_impacts: SpreadImpacts::default(),
             unfinished: Vec::new(),
             stepper: None,
         }
@@ -239,7 +242,10 @@ impl Simulation {
             true => laws,
             false => laws.of_pushes(scene, [&before, &states], &totals, &slips),
         };
-        let impact_energy = ImpactEnergy::of(scene, &before, &solves, events.as_deref());
+        let impact_energy = match scene.step.scheme.spreads_impacts() {
+            true => self.spread_impacts.add(scene, self.steps + 1, &totals, &states),
+            false => ImpactEnergy::of(scene, &before, &solves, events.as_deref()),
+        };
         let scene = self.scene.forced(from, dt);
         let passages = self.detector.passages(&scene, &before, &states);
         let overlapping = self.detector.find(&scene, &states, 0.0);

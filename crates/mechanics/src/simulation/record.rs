@@ -31,10 +31,9 @@ pub struct Step {
     /// Bodies that went through each other, and overlaps that became deep or last; each overlap is
     /// named once.
     pub interpenetrations: Vec<Interpenetration>,
-    /// Energy that impacts changed against the coefficient of restitution; `None` where the scheme
-    /// does not write down impulses at fixed poses: XPBD, the soft step, the penalty method,
-    /// integrators with stages.
-    pub impact_energy: Option<Vec<ImpactEnergy>>,
+    /// Energy that impacts changed against the coefficient of restitution; XPBD, the soft step and
+    /// the penalty method report an impact in the step after the bodies have separated.
+    pub impact_energy: Vec<ImpactEnergy>,
     /// The states at its end.
     pub states: Vec<State>,
     /// Energy, momentum and errors at its end.

@@ -4,7 +4,7 @@
 use std::borrow::Cow;
 
 use super::stepper::{Kernel, Stepper};
-use super::{Cause, Failure, LawErrors, Simulation, Solve, Step, measured, solver};
+use super::{Cause, Failure, ImpactEnergy, LawErrors, Simulation, Solve, Step, measured, solver};
 use crate::assembly::{Assembly, ConstraintFilter};
 use crate::body::{Mass, State};
 use crate::formulation::Problem;
@@ -30,8 +30,7 @@ pub struct Swept {
 
 impl Simulation {
     /// The scene at its start, stepped as it states: with `solver.fixed_sweeps` by a [`Stepper`],
-    /// whose steps have no solves, no ledger and no energy of impacts; otherwise as
-    /// [`of`](Simulation::of).
+    /// whose steps have no solves and no ledger; otherwise as [`of`](Simulation::of).
     ///
     /// ```
     /// use lcplab_mechanics::{scene::Scene, simulation::Simulation};
@@ -75,12 +74,14 @@ impl Simulation {
             measured(&mut self.overlaps, scene, states, number, &passages, &overlapping);
         let before = std::mem::replace(&mut self.states, states.to_vec());
         self.steps = number;
+        let swept = Swept { before, sweeps: scene.solver.max_iterations, solves };
+        let impact_energy = swept.impact_energy(scene, &contacts);
         Ok(Step {
             number,
             solves: Vec::new(),
             contacts,
             interpenetrations,
-            impact_energy: None,
+            impact_energy,
             states: self.states.clone(),
             motion,
             events: None,
@@ -90,7 +91,7 @@ impl Simulation {
             slips: Vec::new(),
             touches: Vec::new(),
             unlocated: Vec::new(),
-            swept: Some(Swept { before, sweeps: scene.solver.max_iterations, solves }),
+            swept: Some(swept),
         })
     }
 }
@@ -103,14 +104,24 @@ impl Step {
     pub fn posed(&self, scene: &Scene) -> Result<Cow<'_, [Solve]>, Cause> {
         match &self.swept {
             None => Ok(Cow::Borrowed(&self.solves)),
-            Some(swept) => swept.posed(scene, self).map(Cow::Owned),
+            Some(swept) => swept.posed(scene, &self.contacts).map(Cow::Owned),
         }
     }
 }
 
 impl Swept {
-    fn posed(&self, scene: &Scene, step: &Step) -> Result<Vec<Solve>, Cause> {
-        let assembly = Assembly::new(scene, &self.before, &step.contacts, ConstraintFilter::Near)
+    /// The energies to report of a step with bounces. Without bounces nothing is posed: that would
+    /// cost as much as many steps.
+    fn impact_energy(&self, scene: &Scene, contacts: &[DetectedContact]) -> Vec<ImpactEnergy> {
+        if self.solves.len() < 2 {
+            return Vec::new();
+        }
+        let posed = self.posed(scene, contacts).unwrap_or_default();
+        ImpactEnergy::of(scene, &self.before, &posed, None)
+    }
+
+    fn posed(&self, scene: &Scene, contacts: &[DetectedContact]) -> Result<Vec<Solve>, Cause> {
+        let assembly = Assembly::new(scene, &self.before, contacts, ConstraintFilter::Near)
             .map_err(Cause::Undefined)?;
         let mut problem = Problem::velocity(scene, assembly)?;
         let mut solves: Vec<Solve> = Vec::new();

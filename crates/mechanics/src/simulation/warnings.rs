@@ -77,10 +77,11 @@ impl Warnings {
                 message,
             );
         }
-        for own in step.impact_energy.iter().flatten() {
+        for own in &step.impact_energy {
             let message = ImpactEnergy::message(own, scene, step.number);
             let amount = Amount::Energy(own.energy);
-            self.note(scene, own.word(), own.bodies, step.number, amount, message);
+            let first = own.first_step(step.number);
+            self.note(scene, own.word(), own.bodies, first, amount, message);
         }
         for own in &step.unlocated {
             let message = own.message(scene, step.number);

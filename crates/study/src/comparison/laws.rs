@@ -171,7 +171,7 @@ impl LawMonitor {
         let passed = step.interpenetrations.iter();
         let is_passage = |kind| matches!(kind, InterpenetrationKind::PassedThrough { .. });
         self.passages += passed.filter(|own| is_passage(own.kind)).count();
-        for own in step.impact_energy.iter().flatten() {
+        for own in &step.impact_energy {
             self.messages[usize::from(own.energy < 0.0)]
                 .get_or_insert_with(|| ImpactEnergy::message(own, scene, step.number));
         }

@@ -1,29 +1,26 @@
-//! The energy of a step's impacts, where it is not what the coefficient of restitution says.
+//! The energy of impacts that a step resolves with impulses at fixed poses.
 //!
-//! A normal impulse X that takes the approach of a contact from v to v⁺ does the work ½ X (v + v⁺).
-//! Newton's law, v⁺ = −e v, makes that ½ (1 − e) X v: 0 at e = 1, and a loss below. A step at
-//! velocity level applies the law to the contacts that approach at its beginning. A contact that
-//! closes only because of another impact in the same step has v⁺ = −c/dt over a gap c, or v⁺ = 0:
-//! the step takes its approach for plastic, whatever e is. And friction that opposes the slip after
-//! an impact may do work on the slip before it (Kane 1984).
+//! A step at velocity level applies the law of restitution to the contacts that approach at its
+//! beginning. A contact that closes only because of another impact in the same step has v⁺ = −c/dt
+//! over a gap c, or v⁺ = 0: the step takes its approach for plastic, whatever e is. And friction
+//! that opposes the slip after an impact may do work on the slip before it (Kane 1984).
 //!
-//! So energy that changes at e = 1, or that impacts add at any e, is measured: for each group of
-//! bodies that push each other, from the rows of the impulses that were applied. v is the relative
-//! velocity, so that the work of a fixed body that moves, such as a bat, does not count. Energy
-//! that goes into friction, joints, limits, springs or motors is in rows of their own, and that of
-//! gravity's integration in none. What is slower than the speed at which contacts bounce is plastic
-//! by choice, and its kinetic energy ½ v²/A_ii is not missed.
+//! Energy is measured for each group of bodies that push each other, from the rows of the impulses
+//! that were applied. v is the relative velocity, so that the work of a fixed body that moves, such
+//! as a bat, does not count. Energy that goes into friction, joints, limits, springs or motors is
+//! in rows of their own, and that of gravity's integration in none. What is slower than the speed
+//! at which contacts bounce is plastic by choice, and its kinetic energy ½ v²/A_ii is not missed.
 
 use std::collections::BTreeMap;
 
-use super::interpenetration::{faster_first, thickness};
-use super::{Solve, StepEvent};
+use super::{ImpactCause, ImpactEnergy};
 use crate::assembly::{Assembly, Row, Source};
 use crate::body::{State, angular, linear};
 use crate::constraint::{Bounds, Kind};
 use crate::formulation::{Problem, Stage};
-use crate::scene::{ContactId, Scene, Scheme};
-use lcplab_problem::number::readable;
+use crate::scene::{ContactId, Scene};
+use crate::simulation::Solve;
+use crate::simulation::interpenetration::{faster_first, thickness};
 
 /// Energies below this part of the kinetic energy and of the work of all impulses are rounding.
 const ROUNDING: f64 = 1e-11;
@@ -34,118 +31,17 @@ const INEXACT: f64 = 10.0;
 const NOTABLE: f64 = 1e-2;
 /// A gap of up to this part of the thinner body is rounding: the bodies touch.
 const TOUCHING: f64 = 1e-9;
-/// Significant digits in messages.
-const DIGITS: usize = 3;
 
-/// Energy that the impacts of a group of bodies changed against the coefficient of restitution.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ImpactEnergy {
-    /// What the impacts of the group added (J), negative where they took it.
-    pub energy: f64,
-    /// The contact with the largest part in it.
-    pub contact: ContactId,
-    /// Its bodies, the one that moves, or moves faster, first.
-    pub bodies: [usize; 2],
-    /// Its gap at the beginning of the step (m), negative for an overlap.
-    pub gap: f64,
-    /// Why.
-    pub cause: ImpactCause,
-}
-
-/// Why the energy of impacts is not what the coefficient of restitution says.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum ImpactCause {
-    /// Another impact closed a gap within the same step: the contact did not bounce.
-    GapClosed,
-    /// The bodies touched, and only another impact in the same step pressed them together: the
-    /// contact did not bounce.
-    NotBounced,
-    /// Friction opposed the slip after the impact, and did work on the slip before it.
-    Friction,
-    /// The answer of the solver does not fulfil the contact's row.
-    Inexact,
-    /// The feedback of errors pushed an overlap apart, at this speed (m/s).
-    PushedApart(f64),
-}
-
-impl ImpactEnergy {
-    /// The energies to report of a step; `None` where the scheme does not write down impulses at
-    /// fixed poses.
-    pub(super) fn of(
-        scene: &Scene,
-        states: &[State],
-        solves: &[Solve],
-        events: Option<&[StepEvent]>,
-    ) -> Option<Vec<ImpactEnergy>> {
-        if matches!(scene.step.scheme, Scheme::Xpbd | Scheme::Soft | Scheme::Penalty) {
-            return None;
-        }
-        let mut found = Vec::new();
-        for event in events? {
-            let StepEvent::Answer(k) = event else { continue };
-            let Solve { problem, solution, .. } = &solves[*k];
-            if matches!(problem.stage, Stage::Velocity | Stage::Impact | Stage::Restitution) {
-                let impulses = Impulses::of(scene, states, problem, &solution.x);
-                found.extend(impulses.of_bounces());
-                found.extend(impulses.of_corrections());
-            }
-        }
-        Some(found)
+/// The energies to report of the impulses that were applied, those of a solve.
+pub(super) fn of_solve(scene: &Scene, states: &[State], solve: &Solve) -> Vec<ImpactEnergy> {
+    let Solve { problem, solution, .. } = solve;
+    if !matches!(problem.stage, Stage::Velocity | Stage::Impact | Stage::Restitution) {
+        return Vec::new();
     }
-
-    /// The cause in one word, for files.
-    pub fn word(&self) -> &'static str {
-        match self.cause {
-            ImpactCause::GapClosed => "gap_closed_within_step",
-            ImpactCause::NotBounced => "closed_by_another_impact",
-            ImpactCause::Friction => "friction",
-            ImpactCause::Inexact => "inexact_answer",
-            ImpactCause::PushedApart(_) => "overlap_pushed_apart",
-        }
-    }
-
-    /// What happened in the step of this number, why, and what helps.
-    pub fn message(&self, scene: &Scene, step: usize) -> String {
-        let [body, other] = self.bodies.map(|body| &scene.bodies[body].name);
-        let joules = readable(self.energy.abs(), DIGITS);
-        let gap = readable(self.gap.abs(), DIGITS);
-        let what = match self.energy < 0.0 {
-            true => format!(
-                "impacts lost {joules} J in step {step}, although restitution 1 conserves energy"
-            ),
-            false => format!("impacts added {joules} J in step {step}"),
-        };
-        let separate = match scene.step.scheme {
-            Scheme::Acceleration => "",
-            _ => ", or the scheme acceleration, which divides a step at its impacts",
-        };
-        match self.cause {
-            ImpactCause::GapClosed => format!(
-                "{what}: {other:?} pushes {body:?}, which is {gap} m away, because another impact closed \
-                 this gap within the step. A smaller step.dt separates the impacts in time{separate}."
-            ),
-            ImpactCause::NotBounced => format!(
-                "{what}: {body:?} and {other:?} were pressed together by another impact of the same step \
-                 and did not bounce. A small gap between touching bodies, or a smaller step.dt, separates \
-                 the impacts in time."
-            ),
-            ImpactCause::Friction => format!(
-                "{what}: friction between {body:?} and {other:?} opposed the slip after the impact, but \
-                 the slip before it had the other direction. A smaller contact.restitution or \
-                 contact.friction avoids this."
-            ),
-            ImpactCause::Inexact => format!(
-                "{what}: the solver's answer for the contact of {body:?} and {other:?} is not exact. Use a \
-                 smaller solver.tolerance or a larger solver.max_iterations."
-            ),
-            ImpactCause::PushedApart(speed) => format!(
-                "step.baumgarte added {joules} J in step {step}: it pushed {body:?} and {other:?}, which \
-                 overlapped by {gap} m, apart at {} m/s. A smaller step.baumgarte adds less energy, and \
-                 the scheme split-impulse adds none.",
-                readable(speed, DIGITS)
-            ),
-        }
-    }
+    let impulses = Impulses::of(scene, states, problem, &solution.x);
+    let mut found = impulses.of_bounces();
+    found.extend(impulses.of_corrections());
+    found
 }
 
 /// The impulses of a solve that were applied, and their contacts.
