@@ -46,6 +46,7 @@ fn _lcplab(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(hunt::hunt, module)?)?;
     module.add_function(wrap_pyfunction!(proof::prove, module)?)?;
     module.add_function(wrap_pyfunction!(proof::check, module)?)?;
+    module.add_function(wrap_pyfunction!(proof::solutions, module)?)?;
     module.add_function(wrap_pyfunction!(receipt::motion_bounds, module)?)?;
     module.add_function(wrap_pyfunction!(run, module)?)?;
     Ok(())

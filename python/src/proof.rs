@@ -1,6 +1,7 @@
 //! Proofs as JSON.
 
 use lcplab::error::Error;
+use lcplab::lcp::exact::SolutionSet;
 use lcplab::proof::{self, Kind, ProofSearch};
 use lcplab::report::answer::first_answer;
 use numpy::PyReadonlyArray1;
@@ -58,4 +59,24 @@ pub fn check(
     let proof = proof::Proof::parse(text, "proof").map_err(refused)?;
     let question = question(problem, model, None)?;
     Ok(py.detach(|| proof::check(&question, &proof)).err())
+}
+
+/// The corners and the rays as fractions, and the indices of those of each face.
+type Faces = (Vec<Vec<String>>, Vec<Vec<String>>, Vec<(Vec<usize>, Vec<usize>)>);
+
+/// All solutions, in exact arithmetic.
+#[pyfunction]
+pub fn solutions(py: Python<'_>, problem: &Problem, model: Option<String>) -> PyResult<Faces> {
+    let question = question(problem, model, None)?;
+    let lcp = question.require_boxed("all solutions can be listed", "problem").map_err(refused)?;
+    let set = py.detach(|| SolutionSet::of(lcp)).ok_or_else(|| {
+        let reason = "has more than 65,536 combinations of sides, too many to try";
+        refused(Error::invalid("problem", "rows", reason))
+    })?;
+    let exact = |points: &[Vec<_>]| {
+        let point = |point: &Vec<_>| point.iter().map(ToString::to_string).collect();
+        points.iter().map(point).collect()
+    };
+    let faces = set.faces.iter().map(|face| (face.corners.clone(), face.rays.clone())).collect();
+    Ok((exact(&set.corners), exact(&set.rays), faces))
 }

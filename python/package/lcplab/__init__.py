@@ -16,8 +16,10 @@ from lcplab._compare import Comparison, compare
 from lcplab._hunt import Finding, hunt
 from lcplab._problem import Problem
 from lcplab._proof import Proof, check, prove
+from lcplab._qp import QPSolution, solve_qp
 from lcplab._receipt import Receipt, Row as EngineRow, Run, Step as EngineStep, receipt, receipts
 from lcplab._scene import Scene, Step
+from lcplab._solutions import Face, Solutions, solutions
 from lcplab._solve import Document, Result, Verdict, explain, judge, solve, solvers
 
 __all__ = [
@@ -25,14 +27,17 @@ __all__ = [
     "Document",
     "EngineRow",
     "EngineStep",
+    "Face",
     "Finding",
     "InputError",
     "Problem",
     "Proof",
+    "QPSolution",
     "Receipt",
     "Result",
     "Run",
     "Scene",
+    "Solutions",
     "Step",
     "Verdict",
     "__version__",
@@ -44,7 +49,9 @@ __all__ = [
     "prove",
     "receipt",
     "receipts",
+    "solutions",
     "solve",
+    "solve_qp",
     "solvers",
     "testing",
     "textbook",
