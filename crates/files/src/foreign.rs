@@ -13,7 +13,7 @@ const BEGINNING: u64 = 1 << 16;
 
 /// The first bytes of a kind of files, the format that reads them, and a message about them.
 const KINDS: [(&[u8], &str, &str); 4] = [
-    (b"MATLAB ", "", "is a MATLAB file, which is not read: save A, b, lo and hi with numpy.savez"),
+    (b"MATLAB ", "mat", "is a MATLAB file, but its name does not end in .mat"),
     (b"version https://git-lfs", "", "is a pointer of Git LFS: the file itself was not fetched"),
     (b"\x89HDF\r\n", "fclib", "is an HDF5 file, but its name does not end in .hdf5 or .h5"),
     (b"PK\x03\x04", "npz", "is an archive of arrays, but its name does not end in .npz"),

@@ -5,6 +5,7 @@
 //! | `json`: [`file`](lcplab_problem::file) | `.json` | yes | any | any model | w = A x + b, the file defines the contacts' rows |
 //! | [`matrix_market`] | `.mtx`, several | yes | any | coupled rows | as `json`; a matrix in full is listed by columns |
 //! | [`npz`] | `.npz` | yes | any | coupled rows | as `json`; by rows unless `fortran_order` |
+//! | [`mat`] | `.mat` | no | any | coupled rows | as `json`, or min ½ xᵀPx + qᵀx with constraints: A from P, b from q; by columns |
 //! | [`qps`] | `.qps`, `.mps` | yes | any | none | min ½ xᵀQx + cᵀx: A = Q, b = c; Q by one triangle |
 //! | [`siconos`] | `.dat` | yes | 0 and ∞, or finite | Coulomb's law | w = M z + q; n first; dense blocks by columns |
 //! | [`fclib`] | `.hdf5` | yes | equations | Coulomb's law | u = W r + q; n first; sparse by columns or rows |
@@ -44,7 +45,9 @@ pub mod disk;
 pub mod fclib;
 mod foreign;
 mod input;
+pub mod mat;
 pub mod matrix_market;
+mod multipliers;
 pub mod npz;
 mod output;
 pub mod qps;
@@ -96,6 +99,7 @@ pub const ALL: &[Format] = &[
     JSON,
     matrix_market::FORMAT,
     npz::FORMAT,
+    mat::FORMAT,
     qps::FORMAT,
     siconos::FORMAT,
     fclib::FORMAT,

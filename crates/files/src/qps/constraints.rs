@@ -1,20 +1,9 @@
-//! The constraint rows of a quadratic program, and the conditions of its minimum as a problem.
-//!
-//! A row r₁ ≤ aᵀx ≤ r₂ gets a multiplier y, the force that holds it:
-//!
-//! ```text
-//! w_x = Q x + c − Aᵀ y,    lo ≤ x ≤ hi
-//! w_y = A x − r            y ≥ 0 for aᵀx ≥ r,  y ≤ 0 for aᵀx ≤ r,  y free for aᵀx = r
-//! ```
-//!
-//! A row with two different finite limits also gets an unknown s = aᵀx between them, so that y is
-//! free in aᵀx − s = 0 and w_s = y.
+//! The constraints of a QPS file.
 
 use std::collections::HashMap;
 
-use serde_json::{Value, json};
-
 use super::program::Checked;
+use crate::multipliers::Row;
 use crate::words::brief;
 
 /// A kind of row.
@@ -59,16 +48,6 @@ pub(super) struct Constraints {
     index: HashMap<String, usize>,
 }
 
-/// The part of a problem that the constraints add after n columns.
-pub(super) struct Multipliers {
-    pub entries: Vec<(usize, usize, f64)>,
-    pub b: Vec<f64>,
-    pub lo: Vec<f64>,
-    pub hi: Vec<f64>,
-    /// The labels of the added rows.
-    pub labels: Vec<Value>,
-}
-
 impl Constraints {
     pub fn is_empty(&self) -> bool {
         self.all.is_empty()
@@ -111,44 +90,15 @@ impl Constraints {
         Ok(&mut self.all[index])
     }
 
-    /// The multipliers, then the unknowns s of rows with two limits.
-    pub fn multipliers(&self, columns: usize) -> Multipliers {
-        let count = self.all.len();
-        let (mut entries, mut b, mut labels) = (Vec::new(), Vec::new(), Vec::new());
-        let (mut lo, mut hi) = (Vec::new(), Vec::new());
-        let label = |name: &str, kind: &str| json!({ "label": name, "kind": kind });
-        let mut between = Vec::new();
-        for (k, row) in self.all.iter().enumerate() {
-            let y = columns + k;
-            let mut own: Vec<(usize, f64)> = row.entries.iter().map(|(j, a)| (*j, *a)).collect();
-            own.sort_by_key(|(column, _)| *column);
-            for (column, value) in own {
-                entries.extend([(y, column, value), (column, y, -value)]);
-            }
-            let [least, most] = row.limits();
-            let (rhs, low, high) = match (least.is_finite(), most.is_finite()) {
-                (true, false) => (least, 0.0, f64::INFINITY),
-                (false, true) => (most, f64::NEG_INFINITY, 0.0),
-                (true, true) if least == most => (least, f64::NEG_INFINITY, f64::INFINITY),
-                _ => {
-                    between.push((k, least, most));
-                    (0.0, f64::NEG_INFINITY, f64::INFINITY)
-                }
-            };
-            b.push(-rhs);
-            lo.push(low);
-            hi.push(high);
-            labels.push(label(&format!("multiplier of {}", row.name), "multiplier"));
-        }
-        for (place, (k, least, most)) in between.into_iter().enumerate() {
-            let (y, s) = (columns + k, columns + count + place);
-            entries.extend([(y, s, -1.0), (s, y, 1.0)]);
-            b.push(0.0);
-            lo.push(least);
-            hi.push(most);
-            labels.push(label(&format!("value of {}", self.all[k].name), "row"));
-        }
-        Multipliers { entries, b, lo, hi, labels }
+    /// The rows, in the order of the file.
+    pub fn rows(&self) -> Vec<Row> {
+        let row = |constraint: &Constraint| {
+            let mut entries: Vec<(usize, f64)> =
+                constraint.entries.iter().map(|(j, a)| (*j, *a)).collect();
+            entries.sort_by_key(|(column, _)| *column);
+            Row { name: constraint.name.clone(), entries, limits: constraint.limits() }
+        };
+        self.all.iter().map(row).collect()
     }
 }
 

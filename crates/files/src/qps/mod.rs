@@ -23,7 +23,7 @@
 //! ```
 //!
 //! For symmetric Q, w = Q x + c is 0 at the minimum if it is inside the box, and points outward at
-//! the sides of the box: A = Q, b = c. Constraints add a multiplier each (`constraints`). A problem
+//! the sides of the box: A = Q, b = c. Constraints add a multiplier each (`multipliers`). A problem
 //! can be written if A is symmetric and no row is coupled.
 //!
 //! Traps: Q contains the factor 2 of x² (the objective is *half* of xᵀQx). `QUADOBJ` is one

@@ -2,15 +2,11 @@
 
 use std::collections::{HashMap, HashSet};
 
-use serde_json::json;
-
 use super::constraints::Constraints;
+use crate::multipliers::{Multipliers, label, limit};
 use crate::words::brief;
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::{Entries, Parts, Problem};
-
-/// Bounds of at least this size are infinite.
-const INFINITE: f64 = 1e20;
 
 /// A result whose error is the reason that a line is invalid.
 pub(super) type Checked<T = ()> = std::result::Result<T, String>;
@@ -169,11 +165,7 @@ impl Program {
             return Err(format!("a second set of bounds, {:?}", brief(set)));
         }
         let i = self.known(column)?;
-        let value = match value {
-            v if v >= INFINITE => f64::INFINITY,
-            v if v <= -INFINITE => -f64::INFINITY,
-            v => v,
-        };
+        let value = limit(value);
         if matches!(kind, "LO" | "FX" | "MI" | "FR") {
             self.lo[i] = if matches!(kind, "MI" | "FR") { -f64::INFINITY } else { value };
             self.has_lower.insert(i);
@@ -217,7 +209,7 @@ impl Program {
                 return fault(format!("Q[{i}][{j}]"), "is not that of the other triangle");
             }
         }
-        let added = self.constraints.multipliers(self.c.len());
+        let added = Multipliers::of(&self.constraints.rows(), self.c.len());
         let costs: Vec<f64> = self.c.iter().map(|cost| cost.unwrap_or_default()).collect();
         let parts = Parts {
             entries: Entries::Sparse([self.q, added.entries].concat()),
@@ -232,8 +224,8 @@ impl Program {
         if !self.constraints.is_empty() {
             let mut columns: Vec<(String, usize)> = self.columns.into_iter().collect();
             columns.sort_by_key(|(_, column)| *column);
-            let label = |(name, _)| json!({ "label": name, "kind": "column" });
-            let labels = columns.into_iter().map(label).chain(added.labels).collect();
+            let columns = columns.iter().map(|(name, _)| label(name, "column"));
+            let labels = columns.chain(added.labels).collect();
             problem.extra.insert("rows".into(), labels);
         }
         Ok(problem)

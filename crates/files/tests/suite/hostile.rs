@@ -13,7 +13,7 @@ use super::{message, sample};
 use lcplab_testing::cases;
 
 /// Valid files, each with those beside it.
-const SEEDS: [(&str, &str); 11] = [
+const SEEDS: [(&str, &str); 14] = [
     ("matrix-market", "scipy.mtx"),
     ("npz", "numpy.npz"),
     ("npz", "scipy.npz"),
@@ -23,6 +23,9 @@ const SEEDS: [(&str, &str); 11] = [
     ("siconos", "siconos/relay.dat"),
     ("siconos", "siconos/mixed_both.dat"),
     ("siconos", "siconos/global_unsymmetric.dat"),
+    ("mat", "matlab/between.mat"),
+    ("mat", "matlab/separate.mat"),
+    ("mat", "matlab/between_73.mat"),
     ("fclib", "fclib_local.hdf5"),
     ("fclib", "fclib_global.hdf5"),
 ];

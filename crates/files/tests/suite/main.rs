@@ -6,6 +6,7 @@ mod disk;
 #[cfg(feature = "fclib")]
 mod fclib;
 mod hostile;
+mod mat;
 mod matrix_market;
 mod mujoco;
 mod npz;

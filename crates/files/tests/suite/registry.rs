@@ -66,7 +66,7 @@ fn files_of_another_kind_are_named() {
         error.split_once(": file: ").map(|(_, reason)| reason.to_string()).unwrap_or(error)
     };
     let matlab = b"MATLAB 5.0 MAT-file, Platform: GLNXA64\0\x01IM\xff\xff";
-    assert!(message("CVXQP1_S.mat", matlab).starts_with("is a MATLAB file, which is not read"));
+    assert!(message("CVXQP1_S.npz", matlab).starts_with("is a MATLAB file, but its name"));
     let pointer = b"version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 5\n";
     for name in ["p.hdf5", "p.dat", "p.npz", "p.json"] {
         let reason = "is a pointer of Git LFS: the file itself was not fetched";

@@ -2,8 +2,9 @@
 
     pip install numpy scipy highspy h5py && python make.py
 
-NumPy, SciPy and HiGHS write their own formats. FCLIB's and Chrono's files are laid out by hand as their
-sources lay them out (fclib.h, ChSystemDescriptor::WriteMatrixBlocks): neither is installed by pip.
+NumPy, SciPy (also MATLAB's format 5) and HiGHS write their own formats. MATLAB's format 7.3 and the
+files of FCLIB and Chrono are laid out by hand as MATLAB and their sources lay them out (fclib.h,
+ChSystemDescriptor::WriteMatrixBlocks): none of them is installed by pip.
 """
 
 import os
@@ -46,6 +47,57 @@ highs = highspy.Highs()
 highs.passModel(model)
 highs.writeModel("highs.mps")
 os.replace("highs.mps", "highs.qps")
+
+# min x² + y² + z² − x with x + y ≥ 2, z = 2 and x, y ≤ 5, in both forms of a quadratic program.
+P, q = 2 * np.eye(3), np.array([-1.0, 0.0, 0.0])
+between = dict(
+    P=scipy.sparse.csc_array(P), q=q[:, None], r=0.5, n=3, m=4,
+    A=scipy.sparse.csc_array(np.array([[1.0, 1, 0], [0, 0, 1], [1, 0, 0], [0, 1, 0]])),
+    l=np.array([[2.0], [2], [-1e20], [-1e20]]), u=np.array([[1e20], [2], [5], [5]]),
+)
+separate = dict(
+    P=P, q=q, G=np.array([[-1.0, -1, 0]]), h=-2.0, A=scipy.sparse.csc_array([[0.0, 0, 1]]), b=2.0,
+    ub=np.array([5, 5, inf]),
+)
+os.makedirs("matlab", exist_ok=True)
+scipy.io.savemat("matlab/between.mat", between, do_compression=True)
+scipy.io.savemat("matlab/separate.mat", separate, do_compression=False)
+scipy.io.savemat("matlab/lcp.mat", dict(A=U, b=b, lo=lo, hi=hi), do_compression=True)
+small = dict(A=np.array([[2, -1], [-1, 300]], dtype=np.int16), b=np.array([-1, 2], dtype=np.int8))
+scipy.io.savemat("matlab/integers.mat", small)
+scipy.io.savemat("matlab/single.mat", {"A": np.float32([[1 / 3]]), "b": np.uint8([200])})
+scipy.io.savemat("matlab/structure.mat", {"problem": {"A": A, "b": b}})
+scipy.io.savemat("matlab/complex.mat", {"A": A * 1j, "b": b})
+scipy.io.savemat("matlab/text.mat", {"A": A, "b": "one"})
+scipy.io.savemat("matlab/cube.mat", {"A": np.zeros((2, 2, 2)), "b": b})
+scipy.io.savemat("matlab/triangle.mat", between | {"P": scipy.sparse.csc_array(np.triu(A))})
+scipy.io.savemat("matlab/format_4.mat", {"A": A, "b": b}, format="4")
+
+
+def matlab_73(path, variables):
+    """MATLAB's save -v7.3: a block of 512 bytes, columns as rows, sparse matrices as groups."""
+    with h5py.File(path, "w", userblock_size=512) as file:
+        for name, value in variables.items():
+            if scipy.sparse.issparse(value):
+                group = file.create_group(name)
+                group.attrs["MATLAB_class"] = np.bytes_("double")
+                group.attrs["MATLAB_sparse"] = np.uint64(value.shape[0])
+                group["jc"] = value.indptr.astype(np.uint64)
+                if value.nnz:
+                    group["data"], group["ir"] = value.data, value.indices.astype(np.uint64)
+                continue
+            array = np.atleast_2d(value)
+            is_whole = array.dtype.kind == "i"
+            dataset = file.create_dataset(name, data=array.T.astype(np.int64 if is_whole else float))
+            dataset.attrs["MATLAB_class"] = np.bytes_("int64" if is_whole else "double")
+    with open(path, "r+b") as file:
+        file.write(b"MATLAB 7.3 MAT-file".ljust(124) + b"\x00\x02IM")
+
+
+matlab_73("matlab/between_73.mat", between)
+matlab_73("matlab/lcp_73.mat", dict(A=U, b=b, lo=lo, hi=hi))
+with h5py.File("matlab/structure_73.mat", "w", userblock_size=512) as file:
+    file.create_group("problem").attrs["MATLAB_class"] = np.bytes_("struct")
 
 
 def fclib_matrix(group, kind, matrix):
