@@ -2,9 +2,9 @@
 //!
 //! The judge works as for boxed problems: it sums the terms of w in compensated arithmetic and
 //! computes two scaled residuals for each contact, the distances of its normal and of its tangents
-//! from their projected steps, each relative to its own terms ([`ConeProblem`]). If no contact
-//! slides, exact rational arithmetic can prove a solution ([`exact`]); the friction of a sliding
-//! contact is in general an irrational point of its disk, which cannot be proved this way.
+//! from their projected steps, each relative to its own terms ([`ConeProblem`]). Exact arithmetic
+//! proves solutions ([`cone_proof`]): a rational point if no contact slides, otherwise a box that
+//! contains the solution, because the friction of a sliding contact is in general irrational.
 //!
 //! ```
 //! use lcplab_judge::{Demand, judge_cone};
@@ -27,11 +27,20 @@
 //! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 
-mod exact;
+mod definition;
+mod enclosure;
+mod newton;
+mod proof;
+mod state;
+mod system;
+
+pub use enclosure::Enclosure;
+pub use proof::{ConeProof, cone_proof};
+pub use state::RowState;
 
 use super::neighbor;
 use super::residual::{Residual, cone, improves_on_zero};
-use super::{Demand, Refusal, Verdict, is_near};
+use super::{Demand, Refusal, Verdict, near};
 use lcplab_problem::Complementarity;
 use lcplab_problem::friction::{ConeProblem, Contact};
 
@@ -52,7 +61,7 @@ pub struct ConeCertificate {
     pub worst_contact: Option<usize>,
     /// The largest violation of a cone: max |x_t| − μ x_n over contacts, or 0.
     pub cone_violation: f64,
-    /// The verdict; *proved* only if no contact slides.
+    /// The verdict.
     pub verdict: Verdict,
     /// As in [`Certificate::rounded_by`](super::Certificate::rounded_by).
     pub rounded_by: Option<f64>,
@@ -72,7 +81,8 @@ pub fn judge_cone(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCert
     }
     if lcp.len() <= demand.prove_up_to {
         let bounds = neighbor::rounding_of(&neighbor::sizes(lcp, contacts, x));
-        if let Some(distance) = exact::prove(problem, x, Some(&bounds)) {
+        if let Some(proof) = cone_proof(problem, x, Some(&bounds)) {
+            let distance = proof.distance(x);
             let (verdict, rounded_by) = (Verdict::Proved { distance }, Some(distance));
             return ConeCertificate { verdict, rounded_by, ..certificate };
         }
@@ -128,10 +138,10 @@ fn verdict(
     if !x.iter().all(|x| x.is_finite()) || !(amount <= demand.tolerance) {
         return Verdict::NotASolution { row, amount, why: Refusal::Residual };
     }
-    let is_small = x.len() <= demand.prove_up_to;
-    let proved = if is_small { exact::prove(problem, x, None) } else { None };
-    if let Some(distance) = proved.filter(|&distance| is_near(x, distance)) {
-        return Verdict::Proved { distance };
+    if x.len() <= demand.prove_up_to
+        && let Some(proof) = cone_proof(problem, x, Some(&vec![near(x); x.len()]))
+    {
+        return Verdict::Proved { distance: proof.distance(x) };
     }
     let mut zero = vec![0.0; x.len()];
     problem.project_all(&mut zero);

@@ -3,7 +3,7 @@
 //! Boxes are judged as any LCP ([`judge`](super::judge())) and *proved* where possible. For
 //! polygons the judge computes the unknowns β and γ that belong to x; it proves answers for four
 //! corners only, because the directions of other polygons are rounded numbers. Cones are judged by
-//! [`judge_cone`] and *proved* only if no contact slides.
+//! [`judge_cone`], which proves sliding contacts, too.
 //!
 //! ```
 //! use lcplab_judge::{Demand, judge_friction};

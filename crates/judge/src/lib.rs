@@ -47,7 +47,7 @@ pub mod uniqueness;
 mod verdict;
 
 pub use certificate::{Certificate, Evidence};
-pub use cone::{ConeCertificate, judge_cone};
+pub use cone::{ConeCertificate, ConeProof, Enclosure, RowState, cone_proof, judge_cone};
 pub use friction::{FrictionCertificate, judge_friction};
 pub use refutation::{Refutation, refutation, refuted_by, refuting_vector};
 pub use verdict::{Refusal, Verdict, printed_up, upper_bound};
@@ -205,7 +205,12 @@ fn searched(at: &Rows<'_>, within: Certificate) -> Certificate {
 
 /// Whether a solution at this distance says something about x.
 fn is_near(x: &[f64], distance: f64) -> bool {
-    distance <= NEAR * x.iter().fold(0.0, |most, x| f64::max(most, x.abs()))
+    distance <= near(x)
+}
+
+/// A solution farther from x than this says nothing about x.
+fn near(x: &[f64]) -> f64 {
+    NEAR * x.iter().fold(0.0, |most, x| f64::max(most, x.abs()))
 }
 
 #[cfg(doctest)]

@@ -99,8 +99,9 @@ impl std::fmt::Display for Verdict {
             Verdict::NotASolution { why: Refusal::NoBetterThanZero, .. } => {
                 write!(
                     f,
-                    "not a solution: the residual is small only because x is large; x is not ten times closer to \
-                     a solution than x = 0"
+                    "not a solution: the residual is small compared with the terms of x, but the longest \
+                     projected step is more than a tenth of the one at x = 0, and no exact solution \
+                     was found near x"
                 )
             }
             Verdict::NotASolution { why: Refusal::Impossible, .. } => {

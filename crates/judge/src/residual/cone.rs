@@ -109,7 +109,7 @@ fn length(size: Wide, scale: Wide) -> Wide {
 
 /// s_t: the largest absolute row sum of the contact's 2 × 2 tangential block; if that is 0, the
 /// largest |a_ij| of both rows; `None` if all entries are 0.
-fn tangential_scale(lcp: &Lcp, contact: &Contact) -> Option<Wide> {
+pub(crate) fn tangential_scale(lcp: &Lcp, contact: &Contact) -> Option<Wide> {
     let a = lcp.matrix();
     let tangents = [contact.rows[1], contact.rows[2]];
     let row_sum = |&i: &usize| tangents.iter().map(|&j| a.entry(i, j).abs()).sum();

@@ -3,7 +3,7 @@
 use dashu_float::FBig;
 use dashu_float::round::mode::Zero;
 use dashu_int::IBig;
-use dashu_int::ops::UnsignedAbs;
+use dashu_int::ops::{BitTest, UnsignedAbs};
 use dashu_ratio::RBig;
 
 /// An exact binary fraction.
@@ -33,6 +33,36 @@ pub fn rational(x: &Dyadic) -> RBig {
         RBig::from(significand * power)
     } else {
         RBig::from_parts(significand, power.unsigned_abs())
+    }
+}
+
+/// The exponent e with 2^(e−1) ≤ |x| < 2^e; `None` for 0.
+///
+/// ```
+/// use lcplab_problem::exact::dyadic::{dyadic, exponent};
+///
+/// assert_eq!(exponent(&dyadic(-6.0)), Some(3));
+/// assert_eq!(exponent(&dyadic(0.25)), Some(-1));
+/// assert_eq!(exponent(&dyadic(0.0)), None);
+/// ```
+pub fn exponent(x: &Dyadic) -> Option<isize> {
+    let repr = x.repr();
+    (*x != Dyadic::ZERO).then(|| repr.exponent() + repr.significand().bit_len() as isize)
+}
+
+/// The largest multiple of 2^exponent that is at most x.
+///
+/// ```
+/// use lcplab_problem::exact::dyadic::{dyadic, floor};
+///
+/// assert_eq!(floor(&dyadic(5.75), -1), dyadic(5.5));
+/// assert_eq!(floor(&dyadic(-5.75), 1), dyadic(-6.0));
+/// ```
+pub fn floor(x: &Dyadic, exponent: isize) -> Dyadic {
+    let (significand, own) = x.repr().clone().into_parts();
+    match usize::try_from(exponent - own) {
+        Ok(shift) => whole(significand >> shift) << exponent,
+        Err(_) => x.clone(),
     }
 }
 

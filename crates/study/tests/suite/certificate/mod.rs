@@ -1,4 +1,5 @@
 mod cone;
+mod cone_proof;
 mod coupled;
 mod cross_check;
 mod error_bound;

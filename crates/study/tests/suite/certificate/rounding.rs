@@ -134,14 +134,6 @@ fn a_sticking_and_an_open_contact_are_proved_under_both_laws_of_cones() {
     }
 }
 
-#[test]
-fn a_sliding_contact_is_accepted_and_never_called_proved() {
-    // It slides along t1 with 3 − 1 m/s: x_t = μ x_n = 1.
-    let slides = pushed(Law::Coulomb, [-2.0, -3.0, 0.0]);
-    let verdict = judge_cone(&slides, &[2.0, 1.0, 0.0], &Demand::default()).verdict;
-    assert_eq!(verdict, Verdict::WithinTolerance);
-}
-
 /// The connected components of a problem, as a list of rows each: through A and friction, found
 /// independently by flood fill.
 fn component(lcp: &Lcp, i: usize) -> Vec<usize> {

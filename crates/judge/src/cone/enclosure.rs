@@ -1,0 +1,148 @@
+//! A box around x that contains a solution, by Krawczyk's test in exact arithmetic.
+//!
+//! In the box |x − c| ≤ r the map N(x) = x − C F(x), with any matrix C, moves no point farther from
+//! c than
+//!
+//! ```text
+//! |C F(c)| + |I − C F'(c)| r + 2 |C| q(r)          |Q(d)| ≤ q(r) for |d| ≤ r
+//! ```
+//!
+//! If that is below r in every entry, N maps the box into itself and is a contraction, so it has
+//! exactly one fixed point there, and C is regular: F = 0 at this point and at no other one of the
+//! box (Krawczyk 1969, Moore 1977; for polynomials of degree two without interval derivatives).
+//! If the inequalities of all states hold in the whole box, that point solves the problem.
+
+use dashu_int::ops::Abs;
+
+use super::state::RowState;
+use super::system::{AtPoint, Numbers, System};
+use lcplab_problem::exact::dyadic::{Dyadic, dyadic, rational};
+use lcplab_problem::exact::{Point, rounded_up};
+use lcplab_problem::friction::ConeProblem;
+
+/// A box that contains exactly one solution with these states.
+#[derive(Debug, Clone)]
+pub struct Enclosure {
+    /// The state of each row.
+    pub states: Vec<RowState>,
+    /// c.
+    pub center: Point,
+    /// r times the denominator of c: one entry per row, 0 in rows whose x the states determine.
+    pub radius: Vec<Dyadic>,
+    /// C: an approximate inverse of F'(c), one row and one column per unknown.
+    pub inverse: Vec<Vec<f64>>,
+}
+
+impl Enclosure {
+    /// Checks that the box contains exactly one solution of its states.
+    ///
+    /// # Errors
+    /// Why that is not shown.
+    pub fn check(&self, problem: &ConeProblem) -> Result<(), String> {
+        let numbers = Numbers::of(problem);
+        let system = System::new(problem, &numbers, self.states.clone())?;
+        let n = self.states.len();
+        if self.center.len() != n || self.radius.len() != n {
+            return Err(format!("the box does not have {n} entries"));
+        }
+        let x: Vec<Dyadic> = (0..n).map(|i| self.center.scaled(i).clone()).collect();
+        let d = self.center.denominator();
+        for i in 0..n {
+            let given = system.given(i);
+            if given.is_some() != (self.radius[i] == Dyadic::ZERO) {
+                return Err(format!("the radius of row {i} does not belong to its state"));
+            }
+            if given.is_some_and(|given| given * d != x[i]) || self.radius[i] < Dyadic::ZERO {
+                return Err(format!("x of row {i} does not belong to its state"));
+            }
+        }
+        let m = system.unknowns().len();
+        if self.inverse.len() != m || self.inverse.iter().any(|row| row.len() != m) {
+            return Err(format!("the matrix is not {m} × {m}"));
+        }
+        let at = system.at(&x, d);
+        if !Krawczyk::new(&system, &at, &self.inverse).is_contained(&system, &at, &self.radius) {
+            return Err("the box is not mapped into itself".into());
+        }
+        system.check_inequalities(&at, &self.radius)
+    }
+
+    /// The largest |x_i − y_i| of any y in the box, rounded up.
+    pub fn distance(&self, x: &[f64]) -> f64 {
+        let most = self.distances(x).max().unwrap_or(Dyadic::ZERO);
+        rounded_up(&(rational(&most) / rational(self.center.denominator())))
+    }
+
+    /// Whether every |x_i − y_i| is at most the bound of its row.
+    pub(super) fn is_within(&self, x: &[f64], bounds: &[f64]) -> bool {
+        let d = self.center.denominator();
+        self.distances(x).zip(bounds).all(|(most, &bound)| most <= dyadic(bound) * d)
+    }
+
+    /// The largest |x_i − y_i| of any y in the box, times the denominator.
+    fn distances<'a>(&'a self, x: &'a [f64]) -> impl Iterator<Item = Dyadic> + 'a {
+        x.iter().enumerate().map(|(i, &x)| {
+            let miss = self.center.scaled(i) - dyadic(x) * self.center.denominator();
+            miss.abs() + &self.radius[i]
+        })
+    }
+}
+
+/// The parts of the test that do not depend on the radius.
+pub(super) struct Krawczyk {
+    /// |C F(c)|.
+    defect: Vec<Dyadic>,
+    /// |I − C F'(c)|.
+    remainder: Vec<Vec<Dyadic>>,
+    /// |C|.
+    inverse: Vec<Vec<Dyadic>>,
+}
+
+impl Krawczyk {
+    pub fn new(system: &System<'_>, at: &AtPoint<'_>, inverse: &[Vec<f64>]) -> Self {
+        let exact = |row: &Vec<f64>| row.iter().map(|&c| dyadic(c)).collect::<Vec<_>>();
+        let inverse: Vec<Vec<Dyadic>> = inverse.iter().map(exact).collect();
+        let (values, derivatives) = (system.values(at), system.derivatives(at));
+        let dot = |row: &[Dyadic]| {
+            row.iter().zip(&values).fold(Dyadic::ZERO, |sum, (c, f)| sum + c * f).abs()
+        };
+        let remainder = |(i, row): (usize, &Vec<Dyadic>)| {
+            let mut left = vec![Dyadic::ZERO; row.len()];
+            left[i] = at.d.clone();
+            for (c, derivative) in row.iter().zip(&derivatives) {
+                for (left, f) in left.iter_mut().zip(derivative) {
+                    if *f != Dyadic::ZERO {
+                        *left -= c * f;
+                    }
+                }
+            }
+            left.into_iter().map(Abs::abs).collect()
+        };
+        Krawczyk {
+            defect: inverse.iter().map(|row| dot(row)).collect(),
+            remainder: inverse.iter().enumerate().map(remainder).collect(),
+            inverse: inverse
+                .into_iter()
+                .map(|row| row.into_iter().map(Abs::abs).collect())
+                .collect(),
+        }
+    }
+
+    /// The largest distance from c of an image of the box, times D².
+    pub fn image(&self, system: &System<'_>, r: &[Dyadic]) -> Vec<Dyadic> {
+        let curvature = system.curvature(r);
+        let row = |i: usize| {
+            let columns = self.remainder[i].iter().zip(system.unknowns());
+            let linear = columns.fold(Dyadic::ZERO, |sum, (part, &j)| sum + part * &r[j]);
+            let products = self.inverse[i].iter().zip(&curvature);
+            let curved = products.fold(Dyadic::ZERO, |sum, (c, q)| sum + c * q);
+            &self.defect[i] + linear + (curved << 1)
+        };
+        (0..self.defect.len()).map(row).collect()
+    }
+
+    pub fn is_contained(&self, system: &System<'_>, at: &AtPoint<'_>, r: &[Dyadic]) -> bool {
+        let image = self.image(system, r);
+        image.iter().zip(system.unknowns()).all(|(image, &i)| *image < &r[i] * at.d)
+    }
+}
