@@ -197,7 +197,8 @@ const lcpcheck = (() => {
     return { mass, jacobian, bias, soft, target };
   }
 
-  const BOXES = ["coupled-box", "frozen-box"], MODELS = [...BOXES, "associated-cone", "coulomb-cone"];
+  const BOXES = ["coupled-box", "frozen-box"], CONES = ["associated-cone", "coulomb-cone"];
+  const MODELS = [...BOXES, ...CONES];
   for (let k = 4; k <= 256; k += 4) MODELS.push(`polygon-${k}`);
 
   // A problem, under another friction model than the one that it states if one is asked for.
@@ -289,7 +290,11 @@ const lcpcheck = (() => {
       put4(model.length);
       bytes.set(ascii(model), at);
     }
-    return { n, A, B, M, L, U, owner, sa, sb, sl, sm, motion, model, least: parts(scale), hash: sha256(bytes) };
+    // The rows n, t1, t2 of each contact with a cone, and the rows of none.
+    const owners = CONES.includes(model) ? [...new Set(owner.filter((k) => k >= 0))].sort((i, j) => i - j) : [];
+    const contacts = owners.map((k) => [k, ...b.keys()].filter((i, at) => at === 0 || owner[i] === k));
+    const others = [...b.keys()].filter((i) => !contacts.flat().includes(i));
+    return { contacts, others, n, A, B, M, L, U, owner, sa, sb, sl, sm, motion, model, least: parts(scale), hash: sha256(bytes) };
   }
 
   // x times D, and D, from a point of a proof.
@@ -315,9 +320,13 @@ const lcpcheck = (() => {
 
   function solution(p, data) {
     const [x, D] = point(p, data);
-    p.A.forEach((row, i) => {
+    const slips = p.A.map((row, i) => {
       const sum = row.reduce((sum, [j, a]) => sum + a * x[j], 0n);
-      const w = (sum << p.sb) + ((p.B[i] * D) << p.sa), k = p.owner[i];
+      return (sum << p.sb) + ((p.B[i] * D) << p.sa);
+    });
+    for (const contact of p.contacts) law(p, contact, contact.map((i) => x[i]), contact.map((i) => slips[i]));
+    p.others.forEach((i) => {
+      const w = slips[i], k = p.owner[i];
       const reach = k < 0 ? 0n : p.M[i] * max(x[k], 0n), own = x[i] << (k < 0 ? p.sl : p.sm);
       const lo = k >= 0 ? -reach : p.L[i] === null ? null : p.L[i] * D;
       const hi = k >= 0 ? reach : p.U[i] === null ? null : p.U[i] * D;
@@ -325,6 +334,108 @@ const lcpcheck = (() => {
       need((w <= 0n || own === lo) && (w >= 0n || own === hi), `w of row ${i} has the wrong sign`);
     });
     return [x, D];
+  }
+
+  // The law of a contact with a cone, at its x times D and its w times D and a power of two.
+  function law(p, [n, t1], [x, x1, x2], [w, w1, w2]) {
+    const mu = p.M[t1], friction = (x1 * x1 + x2 * x2) << (2n * p.sm), limit = mu * x * mu * x;
+    const power = x1 * w1 + x2 * w2;
+    need(x >= 0n && friction <= limit && w >= 0n, `the contact of row ${n} is outside its cone, or penetrates`);
+    if (p.model === "coulomb-cone") {
+      const isStill = w1 === 0n && w2 === 0n;
+      need(x === 0n || w === 0n, `the contact of row ${n} pushes while it opens`);
+      need(isStill || (friction === limit && x1 * w2 === x2 * w1 && power <= 0n), `the friction of the contact of row ${n}`);
+    } else {
+      need((w * w) << (2n * p.sm) >= mu * mu * (w1 * w1 + w2 * w2), `the contact of row ${n} is outside its dual cone`);
+      need(x * w + power === 0n, `the contact of row ${n} does work`);
+    }
+  }
+
+  // The box of a proof, which must contain a solution of a problem with cones: [center, radius, D],
+  // the first two times D.
+  function region(p, proof) {
+    const states = list(proof.states, p.n), [X, D] = point(p, proof.center), S = p.sa + p.sb + p.sm + p.sl;
+    const R = list(proof.radius, p.n).map((r) => integer(r) << (p.sl + p.sm));
+    // The numbers of the problem times T.
+    const T = 1n << S, A = p.A.map((row) => row.map(([j, a]) => [j, a << (S - p.sa)])), mu = p.M.map((m) => m << (S - p.sm));
+    const [lo, hi] = [p.L, p.U].map((ends) => ends.map((end) => (end === null ? null : end << (S - p.sl))));
+    const isOneOf = (state, names) => typeof state === "string" && names.includes(state);
+    // The equation of each unknown row.
+    const unknown = new Map();
+    for (const i of p.others) {
+      need(isOneOf(states[i], ["lo", "free", "hi"]), `the state of row ${i}`);
+      if (states[i] === "free") unknown.set(i, ["still", [i, i, i]]);
+    }
+    for (const contact of p.contacts) {
+      const [n, t1, t2] = contact, state = states[n], hasFriction = mu[t1] > 0n;
+      need(isOneOf(state, ["open", "sticks", "slides"]), `the state of row ${n}`);
+      need(states[t1] === state && states[t2] === state, `the states of the contact of row ${n}`);
+      need(state !== "sticks" || hasFriction, `the contact of row ${n} has no friction`);
+      if (state === "sticks") contact.forEach((i) => unknown.set(i, ["still", contact]));
+      if (state !== "slides") continue;
+      unknown.set(n, [hasFriction && p.model === "associated-cone" ? "power" : "still", contact]);
+      if (hasFriction) unknown.set(t1, ["limit", contact]).set(t2, ["parallel", contact]);
+    }
+    for (let i = 0; i < p.n; i++) {
+      const isUnknown = unknown.has(i), end = states[i] === "lo" ? lo[i] : states[i] === "hi" ? hi[i] : 0n;
+      need(isUnknown ? R[i] > 0n : R[i] === 0n, `the radius of row ${i}`);
+      need(isUnknown || (end !== null && X[i] * T === end * D), `the center of row ${i}`);
+    }
+    // w, and how much it changes in the box, times T D.
+    const W = A.map((row, i) => row.reduce((sum, [j, a]) => sum + a * X[j], (p.B[i] << (S - p.sb)) * D));
+    const P = A.map((row) => row.reduce((sum, [j, a]) => sum + abs(a) * R[j], 0n));
+    const rows = [...unknown.keys()].sort((i, j) => i - j), total = (terms) => terms.reduce((sum, v) => sum + v, 0n);
+    // F and its curvature times T^2 D^2, its derivatives times T^2 D.
+    const equations = rows.map((i) => {
+      const [kind, contact] = unknown.get(i), [n, t1, t2] = contact, own = new Map();
+      const add = (j, v) => own.set(j, (own.get(j) ?? 0n) + v);
+      const addRow = (k, factor) => A[k].forEach(([j, a]) => add(j, factor * a * T));
+      if (kind === "still") {
+        addRow(i, D);
+        return { f: W[i] * T * D, own, q: 0n };
+      }
+      if (kind === "power") {
+        contact.forEach((k) => { addRow(k, X[k]); add(k, W[k] * T); });
+        return { f: total(contact.map((k) => X[k] * W[k])) * T, own, q: total(contact.map((k) => R[k] * P[k])) * T };
+      }
+      if (kind === "limit") {
+        const square = (v) => (v[t1] ** 2n + v[t2] ** 2n) * T * T, limit = (v) => (mu[t1] * v[n]) ** 2n;
+        add(n, -2n * mu[t1] * mu[t1] * X[n]);
+        [t1, t2].forEach((t) => add(t, 2n * X[t] * T * T));
+        return { f: square(X) - limit(X), own, q: square(R) + limit(R) };
+      }
+      addRow(t2, X[t1]);
+      addRow(t1, -X[t2]);
+      add(t1, W[t2] * T);
+      add(t2, -W[t1] * T);
+      return { f: (X[t1] * W[t2] - X[t2] * W[t1]) * T, own, q: (R[t1] * P[t2] + R[t2] * P[t1]) * T };
+    });
+    list(proof.inverse, rows.length).forEach((row, at) => {
+      const [C, e] = whole(list(row, rows.length).map(number)), one = (T * T * D) << e;
+      let image = abs(total(C.map((c, k) => c * equations[k].f))) + 2n * total(C.map((c, k) => abs(c) * equations[k].q));
+      rows.forEach((j, column) => {
+        let rest = column === at ? one : 0n;
+        C.forEach((c, k) => { rest -= c * (equations[k].own.get(j) ?? 0n); });
+        image += abs(rest) * R[j];
+      });
+      need(image < R[rows[at]] * one, `the box is not mapped into itself in row ${rows[at]}`);
+    });
+    for (const i of p.others) {
+      const isInside = () => (lo[i] === null || (X[i] - R[i]) * T >= lo[i] * D) && (hi[i] === null || (X[i] + R[i]) * T <= hi[i] * D);
+      const holds = states[i] === "lo" ? W[i] >= P[i] : states[i] === "hi" ? -W[i] >= P[i] : isInside();
+      need(holds, `row ${i} breaks an inequality of its state`);
+    }
+    for (const [n, t1, t2] of p.contacts) {
+      const m = mu[t1], least = X[n] - R[n], tangents = [t1, t2], state = states[n];
+      const most = (v, spread) => total(tangents.map((t) => (abs(v[t]) + spread[t]) ** 2n)), rise = W[n] - P[n];
+      const power = () => total(tangents.map((t) => X[t] * W[t] + abs(X[t]) * P[t] + R[t] * abs(W[t]) + R[t] * P[t]));
+      const isDual = () => p.model === "coulomb-cone" || (rise * T) ** 2n >= m * m * most(W, P);
+      const holds = state === "open" ? rise >= 0n && isDual()
+        : state === "sticks" ? least >= 0n && most(X, R) * T * T <= (m * least) ** 2n
+        : m === 0n ? least >= 0n : least > 0n && power() <= 0n;
+      need(holds, `the contact of row ${n} breaks an inequality of its state`);
+    }
+    return [X, R, D];
   }
 
   // Whether all leading principal minors are positive: they are the pivots of Bareiss' elimination.
@@ -508,9 +619,10 @@ const lcpcheck = (() => {
     return [S, G];
   }
 
+  const REGION = ["states", "center", "radius", "inverse"];
   const KEYS = {
     "solution": [["x"], ["x", "answer", "distance"]], "unique": [["x", "by"]], "not-unique": [["x", "y"]],
-    "no-solution": [["tree"]], "within": [["answer", "residual"]],
+    "cone-solution": [REGION, [...REGION, "answer", "distance"]], "no-solution": [["tree"]], "within": [["answer", "residual"]],
     "motion": [["answer", "motion", "bound"]], "frozen-motion": [["answer", "motion", "bound"]],
   };
 
@@ -523,8 +635,9 @@ const lcpcheck = (() => {
     need(model === p.model, `it is about another model than the problem's, ${p.model}`);
     need(proof.problem === p.hash, "it is about another problem");
     const answer = has(proof, "answer") ? list(proof.answer, p.n).map(number) : null;
-    need(BOXES.includes(model) || (proof.kind === "no-solution" && hasKeys(proof.tree, ["d"])),
-      `of ${model} only no-solution by a leaf alone is a proof`);
+    const isLeaf = proof.kind === "no-solution" && hasKeys(proof.tree, ["d"]);
+    const isOfCone = ["solution", "cone-solution"].includes(proof.kind) && CONES.includes(model);
+    need(isLeaf || isOfCone || (BOXES.includes(model) && proof.kind !== "cone-solution"), `of ${model} this is no proof`);
     const under = has(proof, "model") ? `, under the friction model ${model}` : "";
     return says(p, proof, answer) + under;
   }
@@ -550,7 +663,8 @@ const lcpcheck = (() => {
       need(rest[0] >= 0n && !less(times(rest, rest), product), "the motion shows a larger bound only");
       return `the motion of the answer is within ${proof.bound.value} of the exact one${isFrozen ? ", with frozen friction" : ""}`;
     }
-    const [x, D] = solution(p, proof.x);
+    const isRegion = proof.kind === "cone-solution";
+    const [x, R, D] = isRegion ? region(p, proof) : solution(p, proof.x).toSpliced(1, 0, null);
     if (proof.kind === "unique") {
       unique(p, proof.by);
       return "exactly one solution exists";
@@ -562,7 +676,8 @@ const lcpcheck = (() => {
     }
     if (answer === null) return "a solution exists";
     const [values, s] = whole([size(proof.distance), ...answer]), [distance, ...near] = values;
-    need(near.every((v, i) => abs(v * D - (x[i] << s)) <= distance * D), "the answer is farther away");
+    const width = (i) => (R === null ? 0n : R[i] << s);
+    need(near.every((v, i) => abs(v * D - (x[i] << s)) + width(i) <= distance * D), "the answer is farther away");
     return `a solution exists within ${proof.distance.value} of the answer`;
   }
 

@@ -11,13 +11,17 @@ Exit code: 0 if every proof proves its claim, 1 if one is refused, 2 if a proble
 import hashlib, json, re, struct, sys
 from fractions import Fraction as Q
 from itertools import combinations
+from operator import mul
 from pathlib import Path
 
 INF, INTEGER = float("inf"), re.compile(r"0|-?[1-9a-f][0-9a-f]*")
 BOXES = ("coupled-box", "frozen-box")
-MODELS = {*BOXES, "associated-cone", "coulomb-cone", *(f"polygon-{k}" for k in range(4, 257, 4))}
+CONES = ("associated-cone", "coulomb-cone")
+MODELS = {*BOXES, *CONES, *(f"polygon-{k}" for k in range(4, 257, 4))}
+REGION = ("states", "center", "radius", "inverse")
 KEYS = {"solution": [{"x"}, {"x", "answer", "distance"}], "unique": [{"x", "by"}], "not-unique": [{"x", "y"}],
         "no-solution": [{"tree"}], "within": [{"answer", "residual"}],
+        "cone-solution": [{*REGION}, {*REGION, "answer", "distance"}],
         "motion": [{"answer", "motion", "bound"}], "frozen-motion": [{"answer", "motion", "bound"}]}
 
 
@@ -151,6 +155,10 @@ class Problem:
                     hi[i] = mu[i] * max(frozen[k], 0.0)
                     lo[i] = 0.0 - hi[i]
             self.owner, mu = [None] * n, [0.0] * n
+        # The contacts of a cone: the rows n, t1, t2 of each.
+        normals = sorted({k for k in self.owner if k is not None}) if self.model in CONES else []
+        self.contacts = [[k, *[i for i, own in enumerate(self.owner) if own == k]] for k in normals]
+        self.others = sorted(set(range(n)) - {i for contact in self.contacts for i in contact})
         # All numbers times 2^s are integers; None for an infinite bound.
         both = lo + hi
         ints, self.s = whole([v for row in rows for v in row.values()] + b + mu + [v if abs(v) < INF else 0.0 for v in both])
@@ -197,8 +205,11 @@ class Problem:
     def solution(self, data):
         """The point of a proof, which must be a solution."""
         X, D = self.point(data)
-        for i, (row, b, k) in enumerate(zip(self.A, self.B, self.owner)):
-            w, x = sum([a * X[j] for j, a in row]) + b * D, X[i] << self.s
+        W = [sum([a * X[j] for j, a in row]) + b * D for row, b in zip(self.A, self.B)]
+        for contact in self.contacts:
+            self.law(contact, [X[i] for i in contact], [W[i] for i in contact])
+        for i in self.others:
+            w, x, k = W[i], X[i] << self.s, self.owner[i]
             if k is None:
                 lo, hi = (None if end is None else end * D for end in self.ends[i])
             else:
@@ -207,6 +218,102 @@ class Problem:
             need((lo is None or lo <= x) and (hi is None or x <= hi), f"x of row {i} is beyond a bound")
             need((w <= 0 or x == lo) and (w >= 0 or x == hi), f"w of row {i} has the wrong sign")
         return X, D
+
+    def law(self, contact, x, w):
+        """The law of a contact with a cone, at its x times D and its w times D 2^s."""
+        (n, t1, _), mu = contact, self.mu[contact[1]]
+        friction, limit = x[1] ** 2 + x[2] ** 2 << 2 * self.s, (mu * x[0]) ** 2
+        power = x[1] * w[1] + x[2] * w[2]
+        need(x[0] >= 0 and friction <= limit and w[0] >= 0, f"the contact of row {n} is outside its cone, or penetrates")
+        if self.model == "coulomb-cone":
+            is_opposite = friction == limit and x[1] * w[2] == x[2] * w[1] and power <= 0
+            need((x[0] == 0 or w[0] == 0) and (w[1] == w[2] == 0 or is_opposite), f"the contact of row {n} breaks Coulomb's law")
+        else:
+            is_dual = (w[0] << self.s) ** 2 >= mu * mu * (w[1] ** 2 + w[2] ** 2)
+            need(is_dual and x[0] * w[0] + power == 0, f"the contact of row {n} breaks the law of its cone")
+
+    def equations(self, states, X):
+        """The equation of each unknown row of a cone problem in these states: {row: (kind, contact)}."""
+        unknown = {}
+        for i in self.others:
+            need(states[i] in ("lo", "free", "hi"), f"the state of row {i}")
+            if states[i] == "free":
+                unknown[i] = "still", [i]
+        for contact in self.contacts:
+            n, t1, t2 = contact
+            need(states[n] in ("open", "sticks", "slides") and states[n] == states[t1] == states[t2], f"the state of row {n}")
+            need(states[n] != "sticks" or self.mu[t1] > 0, f"the state of row {n}, which has no friction")
+            if states[n] == "sticks":
+                unknown.update({i: ("still", contact) for i in contact})
+            elif states[n] == "slides":
+                is_power = self.model == "associated-cone" and self.mu[t1] > 0
+                unknown[n] = "power" if is_power else "still", contact
+                if self.mu[t1] > 0:
+                    unknown.update({t1: ("limit", contact), t2: ("parallel", contact)})
+        return unknown
+
+    def region(self, proof):
+        """The box of a proof, which must contain a solution: center X and radii R times D."""
+        states, (X, D), T = entries(proof["states"], self.n), self.point(proof["center"]), 1 << self.s
+        R = [integer(r) << 2 * self.s for r in entries(proof["radius"], self.n)]
+        unknown = self.equations(states, X)
+        for i in range(self.n):
+            need(R[i] > 0 if i in unknown else R[i] == 0, f"the radius of row {i}")
+            end = self.ends[i][states[i] == "hi"] if states[i] in ("lo", "hi") else 0
+            need(i in unknown or end is not None and X[i] << self.s == end * D, f"the center of row {i}")
+        # Times T D, like every w below; F and the curvature are times T^2 D^2, F' times T^2 D.
+        W = [sum([a * X[j] for j, a in row]) + b * D for row, b in zip(self.A, self.B)]
+        P = [sum([abs(a) * R[j] for j, a in row]) for row in self.A]
+        rows, F, J, curved = sorted(unknown), [], [], []
+        for i in rows:
+            kind, contact = unknown[i]
+            n, t1, t2 = contact if len(contact) == 3 else (i, i, i)
+            mm = self.mu[t1] ** 2
+            if kind == "still":
+                f, parts, own, q = W[i] * T * D, [(D, i)], {}, 0
+            elif kind == "power":
+                f, parts = sum([X[k] * W[k] for k in contact]) * T, [(X[k], k) for k in contact]
+                own, q = {k: W[k] * T for k in contact}, sum([R[k] * P[k] for k in contact]) * T
+            elif kind == "limit":
+                f, parts = (X[t1] ** 2 + X[t2] ** 2) * T * T - mm * X[n] ** 2, []
+                own = {n: -2 * mm * X[n], t1: 2 * X[t1] * T * T, t2: 2 * X[t2] * T * T}
+                q = (R[t1] ** 2 + R[t2] ** 2) * T * T + mm * R[n] ** 2
+            else:
+                f, parts = (X[t1] * W[t2] - X[t2] * W[t1]) * T, [(X[t1], t2), (-X[t2], t1)]
+                own, q = {t1: W[t2] * T, t2: -W[t1] * T}, (R[t1] * P[t2] + R[t2] * P[t1]) * T
+            for factor, k in parts:
+                for j, a in self.A[k]:
+                    own[j] = own.get(j, 0) + factor * a * T
+            F, J, curved = F + [f], J + [[own.get(j, 0) for j in rows]], curved + [q]
+        columns = list(zip(*J))
+        for k, (i, row) in enumerate(zip(rows, entries(proof["inverse"], len(rows)))):
+            C, e = whole([number(v) for v in entries(row, len(rows))])
+            image = abs(sum(map(mul, C, F))) + 2 * sum(map(mul, map(abs, C), curved))
+            for m, column in enumerate(columns):
+                rest = (T * T * D << e if m == k else 0) - sum(map(mul, C, column))
+                image += abs(rest) * R[rows[m]]
+            need(image < R[i] * T * T * D << e, f"the box is not mapped into itself in row {i}")
+        for i in self.others:
+            lo, hi = self.ends[i]
+            holds = {"lo": W[i] >= P[i], "hi": W[i] <= -P[i],
+                     "free": (lo is None or X[i] - R[i] << self.s >= lo * D) and (hi is None or X[i] + R[i] << self.s <= hi * D)}
+            need(holds[states[i]], f"row {i} breaks an inequality of its state")
+        for contact in self.contacts:
+            n, t1, t2 = contact
+            mu, least, w_least = self.mu[t1], X[n] - R[n], W[n] - P[n]
+            if states[n] == "open":
+                slip = sum([(abs(W[t]) + P[t]) ** 2 for t in (t1, t2)])
+                holds = w_least >= 0 and (self.model == "coulomb-cone" or (w_least << self.s) ** 2 >= mu * mu * slip)
+            elif states[n] == "sticks":
+                friction = sum([(abs(X[t]) + R[t]) ** 2 for t in (t1, t2)]) << 2 * self.s
+                holds = least >= 0 and friction <= (mu * least) ** 2
+            elif mu == 0:
+                holds = least >= 0
+            else:
+                power = sum([X[t] * W[t] + abs(X[t]) * P[t] + R[t] * abs(W[t]) + R[t] * P[t] for t in (t1, t2)])
+                holds = least > 0 and power <= 0
+            need(holds, f"the contact of row {n} breaks an inequality of its state")
+        return X, R, D
 
     def unique(self, by):
         need(all(k is None for k in self.owner), "rows are coupled")
@@ -345,8 +452,9 @@ def check(problem, proof):
     need(type(kind) is str and set(proof) - {"format", "problem", "model", "kind"} in KEYS.get(kind, []), "the keys of its kind")
     need(proof.get("model", "coupled-box") == problem.model, f"it is about another model than the problem's, {problem.model}")
     need(proof.get("problem") == problem.hash, "it is about another problem")
-    need(problem.model in BOXES or kind == "no-solution" and type(proof["tree"]) is dict and set(proof["tree"]) == {"d"},
-         f"of {problem.model} only no-solution by a leaf alone is a proof")
+    is_leaf = kind == "no-solution" and type(proof["tree"]) is dict and set(proof["tree"]) == {"d"}
+    of_cone = kind in ("solution", "cone-solution") and problem.model in CONES
+    need(is_leaf or of_cone or problem.model in BOXES and kind != "cone-solution", f"of {problem.model} this is no proof")
     answer = [number(v) for v in entries(proof["answer"], problem.n)] if "answer" in proof else None
     if kind == "no-solution":
         problem.tree(proof["tree"], {})
@@ -364,7 +472,10 @@ def check(problem, proof):
         rest = Q(bound) ** 2 - S - G
         need(rest >= 0 and 4 * S * G <= rest ** 2, "the motion shows a larger bound only")
         return f"the motion of the answer is within {bound} of the exact one" + ", with frozen friction" * (kind != "motion")
-    X, D = problem.solution(proof["x"])
+    if kind == "cone-solution":
+        X, R, D = problem.region(proof)
+    else:
+        (X, D), R = problem.solution(proof["x"]), [0] * problem.n
     if kind == "unique":
         problem.unique(proof["by"])
         return "exactly one solution exists"
@@ -376,7 +487,7 @@ def check(problem, proof):
         return "a solution exists"
     distance, (near, s) = size(proof["distance"]), whole(answer)
     p, q = distance.as_integer_ratio()
-    need(all(abs(v * D - (x << s)) * q <= p * D << s for v, x in zip(near, X)), "the answer is farther away")
+    need(all((abs(v * D - (x << s)) + (r << s)) * q <= p * D << s for v, x, r in zip(near, X, R)), "the answer is farther away")
     return f"a solution exists within {distance} of the answer"
 
 

@@ -32,7 +32,7 @@ pub fn prove(
     }
     let question = question(problem, model, None)?;
     let found = py.detach(|| {
-        let answer = answer.unwrap_or_else(|| first_answer(question.boxed().unwrap_or(lcp)));
+        let answer = answer.unwrap_or_else(|| first_answer(&question));
         match kind {
             None => proof::prove(&question, &answer),
             Some(kind) => proof::prove_kind(&question, &answer, kind),

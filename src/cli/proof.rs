@@ -29,11 +29,12 @@ Examples:
   lcplab prove tower.json --kind motion   # a bound on the difference from the exact motion
   lcplab prove game.json --all            # every solution of a small problem
 
-From the strongest to the weakest the kinds are no-solution, unique, not-unique, solution, motion, within. \
+From the strongest to the weakest the kinds are no-solution, unique, not-unique, solution, cone-solution, motion, \
+within. \
 The first kind that can be proved is written; for each stronger kind the output says why it was not proved. \
 With --all, lcplab lists all solutions of a problem of up to 16 contacts, or 10 rows with two bounds. \
-docs/proofs.md says what each kind proves. Proofs are about boxes: under a polygon or a friction cone only \
-no-solution can be proved.
+docs/proofs.md says what each kind proves. Most proofs are about boxes: under a friction cone, no-solution, \
+solution and cone-solution can be proved, under a polygon only no-solution.
 
 Exit codes:
   0  a proof was written; with --all, there is a solution
@@ -101,7 +102,7 @@ impl Prove {
         }
         let answer = match &self.answer {
             Some(path) => read_answer(path, problem.lcp.len(), memory)?,
-            None => first_answer(question.boxed().unwrap_or(&problem.lcp)),
+            None => first_answer(&question),
         };
         let found = match self.kind {
             None => prove(&question, &answer),

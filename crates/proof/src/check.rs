@@ -2,16 +2,17 @@
 
 use dashu_ratio::RBig;
 
+use lcplab_judge::ConeProof;
 use lcplab_judge::cases::Tree;
 use lcplab_problem::exact::dyadic::{Dyadic, dyadic, rational, whole};
 use lcplab_problem::exact::{Exact, Point};
-use lcplab_problem::friction::Model;
+use lcplab_problem::friction::{ConeProblem, Model, ProblemForm};
 use lcplab_problem::{Gauss, Lcp, Question};
 
 use crate::claim::{Bounded, Claim, Entry, Kind, Near, Proof, Reason, Vector};
 use crate::hash::{model, rows};
 use crate::motion::{NO_BODIES, Squares};
-use crate::{cases, hash, minors, residual};
+use crate::{cases, cone, hash, minors, residual};
 
 /// Proofs by definiteness with more rows are rejected: checking them takes minutes.
 pub(crate) const MOST_ROWS_OF_DEFINITE: usize = 500;
@@ -32,7 +33,26 @@ pub fn check(question: &Question, proof: &Proof) -> Result<(), String> {
     }
     match question.boxed() {
         Some(lcp) => of_boxes(lcp, question.problem().motion.as_ref(), &proof.claim),
-        None => of_any_model(rows(question), own, &proof.claim),
+        None => match (question.posed(), &proof.claim) {
+            (
+                ProblemForm::Cone(problem),
+                claim @ (Claim::Solution { .. } | Claim::ConeSolution { .. }),
+            ) => of_cones(problem, rows(question), claim),
+            (_, claim) => of_any_model(rows(question), own, claim),
+        },
+    }
+}
+
+/// Checks the claim that a problem with friction cones has a solution.
+fn of_cones(problem: &ConeProblem, rows: &Lcp, claim: &Claim) -> Result<(), String> {
+    match claim {
+        Claim::Solution { x, near } => {
+            let point = point(rows, x)?;
+            ConeProof::Point(point.clone()).check(problem)?;
+            near.as_ref().map_or(Ok(()), |near| is_near(&point, near))
+        }
+        Claim::ConeSolution { region, near } => cone::check(problem, rows, region, near.as_ref()),
+        _ => Err("the claim is none about friction cones".into()),
     }
 }
 
@@ -43,6 +63,7 @@ fn of_boxes(lcp: &Lcp, bodies: Option<&Gauss>, claim: &Claim) -> Result<(), Stri
             let point = solution(lcp, x)?;
             near.as_ref().map_or(Ok(()), |near| is_near(&point, near))
         }
+        Claim::ConeSolution { .. } => Err(about_cones()),
         Claim::Unique { x, by } => {
             solution(lcp, x)?;
             is_unique(lcp, *by)
@@ -82,6 +103,7 @@ fn of_any_model(rows: &Lcp, model: Model, claim: &Claim) -> Result<(), String> {
         Claim::NoSolution { tree: Tree::Branch { .. } } => {
             Err(format!("the cases of a tree are sides of boxes, the problem's model is {model}"))
         }
+        Claim::ConeSolution { .. } => Err(about_cones()),
         claim => Err(about_boxes(claim.kind(), model)),
     }
 }
@@ -89,6 +111,11 @@ fn of_any_model(rows: &Lcp, model: Model, claim: &Claim) -> Result<(), String> {
 /// Why a model other than a box has no proofs of this kind.
 pub(crate) fn about_boxes(kind: Kind, model: Model) -> String {
     format!("proofs of the kind {kind} are about boxes, the problem's model is {model}")
+}
+
+/// Why a model other than a cone has no proofs of the kind `cone-solution`.
+pub(crate) fn about_cones() -> String {
+    "proofs of the kind cone-solution are about friction cones".into()
 }
 
 fn has_rows(lcp: &Lcp, entries: usize) -> Result<(), String> {
@@ -108,7 +135,7 @@ fn solution(lcp: &Lcp, x: &Vector) -> Result<Point, String> {
 }
 
 /// The exact point of a vector: entries at bounds are evaluated, those of coupled rows last.
-fn point(lcp: &Lcp, x: &Vector) -> Result<Point, String> {
+pub(crate) fn point(lcp: &Lcp, x: &Vector) -> Result<Point, String> {
     has_rows(lcp, x.entries.len())?;
     let denominator = whole(x.denominator.clone());
     let mut numerators = vec![Dyadic::ZERO; lcp.len()];

@@ -8,7 +8,7 @@ use dashu_int::ops::Gcd;
 use dashu_ratio::RBig;
 
 use lcplab_judge::cases::Tree;
-use lcplab_judge::upper_bound;
+use lcplab_judge::{RowState, upper_bound};
 use lcplab_problem::error::Error;
 use lcplab_problem::friction::Model;
 
@@ -43,6 +43,13 @@ pub enum Claim {
         /// The solution.
         x: Vector,
         /// A floating-point answer and its distance from x.
+        near: Option<Near>,
+    },
+    /// A box contains a solution of a problem with friction cones.
+    ConeSolution {
+        /// The box.
+        region: Region,
+        /// A floating-point answer and its distance from every point of the box.
         near: Option<Near>,
     },
     /// x is the only solution.
@@ -82,6 +89,7 @@ impl Claim {
     pub fn kind(&self) -> Kind {
         match self {
             Claim::Solution { .. } => Kind::Solution,
+            Claim::ConeSolution { .. } => Kind::ConeSolution,
             Claim::Unique { .. } => Kind::Unique,
             Claim::NotUnique { .. } => Kind::NotUnique,
             Claim::NoSolution { .. } => Kind::NoSolution,
@@ -97,11 +105,14 @@ impl Claim {
             Claim::Solution { near: Some(near), .. } if near.distance == 0.0 => {
                 "the answer is an exact solution".into()
             }
-            Claim::Solution { near: Some(near), .. } => {
+            Claim::Solution { near: Some(near), .. }
+            | Claim::ConeSolution { near: Some(near), .. } => {
                 let distance = upper_bound(near.distance);
                 format!("an exact solution exists, and the answer lies within {distance} of it")
             }
-            Claim::Solution { near: None, .. } => "an exact solution exists".into(),
+            Claim::Solution { near: None, .. } | Claim::ConeSolution { near: None, .. } => {
+                "an exact solution exists".into()
+            }
             Claim::Unique { .. } => "exactly one solution exists".into(),
             Claim::NotUnique { .. } => "two different solutions exist".into(),
             Claim::NoSolution { tree } => match tree.leaves() {
@@ -138,6 +149,8 @@ pub enum Kind {
     NotUnique,
     /// There is at least one solution.
     Solution,
+    /// There is a solution of a problem with friction cones, in a box.
+    ConeSolution,
     /// A bound on the motion of an answer.
     Motion,
     /// The residual of an answer.
@@ -149,11 +162,12 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds, strongest first.
-    pub const ALL: [Kind; 7] = [
+    pub const ALL: [Kind; 8] = [
         Kind::NoSolution,
         Kind::Unique,
         Kind::NotUnique,
         Kind::Solution,
+        Kind::ConeSolution,
         Kind::Motion,
         Kind::Within,
         Kind::FrozenMotion,
@@ -166,6 +180,7 @@ impl Kind {
             Kind::Unique => "unique",
             Kind::NotUnique => "not-unique",
             Kind::Solution => "solution",
+            Kind::ConeSolution => "cone-solution",
             Kind::Motion => "motion",
             Kind::Within => "within",
             Kind::FrozenMotion => "frozen-motion",
@@ -234,6 +249,19 @@ pub fn over_one_denominator(x: &[RBig]) -> (Vec<IBig>, IBig) {
     });
     let numerator = |x: &RBig| x.numerator() * (&denominator / IBig::from(x.denominator().clone()));
     (x.iter().map(numerator).collect(), denominator)
+}
+
+/// A box around an approximate solution of a cone problem, with what shows that it contains one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Region {
+    /// The state of each row.
+    pub states: Vec<RowState>,
+    /// The center.
+    pub center: Vector,
+    /// The half-width of each row times the denominator of the center, never negative.
+    pub radius: Vec<IBig>,
+    /// An approximate inverse of the derivatives of the equations.
+    pub inverse: Vec<Vec<f64>>,
 }
 
 /// A floating-point answer near an exact solution.

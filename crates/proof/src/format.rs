@@ -3,12 +3,13 @@
 use dashu_int::IBig;
 use serde_json::{Map, Value, json};
 
+use lcplab_judge::RowState;
 use lcplab_judge::cases::Tree;
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::friction::Model;
 use lcplab_problem::json::parse;
 
-use crate::claim::{Bounded, Claim, Entry, Fraction, Motion, Near, Proof, Reason, Vector};
+use crate::claim::{Bounded, Claim, Entry, Fraction, Motion, Near, Proof, Reason, Region, Vector};
 
 /// The value of the key `format`.
 const FORMAT: &str = "lcplab-proof-1";
@@ -33,6 +34,12 @@ impl Proof {
                 ("answer", json!(near.answer)),
                 ("distance", json!(near.distance)),
             ],
+            Claim::ConeSolution { region, near } => {
+                let near = near.iter().flat_map(|near| {
+                    [("answer", json!(near.answer)), ("distance", json!(near.distance))]
+                });
+                region_parts(region).into_iter().chain(near).collect()
+            }
             Claim::Unique { x, by } => vec![("x", point(x)), ("by", json!(word(*by)))],
             Claim::NotUnique { x, y } => vec![("x", point(x)), ("y", point(y))],
             Claim::NoSolution { tree } => vec![("tree", branches(tree))],
@@ -88,6 +95,20 @@ fn point(x: &Vector) -> Value {
     json!({ "denominator": hex(&x.denominator), "numerators": numerators })
 }
 
+fn region_parts(region: &Region) -> [(&'static str, Value); 4] {
+    let name = |state: &RowState| {
+        RowState::NAMES.iter().find(|(own, _)| own == state).map(|(_, name)| *name)
+    };
+    let states: Vec<_> = region.states.iter().filter_map(name).collect();
+    let radius: Vec<String> = region.radius.iter().map(hex).collect();
+    [
+        ("states", json!(states)),
+        ("center", point(&region.center)),
+        ("radius", json!(radius)),
+        ("inverse", json!(region.inverse)),
+    ]
+}
+
 fn motion(motion: &Motion) -> Value {
     let numerators: Vec<String> = motion.numerators.iter().map(hex).collect();
     json!({ "denominator": hex(&motion.denominator), "numerators": numerators })
@@ -139,13 +160,18 @@ fn read(value: &Value) -> Read<Proof> {
     let claim = match text("kind")? {
         "solution" if object.contains_key("answer") || object.contains_key("distance") => {
             own(&["x", "answer", "distance"])?;
-            let near =
-                Near { answer: numbers(object, "answer")?, distance: size(object, "distance")? };
-            Claim::Solution { x: read_point(object, "x")?, near: Some(near) }
+            Claim::Solution { x: read_point(object, "x")?, near: Some(read_near(object)?) }
         }
         "solution" => {
             own(&["x"])?;
             Claim::Solution { x: read_point(object, "x")?, near: None }
+        }
+        "cone-solution" => {
+            let region = read_region(object)?;
+            let is_near = object.contains_key("answer") || object.contains_key("distance");
+            own(if is_near { &REGION_NEAR } else { &REGION_NEAR[..4] })?;
+            let near = if is_near { Some(read_near(object)?) } else { None };
+            Claim::ConeSolution { region, near }
         }
         "unique" => {
             own(&["x", "by"])?;
@@ -179,6 +205,37 @@ fn read(value: &Value) -> Read<Proof> {
         kind => return wrong("kind", format!("is {kind:?}, which is unknown")),
     };
     Ok(Proof { problem: problem.to_string(), model, claim })
+}
+
+fn read_near(object: &Map<String, Value>) -> Read<Near> {
+    Ok(Near { answer: numbers(object, "answer")?, distance: size(object, "distance")? })
+}
+
+/// The keys of the kind `cone-solution`; the last two are optional.
+const REGION_NEAR: [&str; 6] = ["states", "center", "radius", "inverse", "answer", "distance"];
+
+fn read_region(object: &Map<String, Value>) -> Read<Region> {
+    let list = |key: &str| match object.get(key) {
+        Some(Value::Array(list)) => Ok(list),
+        _ => wrong(key, "must be a list"),
+    };
+    let state = |value: &Value| {
+        let name = value.as_str();
+        let own = RowState::NAMES.iter().find(|(_, own)| Some(*own) == name);
+        own.map_or_else(|| wrong("states", "has an unknown state"), |(state, _)| Ok(*state))
+    };
+    Ok(Region {
+        states: list("states")?.iter().map(state).collect::<Read<_>>()?,
+        center: read_point(object, "center")?,
+        radius: list("radius")?
+            .iter()
+            .map(|value| not_negative(Some(value), "radius"))
+            .collect::<Read<_>>()?,
+        inverse: list("inverse")?
+            .iter()
+            .map(|row| finite(row).map_or_else(|| wrong("inverse", "must be lists of numbers"), Ok))
+            .collect::<Read<_>>()?,
+    })
 }
 
 fn unknown_model() -> (String, String) {
@@ -297,8 +354,12 @@ fn size(object: &Map<String, Value>, key: &str) -> Read<f64> {
 }
 
 fn numbers(object: &Map<String, Value>, key: &str) -> Read<Vec<f64>> {
-    let Some(Value::Array(list)) = object.get(key) else { return wrong(key, "must be a list") };
+    let numbers = object.get(key).and_then(finite);
+    numbers.map_or_else(|| wrong(key, "must be a list of finite numbers"), Ok)
+}
+
+/// A list of finite numbers.
+fn finite(value: &Value) -> Option<Vec<f64>> {
     let number = |value: &Value| value.as_f64().filter(|number| number.is_finite());
-    let numbers: Option<Vec<f64>> = list.iter().map(number).collect();
-    numbers.map_or_else(|| wrong(key, "must be finite numbers"), Ok)
+    value.as_array()?.iter().map(number).collect()
 }

@@ -28,6 +28,7 @@
 mod cases;
 mod check;
 mod claim;
+mod cone;
 mod format;
 mod hash;
 mod minors;
@@ -37,7 +38,9 @@ mod prove;
 mod residual;
 
 pub use check::check;
-pub use claim::{Bounded, Claim, Entry, Fraction, Kind, Motion, Near, Proof, Reason, Vector};
+pub use claim::{
+    Bounded, Claim, Entry, Fraction, Kind, Motion, Near, Proof, Reason, Region, Vector,
+};
 pub use hash::{canonical_bytes, hash};
 pub use lcplab_judge::cases::Tree;
 pub use prove::{ProofSearch, prove, prove_kind};

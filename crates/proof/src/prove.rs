@@ -9,12 +9,13 @@ use lcplab_judge::cases::{self, Search, Tree};
 use lcplab_judge::{exact, refuting_vector};
 use lcplab_problem::exact::dyadic::{dyadic, rational, whole};
 use lcplab_problem::exact::{Exact, Point, all_solutions};
+use lcplab_problem::friction::ProblemForm;
 use lcplab_problem::{Lcp, Question};
 
-use crate::check::{MOST_ROWS_OF_DEFINITE, MOST_ROWS_OF_P, about_boxes, check};
+use crate::check::{MOST_ROWS_OF_DEFINITE, MOST_ROWS_OF_P, about_boxes, about_cones, check};
 use crate::claim::{Claim, Entry, Kind, Near, Proof, Reason, Vector, over_one_denominator};
 use crate::hash::{model, rows};
-use crate::{hash, minors, motion, pivot, residual};
+use crate::{cone, hash, minors, motion, pivot, residual};
 
 /// With more rows no exact solution is searched for: it would take hours.
 const MOST_ROWS: usize = 500;
@@ -40,9 +41,13 @@ impl ProofSearch {
         }
         let model = model(question);
         Some(match self.missing.as_slice() {
-            [(kind, _)] if *kind != Kind::NoSolution => {
-                format!("is {model}, and proofs of the kind {kind} are about boxes")
+            [(kind, reason)] if *kind != Kind::NoSolution => {
+                format!("is {model}, and nothing of the kind {kind} is proved: {reason}")
             }
+            _ if matches!(question.posed(), ProblemForm::Cone(_)) => format!(
+                "is {model}: neither a solution near the answer was found, nor a vector that shows that \
+                 no solution exists; other proofs are about boxes"
+            ),
             _ => format!(
                 "is {model}: of it only that no solution exists can be proved, and no vector was found \
                  that shows it; other proofs are about boxes"
@@ -52,15 +57,21 @@ impl ProofSearch {
 }
 
 /// Searches for the strongest proof: `no-solution`, `unique`, `not-unique`, `solution`, `motion`,
-/// `within`, in this order, starting from the answer. Under a polygon or a cone only `no-solution`
-/// is possible, by a vector that proves it for every model.
+/// `within`, in this order, starting from the answer. Under a polygon only `no-solution` is
+/// possible, by a vector that proves it for every model; under a cone also `solution` and
+/// `cone-solution`.
 ///
 /// # Panics
 /// If the answer does not have one entry per row.
 pub fn prove(question: &Question, answer: &[f64]) -> ProofSearch {
     let prover = Prover::new(question, answer);
     let mut missing = Vec::new();
-    for kind in Kind::ALL.into_iter().filter(|kind| *kind != Kind::FrozenMotion) {
+    let is_cone = matches!(question.posed(), ProblemForm::Cone(_));
+    let is_tried = |kind: &Kind| match kind {
+        Kind::ConeSolution => is_cone,
+        kind => *kind != Kind::FrozenMotion,
+    };
+    for kind in Kind::ALL.into_iter().filter(is_tried) {
         match prover.proof(kind) {
             Ok(proof) => return ProofSearch { proof: Some(proof), missing },
             Err(reason) => missing.push((kind, reason)),
@@ -108,7 +119,12 @@ impl<'a> Prover<'a> {
     fn proof(&self, kind: Kind) -> Result<Proof, String> {
         let claim = match self.question.boxed() {
             Some(lcp) => self.of_boxes(lcp, kind)?,
-            None => self.of_any_model(kind)?,
+            None => match (self.question.posed(), kind) {
+                (ProblemForm::Cone(problem), Kind::Solution | Kind::ConeSolution) => {
+                    cone::search(problem, self.answer, kind, |x| vector(rows(self.question), x))?
+                }
+                _ => self.of_any_model(kind)?,
+            },
         };
         let has_friction = rows(self.question).has_coupled_rows();
         let stated = self.question.model().or(has_friction.then(|| model(self.question)));
@@ -119,6 +135,9 @@ impl<'a> Prover<'a> {
 
     /// A claim that is valid under every friction model.
     fn of_any_model(&self, kind: Kind) -> Result<Claim, String> {
+        if kind == Kind::ConeSolution {
+            return Err(about_cones());
+        }
         if kind != Kind::NoSolution {
             return Err(about_boxes(kind, model(self.question)));
         }
@@ -152,6 +171,7 @@ impl<'a> Prover<'a> {
                 let x = &self.solution(lcp)?.x;
                 Ok(Claim::Solution { x: vector(lcp, x), near: near(answer, x) })
             }
+            Kind::ConeSolution => Err(about_cones()),
             Kind::Motion if lcp.has_coupled_rows() => {
                 Err("rows are coupled: a coupled box is not the solution of a minimization".into())
             }

@@ -8,9 +8,9 @@ use lcplab_judge::{
     refutation, upper_bound,
 };
 use lcplab_page::number::{counted, readable};
-use lcplab_problem::Lcp;
 use lcplab_problem::file::{Problem, number};
-use lcplab_solver::{Attempt, Options, Reason, Solution, Start, Status, solve_boxed_by_sequence};
+use lcplab_problem::{Lcp, Question};
+use lcplab_solver::{Attempt, Options, Reason, Solution, Status, solve_by_sequence};
 
 /// Maximum number of entries of an exact vector that are printed.
 const SHOWN: usize = 12;
@@ -108,9 +108,9 @@ pub fn attempts_text(attempts: &[Attempt]) -> String {
     attempts.iter().map(line).collect()
 }
 
-/// The x of the fallback sequence.
-pub fn first_answer(lcp: &Lcp) -> Vec<f64> {
-    solve_boxed_by_sequence(lcp, &Start::default(), &Options::default(), &mut ()).solution.x
+/// The x of the fallback sequence under the question's friction model.
+pub fn first_answer(question: &Question) -> Vec<f64> {
+    solve_by_sequence(question.posed(), &Options::default(), &mut ()).solution.x
 }
 
 /// A verdict with the label of its row and the physical value of its w, if the problem states them:

@@ -18,7 +18,8 @@ class Proof:
     Attributes
     ----------
     kind : str or None
-        ``"no-solution"``, ``"unique"``, ``"not-unique"``, ``"solution"``, ``"motion"``, ``"within"`` or ``"frozen-motion"``.
+        ``"no-solution"``, ``"unique"``, ``"not-unique"``, ``"solution"``, ``"cone-solution"``, ``"motion"``,
+        ``"within"`` or ``"frozen-motion"``.
     claim : str
         The statement as a sentence.
     missing : dict
@@ -53,9 +54,9 @@ def prove(
 ) -> Proof:
     """Prove the strongest possible statement about a problem, or the given ``kind``.
 
-    The search starts from the answer ``x``, if it is given. ``model`` replaces the friction model of the problem. Proofs are
-    about boxes. For polygons and cones lcplab can only prove that no solution exists; otherwise it raises
-    :class:`InputError`.
+    The search starts from the answer ``x``, if it is given. ``model`` replaces the friction model of the problem. Most
+    proofs are about boxes. For cones lcplab can prove that a solution exists near ``x``, or that no solution exists, and for
+    polygons that no solution exists; otherwise it raises :class:`InputError`.
 
     Examples
     --------

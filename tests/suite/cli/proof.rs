@@ -30,11 +30,28 @@ fn lcpcheck(paths: &[&Path], model: &[&str]) -> Output {
 }
 
 #[test]
+fn the_solution_of_a_cone_is_proved_by_a_box_around_it() {
+    let (_folder, problem, proof) = folder(CONE);
+    for kind in [&[][..], &["--kind", "cone-solution"]] {
+        let write = [&["--out", proof.to_str().unwrap()][..], kind].concat();
+        let proved = lcplab("prove", &[&problem], &write);
+        assert_eq!(proved.status.code(), Some(0), "{}", err(&proved));
+        assert!(out(&proved).starts_with("cone-solution: an exact solution"), "{}", out(&proved));
+        for output in
+            [lcplab("check", &[&problem, &proof], &[]), lcpcheck(&[&problem, &proof], &[])]
+        {
+            assert_eq!(output.status.code(), Some(0), "{}", out(&output));
+            assert!(out(&output).contains("coulomb-cone"), "{}", out(&output));
+        }
+    }
+}
+
+#[test]
 fn a_cone_is_not_proved_as_a_box_unless_the_box_is_asked_for() {
     let (_folder, problem, proof) = folder(CONE);
     let write = ["--out", proof.to_str().unwrap()];
-    for kind in [&[][..], &["--kind", "solution"], &["--kind", "within"]] {
-        let refused = lcplab("prove", &[&problem], &[&write[..], kind].concat());
+    for kind in ["unique", "within"] {
+        let refused = lcplab("prove", &[&problem], &[&write[..], &["--kind", kind]].concat());
         assert_eq!((refused.status.code(), proof.exists()), (Some(2), false), "{}", out(&refused));
         for part in ["model: is coulomb-cone", "about boxes", "--model coupled-box"] {
             assert!(err(&refused).contains(part), "{}", err(&refused));

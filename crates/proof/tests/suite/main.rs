@@ -4,6 +4,7 @@
 mod cases;
 mod checkers;
 mod claims;
+mod cones;
 mod forged;
 mod models;
 mod motion;

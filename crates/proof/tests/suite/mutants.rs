@@ -14,7 +14,7 @@ const MUTANTS: usize = 500;
 
 /// Something else in a text from a place on: a digit, a sign, a letter, a swapped word, an end that
 /// is missing.
-fn mutated(text: &str, begin: usize, random: &mut Rand64) -> String {
+pub fn mutated(text: &str, begin: usize, random: &mut Rand64) -> String {
     let mut bytes = text.as_bytes().to_vec();
     let mut below = |n: usize| random.rand_range(0..n as u64) as usize;
     let at = begin + below(bytes.len() - begin);

@@ -29,10 +29,11 @@ fn what_the_judge_proves_or_refutes_has_a_proof_that_others_accept() {
     for k in 0..PROBLEMS {
         let lcp = problem(22, k).0;
         let subject = Problem::new(format!("hunted {k}"), lcp.clone());
+        let question = Question::new(&subject, None, "hunted").unwrap();
         for (way, answer) in answers(k).into_iter().enumerate() {
-            let x = answer.map_or_else(|| first_answer(&lcp), |x| vec![x; lcp.len()]);
+            let x = answer.map_or_else(|| first_answer(&question), |x| vec![x; lcp.len()]);
             let certificate = judge(&lcp, &x, &Demand::default());
-            let found = prove(&Question::new(&subject, None, "hunted").unwrap(), &x);
+            let found = prove(&question, &x);
             let kind = found.proof.as_ref().map(|proof| proof.claim.kind());
             let is_solvable =
                 kind.is_some_and(|kind| kind <= Kind::Solution && kind > Kind::NoSolution);

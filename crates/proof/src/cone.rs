@@ -1,0 +1,98 @@
+//! Proofs about problems with friction cones: a rational solution, or a box that contains one.
+
+use dashu_int::IBig;
+
+use lcplab_judge::{ConeProof, Enclosure, RowState, cone_proof};
+use lcplab_problem::Lcp;
+use lcplab_problem::exact::dyadic::{Dyadic, dyadic, whole};
+use lcplab_problem::friction::ConeProblem;
+
+use crate::check::point;
+use crate::claim::{Claim, Entry, Kind, Near, Region, Vector};
+
+/// With more rows no solution is searched for: its test takes minutes.
+const MOST_ROWS: usize = 200;
+
+/// Checks that a box contains a solution, and that the answer is near enough.
+///
+/// # Errors
+/// Why the box proves nothing.
+pub fn check(
+    problem: &ConeProblem,
+    rows: &Lcp,
+    region: &Region,
+    near: Option<&Near>,
+) -> Result<(), String> {
+    let Region { states, center, radius, inverse } = region;
+    let enclosure = Enclosure {
+        states: states.clone(),
+        center: point(rows, center)?,
+        radius: radius.iter().map(|radius| whole(radius.clone())).collect(),
+        inverse: inverse.clone(),
+    };
+    enclosure.check(problem)?;
+    match near {
+        Some(near) if near.answer.len() != rows.len() => {
+            Err(format!("the answer has {} entries", near.answer.len()))
+        }
+        Some(near) if enclosure.distance(&near.answer) > near.distance => {
+            Err("the answer is farther from the box than the distance".into())
+        }
+        _ => Ok(()),
+    }
+}
+
+/// A claim of one of the kinds `solution` and `cone-solution`.
+///
+/// # Errors
+/// Why there is none.
+pub fn search(
+    problem: &ConeProblem,
+    answer: &[f64],
+    kind: Kind,
+    vector: impl FnOnce(&[dashu_ratio::RBig]) -> Vector,
+) -> Result<Claim, String> {
+    if answer.len() > MOST_ROWS {
+        return Err(format!("{} rows are too many: at most {MOST_ROWS} are tried", answer.len()));
+    }
+    if !answer.iter().all(|x| x.is_finite()) {
+        return Err("the answer is not finite".into());
+    }
+    let proof = cone_proof(problem, answer, None)
+        .ok_or("no exact solution was found from the states of the contacts in the answer")?;
+    let distance = proof.distance(answer);
+    let near = distance.is_finite().then(|| Near { answer: answer.to_vec(), distance });
+    match (kind, proof) {
+        (Kind::Solution, ConeProof::Point(x)) => {
+            Ok(Claim::Solution { x: vector(&x.entries()), near })
+        }
+        (Kind::Solution, ConeProof::Enclosure(_)) => {
+            Err("contacts slide, and no rational solution was found".into())
+        }
+        (_, ConeProof::Enclosure(enclosure)) => {
+            Ok(Claim::ConeSolution { region: region(enclosure), near })
+        }
+        (_, ConeProof::Point(_)) => {
+            Err("the solution is rational: the kind solution proves it".into())
+        }
+    }
+}
+
+/// A box as integers over a common power of two.
+fn region(enclosure: Enclosure) -> Region {
+    let Enclosure { states, center, radius, inverse } = enclosure;
+    let is_bound = |i: usize| matches!(states[i], RowState::Lower | RowState::Upper);
+    let numbers = (0..states.len()).filter(|&i| !is_bound(i)).map(|i| center.scaled(i));
+    let nonzero = numbers.chain(&radius).filter(|x| **x != Dyadic::ZERO);
+    let last = nonzero.map(|x| x.repr().exponent()).min().unwrap_or(0).min(0);
+    let integer = |x: &Dyadic| -> IBig { (x.clone() << -last).to_int().value() };
+    let entry = |i: usize| match states[i] {
+        RowState::Lower => Entry::Lo,
+        RowState::Upper => Entry::Hi,
+        _ => Entry::Numerator(integer(center.scaled(i))),
+    };
+    let entries = (0..states.len()).map(entry).collect();
+    let denominator = integer(&dyadic(1.0));
+    let radius = radius.iter().map(integer).collect();
+    Region { center: Vector { denominator, entries }, radius, states, inverse }
+}
