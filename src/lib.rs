@@ -54,6 +54,7 @@ extern crate self as lcplab;
 pub mod chapter;
 pub mod cli;
 pub mod film;
+pub mod frames;
 pub mod lesson;
 pub mod live;
 pub mod problem_set;

@@ -47,7 +47,11 @@ fn _lcplab(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(proof::prove, module)?)?;
     module.add_function(wrap_pyfunction!(proof::check, module)?)?;
     module.add_function(wrap_pyfunction!(proof::solutions, module)?)?;
-    module.add_function(wrap_pyfunction!(receipt::motion_bounds, module)?)?;
+    module.add_class::<receipt::StepReceipt>()?;
+    module.add_class::<receipt::RunReport>()?;
+    module.add_function(wrap_pyfunction!(receipt::step_receipts, module)?)?;
+    module.add_function(wrap_pyfunction!(receipt::frame_files, module)?)?;
+    module.add_function(wrap_pyfunction!(receipt::read_frame, module)?)?;
     module.add_function(wrap_pyfunction!(run, module)?)?;
     Ok(())
 }

@@ -1,13 +1,19 @@
-//! Bounds on the error of the motion of an engine's step.
+//! Receipts of an engine's steps, and runs of them.
 
-use std::thread;
+use std::path::PathBuf;
+use std::sync::Arc;
 
-use lcplab::certificate::gap_bound::{EllipticCone, GapBound, gap_bound};
-use lcplab::certificate::motion_bound::{Unproved, motion_bound};
 use lcplab::error::{Error, Result};
+use lcplab::frames::Frame;
 use lcplab::lcp::Gauss;
-use numpy::PyReadonlyArray1;
+use lcplab::memory::Memory;
+use lcplab::report::study::receipt::{
+    Baseline, EngineAnswer, EngineStep, Expected, FrictionRows, Receipt, Report, Run, StepFacts,
+};
+use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use serde_json::Value;
 
 use crate::refused;
 
@@ -16,7 +22,7 @@ type Indices<'py> = PyReadonlyArray1<'py, i64>;
 /// Rows, columns and values of stored entries.
 type Triplets<'py> = (Indices<'py>, Indices<'py>, Numbers<'py>);
 
-/// A step as an engine reports it.
+/// The arrays of a step, and the rest as JSON.
 #[derive(FromPyObject)]
 pub struct Step<'py> {
     #[pyo3(item("mass"))]
@@ -41,91 +47,146 @@ pub struct Step<'py> {
     forces: Numbers<'py>,
     #[pyo3(item("motion"))]
     motion: Numbers<'py>,
+    #[pyo3(item("reported_push"))]
+    reported_push: Option<Numbers<'py>>,
+    #[pyo3(item("expected_bias"))]
+    expected_bias: Option<Numbers<'py>>,
+    #[pyo3(item("expected_target"))]
+    expected_target: Option<Numbers<'py>>,
+    #[pyo3(item("facts"))]
+    facts: String,
 }
 
-/// A step as Rust values.
-struct Frame {
-    gauss: Gauss,
-    cones: Vec<EllipticCone>,
-    forces: Vec<f64>,
-    motion: Vec<f64>,
-}
+/// The receipt of one step.
+#[pyclass(frozen, module = "lcplab._lcplab")]
+pub struct StepReceipt(Arc<Receipt>);
 
-/// Bounds on the motion, on u(x) and between them, with the worst row.
-type Bounds = (f64, f64, f64, Option<usize>);
+#[pymethods]
+impl StepReceipt {
+    /// The receipt as JSON.
+    fn json(&self) -> String {
+        self.0.to_json().to_string()
+    }
 
-/// The bounds of many steps, on all processors; for a step without bounds, the reason.
-#[pyfunction]
-pub fn motion_bounds(
-    py: Python<'_>,
-    steps: Vec<Step<'_>>,
-) -> PyResult<Vec<(Option<Bounds>, Option<String>)>> {
-    let frames = steps.iter().map(Step::frame).collect::<Result<Vec<_>>>().map_err(refused)?;
-    let bounds = py.detach(|| of_all(&frames));
-    let parts = |bound: std::result::Result<GapBound, Unproved>| match bound {
-        Ok(GapBound { motion, answer, closure, row }) => {
-            (Some((motion, answer, closure, row)), None)
-        }
-        Err(why) => (None, Some(why.to_string())),
-    };
-    Ok(bounds.into_iter().map(parts).collect())
-}
+    /// The receipt for people.
+    fn text(&self, py: Python<'_>) -> String {
+        py.detach(|| lcplab::number::plain(&self.0.text()))
+    }
 
-fn of_all(frames: &[Frame]) -> Vec<std::result::Result<GapBound, Unproved>> {
-    let threads = thread::available_parallelism().map_or(1, usize::from).min(frames.len()).max(1);
-    let share = frames.len().div_ceil(threads).max(1);
-    thread::scope(|scope| {
-        let parts: Vec<_> = frames
-            .chunks(share)
-            .map(|part| scope.spawn(move || part.iter().map(Frame::bound).collect::<Vec<_>>()))
-            .collect();
-        parts
-            .into_iter()
-            .flat_map(|part| part.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
-            .collect()
-    })
-}
-
-impl Frame {
-    /// By the duality gap; of boxes without compliance by a motion that obeys all rows.
-    fn bound(&self) -> std::result::Result<GapBound, Unproved> {
-        let Frame { gauss, cones, forces, motion } = self;
-        gap_bound(gauss, cones, forces, motion).or_else(|why| {
-            if !cones.is_empty() || matches!(why, Unproved::NotFinite | Unproved::Mass) {
-                return Err(why);
-            }
-            let bound = motion_bound(gauss, forces)?.energy_norm;
-            let closure = closure(gauss, forces, motion)?;
-            let motion = (bound + closure).next_up();
-            Ok(GapBound { motion, answer: bound, closure, row: None })
-        })
+    /// Without a bound on the motion, its distance from that of lcplab's own answer.
+    fn difference(&self, py: Python<'_>) -> Option<f64> {
+        py.detach(|| self.0.difference())
     }
 }
 
-/// |v − u(x)|_M, which no bound on any row enters.
-fn closure(gauss: &Gauss, forces: &[f64], motion: &[f64]) -> std::result::Result<f64, Unproved> {
-    let n = forces.len();
-    let free = Gauss {
-        lo: forces.to_vec(),
-        hi: forces.to_vec(),
-        compliance: vec![1.0; n],
-        ..gauss.clone()
-    };
-    gap_bound(&free, &[], forces, motion).map(|bound| bound.closure)
+/// The receipts of many steps, computed on all processors; each step with the report on its
+/// collision and assembly as JSON, if its engine allows one.
+#[pyfunction]
+pub fn step_receipts(
+    py: Python<'_>,
+    steps: Vec<(Step<'_>, Option<String>)>,
+    limit: Option<f64>,
+) -> PyResult<Vec<StepReceipt>> {
+    let read = |(step, report): &(Step<'_>, Option<String>)| Ok((step.read()?, reported(report)?));
+    let steps = steps.iter().map(read).collect::<Result<Vec<_>>>().map_err(refused)?;
+    let receipts = py.detach(|| Receipt::of_all(steps, limit)).map_err(refused)?;
+    Ok(receipts.into_iter().map(|receipt| StepReceipt(Arc::new(receipt))).collect())
+}
+
+fn reported(report: &Option<String>) -> Result<Option<Report>> {
+    let read = |text: &String| serde_json::from_str(text).map_err(|cause| fault("report", cause));
+    report.as_ref().map(read).transpose()
+}
+
+/// A run, compared with a recorded one.
+#[pyclass(frozen, module = "lcplab._lcplab")]
+pub struct RunReport(Run);
+
+#[pymethods]
+impl RunReport {
+    /// The run of these frames; the baseline as the name of its file, and its text.
+    #[staticmethod]
+    fn of(
+        frames: Vec<(String, PyRef<'_, StepReceipt>)>,
+        baseline: Option<(String, String)>,
+    ) -> PyResult<Self> {
+        let read = |(input, text): (String, String)| Baseline::from_json(&input, &text);
+        let baseline = baseline.map(read).transpose().map_err(refused)?;
+        let frames = frames.into_iter().map(|(name, own)| (name, Arc::clone(&own.0))).collect();
+        Ok(RunReport(Run::new(frames, baseline)))
+    }
+
+    /// The run with its comparison, as JSON.
+    fn summary(&self) -> String {
+        Value::Object(self.0.summary()).to_string()
+    }
+
+    /// The run as a baseline.
+    fn baseline(&self) -> String {
+        format!("{:#}\n", Value::Object(self.0.to_json()))
+    }
+
+    /// The run for people.
+    fn text(&self, py: Python<'_>) -> String {
+        py.detach(|| lcplab::number::plain(&self.0.text()))
+    }
+}
+
+/// The paths of the frames of a folder, or the path itself.
+#[pyfunction]
+pub fn frame_files(path: PathBuf) -> PyResult<Vec<String>> {
+    let frames = Frame::find(&path, Memory::default()).map_err(refused)?;
+    Ok(frames.iter().map(Frame::name).collect())
+}
+
+/// The arrays of a frame's file, and the rest as JSON.
+#[pyfunction]
+pub fn read_frame(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>> {
+    let most = Memory::default();
+    let found = Frame::find(&path, most).map_err(refused)?;
+    let frame = found.first().ok_or_else(|| refused(fault("path", "has no frame")))?;
+    let step = frame.step(most).map_err(refused)?;
+    let fields = PyDict::new(py);
+    let facts = serde_json::to_string(&StepFacts::of(&step));
+    fields.set_item("facts", facts.map_err(|cause| refused(fault("facts", cause)))?)?;
+    let EngineStep { gauss, friction, answer, .. } = step;
+    let mass = gauss.mass;
+    let jacobian = gauss.jacobian.iter().enumerate();
+    let jacobian = jacobian.flat_map(|(i, row)| row.iter().map(move |&(j, value)| (i, j, value)));
+    let jacobian: Vec<(usize, usize, f64)> = jacobian.collect();
+    for (name, entries) in [("mass", mass), ("jacobian", jacobian)] {
+        let rows = PyArray1::from_iter(py, entries.iter().map(|entry| entry.0 as i64));
+        let columns = PyArray1::from_iter(py, entries.iter().map(|entry| entry.1 as i64));
+        let values = PyArray1::from_iter(py, entries.iter().map(|entry| entry.2));
+        fields.set_item(name, (rows, columns, values))?;
+    }
+    let EngineAnswer { forces, motion, reported_push } = answer;
+    for (name, values) in [
+        ("bias", gauss.bias),
+        ("compliance", gauss.compliance),
+        ("target", gauss.target),
+        ("lo", gauss.lo),
+        ("hi", gauss.hi),
+        ("mu", friction.mu),
+        ("forces", forces),
+        ("motion", motion),
+    ] {
+        fields.set_item(name, PyArray1::from_vec(py, values))?;
+    }
+    let reported_push = reported_push.map(|values| PyArray1::from_vec(py, values));
+    fields.set_item("reported_push", reported_push)?;
+    let index = friction.index.iter().map(|normal| normal.map_or(-1, |normal| normal as i64));
+    fields.set_item("friction_index", PyArray1::from_iter(py, index))?;
+    Ok(fields)
 }
 
 impl Step<'_> {
-    fn frame(&self) -> Result<Frame> {
+    fn read(&self) -> Result<EngineStep> {
+        let facts: StepFacts =
+            serde_json::from_str(&self.facts).map_err(|cause| fault("facts", cause))?;
         let target = numbers(&self.target);
         let bias = numbers(&self.bias);
         let (n, k) = (bias.len(), target.len());
-        let sized = |name: &str, values: &Numbers<'_>, size: usize| {
-            let values = numbers(values);
-            match values.len() == size {
-                true => Ok(values),
-                false => Err(fault(name, format!("has {} entries, not {size}", values.len()))),
-            }
-        };
         let mass = entries("mass", &self.mass, k, k)?;
         let mut jacobian = vec![Vec::new(); n];
         for (i, j, value) in entries("jacobian", &self.jacobian, n, k)? {
@@ -135,22 +196,48 @@ impl Step<'_> {
             mass: mass.into_iter().filter(|(i, j, _)| i <= j).collect(),
             jacobian,
             bias,
-            compliance: sized("compliance", &self.compliance, n)?,
+            compliance: numbers(&self.compliance),
             target,
-            lo: sized("lo", &self.lo, n)?,
-            hi: sized("hi", &self.hi, n)?,
-            level: None,
+            lo: numbers(&self.lo),
+            hi: numbers(&self.hi),
+            level: Some(facts.level()?),
         };
-        let mu = sized("mu", &self.mu, n)?;
-        let forces = sized("forces", &self.forces, n)?;
-        let motion = sized("motion", &self.motion, k)?;
-        let cones = cones(self.friction_index.as_array().iter().copied(), &mu)?;
-        Ok(Frame { gauss, cones, forces, motion })
+        let model = facts.model()?;
+        let index = self.friction_index.as_array();
+        let index = index.iter().map(|&normal| normal_row(normal)).collect::<Result<Vec<_>>>()?;
+        let optional = |array: &Option<Numbers<'_>>| array.as_ref().map(numbers);
+        let step = EngineStep {
+            source: facts.source,
+            gauss,
+            friction: FrictionRows { index, mu: numbers(&self.mu), model },
+            answer: EngineAnswer {
+                forces: numbers(&self.forces),
+                motion: numbers(&self.motion),
+                reported_push: optional(&self.reported_push),
+            },
+            expected: Expected {
+                bias: optional(&self.expected_bias),
+                target: optional(&self.expected_target),
+            },
+            rows: facts.rows,
+            dof_bodies: facts.dof_bodies,
+            not_checked: facts.not_checked,
+            no_bound: facts.no_bound,
+        };
+        step.check("step")?;
+        Ok(step)
     }
 }
 
-fn fault(part: &str, reason: impl Into<String>) -> Error {
-    Error::invalid("step", part, reason.into())
+fn normal_row(normal: i64) -> Result<Option<usize>> {
+    match normal {
+        -1 => Ok(None),
+        _ => usize::try_from(normal).map(Some).map_err(|cause| fault("friction_index", cause)),
+    }
+}
+
+fn fault(part: &str, reason: impl ToString) -> Error {
+    Error::invalid("step", part, reason.to_string())
 }
 
 fn numbers(array: &Numbers<'_>) -> Vec<f64> {
@@ -171,18 +258,4 @@ fn entries(
         _ => Err(fault(name, format!("has an entry at {i}, {j}, outside {n} × {k}"))),
     };
     places.zip(values.as_array()).map(entry).collect()
-}
-
-/// The cones of rows of friction, −1 for other rows.
-fn cones(index: impl Iterator<Item = i64>, mu: &[f64]) -> Result<Vec<EllipticCone>> {
-    let mut friction: Vec<Vec<(usize, f64)>> = vec![Vec::new(); mu.len()];
-    for (row, normal) in index.enumerate().filter(|(_, normal)| *normal != -1) {
-        let place = usize::try_from(normal).ok().filter(|&k| k < mu.len() && k != row);
-        let place = place.ok_or_else(|| {
-            fault("friction_index", format!("row {row} names {normal}, which is no other row"))
-        })?;
-        friction[place].push((row, mu[row]));
-    }
-    let with_friction = friction.into_iter().enumerate().filter(|(_, own)| !own.is_empty());
-    Ok(with_friction.map(|(normal, friction)| EllipticCone { normal, friction }).collect())
 }

@@ -300,7 +300,7 @@ def test_a_row_of_mjx_that_is_not_finite_is_not_dropped():
     model, data = moving(stack('cone="pyramidal" jacobian="dense"'))
     mujoco.mj_forward(model, data)
     used = mjx.read(model, data, data.qpos.copy())
-    assert len(used) == data.nefc and finite.of_step(used) is None
+    assert len(used) == data.nefc and finite.is_finite(used)
     data.efc_D[0] = np.nan
     broken = mjx.read(model, data, data.qpos.copy())
-    assert len(broken) == data.nefc and finite.of_step(broken).what == "compliance[0] is nan"
+    assert len(broken) == data.nefc and lcplab.receipt(broken).rejected.what == "compliance[0] is nan"

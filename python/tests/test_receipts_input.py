@@ -149,5 +149,5 @@ def test_a_problem_file_without_a_vector_is_invalid_with_the_name_of_the_vector(
     problem = json.loads((tmp_path / "a.json").read_text())
     del problem["motion"]["bias"]
     (tmp_path / "a.json").write_text(json.dumps(problem))
-    with pytest.raises(lcplab.InputError, match="a.json: bias: is missing"):
+    with pytest.raises(lcplab.InputError, match="a.json: motion.bias: is missing"):
         lcplab.receipts([tmp_path])

@@ -21,6 +21,7 @@ mod pdf;
 mod plugin;
 mod problem;
 mod proof;
+mod receipts;
 mod renamed;
 mod report;
 mod scene;
@@ -95,6 +96,7 @@ enum Command {
     Teacher(teacher::Teacher),
     Hunt(hunt::Challenge),
     Test(test::Test),
+    Receipts(receipts::Receipts),
     #[command(hide = true)]
     Completions(shell::Completions),
     #[command(name = "man", hide = true)]
@@ -103,7 +105,10 @@ enum Command {
 
 /// The commands as the help lists them: first those that most people need.
 const GROUPS: [(&str, &[&str]); 5] = [
-    ("Most used", &["solve", "judge", "diagnose", "hunt", "test", "simulate", "report", "lesson"]),
+    (
+        "Most used",
+        &["solve", "judge", "diagnose", "hunt", "test", "receipts", "simulate", "report", "lesson"],
+    ),
     ("Problems", &["compare", "explain", "prove", "check", "problems", "convert"]),
     ("Scenes", &["scenes", "export"]),
     ("Learn", &["exercise", "live", "chapter", "teacher"]),
@@ -193,6 +198,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Teacher(command) => command.run(),
         Command::Hunt(command) => command.run(&limits),
         Command::Test(command) => command.run(&limits),
+        Command::Receipts(command) => command.run(),
         Command::Completions(command) => command.run(),
         Command::Manual(command) => command.run(),
     };

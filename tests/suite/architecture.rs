@@ -21,7 +21,16 @@ const CRATES: [(&str, &[&str]); 10] = [
 
 /// The modules of the crates that have rows of them; `src` is the program's.
 const ROWS: [(&str, &[&[&str]]); 5] = [
-    ("src", &[&["storage", "film", "live"], &["report"], &["chapter", "problem_set"], &["lesson"]]),
+    (
+        "src",
+        &[
+            &["storage", "film", "live"],
+            &["report"],
+            &["frames"],
+            &["chapter", "problem_set"],
+            &["lesson"],
+        ],
+    ),
     (
         "crates/page/src",
         &[
@@ -39,10 +48,10 @@ const ROWS: [(&str, &[&[&str]]); 5] = [
         "crates/study/src",
         &[
             &["number"],
-            &["answer", "aside", "attempt", "card", "clarabel", "motion_error"],
+            &["answer", "aside", "attempt", "card", "ci", "clarabel", "motion_error"],
             &["methods"],
             &["families", "friction", "profiles", "tasks"],
-            &["comparison", "hunt", "regression"],
+            &["comparison", "hunt", "receipt", "regression"],
             &["explain", "diagnosis"],
         ],
     ),

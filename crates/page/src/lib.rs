@@ -5,7 +5,7 @@
 
 pub mod csv;
 pub mod document;
-mod escape;
+pub mod escape;
 pub mod figure;
 pub mod page;
 #[cfg(feature = "plots")]

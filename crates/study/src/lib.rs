@@ -3,14 +3,16 @@
 //! [`answer`] and [`friction`] put one answer and its verdict into words and JSON, [`explain`]
 //! derives it line by line, [`diagnosis`] says why there is none, [`families`] and [`profiles`]
 //! compare the solvers on problems, [`regression`] with a recorded run, `comparison` on scenes, and
-//! [`hunt`] asks whether they are honest. What needs scenes is behind the feature `mechanics`.
-//! [`methods`] are the solvers of the registry, with the feature `clarabel` the reference beside
-//! them.
+//! [`hunt`] asks whether they are honest. [`receipt`] checks the steps of physics engines, and
+//! [`ci`] writes the results of both for continuous integration. What needs scenes is behind the
+//! feature `mechanics`. [`methods`] are the solvers of the registry, with the feature `clarabel`
+//! the reference beside them.
 
 pub mod answer;
 pub mod aside;
 pub mod attempt;
 pub mod card;
+pub mod ci;
 #[cfg(feature = "clarabel")]
 pub mod clarabel;
 #[cfg(feature = "mechanics")]
@@ -24,5 +26,6 @@ pub mod methods;
 pub mod motion_error;
 pub mod number;
 pub mod profiles;
+pub mod receipt;
 pub mod regression;
 pub mod tasks;

@@ -7,7 +7,9 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
+use crate::ci::{Case, Verdict, junit, sarif};
 use crate::families::Row;
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::number::counted;
@@ -93,20 +95,6 @@ pub struct Factors {
     pub residual: f64,
 }
 
-/// A result beside the recorded one.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(tag = "verdict", content = "why", rename_all = "snake_case")]
-pub enum Verdict {
-    /// Accepted, and not worse than recorded.
-    Passed,
-    /// Accepted, which it was not.
-    Fixed,
-    /// Not accepted, for this reason, but not worse than recorded.
-    Known(String),
-    /// Worse than recorded, or not accepted and not recorded.
-    Failed(String),
-}
-
 /// The verdict on a solver and a problem.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Finding {
@@ -119,6 +107,32 @@ pub struct Finding {
     pub verdict: Verdict,
     /// The result.
     pub result: Record,
+}
+
+impl Finding {
+    /// The finding as a test case for continuous integration.
+    fn case(&self) -> Case {
+        Case {
+            class: self.solver.clone(),
+            name: self.problem.clone(),
+            verdict: self.verdict.clone(),
+            rule: "solver".into(),
+            properties: Vec::new(),
+            details: String::new(),
+            is_file: true,
+        }
+    }
+
+    /// The findings as JUnit XML: a test case for each solver and problem.
+    pub fn junit(findings: &[Finding]) -> String {
+        junit("lcplab test", &findings.iter().map(Finding::case).collect::<Vec<_>>())
+    }
+
+    /// The problems that are not accepted, or worse than recorded, as SARIF 2.1.0.
+    pub fn sarif(findings: &[Finding]) -> String {
+        let rules = [("solver".into(), "A solver's answer to a problem".into())];
+        sarif(&rules, &findings.iter().map(Finding::case).collect::<Vec<_>>())
+    }
 }
 
 impl Run {
@@ -137,7 +151,13 @@ impl Run {
     /// # Errors
     /// If the text is not one.
     pub fn from_json(input: &str, text: &str) -> Result<Run> {
-        let reason = |cause: serde_json::Error| format!("is not a recorded run: {cause}");
+        let is_of_engine = |text| {
+            serde_json::from_str::<Value>(text).is_ok_and(|run| run.get("rejected").is_some())
+        };
+        let reason = |cause: serde_json::Error| match is_of_engine(text) {
+            true => "is a recorded run of the command receipts, which checks an engine".into(),
+            false => format!("is not a recorded run: {cause}"),
+        };
         serde_json::from_str(text).map_err(|cause| Error::invalid(input, "baseline", reason(cause)))
     }
 

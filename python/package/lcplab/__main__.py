@@ -5,13 +5,10 @@ import sys
 
 from lcplab._lcplab import run
 from lcplab._import import command as importing
-from lcplab._receipt import command
 
 
 def main() -> int:
     """Run the command line of ``sys.argv`` and return its exit code."""
-    if sys.argv[1:2] == ["receipts"]:
-        return command.main(sys.argv[2:])
     if sys.argv[1:2] == ["import"]:
         return importing.main(sys.argv[2:])
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # the program hears Ctrl-C itself

@@ -20,7 +20,7 @@ import pytest
 
 from lcplab._receipt import Adapter, Receipt, Run, State, receipt
 from lcplab._receipt.findings import STAGES
-from lcplab._receipt.runs import is_known, load
+from lcplab._receipt.runs import load
 
 
 class Session:
@@ -32,7 +32,7 @@ class Session:
         self.is_update = bool(config.getoption("lcplab_update"))
         self.out: str | None = config.getoption("lcplab_out")
         has_baseline = self.path is not None and not self.is_update
-        self.baseline = load(self.path) if has_baseline and self.path is not None else None
+        self.baseline = load(self.path) if has_baseline else None
 
     def run(self) -> Run:
         """The run of all receipts."""
@@ -68,9 +68,8 @@ class Recorder:
 
     def new(self) -> list[str]:
         """The rejected steps that the baseline does not list."""
-        known = self.session.baseline["rejected"] if self.session.baseline else {}
-        rejected = [name for name, own in self.receipts.items() if own.is_rejected and not is_known(name, own, known)]
-        return [] if self.session.is_update else rejected
+        run = Run(self.receipts, self.session.baseline)
+        return [] if self.session.is_update else [name for name in run.rejected if name not in run.known]
 
 
 SESSION = pytest.StashKey[Session]()

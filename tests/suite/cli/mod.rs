@@ -18,6 +18,7 @@ mod plugin;
 mod problem_set;
 mod proof;
 mod readme;
+mod receipts;
 mod report;
 mod scene;
 #[cfg(target_os = "linux")] // /proc says whether a process listens

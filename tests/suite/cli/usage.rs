@@ -64,7 +64,8 @@ fn the_overview_begins_with_what_most_people_need() {
     let overview = out(&run(&["--help"]));
     let first = overview.split("\n\n").find(|part| part.starts_with("Most used:")).unwrap();
     let names = first.lines().skip(1).filter_map(|line| line.split_whitespace().next());
-    let needed = ["solve", "judge", "diagnose", "hunt", "test", "simulate", "report", "lesson"];
+    let needed =
+        ["solve", "judge", "diagnose", "hunt", "test", "receipts", "simulate", "report", "lesson"];
     assert_eq!(names.collect::<Vec<_>>(), needed);
 }
 

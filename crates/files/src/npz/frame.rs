@@ -16,12 +16,13 @@
 //! | `level` | word | `velocity`, x in N s, or `acceleration`, x in N |
 //! | `dt`, `scale` | numbers | as in a problem file |
 //! | `source` | word | a JSON object: engine, version, scene, step and more |
+//! | `x`, `v` | numbers, n and k | optional: the engine's own answer, forces (or impulses) and the new velocity (or acceleration); the key `answer` of the problem |
 
 use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::Problem;
+use lcplab_problem::file::{Problem, number};
 use lcplab_problem::memory::Memory;
-use lcplab_problem::{Gauss, Lcp};
-use serde_json::{Value, json};
+use lcplab_problem::{Gauss, Lcp, Level};
+use serde_json::{Map, Value, json};
 
 use super::array::Array;
 use super::{Arrays, unpacked};
@@ -29,7 +30,7 @@ use crate::delassus::{Entry, Motion};
 use crate::table::{Table, parts};
 
 /// The names of the arrays.
-pub(super) const ARRAYS: [&str; 18] = [
+pub(super) const ARRAYS: [&str; 20] = [
     "J_data",
     "J_indices",
     "J_indptr",
@@ -48,6 +49,8 @@ pub(super) const ARRAYS: [&str; 18] = [
     "dt",
     "scale",
     "source",
+    "x",
+    "v",
 ];
 
 /// The problem stored in these arrays, with the bodies and rows under the key `motion`.
@@ -75,8 +78,10 @@ pub(super) fn problem(
     let mass = motion.mass.into_iter().filter(|(i, j, _)| i <= j).collect();
     let (lo, hi) = (lcp.lo().to_vec(), lcp.hi().to_vec());
     let jacobian = motion.jacobian;
-    let gauss = Gauss { mass, jacobian, bias, compliance, target, lo, hi, level: None };
-    frame.with_words(Problem { motion: Some(gauss), ..Problem::new(name, lcp) })
+    let level = None;
+    let gauss = Gauss { mass, jacobian, bias, compliance, target, lo, hi, level };
+    let problem = Problem { motion: Some(gauss), ..Problem::new(name, lcp) };
+    frame.with_words(Problem { extra: frame.answer(n, k)?, ..problem })
 }
 
 struct Frame<'a> {
@@ -147,6 +152,26 @@ impl Frame<'_> {
         parts(table, vector, self.input)?.into_lcp().map_err(|error| error.within(self.input))
     }
 
+    /// The key `answer`, if the frame has the engine's own x. Its numbers may be not finite: then
+    /// they are what is wrong with the step.
+    fn answer(&self, n: usize, k: usize) -> Result<Map<String, Value>> {
+        let mut answer = Map::new();
+        for (part, key, length) in [("x", "x", n), ("v", "motion", k)] {
+            let Some(array) = self.arrays.get(part) else { continue };
+            let values = array.vector().map_err(|reason| self.fault(part, reason))?;
+            if values.len() != length {
+                let reason = format!("has {} entries, must have {length}", values.len());
+                return Err(self.fault(part, reason));
+            }
+            answer.insert(key.into(), values.into_iter().map(number).collect());
+        }
+        match (answer.contains_key("x"), answer.is_empty()) {
+            (true, _) => Ok(Map::from_iter([("answer".into(), Value::Object(answer))])),
+            (false, true) => Ok(answer),
+            (false, false) => Err(self.fault("x", "is missing beside v")),
+        }
+    }
+
     /// The problem with its model, its scale and the other keys that are kept.
     fn with_words(&self, problem: Problem) -> Result<Problem> {
         let cone = self.word("cone")?;
@@ -162,6 +187,8 @@ impl Frame<'_> {
             let reason = format!("must be velocity or acceleration, is {level:?}");
             return Err(self.fault("level", reason));
         }
+        let level = Level::ALL.into_iter().find(|own| own.name() == level);
+        let motion = problem.motion.map(|motion| Gauss { level, ..motion });
         let one = |part: &str| match self.get(part)?.number() {
             Ok(value) if value > 0.0 && value.is_finite() => Ok(value),
             Ok(value) => Err(self.fault(part, format!("must be positive, is {value}"))),
@@ -174,6 +201,6 @@ impl Frame<'_> {
         let mut extra = problem.extra;
         extra.insert("source".into(), source);
         extra.insert("dt".into(), json!(dt));
-        Ok(Problem { lcp, model, extra, ..problem })
+        Ok(Problem { lcp, model, motion, extra, ..problem })
     }
 }

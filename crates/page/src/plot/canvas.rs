@@ -12,7 +12,7 @@ use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 
 use super::style::{self, FONTS, PAPER};
-use crate::escape::html;
+pub use crate::escape::xml_line as escape;
 
 /// The number of drawing units per px.
 const FINE: f64 = 10.0;
@@ -180,11 +180,4 @@ pub(super) fn dashes(pattern: &[u32]) -> String {
 /// A color as `#0072b2`.
 pub fn hex((r, g, b): (u8, u8, u8)) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
-}
-
-/// A line of text for XML: special characters are escaped, control characters removed.
-pub fn escape(text: &str) -> String {
-    let line = text.replace(['\t', '\n', '\r'], " ");
-    let is_allowed = |c: &char| !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}');
-    html(&line.chars().filter(is_allowed).collect::<String>())
 }

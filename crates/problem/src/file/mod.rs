@@ -19,6 +19,7 @@
 //! | `rows` | optional, one object for each row: its `label`, `kind`, `unit` and the names of its two `bodies` |
 //! | `bodies`, `gravity` | optional, with `motion`: for each movable body its `name`, its `first` column of M and their `count`; the contribution of gravity to each velocity in `target` |
 //! | `name`, `source`, `dt`, `expected` | optional, kept as they are |
+//! | `answer` | optional, kept: the answer of the engine that posed the problem, an object as in an answer file: `x`, and the engine's new `motion` |
 //! | `hunt` | optional, kept: the result of a search for a wrong answer: the `solver`, its `x` and the `right_x` |
 //!
 //! A *friction problem* is a file whose friction rows come in pairs: the tangents t1, t2 of a
@@ -79,7 +80,7 @@ pub struct Problem {
     /// of the problem.
     pub motion: Option<Gauss>,
     /// Keys that are kept but not interpreted: `source`, `dt`, `rows`, `bodies`, `gravity`,
-    /// `expected`, `hunt`.
+    /// `expected`, `hunt`, `answer`.
     pub extra: Map<String, Value>,
     /// Warnings about ignored keys.
     pub warnings: Vec<String>,
@@ -93,7 +94,7 @@ pub struct Problem {
 /// ```
 pub const SCHEMA: &str = include_str!("schema.json");
 
-const KEPT: [&str; 7] = ["source", "dt", "rows", "bodies", "gravity", "expected", "hunt"];
+const KEPT: [&str; 8] = ["source", "dt", "rows", "bodies", "gravity", "expected", "hunt", "answer"];
 const READ: [&str; 11] =
     ["name", "A", "b", "lo", "hi", "friction_index", "mu", "model", "frozen_at", "scale", "motion"];
 

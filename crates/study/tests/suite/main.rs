@@ -12,6 +12,7 @@ mod mistakes;
 mod outputs;
 mod proofs;
 mod range;
+mod receipt;
 mod reference;
 mod search;
 mod suspects;

@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from lcplab._receipt.checks import Adapter, State, read
-from lcplab._receipt.receipt import Receipt
+from lcplab._receipt.receipt import Receipt, receipts_of
 from lcplab._receipt.runs import Run, receipts
-from lcplab._receipt.solver import bounds_of
 from lcplab._receipt.step import Row, Step
 
 __all__ = ["Adapter", "Receipt", "Row", "Run", "State", "Step", "receipt", "receipts"]
@@ -58,4 +57,4 @@ def receipt(
     True
     """
     step, report = read(model, data, adapter, before)
-    return Receipt(step, bounds_of([step])[0], report, limit)
+    return receipts_of([(step, report)], limit)[0]

@@ -8,7 +8,6 @@ import numpy as np
 
 from lcplab._receipt import (
     closure,
-    expected,
     finite,
     kinematics,
     mjx,
@@ -34,8 +33,8 @@ class Adapter(Protocol):
         """The step that the engine has just solved."""
 
 
-def read(model: Any, data: Any, adapter: Adapter | None, before: State | None) -> tuple[Step, Report]:
-    """The step, and the findings of the stages that its engine allows to check.
+def read(model: Any, data: Any, adapter: Adapter | None, before: State | None) -> tuple[Step, Report | None]:
+    """The step, and the findings of the stages that its engine allows to check; None if it is described by an adapter.
 
     Raises
     ------
@@ -43,28 +42,18 @@ def read(model: Any, data: Any, adapter: Adapter | None, before: State | None) -
         If no adapter reads this kind of model, or the adapter returns something else than a step.
     """
     if isinstance(model, Step):
-        return model, of_step(model)
+        return model, None
     if adapter is not None:
         step = adapter.problem(model, data)
         if not isinstance(step, Step):
             raise TypeError(f"adapter: problem() returned a {type(step).__name__}, must return an EngineStep")
-        return step, of_step(step)
+        return step, None
     if mujoco.is_mine(model):
         return _of_mujoco(model, data, before)
     raise TypeError(
         f"no adapter reads a {type(model).__module__}.{type(model).__name__}: pass adapter=, an object with "
         "problem(model, data), or an EngineStep"
     )
-
-
-def of_step(step: Step) -> Report:
-    """The assembly of a step that an adapter or a file describes, and what is not checked."""
-    report = Report(not_checked=["collision"])
-    report.add(Report() if finite.of_step(step) else expected.check(step))
-    report.not_checked.append(POSITION)
-    if step.level == "acceleration":
-        report.not_checked.append("write-back: the velocity after the step")
-    return report
 
 
 def _of_mujoco(model: Any, data: Any, before: State | None) -> tuple[Step, Report]:
@@ -76,9 +65,9 @@ def _of_mujoco(model: Any, data: Any, before: State | None) -> tuple[Step, Repor
             raise TypeError("data has several worlds: use receipts([(model, data)]), which checks all of them")
         return of_world(model, data, 0)
     step = mujoco.read(model, data)
-    if finite.of_step(step):
+    if not finite.is_finite(step):
         return step, Report()
-    broken = mujoco_state.not_finite(data, step, before)
+    broken = mujoco_state.not_finite(data, before)
     if broken:
         return step, Report([broken], [finite.REST])
     if int(model.opt.integrator) == mujoco.RK4 and not kinematics.is_at(model, data, np.array(data.qpos)):
@@ -107,7 +96,7 @@ def _of_mjx(model: Any, data: Any, before: State | None) -> tuple[Step, Report]:
     if before is None:
         return step, Report(not_checked=["collision", "assembly", VELOCITY, POSITION])
     report = Report(not_checked=["collision", "assembly", POSITION])
-    if not finite.of_step(step):
+    if finite.is_finite(step):
         report.add(closure.check(model, data, step, before[1]))
     return step, report
 

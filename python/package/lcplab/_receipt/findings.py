@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
+
+from lcplab._receipt.step import number
 
 #: The stages in the order in which an engine passes them.
 STAGES = ("collision", "assembly", "solver", "write-back")
@@ -27,6 +31,18 @@ class Finding:
         return not self.error <= self.limit
 
 
+    def to_json(self) -> dict[str, Any]:
+        """The finding as JSON."""
+        return {"stage": self.stage, "what": self.what, "error": number(self.error), "limit": number(self.limit),
+                "row": None if self.row is None else int(self.row), "bodies": list(self.bodies)}
+
+    @classmethod
+    def of(cls, written: Mapping[str, Any]) -> Finding:
+        """The finding of its JSON."""
+        error, limit = float(written["error"]), float(written["limit"])
+        return cls(written["stage"], written["what"], error, limit, written["row"], tuple(written["bodies"]))
+
+
 @dataclass
 class Report:
     """The findings of a stage, and the parts that were not checked."""
@@ -38,3 +54,7 @@ class Report:
         """Add the findings of another report."""
         self.findings += other.findings
         self.not_checked += other.not_checked
+
+    def to_json(self) -> dict[str, Any]:
+        """The report as JSON."""
+        return {"findings": [finding.to_json() for finding in self.findings], "not_checked": list(self.not_checked)}

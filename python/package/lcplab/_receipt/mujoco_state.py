@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from lcplab._receipt import finite
 from lcplab._receipt.findings import Finding
-from lcplab._receipt.step import Array, Step
+from lcplab._receipt.step import Array
 
 #: What each stage reads besides the arrays of the step.
 INPUTS = {
@@ -41,7 +42,7 @@ def check_before(model: Any, data: Any, before: Any) -> None:
             )
 
 
-def not_finite(data: Any, step: Step, before: tuple[Array, Array] | None) -> Finding | None:
+def not_finite(data: Any, before: Sequence[Array] | None) -> Finding | None:
     """The first number of the state, poses and contacts that is not finite, as an error of the stage that reads it."""
     contacts = {f"contact.{name}": getattr(data.contact, name) for name in ("dist", "pos", "frame")}
     stages = {stage: {name: getattr(data, name) for name in names} for stage, names in INPUTS.items()}
@@ -50,7 +51,7 @@ def not_finite(data: Any, step: Step, before: tuple[Array, Array] | None) -> Fin
         stages["assembly"] |= {"before: qpos": before[0], "before: qvel": before[1]}
         after = {name: stages["assembly"].pop(name) for name in ("qpos", "qvel")}
     return (
-        finite.in_arrays("collision", stages["collision"] | contacts, step)
-        or finite.in_arrays("assembly", stages["assembly"], step)
-        or finite.in_arrays("write-back", after, step)
+        finite.in_arrays("collision", stages["collision"] | contacts)
+        or finite.in_arrays("assembly", stages["assembly"])
+        or finite.in_arrays("write-back", after)
     )

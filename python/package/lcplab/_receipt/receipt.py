@@ -3,18 +3,28 @@
 from __future__ import annotations
 
 import json
-import math
 import os
+from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from lcplab._receipt import files, solver, work
-from lcplab._receipt.files import number
-from lcplab._receipt.findings import STAGES, Finding, Report
-from lcplab._receipt.limits import NOTABLE
-from lcplab._receipt.solver import Bounds
+from lcplab import _lcplab
+from lcplab._receipt import files
+from lcplab._receipt.findings import Finding, Report
 from lcplab._receipt.step import Step
+
+#: An error above this fraction of its limit is worth a look.
+NOTABLE = 0.1
+
+
+@dataclass(frozen=True)
+class Work:
+    """Iterations of the engine and of Newton's method with the exact Hessian, None if it does not converge."""
+
+    engine: int
+    newton: int | None
 
 
 class Receipt:
@@ -37,47 +47,28 @@ class Receipt:
         The row and the bodies with the largest error.
     findings : list of Finding
         All measured errors, each with its limit.
+    rejected : Finding or None
+        The finding that decides, if one is above its limit.
     not_checked : list of str
         What the engine does not report, or lcplab cannot check.
     """
 
-    def __init__(self, step: Step, bounds: Bounds | str, report: Report, limit: float | None = None) -> None:
+    def __init__(self, step: Step, own: _lcplab.StepReceipt) -> None:
         self.step = step
-        self.limit = solver.limit_for(step, limit)
-        self.solution: work.Solution | None = None
-        if isinstance(bounds, Bounds) and len(step) and not solver.is_sharp(step, bounds, self.limit):
-            self.solution = work.solve(step)
-            bounds = solver.sharpened(step, bounds, self.solution)
-        own = solver.check(step, bounds, self.limit)
-        own.add(report)
-        self.findings = sorted(own.findings, key=lambda finding: STAGES.index(finding.stage))
-        self.not_checked = [*step.not_checked, *own.not_checked]
-        self.effect = step.effect
-        self.unit = step.unit
-        has_bound = isinstance(bounds, Bounds) and len(step) > 0
-        self.bound: float | None = bounds.motion if isinstance(bounds, Bounds) and has_bound else None
-        self.motion_error = None if self.bound is None else step.relative(self.bound)
-        rejected = [finding for finding in self.findings if finding.is_rejected]
-        self.work: work.Work | None = None
-        is_excused = bool(rejected) and self._is_excused(rejected[0])
-        # Errors of other stages are not excused by the iteration cap, and count first.
-        wrong = [finding for finding in rejected if finding.stage != "solver"] if is_excused else rejected
-        self.rejected: Finding | None = next(iter(wrong or rejected), None)
-        self.stage = self.rejected.stage if self.rejected else None
-        self.verdict = "wrong" if wrong else "unconverged" if is_excused else self._accepted()
-
-    def _is_excused(self, finding: Finding) -> bool:
-        """Whether the solver's error is one of an engine at its iteration cap, whose method needs that many iterations."""
-        if finding.stage != "solver" or self.step.has_converged or not math.isfinite(finding.error):
-            return False
-        self.work = work.compare(self.step, self.solution)
-        return not self.work.is_excessive
-
-    def _accepted(self) -> str:
-        """The verdict of a step without rejected findings."""
-        if len(self.step) == 0:
-            return "no rows"
-        return "ok" if self.bound is not None else "not checked"
+        self._own = own
+        self._json: dict[str, Any] = json.loads(own.json())
+        written = self._json
+        self.verdict: str = written["verdict"]
+        self.stage: str | None = written["stage"]
+        self.limit, self.effect = float(written["limit"]), float(written["effect"])
+        self.unit: str = written["unit"]
+        self.bound, self.motion_error = _optional(written["bound"]), _optional(written["motion_error"])
+        self.findings = [Finding.of(finding) for finding in written["findings"]]
+        decides = written["rejected"]
+        self.rejected = None if decides is None else self.findings[decides]
+        self.not_checked: list[str] = written["not_checked"]
+        work = written["work"]
+        self.work = None if work is None else Work(work["engine"], work["newton"])
 
     @property
     def ok(self) -> bool:
@@ -88,7 +79,7 @@ class Receipt:
     def difference(self) -> float | None:
         """Where there is no bound on the motion: its measured distance from that of lcplab's own answer, relative to
         what the constraints change. It is no proof; None if lcplab finds no answer."""
-        return solver.difference(self.step) if self.bound is None else None
+        return self._own.difference()
 
     @property
     def is_rejected(self) -> bool:
@@ -119,44 +110,11 @@ class Receipt:
         return f"<lcplab.Receipt {self.verdict}{where}{error}>"
 
     def __str__(self) -> str:
-        step = self.step
-        iterations = f", {step.iterations} iterations" if step.iterations else ""
-        scene = f"{step.name} at {step.time:.4g} s, " if step.name else ""
-        lines = [
-            f"{step.engine} {step.version}".strip() + f": {scene}{len(step)} rows, {step.method}{iterations}",
-            f"  verdict       {self.verdict}" + (f": {self.stage}" if self.stage else ""),
-        ]
-        if self.bound is not None:
-            lines.append(
-                f"  motion error  {self.motion_error:.2g} of what the constraints change (limit {self.limit:.1g}); "
-                f"at most {self.bound:.2g} of {self.effect:.3g} {self.unit}"
-            )
-        if self.difference is not None:
-            lines.append(f"  difference    {self.difference:.2g} of what the constraints change, from lcplab's own answer")
-        if 0 < step.own_tolerance < self.effect:
-            lines.append(f"  the engine's own tolerance is {step.own_tolerance / self.effect:.1g} of it")
-        if self.work is not None:
-            lines.append(f"  work          {self.work}")
-        lines += [f"  {finding.stage:<12}  {_line(step, finding)}" for finding in self.findings if finding.is_rejected]
-        lines += [f"  not checked   {part}" for part in self.not_checked]
-        return "\n".join(lines)
+        return self._own.text()
 
     def to_json(self) -> dict[str, Any]:
         """The receipt as JSON."""
-        step = self.step
-        return {
-            "engine": step.engine, "version": step.version, "name": step.name, "time": number(step.time),
-            "rows": len(step), "method": step.method, "bits": step.bits, "iterations": step.iterations,
-            "verdict": self.verdict, "stage": self.stage, "row": self.row, "bodies": list(self.bodies),
-            "motion_error": number(self.motion_error), "limit": number(self.limit), "bound": number(self.bound),
-            "effect": number(self.effect),
-            "unit": self.unit, "not_checked": self.not_checked,
-            "findings": [
-                {"stage": f.stage, "what": f.what, "error": number(f.error), "limit": number(f.limit), "row": f.row,
-                 "bodies": list(f.bodies)}
-                for f in self.findings
-            ],
-        }
+        return dict(self._json)
 
     def write(self, problem: str | os.PathLike[str], answer: str | os.PathLike[str]) -> None:
         """Write the engine's problem, with the key ``motion``, and the engine's answer to it.
@@ -176,14 +134,11 @@ class Receipt:
         return place
 
 
-def _line(step: Step, finding: Finding) -> str:
-    where = ""
-    if finding.row is not None and finding.row < len(step.rows):
-        where = f"; row {finding.row}, {step.rows[finding.row].label}"
-    elif finding.row is not None:
-        where = f"; row {finding.row}"
-    elif finding.bodies:
-        where = f"; {', '.join(finding.bodies)}"
-    if not math.isfinite(finding.error):
-        return f"{finding.what}{where}"
-    return f"{finding.what}: {finding.error:.2g}, limit {finding.limit:.1g}{where}"
+def receipts_of(steps: Sequence[tuple[Step, Report | None]], limit: float | None) -> list[Receipt]:
+    """The receipts of steps, computed on all processors, with the GIL released."""
+    posed = [(step._for_rust(), None if report is None else json.dumps(report.to_json())) for step, report in steps]
+    return [Receipt(step, own) for (step, _), own in zip(steps, _lcplab.step_receipts(posed, limit))]
+
+
+def _optional(written: Any) -> float | None:
+    return None if written is None else float(written)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -204,30 +205,49 @@ class Step:
         return 0.0 if square < 0 else math.sqrt(square)
 
     @property
-    def is_associated(self) -> bool:
-        """Whether all rows of friction have the law of an associated cone."""
-        return self.model == "associated-cone" or not np.any(self.friction_index >= 0)
-
-    @property
-    def unit(self) -> str:
-        """The unit of ``norm``."""
-        return "√J" if self.level == "velocity" else "√J/s"
-
-    @property
     def effect(self) -> float:
         """The change of the motion by the constraints, ``|v - u*|_M``, but at least the change by gravity and 1e-6 ``|u*|_M``."""
         change, free = self.norm(self.motion - self.target), self.norm(self.target)
         return max(change, 1e-6 * free, float(self.gravity))
 
-    def relative(self, error: float) -> float:
-        """An error in the norm of M, relative to the effect."""
-        if error == 0:
-            return 0.0
-        return error / self.effect if self.effect > 0 else math.inf
-
-    def arrays(self) -> dict[str, Any]:
-        """The arrays that the bounds are computed from."""
-        triplets = {"mass": self.mass, "jacobian": self.jacobian}
+    def _for_rust(self) -> dict[str, Any]:
+        """The arrays, and the rest as JSON."""
         names = ("bias", "compliance", "target", "lo", "hi", "mu", "forces", "motion")
-        vectors = {name: np.ascontiguousarray(getattr(self, name), dtype=float) for name in names}
-        return {**triplets, **vectors, "friction_index": self.friction_index}
+        vectors: dict[str, Array | None] = {
+            name: np.ascontiguousarray(getattr(self, name), dtype=float) for name in names
+        }
+        for name in ("reported_push", "expected_bias", "expected_target"):
+            values = getattr(self, name)
+            vectors[name] = None if values is None else np.ascontiguousarray(values, dtype=float)
+        facts = {
+            "source": self._source(), "level": self.level, "model": self.model,
+            "rows": [{"label": row.label, "kind": row.kind, "bodies": list(row.bodies)} for row in self.rows],
+            "dof_bodies": list(self.dof_bodies), "not_checked": list(self.not_checked), "no_bound": self.no_bound or None,
+        }
+        triplets = {"mass": self.mass, "jacobian": self.jacobian}
+        return {**triplets, **vectors, "friction_index": self.friction_index, "facts": json.dumps(facts)}
+
+    def _source(self) -> dict[str, Any]:
+        """Where the step comes from, as in a problem file."""
+        return {
+            "engine": self.engine, "version": self.version, "method": self.method, "bits": int(self.bits),
+            "iterations": int(self.iterations), "has_converged": bool(self.has_converged), "time": number(self.time),
+            "own_tolerance": number(self.own_tolerance), "gravity": number(self.gravity), "name": self.name,
+        }
+
+    @classmethod
+    def _of_frame(cls, frame: Mapping[str, Any]) -> Step:
+        """The step of a file, as Rust reads it."""
+        arrays = dict(frame)
+        facts = json.loads(arrays.pop("facts"))
+        source = facts.pop("source")
+        rows = [Row(row["label"], row["kind"], tuple(row["bodies"])) for row in facts.pop("rows")]
+        for name in ("time", "own_tolerance", "gravity"):
+            source[name] = float(source[name])
+        facts["no_bound"] = facts["no_bound"] or ""
+        return cls(**arrays, **source, **facts, rows=rows)
+
+
+def number(value: float) -> float | str:
+    """A number for JSON: ``"nan"``, ``"inf"`` or ``"-inf"`` if it is not finite."""
+    return float(value) if math.isfinite(value) else str(float(value))

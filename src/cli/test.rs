@@ -1,7 +1,5 @@
 //! `test`: a solver on problems, compared with a recorded run.
 
-mod exchange;
-
 use std::path::PathBuf;
 
 use clap::Args;
@@ -11,9 +9,10 @@ use lcplab::lcp::Question;
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::Model;
 use lcplab::number::counted;
+use lcplab::report::study::ci::Verdict;
 use lcplab::report::study::families::{self, Contender, Models};
 use lcplab::report::study::problems;
-use lcplab::report::study::regression::{Factors, Finding, Run, Verdict};
+use lcplab::report::study::regression::{Factors, Finding, Run};
 use lcplab::solver::Method;
 use serde_json::json;
 
@@ -109,15 +108,15 @@ impl Test {
         let findings = run.findings(baseline.as_ref(), Factors { iterations, residual });
         let missing = baseline.map(|baseline| run.missing(&baseline)).unwrap_or_default();
         if let Some(path) = &self.junit {
-            file::write(path, exchange::junit(&findings))?;
+            file::write(path, Finding::junit(&findings))?;
         }
         if let Some(path) = &self.sarif {
-            file::write(path, exchange::sarif(&findings))?;
+            file::write(path, Finding::sarif(&findings))?;
         }
         for (solver, problem) in &missing {
             say(&format!("warning: {problem} is in the baseline of {solver}, but was not tested"));
         }
-        let fails = findings.iter().any(|finding| matches!(finding.verdict, Verdict::Failed(_)));
+        let fails = findings.iter().any(|finding| finding.verdict.is_failure());
         match self.json {
             true => {
                 let object = json!({ "ok": !fails, "problems": findings, "missing": missing });
@@ -200,7 +199,8 @@ fn text_of(run: &Run) -> Result<String> {
 fn words(findings: &[Finding], is_recorded: bool) -> String {
     let mut text = String::new();
     for own in findings.chunk_by(|a, b| a.solver == b.solver) {
-        let count = |word: &str| own.iter().filter(|finding| word_of(finding) == word).count();
+        let count =
+            |word: &str| own.iter().filter(|finding| finding.verdict.word() == word).count();
         let counts = ["passed", "fixed", "known", "failed"].map(|word| (count(word), word));
         let counts = counts.iter().filter(|(count, _)| *count > 0);
         let counts: Vec<String> = counts.map(|(count, word)| format!("{count} {word}")).collect();
@@ -216,19 +216,9 @@ fn words(findings: &[Finding], is_recorded: bool) -> String {
                 Verdict::Fixed => "is accepted now: record the baseline again with --update",
                 Verdict::Known(why) | Verdict::Failed(why) => why,
             };
-            let word = if is_recorded { "known" } else { word_of(finding) };
+            let word = if is_recorded { "known" } else { finding.verdict.word() };
             text += &format!("  {word:<6}  {}: {why}\n", finding.problem);
         }
     }
     text
-}
-
-/// The verdict in a word.
-fn word_of(finding: &Finding) -> &'static str {
-    match finding.verdict {
-        Verdict::Passed => "passed",
-        Verdict::Fixed => "fixed",
-        Verdict::Known(_) => "known",
-        Verdict::Failed(_) => "failed",
-    }
 }

@@ -1,0 +1,371 @@
+//! Receipts: the verification report of one step of a physics engine, and of a run of steps.
+//!
+//! A receipt checks each part of a step against the next: collision, assembly, solver, write-back.
+//! The collision and most of the assembly need the engine itself, so that the Python package checks
+//! them and passes a [`Report`]. What every engine's step allows is checked here: whether x and v
+//! are a solution of the problem that the engine posed, with a proved bound on the error of v
+//! relative to what the constraints change (the *motion error*), whether v and the reported forces
+//! follow from x, and whether bias and free motion are those that an adapter expects.
+//!
+//! One frame does not distinguish two releases of an engine; a [`Run`] does.
+//!
+//! ```
+//! use lcplab_study::receipt::{EngineStep, Receipt};
+//! use serde_json::json;
+//!
+//! // 2 kg fall at 3 m/s on one contact of compliance ½ s/kg: x = 3 N s, v = −1.5 m/s.
+//! let problem = json!({"b": [-3], "motion": {"mass": [[0, 0, 2]], "jacobian": [[0, 0, 1]],
+//!     "bias": [0], "compliance": [0.5], "target": [-3]}});
+//! let answered = |x: f64, v: f64| {
+//!     let answer = json!({"x": [x], "motion": [v]});
+//!     let step = EngineStep::read(&problem, &answer, "a.json").unwrap();
+//!     Receipt::new(step, None, None).unwrap()
+//! };
+//! assert_eq!(answered(3.0, -1.5).verdict().name(), "ok");
+//! let wrong = answered(2.0, -2.0);
+//! assert_eq!(wrong.stage().unwrap().name(), "solver");
+//! assert!(wrong.bound().unwrap() >= 0.5 * 2f64.sqrt()); // |v − û|_M
+//! ```
+
+mod bounds;
+mod finding;
+mod finite;
+mod limits;
+mod newton;
+mod read;
+mod run;
+mod stages;
+mod step;
+
+use std::sync::OnceLock;
+
+use rayon::prelude::*;
+use serde_json::{Value, json};
+
+use lcplab_judge::gap_bound::GapBound;
+use lcplab_page::number::{counted, readable};
+use lcplab_problem::error::{Error, Result};
+use lcplab_problem::file::number;
+
+pub use finding::{Finding, Report, Stage};
+pub use limits::NOTABLE;
+pub use read::answer_of;
+pub use run::{Baseline, Run};
+pub use step::{EngineAnswer, EngineStep, Expected, FrictionRows, RowNames, Source, StepFacts};
+
+/// The verdict on a step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StepVerdict {
+    /// The motion error has a bound, and all errors are below their limits.
+    Ok,
+    /// There are no rows, and no check failed.
+    NoRows,
+    /// No check failed, but the motion error has no bound.
+    NotChecked,
+    /// The motion error is above its limit at the engine's iteration cap.
+    Unconverged,
+    /// An error is above its limit.
+    Wrong,
+}
+
+impl StepVerdict {
+    /// The words in reports and files.
+    pub fn name(self) -> &'static str {
+        match self {
+            StepVerdict::Ok => "ok",
+            StepVerdict::NoRows => "no rows",
+            StepVerdict::NotChecked => "not checked",
+            StepVerdict::Unconverged => "unconverged",
+            StepVerdict::Wrong => "wrong",
+        }
+    }
+}
+
+/// Iterations of the engine and of Newton's method with the exact Hessian.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Work {
+    /// The engine's iterations.
+    pub engine: usize,
+    /// Those of Newton's method, if it converges.
+    pub newton: Option<usize>,
+}
+
+impl Work {
+    /// An engine's Newton method is slow if it takes more than this many times the steps.
+    const EXCESS: usize = 4;
+
+    /// That of a solver whose error is that of an engine at its iteration cap.
+    fn at_cap(
+        step: &EngineStep,
+        first: &Finding,
+        accurate: Option<&newton::Accurate>,
+    ) -> Option<Work> {
+        let is_at_cap = first.stage == Stage::Solver && !step.source.has_converged;
+        let newton = accurate.and_then(|accurate| accurate.steps);
+        let work = Work { engine: step.source.iterations, newton };
+        (is_at_cap && first.error.is_finite()).then_some(work)
+    }
+
+    fn is_excessive(self, method: &str) -> bool {
+        let most = self.newton.map(|newton| Work::EXCESS * newton);
+        method == "newton" && most.is_some_and(|most| self.engine > most)
+    }
+
+    fn text(self) -> String {
+        let Work { engine, newton } = self;
+        let newton = match newton {
+            Some(newton) => format!("needs {newton}"),
+            None => format!("does not converge in {}", newton::MOST),
+        };
+        format!("{engine} iterations; Newton's method with the exact Hessian {newton}")
+    }
+}
+
+/// The verification report of one step of an engine.
+#[derive(Debug, Clone)]
+pub struct Receipt {
+    step: EngineStep,
+    limit: f64,
+    effect: f64,
+    bound: Option<f64>,
+    findings: Vec<Finding>,
+    not_checked: Vec<String>,
+    /// The place of the finding that decides.
+    rejected: Option<usize>,
+    verdict: StepVerdict,
+    work: Option<Work>,
+    difference: OnceLock<Option<f64>>,
+}
+
+impl Receipt {
+    /// Checks a step; `report` contains the findings of collision and assembly that its engine
+    /// allows, `None` those of a step that an adapter or a file describes. Without a limit on the
+    /// motion error, that of the solver's kind applies, or the engine's own tolerance if that is
+    /// looser.
+    ///
+    /// # Errors
+    /// If vectors of the step have different lengths, its kind of solver is unknown, or the limit
+    /// is negative.
+    pub fn new(step: EngineStep, report: Option<Report>, limit: Option<f64>) -> Result<Self> {
+        step.check("step")?;
+        let limit = limit_for(&step, limit)?;
+        let bounds = bounds::bounds_of(&step);
+        let mut accurate = None;
+        let bounds = match bounds {
+            Ok(bounds) if !step.is_empty() && !is_sharp(&step, &bounds, limit) => {
+                accurate = newton::accurate_motion(&step);
+                Ok(bounds::sharpened(&step, bounds, accurate.as_ref()))
+            }
+            bounds => bounds,
+        };
+        let mut all = stages::check(&step, &bounds, limit);
+        all.add(report.unwrap_or_else(|| stages::before_solver(&step)));
+        all.findings.sort_by_key(|finding| finding.stage);
+        let not_checked = [step.not_checked.clone(), all.not_checked].concat();
+        let bound = bounds.ok().filter(|_| !step.is_empty()).map(|bounds| bounds.motion);
+        let findings = all.findings;
+        let rejected: Vec<usize> =
+            (0..findings.len()).filter(|&at| findings[at].is_rejected()).collect();
+        let first = rejected.first().map(|&at| &findings[at]);
+        let work = first.and_then(|first| Work::at_cap(&step, first, accurate.as_ref()));
+        let is_excused = work.is_some_and(|work| !work.is_excessive(&step.source.method));
+        // Errors of other stages are not excused by the iteration cap, and count first.
+        let is_wrong = |at: &&usize| !is_excused || findings[**at].stage != Stage::Solver;
+        let wrong = rejected.iter().find(is_wrong).copied();
+        let verdict = match wrong {
+            Some(_) => StepVerdict::Wrong,
+            None if is_excused => StepVerdict::Unconverged,
+            None if step.is_empty() => StepVerdict::NoRows,
+            None if bound.is_some() => StepVerdict::Ok,
+            None => StepVerdict::NotChecked,
+        };
+        let rejected = wrong.or(rejected.first().copied());
+        let effect = step.effect();
+        let difference = OnceLock::new();
+        Ok(Receipt {
+            step,
+            limit,
+            effect,
+            bound,
+            findings,
+            not_checked,
+            rejected,
+            verdict,
+            work,
+            difference,
+        })
+    }
+
+    /// The receipts of many steps, computed on all processors.
+    ///
+    /// # Errors
+    /// That of the first step that has one, as in [`Receipt::new`].
+    pub fn of_all(
+        steps: Vec<(EngineStep, Option<Report>)>,
+        limit: Option<f64>,
+    ) -> Result<Vec<Receipt>> {
+        let receipts: Vec<Result<Receipt>> =
+            steps.into_par_iter().map(|(step, report)| Receipt::new(step, report, limit)).collect();
+        receipts.into_iter().collect()
+    }
+
+    /// The step.
+    pub fn step(&self) -> &EngineStep {
+        &self.step
+    }
+
+    /// The verdict.
+    pub fn verdict(&self) -> StepVerdict {
+        self.verdict
+    }
+
+    /// Whether an error is above its limit and the engine did not report itself as unconverged.
+    pub fn is_rejected(&self) -> bool {
+        self.verdict == StepVerdict::Wrong
+    }
+
+    /// The finding that decides, if one is above its limit.
+    pub fn rejected(&self) -> Option<&Finding> {
+        self.rejected.map(|at| &self.findings[at])
+    }
+
+    /// The first rejected stage.
+    pub fn stage(&self) -> Option<Stage> {
+        self.rejected().map(|finding| finding.stage)
+    }
+
+    /// All measured errors, by stage.
+    pub fn findings(&self) -> &[Finding] {
+        &self.findings
+    }
+
+    /// A proved bound on |v − û|_M, if there is one.
+    pub fn bound(&self) -> Option<f64> {
+        self.bound
+    }
+
+    /// The bound relative to what the constraints change.
+    pub fn motion_error(&self) -> Option<f64> {
+        self.bound.map(|bound| self.step.relative(bound))
+    }
+
+    /// The largest accepted motion error.
+    pub fn limit(&self) -> f64 {
+        self.limit
+    }
+
+    /// Without a bound on the motion: its distance from that of lcplab's own answer, relative to
+    /// what the constraints change. It is measured and proves nothing: Coulomb's law can have
+    /// several solutions. `None` if lcplab finds no answer.
+    pub fn difference(&self) -> Option<f64> {
+        *self.difference.get_or_init(|| {
+            let own = match self.bound {
+                None => bounds::own_answer(&self.step)?,
+                Some(_) => return None,
+            };
+            let apart = step::difference(&self.step.answer.motion, &own.answer.motion);
+            Some(self.step.relative(self.step.norm(&apart)))
+        })
+    }
+
+    /// The receipt for people: a line for each part.
+    pub fn text(&self) -> String {
+        let Source { engine, version, method, iterations, name, time, own_tolerance, .. } =
+            &self.step.source;
+        let engine = format!("{engine} {version}");
+        let scene = match name.is_empty() {
+            true => String::new(),
+            false => format!("{name} at {} s, ", readable(*time, 4)),
+        };
+        let iterations = match iterations {
+            0 => String::new(),
+            _ => format!(", {iterations} iterations"),
+        };
+        let rows = counted(self.step.len(), "row");
+        let stage = self.stage().map(|stage| format!(": {stage}")).unwrap_or_default();
+        let mut lines = vec![
+            format!("{}: {scene}{rows}, {method}{iterations}", engine.trim()),
+            format!("  verdict       {}{stage}", self.verdict.name()),
+        ];
+        if let (Some(bound), Some(error)) = (self.bound, self.motion_error()) {
+            lines.push(format!(
+                "  motion error  at most {} of what the constraints change (limit {}): {} of {} {}",
+                readable(error, 2),
+                readable(self.limit, 1),
+                readable(bound, 2),
+                readable(self.effect, 3),
+                self.step.unit()
+            ));
+        }
+        if let Some(difference) = self.difference() {
+            let difference = readable(difference, 2);
+            lines.push(format!(
+                "  difference    about {difference} of what the constraints change, from lcplab's own \
+                 answer"
+            ));
+        }
+        if *own_tolerance > 0.0 && *own_tolerance < self.effect {
+            let part = readable(own_tolerance / self.effect, 1);
+            lines.push(format!("  the engine's own tolerance is {part} of it"));
+        }
+        lines.extend(self.work.map(|work| format!("  work          {}", work.text())));
+        let rejected = self.findings.iter().filter(|finding| finding.is_rejected());
+        lines.extend(rejected.map(|f| format!("  {:<12}  {}", f.stage.name(), self.line(f))));
+        lines.extend(self.not_checked.iter().map(|part| format!("  not checked   {part}")));
+        lines.join("\n")
+    }
+
+    fn line(&self, finding: &Finding) -> String {
+        let label = finding.row.and_then(|row| self.step.rows.get(row)).map(|row| &row.label);
+        let place = match (finding.row, label) {
+            (Some(row), Some(label)) => format!("; row {row}, {label}"),
+            (Some(row), None) => format!("; row {row}"),
+            _ if finding.bodies.is_empty() => String::new(),
+            _ => format!("; {}", finding.bodies.join(", ")),
+        };
+        if !finding.error.is_finite() {
+            return format!("{}{place}", finding.what);
+        }
+        let (error, limit) = (readable(finding.error, 2), readable(finding.limit, 1));
+        format!("{}: {error}, limit {limit}{place}", finding.what)
+    }
+
+    /// The receipt as JSON.
+    pub fn to_json(&self) -> Value {
+        let source = &self.step.source;
+        let rejected = self.rejected();
+        let optional = |value: Option<f64>| value.map_or(Value::Null, number);
+        json!({
+            "engine": source.engine, "version": source.version, "name": source.name,
+            "time": number(source.time), "rows": self.step.len(), "method": source.method,
+            "bits": source.bits, "iterations": source.iterations,
+            "verdict": self.verdict.name(), "stage": self.stage(),
+            "row": rejected.and_then(|finding| finding.row),
+            "bodies": rejected.map(|finding| finding.bodies.as_slice()).unwrap_or_default(),
+            "motion_error": optional(self.motion_error()), "limit": number(self.limit),
+            "bound": optional(self.bound), "effect": number(self.effect),
+            "unit": self.step.unit(), "rejected": self.rejected, "not_checked": self.not_checked,
+            "findings": self.findings,
+            "work": self.work.map(|Work { engine, newton }| {
+                json!({ "engine": engine, "newton": newton })
+            }),
+        })
+    }
+}
+
+/// Whether both bounds are below the limit, so that they need not be tightened.
+fn is_sharp(step: &EngineStep, bounds: &GapBound, limit: f64) -> bool {
+    step.relative(bounds.motion.max(bounds.answer)) <= limit
+}
+
+fn limit_for(step: &EngineStep, limit: Option<f64>) -> Result<f64> {
+    let usual = limits::limit_of(&step.source)?;
+    match limit {
+        None if step.effect() > 0.0 => Ok(usual.max(step.source.own_tolerance / step.effect())),
+        None => Ok(usual),
+        Some(limit) if limit >= 0.0 => Ok(limit),
+        Some(limit) => {
+            Err(Error::invalid("options", "limit", format!("is {limit}, must be 0 or larger")))
+        }
+    }
+}

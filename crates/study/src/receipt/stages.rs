@@ -1,0 +1,174 @@
+//! The stages that every step has: parts of assembly, solver and write-back.
+//!
+//! Two proved bounds distinguish solver and write-back: one on the error of the engine's own motion
+//! v, one on that of the motion u(x) which its forces x cause. If both are above the limit, the
+//! solver is wrong. If only one is, the engine wrote back something else than it solved. There are
+//! two exceptions, in which the difference is the solver's residual: engines that solve for the
+//! motion and compute the forces from it, and a motion that is exactly that of the forces.
+
+use lcplab_judge::gap_bound::GapBound;
+use lcplab_problem::Level;
+
+use super::finding::{Finding, Report, Stage};
+use super::finite::{REST, first_not_finite};
+use super::limits::rounding;
+use super::newton::are_forces_of_motion;
+use super::step::{EngineStep, difference};
+
+/// Divisors are at least this.
+const TINY: f64 = 1e-300;
+
+/// What a step that an adapter or a file describes allows to check before its solver: the assembly,
+/// where it says what model and state require.
+pub fn before_solver(step: &EngineStep) -> Report {
+    let mut report = Report { findings: Vec::new(), not_checked: vec!["collision".into()] };
+    let findings = match first_not_finite(step) {
+        Some(_) => [None, None],
+        None => [expected_bias(step), expected_target(step)],
+    };
+    if first_not_finite(step).is_none() {
+        let parts = ["the bias", "the free motion"];
+        let checked: Vec<&str> =
+            (0..2).filter(|&k| findings[k].is_some()).map(|k| parts[k]).collect();
+        report.not_checked.push(match checked.is_empty() {
+            true => "assembly".into(),
+            false => format!("assembly: all but {}", checked.join(" and ")),
+        });
+    }
+    report.findings.extend(findings.into_iter().flatten());
+    report.not_checked.push("write-back: the position after the step".into());
+    if step.gauss.level == Some(Level::Acceleration) {
+        report.not_checked.push("write-back: the velocity after the step".into());
+    }
+    report
+}
+
+/// The largest difference of a bias, relative to its terms and to those of J u*.
+fn expected_bias(step: &EngineStep) -> Option<Finding> {
+    let expected = step.expected.bias.as_ref().filter(|_| !step.is_empty())?;
+    let sizes = step.size_along(&step.gauss.target);
+    let error = |i: usize| {
+        let bias = step.gauss.bias[i];
+        let terms = bias.abs() + expected[i].abs() + sizes[i];
+        (bias - expected[i]).abs() / terms.max(TINY)
+    };
+    let (row, error) = largest((0..step.len()).map(error))?;
+    let what = "the bias of a row is not the one that model and state ask for";
+    let bodies = step.bodies_of(Some(row));
+    let finding = Finding::new(Stage::Assembly, what, error, rounding(step.source.bits));
+    Some(Finding { row: Some(row), bodies, ..finding })
+}
+
+/// The difference of u* in the norm of M.
+fn expected_target(step: &EngineStep) -> Option<Finding> {
+    let expected = step.expected.target.as_ref()?;
+    let scale = step.norm(expected).max(step.source.gravity).max(TINY);
+    let error = step.norm(&difference(&step.gauss.target, expected)) / scale;
+    let what = "the motion without constraints is not the one that model and state ask for";
+    Some(Finding::new(Stage::Assembly, what, error, rounding(step.source.bits)))
+}
+
+/// Compares the bounds with the limit, and the motion and the reported generalized forces with the
+/// forces.
+pub(crate) fn check(step: &EngineStep, bounds: &Result<GapBound, String>, limit: f64) -> Report {
+    if let Some(broken) = first_not_finite(step) {
+        return Report { findings: vec![broken], not_checked: vec![REST.into()] };
+    }
+    let mut report = Report::default();
+    if let (true, Some(why)) = (step.is_empty(), &step.no_bound) {
+        report.not_checked.push(format!("solver and write-back, {why}"));
+        return report;
+    }
+    match bounds {
+        _ if step.is_empty() => report.findings.push(free(step)),
+        Err(why) => {
+            report.not_checked.push(format!("solver: no bound on the motion, {why}"));
+            if step.gauss.compliance.iter().all(|&compliance| compliance <= 0.0) {
+                report.findings.push(closure(step));
+            }
+        }
+        Ok(bounds) => report.findings.push(motion(step, bounds, limit)),
+    }
+    match &step.answer.reported_push {
+        None => {
+            let what = "write-back: generalized forces, which the engine does not report";
+            report.not_checked.push(what.into());
+        }
+        Some(reported) if step.is_empty() => report.findings.push(no_push(step, reported)),
+        Some(reported) => report.findings.push(push(step, reported)),
+    }
+    report
+}
+
+/// Without rows the motion must be the motion without constraints.
+fn free(step: &EngineStep) -> Finding {
+    let target = &step.gauss.target;
+    let scale = step.norm(target).max(step.source.gravity).max(TINY);
+    let error = step.norm(&difference(&step.answer.motion, target)) / scale;
+    let what = "there are no rows, but the motion is not the motion without constraints";
+    Finding::new(Stage::WriteBack, what, error, rounding(step.source.bits))
+}
+
+fn motion(step: &EngineStep, bounds: &GapBound, limit: f64) -> Finding {
+    let is_wrong = |bound: f64| step.relative(bound).is_nan() || step.relative(bound) > limit;
+    let (motion, answer) = (is_wrong(bounds.motion), is_wrong(bounds.answer));
+    let (stage, what, error) = if motion == answer || are_forces_of_motion(step) {
+        let what = "the motion does not solve the problem that the engine posed";
+        (Stage::Solver, what, bounds.motion)
+    } else if answer && is_motion_of_forces(step) {
+        let what = "the forces do not solve the problem, although the motion is within the limit";
+        (Stage::Solver, what, bounds.answer)
+    } else if motion {
+        let what = "the forces solve the problem, but the motion is not the one that they cause";
+        (Stage::WriteBack, what, bounds.motion)
+    } else {
+        let what = "the motion solves the problem, but the forces do not cause it";
+        (Stage::WriteBack, what, bounds.answer)
+    };
+    let bodies = step.bodies_of(bounds.row);
+    Finding { row: bounds.row, bodies, ..Finding::new(stage, what, step.relative(error), limit) }
+}
+
+/// Whether the motion is, up to rounding, the one that the forces cause.
+fn is_motion_of_forces(step: &EngineStep) -> bool {
+    !closure(step).is_rejected()
+}
+
+/// Compares the motion with the one that the forces cause, u* + M⁻¹Jᵀx.
+fn closure(step: &EngineStep) -> Finding {
+    let caused = step.motion_of(&step.answer.forces);
+    let error = step.relative(step.norm(&difference(&step.answer.motion, &caused)));
+    let what = "the motion is not the one that the forces cause";
+    Finding::new(Stage::WriteBack, what, error, rounding(step.source.bits))
+}
+
+/// Compares the reported generalized forces with Jᵀx, each relative to its terms.
+fn push(step: &EngineStep, reported: &[f64]) -> Finding {
+    let mut terms = vec![0.0; reported.len()];
+    for (row, x) in step.gauss.jacobian.iter().zip(&step.answer.forces) {
+        row.iter().for_each(|&(j, value)| terms[j] += (value * x).abs());
+    }
+    let least = 1e-6 * terms.iter().copied().fold(TINY, f64::max);
+    let caused = step.push(&step.answer.forces);
+    let error = |j: usize| (reported[j] - caused[j]).abs() / terms[j].max(least);
+    let (worst, error) = largest((0..reported.len()).map(error)).unwrap_or((0, 0.0));
+    let what = format!("the reported generalized force of degree of freedom {worst} is not Jᵀx");
+    let bodies = step.dof_bodies.get(worst).cloned().into_iter().collect();
+    let finding = Finding::new(Stage::WriteBack, what, error, rounding(step.source.bits));
+    Finding { bodies, ..finding }
+}
+
+/// Without rows, constraints have no generalized forces: compares the motion that the reported ones
+/// cause with that by gravity.
+fn no_push(step: &EngineStep, reported: &[f64]) -> Finding {
+    let change = step.divided_by_mass(reported);
+    let scale = step.norm(&step.gauss.target).max(step.source.gravity).max(TINY);
+    let error = step.norm(&change) / scale;
+    let what = "there are no rows, but the reported generalized forces of constraints are not 0";
+    Finding::new(Stage::WriteBack, what, error, rounding(step.source.bits))
+}
+
+/// The first of the largest values, with its place.
+fn largest(values: impl Iterator<Item = f64>) -> Option<(usize, f64)> {
+    values.enumerate().reduce(|worst, own| if own.1 > worst.1 { own } else { worst })
+}
