@@ -10,9 +10,10 @@ const COMMANDS: [(&str, &str); 3] = [
 ];
 
 /// Old options: the command, the option, and what to use instead.
-const OPTIONS: [(&str, &str, &str); 13] = [
+const OPTIONS: [(&str, &str, &str); 14] = [
     ("simulate", "--formulation", "simulate SCENE --scheme NAME"),
     ("compare", "--formulation", "compare SCENE --scheme NAME"),
+    ("compare", "--require-accepted", "test PROBLEMS --solver NAME or --plugin COMMAND"),
     ("export", "--formulation", "export SCENE --scheme NAME"),
     ("explain", "--formulation", "explain SCENE --scheme NAME"),
     ("report", "--redraw", "report FOLDER/results.json"),

@@ -13,7 +13,7 @@ use crate::answer::{labelled, proof_of_denial};
 use crate::methods::{named, why_none_takes};
 use lcplab_judge::{Demand, FrictionCertificate, judge_friction};
 use lcplab_problem::Complementarity;
-use lcplab_problem::error::{Error, Result};
+use lcplab_problem::error::Result;
 use lcplab_problem::file::{Expected, Problem};
 use lcplab_problem::friction::{Model, ProblemForm};
 use lcplab_problem::library::Family;
@@ -153,54 +153,6 @@ pub fn useless(rows: &[Row], contenders: &[Contender]) -> Vec<String> {
         ))
     };
     contenders.iter().filter(|contender| contender.is_named).filter_map(sentence).collect()
-}
-
-/// A requirement on a solver in a comparison.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Requirement {
-    /// The solver.
-    pub solver: String,
-    /// How many of its answers the judge must accept at least; all those to problems that may have
-    /// a solution without it.
-    pub at_least: Option<usize>,
-}
-
-impl std::str::FromStr for Requirement {
-    type Err = Error;
-
-    /// `NAME`, or `NAME:COUNT`.
-    fn from_str(text: &str) -> Result<Self> {
-        let Some((solver, count)) = text.rsplit_once(':') else {
-            return Ok(Requirement { solver: text.into(), at_least: None });
-        };
-        let count = count.parse().map_err(|_| {
-            Error::invalid(text, "count", format!("{count:?} is not a whole number of problems"))
-        })?;
-        Ok(Requirement { solver: solver.into(), at_least: Some(count) })
-    }
-}
-
-impl Requirement {
-    /// How the rows fail it, in a sentence; `None` if they meet it.
-    pub fn unmet(&self, rows: &[Row]) -> Option<String> {
-        let own = || rows.iter().filter(|row| row.solver == self.solver && row.solvable() > 0);
-        let accepted: usize = own().map(|row| row.accepted).sum();
-        let problems: usize = own().map(Row::solvable).sum();
-        let demanded = self.at_least.unwrap_or(problems.max(1));
-        if accepted >= demanded {
-            return None;
-        }
-        let missing = own().find(|row| row.accepted < row.problems);
-        let example = missing.map_or(String::new(), |row| {
-            let why = row.trouble.as_deref().unwrap_or("its answer is rejected");
-            format!("; {}: {why}", row.family)
-        });
-        let solver = &self.solver;
-        Some(format!(
-            "{accepted} of {} of {solver} are accepted, {demanded} are required{example}",
-            counted(problems, "answer")
-        ))
-    }
 }
 
 /// What a family is solved as: its problems under one friction model, or without any.

@@ -33,7 +33,6 @@ Examples:
   lcplab compare pushed-rod --model coulomb-cone --model polygon-16
   lcplab compare problem.mtx                  # any format of `convert --list`
   lcplab compare pd --plugin \"python3 mine.py\" # your solver and eight built-in ones
-  lcplab compare dumps --plugin \"python3 mine.py\" --require-accepted mine   # for CI
   lcplab compare set --profile mine           # a set of `problems --export set`
 
 A scene: every solver simulates it at the velocity and at the acceleration level; --solver and --scheme \
@@ -52,7 +51,7 @@ If a solver that you name cannot handle the problem or the friction model, its r
 Exit codes:
   0  the judge accepts every claim of a solver
   1  the judge rejects a claim, a solver claims a solution where none exists, an expected failure does not \
-occur, a solver that you name solves nothing, or --require-accepted is not met
+occur, or a solver that you name solves nothing
   2  invalid input or usage")]
 pub struct Compare {
     /// Scene file or name of a shipped scene; or problems: families that `problems` lists, problem

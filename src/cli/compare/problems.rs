@@ -12,7 +12,7 @@ use lcplab::lcp::friction::Model;
 use lcplab::lcp::library::{self, Family};
 use lcplab::memory::Memory;
 use lcplab::plugin::Plugin;
-use lcplab::report::study::families::{self, Contender, Models, Requirement, Row};
+use lcplab::report::study::families::{self, Contender, Models, Row};
 use lcplab::report::study::problems;
 use lcplab::report::{methods, text, view};
 use lcplab::solver::Method;
@@ -37,10 +37,6 @@ pub struct ProblemArgs {
     /// results as NAME_problems.csv
     #[arg(long, value_name = "NAME")]
     profile: Option<PathBuf>,
-    /// Exit with 1 unless the judge accepts this solver's answer to every problem that may have a
-    /// solution, or to at least COUNT problems (repeatable)
-    #[arg(long, value_name = "NAME[:COUNT]")]
-    require_accepted: Vec<Requirement>,
 }
 
 /// Seeds of each family, if none are stated.
@@ -54,7 +50,6 @@ impl ProblemArgs {
             ("--seeds", self.seeds.is_some()),
             ("--solve-time-limit", self.solve_time_limit.is_some()),
             ("--profile", self.profile.is_some()),
-            ("--require-accepted", !self.require_accepted.is_empty()),
         ]
         .iter()
         .find_map(|(name, is_given)| is_given.then_some(*name))
@@ -95,7 +90,6 @@ impl Compare {
         }
         let plugins = self.plugins.start()?;
         let contenders = self.contenders(&plugins)?;
-        self.check_requirements(&contenders)?;
         let methods: Vec<Method> =
             contenders.iter().flat_map(|contender| &contender.methods).copied().collect();
         let options = settings.options(&methods)?;
@@ -127,7 +121,7 @@ impl Compare {
             None => {}
         }
         let failures = match stopped {
-            None => self.failures(&rows, &contenders),
+            None => families::useless(&rows, &contenders),
             Some(_) => Vec::new(),
         };
         if self.json {
@@ -146,13 +140,6 @@ impl Compare {
             None if failures.is_empty() && !rows.iter().any(Row::is_wrong) => Outcome::Good,
             None => Outcome::Refuted,
         })
-    }
-
-    /// Named solvers that solve nothing, and requirements that are not met, in a sentence each.
-    fn failures(&self, rows: &[Row], contenders: &[Contender]) -> Vec<String> {
-        let shortfalls =
-            self.problems.require_accepted.iter().filter_map(|demand| demand.unmet(rows));
-        families::useless(rows, contenders).into_iter().chain(shortfalls).collect()
     }
 
     /// Reports which problems cannot be stated under a requested model.
@@ -176,17 +163,6 @@ impl Compare {
             }
         }
         Ok(())
-    }
-
-    /// Checks that each solver of a requirement takes part.
-    fn check_requirements(&self, contenders: &[Contender]) -> Result<()> {
-        let is_missing = |demand: &&Requirement| {
-            contenders.iter().all(|contender| contender.name() != demand.solver)
-        };
-        self.problems.require_accepted.iter().find(is_missing).map_or(Ok(()), |demand| {
-            let reason = format!("{} is not among the solvers of this comparison", demand.solver);
-            Err(Error::invalid("options", "--require-accepted", reason))
-        })
     }
 
     /// Why there are no rows: because of the given options, or of the problems themselves.

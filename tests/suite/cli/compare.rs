@@ -96,30 +96,6 @@ fn a_named_solver_that_is_not_made_for_the_problem_is_a_row_with_the_reason() {
 }
 
 #[test]
-fn a_requirement_is_met_or_the_exit_code_is_1() {
-    let compare = |arguments: &[&str]| {
-        let output = run(&[&["compare", "--solver", "dantzig", "--json"], arguments].concat());
-        (output.status.code(), err(&output))
-    };
-    let required = |families: &[&str], demand: &str| {
-        compare(&[families, &["--require-accepted", demand]].concat())
-    };
-    assert_eq!(required(&["pd", "stack"], "dantzig").0, Some(0));
-    // `wedged` has no solution, and none is required; murty's matrix is not symmetric.
-    assert_eq!(required(&["pd", "wedged"], "dantzig").0, Some(0));
-    let (code, told) = required(&["pd", "murty"], "dantzig");
-    assert_eq!(code, Some(1));
-    assert!(told.contains("of dantzig are accepted") && told.contains("; murty: "), "{told}");
-    assert_eq!(required(&["pd", "murty"], "dantzig:1").0, Some(0));
-    assert_eq!(required(&["pd", "murty"], "dantzig:99").0, Some(1));
-    let (code, told) = required(&["pd"], "lemke");
-    let reason =
-        "error: options: --require-accepted: lemke is not among the solvers of this comparison\n";
-    assert_eq!((code, told.as_str()), (Some(2), reason));
-    assert_eq!(required(&["pd"], "dantzig:many").0, Some(2));
-}
-
-#[test]
 fn who_claims_nothing_has_no_worst_residual() {
     // 0 on the diagonal of cps-2: a sweep divides by it.
     let named = ["compare", "cps-2", "--solver", "pgs", "--solver", "lemke"];

@@ -48,6 +48,10 @@ fn an_old_word_is_an_error_that_names_the_new_one() {
         (&["compare-solvers", "dumps"], "lcplab compare"),
         (&["--time-limit", "5", "verify"], "lcplab report verification --list"),
         (&["simulate", "fig6", "--formulation", "soft"], "lcplab simulate SCENE --scheme NAME"),
+        (
+            &["compare", "pd", "--require-accepted", "pgs"],
+            "lcplab test PROBLEMS --solver NAME or --plugin COMMAND",
+        ),
         (&["report", "--redraw", "reports/standard"], "lcplab report FOLDER/results.json"),
         (&["report", "solvers", "--pdf"], "lcplab report --out FILE.pdf"),
         (&["report", "dumps", "--sweeps", "10"], "lcplab diagnose FOLDER --sweeps N"),
