@@ -26,13 +26,15 @@ def receipt(
     ----------
     model, data
         A model of MuJoCo with its data, those of MJX (pyramidal cones) or of MuJoCo Warp (one world), after
-        ``mj_forward`` or ``mj_step``; or an :class:`EngineStep` alone.
+        ``mj_forward`` or ``mj_step``; a world of DART; a discrete plant of Drake with its context; or an
+        :class:`EngineStep` alone.
     adapter : Adapter, optional
         Reads the step of another engine: an object with ``problem(model, data)`` that returns an
         :class:`EngineStep`.
     before : (qpos, qvel), optional
         Copies of the state at the start of a step, for data after ``mj_step``. Without them, assembly and the new
-        velocity of such data are not checked.
+        velocity of such data are not checked. DART and Drake need them: ``lcplab.dart.state(world)``,
+        ``lcplab.drake.state(plant, context)``.
     limit : float, optional
         The largest accepted motion error, relative to what the constraints change. The default depends on the kind of
         solver and on the engine's own tolerance (``docs/ci.md``).

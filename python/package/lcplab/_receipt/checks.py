@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
 from lcplab._receipt import (
     closure,
+    dart,
+    drake,
     finite,
     kinematics,
     mjx,
@@ -20,7 +23,8 @@ from lcplab._receipt import (
 from lcplab._receipt.findings import Report
 from lcplab._receipt.step import Array, Step
 
-State = tuple[Array, Array]
+#: (qpos, qvel); DART has more.
+State = Sequence[Array]
 VELOCITY = "write-back: the velocity after the step; pass before=(qpos, qvel)"
 POSITION = "write-back: the position after the step"
 
@@ -50,6 +54,14 @@ def read(model: Any, data: Any, adapter: Adapter | None, before: State | None) -
         return step, None
     if mujoco.is_mine(model):
         return _of_mujoco(model, data, before)
+    if type(model).__module__.startswith("lcplab.engines."):
+        from lcplab.engines import engine_step
+
+        return engine_step(model), None
+    if dart.is_mine(model):
+        return dart.read(model, before), None
+    if drake.is_mine(model):
+        return drake.read(model, data, before), None
     raise TypeError(
         f"no adapter reads a {type(model).__module__}.{type(model).__name__}: pass adapter=, an object with "
         "problem(model, data), or an EngineStep"

@@ -18,7 +18,7 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import NDArray
 
-from lcplab import Problem
+from lcplab import EngineRow, EngineStep, Problem
 
 Array = NDArray[np.float64]
 Description = Mapping[str, Any]
@@ -54,6 +54,8 @@ class Posed:
     words: str
     #: More keys of a problem file: what its rows are, what it was made from.
     more: Mapping[str, Any] = field(default_factory=dict)
+    #: The bodies whose velocities are the degrees of freedom, by their numbers.
+    free: Sequence[int] = ()
 
 
 @runtime_checkable
@@ -108,6 +110,46 @@ class Engine:
         return importlib.metadata.version(self.package)
 
 
+def engine_step(world: World) -> EngineStep:
+    """Take a step of a world and read it, for :func:`lcplab.receipt`.
+
+    Raises
+    ------
+    Unsupported
+        If the engine does not report its problem, or this one cannot be assembled.
+    """
+    name = type(world).__module__.rsplit(".", 1)[-1]
+    if not isinstance(world, Posing):
+        raise Unsupported(f"{TITLES.get(name, name)} does not report its problem")
+    posed = world.problem()
+    motion, problem = posed.more.get("motion"), posed.problem
+    if motion is None:
+        raise Unsupported(f"{TITLES[name]}: pass its own model and data")
+    n, k = len(problem), len(motion["target"])
+    upper = _dense(motion["mass"], k, k)
+    mass = upper + np.triu(upper, 1).T
+    gravity = np.array(posed.more["gravity"])
+    friction: dict[str, Any] = {"model": None}
+    if problem.friction_index is not None:
+        friction = {"friction_index": problem.friction_index, "mu": problem.mu, "model": problem.model}
+    return EngineStep.of(
+        TITLES[name], mass, _dense(motion["jacobian"], n, k), motion["bias"], motion["target"],
+        posed.answer, world.velocities()[list(posed.free)].ravel(), compliance=motion["compliance"], lo=problem.lo, hi=problem.hi,
+        **friction, version=by_name(name).version, method=METHODS[name], gravity=float(np.sqrt(gravity @ mass @ gravity)),
+        rows=[EngineRow(row["label"], row["kind"], tuple(row["bodies"])) for row in posed.more["rows"]],
+        not_checked=[f"assembly: the problem, which {TITLES[name]} does not report; assembled from its contact points"],
+    )
+
+
+def _dense(entries: Sequence[Sequence[Any]], rows: int, columns: int) -> Array:
+    matrix = np.zeros((rows, columns))
+    for row, column, value in entries:
+        matrix[row, column] = value
+    return matrix
+
+
+#: The kinds of the solvers of the engines that pose problems.
+METHODS = {"drake": "newton", "pybullet": "pgs", "dart": "direct"}
 #: The engines by the names of their modules, in the order of tables.
 TITLES = {
     "mujoco": "MuJoCo",

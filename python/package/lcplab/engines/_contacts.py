@@ -81,7 +81,7 @@ class Contacts:
                   "compliance": self.compliance, "target": self.target.tolist()}
         bodies = [{"name": self.bodies[k]["name"], "first": i, "count": 6} for k, i in self.first.items()]
         more = {"motion": motion, "rows": self.rows, "bodies": bodies, "gravity": self.gravity.tolist(), "dt": self.dt}
-        return Posed(Problem(**given, scale=float(scale)), np.array(self.x), words, more)
+        return Posed(Problem(**given, scale=float(scale)), np.array(self.x), words, more, list(self.first))
 
 
 def triplets(matrix: Array) -> list[list[Any]]:

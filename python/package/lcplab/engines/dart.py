@@ -17,11 +17,9 @@ import numpy as np
 import lcplab
 from lcplab.engines import Array, Description, Engine, Joint, Posed, Settings, Unsupported
 from lcplab.engines import conjugate, joints, one_value, pose, rates, relative, shape, turned
+from lcplab._receipt.contact_rows import axes_along
+from lcplab._receipt.dart import BOUNCES_FROM, CFM, ERP, FASTEST, SMALL
 from lcplab.engines._contacts import Contacts
-
-#: What DART has built in (dart/constraint/ContactConstraint.cpp): the part of an overlap that a step corrects, the
-#: most speed (m/s) for it, the speed (m/s) above which bodies bounce, and the part that is added to the diagonal.
-ERP, FASTEST, BOUNCES_FROM, CFM = 0.01, 1e-3, 0.1, 1e-5
 
 
 class Model:
@@ -173,11 +171,8 @@ class Model:
             nodes = [end.getShapeFrame().asShapeNode().getBodyNodePtr()
                      for end in (contact.collisionObject1, contact.collisionObject2)]
             pair = numbers[nodes[0].getName()], numbers[nodes[1].getName()]
-            along = np.cross([0, 0, 1], contact.normal)
-            if along @ along < 1e-12:
-                along = np.cross([1, 0, 0], contact.normal)
-            along /= np.linalg.norm(along)
-            axes = np.array([contact.normal, along, np.cross(contact.normal, along)])
+            vertical = np.cross([0, 0, 1], contact.normal)
+            axes = axes_along(np.array(contact.normal), [0, 0, 1] if vertical @ vertical >= SMALL else [1, 0, 0])
             lines = contacts.lines(pair, (contact.point, contact.point), axes)
             speed = min(max(contact.penetrationDepth, 0.0) * ERP / self.dt, FASTEST)
             bounce = -self.surface[1] ** 2 * float(lines[0] @ contacts.target)

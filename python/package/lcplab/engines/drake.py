@@ -15,6 +15,8 @@ import numpy as np
 
 from lcplab.engines import Array, Description, Engine, Joint, Posed, Settings, Unsupported
 from lcplab.engines import conjugate, joints, one_value, pose, rates, relative, shape, springs, turned
+from lcplab._receipt.contact_rows import axes_along
+from lcplab._receipt.drake import DISSIPATION, SIGMA, STICTION, STIFFNESS
 from lcplab.engines._contacts import Contacts
 
 #: The hydroelastic modulus of bodies (Pa) in the accurate settings. Drake's guide calls 1e5 to 1e7 good
@@ -22,9 +24,6 @@ from lcplab.engines._contacts import Contacts
 MODULUS = 1e7
 #: How finely round bodies are meshed (m), as Drake has it by default, and smaller ones in parts of their radius.
 MESH, FINE = 0.02, 0.2
-#: What Drake takes by default: a body's stiffness (N/m) and dissipation (s/m), of two the half and the same; the
-#: speed (m/s) below which friction holds, and its least compliance as a part of the contact's own J M⁻¹Jᵀ.
-STIFFNESS, DISSIPATION, STICTION, SIGMA = 1e6, 50.0, 1e-4, 1e-3
 
 
 class Model:
@@ -227,9 +226,7 @@ class Model:
             point = results.point_pair_contact_info(number)
             pair = numbers[point.bodyA_index()], numbers[point.bodyB_index()]
             normal, depth = np.array(point.point_pair().nhat_BA_W), point.point_pair().depth
-            along = np.cross(normal, np.eye(3)[np.abs(normal).argmin()])
-            along /= np.linalg.norm(along)
-            axes = np.array([normal, along, np.cross(normal, along)])
+            axes = axes_along(normal)
             place = point.contact_point()
             lines = contacts.lines(pair, (place, place), axes)
             start, end = (lines @ moving[list(contacts.first)].ravel() for moving in (before, after))

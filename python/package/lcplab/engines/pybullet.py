@@ -16,6 +16,7 @@ import numpy as np
 
 from lcplab.engines import Array, Description, Engine, Joint, Posed, Settings, Unsupported
 from lcplab.engines import conjugate, joints, one_value, pose, rates, relative, shape, turned
+from lcplab._receipt.pybullet import BOUNCES_FROM, DAMPING, ERP, SLOP
 from lcplab.engines._contacts import Contacts
 
 #: What the maintainer of Bullet sets for restitution (github.com/bulletphysics/bullet3/issues/3094), beside
@@ -23,9 +24,6 @@ from lcplab.engines._contacts import Contacts
 #: that overlap by more than 4 cm.
 BOUNCING = {"restitutionVelocityThreshold": 0.0, "warmStartingFactor": 0.0, "useSplitImpulse": 1,
             "contactSlop": 0.0, "splitImpulsePenetrationThreshold": 0.0}
-#: What PyBullet sets and does not tell (SharedMemory/PhysicsServerCommandProcessor.cpp): the part of an overlap that a step
-#: corrects, what is added to each distance (m), the speed (m/s) from which bodies bounce, the damping (1/s).
-ERP, SLOP, BOUNCES_FROM, DAMPING = 0.08, 1e-5, 0.2, 0.04
 
 
 class Model:
