@@ -9,8 +9,7 @@ pub fn gauss_seidel(A: &Matrix, b: &Vector, lo: &Vector, hi: &Vector, sweeps: us
     let mut x = Vector::zeros(n);
     for _ in 0..sweeps {
         for i in 0..n {
-            // x already contains the new values of this sweep.
-            let w = A.row(i).transpose().dot(&x) + b[i];
+            let w = A.row(i).transpose().dot(&x) + b[i]; // with the new x of this sweep
             x[i] = (x[i] - w / A[(i, i)]).clamp(lo[i], hi[i]);
         }
     }
