@@ -108,12 +108,13 @@ impl JudgedAnswer {
         demand: &Demand,
     ) -> Self {
         let coulomb = ConeProblem::new(problem.clone(), Law::Coulomb);
+        let unproved = Demand { prove_up_to: 0, ..*demand };
         let certificate = judge_friction(posed, x, demand);
         let contact = |c: &Contact| contact(problem.lcp(), c, x, &certificate.w);
         JudgedAnswer {
             contacts: problem.contacts().iter().map(contact).collect(),
             certificate,
-            coulomb_residual: judge_cone(&coulomb, x, demand).scaled_residual,
+            coulomb_residual: judge_cone(&coulomb, x, &unproved).scaled_residual,
         }
     }
 

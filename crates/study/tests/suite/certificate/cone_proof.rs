@@ -130,12 +130,16 @@ proptest! {
     #![proptest_config(cases(300))]
 
     #[test]
-    fn the_rounded_solution_is_proved_and_its_distance_is_true(links in links(), law in laws()) {
+    fn the_rounded_solution_is_accepted_and_proved_at_its_true_distance(links in links(), law in laws()) {
         let (problem, exact) = chain(&links, law);
         let x = rounded(&exact);
         let verdict = judge_cone(&problem, &x, &Demand::default()).verdict;
+        prop_assert!(verdict.is_solution(), "{verdict}, {x:?}");
+        // Entries of 10²² and 10⁻⁴ in one problem can leave it unproved.
+        let smallest = x.iter().map(|x| x.abs()).filter(|&x| x > 0.0).fold(INF, f64::min);
         let Verdict::Proved { distance: stated } = verdict else {
-            return Err(TestCaseError::fail(format!("{verdict}, {x:?}")));
+            prop_assert!(smallest < 1e-20 * size(&x), "{verdict}, {x:?}");
+            return Ok(());
         };
         prop_assert!(distance(&x, &exact) <= big(stated), "{x:?}");
         prop_assert!(stated <= 2.0 * f64::EPSILON * size(&x), "{stated} {x:?}");
