@@ -232,10 +232,14 @@ const lcpcheck = (() => {
       need(lo[i] === -Infinity && hi[i] === Infinity, `the bounds of row ${i}`);
     }
     const frozen = vector("frozen_at", number, () => 0);
-    const stated = has(data, "model") ? [data.model] : [], model = asked ?? stated[0] ?? "coupled-box";
+    const stated = has(data, "model") ? [data.model] : [];
+    let model = asked ?? stated[0] ?? "coupled-box";
     need([model, ...stated].every((name) => MODELS.includes(name)), "a model that is not known");
-    if (asked !== undefined || has(data, "model")) {
-      const normals = new Set(owner.filter((k) => k >= 0));
+    const coupled = owner.filter((k) => k >= 0), normals = new Set(coupled);
+    if (coupled.length > 0 && normals.size === coupled.length && !["frozen-box", "associated-cone"].includes(model)) {
+      // One tangent a contact: in the plane the cone is the box.
+      model = "coupled-box";
+    } else if (asked !== undefined || has(data, "model")) {
       need(normals.size > 0, "a friction model without friction");
       for (const k of normals) {
         const tangents = mu.filter((_, i) => owner[i] === k);

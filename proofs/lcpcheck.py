@@ -17,7 +17,9 @@ from pathlib import Path
 INF, INTEGER = float("inf"), re.compile(r"0|-?[1-9a-f][0-9a-f]*")
 BOXES = ("coupled-box", "frozen-box")
 CONES = ("associated-cone", "coulomb-cone")
-MODELS = {*BOXES, *CONES, *(f"polygon-{k}" for k in range(4, 257, 4))}
+POLYGONS = {f"polygon-{k}" for k in range(4, 257, 4)}
+MODELS = {*BOXES, *CONES, *POLYGONS}
+PLANE = {*POLYGONS, "coupled-box", "coulomb-cone"}
 REGION = ("states", "center", "radius", "inverse")
 KEYS = {"solution": [{"x"}, {"x", "answer", "distance"}], "unique": [{"x", "by"}], "not-unique": [{"x", "y"}],
         "no-solution": [{"tree"}], "within": [{"answer", "residual"}],
@@ -142,8 +144,11 @@ class Problem:
         self.model = data.get("model", "coupled-box") if model is None else model
         for name in (self.model, data.get("model", self.model)):
             need(type(name) is str and name in MODELS, "a model that is not known")
-        if model is not None or "model" in data:
-            normals = [k for k in self.owner if k is not None]
+        normals = [k for k in self.owner if k is not None]
+        if normals and len(set(normals)) == len(normals) and self.model in PLANE:
+            # One tangent a contact: in the plane the cone is the box.
+            self.model = "coupled-box"
+        elif model is not None or "model" in data:
             need(normals, "a friction model without friction")
             for k in normals:
                 tangents = [m for m, own in zip(mu, self.owner) if own == k]

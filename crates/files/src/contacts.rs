@@ -1,23 +1,32 @@
-//! The row order of friction formats: one contact after the other, each as n, t1, t2, then the
-//! equations.
+//! The row order of friction formats: one contact after the other, each as n, t1, t2 or, in the
+//! plane, as n, t, then the equations.
 
+use lcplab_problem::Lcp;
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::{Entries, Parts, Problem};
+use lcplab_problem::friction::Model;
 
-/// A problem whose first rows are contacts, three rows and one mu each; the remaining rows are
-/// equations. There must be three rows for each mu.
-pub(super) fn coulomb(entries: Entries, b: Vec<f64>, mu: &[f64]) -> Parts {
-    let (n, friction) = (b.len(), 3 * mu.len());
-    let is_normal = |i: usize| i < friction && i.is_multiple_of(3);
-    let is_tangent = |i: usize| i < friction && !i.is_multiple_of(3);
+/// A problem whose first rows are contacts, `dimension` rows and one mu each; the remaining rows
+/// are equations. There must be that many rows for each mu.
+pub(super) fn coulomb(entries: Entries, b: Vec<f64>, mu: &[f64], dimension: usize) -> Parts {
+    let (n, friction) = (b.len(), dimension * mu.len());
+    let is_normal = |i: usize| i < friction && i.is_multiple_of(dimension);
+    let is_tangent = |i: usize| i < friction && !i.is_multiple_of(dimension);
     Parts {
         lo: Some((0..n).map(|i| if is_normal(i) { 0.0 } else { -f64::INFINITY }).collect()),
         hi: None,
-        index: Some((0..n).map(|i| is_tangent(i).then_some(i - i % 3)).collect()),
-        mu: Some((0..n).map(|i| if is_tangent(i) { mu[i / 3] } else { 0.0 }).collect()),
+        index: Some((0..n).map(|i| is_tangent(i).then_some(i - i % dimension)).collect()),
+        mu: Some((0..n).map(|i| if is_tangent(i) { mu[i / dimension] } else { 0.0 }).collect()),
         entries,
         b,
     }
+}
+
+/// The friction model of a file's contacts, if it has any: Coulomb's law, which in the plane is the
+/// coupled box.
+pub(super) fn law(lcp: &Lcp, dimension: usize) -> Option<Model> {
+    lcp.coupling()?;
+    (dimension == 3).then_some(Model::CoulombCone)
 }
 
 /// Rows in the order of a friction format.

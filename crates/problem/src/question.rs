@@ -36,7 +36,9 @@ pub struct Question {
 
 impl Question {
     /// The problem under the requested model; without one, under the model that the problem states;
-    /// without that, as an LCP whose friction rows are coupled rows.
+    /// without that, as an LCP whose friction rows are coupled rows. If the contacts lie in the
+    /// plane, each with one tangent, Coulomb's cone and polygons are the coupled box, and the
+    /// question has no model.
     ///
     /// `input` is the name of the file in errors.
     ///
@@ -44,7 +46,13 @@ impl Question {
     /// If a model is requested or stated and the problem has no friction rows or cannot be stated
     /// under that model.
     pub fn new(problem: &Problem, asked: Option<Model>, input: &str) -> Result<Self> {
-        let problem = problem.clone();
+        let mut problem = problem.clone();
+        if let Some(model) = asked.or(problem.model).filter(|_| is_plane(&problem.lcp)) {
+            check_plane(model, input)?;
+            problem.model = None;
+            let posed = ProblemForm::Boxed(problem.lcp.clone());
+            return Ok(Question { problem, under: None, posed });
+        }
         let Some(model) = asked.or(problem.model) else {
             let posed = ProblemForm::Boxed(problem.lcp.clone());
             return Ok(Question { problem, under: None, posed });
@@ -100,4 +108,31 @@ impl Question {
             Error::invalid(input, "model", reason)
         })
     }
+}
+
+/// Whether the friction rows are those of contacts in the plane: each normal row bounds one
+/// tangent.
+fn is_plane(lcp: &Lcp) -> bool {
+    let Some(coupling) = lcp.coupling().filter(|coupling| !coupling.is_empty()) else {
+        return false;
+    };
+    let mut tangents = vec![0; lcp.len()];
+    coupling.rows().for_each(|(_, normal)| tangents[normal] += 1);
+    tangents.iter().all(|count| *count <= 1)
+}
+
+/// Checks that a model states contacts in the plane as the coupled box.
+fn check_plane(model: Model, input: &str) -> Result<()> {
+    let reason = match model {
+        Model::CoupledBox | Model::Polyhedral { .. } | Model::CoulombCone => return Ok(()),
+        Model::AssociatedCone => {
+            "is associated-cone, which is not defined here for contacts in the plane (one tangent \
+             each); coulomb-cone is"
+        }
+        Model::FrozenBox => {
+            "is frozen-box, which needs two tangents for each contact; state the frozen limits as \
+             bounds lo and hi"
+        }
+    };
+    Err(Error::invalid(input, "model", reason))
 }

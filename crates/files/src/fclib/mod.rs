@@ -28,9 +28,9 @@
 //! Traps: W may be asymmetric in its last digits and is used unchanged. For triplets, `fclib.h`
 //! says that `p` holds rows and `i` columns, while Siconos passes them to CSparse with the opposite
 //! meaning: `p` columns, `i` rows. The reader follows CSparse; this matters for V, H and G.
-//! Contacts in the plane (`spacedim` 2) have one tangent, while lcplab's have two: they are
-//! rejected. Some collections store half of W with an attribute `symmetric_packed`: that is not
-//! FCLIB's format and is rejected.
+//! Contacts in the plane (`spacedim` 2) have the rows n, t, and their cone is the coupled box. Some
+//! collections store half of W with an attribute `symmetric_packed`: that is not FCLIB's format and
+//! is rejected.
 //!
 //! HDF5 is read and written in pure Rust (`hdf5-reader`, `hdf5-writer`) with the feature `fclib`,
 //! which is enabled by default; without it both are errors. Only local problems are written.
@@ -54,7 +54,7 @@ pub const FORMAT: Format = Format {
     beside: &[],
     carries: "contacts under Coulomb's law and equations; sparse",
     law: Some(Model::CoulombCone),
-    trap: "W may be asymmetric in its last digits; contacts in the plane are rejected",
+    trap: "W may be asymmetric in its last digits; p of a triplet is its column",
     #[cfg(feature = "fclib")]
     read: reader::read,
     #[cfg(feature = "fclib")]

@@ -9,11 +9,10 @@ use hdf5_reader::{Dataset, Hdf5File, OpenOptions};
 use super::leftover;
 use crate::Input;
 use crate::budget::Budget;
-use crate::contacts::coulomb;
+use crate::contacts::{coulomb, law};
 use crate::delassus::Motion;
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::{Entries, Problem};
-use lcplab_problem::friction::Model;
 use lcplab_problem::memory::Memory;
 
 pub(super) fn read(input: &Input) -> Result<Problem> {
@@ -48,12 +47,12 @@ pub(super) fn read(input: &Input) -> Result<Problem> {
         _ => return Err(file.fault("file", "contains several problems; select one of them")),
     };
     let beside = leftover::check(file.file, &file.read.borrow(), kind, &name)?;
-    let Contents { entries, b, mu } = contents;
-    let lcp = coulomb(entries, b, &mu).into_lcp().map_err(|error| error.within(&name))?;
+    let Contents { entries, b, mu, dimension } = contents;
+    let lcp =
+        coulomb(entries, b, &mu, dimension).into_lcp().map_err(|error| error.within(&name))?;
     let title = file.read(&format!("{kind}/info/title"), Some(1), Dataset::read_string);
     let title = title.unwrap_or_else(|_| input.stem());
-    // Without coupling there are no contacts.
-    let model = lcp.coupling().map(|_| Model::CoulombCone);
+    let model = law(&lcp, dimension);
     let warnings = beside.into_iter().collect();
     Ok(Problem { model, warnings, ..Problem::new(title, lcp) })
 }
@@ -66,6 +65,8 @@ struct Contents {
     entries: Entries,
     b: Vec<f64>,
     mu: Vec<f64>,
+    /// The number of rows of a contact.
+    dimension: usize,
 }
 
 /// A sparse matrix.
@@ -87,12 +88,12 @@ struct File<'a> {
 
 impl File<'_> {
     fn local(&self) -> Result<Contents> {
-        self.check_dimension("/fclib_local/spacedim")?;
+        let dimension = self.dimension("/fclib_local/spacedim")?;
         let w = self.matrix("/fclib_local/W")?;
         let mut b = self.numbers("/fclib_local/vectors/q", w.rows)?;
         self.check_size("/fclib_local/W", &w, [w.rows, w.rows])?;
-        let mu = self.numbers("/fclib_local/vectors/mu", w.rows / 3)?;
-        self.check_contacts("/fclib_local/W", w.rows)?;
+        let mu = self.numbers("/fclib_local/vectors/mu", w.rows / dimension)?;
+        self.check_contacts("/fclib_local/W", w.rows, dimension)?;
         let (n, mut entries) = (w.rows, w.entries);
         if self.file.group("/fclib_local/R").is_ok() {
             let (v, r) = (self.matrix("/fclib_local/V")?, self.matrix("/fclib_local/R")?);
@@ -104,19 +105,19 @@ impl File<'_> {
             }
             entries.extend(r.entries.into_iter().map(|(i, j, value)| (n + i, n + j, value)));
         }
-        Ok(Contents { entries: Entries::Sparse(entries), b, mu })
+        Ok(Contents { entries: Entries::Sparse(entries), b, mu, dimension })
     }
 
     fn global(&self) -> Result<Contents> {
-        self.check_dimension("/fclib_global/spacedim")?;
+        let dimension = self.dimension("/fclib_global/spacedim")?;
         let (m, h) = (self.matrix("/fclib_global/M")?, self.matrix("/fclib_global/H")?);
         let k = m.rows;
         let force = self.numbers("/fclib_global/vectors/f", k)?;
         self.check_size("/fclib_global/M", &m, [k, k])?;
         self.check_size("/fclib_global/H", &h, [k, h.cols])?;
-        self.check_contacts("/fclib_global/H", h.cols)?;
+        self.check_contacts("/fclib_global/H", h.cols, dimension)?;
         let mut bias = self.numbers("/fclib_global/vectors/w", h.cols)?;
-        let mu = self.numbers("/fclib_global/vectors/mu", h.cols / 3)?;
+        let mu = self.numbers("/fclib_global/vectors/mu", h.cols / dimension)?;
         let mut columns = h.entries;
         if self.file.group("/fclib_global/G").is_ok() {
             let g = self.matrix("/fclib_global/G")?;
@@ -129,20 +130,24 @@ impl File<'_> {
         let zeros = vec![0.0; bias.len()];
         let (entries, free) = motion.dual(&zeros, "/fclib_global/M", self.input, self.most)?;
         let b = free.iter().zip(&bias).map(|(free, bias)| free + bias).collect();
-        Ok(Contents { entries, b, mu })
+        Ok(Contents { entries, b, mu, dimension })
     }
 
-    fn check_dimension(&self, path: &str) -> Result<()> {
+    /// The number of rows of a contact.
+    fn dimension(&self, path: &str) -> Result<usize> {
         match self.whole(path)? {
-            3 => Ok(()),
-            d => Err(self.fault(path, format!("is {d}: only contacts in space, 3, are read"))),
+            d @ (2 | 3) => Ok(d),
+            d => Err(self.fault(path, format!("is {d}, must be 2 (the plane) or 3 (space)"))),
         }
     }
 
-    fn check_contacts(&self, path: &str, rows: usize) -> Result<()> {
-        match rows.is_multiple_of(3) {
+    fn check_contacts(&self, path: &str, rows: usize, dimension: usize) -> Result<()> {
+        match rows.is_multiple_of(dimension) {
             true => Ok(()),
-            false => Err(self.fault(path, format!("has {rows} rows, not three per contact"))),
+            false => {
+                let reason = format!("has {rows} rows, not {dimension} per contact");
+                Err(self.fault(path, reason))
+            }
         }
     }
 

@@ -12,7 +12,7 @@ pub(super) enum Kind {
     Boxes,
     /// A mixed LCP.
     Mixed,
-    /// Contacts in space, with or without their bodies.
+    /// Contacts in the plane or in space, with or without their bodies.
     Contacts,
 }
 
@@ -29,8 +29,7 @@ pub(super) fn kind(words: &Words) -> Result<Kind> {
     match lead[..] {
         [n, ..] if is_square(1, n) => Ok(Kind::Boxes),
         [1, 0 | 1, _, _, 0] | [0, 1, _, _, ..] => Ok(Kind::Mixed),
-        [3, _, ..] if has_matrix(2) => Ok(Kind::Contacts),
-        [2, _, ..] if has_matrix(2) => refused("contacts in the plane (FC2D or GFC2D)"),
+        [2 | 3, _, ..] if has_matrix(2) => Ok(Kind::Contacts),
         [5, _, ..] if has_matrix(2) => refused("contacts with rolling friction (RFC3D or GRFC3D)"),
         [n, _, ..] if is_square(2, n) => refused("a problem over second-order cones (SOCLCP)"),
         [3, _, 1 | 2, ..] if has_matrix(3) => refused("a problem of plasticity"),
@@ -49,6 +48,6 @@ pub(super) fn kind(words: &Words) -> Result<Kind> {
 pub(super) fn refusal(words: &Words, kind: &str) -> Error {
     words.fault_ahead(format!(
         "this seems to be {kind}, which is not read: only LCPs, relay problems, mixed LCPs and \
-         contacts in space (FC3D, GFC3D) are"
+         contacts (FC2D, FC3D, GFC2D, GFC3D) are"
     ))
 }

@@ -1,5 +1,6 @@
 //! Reads a matrix in Siconos' format: its storage, its size, its numbers.
 
+use super::listing;
 use crate::table::{Table, by_rows};
 use crate::words::Words;
 use lcplab_problem::error::Result;
@@ -24,14 +25,10 @@ pub(super) fn size_ahead(words: &Words, after: usize) -> Option<[usize; 2]> {
             let mut last = |lines: usize| (0..lines).try_fold(0, |_, _| whole());
             count > 0 && last(down)? == rows && last(across)? == cols
         }
-        SPARSE => whole().is_some_and(|origin| (1..=4).contains(&origin)) && is_listing(&mut ahead),
+        SPARSE => whole().is_some() && ahead.next().is_some_and(listing::is_head),
         _ => false,
     };
     is_matrix.then_some([rows, cols])
-}
-
-fn is_listing(words: &mut Words) -> bool {
-    words.next().is_some_and(|word| word.starts_with("CSparse") || word.starts_with("CXSparse"))
 }
 
 /// The matrix called `name`.
@@ -41,11 +38,11 @@ pub(super) fn read(words: &mut Words, name: &str) -> Result<Table> {
     match storage {
         DENSE => dense(words, name, rows, cols),
         BLOCKS => blocks(words, rows, cols),
-        SPARSE => Err(words.fault(format!(
-            "storage 2 of {name}, a listing of a sparse matrix with six digits, is not read"
-        ))),
+        SPARSE => listing::read(words, name, rows, cols),
         _ => {
-            Err(words.fault(format!("storage {storage} is not read: only 0, dense, and 1, blocks")))
+            let reason =
+                format!("storage {storage} is not read: only 0, dense, 1, blocks, and 2, sparse");
+            Err(words.fault(reason))
         }
     }
 }

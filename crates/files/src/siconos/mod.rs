@@ -36,10 +36,13 @@
 //! resulting A. M is rejected if it is singular, symmetric but not positive definite, or so badly
 //! conditioned that fewer than eight digits of A would be correct.
 //!
-//! The following are rejected with their name: contacts in the plane (FC2D, GFC2D), rolling
-//! friction (RFC3D, GRFC3D), plasticity, problems over second-order cones (SOCLCP), generic
-//! mechanical problems, mixed LCPs with more equations than unknowns, and storage 2, a sparse
-//! matrix printed with six digits.
+//! Contacts in the plane, FC2D and GFC2D, are the same with 2 for 3 and the rows n, t; the friction
+//! cone is then the coupled box. A sparse matrix, storage 2, is a listing by CSparse (`listing`)
+//! with six digits of each number: a problem read from it is that of these digits.
+//!
+//! The following are rejected with their name: rolling friction (RFC3D, GRFC3D), plasticity,
+//! problems over second-order cones (SOCLCP), generic mechanical problems, and mixed LCPs with more
+//! equations than unknowns.
 //!
 //! Traps: dense matrices and blocks are listed *column by column*; read by rows, the portfolio
 //! problems of Cottle, Pang & Stone in Siconos' own tests have no solution. An affine variational
@@ -48,6 +51,7 @@
 //! for contacts.
 
 mod kind;
+mod listing;
 mod matrix;
 mod mixed;
 mod reader;
@@ -59,7 +63,7 @@ use lcplab_problem::friction::Model;
 /// Siconos' LCPs, relay problems, mixed LCPs and contacts.
 pub const FORMAT: Format = Format {
     name: "siconos",
-    about: "Siconos: LCPs, relay problems, mixed LCPs and contacts (FC3D, GFC3D) as lists of numbers",
+    about: "Siconos: LCPs, relay problems, mixed LCPs and contacts (FC2D, FC3D, GFC2D, GFC3D) as lists of numbers",
     endings: &[".dat"],
     in_folder: None,
     beside: &[],

@@ -3,13 +3,12 @@
 use super::kind::{self, Kind, refusal};
 use super::{matrix, mixed};
 use crate::Input;
-use crate::contacts::coulomb;
+use crate::contacts::{coulomb, law};
 use crate::delassus::Motion;
 use crate::table::Table;
 use crate::words::{Words, brief};
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::{Parts, Problem};
-use lcplab_problem::friction::Model;
 use lcplab_problem::memory::Memory;
 
 pub(super) fn read(input: &Input) -> Result<Problem> {
@@ -19,20 +18,18 @@ pub(super) fn read(input: &Input) -> Result<Problem> {
     if words.is_empty() {
         return Err(Error::invalid(name, "file", "has no numbers"));
     }
+    let dimension = words.clone().next().and_then(|word| word.parse().ok()).unwrap_or_default();
     let (parts, end) = match kind::kind(&words)? {
         Kind::Boxes => (boxes(&mut words, &name)?, "an LCP or a relay problem"),
         Kind::Mixed => (mixed::read(&mut words, &name)?, "a mixed LCP (MLCP)"),
-        Kind::Contacts => {
-            (contacts(&mut words, &name, input.most())?, "contacts (FC3D or GFC3D), behind mu")
-        }
+        Kind::Contacts => (contacts(&mut words, &name, input.most())?, "contacts, behind mu"),
     };
     if !words.is_empty() {
         let reason = format!("not understood: {} numbers after {end}", words.count());
         return Err(words.fault_ahead(reason));
     }
     let lcp = parts.into_lcp().map_err(|error| error.within(&name))?;
-    // Without coupling there are no contacts.
-    let model = lcp.coupling().map(|_| Model::CoulombCone);
+    let model = law(&lcp, dimension);
     let mut problem = Problem { model, ..Problem::new(input.stem(), lcp) };
     problem.warnings = comment_found(numbers, comment, &name).into_iter().collect();
     Ok(problem)
@@ -85,11 +82,11 @@ fn boxes(words: &mut Words, input: &str) -> Result<Parts> {
     Ok(Parts { entries, b, lo, hi, index: None, mu: None })
 }
 
-/// Contacts in space: without their bodies, or with them if a second matrix follows.
+/// Contacts: without their bodies, or with them if a second matrix follows.
 fn contacts(words: &mut Words, input: &str, most: Memory) -> Result<Parts> {
-    words.whole("the dimension")?;
+    let dimension = words.whole("the dimension")?;
     let contacts = words.whole("the number of contacts")?;
-    let Some(n) = contacts.checked_mul(3) else {
+    let Some(n) = contacts.checked_mul(dimension) else {
         return Err(words.fault(format!("{contacts} contacts are more than can be counted")));
     };
     let first = matrix::read(words, "M")?;
@@ -98,38 +95,43 @@ fn contacts(words: &mut Words, input: &str, most: Memory) -> Result<Parts> {
         [first.rows, first.cols] == [n, n] && (left == n + contacts || left == n + contacts + 1);
     let parts = match matrix::size_ahead(words, 0) {
         Some(size) if !is_local && size == [first.rows, n] => {
-            global(words, first, contacts, input, most)?
+            global(words, first, [dimension, contacts], input, most)?
         }
-        _ => local(words, first, contacts, input)?,
+        _ => local(words, first, [dimension, contacts], input)?,
     };
     flag(words, contacts)?;
     Ok(parts)
 }
 
 /// q and mu, after M.
-fn local(words: &mut Words, matrix: Table, contacts: usize, input: &str) -> Result<Parts> {
-    let n = 3 * contacts;
+fn local(
+    words: &mut Words,
+    matrix: Table,
+    [dimension, contacts]: [usize; 2],
+    input: &str,
+) -> Result<Parts> {
+    let n = dimension * contacts;
     if [matrix.rows, matrix.cols] != [n, n] {
         let reason = format!("{contacts} contacts have not {} rows", matrix.rows);
         return Err(words.fault(reason));
     }
-    if n == 3 && words.count() == 6 {
+    if n == dimension && words.count() == dimension + 3 {
         return Err(refusal(words, "a problem over second-order cones (SOCLCP)"));
     }
     let b = words.numbers(n, "q")?;
     let mu = words.numbers(contacts, "mu")?;
-    Ok(coulomb(matrix.square(n, input)?, b, &mu))
+    Ok(coulomb(matrix.square(n, input)?, b, &mu, dimension))
 }
 
 /// H, q, b and mu, after M: converted to the problem in impulses only.
 fn global(
     words: &mut Words,
     mass: Table,
-    contacts: usize,
+    [dimension, contacts]: [usize; 2],
     input: &str,
     most: Memory,
 ) -> Result<Parts> {
-    let (k, n) = (mass.rows, 3 * contacts);
+    let (k, n) = (mass.rows, dimension * contacts);
     if mass.cols != k {
         return Err(
             words.fault(format!("M is {k} × {}: the matrix of bodies is square", mass.cols))
@@ -146,7 +148,7 @@ fn global(
     let motion = Motion { mass: mass.triplets(), jacobian, force };
     let (entries, free) = motion.dual(&vec![0.0; n], "M", input, most)?;
     let b = free.iter().zip(&bias).map(|(free, bias)| free + bias).collect();
-    Ok(coulomb(entries, b, &mu))
+    Ok(coulomb(entries, b, &mu, dimension))
 }
 
 /// The number 0 or 1 after mu at the end of many of Siconos' own files; Siconos does not read it.

@@ -6,7 +6,7 @@ use lcplab_problem::memory::Memory;
 use proptest::prelude::*;
 
 use super::{again, assert_same, frictions, message, refusal, rows, sample};
-use lcplab_testing::{INF, cases};
+use lcplab_testing::{INF, assert_proved, cases};
 
 #[test]
 fn a_local_problem_is_read_with_its_unsymmetric_w() {
@@ -205,4 +205,44 @@ proptest! {
         assert_same(&problem.lcp, &back.lcp);
         prop_assert_eq!(back.name, "frictions");
     }
+}
+
+/// A unit mass on a plane of friction ½, W = [1 0.2; 0.2 1] and q = (−1, −2): it slides, so x_t =
+/// x_n / 2 and 1.1 x_n = 1.
+#[test]
+fn contacts_in_the_plane_are_boxes_of_a_normal_and_a_tangent() {
+    let read = |dimension: i32| {
+        let mut file = Hdf5Builder::new();
+        let name = |part: &str| format!("fclib_local/{part}");
+        let whole = [("spacedim", dimension), ("W/m", 2), ("W/n", 2), ("W/nz", -1)];
+        for (part, value) in whole {
+            file = file.dataset(DatasetBuilder::typed_data(name(part), vec![1], &[value]).unwrap());
+        }
+        for (part, values) in [("W/p", vec![0, 2, 4]), ("W/i", vec![0, 1, 0, 1])] {
+            let length = vec![values.len() as u64];
+            file = file.dataset(DatasetBuilder::typed_data(name(part), length, &values).unwrap());
+        }
+        for (part, values) in [
+            ("W/x", vec![1.0, 0.2, 0.2, 1.0]),
+            ("vectors/q", vec![-1.0, -2.0]),
+            ("vectors/mu", vec![0.5]),
+        ] {
+            let length = vec![values.len() as u64];
+            file = file.dataset(DatasetBuilder::typed_data(name(part), length, &values).unwrap());
+        }
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("p.hdf5");
+        let bytes = file.into_plan().unwrap().encode(WriteOptions::default()).unwrap();
+        std::fs::write(&path, bytes).unwrap();
+        let read = exchange::read(&path, None);
+        read.map_err(|error| error.to_string().replace(path.to_str().unwrap(), "p"))
+    };
+    let problem = read(2).unwrap();
+    assert_eq!((problem.model, problem.lcp.coupled_to(1)), (None, Some((0, 0.5))));
+    assert_proved(&problem.lcp, &[10.0 / 11.0, 5.0 / 11.0]);
+    assert_eq!(
+        read(4).unwrap_err(),
+        "p: /fclib_local/spacedim: is 4, must be 2 (the plane) or 3 (space)"
+    );
+    assert_eq!(read(3).unwrap_err(), "p: /fclib_local/vectors/mu: has 1 numbers, must have 0");
 }

@@ -100,16 +100,60 @@ fn a_friction_problem_has_its_contacts_as_n_t1_t2() {
     assert_eq!(contacts, [Contact { rows: [0, 1, 2], mu: 0.5 }]);
 }
 
+/// A unit mass on a plane of friction ½ slides: x_t = x_n / 2 and 1.1 x_n = 1.
+#[test]
+fn contacts_in_the_plane_are_boxes_of_a_normal_and_a_tangent() {
+    let problem = sample_of("plane");
+    assert_eq!(problem.model, None);
+    assert_eq!(problem.lcp.coupled_to(1), Some((0, 0.5)));
+    assert_eq!((problem.lcp.lo()[0], problem.lcp.hi()[0]), (0.0, f64::INFINITY));
+    assert_proved(&problem.lcp, &[10.0 / 11.0, 5.0 / 11.0]);
+}
+
+/// M = diag(1, 2) as triplets and H = [1 0; 1 1] by columns: A = Hᵀ M⁻¹ H, b = Hᵀ M⁻¹ q + b.
+#[test]
+fn sparse_matrices_are_read_as_csparse_lists_them() {
+    let lcp = sample_of("plane_global").lcp;
+    assert_eq!(rows(lcp.matrix()), [[1.5, 0.5], [0.5, 0.5]]);
+    assert_eq!(lcp.b(), [-1.0, 0.25]);
+    // It slides against the tangent: 1.25 x_n = 1.
+    assert_proved(&lcp, &[0.8, -0.4]);
+    let problem = sample_of("sparse");
+    assert_eq!(rows(problem.lcp.matrix()), [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    assert_eq!(problem.model, Some(Model::CoulombCone));
+    let with =
+        |from: &str, to: &str| message("siconos", &text_of("plane_global").replacen(from, to, 1));
+    assert_eq!(with("nnz: 2", "nnz: 3"), "p: line 13: is no entry of the 2 × 2 matrix M");
+    assert_eq!(with("    1 1 : 2", "    1 2 : 2"), "p: line 10: is no entry of the 2 × 2 matrix M");
+    assert_eq!(with("nnz: 3", "nnz: 4"), "p: line 21: H has 3 numbers, nnz is 4");
+    assert_eq!(with("col 1", "col 2"), "p: line 20: is not line 1: \"col 2 : locations 2 to 2\"");
+    assert_eq!(
+        with("2-by-2", "2-by-3"),
+        "p: line 8: must state 2-by-2 and nnz of M: \"triplet: 2-by-3, nzmax: 2 nnz: 2\""
+    );
+}
+
+/// The same matrix by rows.
+#[test]
+fn rows_of_a_listing_are_not_taken_for_columns() {
+    let by_rows = text_of("plane_global").replace("col", "row").replacen(
+        "2-by-2, nzmax: 3",
+        "2-by-2, nzmax: 9",
+        1,
+    );
+    // H is then [1 1; 0 1]: A = [1 1; 1 1.5].
+    let lcp = parse("siconos", &by_rows).unwrap().lcp;
+    assert_eq!(rows(lcp.matrix()), [[1.0, 1.0], [1.0, 1.5]]);
+}
+
 #[test]
 fn each_defect_has_its_line() {
     let cases = [
         ("", "p: file: has no numbers"),
         ("only words", "p: file: has no numbers"),
         ("2 0 2 2 2 3", "p: line 1: 2 × 3 here, 2 × 2 before"),
-        (
-            "1\n2\n1\n1",
-            "p: line 4: storage 2 of M, a listing of a sparse matrix with six digits, is not read",
-        ),
+        ("1\n2\n1\n1", "p: line 4: the file ends before the origin of M"),
+        ("1\n2\n1\n1\n1\nno 1", "p: line 6: the listing of M must begin with CSparse"),
         ("1 0 1 1 1 1 5", "p: line 1: the file ends before q[0]"),
         ("4 4 4 8 8", BEGINS_LIKE_NONE),
         ("x 4 4 8 8", BEGINS_LIKE_NONE),
@@ -261,7 +305,6 @@ fn a_badly_conditioned_matrix_of_bodies_is_refused() {
 #[test]
 fn kinds_that_are_not_read_are_refused_by_name() {
     for (name, expected) in [
-        ("plane", "line 1: this seems to be contacts in the plane (FC2D or GFC2D)"),
         ("rolling", "line 1: this seems to be contacts with rolling friction (RFC3D or GRFC3D)"),
         ("plasticity", "line 1: this seems to be a problem of plasticity"),
         (
@@ -272,7 +315,6 @@ fn kinds_that_are_not_read_are_refused_by_name() {
         ("two_cones", "line 1: this seems to be a problem over second-order cones (SOCLCP)"),
         ("generic", "line 1: this seems to be a generic mechanical problem (GMP)"),
         ("rectangular", "line 12: M of this mixed LCP (MLCP) is 3 × 2"),
-        ("sparse", "line 5: storage 2 of M, a listing of a sparse matrix"),
         ("three_more", "line 9: not understood: 3 numbers after q, with which an LCP ends"),
         ("labels", "line 9: not understood: 6 numbers after q"),
         ("answer_behind", "line 20: not understood: 2 numbers after a mixed LCP (MLCP)"),
@@ -295,7 +337,8 @@ fn a_comment_behind_the_numbers_is_reported() {
 
 /// The samples, and by how many numbers more or fewer each is still the whole of a problem: an LCP
 /// of two rows becomes a relay problem with four more, the flag may stand behind mu or not.
-const WHOLE: [(&str, &[isize]); 11] = [
+const WHOLE: [(&str, &[isize]); 12] = [
+    ("plane", &[0]),
     ("lcp", &[0, 4]),
     ("lcp_blocks_comment", &[0, 4]),
     ("relay", &[-4, 0]),
@@ -326,7 +369,7 @@ proptest! {
         let mut changed = words[..kept].to_vec();
         changed.extend(std::iter::repeat_n(number, change.max(0) as usize));
         let is_read = parse("siconos", &changed.join(" ")).is_ok();
-        let is_flag = change == 1 && number == "0" && whole[0] == 0 && name.starts_with(['c', 'g']);
+        let is_flag = change == 1 && number == "0" && whole[0] == 0 && name.starts_with(['c', 'g', 'p']);
         prop_assert!(!is_read || whole.contains(&change) || is_flag, "{name} {change} {number}");
         prop_assert!(is_read || change != 0, "{name}");
     }

@@ -1,10 +1,11 @@
 //! The four models as problems: sizes, entries, invalid input.
 
 use lcplab_judge::{Demand, Verdict, judge_friction};
+use lcplab_problem::file::Problem;
 use lcplab_problem::friction::{
     ConeProblem, Contact, FrictionProblem, Law, Model, Polyhedral, ProblemForm, project,
 };
-use lcplab_problem::{Complementarity, Coupling, Lcp, merit};
+use lcplab_problem::{Complementarity, Coupling, Lcp, Question, merit};
 use lcplab_solver::{Settings, Start, Status, cone_by_name};
 use proptest::prelude::*;
 
@@ -323,4 +324,26 @@ fn a_polygon_s_proof_is_a_proof_of_x_and_not_of_the_slips_beside_it() {
     for wrong in [[1.0, 0.3, 0.0], [1.0, 0.0, 0.3]] {
         assert!(!matches!(verdict(wrong), Verdict::Proved { .. }), "{wrong:?}");
     }
+}
+
+/// In the plane the cone is an interval, |x_t| ≤ μ x_n.
+#[test]
+fn in_the_plane_cones_and_polygons_are_the_coupled_box() {
+    let with = |model: &str| {
+        let text = format!(
+            r#"{{"A": {{"dense": [[1, 0.2], [0.2, 1]]}}, "b": [-1, -2],
+                "friction_index": [-1, 0], "mu": [0, 0.5], "model": "{model}"}}"#
+        );
+        let problem = Problem::parse(&text, "plane").unwrap();
+        Question::new(&problem, None, "plane").map_err(|error| error.to_string())
+    };
+    for model in ["coupled-box", "polygon-4", "polygon-16", "coulomb-cone"] {
+        let question = with(model).unwrap();
+        assert_eq!(question.model(), None, "{model}");
+        assert_eq!(question.boxed().unwrap().bounds(1, &[2.0, 0.0]), (-1.0, 1.0));
+    }
+    // Its law is another one: w_n = μ |w_t| while it slides.
+    let message = with("associated-cone").unwrap_err();
+    assert!(message.starts_with("plane: model: is associated-cone"), "{message}");
+    assert!(with("frozen-box").unwrap_err().starts_with("plane: model: is frozen-box"));
 }
