@@ -6,7 +6,8 @@
 //!
 //! Below the limit the motor reaches the speed within one step; at the limit it pushes with its
 //! full effort, a = effort/m, until then. A speed of 0 is a brake. The effort is a force (N) along
-//! an axis or a torque (N m) about one; at velocity level the impulse is limited to effort × dt.
+//! an axis or a torque (N m) about one; at velocity level the impulse is limited to effort × dt. An
+//! infinite effort makes the row an equation: the motor always keeps its speed.
 //! K&M: bounds on λ (T25); Catto, *Soft Constraints*, GDC 2011.
 
 use std::sync::Arc;

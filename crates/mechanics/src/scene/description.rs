@@ -358,7 +358,7 @@ pub struct Constraint {
     /// other body. If that one has a `start_speed` too, its joint must come earlier in the file.
     #[serde(default)]
     pub start_speed: Option<f64>,
-    /// The maximum force of a motor (N or N m).
+    /// The maximum force of a motor (N or N m); `inf` for a motor that always keeps its speed.
     #[serde(default)]
     pub effort: Option<f64>,
     /// The stiffness of a spring (N/m or N m/rad).

@@ -177,17 +177,16 @@ impl Site<'_> {
     /// Reports invalid single numbers.
     fn check_numbers(&self, defects: &mut Defects) {
         let written = self.written;
-        let sizes = [
-            (Field::Length, written.length),
-            (Field::Angle, written.angle),
-            (Field::Effort, written.effort),
-        ];
+        let sizes = [(Field::Length, written.length), (Field::Angle, written.angle)];
         for (field, size) in sizes {
             size.into_iter().for_each(|size| positive(defects, self.at(field), size));
         }
         let rates = [(Field::Stiffness, written.stiffness), (Field::Damping, written.damping)];
         for (field, rate) in rates {
             rate.into_iter().for_each(|rate| not_negative(defects, self.at(field), rate));
+        }
+        if let Some(effort) = written.effort.filter(|effort| !(*effort > 0.0)) {
+            defects.add(self.at(Field::Effort), format!("must be positive, is {effort}"));
         }
         if let Some(speed) = written.speed.filter(|speed| !speed.is_finite()) {
             defects.add(self.at(Field::Speed), format!("must be finite, is {speed}"));

@@ -4,12 +4,12 @@ use lcplab_mechanics::scene::{Scene, Scheme};
 
 use super::{assert_near, forces, start};
 
-/// A ball of 2 kg with I = 0.2 kg m² on a guide, driven at speed 3 with effort 4.
-fn driven(guide: &str, motor: &str, velocity: &str, level: Scheme) -> Scene {
+/// A ball of 2 kg with I = 0.2 kg m² on a guide, driven at speed 3 with this effort.
+fn driven(guide: &str, motor: &str, velocity: &str, level: Scheme, effort: f64) -> Scene {
     let text = format!(
         "gravity = [0, 0, 0]\n[step]\ndt = 0.01\n\
          [[bodies]]\nname = \"body\"\nshape = {{ sphere = 0.5 }}\nmass = 2\n{velocity}\n\
-         [[constraints]]\nkind = \"{motor}\"\nbodies = [\"body\"]\naxis = [0, 0, 1]\nspeed = 3\neffort = 4\n\
+         [[constraints]]\nkind = \"{motor}\"\nbodies = [\"body\"]\naxis = [0, 0, 1]\nspeed = 3\neffort = {effort}\n\
          [[constraints]]\nkind = \"{guide}\"\nbodies = [\"body\"]\naxis = [0, 0, 1]\n"
     );
     let mut scene = Scene::from_toml("motor.toml", &text).unwrap();
@@ -40,8 +40,8 @@ fn follows(
 #[test]
 fn a_motor_speeds_up_with_its_effort_and_then_keeps_its_speed() {
     for level in Scheme::LEVELS {
-        follows(driven("hinge", "motor_rotation", "", level), 0.2, 0.0, |s| s.omega.z);
-        follows(driven("slider", "motor_translation", "", level), 2.0, 0.0, |s| s.v.z);
+        follows(driven("hinge", "motor_rotation", "", level, 4.0), 0.2, 0.0, |s| s.omega.z);
+        follows(driven("slider", "motor_translation", "", level, 4.0), 2.0, 0.0, |s| s.v.z);
     }
 }
 
@@ -49,8 +49,22 @@ fn a_motor_speeds_up_with_its_effort_and_then_keeps_its_speed() {
 fn a_motor_brakes_what_is_too_fast() {
     for level in Scheme::LEVELS {
         let fast = "angular_velocity = [0, 0, 20]";
-        follows(driven("hinge", "motor_rotation", fast, level), 0.2, 20.0, |s| s.omega.z);
+        follows(driven("hinge", "motor_rotation", fast, level, 4.0), 0.2, 20.0, |s| s.omega.z);
         let back = "velocity = [0, 0, -1]";
-        follows(driven("slider", "motor_translation", back, level), 2.0, -1.0, |s| s.v.z);
+        follows(driven("slider", "motor_translation", back, level, 4.0), 2.0, -1.0, |s| s.v.z);
+    }
+}
+
+/// Without a limit the speed is there after one step, with the effort I v / dt = 0.2 · 3 / 0.01;
+/// after that the effort that keeps it is 0.
+#[test]
+fn a_motor_without_a_limit_keeps_its_speed_from_the_first_step_on() {
+    for level in Scheme::LEVELS {
+        let mut motor = start(driven("hinge", "motor_rotation", "", level, f64::INFINITY));
+        for effort in [60.0, 0.0] {
+            let step = motor.step().unwrap();
+            assert_near(motor.states()[0].omega.z, 3.0, 1e-12);
+            assert_near(forces(&step, &motor, 0)[0], effort, 1e-9);
+        }
     }
 }
