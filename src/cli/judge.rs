@@ -10,6 +10,7 @@ use lcplab::lcp::file::{Problem, number, read_answers};
 use lcplab::lcp::friction::Model;
 use lcplab::report::answer::{bound, certificate_json, certificate_text, verdict_json};
 use lcplab::report::friction::JudgedAnswer as Judgement;
+use lcplab::report::minimum::Descent;
 use lcplab::report::motion_error::MotionError;
 use lcplab::report::page::{Cell, Table};
 use lcplab::report::text;
@@ -131,13 +132,19 @@ impl Judge {
                 object.insert("error_bound".into(), number(printed_up(bound)));
             }
             object.extend(MotionError::json(question, x));
+            if certificate.verdict.is_solution() {
+                object.extend(Descent::json(question, x));
+            }
             print(&format!("{}\n", Value::Object(object)))?;
         } else {
             let text = title(problem)
                 + "\n"
                 + &certificate_text(&certificate, problem)
                 + &bound_text(bound);
-            let text = text + &MotionError::text(question, x);
+            let mut text = text + &MotionError::text(question, x);
+            if certificate.verdict.is_solution() {
+                text += &Descent::text(question, x);
+            }
             print(&(text + &rows(problem, x, &certificate)))?;
         }
         Ok(self.fail_on.outcome(&certificate.verdict))

@@ -12,6 +12,7 @@ use lcplab::number::{counted, readable};
 use lcplab::report::answer::{Answer, attempts_text, certificate_text};
 use lcplab::report::friction::model;
 use lcplab::report::methods;
+use lcplab::report::minimum::Descent;
 use lcplab::report::motion_error::MotionError;
 use lcplab::solver::{
     Method, Observer, Reason, SequenceAnswer, Start, Status, default_for, solve_boxed_by_sequence,
@@ -136,6 +137,9 @@ impl Solve {
         if self.json {
             let mut object = answer.to_json();
             object.extend(MotionError::json(&question, &answer.solution.x));
+            if answer.certificate.verdict.is_solution() {
+                object.extend(Descent::json(&question, &answer.solution.x));
+            }
             print(&format!("{}\n", Value::Object(object)))?;
         } else {
             let title = title(&problem);
@@ -154,6 +158,9 @@ impl Solve {
             text += &certificate_text(&answer.certificate, &problem);
             text += &bound_text(answer.error_bound);
             text += &MotionError::text(&question, &answer.solution.x);
+            if answer.certificate.verdict.is_solution() {
+                text += &Descent::text(&question, &answer.solution.x);
+            }
             text += &rows(&problem, &answer.solution.x, &answer.certificate);
             print(&text)?;
         }

@@ -212,7 +212,7 @@ pub fn encode(problem: &Problem, format: &Format) -> Result<Output> {
     };
     let mut output = write(problem)?;
     if format.name != JSON.name {
-        output.notes.extend(left_behind(problem));
+        output.notes.extend(left_behind(problem, format));
     }
     Ok(output)
 }
@@ -232,8 +232,11 @@ pub fn model(problem: &Problem) -> Option<Model> {
 }
 
 /// Information about a problem that the format cannot store.
-fn left_behind(problem: &Problem) -> Option<String> {
+fn left_behind(problem: &Problem, format: &Format) -> Option<String> {
+    // Every QPS file states an objective.
+    let is_kept = |key: &&str| *key == "objective" && format.name == qps::FORMAT.name;
     let mut left: Vec<&str> = problem.extra.keys().map(String::as_str).collect();
+    left.retain(|key| !is_kept(key));
     left.extend((problem.lcp.scale() > 0.0).then_some("scale"));
     left.extend(problem.frozen_at.as_ref().map(|_| "frozen_at"));
     (!left.is_empty()).then(|| format!("left behind: {}", left.join(", ")))

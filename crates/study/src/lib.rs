@@ -23,6 +23,7 @@ pub mod families;
 pub mod friction;
 pub mod hunt;
 pub mod methods;
+pub mod minimum;
 pub mod motion_error;
 pub mod number;
 pub mod profiles;

@@ -217,3 +217,17 @@ fn a_verdict_says_what_its_row_is_and_does() {
         assert!(out(&judged).contains(said), "{row}: {}{}", out(&judged), err(&judged));
     }
 }
+
+#[test]
+fn a_saddle_of_a_declared_objective_is_accepted_and_said_to_be_no_minimum() {
+    let saddle = r#"{"A": {"dense": [[1, 3], [3, 1]]}, "b": [0, 0], "lo": [-1, -1], "hi": [1, 1]"#;
+    let text = |more: &str| {
+        let output = run_with(&format!("{saddle}{more}}}"), &["solve", "-", "--solver", "pgs"]);
+        assert_eq!(output.status.code(), Some(0));
+        out(&output)
+    };
+    assert!(text(r#", "objective": true"#).contains("no minimum: x satisfies the optimality"));
+    assert!(!text("").contains("no minimum"));
+    let problem = format!(r#"{saddle}, "objective": 1}}"#);
+    assert!(err(&run_with(&problem, &["solve", "-"])).contains("objective: must be true or false"));
+}

@@ -65,6 +65,7 @@ impl Program {
             mu: None,
         };
         let mut problem = Problem::new(name, parts.into_lcp().map_err(|e| e.within(input))?);
+        problem.extra.insert("objective".into(), true.into());
         if !added.labels.is_empty() {
             let columns = (0..n).map(|j| label(&format!("x[{j}]"), "column"));
             problem.extra.insert("rows".into(), columns.chain(added.labels).collect());

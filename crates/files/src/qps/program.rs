@@ -221,6 +221,7 @@ impl Program {
         };
         let lcp = parts.into_lcp().map_err(|error| error.within(input))?;
         let mut problem = Problem::new(self.name, lcp);
+        problem.extra.insert("objective".into(), true.into());
         if !self.constraints.is_empty() {
             let mut columns: Vec<(String, usize)> = self.columns.into_iter().collect();
             columns.sort_by_key(|(_, column)| *column);

@@ -18,6 +18,7 @@
 //! | `motion` | the bodies and rows that A and b were made from, `{"mass": triplets of M's upper triangle (k × k), "jacobian": triplets of J (n × k), "bias": n numbers, "compliance": n numbers γ, "target": k numbers u*, "level": optionally "velocity" (m/s) or "acceleration" (m/s²), the meaning of u}`; see [`Gauss`] |
 //! | `rows` | optional, one object for each row: its `label`, `kind`, `unit` and the names of its two `bodies` |
 //! | `bodies`, `gravity` | optional, with `motion`: for each movable body its `name`, its `first` column of M and their `count`; the contribution of gravity to each velocity in `target` |
+//! | `objective` | optional, `true` if the problem states the optimality conditions of min ½ xᵀA x + bᵀx over the box, or of a quadratic program with a row for each multiplier: lcplab then says so if an answer is no minimum |
 //! | `name`, `source`, `dt`, `expected` | optional, kept as they are |
 //! | `answer` | optional, kept: the answer of the engine that posed the problem, an object as in an answer file: `x`, and the engine's new `motion` |
 //! | `hunt` | optional, kept: the result of a search for a wrong answer: the `solver`, its `x` and the `right_x` |
@@ -80,7 +81,7 @@ pub struct Problem {
     /// of the problem.
     pub motion: Option<Gauss>,
     /// Keys that are kept but not interpreted: `source`, `dt`, `rows`, `bodies`, `gravity`,
-    /// `expected`, `hunt`, `answer`.
+    /// `objective`, `expected`, `hunt`, `answer`.
     pub extra: Map<String, Value>,
     /// Warnings about ignored keys.
     pub warnings: Vec<String>,
@@ -94,7 +95,8 @@ pub struct Problem {
 /// ```
 pub const SCHEMA: &str = include_str!("schema.json");
 
-const KEPT: [&str; 8] = ["source", "dt", "rows", "bodies", "gravity", "expected", "hunt", "answer"];
+const KEPT: [&str; 9] =
+    ["source", "dt", "rows", "bodies", "gravity", "objective", "expected", "hunt", "answer"];
 const READ: [&str; 11] =
     ["name", "A", "b", "lo", "hi", "friction_index", "mu", "model", "frozen_at", "scale", "motion"];
 
@@ -157,6 +159,9 @@ impl Problem {
         let frozen_at = frozen_at(&object, parts.b.len(), &mut defects);
         let scale = scale(&object, &mut defects);
         let motion = motion::read(&object, parts.b.len(), &mut defects);
+        if object.get("objective").is_some_and(|value| !value.is_boolean()) {
+            defects.add("objective", "must be true or false");
+        }
         defects.into_result(input)?;
         let lcp = parts.into_lcp().and_then(|lcp| lcp.with_scale(scale));
         let lcp = lcp.map_err(|error| error.within(input))?;

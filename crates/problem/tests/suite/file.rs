@@ -83,7 +83,7 @@ fn the_schema_names_all_keys_that_are_read_and_no_other() {
         "mu": [0, 0.5, 0.5], "model": "frozen-box", "frozen_at": [1, 0, 0], "scale": 1e-9,
         "motion": { "mass": [[0, 0, 2]], "jacobian": [[0, 0, 1]], "bias": [0, 0, 0], "compliance": [0, 0, 0], "target": [-3] },
         "source": "here", "dt": 0.01, "rows": [], "bodies": [], "gravity": [0, 0, -9.81],
-        "expected": { "solutions": [], "complete": false }, "hunt": { "solver": "mine" },
+        "objective": false, "expected": { "solutions": [], "complete": false }, "hunt": { "solver": "mine" },
         "answer": { "x": [0, 0, 0], "motion": [-3] },
     });
     let problem = Problem::parse(&all.to_string(), "p.json").unwrap();
