@@ -4,7 +4,9 @@ use std::borrow::Cow;
 use std::rc::Rc;
 
 use lcplab::certificate::Demand;
+use lcplab::lcp::Question;
 use lcplab::lcp::friction::Model;
+use lcplab::report::loads::Loads;
 use lcplab::scene::{Description, Scene as Described, Scheme};
 use lcplab::simulation::{self, Simulation, Solve, Step};
 use lcplab::solver::Method;
@@ -181,6 +183,16 @@ impl Scene {
         let Some(forces) = forces else { return Ok(None) };
         let numbers = forces.iter().flat_map(|force| [force.x, force.y, force.z]);
         PyArray1::from_iter(py, numbers).reshape([forces.len(), 3]).map(Some)
+    }
+
+    /// The forces of the last problem of the last step by pair, by body and by contact, as JSON.
+    fn loads(&self, py: Python<'_>) -> Option<String> {
+        let problem = self.problem()?.0;
+        let step = self.last.as_ref()?;
+        let x = step.posed(&self.scene).ok()?.last()?.solution.x.clone();
+        let question = Question::new(&problem, None, "scene").ok()?;
+        let loads = py.detach(|| Loads::of(&question, &x))?;
+        Some(loads.json().to_string())
     }
 
     /// The names of the bodies.

@@ -56,3 +56,24 @@ def test_forces_of_a_box_at_rest_are_its_weight_also_in_the_direction_of_frictio
     for _ in range(10):
         s.step()
     np.testing.assert_allclose(s.forces(), [[0, 0, -2 * 9.81], [0, 0, 2 * 9.81]], atol=1e-6)
+
+
+def test_loads_are_the_forces_by_pair_body_and_contact():
+    ground = {"name": "ground", "fixed": True, "shape": {"plane": [0, 0, 1]}}
+    cube = {"name": "cube", "shape": {"box": [1, 1, 1]}, "mass": 3.0, "position": [0, 0, 0.5]}
+    scene = lcplab.Scene.of({"step": {"dt": 0.01}, "bodies": [ground, cube]})
+    assert scene.loads() is None
+    scene.step()
+    loads = scene.loads()
+    weight = 3.0 * 9.81
+    (pair,) = loads["pairs"]
+    assert (pair["by"], pair["on"], loads["unit"]) == ("ground", "cube", "N")
+    assert pair["carried"] == pytest.approx(weight) and pair["range"]["is_unique"]
+    # Only the difference of the diagonals of the face is free.
+    for contact in pair["contacts"]:
+        assert contact["range"]["least"] == pytest.approx(0, abs=1e-4)
+        assert contact["range"]["most"] == pytest.approx(weight / 2, abs=1e-4)
+        assert contact["range"]["least_norm"] == pytest.approx(weight / 4, abs=1e-4)
+    (body,) = loads["bodies"]
+    assert body["wrench"]["force"] == pytest.approx([0, 0, weight], abs=1e-9)
+    assert body["weight"] == pytest.approx([0, 0, -weight])

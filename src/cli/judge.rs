@@ -10,6 +10,7 @@ use lcplab::lcp::file::{Problem, number, read_answers};
 use lcplab::lcp::friction::Model;
 use lcplab::report::answer::{bound, certificate_json, certificate_text, verdict_json};
 use lcplab::report::friction::JudgedAnswer as Judgement;
+use lcplab::report::loads::Loads;
 use lcplab::report::minimum::Descent;
 use lcplab::report::motion_error::MotionError;
 use lcplab::report::page::{Cell, Table};
@@ -19,7 +20,7 @@ use serde_json::{Map, Value, json};
 
 use super::friction;
 use super::limits::MemoryLimit;
-use super::problem::{bound_text, rows, title};
+use super::problem::{bound_text, check_loads, rows, title};
 use super::{Outcome, print, read_problem};
 
 /// Check answers of any program against a problem
@@ -54,6 +55,10 @@ pub struct Judge {
     fail_on: Worst,
     #[command(flatten)]
     memory: MemoryLimit,
+    /// Print the forces by pair of bodies and by contact, and what is unique of them; needs a file
+    /// with the keys motion, rows and bodies, as `export` writes it
+    #[arg(long)]
+    loads: bool,
     /// Print one JSON object
     #[arg(long)]
     json: bool,
@@ -96,6 +101,9 @@ impl Judge {
         let answers = self.answers.iter().map(read).collect::<Result<Vec<_>>>()?;
         let input = self.problem.display().to_string();
         let question = Question::new(&problem, self.model, &input)?;
+        if self.loads {
+            check_loads(&question, &input)?;
+        }
         match answers.as_slice() {
             [only] if only.iterates.is_empty() => self.one(&question, &only.x),
             _ => {
@@ -135,6 +143,8 @@ impl Judge {
             if certificate.verdict.is_solution() {
                 object.extend(Descent::json(question, x));
             }
+            let loads = self.loads.then(|| Loads::of(question, x)).flatten();
+            object.extend(loads.map(|loads| ("loads".to_string(), loads.json())));
             print(&format!("{}\n", Value::Object(object)))?;
         } else {
             let text = title(problem)
@@ -145,6 +155,8 @@ impl Judge {
             if certificate.verdict.is_solution() {
                 text += &Descent::text(question, x);
             }
+            let loads = self.loads.then(|| Loads::of(question, x)).flatten();
+            text += &loads.map(|loads| loads.text()).unwrap_or_default();
             print(&(text + &rows(problem, x, &certificate)))?;
         }
         Ok(self.fail_on.outcome(&certificate.verdict))

@@ -4,13 +4,14 @@ use std::path::PathBuf;
 
 use clap::Args;
 use lcplab::certificate::{Certificate, Demand, Verdict, upper_bound};
-use lcplab::error::Result;
+use lcplab::error::{Error, Result};
 use lcplab::lcp::Question;
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::Model;
 use lcplab::number::{counted, readable};
 use lcplab::report::answer::{Answer, attempts_text, certificate_text};
 use lcplab::report::friction::model;
+use lcplab::report::loads::Loads;
 use lcplab::report::methods;
 use lcplab::report::minimum::Descent;
 use lcplab::report::motion_error::MotionError;
@@ -68,6 +69,10 @@ pub struct Solve {
     /// Write the strongest proof to this file, like `prove`
     #[arg(long, value_name = "FILE")]
     proof: Option<PathBuf>,
+    /// Print the forces by pair of bodies and by contact, and what is unique of them; needs a file
+    /// with the keys motion, rows and bodies, as `export` writes it
+    #[arg(long)]
+    loads: bool,
     /// Print one JSON object
     #[arg(long)]
     json: bool,
@@ -91,6 +96,9 @@ impl Solve {
         let (input, asked) =
             (self.problem.display().to_string(), model(self.model, solver, &problem));
         let question = Question::new(&problem, asked, &input)?;
+        if self.loads {
+            check_loads(&question, &input)?;
+        }
         if let Some(model) = question.model() {
             self.tracing.check(false)?;
             self.proof.as_ref().map_or(Ok(()), |_| proof::check_model(model))?;
@@ -140,6 +148,8 @@ impl Solve {
             if answer.certificate.verdict.is_solution() {
                 object.extend(Descent::json(&question, &answer.solution.x));
             }
+            let loads = self.loads.then(|| Loads::of(&question, &answer.solution.x)).flatten();
+            object.extend(loads.map(|loads| ("loads".to_string(), loads.json())));
             print(&format!("{}\n", Value::Object(object)))?;
         } else {
             let title = title(&problem);
@@ -161,6 +171,8 @@ impl Solve {
             if answer.certificate.verdict.is_solution() {
                 text += &Descent::text(&question, &answer.solution.x);
             }
+            let loads = self.loads.then(|| Loads::of(&question, &answer.solution.x)).flatten();
+            text += &loads.map(|loads| loads.text()).unwrap_or_default();
             text += &rows(&problem, &answer.solution.x, &answer.certificate);
             print(&text)?;
         }
@@ -173,6 +185,26 @@ impl Solve {
     fn prove(&self, question: &Question, x: &[f64]) -> Result<()> {
         self.proof.as_ref().map_or(Ok(()), |path| proof::write(path, question, x))
     }
+}
+
+/// Checks that the forces of an answer can be summed by bodies.
+///
+/// # Errors
+/// If the file does not say which bodies its rows act between, or friction has a model.
+pub fn check_loads(question: &Question, input: &str) -> Result<()> {
+    let zero = vec![0.0; question.problem().lcp.len()];
+    let reason = match question.model() {
+        Some(model) => {
+            format!(
+                "sums forces of rows with bounds; the friction model of this problem is {model}"
+            )
+        }
+        None if Loads::of(question, &zero).is_none() => {
+            "needs the keys motion, with its level, rows with their bodies, and bodies".into()
+        }
+        None => return Ok(()),
+    };
+    Err(Error::invalid(input, "--loads", reason))
 }
 
 /// The outcome, which is the judge's verdict unless the solver was stopped.

@@ -15,4 +15,6 @@ pub mod view;
 pub mod write;
 
 pub use lcplab_page::{page, text};
-pub use lcplab_study::{answer, aside, clarabel, friction, methods, minimum, motion_error, tasks};
+pub use lcplab_study::{
+    answer, aside, clarabel, friction, loads, methods, minimum, motion_error, tasks,
+};

@@ -22,6 +22,7 @@ pub mod explain;
 pub mod families;
 pub mod friction;
 pub mod hunt;
+pub mod loads;
 pub mod methods;
 pub mod minimum;
 pub mod motion_error;

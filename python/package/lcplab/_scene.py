@@ -135,6 +135,23 @@ class Scene:
         """
         return self._inner.forces()
 
+    def loads(self) -> dict[str, Any] | None:
+        """The forces of the last step by pair of bodies, by body and by contact, and what is unique of them.
+
+        The keys are those of ``lcplab simulate --loads --json``: ``pairs`` with ``by``, ``on``, ``wrench`` (force in N and
+        moment about the center of mass in N m, world axes, on the body ``on``), ``carried`` (N, against gravity), its
+        ``range`` and the ``contacts``; ``bodies`` with the sum of all forces and the weight. A ``range`` has the ``least``
+        and the ``most`` value of all forces that cause the same motion and obey the friction limits, and the value in the
+        answer with the smallest sum of squares, ``least_norm``.
+
+        ``None`` before the first step, and under friction models that are not boxes.
+        """
+        text = self._inner.loads()
+        if text is None:
+            return None
+        loads: dict[str, Any] = json.loads(text)
+        return loads
+
     @property
     def poses(self) -> Array:
         """Position (m) and unit quaternion (w, x, y, z) of each body, shape (bodies, 7)."""

@@ -6,8 +6,10 @@ use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::film::{Film, Frame, Recording, Strip, instants};
+use lcplab::lcp::Question;
 use lcplab::plot::Figure;
 use lcplab::report::aside::{Aside, GRACE};
+use lcplab::report::loads::Loads;
 use lcplab::report::recording::Record;
 use lcplab::report::view;
 use lcplab::scene::Scene;
@@ -73,6 +75,10 @@ pub struct Simulate {
     /// Draw contacts, contact forces and constraint forces in frames.svg
     #[arg(long, requires = "out")]
     forces: bool,
+    /// Print the forces of the last step by pair of bodies and by contact, and what is unique of
+    /// them
+    #[arg(long)]
+    loads: bool,
     /// Print one JSON object
     #[arg(long)]
     json: bool,
@@ -97,6 +103,7 @@ impl Simulate {
             recording: Recording::start(scene.solver.name.clone(), &simulation),
             frames: vec![Frame::start(&scene)],
             last: Frame::start(&scene),
+            step: None,
         };
         let failure = self.record(steps, simulation, limits.stop(), &mut record, &mut camera);
         limits.over();
@@ -104,8 +111,17 @@ impl Simulate {
             record.end(failure);
             camera.end(failure);
         }
+        let loads = camera.step.take().and_then(|step| loads(&scene, &step));
         let written = self.write(&scene, &record, camera);
-        print(&if self.json { format!("{}\n", record.summary()) } else { record.text() })?;
+        print(&match (self.json, loads) {
+            (true, None) => format!("{}\n", record.summary()),
+            (true, Some(loads)) => {
+                let mut summary = record.summary();
+                summary["loads"] = loads.json();
+                format!("{summary}\n")
+            }
+            (false, loads) => record.text() + &loads.map(|l| l.text()).unwrap_or_default(),
+        })?;
         written?;
         Ok(match failure.and_then(|failure| failure.cause.stopped()) {
             Some(reason) => Outcome::Stopped(reason),
@@ -155,6 +171,7 @@ impl Simulate {
                 Ok(step) => {
                     record.add(&step);
                     camera.look(&scene, &step);
+                    camera.step = self.loads.then_some(step);
                     progress.inc(1);
                 }
                 Err(failure) => return Some(failure),
@@ -193,6 +210,16 @@ impl Simulate {
     }
 }
 
+/// The forces of the last problem of a step; `None` if it has none, or friction is not that of
+/// boxes.
+fn loads(scene: &Scene, step: &Step) -> Option<Loads> {
+    let solves = step.posed(scene).ok()?;
+    let last = solves.last()?;
+    let problem = last.exported(scene, step.number);
+    let question = Question::new(&problem, None, &scene.name).ok()?;
+    Loads::of(&question, &last.solution.x)
+}
+
 /// The instants for the animation and for the strip of frames.
 struct Camera {
     /// The steps that the animation shows.
@@ -203,6 +230,8 @@ struct Camera {
     frames: Vec<Frame>,
     /// The last instant, without forces.
     last: Frame,
+    /// The last step, if its forces are printed.
+    step: Option<Step>,
 }
 
 impl Camera {

@@ -8,6 +8,7 @@ mod extremes;
 mod healthy;
 mod hunt;
 mod hunting;
+mod loads;
 mod minimum;
 mod mistakes;
 mod outputs;
