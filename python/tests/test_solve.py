@@ -195,8 +195,10 @@ def test_a_model_of_friction_is_solved_and_judged_as_its_own():
 
 def test_what_does_not_suit_a_model_is_refused_in_words():
     flat = dict(A=np.eye(2), b=[-2, -3], friction_index=[-1, 0], mu=[0, 0.5])
-    with pytest.raises(lcplab.InputError, match="bounds 1 friction rows, not 2"):
-        lcplab.solve(**flat, model="coulomb-cone")
+    # In the plane the cone is the interval |x_t| <= x_n / 2.
+    assert lcplab.solve(**flat, model="coulomb-cone").x.tolist() == [2.0, 1.0]
+    with pytest.raises(lcplab.InputError, match="associated-cone, which is not defined here for contacts in the plane"):
+        lcplab.solve(**flat, model="associated-cone")
     spatial = dict(A=np.eye(3), b=[-2, -3, 0], friction_index=[-1, 0, 0], mu=[0, 0.5, 0.5])
     with pytest.raises(lcplab.InputError, match="a function that has a parameter named model gets friction cones"):
         lcplab.solve(**spatial, model="coulomb-cone", solver=lambda A, b, lo, hi, **settings: b)

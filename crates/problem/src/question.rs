@@ -110,6 +110,11 @@ impl Question {
     }
 }
 
+/// Whether a problem has contacts in the plane, which this model states as the coupled box.
+pub(crate) fn is_box_in_plane(model: Model, lcp: &Lcp) -> bool {
+    is_plane(lcp) && check_plane(model, "").is_ok()
+}
+
 /// Whether the friction rows are those of contacts in the plane: each normal row bounds one
 /// tangent.
 fn is_plane(lcp: &Lcp) -> bool {

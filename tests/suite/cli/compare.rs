@@ -47,6 +47,18 @@ fn contacts_with_one_tangent_are_compared_as_a_coupled_box() {
     assert_eq!(err(&output), format!("note: {path}: {note}{reason}\n"));
 }
 
+/// In the plane Coulomb's cone is the coupled box.
+#[test]
+fn a_cone_in_the_plane_is_compared_as_the_box_that_it_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("plane.json");
+    std::fs::write(&path, PLANE.replacen('{', r#"{"model": "coulomb-cone", "#, 1)).unwrap();
+    let output = run(&["compare", path.to_str().unwrap(), "--json"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let result: Value = serde_json::from_str(&out(&output)).unwrap();
+    assert!(result["rows"].as_array().unwrap().iter().any(|row| row["accepted"] == 1));
+}
+
 #[test]
 fn what_leaves_nothing_to_compare_is_the_option_that_was_given() {
     let told = |options: &[&str]| {

@@ -12,7 +12,7 @@
 //! | `b` | n numbers |
 //! | `lo`, `hi` | n numbers or `"inf"`, `"-inf"`; 0 and ∞ where the key is absent |
 //! | `friction_index`, `mu` | row i is bounded by ±mu\[i\]·max(x\[k\], 0) with k = friction_index\[i\]; −1 for none. Its lo and hi are absent or infinite |
-//! | `model` | the friction model under which x is a solution, such as `"coulomb-cone"`: see [`friction`](super::friction); `"coupled-box"` if the key is absent |
+//! | `model` | the friction model under which x is a solution, such as `"coulomb-cone"`: see [`friction`](super::friction); `"coupled-box"` if the key is absent. If each normal row bounds one friction row, contacts in the plane, Coulomb's cone and polygons are the coupled box, and the key is dropped |
 //! | `frozen_at` | n numbers x; their normal impulses x\[k\] give the size of the boxes of model 1, `"frozen-box"` |
 //! | `scale` | the smallest significant size of x: a row whose terms are below s_i times this is measured by s_i times this; see [`Lcp::with_scale`] |
 //! | `motion` | the bodies and rows that A and b were made from, `{"mass": triplets of M's upper triangle (k × k), "jacobian": triplets of J (n × k), "bias": n numbers, "compliance": n numbers γ, "target": k numbers u*, "level": optionally "velocity" (m/s) or "acceleration" (m/s²), the meaning of u}`; see [`Gauss`] |
@@ -65,6 +65,7 @@ use crate::disk;
 use crate::error::{Defects, Error, Result};
 use crate::json;
 use crate::memory::Memory;
+use crate::question::is_box_in_plane;
 
 /// A problem as stored in a file.
 #[derive(Debug, Clone)]
@@ -166,6 +167,7 @@ impl Problem {
         let lcp = parts.into_lcp().and_then(|lcp| lcp.with_scale(scale));
         let lcp = lcp.map_err(|error| error.within(input))?;
         let motion = motion.map(|motion| motion::within_bounds(motion, &lcp));
+        let model = model.filter(|model| !is_box_in_plane(*model, &lcp));
         let (mut extra, mut warnings) = (Map::new(), Vec::new());
         for (key, value) in &object {
             if KEPT.contains(&key.as_str()) {
