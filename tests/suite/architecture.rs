@@ -48,7 +48,17 @@ const ROWS: [(&str, &[&[&str]]); 5] = [
         "crates/study/src",
         &[
             &["number"],
-            &["answer", "aside", "attempt", "card", "ci", "clarabel", "loads", "minimum", "motion_error"],
+            &[
+                "answer",
+                "aside",
+                "attempt",
+                "card",
+                "ci",
+                "clarabel",
+                "loads",
+                "minimum",
+                "motion_error",
+            ],
             &["methods"],
             &["families", "friction", "profiles", "tasks"],
             &["comparison", "hunt", "receipt", "regression"],
