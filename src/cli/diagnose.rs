@@ -43,20 +43,21 @@ Examples:
   lcplab diagnose problem.json answer.json --last before.json
   lcplab diagnose --mistakes                # lists the known mistakes
 
-INPUT is a problem file if it has an extension that `convert --list` shows, or is -; a folder of such \
-files; otherwise a scene.
+lcplab reads INPUT as a problem if it is - or has an extension that `convert --list` shows, as a sequence of \
+problems if it is a folder of such files, and as a scene otherwise.
 
 For each input lcplab reports rank, condition number and degrees of freedom, and lists zero rows, dependent \
 rows, contradictory rows, constraints without direction, drift, overlap, and sign errors in A.
 
 lcplab simulates a scene for one second, with its solver and with an exact one, and measures the unsupported \
-weight. It removes each possible cause in turn to see whether that helps, and tries remedies. If a solver \
-leaves twice the error of plain Gauss-Seidel after the same number of sweeps, the first cause is the solver \
-itself. With --solver or --sweeps this also works for a problem file, and for the files of a folder in order \
-of their names. Every error is a fraction of the motion that the constraints cause.
+weight. It removes each possible cause in turn to see whether that helps, and tries remedies. If the \
+solver's error is at least twice that of plain Gauss-Seidel after the same number of sweeps, the solver is \
+listed as the first cause. A problem file, or a folder of them, has no solver of its own: name one with \
+--solver or --sweeps for the same analysis. Every error is a fraction of the motion that the constraints cause.
 
-With an answer, lcplab makes each known mistake on purpose. It names a mistake if the result is at least a \
-hundred times closer to x than the exact solution is, at the precision of x. It names none for an accepted answer.
+With an answer, lcplab solves the problem once with each known mistake. It names a mistake if that result, \
+rounded to the precision of x, is at least a hundred times closer to x than the exact solution is. If the judge \
+accepts the answer, lcplab names no mistake.
 
 Exit codes:
   0  the problem, or each problem of the folder, can be solved

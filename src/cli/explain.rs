@@ -35,7 +35,7 @@ law to A and b; and each sweep, pivot or tableau of the solver. It shows at most
 begins with a picture. For a problem file the derivation starts at A and b. For friction cones it leaves out \
 the iterations of the solver, and adds the derivation of the coupled box.
 
-INPUT is a problem file if it has an extension that `convert --list` shows, or is -; otherwise a scene.
+lcplab reads INPUT as a problem if it is - or has an extension that `convert --list` shows, and as a scene otherwise.
 
 Exit codes:
   0  the judge accepts every answer

@@ -39,7 +39,7 @@ Exit codes:
   1  an answer is rejected
   2  invalid input or usage")]
 pub struct Judge {
-    /// Problem file in the format of its extension; - reads JSON from standard input
+    /// Problem file; its extension determines the format; - reads JSON from standard input
     problem: PathBuf,
     /// Answer files: JSON objects with the key "x"
     #[arg(required = true)]
@@ -47,7 +47,7 @@ pub struct Judge {
     /// Friction model [default: the file's]
     #[arg(long)]
     model: Option<Model>,
-    /// Largest scaled residual that counts as solved
+    /// Largest scaled residual of an accepted answer
     #[arg(long, allow_negative_numbers = true, default_value = "1e-8")]
     tolerance: f64,
     /// Exit with 1 if a verdict is this or worse

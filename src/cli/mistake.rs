@@ -90,8 +90,8 @@ fn few_digits(search: &MistakeSearch) -> String {
 /// The number of sweeps that were compared.
 fn limits(search: &MistakeSearch) -> String {
     format!(
-        "Compared: up to {} sweeps of each method, up to {} on each changed problem; `lcplab diagnose --mistakes` \
-         lists the known mistakes.\n",
+        "lcplab compared x with the first {} iterates of each method, and with the first {} on each problem changed \
+         by a known mistake; `lcplab diagnose --mistakes` lists them.\n",
         search.limits.of_problem, search.limits.of_changed
     )
 }

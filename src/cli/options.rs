@@ -32,17 +32,16 @@ pub struct SolverArgs {
 /// Options that only some solvers use; one that no solver of the command uses is an error.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct Choices {
-    /// Relaxation factor of sor and ssor, above 0 and below 2 [default: 1.3, unless the scene sets
-    /// it]
+    /// Relaxation factor of sor and ssor, above 0 and below 2 [default: the scene's, or 1.3]
     #[arg(long, allow_negative_numbers = true)]
     pub omega: Option<f64>,
-    /// Order of the rows in a sweep of pgs and sor [default: natural, unless the scene sets it]
+    /// Order of the rows in a sweep of pgs and sor [default: the scene's, or natural]
     #[arg(long, value_enum)]
     pub order: Option<RowOrder>,
-    /// Seed of --order shuffled [default: 1, unless the scene sets it]
+    /// Seed of --order shuffled [default: the scene's, or 1]
     #[arg(long)]
     pub seed: Option<u64>,
-    /// Step length of jacobi, above 0 and below 2 [default: one that converges for every
+    /// Damping factor of jacobi, above 0 and below 2 [default: one that converges for every
     /// semidefinite A]
     #[arg(long, allow_negative_numbers = true)]
     pub damping: Option<f64>,

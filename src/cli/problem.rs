@@ -53,7 +53,7 @@ Exit codes:
   1  the judge rejects the answer
   2  invalid input or usage")]
 pub struct Solve {
-    /// Problem file in the format of its extension; - reads JSON from standard input
+    /// Problem file; its extension determines the format; - reads JSON from standard input
     problem: PathBuf,
     /// Solver [default: try a sequence of methods until one succeeds, starting with dantzig for
     /// symmetric A, lemke for other A, and apgd or cone-pgs for friction cones]
@@ -66,7 +66,7 @@ pub struct Solve {
     /// Try an exact proof for up to 150 rows instead of 50
     #[arg(long)]
     exact: bool,
-    /// Write the strongest proof to this file, like `prove`
+    /// Write the strongest proof to this file, as the command prove does
     #[arg(long, value_name = "FILE")]
     proof: Option<PathBuf>,
     /// Print the forces by pair of bodies and by contact, and what is unique of them; needs a file

@@ -41,7 +41,7 @@ Exit codes:
   1  nothing can be proved, for example if the residual is not finite; with --all, there is no solution
   2  invalid input or usage, or no proof under this friction model")]
 pub struct Prove {
-    /// Problem file in the format of its extension; - reads JSON from standard input
+    /// Problem file; its extension determines the format; - reads JSON from standard input
     problem: PathBuf,
     /// Answer to start from, a file with the key x [default: solve the problem first]
     answer: Option<PathBuf>,
@@ -77,7 +77,7 @@ Exit codes:
   1  the proof proves nothing about this problem
   2  invalid input or usage, or the file is not a proof file")]
 pub struct Check {
-    /// Problem file in the format of its extension; - reads JSON from standard input
+    /// Problem file; its extension determines the format; - reads JSON from standard input
     problem: PathBuf,
     /// Proof file, written by `prove`
     proof: PathBuf,

@@ -16,7 +16,7 @@ use crate::frames::Frame;
 /// Check recorded steps of a physics engine, and compare with a recorded run
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   lcplab receipts frames                                        # all steps in a folder
   lcplab receipts frames --baseline known.json --update         # record this run
   lcplab receipts frames --baseline known.json                  # in CI
@@ -28,15 +28,15 @@ the arrays x and v of the .npz file. Record the baseline in the folder in which 
 compared by their paths.
 
 Exit codes:
-  0  frames were checked, the baseline lists all rejected ones, and no quantile of the motion error is \
-worse than the baseline's; or the baseline was written
-  1  otherwise
-  2  bad input or usage, such as a frame without an answer")]
+  0  frames were checked, the baseline lists all rejected ones, and no quantile of the motion error \
+exceeds the baseline's by more than its sampling range; or the baseline was written
+  1  a rejected frame is not in the baseline, a quantile is worse, or no frame was checked
+  2  invalid input or usage, such as a frame without an answer")]
 pub struct Receipts {
     /// Problem files with the key "motion", or folders of them
     #[arg(required = true)]
     frames: Vec<PathBuf>,
-    /// Largest accepted motion error, relative to what the constraints change [default: that of
+    /// Largest accepted motion error, relative to the change that the constraints cause [default: that of
     /// the engine's kind of solver]
     #[arg(long, allow_negative_numbers = true)]
     limit: Option<f64>,

@@ -5,8 +5,9 @@ use lcplab_problem::number::{readable, superscript};
 /// The judge's decision about x.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Verdict {
-    /// An exact solution was shown to exist this far from x (max norm, in the unit of x), at most
-    /// 1e-6 of the largest entry of x.
+    /// x is within the tolerance, or differs from a solution only by rounding, and an exact
+    /// solution was shown to exist this far from x (max norm, in the unit of x), at most 1e-6 of
+    /// the largest entry of x.
     Proved {
         /// max_i |x_i − x*_i|, rounded up.
         distance: f64,

@@ -106,7 +106,10 @@ impl Coupling {
         for (i, k) in self.rows() {
             for (name, bound) in [("lo", lo[i]), ("hi", hi[i])] {
                 if bound.is_finite() {
-                    let reason = format!("is {bound}, but row {i} is bounded by mu[{i}] x[{k}]");
+                    let reason = format!(
+                        "is {bound}, but row {i} is a friction row with the bounds ±mu[{i}] x[{k}]; leave the \
+                         entry infinite"
+                    );
                     defects.add(format!("{name}[{i}]"), reason);
                 }
             }

@@ -163,7 +163,7 @@ impl JudgedAnswer {
         let FrictionCertificate { scaled_residual, verdict, .. } = &self.certificate;
         let mut text = format!(
             "verdict    {verdict}\n  scaled residual   {:>10}  under this model\n  \
-             coulomb residual  {:>10}  under Coulomb's law: the model error\n",
+             coulomb residual  {:>10}  of the same x under Coulomb's law\n",
             readable(*scaled_residual, 3),
             readable(self.coulomb_residual, 3)
         );

@@ -39,7 +39,8 @@ const fn measure(name: &'static str, unit: &'static str, about: &'static str) ->
 }
 
 /// The number of sweeps or pivots, which closed forms predict.
-pub const ITERATIONS: Measure = measure("iterations", "", "total sweeps or pivots");
+pub const ITERATIONS: Measure =
+    measure("iterations", "", "total sweeps, steps or pivots of the solver");
 
 /// All measures, in the order of tables.
 pub const MEASURES: [Measure; 16] = [

@@ -80,7 +80,9 @@ impl Record {
         if self.scene.step.scheme == Scheme::Acceleration {
             let Resting { gap, speed, .. } = self.scene.resting();
             let [gap, speed] = [gap, speed].map(|most| readable(most, 2));
-            text += &format!("resting      gaps up to {gap} m, parting at up to {speed} m/s\n");
+            text += &format!(
+                "resting      gap at most {gap} m, separation speed at most {speed} m/s\n"
+            );
         }
         text += &self.states_text();
         for note in self.notes() {
@@ -93,8 +95,10 @@ impl Record {
             text += &format!("refused      {refused}\n");
         }
         if !self.conflict.is_empty() {
-            text +=
-                &format!("conflict     no forces satisfy together: {}\n", self.conflict.join(", "));
+            text += &format!(
+                "conflict     no forces satisfy these rows together: {}\n",
+                self.conflict.join(", ")
+            );
         }
         if let Some(failure) = &self.failure {
             text += &format!("failed       {failure}\n");
@@ -224,8 +228,14 @@ impl Record {
             return String::new();
         }
         let remedy = match self.scene.step.scheme {
-            Scheme::Velocity | Scheme::SequentialImpulses => "step.baumgarte corrects it",
-            Scheme::Acceleration => "step.alpha corrects it",
+            Scheme::Velocity | Scheme::SequentialImpulses if self.scene.step.baumgarte > 0.0 => {
+                "a shorter step or a larger step.baumgarte reduces it"
+            }
+            Scheme::Velocity | Scheme::SequentialImpulses => "set step.baumgarte to correct it",
+            Scheme::Acceleration if self.scene.step.alpha > 0.0 => {
+                "a shorter step or a larger step.alpha reduces it"
+            }
+            Scheme::Acceleration => "set step.alpha to correct it",
             _ => "a shorter step reduces it",
         };
         let percent = readable(100.0 * part, 2);
@@ -253,7 +263,7 @@ impl Record {
         }
         match moving().count().saturating_sub(SHOWN) {
             0 => text,
-            more => text + &format!("             and {more} more in the JSON output\n"),
+            more => text + &format!("             and {more} more bodies: see --json\n"),
         }
     }
 
@@ -264,7 +274,7 @@ impl Record {
         };
         let [mean, least] = [mean, least].map(|part| readable((1e4 * part).round() / 100.0, 4));
         format!(
-            "contacts, joints and springs support {mean} % of it on average, at least {least} % (step {step})"
+            "supported by contacts, joints and springs: {mean} % on average, {least} % at least (step {step})"
         )
     }
 }

@@ -46,7 +46,7 @@ impl View for Plan {
     fn headline(&self, findings: &[Vec<CrossCheck>]) -> Headline {
         let apart = findings.iter().flatten().map(|check| check.u_difference).fold(0.0, f64::max);
         let value = significant(apart, 1);
-        let label = "largest difference to clarabel's motion (SI units)".into();
+        let label = "largest difference from clarabel's motion (SI units)".into();
         Headline { result: Some([value, label]), ..Headline::default() }
     }
 
@@ -68,8 +68,8 @@ fn table(checks: &[CrossCheck]) -> Table {
         "Differences from the reference solutions",
         "Largest difference of any entry. *shared* in the column *x* means that the free rows are \
          dependent, so a difference in x is not an error. *u − û at most* is a bound from duality and interval \
-         arithmetic on the largest error of our motion. For rows with friction it applies to the frozen \
-         motion, with the friction limits of our x, and is not a proof for the motion itself.",
+         arithmetic on the largest error of lcplab's motion. For rows with friction it applies to the frozen \
+         motion, with the friction limits of lcplab's x, and is not a proof for the motion itself.",
         "scene | problem | #step | #rows | #free | #rank | x | #x − x_QP (x) | #w − w_QP (w) | \
          #u − u_Gauss (u) | #u − û at most (u) | verdict | verdict on QP",
         checks.iter().map(cells).collect(),

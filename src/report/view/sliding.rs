@@ -260,8 +260,8 @@ fn grip_figure(study: &Finding) -> Lines {
     Lines::new(
         "friction_grip",
         "The largest push that does not move the block",
-        "By Coulomb's law it is 1 N s in every direction. Markers: measured by halving an interval \
-                  14 times, to 10⁻⁴ N s.",
+        "By Coulomb's law the largest push is 1 N s in every direction. Markers: measured by bisection \
+         (14 steps, to 10⁻⁴ N s).",
         Axis::linear("direction of the push", "degrees from t₁"),
         Axis::linear("push", "N s"),
         SHOWN.iter().map(measured).chain(SHOWN.iter().map(theory)).collect(),

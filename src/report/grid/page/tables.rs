@@ -70,7 +70,7 @@ pub(super) fn growth(grid: &Grid, curves: &Curves<'_>) -> Option<Table> {
         title: format!("Growth with {}", curves.across),
         how_to_read: format!(
             "Exponents from the last two values of {}: 1 means that doubling it doubles the quantity, 2 that \
-             it quadruples.",
+             it quadruples. For counts below about ten, an exponent only reflects single iterations.",
             curves.across
         ),
         columns: [Column::words("curve")].into_iter().chain(heads).collect(),

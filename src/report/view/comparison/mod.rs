@@ -213,8 +213,8 @@ fn timings(times: &[Timing]) -> Table {
     };
     Table::new(
         "Wall time of a step",
-        "Mean over the run. Several runs share the processor.",
-        "scene | level | solver | #steps | #time a step (ms)",
+        "Mean over the run. Several runs ran at the same time.",
+        "scene | level | solver | #steps | #time per step (ms)",
         times.iter().map(row).collect(),
     )
 }

@@ -17,8 +17,8 @@ const LEAST: f64 = 1e-17;
 pub(super) fn show(problems: &[&Progress], document: &mut Document) {
     document.text(
         "Iterations of different methods have different costs: a Newton step solves a linear system, a sweep \
-         is one product with A. Therefore the residual is shown by multiplication, counted by the leading \
-         term of each method; the last section has the times.",
+         is one product with A. The residual is therefore plotted against the number of multiplications (the \
+         leading term of each method). The section *Computing times on this machine* has the times.",
     );
     for progress in problems {
         document.figure(by_work(progress));
@@ -193,8 +193,8 @@ pub(super) fn by_second(clock: &Clock) -> Lines {
     Lines::new(
         format!("timings_{}", anchor(&clock.problem)),
         format!("{}: residual by time", clock.problem),
-        "The same runs over wall time, stop tests included, without the time for recording \
-                  iterates; other tasks may run on the machine.",
+        "The runs of the section *Convergence of the residual*, plotted against wall time. It includes the \
+         stopping tests, but not the recording of iterates; other processes may have run at the same time.",
         Axis::log("time", "ms"),
         Axis::log("scaled residual", ""),
         curves.collect(),

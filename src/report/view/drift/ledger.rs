@@ -16,7 +16,7 @@ const ROUNDING: f64 = 1e-11;
 pub(super) fn show(findings: &[&Account], document: &mut Document) {
     document.text(
         "**The energy ledger.** Every impulse does work, and the work of an impulse at fixed positions is \
-         known exactly. So each change of energy has a cause: impacts and friction dissipate energy, \
+         known exactly. Therefore each change of energy has a known cause: impacts and friction dissipate energy, \
          restitution returns some of it, error feedback adds energy, and so does the integrator if a force \
          changes within a step.",
     );
@@ -26,7 +26,7 @@ pub(super) fn show(findings: &[&Account], document: &mut Document) {
         "ledger of a step",
     );
     document
-        .text("What the causes do not add up to is the *remainder*; in exact arithmetic it is 0.");
+        .text("The *remainder* is the part of the change that no cause in the list explains; in exact arithmetic it is 0.");
     for finding in findings {
         document.text(format!("**{}.** {}", finding.run.title, finding.run.text));
         document.figure(figure(finding));
@@ -110,7 +110,7 @@ fn table(findings: &[&Account]) -> Table {
     columns.extend([
         Column::numbers("remainder", "J"),
         Column::numbers("energy moved", "J"),
-        Column::words("books"),
+        Column::words("ledger"),
     ]);
     let cells = |finding: &&Account| {
         let last = finding.books.last();
@@ -127,8 +127,8 @@ fn table(findings: &[&Account]) -> Table {
         cells.push(match (&finding.ending, balances(finding)) {
             (Some(why), _) => Cell::text(why).marked(Mark::Bad),
             (None, None) => Cell::text("not accounted"),
-            (None, Some(true)) => Cell::text("balance").marked(Mark::Good),
-            (None, Some(false)) => Cell::text("do not balance").marked(Mark::Bad),
+            (None, Some(true)) => Cell::text("balances").marked(Mark::Good),
+            (None, Some(false)) => Cell::text("does not balance").marked(Mark::Bad),
         });
         cells
     };

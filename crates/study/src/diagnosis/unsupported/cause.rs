@@ -169,8 +169,8 @@ impl fmt::Display for Slow {
             ),
             Slow::Tall { bodies: Some(bodies), without } => write!(
                 f,
-                "impulses propagate through {bodies} bodies, one after the other. If all masses were equal \
-                 and each pair of bodies were separate, {}.",
+                "impulses propagate through {bodies} bodies, one after the other. With equal masses, and \
+                 with each pair of bodies solved on its own, {}.",
                 saves(without)
             ),
             Slow::Tall { bodies: None, without } => write!(

@@ -26,7 +26,8 @@ const GOOD_PART: f64 = 0.25;
 const HEALTHY_WORDS: &str = "No cause of errors was found.";
 
 /// The text if the rows are sound but something else is wrong.
-const TROUBLED_WORDS: &str = "The problem of this step can be solved; causes and warnings follow.";
+const TROUBLED_WORDS: &str =
+    "The problem of this step has a solution; the causes of the error follow.";
 
 /// What is not examined.
 const NOT_EXAMINED: &str = "contacts that open and close repeatedly, closed loops, restitution of resting \
@@ -323,7 +324,12 @@ impl Examination {
         };
         section.table(
             "remedies for the whole run, each one simulated",
-            &["remedy", "error", "largest position error of a body (mm)", "iterations per step"],
+            &[
+                "remedy",
+                "mean error, second half",
+                "largest position error of a body (mm)",
+                "iterations per step",
+            ],
             self.remedy_effects.iter().map(row).collect(),
         );
         (!self.remedy_effects.is_empty()).then_some(section)

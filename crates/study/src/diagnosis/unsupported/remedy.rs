@@ -15,9 +15,8 @@ pub(super) const METHODS: [&str; 4] = ["anderson-pgs", "block-pgs", "block-pivot
 /// Relaxation factors that are tried.
 const OMEGAS: [f64; 3] = [1.3, 1.6, 1.9];
 
-/// The factors on the number of sweeps that are tried. A problem that recurs in every step and
-/// starts from the last answer gets that many sweeps in as many steps.
-const STEPS: [usize; 2] = [4, 40];
+/// The factors on the number of sweeps that are tried.
+const FACTORS: [usize; 2] = [4, 40];
 
 /// A change and its effect.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,12 +74,11 @@ pub fn remedies(
         }
         let solver = Pgs { omega: 1.0, order: Order::Reverse, settings: settings() };
         add("rows from the last to the first".into(), own, &solver, theory(1.0, true, sweeps));
-        for steps in STEPS {
-            let more = steps * sweeps;
+        for factor in FACTORS {
+            let more = factor * sweeps;
             let solver =
                 Pgs { settings: Settings { max_iterations: more, ..settings() }, ..Pgs::default() };
-            let what = format!("{more} sweeps, or {steps} steps with a warm start");
-            add(what, own, &solver, theory(1.0, false, more));
+            add(format!("{more} sweeps"), own, &solver, theory(1.0, false, more));
         }
     }
     for name in METHODS.into_iter().filter(|name| *name != user_solver.entry.name) {
