@@ -3,21 +3,22 @@
 //! Families with friction are solved under each friction model by the methods that it takes, and
 //! judged by the certificate of that model.
 
+mod contender;
+
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
+pub use contender::{Contender, useless};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::answer::{labelled, proof_of_denial};
-use crate::methods::{named, why_none_takes};
+use crate::methods::why_none_takes;
 use lcplab_judge::{Demand, FrictionCertificate, judge_friction};
 use lcplab_problem::Complementarity;
-use lcplab_problem::error::Result;
 use lcplab_problem::file::{Expected, Problem};
 use lcplab_problem::friction::{Model, ProblemForm};
 use lcplab_problem::library::Family;
-use lcplab_problem::number::counted;
 use lcplab_solver::trace::{NO_ITERATES, Provenance, Work};
 use lcplab_solver::{Group, Iterate, Method, Observer, Options, Reason, Solution, Status, Stop};
 
@@ -100,59 +101,6 @@ impl Row {
     pub fn solvable(&self) -> usize {
         if self.known_failure.as_deref() == Some(NO_SOLUTION) { 0 } else { self.problems }
     }
-}
-
-/// A solver in a comparison: its methods for boxes, for cones or for both.
-#[derive(Debug, Clone)]
-pub struct Contender {
-    /// Its methods, which share a name.
-    pub methods: Vec<Method>,
-    /// Whether the user named it: then it has a row with the reason even if it does not support the
-    /// problem.
-    pub is_named: bool,
-}
-
-impl Contender {
-    /// The solver that the user named.
-    ///
-    /// # Errors
-    /// If there is none.
-    pub fn named(name: &str) -> Result<Self> {
-        Ok(Contender { methods: named(name)?, is_named: true })
-    }
-
-    /// Methods that take part in what they are made for, and are not mentioned elsewhere.
-    pub fn unnamed(methods: impl IntoIterator<Item = Method>) -> Vec<Self> {
-        let one = |method| Contender { methods: vec![method], is_named: false };
-        methods.into_iter().map(one).collect()
-    }
-
-    /// Its name.
-    pub fn name(&self) -> &'static str {
-        self.methods.first().map_or("", Method::name)
-    }
-}
-
-/// Why a named solver was of no use in a comparison, a sentence each: it has not solved a single
-/// problem that it might have solved.
-///
-/// A solver that always fails, or that is made for none of the problems, makes no false claim
-/// either: a comparison that only counts false claims would pass it.
-pub fn useless(rows: &[Row], contenders: &[Contender]) -> Vec<String> {
-    let sentence = |contender: &Contender| {
-        let name = contender.name();
-        let own = || rows.iter().filter(|row| row.solver == name && row.known_failure.is_none());
-        let problems: usize = own().map(|row| row.problems).sum();
-        if problems == 0 || own().any(|row| row.accepted + row.denied > 0) {
-            return None;
-        }
-        let why = own().find_map(|row| row.trouble.as_deref()).unwrap_or("it claims nothing");
-        Some(format!(
-            "{name} solves none of {}; reason for the first one: {why}",
-            counted(problems, "problem")
-        ))
-    };
-    contenders.iter().filter(|contender| contender.is_named).filter_map(sentence).collect()
 }
 
 /// What a family is solved as: its problems under one friction model, or without any.

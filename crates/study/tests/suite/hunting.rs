@@ -1,7 +1,9 @@
 //! The reports of a search are true: the problem is of the requested class, a correct solver is
 //! never accused, and the answer shown is the solver's own.
 
-use dashu_ratio::RBig;
+mod definitions;
+mod planted;
+
 use lcplab_problem::exact::all_solutions;
 use lcplab_problem::file::Problem;
 use lcplab_problem::friction::{Law, Model};
@@ -15,108 +17,8 @@ use lcplab_study::hunt::{
 };
 use lcplab_testing::boxed;
 
-/// A solver that returns x and no status, as most plug-ins do: projected Gauss-Seidel with one
-/// mistake, or none.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Sweeps {
-    /// Correct.
-    Right,
-    /// µ² instead of µ.
-    MuSquared,
-    /// Friction bounds from the x after the first sweep.
-    FirstBound,
-    /// Each increment clamped at the bounds, instead of their sum.
-    ClampedIncrements,
-    /// Friction bounds from the row after the normal.
-    NextIndex,
-    /// µ / √2 instead of µ.
-    OverRootTwo,
-}
-
-const BUGS: [Sweeps; 5] = [
-    Sweeps::MuSquared,
-    Sweeps::FirstBound,
-    Sweeps::ClampedIncrements,
-    Sweeps::NextIndex,
-    Sweeps::OverRootTwo,
-];
-
-impl Sweeps {
-    /// x after so many sweeps.
-    fn swept(self, lcp: &Lcp, sweeps: usize) -> Vec<f64> {
-        let n = lcp.len();
-        let (mut x, mut first) = (vec![0.0; n], vec![0.0; n]);
-        for sweep in 0..sweeps {
-            for i in 0..n {
-                let (lo, hi) = self.bounds(lcp, i, if sweep == 0 { &x } else { &first }, &x);
-                let step = -lcp.row_w(i, &x) / lcp.matrix().diagonal(i);
-                x[i] = match self {
-                    Sweeps::ClampedIncrements => x[i] + step.max(lo).min(hi),
-                    _ => (x[i] + step).max(lo).min(hi),
-                };
-            }
-            if sweep == 0 {
-                first.clone_from(&x);
-            }
-        }
-        x
-    }
-
-    fn bounds(self, lcp: &Lcp, i: usize, first: &[f64], x: &[f64]) -> (f64, f64) {
-        let Some((k, mu)) = lcp.coupled_to(i) else { return (lcp.lo()[i], lcp.hi()[i]) };
-        let most = match self {
-            Sweeps::MuSquared => mu * mu * x[k].max(0.0),
-            Sweeps::FirstBound => mu * first[k].max(0.0),
-            Sweeps::NextIndex => mu * x[k + 1].max(0.0),
-            Sweeps::OverRootTwo => mu / 2f64.sqrt() * x[k].max(0.0),
-            Sweeps::Right | Sweeps::ClampedIncrements => mu * x[k].max(0.0),
-        };
-        (-most, most)
-    }
-}
-
-/// A solver that does this number of sweeps and returns x without a status; `says` is the number
-/// that it reports, if any.
-struct Engine {
-    sweeps: Sweeps,
-    count: usize,
-    says: bool,
-}
-
-impl Solver for Engine {
-    fn name(&self) -> &'static str {
-        "engine"
-    }
-
-    fn solve(&self, lcp: &Lcp, _: &Start<'_>, _: &mut dyn Observer) -> Solution {
-        let x = self.sweeps.swept(lcp, self.count);
-        let status = match x.iter().all(|x| x.is_finite()) {
-            true => Status::Solved,
-            false => return Solution::new(lcp, vec![0.0; lcp.len()], Status::NotFinite, 1),
-        };
-        let iterations = if self.says { self.count } else { 1 };
-        Solution::new(lcp, x, status, iterations).with_implied_claim(true)
-    }
-}
-
-/// The first exact solution, rounded, without a status; no answer if there is none.
-struct Exact;
-
-impl Solver for Exact {
-    fn name(&self) -> &'static str {
-        "exact"
-    }
-
-    fn solve(&self, lcp: &Lcp, _: &Start<'_>, _: &mut dyn Observer) -> Solution {
-        match all_solutions(lcp).and_then(|all| all.into_iter().next()) {
-            Some(x) => {
-                let x = x.iter().map(|x| x.to_f64().value()).collect();
-                Solution::new(lcp, x, Status::Solved, 1).with_implied_claim(true)
-            }
-            None => Solution::new(lcp, vec![0.0; lcp.len()], Status::IterationLimit, 1),
-        }
-    }
-}
+use definitions::{definiteness, is_p, natural_residual, rational};
+use planted::{BUGS, Engine, Exact, Sweeps};
 
 fn method(
     name: &'static str,
@@ -149,73 +51,6 @@ fn result(trial: &Trial, seed: u64, evaluations: usize) -> SearchResult {
     let search = Search { rows: 1..=6, evaluations, seed, at_least: None, from: Vec::new() };
     search.validate(trial).unwrap();
     search.run(trial, &Stop::default(), &|_| ())
-}
-
-/// max |x − Π(x − w)| by the definition of a solution.
-fn natural_residual(lcp: &Lcp, x: &[f64]) -> f64 {
-    let n = lcp.len();
-    let row = |i: usize| {
-        let w = (0..n).map(|j| lcp.matrix().entry(i, j) * x[j]).sum::<f64>() + lcp.b()[i];
-        let (lo, hi) = match lcp.coupled_to(i) {
-            Some((k, mu)) => (-mu * x[k].max(0.0), mu * x[k].max(0.0)),
-            None => (lcp.lo()[i], lcp.hi()[i]),
-        };
-        (x[i] - (x[i] - w).max(lo).min(hi)).abs()
-    };
-    (0..n).map(row).fold(0.0, f64::max)
-}
-
-/// A in rational numbers.
-fn rational(lcp: &Lcp) -> Vec<Vec<RBig>> {
-    let n = lcp.len();
-    let entry = |i, j| RBig::try_from(lcp.matrix().entry(i, j)).unwrap();
-    (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect()
-}
-
-/// The signs of LDLᵀ with the largest diagonal entry as the next pivot: whether a symmetric A is
-/// semidefinite, and whether it is definite.
-fn definiteness(mut a: Vec<Vec<RBig>>) -> (bool, bool) {
-    let n = a.len();
-    let is_symmetric = (0..n).all(|i| (0..i).all(|j| a[i][j] == a[j][i]));
-    let mut left: Vec<usize> = (0..n).collect();
-    while is_symmetric && !left.is_empty() {
-        let at = (0..left.len()).max_by(|&p, &q| a[left[p]][left[p]].cmp(&a[left[q]][left[q]]));
-        let k = left.remove(at.unwrap());
-        if a[k][k] <= RBig::ZERO {
-            let is_zero = |i: usize| left.iter().chain([&k]).all(|&j| a[i][j] == RBig::ZERO);
-            return (is_zero(k) && left.iter().all(|&i| is_zero(i)), false);
-        }
-        for &i in &left {
-            for &j in &left {
-                a[i][j] = &a[i][j] - &a[i][k] * &a[k][j] / &a[k][k];
-            }
-        }
-    }
-    (is_symmetric, is_symmetric)
-}
-
-/// The determinant by expansion along the first row.
-fn determinant(a: &[Vec<RBig>]) -> RBig {
-    let Some((first, below)) = a.split_first() else { return RBig::ONE };
-    let mut sum = RBig::ZERO;
-    for (j, entry) in first.iter().enumerate() {
-        let without = |row: &Vec<RBig>| {
-            row.iter().enumerate().filter(|(k, _)| *k != j).map(|(_, a)| a.clone()).collect()
-        };
-        let minor: Vec<Vec<RBig>> = below.iter().map(without).collect();
-        let term = entry * determinant(&minor);
-        sum = if j % 2 == 0 { sum + term } else { sum - term };
-    }
-    sum
-}
-
-fn is_p(a: &[Vec<RBig>]) -> bool {
-    let n = a.len();
-    (1..1usize << n).all(|chosen| {
-        let rows: Vec<usize> = (0..n).filter(|i| chosen >> i & 1 == 1).collect();
-        let of = |i: &usize| rows.iter().map(|&j| a[*i][j].clone()).collect();
-        determinant(&rows.iter().map(of).collect::<Vec<Vec<RBig>>>()) > RBig::ZERO
-    })
 }
 
 #[test]
