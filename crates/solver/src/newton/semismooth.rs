@@ -47,7 +47,9 @@
 //! The sum |H|² = Σ a_ii H_i² is an energy. A step costs f³/6 products for f free rows by Cholesky,
 //! fewer if A is sparse, and 5/3 n³ by QR, for any A with a positive diagonal, up to 2000 rows. The
 //! bounds of coupled rows are part of H, with their derivatives; a coupled row at a moving bound
-//! needs QR. `ZeroDiagonal` and `Diverged` as for PGS. The solution reports whether proximal steps
+//! needs QR. If that does not converge in 20 steps, for the minimum map and a symmetric A, the
+//! bounds are [`frozen`] and updated after each solve.
+//! `ZeroDiagonal` and `Diverged` as for PGS. The solution reports whether proximal steps
 //! were taken ([`Fallback`]).
 
 use std::ops::ControlFlow;
@@ -56,13 +58,14 @@ use faer::Mat;
 use faer::prelude::SolveLstsq;
 
 use super::equations::{Equations, Row};
+use crate::frozen;
 use crate::iterate::iterate;
 use crate::metric;
 use crate::pivot::free_rows::FreeRows;
 use crate::pivot::proximal::Rho;
 use crate::{Event, Fallback, Observer, Settings, Solution, Solver, Start, Status};
-use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
+use lcplab_problem::{Complementarity, Lcp};
 
 /// Maximum number of halvings before a proximal step is tried, and before the step is given up if
 /// no proximal step is possible.
@@ -78,6 +81,8 @@ const LEVEL: f64 = 1e-9;
 const DAMPING: f64 = 1e-10;
 /// The minimum of ν, which keeps the least-squares problem solvable if J is singular.
 const LEAST_DAMPING: f64 = 1e-28;
+/// The steps with moving bounds before the bounds are frozen; where they converge, they need few.
+const COUPLED_STEPS: usize = 20;
 /// Maximum number of rows; with more, the dense problem takes too long.
 const MAX_ROWS: usize = 2_000;
 
@@ -112,9 +117,49 @@ impl Solver for Newton {
             Ok(diagonal) => diagonal,
             Err(status) => return Solution::new(lcp, x, status, 0),
         };
-        let mut run = Run::of(lcp, &diagonal, self.equations);
+        if lcp.is_frozen() || !self.freezes(lcp) {
+            return self.steps(lcp, &diagonal, x, [0, self.settings.max_iterations], observer);
+        }
+        let most = self.settings.max_iterations;
+        let coupled = self.steps(lcp, &diagonal, x.clone(), [0, most.min(COUPLED_STEPS)], observer);
+        if !has_given_up(&coupled) || most <= COUPLED_STEPS {
+            return coupled;
+        }
+        let frozen = frozen::solve(lcp, x, &self.settings, |frozen, x, before| {
+            let first = before.max(coupled.iterations);
+            self.steps(frozen, &diagonal, x, [first, most], observer)
+        });
+        match has_given_up(&frozen) && frozen.iterations < most {
+            true => self.steps(lcp, &diagonal, frozen.x, [frozen.iterations, most], observer),
+            false => frozen,
+        }
+    }
+}
+
+/// Whether a run ended without a solution although it was not stopped.
+fn has_given_up(solution: &Solution) -> bool {
+    !matches!(solution.status, Status::Solved | Status::Stopped)
+}
+
+impl Newton {
+    /// Whether coupled bounds can be frozen, so that the steps need no dense least squares.
+    fn freezes(&self, lcp: &Lcp) -> bool {
+        self.equations == Equations::MinimumMap && lcp.matrix().is_nearly_symmetric()
+    }
+
+    /// Newton steps from x, counted from `first` to at most `max_iterations`.
+    fn steps(
+        &self,
+        lcp: &Lcp,
+        diagonal: &[f64],
+        x: Vec<f64>,
+        [first, max_iterations]: [usize; 2],
+        observer: &mut dyn Observer,
+    ) -> Solution {
+        let settings = Settings { max_iterations, ..self.settings.clone() };
+        let mut run = Run::of(lcp, diagonal, self.equations);
         let mut known = None;
-        let solution = iterate(lcp, x, 0, &self.settings, observer, |x| {
+        let solution = iterate(lcp, x, first, &settings, observer, |x| {
             loop {
                 let rows = known.take().unwrap_or_else(|| run.rows(x));
                 if let Some(next) = run.newton_step(x, &rows) {
