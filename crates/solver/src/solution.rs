@@ -118,6 +118,13 @@ pub enum Status {
     },
     /// All active sets were tried in exact arithmetic and none gives a solution; x is the start.
     NoSolution,
+    /// The iteration limit was reached before all active sets were tried; x is the start.
+    SetsLeft {
+        /// The number of sets that were tried.
+        tried: usize,
+        /// The number of sets.
+        count: usize,
+    },
     /// The method would need more memory than the limit; x is the start.
     TooLarge {
         /// The memory needed.
@@ -154,6 +161,9 @@ impl fmt::Display for Status {
             }
             Status::NoSolution => {
                 write!(f, "all active sets were tried, and none gives a solution")
+            }
+            Status::SetsLeft { tried, count } => {
+                write!(f, "iteration limit: {tried} of {count} active sets were tried")
             }
             Status::TooLarge { needs, limit } => {
                 write!(f, "needs {needs}; the limit is {limit}")

@@ -187,9 +187,11 @@ fn how(refutation: &Refutation) -> String {
 pub fn status_word(status: &Status) -> &'static str {
     match status {
         Status::Solved => "solved",
-        Status::Inaccurate | Status::IterationLimit | Status::Stalled | Status::Stopped => {
-            "iteration_limit"
-        }
+        Status::Inaccurate
+        | Status::IterationLimit
+        | Status::SetsLeft { .. }
+        | Status::Stalled
+        | Status::Stopped => "iteration_limit",
         Status::NoSolution
         | Status::Ray { .. }
         | Status::Diverged

@@ -52,6 +52,8 @@ fn every_status_is_claimed_by_a_solver_and_put_into_words() {
         Status::Solved => said("dantzig", &one, usual()), "solved";
         Status::Inaccurate => said("murty", &no_float, exactly.clone()), "ended above the tolerance";
         Status::IterationLimit => said("pgs", &pair, one_sweep.clone()), "iteration limit";
+        Status::SetsLeft { .. } => said("enumeration", &pair, one_sweep.clone()),
+            "iteration limit: 1 of 4 active sets were tried";
         Status::Stalled => said("lemke", &rubbing, usual()), "no more progress";
         Status::Stopped => stopped(), "stopped by the observer";
         Status::Diverged => said("pgs", &indefinite, usual()), "diverged";

@@ -7,6 +7,7 @@
 //! or `NoSolution`. It works for any matrix. It is the reference for tests of the other methods,
 //! and shows that the worst case of pivoting, 2ⁿ, is no worse than trying all sets.
 //!
+//! If the iteration limit ends the search, `SetsLeft` states how many of the sets were tried.
 //! Exact elimination costs O(n³) per set, so the number of sets is limited: `OutsideClass` above
 //! 65,536 (16 contacts, 10 boxes). Coupled problems are enumerated up to three contacts with two
 //! tangents each; for more, the bounds are [`frozen`], which may give a solution but proves
@@ -67,7 +68,8 @@ impl Enumeration {
         for k in 0..pieces.count() {
             let count = before + k + 1;
             if count > self.settings.max_iterations {
-                return Solution::new(lcp, x, Status::IterationLimit, count - 1);
+                let status = Status::SetsLeft { tried: k, count: pieces.count() };
+                return Solution::new(lcp, x, status, count - 1);
             }
             let found = pieces.solutions(&pieces.piece(k)).first().map(rounded);
             if !found.iter().flatten().all(|x| x.is_finite()) {

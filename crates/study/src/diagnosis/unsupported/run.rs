@@ -195,6 +195,7 @@ impl RunResult {
                 solution.status,
                 Status::Solved
                     | Status::IterationLimit
+                    | Status::SetsLeft { .. }
                     | Status::NoAnswer { .. }
                     | Status::OutsideClass { .. }
             );
