@@ -25,7 +25,7 @@ use super::form::Writing;
 use super::mistake;
 use super::plugin::Plugins;
 use super::scene::Changes;
-use super::{Outcome, print, read_problem};
+use super::{Outcome, bar, print, read_problem};
 
 /// Explain why bodies sink, why a problem has no solution or several, or which mistake produced an
 /// answer
@@ -164,7 +164,10 @@ impl Diagnose {
     fn of_scene(&self, solver: Option<&str>) -> Result<(Diagnosis, Option<ExaminedInput>)> {
         let scene = self.scene(solver)?;
         let step = self.step.map(|step| step as usize);
-        let diagnosis = diagnosis::scene(&scene, step.unwrap_or(1))?;
+        let number = step.unwrap_or(1);
+        let progress = bar(number.saturating_sub(1) as u64, "steps before it");
+        let diagnosis = diagnosis::observed_scene(&scene, number, &|| progress.inc(1))?;
+        progress.finish_and_clear();
         if !diagnosis.is_sound() || methods::entry(&scene.solver.name).is_err() {
             return Ok((diagnosis, None));
         }

@@ -35,7 +35,7 @@ pub use mistake::{
     single_precision,
 };
 #[cfg(feature = "mechanics")]
-pub use situation::scene;
+pub use situation::{observed_scene, scene};
 
 use lcplab_judge::regularity::{Regularity, least_eigenvalue, regularity};
 use lcplab_judge::{Refutation, error_bound, refutation};

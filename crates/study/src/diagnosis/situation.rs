@@ -26,6 +26,14 @@ const APART: f64 = 1e-3;
 /// If the scene's solver does not exist, or the LCP has numbers that are not finite or more than
 /// 2000 rows. If a step cannot be computed, that is reported as a cause, not as an error.
 pub fn scene(scene: &Scene, step: usize) -> Result<Diagnosis> {
+    observed_scene(scene, step, &|| ())
+}
+
+/// The same; `tick` is called after each of the steps before it.
+///
+/// # Errors
+/// As [`scene`].
+pub fn observed_scene(scene: &Scene, step: usize, tick: &dyn Fn()) -> Result<Diagnosis> {
     let mut found = Diagnosis::named(format!("{}, step {step}", scene.name), Vec::new());
     let mut simulation = Simulation::of(scene)?;
     for _ in 1..step {
@@ -33,6 +41,7 @@ pub fn scene(scene: &Scene, step: usize) -> Result<Diagnosis> {
             found.causes.push(Cause::Failed { reason: failure.to_string() });
             break;
         }
+        tick();
     }
     let states = simulation.states();
     let is_force = scene.step.scheme == Scheme::Acceleration;
