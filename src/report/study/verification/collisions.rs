@@ -11,6 +11,29 @@ const SUMMED: (f64, &str) = (1e-6, "the tolerance of the solver, accumulated ove
 const SUBSTEPS: (f64, &str) =
     (1e-6, "rounding errors of position differences divided by the substep");
 
+/// The speed after a damped contact.
+const DAMPED: [&str; 2] =
+    ["v exp(-zeta phi/sqrt(1 - zeta^2))", "v\\,e^{-\\zeta\\varphi/\\sqrt{1 - \\zeta^2}}"];
+/// The step (s) of the penalty method, which it divides by eight: 1/600 of a contact.
+const PENALTY_STEP: f64 = 8e-4;
+
+/// The case under the penalty method, and e of a mass (kg) on this number of its contact springs.
+///
+/// Damping determines the bounce, for contacts never pull: with k and d of all springs together,
+/// ω² = k/m and ζ = d/(2 m ω), the force has fallen to 0 after the phase φ = π − arctan(2 ζ
+/// √(1 − ζ²)/(1 − 2 ζ²)), and e = exp(−ζ φ/√(1 − ζ²)).
+fn under_penalty(case: &Case, size: Size, springs: f64, mass: f64) -> (Case, f64) {
+    let mut case = Case::of(case.name, case.scene.clone(), size);
+    case.scene.step.dt = PENALTY_STEP;
+    let settings = &case.scene.step.penalty;
+    let (k, d) = (springs * settings.stiffness, springs * settings.damping);
+    let ratio = d / (2.0 * (k * mass).sqrt());
+    let rest = (1.0 - ratio * ratio).sqrt();
+    let phase = std::f64::consts::PI - libm::atan2(2.0 * ratio * rest, 1.0 - 2.0 * ratio * ratio);
+    let e = libm::exp(-ratio * phase / rest);
+    (case, e)
+}
+
 /// The tolerance for an impact with this scheme, and its reason.
 fn of_scheme(scheme: Scheme) -> (f64, &'static str) {
     match scheme {
@@ -53,6 +76,22 @@ pub(super) fn friction_in_impact(size: Size) -> Result<Vec<Row>> {
             Some(vec![state.v.z, state.v.x, state.omega.y])
         }));
     }
+    let (case, e) = under_penalty(&case, size, 1.0, 1.0);
+    let loss = mu * (1.0 + e) * down;
+    let known = vec![
+        Known::order(1.0, "speed upward", DAMPED, "m/s", e * down),
+        Known::order(
+            1.0,
+            "speed along the ground",
+            ["v_t - mu (1 + e) v_n", "v_t - \\mu(1 + e) v_n"],
+            "m/s",
+            along - loss,
+        ),
+    ];
+    rows.extend(case.rows(Method::Scheme(Scheme::Penalty), known, |scene| {
+        let v = after(scene, 0.05)?[1].v;
+        Some(vec![v.z, v.x])
+    }));
     Ok(rows)
 }
 
@@ -107,8 +146,8 @@ pub(super) fn oblique_slip(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// A ball between two walls: after three bounces it has e³ of its speed, with every scheme that
-/// supports e.
+/// A ball between two walls: after three bounces it has e³ of its speed, with every scheme; under the
+/// penalty method e is that of its damping.
 pub(super) fn bounces(size: Size) -> Result<Vec<Row>> {
     let (e, speed) = (0.9_f64, 2.0);
     let wall = |name: &str, x: f64| {
@@ -134,6 +173,13 @@ pub(super) fn bounces(size: Size) -> Result<Vec<Row>> {
             Some(vec![after(scene, 1.3)?[2].v.x])
         }));
     }
+    let (case, e) = under_penalty(&case, size, 1.0, 1.0);
+    let what = "velocity after three bounces";
+    let formula = ["-e^3 v", "-e^3 v"];
+    let known = vec![Known::order(1.0, what, formula, "m/s", -e.powi(3) * speed)];
+    // Each contact takes 31 ms: the third ends at 1.3 s, the fourth begins at 1.9 s.
+    let moved = |scene: &Scene| Some(vec![after(scene, 1.6)?[2].v.x]);
+    rows.extend(case.rows(Method::Scheme(Scheme::Penalty), known, moved));
     Ok(rows)
 }
 
@@ -156,6 +202,15 @@ pub(super) fn flat(size: Size) -> Result<Vec<Row>> {
             Some(vec![state.v.z, state.omega.norm()])
         }));
     }
+    let (case, e) = under_penalty(&case, size, 4.0, 1.0);
+    let known = vec![
+        Known::order(1.0, "speed upward", DAMPED, "m/s", e * speed),
+        Known::exact(SUMMED, "angular velocity", ["0", "0"], "rad/s", 0.0),
+    ];
+    rows.extend(case.rows(Method::Scheme(Scheme::Penalty), known, |scene| {
+        let state = after(scene, 0.1)?[1];
+        Some(vec![state.v.z, state.omega.norm()])
+    }));
     Ok(rows)
 }
 
