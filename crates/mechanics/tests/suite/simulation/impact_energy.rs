@@ -330,7 +330,7 @@ fn under_every_scheme_and_integrator_an_impact_has_its_energy_or_a_report_of_wha
         let of_all = match e {
             0.0 => 0.0,
             1.0 => 2.0,
-            // By hand: 0.5 and 1.5 m/s; ball1 returns with 0.75; −0.4375 and 0.1875; it returns again
+            // By hand: 0.5 and 1.5 m/s; ball1 returns with 0.75; −0.4375 and 0.1875; it returns
             // with 0.09375 and does not reach ball0.
             _ => 0.5 * (0.4375 * 0.4375 + 0.09375 * 0.09375),
         };
@@ -346,7 +346,7 @@ fn under_every_scheme_and_integrator_an_impact_has_its_energy_or_a_report_of_wha
             let (kinetic, reported, found) = stepped(all.clone(), way);
             let missing = kinetic - of_all;
             let is_right = (missing - reported).abs() < TOLERANCE * 2.0;
-            // Impacts at the same instant have no order, and below e = 1 they keep what order gives.
+            // Impacts at one instant have no order, on which the energy depends at 0 < e < 1.
             let has_order = way.2 || e != 0.5;
             let is_named = e < 1.0 && !found.is_empty();
             assert!(is_right || is_named || !has_order, "{way:?} {e}: {missing} J, {found:?}");
