@@ -1,6 +1,9 @@
 //! The common interface of all figures.
 
-use crate::plot::style::{NARROW, WIDTH};
+/// Width of every figure in px.
+pub const WIDTH: f64 = 720.0;
+/// Width of a figure for a phone or a column of a sheet in px.
+pub const NARROW: f64 = 400.0;
 
 /// A picture with a name, texts and numbers.
 pub trait Figure {

@@ -26,7 +26,10 @@ fn the_mistake_behind_an_answer_is_named_with_the_exit_code_of_the_judge() {
         text.contains("Gauss-Seidel with the clamp after the sweep, stopped after 2"),
         "{text}"
     );
-    assert!(text.contains("up to 2000 sweeps of each method, up to 100 on each changed"), "{text}");
+    assert!(
+        text.contains("the first 2000 iterates of each method, and with the first 100 on each"),
+        "{text}"
+    );
 
     let right = file("right.json", r#"{"x": [4, 3, 1]}"#);
     let told = run(&["diagnose", &problem, &right, "--json"]);

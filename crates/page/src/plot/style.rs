@@ -6,10 +6,8 @@
 
 use plotters::style::RGBColor;
 
-/// Width of every figure in px.
-pub const WIDTH: f64 = 720.0;
-/// Width of a figure for a narrow screen in px.
-pub const NARROW: f64 = 400.0;
+pub use crate::figure::WIDTH;
+
 /// Size of all text except the title in px.
 pub const TEXT: f64 = 14.0;
 /// Size of the title in px.

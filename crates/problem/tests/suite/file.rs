@@ -145,7 +145,7 @@ fn each_defect_has_its_message() {
         ),
         (
             r#"{"A": {"dense": [[1, 0], [0, 1]]}, "b": [0, 0], "lo": [0, -1], "friction_index": [-1, 0], "mu": [0, 1]}"#,
-            "p.json: lo[1]: is -1, but row 1 is bounded by mu[1] x[0]",
+            "p.json: lo[1]: is -1, but row 1 is a friction row with the bounds ±mu[1] x[0]; leave the entry infinite",
         ),
         (
             r#"{"A": {"dense": [[1]]}, "b": [0], "motion": {"mass": [[1, 0, 1], [0, 1, 1], [0, 1, 1]], "jacobian": [[0, 2, 1]],

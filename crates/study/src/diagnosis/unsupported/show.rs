@@ -29,7 +29,7 @@ const PAIRS: usize = 6;
 /// A fraction in percent.
 pub fn percent(part: f64) -> String {
     match 100.0 * part {
-        small if small == 0.0 => "0 %".into(),
+        0.0 => "0 %".into(),
         small if small.abs() < 0.01 => "less than 0.01 %".into(),
         value if value.abs() >= 10.0 => format!("{} %", readable(value.round(), WHOLE)),
         value => format!("{} %", readable(value, DIGITS)),
