@@ -8,7 +8,7 @@
 //! Contact forces are often not unique: a table on four legs rests on any forces with the right sum
 //! and moments. Therefore each number that an engineer reads has a *range*: the least and the
 //! largest value among all forces that cause the same motion and obey the same bounds and friction
-//! limits, and its value in the answer with the smallest Σ x² ([`range`]).
+//! limits, and its value in the answer with the smallest Σ x² (`range`).
 
 mod range;
 mod show;
