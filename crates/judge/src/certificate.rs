@@ -6,6 +6,7 @@ use super::{Refusal, Refutation, Verdict};
 use lcplab_problem::accurate::Sum;
 use lcplab_problem::merit::Sum as _;
 
+use crate::convex::is_convex;
 use crate::residual::{Residual, Rows, worst};
 
 /// The judge's full result on x.
@@ -33,9 +34,9 @@ pub struct Certificate {
     /// ½ xᵀAx + bᵀx.
     pub objective: f64,
     /// Objective minus dual objective: Σ_i w_i⁺ (x_i − lo_i) + w_i⁻ (hi_i − x_i), over finite
-    /// bounds. For symmetric semidefinite A it is an upper bound on the objective's error. NaN
-    /// where it is no bound: x lies outside its bounds, a w pushes it toward infinity by more than
-    /// the tolerance, or no solution exists.
+    /// bounds: an upper bound on the objective's error. NaN where it is none: A is not symmetric
+    /// and positive semidefinite, x lies outside its bounds, a w pushes it toward infinity by more
+    /// than the tolerance, or no solution exists.
     pub duality_gap: f64,
     /// The verdict.
     pub verdict: Verdict,
@@ -128,7 +129,7 @@ pub(super) fn measure(at: &Rows<'_>, residuals: &[Residual], tolerance: f64) -> 
         bound_violation: outside,
         dual_infeasibility: infeasible,
         objective: objective.value(),
-        duality_gap: if is_feasible { duality_gap.value() } else { f64::NAN },
+        duality_gap: if is_feasible && is_convex(lcp) { duality_gap.value() } else { f64::NAN },
         verdict: Verdict::NotASolution {
             row: worst_row,
             amount: scaled_residual,

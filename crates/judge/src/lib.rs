@@ -27,6 +27,7 @@
 pub mod cases;
 mod certificate;
 mod cone;
+mod convex;
 #[cfg(feature = "clarabel")]
 pub mod cross_check;
 pub mod error_bound;

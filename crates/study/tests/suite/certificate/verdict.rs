@@ -83,6 +83,31 @@ fn the_gaps_are_those_of_the_quadratic_program() {
 }
 
 #[test]
+fn a_duality_gap_is_stated_of_convex_problems_alone() {
+    let gap = |a: &[&[f64]]| {
+        let n = a.len();
+        let lcp = boxed(a, &vec![0.0; n], &vec![-1.0; n], &vec![1.0; n]);
+        judge(&lcp, &vec![0.0; n], &Demand::default()).duality_gap
+    };
+    // Eigenvalues 1 and 3; 0 and 2; 0 and 1.
+    for convex in [[[2.0, 1.0], [1.0, 2.0]], [[1.0, 1.0], [1.0, 1.0]], [[0.0, 0.0], [0.0, 1.0]]] {
+        assert_eq!(gap(&[&convex[0], &convex[1]]), 0.0, "{convex:?}");
+    }
+    // Eigenvalues −1 and 3, with ½ xᵀAx = −1 at (1, −1); −1 and 1; −1; and no objective at all.
+    for other in [
+        [[1.0, 2.0], [2.0, 1.0]],
+        [[0.0, 1.0], [1.0, 0.0]],
+        [[1.0, 0.0], [0.0, -1.0]],
+        [[1.0, 1.0], [0.0, 1.0]],
+    ] {
+        assert!(gap(&[&other[0], &other[1]]).is_nan(), "{other:?}");
+    }
+    // Every 2 × 2 minor is positive, and the eigenvalue along (1, 1, 1) is −0.2.
+    let flat = gap(&[&[1.0, -0.6, -0.6], &[-0.6, 1.0, -0.6], &[-0.6, -0.6, 1.0]]);
+    assert!(flat.is_nan());
+}
+
+#[test]
 fn a_cancelled_w_is_computed_to_the_last_digit() {
     // w = 1e16 + 1 − 1e16: plain summation loses the 1.
     let lcp = contacts(&[&[1e16, 1.0], &[1.0, 1.0]], &[-1e16, 0.0]);
