@@ -9,17 +9,19 @@ that kind; the numbers must be those that lcplab writes, to the last bit, or, wh
     matrix    0 rows cols rows cols, numbers by columns
               1 rows cols, number of blocks, block rows, block columns, ends of each, length of two lists: the first
               block of each block row and one more, the block column of each block; blocks: index, numbers by columns
+              2 rows cols origin, and a listing by CSparse: of triplets (origin 1) or by columns (origin 2)
     lcp       n M q                              0 <= x, w = M x + q
     relay     n M q lb ub                        lb <= x <= ub
     mixed     1 f n m ends flags M q             ends: 0 to n + m; flag 0: w = 0 in the block; f = 1: the parts follow
               0 1 n m A B C D a b                by rows; M = [A C; D B], q = (a, b), the first n rows have w = 0
-    local     3 contacts M q mu                  rows n, t1, t2 of each contact
-    global    3 contacts M H q b mu              M v = H r + q, u = H' v + b
+    local     d contacts M q mu                  d = 3: rows n, t1, t2 of each contact; d = 2: rows n, t
+    global    d contacts M H q b mu              M v = H r + q, u = H' v + b
 
 One more 0 or 1 may follow mu. Lines behind the numbers that begin with a word and have more words than numbers are a
 comment. Exit code: 1 if anything differs.
 """
 import json
+import re
 import subprocess
 import sys
 import tempfile
@@ -81,8 +83,11 @@ class Numbers:
 
     def matrix(self):
         storage, rows, cols = self.wholes(3)
-        need(storage in (0, 1))
+        need(storage in (0, 1, 2))
         matrix = [[0.0] * cols for _ in range(rows)]
+        if storage == 2:
+            self.listing(matrix, rows, cols)
+            return matrix
         if storage == 0:
             need(self.wholes(2) == [rows, cols])
             for j in range(cols):
@@ -103,6 +108,48 @@ class Numbers:
                     for i in range(top, row_ends[row]):
                         matrix[i][j] = self.reals(1)[0]
         return matrix
+
+    def literal(self, *words):
+        for word in words:
+            need(self.word() == word)
+
+    def listing(self, matrix, rows, cols):
+        origin = self.whole()
+        need(origin in (1, 2))
+        self.literal("CSparse")
+        while not (size := re.fullmatch(r"([0-9]+)-by-([0-9]+),", self.word())):
+            pass
+        need((int(size[1]), int(size[2])) == (rows, cols))
+        self.literal("nzmax:")
+        self.whole()
+        self.literal("nnz:")
+        count = self.word().rstrip(",")
+        need(count.isdecimal())
+        places = []
+        if origin == 1:
+            for _ in range(int(count)):
+                places.append(self.wholes(2))
+                self.entry(matrix, places[-1])
+        else:
+            self.literal("1-norm:")
+            self.reals(1)
+            for j in range(cols):
+                self.literal("col", str(j), ":", "locations")
+                first = self.whole()
+                self.literal("to")
+                # Without an entry, the last place is one before the first, and may be -1.
+                last = self.word()
+                need(re.fullmatch(r"-1|[0-9]+", last) and first == len(places))
+                for _ in range(first, int(last) + 1):
+                    places.append([self.whole(), j])
+                    self.entry(matrix, places[-1])
+        need(len(places) == int(count))
+
+    def entry(self, matrix, place):
+        i, j = place
+        self.literal(":")
+        need(i < len(matrix) and j < len(matrix[0]))
+        matrix[i][j] += self.reals(1)[0]
 
     def square(self, n):
         matrix = self.matrix()
@@ -155,15 +202,20 @@ def mixed(t):
 
 
 def contacts(t):
-    need(t.whole() == 3)
-    return t.whole()
+    d = t.whole()
+    need(d in (2, 3))
+    return d, t.whole()
+
+
+def lower(d, m):
+    return [0.0, *[-INF] * (d - 1)] * m
 
 
 def local(t):
-    m = contacts(t)
-    a, b, mu = t.square(3 * m), t.reals(3 * m), t.reals(m)
+    d, m = contacts(t)
+    a, b, mu = t.square(d * m), t.reals(d * m), t.reals(m)
     t.end(has_flag=True)
-    return a, b, [0.0, -INF, -INF] * m, [INF] * (3 * m), mu
+    return a, b, lower(d, m), [INF] * (d * m), mu
 
 
 def solved(m, right):
@@ -181,21 +233,21 @@ def solved(m, right):
 
 
 def global_(t):
-    m = contacts(t)
+    d, m = contacts(t)
     mass = t.matrix()
     k = len(mass)
     h = t.matrix()
-    need(all(len(row) == k for row in mass) and len(h) == k and all(len(row) == 3 * m for row in h))
-    q, b, mu = t.reals(k), t.reals(3 * m), t.reals(m)
+    need(all(len(row) == k for row in mass) and len(h) == k and all(len(row) == d * m for row in h))
+    q, b, mu = t.reals(k), t.reals(d * m), t.reals(m)
     t.end(has_flag=True)
     inverse = solved(mass, [row + [v] for row, v in zip(h, q)])
 
     def product(i, j):
         return sum(Q(h[r][i]) * inverse[r][j] for r in range(k))
 
-    n = 3 * m
+    n = d * m
     a = [[product(i, j) for j in range(n)] for i in range(n)]
-    return a, [product(i, n) + Q(b[i]) for i in range(n)], [0.0, -INF, -INF] * m, [INF] * n, mu
+    return a, [product(i, n) + Q(b[i]) for i in range(n)], lower(d, m), [INF] * n, mu
 
 
 KINDS = [lcp, relay, mixed, local, global_]
@@ -240,11 +292,12 @@ def differences(kind, expected, found):
                 yield f"row {i}, column {j}: {matrix[i][j]}, not {float(v)}"
     if bound != [lo, hi]:
         yield f"bounds {bound}, not {[lo, hi]}"
-    index = [-1 if i % 3 == 0 else i - i % 3 for i in range(n)] if mu else None
-    rows = [0.0 if i % 3 == 0 else mu[i // 3] for i in range(n)] if mu else None
+    d = n // len(mu) if mu else 1
+    index = [-1 if i % d == 0 else i - i % d for i in range(n)] if mu else None
+    rows = [0.0 if i % d == 0 else mu[i // d] for i in range(n)] if mu else None
     if (found.get("friction_index"), found.get("mu")) != (index, rows):
         yield "another friction"
-    if found.get("model") != ("coulomb-cone" if mu else None):
+    if found.get("model") != ("coulomb-cone" if d == 3 else None):
         yield f"another model, {found.get('model')}"
 
 
