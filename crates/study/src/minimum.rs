@@ -19,15 +19,19 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use serde_json::{Value, json};
 
 use lcplab_page::number::readable;
-use lcplab_problem::Question;
 use lcplab_problem::file::{Problem, number};
+use lcplab_problem::{Lcp, Question};
 
 /// Larger programs are not examined.
 const MAX_COLUMNS: usize = 200;
 /// Maximum number of constraints whose combinations are tried.
 const MAX_RELEASED: usize = 8;
 /// Relative size below which a value is rounding.
-const ROUNDING: f64 = 1e-9;
+const ROUNDING: f64 = 1e-12;
+/// Relative size above which a gap or a force of an accepted answer is surely not 0.
+const CLEAR: f64 = 1e-6;
+/// Relative size below which a direction keeps a constraint, and a curvature is 0.
+const FLAT: f64 = 1e-9;
 /// Maximum number of entries of a direction that are printed.
 const PRINTED: usize = 12;
 
@@ -45,7 +49,7 @@ impl Descent {
     /// must satisfy the optimality conditions.
     ///
     /// ```
-    /// use lcplab_problem::Question;
+    /// use lcplab_problem::{Lcp, Question};
     /// use lcplab_problem::file::Problem;
     /// use lcplab_study::minimum::Descent;
     ///
@@ -103,6 +107,75 @@ enum Restriction {
     Side(f64),
 }
 
+/// Whether a bound or a constraint is active at x. x is seldom exact: what is not clear counts as
+/// active with a force, which allows the fewest directions.
+struct Activity<'a> {
+    lcp: &'a Lcp,
+    x: &'a [f64],
+    w: Vec<f64>,
+    /// Σ_j |a_ij x_j| + |b_i|: the size of w_i's terms.
+    terms: Vec<f64>,
+}
+
+impl<'a> Activity<'a> {
+    fn of(lcp: &'a Lcp, x: &'a [f64]) -> Self {
+        let terms = |i: usize| {
+            let terms = lcp.matrix().row(i).iter().map(|(j, a)| (a * x[j]).abs());
+            terms.sum::<f64>() + lcp.b()[i].abs()
+        };
+        Activity { lcp, x, w: lcp.w(x), terms: (0..lcp.len()).map(terms).collect() }
+    }
+
+    /// The restriction of an unknown between its bounds; `size` is the size of its terms, and
+    /// `force` that of the force at its bound, relative to the terms of the forces there.
+    fn between_bounds(&self, i: usize, size: f64, force: f64) -> Option<Restriction> {
+        let [below, above] = [self.x[i] - self.lcp.lo()[i], self.lcp.hi()[i] - self.x[i]];
+        let gap = below.min(above);
+        if force <= CLEAR && gap > CLEAR * size && gap > 0.0 {
+            return None;
+        }
+        let is_fixed = self.lcp.lo()[i] == self.lcp.hi()[i];
+        let side = if below <= above { 1.0 } else { -1.0 };
+        Some(if is_fixed || force > ROUNDING { Restriction::Zero } else { Restriction::Side(side) })
+    }
+
+    /// The restriction of a column of the program; the force at its bound is w.
+    fn column(&self, i: usize) -> Option<Restriction> {
+        let row = self.lcp.matrix().row(i);
+        let largest = row.iter().map(|(_, a)| a.abs()).fold(0.0, f64::max);
+        let scale = match self.lcp.matrix().diagonal(i).abs() {
+            0.0 if largest > 0.0 => largest,
+            0.0 => 1.0,
+            own => own,
+        };
+        self.between_bounds(i, self.terms[i] / scale, part(self.w[i], self.terms[i]))
+    }
+
+    /// The restriction of the constraint with multiplier k, whose unknown aᵀx is `value` if it has
+    /// two limits.
+    fn constraint(&self, k: usize, value: Option<usize>, columns: &[usize]) -> Option<Restriction> {
+        let pull = |&j: &usize| part(self.lcp.matrix().entry(j, k) * self.x[k], self.terms[j]);
+        let force = columns.iter().map(pull).fold(0.0, f64::max);
+        if let Some(s) = value {
+            return self.between_bounds(s, self.terms[k], force);
+        }
+        let (lo, hi) = (self.lcp.lo()[k], self.lcp.hi()[k]);
+        if lo.is_infinite() && hi.is_infinite() {
+            return Some(Restriction::Zero);
+        }
+        let side = if lo == 0.0 { 1.0 } else { -1.0 };
+        if force <= CLEAR && part(side * self.w[k], self.terms[k]) > CLEAR {
+            return None;
+        }
+        Some(if force > ROUNDING { Restriction::Zero } else { Restriction::Side(side) })
+    }
+}
+
+/// A value relative to the size of its terms; 0 if both are.
+fn part(value: f64, terms: f64) -> f64 {
+    if value == 0.0 { 0.0 } else { value.abs() / terms }
+}
+
 /// P, and the constraints that are active at x.
 struct Program {
     p: DMatrix<f64>,
@@ -125,49 +198,21 @@ impl Program {
         if p != p.transpose() {
             return None;
         }
-        let w = lcp.w(x);
-        let side = |i: usize| {
-            let near = |bound: f64| {
-                bound.is_finite() && (x[i] - bound).abs() <= ROUNDING * bound.abs().max(1.0)
-            };
-            match (near(lcp.lo()[i]), near(lcp.hi()[i])) {
-                (false, false) => None,
-                (true, true) => Some(Restriction::Zero),
-                (at_lo, _) => Some(Restriction::Side(if at_lo { 1.0 } else { -1.0 })),
-            }
-        };
-        let terms = |i: usize| {
-            let terms = lcp.matrix().row(i).iter().map(|(j, a)| (a * x[j]).abs());
-            terms.sum::<f64>() + lcp.b()[i].abs()
-        };
-        let is_zero = |i: usize| w[i].abs() <= ROUNDING * terms(i);
-        let mut active = Vec::new();
-        for (place, &i) in columns.iter().enumerate() {
-            let unit = || DVector::from_fn(n, |k, _| f64::from(k == place));
-            match side(i) {
-                None => {}
-                Some(_) if !is_zero(i) => active.push((unit(), Restriction::Zero)),
-                Some(own) => active.push((unit(), own)),
-            }
-        }
-        for k in (0..lcp.len()).filter(|k| kind(*k) == Some("multiplier")) {
-            let gradient = DVector::from_fn(n, |j, _| lcp.matrix().entry(k, columns[j]));
+        let activity = Activity::of(lcp, x);
+        let unit = |place: usize| DVector::from_fn(n, |k, _| f64::from(k == place));
+        let bounds = columns
+            .iter()
+            .enumerate()
+            .filter_map(|(place, &i)| Some((unit(place), activity.column(i)?)));
+        let constraints = (0..lcp.len()).filter(|k| kind(*k) == Some("multiplier"));
+        let constraints = constraints.filter_map(|k| {
             // The unknown s = aᵀx of a row with two limits.
             let value =
                 (0..lcp.len()).find(|&s| kind(s) == Some("row") && lcp.matrix().entry(k, s) != 0.0);
-            let has_force = x[k].abs() > ROUNDING;
-            let own = match value {
-                Some(s) => side(s).map(|own| if has_force { Restriction::Zero } else { own }),
-                None if lcp.lo()[k].is_infinite() && lcp.hi()[k].is_infinite() => {
-                    Some(Restriction::Zero)
-                }
-                None if has_force => Some(Restriction::Zero),
-                None if !is_zero(k) => None,
-                None => Some(Restriction::Side(if lcp.lo()[k] == 0.0 { 1.0 } else { -1.0 })),
-            };
-            active.extend(own.map(|own| (gradient, own)));
-        }
-        Some(Program { p, active })
+            let gradient = DVector::from_fn(n, |j, _| lcp.matrix().entry(k, columns[j]));
+            Some((gradient, activity.constraint(k, value, &columns)?))
+        });
+        Some(Program { p, active: bounds.chain(constraints).collect() })
     }
 
     /// Searches the faces of the cone: some of the one-sided constraints are released, the others
@@ -202,7 +247,7 @@ impl Program {
         }
         let eigen = SymmetricEigen::new(gram);
         let columns: Vec<DVector<f64>> = (0..n)
-            .filter(|&k| eigen.eigenvalues[k] <= ROUNDING)
+            .filter(|&k| eigen.eigenvalues[k] <= FLAT)
             .map(|k| eigen.eigenvectors.column(k).into_owned())
             .collect();
         (!columns.is_empty()).then(|| DMatrix::from_columns(&columns))
@@ -213,14 +258,14 @@ impl Program {
         let direction = &direction / direction.amax();
         let is_kept = |(gradient, own): &(DVector<f64>, Restriction)| {
             let change = gradient.dot(&direction);
-            let slack = ROUNDING * gradient.amax();
+            let slack = FLAT * gradient.amax();
             match own {
                 Restriction::Zero => change.abs() <= slack,
                 Restriction::Side(sign) => sign * change >= -slack,
             }
         };
         let curvature = direction.dot(&(&self.p * &direction));
-        let is_descent = curvature < -ROUNDING * size && self.active.iter().all(is_kept);
+        let is_descent = curvature < -FLAT * size && self.active.iter().all(is_kept);
         is_descent.then(|| Descent { direction: direction.iter().copied().collect(), curvature })
     }
 }

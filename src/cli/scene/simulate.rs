@@ -15,6 +15,7 @@ use lcplab::report::view;
 use lcplab::scene::Scene;
 use lcplab::simulation::{Cause, Failure, Simulation, Step};
 use lcplab::solver::Stop;
+use serde_json::json;
 
 use super::SceneArgs;
 use crate::cli::limits::Limits;
@@ -111,16 +112,19 @@ impl Simulate {
             record.end(failure);
             camera.end(failure);
         }
-        let loads = camera.step.take().and_then(|step| loads(&scene, &step));
+        let loads = self.loads.then(|| loads(&scene, camera.step.take().as_ref()));
         let written = self.write(&scene, &record, camera);
         print(&match (self.json, loads) {
             (true, None) => format!("{}\n", record.summary()),
             (true, Some(loads)) => {
                 let mut summary = record.summary();
-                summary["loads"] = loads.json();
+                summary["loads"] =
+                    loads.map_or_else(|why| json!({ "unexamined": why }), |loads| loads.json());
                 format!("{summary}\n")
             }
-            (false, loads) => record.text() + &loads.map(|l| l.text()).unwrap_or_default(),
+            (false, None) => record.text(),
+            (false, Some(Ok(loads))) => record.text() + &loads.text(),
+            (false, Some(Err(why))) => record.text() + &format!("forces       not summed: {why}\n"),
         })?;
         written?;
         Ok(match failure.and_then(|failure| failure.cause.stopped()) {
@@ -210,14 +214,25 @@ impl Simulate {
     }
 }
 
-/// The forces of the last problem of a step; `None` if it has none, or friction is not that of
-/// boxes.
-fn loads(scene: &Scene, step: &Step) -> Option<Loads> {
-    let solves = step.posed(scene).ok()?;
-    let last = solves.last()?;
+/// The forces of the last problem of the last step.
+///
+/// # Errors
+/// With the reason, if there is no such problem, or friction is not that of boxes.
+fn loads(scene: &Scene, last_step: Option<&Step>) -> std::result::Result<Loads, String> {
+    let step = last_step.ok_or("no step was completed")?;
+    let solves = step.posed(scene).map_err(|cause| cause.to_string())?;
+    let Some(last) = solves.last() else {
+        return Err(format!(
+            "the last step of the scheme {} solves no LCP",
+            scene.step.scheme.name()
+        ));
+    };
     let problem = last.exported(scene, step.number);
-    let question = Question::new(&problem, None, &scene.name).ok()?;
-    Loads::of(&question, &last.solution.x)
+    let question = Question::new(&problem, None, &scene.name).map_err(|cause| cause.to_string())?;
+    Loads::of(&question, &last.solution.x).ok_or_else(|| {
+        let model = scene.contact.model;
+        format!("only the forces of rows with bounds are summed; the friction model is {model}")
+    })
 }
 
 /// The instants for the animation and for the strip of frames.

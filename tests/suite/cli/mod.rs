@@ -13,6 +13,7 @@ mod hostile;
 mod limits;
 #[cfg(unix)] // its links
 mod links;
+mod loads;
 mod mistake;
 mod plugin;
 mod problem_set;

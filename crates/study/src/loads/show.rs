@@ -15,10 +15,13 @@ impl Loads {
     /// The block of text that commands print.
     pub fn text(&self) -> String {
         let unit = self.unit;
-        let mut text = format!(
-            "forces     {unit} in world axes; ranges: all forces that cause the same motion and obey the \
-             friction limits\n"
-        );
+        let ranges = match &self.unexamined {
+            Some(why) => format!("no ranges: {why}"),
+            None => "ranges: all forces that cause the same motion and obey the friction limits; unique: \
+                     to a millionth of the largest force"
+                .into(),
+        };
+        let mut text = format!("forces     {unit} in world axes; {ranges}\n");
         for pair in self.pairs.iter().take(PRINTED) {
             let by = if pair.by.is_empty() { "the world" } else { &pair.by };
             let force = vector(pair.wrench.force);
@@ -27,10 +30,7 @@ impl Loads {
             for contact in pair.contacts.iter().take(PRINTED) {
                 let value = readable(contact.value, DIGITS);
                 text += &format!("    {}: {value} {unit}", contact.label);
-                text += &contact
-                    .range
-                    .map(|range| self.range(contact.value, range))
-                    .unwrap_or_default();
+                text += &self.range(contact.range);
                 text += "\n";
             }
             text += &more(pair.contacts.len(), "contacts");
@@ -58,11 +58,16 @@ impl Loads {
             }
             None => format!("{value} {} in total", self.unit),
         };
-        what + &pair.range.map(|range| self.range(pair.carried, range)).unwrap_or_default()
+        what + &self.range(pair.range)
     }
 
-    fn range(&self, value: f64, range: Range) -> String {
-        if range.is_unique(value) {
+    /// The end of a line: the range of its force. Without any range, the first line has the reason.
+    fn range(&self, range: Option<Range>) -> String {
+        let Some(range) = range else {
+            let is_reason_given = self.unexamined.is_some();
+            return if is_reason_given { String::new() } else { "; range not found".into() };
+        };
+        if range.is_unique {
             return "; unique".into();
         }
         let [least, most, least_norm] =
@@ -84,25 +89,25 @@ impl Loads {
     pub fn json(&self) -> Value {
         let numbers = |v: [f64; 3]| -> Value { v.iter().map(|&v| number(v)).collect() };
         let wrench = |w: &Wrench| json!({ "force": numbers(w.force), "moment": numbers(w.moment) });
-        let range = |value: f64, range: Option<Range>| {
+        let range = |range: Option<Range>| {
             range.map(|range| {
                 json!({
                     "least": number(range.least), "most": number(range.most),
-                    "least_norm": number(range.least_norm), "is_unique": range.is_unique(value),
+                    "least_norm": number(range.least_norm), "is_unique": range.is_unique,
                 })
             })
         };
         let contact = |contact: &ContactLoad| {
             json!({
                 "label": contact.label, "value": number(contact.value),
-                "range": range(contact.value, contact.range),
+                "range": range(contact.range),
             })
         };
         let pair = |pair: &PairLoad| {
             let contacts: Vec<Value> = pair.contacts.iter().map(contact).collect();
             json!({
                 "by": pair.by, "on": pair.on, "wrench": wrench(&pair.wrench),
-                "carried": number(pair.carried), "range": range(pair.carried, pair.range),
+                "carried": number(pair.carried), "range": range(pair.range),
                 "contacts": contacts,
             })
         };
@@ -117,7 +122,9 @@ impl Loads {
                 })
             })
             .collect();
-        json!({ "unit": self.unit, "pairs": pairs, "bodies": bodies })
+        json!({
+            "unit": self.unit, "pairs": pairs, "bodies": bodies, "unexamined": self.unexamined,
+        })
     }
 }
 

@@ -57,6 +57,40 @@ fn constraints_bar_directions() {
     assert!(found.direction[0].abs() < 1e-9 && (found.curvature + 2.0).abs() < 1e-9, "{found:?}");
 }
 
+/// x² − y² has a strict minimum on the edge y = 1 of y ≤ 1, where the multiplier is 2, and on the
+/// bound y ≤ 1. Neither the units of the objective or of the variables nor an error as large as the
+/// tolerance make it something else; with the multiplier 0, at y = 0, it is a saddle in all units.
+#[test]
+fn units_and_small_errors_accuse_no_minimum() {
+    let kinds = ["column", "column", "multiplier"].map(|kind| json!({ "kind": kind }));
+    for units in [1e-12, 1e-6, 1.0, 1e6, 1e12] {
+        for length in [1e-9, 1.0, 1e9] {
+            // w of the rows: 2 x, −2 y + z, and 1 − y, times their units.
+            let a = [[2.0 * units, 0.0, 0.0], [0.0, -2.0 * units, 1.0], [0.0, -1.0, 0.0]];
+            let file = json!({
+                "A": { "dense": a }, "b": [0.0, 0.0, length], "lo": ["-inf", "-inf", 0],
+                "hi": ["inf", "inf", "inf"], "rows": kinds,
+            });
+            let bounded = json!({
+                "A": { "dense": [[2.0 * units, 0.0], [0.0, -2.0 * units]] }, "b": [0, 0],
+                "lo": [-length, -length], "hi": [length, length],
+            });
+            for off in [0.0, 1e-9, -1e-9] {
+                let y = length * (1.0 + off);
+                let x = [0.0, y, 2.0 * units * y];
+                assert_eq!(Descent::of(&program(file.clone()), &x), None, "{units} {length} {off}");
+                let x = [0.0, length * (1.0 - f64::abs(off))];
+                assert_eq!(
+                    Descent::of(&program(bounded.clone()), &x),
+                    None,
+                    "{units} {length} {off}"
+                );
+            }
+            assert!(Descent::of(&program(bounded), &[0.0, 0.0]).is_some(), "{units} {length}");
+        }
+    }
+}
+
 #[test]
 fn a_problem_without_an_objective_has_no_minimum_to_miss() {
     let file =
