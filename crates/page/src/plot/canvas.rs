@@ -87,7 +87,7 @@ impl Canvas {
     /// A canvas of this width, with a title in as many lines as it needs; `height` is that below
     /// the first line. Returns the height (px) of its other lines, too.
     pub(super) fn titled(width: f64, height: f64, title: &str) -> (Self, f64) {
-        let lines = style::wrapped(title, style::TITLE * BOLD, width - 2.0 * style::EDGE);
+        let lines = style::balanced(title, style::TITLE * BOLD, width - 2.0 * style::EDGE);
         let more = LINE * lines.len().saturating_sub(1) as f64;
         let mut canvas = Canvas::new(width, height + more);
         for (k, line) in lines.iter().enumerate() {
@@ -114,6 +114,16 @@ impl Canvas {
         if !shapes.trim().is_empty() {
             self.raw(&format!("<g transform=\"scale(0.1)\" {attributes}>\n{shapes}</g>\n"));
         }
+    }
+
+    /// Draws the thin frame around a matrix or a panel, from its upper left corner.
+    pub(super) fn outline(&mut self, (left, top): (f64, f64), (width, height): (f64, f64)) {
+        let (right, bottom) = (left + width, top + height);
+        let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
+        self.layer("class=\"frame\"", |layer| {
+            let corners = corners.map(|(x, y)| (fine(x), fine(y)));
+            layer.draw(&PathElement::new(corners, stroke(style::FAINT_INK, 1.0)))
+        });
     }
 
     /// Writes a text with its baseline at y.

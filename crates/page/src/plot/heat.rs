@@ -6,10 +6,8 @@
 
 use std::fmt::Write;
 
-use plotters::prelude::*;
-
 use super::axis::{Axis, Scale};
-use super::canvas::{Anchor, Canvas, Frame, fine, hex, stroke};
+use super::canvas::{Anchor, Canvas, Frame, hex};
 use super::style::{self, FAINT_INK, INK, TEXT};
 use crate::csv;
 use crate::figure::Figure;
@@ -134,7 +132,7 @@ impl Heat {
         let after = left + width + 16.0;
         canvas.text((after, top + 11.0), Anchor::Start, TEXT, INK, &self.value.heading());
         let zero = after + heading + 24.0;
-        outline(canvas, (zero, top), (18.0, height));
+        canvas.outline((zero, top), (18.0, height));
         canvas.text((zero + 26.0, top + 11.0), Anchor::Start, TEXT, INK, "0");
     }
 
@@ -233,7 +231,7 @@ impl Shaded {
             -high,
             self.paths(range)
         ));
-        outline(canvas, (left, top), (width, height));
+        canvas.outline((left, top), (width, height));
         for (at, label) in whole(self.places(), width) {
             let x = left + (at as f64 + 0.5) * wide;
             canvas.text((x, top + height + 17.0), Anchor::Middle, TEXT, FAINT_INK, &label);
@@ -261,15 +259,6 @@ impl Shaded {
             .map(|(k, path)| format!("<path fill=\"{}\" d=\"{path}\"/>\n", hex(shade(k))))
             .collect()
     }
-}
-
-fn outline(canvas: &mut Canvas, (left, top): (f64, f64), (width, height): (f64, f64)) {
-    let (right, bottom) = (left + width, top + height);
-    let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
-    canvas.layer("class=\"frame\"", |layer| {
-        let corners = corners.map(|(x, y)| (fine(x), fine(y)));
-        layer.draw(&PathElement::new(corners, stroke(FAINT_INK, 1.0)))
-    });
 }
 
 /// Round positions below `places`, about as many as fit along a side of this length.

@@ -1,8 +1,6 @@
 //! Sparsity patterns side by side, each in a small square.
 
-use plotters::prelude::*;
-
-use super::canvas::{Anchor, Canvas, fine, stroke};
+use super::canvas::{Anchor, Canvas};
 use super::raster::Raster;
 use super::style::{self, FAINT_INK, INK, TEXT};
 use crate::csv;
@@ -99,12 +97,7 @@ impl Small {
         let entries = self.raster.rows.max(self.raster.columns).max(1) as f64;
         let scale = side / entries;
         canvas.raw(&self.raster.markup((left, top), (scale, scale)));
-        let (right, bottom) = (left + side, top + side);
-        canvas.layer("class=\"frame\"", |layer| {
-            let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
-            let corners = corners.map(|(x, y)| (fine(x), fine(y)));
-            layer.draw(&PathElement::new(corners, stroke(FAINT_INK, 1.0)))
-        });
+        canvas.outline((left, top), (side, side));
     }
 }
 

@@ -2,10 +2,8 @@
 
 use std::fmt::Write;
 
-use plotters::prelude::*;
-
 use super::axis::Scale;
-use super::canvas::{Anchor, Canvas, fine, stroke};
+use super::canvas::{Anchor, Canvas};
 use super::raster::Raster;
 use super::style::{self, FAINT_INK, INK, TEXT};
 use crate::csv;
@@ -123,12 +121,7 @@ impl Figure for Spy {
         }
         let (left, top) = ((wide - width) / 2.0 + 20.0, below + lower);
         canvas.raw(&raster.markup((left, top), (width / columns, height / rows)));
-        canvas.layer("class=\"frame\"", |layer| {
-            let (right, bottom) = (left + width, top + height);
-            let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
-            let corners = corners.map(|(x, y)| (fine(x), fine(y)));
-            layer.draw(&PathElement::new(corners, stroke(FAINT_INK, 1.0)))
-        });
+        canvas.outline((left, top), (width, height));
         canvas.text((left + width / 2.0, top - 24.0), Anchor::Middle, TEXT, INK, "column");
         canvas.raw(&format!("<g transform=\"rotate(-90 {:.1} {:.1})\">", left - 48.0, top));
         canvas.text((left - 48.0 - height / 2.0, top), Anchor::Middle, TEXT, INK, "row");

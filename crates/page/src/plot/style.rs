@@ -262,6 +262,14 @@ pub fn wrapped(text: &str, size: f64, room: f64) -> Vec<String> {
     lines
 }
 
+/// The same, in as many lines of about the same width.
+pub fn balanced(text: &str, size: f64, room: f64) -> Vec<String> {
+    let lines = wrapped(text, size, room);
+    // Balanced lines need at least half of the room.
+    let narrower = (1..=13).map(|k| wrapped(text, size, room * 0.95_f64.powi(k)));
+    narrower.take_while(|other| other.len() == lines.len()).last().unwrap_or(lines)
+}
+
 fn place<T: PartialEq>(list: &[T], item: &T) -> usize {
     list.iter().position(|other| other == item).unwrap_or(0)
 }

@@ -21,7 +21,7 @@ impl Loads {
                      to a millionth of the largest force"
                 .into(),
         };
-        let mut text = format!("forces     {unit} in world axes; {ranges}\n");
+        let mut text = format!("forces     {unit} in world axes\n  {ranges}\n");
         for pair in self.pairs.iter().take(PRINTED) {
             let by = if pair.by.is_empty() { "the world" } else { &pair.by };
             let force = vector(pair.wrench.force);
