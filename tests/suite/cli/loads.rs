@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use super::{out, run};
 
-/// Five boxes of 1 kg: 49.05 N on the ground, which four corners may share in any way that balances.
+/// Five boxes of 1 kg: 49.05 N on the ground, which four corners share in any way that balances.
 #[test]
 fn solve_judge_and_simulate_state_the_same_loads() {
     let folder = tempfile::tempdir().unwrap();

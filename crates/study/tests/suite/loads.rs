@@ -101,8 +101,8 @@ fn lever(places: &[f64]) -> Vec<[f64; 2]> {
 proptest! {
     #![proptest_config(cases(64))]
 
-    /// Ranges are a property of the problem: a solver that stops at a residual of 1e-8 gets the same
-    /// as an exact one, and nothing that is free is called unique.
+    /// Ranges are a property of the problem: a solver that stops at a residual of 1e-8 gets the
+    /// same as an exact one, and nothing that is free is called unique.
     #[test]
     fn every_solver_gets_the_ranges_of_the_law_of_the_lever(
         left in proptest::collection::vec(0.2f64..2.0, 1..4),
