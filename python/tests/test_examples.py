@@ -36,27 +36,6 @@ def test_an_impulse_that_is_applied_twice_is_written_back_wrongly():
     assert own.run(Twice(4)).stages.keys() == {"write-back"}
 
 
-def test_pybullets_motion_is_that_of_its_impulses():
-    pytest.importorskip("pybullet")
-    done = example("pybullet_step").main()
-    receipt = list(done.receipts.values())[-1]
-    assert done.ok and receipt.verdict == "not checked" and receipt.difference < 0.05
-
-
-def test_a_velocity_that_pybullet_did_not_compute_is_written_back_wrongly():
-    pybullet = pytest.importorskip("pybullet")
-    own = example("pybullet_step")
-
-    class Pushed(own.World):
-        def step(self):
-            super().step()
-            pybullet.resetBaseVelocity(self.bodies[1], [0.1, 0, 0], **self.at)
-
-    world = Pushed([2.0, 1.0])
-    assert own.run(world, 5).stages.keys() == {"write-back"}
-    world.close()
-
-
 def test_anderson_takes_fewer_sweeps_than_gauss_seidel_and_solves_all():
     rows = example("anderson").main().rows
     of = {solver: [row for row in rows if row["solver"] == solver] for solver in ("anderson", "pgs")}

@@ -429,6 +429,42 @@ def test_impulses_that_pybullet_applies_twice_are_rejected():
     assert run.stages == {"write-back": len(run.receipts)}
 
 
+def test_a_velocity_or_a_force_that_is_not_of_pybullets_contacts_is_wrong():
+    pybullet = pytest.importorskip("pybullet")
+    client = pybullet.connect(pybullet.DIRECT)
+    at = {"physicsClientId": client}
+    try:
+        pybullet.setGravity(0, 0, -9.81, **at)
+        floor = pybullet.createCollisionShape(pybullet.GEOM_BOX, halfExtents=[5, 5, 1], **at)
+        pybullet.createMultiBody(0, floor, -1, [0, 0, -1], **at)
+        box = pybullet.createCollisionShape(pybullet.GEOM_BOX, halfExtents=[0.1] * 3, **at)
+        body = pybullet.createMultiBody(2.0, box, -1, [0, 0, 0.1], **at)
+        for _ in range(20):
+            pybullet.stepSimulation(**at)
+
+        def receipt(before_step, after_step):
+            before = lcplab.pybullet.state(client)
+            before_step()
+            pybullet.stepSimulation(**at)
+            after_step()
+            return lcplab.receipt(lcplab.pybullet.step(before, client))
+
+        def push():
+            pybullet.applyExternalForce(body, -1, [0, 0, 5.0], [0, 0, 0], pybullet.LINK_FRAME, **at)
+
+        def kick():
+            pybullet.resetBaseVelocity(body, [0.1, 0, 0], **at)
+
+        def nothing():
+            pass
+
+        assert receipt(nothing, nothing).verdict == "not checked"
+        for done in (receipt(push, nothing), receipt(nothing, kick)):
+            assert (done.verdict, done.stage) == ("wrong", "write-back")
+    finally:
+        pybullet.disconnect(client)
+
+
 def test_bodies_of_pybullet_with_joints_are_invalid():
     pybullet = pytest.importorskip("pybullet")
     client = pybullet.connect(pybullet.DIRECT)
