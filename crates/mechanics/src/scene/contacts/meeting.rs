@@ -8,9 +8,8 @@
 use super::Detector;
 use super::passage::{Move, Path};
 use super::reach::after_forces;
-use crate::body::{Pose, State};
+use crate::body::State;
 use crate::scene::Scene;
-use nalgebra::UnitQuaternion;
 
 /// Bodies with a smaller gap (m) count as meeting.
 const MEETING: f64 = 1e-3;
@@ -69,10 +68,10 @@ impl Detector {
     }
 }
 
-/// The state of a body after the step without contacts and joints.
+/// The state of a body after the step without contacts and joints, as the scheme moves it: in a long
+/// step it turns by less than dt ω.
 fn free(scene: &Scene, states: &[State], body: usize) -> State {
-    let (state, dt) = (&states[body], scene.step.dt);
     let [v, omega] = after_forces(scene, states, body);
-    let q = UnitQuaternion::from_scaled_axis(dt * omega) * state.pose.q;
-    State { pose: Pose { p: state.pose.p + dt * v, q }, ..*state }
+    let start = State { v, omega, ..states[body] };
+    scene.step.gyroscopic().advanced(&scene.bodies[body].mass, &start, scene.step.dt)
 }
