@@ -13,12 +13,8 @@ impl Document {
     pub fn film(&mut self, film: &Film, caption: &str) {
         self.open("film", "The motion");
         let caption = format!("{caption} {HOW}");
-        self.add(Block::Player(Box::new(Player {
-            animation: film.animation(),
-            caption,
-            files: Vec::new(),
-            origin: None,
-        })));
+        let (animation, files) = (film.animation(), Vec::new());
+        self.add(Block::Player(Box::new(Player { animation, caption, files })));
     }
 }
 

@@ -10,12 +10,8 @@ impl Document {
         match data.film() {
             Ok(film) => {
                 let (caption, files) = (caption.into(), Vec::new());
-                self.add(Block::Player(Box::new(Player {
-                    animation: film.animation(),
-                    caption,
-                    files,
-                    origin: None,
-                })));
+                let animation = film.animation();
+                self.add(Block::Player(Box::new(Player { animation, caption, files })));
             }
             Err(error) => self.text(format!("The animation cannot be shown: {error}.")),
         }

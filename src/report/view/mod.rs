@@ -130,7 +130,9 @@ pub fn document(results: &Results) -> Result<Document> {
             study.show(&findings, &mut document)?;
             failures(&mut document, part);
             let origin = origin(results, part);
-            document.page.sections[first..].iter_mut().for_each(|shown| shown.obtained(&origin));
+            document.page.sections[first..].iter_mut().for_each(|shown| {
+                shown.origin = Some(origin.clone());
+            });
         }
         if part.shown.summary {
             summary::show(results, &mut document)?;

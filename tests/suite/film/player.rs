@@ -50,12 +50,8 @@ fn numbers(changes: &Value, count: usize) -> Vec<f64> {
 }
 
 fn page(film: Film) -> String {
-    let player = Player {
-        animation: film.animation(),
-        caption: "A *film*.".into(),
-        files: Vec::new(),
-        origin: None,
-    };
+    let player =
+        Player { animation: film.animation(), caption: "A *film*.".into(), files: Vec::new() };
     let blocks = vec![Block::Player(Box::new(player))];
     let section = Section { id: "one".into(), title: "One".into(), blocks, ..Section::default() };
     Page { sections: vec![section], ..Page::default() }.render().unwrap()

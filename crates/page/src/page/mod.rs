@@ -64,6 +64,8 @@ pub struct Section {
     pub blocks: Vec<Block>,
     /// The part of it that is collapsed.
     pub fold: Fold,
+    /// How its figures and tables were computed.
+    pub origin: Option<Origin>,
 }
 
 /// The part of a section that is collapsed on the screen, and not printed.
@@ -209,8 +211,6 @@ pub struct Picture {
     pub caption: String,
     /// Files with its data: the name of each link and its address, relative to the page.
     pub files: Vec<(String, String)>,
-    /// How it was computed.
-    pub origin: Option<Origin>,
 }
 
 impl Picture {
@@ -222,7 +222,6 @@ impl Picture {
             narrow: plot.narrow(),
             caption: plot.words().into(),
             files: vec![("data (CSV)".into(), file("csv")), ("picture (SVG)".into(), file("svg"))],
-            origin: None,
         }
     }
 }
@@ -240,8 +239,6 @@ pub struct Table {
     pub rows: Vec<Vec<Cell>>,
     /// Files with its data, as for a [`Picture`].
     pub files: Vec<(String, String)>,
-    /// How it was computed.
-    pub origin: Option<Origin>,
 }
 
 /// A column of a table.

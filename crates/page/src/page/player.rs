@@ -3,7 +3,6 @@
 
 use askama::Template;
 
-use super::Origin;
 use crate::escape::html;
 
 /// An animation, drawn: everything that a page plays.
@@ -58,8 +57,6 @@ pub struct Player {
     pub caption: String,
     /// Files with its data: the name of each link and its address, relative to the page.
     pub files: Vec<(String, String)>,
-    /// How it was computed.
-    pub origin: Option<Origin>,
 }
 
 /// Playback speeds: simulated seconds per second.

@@ -31,8 +31,7 @@ pub fn document(grid: &Grid, plan: &Plan, collection: &Collection) -> Document {
     let mut document = Document { page, figures: Vec::new(), tables: Vec::new() };
     document.open("results", "What was measured");
     show(grid, plan, &collection.points(), "", &mut document);
-    let origin = origin(grid);
-    document.page.sections.iter_mut().for_each(|section| section.obtained(&origin));
+    document.page.sections.iter_mut().for_each(|section| section.origin = Some(origin(grid)));
     if let Some(Block::Table(table)) =
         document.page.sections.iter_mut().flat_map(|s| &mut s.blocks).last()
     {

@@ -117,7 +117,6 @@ fn text_is_escaped_everywhere() {
         columns: vec![Column { unit: evil.into(), ..Column::words(evil) }],
         rows: vec![vec![Cell::text(evil)]],
         files: vec![(evil.into(), "a\" onclick=\"b".into())],
-        origin: Some(Origin { scene: evil.into(), settings: evil.into(), command: evil.into() }),
     };
     let mut page = page(vec![
         Block::Text(evil.into()),
@@ -129,6 +128,8 @@ fn text_is_escaped_everywhere() {
     page.title = evil.into();
     page.lead = evil.into();
     page.sections[0].title = evil.into();
+    page.sections[0].origin =
+        Some(Origin { scene: evil.into(), settings: evil.into(), command: evil.into() });
     page.facts = vec![(evil.into(), evil.into())];
     let html = page.render().unwrap();
     assert_eq!(html.matches("<script>").count(), 1, "our own");

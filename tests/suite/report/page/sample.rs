@@ -37,7 +37,7 @@ pub fn page() -> Page {
         pictures.blocks.push(Block::Figure(Picture { svg: figure.svg(), ..Picture::default() }));
     }
     pictures.blocks.push(Block::Player(Box::new(player())));
-    pictures.obtained(&Origin {
+    pictures.origin = Some(Origin {
         scene: "none: numbers in closed form".into(),
         settings: "factor ½".into(),
         command: "lcplab report <folder>/results.json".into(),
@@ -141,12 +141,7 @@ fn player() -> Player {
         Recording::of(name, &mut simulation, 100, 11)
     };
     let film = Film::new("swing", &scene, vec![recording("dantzig"), recording("pgs")]);
-    Player {
-        animation: film.animation(),
-        caption: "It swings.".into(),
-        files: Vec::new(),
-        origin: None,
-    }
+    Player { animation: film.animation(), caption: "It swings.".into(), files: Vec::new() }
 }
 
 /// A small table: the order of its rows is neither that of the names nor that of the numbers.
@@ -165,7 +160,6 @@ fn squares() -> Table {
             row("minus nothing", -0.0, Mark::Note),
         ],
         files: vec![("data (CSV)".into(), "data/squares.csv".into())],
-        origin: None,
     }
 }
 

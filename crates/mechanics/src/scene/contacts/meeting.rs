@@ -68,8 +68,8 @@ impl Detector {
     }
 }
 
-/// The state of a body after the step without contacts and joints, as the scheme moves it: in a long
-/// step it turns by less than dt ω.
+/// The state of a body after the step without contacts and joints, as the scheme moves it: a fast
+/// body turns by less than dt ω.
 fn free(scene: &Scene, states: &[State], body: usize) -> State {
     let [v, omega] = after_forces(scene, states, body);
     let start = State { v, omega, ..states[body] };
