@@ -223,6 +223,7 @@ impl Step<'_> {
             dof_bodies: facts.dof_bodies,
             not_checked: facts.not_checked,
             no_bound: facts.no_bound,
+            has_computed_motion: facts.has_computed_motion,
         };
         step.check("step")?;
         Ok(step)

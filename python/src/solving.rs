@@ -1,13 +1,13 @@
 //! Solve, judge, explain and compare.
 
-use lcplab::certificate::{self, Demand, Verdict};
+use lcplab::certificate::{Demand, Verdict};
 use lcplab::document::Format;
 use lcplab::error::Error;
 use lcplab::explain::{Method as Explained, problem as explained};
 use lcplab::lcp::Lcp;
 use lcplab::lcp::Question;
 use lcplab::lcp::friction::Model;
-use lcplab::report::answer::{Answer, attempts_json, certificate_json, claim};
+use lcplab::report::answer::{Answer, attempts_json, certificate_json, claim, judged};
 use lcplab::report::friction::{self, JudgedAnswer};
 use lcplab::report::study::families::{self, Contender, Models};
 use lcplab::report::{methods, text, view};
@@ -219,7 +219,7 @@ pub fn judge(
             (judged.certificate.verdict, judged.json())
         }
         None => {
-            let certificate = py.detach(|| certificate::judge(lcp, &x, &demand));
+            let certificate = py.detach(|| judged(lcp, &x, &demand));
             (certificate.verdict, certificate_json(&certificate))
         }
     };

@@ -217,17 +217,17 @@ def test_forces_outside_their_bounds_are_the_solvers_where_the_motion_is_theirs(
     assert receipt.stage == "solver" and "although the motion is within the limit" in str(receipt)
 
 
-def test_the_law_of_coulomb_has_no_bound_but_a_measured_difference(tmp_path):
+def test_a_coupled_box_is_judged_with_the_friction_limits_of_the_answer(tmp_path):
     """2 kg are pressed on a floor at 3 m/s and slide at 4 m/s: x = (6, -0.5 * 6) N s, and 2.5 m/s are left."""
     right = stop(
         mass=2 * np.eye(2), jacobian=np.eye(2), bias=[0.0, 0.0], compliance=0.0, target=[-3.0, 4.0],
         forces=[6.0, -3.0], motion=[0.0, 2.5], lo=[0.0, -np.inf], friction_index=[-1, 0], mu=[0.0, 0.5], model=None,
     )
     receipt = lcplab.receipt(right)
-    assert receipt.verdict == "not checked" and receipt.difference < 1e-7
-    stuck = replace(right, forces=np.array([6.0, -8.0]), motion=np.zeros(2))
-    assert lcplab.receipt(stuck).difference == pytest.approx(2.5 / np.hypot(3, 4))
+    assert receipt.ok and receipt.frozen and receipt.motion_error < 1e-7 and receipt.difference < 1e-7
+    stuck = lcplab.receipt(replace(right, forces=np.array([6.0, -8.0]), motion=np.zeros(2)))
+    assert stuck.stage == "solver" and stuck.difference == pytest.approx(2.5 / np.hypot(3, 4))
+    assert "with the friction limits of this answer" in str(stuck)
     receipt.write(tmp_path / "a.json", tmp_path / "a.x.json")
     [again] = lcplab.receipts([tmp_path]).receipts.values()
-    assert again.step.model is None and again.verdict == "not checked"
-    assert "1 without a bound" in str(lcplab.receipts([right]))
+    assert again.step.model is None and again.ok and again.frozen

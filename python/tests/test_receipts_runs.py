@@ -15,11 +15,11 @@ CAPPED = lcplab.EngineStep.of(
 )
 
 
-def coulomb(compliance):
-    """A step without a bound on the motion: the ball neither touches nor slips."""
+def unbounded(compliance=0.5):
+    """A step without a bound on the motion: its adapter knows a row that the engine does not report."""
     return lcplab.EngineStep.of(
         "mine", np.eye(2), np.eye(2), [0.0, 0.0], [1.0, 0.0], [0.0, 0.0], [1.0, 0.0], lo=[0.0, -np.inf],
-        friction_index=[-1, 0], mu=0.5, model="coulomb-cone", compliance=compliance,
+        friction_index=[-1, 0], mu=0.5, model="coulomb-cone", compliance=compliance, no_bound="because of a closed loop",
     )
 
 
@@ -29,8 +29,8 @@ def coulomb(compliance):
         ([], "there are no frames"),
         ([FREE, FREE], "2 without rows"),
         ([CAPPED], "1 unconverged"),
-        ([coulomb(0.5)], "1 without any comparison"),
-        ([CAPPED, FREE, coulomb(0.5)], "1 unconverged, 1 without any comparison, 1 without rows"),
+        ([unbounded()], "1 without any comparison"),
+        ([CAPPED, FREE, unbounded()], "1 unconverged, 1 without any comparison, 1 without rows"),
     ],
 )
 def test_a_run_that_checked_no_frame_is_not_ok_and_says_why(steps, why):
@@ -42,7 +42,7 @@ def test_a_run_that_checked_no_frame_is_not_ok_and_says_why(steps, why):
 def test_one_checked_frame_is_enough():
     run = lcplab.receipts([CAPPED, FREE, GOOD])
     assert run.ok and run.unchecked is None
-    rigid = lcplab.receipts([coulomb(0.0)])  # its motion is compared with that of its forces
+    rigid = lcplab.receipts([unbounded(0.0)])  # its motion is compared with that of its forces
     assert rigid.ok and "1 without a bound on the motion" in str(rigid)
 
 

@@ -52,7 +52,7 @@ pub struct Receipts {
     /// Write the failures as SARIF
     #[arg(long, value_name = "FILE")]
     sarif: Option<PathBuf>,
-    /// Write a folder for each rejected frame among the ten worst
+    /// Write a folder for each of the ten worst rejected or unconverged frames
     #[arg(long, value_name = "FOLDER")]
     out: Option<PathBuf>,
     #[command(flatten)]
@@ -114,7 +114,7 @@ impl Receipts {
             file::write(path, run.sarif())?;
         }
         let Some(out) = &self.out else { return Ok(()) };
-        for (name, receipt) in run.worst().into_iter().filter(|(_, own)| own.is_rejected()) {
+        for (name, receipt) in run.worst() {
             if let Some(frame) = frames.iter().find(|frame| frame.name() == *name) {
                 self.save(frame, receipt, out)?;
             }

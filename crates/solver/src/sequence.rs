@@ -2,7 +2,7 @@
 //!
 //! | problem | methods, in this order |
 //! | --- | --- |
-//! | boxes, A symmetric up to rounding | `dantzig`, `block-pivoting`, `newton`, `interior-point` |
+//! | boxes, A symmetric up to rounding | `dantzig`, `block-pivoting`, `newton`, `interior-point`, `lemke`, `enumeration` |
 //! | boxes, any other A | `lemke`, `fischer-newton`, `enumeration` |
 //! | polygons | `lemke`, contact by contact (`polygon-pgs`) |
 //! | cones | `apgd` if A is symmetric up to rounding, `cone-pgs` |
@@ -91,7 +91,9 @@ pub fn solve_boxed_without(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> SequenceAnswer {
-    let symmetric = ["dantzig", "block-pivoting", "newton", "interior-point"];
+    // The last two solve some problems whose A is not positive semidefinite.
+    let symmetric =
+        ["dantzig", "block-pivoting", "newton", "interior-point", "lemke", "enumeration"];
     let names: &[&'static str] = match lcp.matrix().is_nearly_symmetric() {
         true => &symmetric,
         false => &["lemke", "fischer-newton", "enumeration"],

@@ -34,10 +34,10 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// Judges a solution; if the solver ended on a ray or reports that there is no solution, the
-    /// judge looks for a proof of that.
+    /// Judges a solution; if it is rejected, or the solver ended on a ray or reports that there is
+    /// no solution, the judge looks for a proof of that.
     pub fn judged(lcp: &Lcp, solver: &'static str, solution: Solution, demand: &Demand) -> Self {
-        let certificate = judge(lcp, &solution.x, demand);
+        let certificate = judged(lcp, &solution.x, demand);
         let certificate = match proof_of_denial(lcp, &solution.status, demand) {
             Some(refutation) => certificate.refuted_by(refutation),
             None => certificate,
@@ -135,6 +135,36 @@ pub fn labelled(verdict: &Verdict, w: &[f64], problem: &Problem) -> String {
         meaning += &format!(", {} mm per step", readable(1e3 * w.abs() * dt, 2));
     }
     format!("{verdict} ({label}: {meaning})")
+}
+
+/// Judges x; if it is rejected, the judge looks for a proof that no x solves the problem.
+///
+/// ```
+/// use lcplab_judge::{Demand, Refutation};
+/// use lcplab_problem::{Lcp, Matrix};
+///
+/// // w = −x − 1 is negative for every x ≥ 0.
+/// let lcp = Lcp::new(Matrix::dense(1, &[-1.0]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
+/// let certificate = lcplab_study::answer::judged(&lcp, &[0.0], &Demand::default());
+/// assert!(matches!(certificate.refutation(), Some(Refutation::Vector(_))));
+/// # Ok::<(), lcplab_problem::error::Error>(())
+/// ```
+///
+/// # Panics
+/// If x does not have n entries.
+pub fn judged(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
+    let certificate = judge(lcp, x, demand);
+    let is_open = !certificate.verdict.is_solution() && certificate.refutation().is_none();
+    match impossible(lcp, is_open, demand) {
+        Some(refutation) => certificate.refuted_by(refutation),
+        None => certificate,
+    }
+}
+
+/// A proof that a problem has no solution, if this is open and the problem is small enough.
+pub(crate) fn impossible(lcp: &Lcp, is_open: bool, demand: &Demand) -> Option<Refutation> {
+    let is_looked_for = is_open && lcp.len() <= demand.prove_up_to;
+    is_looked_for.then(|| refutation(lcp, &[])).flatten()
 }
 
 /// The judge's result for a solver that ended on a ray or reports that there is no solution: its

@@ -4,10 +4,11 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
 use super::answer::{
-    evidence_json, evidence_text, proof_of_denial, rounding_json, rounding_text, verdict_json,
+    evidence_json, evidence_text, impossible, proof_of_denial, rounding_json, rounding_text,
+    verdict_json,
 };
 use super::methods;
-use lcplab_judge::{Demand, FrictionCertificate, judge_cone, judge_friction};
+use lcplab_judge::{Demand, FrictionCertificate, Refutation, judge_cone, judge_friction};
 use lcplab_problem::file::{Problem, number};
 use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law, Model, ProblemForm};
 use lcplab_problem::merit::RowTerms;
@@ -89,7 +90,16 @@ pub struct JudgedAnswer {
 impl JudgedAnswer {
     /// Judges an answer, one number per row of the problem, under the model of the question.
     /// Without contacts, Coulomb's law requires nothing beyond the problem.
+    /// If x is rejected, the judge looks for a proof that no x solves the problem.
     pub fn of(question: &Question, x: &[f64], demand: &Demand) -> Self {
+        let judged = JudgedAnswer::at(question, x, demand);
+        let verdict = &judged.certificate.verdict;
+        let is_open = !verdict.is_solution() && judged.certificate.refutation().is_none();
+        let proof = provable(question.posed()).and_then(|lcp| impossible(lcp, is_open, demand));
+        judged.refuted_by(proof)
+    }
+
+    fn at(question: &Question, x: &[f64], demand: &Demand) -> Self {
         match question.friction() {
             Some(friction) => JudgedAnswer::at_contacts(friction, question.posed(), x, demand),
             None => {
@@ -120,14 +130,11 @@ impl JudgedAnswer {
 
     /// The same with the judge's result on the solver's claim that there is no solution.
     pub fn with_claim(self, posed: &ProblemForm, status: &Status, demand: &Demand) -> Self {
-        let proof = match posed {
-            ProblemForm::Boxed(lcp) => proof_of_denial(lcp, status, demand),
-            // The directions of more corners are rounded numbers.
-            ProblemForm::Polyhedral(polygon) if polygon.directions() == 4 => {
-                proof_of_denial(polygon.lcp(), status, demand)
-            }
-            ProblemForm::Polyhedral(_) | ProblemForm::Cone(_) => None,
-        };
+        let proof = provable(posed).and_then(|lcp| proof_of_denial(lcp, status, demand));
+        self.refuted_by(proof)
+    }
+
+    fn refuted_by(self, proof: Option<Refutation>) -> Self {
         match proof {
             Some(proof) => JudgedAnswer { certificate: self.certificate.refuted_by(proof), ..self },
             None => self,
@@ -192,6 +199,16 @@ impl JudgedAnswer {
             text += &format!("        and {more} more contacts; the JSON output has all\n");
         }
         text
+    }
+}
+
+/// The boxed problem of which it can be proved that it has no solution, if there is one.
+fn provable(posed: &ProblemForm) -> Option<&Lcp> {
+    match posed {
+        ProblemForm::Boxed(lcp) => Some(lcp),
+        // The directions of more corners are rounded numbers.
+        ProblemForm::Polyhedral(polygon) if polygon.directions() == 4 => Some(polygon.lcp()),
+        ProblemForm::Polyhedral(_) | ProblemForm::Cone(_) => None,
     }
 }
 

@@ -14,13 +14,13 @@ use super::newton::Accurate;
 use super::step::{EngineAnswer, EngineStep, MassFactor, difference};
 
 /// Why steps with other laws of friction have no bound.
-const NOT_ASSOCIATED: &str = "which exists only for boxes and for cones with the associated law";
+const NO_LAW: &str = "which exists only for boxes and cones";
 /// The largest number of rows for which lcplab solves the problem itself.
 const MOST_ROWS: usize = 600;
 /// The sum of two bounds in floating point may be this much too small, relatively.
 const SLACK: f64 = 1.0 + 1e-12;
 
-/// The bounds of a step, or the reason why it has none.
+/// The bounds of a step with an associated law, or the reason why it has none.
 pub(crate) fn bounds_of(step: &EngineStep) -> Result<GapBound, String> {
     if first_not_finite(step).is_some() {
         return Err("because a number is not finite".into());
@@ -29,7 +29,7 @@ pub(crate) fn bounds_of(step: &EngineStep) -> Result<GapBound, String> {
         return Err(why.clone());
     }
     if !step.is_associated() {
-        return Err(NOT_ASSOCIATED.into());
+        return Err(NO_LAW.into());
     }
     by_gap(step).map_err(|why| why.to_string())
 }

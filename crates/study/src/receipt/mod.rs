@@ -128,6 +128,8 @@ pub struct Receipt {
     limit: f64,
     effect: f64,
     bound: Option<f64>,
+    /// Whether the bound is one with the friction limits, or the slip, of the answer.
+    is_frozen: bool,
     findings: Vec<Finding>,
     not_checked: Vec<String>,
     /// The place of the finding that decides.
@@ -149,16 +151,18 @@ impl Receipt {
     pub fn new(step: EngineStep, report: Option<Report>, limit: Option<f64>) -> Result<Self> {
         step.check("step")?;
         let limit = limit_for(&step, limit)?;
-        let bounds = bounds::bounds_of(&step);
+        let frozen = if step.is_associated() { None } else { step.frozen() };
+        let posed = frozen.as_ref().unwrap_or(&step);
+        let bounds = bounds::bounds_of(posed);
         let mut accurate = None;
         let bounds = match bounds {
-            Ok(bounds) if !step.is_empty() && !is_sharp(&step, &bounds, limit) => {
-                accurate = newton::accurate_motion(&step);
-                Ok(bounds::sharpened(&step, bounds, accurate.as_ref()))
+            Ok(bounds) if !step.is_empty() && !is_sharp(posed, &bounds, limit) => {
+                accurate = newton::accurate_motion(posed);
+                Ok(bounds::sharpened(posed, bounds, accurate.as_ref()))
             }
             bounds => bounds,
         };
-        let mut all = stages::check(&step, &bounds, limit);
+        let mut all = stages::check(posed, &bounds, limit);
         all.add(report.unwrap_or_else(|| stages::before_solver(&step)));
         all.findings.sort_by_key(|finding| finding.stage);
         let not_checked = [step.not_checked.clone(), all.not_checked].concat();
@@ -180,6 +184,7 @@ impl Receipt {
             None => StepVerdict::NotChecked,
         };
         let rejected = wrong.or(rejected.first().copied());
+        let is_frozen = frozen.is_some();
         let effect = step.effect();
         let difference = OnceLock::new();
         Ok(Receipt {
@@ -187,6 +192,7 @@ impl Receipt {
             limit,
             effect,
             bound,
+            is_frozen,
             findings,
             not_checked,
             rejected,
@@ -239,7 +245,14 @@ impl Receipt {
         &self.findings
     }
 
-    /// A proved bound on |v − û|_M, if there is one.
+    /// The parts that were not checked, with reasons.
+    pub fn not_checked(&self) -> &[String] {
+        &self.not_checked
+    }
+
+    /// A proved bound on |v − û|_M, if there is one. For coupled boxes and Coulomb's law û is the
+    /// motion with the friction limits, or the slip, of this answer: v = û if and only if the answer
+    /// satisfies the law, but otherwise û is not the motion of the law.
     pub fn bound(&self) -> Option<f64> {
         self.bound
     }
@@ -254,15 +267,15 @@ impl Receipt {
         self.limit
     }
 
-    /// Without a bound on the motion: its distance from that of lcplab's own answer, relative to
-    /// what the constraints change. It is measured and proves nothing: Coulomb's law can have
-    /// several solutions. `None` if lcplab finds no answer.
+    /// For coupled boxes and Coulomb's law, and without a bound on the motion: its distance from
+    /// that of lcplab's own answer, relative to what the constraints change. It is measured and
+    /// proves nothing: these laws can have several solutions. `None` if lcplab finds no answer.
     pub fn difference(&self) -> Option<f64> {
         *self.difference.get_or_init(|| {
-            let own = match self.bound {
-                None => bounds::own_answer(&self.step)?,
-                Some(_) => return None,
-            };
+            if self.bound.is_some() && !self.is_frozen {
+                return None;
+            }
+            let own = bounds::own_answer(&self.step)?;
             let apart = step::difference(&self.step.answer.motion, &own.answer.motion);
             Some(self.step.relative(self.step.norm(&apart)))
         })
@@ -272,29 +285,33 @@ impl Receipt {
     pub fn text(&self) -> String {
         let Source { engine, version, method, iterations, name, time, own_tolerance, .. } =
             &self.step.source;
-        let engine = format!("{engine} {version}");
-        let scene = match name.is_empty() {
-            true => String::new(),
-            false => format!("{name} at {} s, ", readable(*time, 4)),
+        let engine = format!("{engine} {version}").trim().to_string();
+        let scene = if name == &engine { "" } else { name.as_str() };
+        let scene = match (scene, *time) {
+            ("", 0.0) => String::new(),
+            ("", time) => format!("at {} s, ", readable(time, 4)),
+            (name, 0.0) => format!("{name}, "),
+            (name, time) => format!("{name} at {} s, ", readable(time, 4)),
         };
         let iterations = match iterations {
             0 => String::new(),
-            _ => format!(", {iterations} iterations"),
+            _ => format!(", {}", counted(*iterations, "iteration")),
         };
         let rows = counted(self.step.len(), "row");
         let stage = self.stage().map(|stage| format!(": {stage}")).unwrap_or_default();
         let mut lines = vec![
-            format!("{}: {scene}{rows}, {method}{iterations}", engine.trim()),
+            format!("{engine}: {scene}{rows}, {method}{iterations}"),
             format!("  verdict       {}{stage}", self.verdict.name()),
         ];
         if let (Some(bound), Some(error)) = (self.bound, self.motion_error()) {
             lines.push(format!(
-                "  motion error  at most {} of what the constraints change (limit {}): {} of {} {}",
+                "  motion error  at most {} of what the constraints change (limit {}): {} of {} {}{}",
                 readable(error, 2),
                 readable(self.limit, 1),
                 readable(bound, 2),
                 readable(self.effect, 3),
-                self.step.unit()
+                self.step.unit(),
+                if self.is_frozen { ", with the friction limits of this answer" } else { "" }
             ));
         }
         if let Some(difference) = self.difference() {
@@ -306,7 +323,9 @@ impl Receipt {
         }
         if *own_tolerance > 0.0 && *own_tolerance < self.effect {
             let part = readable(own_tolerance / self.effect, 1);
-            lines.push(format!("  the engine's own tolerance is {part} of it"));
+            lines.push(format!(
+                "  tolerance     the engine's own: {part} of what the constraints change"
+            ));
         }
         lines.extend(self.work.map(|work| format!("  work          {}", work.text())));
         let rejected = self.findings.iter().filter(|finding| finding.is_rejected());
@@ -343,7 +362,7 @@ impl Receipt {
             "row": rejected.and_then(|finding| finding.row),
             "bodies": rejected.map(|finding| finding.bodies.as_slice()).unwrap_or_default(),
             "motion_error": optional(self.motion_error()), "limit": number(self.limit),
-            "bound": optional(self.bound), "effect": number(self.effect),
+            "bound": optional(self.bound), "frozen": self.is_frozen, "effect": number(self.effect),
             "unit": self.step.unit(), "rejected": self.rejected, "not_checked": self.not_checked,
             "findings": self.findings,
             "work": self.work.map(|Work { engine, newton }| {

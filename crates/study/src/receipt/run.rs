@@ -151,6 +151,20 @@ impl Run {
         Some(format!("no frame was checked: {counts}"))
     }
 
+    /// Why frames have no bound on the motion: each reason with the number of its frames.
+    fn without_bound(&self) -> Vec<String> {
+        let mut reasons: BTreeMap<&str, usize> = BTreeMap::new();
+        let of = self.frames.iter().filter(|own| own.1.verdict() == StepVerdict::NotChecked);
+        for (_, receipt) in of {
+            let reason = receipt.not_checked().iter().find(|part| part.starts_with("solver"));
+            *reasons.entry(reason.map_or("solver", String::as_str)).or_default() += 1;
+        }
+        let line = |(reason, count): (&str, usize)| {
+            format!("not checked in {}: {reason}", counted(count, "frame"))
+        };
+        reasons.into_iter().map(line).collect()
+    }
+
     /// The quantiles that are worse than the baseline's, as sentences.
     pub fn worse(&self) -> Vec<String> {
         let Some(baseline) = &self.baseline else { return Vec::new() };
@@ -160,9 +174,10 @@ impl Run {
             let most = *baseline.spreads.get(&part.to_string())?;
             let own = quantile(&self.errors, part)?;
             (own > most.max(floor)).then(|| {
+                let (own, most) = (readable(own, 2), readable(most, 2));
                 format!(
-                    "worse than the baseline: quantile {part} of the motion error is {own:.1e}, \
-                     at most {most:.1e}"
+                    "worse than the baseline: {} of the motion errors are up to {own}, allowed {most}",
+                    percent(part)
                 )
             })
         };
@@ -180,9 +195,13 @@ impl Run {
         fixed
     }
 
-    /// The ten worst frames: first the rejected ones, then those with the largest motion errors.
+    /// The ten worst of the rejected and unconverged frames: first the rejected ones, then those
+    /// with the largest motion errors.
     pub fn worst(&self) -> Vec<&(String, Arc<Receipt>)> {
-        let mut frames: Vec<_> = self.frames.iter().collect();
+        let is_bad = |(_, receipt): &&(String, Arc<Receipt>)| {
+            receipt.is_rejected() || receipt.verdict() == StepVerdict::Unconverged
+        };
+        let mut frames: Vec<_> = self.frames.iter().filter(is_bad).collect();
         let size = |(_, receipt): &&(String, Arc<Receipt>)| {
             (!receipt.is_rejected(), -receipt.motion_error().unwrap_or(0.0))
         };
@@ -230,20 +249,19 @@ impl Run {
         lines.push(format!("motion error above {counts} of {frames}"));
         if !self.errors.is_empty() {
             let value = |part| readable(quantile(&self.errors, part).unwrap_or_default(), 2);
-            let quantiles = QUANTILES.map(|part| format!("{part}: {}", value(part))).join(", ");
-            lines.push(format!("quantiles {quantiles}"));
+            let quantiles = QUANTILES.map(|part| format!("{}: {}", percent(part), value(part)));
+            lines.push(format!("quantiles {}", quantiles.join(", ")));
         }
         let stage = |(stage, count): (Stage, usize)| format!("rejected at {stage}: {count}");
         lines.extend(self.stages().into_iter().map(stage));
+        lines.extend(self.without_bound());
         lines.extend(self.unchecked());
         lines.extend(self.worse());
         let fixed = |name| format!("{name} is no longer rejected: record the baseline again");
         lines.extend(self.fixed().into_iter().map(fixed));
         for (name, receipt) in self.worst() {
-            if receipt.is_rejected() || receipt.verdict() == StepVerdict::Unconverged {
-                lines.push(name.clone());
-                lines.extend(receipt.text().lines().map(|line| format!("  {line}")));
-            }
+            lines.push(name.clone());
+            lines.extend(receipt.text().lines().map(|line| format!("  {line}")));
         }
         lines.join("\n")
     }
@@ -378,6 +396,11 @@ impl Run {
 
 fn rule(stage: Option<Stage>) -> String {
     format!("receipt/{}", stage.map_or("run", Stage::name))
+}
+
+/// A fraction as text: 50 %.
+fn percent(part: f64) -> String {
+    format!("{} %", (100.0 * part).round())
 }
 
 /// The value that this fraction of the values does not exceed.

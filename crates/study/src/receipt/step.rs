@@ -121,6 +121,8 @@ pub struct EngineStep {
     pub not_checked: Vec<String>,
     /// Why the motion has no bound, although its law of friction allows one.
     pub no_bound: Option<String>,
+    /// Whether the motion is not the engine's, but computed from its forces.
+    pub has_computed_motion: bool,
 }
 
 impl EngineStep {
@@ -179,6 +181,7 @@ impl EngineStep {
     /// not checked.
     pub fn with_motion_of_forces(mut self) -> Self {
         self.answer.motion = self.motion_of(&self.answer.forces);
+        self.has_computed_motion = true;
         self.not_checked
             .push("write-back: the motion, which the engine does not report".to_string());
         self
@@ -262,6 +265,43 @@ impl EngineStep {
             || self.friction.index.iter().all(Option::is_none)
     }
 
+    /// The step with an associated law that its answer satisfies if and only if it satisfies the
+    /// law of the step. Coupled boxes get the constant limits ±μ x_k of the answer. Coulomb's cones
+    /// become associated ones: the normal row of w gets μ |w_t| of the answer in addition (De Saxcé
+    /// & Feng 1998). `None` for other laws.
+    pub(crate) fn frozen(&self) -> Option<EngineStep> {
+        let mut frozen = self.clone();
+        let rows = self.friction.index.iter().zip(&self.friction.mu).enumerate();
+        let rows = rows.filter_map(|(i, (normal, mu))| normal.map(|k| (i, k, *mu)));
+        match self.friction.model {
+            None | Some(Model::CoupledBox) => {
+                for (i, k, mu) in rows {
+                    let limit = mu * self.answer.forces[k].max(0.0);
+                    (frozen.gauss.lo[i], frozen.gauss.hi[i]) = (-limit, limit);
+                }
+                frozen.friction.index.fill(None);
+            }
+            Some(Model::CoulombCone) => {
+                let w = self.remaining();
+                let mut squares = vec![0.0; self.len()];
+                rows.for_each(|(i, k, mu)| squares[k] += (mu * w[i]).powi(2));
+                frozen.gauss.bias.iter_mut().zip(squares).for_each(|(b, s)| *b += s.sqrt());
+            }
+            Some(_) => return None,
+        }
+        frozen.friction.model = Some(Model::AssociatedCone);
+        Some(frozen)
+    }
+
+    /// w = J v + bias + compliance · x of the answer, n entries.
+    fn remaining(&self) -> Vec<f64> {
+        let Gauss { bias, compliance, .. } = &self.gauss;
+        let speeds = self.along(&self.answer.motion);
+        (0..self.len())
+            .map(|i| speeds[i] + bias[i] + compliance[i] * self.answer.forces[i])
+            .collect()
+    }
+
     /// The unit of [`norm`](EngineStep::norm).
     pub fn unit(&self) -> &'static str {
         self.gauss.level.unwrap_or(Level::Velocity).norm_unit()
@@ -299,6 +339,8 @@ pub struct StepFacts {
     pub not_checked: Vec<String>,
     /// Why the motion has no bound, although its law of friction allows one.
     pub no_bound: Option<String>,
+    /// Whether the motion is not the engine's, but computed from its forces.
+    pub has_computed_motion: bool,
 }
 
 impl StepFacts {
@@ -312,6 +354,7 @@ impl StepFacts {
             dof_bodies: step.dof_bodies.clone(),
             not_checked: step.not_checked.clone(),
             no_bound: step.no_bound.clone(),
+            has_computed_motion: step.has_computed_motion,
         }
     }
 

@@ -65,20 +65,67 @@ fn a_cone_in_closed_form_is_accepted_and_a_force_outside_it_is_not() {
     assert_eq!(stage(&wrong), Some("solver"));
 }
 
-#[test]
-fn coulombs_law_has_no_bound_but_a_measured_difference() {
-    // 2 kg are pressed on a floor at 3 m/s and slide at 4 m/s: x = (6, −½ · 6) N s.
-    let problem = json!({
+/// 2 kg are pressed on a floor at 3 m/s and slide at 4 m/s on a coupled box or Coulomb's cone: x =
+/// (6, −½ · 6) N s stops them on the floor and leaves 2.5 m/s.
+fn pressed(model: Option<&str>) -> Value {
+    let mut problem = json!({
         "motion": {"mass": [[0, 0, 2.0], [1, 1, 2.0]], "jacobian": [[0, 0, 1.0], [1, 1, 1.0]],
             "bias": [0.0, 0.0], "compliance": [0.0, 0.0], "target": [-3.0, 4.0]},
         "lo": [0.0, "-inf"], "friction_index": [-1, 0], "mu": [0.0, 0.5],
     });
+    if let Some(model) = model {
+        problem["model"] = json!(model);
+    }
+    problem
+}
+
+#[test]
+fn a_coupled_box_is_judged_with_the_friction_limits_of_the_answer() {
+    let problem = pressed(None);
     let right = receipt(&problem, &json!({"x": [6.0, -3.0], "motion": [0.0, 2.5]}));
-    assert_eq!((right.verdict(), right.bound()), (StepVerdict::NotChecked, None));
-    assert!(right.difference().unwrap() < 1e-7);
+    assert_eq!(right.verdict(), StepVerdict::Ok);
+    assert!(right.motion_error().unwrap() < 1e-7 && right.difference().unwrap() < 1e-7);
     let stuck = receipt(&problem, &json!({"x": [6.0, -8.0], "motion": [0.0, 0.0]}));
+    assert_eq!((stuck.verdict(), stage(&stuck)), (StepVerdict::Wrong, Some("solver")));
     // 2.5 m/s too slow, where the constraints change (3, 4) m/s.
+    assert!(stuck.motion_error().unwrap() >= 0.5 - 1e-12);
     assert!((stuck.difference().unwrap() - 0.5).abs() < 1e-7);
+    // Without friction: 1.5 m/s too fast, where the constraints change 3 m/s.
+    let slips = receipt(&problem, &json!({"x": [6.0, 0.0], "motion": [0.0, 4.0]}));
+    assert_eq!(stage(&slips), Some("solver"));
+    assert!(slips.motion_error().unwrap() >= 0.5 - 1e-12);
+}
+
+#[test]
+fn rigid_rows_whose_motion_is_not_that_of_the_forces_are_rejected_at_write_back() {
+    // The impulse is applied twice; as an answer to the problem, it is also wrong.
+    let twice = receipt(&pressed(None), &json!({"x": [6.0, -8.0], "motion": [3.0, -4.0]}));
+    assert_eq!(stage(&twice), Some("write-back"));
+}
+
+#[test]
+fn an_answer_without_a_motion_is_compared_with_the_law_and_not_with_itself() {
+    let wrong = receipt(&pressed(None), &json!({"x": [6.0, 0.0]}));
+    assert_eq!(stage(&wrong), Some("solver"));
+    assert!(wrong.text().contains("not checked   write-back: the motion"), "{}", wrong.text());
+    assert!(wrong.findings().iter().all(|own| own.stage.name() != "write-back"));
+}
+
+#[test]
+fn coulombs_cone_is_judged_with_the_slip_of_the_answer() {
+    // With compliance ½ of both rows: x_n = 6 / (1 + ½ · 2) = 3, v_n = −1.5, and |x_t| = ½ · 3.
+    let mut problem = pressed(Some("coulomb-cone"));
+    problem["motion"]["compliance"] = json!([0.5, 0.5]);
+    let right = receipt(&problem, &json!({"x": [3.0, -1.5], "motion": [-1.5, 3.25]}));
+    assert_eq!(right.verdict(), StepVerdict::Ok);
+    assert!(right.motion_error().unwrap() < 1e-7);
+    // The associated law lifts the mass until w_n = μ w_t; its answer is not one of Coulomb's law.
+    problem["model"] = json!("associated-cone");
+    let [x_n, x_t] = [4.0, -2.0];
+    let associated = json!({"x": [x_n, x_t], "motion": [-3.0 + x_n / 2.0, 4.0 + x_t / 2.0]});
+    assert_eq!(receipt(&problem, &associated).verdict(), StepVerdict::Ok);
+    problem["model"] = json!("coulomb-cone");
+    assert_eq!(stage(&receipt(&problem, &associated)), Some("solver"));
 }
 
 #[test]

@@ -39,6 +39,10 @@ class Receipt:
         Whether the step has rows, its motion was bounded, and nothing is above its limit.
     motion_error : float or None
         A proved bound on the error of the engine's motion v, relative to what the constraints change.
+    frozen : bool
+        Whether the bound is that of the problem with the friction limits (coupled boxes) or the slip (Coulomb's law)
+        of this answer. Such a bound is near 0 only if the answer satisfies the law; otherwise it is not the distance
+        from a motion that does.
     bound, effect : float
         The same bound and the change by the constraints, in the norm ``√(vᵀM v)``; ``unit`` is their unit.
     stage : str or None
@@ -62,6 +66,7 @@ class Receipt:
         self.stage: str | None = written["stage"]
         self.limit, self.effect = float(written["limit"]), float(written["effect"])
         self.unit: str = written["unit"]
+        self.frozen: bool = written["frozen"]
         self.bound, self.motion_error = _optional(written["bound"]), _optional(written["motion_error"])
         self.findings = [Finding.of(finding) for finding in written["findings"]]
         decides = written["rejected"]
@@ -77,8 +82,9 @@ class Receipt:
 
     @cached_property
     def difference(self) -> float | None:
-        """Where there is no bound on the motion: its measured distance from that of lcplab's own answer, relative to
-        what the constraints change. It is no proof; None if lcplab finds no answer."""
+        """For coupled boxes and Coulomb's law, and where there is no bound: the measured distance of the motion from
+        that of lcplab's own answer, relative to what the constraints change. It is no proof; None if lcplab finds no
+        answer."""
         return self._own.difference()
 
     @property

@@ -41,7 +41,7 @@ class Run:
     worse : list of str
         The quantiles that are worse than the baseline's, as sentences.
     worst : list of str
-        The ten worst frames: first the rejected ones, then those with the largest motion errors.
+        The ten worst of the rejected and unconverged frames: first the rejected ones, then those with the largest motion errors.
     stages : dict of str to int
         The number of frames that are rejected at each stage.
     unchecked : str or None
@@ -84,9 +84,8 @@ class Run:
         Path(path).write_text(self._own.baseline(), encoding="utf-8")
 
     def save_worst(self, folder: str | os.PathLike[str]) -> list[Path]:
-        """Write a folder for each rejected frame among the ten worst; their paths."""
-        names = [name for name in self.worst if self.receipts[name].is_rejected]
-        return [self.receipts[name].save(Path(folder) / _file_name(name)) for name in names]
+        """Write a folder for each of the worst frames; their paths."""
+        return [self.receipts[name].save(Path(folder) / _file_name(name)) for name in self.worst]
 
 
 def receipts(

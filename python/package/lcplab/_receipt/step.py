@@ -91,6 +91,8 @@ class Step:
 
     #: Why the motion of this step has no bound, although its friction model allows one; "" if it has one.
     no_bound: str = ""
+    #: Whether the motion is not the engine's, but computed from its forces.
+    has_computed_motion: bool = False
 
     def __post_init__(self) -> None:
         if self.model not in (None, "associated-cone", "coulomb-cone"):
@@ -158,7 +160,8 @@ class Step:
     def with_motion_of_forces(self, why: str = "which the engine does not report") -> Step:
         """The same step with the motion that its forces cause instead of the engine's, which is then not checked."""
         change = np.linalg.solve(self.dense_mass(), self.push(self.forces)) if len(self.target) else 0.0
-        return replace(self, motion=self.target + change, not_checked=[*self.not_checked, f"write-back: the motion, {why}"])
+        not_checked = [*self.not_checked, f"write-back: the motion, {why}"]
+        return replace(self, motion=self.target + change, not_checked=not_checked, has_computed_motion=True)
 
     def __len__(self) -> int:
         return len(self.bias)
@@ -223,6 +226,7 @@ class Step:
             "source": self._source(), "level": self.level, "model": self.model,
             "rows": [{"label": row.label, "kind": row.kind, "bodies": list(row.bodies)} for row in self.rows],
             "dof_bodies": list(self.dof_bodies), "not_checked": list(self.not_checked), "no_bound": self.no_bound or None,
+            "has_computed_motion": self.has_computed_motion,
         }
         triplets = {"mass": self.mass, "jacobian": self.jacobian}
         return {**triplets, **vectors, "friction_index": self.friction_index, "facts": json.dumps(facts)}
