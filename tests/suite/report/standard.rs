@@ -6,7 +6,7 @@ use lcplab::error::Error;
 use lcplab::lcp::friction::Model;
 use lcplab::report::experiment::{Experiment, SHIPPED};
 use lcplab::report::kind::{KINDS, UNDECIDED};
-use lcplab::report::page::{Block, Picture, Table};
+use lcplab::report::page::Table;
 use lcplab::report::results::{Part, Results};
 use lcplab::report::study::comparison::{Sample, thinned};
 use lcplab::report::study::convergence::Finding;

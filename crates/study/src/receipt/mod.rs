@@ -251,8 +251,8 @@ impl Receipt {
     }
 
     /// A proved bound on |v − û|_M, if there is one. For coupled boxes and Coulomb's law û is the
-    /// motion with the friction limits, or the slip, of this answer: v = û if and only if the answer
-    /// satisfies the law, but otherwise û is not the motion of the law.
+    /// motion with the friction limits, or the slip, of this answer: v = û if the answer satisfies
+    /// the law, but otherwise û is not the motion of the law.
     pub fn bound(&self) -> Option<f64> {
         self.bound
     }
