@@ -2,7 +2,7 @@
 //!
 //! | problem | methods, in this order |
 //! | --- | --- |
-//! | boxes, A symmetric up to rounding | `dantzig`, `block-pivoting`, `newton`, `interior-point`, `lemke`, `enumeration` |
+//! | boxes, A symmetric up to rounding | `dantzig`, `block-pivoting`, `newton`, `interior-point`; if A is not positive semidefinite, `lemke`, `enumeration` |
 //! | boxes, any other A | `lemke`, `fischer-newton`, `enumeration` |
 //! | polygons | `lemke`, contact by contact (`polygon-pgs`) |
 //! | cones | `apgd` if A is symmetric up to rounding, `cone-pgs` |
@@ -26,6 +26,8 @@
 //! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 
+use nalgebra::DMatrix;
+
 use crate::{
     CONES, ConeEntry, Observer, Options, PolygonPgs, Settings, Solution, Start, Status, entry,
     solve_polyhedral,
@@ -37,6 +39,10 @@ use lcplab_problem::friction::{ConeProblem, Polyhedral, ProblemForm};
 const MOST_STEPS: usize = 100;
 /// Maximum number of active sets that the enumeration tries.
 const MOST_SETS: usize = 1 << 16;
+/// The methods for a symmetric positive semidefinite A.
+const SEMIDEFINITE: [&str; 4] = ["dantzig", "block-pivoting", "newton", "interior-point"];
+/// With a unit diagonal, an eigenvalue that is less than this below zero, times n, is rounding.
+const ROUNDING: f64 = 1e-10;
 
 /// A method that was tried and did not solve the problem.
 #[derive(Debug, Clone, PartialEq)]
@@ -91,11 +97,9 @@ pub fn solve_boxed_without(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> SequenceAnswer {
-    // The last two solve some problems whose A is not positive semidefinite.
-    let symmetric =
-        ["dantzig", "block-pivoting", "newton", "interior-point", "lemke", "enumeration"];
     let names: &[&'static str] = match lcp.matrix().is_nearly_symmetric() {
-        true => &symmetric,
+        true if is_semidefinite(lcp) => &SEMIDEFINITE,
+        true => &[SEMIDEFINITE.as_slice(), &["lemke", "enumeration"]].concat(),
         false => &["lemke", "fischer-newton", "enumeration"],
     };
     let names: Vec<&str> = names.iter().copied().filter(|name| *name != tried).collect();
@@ -104,6 +108,22 @@ pub fn solve_boxed_without(
         solver.map(|solver| solver.solve(lcp, start, observer))
     };
     first_success(&names, observer, attempt)
+}
+
+/// Whether a symmetric A has no negative eigenvalue, up to rounding, with a unit diagonal.
+fn is_semidefinite(lcp: &Lcp) -> bool {
+    let (a, n) = (lcp.matrix(), lcp.len());
+    let root: Vec<f64> = (0..n).map(|i| a.diagonal(i).sqrt()).collect();
+    let is_zero = |i: usize| a.row(i).iter().all(|(_, entry)| entry == 0.0);
+    if !(0..n).all(|i| root[i] > 0.0 || is_zero(i)) {
+        return false;
+    }
+    let unit = |i: usize, j: usize| match (i == j, root[i] * root[j]) {
+        (true, _) => 1.0 + n as f64 * ROUNDING,
+        (_, 0.0) => 0.0,
+        (_, size) => a.entry(i, j) / size,
+    };
+    DMatrix::from_fn(n, n, unit).cholesky().is_some()
 }
 
 fn solve_polygons(

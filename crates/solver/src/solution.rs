@@ -2,8 +2,9 @@
 
 use std::fmt;
 
-use lcplab_problem::Lcp;
+use crate::Settings;
 use lcplab_problem::memory::Memory;
+use lcplab_problem::{Complementarity, Lcp};
 
 /// A solver's answer. It contains no time, so it is the same on every machine.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,6 +35,22 @@ impl Solution {
             status = Status::NotFinite;
         }
         Solution { w: lcp.w(&x), x, status, iterations, fallback: None, is_claim_implied: false }
+    }
+
+    /// The answer of a method that is not made for the problem and ended at x, which may be a
+    /// solution all the same: `Solved` if its scaled residual is within the tolerance and it is
+    /// closer to a solution than Π(0), otherwise this status.
+    pub(crate) fn outside_class(
+        problem: &impl Complementarity,
+        x: Vec<f64>,
+        status: Status,
+        iterations: usize,
+        settings: &Settings,
+    ) -> Self {
+        let is_solved = problem.is_within(&x, settings.tolerance, &mut 0)
+            && problem.improves_on_zero(&x, settings.tolerance);
+        let status = if is_solved { Status::Solved } else { status };
+        Solution::new(problem.lcp(), x, status, iterations)
     }
 
     /// The same solution with this fallback.

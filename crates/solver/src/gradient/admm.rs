@@ -68,13 +68,13 @@ impl Solver for Admm {
         }
         let metric = match Metric::of_symmetric(lcp) {
             Ok(metric) => metric,
-            Err(status) => return Solution::new(lcp, z, status, 0),
+            Err(status) => return Solution::outside_class(lcp, z, status, 0, &self.settings),
         };
         let weight = self.weights(lcp, &metric);
         let regularized = lcp.matrix().to_dense() + DMatrix::from_diagonal(&weight);
         let Some(factor) = regularized.cholesky() else {
-            let reason = "A is not positive semidefinite";
-            return Solution::new(lcp, z, Status::OutsideClass { reason }, 0);
+            let status = Status::OutsideClass { reason: "A is not positive semidefinite" };
+            return Solution::outside_class(lcp, z, status, 0, &self.settings);
         };
         frozen::solve(lcp, z, &self.settings, |lcp, z, first| {
             // R y = −w

@@ -48,7 +48,7 @@ impl Solver for AndersonPgs {
         let x = start.point(lcp);
         let metric = match Metric::of_symmetric(lcp) {
             Ok(metric) => metric,
-            Err(status) => return Solution::new(lcp, x, status, 0),
+            Err(status) => return Solution::outside_class(lcp, x, status, 0, &self.settings),
         };
         let mut memory = Memory::default();
         iterate(lcp, x, 0, &self.settings, observer, |x| {

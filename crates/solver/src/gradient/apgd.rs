@@ -78,7 +78,7 @@ impl Apgd {
         let x = start.point(problem);
         let metric = match metric {
             Ok(metric) => metric,
-            Err(status) => return Solution::new(problem.lcp(), x, status, 0),
+            Err(status) => return Solution::outside_class(problem, x, status, 0, &self.settings),
         };
         let mut inner = self.settings.clone();
         let mut is_unsolved = problem.scaled_residual(&x) > inner.tolerance;

@@ -44,7 +44,7 @@ impl Solver for Mprgp {
         let x = start.point(lcp);
         let metric = match Metric::of_symmetric(lcp) {
             Ok(metric) => metric,
-            Err(status) => return Solution::new(lcp, x, status, 0),
+            Err(status) => return Solution::outside_class(lcp, x, status, 0, &self.settings),
         };
         frozen::solve(lcp, x, &self.settings, |lcp, x, first| {
             let mut run = Run { lcp, metric: &metric, p: None };

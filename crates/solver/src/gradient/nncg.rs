@@ -44,7 +44,7 @@ impl Solver for Nncg {
         let x = start.point(lcp);
         let metric = match Metric::of(lcp) {
             Ok(metric) => metric,
-            Err(status) => return Solution::new(lcp, x, status, 0),
+            Err(status) => return Solution::outside_class(lcp, x, status, 0, &self.settings),
         };
         let mut p = vec![0.0; lcp.len()];
         // |g|² of the previous sweep; 0 makes the first β > 1.

@@ -54,7 +54,7 @@ impl Solver for Spectral {
         let x = start.point(lcp);
         let metric = match Metric::of_symmetric(lcp) {
             Ok(metric) => metric,
-            Err(status) => return Solution::new(lcp, x, status, 0),
+            Err(status) => return Solution::outside_class(lcp, x, status, 0, &self.settings),
         };
         frozen::solve(lcp, x, &self.settings, |lcp, x, first| {
             let mut length = 1.0 / metric.eigenvalue;

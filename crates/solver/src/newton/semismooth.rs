@@ -115,7 +115,7 @@ impl Solver for Newton {
         }
         let diagonal = match metric::diagonal(lcp) {
             Ok(diagonal) => diagonal,
-            Err(status) => return Solution::new(lcp, x, status, 0),
+            Err(status) => return Solution::outside_class(lcp, x, status, 0, &self.settings),
         };
         if lcp.is_frozen() || !self.freezes(lcp) {
             return self.steps(lcp, &diagonal, x, [0, self.settings.max_iterations], observer);

@@ -48,7 +48,8 @@ impl ConeSolver for ConePgs {
         let (lcp, friction) = (problem.lcp(), problem.friction());
         let x = start.point(problem);
         if let Some(row) = immovable(problem) {
-            return Solution::new(lcp, x, Status::ZeroDiagonal { row }, 0);
+            let status = Status::ZeroDiagonal { row };
+            return Solution::outside_class(problem, x, status, 0, &self.settings);
         }
         let scales: Vec<f64> = friction.contacts().iter().map(|c| problem.scale(c)).collect();
         iterate(problem, x, 0, &self.settings, observer, |x| {

@@ -64,7 +64,7 @@ impl Solver for Jacobi {
         let x = start.point(lcp);
         let metric = match Metric::of(lcp) {
             Ok(metric) => metric,
-            Err(status) => return Solution::new(lcp, x, status, 0),
+            Err(status) => return Solution::outside_class(lcp, x, status, 0, &self.settings),
         };
         let theta = self.damping.factor(&metric);
         iterate(lcp, x, 0, &self.settings, observer, |x| {

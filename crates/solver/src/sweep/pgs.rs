@@ -57,7 +57,7 @@ impl Solver for Pgs {
         let x = start.point(lcp);
         let metric = match Metric::of(lcp) {
             Ok(metric) => metric,
-            Err(status) => return Solution::new(lcp, x, status, 0),
+            Err(status) => return Solution::outside_class(lcp, x, status, 0, &self.settings),
         };
         let (order, omega) = (self.order.rows(lcp), self.omega);
         iterate_in_parts(lcp, x, 0, &self.settings, observer, |x, observer| {

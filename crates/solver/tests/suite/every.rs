@@ -81,6 +81,23 @@ fn the_empty_problem_is_solved() {
 }
 
 #[test]
+fn a_start_that_is_a_solution_is_solved_outside_the_class_too() {
+    for a in [
+        &[&[0.0, 0.0][..], &[0.0, 0.0]], // no diagonal
+        &[&[0.0, 1.0], &[-1.0, 0.0]],    // and not symmetric
+        &[&[-1.0, 2.0], &[2.0, -1.0]],   // indefinite
+        &[&[1.0, 3.0], &[-2.0, 1.0]],
+    ] {
+        let lcp = contacts(a, &[1.0, 2.0]); // 0 ≤ w = b at x = 0
+        for solver in all() {
+            let solution = solver.solve(&lcp, &Start::default(), &mut ());
+            assert_eq!(solution.status, Status::Solved, "{}: {a:?}", solver.name());
+            assert_eq!(solution.x, [0.0, 0.0], "{}: {a:?}", solver.name());
+        }
+    }
+}
+
+#[test]
 fn one_row_is_clamped_to_its_box() {
     // 2 (x − 3) on [lo, hi]: x = clamp(3, lo, hi), the cases of GAMS mcp09.
     for (lo, hi, x) in [

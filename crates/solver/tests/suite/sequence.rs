@@ -72,3 +72,32 @@ fn a_cone_problem_that_is_not_quite_symmetric_is_solved() {
         assert!((x[1].hypot(x[2]) - 0.4 * x[0]).abs() < 1e-7, "{x:?}");
     }
 }
+
+#[test]
+fn small_problems_with_an_indefinite_symmetric_matrix_are_solved_or_have_no_solution() {
+    for (a, b, bounds, x) in [
+        (&[-6.0][..], &[-3.0][..], [-INF, INF], Some(vec![-0.5])),
+        // w = (x_1 − 1, x_0 − 1): (1, 1) is one solution.
+        (&[0.0, 1.0, 1.0, 0.0], &[-1.0, -1.0], [0.0, INF], Some(vec![1.0, 1.0])),
+        // w = −x − 1 < 0 for every x ≥ 0.
+        (&[-1.0], &[-1.0], [0.0, INF], None),
+    ] {
+        let n = b.len();
+        let bounds = bounds.map(|bound| vec![bound; n]);
+        let [lo, hi] = bounds;
+        let answer = solve(Lcp::new(Matrix::dense(n, a), b.to_vec(), lo, hi).unwrap());
+        match x {
+            Some(x) => assert_eq!((answer.solution.status, answer.solution.x), (Status::Solved, x)),
+            None => assert_eq!(answer.solution.status, Status::NoSolution),
+        }
+    }
+}
+
+#[test]
+fn a_semidefinite_problem_without_a_solution_is_not_enumerated() {
+    // w_0 = x_0 + x_1 and w_1 = x_0 + x_1 + 1 are both to be 0.
+    let a: &[&[f64]] = &[&[1.0, 1.0], &[1.0, 1.0]];
+    let answer = solve(boxed(a, &[0.0, 1.0], &[-INF; 2], &[INF; 2]));
+    assert!(answer.attempts.iter().all(|attempt| attempt.solver != "enumeration"));
+    assert_ne!(answer.solution.status, Status::NoSolution);
+}

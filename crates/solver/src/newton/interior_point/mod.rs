@@ -70,7 +70,7 @@ impl Solver for InteriorPoint {
             .and_then(|diagonal| Rows::of(lcp, diagonal, |entries| self.fit(entries)));
         match rows {
             Ok(mut rows) => self.follow(lcp, x, &mut rows, observer),
-            Err(status) => Solution::new(lcp, x, status, 0),
+            Err(status) => Solution::outside_class(lcp, x, status, 0, &self.settings),
         }
     }
 }

@@ -75,8 +75,8 @@ impl Solver for Dantzig {
             return Solution::new(lcp, x, status, 0);
         }
         if !lcp.matrix().is_nearly_symmetric() {
-            let reason = "A is not symmetric";
-            return Solution::new(lcp, x, Status::OutsideClass { reason }, 0);
+            let status = Status::OutsideClass { reason: "A is not symmetric" };
+            return Solution::outside_class(lcp, x, status, 0, &self.settings);
         }
         if observer.observe(&Iterate { iteration: 0, x: &x, event: Event::Start }).is_break() {
             return Solution::new(lcp, x, Status::Stopped, 0);
@@ -95,6 +95,9 @@ impl Solver for Dantzig {
                 Ok(point) => {
                     let status = point.claim(lcp, self.settings.tolerance);
                     point.solution(status, pivots)
+                }
+                Err(status @ Status::OutsideClass { .. }) => {
+                    Solution::outside_class(lcp, run.state.x, status, pivots, &self.settings)
                 }
                 Err(status) => Solution::new(lcp, run.state.x, status, pivots),
             };
