@@ -133,7 +133,7 @@ pub(super) fn measure(at: &Rows<'_>, residuals: &[Residual], tolerance: f64) -> 
         verdict: Verdict::NotASolution {
             row: worst_row,
             amount: scaled_residual,
-            why: Refusal::Residual,
+            why: Refusal::Residual { tolerance },
         },
         rounded_by: None,
         evidence: None,

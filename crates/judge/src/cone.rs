@@ -136,7 +136,8 @@ fn verdict(
     demand: &Demand,
 ) -> Verdict {
     if !x.iter().all(|x| x.is_finite()) || !(amount <= demand.tolerance) {
-        return Verdict::NotASolution { row, amount, why: Refusal::Residual };
+        let why = Refusal::Residual { tolerance: demand.tolerance };
+        return Verdict::NotASolution { row, amount, why };
     }
     if x.len() <= demand.prove_up_to
         && let Some(proof) = cone_proof(problem, x, Some(&vec![near(x); x.len()]))

@@ -59,7 +59,11 @@ fn judge_as_given(polyhedral: &Polyhedral, x: &[f64], demand: &Demand) -> Fricti
         residuals,
         scaled_residual,
         worst_row,
-        verdict: refusal(worst_row, scaled_residual, Refusal::Residual),
+        verdict: refusal(
+            worst_row,
+            scaled_residual,
+            Refusal::Residual { tolerance: demand.tolerance },
+        ),
         rounded_by: None,
         evidence: None,
     };

@@ -27,10 +27,13 @@ pub enum Verdict {
 }
 
 /// Why x is rejected.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Refusal {
     /// The residual is above the tolerance.
-    Residual,
+    Residual {
+        /// The tolerance.
+        tolerance: f64,
+    },
     /// The residual is small compared with the terms of x, but the longest step |x_i − Π(x_i −
     /// w_i/s_i)| √s_i is more than a tenth of that at Π(0).
     NoBetterThanZero,
@@ -69,7 +72,7 @@ impl Verdict {
     /// the tolerance is still rejected for its residual.
     pub(crate) fn refused(self, row: usize, amount: f64) -> Verdict {
         let why = match self {
-            Verdict::NotASolution { why: Refusal::Residual, .. } => Refusal::Residual,
+            Verdict::NotASolution { why: why @ Refusal::Residual { .. }, .. } => why,
             _ => Refusal::Impossible,
         };
         Verdict::NotASolution { row, amount, why }
@@ -94,8 +97,12 @@ impl std::fmt::Display for Verdict {
                 write!(f, "proved: an exact solution exists within {distance} of x")
             }
             Verdict::WithinTolerance => write!(f, "within tolerance"),
-            Verdict::NotASolution { row, amount, why: Refusal::Residual } => {
-                write!(f, "not a solution: scaled residual {} in row {row}", readable(*amount, 2))
+            Verdict::NotASolution { row, amount, why: Refusal::Residual { tolerance } } => {
+                let [amount, tolerance] = [*amount, *tolerance].map(|number| readable(number, 2));
+                write!(
+                    f,
+                    "not a solution: scaled residual {amount} in row {row}, above the tolerance {tolerance}"
+                )
             }
             Verdict::NotASolution { why: Refusal::NoBetterThanZero, .. } => {
                 write!(

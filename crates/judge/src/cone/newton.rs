@@ -70,7 +70,9 @@ pub(super) struct Center {
 }
 
 impl Center {
-    /// A box around the center that its map contracts, whether or not the inequalities hold.
+    /// A box around the center that its map contracts, whether or not the inequalities hold; `None`
+    /// if it would be larger than x. (The bound of the image is quadratic in the radius: beyond that
+    /// each round doubles the digits.)
     pub fn enclosure(self, system: &System<'_>) -> Option<Enclosure> {
         let one = dyadic(1.0);
         let at = system.at(&self.x, &one);
@@ -85,6 +87,9 @@ impl Center {
                 if image >= radius[i] {
                     is_inside = false;
                     radius[i] = floor(&(image << 1), self.unit) + &last;
+                    if exponent(&radius[i]) > Some(self.unit + DIGITS) {
+                        return None;
+                    }
                 }
             }
             if is_inside {

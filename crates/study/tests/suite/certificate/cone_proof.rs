@@ -218,3 +218,33 @@ fn a_rounded_answer_of_size_1e18_is_proved() {
     let off = [size, 0.3 * size * (1.0 + 1e-7), 0.4 * size];
     assert_eq!(judge_cone(&problem, &off, &Demand::default()).verdict.distance(), None);
 }
+
+#[test]
+fn a_box_around_a_zero_with_a_nearly_singular_derivative_stays_smaller_than_x() {
+    // Rank 3, with one contact that is open, one that sticks and one that slides. x is off in the
+    // open one. A larger box is not proved either: its image grows with the square of its size, and
+    // so does the number of digits.
+    let a: [&[f64]; 9] = [
+        &[1.0, 2.0, 0.0, 1.0, -1.0, -1.0, 2.0, 0.0, -2.0],
+        &[2.0, 5.0, -1.0, 1.0, 0.0, -2.0, 2.0, -2.0, -3.0],
+        &[0.0, -1.0, 1.0, 1.0, -2.0, 0.0, 2.0, 2.0, -1.0],
+        &[1.0, 1.0, 1.0, 2.0, -3.0, -1.0, 4.0, 2.0, -3.0],
+        &[-1.0, 0.0, -2.0, -3.0, 5.0, 1.0, -6.0, -4.0, 4.0],
+        &[-1.0, -2.0, 0.0, -1.0, 1.0, 1.0, -2.0, 0.0, 2.0],
+        &[2.0, 2.0, 2.0, 4.0, -6.0, -2.0, 8.0, 4.0, -6.0],
+        &[0.0, -2.0, 2.0, 2.0, -4.0, 0.0, 4.0, 4.0, -2.0],
+        &[-2.0, -3.0, -1.0, -3.0, 4.0, 2.0, -6.0, -2.0, 5.0],
+    ];
+    let b = [-100.5, -179.0, -26.0, -133.0, 161.0, 105.0, -256.0, -53.0, 242.0];
+    let lo: Vec<f64> = (0..9).map(|i| if i % 3 == 0 { 0.0 } else { -INF }).collect();
+    let contact = |(c, mu)| Contact { rows: [3 * c, 3 * c + 1, 3 * c + 2], mu };
+    let contacts = [0.5, 0.75, 2.0].into_iter().enumerate().map(contact).collect();
+    let friction = FrictionProblem::new(boxed(&a, &b, &lo, &[INF; 9]), contacts).unwrap();
+    let problem = ConeProblem::new(friction, Law::Associated);
+    let exact = [0.0, 0.0, 0.0, 4.0, 0.0, 3.0, 20.0, -24.0, -32.0];
+    let verdict = |x: &[f64]| judge_cone(&problem, x, &Demand::default()).verdict;
+    assert_eq!(verdict(&exact), Verdict::Proved { distance: 0.0 });
+    let mut x = exact;
+    x[2] = -0.00011996290282846902;
+    assert!(!verdict(&x).is_solution());
+}
