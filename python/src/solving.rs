@@ -7,7 +7,7 @@ use lcplab::explain::{Method as Explained, problem as explained};
 use lcplab::lcp::Lcp;
 use lcplab::lcp::Question;
 use lcplab::lcp::friction::Model;
-use lcplab::report::answer::{Answer, attempts_json, certificate_json, claim, judged};
+use lcplab::report::answer::{Answer, attempts_json, certificate_json, judged};
 use lcplab::report::friction::{self, JudgedAnswer};
 use lcplab::report::study::families::{self, Contender, Models};
 use lcplab::report::{methods, text, view};
@@ -164,7 +164,7 @@ fn solve_modelled<'py>(
     })?;
     let SequenceAnswer { solver, solution, attempts } = answered;
     let certificate = &judged.certificate;
-    let (status, message) = claim(&solution.status, certificate.refutation(), None);
+    let (status, message) = judged.claim(&solution.status, None);
     let fields = fields(py, &solution, &certificate.w, &certificate.verdict)?;
     fields.set_item("status", status)?;
     fields.set_item("message", message)?;

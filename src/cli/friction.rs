@@ -5,7 +5,7 @@ use lcplab::error::Result;
 use lcplab::lcp::Question;
 use lcplab::lcp::file::number;
 use lcplab::number::counted;
-use lcplab::report::answer::{attempts_json, attempts_text, claim};
+use lcplab::report::answer::{attempts_json, attempts_text};
 use lcplab::report::friction::{JudgedAnswer, solve as solve_and_judge, solve_by_default};
 use lcplab::report::motion_error::MotionError;
 use lcplab::solver::{Method, Options, Solution, Status};
@@ -41,7 +41,7 @@ pub fn solve(
     };
     let stopped = stop.reason().filter(|_| solution.status == Status::Stopped);
     limits.over();
-    let (word, message) = claim(&solution.status, judged.certificate.refutation(), stopped);
+    let (word, message) = judged.claim(&solution.status, stopped);
     if json {
         let mut object = Map::new();
         object.insert("status".into(), json!(word));

@@ -273,5 +273,9 @@ pub fn rows(problem: &Problem, x: &[f64], certificate: &Certificate) -> String {
 
 /// A status as text: its word, and the message if that says more.
 pub(super) fn status_text(word: &str, message: String) -> String {
-    if word.replace('_', " ") == message { message } else { format!("{word}: {message}") }
+    if message.starts_with(&word.replace('_', " ")) {
+        message
+    } else {
+        format!("{word}: {message}")
+    }
 }

@@ -39,8 +39,6 @@ use lcplab_problem::friction::{ConeProblem, Polyhedral, ProblemForm};
 const MOST_STEPS: usize = 100;
 /// Maximum number of active sets that the enumeration tries.
 const MOST_SETS: usize = 1 << 16;
-/// The methods for a symmetric positive semidefinite A.
-const SEMIDEFINITE: [&str; 4] = ["dantzig", "block-pivoting", "newton", "interior-point"];
 /// With a unit diagonal, an eigenvalue that is less than this below zero, times n, is rounding.
 const ROUNDING: f64 = 1e-10;
 
@@ -97,13 +95,17 @@ pub fn solve_boxed_without(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> SequenceAnswer {
-    let names: &[&'static str] = match lcp.matrix().is_nearly_symmetric() {
-        true if is_semidefinite(lcp) => &SEMIDEFINITE,
-        true => &[SEMIDEFINITE.as_slice(), &["lemke", "enumeration"]].concat(),
+    let is_symmetric = lcp.matrix().is_nearly_symmetric();
+    let names: &[&'static str] = match is_symmetric {
+        true => &["dantzig", "block-pivoting", "newton", "interior-point", "lemke", "enumeration"],
         false => &["lemke", "fischer-newton", "enumeration"],
     };
     let names: Vec<&str> = names.iter().copied().filter(|name| *name != tried).collect();
     let attempt = |name: &'static str, observer: &mut dyn Observer| {
+        let is_general = matches!(name, "lemke" | "enumeration");
+        if is_general && is_symmetric && is_semidefinite(lcp) {
+            return None;
+        }
         let solver = entry(name).ok().map(|entry| (entry.build)(&within_budget(name, options)));
         solver.map(|solver| solver.solve(lcp, start, observer))
     };

@@ -58,12 +58,17 @@ impl Answer {
 
     /// The solver's claim as one of four words. `infeasible` requires a proof.
     pub fn status_word(&self) -> &'static str {
-        claim(&self.solution.status, self.certificate.refutation(), self.stopped).0
+        self.claim().0
     }
 
     /// The status as text.
     pub fn message(&self) -> String {
-        claim(&self.solution.status, self.certificate.refutation(), self.stopped).1
+        self.claim().1
+    }
+
+    fn claim(&self) -> (&'static str, String) {
+        let Certificate { verdict, .. } = &self.certificate;
+        claim(&self.solution.status, verdict, self.certificate.refutation(), self.stopped)
     }
 
     /// The object that `solve --json` prints.
@@ -182,9 +187,11 @@ pub fn proof_of_denial(lcp: &Lcp, status: &Status, demand: &Demand) -> Option<Re
     vector.and_then(|vector| ray::checked(lcp, vector)).map(Refutation::Vector)
 }
 
-/// A solver's claim, as one of four words and as a sentence. `infeasible` requires a proof.
+/// A solver's claim, as one of four words and as a sentence. `infeasible` requires a proof. The
+/// sentence says so if the judge accepts the x of a solver that does not claim a solution.
 pub fn claim(
     status: &Status,
+    verdict: &Verdict,
     refutation: Option<&Refutation>,
     stopped: Option<Reason>,
 ) -> (&'static str, String) {
@@ -197,7 +204,10 @@ pub fn claim(
             ("solved", format!("solved within the tolerance, but no solution exists, {how}"))
         }
         _ => {
-            let message = stopped.map_or_else(|| status.to_string(), |by| by.to_string());
+            let mut message = stopped.map_or_else(|| status.to_string(), |by| by.to_string());
+            if verdict.is_solution() && *status != Status::Solved {
+                message += "; the judge nevertheless accepts x";
+            }
             (status_word(status), message)
         }
     }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
 use super::answer::{
-    evidence_json, evidence_text, impossible, proof_of_denial, rounding_json, rounding_text,
+    claim, evidence_json, evidence_text, impossible, proof_of_denial, rounding_json, rounding_text,
     verdict_json,
 };
 use super::methods;
@@ -15,7 +15,7 @@ use lcplab_problem::merit::RowTerms;
 use lcplab_problem::number::readable;
 use lcplab_problem::{Lcp, Question};
 use lcplab_solver::{
-    Method, Observer, Options, SequenceAnswer, Solution, Status, solve_by_sequence,
+    Method, Observer, Options, Reason, SequenceAnswer, Solution, Status, solve_by_sequence,
 };
 
 /// A contact slides if |w_t| is above this fraction of its terms.
@@ -139,6 +139,11 @@ impl JudgedAnswer {
             Some(proof) => JudgedAnswer { certificate: self.certificate.refuted_by(proof), ..self },
             None => self,
         }
+    }
+
+    /// The claim of the solver that gave this answer, as one of four words and as a sentence.
+    pub fn claim(&self, status: &Status, stopped: Option<Reason>) -> (&'static str, String) {
+        claim(status, &self.certificate.verdict, self.certificate.refutation(), stopped)
     }
 
     /// The judge's part of the JSON.

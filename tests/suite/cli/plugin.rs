@@ -48,7 +48,7 @@ fn a_folder_of_problems_shows_which_claims_are_wrong_and_in_which_row() {
     };
     // x_t = 3 lies 2 beyond its bound; a friction force reaches as far as μ times the 4 of row 0's
     // terms.
-    let beyond = "not a solution: scaled residual 1 in row 1";
+    let beyond = "not a solution: scaled residual 1 in row 1, above the tolerance 10⁻⁸";
     assert_eq!(
         refused,
         [

@@ -81,7 +81,10 @@ impl Diagnosis {
     }
 
     fn counts(&self, found: &Regularity) -> Section {
-        let mut section = Section::new("counts");
+        let mut section = Section::new(match self.freedoms {
+            Some(_) => "rank and degrees of freedom",
+            None => "rank and condition",
+        });
         let mut rows = vec![
             ["rows of A".to_string(), self.labels.len().to_string()],
             ["rank of A, up to rounding".into(), found.rank.to_string()],

@@ -157,7 +157,7 @@ impl Claim {
             Verdict::NotASolution { why: Refusal::NoBetterThanZero, .. } => {
                 Claim::FalseClaim(FalseClaim::Worthless)
             }
-            Verdict::NotASolution { row, amount, why: Refusal::Residual } => {
+            Verdict::NotASolution { row, amount, why: Refusal::Residual { .. } } => {
                 Claim::FalseClaim(FalseClaim::Refuted { row, amount })
             }
         }

@@ -1,6 +1,6 @@
 use lcplab_judge::{Demand, Evidence, Refusal, Verdict, judge, printed_up, upper_bound};
 use lcplab_problem::merit;
-use lcplab_solver::{Options, Start};
+use lcplab_solver::{Options, Solution, Start, Status};
 use lcplab_study::answer::Answer;
 use proptest::prelude::*;
 
@@ -194,9 +194,13 @@ fn each_verdict_has_its_word_and_its_sentence() {
         ),
         (Verdict::WithinTolerance, "within_tolerance", "within tolerance", None),
         (
-            Verdict::NotASolution { row: 7, amount: 0.5, why: Refusal::Residual },
+            Verdict::NotASolution {
+                row: 7,
+                amount: 0.5,
+                why: Refusal::Residual { tolerance: 1e-8 },
+            },
             "not_a_solution",
-            "not a solution: scaled residual 0.5 in row 7",
+            "not a solution: scaled residual 0.5 in row 7, above the tolerance 10⁻⁸",
             None,
         ),
     ] {
@@ -269,6 +273,27 @@ fn status_verdict_and_message_agree_where_there_is_no_solution() {
         assert!(!is_infeasible || answer.certificate.refutation().is_some(), "{}", entry.name);
         assert_eq!(is_infeasible, answer.message().starts_with("no solution exists"));
     }
+}
+
+#[test]
+fn the_message_of_a_solver_that_gave_up_says_so_if_its_x_is_accepted() {
+    let lcp = contacts(&[&[2.0, -1.0], &[-1.0, 2.0]], &[-1.0, 2.0]);
+    let message = |x: [f64; 2], status: Status| {
+        let solution = Solution::new(&lcp, x.to_vec(), status, 7);
+        let answer = Answer::judged(&lcp, "pgs", solution, &Demand::default());
+        (answer.status_word(), answer.message())
+    };
+    let accepted = "; the judge nevertheless accepts x";
+    for (status, word) in [
+        (Status::IterationLimit, "iteration_limit"),
+        (Status::Inaccurate, "iteration_limit"),
+        (Status::ZeroDiagonal { row: 1 }, "failed"),
+    ] {
+        let text = status.to_string();
+        assert_eq!(message([0.5, 0.0], status.clone()), (word, text.clone() + accepted));
+        assert_eq!(message([0.4, 0.0], status), (word, text));
+    }
+    assert_eq!(message([0.5, 0.0], Status::Solved), ("solved", "solved".into()));
 }
 
 /// Parses a printed number: `1.1×10⁻⁹`, `10 000`.
