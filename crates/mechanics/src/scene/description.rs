@@ -24,6 +24,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::generate::Generator;
+use super::infinite::{self, Number};
 use super::settings::{Contacts, Solver, Step};
 use super::time_function::TimeFunction;
 use lcplab_problem::error::Result;
@@ -349,7 +350,8 @@ pub struct Constraint {
     pub angle: Option<f64>,
     /// The lower and the upper stop (m or rad), 0 being the start; along an axis either may be
     /// infinite.
-    #[serde(default)]
+    #[serde(default, with = "infinite::two")]
+    #[schemars(with = "Option<[Number; 2]>")]
     pub limits: Option<[f64; 2]>,
     /// The speed of a motor (m/s or rad/s), that of the last body relative to the other.
     #[serde(default)]
@@ -359,7 +361,8 @@ pub struct Constraint {
     #[serde(default)]
     pub start_speed: Option<f64>,
     /// The maximum force of a motor (N or N m); `inf` for a motor that always keeps its speed.
-    #[serde(default)]
+    #[serde(default, with = "infinite::one")]
+    #[schemars(with = "Option<Number>")]
     pub effort: Option<f64>,
     /// The stiffness of a spring (N/m or N m/rad).
     #[serde(default)]

@@ -12,6 +12,7 @@ mod driven;
 mod file;
 mod friction;
 pub mod generate;
+mod infinite;
 mod joints;
 mod notes;
 mod range;

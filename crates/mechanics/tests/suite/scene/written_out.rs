@@ -31,3 +31,33 @@ fn a_scene_that_is_written_out_is_the_same_scene_also_by_way_of_json() {
         }
     }
 }
+
+#[test]
+fn an_infinite_effort_or_stop_is_written_out_in_json_and_read_back() {
+    let text = r#"
+        title = "a motor that always keeps its speed, and a stop on one side"
+
+        [[bodies]]
+        name = "wheel"
+        shape = { sphere = 0.1 }
+        mass = 1
+
+        [[constraints]]
+        kind = "motor_rotation"
+        bodies = ["wheel"]
+        axis = [0, 0, 1]
+        speed = 1
+        effort = inf
+
+        [[constraints]]
+        kind = "limit_translation"
+        bodies = ["wheel"]
+        axis = [1, 0, 0]
+        limits = [-inf, 2]
+    "#;
+    let whole = Description::from_toml("scene", text).unwrap().written_out("scene").unwrap();
+    let json = serde_json::to_value(&whole).unwrap();
+    assert_eq!(json["constraints"][0]["effort"], "inf");
+    assert_eq!(json["constraints"][1]["limits"], serde_json::json!(["-inf", 2.0]));
+    assert_eq!(serde_json::from_value::<Description>(json).unwrap(), whole);
+}
