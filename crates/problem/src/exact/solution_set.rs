@@ -4,11 +4,11 @@
 //! the directions in which it has no end. Two corners belong to one face if two points between them
 //! are solutions: x_i and w_i are linear along the way, so a w_i that is 0 at two points is 0
 //! everywhere, and an x_i that is at a bound between two points inside is there everywhere. A ray d
-//! belongs to a corner x if x + d is a solution.
+//! belongs to a corner x if x + t d is a solution for all t ≥ 0.
 
 use dashu_ratio::RBig;
 
-use super::dyadic::dyadic;
+use super::dyadic::{Dyadic, dyadic};
 use super::pieces::Pieces;
 use super::{Exact, Point};
 use crate::Lcp;
@@ -61,8 +61,8 @@ impl SolutionSet {
     pub fn of(lcp: &Lcp) -> Option<Self> {
         let exact = Exact::new(lcp);
         let corners = points(lcp)?;
-        let rays = rays(lcp)?;
-        let (faces, rays) = with_corners(faces(&exact, &corners, &rays), rays);
+        let (cone, rays) = rays(lcp)?;
+        let (faces, rays) = with_corners(faces(&exact, &cone, &corners, &rays), rays);
         let entries = |points: &[Point]| points.iter().map(Point::entries).collect();
         Some(SolutionSet { corners: entries(&corners), rays: entries(&rays), faces })
     }
@@ -89,9 +89,10 @@ fn points(lcp: &Lcp) -> Option<Vec<Point>> {
     Some(all)
 }
 
-/// The rays, each scaled to 1 in one of its rows: solutions d of the problem with b = 0 whose
-/// finite bounds are 0. A friction row has a direction only together with its normal row.
-fn rays(lcp: &Lcp) -> Option<Vec<Point>> {
+/// The problem with b = 0 whose finite bounds are 0, and the rays, each scaled to 1 in one of its
+/// rows: solutions d of this problem. A friction row has a direction only together with its normal
+/// row.
+fn rays(lcp: &Lcp) -> Option<(Exact, Vec<Point>)> {
     let zero = |bound: &f64| if bound.is_finite() { 0.0 } else { *bound };
     let (lo, hi): (Vec<f64>, Vec<f64>) =
         (lcp.lo().iter().map(zero).collect(), lcp.hi().iter().map(zero).collect());
@@ -118,11 +119,25 @@ fn rays(lcp: &Lcp) -> Option<Vec<Point>> {
             }
         }
     }
-    Some(all)
+    Some((cone, all))
+}
+
+/// Whether x + t d is a solution for all t ≥ 0: d solves the problem with b = 0 whose finite bounds
+/// are 0, x + d is a solution, and no w_i changes its sign on the way, except that of a row whose
+/// bounds are equal there.
+fn is_ray(exact: &Exact, cone: &Exact, x: &Point, d: &Point) -> bool {
+    let beyond = sum(x, d);
+    let keeps_sign = |i: usize| {
+        let (lo, hi) = exact.scaled_bounds(i, &beyond);
+        let (w, change) = (exact.scaled_w(i, x), cone.scaled_w(i, d));
+        let is_against = |w: &Dyadic, change: &Dyadic| *w < Dyadic::ZERO && *change > Dyadic::ZERO;
+        lo == hi || !is_against(&w, &change) && !is_against(&-w, &-change)
+    };
+    cone.is_solved_by(d) && exact.is_solved_by(&beyond) && (0..x.len()).all(keeps_sign)
 }
 
 /// The largest sets of corners and rays that belong together.
-fn faces(exact: &Exact, corners: &[Point], rays: &[Point]) -> Vec<Face> {
+fn faces(exact: &Exact, cone: &Exact, corners: &[Point], rays: &[Point]) -> Vec<Face> {
     let count = corners.len();
     let joined = |i: usize, j: usize| match j.checked_sub(count) {
         _ if i == j => true,
@@ -133,10 +148,11 @@ fn faces(exact: &Exact, corners: &[Point], rays: &[Point]) -> Vec<Face> {
             let is_solved = |sum: Point, parts: f64| exact.is_solved_by(&part(&sum, parts));
             is_solved(sum(x, y), 2.0) && is_solved(nearer, 3.0)
         }
-        Some(ray) if i < count => exact.is_solved_by(&sum(&corners[i], &rays[ray])),
+        Some(ray) if i < count => is_ray(exact, cone, &corners[i], &rays[ray]),
         // Two rays belong together if some corner has both; the corners decide.
         Some(ray) => {
-            corners.iter().any(|x| exact.is_solved_by(&sum(&sum(x, &rays[i - count]), &rays[ray])))
+            let both = sum(&rays[i - count], &rays[ray]);
+            corners.iter().any(|x| is_ray(exact, cone, x, &both))
         }
     };
     let all = count + rays.len();
