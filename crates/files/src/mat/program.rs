@@ -184,7 +184,8 @@ impl Reader<'_> {
         self.variables.take(name).ok_or_else(|| fault(self.input, name, "is missing"))
     }
 
-    /// `count` limits.
+    /// `count` limits that some number can meet: a lower one is not ∞, an upper one not −∞, and the
+    /// value of an equation is finite.
     fn limits(&mut self, name: &str, count: usize) -> Result<Vec<f64>> {
         let table = self.required(name)?;
         let limits = self.vector(name, table)?;
@@ -192,10 +193,18 @@ impl Reader<'_> {
             let reason = format!("has {} entries, must have {count}", limits.len());
             return Err(fault(self.input, name, reason));
         }
-        match limits.iter().position(|limit| limit.is_nan()) {
-            Some(i) => Err(fault(self.input, &format!("{name}[{i}]"), "is NaN")),
-            None => Ok(limits.into_iter().map(limit).collect()),
+        let is_lower = matches!(name, "l" | "lb" | "b");
+        let is_upper = !matches!(name, "l" | "lb");
+        let is_met = |value: &f64| {
+            !value.is_nan()
+                && !(is_lower && limit(*value) == f64::INFINITY)
+                && !(is_upper && limit(*value) == f64::NEG_INFINITY)
+        };
+        if let Some(i) = limits.iter().position(|value| !is_met(value)) {
+            let reason = format!("is {}, which no number can meet", limits[i]);
+            return Err(fault(self.input, &format!("{name}[{i}]"), reason));
         }
+        Ok(limits.into_iter().map(limit).collect())
     }
 
     /// A number, if the file has it.

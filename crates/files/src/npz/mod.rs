@@ -129,6 +129,9 @@ fn sparse(arrays: &Arrays, names: &[String], input: &str) -> Result<Table> {
         |part: &str| get(part)?.wholes().map_err(|reason| Error::invalid(input, part, reason));
     let format = get("format")?.text().map_err(|reason| Error::invalid(input, "format", reason))?;
     let fault = |part: &str, reason: String| Err(Error::invalid(input, part, reason));
+    if !matches!(format.as_str(), "csr" | "csc" | "coo") {
+        return fault("format", format!("must be csr, csc or coo, is {format:?}"));
+    }
     let [rows, cols] = whole("shape")?[..] else {
         return fault("shape", "must be rows and columns".into());
     };
@@ -140,10 +143,7 @@ fn sparse(arrays: &Arrays, names: &[String], input: &str) -> Result<Table> {
     let (lines, across) = if format == "csc" { (cols, rows) } else { (rows, cols) };
     let (i, j) = match format.as_str() {
         "coo" => (whole("row")?, whole("col")?),
-        "csr" | "csc" => {
-            (unpacked(&whole("indptr")?, lines, data.len(), "indptr", input)?, whole("indices")?)
-        }
-        _ => return fault("format", format!("must be csr, csc or coo, is {format:?}")),
+        _ => (unpacked(&whole("indptr")?, lines, data.len(), "indptr", input)?, whole("indices")?),
     };
     if i.len() != data.len() || j.len() != data.len() {
         let reason = format!("has {} numbers, but there are {} places", data.len(), j.len());

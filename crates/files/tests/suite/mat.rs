@@ -109,6 +109,25 @@ fn an_unknown_variable_is_refused() {
 }
 
 #[test]
+fn limits_that_no_number_can_meet_are_refused() {
+    let bytes = std::fs::read(sample("matlab/separate.mat")).unwrap();
+    // −x − y ≤ h = −2, z = b = 2, x and y ≤ ub = 5: no other variable after them has these numbers.
+    for (old, new, reason) in [
+        (-2.0, -1e30, "h[0]: is -1000000000000000000000000000000, which no number can meet"),
+        (2.0, INF, "b[0]: is inf, which no number can meet"),
+        (5.0, -INF, "ub[1]: is -inf, which no number can meet"),
+    ] {
+        let place = bytes.windows(8).rposition(|w| *w == f64::to_le_bytes(old)).unwrap();
+        let mut changed = bytes.clone();
+        changed[place..place + 8].copy_from_slice(&f64::to_le_bytes(new));
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("p.mat");
+        std::fs::write(&path, changed).unwrap();
+        assert_eq!(message(&path), format!("p: {reason}"));
+    }
+}
+
+#[test]
 fn a_cut_file_is_refused() {
     let bytes = std::fs::read(sample("matlab/separate.mat")).unwrap();
     let folder = tempfile::tempdir().unwrap();

@@ -182,6 +182,10 @@ fn each_defect_of_an_array_has_its_message() {
     ] {
         assert_eq!(read(&[(part, bytes)]).unwrap_err(), expected, "{part}");
     }
+    // scipy.sparse stores the blocks of a bsr matrix in an array with three dimensions.
+    let blocks =
+        [("format", array("|S3", "()", b"bsr")), ("data", array("<f8", "(1, 2, 2)", &[0; 32]))];
+    assert_eq!(read(&blocks).unwrap_err(), "format: must be csr, csc or coo, is \"bsr\"");
     let dense = archive(&[("A", numbers(&[1.0])), ("b", numbers(&[1.0]))]);
     assert_eq!(dense.unwrap_err(), "A: must be a matrix, has the shape [1]");
 }
