@@ -6,7 +6,7 @@ use clap::Args;
 use lcplab::diagnosis::unsupported::{
     Examination, UserSolver, examine_scene, examine_sequence, main_solve, user_solver,
 };
-use lcplab::diagnosis::{self, Diagnosis, find_mistakes, problem, single_precision};
+use lcplab::diagnosis::{self, Cause, Diagnosis, find_mistakes, problem, single_precision};
 use lcplab::document::Document;
 use lcplab::error::{Error, Result};
 use lcplab::file;
@@ -124,7 +124,7 @@ impl Diagnose {
         if !is_problem && Path::new(&self.input).is_dir() {
             return self.sequence(solver);
         }
-        let (found, examined) = match is_problem {
+        let (mut found, examined) = match is_problem {
             true => self.problem(solver)?,
             false => self.of_scene(solver)?,
         };
@@ -135,6 +135,12 @@ impl Diagnose {
             }
             print(&format!("{object:#}\n"))?;
             return Ok(if found.is_sound() { Outcome::Good } else { Outcome::Refuted });
+        }
+        if examined.as_ref().is_some_and(|examined| {
+            examined.found.unsupported.as_ref().is_some_and(|found| found.pace().is_some())
+        }) {
+            // The rate of the rows that are active is stated, that of all rows would be a second one.
+            found.causes.retain(|cause| !matches!(cause, Cause::Slow { .. }));
         }
         self.write(found.document(), examined.as_ref())
     }

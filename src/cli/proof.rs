@@ -8,7 +8,7 @@ use lcplab::file;
 use lcplab::lcp::Question;
 use lcplab::lcp::exact::SolutionSet;
 use lcplab::lcp::file::{Problem, read_answer};
-use lcplab::lcp::friction::Model;
+use lcplab::lcp::friction::{Model, ProblemForm};
 use lcplab::page::{self, Block, Page, Section};
 use lcplab::proof::{Kind, Proof, ProofSearch, check, prove, prove_kind};
 use lcplab::report::answer::first_answer;
@@ -109,9 +109,13 @@ impl Prove {
             Some(kind) => prove_kind(&question, &answer, kind),
         };
         if let Some(reason) = found.refusal(&question) {
-            let reason = format!(
-                "{reason}; use --model coupled-box to prove a statement about the coupled box"
-            );
+            let advice = match (self.kind, question.posed()) {
+                (Some(Kind::Solution), ProblemForm::Cone(_)) => {
+                    "use --kind cone-solution to prove that a small box contains a solution"
+                }
+                _ => "use --model coupled-box to prove a statement about the coupled box",
+            };
+            let reason = format!("{reason}; {advice}");
             return Err(Error::invalid(input, "model", reason));
         }
         let ProofSearch { proof, missing } = found;
