@@ -1,9 +1,11 @@
 """Checks that a version can be released, builds what is published, and writes what a person has to do then.
 
-`python3 release/release.py --dry-run` does all of that and changes nothing outside of target/. Without --dry-run, whatever
-is left for a person must be done already, and the version gets its tag. Nothing is ever sent anywhere."""
+`python3 release/release.py --dry-run` does all of that and changes nothing outside of target/. `--prepare URL` changes the
+texts for a release. Without options, the texts must be changed already, and the version gets its tag. Nothing is ever sent
+anywhere."""
 
 import argparse
+import datetime
 import re
 import shutil
 import subprocess
@@ -11,6 +13,7 @@ import sys
 import tomllib
 from pathlib import Path
 
+import texts
 import workflow
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -25,16 +28,16 @@ STATED = {
     "docs/cite.md": r"^  version = \{(.*)\},",
 }
 
-# Pages that say that there is no release.
-UNRELEASED = ["CHANGELOG.md", "SECURITY.md", "docs/cite.md", "docs/install.md"]
+PREPARE = "python3 release/release.py --prepare https://github.com/NAME/lcplab"
 
-# What a person does at the end; the first step once, as the step says that sets up PyPI.
+# What a person does after the dry run.
 STEPS = [
-    "Accounts: the forge, crates.io (`cargo login`), PyPI.",
+    "Accounts on GitHub, crates.io (`cargo login`) and PyPI. Once: on PyPI a trusted publisher for `release.yml` and the "
+    "environment `pypi`; on GitHub that environment, with required reviewers, and tags `v*` only.",
+    f"`{PREPARE}`, with your NAME: writes date, address and how to install. Read `git diff` and commit.",
+    "`python3 release/release.py`: checks again, and sets the tag v{version}.",
     "`git push origin main v{version}`",
     "`cargo publish --workspace`: the crates, in their order. A published version cannot be replaced.",
-    "Once: on PyPI a trusted publisher for `release.yml` and the environment `pypi`; on GitHub that environment, with "
-    "required reviewers, and tags `v*` only.",
     "GitHub, Actions, Release, Run workflow: choose the tag v{version}, tick `publish`, press Run workflow; when all else "
     "has passed, Review deployments, `pypi`, Approve and deploy.",
     "A release of v{version} on GitHub: its part of CHANGELOG.md as text, with the run's artifacts `program-*` and the "
@@ -46,6 +49,7 @@ STEPS = [
 def arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description="Check and prepare a release.")
     parser.add_argument("--dry-run", action="store_true", help="check and build, but set no tag")
+    parser.add_argument("--prepare", metavar="URL", help="write the texts of the release, for the repository at URL")
     parser.add_argument(
         "--ci-passed", action="store_true", help="leave out .ci/run, which has passed for this commit"
     )
@@ -55,21 +59,35 @@ def arguments() -> argparse.Namespace:
 def main() -> None:
     given = arguments()
     version = tomllib.loads(read("Cargo.toml"))["workspace"]["package"]["version"]
-    wrong = [*versions(version), *tree(version), *workflow.disagreements(version)]
+    if given.prepare:
+        prepare(version, given.prepare)
+        return
+    unprepared = "OWNER" in read("Cargo.toml")
+    if unprepared and not given.dry_run:
+        sys.exit(f"first, as the dry run says: {PREPARE}")
+    wrong = [*versions(version), *tree(version), *workflow.disagreements(version), *changes(version, unprepared)]
     if wrong:
         sys.exit("\n".join(wrong))
-    left = left_to_do(version)
-    if left and not given.dry_run:
-        sys.exit("\n".join(left))
     build(given.ci_passed)
     changed = output("git", "status", "--porcelain")
     if changed:
         sys.exit(f"building has changed files of the repository:\n{changed}")
-    steps = numbered([*left, *(step.format(version=version) for step in STEPS)])
+    steps = "\n".join(f"{k}. {step.format(version=version)}" for k, step in enumerate(STEPS, 1))
     (OUT / "STEPS.md").write_text(f"# Release {version}\n\n{steps}\n", encoding="utf-8")
     if not given.dry_run:
         run("git", "tag", "--annotate", f"v{version}", "--message", f"lcplab {version}")
     print(f"\n{steps}\n\nThis is also in {OUT / 'STEPS.md'}.")
+
+
+def prepare(version: str, url: str) -> None:
+    if not re.fullmatch(r"https://[^/]+/[^/]+/[^/]+", url):
+        sys.exit(f"{url}: not the address of a repository, https://github.com/NAME/lcplab")
+    try:
+        prepared = texts.prepared(version, url, datetime.date.today().isoformat())
+    except ValueError as wrong:
+        sys.exit(str(wrong))
+    for name, text in prepared.items():
+        (ROOT / name).write_text(text, encoding="utf-8", newline="\n")
 
 
 def read(name: str) -> str:
@@ -106,18 +124,16 @@ def tree(version: str) -> list[str]:
     return wrong
 
 
-def left_to_do(version: str) -> list[str]:
-    """What only a person can decide."""
-    left = []
-    if not re.search(rf"^## {re.escape(version)} \(\d{{4}}-\d\d-\d\d\)$", read("CHANGELOG.md"), re.MULTILINE):
-        left.append(f"CHANGELOG.md: give the section its title, `## {version} (YYYY-MM-DD)`")
-    if not re.search(r"^repository = \"https://(?!.*OWNER)", read("Cargo.toml"), re.MULTILINE):
-        left.append('Cargo.toml: state the address of the repository, `repository = "https://…"`')
-    if "repository-code:" not in read("CITATION.cff"):
-        left.append("CITATION.cff: state the address, `repository-code:`, and the date, `date-released:`")
-    if untrue := [name for name in UNRELEASED if re.search("no release yet|been released", read(name))]:
-        left.append(f"{', '.join(untrue)}: what they say of lcplab without a release")
-    return left
+def changes(version: str, unprepared: bool) -> list[str]:
+    """The texts that `--prepare` could not change, or the title that it would have written."""
+    if unprepared:
+        try:
+            texts.prepared(version, "https://github.com/NAME/lcplab", "2000-01-01")
+        except ValueError as wrong:
+            return [str(wrong)]
+    elif not re.search(rf"^## {re.escape(version)} \(\d{{4}}-\d\d-\d\d\)$", read("CHANGELOG.md"), re.MULTILINE):
+        return [f"CHANGELOG.md: has no section `## {version} (YYYY-MM-DD)`"]
+    return []
 
 
 def build(ci_passed: bool) -> None:
@@ -137,10 +153,6 @@ def build(ci_passed: bool) -> None:
     run(sys.executable, "release/archive.py", "--out", OUT)
     run("site/check.sh", "full")
     shutil.copy(TARGET / "public/problems/lcplab-problem-set.zip", OUT)
-
-
-def numbered(steps: list[str]) -> str:
-    return "\n".join(f"{k}. {step}" for k, step in enumerate(steps, 1))
 
 
 if __name__ == "__main__":

@@ -27,7 +27,7 @@ DOORS = [
     ),
     (
         "Teacher",
-        "Your students see formulas and a moving engine, and nothing in between.",
+        "Students see formulas and an animation, but not how one leads to the other.",
         "lcplab lesson 1 --open",
         [
             ("learn/01_complementarity.html", "First lesson"),
@@ -37,7 +37,7 @@ DOORS = [
     ),
     (
         "Researcher",
-        "You need known solutions and hard problems to test a new solver against.",
+        "You need to test a new solver on hard problems with known solutions.",
         "lcplab hunt --plugin ./my_solver",
         [
             ("guide/plugins.html", "Plug in a solver"),
@@ -178,7 +178,7 @@ def page(maker: Maker, sections: list[Section]) -> Page:
                 parts.append(f"<h4>{html.escape(group.title)}</h4><ul>{items}</ul>")
         everything.append(f"<div>{''.join(parts)}</div>")
     body = f"""<div class="hero">
-<div class="claim"><h1>Does your contact solver tell the truth?</h1>
+<div class="claim"><h1>Is your contact solver right?</h1>
 <p class="lead">lcplab solves the contact problems of rigid-body simulation with twenty methods and checks every answer independently,
 down to proofs in exact arithmetic.</p>
 <p class="calls"><a class="call" href="guide/install.html">Install</a> <a class="call second" href="guide/overview.html">Overview</a></p></div>
