@@ -261,7 +261,7 @@ def test_without_mujoco_the_command_names_the_package_to_install(tmp_path):
     code = "import sys; sys.modules['mujoco'] = None; sys.argv = ['lcplab', 'import', 'stack.xml']; " \
            "from lcplab.__main__ import main; sys.exit(main())"
     done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True)
-    assert done.returncode == 2 and 'pip install "lcplab[mujoco]"' in done.stderr
+    assert done.returncode == 2 and 'pip install "./python[mujoco]"' in done.stderr
 
 
 def test_a_urdf_file_is_imported_and_other_files_are_reported(tmp_path):
@@ -277,7 +277,7 @@ def test_a_urdf_file_is_imported_and_other_files_are_reported(tmp_path):
     assert sorted(rod["inertia"]) == pytest.approx([0.1, 0.15, 0.2], rel=1e-9)
     assert scene["constraints"][0]["axis"] == [0, 1, 0] and scene["constraints"][1]["limits"] == [-1, 1]
     (tmp_path / "scene.sdf").write_text('<sdf version="1.6"/>')
-    for name, message in (("none.xml", "No such file"), ("scene.sdf", "MuJoCo cannot compile it")):
+    for name, message in (("none.xml", "error: none.xml: No such file or directory"), ("scene.sdf", "MuJoCo cannot compile it")):
         done = command("import", name, cwd=tmp_path)
         assert done.returncode == 2 and message in done.stderr and "Traceback" not in done.stderr
 

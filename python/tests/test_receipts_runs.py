@@ -96,6 +96,12 @@ def test_a_session_that_checked_no_step_fails(pytester):
     assert pytester.runpytest("--lcplab-baseline", "b.json", "--lcplab-update").ret == 0
 
 
+def test_a_missing_baseline_is_a_usage_error_that_says_how_to_record_it(pytester):
+    result = pytester.runpytest("--lcplab-baseline", "none.json")
+    assert result.ret == pytest.ExitCode.USAGE_ERROR
+    result.stderr.fnmatch_lines(["*none.json: no such file; record the baseline first (--lcplab-update records one)*"])
+
+
 def test_a_run_is_valid_json(tmp_path):
     broken = lcplab.EngineStep.of("mine", [[2.0]], [[1.0]], [0.0], [-3.0], [np.nan], [-2.0], compliance=0.5)
     lcplab.receipts([broken, GOOD]).save(tmp_path / "known.json")

@@ -68,7 +68,7 @@ class Cones:
         self.contacts = [(k, *t, dec(self.box.mu[t[0]])) for k, t in owners.items()]
 
     def nothing(self):
-        """x = 0, moved into the bounds of the rows that belong to no contact."""
+        """x = 0, clamped to the bounds of the rows that belong to no contact."""
         taken = {i for n, t1, t2, _ in self.contacts for i in (n, t1, t2)}
         return [Q(0) if i in taken else max(self.box.lo[i], min(self.box.hi[i], Q(0))) for i in range(self.box.n)]
 

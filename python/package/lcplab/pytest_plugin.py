@@ -2,8 +2,9 @@
 
 >>> def test_stack_is_solved(lcplab_receipts):  # doctest: +SKIP
 ...     for _ in range(1000):
+...         before = (data.qpos.copy(), data.qvel.copy())
 ...         mujoco.mj_step(model, data)
-...         lcplab_receipts(model, data, every=10)
+...         lcplab_receipts(model, data, before=before, every=10)
 
 A test fails if one of its steps is rejected and the file of ``--lcplab-baseline`` does not list it. The session fails if no
 step was checked, or a quantile of the motion error is worse than the baseline's. With ``--lcplab-update`` nothing fails, and
@@ -18,6 +19,7 @@ from typing import Any
 
 import pytest
 
+from lcplab._lcplab import InputError
 from lcplab._receipt import Adapter, Receipt, Run, State, receipt
 from lcplab._receipt.findings import STAGES
 from lcplab._receipt.runs import load
@@ -32,7 +34,10 @@ class Session:
         self.is_update = bool(config.getoption("lcplab_update"))
         self.out: str | None = config.getoption("lcplab_out")
         has_baseline = self.path is not None and not self.is_update
-        self.baseline = load(self.path) if has_baseline else None
+        try:
+            self.baseline = load(self.path) if has_baseline else None
+        except InputError as error:
+            raise pytest.UsageError(f"{error} (--lcplab-update records one)") from error
 
     def run(self) -> Run:
         """The run of all receipts."""
@@ -111,7 +116,7 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Iterator[None]:
     if recorder and new:
         worst = "\n".join(f"{name}\n{recorder.receipts[name]}" for name in new[:3])
         stages = ", ".join(stage for stage in STAGES if any(recorder.receipts[name].stage == stage for name in new))
-        count = f"{stages}: {len(new)} of {len(recorder.receipts)} steps are rejected"
+        count = f"{len(new)} of {len(recorder.receipts)} steps rejected at {stages}"
         pytest.fail(f"{count}\n{worst}", pytrace=False)
     return result
 

@@ -22,7 +22,8 @@ Examples:
   lcplab import arm.urdf --skip --out arm.toml           # leaves out what has no counterpart, and lists it
 
 The exit code is 0 if the scene was written, and 2 for invalid input, such as an element that has no counterpart in a
-scene. With --skip such elements are listed and left out. The import needs MuJoCo: pip install "lcplab[mujoco]"."""
+scene. With --skip such elements are listed and left out. The import needs MuJoCo: pip install "./python[mujoco]"
+in lcplab's repository."""
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -44,7 +45,10 @@ def main(arguments: Sequence[str]) -> int:
             options.out.write_text(text, encoding="utf-8")
         else:
             sys.stdout.write(text)
-    except (InputError, OSError) as error:
+    except OSError as error:
+        print(f"error: {error.filename}: {error.strerror}", file=sys.stderr)
+        return 2
+    except InputError as error:
         print("\n".join(f"error: {line}" for line in str(error).splitlines()), file=sys.stderr)
         return 2
     return 0
@@ -83,7 +87,7 @@ def compiled(path: Path) -> Any:
     try:
         import mujoco
     except ImportError as error:
-        raise InputError('the import needs MuJoCo: pip install "lcplab[mujoco]"') from error
+        raise InputError('the import needs MuJoCo: pip install "./python[mujoco]" in the repository of lcplab') from error
     has_packages = urdf.has_packages(path)
     try:
         if has_packages:

@@ -30,7 +30,7 @@ def problem(step: Step) -> dict[str, Any]:
     is_friction = step.friction_index >= 0
     unit = "N s" if step.level == "velocity" else "N"
     file: dict[str, Any] = {
-        "name": f"{step.name} at {step.time:.4g} s",
+        "name": f"{step.name or step.engine} at {step.time:.4g} s",
         "source": {**step._source(), "settings": {key: _plain(value) for key, value in step.settings.items()}},
         "A": {"dense": [numbers(row) for row in matrix(step)]},
         "b": numbers(step.along(step.target) + step.bias),

@@ -155,6 +155,8 @@ def load(baseline: Mapping[str, Any] | str | os.PathLike[str] | None) -> tuple[s
         return "baseline", json.dumps(baseline)
     try:
         return str(baseline), Path(baseline).read_text(encoding="utf-8")
+    except FileNotFoundError as error:
+        raise InputError(f"{baseline}: no such file; record the baseline first") from error
     except (OSError, ValueError) as error:
         raise InputError(f"{baseline}: {error}") from error
 
