@@ -110,7 +110,9 @@ fn polygon_record(name: &str, friction: &FrictionProblem, corners: usize) -> Res
         let (word, judged) = match status {
             Some(status) => {
                 let judged = judged.with_claim(&posed, status, &demand);
-                (claim(status, judged.certificate.refutation(), None).0, judged)
+                let certificate = &judged.certificate;
+                let refutation = certificate.refutation();
+                (claim(status, &certificate.verdict, refutation, None).0, judged)
             }
             None => ("failed", judged), // no solver claims it
         };

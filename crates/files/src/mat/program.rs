@@ -195,12 +195,12 @@ impl Reader<'_> {
         }
         let is_lower = matches!(name, "l" | "lb" | "b");
         let is_upper = !matches!(name, "l" | "lb");
-        let is_met = |value: &f64| {
-            !value.is_nan()
-                && !(is_lower && limit(*value) == f64::INFINITY)
-                && !(is_upper && limit(*value) == f64::NEG_INFINITY)
+        let is_impossible = |value: &f64| match limit(*value) {
+            f64::INFINITY => is_lower,
+            f64::NEG_INFINITY => is_upper,
+            value => value.is_nan(),
         };
-        if let Some(i) = limits.iter().position(|value| !is_met(value)) {
+        if let Some(i) = limits.iter().position(is_impossible) {
             let reason = format!("is {}, which no number can meet", limits[i]);
             return Err(fault(self.input, &format!("{name}[{i}]"), reason));
         }
