@@ -267,7 +267,7 @@ impl Diagnose {
         let single = question.boxed().and_then(|lcp| single_precision(lcp, &x));
         if self.json {
             let mut object = mistake::to_json(&search, single);
-            if let Some((key, value)) = MotionError::json(&question, &x) {
+            for (key, value) in MotionError::json(&question, &x) {
                 object[key] = value;
             }
             print(&format!("{object:#}\n"))?;

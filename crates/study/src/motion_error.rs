@@ -11,7 +11,7 @@
 use serde_json::{Value, json};
 
 use lcplab_judge::gap_bound::{EllipticCone, answer_bound};
-use lcplab_judge::motion_bound::{MotionBound, Unproved, motion_bound};
+use lcplab_judge::motion_bound::{MotionBound, Unproved, inconsistent_row, motion_bound};
 use lcplab_judge::{printed_up, upper_bound};
 use lcplab_page::number::readable;
 use lcplab_problem::file::number;
@@ -69,12 +69,22 @@ impl MotionError {
             Some(Ok(error)) => (upper_bound(error.bound), error.meaning()),
             Some(Err(why)) => ("–".into(), why),
         };
-        format!("  motion error     {value:>10}  {meaning}\n")
+        let mut text = format!("  motion error     {value:>10}  {meaning}\n");
+        if let Some((row, difference)) = inconsistency(question, x) {
+            text += &format!(
+                "  motion data      {:>10}  A x + b is not J u(x) + bias + γ x, relative to the terms of row {row}: \
+                 A and b were not made from these masses and rows\n",
+                readable(difference, 2)
+            );
+        }
+        text
     }
 
-    /// The key `motion_error` of an answer.
-    pub fn json(question: &Question, x: &[f64]) -> Option<(String, Value)> {
-        let value = match MotionError::of(question, x)? {
+    /// The key `motion_error` of an answer, and `motion_data` if A and b were not made from the
+    /// masses and rows; no key if the problem does not state these.
+    pub fn json(question: &Question, x: &[f64]) -> Vec<(String, Value)> {
+        let Some(found) = MotionError::of(question, x) else { return Vec::new() };
+        let error = match found {
             Ok(error) => json!({
                 "bound": number(printed_up(error.bound)),
                 "unit": error.level.map(Level::norm_unit),
@@ -86,7 +96,10 @@ impl MotionError {
             }),
             Err(why) => json!({ "unproved": why }),
         };
-        Some(("motion_error".into(), value))
+        let data = inconsistency(question, x)
+            .map(|(row, difference)| json!({ "row": row, "relative": number(difference) }));
+        let keys = [("motion_error", Some(error)), ("motion_data", data)];
+        keys.into_iter().filter_map(|(key, value)| Some((key.into(), value?))).collect()
     }
 
     /// The bound relative to the effect of the constraints.
@@ -118,6 +131,12 @@ impl MotionError {
         let entries = entries.unwrap_or_default();
         format!("bound on |u(x) − û|_M{unit}: {of_what}{frozen}{entries}")
     }
+}
+
+/// The row in which A and b are not those of the masses and rows, and by how much.
+fn inconsistency(question: &Question, x: &[f64]) -> Option<(usize, f64)> {
+    let problem = question.problem();
+    inconsistent_row(problem.motion.as_ref()?, &problem.lcp, x)
 }
 
 /// The bound for a box, with the limits of coupled rows that follow from x.

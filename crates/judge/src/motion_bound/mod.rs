@@ -51,6 +51,7 @@
 //! costs Σ x m, so the smallest possible bound is √(2 Σ x m), about 1e-8 of the size of √(x u), if
 //! the data need rounding.
 
+mod consistency;
 pub(crate) mod mass;
 mod repair;
 mod scaled;
@@ -58,6 +59,7 @@ mod scaled;
 use std::fmt;
 
 use super::interval::{Interval, add_up, mul_up, sqrt_up};
+pub use consistency::inconsistent_row;
 use lcplab_problem::Gauss;
 use repair::Repair;
 use scaled::Scaled;

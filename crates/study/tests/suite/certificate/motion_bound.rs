@@ -1,8 +1,8 @@
-use lcplab_judge::motion_bound::{Unproved, motion_bound};
+use lcplab_judge::motion_bound::{Unproved, inconsistent_row, motion_bound};
 use lcplab_mechanics::assembly::{Assembly, ConstraintFilter};
 use lcplab_mechanics::formulation::Problem;
 use lcplab_mechanics::scene::{Scene, step_contacts};
-use lcplab_problem::Gauss;
+use lcplab_problem::{Gauss, Lcp, Matrix};
 use lcplab_solver::{Options, Start, by_name};
 use proptest::prelude::*;
 
@@ -40,6 +40,31 @@ fn distance(gauss: &Gauss, x: &[f64], u: &[f64]) -> f64 {
     let motion = motion(gauss, x);
     let square = |&(j, _, m): &(usize, usize, f64)| m * (motion[j] - u[j]).powi(2);
     gauss.mass.iter().map(square).sum::<f64>().sqrt()
+}
+
+#[test]
+fn a_and_b_of_other_bodies_are_told_from_those_of_the_masses_and_rows() {
+    let gauss = table(2);
+    let entry = |i: usize, j: usize| {
+        let products =
+            |&(k, _, m): &(usize, usize, f64)| gauss.jacobian[i][k].1 * gauss.jacobian[j][k].1 / m;
+        gauss.mass.iter().map(products).sum::<f64>()
+    };
+    let lcp = |mobility: f64, speed: f64| {
+        let a: Vec<f64> = (0..16).map(|k| mobility * entry(k / 4, k % 4)).collect();
+        let b = vec![-speed; 4];
+        Lcp::new(Matrix::dense(4, &a), b, vec![0.0; 4], vec![INF; 4]).unwrap()
+    };
+    for x in [[0.0; 4], [0.75; 4], [3.0, 0.0, -7.0, 1e6]] {
+        assert_eq!(inconsistent_row(&gauss, &lcp(1.0, 1.0), &x), None, "{x:?}");
+        assert_eq!(inconsistent_row(&gauss, &lcp(1.0 + 1e-7, 1.0), &x), None, "{x:?}");
+    }
+    // At rest, A x + b = 0 with b = −1; b = −2 differs by 1 from terms of 1 + 2.
+    let (_, difference) = inconsistent_row(&gauss, &lcp(1.0, 2.0), &[0.75; 4]).unwrap();
+    assert!((difference - 1.0 / 3.0).abs() < 1e-12, "{difference}");
+    // A of half the mass: A x = 2, so by 1 from terms of 2 + 1.
+    let (_, difference) = inconsistent_row(&gauss, &lcp(2.0, 1.0), &[0.75; 4]).unwrap();
+    assert!((difference - 1.0 / 3.0).abs() < 1e-12, "{difference}");
 }
 
 #[test]

@@ -1,0 +1,31 @@
+//! Whether the A and b of a file are those of its bodies.
+//!
+//! The motion error is about M, J, bias, γ and u*. If A and b were made from other numbers, an
+//! exact solution of the file has a motion error, too, for which no solver is to blame.
+
+use super::mass::Mass;
+use lcplab_problem::{Gauss, Lcp};
+
+/// Smaller differences, relative to the terms of a row, may be rounding, also in 32 bits.
+const NOTABLE: f64 = 1e-4;
+
+/// The row in which A x + b differs most from J u(x) + bias + γ x, where u(x) = u* + M⁻¹Jᵀx, and
+/// the difference relative to the terms of the row; `None` if it may be rounding.
+pub fn inconsistent_row(gauss: &Gauss, lcp: &Lcp, x: &[f64]) -> Option<(usize, f64)> {
+    let mass = Mass::new(&gauss.mass, gauss.target.len()).ok()?;
+    let mut force = vec![0.0; gauss.target.len()];
+    for (row, x) in gauss.jacobian.iter().zip(x) {
+        row.iter().for_each(|&(j, value)| force[j] += mass.scales[j] * value * x);
+    }
+    let change = mass.solve(&force);
+    let motion = |j: usize| gauss.target[j] + mass.scales[j] * change[j];
+    let difference = |i: usize| {
+        let own = gauss.jacobian[i].iter().map(|&(j, value)| value * motion(j));
+        let own = own.chain([gauss.bias[i], gauss.compliance[i] * x[i]]);
+        let (w, terms) = own.fold((0.0, 0.0), |(sum, size), term| (sum + term, size + term.abs()));
+        let given = lcp.matrix().row(i).iter().map(|(j, a)| (a * x[j]).abs()).sum::<f64>();
+        (i, f64::abs(lcp.row_w(i, x) - w) / f64::max(terms, given + lcp.b()[i].abs()))
+    };
+    let worst = (0..x.len()).map(difference).filter(|(_, difference)| difference.is_finite());
+    worst.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, difference)| *difference > NOTABLE)
+}
