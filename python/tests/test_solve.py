@@ -95,6 +95,23 @@ def test_imaginary_parts_are_refused_and_not_dropped(name):
         lcplab.Problem(**given)
 
 
+def test_masked_entries_are_refused_and_not_used():
+    masked = np.ma.masked_array(np.asarray(A, dtype=float), mask=[[0, 1], [0, 0]])
+    with pytest.raises(lcplab.InputError, match="A: has masked entries"):
+        lcplab.solve(masked, B)
+    assert lcplab.solve(np.ma.masked_array(A), B)
+
+
+def test_a_relaxation_factor_that_no_solver_uses_is_refused():
+    for solver in (None, "pgs", lambda A, b, lo, hi, **_: b):
+        with pytest.raises(lcplab.InputError, match="omega: is used by no chosen solver"):
+            lcplab.solve(A, B, solver=solver, omega=1.2)
+    with pytest.raises(lcplab.InputError, match="omega: is used by no chosen solver"):
+        lcplab.compare({"one": (A, B)}, ["pgs", "dantzig"], omega=1.2)
+    assert lcplab.solve(A, B, solver="sor", omega=1.2)
+    assert lcplab.compare({"one": (A, B)}, ["pgs", "ssor"], omega=1.2)
+
+
 def test_an_x_and_a_sparse_matrix_with_imaginary_parts_are_refused():
     from scipy import sparse
 

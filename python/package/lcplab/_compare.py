@@ -126,6 +126,6 @@ def compare(
     """
     given = [(name, [problem._inner]) for name, problem in named(problems)]
     chosen = [] if solvers is None else list(solvers)
-    options = settings(tolerance, max_iterations, omega)
+    options = settings(tolerance, max_iterations, omega, chosen)
     rows, text = _lcplab.compare(given, chosen, list(models), options)
     return Comparison(json.loads(rows), text)

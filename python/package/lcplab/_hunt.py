@@ -134,7 +134,7 @@ def hunt(
         friction="only" if friction else "any",
         model=model,
         start=start,
-        settings=settings(tolerance, max_iterations, None),
+        settings=settings(tolerance, max_iterations),
     )
     for note in reported["notes"] + ([reported["useless"]] if reported["useless"] else []):
         warnings.warn(note, stacklevel=2)

@@ -230,7 +230,9 @@ def vector(values: ArrayLike, name: str) -> Array:
 
 
 def _real(values: ArrayLike, name: str) -> Array:
-    # NumPy would drop imaginary parts with a warning.
+    # NumPy would drop masks, and imaginary parts with a warning.
+    if np.ma.is_masked(values):
+        raise _lcplab.InputError(f"problem: {name}: has masked entries")
     array = np.asarray(values)
     if np.iscomplexobj(array):
         raise _lcplab.InputError(f"problem: {name}: is complex, must be real; its real part is {name}.real")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, Union
 
 import numpy as np
@@ -152,7 +152,7 @@ def solve(
     (True, 'solved', [0.5, 0.0])
     """
     problem = problem_of(A, b, lo, hi, friction_index, mu)
-    given = settings(tolerance, max_iterations, omega)
+    given = settings(tolerance, max_iterations, omega, [solver])
     return Result(_lcplab.solve(problem._inner, solver, given, model, prove, trace))
 
 
@@ -230,7 +230,7 @@ def explain(
     True
     """
     problem = problem_of(A, b, lo, hi, friction_index, mu)
-    return Document(*_lcplab.explain(problem._inner, solver, settings(1e-8, 10_000, omega), model))
+    return Document(*_lcplab.explain(problem._inner, solver, settings(1e-8, 10_000, omega, [solver]), model))
 
 
 def solvers() -> list[str]:
@@ -244,5 +244,10 @@ def solvers() -> list[str]:
     return [name for name, _, _ in _lcplab.solvers()]
 
 
-def settings(tolerance: float, max_iterations: int, omega: float | None) -> dict[str, Any]:
+def settings(
+    tolerance: float, max_iterations: int, omega: float | None = None, solvers: Iterable[Any] = ()
+) -> dict[str, Any]:
+    """The settings of a solver; `omega` must be used by one of these solvers."""
+    if omega is not None and not any(solver in ("sor", "ssor") for solver in solvers):
+        raise _lcplab.InputError("options: omega: is used by no chosen solver; sor and ssor use it")
     return {"tolerance": tolerance, "max_iterations": max_iterations, "omega": omega}

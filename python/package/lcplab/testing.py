@@ -100,7 +100,7 @@ def assert_no_false_claims(
             within="definite",
             friction=kind,
             model=model,
-            settings=settings(tolerance, max_iterations, None),
+            settings=settings(tolerance, max_iterations),
         )
         if "problem" in reported:
             raise AssertionError(str(Finding(reported)))
