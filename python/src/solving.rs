@@ -211,6 +211,7 @@ pub fn judge(
         let reason = format!("has {} entries, the problem has {} rows", x.len(), lcp.len());
         return Err(refused(Error::invalid("answer", "x", reason)));
     }
+    Settings { tolerance, ..Settings::default() }.validate().map_err(refused)?;
     let demand = Demand { tolerance, prove_up_to: Demand::EXACT_ROWS };
     let question = question(problem, model, None)?;
     let (verdict, object) = match question.model() {

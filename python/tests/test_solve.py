@@ -102,6 +102,18 @@ def test_masked_entries_are_refused_and_not_used():
     assert lcplab.solve(np.ma.masked_array(A), B)
 
 
+def test_a_tolerance_or_limit_that_is_no_such_number_is_refused():
+    for tolerance in (np.inf, np.nan, -1.0):
+        for call in (
+            lambda: lcplab.judge(A, B, [5.0, 5.0], tolerance=tolerance),
+            lambda: lcplab.solve(A, B, tolerance=tolerance),
+        ):
+            with pytest.raises(lcplab.InputError, match="tolerance: must be at least 0"):
+                call()
+    with pytest.raises(lcplab.InputError, match="max_iterations: must be at least 0, is -1"):
+        lcplab.solve(A, B, max_iterations=-1)
+
+
 def test_a_relaxation_factor_that_no_solver_uses_is_refused():
     for solver in (None, "pgs", lambda A, b, lo, hi, **_: b):
         with pytest.raises(lcplab.InputError, match="omega: is used by no chosen solver"):

@@ -250,4 +250,6 @@ def settings(
     """The settings of a solver; `omega` must be used by one of these solvers."""
     if omega is not None and not any(solver in ("sor", "ssor") for solver in solvers):
         raise _lcplab.InputError("options: omega: is used by no chosen solver; sor and ssor use it")
+    if max_iterations < 0:
+        raise _lcplab.InputError(f"options: max_iterations: must be at least 0, is {max_iterations}")
     return {"tolerance": tolerance, "max_iterations": max_iterations, "omega": omega}
