@@ -8,6 +8,8 @@ use lcplab_problem::{Gauss, Lcp};
 
 /// Smaller differences, relative to the terms of a row, may be rounding, also in 32 bits.
 const NOTABLE: f64 = 1e-4;
+/// Smaller terms of a row, relative to those of the largest row, are rounding.
+const DUST: f64 = 1e-9;
 
 /// The row in which A x + b differs most from J u(x) + bias + γ x, where u(x) = u* + M⁻¹Jᵀx, and
 /// the difference relative to the terms of the row; `None` if it may be rounding.
@@ -24,8 +26,10 @@ pub fn inconsistent_row(gauss: &Gauss, lcp: &Lcp, x: &[f64]) -> Option<(usize, f
         let own = own.chain([gauss.bias[i], gauss.compliance[i] * x[i]]);
         let (w, terms) = own.fold((0.0, 0.0), |(sum, size), term| (sum + term, size + term.abs()));
         let given = lcp.matrix().row(i).iter().map(|(j, a)| (a * x[j]).abs()).sum::<f64>();
-        (i, f64::abs(lcp.row_w(i, x) - w) / f64::max(terms, given + lcp.b()[i].abs()))
+        (f64::abs(lcp.row_w(i, x) - w), terms + given + lcp.b()[i].abs())
     };
-    let worst = (0..x.len()).map(difference).filter(|(_, difference)| difference.is_finite());
-    worst.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, difference)| *difference > NOTABLE)
+    let rows: Vec<(f64, f64)> = (0..x.len()).map(difference).collect();
+    let least = DUST * rows.iter().map(|row| row.1).fold(0.0, f64::max);
+    let relative = rows.iter().map(|(difference, terms)| difference / terms.max(least)).enumerate();
+    relative.filter(|(_, part)| *part > NOTABLE).max_by(|a, b| a.1.total_cmp(&b.1))
 }

@@ -85,6 +85,17 @@ impl Pieces {
         subsets(&bound, open).into_iter().filter_map(corner).collect()
     }
 
+    /// Whether no piece has singular equations, as far as modular arithmetic shows: a regular
+    /// matrix may count as singular, but a singular one never as regular.
+    pub(super) fn are_regular(&self) -> bool {
+        let is_regular = |k: usize| {
+            let sides = self.piece(k);
+            let free: Vec<usize> = (0..sides.len()).filter(|&i| sides[i] == Side::Free).collect();
+            self.exact.independent(&sides, &free, &free).0.len() == free.len()
+        };
+        (0..self.count).all(is_regular)
+    }
+
     /// The equations w = 0 of these rows.
     fn system(&self, rows: &[usize], places: &[Place], m: usize) -> System {
         let equation = |&i: &usize| integers(&self.exact.equation(i, places, m));
@@ -97,13 +108,19 @@ impl Pieces {
         let is_free = |&i: &usize| matches!(exact.bounds[i], Bounds::Box(None, None));
         let free: Vec<usize> = (0..exact.len()).filter(is_free).collect();
         let sides = vec![Side::Free; exact.len()];
+        let moving: Vec<usize> =
+            (0..exact.len()).filter(|&i| self.exact.sides(i) != [Side::Lower]).collect();
+        // A rank in modular arithmetic is fast, and never above the true one.
+        if exact.independent(&sides, &moving, &free).1.len() == free.len() {
+            return Vec::new();
+        }
         let (mut kept, mut dependent) = (Vec::new(), Vec::new());
         for i in free {
             kept.push(i);
             let places = exact.places(&sides, &kept, &|_| Dyadic::ZERO);
-            let asked = (0..exact.len()).filter(|&i| self.exact.sides(i) != [Side::Lower]);
-            let equation = |i| integers(&exact.equation(i, &places, kept.len()));
-            if let System::Many { .. } = echelon::solve(asked.map(equation).collect(), kept.len()) {
+            let equation = |&i: &usize| integers(&exact.equation(i, &places, kept.len()));
+            let equations = moving.iter().map(equation).collect();
+            if let System::Many { .. } = echelon::solve(equations, kept.len()) {
                 dependent.extend(kept.pop());
             }
         }

@@ -103,7 +103,11 @@ fn rays(lcp: &Lcp) -> Option<(Exact, Vec<Point>)> {
             None => Some(plain),
         }
     };
-    let cone = Exact::new(&bounded(lo.clone(), hi.clone())?);
+    let directions = bounded(lo.clone(), hi.clone())?;
+    let cone = Exact::new(&directions);
+    if Pieces::of(&directions)?.are_regular() {
+        return Some((cone, Vec::new())); // 0 is the only solution
+    }
     let (mut all, mut known): (Vec<Point>, Vec<Vec<RBig>>) = Default::default();
     for i in (0..lcp.len()).filter(|&i| !lcp.is_coupled(i)) {
         for side in [1.0, -1.0].into_iter().filter(|side| lo[i] <= *side && *side <= hi[i]) {

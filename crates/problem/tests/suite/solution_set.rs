@@ -102,3 +102,20 @@ fn every_point_of_a_face_is_a_solution() {
     }
     assert!(faces > 500 && with_rays > 50, "{faces}, {with_rays}");
 }
+
+/// tridiag(−1, 2, −1) with 100 rows without bounds: x_i = i (101 − i) / 2 for b = −1. With exact
+/// elimination for each of its rows in turn this would take minutes.
+#[test]
+fn a_hundred_regular_equations_have_one_solution() {
+    let n = 100;
+    let entry = |k: usize| match (k / n).abs_diff(k % n) {
+        0 => 2.0,
+        1 => -1.0,
+        _ => 0.0,
+    };
+    let a: Vec<f64> = (0..n * n).map(entry).collect();
+    let found = set(&a, &vec![-1.0; n], -INF, INF);
+    assert!(found.is_unique());
+    let expected: Vec<RBig> = (1..=n).map(|i| RBig::from((i * (n + 1 - i) / 2) as u64)).collect();
+    assert_eq!(found.corners, [expected]);
+}

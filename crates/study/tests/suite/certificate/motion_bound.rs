@@ -42,29 +42,44 @@ fn distance(gauss: &Gauss, x: &[f64], u: &[f64]) -> f64 {
     gauss.mass.iter().map(square).sum::<f64>().sqrt()
 }
 
-#[test]
-fn a_and_b_of_other_bodies_are_told_from_those_of_the_masses_and_rows() {
-    let gauss = table(2);
+/// A of a motion with dense rows and a diagonal M, times a factor, with this b.
+fn assembled(gauss: &Gauss, factor: f64, b: Vec<f64>) -> Lcp {
+    let n = b.len();
     let entry = |i: usize, j: usize| {
         let products =
             |&(k, _, m): &(usize, usize, f64)| gauss.jacobian[i][k].1 * gauss.jacobian[j][k].1 / m;
-        gauss.mass.iter().map(products).sum::<f64>()
+        factor * gauss.mass.iter().map(products).sum::<f64>()
     };
-    let lcp = |mobility: f64, speed: f64| {
-        let a: Vec<f64> = (0..16).map(|k| mobility * entry(k / 4, k % 4)).collect();
-        let b = vec![-speed; 4];
-        Lcp::new(Matrix::dense(4, &a), b, vec![0.0; 4], vec![INF; 4]).unwrap()
+    let a: Vec<f64> = (0..n * n).map(|k| entry(k / n, k % n)).collect();
+    Lcp::new(Matrix::dense(n, &a), b, vec![0.0; n], vec![INF; n]).unwrap()
+}
+
+#[test]
+fn a_and_b_of_other_bodies_are_told_from_those_of_the_masses_and_rows() {
+    let gauss = table(2);
+    let row = |factor: f64, speed: f64, x: &[f64]| {
+        inconsistent_row(&gauss, &assembled(&gauss, factor, vec![-speed; 4]), x)
     };
     for x in [[0.0; 4], [0.75; 4], [3.0, 0.0, -7.0, 1e6]] {
-        assert_eq!(inconsistent_row(&gauss, &lcp(1.0, 1.0), &x), None, "{x:?}");
-        assert_eq!(inconsistent_row(&gauss, &lcp(1.0 + 1e-7, 1.0), &x), None, "{x:?}");
+        assert_eq!(row(1.0, 1.0, &x), None, "{x:?}");
+        assert_eq!(row(1.0 + 1e-7, 1.0, &x), None, "{x:?}");
     }
-    // At rest, A x + b = 0 with b = −1; b = −2 differs by 1 from terms of 1 + 2.
-    let (_, difference) = inconsistent_row(&gauss, &lcp(1.0, 2.0), &[0.75; 4]).unwrap();
+    // At rest A x = 1 and J u = 0. b = −2 instead of −1 differs by 1, from terms of 1 + 2.
+    let (_, difference) = row(1.0, 2.0, &[0.75; 4]).unwrap();
     assert!((difference - 1.0 / 3.0).abs() < 1e-12, "{difference}");
     // A of half the mass: A x = 2, so by 1 from terms of 2 + 1.
-    let (_, difference) = inconsistent_row(&gauss, &lcp(2.0, 1.0), &[0.75; 4]).unwrap();
+    let (_, difference) = row(2.0, 1.0, &[0.75; 4]).unwrap();
     assert!((difference - 1.0 / 3.0).abs() < 1e-12, "{difference}");
+}
+
+#[test]
+fn rounding_errors_of_a_row_without_load_are_no_inconsistency() {
+    let mut gauss = table(2);
+    gauss.jacobian.push(vec![(0, 0.0), (1, 1.0), (2, 0.0)]);
+    (gauss.bias, gauss.compliance) = (vec![0.0; 5], vec![0.0; 5]);
+    (gauss.lo, gauss.hi) = (vec![0.0; 5], vec![INF; 5]);
+    let lcp = assembled(&gauss, 1.0, vec![-1.0, -1.0, -1.0, -1.0, 1e-18]);
+    assert_eq!(inconsistent_row(&gauss, &lcp, &[0.75, 0.75, 0.75, 0.75, 0.0]), None);
 }
 
 #[test]
