@@ -239,6 +239,7 @@ fn left_behind(problem: &Problem, format: &Format) -> Option<String> {
     left.retain(|key| !is_kept(key));
     left.extend((problem.lcp.scale() > 0.0).then_some("scale"));
     left.extend(problem.frozen_at.as_ref().map(|_| "frozen_at"));
+    left.extend(problem.motion.as_ref().map(|_| "motion"));
     (!left.is_empty()).then(|| format!("left behind: {}", left.join(", ")))
 }
 

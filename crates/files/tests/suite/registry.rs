@@ -89,3 +89,29 @@ fn json_keeps_everything() {
     assert_same(&problem.lcp, &back.lcp);
     assert_eq!(back.name, "pair");
 }
+
+#[test]
+fn each_key_that_a_format_cannot_store_is_named() {
+    let text = r#"{"A": {"dense": [[2]]}, "b": [-1], "scale": 0.5, "source": "s", "dt": 0.1, "rows": [{"label": "r"}],
+        "bodies": [], "gravity": [0, 0, -9.81], "objective": true, "expected": {}, "hunt": {}, "answer": [0.5],
+        "motion": {"mass": [[0, 0, 1]], "jacobian": [[0, 0, 1]], "bias": [0], "compliance": [1], "target": [-1]}}"#;
+    let problem = Problem::parse(text, "p.json").unwrap();
+    assert!(problem.warnings.is_empty());
+    let mut written = 0;
+    for format in ALL.iter().filter(|format| format.name != "json") {
+        // Some formats have no place for such a problem, or are import only.
+        let Ok(output) = exchange::encode(&problem, format) else { continue };
+        written += 1;
+        let notes = output.notes.join("\n");
+        for key in [
+            "scale", "motion", "source", "dt", "rows", "bodies", "gravity", "expected", "hunt",
+            "answer",
+        ] {
+            let is_named = notes.split([' ', ',', '\n']).any(|word| word == key);
+            assert!(is_named, "{}: {key}: {notes}", format.name);
+        }
+        let names_objective = notes.contains("objective");
+        assert_eq!(names_objective, format.name != "qps", "{}: {notes}", format.name);
+    }
+    assert!(written >= 4, "{written}");
+}
