@@ -10,7 +10,7 @@ use lcplab_study::diagnosis::unsupported::{
     UserSolver, examine, examine_scene, examine_sequence,
 };
 use lcplab_study::methods::entry;
-use lcplab_testing::INF;
+use lcplab_testing::{INF, contacts};
 
 fn user_solver(solver: &str, sweeps: usize) -> UserSolver {
     let settings = Settings { max_iterations: sweeps, ..Settings::default() };
@@ -493,4 +493,11 @@ fn a_sequence_starts_each_step_from_the_last_answer() {
     // The same problem repeated: 5 times 10 sweeps are 50.
     let whole = examine_sequence(&frames[..1], &user_solver("pgs", 50)).notes[0].missing.unwrap();
     assert!((missing[4] - whole).abs() < 1e-12 && missing[4] < missing[0] / 5.0, "{missing:?}");
+}
+
+#[test]
+fn a_problem_without_rows_has_no_cause_of_errors() {
+    let problem = Problem::new("empty", contacts(&[], &[]));
+    let found = examine_sequence(&[problem], &user_solver("pgs", 3));
+    assert!(found.causes().is_empty(), "{:?}", found.causes());
 }

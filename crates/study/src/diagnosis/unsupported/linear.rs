@@ -139,9 +139,8 @@ impl<'a> Linear<'a> {
     }
 
     fn sweep(&self, x: &mut [f64], SweepParameters { omega, is_reversed }: SweepParameters) {
-        let last = x.len() - 1;
         for k in 0..x.len() {
-            let i = if is_reversed { last - k } else { k };
+            let i = if is_reversed { x.len() - 1 - k } else { k };
             match self.roles[i] {
                 Role::Free => x[i] -= omega * self.lcp.row_w(i, x) / self.lcp.matrix().diagonal(i),
                 Role::Follows { normal, factor } => x[i] = factor * x[normal],
