@@ -8,8 +8,10 @@ import subprocess
 import sys
 import tomllib
 from pathlib import Path
+from typing import Any
 
 import home
+import later
 import problem_set
 import prose
 from frame import SEARCH_POLICY, Frame, index
@@ -67,7 +69,10 @@ def main() -> None:
     frame = Frame(sections, version(), commit())
     for section in sections:
         for page in section.pages:
-            text = frame.barred(page, section) if page.whole else frame.document(page, page.body, section)
+            if page.whole:
+                text = later.split(frame.barred(page, section), page.address, out)
+            else:
+                text = frame.document(page, page.body, section)
             if page.address != RUST:
                 write(out, page.address, text)
         first = Page(section.address, section.title, section.lead)
@@ -84,7 +89,7 @@ def main() -> None:
     )
     for missing in sources.shown:
         write(out, missing.address, frame.document(missing, missing.body))
-    for name in ("site.js", "home.js", "search.js"):
+    for name in ("site.js", "home.js", "later.js", "search.js"):
         shutil.copy(HERE / name, out / name)
     shutil.copy(ROOT / "crates/page/src/assets" / FONT, out / FONT)
     (out / "site.css").write_text(style(), encoding="utf-8")
@@ -96,7 +101,7 @@ def main() -> None:
             "--site",
             str(out),
             "--exclude-selectors",
-            "svg,.pager,.anchor",
+            "svg,.pager,.anchor,section pre",  # code of lessons has names that are words elsewhere
             "--quiet",
         ],
         check=True,
@@ -145,9 +150,12 @@ def add_unlisted(sections: list[Section]) -> None:
             sections[-1].groups[-1].pages.append(of_file(sections[-1], {"page": source, "about": ""}))
 
 
-def of_file(section: Section, entry: dict[str, str]) -> Page:
+def of_file(section: Section, entry: dict[str, Any]) -> Page:
     name = entry.get("name") or Path(entry["page"]).stem
-    return Page(f"{section.name}/{name}.html", name, entry["about"], entry.get("short", ""), entry["page"])
+    weight = float(entry.get("weight", 1))
+    return Page(
+        f"{section.name}/{name}.html", name, entry["about"], entry.get("short", ""), entry["page"], weight=weight
+    )
 
 
 def fill(page: Page, sources: "Sources") -> None:
@@ -208,7 +216,7 @@ class Sources:
         code = prose.colored(text, LANGUAGES.get(language, language or "text"))
         body = f"<h1><code>{path}</code></h1>\n<p>From the repository of lcplab.</p>\n"
         body += f'<pre tabindex="0"><code>{code}</code></pre>'
-        page = Page(f"files/{path}.html", path, f"The file {path} of the repository.", body=body, weight=0.2)
+        page = Page(f"files/{path}.html", path, f"The file {path} of the repository.", body=body, weight=0)
         self.shown.append(page)
         return self.known(path, page.address)
 

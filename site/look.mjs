@@ -22,6 +22,7 @@ async function opened(address, width, settings, inspect) {
   page.on("pageerror", (error) => say(error.message));
   page.on("request", (request) => /^https?:/.test(request.url()) && !request.url().startsWith(base) && say(`asks for ${request.url()}`));
   await page.goto(base + address, { waitUntil: "load" });
+  await page.waitForFunction(() => [...document.querySelectorAll("[data-later]")].every((place) => place.innerHTML));
   await inspect(page, say);
   await context.close();
 }

@@ -5,7 +5,9 @@ const find = (name) => document.querySelector(name);
 // The module, unpacked; then ask(question) answers at once.
 const opened = (async () => {
   const text = atob(find("#module").textContent.trim());
-  const packed = Uint8Array.from(text, (c) => c.charCodeAt(0));
+  // Uint8Array.from takes twenty times as long.
+  const packed = new Uint8Array(text.length);
+  for (let k = 0; k < text.length; k++) packed[k] = text.charCodeAt(k);
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
   const bytes = await new Response(stream).arrayBuffer();
   const { instance } = await WebAssembly.instantiate(bytes);

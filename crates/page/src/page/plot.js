@@ -170,12 +170,14 @@
     svg.setAttribute("aria-describedby", words_of.id);
     title.remove();
   };
-  // Of a wide and a narrow picture one is on the page; the other is prepared when it is shown.
-  const waiting = new Set([...document.querySelectorAll("figure.plot svg")].filter((svg) => svg.querySelector("[data-points]")));
+  // Of a wide and a narrow picture one is on the page; the other is prepared when it is shown. A
+  // picture that is put into the page later is prepared at the next resize event.
+  const prepared = new WeakSet();
   const prepare = () => {
-    for (const svg of waiting) {
+    for (const svg of document.querySelectorAll("figure.plot svg")) {
+      if (prepared.has(svg) || !svg.querySelector("[data-points]")) continue;
       if (getComputedStyle(svg.parentElement).display === "none") continue;
-      waiting.delete(svg);
+      prepared.add(svg);
       enliven(svg);
     }
   };
