@@ -39,15 +39,15 @@ class Frame:
         script: str = "",
         found: bool = True,
     ) -> str:
-        """A whole page with `main` in it; the search knows it if `found`."""
+        """A whole page with `main` in it; the search knows it if `found` and its weight is above 0."""
 
         def to(address: str) -> str:
             return relative(address, page.address)
 
         title = page.title if page.title == "lcplab" else f"{page.title} · lcplab"
         scripts = f'<script type="module" src="{to(script)}"></script>\n' if script else ""
-        indexed = f" {self.indexed(page)}" if found else ""
-        meta = f'<span data-pagefind-meta="section:{section.title}" hidden></span>' if section else ""
+        indexed = f" {self.indexed(page)}" if found and page.weight else ""
+        meta = self.described(page, section) if section else ""
         side = self.side(page, section) if section else ""
         return f"""<!DOCTYPE html>
 <html lang="en">
@@ -77,6 +77,17 @@ class Frame:
     def indexed(page: Page) -> str:
         """What tells the search to read an element, and how much its words count."""
         return "data-pagefind-body" + (f' data-pagefind-weight="{page.weight:g}"' if page.weight != 1 else "")
+
+    @staticmethod
+    def described(page: Page, section: Section) -> str:
+        """What the search shows of a page besides its words, and also looks into."""
+        facts = {"section": section.title, "about": page.about.replace("`", "")}
+        if page.title == "lcplab":
+            facts["title"] = page.label
+        return "".join(
+            f'<span data-pagefind-meta="{name}[title]" title="{html.escape(text)}" hidden></span>'
+            for name, text in facts.items()
+        )
 
     def header(self, page: Page, section: Section | None) -> str:
         links = []
@@ -156,8 +167,12 @@ class Frame:
             bar = skip + bar
             text = text.replace(skip, "", 1)
         text = re.sub(r"<body[^>]*>\n?", lambda body: body[0] + bar, text, count=1)
-        marks = f'{self.indexed(page)} data-pagefind-meta="section:{section.title}"'
-        text = text.replace('<main id="content"', f'<main {marks} id="content"', 1)
+        text = re.sub(
+            '<main id="content"([^>]*)>',
+            lambda main: f'<main {self.indexed(page)} id="content"{main[1]}>{self.described(page, section)}',
+            text,
+            count=1,
+        )
         return text.replace("</main>", f"{self.pager(page, section)}</main>", 1)
 
 

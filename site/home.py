@@ -103,9 +103,9 @@ def picture(maker: Maker) -> str:
 <figcaption><b>Four boxes of 1, 10, 100 and 1000 kg, one second after they were stacked.</b>
 Left, projected Gauss-Seidel with a fixed number of sweeps per step; right, Dantzig's pivoting method.</figcaption>
 <div class="scenes">
-<div><svg id="left" viewBox="-1.6 -4.35 3.2 4.65" role="img" aria-label="The stack stepped by projected Gauss-Seidel">{still(first["poses"][-1])}</svg>
+<div><svg id="left" viewBox="-1.6 -4.35 3.2 4.8" role="img" aria-label="The stack stepped by projected Gauss-Seidel">{still(first["poses"][-1])}</svg>
 <p id="said" aria-live="polite">{said(first)}</p></div>
-<div><svg id="right" viewBox="-1.6 -4.35 3.2 4.65" role="img" aria-label="The stack stepped by Dantzig's method">{still(exact[-1])}</svg>
+<div><svg id="right" viewBox="-1.6 -4.35 3.2 4.8" role="img" aria-label="The stack stepped by Dantzig's method">{still(exact[-1])}</svg>
 <p>{said(runs[-1])}</p></div>
 </div>
 <fieldset hidden><legend>Sweeps per step</legend>{choices}<button type="button" id="play">Play</button></fieldset>
@@ -188,9 +188,11 @@ down to proofs in exact arithmetic.</p>
 <div class="doors">
 {chr(10).join(doors)}
 </div>
+<section class="map">
 <h2>Everything on this site</h2>
 <div class="everything">
 {chr(10).join(everything)}
-</div>"""
+</div>
+</section>"""
     about = "Solve the contact problems of rigid-body simulation and check every answer independently."
     return Page("index.html", "lcplab", about, body=body)

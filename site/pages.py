@@ -6,7 +6,8 @@ from pathlib import Path
 
 @dataclass
 class Page:
-    """A page: `body` is what stands in its <main>, `whole` a document that lcplab wrote."""
+    """A page: `body` is what stands in its <main>, `whole` a document that lcplab wrote; `weight` is what its words count
+    in the search, which does not know pages of weight 0."""
 
     address: str
     title: str

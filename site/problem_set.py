@@ -158,7 +158,7 @@ def card(row: dict[str, str], proof: dict | None) -> Page:
     if proof:
         check += f"\nlcplab check {row['file']} proof.json\npython3 proofs/lcpcheck.py {row['file']} proof.json   # an independent checker"
     body = f"""<p class="trail"><a href="../set.html">Problem set</a></p>
-<h1 data-pagefind-weight="0.2">{name}</h1>
+<h1>{name}</h1>
 <dl class="facts">
 {lines}
 </dl>
@@ -169,6 +169,6 @@ def card(row: dict[str, str], proof: dict | None) -> Page:
         row["name"],
         f"Problem {row['file'][:3]} of the set: {row['source']}",
         body=body,
-        weight=0.2,
+        weight=0,  # the table names it
         listed=False,
     )
