@@ -7,8 +7,8 @@ use crate::error::{Error, Result};
 use crate::live::linked;
 use crate::report::page::{Block, Fold, Page, Section};
 
-/// The section that only readers of the chapter need.
-const ASIDE: &str = "For readers of the chapter";
+/// The beginnings of the titles of sections that a lesson does not need: they are collapsed.
+const ASIDES: [&str; 2] = ["Going further", "For readers of the chapter"];
 
 impl Program {
     /// The page with prose, cells and their output; it loads nothing else.
@@ -45,7 +45,7 @@ impl Program {
             }
         }
         for section in &mut page.sections {
-            if section.title == ASIDE {
+            if ASIDES.iter().any(|aside| section.title.starts_with(aside)) {
                 section.fold = Fold::After(0);
             }
         }

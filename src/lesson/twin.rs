@@ -12,7 +12,8 @@ pub(super) fn shown(python: &str) -> String {
         let import = line.strip_prefix("from engine import ")?;
         program(import.strip_suffix("  # as follows")?)
     };
-    python.lines().map(|own| line(own).unwrap_or_else(|| format!("{own}\n"))).collect()
+    let lines = python.lines().map(|own| line(own).unwrap_or_else(|| format!("{own}\n")));
+    lines.collect::<String>().trim_start_matches('\n').to_string()
 }
 
 /// A function or a class of the engine.

@@ -32,19 +32,21 @@ fn one_switch_turns_all_programs_of_a_page_to_rust() {
         find('[data-language=rust]').click();
         return [before, [shows('rust'), shows('python')], all('.switch [aria-pressed=true]').map((node) => node.textContent)];";
     let found = lesson("2", "02_jacobians.html").seen(1280, script);
-    let (yes, no) = (json!([true, true, true, true]), json!([false, false, false, false]));
+    let (yes, no) = (json!([true, true, true]), json!([false, false, false]));
     assert_eq!(found[0], json!([no, yes]));
     assert_eq!(found[1], json!([yes, no]));
-    assert_eq!(found[2], json!(["Rust", "Rust", "Rust", "Rust"]));
+    assert_eq!(found[2], json!(["Rust", "Rust", "Rust"]));
 }
 
 #[test]
-fn answers_and_what_only_readers_of_the_chapter_want_are_folded() {
-    let script = "const part = find('details.part');
-        return [part.open, part.closest('section').querySelector('h2').textContent.includes('For readers of the chapter'),
+fn answers_and_what_a_class_does_not_need_are_folded() {
+    let script = "const title = (part) => part.closest('section').querySelector('h2').textContent;
+        const has = (part, words) => [part.open, title(part).includes(words)];
+        const [further, chapter, ...rest] = all('details.part');
+        return [has(further, 'Going further'), has(chapter, 'For readers of the chapter'), rest.length,
             all('details').filter((node) => find('summary', node).textContent === 'The answer').every((node) => !node.open)];";
-    let found = lesson("4", "04_sweeping.html").seen(768, script);
-    assert_eq!(found, json!([false, true, true]));
+    let found = lesson("2", "02_jacobians.html").seen(768, script);
+    assert_eq!(found, json!([[false, true], [false, true], 0, true]));
 }
 
 #[test]
