@@ -39,7 +39,7 @@ fn unit() -> impl Strategy<Value = Vector3<f64>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100000))]
+    #![proptest_config(ProptestConfig::with_cases(300))]
 
     /// For any margin, scheme and speed: a ball whose center passes to the other side of a plate is
     /// reported.
