@@ -139,7 +139,7 @@ impl Diagnose {
         if examined.as_ref().is_some_and(|examined| {
             examined.found.unsupported.as_ref().is_some_and(|found| found.pace().is_some())
         }) {
-            // The rate of the rows that are active is stated, that of all rows would be a second one.
+            // The rate of the active rows is stated; that of all rows would be a second one.
             found.causes.retain(|cause| !matches!(cause, Cause::Slow { .. }));
         }
         self.write(found.document(), examined.as_ref())

@@ -204,10 +204,13 @@ pub fn claim(
             ("solved", format!("solved within the tolerance, but no solution exists, {how}"))
         }
         _ => {
-            let mut message = stopped.map_or_else(|| status.to_string(), |by| by.to_string());
-            if verdict.is_solution() && *status != Status::Solved {
-                message += "; the judge nevertheless accepts x";
-            }
+            let message = match stopped {
+                Some(reason) => reason.to_string(),
+                None if verdict.is_solution() && *status != Status::Solved => {
+                    format!("{status}; the judge nevertheless accepts x")
+                }
+                None => status.to_string(),
+            };
             (status_word(status), message)
         }
     }
