@@ -321,10 +321,10 @@ impl Receipt {
                  answer"
             ));
         }
-        if *own_tolerance > 0.0 && *own_tolerance < self.effect {
+        if *own_tolerance > 0.0 && *own_tolerance < self.effect && !self.step.is_empty() {
             let part = readable(own_tolerance / self.effect, 1);
             lines.push(format!(
-                "  tolerance     the engine's own: {part} of what the constraints change"
+                "  tolerance     of the engine: {part} of what the constraints change"
             ));
         }
         lines.extend(self.work.map(|work| format!("  work          {}", work.text())));

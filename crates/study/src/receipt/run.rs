@@ -239,7 +239,9 @@ impl Run {
         );
         if count(StepVerdict::NotChecked) > 0 {
             let count = count(StepVerdict::NotChecked);
-            first += &format!(", {count} without a bound on the motion");
+            first += &format!(
+                ", {count} without a bound on the motion, so that the solver was not checked"
+            );
         }
         let mut lines = vec![first];
         let counts: Vec<String> =
