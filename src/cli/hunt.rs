@@ -15,17 +15,17 @@ use super::plugin::Plugins;
 use super::search::{SearchArgs, Target};
 use super::{Outcome, bar, print, say};
 
-/// Search for false claims of solvers on random hostile problems, or for the smallest problem that
-/// breaks one
+/// Search for false claims of solvers on random difficult problems, or for the smallest problem
+/// that breaks one
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   lcplab hunt --problems 100000 --seed 1
   lcplab hunt --solver dantzig --json
   lcplab hunt --plugin \"python3 mine.py\" --problems 1000
-  lcplab hunt --plugin \"python3 mine.py\" --measure lie --out bug.json
-  lcplab hunt --plugin \"python3 mine.py\" --measure lie --from dump.json     # shrinks your problem
-  lcplab hunt --plugin \"python3 mine.py\" --measure lie --model coulomb-cone # friction cones
+  lcplab hunt --plugin \"python3 mine.py\" --measure false-claim --out bug.json
+  lcplab hunt --plugin \"python3 mine.py\" --measure false-claim --from dump.json     # shrinks your problem
+  lcplab hunt --plugin \"python3 mine.py\" --measure false-claim --model coulomb-cone # friction cones
   lcplab hunt --measure ratio murty:block-pivoting --n 8
 
 Without --measure lcplab prints a table of the claims of each solver. With --measure lcplab starts from random \

@@ -22,9 +22,9 @@ use super::{Outcome, bar, print, say, warn};
 /// What to look for, and where.
 #[derive(Debug, Args)]
 pub struct SearchArgs {
-    /// Search for the smallest problem on which the solver makes a false claim (lie), fails
-    /// (failure), takes many iterations (iterations), is accepted far from the exact solution
-    /// (error), or takes many times the iterations of another solver (ratio A:B)
+    /// Search for the smallest problem on which the solver makes a false claim (false-claim),
+    /// fails (failure), takes many iterations (iterations), is accepted far from the exact
+    /// solution (error), or takes many times the iterations of another solver (ratio A:B)
     #[arg(long, num_args = 1..=2, value_names = ["MEASURE", "A:B"])]
     measure: Vec<String>,
     /// Number of rows
@@ -154,7 +154,7 @@ impl SearchArgs {
             false => self.text(&counterexample, &finding, &trial, seed),
         })?;
         Ok(match stopped {
-            _ if trial.measure == Measure::Lie => Outcome::Refuted,
+            _ if trial.measure == Measure::FalseClaim => Outcome::Refuted,
             Some(reason) => Outcome::Stopped(reason),
             None => Outcome::Good,
         })

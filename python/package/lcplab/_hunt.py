@@ -48,7 +48,7 @@ class Finding:
 
 def hunt(
     solver: Solver,
-    measure: str = "lie",
+    measure: str = "false-claim",
     n: int | tuple[int, int] = (1, 6),
     *,
     rival: Solver | None = None,
@@ -70,7 +70,7 @@ def hunt(
     solver : str or callable
         A solver as in :func:`solve`.
     measure : str
-        What to search for: ``"lie"`` (a false claim), ``"failure"``, ``"iterations"``, ``"error"`` or, with a rival,
+        What to search for: ``"false-claim"``, ``"failure"``, ``"iterations"``, ``"error"`` or, with a rival,
         ``"ratio"``. ``docs/hunt.md`` defines them.
     n : int or (int, int)
         The number of rows, or its smallest and largest value.

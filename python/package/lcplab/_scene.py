@@ -136,7 +136,7 @@ class Scene:
         return self._inner.forces()
 
     def loads(self) -> dict[str, Any] | None:
-        """The forces of the last step by pair of bodies, by body and by contact, and what is unique of them.
+        """The forces of the last step by pair of bodies, by body and by contact, and which of them are unique.
 
         The keys are those of ``lcplab simulate --loads --json``: ``pairs`` with ``by``, ``on``, ``wrench`` (force in N and
         moment about the center of mass in N m, world axes, on the body ``on``), ``carried`` (N, against gravity), its

@@ -93,7 +93,7 @@ def assert_no_false_claims(
     for kind in kinds:
         reported = search(
             solver,
-            "lie",
+            "false-claim",
             (1, 6),
             evaluations=evaluations,
             seed=seed,

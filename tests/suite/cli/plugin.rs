@@ -162,7 +162,7 @@ fn a_plug_in_for_boxes_never_gets_a_cone_and_says_so() {
 #[test]
 fn a_solver_of_cones_is_hunted_under_its_model() {
     let model = ["--model", "coulomb-cone"];
-    let search = ["hunt", "--measure", "lie", "--evaluations", "300"];
+    let search = ["hunt", "--measure", "false-claim", "--evaluations", "300"];
     let (found, code) = told(&[&search[..], &model, &["--plugin", CONES]].concat());
     assert_eq!((&found["found"], code), (&Value::Bool(false), Some(0)), "{found}");
     assert!(found["solved"].as_u64().unwrap() > 50, "{found}");
@@ -214,7 +214,7 @@ fn a_plug_in_that_solves_nothing_passes_no_gate() {
             "--plugin",
             &command,
             "--measure",
-            "lie",
+            "false-claim",
             "--n",
             "2..4",
             "--evaluations",
@@ -255,7 +255,7 @@ fn what_is_found_shows_the_plug_ins_own_answer_and_the_right_one() {
         "--plugin",
         &command,
         "--measure",
-        "lie",
+        "false-claim",
         "--friction",
         "--out",
         file.to_str().unwrap(),
@@ -285,8 +285,17 @@ fn what_is_found_shows_the_plug_ins_own_answer_and_the_right_one() {
 #[test]
 fn a_start_that_is_not_of_the_class_is_refused() {
     let (_folder, path) = file(r#"{"A": {"dense": [[1, 2], [2, 1]]}, "b": [-1, -1]}"#);
-    let hunt =
-        ["hunt", "--solver", "pgs", "--measure", "lie", "--from", &path, "--evaluations", "20"];
+    let hunt = [
+        "hunt",
+        "--solver",
+        "pgs",
+        "--measure",
+        "false-claim",
+        "--from",
+        &path,
+        "--evaluations",
+        "20",
+    ];
     let output = run(&[&hunt[..], &["--class", "semidefinite"]].concat());
     assert_eq!(output.status.code(), Some(2));
     let reason = format!(
@@ -317,7 +326,8 @@ fn the_smallest_problem_that_a_plug_in_gets_wrong_is_written_with_its_solution()
     assert_ne!(wrong, right);
     std::fs::write(&script, wrong).unwrap(); // forgets the upper bounds
     let (plugin, file) = (format!("python3 {script}"), file.as_str());
-    let hunt = ["hunt", "--plugin", &plugin, "--measure", "lie", "--n", "2..4", "--out", file];
+    let hunt =
+        ["hunt", "--plugin", &plugin, "--measure", "false-claim", "--n", "2..4", "--out", file];
     let [(found, code), (again, _)] = [told(&hunt), told(&hunt)];
     assert_eq!((&found["found"], code), (&Value::Bool(true), Some(1)));
     assert_eq!(found, again); // the same seed finds the same
@@ -332,14 +342,14 @@ fn the_smallest_problem_that_a_plug_in_gets_wrong_is_written_with_its_solution()
 #[test]
 fn a_search_that_cannot_be_made_is_bad_usage() {
     for (options, reason) in [
-        (&["--measure", "lie"][..], "give one solver"),
-        (&["--measure", "luck", "--solver", "pgs"], "must be lie, failure"),
+        (&["--measure", "false-claim"][..], "give one solver"),
+        (&["--measure", "luck", "--solver", "pgs"], "must be false-claim, failure"),
         (&["--measure", "ratio", "--solver", "pgs"], "needs a second solver"),
-        (&["--measure", "lie", "--solver", "pgs", "--friction", "--n", "2"], "has 3 rows"),
-        (&["--measure", "lie", "--solver", "cone-pgs"], "only friction cones"),
+        (&["--measure", "false-claim", "--solver", "pgs", "--friction", "--n", "2"], "has 3 rows"),
+        (&["--measure", "false-claim", "--solver", "cone-pgs"], "only friction cones"),
         (&["--measure", "error", "--solver", "apgd", "--model", "coulomb-cone"], "needs the exact"),
         (&["--measure", "ratio", "pgs"], "a ratio needs two solvers, A:B"),
-        (&["--measure", "lie", "--solver", "pgs", "--n", "0..3"], "must lie within"),
+        (&["--measure", "false-claim", "--solver", "pgs", "--n", "0..3"], "must lie within"),
         (&["--n", "3"], "--measure"),
     ] {
         let output = run(&[&["hunt"], options].concat());

@@ -232,7 +232,7 @@ fn test(
         );
     }
     let demand = match trial.measure {
-        Measure::Lie => {
+        Measure::FalseClaim => {
             "let demand = Demand { tolerance: settings.tolerance, ..Demand::default() };\n    \
              let verdict = judge_friction(question.posed(), &solution.x, &demand).verdict;\n    \
              assert!(solution.status != Status::Solved || verdict.is_solution(), \"{verdict}\");"
@@ -260,21 +260,20 @@ fn test(
         }
     };
     let name = trial.solver.name();
-    let word = name.replace('-', "_");
+    let test = format!("{}_of_{name}", trial.measure).replace('-', "_");
     let tolerance = if is_usual { String::new() } else { format!("tolerance: {tolerance:e}, ") };
     let method = match trial.model {
         Some(_) => format!("methods::by_name(\"{name}\", question.model().unwrap()).unwrap()"),
         None => format!("Method::Boxed(methods::entry(\"{name}\").unwrap())"),
     };
     format!(
-        "#[test]\nfn {}_of_{word}() {{\n    let text = r#\"{}\"#;\n    \
+        "#[test]\nfn {test}() {{\n    let text = r#\"{}\"#;\n    \
          let problem = Problem::parse(text, \"hunt\").unwrap();\n    \
          let question = Question::new(&problem, None, \"hunt\").unwrap();\n    \
          let settings = Settings {{ {tolerance}max_iterations: {most}, ..Settings::default() }};\n    \
          let options = Options {{ settings: settings.clone(), ..Options::default() }};\n    \
          let method = {method};\n    \
          let solution = method.solve(question.posed(), &options, &mut ());\n    {demand}\n}}",
-        trial.measure,
         problem.to_json(),
     )
 }

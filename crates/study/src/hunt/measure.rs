@@ -25,7 +25,7 @@ const OMEGAS: i32 = 24;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measure {
     /// The solver makes a false claim.
-    Lie,
+    FalseClaim,
     /// The solver does not solve a solvable problem of its class.
     Failure,
     /// The solver needs many iterations.
@@ -41,12 +41,12 @@ impl FromStr for Measure {
 
     fn from_str(word: &str) -> std::result::Result<Self, String> {
         match word {
-            "lie" => Ok(Measure::Lie),
+            "false-claim" => Ok(Measure::FalseClaim),
             "failure" => Ok(Measure::Failure),
             "iterations" => Ok(Measure::Iterations),
             "error" => Ok(Measure::Error),
             "ratio" => Ok(Measure::Ratio),
-            _ => Err("must be lie, failure, iterations, error or ratio".into()),
+            _ => Err("must be false-claim, failure, iterations, error or ratio".into()),
         }
     }
 }
@@ -54,7 +54,7 @@ impl FromStr for Measure {
 impl fmt::Display for Measure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Measure::Lie => "lie",
+            Measure::FalseClaim => "false-claim",
             Measure::Failure => "failure",
             Measure::Iterations => "iterations",
             Measure::Error => "error",
@@ -71,7 +71,7 @@ impl Measure {
 
     /// Whether there is nothing to improve once it is found.
     pub(super) fn is_yes_or_no(self) -> bool {
-        matches!(self, Measure::Lie | Measure::Failure)
+        matches!(self, Measure::FalseClaim | Measure::Failure)
     }
 }
 
@@ -116,7 +116,7 @@ pub enum Friction {
 pub struct Score {
     /// The value of the measure; 0 if it does not apply.
     pub value: f64,
-    /// Whether a [lie](Measure::Lie) or a [failure](Measure::Failure) was found.
+    /// Whether a [false claim](Measure::FalseClaim) or a [failure](Measure::Failure) was found.
     pub is_found: bool,
     /// Whether the solver's claim is right: an accepted answer, or correctly that none exists.
     pub is_right: bool,
@@ -205,7 +205,7 @@ impl Trial {
         let solution = self.solve(&self.solver, &posed, most);
         let iterations = solution.iterations;
         let claim = match self.measure {
-            Measure::Lie => Some(self.claim(&posed, &solution)),
+            Measure::FalseClaim => Some(self.claim(&posed, &solution)),
             _ => None,
         };
         let is_right = match &claim {
@@ -213,8 +213,8 @@ impl Trial {
             None => self.is_solved(&posed, &solution),
         };
         let (value, is_found) = match (self.measure, &claim) {
-            (Measure::Lie, claim) => {
-                claim.as_ref().map_or((0.0, false), |claim| lie(&posed, claim, &solution))
+            (Measure::FalseClaim, claim) => {
+                claim.as_ref().map_or((0.0, false), |claim| false_claim(&posed, claim, &solution))
             }
             (Measure::Failure, _) => self.failure(lcp, &posed, &solution, is_right),
             _ if !is_right => (0.0, false),
@@ -244,12 +244,12 @@ impl Trial {
         let name = self.solver.name();
         let Ok(posed) = pose(lcp, self.model) else { return format!("{name} is not tried") };
         match self.measure {
-            Measure::Lie => match self.claim(&posed, solution) {
-                Claim::FalseClaim(lie) if solution.is_claim_implied => format!(
-                    "{name} says: {lie}. (It returns x without a status, which counts as \"solved\" if plain \
+            Measure::FalseClaim => match self.claim(&posed, solution) {
+                Claim::FalseClaim(claim) if solution.is_claim_implied => format!(
+                    "{name} says: {claim}. (It returns x without a status, which counts as \"solved\" if plain \
                      projected Gauss-Seidel has less than half the residual after the same number of sweeps.)"
                 ),
-                Claim::FalseClaim(lie) => format!("{name} says: {lie}"),
+                Claim::FalseClaim(claim) => format!("{name} says: {claim}"),
                 _ => format!("{name}: {}", solution.status),
             },
             Measure::Failure if solution.status == Status::Solved => {
@@ -408,7 +408,7 @@ impl Trial {
 }
 
 /// The amount by which a claim is false, and whether it is.
-fn lie(posed: &ProblemForm, claim: &Claim, solution: &Solution) -> (f64, bool) {
+fn false_claim(posed: &ProblemForm, claim: &Claim, solution: &Solution) -> (f64, bool) {
     match claim {
         Claim::FalseClaim(FalseClaim::Refuted { amount, .. }) => (*amount, true),
         Claim::FalseClaim(_) => (1.0, true),

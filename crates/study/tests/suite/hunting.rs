@@ -35,7 +35,7 @@ fn engine(sweeps: Sweeps, count: usize, says: bool) -> Method {
 
 fn trial(solver: Method, within: MatrixClass, with_friction: bool) -> Trial {
     Trial {
-        measure: Measure::Lie,
+        measure: Measure::FalseClaim,
         solver,
         rival: None,
         options: Options::default(),

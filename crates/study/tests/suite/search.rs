@@ -108,8 +108,8 @@ fn three_planted_mistakes_are_found_and_shrunk_to_a_contact_or_two() {
         (Mistaken::NeverRenewsTheFrictionBounds, 3), // a normal and two tangents
         (Mistaken::AddsInSinglePrecision, 2),
     ] {
-        let trial = trial(Measure::Lie, mistaken(mistake), None, 1000);
-        let counterexample = search(&trial, 1..=8, 20_000).expect("a lie");
+        let trial = trial(Measure::FalseClaim, mistaken(mistake), None, 1000);
+        let counterexample = search(&trial, 1..=8, 20_000).expect("a false claim");
         assert!(
             counterexample.lcp.len() <= rows,
             "{} rows: {:?}",
@@ -130,7 +130,7 @@ fn the_wrong_fixed_point_of_code_6_is_found() {
 
 #[test]
 fn an_honest_solver_is_not_caught() {
-    let trial = trial(Measure::Lie, *entry("pgs").unwrap(), None, 500);
+    let trial = trial(Measure::FalseClaim, *entry("pgs").unwrap(), None, 500);
     assert!(search(&trial, 1..=4, 4000).is_none());
 }
 
@@ -141,11 +141,12 @@ fn a_problem_of_ones_own_is_made_smaller_until_only_the_mistake_is_left() {
     let pile = family.generate(&[("bodies", 8.0), ("contacts", 12.0)]).unwrap().lcp;
     assert!(pile.len() >= 36);
     let solver = mistaken(Mistaken::NeverRenewsTheFrictionBounds);
-    let trial = Trial { friction: Friction::Only, ..trial(Measure::Lie, solver, None, 1000) };
+    let trial =
+        Trial { friction: Friction::Only, ..trial(Measure::FalseClaim, solver, None, 1000) };
     let from = vec![pile];
     let search = Search { rows: 1..=6, evaluations: 3000, seed: 1, at_least: None, from };
     let counterexample =
-        search.run(&trial, &Stop::default(), &|_| ()).counterexample.expect("a lie");
+        search.run(&trial, &Stop::default(), &|_| ()).counterexample.expect("a false claim");
     assert_eq!((counterexample.evaluation, counterexample.rows_at_first >= 36), (1, true));
     assert_eq!(counterexample.lcp.len(), 3); // a normal and two tangents
     assert_eq!(counterexample.lcp.contacts().len(), 1);
@@ -157,15 +158,16 @@ fn a_problem_of_ones_own_is_made_smaller_until_only_the_mistake_is_left() {
 #[test]
 fn a_small_lie_does_not_end_a_search_for_a_large_one() {
     let solver = mistaken(Mistaken::AddsInSinglePrecision);
-    let trial = trial(Measure::Lie, solver, None, 1000);
+    let trial = trial(Measure::FalseClaim, solver, None, 1000);
     let counterexample = enough(&trial, 1..=4, 1e-3);
     assert!(counterexample.value >= 1e-3 && trial.score(&counterexample.lcp, 1000).value >= 1e-3);
 }
 
 #[test]
 fn what_is_within_the_tolerance_that_was_asked_for_is_no_lie() {
-    let mut trial = trial(Measure::Lie, mistaken(Mistaken::AddsInSinglePrecision), None, 1000);
-    let counterexample = search(&trial, 1..=4, 20_000).expect("a lie");
+    let mut trial =
+        trial(Measure::FalseClaim, mistaken(Mistaken::AddsInSinglePrecision), None, 1000);
+    let counterexample = search(&trial, 1..=4, 20_000).expect("a false claim");
     trial.options.settings.tolerance = 2.0 * counterexample.value;
     assert!(!trial.score(&counterexample.lcp, 1000).is_found);
     trial.options.settings.tolerance = 0.5 * counterexample.value;
@@ -214,8 +216,8 @@ fn two_rows_are_found_on_which_gauss_seidel_takes_a_hundred_times_the_sweeps_of_
 
 #[test]
 fn what_was_found_is_explained_with_its_exact_solution() {
-    let trial = trial(Measure::Lie, mistaken(Mistaken::ClampsAfterTheSweep), None, 1000);
-    let counterexample = search(&trial, 2..=2, 2000).expect("a lie");
+    let trial = trial(Measure::FalseClaim, mistaken(Mistaken::ClampsAfterTheSweep), None, 1000);
+    let counterexample = search(&trial, 2..=2, 2000).expect("a false claim");
     let finding = Finding::of(&counterexample, &trial, 1);
     let solutions = Expected::of(&finding.problem).unwrap().solutions;
     assert_eq!(solutions.len(), all_solutions(&counterexample.lcp).unwrap().len());
@@ -225,5 +227,5 @@ fn what_was_found_is_explained_with_its_exact_solution() {
         finding.words
     );
     assert!(finding.equations().starts_with("  w_0 = "), "{}", finding.equations());
-    assert!(finding.test.contains("fn lie_of_mistaken()"));
+    assert!(finding.test.contains("fn false_claim_of_mistaken()"));
 }
