@@ -61,7 +61,7 @@ fn found(mistakes: &[Mistake]) -> String {
         0.0 => "exactly".to_string(),
         distance => format!("to {} of the largest entry", readable(distance, 2)),
     };
-    match mistakes {
+    let named = match mistakes {
         [] => "No known mistake gives this x.\n".into(),
         [only] => format!("A known mistake gives this x, {}: {}.\n", agrees(only), only.what),
         all => {
@@ -69,7 +69,25 @@ fn found(mistakes: &[Mistake]) -> String {
             let lines: String = all.iter().map(line).collect();
             format!("{} known mistakes give this x equally well:\n{lines}", all.len())
         }
+    };
+    named + &checks(mistakes)
+}
+
+/// What to check for each kind of mistake, with its name in the list of known ones.
+fn checks(mistakes: &[Mistake]) -> String {
+    let mut kinds: Vec<MistakeKind> = Vec::new();
+    for mistake in mistakes {
+        if !kinds.contains(&mistake.kind) {
+            kinds.push(mistake.kind);
+        }
     }
+    kinds.iter().map(|kind| format!("{}: {}\n", sentence(kind.name()), kind.check())).collect()
+}
+
+/// A phrase with a capital letter at its beginning.
+fn sentence(phrase: &str) -> String {
+    let mut letters = phrase.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// A note that an answer with few digits may have other causes.
@@ -119,7 +137,11 @@ fn single_precision([own, least]: [f64; 2]) -> String {
 
 /// The result of the search, as JSON.
 pub fn to_json(search: &MistakeSearch, single: Option<[f64; 2]>) -> Value {
-    let mistake = |own: &Mistake| json!({ "kind": own.kind.name(), "what": own.what, "distance": own.distance });
+    let mistake = |own: &Mistake| {
+        json!({
+            "kind": own.kind.name(), "what": own.what, "distance": own.distance, "check": own.kind.check(),
+        })
+    };
     let (conclusion, solution_distance) = match search.conclusion {
         Conclusion::Accepted => ("accepted", None),
         Conclusion::NotFinite { .. } => ("not finite", None),

@@ -20,6 +20,7 @@ fn the_mistake_behind_an_answer_is_named_with_the_exit_code_of_the_judge() {
     let text = String::from_utf8(told.stdout).unwrap();
     assert_eq!(told.status.code(), Some(1));
     assert!(text.contains("projected Gauss-Seidel, stopped after 2 sweeps (exactly)"), "{text}");
+    assert!(text.contains("\nSweeps stopped too early: Allow more sweeps, start from"), "{text}");
     // Neither sweep meets a bound, and every number fits into 32 bits.
     assert!(text.contains("3 known mistakes give this x equally well"), "{text}");
     assert!(

@@ -229,7 +229,7 @@ fn mistakes_that_have_to_do_with_the_last_frame_are_named() {
 
 #[test]
 fn friction_that_is_limited_by_the_last_normal_forces_is_named() {
-    // A block of weight 2 that is pushed by 3 with μ = ½, where the last frame had 4: friction 2
+    // A block of weight 2 that is pushed by 3 with μ = ½, where the last step had 4: friction 2
     // instead of 1.
     let matrix = Matrix::dense(2, &[1.0, 0.0, 0.0, 1.0]);
     let free = [f64::NEG_INFINITY, f64::INFINITY];
@@ -243,7 +243,7 @@ fn friction_that_is_limited_by_the_last_normal_forces_is_named() {
     let all: Vec<(&str, f64)> =
         found.iter().map(|mistake| (mistake.what.as_str(), mistake.distance)).collect();
     assert!(
-        all.contains(&("friction limited by the normal forces of the previous frame, solved", 0.0)),
+        all.contains(&("friction limited by the normal forces of the previous step, solved", 0.0)),
         "{all:?}"
     );
 }
@@ -260,9 +260,9 @@ fn whatever_is_near_a_solution_is_not_a_mistake_that_leads_to_it() {
 
 #[test]
 fn a_negative_factor_of_b_is_none() {
-    // With −b the solution is 0, not the negative of the solution.
+    // With −2 b the solution is 0, not −2 times the solution.
     let lcp = contacts(&[&[2.0, 1.0], &[1.0, 2.0]], &[-3.0, -3.0]);
-    assert_eq!(mistakes(&lcp, &[-1.0, -1.0]), []);
+    assert_eq!(mistakes(&lcp, &[-2.0, -2.0]), []);
 }
 
 #[test]

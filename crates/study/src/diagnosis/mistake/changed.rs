@@ -58,7 +58,7 @@ pub(super) fn changed_problems(lcp: &Lcp) -> Vec<Changed> {
 
 /// The problem with friction limited by these normal forces.
 pub(super) fn with_last_normals(lcp: &Lcp, last: &[f64]) -> Option<Changed> {
-    let what = "friction limited by the normal forces of the previous frame";
+    let what = "friction limited by the normal forces of the previous step";
     let frozen = lcp.has_coupled_rows().then(|| lcp.frozen_at(last));
     Changed::new(MistakeKind::LastNormals, what, frozen)
 }

@@ -19,9 +19,9 @@ const APART: f64 = 1e-4;
 /// A wrong way to apply the bounds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Flaw {
-    /// The change of x_i is moved into the bounds, and added.
+    /// The change of x_i is clamped to the bounds, and added.
     ClampedIncrements,
-    /// x is moved into its bounds after the last sweep.
+    /// x is clamped to its bounds after the last sweep.
     ClampAtEnd,
     /// The friction limits of the first sweep are kept.
     FirstFriction,

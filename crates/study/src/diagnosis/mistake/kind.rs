@@ -7,7 +7,7 @@ pub enum MistakeKind {
     NothingDone,
     /// Gauss-Seidel was stopped before it converged.
     StoppedSweeps,
-    /// Sweeps started from 0 although the answer of the previous frame was known.
+    /// Sweeps started from 0 although the answer to the previous step was known.
     MissingWarmStart,
     /// Sweeps started from a multiple of the last answer.
     ScaledWarmStart,
@@ -29,6 +29,8 @@ pub enum MistakeKind {
     FactorOfB,
     /// x times a positive factor.
     FactorOfX,
+    /// −x instead of x.
+    SignOfX,
     /// Aᵀ instead of A.
     Transposed,
     /// Bounds −hi and −lo.
@@ -51,7 +53,7 @@ pub enum MistakeKind {
     UnlimitedFriction,
     /// Friction bounds from normal forces that were computed without friction.
     FrictionlessNormals,
-    /// Friction bounds from the normal forces of the previous frame.
+    /// Friction bounds from the normal forces of the previous step.
     LastNormals,
     /// Friction bounds from the normal forces after the first sweep.
     FirstFriction,
@@ -78,7 +80,7 @@ struct Description {
 
 impl MistakeKind {
     /// All known mistakes.
-    pub const ALL: [MistakeKind; 32] = [
+    pub const ALL: [MistakeKind; 33] = [
         MistakeKind::NothingDone,
         MistakeKind::StoppedSweeps,
         MistakeKind::MissingWarmStart,
@@ -92,6 +94,7 @@ impl MistakeKind {
         MistakeKind::SignOfB,
         MistakeKind::FactorOfB,
         MistakeKind::FactorOfX,
+        MistakeKind::SignOfX,
         MistakeKind::Transposed,
         MistakeKind::SignOfBounds,
         MistakeKind::MissingBound,
@@ -132,8 +135,8 @@ impl MistakeKind {
         match self {
             MistakeKind::NothingDone => Description {
                 name: "x not updated",
-                computes: "the start: 0 moved into the bounds, or the answer of the \
-                          previous frame",
+                computes: "the start: 0 clamped to the bounds, or the answer to the \
+                          previous step",
                 check: "Does the solver run, and is its result copied back?",
             },
             MistakeKind::StoppedSweeps => Description {
@@ -145,19 +148,19 @@ impl MistakeKind {
             },
             MistakeKind::MissingWarmStart => Description {
                 name: "missing warm start",
-                computes: "sweeps that start from 0 although the answer of the previous \
-                          frame is known",
+                computes: "sweeps that start from 0 although the answer to the previous \
+                          step is known",
                 check: "Is the last answer kept, and are its rows matched with the rows \
-                       of this frame?",
+                       of this step?",
             },
             MistakeKind::ScaledWarmStart => Description {
                 name: "scaled warm start",
-                computes: "k sweeps from the answer of the previous frame times a factor",
+                computes: "k sweeps from the answer to the previous step times a factor",
                 check: "Is the last answer scaled twice, or for another time step?",
             },
             MistakeKind::MisplacedWarmStart => Description {
                 name: "warm start of other rows",
-                computes: "k sweeps from the answer of the previous frame with its rows, \
+                computes: "k sweeps from the answer to the previous step with its rows, \
                           or its contacts, shifted by one",
                 check: "Are last answers stored by contact, or by position in a list?",
             },
@@ -168,20 +171,20 @@ impl MistakeKind {
             },
             MistakeKind::ClampedIncrements => Description {
                 name: "clamped increments",
-                computes: "k sweeps in which each change of x_i is moved into the bounds \
+                computes: "k sweeps in which each change of x_i is clamped to the bounds \
                           of x_i",
                 check: "Clamp the accumulated x_i, not its change.",
             },
             MistakeKind::LateClamp => Description {
                 name: "clamp after the sweep",
-                computes: "k sweeps of Gauss-Seidel; x is moved into its bounds after \
+                computes: "k sweeps of Gauss-Seidel; x is clamped to its bounds after \
                           each sweep instead of after each row",
                 check: "Clamp x_i inside the sweep, right after its update.",
             },
             MistakeKind::ClampAtEnd => Description {
                 name: "clamp at the end",
-                computes: "the solution without bounds, or k sweeps toward it, then moved \
-                          into the bounds",
+                computes: "the solution without bounds, or k sweeps toward it, then clamped \
+                          to the bounds",
                 check: "Clamp x_i inside the sweep; clamping the solution of the \
                        equations does not solve the problem.",
             },
@@ -207,6 +210,12 @@ impl MistakeKind {
                 computes: "the solution times a factor; only if a bound is finite and not \
                           0, where it differs from a factor of b",
                 check: "Is x an impulse or a force? Compare units and dt.",
+            },
+            MistakeKind::SignOfX => Description {
+                name: "sign of x",
+                computes: "the solution with the opposite sign of every x",
+                check: "Which body does a positive x push? If w is the velocity of separation, \
+                       x ≥ 0 pushes the bodies apart.",
             },
             MistakeKind::Transposed => Description {
                 name: "transposed A",
@@ -273,10 +282,10 @@ impl MistakeKind {
                 check: "Update the limits ±μ x_n together with x_n.",
             },
             MistakeKind::LastNormals => Description {
-                name: "friction limit of the previous frame",
+                name: "friction limit of the previous step",
                 computes: "the solution with friction limited by the normal forces of the \
-                          previous frame, or sweeps toward it",
-                check: "Update the limits ±μ x_n in every frame.",
+                          previous step, or sweeps toward it",
+                check: "Update the limits ±μ x_n in every step.",
             },
             MistakeKind::FirstFriction => Description {
                 name: "friction limit of the first sweep",

@@ -115,7 +115,7 @@ pub enum Conclusion {
     },
 }
 
-/// The known mistakes that give this x. `last` is the answer of the previous frame, if it is known:
+/// The known mistakes that give this x. `last` is the answer to the previous step, if it is known:
 /// sweeps may start or should have started from it, and friction may still be limited by its normal
 /// forces.
 ///
@@ -307,7 +307,7 @@ impl Attempts<'_> {
     fn start_unchanged(&mut self) {
         let mut start = vec![0.0; self.lcp.len()];
         self.lcp.project_all(&mut start);
-        let moved = if start.iter().all(|&x| x == 0.0) { "" } else { " moved into its bounds" };
+        let moved = if start.iter().all(|&x| x == 0.0) { "" } else { " clamped to its bounds" };
         let what = format!("the start, x = 0{moved}, not updated");
         self.add(MistakeKind::NothingDone, what, start);
     }

@@ -1,4 +1,5 @@
-//! Changes of a right answer: rows in another order, tangents swapped, a contact that reads 0.
+//! Changes of a right answer: rows in another order, tangents swapped, a contact that reads 0, the
+//! opposite sign.
 
 use lcplab_problem::friction::Contact;
 use lcplab_problem::number::readable;
@@ -18,6 +19,12 @@ pub(super) fn moved_answers(contacts: &[Contact], solution: &[f64], x: &[f64]) -
         all.extend(turned(contacts, solution));
     }
     all.extend(zeroed(contacts, solution));
+    let reversed = solution.iter().map(|s| -s).collect();
+    all.push(Attempt::new(
+        MistakeKind::SignOfX,
+        "the solution with the opposite sign".into(),
+        reversed,
+    ));
     all
 }
 

@@ -78,7 +78,7 @@ impl Plain {
         x
     }
 
-    /// x moved into its bounds, the normal rows first.
+    /// x clamped to its bounds, the normal rows first.
     pub fn projected(&self, mut x: Vec<f64>) -> Vec<f64> {
         let (normals, friction): (Vec<usize>, Vec<usize>) =
             (0..x.len()).partition(|&i| self.friction[i].is_none());

@@ -10,7 +10,7 @@ use super::plain::{Clamp, Plain, Rows, random};
 /// How often each mistake is made.
 const TIMES: u64 = 12;
 
-/// A problem, the answer of the previous frame if needed, and the answer that a mistake gives.
+/// A problem, the answer to the previous step if needed, and the answer that a mistake gives.
 type Planted = (Plain, Option<Vec<f64>>, Vec<f64>);
 
 /// Makes a mistake in a random problem; `None` if it changes nothing there, or cannot be made.
@@ -209,6 +209,7 @@ fn answer(
         MistakeKind::FactorOfX => {
             return Some(problem.solved()?.iter().map(|x| 0.01 * x).collect());
         }
+        MistakeKind::SignOfX => return Some(problem.solved()?.iter().map(|x| -x).collect()),
         MistakeKind::WrongActiveSet => return wrong_active_set(problem, seed),
     }
     changed.solved()
