@@ -3,7 +3,7 @@
 use std::fmt;
 
 use lcplab_page::document::notation::plain;
-use lcplab_page::number::readable;
+use lcplab_page::number::{counted, readable};
 
 /// Significant digits of a factor near 1 and of a number of sweeps.
 const DIGITS: usize = 6;
@@ -196,8 +196,9 @@ impl fmt::Display for Cause {
             ),
             Cause::Impossible { proof: Proof::CaseSplit { pieces }, .. } => write!(
                 f,
-                "no forces satisfy all rows together: each of the {pieces} choices of rows at a bound was \
-                 tried in exact arithmetic. Reduce a coefficient of friction, or remove a row."
+                "no forces satisfy all rows together, proved in exact arithmetic by trying {} of rows at a bound. \
+                 Remove a row or, if friction couples the rows, reduce its coefficient.",
+                counted(*pieces, "choice")
             ),
             Cause::Impossible { rows, proof: Proof::Rounding } => write!(
                 f,
@@ -237,8 +238,8 @@ impl fmt::Display for Cause {
             ),
             Cause::Several { answers } => write!(
                 f,
-                "{answers} different solutions were found in exact arithmetic, and the friction law does not \
-                 decide between them; the answer depends on the solver and on its start."
+                "{answers} different solutions were found in exact arithmetic; the answer depends on the solver \
+                 and on its start."
             ),
             Cause::Unsymmetric => write!(
                 f,

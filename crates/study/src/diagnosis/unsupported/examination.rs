@@ -31,7 +31,7 @@ const TROUBLED_WORDS: &str =
 
 /// What is not examined.
 const NOT_EXAMINED: &str = "contacts that open and close repeatedly, closed loops, restitution of resting \
- contacts, spin";
+ contacts, fast rotation";
 
 /// A summary of one step or one file of a sequence.
 #[derive(Debug, Clone, PartialEq)]
@@ -96,6 +96,8 @@ pub struct Examination {
     pub remedy_effects: Vec<RemedyEffect>,
 }
 
+/// The largest number of problems that a sentence names.
+const LISTED: usize = 10;
 /// The name of the cause that the solver gave up in a step.
 const GAVE_UP: &str = "the solver gave up";
 /// The name of the cause that a step could not be taken.
@@ -133,14 +135,23 @@ impl Examination {
 
     /// The same as a sentence; empty if there are none.
     pub fn unsolved_in_words(&self, tolerance: f64) -> String {
-        match self.unsolved(tolerance)[..] {
+        let unsolved = self.unsolved(tolerance);
+        match unsolved[..] {
             [] => String::new(),
             [one] => format!("No accepted answer to {one} is known."),
-            [first, .., last] => format!(
-                "No accepted answer to {} of {} problems is known, from {first} to {last}.",
-                self.unsolved(tolerance).len(),
-                self.notes.len()
-            ),
+            _ => {
+                let (named, rest) = unsolved.split_at(unsolved.len().min(LISTED));
+                let more = match rest.len() {
+                    0 => String::new(),
+                    rest => format!(" and {rest} more"),
+                };
+                format!(
+                    "No accepted answer to {} of {} problems is known: {}{more}.",
+                    unsolved.len(),
+                    self.notes.len(),
+                    named.join(", ")
+                )
+            }
         }
     }
 

@@ -38,7 +38,11 @@ pub fn examine_sequence(problems: &[Problem], user_solver: &UserSolver) -> Exami
         let from = (problems.len() > 1).then_some(from.as_slice());
         found.unsupported = examine(&frame, user_solver, from);
         if found.unsupported.is_none() {
-            found.unmeasured = Some(ReferenceSolution::absence(&frame.lcp).into());
+            let reason = ReferenceSolution::absence(&frame.lcp);
+            found.unmeasured = Some(match problems.len() {
+                1 => reason.into(),
+                _ => format!("{}: {reason}", problem.name),
+            });
         }
         found.place = worst;
         found.moving = creep(&frame).into_iter().collect();

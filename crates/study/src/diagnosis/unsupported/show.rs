@@ -138,8 +138,8 @@ impl UnsupportedLoad {
             true => ("upward force between two bodies (N), largest error first", "m/s²"),
             false => ("upward impulse between two bodies (N s), largest error first", "m/s"),
         };
-        let speeds =
-            ["remaining approach", "target of feedback"].map(|what| format!("{what} ({w})"));
+        let speeds = ["remaining approach", "speed demanded by feedback"]
+            .map(|what| format!("{what} ({w})"));
         let [approach, bias] = &speeds;
         section.table(title, &["between", "required", "actual", "fraction", approach, bias], rows);
         let body = |load: &Load| {
