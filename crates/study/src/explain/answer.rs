@@ -31,7 +31,7 @@ pub(super) fn section(reading: &Reading, solution: &Solution, demand: &Demand) -
             meaning(x[i], lo, hi).to_string(),
         ]
     };
-    let columns = ["row", "x", "bounds", "w = A x + b", "condition on w"];
+    let columns = ["row", "x", "bounds", "w = A x + b", "condition on w, up to the tolerance"];
     section.table("x and w, row by row", &columns, (0..lcp.len()).map(line).collect());
     section.say(word(&certificate.verdict, certificate.scaled_residual));
     (section, certificate.verdict.is_solution())
@@ -42,7 +42,10 @@ pub(super) fn word(verdict: &Verdict, scaled_residual: f64) -> String {
     let verdict = match verdict {
         Verdict::Proved { distance: 0.0 } => "proved, x is an exact solution".into(),
         Verdict::Proved { distance } => {
-            format!("proved, an exact solution exists within {} of each x", upper_bound(*distance))
+            let most = upper_bound(*distance);
+            format!(
+                "proved, an exact solution exists; no entry of x differs from it by more than {most}"
+            )
         }
         other => other.to_string(),
     };

@@ -70,12 +70,12 @@ impl<'a> Moves<'a> {
                 .symbols(",   Δw =", ", \\quad \\Delta w =")
                 .vector(&change),
         );
-        let title = format!("pivot {}, what may end it", self.moves);
+        let title = format!("pivot {}, step lengths at which it ends", self.moves);
         let mut ends = ends(own, &direction, &change);
         ends.sort_by(|a, b| a.0.total_cmp(&b.0));
         let lines = ends.into_iter().map(|(_, what, length)| vec![what, length]).collect();
-        let after = headed("after t", &self.reading.units.x[i]);
-        self.section.table(&title, &["what", &after], lines);
+        let length = headed("t", &self.reading.units.x[i]);
+        self.section.table(&title, &["what", &length], lines);
     }
 
     /// x with its unit.

@@ -60,8 +60,8 @@ pub fn steps(scene: &Scene, method: &Method, numbers: RangeInclusive<usize>) -> 
     Ok(document)
 }
 
-const CONVENTIONS: &str = "Rows are numbered from 0. x ≥ 0 pushes the bodies of a row apart. A row acts on body \
- 1 minus body 0.";
+const CONVENTIONS: &str = "Rows are numbered from 0. x ≥ 0 pushes the bodies of a row apart. w of a row is the \
+ velocity of its second body relative to its first one.";
 
 /// The LCPs of a step, and why it failed, if it did.
 fn solves(

@@ -70,7 +70,7 @@ fn figure_6_at_velocity_level_gives_two_newton_seconds() {
 
     6 Step 1, velocity: the answer
       Step 1, velocity: x and w, row by row
-        row                      x            bounds   w = A x + b   condition on w
+        row                      x            bounds   w = A x + b   condition on w, up to the tolerance
         0 normal ground body 0   x₀ = 2 N s   [0, ∞)   w₀ = 0 m/s    w = 0: x is between its bounds
     The judge sees A, b, the bounds and x, but not the solver. Its verdict: proved, x is an exact
     solution. The scaled residual, which is the error of the worst row relative to the size of its
@@ -130,8 +130,8 @@ fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
     The start is x = (0) N s, and C is empty.
     Pivot 1: row 0. At x = (0) N s it has w₀ = −1 m/s, so x₀ increases. The free rows are C = {}.
         d = [ 1 ] ,   Δw = [ 1 ]
-      Step 1, impact: pivot 1, what may end it
-        what           after t (N s)
+      Step 1, impact: pivot 1, step lengths at which it ends
+        what           t (N s)
         w₀ reaches 0   1/1 = 1
     The step ends at t = 1 N s: row 0 enters C.
     Now x = (1) N s.
@@ -139,7 +139,7 @@ fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
 
     6 Step 1, impact: the answer
       Step 1, impact: x and w, row by row
-        row                      x            bounds   w = A x + b   condition on w
+        row                      x            bounds   w = A x + b   condition on w, up to the tolerance
         0 normal ground body 0   x₀ = 1 N s   [0, ∞)   w₀ = 0 m/s    w = 0: x is between its bounds
     The judge sees A, b, the bounds and x, but not the solver. Its verdict: proved, x is an exact
     solution. The scaled residual, which is the error of the worst row relative to the size of its
@@ -183,8 +183,8 @@ fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
     The start is x = (0) N, and C is empty.
     Pivot 1: row 0. At x = (0) N it has w₀ = −1 m/s², so x₀ increases. The free rows are C = {}.
         d = [ 1 ] ,   Δw = [ 1 ]
-      Step 1, acceleration: pivot 1, what may end it
-        what           after t (N)
+      Step 1, acceleration: pivot 1, step lengths at which it ends
+        what           t (N)
         w₀ reaches 0   1/1 = 1
     The step ends at t = 1 N: row 0 enters C.
     Now x = (1) N.
@@ -192,7 +192,7 @@ fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
 
     12 Step 1, acceleration: the answer
       Step 1, acceleration: x and w, row by row
-        row                      x          bounds   w = A x + b   condition on w
+        row                      x          bounds   w = A x + b   condition on w, up to the tolerance
         0 normal ground body 0   x₀ = 1 N   [0, ∞)   w₀ = 0 m/s²   w = 0: x is between its bounds
     The judge sees A, b, the bounds and x, but not the solver. Its verdict: proved, x is an exact
     solution. The scaled residual, which is the error of the worst row relative to the size of its

@@ -123,8 +123,8 @@ fn figure_7_by_the_moves_of_dantzig() {
             ⎡ 1 ⎤          ⎡ 1 ⎤
         d = ⎢ 0 ⎥ ,   Δw = ⎢ 0 ⎥
             ⎣ 0 ⎦          ⎣ 0 ⎦
-      Step 1, velocity: pivot 1, what may end it
-        what           after t (N s)
+      Step 1, velocity: pivot 1, step lengths at which it ends
+        what           t (N s)
         w₀ reaches 0   1/1 = 1
     The step ends at t = 1 N s: row 0 enters C.
     Now x = (1, 0, 0) N s.
@@ -133,8 +133,8 @@ fn figure_7_by_the_moves_of_dantzig() {
             ⎡ 1 ⎤          ⎡ 0 ⎤
         d = ⎢ 1 ⎥ ,   Δw = ⎢ 1 ⎥
             ⎣ 0 ⎦          ⎣ 0 ⎦
-      Step 1, velocity: pivot 2, what may end it
-        what           after t (N s)
+      Step 1, velocity: pivot 2, step lengths at which it ends
+        what           t (N s)
         w₁ reaches 0   2/1 = 2
     The step ends at t = 2 N s: row 1 enters C.
     Now x = (3, 2, 0) N s.
@@ -143,8 +143,8 @@ fn figure_7_by_the_moves_of_dantzig() {
             ⎡ 1 ⎤          ⎡ 0 ⎤
         d = ⎢ 1 ⎥ ,   Δw = ⎢ 0 ⎥
             ⎣ 1 ⎦          ⎣ 1 ⎦
-      Step 1, velocity: pivot 3, what may end it
-        what           after t (N s)
+      Step 1, velocity: pivot 3, step lengths at which it ends
+        what           t (N s)
         w₂ reaches 0   1/1 = 1
     The step ends at t = 1 N s: row 2 enters C.
     Now x = (4, 3, 1) N s.
@@ -152,7 +152,7 @@ fn figure_7_by_the_moves_of_dantzig() {
 
     6 Step 1, velocity: the answer
       Step 1, velocity: x and w, row by row
-        row                        x            bounds   w = A x + b   condition on w
+        row                        x            bounds   w = A x + b   condition on w, up to the tolerance
         0 normal ground bottom 0   x₀ = 4 N s   [0, ∞)   w₀ = 0 m/s    w = 0: x is between its bounds
         1 normal bottom middle 0   x₁ = 3 N s   [0, ∞)   w₁ = 0 m/s    w = 0: x is between its bounds
         2 normal middle top 0      x₂ = 1 N s   [0, ∞)   w₂ = 0 m/s    w = 0: x is between its bounds
@@ -271,7 +271,7 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
 
     6 Step 1, impact: the answer
       Step 1, impact: x and w, row by row
-        row                        x            bounds   w = A x + b   condition on w
+        row                        x            bounds   w = A x + b   condition on w, up to the tolerance
         0 normal ground bottom 0   x₀ = 1 N s   [0, ∞)   w₀ = 0 m/s    w = 0: x is between its bounds
         1 normal bottom middle 0   x₁ = 1 N s   [0, ∞)   w₁ = 0 m/s    w = 0: x is between its bounds
         2 normal middle top 0      x₂ = 0 N s   [0, ∞)   w₂ = 0 m/s    w ≥ 0: x is at its lower bound
@@ -327,7 +327,7 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
 
     12 Step 1, acceleration: the answer
       Step 1, acceleration: x and w, row by row
-        row                        x          bounds   w = A x + b   condition on w
+        row                        x          bounds   w = A x + b   condition on w, up to the tolerance
         0 normal ground bottom 0   x₀ = 3 N   [0, ∞)   w₀ = 0 m/s²   w = 0: x is between its bounds
         1 normal bottom middle 0   x₁ = 2 N   [0, ∞)   w₁ = 0 m/s²   w = 0: x is between its bounds
         2 normal middle top 0      x₂ = 1 N   [0, ∞)   w₂ = 0 m/s²   w = 0: x is between its bounds
