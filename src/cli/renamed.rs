@@ -1,4 +1,4 @@
-//! Renamed commands and options.
+//! Renamed commands and options, and the command that only the Python package has.
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
@@ -27,7 +27,11 @@ const OPTIONS: [(&str, &str, &str); 14] = [
     ("report", "--sweeps", "diagnose FOLDER --sweeps N"),
 ];
 
-/// The replacement for a command or option that clap does not know; `words` is the command line.
+/// `import` needs MuJoCo's compiler, which has an interface for Python.
+const IMPORT: &str = "import is a command of the Python package: run pip install \"./python[mujoco]\" in the \
+                      repository of lcplab, then python -m lcplab import FILE";
+
+/// What to use instead of a command or option that clap does not know; `words` is the command line.
 pub fn instead(error: &clap::Error, words: &[String]) -> Option<String> {
     let unknown = |kind| match error.get(kind) {
         Some(ContextValue::String(word)) => Some(word.as_str()),
@@ -36,6 +40,9 @@ pub fn instead(error: &clap::Error, words: &[String]) -> Option<String> {
     let (old, new) = match error.kind() {
         ErrorKind::InvalidSubcommand => {
             let word = unknown(ContextKind::InvalidSubcommand)?;
+            if word == "import" {
+                return Some(IMPORT.into());
+            }
             *COMMANDS.iter().find(|(old, _)| *old == word)?
         }
         ErrorKind::UnknownArgument => {

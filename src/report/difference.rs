@@ -11,7 +11,7 @@ use crate::error::{Error, Result};
 use crate::file;
 use crate::json;
 use crate::memory::Memory;
-use crate::number::readable;
+use crate::number::{counted, readable};
 
 /// Parts of a results file that describe where and with what it was made, not the results.
 const CIRCUMSTANCES: [&str; 3] = ["machine", "version", "libraries"];
@@ -74,7 +74,7 @@ const LISTED: usize = 40;
 pub fn table(changes: &[Change]) -> Table {
     let more = changes.len().saturating_sub(LISTED);
     Table::new(
-        format!("{} differences", changes.len()),
+        counted(changes.len(), "difference"),
         if more > 0 { format!("And {more} more.") } else { String::new() },
         "place | #old | #new | #relative change",
         changes.iter().take(LISTED).map(Change::row).collect(),

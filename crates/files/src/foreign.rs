@@ -29,8 +29,21 @@ pub(super) fn explained(error: Error, path: &Path, format: &Format) -> Error {
     let kind = KINDS.iter().find(is_other).map(|(_, _, reason)| (*reason).to_string());
     match kind.or_else(|| xml::reason(&String::from_utf8_lossy(&start))) {
         Some(reason) => Error::invalid(path.display().to_string(), "file", reason),
+        None if is_guess(path, format) && !is_object(&start) => {
+            Error::invalid(path.display().to_string(), "extension", super::unknown_ending())
+        }
         None => error,
     }
+}
+
+/// Whether the file was read as JSON only because its extension is unknown.
+fn is_guess(path: &Path, format: &Format) -> bool {
+    format.name == "json" && path.extension().is_some() && Format::of(path).is_none()
+}
+
+/// Whether a text begins as a JSON object.
+fn is_object(start: &[u8]) -> bool {
+    start.trim_ascii_start().starts_with(b"{")
 }
 
 fn beginning(path: &Path) -> Option<Vec<u8>> {

@@ -7,6 +7,10 @@ use std::fmt;
 
 /// At most this many defects are listed in one message; the message counts the rest.
 const LISTED: usize = 20;
+/// The largest number of names that a message lists in full, and the number of those of a longer
+/// list.
+const ALL_NAMES: usize = 50;
+const NEAREST_NAMES: usize = 5;
 
 /// A result whose error is an [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
@@ -23,7 +27,7 @@ pub enum Error {
         reason: String,
     },
     /// A name that is not in a list: a solver, a scene, a report.
-    #[error("there is no {kind} named {name:?}; there are {}", known.join(", "))]
+    #[error("there is no {kind} named {name:?}; there are {}", names(name, known))]
     Unknown {
         /// The kind of thing requested.
         kind: &'static str,
@@ -135,6 +139,33 @@ impl Error {
     pub fn file(path: &std::path::Path, cause: &std::io::Error) -> Self {
         Error::File { path: path.display().to_string(), reason: cause.to_string() }
     }
+}
+
+/// All names, or the number of them and those that differ least from this one.
+fn names(name: &str, known: &[String]) -> String {
+    if known.len() <= ALL_NAMES {
+        return known.join(", ");
+    }
+    let mut nearest: Vec<&str> = known.iter().map(String::as_str).collect();
+    nearest.sort_by_key(|known| edits(name, known)); // stable: in the given order
+    nearest.truncate(NEAREST_NAMES);
+    format!("{}, such as {}", known.len(), nearest.join(", "))
+}
+
+/// The number of letters to insert, to remove or to replace until one word is the other.
+fn edits(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, letter) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, own) in b.iter().enumerate() {
+            let replaced = diagonal + usize::from(letter != *own);
+            diagonal = row[j + 1];
+            row[j + 1] = replaced.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
 }
 
 fn list(input: &str, defects: &[Defect]) -> String {

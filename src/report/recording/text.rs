@@ -92,7 +92,7 @@ impl Record {
             text += &format!("warning      {warning}\n");
         }
         if let Some(refused) = &self.refused {
-            text += &format!("refused      {refused}\n");
+            text += &format!("rejected     {refused}\n");
         }
         if !self.conflict.is_empty() {
             text += &format!(

@@ -119,6 +119,10 @@ fn a_scene_whose_solver_does_not_exist_is_refused() {
     let output = run(&["simulate", "fig6", "--solver", "magic"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(err(&output).starts_with("error: there is no solver named \"magic\""));
+    let output = run(&["simulate", "fig6", "--solver", "cone-pgs"]);
+    assert_eq!(output.status.code(), Some(2));
+    let reason = "cone-pgs supports only friction cones, not coupled-box";
+    assert!(err(&output).contains(reason), "{}", err(&output));
 }
 
 #[test]
@@ -155,7 +159,7 @@ fn simulate_prints_where_the_bodies_end_and_which_answer_was_refused_first() {
         run(&["simulate", "stack", "--steps", "2", "--solver", "pgs", "--max-iterations", "2"]);
     assert_eq!(few.status.code(), Some(1));
     let text = out(&few);
-    assert!(text.contains("at the end") && text.contains("refused      first in step 1"), "{text}");
+    assert!(text.contains("at the end") && text.contains("rejected     first in step 1"), "{text}");
     assert!(text.contains("pgs: iteration limit"), "{text}");
 }
 

@@ -64,6 +64,15 @@ fn an_old_word_is_an_error_that_names_the_new_one() {
 }
 
 #[test]
+fn the_command_that_only_the_python_package_has_names_that_package() {
+    let output = run(&["import", "arm.xml"]);
+    assert_eq!(output.status.code(), Some(2));
+    let message = "error: import is a command of the Python package: run pip install \"./python[mujoco]\" in the \
+                   repository of lcplab, then python -m lcplab import FILE\n";
+    assert_eq!(err(&output), message);
+}
+
+#[test]
 fn the_overview_begins_with_what_most_people_need() {
     let overview = out(&run(&["--help"]));
     let first = overview.split("\n\n").find(|part| part.starts_with("Most used:")).unwrap();

@@ -38,6 +38,20 @@ fn a_name_without_a_known_ending_is_read_as_json_but_not_written() {
 }
 
 #[test]
+fn an_unknown_ending_is_named_unless_the_file_is_an_object() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("problem.foo");
+    let error = |text: &str| {
+        std::fs::write(&path, text).unwrap();
+        exchange::read(&path, None).unwrap_err().to_string()
+    };
+    for text in ["", "1 2 3"] {
+        assert!(error(text).contains("problem.foo: extension: is unknown; known are json .json"));
+    }
+    assert!(error("{").contains("not valid JSON"));
+}
+
+#[test]
 fn problems_are_told_from_scenes() {
     assert!(exchange::is_problem(Path::new("-")));
     assert!(exchange::is_problem(Path::new("missing.mtx")));

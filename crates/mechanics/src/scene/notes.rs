@@ -6,13 +6,14 @@ use super::{Integrator, Scene, Scheme, Solver, Step, catalogue};
 
 impl Scene {
     /// One sentence for each setting that the scheme ignores without using another instead, and for
-    /// each that makes it unstable. A shipped scene has settings for several schemes, so of its
-    /// settings only those that differ from the shipped ones are noted.
+    /// each that makes it unstable. A shipped scene has settings for several schemes, so a setting
+    /// is noted only if it differs from the shipped one and from the default.
     pub fn notes(&self) -> Vec<String> {
         let shipped = catalogue::SHIPPED.iter().find(|shipped| shipped.name == self.name);
         let shipped = shipped.and_then(|shipped| shipped.scene().ok());
         let usual = shipped.map_or_else(Step::default, |scene| scene.step);
-        let step = &self.step;
+        let (step, default) = (&self.step, Step::default());
+        let is_new = |own: f64, usual: f64, default: f64| own != usual && own != default;
         let scheme = step.scheme;
         let is_force = scheme == Scheme::Acceleration;
         let feeds_back = matches!(scheme, Scheme::Velocity | Scheme::SequentialImpulses);
@@ -24,23 +25,29 @@ impl Scene {
             }
         };
         unread(
-            step.alpha != usual.alpha && step.baumgarte == usual.baumgarte && !is_force,
+            is_new(step.alpha, usual.alpha, default.alpha)
+                && step.baumgarte == usual.baumgarte
+                && !is_force,
             "step.alpha",
             "it is for the acceleration level; at velocity level use step.baumgarte for error feedback",
         );
         unread(
-            step.baumgarte != usual.baumgarte && step.alpha == usual.alpha && !feeds_back,
+            is_new(step.baumgarte, usual.baumgarte, default.baumgarte)
+                && step.alpha == usual.alpha
+                && !feeds_back,
             "step.baumgarte",
             "it is for velocity and sequential-impulses; at acceleration level use step.alpha for error feedback",
         );
         unread(
-            step.integrator != usual.integrator && !is_force,
+            step.integrator != usual.integrator
+                && step.integrator != default.integrator
+                && !is_force,
             "step.integrator",
             "it is for the acceleration level",
         );
         let substeps = matches!(scheme, Scheme::Xpbd | Scheme::Soft | Scheme::Penalty);
         unread(
-            step.substeps != usual.substeps && !substeps,
+            step.substeps != usual.substeps && step.substeps != default.substeps && !substeps,
             "step.substeps",
             "it is for xpbd, soft and penalty",
         );

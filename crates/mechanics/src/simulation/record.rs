@@ -195,7 +195,7 @@ impl std::error::Error for Failure {}
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "step {}, at {} s: {}", self.step, self.time, self.cause)
+        write!(f, "step {}, at {} s: {}", self.step, readable(self.time, 6), self.cause)
     }
 }
 

@@ -32,8 +32,14 @@ pub fn options(scene: &Scene) -> Options {
 /// The solver for LCPs that a scene states.
 ///
 /// # Errors
-/// If there is none of that name.
+/// If there is none of that name, or it solves only friction cones.
 pub fn solver(scene: &Scene) -> Result<Box<dyn Solver>> {
+    let name = &scene.solver.name;
+    let mut named = nameable().into_iter().filter(|method| method.name() == *name).peekable();
+    if named.peek().is_some() && named.all(|method| matches!(method, Method::Cone(_))) {
+        let reason = format!("{name} supports only friction cones, not {}", scene.contact.model);
+        return Err(Error::invalid(&*scene.name, "solver.name", reason));
+    }
     by_name(&scene.solver.name, &options(scene)).map_err(|error| error.within(&scene.name))
 }
 

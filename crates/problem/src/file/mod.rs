@@ -298,7 +298,10 @@ fn parse_object(text: &str, input: &str) -> Result<Map<String, Value>> {
         Err(cause) => {
             let place = format!("line {}, column {}", cause.line(), cause.column());
             let not_json = if cause.is_data() { "" } else { "not valid JSON: " };
-            Err(Error::invalid(input, place, format!("{not_json}{cause}")))
+            let reason = cause.to_string();
+            // serde_json repeats the place at the end.
+            let reason = reason.split(" at line ").next().unwrap_or(&reason);
+            Err(Error::invalid(input, place, format!("{not_json}{reason}")))
         }
     }
 }

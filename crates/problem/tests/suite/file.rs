@@ -212,7 +212,7 @@ fn a_key_given_twice_is_refused_wherever_it_stands() {
     let path = folder.path().join("x.json");
     std::fs::write(&path, r#"{"x": [0, 0], "x": [1, 1]}"#).unwrap();
     let told = read_answer(&path, 2, Memory::default()).unwrap_err().to_string();
-    assert!(told.ends_with("the key \"x\" is given twice at line 1 column 17"), "{told}");
+    assert!(told.ends_with("the key \"x\" is given twice"), "{told}");
 }
 
 #[test]

@@ -35,10 +35,13 @@ fn a_scene_is_the_same_by_name_and_by_path() {
 }
 
 #[test]
-fn an_unknown_name_lists_the_shipped_ones() {
+fn an_unknown_name_gives_the_number_of_shipped_ones_and_the_nearest() {
     let message = Scene::load("pendulm").unwrap_err().to_string();
-    assert!(message.starts_with("there is no scene file or shipped scene named \"pendulm\""));
-    assert!(message.contains("double_pendulum"), "{message}");
+    let count = catalogue::SHIPPED.len();
+    let words = format!(
+        "there is no scene file or shipped scene named \"pendulm\"; there are {count}, such as pendulum, "
+    );
+    assert!(message.starts_with(&words), "{message}");
 }
 
 #[test]

@@ -157,6 +157,17 @@ fn no_setting_of_a_shipped_scene_is_noted_as_without_effect() {
     assert!(stack.notes()[0].contains("step.alpha has no effect"), "{:?}", stack.notes());
 }
 
+#[test]
+fn a_file_named_as_a_shipped_scene_has_no_note_on_a_setting_that_it_does_not_state() {
+    let text = "
+        [[bodies]]
+        name = \"bead\"
+        shape = \"point\"
+        mass = 1
+    ";
+    assert_eq!(Scene::from_toml("stack.toml", text).unwrap().notes(), [""; 0]);
+}
+
 /// The remaining fraction of a separated nail's error after 100 steps of 10 ms.
 fn left_of_error(alpha: f64, integrator: Integrator) -> f64 {
     let text = "
