@@ -6,7 +6,7 @@ use crate::Settings;
 use lcplab_problem::memory::Memory;
 use lcplab_problem::{Complementarity, Lcp};
 
-/// A solver's answer. It contains no time, so it is the same on every machine.
+/// A solver's answer. It contains no time, so it does not depend on the machine's speed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
     /// The unknowns, n entries; finite, unless a solver falsely claims otherwise.

@@ -75,7 +75,7 @@ pub const MEASURES: [Measure; 16] = [
 pub static SECONDS: Measure =
     measure("seconds", "s", "the wall time of stepping and solving, on a shared machine");
 
-/// The result at a point; the same on every machine.
+/// The result at a point; the same for any number of threads and for machines of one kind.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Finding {
     /// `solved`, or the solver's status on the last LCP that it did not solve; `no LCP` if there

@@ -66,9 +66,8 @@ impl View for Plan {
 fn table(checks: &[CrossCheck]) -> Table {
     Table::new(
         "Differences from the reference solutions",
-        "Largest difference of any entry. *shared* in the column *x* means that the free rows are \
-         dependent, so a difference in x is not an error. *u − û at most* is a bound from duality and interval \
-         arithmetic on the largest error of lcplab's motion. For rows with friction it applies to the frozen \
+        "Largest difference of any entry. *shared*: x is not unique, so x − x_QP is not an error. *u − û \
+         at most*: a proved bound on the error of lcplab's motion, from duality and interval arithmetic. For rows with friction it applies to the frozen \
          motion, with the friction limits of lcplab's x, and is not a proof for the motion itself.",
         "scene | problem | #step | #rows | #free | #rank | x | #x − x_QP (x) | #w − w_QP (w) | \
          #u − u_Gauss (u) | #u − û at most (u) | verdict | verdict on QP",

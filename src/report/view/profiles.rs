@@ -39,7 +39,7 @@ impl View for Plan {
         document.text(
             "One profile uses all problems $P$ that have a solution, the other only those that the solver \
              attempted. The first one favors general solvers, the second one is fair to specialized solvers. \
-             The cost is measured in three ways: multiplications are the same on every machine, iterations are \
+             The cost is measured in three ways: multiplications do not depend on the speed of the machine, iterations are \
              familiar but differ in cost between methods, and times are in the section on times.",
         );
         document.figure(self.by_work(tried, &solvers));

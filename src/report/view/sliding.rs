@@ -14,7 +14,7 @@ const AGREES: f64 = 1e-3;
 const TABLE: f64 = 30.0;
 
 impl View for Plan {
-    const TITLE: &'static str = "Four friction models, pushed in all directions";
+    const TITLE: &'static str = "Friction models compared: a block pushed in many directions";
 
     fn show(&self, findings: &[Finding], document: &mut Document) {
         for study in findings {
@@ -60,8 +60,7 @@ impl View for Plan {
                  friction, the other less. The frozen box ignores this: its *strength* is too small at one \
                  foot and too large at the other, where it may exceed the $\\sqrt{2}$ of a square of the \
                  correct size. The motion of the rod is the same under both boxes, because the sum of their \
-                 friction is the same. With more corners the polygons approach Coulomb's law; the boxes do \
-                 not.",
+                 friction is the same. With more corners the polygons approach Coulomb's law.",
             );
             document.table("friction_rod", rod_table(study));
             document.text(
@@ -149,7 +148,7 @@ fn path_figure(study: &Finding) -> Lines {
         "A marker every 0.02 s; the last one is where the block stops. The line is the path by \
                   Coulomb's law, which has no preferred direction.",
         Axis::linear("position along t₁", "m"),
-        Axis::linear("place along t₂", "m"),
+        Axis::linear("position along t₂", "m"),
         SHOWN.iter().map(path).chain([theory]).collect(),
     )
 }
@@ -158,9 +157,9 @@ fn path_table(study: &Finding) -> Table {
     Table::new(
         "Where the block stops",
         "Positions along $t_1$ and $t_2$; the expected ones follow from the geometry of the \
-         model, for infinitely short steps. A row agrees if the block stops within the distance of two steps \
-         of the expected position (two, because the frozen box has no load in the first step), and its gap \
-         agrees to 1 µm. *gap*: the height at which the block slides after 0.1 s, $\\Delta t\\, \\mu |v|$ for \
+         model, for infinitely short steps. A row agrees if the block stops no farther from the expected position \
+         than it moves in two steps, and its gap agrees to 1 µm. (The frozen box needs both steps, because its \
+         limits are 0 in the first one.) *gap*: the height at which the block slides after 0.1 s, $\\Delta t\\, \\mu |v|$ for \
          the associated cone. There the block starts at that height; from the floor the cone would throw it up.",
         "model | solver | #problems | #accepted | #t₁ (m) | #expected (m) | #t₂ (m) | \
          #expected (m) | #gap (m) | #expected (m) | agreement",

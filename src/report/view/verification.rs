@@ -15,9 +15,9 @@ impl View for Plan {
             "Does the simulation reproduce numbers with a closed form? {} of {} numbers pass. If a number \
              depends on the time step, its error must decrease at the theoretical order p: each halving of the \
              step multiplies the error by $2^{{-p}}$, and the observed order may differ from p by at most \
-             {ORDER_SLACK}. If a number does not depend on the time step, it must be *exact* at every step, up \
-             to rounding. All other numbers must stay *within a bound*, which is stated with its reason below \
-             the table.",
+             {ORDER_SLACK}. If a number does not depend on the time step, it is *exact*: it must agree at every \
+             time step within the error stated in the column *allowed*. All other numbers must stay *within a \
+             bound*. The reasons for the allowed errors are below the table.",
             rows.len() - failed,
             rows.len()
         ));
@@ -41,7 +41,7 @@ impl View for Plan {
             |kind: &str| rows().filter(|row| row.passes() && self::kind(row) == kind).count();
         let by_order = rows().filter(|row| row.passes() && row.derived_order().is_some()).count();
         let says = format!(
-            "{passed} of {all} numbers agree with their closed forms: {} to machine precision, {by_order} \
+            "{passed} of {all} numbers agree with their closed forms: {} up to rounding and the solver's tolerance, {by_order} \
              converging at the predicted order, {} within a bound fixed beforehand",
             of_kind(EXACT),
             of_kind(BOUNDED)
@@ -50,7 +50,8 @@ impl View for Plan {
     }
 }
 
-/// A number whose errors are at most this large is exact up to rounding.
+/// A number whose allowed errors are at most this large is exact up to rounding and the solver's
+/// tolerance.
 const ROUNDING: f64 = 1e-7;
 const EXACT: &str = "exact";
 const BOUNDED: &str = "within a bound";
@@ -114,8 +115,8 @@ pub fn table(rows: &[Row]) -> Table {
         title: "Closed forms and measured values".into(),
         how_to_read: "*error*: the error with the shortest step, relative unless 0 is expected. A row with a \
          *derived* order passes if the *observed* order, from the two shortest steps, is within 0.1 of it. Any \
-         other row passes if no error exceeds *allowed*: *exact* allows only rounding, *within a bound* allows \
-         more, for the reason given below."
+         other row passes if no error exceeds *allowed*, for the reason given below. *exact*: the value does \
+         not depend on the time step, and *allowed* covers rounding and the solver's tolerance."
             .into(),
         columns: head.into_iter().chain(measured).chain(tail).collect(),
         rows: rows.iter().map(|row| cells(row, levels)).collect(),

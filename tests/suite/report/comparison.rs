@@ -99,7 +99,7 @@ fn no_level_is_called_exact() {
 fn the_trouble_of_a_solver_stands_left_of_the_measures() {
     let table = comparison_table(&compared(&["jacobi", "dantzig"]));
     let titles: Vec<&str> = table.columns.iter().map(|column| column.title.as_str()).collect();
-    assert_eq!(titles[5..8], ["accepted", "trouble", "iterations per problem"]);
+    assert_eq!(titles[5..8], ["accepted", "reason", "iterations per problem"]);
     assert!(table.rows.iter().all(|row| row.len() == titles.len()));
     assert!(table.rows[0][6].text.starts_with("step "), "{}", table.rows[0][6].text);
     assert_eq!(table.rows[1][6].text, "");

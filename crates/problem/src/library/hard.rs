@@ -34,7 +34,7 @@ pub(super) const FAMILIES: &[Generated] = &[
     },
     Generated {
         name: "fathi",
-        about: "F = U Uᵀ with Murty's U, positive definite; b = −1: one LCP, five costs, 1 to 2ⁿ",
+        about: "F = U Uᵀ with Murty's U, positive definite; b = −1: five methods need 1 to 2ⁿ steps, by the numbering of the rows",
         source: "Fathi 1979",
         parameters: &[Parameter::whole("n", "number of rows", 6, [1, 50]), ORDER],
         make: |values| {

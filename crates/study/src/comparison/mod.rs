@@ -153,7 +153,7 @@ impl From<&Motion> for Sample {
     }
 }
 
-/// Seconds that one run took; kept apart from the results, which are the same on every machine.
+/// Seconds that one run took; kept apart from the results, which do not depend on the speed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Timing {
     /// The scene.

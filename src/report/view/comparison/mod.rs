@@ -13,7 +13,8 @@ use crate::report::page::{Cell, Column, Mark, Page, Table, markup};
 use crate::report::study::comparison::{Comparison, LeftOut, Plan, Run, Sample, Timing, best};
 use crate::scene::Scheme;
 
-/// The position of the column for trouble, left of the measures so that a narrow screen shows it.
+/// The position of the column for the reason of a failure, left of the measures so that a narrow
+/// screen shows it.
 const TROUBLE: usize = 6;
 /// The entry in the column of solvers for a scheme that solves no LCP.
 const NO_SOLVER: &str = "none";
@@ -149,7 +150,7 @@ pub fn table(comparison: &Comparison) -> Table {
     let left_out = &comparison.left_out;
     let trouble = !left_out.is_empty() || comparison.runs.iter().any(|run| run.trouble.is_some());
     if trouble {
-        columns.insert(TROUBLE, Column::words("trouble"));
+        columns.insert(TROUBLE, Column::words("reason"));
     }
     let mut rows: Vec<Vec<Cell>> =
         comparison.runs.iter().map(|run| cells(run, comparison.steps)).collect();

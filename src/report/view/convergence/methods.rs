@@ -69,7 +69,7 @@ fn answer(
     format!(
         "**Which solver for {}?** *{}* is the cheapest: it needs {}{beside}. The most expensive, \
          *{}*, needs {}, {} times the work. {solved} of {tried} solvers reach a residual of {}, and the judge \
-         accepts their answers. Other sizes and ratios have other costs.",
+         accepts their answers.",
         progress.problem,
         first.solver,
         needs(first),

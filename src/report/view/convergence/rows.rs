@@ -35,11 +35,11 @@ impl Rows {
             title: format!("The residual of {} rows, sweep by sweep", self.bodies),
             caption: "Each small square is the residual of one row after one sweep; the contact with the \
                       ground is at the bottom, and white is a residual of 0. In sweeps from the top down, the \
-                      impulse of the ground moves up by one row per sweep: the white wedge shows the rows that \
+                      impulse of the ground moves up by one row per sweep: the white area shows the rows that \
                       it has not reached. In sweeps from the ground up, it reaches the top in the first sweep, \
                       halved in each row (the row swept last is always satisfied); then the residuals of all \
-                      rows decrease together, slowly. With the best ω a front returns from the top, one row \
-                      per sweep, and the residual behind it is lower. With Jacobi's method, a row changes in \
+                      rows decrease together, slowly. With the best ω the residual drops row by row from the \
+                      top, one row per sweep. With Jacobi's method, a row changes in \
                       every second sweep."
                 .into(),
             across: "sweep".into(),

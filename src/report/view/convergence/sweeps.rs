@@ -13,8 +13,8 @@ const AGREES: f64 = 0.1;
 pub(super) fn show(studies: &[&Rates], document: &mut Document) {
     document.text(
         "While the active set does not change, each sweep multiplies the error by the same \
-         matrix. Its spectral radius $\\rho$ is the slope of the curves below: the residual falls \
-         like $\\rho^k$. For a chain, whose matrix is consistently ordered, Young's theory also \
+         matrix, and the residual falls like $\\rho^k$ with its spectral radius $\\rho$: the curves \
+         below have the slope $\\log \\rho$. For a chain, whose matrix is consistently ordered, Young's theory also \
          gives the best relaxation factor:",
     );
     document.equation(
@@ -40,11 +40,14 @@ pub(super) fn outcome(studies: &[&Rates]) -> Outcome {
     let (settled, bounded) =
         (slopes(false).filter(|(agrees, _)| *agrees).count(), slopes(false).count());
     let slower = slopes(false).filter(|(agrees, slower)| !agrees && *slower).count();
-    let says = format!(
-        "without bounds, {agree} of {all} slopes match the spectral radius; with bounds, {settled} of \
-         {bounded} match and {} are still steeper",
-        bounded - settled - slower
-    );
+    let mut says = format!("without bounds, {agree} of {all} slopes match the spectral radius");
+    if bounded > 0 {
+        says += &format!("; with bounds, {settled} of {bounded} match");
+    }
+    let faster = bounded - settled - slower;
+    if faster > 0 {
+        says += &format!(" and {faster} fall faster, which is not counted as an error");
+    }
     Outcome { good: agree == all && slower == 0, says }
 }
 
@@ -111,9 +114,10 @@ fn table(studies: &[&Rates]) -> Table {
     Table::new(
         "Contraction per sweep, predicted and measured",
         "The factor by which a sweep multiplies the error: *predicted* is the spectral radius of the \
-             iteration matrix on the free rows, *measured* the slope of the second half of the curve. They \
-             agree if the digits gained per sweep are the same to 10 %. With bounds, ρ is the limit of the \
-             slope; a curve that is still steeper, because the slowest component is small, has *not settled*.",
+             iteration matrix on the free rows, *measured* the factor per sweep in the second half of the curve. \
+             They agree if the digits gained per sweep are the same to 10 %. With bounds, ρ is the limit of \
+             the factor; a curve that still falls faster, because the slowest component is small, has *not \
+             settled*.",
         "scene | #ω | #predicted ρ | #measured | #sweeps recorded | agreement",
         rows.collect(),
     )

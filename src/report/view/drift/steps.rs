@@ -114,7 +114,7 @@ fn table(studies: &[&Levels]) -> Table {
         "Largest errors over the run",
         "*gain*: the error with twice this step, divided by the error with this step; 2 for a \
          first-order method, 4 for a second-order method.",
-        "scene | level | #dt (s) | #energy error (%) | #gain | #drift (mm) | #gain | trouble",
+        "scene | level | #dt (s) | #energy error (%) | #gain | #drift (mm) | #gain | reason",
         rows.collect(),
     )
 }
