@@ -55,13 +55,14 @@ solver's error is at least twice that of plain Gauss-Seidel after the same numbe
 listed as the first cause. A problem file, or a folder of them, has no solver of its own: name one with \
 --solver or --sweeps for the same analysis. Every error is a fraction of the motion that the constraints cause.
 
-With an answer, lcplab solves the problem once with each known mistake. It names a mistake if that result, \
+With an answer, lcplab compares it with the result of each known mistake, including up to 2,000 sweeps of each \
+method. It names a mistake if that result, \
 rounded to the precision of x, is at least a hundred times closer to x than the exact solution is. If the judge \
 accepts the answer, lcplab names no mistake.
 
 Exit codes:
-  0  the problem, or each problem of the folder, can be solved
-  1  a problem cannot be solved, or the judge rejects the answer
+  0  the problem can be solved; in a folder, an accepted answer to each problem is known
+  1  otherwise, or the judge rejects the answer
   2  invalid input or usage")]
 pub struct Diagnose {
     /// Scene file, name of a shipped scene, problem file, folder of problem files, or - for a JSON

@@ -30,8 +30,8 @@ Examples:
   lcplab explain sphere_plane --model polygon-4
   lcplab export stack | lcplab explain - --solver dantzig --format markdown
 
-The derivation lists, with units: states, masses and forces; c, J and J'u of each row; the steps from Newton's \
-law to A and b; and each sweep, pivot or tableau of the solver. It shows at most 12 rows of each. A page \
+The derivation lists, with units: states, masses and forces; c, J and the bias acceleration J'u of each row; the steps from Newton's \
+law to A and b; and each sweep, pivot or tableau of the solver. Matrices and tables show at most 12 rows. A page \
 begins with a picture. For a problem file the derivation starts at A and b. For friction cones it leaves out \
 the iterations of the solver, and adds the derivation of the coupled box.
 

@@ -22,8 +22,9 @@ Examples:
   lcplab grid run omega       # on all cores; continues after an interruption
   lcplab grid collect omega   # grids/omega/results.csv, results.json and index.html
 
-Tasks can run one by one, in any order and on several machines (grid run FILE --task K). The \
-collected results are bitwise identical; wall times go to a separate file, times.csv. If a point cannot be computed, its row gives the reason.
+Tasks can run one by one, in any order and on several machines (grid run FILE --task K). On the same processor the \
+collected results are bitwise identical; wall times go to a separate file, times.csv. If a point cannot be computed, \
+its row gives the reason.
 
 Exit codes:
   0  all results exist, and the judge rejects no claim

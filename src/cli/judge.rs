@@ -55,7 +55,7 @@ pub struct Judge {
     fail_on: Worst,
     #[command(flatten)]
     memory: MemoryLimit,
-    /// Print the forces by pair of bodies and by contact, and what is unique of them; needs a file
+    /// Print the forces by pair of bodies and by contact, and which are unique; needs a file
     /// with the keys motion, rows and bodies, as `export` writes it
     #[arg(long)]
     loads: bool,
@@ -68,9 +68,9 @@ pub struct Judge {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 #[value(rename_all = "snake_case")]
 enum Worst {
-    /// Accept only proved answers
+    /// Fail unless every answer is proved
     WithinTolerance,
-    /// Accept proved answers and those within tolerance
+    /// Fail if an answer is rejected
     NotASolution,
 }
 

@@ -22,7 +22,7 @@ const EXERCISES: &[Exercise] = {
     exercises!(answers)
 };
 
-/// Run the cells of a lesson and write it as a page
+/// Write a lesson as a page, with the outputs of its cells
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -31,6 +31,8 @@ Examples:
   lcplab lesson --all          # writes reports/lessons/index.html, 01_….html, …
   lcplab lesson guide --open   # for teachers
   lcplab lesson --all --pyodide node_modules/pyodide    # after npm install pyodide
+
+lcplab runs the Rust cells of a lesson; the output of its Python cells is the recorded one.
 
 A page needs no network connection. With --pyodide, readers can change and run the Python cells in the browser; they \
 install nothing, but a web server must serve the folder: copy it to one, or run python3 -m http.server --directory \

@@ -1,4 +1,4 @@
-//! `live`: writes pages on which problems are dragged and methods stepped through.
+//! `live`: writes interactive pages, on which you change problems and step through solvers.
 
 use std::path::PathBuf;
 
@@ -9,7 +9,7 @@ use lcplab::live::{PAGES, Page};
 
 use super::{Outcome, folder_of, print};
 
-/// Write a live page, on which you drag a problem and step through methods
+/// Write an interactive page on which you can change a problem and step through the solvers
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

@@ -63,9 +63,9 @@ Exit codes:
   0    solved, accepted, or written
   1    rejected, failed, diverged, or stopped by the time limit
   2    invalid input or usage, or a file that cannot be read or written
-  130  stopped by Ctrl-C or SIGTERM
+  130  stopped by Ctrl-C
 
-A command that is stopped writes what it has computed. lcplab COMMAND --help shows examples.")]
+A long command that is stopped by Ctrl-C or SIGTERM writes what it has computed. lcplab COMMAND --help shows examples.")]
 struct Cli {
     #[command(subcommand)]
     command: Command,

@@ -69,7 +69,7 @@ pub struct Solve {
     /// Write the strongest proof to this file, as the command prove does
     #[arg(long, value_name = "FILE")]
     proof: Option<PathBuf>,
-    /// Print the forces by pair of bodies and by contact, and what is unique of them; needs a file
+    /// Print the forces by pair of bodies and by contact, and which are unique; needs a file
     /// with the keys motion, rows and bodies, as `export` writes it
     #[arg(long)]
     loads: bool,

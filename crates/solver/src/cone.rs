@@ -76,7 +76,7 @@ pub const CONES: &[ConeEntry] = &[
     },
     ConeEntry {
         name: "apgd",
-        method: "accelerated projected gradients with restart, shift frozen, iterative",
+        method: "accelerated projected gradients with restart, De Saxcé's shift updated between solves, iterative",
         class: Class::of(MatrixClass::Semidefinite).with_positive_diagonal(),
         laws: BOTH,
         group: Group::FirstOrder,

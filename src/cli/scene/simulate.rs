@@ -76,8 +76,8 @@ pub struct Simulate {
     /// Draw contacts, contact forces and constraint forces in frames.svg
     #[arg(long, requires = "out")]
     forces: bool,
-    /// Print the forces of the last step by pair of bodies and by contact, and what is unique of
-    /// them
+    /// Print the forces of the last step by pair of bodies and by contact, and which of them
+    /// are unique
     #[arg(long)]
     loads: bool,
     /// Print one JSON object

@@ -224,7 +224,7 @@ impl<'a> Problem<'a> {
         Ok(Motion { needed: self.mass.times(&change), s, nearest, left })
     }
 
-    /// r = s + γ p, moved into its allowed set.
+    /// r = s + γ p, projected onto its allowed set.
     fn left(&self, s: &[Interval], nearest: &[f64]) -> Vec<f64> {
         let gauss = self.gauss;
         let own = |i: usize| {

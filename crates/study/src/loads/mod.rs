@@ -1,4 +1,4 @@
-//! The forces of an answer by pair of bodies, by body and by contact, and what is unique of them.
+//! The forces of an answer by pair of bodies, by body and by contact, and which of them are unique.
 //!
 //! A problem file with the keys `motion`, `rows` and `bodies` says which bodies a row acts between.
 //! Jᵀ x of the rows of a pair is the force on its second body in world axes, and the moment about
