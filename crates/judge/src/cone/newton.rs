@@ -71,8 +71,8 @@ pub(super) struct Center {
 
 impl Center {
     /// A box around the center that its map contracts, whether or not the inequalities hold; `None`
-    /// if it would be larger than x. (The bound of the image is quadratic in the radius: beyond that
-    /// each round doubles the digits.)
+    /// if it would be larger than x: the bound of the image is quadratic in the radius, and from
+    /// there on each round doubles the digits.
     pub fn enclosure(self, system: &System<'_>) -> Option<Enclosure> {
         let one = dyadic(1.0);
         let at = system.at(&self.x, &one);
