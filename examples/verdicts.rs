@@ -20,7 +20,7 @@ use lcplab::lcp::file::{Problem, number};
 use lcplab::lcp::friction::{ConeProblem, FrictionProblem, Law, Model, Polyhedral, ProblemForm};
 use lcplab::lcp::{Lcp, library};
 use lcplab::report::answer::{
-    Answer, certificate_json, claim, evidence_json, rounding_json, status_word, verdict_json,
+    Answer, certificate_json, evidence_json, rounding_json, status_word, verdict_json,
 };
 use lcplab::report::friction::JudgedAnswer;
 use lcplab::scene::{Scene, Scheme, catalogue};
@@ -110,9 +110,7 @@ fn polygon_record(name: &str, friction: &FrictionProblem, corners: usize) -> Res
         let (word, judged) = match status {
             Some(status) => {
                 let judged = judged.with_claim(&posed, status, &demand);
-                let certificate = &judged.certificate;
-                let refutation = certificate.refutation();
-                (claim(status, &certificate.verdict, refutation, None).0, judged)
+                (judged.claim(status, None).0, judged)
             }
             None => ("failed", judged), // no solver claims it
         };

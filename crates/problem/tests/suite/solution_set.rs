@@ -90,7 +90,7 @@ fn every_point_of_a_face_is_a_solution() {
             };
             for length in [0, 1, 7] {
                 let x: Vec<f64> = (0..n).map(|i| entry(i, length)).collect();
-                // Small integers: halves, quarters and eighths are not rounded, and others are left out.
+                // Small integers: halves, quarters and eighths are exact, others are left out.
                 if x.iter().all(|x| (8.0 * x).fract() == 0.0) {
                     let point = Point::new(x.iter().map(|&x| dyadic(x)).collect(), dyadic(1.0));
                     assert!(exact.is_solved_by(&point), "{lcp:?}: {x:?}");
