@@ -1,12 +1,12 @@
 //! A problem of the user: solved by any method and derived, judged, proved.
 
-use lcplab_judge::Demand;
+use lcplab_judge::{Demand, judge};
 use lcplab_page::document::Block;
 use lcplab_problem::file::Problem;
 use lcplab_problem::{Lcp, Question};
 use lcplab_proof::prove;
 use lcplab_solver::{ALL, Options, Start, by_name, default_for};
-use lcplab_study::answer::{Answer as JudgedAnswer, certificate_text, judged};
+use lcplab_study::answer::{Answer as JudgedAnswer, certificate_text};
 use lcplab_study::explain::{Method, problem as derivation};
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
@@ -79,7 +79,7 @@ impl Judge {
         let question = read(self.problem)?;
         let lcp = boxed(&question)?;
         fits(lcp, &self.x)?;
-        let certificate = judged(lcp, &self.x, &Demand::default());
+        let certificate = judge(lcp, &self.x, &Demand::default());
         Ok(json!({
             "verdict": certificate.verdict.word(),
             "text": certificate_text(&certificate, question.problem()),

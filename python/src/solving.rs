@@ -1,13 +1,13 @@
 //! Solve, judge, explain and compare.
 
-use lcplab::certificate::{Demand, Verdict};
+use lcplab::certificate::{self, Demand, Verdict};
 use lcplab::document::Format;
 use lcplab::error::Error;
 use lcplab::explain::{Method as Explained, problem as explained};
 use lcplab::lcp::Lcp;
 use lcplab::lcp::Question;
 use lcplab::lcp::friction::Model;
-use lcplab::report::answer::{Answer, attempts_json, certificate_json, judged};
+use lcplab::report::answer::{Answer, attempts_json, certificate_json, searched};
 use lcplab::report::friction::{self, JudgedAnswer};
 use lcplab::report::study::families::{self, Contender, Models};
 use lcplab::report::{methods, text, view};
@@ -194,7 +194,8 @@ fn answered(
         },
         None => solve_boxed_by_sequence(lcp, &start, options, observer),
     };
-    (Answer::judged(lcp, solver, solution, demand).after(attempts), convergence.records)
+    let answer = Answer::judged(lcp, solver, solution, demand).searched(lcp, demand);
+    (answer.after(attempts), convergence.records)
 }
 
 /// The judge's certificate, as JSON, with whether x is accepted.
@@ -220,7 +221,8 @@ pub fn judge(
             (judged.certificate.verdict, judged.json())
         }
         None => {
-            let certificate = py.detach(|| judged(lcp, &x, &demand));
+            let certificate =
+                py.detach(|| searched(lcp, certificate::judge(lcp, &x, &demand), &demand));
             (certificate.verdict, certificate_json(&certificate))
         }
     };

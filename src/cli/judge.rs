@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use lcplab::certificate::{Demand, Verdict, printed_up};
+use lcplab::certificate::{Demand, Verdict, judge, printed_up};
 use lcplab::error::Result;
 use lcplab::lcp::Question;
 use lcplab::lcp::file::{Problem, number, read_answers};
 use lcplab::lcp::friction::Model;
-use lcplab::report::answer::{bound, certificate_json, certificate_text, judged, verdict_json};
+use lcplab::report::answer::{bound, certificate_json, certificate_text, searched, verdict_json};
 use lcplab::report::friction::JudgedAnswer as Judgement;
 use lcplab::report::loads::Loads;
 use lcplab::report::minimum::Descent;
@@ -132,7 +132,8 @@ impl Judge {
             let verdict = friction::judge(question, &title(problem), x, &demand, self.json)?;
             return Ok(self.fail_on.outcome(&verdict));
         }
-        let certificate = judged(&problem.lcp, x, &demand);
+        let certificate = judge(&problem.lcp, x, &demand);
+        let certificate = searched(&problem.lcp, certificate, &demand);
         let bound = bound(&problem.lcp, x, &certificate);
         if self.json {
             let mut object = certificate_json(&certificate);

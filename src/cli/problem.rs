@@ -141,6 +141,7 @@ impl Solve {
         self.tracing.write(&problem.lcp, solver, &options, &solution, &trace.records)?;
         self.prove(&question, &solution.x)?;
         let answer = Answer::judged(&problem.lcp, solver, solution, &demand);
+        let answer = answer.searched(&problem.lcp, &demand);
         let answer = answer.stopped(stopped).after(attempts);
         if self.json {
             let mut object = answer.to_json();

@@ -34,16 +34,22 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// Judges a solution; if it is rejected, or the solver ended on a ray or reports that there is
-    /// no solution, the judge looks for a proof of that.
+    /// Judges a solution; if the solver ended on a ray or reports that there is no solution, the
+    /// judge looks for a proof of that.
     pub fn judged(lcp: &Lcp, solver: &'static str, solution: Solution, demand: &Demand) -> Self {
-        let certificate = judged(lcp, &solution.x, demand);
+        let certificate = judge(lcp, &solution.x, demand);
         let certificate = match proof_of_denial(lcp, &solution.status, demand) {
             Some(refutation) => certificate.refuted_by(refutation),
             None => certificate,
         };
         let error_bound = bound(lcp, &solution.x, &certificate);
         Answer { solver, solution, certificate, error_bound, stopped: None, attempts: Vec::new() }
+    }
+
+    /// The same answer; if it is rejected, with a proof that no x solves the problem, where the
+    /// judge finds one.
+    pub fn searched(self, lcp: &Lcp, demand: &Demand) -> Self {
+        Answer { certificate: searched(lcp, self.certificate, demand), ..self }
     }
 
     /// The same answer with the reason why the solver was stopped.
@@ -142,23 +148,21 @@ pub fn labelled(verdict: &Verdict, w: &[f64], problem: &Problem) -> String {
     format!("{verdict} ({label}: {meaning})")
 }
 
-/// Judges x; if it is rejected, the judge looks for a proof that no x solves the problem.
+/// The certificate; if x is rejected, with a proof that no x solves the problem, where the judge
+/// finds one.
 ///
 /// ```
-/// use lcplab_judge::{Demand, Refutation};
+/// use lcplab_judge::{Demand, Refutation, judge};
 /// use lcplab_problem::{Lcp, Matrix};
 ///
 /// // w = −x − 1 is negative for every x ≥ 0.
 /// let lcp = Lcp::new(Matrix::dense(1, &[-1.0]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
-/// let certificate = lcplab_study::answer::judged(&lcp, &[0.0], &Demand::default());
+/// let demand = Demand::default();
+/// let certificate = lcplab_study::answer::searched(&lcp, judge(&lcp, &[0.0], &demand), &demand);
 /// assert!(matches!(certificate.refutation(), Some(Refutation::Vector(_))));
 /// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
-///
-/// # Panics
-/// If x does not have n entries.
-pub fn judged(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
-    let certificate = judge(lcp, x, demand);
+pub fn searched(lcp: &Lcp, certificate: Certificate, demand: &Demand) -> Certificate {
     let is_open = !certificate.verdict.is_solution() && certificate.refutation().is_none();
     match impossible(lcp, is_open, demand) {
         Some(refutation) => certificate.refuted_by(refutation),

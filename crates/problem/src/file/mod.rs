@@ -55,7 +55,7 @@ use std::path::Path;
 
 use serde_json::{Map, Value, json};
 
-use parts::{frozen_at, model, scale};
+use parts::{descriptions, frozen_at, model, scale};
 use similar::similar;
 use value::numbers;
 
@@ -160,9 +160,7 @@ impl Problem {
         let frozen_at = frozen_at(&object, parts.b.len(), &mut defects);
         let scale = scale(&object, &mut defects);
         let motion = motion::read(&object, parts.b.len(), &mut defects);
-        if object.get("objective").is_some_and(|value| !value.is_boolean()) {
-            defects.add("objective", "must be true or false");
-        }
+        descriptions(&object, parts.b.len(), &mut defects);
         defects.into_result(input)?;
         let lcp = parts.into_lcp().and_then(|lcp| lcp.with_scale(scale));
         let lcp = lcp.map_err(|error| error.within(input))?;

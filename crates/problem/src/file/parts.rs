@@ -6,6 +6,7 @@ use super::matrix::Entries;
 use super::value::{brief, numbers};
 use crate::error::{Defects, Error, Result};
 use crate::friction::Model;
+use crate::number::counted;
 use crate::{Coupling, Lcp};
 
 /// The keys of a problem file, each valid by itself; n is the length of b.
@@ -72,6 +73,29 @@ pub(super) fn scale(object: &Map<String, Value>, defects: &mut Defects) -> f64 {
             defects.add("scale", format!("must be a positive number, is {}", brief(value)));
             0.0
         }
+    }
+}
+
+/// Checks the keys that describe a problem of n rows: `rows` with an object for each row, from the
+/// first on, the time step `dt` (s), and `objective`.
+pub(super) fn descriptions(object: &Map<String, Value>, n: usize, defects: &mut Defects) {
+    if object.get("objective").is_some_and(|value| !value.is_boolean()) {
+        defects.add("objective", "must be true or false");
+    }
+    if let Some(dt) = object.get("dt")
+        && !dt.as_f64().is_some_and(|dt| dt > 0.0)
+    {
+        defects.add("dt", format!("must be a positive number of seconds, is {}", brief(dt)));
+    }
+    match object.get("rows").map(Value::as_array) {
+        None => {}
+        Some(Some(rows)) if rows.len() > n => {
+            let reason =
+                format!("has {} entries, the problem has {}", rows.len(), counted(n, "row"));
+            defects.add("rows", reason);
+        }
+        Some(Some(rows)) if rows.iter().all(Value::is_object) => {}
+        Some(_) => defects.add("rows", "must be a list of objects"),
     }
 }
 

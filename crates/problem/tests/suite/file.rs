@@ -97,6 +97,24 @@ fn the_schema_names_all_keys_that_are_read_and_no_other() {
 }
 
 #[test]
+fn descriptions_of_rows_that_do_not_exist_and_time_steps_that_are_none_are_defects() {
+    let with = |key: &str| {
+        let text = format!(r#"{{"A": {{"dense": [[2]]}}, "b": [-1], {key}}}"#);
+        Problem::parse(&text, "p.json").map_err(|error| error.to_string())
+    };
+    for (key, message) in [
+        (r#""rows": [{}, {}]"#, "p.json: rows: has 2 entries, the problem has 1 row"),
+        (r#""rows": ["normal"]"#, "p.json: rows: must be a list of objects"),
+        (r#""rows": {"label": "a"}"#, "p.json: rows: must be a list of objects"),
+        (r#""dt": -0.01"#, "p.json: dt: must be a positive number of seconds, is -0.01"),
+        (r#""dt": "1 ms""#, "p.json: dt: must be a positive number of seconds, is \"1 ms\""),
+    ] {
+        assert_eq!(with(key).err().as_deref(), Some(message));
+    }
+    assert!(with(r#""rows": [{"label": "left"}], "dt": 0.01"#).is_ok());
+}
+
+#[test]
 fn an_exact_solution_is_integers_over_the_least_denominator() {
     let x = ["14/5", "0", "-1/10", "3"].map(|x| x.parse::<RBig>().unwrap());
     let json = Expected::unique(x.to_vec()).json();
