@@ -3,6 +3,7 @@
 Each change names a file, what it says before the first release, and what it says then. A dry run checks that every change
 still fits its file, so that the texts cannot move away from them. When version 0.1.0 is out, only `heading` is still needed."""
 
+import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -20,7 +21,7 @@ CHANGES = [
         '[project.urls]\nRepository = "{url}"\n\n[project.optional-dependencies]\n',
     ),
     ("CITATION.cff", "version: {version}\n", 'version: {version}\ndate-released: {date}\nrepository-code: "{url}"\n'),
-    ("CHANGELOG.md", "No version has been released. The first version has:\n", "The first version has:\n"),
+    ("CHANGELOG.md", "No version has been released. The promise", "The promise"),
     ("SECURITY.md", "There is no release yet, so\nfixes go to the newest commit.", "Fixes go to\nthe newest version."),
     (
         "README.md",
@@ -109,7 +110,7 @@ copy, and every page of the site shows it at its foot.
 
 def heading(version: str, date: str) -> tuple[str, str, str]:
     """The change of the title of a version's section."""
-    return "CHANGELOG.md", f"## Unreleased ({version})\n", f"## {version} ({date})\n"
+    return "CHANGELOG.md", f"## {version} (unreleased)\n", f"## {version} ({date})\n"
 
 
 def prepared(version: str, url: str, date: str) -> dict[str, str]:
@@ -132,3 +133,9 @@ def filled(text: str, words: dict[str, str]) -> str:
     for key, word in words.items():
         text = text.replace(key, word)
     return text
+
+
+if __name__ == "__main__":  # whether every change still fits
+    cargo = tomllib.loads((ROOT / "Cargo.toml").read_text(encoding="utf-8"))["workspace"]["package"]
+    if "OWNER" in cargo["repository"]:
+        prepared(cargo["version"], cargo["repository"], "2000-01-01")

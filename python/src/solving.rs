@@ -217,7 +217,9 @@ pub fn judge(
     let question = question(problem, model, None)?;
     let (verdict, object) = match question.model() {
         Some(_) => {
-            let judged = py.detach(|| JudgedAnswer::of(&question, &x, &demand));
+            let judged = py.detach(|| {
+                JudgedAnswer::of(&question, &x, &demand).searched(question.posed(), &demand)
+            });
             (judged.certificate.verdict, judged.json())
         }
         None => {

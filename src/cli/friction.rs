@@ -75,7 +75,7 @@ pub fn judge(
     demand: &Demand,
     json: bool,
 ) -> Result<Verdict> {
-    let judged = JudgedAnswer::of(question, x, demand);
+    let judged = JudgedAnswer::of(question, x, demand).searched(question.posed(), demand);
     if json {
         print_json(question, Map::new(), x, &judged)?;
     } else {

@@ -5,6 +5,8 @@
 
 use std::fmt;
 
+use crate::edit_distance::edit_distance;
+
 /// At most this many defects are listed in one message; the message counts the rest.
 const LISTED: usize = 20;
 /// The largest number of names that a message lists in full, and the number of those of a longer
@@ -147,25 +149,9 @@ fn names(name: &str, known: &[String]) -> String {
         return known.join(", ");
     }
     let mut nearest: Vec<&str> = known.iter().map(String::as_str).collect();
-    nearest.sort_by_key(|known| edits(name, known)); // stable: in the given order
+    nearest.sort_by_key(|known| edit_distance(name, known)); // stable: in the given order
     nearest.truncate(NEAREST_NAMES);
     format!("{}, such as {}", known.len(), nearest.join(", "))
-}
-
-/// The number of letters to insert, to remove or to replace until one word is the other.
-fn edits(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, letter) in a.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, own) in b.iter().enumerate() {
-            let replaced = diagonal + usize::from(letter != *own);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(diagonal + 1).min(row[j] + 1);
-        }
-    }
-    row[b.len()]
 }
 
 fn list(input: &str, defects: &[Defect]) -> String {

@@ -13,6 +13,7 @@ pub mod accurate;
 mod complementarity;
 mod coupled;
 pub mod disk;
+mod edit_distance;
 pub mod error;
 pub mod exact;
 #[cfg(feature = "json")]

@@ -2,7 +2,7 @@
 //!
 //! | problem | methods, in this order |
 //! | --- | --- |
-//! | boxes, A symmetric up to rounding | `dantzig`, `block-pivoting`, `newton`, `interior-point`; if A is not positive semidefinite, `lemke`, `enumeration` |
+//! | boxes, A symmetric up to rounding | `dantzig`, `block-pivoting`, `newton`, `interior-point`; if A is small and not positive semidefinite, `lemke`, `enumeration` |
 //! | boxes, any other A | `lemke`, `fischer-newton`, `enumeration` |
 //! | polygons | `lemke`, contact by contact (`polygon-pgs`) |
 //! | cones | `apgd` if A is symmetric up to rounding, `cone-pgs` |
@@ -39,6 +39,8 @@ use lcplab_problem::friction::{ConeProblem, Polyhedral, ProblemForm};
 const MOST_STEPS: usize = 100;
 /// Maximum number of active sets that the enumeration tries.
 const MOST_SETS: usize = 1 << 16;
+/// Number of rows up to which a symmetric A is examined for negative eigenvalues.
+const MOST_ROWS: usize = 300;
 /// With a unit diagonal, an eigenvalue that is less than this below zero, times n, is rounding.
 const ROUNDING: f64 = 1e-10;
 
@@ -103,7 +105,7 @@ pub fn solve_boxed_without(
     let names: Vec<&str> = names.iter().copied().filter(|name| *name != tried).collect();
     let attempt = |name: &'static str, observer: &mut dyn Observer| {
         let is_general = matches!(name, "lemke" | "enumeration");
-        if is_general && is_symmetric && is_semidefinite(lcp) {
+        if is_general && is_symmetric && (lcp.len() > MOST_ROWS || is_semidefinite(lcp)) {
             return None;
         }
         let solver = entry(name).ok().map(|entry| (entry.build)(&within_budget(name, options)));

@@ -45,7 +45,7 @@ pub fn solve(
     let solution = method.solve(question.posed(), options, observer);
     let judged = JudgedAnswer::of(question, &solution.x, demand);
     let judged = judged.with_claim(question.posed(), &solution.status, demand);
-    (solution, judged)
+    (solution, judged.searched(question.posed(), demand))
 }
 
 /// Solves a problem under the model of the question by the fallback sequence, and judges the
@@ -59,7 +59,7 @@ pub fn solve_by_default(
     let answered = solve_by_sequence(question.posed(), options, observer);
     let judged = JudgedAnswer::of(question, &answered.solution.x, demand);
     let judged = judged.with_claim(question.posed(), &answered.solution.status, demand);
-    (answered, judged)
+    (answered, judged.searched(question.posed(), demand))
 }
 
 /// One contact in an answer.
@@ -90,16 +90,7 @@ pub struct JudgedAnswer {
 impl JudgedAnswer {
     /// Judges an answer, one number per row of the problem, under the model of the question.
     /// Without contacts, Coulomb's law requires nothing beyond the problem.
-    /// If x is rejected, the judge looks for a proof that no x solves the problem.
     pub fn of(question: &Question, x: &[f64], demand: &Demand) -> Self {
-        let judged = JudgedAnswer::at(question, x, demand);
-        let verdict = &judged.certificate.verdict;
-        let is_open = !verdict.is_solution() && judged.certificate.refutation().is_none();
-        let proof = provable(question.posed()).and_then(|lcp| impossible(lcp, is_open, demand));
-        judged.refuted_by(proof)
-    }
-
-    fn at(question: &Question, x: &[f64], demand: &Demand) -> Self {
         match question.friction() {
             Some(friction) => JudgedAnswer::at_contacts(friction, question.posed(), x, demand),
             None => {
@@ -131,6 +122,15 @@ impl JudgedAnswer {
     /// The same with the judge's result on the solver's claim that there is no solution.
     pub fn with_claim(self, posed: &ProblemForm, status: &Status, demand: &Demand) -> Self {
         let proof = provable(posed).and_then(|lcp| proof_of_denial(lcp, status, demand));
+        self.refuted_by(proof)
+    }
+
+    /// The same answer; if it is rejected, with a proof that no x solves the problem, where the
+    /// judge finds one.
+    pub fn searched(self, posed: &ProblemForm, demand: &Demand) -> Self {
+        let FrictionCertificate { verdict, .. } = &self.certificate;
+        let is_open = !verdict.is_solution() && self.certificate.refutation().is_none();
+        let proof = provable(posed).and_then(|lcp| impossible(lcp, is_open, demand));
         self.refuted_by(proof)
     }
 

@@ -1,6 +1,7 @@
 //! Suggests the known key of a problem file that an unknown key was probably meant to be.
 
 use super::READ;
+use crate::edit_distance::edit_distance;
 
 /// Names that other programs and textbooks use for the keys of a problem file.
 const OTHER_NAMES: [(&str, &[&str]); 5] = [
@@ -23,21 +24,6 @@ pub(super) fn similar(key: &str) -> Option<&'static str> {
     }
     // Two changes turn any short word into any other.
     let long = READ.into_iter().filter(|known| known.len() > 2 * MOST_CHANGES);
-    let nearest = long.map(|known| (changes(&key, known), known)).min()?;
+    let nearest = long.map(|known| (edit_distance(&key, known), known)).min()?;
     (nearest.0 <= MOST_CHANGES).then_some(nearest.1)
-}
-
-/// The number of letters to change, add or remove to turn one word into the other.
-fn changes(from: &str, to: &str) -> usize {
-    let to: Vec<char> = to.chars().collect();
-    let mut row: Vec<usize> = (0..=to.len()).collect();
-    for (i, a) in from.chars().enumerate() {
-        let mut diagonal = std::mem::replace(&mut row[0], i + 1);
-        for (j, b) in to.iter().enumerate() {
-            let changed = diagonal + usize::from(a != *b);
-            diagonal = row[j + 1];
-            row[j + 1] = changed.min(diagonal + 1).min(row[j] + 1);
-        }
-    }
-    row[to.len()]
 }

@@ -46,6 +46,7 @@ use lcplab_judge::gap_bound::GapBound;
 use lcplab_page::number::{counted, readable};
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::number;
+use lcplab_problem::friction::Model;
 
 pub use finding::{Finding, Report, Stage};
 pub use limits::NOTABLE;
@@ -311,7 +312,11 @@ impl Receipt {
                 readable(bound, 2),
                 readable(self.effect, 3),
                 self.step.unit(),
-                if self.is_frozen { ", with the friction limits of this answer" } else { "" }
+                match (self.is_frozen, self.step.friction.model) {
+                    (false, _) => "",
+                    (true, Some(Model::CoulombCone)) => ", with the slip of this answer",
+                    (true, _) => ", with the friction limits of this answer",
+                }
             ));
         }
         if let Some(difference) = self.difference() {
