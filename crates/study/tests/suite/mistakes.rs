@@ -291,6 +291,22 @@ fn mistakes_that_are_as_near_are_all_named() {
 }
 
 #[test]
+fn clamped_increments_are_named_although_their_first_sweep_is_a_right_one() {
+    // Both first sweeps give (1, 1, 0). The second ones differ: the change of row 0 is -1/2, which
+    // is clamped to 0, and the sum 1/2 is not. So clamped increments stay there.
+    let a = Matrix::dense(3, &[2.0, 1.0, 0.0, 1.0, 2.0, 1.0, 0.0, 1.0, 2.0]);
+    let lcp = Lcp::new(a, vec![-2.0, -3.0, -1.0], vec![0.0; 3], vec![f64::INFINITY; 3]).unwrap();
+    let named: Vec<String> =
+        mistakes(&lcp, &[1.0, 1.0, 0.0]).into_iter().map(|own| own.what).collect();
+    for what in [
+        "projected Gauss-Seidel, stopped after 1 sweep",
+        "Gauss-Seidel with clamped increments, after 1 sweep or more",
+    ] {
+        assert!(named.iter().any(|own| own == what), "{what}: {named:?}");
+    }
+}
+
+#[test]
 fn an_answer_is_as_precise_as_its_digits() {
     assert_eq!(Precision::of(&[1.0 / 3.0, 2.0]), Precision::Double);
     assert_eq!(Precision::of(&[f64::from(0.1_f32), 2.0]), Precision::Single);

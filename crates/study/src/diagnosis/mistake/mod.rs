@@ -291,8 +291,13 @@ impl Attempts<'_> {
         let most = self.limits.of_problem;
         for flaw in Flaw::ALL {
             let swept = flawed_sweeps(flaw, self.lcp, most, self.x);
-            // Where no bound acts, a wrong clamp changes nothing.
-            let is_other = |swept: &SweepMatch| self.found.iter().all(|own| own.y != swept.nearest);
+            // Where no bound acts, a wrong clamp changes nothing. Where it does, the first sweeps
+            // may be right ones, and only the end is not.
+            let is_other = |swept: &SweepMatch| {
+                let ends_wrong =
+                    swept.stays_at_nearest() && !self.last_iterates.contains(&swept.last);
+                ends_wrong || self.found.iter().all(|own| own.y != swept.nearest)
+            };
             if let Some(swept) = swept.filter(is_other) {
                 self.stopped(flaw.kind(), flaw.name(), swept);
             }
@@ -433,9 +438,14 @@ impl Attempts<'_> {
 
     /// Sweeps stopped where they come nearest to x.
     fn stopped(&mut self, kind: MistakeKind, name: &str, swept: SweepMatch) {
+        let stays = swept.stays_at_nearest() && swept.sweeps < self.limits.of_changed;
         let SweepMatch { sweeps, nearest: y, .. } = swept;
         if sweeps > 0 {
-            let what = format!("{name}, stopped after {}", counted(sweeps, "sweep"));
+            let count = counted(sweeps, "sweep");
+            let what = match stays {
+                true => format!("{name}, after {count} or more"),
+                false => format!("{name}, stopped after {count}"),
+            };
             self.found.push(Attempt { sweeps, ..Attempt::new(kind, what, y) });
         }
     }

@@ -78,6 +78,13 @@ pub(super) struct SweepMatch {
     pub last: Vec<f64>,
 }
 
+impl SweepMatch {
+    /// Whether x no longer changes once it is nearest.
+    pub fn stays_at_nearest(&self) -> bool {
+        self.nearest == self.last
+    }
+}
+
 /// The sweeps of a solver from a start.
 pub(super) fn sweep(solver: &dyn Solver, lcp: &Lcp, start: &Start, x: &[f64]) -> SweepMatch {
     let mut nearest = Nearest::to(x);
