@@ -3,7 +3,7 @@
 //! Run it with `cargo run --release --example own_solver`.
 
 use lcplab::lcp::{Lcp, merit};
-use lcplab::report::{study::comparison::compare, text, view};
+use lcplab::report::{study::comparison::compare, terminal, view};
 use lcplab::scene::{Scene, Scheme};
 use lcplab::solver::{Entry, Observer, Solution, Solver, Start, Status, entry};
 
@@ -32,6 +32,6 @@ fn main() -> lcplab::error::Result<()> {
     let mine = Entry { name: "jacobi", build: &|_| Box::new(Jacobi), ..*entry("pgs")? };
     let solvers = [mine, *entry("pgs")?, *entry("dantzig")?];
     let (comparison, _) = compare(&Scene::load("fig7")?, &Scheme::LEVELS, &solvers, 3, &|| ());
-    print!("{}", text::table(&view::comparison_table(&comparison)));
+    print!("{}", terminal::table(&view::comparison_table(&comparison)));
     Ok(())
 }

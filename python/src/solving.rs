@@ -10,7 +10,7 @@ use lcplab::lcp::friction::Model;
 use lcplab::report::answer::{Answer, attempts_json, certificate_json, searched};
 use lcplab::report::friction::{self, JudgedAnswer};
 use lcplab::report::study::families::{self, Contender, Models};
-use lcplab::report::{methods, text, view};
+use lcplab::report::{methods, terminal, view};
 use lcplab::solver::{
     Entry, Observer, Options, SequenceAnswer, Settings, Solution, Start, Stop, default_for,
     solve_boxed_by_sequence,
@@ -280,10 +280,10 @@ pub fn compare(
         .collect();
     let (options, stop) = (given.options()?, Stop::default());
     let rows = wait(py, &stop, || {
-        let limits = families::Limits { stop: &stop, each: None, tick: &|| () };
+        let limits = families::Limits { stop: &stop, each: None, search: false, tick: &|| () };
         families::run_on(&problems, Models::Stated(&models), &chosen, &options, &limits)
     })?;
-    let table = text::table(&view::families_table(&rows));
+    let table = terminal::table(&view::families_table(&rows));
     let json = serde_json::to_string(&rows).unwrap_or_default();
     Ok((json, table))
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand};
 use lcplab::error::Result;
 use lcplab::report::grid::{Folder, Grid as File, collect, plan_table};
-use lcplab::report::text;
+use lcplab::report::terminal;
 
 use super::limits::Limits;
 use super::plugin::Declared;
@@ -112,7 +112,7 @@ impl Plan {
         }
         let (grid, folder) = self.place.open()?;
         let path = folder.write_plan()?;
-        print(&text::table(&plan_table(&grid, folder.plan(), SHOWN)))?;
+        print(&terminal::table(&plan_table(&grid, folder.plan(), SHOWN)))?;
         print(&format!("{}\n", path.display()))?;
         Ok(Outcome::Good)
     }

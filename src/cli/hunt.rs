@@ -7,7 +7,7 @@ use lcplab::lcp::friction::Model;
 use lcplab::number::counted;
 use lcplab::report::methods;
 use lcplab::report::page::{Cell, Table};
-use lcplab::report::text;
+use lcplab::report::terminal;
 use lcplab::solver::{ALL, Method, Options, Settings, Solver, Stop};
 
 use super::limits::Limits;
@@ -146,7 +146,7 @@ impl Challenge {
     }
 
     fn words(&self, record: &Record) -> String {
-        let mut words = text::table(&table(record));
+        let mut words = terminal::table(&table(record));
         let kinds = match self.model {
             Some(model) => format!("with friction under {model}"),
             None => format!("of {} kinds", KINDS.len()),

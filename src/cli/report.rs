@@ -10,7 +10,7 @@ use lcplab::report::difference::Tolerance;
 use lcplab::report::experiment::{self, Experiment, SHIPPED};
 use lcplab::report::kind::KINDS;
 use lcplab::report::results::Results;
-use lcplab::report::{difference, run, text, view, write};
+use lcplab::report::{difference, run, terminal, view, write};
 use lcplab::solver::Reason;
 
 use super::engines;
@@ -233,7 +233,7 @@ impl Report {
         }
         let outcome = if results.is_good()? { Outcome::Good } else { Outcome::Refuted };
         if self.list {
-            document.tables.iter().try_for_each(|(_, table)| print(&text::table(table)))?;
+            document.tables.iter().try_for_each(|(_, table)| print(&terminal::table(table)))?;
             print(&format!("{}\n", results.summary()?))?;
             return Ok((outcome, None));
         }
@@ -278,7 +278,7 @@ fn changes(old: &Path, new: &Path, tolerance: Option<&String>) -> Result<Outcome
         print("no difference\n")?;
         return Ok(Outcome::Good);
     }
-    print(&text::table(&difference::table(&changes)))?;
+    print(&terminal::table(&difference::table(&changes)))?;
     Ok(Outcome::Refuted)
 }
 

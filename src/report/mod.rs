@@ -14,7 +14,7 @@ pub mod study;
 pub mod view;
 pub mod write;
 
-pub use lcplab_page::{page, text};
+pub use lcplab_page::{page, terminal, text};
 pub use lcplab_study::{
     answer, aside, clarabel, friction, loads, methods, minimum, motion_error, tasks,
 };

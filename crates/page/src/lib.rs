@@ -10,6 +10,7 @@ pub mod figure;
 pub mod page;
 #[cfg(feature = "plots")]
 pub mod plot;
+pub mod terminal;
 pub mod text;
 
 pub use lcplab_problem::number;

@@ -14,7 +14,7 @@ use lcplab::memory::Memory;
 use lcplab::plugin::Plugin;
 use lcplab::report::study::families::{self, Contender, Models, Row};
 use lcplab::report::study::problems;
-use lcplab::report::{methods, text, view};
+use lcplab::report::{methods, terminal, view};
 use lcplab::solver::Method;
 
 use super::{Compare, FAMILY, profile};
@@ -99,7 +99,12 @@ impl Compare {
         let style = ProgressStyle::with_template("{spinner} {pos} rows of the table")
             .unwrap_or_else(|_| ProgressStyle::default_spinner());
         let progress = bar(0, "").with_style(style);
-        let all = families::Limits { stop, each: self.problems.each()?, tick: &|| progress.inc(1) };
+        let all = families::Limits {
+            stop,
+            each: self.problems.each()?,
+            search: false,
+            tick: &|| progress.inc(1),
+        };
         let run = |problems: &[(String, Vec<Problem>)], models: Models<'_>| {
             let models = if self.model.is_empty() { models } else { Models::Stated(&self.model) };
             families::run_on(problems, models, &contenders, &options, &all)
@@ -128,10 +133,10 @@ impl Compare {
             let object = serde_json::json!({ "rows": rows, "failures": failures });
             print(&format!("{object}\n"))?;
         } else {
-            print(&text::table(&view::families_table(&rows)))?;
+            print(&terminal::table(&view::families_table(&rows)))?;
             let is_one = rows.windows(2).all(|pair| pair[0].family == pair[1].family);
             if !is_one {
-                print(&text::table(&view::solvers_table(&rows)))?;
+                print(&terminal::table(&view::solvers_table(&rows)))?;
             }
         }
         failures.iter().for_each(|failure| say(&format!("failed: {failure}")));

@@ -9,7 +9,7 @@ use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
 use lcplab::report::study::comparison::{self, LeftOut, Sample};
 use lcplab::report::study::side_by_side::{self, AnimatedSolver};
-use lcplab::report::{methods, text, view, write};
+use lcplab::report::{methods, terminal, view, write};
 use lcplab::scene::Scheme;
 use lcplab::solver::{self, Method};
 use serde_json::json;
@@ -111,8 +111,8 @@ impl Compare {
                 json!({ "answer": view::comparison_answer(&comparison), "comparison": comparison, "timings": timings })
             ))?;
         } else {
-            print(&format!("{}\n", view::comparison_answer(&comparison)))?;
-            print(&text::table(&view::comparison_table(&comparison)))?;
+            print(&terminal::prose(&view::comparison_answer(&comparison)))?;
+            print(&terminal::table(&view::comparison_table(&comparison)))?;
         }
         if let Some(page) = written {
             say(&page?.display().to_string());

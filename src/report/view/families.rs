@@ -4,21 +4,28 @@ use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::families::Row;
 use crate::trace::NO_ITERATES;
 
+/// What a table on paper or a terminal has no room for.
+const SECONDARY: [&str; 4] = ["outside", "multiplications per problem", "iterates", "fallback"];
+
 /// One row per family, friction model and solver.
 pub fn table(rows: &[Row]) -> Table {
-    Table::new(
+    let mut table = Table::new(
         "Problem families and solvers",
         "*friction*: the friction model for solving and judging. *outside*: the solver reports that the \
              problem is outside its class. *claims*: the solver's own; *proved* and *accepted*: the judge's \
              verdicts; *rejected* and *false* claims must be 0. *worst residual*: over the claimed answers; – \
-             if there are none. *multiplications*: by the formula of the method; – if unknown. *iterates*: a \
-             hash of their sequence; – if none were reported. *fallback*: other methods that contributed, and \
-             how often. *must fail*: a failure that theory predicts.",
+             if there are none. *multiplications per problem*: by the formula of the method; – if unknown. \
+             *iterates*: a hash of their sequence; – if none were reported. *fallback*: other methods that \
+             contributed, and how often. *must fail*: a failure that theory predicts.",
         "family | friction | solver | #problems | #outside | #claims | #proved | #accepted | \
          #rejected | #false | #iterations per problem | #multiplications per problem | \
          #worst residual | #time (ms) | iterates | fallback | reason",
         rows.iter().map(cells).collect(),
-    )
+    );
+    for column in &mut table.columns {
+        column.secondary = SECONDARY.contains(&column.title.as_str());
+    }
+    table
 }
 
 /// One row per solver, over all its problems.

@@ -104,13 +104,13 @@ pub fn table(rows: &[Row]) -> Table {
     let measured = (0..levels).map(|level| match level {
         0 => Column::numbers("at dt", ""),
         level if level + 1 == levels => Column::numbers(format!("at dt/{}", 1 << level), ""),
-        level => Column::numbers(format!("at dt/{}", 1 << level), "").on_screen(),
+        level => Column::numbers(format!("at dt/{}", 1 << level), "").secondary(),
     });
     let head = Column::list(
         "case | method | quantity | verdict | #error | #allowed | #observed order | #derived | \
          #expected | unit",
     );
-    let tail = [Column::words("formula").on_screen()];
+    let tail = [Column::words("formula").secondary()];
     Table {
         title: "Closed forms and measured values".into(),
         how_to_read: "*error*: the error with the shortest step, relative unless 0 is expected. A row with a \

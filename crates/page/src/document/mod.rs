@@ -5,7 +5,7 @@ mod html;
 mod markdown;
 pub mod notation;
 mod show;
-mod text;
+pub(crate) mod text;
 
 pub use show::Show;
 

@@ -7,7 +7,7 @@ use crate::text::{padded, printable};
 
 /// Whether escape sequences are used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Ink {
+pub(crate) enum Ink {
     Plain,
     Colored,
 }
@@ -33,6 +33,8 @@ impl Ink {
 const WIDTH: usize = 96;
 /// The largest width of a table, if its cells can be wrapped.
 const TABLE: usize = 128;
+/// Cells are wrapped to this width at least.
+const WRAPPED: usize = 24;
 /// The margin of a table, and the gap between its columns.
 const MARGIN: usize = 4;
 const GAP: usize = 3;
@@ -64,7 +66,7 @@ fn inked(block: &Block, ink: Ink) -> String {
     }
 }
 
-fn paragraph(words: &str) -> String {
+pub(crate) fn paragraph(words: &str) -> String {
     wrapped(words, WIDTH).join("\n") + "\n"
 }
 
@@ -139,9 +141,18 @@ fn grid(grid: &Grid) -> Vec<String> {
 
 /// A table with its title above; text columns are left-aligned, numbers right-aligned.
 fn table(table: &Table, ink: Ink) -> String {
-    let widths = widths(table);
     let align = |c: usize| if table.is_numeric(c) { Align::Right } else { Align::Left };
-    let align: Vec<Align> = (0..widths.len()).map(align).collect();
+    let align: Vec<Align> = (0..table.columns.len()).map(align).collect();
+    let mut out = format!("  {}\n{}", printable(&table.title), aligned(table, &align, ink));
+    if table.left_out > 0 {
+        out += &format!("    and {} more\n", table.left_out);
+    }
+    out
+}
+
+/// The headings and rows of a table, its columns aligned in this way.
+pub(crate) fn aligned(table: &Table, align: &[Align], ink: Ink) -> String {
+    let widths = widths(table);
     let lines = |row: &[String]| {
         let cells: Vec<_> =
             row.iter().zip(&widths).map(|(cell, &width)| wrapped(cell, width)).collect();
@@ -156,32 +167,35 @@ fn table(table: &Table, ink: Ink) -> String {
         };
         (0..height).map(line).collect::<Vec<_>>().join("\n")
     };
-    let mut out = format!("  {}\n{}\n", printable(&table.title), ink.faint(&lines(&table.columns)));
-    for row in &table.rows {
-        out += &(lines(row) + "\n");
-    }
-    if table.left_out > 0 {
-        out += &format!("    and {} more\n", table.left_out);
-    }
-    out
+    let rows = table.rows.iter().map(|row| lines(row) + "\n");
+    format!("{}\n{}", ink.faint(&lines(&table.columns)), rows.collect::<String>())
 }
 
 /// The columns' widths: those of their cells; while the table is too wide, the widest column that
-/// can be wrapped is narrowed.
+/// can be wrapped is narrowed, first to [`WRAPPED`] and then to its longest word.
 fn widths(table: &Table) -> Vec<usize> {
     let size = |words: &str| words.chars().count();
+    let word = |words: &str| words.split(' ').map(size).max().unwrap_or(0);
     let longest = |c: usize, of: &dyn Fn(&str) -> usize| {
         let cells = table.rows.iter().map(|row| row[c].as_str());
         cells.chain([table.columns[c].as_str()]).map(of).max().unwrap_or(0)
     };
-    let word = |words: &str| words.split(' ').map(size).max().unwrap_or(0);
     let columns = 0..table.columns.len();
-    let least: Vec<usize> = columns.clone().map(|c| longest(c, &word)).collect();
+    let words: Vec<usize> = columns.clone().map(|c| longest(c, &word)).collect();
+    let cells = |c: usize| table.rows.iter().map(|row| size(&row[c])).max().unwrap_or(0);
+    let readable = columns.clone().map(|c| words[c].max(cells(c).min(WRAPPED))).collect();
     let mut widths: Vec<usize> = columns.map(|c| longest(c, &size)).collect();
-    while MARGIN + widths.iter().sum::<usize>() + GAP * widths.len().saturating_sub(1) > TABLE {
-        let partable = (0..widths.len()).filter(|&c| widths[c] > least[c]);
-        let Some(widest) = partable.max_by_key(|&c| widths[c]) else { break };
-        widths[widest] -= 1;
+    let is_wide = |widths: &[usize]| {
+        MARGIN + widths.iter().sum::<usize>() + GAP * widths.len().saturating_sub(1) > TABLE
+    };
+    // If even the longest words are too wide, narrower columns are of no use.
+    let least = if is_wide(&words) { vec![readable] } else { vec![readable, words] };
+    for least in least {
+        while is_wide(&widths) {
+            let partable = (0..widths.len()).filter(|&c| widths[c] > least[c]);
+            let Some(widest) = partable.max_by_key(|&c| widths[c]) else { break };
+            widths[widest] -= 1;
+        }
     }
     widths
 }

@@ -250,8 +250,8 @@ pub struct Column {
     pub unit: String,
     /// The alignment of its cells.
     pub align: Align,
-    /// Whether it is omitted in print, where a wide table would be too small to read.
-    pub screen_only: bool,
+    /// Whether it is omitted where space is short: in print and on a terminal.
+    pub secondary: bool,
 }
 
 /// The alignment of the cells in a column.
@@ -324,17 +324,17 @@ impl Column {
 
     /// A text column.
     pub fn words(title: impl Into<String>) -> Self {
-        Column { title: title.into(), unit: String::new(), align: Align::Left, screen_only: false }
+        Column { title: title.into(), unit: String::new(), align: Align::Left, secondary: false }
     }
 
     /// A column of numbers in a unit; an empty unit for pure numbers.
     pub fn numbers(title: impl Into<String>, unit: impl Into<String>) -> Self {
-        Column { title: title.into(), unit: unit.into(), align: Align::Right, screen_only: false }
+        Column { title: title.into(), unit: unit.into(), align: Align::Right, secondary: false }
     }
 
-    /// The column, omitted in print.
-    pub fn on_screen(self) -> Self {
-        Column { screen_only: true, ..self }
+    /// The column, omitted where space is short.
+    pub fn secondary(self) -> Self {
+        Column { secondary: true, ..self }
     }
 }
 
@@ -362,7 +362,58 @@ impl Cell {
     }
 }
 
+/// A table with fewer rows keeps all its columns.
+const CONDENSED_ROWS: usize = 3;
+
 impl Table {
+    /// The table without the columns that say the same in every row, and what they say:
+    /// `steps 100, time limit 5 s`. The first column, marked cells and links stay.
+    pub fn condensed(&self) -> (Table, String) {
+        let is_same = |c: usize| {
+            let cell = |row: &Vec<Cell>| row.get(c).cloned().unwrap_or_default();
+            let first = self.rows.first().map(cell).unwrap_or_default();
+            let is_plain = first.mark == Mark::Plain && first.link.is_empty();
+            c > 0
+                && self.rows.len() >= CONDENSED_ROWS
+                && is_plain
+                && self
+                    .rows
+                    .iter()
+                    .all(|row| cell(row).text == first.text && cell(row).mark == first.mark)
+        };
+        let (dropped, kept): (Vec<usize>, Vec<usize>) =
+            (0..self.columns.len()).partition(|&c| is_same(c));
+        let say = |c: &usize| {
+            let (column, text) = (&self.columns[*c], &self.rows[0][*c].text);
+            let said = !matches!(text.as_str(), "" | "–");
+            said.then(|| format!("{} {text} {}", column.title, column.unit).trim_end().to_string())
+        };
+        let said: Vec<String> = dropped.iter().filter_map(say).collect();
+        (self.columns_only(&kept), said.join(", "))
+    }
+
+    /// The table without its secondary columns, and without the sentences of "how to read" that
+    /// begin with the name of one.
+    pub fn primary(&self) -> Table {
+        let kept: Vec<usize> =
+            (0..self.columns.len()).filter(|&c| !self.columns[c].secondary).collect();
+        let names_omitted = |sentence: &&str| {
+            let column = self.columns.iter().find(|own| {
+                sentence.strip_prefix('*').is_some_and(|rest| rest.starts_with(&own.title))
+            });
+            column.is_some_and(|own| own.secondary)
+        };
+        let sentences = self.how_to_read.split_inclusive(". ");
+        let kept_words: String = sentences.filter(|own| !names_omitted(own)).collect();
+        Table { how_to_read: kept_words.trim_end().into(), ..self.columns_only(&kept) }
+    }
+
+    fn columns_only(&self, kept: &[usize]) -> Table {
+        let columns = kept.iter().map(|&c| self.columns[c].clone()).collect();
+        let row = |row: &Vec<Cell>| kept.iter().filter_map(|&c| row.get(c).cloned()).collect();
+        Table { columns, rows: self.rows.iter().map(row).collect(), ..self.clone() }
+    }
+
     /// The table as CSV, with all digits of its numbers.
     pub fn csv(&self) -> String {
         let mut out = String::new();

@@ -320,7 +320,11 @@ impl Writer {
                 self.defects.add(place, format!("has {cells} cells, the table {columns} columns"));
             }
         }
-        let how_to_read = self.checked(place, |markup| markup.inline(&table.how_to_read));
+        let (table, same) = &table.condensed();
+        let mut how_to_read = self.checked(place, |markup| markup.inline(&table.how_to_read));
+        if !same.is_empty() {
+            how_to_read += &format!(" The same in every row: {}.", html(same));
+        }
         let titled = table
             .columns
             .iter()
@@ -370,7 +374,7 @@ impl TableView<'_> {
             Mark::Note => "caution",
         };
         let length = if cell.text.chars().count() > LONG { "long" } else { "" };
-        let paper = if self.table.columns[*k].screen_only { "screen-only" } else { "" };
+        let paper = if self.table.columns[*k].secondary { "screen-only" } else { "" };
         let classes = [align, mark, length, paper].into_iter().filter(|class| !class.is_empty());
         classes.collect::<Vec<_>>().join(" ")
     }

@@ -5,6 +5,7 @@ mod line;
 mod profile;
 mod spy;
 mod style;
+mod table;
 mod well_formed;
 
 pub use well_formed::assert_well_formed;

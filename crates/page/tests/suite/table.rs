@@ -1,0 +1,55 @@
+//! Tables say once what is the same in every row, and omit what has no room.
+
+use lcplab_page::page::{Cell, Column, Mark, Table};
+use lcplab_page::terminal;
+
+/// Three rows: a name, a constant in seconds, an empty column, a secondary one, a marked constant.
+fn table() -> Table {
+    let row = |name: &str, hash: usize| {
+        vec![
+            Cell::text(name),
+            Cell::text("5"),
+            Cell::text("–"),
+            Cell::count(hash),
+            Cell::text("bad").marked(Mark::Bad),
+        ]
+    };
+    let rows = vec![row("a", 1), row("b", 2), row("c", 3)];
+    let mut table = Table::new(
+        "Runs",
+        "*limit*: of each run. *hash*: of its numbers.",
+        "name | #limit (s) | reason | #hash | verdict",
+        rows,
+    );
+    table.columns[3].secondary = true;
+    table
+}
+
+fn titles(table: &Table) -> Vec<&str> {
+    table.columns.iter().map(|column: &Column| column.title.as_str()).collect()
+}
+
+#[test]
+fn a_column_of_one_value_is_a_remark_unless_it_is_marked_or_there_are_two_rows() {
+    let (condensed, same) = table().condensed();
+    assert_eq!(titles(&condensed), ["name", "hash", "verdict"]);
+    assert_eq!(condensed.rows[1].len(), 3);
+    assert_eq!(same, "limit 5 s");
+
+    let mut two = table();
+    two.rows.pop();
+    assert_eq!(titles(&two.condensed().0), titles(&two));
+}
+
+#[test]
+fn a_terminal_omits_secondary_columns_and_what_explains_them() {
+    let words = "Runs
+    name   verdict
+    a      bad
+    b      bad
+    c      bad
+The same in every row: limit 5 s.
+limit: of each run.
+";
+    assert_eq!(terminal::table(&table()), words);
+}
