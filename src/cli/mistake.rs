@@ -5,8 +5,8 @@ use lcplab::lcp::file::number;
 use lcplab::number::readable;
 use serde_json::{Value, json};
 
-/// An answer with at most this many digits may come from a mistake that lcplab does not know.
-const FEW_DIGITS: i32 = 3;
+/// Scaled residuals below this are compared with those of single precision.
+const ROUNDING_LIKE: f64 = 1e-3;
 
 /// The list of known mistakes.
 pub fn known(as_json: bool) -> String {
@@ -46,31 +46,57 @@ pub fn words(search: &MistakeSearch, single: Option<[f64; 2]>) -> String {
         ),
         Conclusion::Compared { solution_distance } => {
             let solution = format!(
-                "The nearest exact solution differs from x by {}.\n",
+                "The nearest exact solution differs from x by up to {}.\n",
                 share(solution_distance)
             );
-            found(&search.mistakes) + &few_digits(search) + &solution + &limits(search)
+            let is_found = !search.mistakes.is_empty();
+            found(search) + &solution + &if is_found { String::new() } else { limits(search) }
         }
     };
+    // A larger residual is obviously more than rounding.
+    let single = single.filter(|[own, _]| *own < ROUNDING_LIKE);
     verdict + &conclusion + &single.map_or_else(String::new, single_precision)
 }
 
 /// The mistakes that give x.
-fn found(mistakes: &[Mistake]) -> String {
+fn found(search: &MistakeSearch) -> String {
     let agrees = |mistake: &Mistake| match mistake.distance {
         0.0 => "exactly".to_string(),
         distance => format!("to {} of the largest entry", readable(distance, 2)),
     };
-    let named = match mistakes {
-        [] => "No known mistake gives this x.\n".into(),
-        [only] => format!("A known mistake gives this x, {}: {}.\n", agrees(only), only.what),
+    let may_be_chance = search.mistakes.iter().all(|mistake| mistake.may_be_chance);
+    let named = match &search.mistakes[..] {
+        [] => return none_found(search.redundant_rows),
+        [only] => {
+            let gives = if may_be_chance { "may have given" } else { "gives" };
+            format!("A known mistake {gives} this x, {}: {}.\n", agrees(only), only.what)
+        }
         all => {
             let line = |mistake: &Mistake| format!("  {} ({})\n", mistake.what, agrees(mistake));
             let lines: String = all.iter().map(line).collect();
-            format!("{} known mistakes give this x equally well:\n{lines}", all.len())
+            let give = if may_be_chance { "may have given" } else { "give" };
+            format!("{} known mistakes {give} this x equally well:\n{lines}", all.len())
         }
     };
-    named + &checks(mistakes)
+    let doubt = match may_be_chance {
+        true => format!(
+            "x has only {}, so the agreement may be chance, or another mistake gives the same x.\n",
+            precision(search.precision)
+        ),
+        false => String::new(),
+    };
+    named + &doubt + &checks(&search.mistakes)
+}
+
+/// No mistake; with redundant rows one may remain unknown.
+fn none_found(redundant_rows: usize) -> String {
+    match redundant_rows {
+        0 => "No known mistake gives this x.\n".into(),
+        count => format!(
+            "No known mistake was found that gives this x. {count} of the rows are redundant, so forces need not be \
+             unique: a solver with a mistake may return other forces than those that lcplab compared.\n"
+        ),
+    }
 }
 
 /// What to check for each kind of mistake, with its name in the list of known ones.
@@ -84,25 +110,13 @@ fn checks(mistakes: &[Mistake]) -> String {
     kinds.iter().map(|kind| format!("{}: {}\n", sentence(kind.name()), kind.check())).collect()
 }
 
-/// A phrase with a capital letter at its beginning.
+/// A phrase with a capital letter at its beginning, unless it begins with a symbol.
 fn sentence(phrase: &str) -> String {
+    if phrase.starts_with("x ") {
+        return phrase.into();
+    }
     let mut letters = phrase.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
-}
-
-/// A note that an answer with few digits may have other causes.
-fn few_digits(search: &MistakeSearch) -> String {
-    match search.precision {
-        Precision::Decimal { digits, .. }
-            if digits <= FEW_DIGITS && !search.mistakes.is_empty() =>
-        {
-            format!(
-                "x has only {}: other mistakes may also give it.\n",
-                precision(search.precision)
-            )
-        }
-        _ => String::new(),
-    }
 }
 
 /// The number of sweeps that were compared.
@@ -139,7 +153,8 @@ fn single_precision([own, least]: [f64; 2]) -> String {
 pub fn to_json(search: &MistakeSearch, single: Option<[f64; 2]>) -> Value {
     let mistake = |own: &Mistake| {
         json!({
-            "kind": own.kind.name(), "what": own.what, "distance": own.distance, "check": own.kind.check(),
+            "kind": own.kind.name(), "what": own.what, "distance": own.distance,
+            "may_be_chance": own.may_be_chance, "check": own.kind.check(),
         })
     };
     let (conclusion, solution_distance) = match search.conclusion {

@@ -13,6 +13,7 @@ use lcplab_study::diagnosis::{
 };
 
 use lcplab_testing::{boxed, contacts};
+use oorandom::Rand64;
 
 fn mistakes(lcp: &Lcp, x: &[f64]) -> Vec<Mistake> {
     find_mistakes(&ProblemForm::Boxed(lcp.clone()), x, None).mistakes
@@ -304,6 +305,43 @@ fn clamped_increments_are_named_although_their_first_sweep_is_a_right_one() {
     ] {
         assert!(named.iter().any(|own| own == what), "{what}: {named:?}");
     }
+}
+
+#[test]
+fn with_redundant_rows_any_solution_of_the_changed_problem_counts() {
+    // Rows 0 and 1 are the same contact: x_0 + x_1 = 1, in any split; x_2 = 2, x_3 = 1, x_4 = 2.
+    let rows = [
+        [2.0, 2.0, 1.0, 0.0, 0.0],
+        [2.0, 2.0, 1.0, 0.0, 0.0],
+        [1.0, 1.0, 2.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 3.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 3.0],
+    ];
+    let a = Matrix::dense(5, &rows.concat());
+    let b = vec![-4.0, -4.0, -5.0, -3.0, -6.0];
+    let lcp = Lcp::new(a, b, vec![0.0; 5], vec![f64::INFINITY; 5]).unwrap();
+    let split = 0.123_456_789_012_345;
+    let named = first(&lcp, &[split, 0.5 - split, 1.0, 0.5, 1.0]);
+    assert_eq!(named, "b times 0.5 (a time step or a unit?), solved");
+}
+
+#[test]
+fn what_random_digits_could_give_as_well_is_only_possible() {
+    let mut random = Rand64::new(7);
+    let mut digit = |below: u64| random.rand_range(0..below) as f64;
+    let mut named = 0;
+    for _ in 0..300 {
+        let (off, x) = ([-1.0, 0.0][digit(2) as usize], [1.0 + digit(3), 1.0 + digit(3)]);
+        let a = Matrix::dense(2, &[4.0 + digit(7), off, off, 4.0 + digit(7)]);
+        let b = vec![-1.0 - digit(5), -1.0 - digit(5)];
+        let lcp = Lcp::new(a, b, vec![0.0; 2], vec![f64::INFINITY; 2]).unwrap();
+        let found = mistakes(&lcp, &x);
+        named += usize::from(!found.is_empty());
+        assert!(found.iter().all(|own| own.may_be_chance), "{x:?}: {found:?}");
+    }
+    assert!(named > 0, "some random digits agree with a mistake");
+    let x = swept(&column(), &[0, 1, 2, 3, 4, 5, 6, 7], 3);
+    assert!(mistakes(&column(), &x).iter().all(|own| !own.may_be_chance), "all digits agree");
 }
 
 #[test]

@@ -66,11 +66,7 @@ pub(super) fn with_last_normals(lcp: &Lcp, last: &[f64]) -> Option<Changed> {
 /// A + ε I instead of A, with the ε that makes w = −ε x in the free rows, as closely as one number
 /// can; compliance left out if ε is negative.
 pub(super) fn compliant(lcp: &Lcp, x: &[f64]) -> Option<(f64, Lcp)> {
-    let is_inside = |i: usize| {
-        let (lo, hi) = lcp.bounds(i, x);
-        lo < x[i] && x[i] < hi
-    };
-    let free: Vec<usize> = (0..lcp.len()).filter(|&i| is_inside(i)).collect();
+    let free = free_rows(lcp, x);
     let along: f64 = free.iter().map(|&i| -lcp.row_w(i, x) * x[i]).sum();
     let softness = along / free.iter().map(|&i| x[i] * x[i]).sum::<f64>();
     if softness == 0.0 || !softness.is_finite() {
@@ -85,17 +81,46 @@ pub(super) fn compliant(lcp: &Lcp, x: &[f64]) -> Option<(f64, Lcp)> {
 
 /// b times the positive factor that brings the solution nearest to x. The factor can be computed
 /// only if all bounds are 0, infinite, or friction, because the solution is then proportional to b.
-pub(super) fn with_factor(lcp: &Lcp, x: &[f64], solution: &[f64]) -> Option<(f64, Lcp)> {
-    let factor = factor_of_b(lcp, x, solution)?;
+/// If rows are redundant, x may be another solution than the one that is known, and the factor is
+/// that with which A x + b comes nearest to 0 in the rows that are at no bound.
+pub(super) fn with_factor(
+    lcp: &Lcp,
+    x: &[f64],
+    solution: &[f64],
+    is_redundant: bool,
+) -> Option<(f64, Lcp)> {
+    let factor = match is_redundant {
+        true => factor_in_free_rows(lcp, x),
+        false => factor_of_b(lcp, x, solution),
+    }?;
     let b = lcp.b().iter().map(|b| factor * b).collect();
     Some((factor, lcp.with_b(b).ok()?))
 }
 
-/// The factor of b alone.
+/// The factor of b for which x is nearest to this multiple of the solution.
 pub(super) fn factor_of_b(lcp: &Lcp, x: &[f64], solution: &[f64]) -> Option<f64> {
     let along: f64 = x.iter().zip(solution).map(|(x, s)| x * s).sum();
-    let factor = along / solution.iter().map(|s| s * s).sum::<f64>();
+    usable_factor(lcp, along / solution.iter().map(|s| s * s).sum::<f64>())
+}
+
+/// The factor f with the least Σ (A x + f b)_i² over the rows that are at no bound.
+fn factor_in_free_rows(lcp: &Lcp, x: &[f64]) -> Option<f64> {
+    let free = free_rows(lcp, x);
+    let along: f64 = free.iter().map(|&i| (lcp.b()[i] - lcp.row_w(i, x)) * lcp.b()[i]).sum();
+    usable_factor(lcp, along / free.iter().map(|&i| lcp.b()[i] * lcp.b()[i]).sum::<f64>())
+}
+
+fn usable_factor(lcp: &Lcp, factor: f64) -> Option<f64> {
     (is_homogeneous(lcp) && factor > 0.0 && factor.is_finite()).then_some(factor)
+}
+
+/// The rows in which x is strictly between its bounds.
+fn free_rows(lcp: &Lcp, x: &[f64]) -> Vec<usize> {
+    let is_inside = |i: &usize| {
+        let (lo, hi) = lcp.bounds(*i, x);
+        lo < x[*i] && x[*i] < hi
+    };
+    (0..lcp.len()).filter(is_inside).collect()
 }
 
 /// Whether a multiple of b has the same multiple of x.

@@ -8,7 +8,9 @@
 //! ∏_i  |x_i − s_i| / (2 |x_i − y_i|)
 //! ```
 //!
-//! is as near to y in all entries. An entry that s explains as well does not count, and every
+//! is as near to y in all entries. Where x and y are decimals with the same few digits, their
+//! difference counts as rounding. Random digits agree more often, so such a mistake is only
+//! possible. An entry that s explains as well does not count, and every
 //! number that was fitted to x, such as a factor of b, removes one entry: on a single row a factor
 //! fits any answer.
 
@@ -43,6 +45,8 @@ pub(super) struct Agreement {
     apart: f64,
     /// The probability that a random answer comes this near.
     chance: f64,
+    /// The same for a random answer with as few digits.
+    chance_of_digits: f64,
 }
 
 impl Agreement {
@@ -50,6 +54,11 @@ impl Agreement {
     /// equal simplicity were compared.
     pub(crate) fn is_no_chance(&self, answers: usize) -> bool {
         self.chance * answers as f64 <= CHANCE
+    }
+
+    /// Whether an answer of random digits would agree too often to exclude chance.
+    pub(crate) fn may_be_chance(&self, answers: usize) -> bool {
+        self.chance_of_digits * answers as f64 > CHANCE
     }
 
     /// Whether another agreement is at most a hundred times nearer.
@@ -95,11 +104,14 @@ impl<'a> Comparison<'a> {
         if !(0..y.len()).all(is_same) || NEARER * apart > distance_to_solution {
             return None;
         }
-        let ratio = |i: usize| (2.0 * gap(i) / (self.x[i] - self.solution[i]).abs()).min(1.0);
-        let mut ratios: Vec<f64> = (0..y.len()).map(ratio).collect();
-        ratios.sort_by(f64::total_cmp);
-        let chance = ratios.iter().skip(fitted).product();
-        Some(Agreement { distance, apart, chance })
+        let chance = |gap: &dyn Fn(usize) -> f64| {
+            let ratio = |i: usize| (2.0 * gap(i) / (self.x[i] - self.solution[i]).abs()).min(1.0);
+            let mut ratios: Vec<f64> = (0..y.len()).map(ratio).collect();
+            ratios.sort_by(f64::total_cmp);
+            ratios.iter().skip(fitted).product()
+        };
+        let chance_of_digits = chance(&|i| gap(i).max(self.uncertainty(i)));
+        Some(Agreement { distance, apart, chance: chance(&gap), chance_of_digits })
     }
 
     /// How far the exact number behind x_i may be from x_i.

@@ -63,7 +63,7 @@ pub(super) fn other_laws(posed: &ProblemForm, friction: &FrictionProblem) -> Vec
     ];
     let variant = |model: Model| {
         let posed = model.pose(friction, None).ok()?;
-        let what = format!("friction by the law {model}");
+        let what = format!("friction under the model {model}");
         Some(Variant { kind: MistakeKind::OtherLaw, what, posed, fitted: 0 })
     };
     all.into_iter().filter(|model| *model != own).filter_map(variant).collect()

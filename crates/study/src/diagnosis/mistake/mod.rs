@@ -37,11 +37,12 @@ pub use kind::MistakeKind;
 pub use precision::Precision;
 pub use sweeps::SweepLimits;
 
+use lcplab_judge::regularity::regularity;
 use lcplab_judge::{Demand, Verdict, judge_friction};
 use lcplab_problem::friction::ProblemForm;
 use lcplab_problem::number::{counted, readable};
 use lcplab_problem::{Lcp, merit};
-use lcplab_solver::Start;
+use lcplab_solver::{Settings, Start};
 
 use changed::{
     Changed, changed_problems, compliant, is_homogeneous, with_factor, with_factor_of_mu,
@@ -55,6 +56,8 @@ use sweeps::{SweepMatch, contact_sweep, gauss_seidel, methods, single_precision_
 
 /// Maximum number of rows for which mistakes are searched.
 const LARGEST: usize = 500;
+/// x solves a changed problem if its scaled residual is smaller by this factor there.
+const MUCH_SMALLER: f64 = 1e3;
 /// Maximum number of rows that a mistake names.
 const LARGEST_LIST: usize = 6;
 
@@ -68,6 +71,8 @@ pub struct Mistake {
     /// max |x − y| for the mistake's answer y, relative to the largest entry of x and of the
     /// solution.
     pub distance: f64,
+    /// Whether x has too few digits to exclude that it agrees by chance.
+    pub may_be_chance: bool,
 }
 
 /// The result of a search for the mistakes behind an answer.
@@ -84,6 +89,8 @@ pub struct MistakeSearch {
     pub mistakes: Vec<Mistake>,
     /// The number of sweeps that were compared with x; 0 if nothing was compared.
     pub limits: SweepLimits,
+    /// The number of rows of A that depend on others; with any, x need not be unique.
+    pub redundant_rows: usize,
 }
 
 /// How a search for mistakes ended.
@@ -131,6 +138,7 @@ pub fn find_mistakes(problem: &ProblemForm, x: &[f64], last: Option<&[f64]>) -> 
         conclusion: Conclusion::Accepted,
         mistakes: Vec::new(),
         limits: SweepLimits::default(),
+        redundant_rows: 0,
     };
     if search.verdict.is_solution() {
         return search;
@@ -144,7 +152,16 @@ pub fn find_mistakes(problem: &ProblemForm, x: &[f64], last: Option<&[f64]>) -> 
         return search;
     }
     let limits = SweepLimits::of(lcp);
-    let mut attempts = Attempts { lcp, x, limits, found: Vec::new(), last_iterates: Vec::new() };
+    search.redundant_rows = regularity(lcp.matrix()).map_or(0, |found| found.dependencies.len());
+    let mut attempts = Attempts {
+        lcp,
+        x,
+        limits,
+        redundant_rows: search.redundant_rows,
+        residual: merit::scaled_residual(lcp, x),
+        found: Vec::new(),
+        last_iterates: Vec::new(),
+    };
     let solution = match problem {
         ProblemForm::Boxed(_) => {
             attempts.unchanged(last);
@@ -227,6 +244,7 @@ fn explanations(comparison: &Comparison<'_>, attempts: Vec<Attempt>) -> Vec<Mist
     found.retain(|(_, own)| nearest.is_some_and(|nearest| own.is_as_near_as(&nearest)));
     let mistake = |(attempt, agreement): (Attempt, Agreement)| Mistake {
         kind: attempt.kind,
+        may_be_chance: agreement.may_be_chance(count * attempt.sweeps),
         what: attempt.what,
         distance: comparison.relative(agreement.distance),
     };
@@ -238,6 +256,9 @@ struct Attempts<'a> {
     lcp: &'a Lcp,
     x: &'a [f64],
     limits: SweepLimits,
+    redundant_rows: usize,
+    /// The scaled residual of x.
+    residual: f64,
     found: Vec<Attempt>,
     /// The limits of sweeps from 0 on the original problem: a solution, if they converge.
     last_iterates: Vec<Vec<f64>>,
@@ -403,14 +424,16 @@ impl Attempts<'_> {
         let friction = with_factor_of_mu(self.lcp, self.x).map(|(factor, lcp)| {
             (MistakeKind::FactorOfMu, format!("μ times {}", readable(factor, 6)), lcp)
         });
-        let scaled = with_factor(self.lcp, self.x, solution).map(|(factor, lcp)| {
-            let what = format!("b times {} (a time step or a unit?)", readable(factor, 6));
-            (MistakeKind::FactorOfB, what, lcp)
-        });
+        let scaled = with_factor(self.lcp, self.x, solution, self.redundant_rows > 0).map(
+            |(factor, lcp)| {
+                let what = format!("b times {} (a time step or a unit?)", readable(factor, 6));
+                (MistakeKind::FactorOfB, what, lcp)
+            },
+        );
         for (kind, what, lcp) in compliant.into_iter().chain(scaled).chain(friction) {
             self.solved(kind, &what, &lcp);
             if let Some(own) = self.found.last_mut().filter(|own| own.kind == kind) {
-                own.fitted = 1;
+                own.fitted += 1;
             }
         }
     }
@@ -419,10 +442,16 @@ impl Attempts<'_> {
         self.found.push(Attempt::new(kind, what, y));
     }
 
-    /// The solution of a changed problem, if a solver finds it.
+    /// The solution of a changed problem, if a solver finds it. If there may be several, x may be
+    /// one of them; redundant rows leave as many entries of it free.
     fn solved(&mut self, kind: MistakeKind, what: &str, changed: &Lcp) {
-        if let Some(y) = solution(changed) {
-            self.add(kind, format!("{what}, solved"), y);
+        let what = format!("{what}, solved");
+        let most = Settings::default().tolerance.min(self.residual / MUCH_SMALLER);
+        if self.redundant_rows > 0 && merit::scaled_residual(changed, self.x) <= most {
+            let own = Attempt::new(kind, what, self.x.to_vec());
+            self.found.push(Attempt { fitted: self.redundant_rows, ..own });
+        } else if let Some(y) = solution(changed) {
+            self.add(kind, what, y);
         }
     }
 
