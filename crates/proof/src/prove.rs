@@ -8,7 +8,7 @@ use dashu_ratio::RBig;
 use lcplab_judge::cases::{self, Search, Tree};
 use lcplab_judge::{exact, refuting_vector};
 use lcplab_problem::exact::dyadic::{dyadic, rational, whole};
-use lcplab_problem::exact::{Exact, Point, all_solutions};
+use lcplab_problem::exact::{Exact, Face, Point, SolutionSet};
 use lcplab_problem::friction::ProblemForm;
 use lcplab_problem::{Lcp, Question};
 
@@ -288,9 +288,16 @@ fn another(lcp: &Lcp, solution: &Solution) -> Result<Vec<RBig>, String> {
     if lcp.len() > MOST_ROWS_OF_PIECES {
         return Err("no direction was found in which the solution can be moved".into());
     }
-    let all = all_solutions(lcp).unwrap_or_default();
-    let other = all.into_iter().find(|other| *other != solution.x);
-    other.ok_or_else(|| "no other solution was found in all pieces".into())
+    let Some(set) = SolutionSet::of(lcp) else {
+        return Err("there are too many active sets to try".into());
+    };
+    let along_ray = |face: &Face| -> Option<Vec<RBig>> {
+        let (corner, ray) = (face.corners.first()?, face.rays.first()?);
+        Some(set.corners[*corner].iter().zip(&set.rays[*ray]).map(|(x, d)| x + d).collect())
+    };
+    let points = set.corners.iter().cloned().chain(set.faces.iter().filter_map(along_ray));
+    let other = points.into_iter().find(|other| *other != solution.x);
+    other.ok_or_else(|| "all active sets were tried, and none has another solution".into())
 }
 
 fn point(x: &[RBig]) -> Point {

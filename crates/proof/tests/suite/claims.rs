@@ -26,6 +26,8 @@ fn closed_forms_have_the_strongest_claim_that_is_true_of_them() {
     // All of the segment x_0 + x_1 = 1.
     let segment = contacts(&[1.0; 4], &[-1.0; 2]);
     assert_eq!(kind(&segment, &[0.25, 0.75]).0, Kind::NotUnique);
+    // w = 0 for every x ≥ 0: a ray with the single corner 0.
+    assert_eq!(kind(&contacts(&[0.0], &[0.0]), &[0.0]).0, Kind::NotUnique);
     assert_eq!(kind(&contacts(&[1.0, -1.0, -1.0, 1.0], &[-1.0; 2]), &[0.0; 2]).0, Kind::NoSolution);
     assert_eq!(kind(&painleve(), &[1.0, 0.0]).0, Kind::NoSolution);
     // Pressed with 2, pushed with 3, μ = ½: friction is 1; nothing says that there is no other.
