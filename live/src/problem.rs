@@ -6,7 +6,7 @@ use lcplab_problem::file::Problem;
 use lcplab_problem::{Lcp, Question};
 use lcplab_proof::prove;
 use lcplab_solver::{ALL, Options, Start, by_name, default_for};
-use lcplab_study::answer::{Answer as JudgedAnswer, certificate_text};
+use lcplab_study::answer::{Answer as JudgedAnswer, bound, certificate_text};
 use lcplab_study::explain::{Method, problem as derivation};
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
@@ -65,7 +65,7 @@ impl Solve {
             "name": problem.name,
             "warnings": problem.warnings,
             "answer": answer.to_json(),
-            "judge": certificate_text(&answer.certificate, problem),
+            "judge": certificate_text(&answer.certificate, answer.error_bound, problem),
             "steps": steps.steps,
             "derivation": derived,
             "solvers": ALL.iter().map(|entry| [entry.name, entry.method]).collect::<Vec<_>>(),
@@ -80,9 +80,10 @@ impl Judge {
         let lcp = boxed(&question)?;
         fits(lcp, &self.x)?;
         let certificate = judge(lcp, &self.x, &Demand::default());
+        let bound = bound(lcp, &self.x, &certificate);
         Ok(json!({
             "verdict": certificate.verdict.word(),
-            "text": certificate_text(&certificate, question.problem()),
+            "text": certificate_text(&certificate, bound, question.problem()),
         }))
     }
 }

@@ -14,13 +14,13 @@ use lcplab::report::loads::Loads;
 use lcplab::report::minimum::Descent;
 use lcplab::report::motion_error::MotionError;
 use lcplab::report::page::{Cell, Table};
-use lcplab::report::text;
+use lcplab::report::terminal;
 use lcplab::solver::Settings;
 use serde_json::{Map, Value, json};
 
 use super::friction;
 use super::limits::MemoryLimit;
-use super::problem::{bound_text, check_loads, rows, title};
+use super::problem::{check_loads, rows, title};
 use super::{Outcome, print, read_problem};
 
 /// Check answers of any program against a problem
@@ -148,10 +148,7 @@ impl Judge {
             object.extend(loads.map(|loads| ("loads".to_string(), loads.json())));
             print(&format!("{}\n", Value::Object(object)))?;
         } else {
-            let text = title(problem)
-                + "\n"
-                + &certificate_text(&certificate, problem)
-                + &bound_text(bound);
+            let text = title(problem) + "\n" + &certificate_text(&certificate, bound, problem);
             let mut text = text + &MotionError::text(question, x);
             if certificate.verdict.is_solution() {
                 text += &Descent::text(question, x);
@@ -188,7 +185,7 @@ impl Judge {
             };
             let rows = all.iter().map(row).collect();
             let headings = "answer | #scaled residual | verdict";
-            print(&text::table(&Table::new(title(problem), "", headings, rows)))?;
+            print(&terminal::table(&Table::new(title(problem), "", headings, rows)))?;
         }
         let fails = |judged: &&AnswerRow| self.fail_on.outcome(&judged.verdict) == Outcome::Refuted;
         let wrong = all.iter().filter(|judged| judged.is_answer).find(fails);

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use lcplab::certificate::{Certificate, Demand, Verdict, upper_bound};
+use lcplab::certificate::{Certificate, Demand, Verdict};
 use lcplab::error::{Error, Result};
 use lcplab::lcp::Question;
 use lcplab::lcp::file::Problem;
@@ -50,7 +50,7 @@ friction cones selects another model.
 
 Exit codes:
   0  the judge accepts the answer
-  1  the judge rejects the answer
+  1  the judge rejects the answer, or proves that no solution exists
   2  invalid input or usage")]
 pub struct Solve {
     /// Problem file; its extension determines the format; - reads JSON from standard input
@@ -166,8 +166,7 @@ impl Solve {
                 text += &format!("fallback   {fallback}\n");
             }
             text += &attempts_text(&answer.attempts);
-            text += &certificate_text(&answer.certificate, &problem);
-            text += &bound_text(answer.error_bound);
+            text += &certificate_text(&answer.certificate, answer.error_bound, &problem);
             text += &MotionError::text(&question, &answer.solution.x);
             if answer.certificate.verdict.is_solution() {
                 text += &Descent::text(&question, &answer.solution.x);
@@ -228,13 +227,6 @@ fn on_one_line(name: &str) -> String {
     let shown: String =
         name.chars().take(NAME).map(|c| if c.is_control() { ' ' } else { c }).collect();
     if name.chars().nth(NAME).is_some() { shown + "…" } else { shown }
-}
-
-pub fn bound_text(bound: Option<f64>) -> String {
-    let line = |bound| {
-        format!("  error bound      {:>10}  no entry of x has a larger error\n", upper_bound(bound))
-    };
-    bound.map(line).unwrap_or_default()
 }
 
 /// The rows in order; for a large problem those with the largest residuals, the largest first.

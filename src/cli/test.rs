@@ -169,7 +169,7 @@ impl Test {
         let options = self.solve.options(&methods)?;
         let progress = bar((problems.len() * contenders.len()) as u64, "problems");
         let stop = limits.stop();
-        let all = families::Limits { stop, each: None, tick: &|| progress.inc(1) };
+        let all = families::Limits { stop, each: None, search: true, tick: &|| progress.inc(1) };
         let rows = families::run_on(problems, Models::Stated(&[]), contenders, &options, &all);
         limits.over();
         progress.finish_and_clear();

@@ -22,6 +22,7 @@ pub mod group;
 mod message;
 mod process;
 
+use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
@@ -174,14 +175,18 @@ impl Drop for Plugin {
     }
 }
 
-/// The name and the command.
+/// The name and the command. Without a name, that of the program if it is given by its path, or of
+/// the first file that an interpreter is given, or else of the last argument that is no option.
 fn named(spec: &str) -> (String, &str) {
     if let Some((name, command)) = spec.split_once('=').filter(|(name, _)| is_name(name)) {
         return (name.to_string(), command);
     }
     let words = shlex::split(spec).unwrap_or_default();
-    let file = words.iter().rev().find(|word| !word.starts_with('-'));
-    let stem = || std::path::Path::new(file?).file_stem()?.to_str().map(str::to_string);
+    let program = words.first().filter(|program| program.contains('/'));
+    let script = || words.iter().skip(1).find(|word| Path::new(word).is_file());
+    let last = || words.iter().rev().find(|word| !word.starts_with('-'));
+    let file = program.or_else(script).or_else(last);
+    let stem = || Path::new(file?).file_stem()?.to_str().map(str::to_string);
     (stem().unwrap_or_default(), spec)
 }
 

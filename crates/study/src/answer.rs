@@ -336,8 +336,13 @@ fn fractions(vector: &[RBig]) -> Vec<String> {
     vector.iter().map(ToString::to_string).collect()
 }
 
-/// The residuals and the verdict as lines of text.
-pub fn certificate_text(certificate: &Certificate, problem: &Problem) -> String {
+/// The residuals and the verdict as lines of text, and the [`bound`] on the error of x if there is
+/// one.
+pub fn certificate_text(
+    certificate: &Certificate,
+    error_bound: Option<f64>,
+    problem: &Problem,
+) -> String {
     let lines = [
         (
             "scaled residual",
@@ -369,17 +374,23 @@ pub fn certificate_text(certificate: &Certificate, problem: &Problem) -> String 
     }
     if certificate.scale > 0.0 {
         text += &format!(
-            "  scale            {:>10}  smallest significant |x|; rows with smaller terms count as at rest\n",
+            "  scale            {:>10}  a smaller |x| counts as 0\n",
             readable(certificate.scale, 3)
         );
     }
     text += &rounding_text(certificate.rounded_by);
-    text += &certificate.evidence.as_ref().map(evidence_text).unwrap_or_default();
-    text
+    let evidence = certificate.evidence.as_ref();
+    // There is a bound only if the solution is unique.
+    let evidence = evidence.map(|evidence| evidence_text(evidence, error_bound.is_some()));
+    text += &evidence.unwrap_or_default();
+    let bound_line = |bound| {
+        format!("  error bound      {:>10}  no entry of x has a larger error\n", upper_bound(bound))
+    };
+    text + &error_bound.map(bound_line).unwrap_or_default()
 }
 
 /// The same as a line of text.
-pub(crate) fn evidence_text(evidence: &Evidence) -> String {
+pub(crate) fn evidence_text(evidence: &Evidence, is_unique: bool) -> String {
     let listed = |vector: &[RBig]| {
         let shown: Vec<String> = fractions(vector).into_iter().take(SHOWN).collect();
         shown.join(" ") + if vector.len() > SHOWN { " …" } else { "" }
@@ -390,9 +401,12 @@ pub(crate) fn evidence_text(evidence: &Evidence) -> String {
         }
         Evidence::FarSolution { distance } => {
             let distance = upper_bound(*distance);
-            format!(
-                "  an exact solution exists at the distance {distance} from x; others may be closer\n"
-            )
+            match is_unique {
+                true => format!("  the only exact solution is at the distance {distance} from x\n"),
+                false => format!(
+                    "  an exact solution exists at the distance {distance} from x; others may be closer\n"
+                ),
+            }
         }
         Evidence::NoSolution(Refutation::Vector(farkas)) => {
             format!("  no solution exists: proved by d = ({})\n", listed(&farkas.vector))

@@ -13,6 +13,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::answer::{labelled, proof_of_denial};
+use crate::friction::is_impossible;
 use crate::methods::why_none_takes;
 use lcplab_judge::{Demand, FrictionCertificate, judge_friction};
 use lcplab_problem::Complementarity;
@@ -41,7 +42,7 @@ pub struct Row {
     pub proved: usize,
     /// Answers that the judge accepts, proved or within tolerance.
     pub accepted: usize,
-    /// Problems that the solver reports as infeasible and that are proved to have no solution.
+    /// Problems that are proved to have no solution, and for which the solver claims none.
     #[serde(default, skip_serializing_if = "crate::number::is_zero")]
     pub denied: usize,
     /// Problems to which the solver gives no answer that can be read: it crashed or was too slow.
@@ -125,7 +126,7 @@ pub fn run(
     let of_family = |family: &&dyn Family| (family.name().to_string(), instances(*family, seeds));
     let problems: Vec<_> = families.iter().map(of_family).collect();
     let contenders = Contender::unnamed(methods.iter().copied());
-    let limits = Limits { stop, each: None, tick: &|| () };
+    let limits = Limits { stop, each: None, search: false, tick: &|| () };
     run_on(&problems, Models::Usual(models), &contenders, options, &limits)
 }
 
@@ -153,6 +154,9 @@ pub struct Limits<'a> {
     pub stop: &'a Stop,
     /// How long a solve may take; it ends at the iterate after.
     pub each: Option<Duration>,
+    /// Whether the judge looks for a proof that no solution exists where a solver reports none. A
+    /// solver that reports that there is none is always checked.
+    pub search: bool,
     /// Called after every row.
     pub tick: &'a (dyn Fn() + Sync),
 }
@@ -347,9 +351,13 @@ fn attempt(
         row.multiplications = row.multiplications.zip(known).map(|(sum, own)| sum + own);
         let demand = Demand { tolerance: options.settings.tolerance, ..Demand::default() };
         let certificate = judge_friction(posed, &solution.x, &demand);
-        if let ProblemForm::Boxed(lcp) = posed {
-            row.denied += usize::from(proof_of_denial(lcp, &solution.status, &demand).is_some());
-        }
+        row.denied += usize::from(match posed {
+            _ if limits.search && reports_none(&solution.status) => {
+                !certificate.verdict.is_solution() && is_impossible(posed, &demand)
+            }
+            ProblemForm::Boxed(lcp) => proof_of_denial(lcp, &solution.status, &demand).is_some(),
+            ProblemForm::Polyhedral(_) | ProblemForm::Cone(_) => false,
+        });
         row.add(&solution, &certificate, problem);
     }
     if unsolvable && row.proved > 0 {
@@ -359,6 +367,11 @@ fn attempt(
     }
     (limits.tick)();
     Some(row)
+}
+
+/// Whether a solver ends without a solution; one that crashes or is too slow says nothing.
+fn reports_none(status: &Status) -> bool {
+    !matches!(status, Status::Solved | Status::NoAnswer { .. })
 }
 
 /// What is kept of a solve's iterates.

@@ -180,7 +180,8 @@ impl JudgedAnswer {
             readable(self.coulomb_residual, 3)
         );
         text += &rounding_text(self.certificate.rounded_by);
-        text += &self.certificate.evidence.as_ref().map(evidence_text).unwrap_or_default();
+        let evidence = self.certificate.evidence.as_ref();
+        text += &evidence.map(|evidence| evidence_text(evidence, false)).unwrap_or_default();
         text += &format!(
             "{:>7} {:>14} {:>14} {:>14} {:>14} {:>10} {:>14}\n",
             "contact", "x_n", "|x_t|", "w_n", "|w_t|", "|x_t|/μx_n", "misaligned (°)"
@@ -205,6 +206,11 @@ impl JudgedAnswer {
         }
         text
     }
+}
+
+/// Whether it can be proved that no x solves the problem.
+pub(crate) fn is_impossible(posed: &ProblemForm, demand: &Demand) -> bool {
+    provable(posed).and_then(|lcp| impossible(lcp, true, demand)).is_some()
 }
 
 /// The boxed problem of which it can be proved that it has no solution, if there is one.

@@ -23,7 +23,8 @@ use lcplab_problem::{Gauss, Lcp, Level, Question};
 pub struct MotionError {
     /// |u(x) − û|_M is at most this.
     pub bound: f64,
-    /// |û − u*|_M, up to the bound: the effect of the constraints.
+    /// |û − u*|_M, the effect of the constraints, is at least this; 0 if x is too inaccurate to
+    /// tell.
     pub effect: f64,
     /// No entry of u(x) − û is larger.
     pub largest_entry: f64,
@@ -37,7 +38,8 @@ impl MotionError {
     fn new(gauss: &Gauss, bound: &MotionBound) -> Self {
         MotionError {
             bound: bound.energy_norm,
-            effect: length(gauss, &bound.motion),
+            // The motion of x is at most the bound away from the exact one.
+            effect: (length(gauss, &bound.motion) - bound.energy_norm).max(0.0),
             largest_entry: bound.largest_entry,
             level: gauss.level,
             is_frozen: false,
@@ -102,34 +104,28 @@ impl MotionError {
         keys.into_iter().filter_map(|(key, value)| Some((key.into(), value?))).collect()
     }
 
-    /// The bound relative to the effect of the constraints.
+    /// The bound relative to the effect of the constraints; ∞ if x is too inaccurate to tell.
     pub fn relative(&self) -> f64 {
         if self.bound == 0.0 { 0.0 } else { self.bound / self.effect }
     }
 
     /// The meaning of the bound, as the end of a line.
     fn meaning(&self) -> String {
-        let of_what = match self.effect {
-            effect if self.bound >= effect => {
-                format!("larger than what the constraints change ({})", readable(effect, 3))
-            }
-            effect => format!(
-                "{} of what the constraints change ({})",
-                readable(self.relative(), 2),
-                readable(effect, 3)
+        let unit = self.level.map(Level::norm_unit).unwrap_or("in the norm √(uᵀM u)");
+        let of_what = match self.relative() {
+            relative if relative < 1.0 => format!(
+                "at most {} of what the constraints change ({} {unit})",
+                readable(relative, 2),
+                readable(self.effect, 3)
             ),
+            _ => "possibly more than what the constraints change".into(),
         };
-        let unit = self.level.map(|level| format!(" in {}", level.norm_unit())).unwrap_or_default();
-        let entries = self.level.map(|level| {
-            format!(
-                "; no entry is wrong by more than {} {}",
-                upper_bound(self.largest_entry),
-                level.units()
-            )
-        });
         let frozen = if self.is_frozen { ", with the friction limits of x" } else { "" };
-        let entries = entries.unwrap_or_default();
-        format!("bound on |u(x) − û|_M{unit}: {of_what}{frozen}{entries}")
+        let entries = self.level.map(|level| {
+            let (name, units) = (level.name(), level.units());
+            format!("; no {name} is off by more than {} {units}", upper_bound(self.largest_entry))
+        });
+        format!("{unit}: {of_what}{frozen}{}", entries.unwrap_or_default())
     }
 }
 

@@ -10,6 +10,11 @@ fn bad_input_exits_with_2_and_one_message() {
     let no_json = run_with("{", &["solve", "-"]);
     assert_eq!((no_json.status.code(), out(&no_json)), (Some(2), String::new()));
     assert!(err(&no_json).starts_with("error: -: line 1, column 1: not valid JSON"));
+    let pythons =
+        run_with(r#"{"A": {"dense": [[1]]}, "b": [-1], "hi": [Infinity]}"#, &["solve", "-"]);
+    assert!(err(&pythons).contains(r#"write "inf", "-inf" or "nan" with quotation marks"#));
+    assert_eq!(err(&run_with("\n", &["solve", "-"])), "error: -: file: is empty\n");
+    assert_eq!(run_with(&format!("\u{feff}{GOOD}"), &["solve", "-"]).status.code(), Some(0));
     let no_solver = run_with(GOOD, &["solve", "-", "--solver", "magic"]);
     assert_eq!(no_solver.status.code(), Some(2));
     assert!(

@@ -231,3 +231,27 @@ fn a_saddle_of_a_declared_objective_is_accepted_and_said_to_be_no_minimum() {
     let problem = format!(r#"{saddle}, "objective": 1}}"#);
     assert!(err(&run_with(&problem, &["solve", "-"])).contains("objective: must be true or false"));
 }
+
+/// A body of 1 kg meets the ground at 3 m/s: the contact changes its velocity by 3 m/s, 3 √J.
+#[test]
+fn the_effect_of_the_constraints_is_known_as_well_as_the_answer() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    let (problem, answer) = (path("fall.json"), path("x.json"));
+    let text = r#"{"A": {"dense": [[1]]}, "b": [-3], "motion": {"mass": [[0, 0, 1]],
+        "jacobian": [[0, 0, 1]], "bias": [0], "compliance": [0], "target": [-3], "level": "velocity"}}"#;
+    std::fs::write(&problem, text).unwrap();
+    let error = |x: f64| {
+        std::fs::write(&answer, format!("{{\"x\": [{x}]}}")).unwrap();
+        let json = out(&run(&["judge", &problem, &answer, "--json"]));
+        let error = serde_json::from_str::<Value>(&json).unwrap()["motion_error"].take();
+        [&error["effect"], &error["relative"]].map(|v| v.as_f64().unwrap_or(f64::INFINITY))
+    };
+    for off in [0.0, 1e-6, 0.03, 0.3] {
+        let [effect, relative] = error(3.0 - off);
+        assert!((effect - 3.0).abs() <= 2.0 * off + 1e-9 && effect <= 3.0, "{off}: {effect}");
+        assert!(relative >= off / 3.0, "{off}: {relative}");
+    }
+    // Nothing was done: the motion changes by nothing, and should by 3.
+    assert!(error(0.0)[1] >= 1.0);
+}

@@ -206,6 +206,19 @@ fn one_process_a_problem_is_a_plug_in_too() {
 }
 
 #[test]
+fn a_plug_in_is_named_after_its_program_or_script_and_not_after_an_argument() {
+    let script = Script::answering("lame", "print('{\"x\": [0]}', flush=True)");
+    let path = script.path("lame.py").display().to_string();
+    for (command, name) in [
+        (format!("python3 '{path}' --sweeps 10"), "lame"),
+        (format!("first=python3 '{path}' 10"), "first"),
+    ] {
+        let plugin = Plugin::start(&command, LONG.as_secs_f64()).unwrap();
+        assert_eq!(plugin.name(), name, "{command}");
+    }
+}
+
+#[test]
 fn a_command_that_cannot_be_a_plug_in_is_refused_in_a_line() {
     let refusal = |spec: &str| Plugin::start(spec, LONG.as_secs_f64()).unwrap_err().to_string();
     assert_eq!(refusal(""), "plug-in: command: \"\" is not a command");

@@ -290,6 +290,11 @@ fn read_text(path: &Path, most: Memory) -> Result<String> {
 }
 
 fn parse_object(text: &str, input: &str) -> Result<Map<String, Value>> {
+    // Some editors write a byte order mark first.
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    if text.trim().is_empty() {
+        return Err(Error::invalid(input, "file", "is empty"));
+    }
     match json::parse(text) {
         Ok(Value::Object(object)) => Ok(object),
         Ok(_) => Err(Error::invalid(input, "file", "must be a JSON object")),
@@ -299,7 +304,18 @@ fn parse_object(text: &str, input: &str) -> Result<Map<String, Value>> {
             let reason = cause.to_string();
             // serde_json repeats the place at the end.
             let reason = reason.split(" at line ").next().unwrap_or(&reason);
-            Err(Error::invalid(input, place, format!("{not_json}{reason}")))
+            let hint = match at_number_word(text, &cause) {
+                true => "; write \"inf\", \"-inf\" or \"nan\" with quotation marks",
+                false => "",
+            };
+            Err(Error::invalid(input, place, format!("{not_json}{reason}{hint}")))
         }
     }
+}
+
+/// Whether the parser stopped at a number that other programs write but JSON does not have.
+fn at_number_word(text: &str, cause: &serde_json::Error) -> bool {
+    let line = text.lines().nth(cause.line().saturating_sub(1)).unwrap_or_default();
+    let at: String = line.chars().skip(cause.column().saturating_sub(2)).take(12).collect();
+    ["Infinity", "NaN", "inf", "nan"].iter().any(|word| at.contains(word))
 }

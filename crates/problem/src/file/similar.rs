@@ -22,6 +22,9 @@ pub(super) fn similar(key: &str) -> Option<&'static str> {
     if let Some((known, _)) = OTHER_NAMES.iter().find(is_other) {
         return Some(known);
     }
+    if let Some(known) = READ.into_iter().find(|known| known.to_lowercase() == key) {
+        return Some(known);
+    }
     // Two changes turn any short word into any other.
     let long = READ.into_iter().filter(|known| known.len() > 2 * MOST_CHANGES);
     let nearest = long.map(|known| (edit_distance(&key, known), known)).min()?;
