@@ -135,6 +135,19 @@ def test_an_x_and_a_sparse_matrix_with_imaginary_parts_are_refused():
         lcplab.solve(sparse.csr_array(A * 1j), B)
 
 
+@pytest.mark.parametrize(
+    ("matrix", "b", "name"),
+    [([["a"]], [1], "A"), ([[1, 2], [3]], [1, 2], "A"), (None, [1], "A"), ([[1]], ["b"], "b")],
+)
+def test_what_is_no_array_of_numbers_is_refused_by_name(matrix, b, name):
+    with pytest.raises(lcplab.InputError, match=f"problem: {name}: "):
+        lcplab.solve(matrix, b)
+
+
+def test_a_problem_without_rows_is_solved():
+    assert lcplab.solve([], []).verdict == "proved"
+
+
 def test_a_row_that_is_no_whole_number_is_refused():
     for index in ([-1, 0.5], [-1, np.nan], [-1, np.inf]):
         with pytest.raises(lcplab.InputError, match=r"friction_index\[1\]: must be a row or -1"):

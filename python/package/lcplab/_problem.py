@@ -233,10 +233,15 @@ def _real(values: ArrayLike, name: str) -> Array:
     # NumPy would drop masks, and imaginary parts with a warning.
     if np.ma.is_masked(values):
         raise _lcplab.InputError(f"problem: {name}: has masked entries")
-    array = np.asarray(values)
-    if np.iscomplexobj(array):
+    try:
+        array = np.asarray(values)
+        is_complex = np.iscomplexobj(array)
+        real = array.real if is_complex else np.asarray(array, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise _lcplab.InputError(f"problem: {name}: is no array of numbers: {error}") from None
+    if is_complex:
         raise _lcplab.InputError(f"problem: {name}: is complex, must be real; its real part is {name}.real")
-    return np.asarray(array, dtype=np.float64)
+    return real
 
 
 def _rows(friction_index: ArrayLike) -> NDArray[np.int64]:
@@ -262,4 +267,9 @@ def _entries(A: Any) -> _lcplab.Entries:
             raise _lcplab.InputError(f"problem: A: is {rows} × {cols}, must be square")
         index = [np.ascontiguousarray(k, dtype=np.int64) for k in (sparse.row, sparse.col)]
         return rows, index[0], index[1], vector(sparse.data, "A")
-    return _real(A, "A")
+    matrix = _real(A, "A")
+    if matrix.size == 0:
+        return matrix.reshape(0, 0)
+    if matrix.ndim != 2:
+        raise _lcplab.InputError(f"problem: A: has {matrix.ndim} dimensions, must be a matrix")
+    return matrix
