@@ -163,8 +163,8 @@ impl fmt::Display for Cause {
             }
             Cause::ZeroRow { row } => write!(
                 f,
-                "row {row} acts only on bodies that cannot move, so a sweep would divide by a zero on the \
-                 diagonal of A. Remove the row, or let one of its bodies move."
+                "row {row} of A is zero, as if its bodies could not move: no force changes its w, and a \
+                 sweep would divide by its diagonal entry. Remove the row, or let one of its bodies move."
             ),
             Cause::ImmovableRow { row, diagonal, impulse } => {
                 let needed = if impulse.is_finite() {
@@ -180,6 +180,12 @@ impl fmt::Display for Cause {
                     readable(*diagonal, 2)
                 )
             }
+            Cause::Impossible { rows, proof: Proof::Vector } if rows.len() == 1 => write!(
+                f,
+                "no forces satisfy row {}, proved in exact arithmetic. Remove the row, or make it compliant with \
+                 a spring.",
+                rows[0]
+            ),
             Cause::Impossible { rows, proof: Proof::Vector } => write!(
                 f,
                 "no forces satisfy these rows together, proved in exact arithmetic: {}. Sweeps would increase \
@@ -231,7 +237,7 @@ impl fmt::Display for Cause {
             Cause::Slow { radius, sweeps } => write!(
                 f,
                 "while all rows are active, each sweep of Gauss-Seidel multiplies the error by {}, \
-                 so eight digits need {} sweeps. Start from the forces of the previous step, or \
+                 so eight more digits need {} sweeps. Start from the forces of the previous step, or \
                  use a pivoting solver.",
                 readable(*radius, DIGITS),
                 readable(sweeps.round(), DIGITS)

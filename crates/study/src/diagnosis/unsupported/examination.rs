@@ -211,7 +211,8 @@ impl Examination {
     }
 
     fn why(&self) -> Option<Section> {
-        let mut section = Section::new("why");
+        let title = if self.causes().is_empty() { "what was examined" } else { "why" };
+        let mut section = Section::new(title);
         let mut lines: Vec<String> = Vec::new();
         let slow = self.unsupported.iter().flat_map(|found| &found.causes);
         let mut named: Vec<(&str, String)> =
