@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use lcplab::certificate::Demand;
 use lcplab::lcp::Question;
-use lcplab::lcp::friction::Model;
+use lcplab::lcp::friction::Form;
 use lcplab::report::loads::Loads;
 use lcplab::scene::{Description, Scene as Described, Scheme};
 use lcplab::simulation::{self, Simulation, Solve, Step};
@@ -124,7 +124,7 @@ impl Scene {
             let scene = self.simulation.scene();
             let options = simulation::options(scene);
             let cone = match scene.contact.model {
-                model @ (Model::AssociatedCone | Model::CoulombCone) => {
+                model if matches!(model.form(), Form::Cone(_)) => {
                     Some(callable::method(&solver, Some(model))?)
                 }
                 _ => None,

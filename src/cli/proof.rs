@@ -8,7 +8,7 @@ use lcplab::file;
 use lcplab::lcp::Question;
 use lcplab::lcp::exact::SolutionSet;
 use lcplab::lcp::file::{Problem, read_answer};
-use lcplab::lcp::friction::{Model, ProblemForm};
+use lcplab::lcp::friction::{Form, Model, ProblemForm};
 use lcplab::page::{self, Block, Page, Section};
 use lcplab::proof::{Kind, Proof, ProofSearch, check, prove, prove_kind};
 use lcplab::report::answer::first_answer;
@@ -211,9 +211,9 @@ impl Check {
 
 /// Checks the friction model for `solve --proof`: only boxes can be proved with an answer.
 pub fn check_model(model: Model) -> Result<()> {
-    match model {
-        Model::CoupledBox | Model::FrozenBox => Ok(()),
-        Model::Polyhedral { .. } | Model::AssociatedCone | Model::CoulombCone => {
+    match model.form() {
+        Form::Box => Ok(()),
+        Form::Polygon { .. } | Form::Cone(_) => {
             let reason = format!("an answer can be proved for a box, not for {model}");
             Err(Error::invalid("options", "--proof", reason))
         }

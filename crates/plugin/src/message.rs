@@ -5,7 +5,7 @@ use std::time::Duration;
 use serde_json::{Map, Value, json};
 
 use lcplab_problem::file::{Problem, as_number};
-use lcplab_problem::friction::{Law, Model};
+use lcplab_problem::friction::{Form, Law, Model};
 use lcplab_problem::{Lcp, json as strict};
 use lcplab_solver::{Settings, Start, Status};
 
@@ -140,11 +140,11 @@ fn laws(models: &Value) -> Result<Vec<Law>, String> {
     let mut laws = Vec::new();
     for word in list {
         let model = word.as_str().ok_or("\"models\" is not a list of strings")?;
-        match model.parse().map_err(|error| format!("its \"models\": {error}"))? {
-            Model::FrozenBox | Model::CoupledBox => {}
-            Model::AssociatedCone => laws.push(Law::Associated),
-            Model::CoulombCone => laws.push(Law::Coulomb),
-            Model::Polyhedral { .. } => {
+        let model: Model = model.parse().map_err(|error| format!("its \"models\": {error}"))?;
+        match model.form() {
+            Form::Box => {}
+            Form::Cone(law) => laws.push(law),
+            Form::Polygon { .. } => {
                 return Err(format!(
                     "its \"models\" name {model}, but plug-ins are sent only boxes, associated-cone and \
                      coulomb-cone"

@@ -128,16 +128,6 @@ fn is_plane(lcp: &Lcp) -> bool {
 
 /// Checks that a model states contacts in the plane as the coupled box.
 fn check_plane(model: Model, input: &str) -> Result<()> {
-    let reason = match model {
-        Model::CoupledBox | Model::Polyhedral { .. } | Model::CoulombCone => return Ok(()),
-        Model::AssociatedCone => {
-            "is associated-cone, which is not defined here for contacts in the plane (one tangent \
-             each); coulomb-cone is"
-        }
-        Model::FrozenBox => {
-            "is frozen-box, which needs two tangents for each contact; state the frozen limits as \
-             bounds lo and hi"
-        }
-    };
-    Err(Error::invalid(input, "model", reason))
+    let refusal = model.refusal_in_plane();
+    refusal.map_or(Ok(()), |reason| Err(Error::invalid(input, "model", reason)))
 }

@@ -10,7 +10,7 @@ use super::{
     Solver, Start, Status, added, added_cones,
 };
 use lcplab_problem::Complementarity;
-use lcplab_problem::friction::{Law, Model, Polyhedral, ProblemForm};
+use lcplab_problem::friction::{Form, Model, Polyhedral, ProblemForm};
 
 /// A box or cone solver.
 #[derive(Debug, Clone, Copy)]
@@ -78,14 +78,20 @@ impl Method {
     /// # Ok::<(), lcplab_problem::error::Error>(())
     /// ```
     pub fn refusal(&self, model: Option<Model>) -> Option<String> {
-        match (self, model) {
-            (Method::Boxed(entry), Some(model @ (Model::AssociatedCone | Model::CoulombCone))) => {
-                Some(match entry.group {
-                    Group::Plugin => format!("it does not declare support for {model}"),
-                    _ => format!("it supports boxes, not {model}"),
-                })
-            }
-            (Method::Boxed(entry), Some(model @ Model::Polyhedral { .. })) => {
+        let Some(model) = model else {
+            return match self {
+                Method::Boxed(_) => None,
+                Method::Cone(_) => {
+                    Some("it supports only friction cones, and the problem has none".into())
+                }
+            };
+        };
+        match (self, model.form()) {
+            (Method::Boxed(entry), Form::Cone(_)) => Some(match entry.group {
+                Group::Plugin => format!("it does not declare support for {model}"),
+                _ => format!("it supports boxes, not {model}"),
+            }),
+            (Method::Boxed(entry), Form::Polygon { .. }) => {
                 let Class { matrix, divides_by_diagonal, .. } = entry.class;
                 if divides_by_diagonal {
                     Some(match entry.group {
@@ -100,23 +106,16 @@ impl Method {
                     None
                 }
             }
-            (Method::Boxed(entry), Some(Model::CoupledBox)) => {
+            (Method::Boxed(_), Form::Box) if model == Model::FrozenBox => None,
+            (Method::Boxed(entry), Form::Box) => {
                 let reason = "it does not support bounds that depend on the x of another row, as in coupled-box";
                 (!entry.class.coupling).then(|| reason.into())
             }
-            (Method::Boxed(_), None | Some(Model::FrozenBox)) => None,
-            (Method::Cone(entry), Some(model @ (Model::AssociatedCone | Model::CoulombCone))) => {
-                let law = match model {
-                    Model::AssociatedCone => Law::Associated,
-                    _ => Law::Coulomb,
-                };
+            (Method::Cone(entry), Form::Cone(law)) => {
                 (!entry.laws.contains(&law)).then(|| format!("it does not support {model}"))
             }
-            (Method::Cone(_), Some(model)) => {
+            (Method::Cone(_), Form::Box | Form::Polygon { .. }) => {
                 Some(format!("it supports only friction cones, not {model}"))
-            }
-            (Method::Cone(_), None) => {
-                Some("it supports only friction cones, and the problem has none".into())
             }
         }
     }

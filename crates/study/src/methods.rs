@@ -3,7 +3,7 @@
 #[cfg(feature = "clarabel")]
 use super::clarabel;
 use lcplab_problem::error::{Error, Result};
-use lcplab_problem::friction::Model;
+use lcplab_problem::friction::{Form, Model};
 use lcplab_solver::{ALL, Entry, KNOWN_WRONG, Method, added, methods};
 
 /// One method of each kind: sweeps, Newton, gradients, an interior point, two pivoting methods,
@@ -86,10 +86,10 @@ pub fn why_none_takes(methods: &[Method], model: Option<Model>) -> Option<String
 
 /// The default method.
 pub fn default_for(model: Model) -> &'static str {
-    match model {
-        Model::FrozenBox | Model::CoupledBox => "dantzig",
-        Model::Polyhedral { .. } => "lemke",
-        Model::AssociatedCone | Model::CoulombCone => "apgd",
+    match model.form() {
+        Form::Box => "dantzig",
+        Form::Polygon { .. } => "lemke",
+        Form::Cone(_) => "apgd",
     }
 }
 

@@ -12,7 +12,7 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use lcplab::body::State;
 use lcplab::error::{Error, Result};
-use lcplab::lcp::friction::Model;
+use lcplab::lcp::friction::{Form, Model};
 use lcplab::report::methods;
 use lcplab::scene::{self, Scene, Scheme};
 use lcplab::simulation::Simulation;
@@ -177,7 +177,7 @@ impl SceneArgs {
     /// scene's own is not, another one is used and the output names it.
     fn method(&self, name: &str, scene: &Scene) -> Result<Method> {
         match scene.contact.model {
-            Model::CoupledBox | Model::FrozenBox => Ok(Method::Boxed(*entry(name)?)),
+            model if model.form() == Form::Box => Ok(Method::Boxed(*entry(name)?)),
             model if self.is_named() => methods::by_name(name, model),
             model => methods::by_name(name, model)
                 .or_else(|_| methods::by_name(methods::default_for(model), model)),

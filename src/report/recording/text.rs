@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::energy_totals::EnergyTotals;
 use super::{NOT_ACCOUNTED, Record};
 use crate::body::State;
-use crate::lcp::friction::Model;
+use crate::lcp::friction::Form;
 use crate::number::readable;
 use crate::scene::{Resting, Scene, Scheme};
 use crate::simulation::{Slip, momentum_sizes};
@@ -133,7 +133,7 @@ impl Record {
             let [body, other] = bodies.map(|body| &self.scene.bodies[body].name);
             format!(", between {body:?} and {other:?}")
         };
-        let is_cone = matches!(model, Model::CoulombCone | Model::AssociatedCone);
+        let is_cone = matches!(model.form(), Form::Cone(_));
         let degrees = |slip: &Slip| slip.angle.unwrap_or(0.0).to_degrees();
         let angle =
             self.slips.friction_angle.filter(|slip| degrees(slip) > FRICTION_ANGLE && !is_cone);
@@ -167,17 +167,13 @@ impl Record {
         }
         let how = says.join("; it ");
         let scheme = self.scene.step.scheme;
-        let remedy = match model {
+        let remedy = match model.form() {
             _ if !scheme.poses_friction() => {
                 "the scheme velocity with the model coulomb-cone satisfies Coulomb's law"
             }
-            Model::Polyhedral { .. } => {
-                "more directions, or the model coulomb-cone, are more accurate"
-            }
-            Model::CoulombCone | Model::AssociatedCone => {
-                "reduce solver.tolerance or raise solver.max_iterations"
-            }
-            _ => "the model coulomb-cone has the correct strength and direction",
+            Form::Polygon { .. } => "more directions, or the model coulomb-cone, are more accurate",
+            Form::Cone(_) => "reduce solver.tolerance or raise solver.max_iterations",
+            Form::Box => "the model coulomb-cone has the correct strength and direction",
         };
         Some(format!("friction of the model {model} {how}; {remedy}"))
     }

@@ -3,7 +3,7 @@
 use super::scheme::Scheme;
 use super::settings::{Contacts, Persistence, Sliding, Step};
 use lcplab_problem::error::Defects;
-use lcplab_problem::friction::Model;
+use lcplab_problem::friction::{Form, Model};
 
 impl Scheme {
     /// Whether this scheme supports all friction models; otherwise it uses the coupled box, row by
@@ -27,7 +27,7 @@ pub(super) fn check(defects: &mut Defects, step: &Step, contact: &Contacts) {
             "the scheme {scheme} treats friction row by row and supports only \"coupled-box\""
         ));
     }
-    let is_cone = matches!(model, Model::AssociatedCone | Model::CoulombCone);
+    let is_cone = matches!(model.form(), Form::Cone(_));
     if scheme == Scheme::Acceleration && model == Model::AssociatedCone {
         refuse(
             "the associated cone lifts sliding bodies, which would fly off at acceleration level"

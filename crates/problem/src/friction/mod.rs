@@ -49,7 +49,7 @@ mod polyhedral;
 mod tangents;
 
 pub use cone::{ConeProblem, Law, project};
-pub use model::{Model, ProblemForm};
+pub use model::{Form, Model, ProblemForm};
 pub use polyhedral::{Polyhedral, Unknowns};
 
 use super::{Coupling, Lcp};

@@ -48,6 +48,41 @@ impl Model {
         Model::CoulombCone,
     ];
 
+    /// The form of the problem that the model poses.
+    ///
+    /// ```
+    /// use lcplab_problem::friction::{Form, Law, Model};
+    ///
+    /// assert_eq!(Model::FrozenBox.form(), Form::Box);
+    /// assert_eq!(Model::Polyhedral { directions: 8 }.form(), Form::Polygon { corners: 8 });
+    /// assert_eq!(Model::CoulombCone.form(), Form::Cone(Law::Coulomb));
+    /// ```
+    pub fn form(self) -> Form {
+        match self {
+            Model::FrozenBox | Model::CoupledBox => Form::Box,
+            Model::Polyhedral { directions } => Form::Polygon { corners: directions },
+            Model::AssociatedCone => Form::Cone(Law::Associated),
+            Model::CoulombCone => Form::Cone(Law::Coulomb),
+        }
+    }
+
+    /// Why the model does not state contacts in the plane, with one tangent each, as the coupled
+    /// box; `None` if it does.
+    #[cfg(feature = "json")] // for questions
+    pub(crate) fn refusal_in_plane(self) -> Option<&'static str> {
+        match self {
+            Model::CoupledBox | Model::Polyhedral { .. } | Model::CoulombCone => None,
+            Model::AssociatedCone => Some(
+                "is associated-cone, which is not defined here for contacts in the plane (one \
+                 tangent each); coulomb-cone is",
+            ),
+            Model::FrozenBox => Some(
+                "is frozen-box, which needs two tangents for each contact; state the frozen limits \
+                 as bounds lo and hi",
+            ),
+        }
+    }
+
     /// The problem that x solves under this model; model 1 freezes its boxes at the x_n of
     /// `frozen_at`, a vector with one entry per row.
     ///
@@ -71,6 +106,21 @@ impl Model {
             Model::CoulombCone => cone(Law::Coulomb),
         })
     }
+}
+
+/// The form of a friction problem: [`ProblemForm`] without its data. Code that depends on the form
+/// alone needs no change for a new model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// Bounds for each friction row.
+    Box,
+    /// A regular polygon for each contact.
+    Polygon {
+        /// The number of corners.
+        corners: usize,
+    },
+    /// A circular cone for each contact, under this law.
+    Cone(Law),
 }
 
 /// A friction problem stated under a model; x means the same in all of them.

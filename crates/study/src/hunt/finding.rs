@@ -6,7 +6,7 @@ use serde_json::json;
 use lcplab_problem::Question;
 use lcplab_problem::exact::all_solutions;
 use lcplab_problem::file::{Expected, Problem, number};
-use lcplab_problem::friction::{Contact, Model};
+use lcplab_problem::friction::{Contact, Form, Model};
 use lcplab_problem::number::readable;
 use lcplab_solver::{Group, MatrixClass, Settings, Solution, Status};
 
@@ -174,15 +174,15 @@ fn friction_bound(problem: &Problem, i: usize, k: usize, mu: f64) -> String {
         format!("(x_{t1}, x_{t2})")
     });
     let mu_text = short(mu);
-    match problem.model {
-        None | Some(Model::CoupledBox) => format!("|x_{i}| ≤ {mu_text} x_{k}"),
-        Some(Model::FrozenBox) => {
+    match problem.model.map_or(Form::Box, Model::form) {
+        Form::Box if problem.model == Some(Model::FrozenBox) => {
             let x = problem.frozen_at.as_ref().map_or(0.0, |x| x[k]);
             format!("|x_{i}| ≤ {}", short(mu * x))
         }
-        Some(Model::AssociatedCone | Model::CoulombCone) => format!("|{plane}| ≤ {mu_text} x_{k}"),
-        Some(Model::Polyhedral { directions }) => {
-            format!("{plane} in a polygon with {directions} corners at {mu_text} x_{k}")
+        Form::Box => format!("|x_{i}| ≤ {mu_text} x_{k}"),
+        Form::Cone(_) => format!("|{plane}| ≤ {mu_text} x_{k}"),
+        Form::Polygon { corners } => {
+            format!("{plane} in a polygon with {corners} corners at {mu_text} x_{k}")
         }
     }
 }

@@ -6,7 +6,7 @@ use std::str::FromStr;
 use lcplab_judge::{Demand, Evidence, Verdict, judge, judge_friction};
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::exact::all_solutions;
-use lcplab_problem::friction::{FrictionProblem, Model, ProblemForm};
+use lcplab_problem::friction::{Form, FrictionProblem, Model, ProblemForm};
 use lcplab_problem::number::{counted, readable};
 use lcplab_problem::{Lcp, merit};
 use lcplab_solver::{Choice, MatrixClass, Method, Options, Solution, Status};
@@ -173,9 +173,7 @@ impl Trial {
             _ => return wrong("only ratio compares with a second solver".into()),
         }
         match self.model {
-            Some(
-                model @ (Model::Polyhedral { .. } | Model::AssociatedCone | Model::CoulombCone),
-            ) if self.measure == Measure::Error => {
+            Some(model) if self.measure == Measure::Error && model.form() != Form::Box => {
                 wrong(format!("error needs the exact solution, which {model} does not have"))
             }
             model => self

@@ -3,7 +3,7 @@
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::scene::{Persistence, Scene, Scheme};
 use lcplab_problem::error::Result;
-use lcplab_problem::friction::Model;
+use lcplab_problem::friction::{Form, Model};
 
 use super::cause::Moving;
 use super::examine::HEALTHY;
@@ -82,7 +82,7 @@ pub(super) fn causes(
     }
     let has_friction = scene.bodies.iter().any(|body| body.friction > 0.0);
     let model = scene.contact.model;
-    let is_cone = matches!(model, Model::CoulombCone | Model::AssociatedCone);
+    let is_cone = matches!(model.form(), Form::Cone(_));
     let law = match has_friction && !is_cone {
         true => friction(scene, count, own, exactly)?,
         false => None,
@@ -136,7 +136,7 @@ fn friction(
         return Ok(None);
     };
     let cause = Moving::Friction {
-        is_polygon: matches!(scene.contact.model, Model::Polyhedral { .. }),
+        is_polygon: matches!(scene.contact.model.form(), Form::Polygon { .. }),
         only_of: (!scheme.poses_friction()).then(|| scheme.name()),
         body: scene.bodies[body].name.clone(),
         distance,
