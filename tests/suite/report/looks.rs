@@ -14,3 +14,14 @@ fn no_two_solvers_look_the_same_in_grey() {
         assert!(same.is_none(), "{} looks as {} does in gray", names[k], names[same.unwrap()]);
     }
 }
+
+#[test]
+fn an_unlisted_solver_differs_from_all_listed_ones_in_gray() {
+    let listed: Vec<_> = ALL.iter().map(|entry| style(entry.name)).collect();
+    for k in 0..100 {
+        let own = style(&format!("solver {k}"));
+        let same =
+            listed.iter().position(|other| (own.dash, own.marker) == (other.dash, other.marker));
+        assert_eq!(same.map(|at| ALL[at].name), None, "solver {k}");
+    }
+}

@@ -169,6 +169,10 @@ const SOR: [(f64, Rgb, usize, usize); 6] = [
     (1.8, (82, 10, 54), 2, 0),
 ];
 
+/// The pairs of dash and marker that no name in [`KNOWN`] or [`SOR`] has: those of unknown names,
+/// which therefore differ from the known ones in gray.
+const FREE: [(usize, usize); 5] = [(1, 0), (2, 1), (2, 3), (4, 2), (5, 2)];
+
 /// The look of a name, the same in every figure.
 pub fn style(name: &str) -> Style {
     let (base, variant) = name.split_once(',').unwrap_or((name, ""));
@@ -182,7 +186,8 @@ pub fn style(name: &str) -> Style {
         (*color, *dash, *marker)
     } else {
         let hash = fnv(&key);
-        (HUES[hash % 6], hash / 6 % 6, hash / 36 % 6)
+        let (dash, marker) = FREE[hash / 6 % FREE.len()];
+        (HUES[hash % 6], dash, marker)
     };
     if parameter.is_some() || variant.trim().is_empty() {
         return Style { color, dash: DASHES[dash], marker: MARKERS[marker] };
