@@ -3,12 +3,12 @@
 use crate::number::{count, readable};
 use crate::plot::{Axis, Bar, Bars, Figure, Lines, Series};
 use crate::report::page::{Cell, Table};
-use crate::report::study::attempt::Outcome;
+use crate::report::study::attempt;
 use crate::report::study::convergence::methods::{Clock, MethodProgress, Progress};
 use crate::report::view::attempt::{
     anchor, iterations_in_words, outcome as outcome_cell, rough, tolerance,
 };
-use crate::report::view::{Document, Headline, Outcome as Verdict};
+use crate::report::view::{Document, Headline, Outcome};
 use crate::solver::Group;
 
 /// The value at which a residual of exactly 0 is drawn on a logarithmic axis.
@@ -26,12 +26,12 @@ pub(super) fn show(problems: &[&Progress], document: &mut Document) {
     }
 }
 
-pub(super) fn outcome(problems: &[&Progress]) -> Verdict {
+pub(super) fn outcome(problems: &[&Progress]) -> Outcome {
     let methods = || problems.iter().flat_map(|progress| &progress.methods);
-    let refuted = methods().filter(|method| method.outcome == Outcome::Refuted).count();
+    let refuted = methods().filter(|method| method.outcome == attempt::Outcome::Refuted).count();
     let solved = methods().filter(|method| method.outcome.is_solved()).count();
     let says = format!("{solved} of {} solvers succeed, {refuted} false claims", methods().count());
-    Verdict { good: refuted == 0, says }
+    Outcome { good: refuted == 0, says }
 }
 
 /// The cheapest solver, and the cost of each as a bar.
