@@ -179,7 +179,7 @@ def page(maker: Maker, sections: list[Section]) -> Page:
         everything.append(f"<div>{''.join(parts)}</div>")
     body = f"""<div class="hero">
 <div class="claim"><h1>Is your contact solver right?</h1>
-<p class="lead">lcplab solves the contact problems of rigid-body simulation with twenty methods and checks every answer independently,
+<p class="lead">lcplab solves the contact problems of rigid-body simulation by sweeps, pivoting and Newton methods, and checks every answer independently,
 down to proofs in exact arithmetic.</p>
 <p class="calls"><a class="call" href="guide/install.html">Install</a> <a class="call second" href="guide/overview.html">Overview</a></p></div>
 {picture(maker)}

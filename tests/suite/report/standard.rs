@@ -211,7 +211,9 @@ fn kinds_that_decide_nothing_are_listed_by_name_and_all_others_decide() {
         }
     }
     decides.insert("frames", true); // about problem files, which no shipped report has
-    assert_eq!(decides.len(), KINDS.len());
+    let shown: BTreeSet<&str> = decides.keys().copied().collect();
+    let kinds: BTreeSet<&str> = KINDS.iter().map(|kind| kind.name).collect();
+    assert_eq!(shown, kinds, "a report in reports/ shows every kind");
     let listed: BTreeSet<&str> = UNDECIDED.iter().map(|(name, _)| *name).collect();
     let undecided: BTreeSet<&str> =
         decides.iter().filter(|(_, decides)| !**decides).map(|(name, _)| *name).collect();
@@ -340,6 +342,16 @@ fn the_report_on_scenes_shows_all_but_the_tower() {
     let mut shipped: Vec<&str> = SHIPPED_SCENES.iter().map(|scene| scene.name).collect();
     shipped.sort();
     assert_eq!(shown, shipped);
+}
+
+#[test]
+fn the_documentation_has_a_row_for_every_kind_of_study() {
+    let page = include_str!("../../../docs/reports.md");
+    let rows = page.lines().filter_map(|line| line.strip_prefix("| ")?.split(" | ").next());
+    let named: BTreeSet<&str> = rows.flat_map(|names| names.split('`')).collect();
+    for kind in KINDS {
+        assert!(named.contains(kind.name), "docs/reports.md lacks a row for {}", kind.name);
+    }
 }
 
 #[test]
