@@ -51,7 +51,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     println!("{}", table::markdown(&recording));
     if let Some(path) = asked.json {
-        std::fs::write(path, serde_json::to_string_pretty(&recording)? + "\n")?;
+        std::fs::write(path, serde_json::to_string(&recording)? + "\n")?;
     }
     Ok(())
 }
