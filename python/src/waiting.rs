@@ -35,7 +35,11 @@ pub fn quickly<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyRe
 }
 
 /// Runs a computation on another thread, without the interpreter lock, until it is done or stopped.
+/// In a browser there are no threads, so that it cannot be stopped.
 pub fn wait<T: Send>(py: Python<'_>, stop: &Stop, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+    if cfg!(target_os = "emscripten") {
+        return quickly(py, work);
+    }
     let mut asked = None;
     let result = py.detach(|| {
         thread::scope(|scope| {

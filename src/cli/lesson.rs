@@ -12,7 +12,7 @@ use lcplab::lesson::{ENGINE, Program, unicode, write_python};
 use lcplab::live::write_linked;
 use lcplab::page::Page;
 
-use super::{Outcome, bar, print};
+use super::{Outcome, bar, browser, print};
 use crate::around::ALL as AROUND;
 use crate::lessons::ALL;
 
@@ -114,7 +114,7 @@ impl Lesson {
             let path = self.write(lesson)?;
             written += &format!("{}\n", path.display());
             if self.open {
-                open::that(&path).map_err(|cause| Error::file(&path, &cause))?;
+                browser::open(&path)?;
             }
             progress.inc(1);
         }

@@ -59,7 +59,7 @@ impl Limits {
         };
         if let Some(limit) = time.time_limit {
             let (asks, is_over) = (Arc::clone(&limits.asks), Arc::clone(&limits.is_over));
-            thread::spawn(move || guard(limit, &asks, &is_over));
+            in_background(move || guard(limit, &asks, &is_over));
         }
         limits
     }
@@ -95,7 +95,7 @@ impl Limits {
 fn at_signals(mut act: impl FnMut() + Send + 'static) {
     use signal_hook::consts::{SIGINT, SIGTERM};
     if let Ok(mut signals) = signal_hook::iterator::Signals::new([SIGINT, SIGTERM]) {
-        thread::spawn(move || signals.forever().for_each(|_| act()));
+        in_background(move || signals.forever().for_each(|_| act()));
     }
 }
 
@@ -116,6 +116,12 @@ pub fn outlive_file_size_limit() {}
 #[cfg(not(unix))]
 fn at_signals(act: impl FnMut() + Send + 'static) {
     let _ = ctrlc::set_handler(act);
+}
+
+/// Runs `work` on another thread. In a browser there are none: then only the commands that check
+/// the stop condition keep the time limit.
+fn in_background(work: impl FnOnce() + Send + 'static) {
+    let _ = thread::Builder::new().spawn(work);
 }
 
 /// Ends the program at the time limit if it cannot end by itself.

@@ -7,7 +7,7 @@ use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::live::{PAGES, Page};
 
-use super::{Outcome, folder_of, print};
+use super::{Outcome, browser, folder_of, print};
 
 /// Write an interactive page on which you can change a problem and step through the solvers
 #[derive(Debug, Args)]
@@ -46,7 +46,7 @@ impl Live {
             Some(name) => {
                 let path = self.write(by_name(name)?)?;
                 if self.open {
-                    open::that(&path).map_err(|cause| Error::file(&path, &cause))?;
+                    browser::open(&path)?;
                 }
             }
         }

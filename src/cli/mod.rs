@@ -1,5 +1,6 @@
 //! The command line: the commands, one per file, and their exit codes.
 
+mod browser;
 mod chapter;
 mod compare;
 mod convert;
@@ -158,7 +159,7 @@ fn code(reason: Reason) -> u8 {
 }
 
 /// Runs the command line with these arguments, of which the first is the program's name, and
-/// returns the exit code. Ends the program if they ask for help or are invalid.
+/// returns the exit code.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let words: Vec<String> =
@@ -170,10 +171,13 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
                 say(&format!("error: {new}"));
                 return 2;
             }
-            None => error.exit(),
+            None => return explained(&error),
         },
     };
-    let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    let cli = match Cli::from_arg_matches(&matches) {
+        Ok(cli) => cli,
+        Err(error) => return explained(&error),
+    };
     outlive_file_size_limit();
     let limits = Limits::begin(&cli.time);
     let result = match cli.command {
@@ -214,6 +218,13 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
             2
         }
     }
+}
+
+/// Prints the help, the version or an error of usage, and returns the exit code. The program is not
+/// ended, because it may be a Python interpreter.
+fn explained(error: &clap::Error) -> u8 {
+    let _ = error.print();
+    u8::try_from(error.exit_code()).unwrap_or(2)
 }
 
 /// The option that helps against an error, if the command has one.

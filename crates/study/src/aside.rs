@@ -1,7 +1,7 @@
 //! Work on a separate thread whose results are received one by one, and which can be abandoned.
 
 use std::panic;
-use std::sync::mpsc::{self, Receiver, RecvTimeoutError, SyncSender};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
@@ -28,14 +28,22 @@ pub struct Aside<T> {
 }
 
 impl<T: Send + 'static> Aside<T> {
-    /// Starts the work, which sends its results and should end when they are no longer received.
+    /// Starts the work, which sends its results and should end when they are no longer received, as
+    /// the function that sends a result then returns false. Without threads, in a browser, all of
+    /// the work is done here.
     pub fn begin(
         stop: &Stop,
         grace: Duration,
-        work: impl FnOnce(&SyncSender<T>) + Send + 'static,
+        work: impl FnOnce(&(dyn Fn(T) -> bool + Sync)) + Send + 'static,
     ) -> Self {
-        let (sender, results) = mpsc::sync_channel(WAITING);
-        let thread = Some(thread::spawn(move || work(&sender)));
+        let (thread, results) = if cfg!(target_os = "emscripten") {
+            let (sender, results) = mpsc::channel();
+            work(&|result| sender.send(result).is_ok());
+            (None, results)
+        } else {
+            let (sender, results) = mpsc::sync_channel(WAITING);
+            (Some(thread::spawn(move || work(&|result| sender.send(result).is_ok()))), results)
+        };
         Aside { results, thread, stop: stop.clone(), grace, since: None }
     }
 }

@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
-use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::aside::Aside;
 use lcplab_problem::error::{Error, Result};
@@ -32,23 +32,37 @@ impl<T: Send + 'static> Tasks<T> {
         work: impl Fn(&T) -> R + Send + Sync + 'static,
         mut note: impl FnMut(T, R) -> Result<()>,
     ) -> Result<()> {
-        let pool = ThreadPoolBuilder::new().num_threads(rayon::current_num_threads()).build();
-        let pool = pool.map_err(|cause| Error::invalid("threads", "pool", cause.to_string()))?;
+        let pool = pool()?;
         let Tasks { together, alone, grace } = self;
         let asked = stop.clone();
-        let ends = Aside::begin(stop, grace, move |sender| {
+        let ends = Aside::begin(stop, grace, move |send| {
             let one = |task: T| {
                 asked.reason().is_none().then_some(())?;
                 let end = work(&task);
                 // `None` if the receiver no longer exists.
-                sender.send((task, end)).ok()
+                send((task, end)).then_some(())
             };
-            let _ = pool.install(|| together.into_par_iter().try_for_each(one));
-            let _ = pool.install(|| alone.into_iter().try_for_each(one));
+            let all = || {
+                let _ = together.into_par_iter().try_for_each(&one);
+                let _ = alone.into_iter().try_for_each(&one);
+            };
+            match pool {
+                Some(pool) => pool.install(all),
+                None => all(),
+            }
         });
         for (task, end) in ends {
             note(task, end)?;
         }
         Ok(())
     }
+}
+
+/// The threads for the tasks; none in a browser, where rayon does everything on the calling thread.
+fn pool() -> Result<Option<ThreadPool>> {
+    if cfg!(target_os = "emscripten") {
+        return Ok(None);
+    }
+    let pool = ThreadPoolBuilder::new().num_threads(rayon::current_num_threads()).build();
+    pool.map(Some).map_err(|cause| Error::invalid("threads", "pool", cause.to_string()))
 }

@@ -161,11 +161,11 @@ impl Simulate {
     ) -> Option<Failure> {
         let scene = simulation.scene().clone();
         let (progress, asked) = (bar(steps as u64, &scene.name), stop.clone());
-        let taken = Aside::begin(stop, GRACE, move |sender| {
+        let taken = Aside::begin(stop, GRACE, move |send| {
             for _ in 0..steps {
                 let step = simulation.step_before(&asked);
                 let is_last = step.is_err();
-                if sender.send(step).is_err() || is_last {
+                if !send(step) || is_last {
                     break;
                 }
             }

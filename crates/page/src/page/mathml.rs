@@ -61,11 +61,15 @@ fn unset<T>() -> Result<T, String> {
     Err("an equation cannot be typeset".into())
 }
 
-/// Runs the work on a thread with this stack size (bytes).
+/// Runs the work on a thread with this stack size (bytes); in a browser, which has no threads, on
+/// this one.
 fn with_stack<T: Send>(
     size: usize,
     work: impl FnOnce() -> Result<T, String> + Send,
 ) -> Result<T, String> {
+    if cfg!(target_os = "emscripten") {
+        return work();
+    }
     thread::scope(|scope| {
         let thread = thread::Builder::new().stack_size(size).spawn_scoped(scope, work);
         let thread = thread.map_err(|cause| format!("no thread for an equation: {cause}"))?;
