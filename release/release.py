@@ -146,6 +146,7 @@ def build(ci_passed: bool) -> None:
     run(tools / "bin/cffconvert", "--validate", "--infile", "CITATION.cff")
     if not ci_passed:
         run(".ci/run")
+    run(".ci/run", "systems")
     run(".ci/run", "release")
     for wheel in (TARGET / "wheels").glob("lcplab-*.whl"):
         shutil.copy(wheel, OUT)

@@ -52,11 +52,13 @@ Rust 1.91 or newer. The first build takes 4 to 6 minutes on two cores.
 | the command line | `cargo install --path .` | the command `lcplab` |
 | Python | `pip install ./python` | the module `lcplab` (Python 3.10 or newer, NumPy) and the command `lcplab` |
 | the Rust library | `lcplab = { path = "…" }` in your `Cargo.toml` | the crate `lcplab`; with `default-features = false` it reads no HDF5 files |
+| Python in a browser | `python3 release/pyodide.py` | a wheel for [Pyodide](https://pyodide.org) 314, for `micropip.install` |
 | to try it first | `cargo run --release -- solve problem.json` | one run; nothing is installed |
 """,
         """| you want | command | you get |
 | --- | --- | --- |
 | Python | `pip install lcplab` | the module `lcplab` (Python 3.10 or newer, NumPy) and the command `lcplab`; no compiler needed |
+| Python in a browser | `await micropip.install("lcplab")` | the same module in [Pyodide](https://pyodide.org) 314 |
 | the command line | `cargo install lcplab` | the command `lcplab`, built from source (Rust 1.91 or newer, 4 to 6 minutes on two cores) |
 | the command line, ready to run | an archive of the [release]({url}/releases) | the command `lcplab`, its completions and man pages |
 | the Rust library | `cargo add lcplab` | the crate `lcplab`; with `default-features = false` it reads no HDF5 files |

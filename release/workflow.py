@@ -10,7 +10,7 @@ FILE = ".github/workflows/release.yml"
 
 # The environment that PyPI trusts, and the names of the scripts that the workflow runs.
 ENVIRONMENT = "pypi"
-SCRIPTS = ["python/Cargo.toml", "release/archive.py", "site/check.sh"]
+SCRIPTS = ["python/Cargo.toml", "release/archive.py", "release/pyodide.py", "site/check.sh"]
 
 
 def disagreements(version: str) -> list[str]:

@@ -18,6 +18,7 @@ mod python;
 mod sample;
 mod table;
 mod theme;
+mod wheel;
 
 use std::fs;
 use std::process::Command;

@@ -12,7 +12,7 @@ use tempfile::TempDir;
 
 use super::driver::{Page, served};
 
-fn pyodide() -> PathBuf {
+pub fn pyodide() -> PathBuf {
     let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/pyodide/node_modules/pyodide");
     let folder = std::env::var_os("LCPLAB_PYODIDE").map_or(own, PathBuf::from);
     let message = "these tests need Pyodide: npm install --prefix target/pyodide pyodide@314";
