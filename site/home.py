@@ -165,8 +165,9 @@ def page(maker: Maker, sections: list[Section]) -> Page:
     doors = []
     for who, trouble, command, links in DOORS:
         items = "".join(f'<li><a href="{address}">{text}</a></li>' for address, text in links)
+        words = " ".join(f"<span>{html.escape(word)}</span>" for word in command.split())
         doors.append(
-            f'<section class="door"><h3>{who}</h3><p>{trouble}</p><pre tabindex="0"><code>{html.escape(command)}</code></pre><ul>{items}</ul></section>'
+            f'<section class="door"><h3>{who}</h3><p>{trouble}</p><pre tabindex="0"><code>{words}</code></pre><ul>{items}</ul></section>'
         )
     everything = []
     for section in sections:

@@ -96,8 +96,8 @@ def table(folder: Path, archive: Path, rows: list[dict[str, str]], proofs: dict[
         kind = claim(proofs.get(row["file"]))
         lines.append(
             f'<tr><td class="number">{row["file"][:3]}</td><td class="long"><a href="cards/{stem(row)}.html">{html.escape(row["name"])}</a></td>'
-            f'<td class="number">{row["rows"]}</td><td class="number">{row["coupled"]}</td><td>{row["class"]}</td>'
-            f'<td class="number">{condition(row)}</td><td>{kind}</td></tr>'
+            f'<td class="number">{row["rows"]}</td><td class="number">{row["coupled"]}</td><td class="whole">{row["class"]}</td>'
+            f'<td class="number">{condition(row)}</td><td class="whole">{kind}</td></tr>'
         )
     title = f"Problem set {version(folder)}"
     body = f"""<h1>{title}</h1>

@@ -43,8 +43,8 @@ impl<T: Send + 'static> Tasks<T> {
                 send((task, end)).then_some(())
             };
             let all = || {
-                let _ = together.into_par_iter().try_for_each(&one);
-                let _ = alone.into_iter().try_for_each(&one);
+                let _ = together.into_par_iter().try_for_each(one);
+                let _ = alone.into_iter().try_for_each(one);
             };
             match pool {
                 Some(pool) => pool.install(all),

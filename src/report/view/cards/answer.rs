@@ -91,9 +91,15 @@ fn farthest(record: &Record, phenomenon: &Phenomenon) -> Option<String> {
     let (column, worst) = missed.max_by(|a, b| a.1.miss().total_cmp(&b.1.miss()))?;
     let law = match worst.law {
         0.0 => String::new(),
-        law => format!(", not {} {}", readable(law, 3), worst.unit),
+        law => format!(", not {}", quantity(law, &worst.unit)),
     };
-    let (engine, found) = (record.title(&column.engine), readable(worst.value, 3));
+    let (engine, found) = (record.title(&column.engine), quantity(worst.value, &worst.unit));
     let law_of = words(&phenomenon.name);
-    Some(format!("{law_of}, where {engine} {} {found} {}{law}", worst.what, worst.unit))
+    Some(format!("{law_of}, where {engine} {} {found}{law}", worst.what))
+}
+
+/// A number with its unit.
+fn quantity(value: f64, unit: &str) -> String {
+    let gap = if matches!(unit, "" | "°") { "" } else { " " };
+    format!("{}{gap}{unit}", readable(value, 3))
 }
