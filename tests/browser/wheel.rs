@@ -1,5 +1,4 @@
-//! The wheel for Pyodide, loaded and used in Chromium: the command line in a browser prints what the
-//! program prints.
+//! The wheel for Pyodide in Chromium: its command line prints what the program prints.
 //!
 //! ```text
 //! python3 release/pyodide.py
@@ -102,8 +101,7 @@ fn in_a_terminal() -> Value {
     COMMANDS.iter().map(|words| run(words)).collect()
 }
 
-/// The result of a command without the times that `compare` measures: of each line the columns before
-/// them.
+/// The result of a command, of `compare` without the times: of each line the columns before them.
 fn timeless(result: &Value) -> Value {
     match (result[0].as_str(), result[2].as_str()) {
         (Some(words), Some(text)) if words.starts_with("compare") => {
