@@ -1,8 +1,8 @@
 """Find the bug 14.b: A, put together body by body.
 
 Bodies move along one line. Row i lies between rows[i] = [first, second]: J has -1 at the first and +1 at the
-second. The program should return the entries (row, column, value) of A = J M⁻¹ Jᵀ: it asks each body which rows
-touch it, so it never multiplies by a zero. A body with the inverse mass 0 cannot move. Its users say: "Balls
+second. The program should return the entries of A = J M⁻¹ Jᵀ, a dict {(row, column): value}: it asks each body which
+rows touch it, so it never multiplies by a zero. A body with the inverse mass 0 cannot move. Its users say: "Balls
 that fall on the ground are right. A ball that falls on another ball is thrown back, though nothing here is
 elastic." There is exactly one mistake.
 """

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import checks
 import pytest
+from checking import verdict
 
 FILES = sorted(Path(__file__).parent.glob("e[0-9]*.py"))
 
@@ -25,4 +26,10 @@ def answer(file):
 
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
 def test_exercise(file):
-    getattr(checks, file.stem)(answer(file))
+    try:
+        program = answer(file)
+    except Exception as error:
+        pytest.fail(f"{file.name} cannot be loaded: {type(error).__name__}: {error}", pytrace=False)
+    wrong = verdict(getattr(checks, file.stem), program)
+    if wrong:
+        pytest.fail(f"{file.name}: {wrong}", pytrace=False)

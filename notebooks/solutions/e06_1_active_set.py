@@ -1,7 +1,7 @@
 """Exercise 6.1: the point of an active set, for two rows.
 
-Rows that are free have w_i = 0, the others x_i = 0, where w = A x + b. A is symmetric, positive definite.
-Signs do not matter yet: x may be negative.
+Rows that are free have w_i = 0, the others x_i = 0, where w = A x + b. A is symmetric, positive definite; `free` is an
+array of two bools, true for a free row. Signs do not matter yet: x may be negative.
 """
 
 import numpy as np

@@ -149,6 +149,7 @@ pub fn farkas(answer: fn([[f64; 2]; 2], [f64; 2], [f64; 2]) -> bool) -> Verdict 
         (pressed, [-1.0, -1.0], [1.0, 1.0], true, "dᵀw = −2 for every x"),
         (pressed, [1.0, -2.0], [1.0, 1.0], true, "dᵀw = −1 for every x"),
         (pressed, [2.0, -1.0], [1.0, 1.0], false, "x = (0, 1) solves the problem"),
+        (pressed, [1.0, -1.0], [1.0, 1.0], false, "x = (0, 1) solves the problem"),
         (pressed, [1.0, -1.0], [-1.0, -2.0], false, "x = (0, 1) solves the problem"),
         (
             [[1.0, 0.0], [0.0, 1.0]],
