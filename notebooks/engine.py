@@ -20,14 +20,17 @@ def one_contact(a, b, lo=0.0, hi=np.inf):
 
 
 def all_cases(A, b):
-    """Every x with x >= 0, w = A x + b >= 0 and x w = 0, by trying each set of rows that push."""
+    """Each isolated x with x >= 0, w = A x + b >= 0 and x w = 0, by trying each set of rows that push."""
     n, found = len(b), []
     for case in range(2**n):
         F = [i for i in range(n) if case >> i & 1]  # the rows that push
         x = np.zeros(n)
-        x[F] = np.linalg.solve(A[np.ix_(F, F)], -b[F])  # their w = 0
-        w = A @ x + b
-        if (x >= 0).all() and (w > -1e-12).all():
+        try:
+            x[F] = np.linalg.solve(A[np.ix_(F, F)], -b[F])  # their w = 0
+        except ValueError:
+            continue  # a singular set has no x, or a whole line of them
+        fits = (x >= 0).all() and (A @ x + b > -1e-12).all()
+        if fits and all(abs(x - other).max() > 1e-12 for other in found):
             found.append(x)
     return found
 
@@ -75,8 +78,7 @@ def sor(A, b, lo, hi, omega, sweeps, x):
     x = x.copy()
     for _ in range(sweeps):
         for i in range(len(b)):
-            w = A[i] @ x + b[i]
-            x[i] = min(max(x[i] - omega * w / A[i, i], lo[i]), hi[i])
+            x[i] = min(max(x[i] - omega * (A[i] @ x + b[i]) / A[i, i], lo[i]), hi[i])
     return x
 
 
@@ -139,8 +141,7 @@ def murty(A, b):
     F = np.zeros(len(b), dtype=bool)
     while True:
         x = point(A, b, F)
-        w = A @ x + b
-        wrong = np.flatnonzero(np.where(F, x < 0, w < 0))
+        wrong = np.flatnonzero(np.where(F, x < 0, A @ x + b < 0))
         if len(wrong) == 0:
             return x
         F[wrong[0]] ^= True  # the first wrong row changes sides
@@ -280,9 +281,8 @@ def step(boxes, dt, sweeps, mu, kept, soft=None, g=9.81):
     for _ in range(sweeps):
         for i, j, name, J, a, gamma, bias in rows:
             w = J[0] @ boxes[i].u + J[1] @ boxes[j].u + bias + gamma * x[name]
-            contact, along = name
-            limit = mu * x[contact, "n"]
-            lo, hi = (0, np.inf) if along == "n" else (-limit, limit)
+            limit = mu * x[name[0], "n"]
+            lo, hi = (0, np.inf) if name[1] == "n" else (-limit, limit)
             new = min(max(x[name] - w / (a + gamma), lo), hi)
             push(i, j, J, new - x[name])
             x[name] = new

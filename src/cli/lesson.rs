@@ -92,7 +92,7 @@ pub struct Answer {
     #[arg(long = "for", value_name = "NAME")]
     student: Option<String>,
     /// Your answer to a problem
-    #[arg(allow_negative_numbers = true, requires = "exercise", value_parser = number)]
+    #[arg(allow_hyphen_values = true, requires = "exercise", value_parser = problem::typed)]
     number: Option<f64>,
 }
 
@@ -185,12 +185,6 @@ impl Answer {
             }
         }
     }
-}
-
-/// Parses a number as typed by a user.
-fn number(text: &str) -> std::result::Result<f64, String> {
-    let hint = if text.contains(',') { "; write a decimal point, as in 0.57" } else { "" };
-    text.parse().map_err(|_| format!("not a number{hint}"))
 }
 
 /// The problems of all lessons.

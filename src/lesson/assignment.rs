@@ -12,7 +12,7 @@
 use std::collections::BTreeMap;
 
 use super::page::on_page;
-use super::problem::{Problem, Reply};
+use super::problem::{Problem, Reply, typed};
 use super::template::{Seed, Template, decimal, normal};
 use crate::csv;
 use crate::error::{Defects, Error, Result};
@@ -255,13 +255,9 @@ impl Answers {
                 }
             };
         }
-        let number = match value.parse() {
-            _ if value.is_empty() => None,
-            Ok(number) if f64::is_finite(number) => Some(number),
-            _ if value.contains(',') => {
-                return Err(format!("{name}: write {value:?} with a decimal point, as in 0.57"));
-            }
-            _ => return Err(format!("{name}: {value:?} is not a number")),
+        let number = match value.as_str() {
+            "" => None,
+            value => Some(typed(value).map_err(|reason| format!("{name}: {reason}"))?),
         };
         match self.numbers.get(&name) {
             Some((first, Some(_))) => {

@@ -103,6 +103,46 @@ pub fn set(lesson: &Program) -> Result<Vec<Template>> {
     Ok(set.problem)
 }
 
+/// A number as students type or copy it: `0.2`, `1/5`, `−3`, `5e-5`, `5×10⁻⁵`.
+///
+/// # Errors
+/// If the text is anything else, with what to write instead.
+///
+/// ```
+/// use lcplab::lesson::problem::typed;
+/// assert_eq!(typed("9/4"), Ok(2.25));
+/// assert_eq!(typed("−5×10⁻⁵"), Ok(-5e-5));
+/// let reason = typed("0.57 N s").unwrap_err();
+/// assert!(reason.contains("without a unit"));
+/// ```
+pub fn typed(text: &str) -> std::result::Result<f64, String> {
+    let plain: String = text.trim().replace("×10", "e").chars().map(ascii).collect();
+    let number = match plain.split_once('/') {
+        Some((above, below)) => number(above).zip(number(below)).map(|(a, b)| a / b),
+        None => number(&plain),
+    };
+    number.filter(|number| number.is_finite()).ok_or_else(|| {
+        let hint = match plain.contains(',') {
+            true => "with a decimal point, as in 0.57",
+            false => "the number alone, without a unit, as in 0.57, 5e-5 or 1/5",
+        };
+        format!("{text:?} is not a number: write {hint}")
+    })
+}
+
+fn number(text: &str) -> Option<f64> {
+    text.trim().parse().ok()
+}
+
+/// The ASCII character for a minus sign or a raised digit.
+fn ascii(c: char) -> char {
+    let raised = "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().zip('0'..='9').find(|(raised, _)| *raised == c);
+    match c {
+        '−' | '⁻' => '-',
+        c => raised.map_or(c, |(_, digit)| digit),
+    }
+}
+
 impl Problem {
     /// The reply to a number.
     pub fn reply(&self, number: f64) -> Reply {

@@ -26,17 +26,17 @@ pub(super) struct Moves<'a> {
 
 impl<'a> Moves<'a> {
     pub fn of(reading: &'a Reading<'a>) -> Self {
-        let mut section = Section::new("Dantzig's method, pivot by pivot");
+        let mut section = Section::new("Dantzig's method, move by move");
         section.say(
-            "Dantzig's method satisfies the rows one after another. To bring wᵢ to 0, it changes xᵢ, and the free \
-             rows C change with it so that their w stays 0. The change ends when wᵢ is 0, when some x reaches a \
-             bound, or when the w of a row at a bound reaches 0. The row that ends it enters or leaves C, or \
-             changes its bound: this is a pivot. d and Δw are the changes of x and w per unit of the step \
-             length t.",
+            "Dantzig's method satisfies the rows one after another. To bring wₖ to 0, it changes xₖ, and the free \
+             rows F change with it so that their w stays 0. The move ends when wₖ is 0, when some x reaches a \
+             bound, or when the w of a row at a bound reaches 0. The row that ends it enters or leaves F, or \
+             changes its bound: this is a pivot. d and Δw are the changes of x and w per unit of the length t \
+             of the move.",
         );
         section.formula(Formula::default().symbols(
-            "d_i = 1,   d_C = −A_CC⁻¹ A_Ci,   Δw = A d",
-            "d_i = 1, \\qquad d_C = -A_{CC}^{-1} A_{Ci}, \\qquad \\Delta w = A d",
+            "d_k = 1,   d_F = −A_FF⁻¹ A_Fk,   Δw = A d",
+            "d_k = 1, \\qquad d_F = -A_{FF}^{-1} A_{Fk}, \\qquad \\Delta w = A d",
         ));
         let bounds =
             reading.lcp.lo().iter().copied().zip(reading.lcp.hi().iter().copied()).collect();
@@ -51,8 +51,8 @@ impl<'a> Moves<'a> {
         let has = with_unit(&plain(own.w[i]), &units.w[i]);
         let verb = if own.sign > 0.0 { "increases" } else { "decreases" };
         self.section.say(format!(
-            "Pivot {}: row {i}. At x = {at} it has {w} = {has}, so {x} {verb}. The free rows are \
-             C = {}.",
+            "Move {}: row {i}. At x = {at} it has {w} = {has}, so {x} {verb}. The free rows are \
+             F = {}.",
             self.moves,
             set(own.free),
         ));
@@ -70,7 +70,7 @@ impl<'a> Moves<'a> {
                 .symbols(",   Δw =", ", \\quad \\Delta w =")
                 .vector(&change),
         );
-        let title = format!("pivot {}, step lengths at which it ends", self.moves);
+        let title = format!("move {}, lengths at which it may end", self.moves);
         let mut ends = ends(own, &direction, &change);
         ends.sort_by(|a, b| a.0.total_cmp(&b.0));
         let lines = ends.into_iter().map(|(_, what, length)| vec![what, length]).collect();
@@ -104,14 +104,14 @@ impl<'a> Moves<'a> {
     fn end(&self, own: &Move<'_>) -> [String; 2] {
         let row = own.blocking;
         let exchange = match (own.side[row], own.to) {
-            (_, Side::Free) => "enters C",
-            (Side::Free, Side::Lower) => "leaves C to its lower bound",
-            (Side::Free, _) => "leaves C to its upper bound",
+            (_, Side::Free) => "enters F",
+            (Side::Free, Side::Lower) => "leaves F to its lower bound",
+            (Side::Free, _) => "leaves F to its upper bound",
             (_, Side::Upper) => "changes to its upper bound",
             _ => "changes to its lower bound",
         };
         let length = with_unit(&plain(own.length), &self.reading.units.x[own.driven]);
-        [format!("The step ends at t = {length}: "), format!("row {row} {exchange}.")]
+        [format!("The move ends at t = {length}: "), format!("row {row} {exchange}.")]
     }
 
     /// Why x moves to the middle of its range, and how far.
@@ -119,10 +119,10 @@ impl<'a> Moves<'a> {
         let (j, w) = (own.row, indexed("w", own.row));
         let why = match (own.keeps, self.end.take()) {
             (Some(row), Some([after, _])) => format!(
-                "{after}{} reaches a bound. But row {row} need not leave C: {w} = 0, and row {j} depends on C.",
+                "{after}{} reaches a bound. But row {row} need not leave F: {w} = 0, and row {j} depends on F.",
                 indexed("x", row)
             ),
-            _ => format!("Row {j} has {w} = 0 and depends on C."),
+            _ => format!("Row {j} has {w} = 0 and depends on F."),
         };
         let mut direction = vec![0.0; own.x.len()];
         direction[j] = 1.0;
@@ -134,7 +134,7 @@ impl<'a> Moves<'a> {
         format!(
             "{why} Along d = {} no w changes. x could change by {forward} forward and by {back} backward; \
              it moves to the middle, by {length}. Row {j} is now dependent: its w stays 0 together with \
-             that of C.",
+             that of F.",
             vector(&direction),
         )
     }
@@ -177,7 +177,7 @@ fn ends(own: &Move<'_>, direction: &[f64], change: &[f64]) -> Vec<(f64, String, 
 impl Observer for Moves<'_> {
     fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
         if iterate.event == Event::Start {
-            self.section.say(format!("The start is x = {}, and C is empty.", self.x(iterate.x)));
+            self.section.say(format!("The start is x = {}, and F is empty.", self.x(iterate.x)));
         } else if self.writes {
             if let Some(end) = self.end.take() {
                 self.section.say(end.concat());
@@ -210,7 +210,7 @@ impl Observer for Moves<'_> {
                 if !self.writes && self.moves <= SHOWN {
                     let (row, w) = (own.driven, indexed("w", own.driven));
                     self.section.say(format!(
-                        "Pivot {}: row {row} already has {w} = 0, and x is between its bounds. It enters C \
+                        "Move {}: row {row} already has {w} = 0, and x is between its bounds. It enters F \
                          without a change of x.",
                         self.moves
                     ));
@@ -235,7 +235,7 @@ impl Observer for Moves<'_> {
 impl Scribe for Moves<'_> {
     fn section(mut self: Box<Self>, _: &Solution) -> Section {
         if self.moves > SHOWN {
-            self.section.say(format!("{} more pivots follow.", self.moves - SHOWN));
+            self.section.say(format!("{} more moves follow.", self.moves - SHOWN));
         }
         self.section
     }

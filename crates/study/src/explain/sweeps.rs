@@ -94,7 +94,7 @@ impl<'a> Sweeps<'a> {
         let x = headed("x", &self.reading.units.of_x());
         let columns = ["sweep", &x, "max |x − Π(x − w)|", "factor"];
         self.section.table(
-            "x and its residual in the first sweeps and the last one",
+            "how x and its residual change over the sweeps",
             &columns,
             lines,
         );

@@ -1,4 +1,4 @@
-//! Redundant contacts, pivot by pivot: two contacts at one point, and a third that takes over their
+//! Redundant contacts, move by move: two contacts at one point, and a third that takes over their
 //! load.
 
 use lcplab_page::document::Format;
@@ -19,14 +19,14 @@ fn a_move_to_the_middle_is_explained_with_its_direction_and_its_ends() {
     let text = document.written(Format::Text).unwrap();
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     for part in [
-        "Row 1 has w₁ = 0 and depends on C. Along d = (−1, 1, 0) no w changes. x could change by 1 \
+        "Row 1 has w₁ = 0 and depends on F. Along d = (−1, 1, 0) no w changes. x could change by 1 \
          forward and by 0 backward; it moves to the middle, by 0.5. Row 1 is now dependent: its w \
-         stays 0 together with that of C. Now x = (0.5, 0.5, 0).",
-        "The step ends at t = 0.5: x₀ reaches a bound. But row 0 need not leave C: w₁ = 0, and row 1 \
-         depends on C. Along d = (−1, 1, 0) no w changes. x could change by 0 forward and by 0.5 \
+         stays 0 together with that of F. Now x = (0.5, 0.5, 0).",
+        "The move ends at t = 0.5: x₀ reaches a bound. But row 0 need not leave F: w₁ = 0, and row 1 \
+         depends on F. Along d = (−1, 1, 0) no w changes. x could change by 0 forward and by 0.5 \
          backward; it moves to the middle, by −0.25. Row 1 is now dependent: its w stays 0 together \
-         with that of C. Now x = (0.25, 0.25, 0.5).",
-        "row 0 leaves C to its lower bound. Now x = (0, 0.25, 0.75).",
+         with that of F. Now x = (0.25, 0.25, 0.5).",
+        "row 0 leaves F to its lower bound. Now x = (0, 0.25, 0.75).",
     ] {
         assert!(text.contains(part), "{part} in {text}");
     }

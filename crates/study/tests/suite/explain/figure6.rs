@@ -62,7 +62,7 @@ fn figure_6_at_velocity_level_gives_two_newton_seconds() {
         row   the sum w (m/s)   divided by a (N s)   x moved (N s)   clamped (N s)
           0   1·0 − 2 = −2      −2/1 = −2            0 − (−2) = 2    to [0, ∞): 2
     After sweep 1: x = (2) N s.
-      Step 1, velocity: x and its residual in the first sweeps and the last one
+      Step 1, velocity: how x and its residual change over the sweeps
         sweep   x (N s)   max |x − Π(x − w)|   factor
             0   (0)                        2
             1   (2)                        0   0
@@ -94,7 +94,7 @@ fn figure_6_at_velocity_level_gives_two_newton_seconds() {
 fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
     // The impact takes 1 kg · 1 m/s, the weight is 1 kg · 1 m/s².
     let document = explained("fig6", Scheme::Acceleration, "dantzig");
-    let text = sections(&document, &["Newton", "pivot by pivot", "answer", "motion"]);
+    let text = sections(&document, &["Newton", "move by move", "answer", "motion"]);
     insta::assert_snapshot!(text, @r"
     4 Step 1, impact: from Newton's law to the LCP
     2 of 3 columns have no entries in any row and are not shown.
@@ -120,20 +120,20 @@ fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
     one.
         lo = [ 0 ] ≤ x ≤ [ ∞ ] = hi   N s
 
-    5 Step 1, impact: Dantzig's method, pivot by pivot
-    Dantzig's method satisfies the rows one after another. To bring wᵢ to 0, it changes xᵢ, and the
-    free rows C change with it so that their w stays 0. The change ends when wᵢ is 0, when some x
+    5 Step 1, impact: Dantzig's method, move by move
+    Dantzig's method satisfies the rows one after another. To bring wₖ to 0, it changes xₖ, and the
+    free rows F change with it so that their w stays 0. The move ends when wₖ is 0, when some x
     reaches a bound, or when the w of a row at a bound reaches 0. The row that ends it enters or
-    leaves C, or changes its bound: this is a pivot. d and Δw are the changes of x and w per unit of
-    the step length t.
-        d_i = 1,   d_C = −A_CC⁻¹ A_Ci,   Δw = A d
-    The start is x = (0) N s, and C is empty.
-    Pivot 1: row 0. At x = (0) N s it has w₀ = −1 m/s, so x₀ increases. The free rows are C = {}.
+    leaves F, or changes its bound: this is a pivot. d and Δw are the changes of x and w per unit of
+    the length t of the move.
+        d_k = 1,   d_F = −A_FF⁻¹ A_Fk,   Δw = A d
+    The start is x = (0) N s, and F is empty.
+    Move 1: row 0. At x = (0) N s it has w₀ = −1 m/s, so x₀ increases. The free rows are F = {}.
         d = [ 1 ] ,   Δw = [ 1 ]
-      Step 1, impact: pivot 1, step lengths at which it ends
+      Step 1, impact: move 1, lengths at which it may end
         what           t (N s)
         w₀ reaches 0   1/1 = 1
-    The step ends at t = 1 N s: row 0 enters C.
+    The move ends at t = 1 N s: row 0 enters F.
     Now x = (1) N s.
     dantzig ends after 1 iteration with x = (1) N s: solved.
 
@@ -173,20 +173,20 @@ fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
     one.
         lo = [ 0 ] ≤ x ≤ [ ∞ ] = hi   N
 
-    11 Step 1, acceleration: Dantzig's method, pivot by pivot
-    Dantzig's method satisfies the rows one after another. To bring wᵢ to 0, it changes xᵢ, and the
-    free rows C change with it so that their w stays 0. The change ends when wᵢ is 0, when some x
+    11 Step 1, acceleration: Dantzig's method, move by move
+    Dantzig's method satisfies the rows one after another. To bring wₖ to 0, it changes xₖ, and the
+    free rows F change with it so that their w stays 0. The move ends when wₖ is 0, when some x
     reaches a bound, or when the w of a row at a bound reaches 0. The row that ends it enters or
-    leaves C, or changes its bound: this is a pivot. d and Δw are the changes of x and w per unit of
-    the step length t.
-        d_i = 1,   d_C = −A_CC⁻¹ A_Ci,   Δw = A d
-    The start is x = (0) N, and C is empty.
-    Pivot 1: row 0. At x = (0) N it has w₀ = −1 m/s², so x₀ increases. The free rows are C = {}.
+    leaves F, or changes its bound: this is a pivot. d and Δw are the changes of x and w per unit of
+    the length t of the move.
+        d_k = 1,   d_F = −A_FF⁻¹ A_Fk,   Δw = A d
+    The start is x = (0) N, and F is empty.
+    Move 1: row 0. At x = (0) N it has w₀ = −1 m/s², so x₀ increases. The free rows are F = {}.
         d = [ 1 ] ,   Δw = [ 1 ]
-      Step 1, acceleration: pivot 1, step lengths at which it ends
+      Step 1, acceleration: move 1, lengths at which it may end
         what           t (N)
         w₀ reaches 0   1/1 = 1
-    The step ends at t = 1 N: row 0 enters C.
+    The move ends at t = 1 N: row 0 enters F.
     Now x = (1) N.
     dantzig ends after 1 iteration with x = (1) N: solved.
 

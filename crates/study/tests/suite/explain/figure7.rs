@@ -86,7 +86,7 @@ fn figure_7_at_velocity_level_by_sweeps() {
           1   −1·2.5 + 2·1.5 − 1·0.25 − 1 = −0.75   −0.75/2 = −0.375     1.5 − (−0.375) = 1.875      to [0, ∞): 1.875
           2   −1·1.875 + 2·0.25 + 1 = −0.375        −0.375/2 = −0.1875   0.25 − (−0.1875) = 0.4375   to [0, ∞): 0.4375
     After sweep 3: x = (2.5, 1.875, 0.4375) N s.
-      Step 1, velocity: x and its residual in the first sweeps and the last one
+      Step 1, velocity: how x and its residual change over the sweeps
         sweep   x (N s)                        max |x − Π(x − w)|   factor
             0   (0, 0, 0)                                       1
             1   (1, 1, 0)                                       1   1
@@ -106,47 +106,46 @@ fn figure_7_at_velocity_level_by_sweeps() {
 
 #[test]
 fn figure_7_by_the_moves_of_dantzig() {
-    // d_C = −A_CC⁻¹A_Ci by hand: (1), then (1, 1); each s is 1.
+    // d_F = −A_FF⁻¹A_Fk by hand: (1), then (1, 1); each s is 1.
     let document = explained("fig7", Scheme::Velocity, "dantzig");
-    let text = sections(&document, &["pivot by pivot", "answer", "motion", "after"]);
+    let text = sections(&document, &["move by move", "answer", "motion", "after"]);
     insta::assert_snapshot!(text, @r"
-    5 Step 1, velocity: Dantzig's method, pivot by pivot
-    Dantzig's method satisfies the rows one after another. To bring wᵢ to 0, it changes xᵢ, and the
-    free rows C change with it so that their w stays 0. The change ends when wᵢ is 0, when some x
+    5 Step 1, velocity: Dantzig's method, move by move
+    Dantzig's method satisfies the rows one after another. To bring wₖ to 0, it changes xₖ, and the
+    free rows F change with it so that their w stays 0. The move ends when wₖ is 0, when some x
     reaches a bound, or when the w of a row at a bound reaches 0. The row that ends it enters or
-    leaves C, or changes its bound: this is a pivot. d and Δw are the changes of x and w per unit of
-    the step length t.
-        d_i = 1,   d_C = −A_CC⁻¹ A_Ci,   Δw = A d
-    The start is x = (0, 0, 0) N s, and C is empty.
-    Pivot 1: row 0. At x = (0, 0, 0) N s it has w₀ = −1 m/s, so x₀ increases. The free rows are C =
-    {}.
+    leaves F, or changes its bound: this is a pivot. d and Δw are the changes of x and w per unit of
+    the length t of the move.
+        d_k = 1,   d_F = −A_FF⁻¹ A_Fk,   Δw = A d
+    The start is x = (0, 0, 0) N s, and F is empty.
+    Move 1: row 0. At x = (0, 0, 0) N s it has w₀ = −1 m/s, so x₀ increases. The free rows are F = {}.
             ⎡ 1 ⎤          ⎡ 1 ⎤
         d = ⎢ 0 ⎥ ,   Δw = ⎢ 0 ⎥
             ⎣ 0 ⎦          ⎣ 0 ⎦
-      Step 1, velocity: pivot 1, step lengths at which it ends
+      Step 1, velocity: move 1, lengths at which it may end
         what           t (N s)
         w₀ reaches 0   1/1 = 1
-    The step ends at t = 1 N s: row 0 enters C.
+    The move ends at t = 1 N s: row 0 enters F.
     Now x = (1, 0, 0) N s.
-    Pivot 2: row 1. At x = (1, 0, 0) N s it has w₁ = −2 m/s, so x₁ increases. The free rows are C =
+    Move 2: row 1. At x = (1, 0, 0) N s it has w₁ = −2 m/s, so x₁ increases. The free rows are F =
     {0}.
             ⎡ 1 ⎤          ⎡ 0 ⎤
         d = ⎢ 1 ⎥ ,   Δw = ⎢ 1 ⎥
             ⎣ 0 ⎦          ⎣ 0 ⎦
-      Step 1, velocity: pivot 2, step lengths at which it ends
+      Step 1, velocity: move 2, lengths at which it may end
         what           t (N s)
         w₁ reaches 0   2/1 = 2
-    The step ends at t = 2 N s: row 1 enters C.
+    The move ends at t = 2 N s: row 1 enters F.
     Now x = (3, 2, 0) N s.
-    Pivot 3: row 2. At x = (3, 2, 0) N s it has w₂ = −1 m/s, so x₂ increases. The free rows are C =
-    {0, 1}.
+    Move 3: row 2. At x = (3, 2, 0) N s it has w₂ = −1 m/s, so x₂ increases. The free rows are F = {0,
+    1}.
             ⎡ 1 ⎤          ⎡ 0 ⎤
         d = ⎢ 1 ⎥ ,   Δw = ⎢ 0 ⎥
             ⎣ 1 ⎦          ⎣ 1 ⎦
-      Step 1, velocity: pivot 3, step lengths at which it ends
+      Step 1, velocity: move 3, lengths at which it may end
         what           t (N s)
         w₂ reaches 0   1/1 = 1
-    The step ends at t = 1 N s: row 2 enters C.
+    The move ends at t = 1 N s: row 2 enters F.
     Now x = (4, 3, 1) N s.
     dantzig ends after 3 iterations with x = (4, 3, 1) N s: solved.
 
