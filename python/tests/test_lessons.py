@@ -105,3 +105,44 @@ def test_murtys_rule_moves_the_last_row_at_most_once_as_lesson_7_derives(A, b):
         F[wrong[0]] ^= True
     assert moves.count(len(b) - 1) <= 1
     assert_allclose(x, engine.murty(A, b))
+
+
+def test_all_cases_lists_each_isolated_solution_once():
+    identity, border = np.eye(2), np.array([[2.0, 3], [3, 2]])
+    assert len(engine.all_cases(identity, np.zeros(2))) == 1  # -b on the border of four cones
+    assert_allclose(sorted(map(tuple, engine.all_cases(border, np.array([-1.0, -1.5])))), [(0, 0.75), (0.5, 0)])
+    singular = np.array([[1.0, -1], [-1, 1]])
+    assert engine.all_cases(singular, np.array([-1.0, -1])) == []
+    assert_allclose(engine.all_cases(singular, np.array([-1.0, 1])), [[1, 0]])
+
+
+def test_sweeps_circle_on_a_definite_matrix_that_is_not_symmetric_as_lesson_4_says():
+    A, b = np.array([[1.0, 3], [-3, 1]]), np.array([-4.0, -1])
+    assert np.linalg.eigvalsh(A + A.T).min() > 0
+    assert_allclose(engine.all_cases(A, b), [[0.1, 1.3]])
+    zero, inf = np.zeros(2), np.full(2, np.inf)
+    once = engine.sor(A, b, zero, inf, 1.0, 1, np.array([0.0, 1]))
+    assert_allclose([once, engine.sor(A, b, zero, inf, 1.0, 2, np.array([0.0, 1]))], [[1, 4], [0, 1]])
+
+
+def test_softness_divides_the_factor_of_every_column_by_its_square_as_lesson_16_says():
+    for n in 2, 3, 5, 8:
+        J, m = np.eye(n) - np.eye(n, k=-1), np.random.default_rng(n).uniform(0.1, 50, n)
+        A = J @ np.diag(1 / m) @ J.T
+        soft = A + 2.4 * np.diag(np.diag(A))
+        assert_allclose(engine.rate(soft), engine.rate(A) / 3.4**2, rtol=1e-9)
+
+
+def test_a_push_at_the_corner_of_a_box_moves_it_two_and_a_half_times_as_a_ball():
+    m = 4.0
+    boxes = [engine.Box((0, -5, 0), 10, 0), engine.Box((0, 0.5, 0), 1, m)]
+    _, J = engine.row(boxes, 0, 1, np.array([0.5, 0]), np.array([0, 1.0]))
+    assert_allclose(J @ (boxes[1].M_inverse * J), 2.5 / m)
+
+
+def test_a_falling_line_cuts_three_segments_once_or_three_times_as_lesson_13_says():
+    lo, hi, counts = 0.0, 2.0, set()
+    for b in np.arange(-3.05, 5, 0.1):  # a = -1
+        inside = [x for x in [b] if lo < x < hi]
+        counts.add(len(inside) + (b - lo > 0) + (b - hi < 0))
+    assert counts == {1, 3}
