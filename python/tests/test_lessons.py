@@ -146,3 +146,11 @@ def test_a_falling_line_cuts_three_segments_once_or_three_times_as_lesson_13_say
         inside = [x for x in [b] if lo < x < hi]
         counts.add(len(inside) + (b - lo > 0) + (b - hi < 0))
     assert counts == {1, 3}
+
+
+def test_each_prediction_that_the_guide_names_is_in_a_lesson():
+    one_line = lambda path: " ".join(path.read_text(encoding="utf-8").split())
+    boxes = [box for lesson in cells.lessons() for box in one_line(lesson).split("**Predict.** ")[1:]]
+    named = re.findall(r'[Pp]redict,?\*\* "(.*?)"', one_line(NOTEBOOKS / "guide.md"))
+    assert len(named) > 30
+    assert [words for words in named if not any(box.startswith(words) for box in boxes)] == []
