@@ -15,7 +15,7 @@ pub fn scaled(answer: fn(&[Vec<f64>], &[f64], &[f64], &[f64], &[f64]) -> f64) ->
     let balls: &[&[f64]] = &[&[2.0, -1.0], &[-1.0, 2.0]];
     let chain: &[&[f64]] = &[&[2.0, -1.0, 0.0], &[-1.0, 5.0, 3.0], &[0.0, 3.0, 4.0]];
     let apart: &[&[f64]] = &[&[0.5, 0.0], &[0.0, 2.0]];
-    let cases: [Boxed; 8] = [
+    let cases: [Boxed; 9] = [
         (balls, &[-1.0, 3.0], &[0.0, 0.0], &[INFINITY; 2], &[0.5, 0.0]),
         (balls, &[-1.0, 3.0], &[0.0, 0.0], &[INFINITY; 2], &[0.501, 0.0]),
         (balls, &[-1.0, 3.0], &[0.0, 0.0], &[INFINITY; 2], &[0.5, 0.25]),
@@ -36,6 +36,7 @@ pub fn scaled(answer: fn(&[Vec<f64>], &[f64], &[f64], &[f64], &[f64]) -> f64) ->
             &[0.25, 0.5, 0.75],
         ),
         (apart, &[0.0, -3.0], &[0.0, 0.0], &[INFINITY; 2], &[0.0, 1.0]),
+        (balls, &[-0.001, 0.003], &[0.0, 0.0], &[INFINITY; 2], &[0.0006, 0.0]),
     ];
     for (a, b, lo, hi, x) in cases {
         let n = b.len();
@@ -198,7 +199,7 @@ pub fn stop(answer: fn(&[Vec<f64>], &[f64], f64) -> (Vec<f64>, usize)) -> Verdic
         let residual =
             |x: &[f64]| (0..n).map(|i| f64::min(x[i], w(x, i)).abs()).fold(0.0, f64::max);
         let (mut x, mut needed) = (vec![0.0; n], 0);
-        while needed == 0 || residual(&x) > tolerance {
+        while residual(&x) > tolerance {
             for i in 0..n {
                 x[i] = f64::max(0.0, x[i] - w(&x, i) / a[i][i]);
             }
@@ -218,8 +219,11 @@ pub fn stop(answer: fn(&[Vec<f64>], &[f64], f64) -> (Vec<f64>, usize)) -> Verdic
         if !(left <= tolerance) {
             return Err(format!("{at}, where the natural residual is still {left:.6}"));
         }
-        if sweeps > needed + 1 {
-            return Err(format!("{at}, and that x was good enough after {needed}"));
+        if sweeps > needed.max(1) {
+            return Err(format!("{at}, and that x was good enough before"));
+        }
+        if sweeps < needed {
+            return Err(format!("{at}, and so few sweeps cannot have led there"));
         }
     }
     Ok(())

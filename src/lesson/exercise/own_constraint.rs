@@ -83,6 +83,7 @@ pub fn tested(answer: fn(fn([f64; 3]) -> f64, [f64; 3], [f64; 3]) -> Option<usiz
         ("a rod, not a unit vector", rod, [3.0, 4.0, 0.0], [3.0, 4.0, 0.0], Some(0)),
         ("a sphere", sphere, [3.0, 0.0, -4.0], [6.0, 0.0, -8.0], None),
         ("a sphere, half of it", sphere, [3.0, 0.0, -4.0], [6.0, 0.0, -4.0], Some(2)),
+        ("a large sphere", sphere, [30.0, 0.0, -40.0], [60.0005, 0.0, -80.0], None),
         ("a wire", wire, bead, [f64::sin(0.3), 0.0, 1.0], None),
         ("a wire, wrong sign", wire, bead, [-f64::sin(0.3), 0.0, 1.0], Some(0)),
         ("a wire, a made-up y", wire, bead, [f64::sin(0.3), 0.01, 1.0], Some(1)),

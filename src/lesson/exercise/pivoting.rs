@@ -34,7 +34,8 @@ pub fn active_set(answer: fn([[f64; 2]; 2], [f64; 2], [bool; 2]) -> [f64; 2]) ->
 /// # Errors
 /// Says why the row is wrong.
 pub fn murty(answer: fn(&[f64], &[f64]) -> Option<usize>) -> Verdict {
-    let cases: [(&[f64], &[f64]); 5] = [
+    let cases: [(&[f64], &[f64]); 6] = [
+        (&[-1.0, 0.0], &[0.0, 3.0]),
         (&[0.0, 1.0, 0.0], &[2.0, 0.0, -1.0]),
         (&[0.0, -0.5, 0.0], &[2.0, 0.0, -1.0]),
         (&[3.0, 0.0, -9.0, 0.0], &[0.0, -1.0, 0.0, -20.0]),
@@ -116,9 +117,11 @@ pub fn ratio(answer: fn(&[f64], &[f64]) -> Option<usize>) -> Verdict {
 /// Names the row that violates a condition, and the length of the step.
 pub fn dantzig_step(answer: fn(&[f64], &[f64], &[f64], &[f64]) -> (f64, usize)) -> Verdict {
     type Case = (&'static [f64], &'static [f64], &'static [f64], &'static [f64]);
-    let cases: [Case; 6] = [
-        // One row alone; Figure 7, row 1 and row 2.
+    let cases: [Case; 8] = [
+        // One row alone, twice; one that leaves its neighbor as it is; Figure 7, row 1 and row 2.
         (&[0.0], &[-1.0], &[1.0], &[1.0]),
+        (&[0.0], &[-1.0], &[1.0], &[2.0]),
+        (&[1.0, 0.0], &[0.0, -2.0], &[0.0, 1.0], &[0.0, 1.0]),
         (&[0.25, 0.0], &[0.0, -2.75], &[-0.5, 1.0], &[0.0, 1.5]),
         (&[1.0, 0.0], &[0.0, -2.0], &[1.0, 1.0], &[0.0, 1.0]),
         (&[3.0, 2.0, 0.0], &[0.0, 0.0, -1.0], &[1.0, 1.0, 1.0], &[0.0, 0.0, 1.0]),

@@ -37,6 +37,8 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
         ),
         ("1.2", complementarity::one_row(|a, b, lo, hi| (b / a).clamp(lo, hi))),
         ("1.2", complementarity::one_row(|_, b, lo, hi| (-b).clamp(lo, hi))),
+        // The lower bound is taken for 0.
+        ("1.2", complementarity::one_row(|a, b, _, hi| (-b / a).max(0.0).min(hi))),
         (
             "1.3",
             complementarity::two_rows(|a, b| {

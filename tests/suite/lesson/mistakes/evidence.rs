@@ -79,6 +79,15 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
                     && d[0] * b[0] + d[1] * b[1] < 0.0
             }),
         ),
+        // bᵀd = 0 is taken for a proof.
+        (
+            "9.1",
+            evidence::farkas(|a, b, d| {
+                d.iter().all(|&d| d >= 0.0)
+                    && (0..2).all(|j| d[0] * a[0][j] + d[1] * a[1][j] <= 0.0)
+                    && d[0] * b[0] + d[1] * b[1] <= 0.0
+            }),
+        ),
         // It may end with a w that is not negative and an x that still pushes.
         ("8.b", evidence::stop(|a, b, tolerance| swept(a, b, tolerance, |_, w| f64::max(0.0, -w)))),
         // The product alone.
