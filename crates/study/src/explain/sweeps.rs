@@ -93,11 +93,7 @@ impl<'a> Sweeps<'a> {
         }
         let x = headed("x", &self.reading.units.of_x());
         let columns = ["sweep", &x, "max |x − Π(x − w)|", "factor"];
-        self.section.table(
-            "how x and its residual change over the sweeps",
-            &columns,
-            lines,
-        );
+        self.section.table("how x and its residual change over the sweeps", &columns, lines);
     }
 }
 

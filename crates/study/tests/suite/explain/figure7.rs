@@ -118,7 +118,8 @@ fn figure_7_by_the_moves_of_dantzig() {
     the length t of the move.
         d_k = 1,   d_F = −A_FF⁻¹ A_Fk,   Δw = A d
     The start is x = (0, 0, 0) N s, and F is empty.
-    Move 1: row 0. At x = (0, 0, 0) N s it has w₀ = −1 m/s, so x₀ increases. The free rows are F = {}.
+    Move 1: row 0. At x = (0, 0, 0) N s it has w₀ = −1 m/s, so x₀ increases. The free rows are F =
+    {}.
             ⎡ 1 ⎤          ⎡ 1 ⎤
         d = ⎢ 0 ⎥ ,   Δw = ⎢ 0 ⎥
             ⎣ 0 ⎦          ⎣ 0 ⎦
@@ -137,8 +138,8 @@ fn figure_7_by_the_moves_of_dantzig() {
         w₁ reaches 0   2/1 = 2
     The move ends at t = 2 N s: row 1 enters F.
     Now x = (3, 2, 0) N s.
-    Move 3: row 2. At x = (3, 2, 0) N s it has w₂ = −1 m/s, so x₂ increases. The free rows are F = {0,
-    1}.
+    Move 3: row 2. At x = (3, 2, 0) N s it has w₂ = −1 m/s, so x₂ increases. The free rows are F =
+    {0, 1}.
             ⎡ 1 ⎤          ⎡ 0 ⎤
         d = ⎢ 1 ⎥ ,   Δw = ⎢ 0 ⎥
             ⎣ 1 ⎦          ⎣ 1 ⎦
