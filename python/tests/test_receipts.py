@@ -119,11 +119,16 @@ def test_a_newton_method_that_takes_many_times_the_steps_it_needs_is_wrong():
     assert receipt.verdict == "wrong" and receipt.work.newton <= 2
 
 
-def test_a_row_without_compliance_that_is_violated_has_no_bound():
-    receipt = lcplab.receipt(stop(compliance=0.0, forces=[6.0], motion=[0.0]))
-    assert receipt.ok
-    coulomb = replace(slide(), compliance=np.zeros(2))
-    assert lcplab.receipt(coulomb).verdict == "not checked"
+def test_a_cone_without_compliance_has_no_bound_and_is_judged_by_its_law():
+    assert lcplab.receipt(stop(compliance=0.0, forces=[6.0], motion=[0.0])).ok
+    compliant = slide()
+    wrong = lcplab.receipt(replace(compliant, compliance=np.zeros(2)))  # its motion violates w_n >= mu |w_t|
+    assert wrong.stage == "solver" and wrong.motion_error is None and wrong.residual > 0.1
+    left = compliant.motion + 0.5 * compliant.forces
+    right = replace(compliant, compliance=np.zeros(2), motion=left, target=left - compliant.forces)
+    receipt = lcplab.receipt(right)
+    assert receipt.ok and receipt.residual < 1e-12
+    assert "because row 0 of a friction cone has no compliance" in str(receipt)
 
 
 def test_without_a_bound_on_the_motion_write_back_is_still_checked():
@@ -150,14 +155,14 @@ def test_a_run_counts_frames_and_knows_those_of_its_baseline(tmp_path):
     assert not worse.ok
 
 
-def test_a_run_whose_quantiles_grow_beyond_their_spread_is_worse():
+def test_a_run_whose_errors_grow_more_than_chance_explains_is_worse():
     def at(error):
         return stop(forces=[3.0], motion=[-1.5 + error])
 
     base = lcplab.receipts([at(1e-9 * (k % 7)) for k in range(100)]).to_json()
-    assert lcplab.receipts([at(1e-9 * (k % 7)) for k in range(50)], baseline=base).ok
-    now = lcplab.receipts([at(1e-7) for _ in range(50)], baseline=base)
-    assert now.worse and not now.rejected
+    assert lcplab.receipts([at(1e-9 * (k % 7)) for k in range(100)], baseline=base).ok
+    now = lcplab.receipts([at(1e-7) for _ in range(100)], baseline=base)
+    assert now.worse and not now.rejected and not now.ok
 
 
 def test_files_are_read_back_with_the_same_receipt(tmp_path):

@@ -102,7 +102,8 @@ def test_a_good_step_is_not_rejected(scene, is_whole):
             mujoco.mj_forward(model, data)
         if number % 5 == 0:
             receipt = lcplab.receipt(model, data, before=before if is_whole else None)
-            assert receipt.verdict in ("ok", "no rows", "not checked"), str(receipt)
+            is_loose = scene.startswith("loose tolerance") and receipt.stopped_by == "tolerance"
+            assert receipt.verdict in ("ok", "no rows", "not checked") or is_loose, str(receipt)
 
 
 def test_a_box_that_sleeps_is_not_rejected():
@@ -165,7 +166,6 @@ def test_all_parts_without_a_check_are_named(is_whole):
         "assembly: coefficients of friction, and compliance of rows (solref, solimp)",
         "assembly: rows of limits (presence, J, distance)",
         "assembly: rows of friction losses (presence, J, bounds)",
-        "assembly: rows of equalities (presence)",
         "assembly: transmissions of actuators",
         "write-back: the position after the step",
     }
@@ -243,15 +243,6 @@ def test_a_state_before_the_step_that_is_a_view_of_the_data_is_invalid():
             lcplab.receipt(model, data, before=before)
     with pytest.raises(ValueError, match="qvel has the shape"):
         lcplab.receipt(model, data, before=(data.qpos.copy(), np.zeros(7)))
-
-
-def test_a_state_of_another_step_accuses_nothing():
-    model, data = moving(arm())
-    other = data.qpos.copy(), data.qvel.copy()
-    mujoco.mj_step(model, data, 5)
-    receipt = lcplab.receipt(model, data, before=other)
-    assert not receipt.is_rejected
-    assert "assembly: the poses in the data are not those of before" in receipt.not_checked
 
 
 @pytest.mark.parametrize("solver", ["Newton", "CG", "PGS"])

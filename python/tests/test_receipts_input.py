@@ -1,6 +1,7 @@
 """Receipts of numbers that are not finite, and of invalid input."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -66,11 +67,11 @@ def test_a_rejected_step_that_is_not_finite_is_written_as_valid_json(tmp_path):
     assert again.stage == "assembly"
 
 
-def test_an_explicit_limit_replaces_the_engines_own_tolerance():
-    """v is 1 mm/s off: an error of √2 mm/s of an effect of 1.5 √2, which is 6.7e-4."""
-    off = stop(motion=[-1.499], own_tolerance=1.0)
-    assert lcplab.receipt(off).limit == pytest.approx(1.0 / (1.501 * np.sqrt(2)))
-    assert not lcplab.receipt(off).is_rejected
+def test_an_explicit_limit_holds_whatever_the_engines_own_tolerance_is():
+    """v is 1 mm/s off with the forces that cause it: an error of √2 mm/s of an effect of 1.5 √2, which is 6.7e-4."""
+    off = stop(forces=[3.002], motion=[-1.499], own_tolerance=1.0)
+    loose = lcplab.receipt(off)
+    assert loose.limit == 1e-6 and loose.verdict == "unconverged" and loose.stopped_by == "tolerance"
     assert lcplab.receipt(off, limit=1e-4).is_rejected
     assert not lcplab.receipt(off, limit=1e-2).is_rejected
     assert lcplab.receipts([off], limit=1e-4).rejected
@@ -93,6 +94,8 @@ def test_a_limit_that_is_no_length_is_invalid(limit):
         ({"lo": [0.0, 0.0]}, r"lo: has the shape \(2,\), must have \(1,\)"),
         ({"lo": 1.0, "hi": 0.0}, "lo: is above hi in row 0"),
         ({"mu": [-0.5]}, "mu: is negative in row 0"),
+        ({"compliance": -1}, "compliance: is negative in row 0"),
+        ({"mass": [[0.0]], "motion": None}, "mass: is not positive definite, so that the motion of the forces"),
         ({"friction_index": [0]}, "friction_index: row 0 names 0, must be another row or -1"),
         ({"friction_index": [0.5]}, "friction_index: row 0 names 0.5"),
         ({"forces": [3.0 + 1.0j]}, "forces: has the type complex128, must be real numbers"),
@@ -117,6 +120,34 @@ def test_all_defects_are_named_in_one_message():
     with pytest.raises(lcplab.InputError) as error:
         stop(forces=[1.0, 2.0], motion=[], mu=-1.0)
     assert [line.split(":")[1] for line in str(error.value).splitlines()] == [" motion", " forces", " mu"]
+
+
+def test_a_negative_compliance_is_invalid_in_files_and_in_steps_that_were_changed(tmp_path):
+    with pytest.raises(lcplab.InputError, match="compliance: is -1 in row 0, must not be negative"):
+        lcplab.receipt(replace(stop(), compliance=np.array([-1.0])))
+    lcplab.receipt(stop()).write(tmp_path / "a.json", tmp_path / "a.x.json")
+    problem = json.loads((tmp_path / "a.json").read_text())
+    problem["motion"]["compliance"] = [-1]
+    (tmp_path / "a.json").write_text(json.dumps(problem))
+    with pytest.raises(lcplab.InputError, match="a.json: compliance: is -1 in row 0"):
+        lcplab.receipts([tmp_path])
+
+
+@pytest.mark.parametrize("mass", [-2.0, 0.0])
+def test_a_mass_that_is_not_positive_is_an_error_of_assembly(mass, tmp_path):
+    receipt = lcplab.receipt(stop(mass=[[mass]]))
+    assert receipt.stage == "assembly" and f"mass[0, 0] is {mass:g}" in str(receipt)
+    receipt.save(tmp_path)
+    assert lcplab.receipts([tmp_path]).stages == {"assembly": 1}
+
+
+def test_a_coefficient_of_friction_that_is_not_a_number_is_named_and_no_other_array():
+    step = stop(
+        mass=np.eye(3), jacobian=np.eye(3), bias=np.zeros(3), target=[-1.0, 2.0, 0.0], forces=[1.0, -0.5, 0.0],
+        motion=[0.0, 1.5, 0.0], compliance=0.0, lo=[0.0, -np.inf, -np.inf], friction_index=[-1, 0, 0],
+        mu=[0.0, np.nan, np.nan], model="coulomb-cone",
+    )
+    assert lcplab.receipt(step).rejected.what == "mu[1] is nan"
 
 
 def test_arrays_are_copied():

@@ -27,23 +27,25 @@ def unbounded(compliance=0.5):
     ("steps", "why"),
     [
         ([], "there are no frames"),
-        ([FREE, FREE], "2 without rows"),
+        ([FREE, FREE], "2 no rows"),
         ([CAPPED], "1 unconverged"),
-        ([unbounded()], "1 without any comparison"),
-        ([CAPPED, FREE, unbounded()], "1 unconverged, 1 without any comparison, 1 without rows"),
+        ([unbounded()], "1 not checked"),
+        ([unbounded(0.0)], "1 not checked"),  # its motion is that of its forces, but the rest of its law is unknown
+        ([CAPPED, FREE, unbounded()], "1 unconverged, 1 not checked, 1 no rows"),
     ],
 )
 def test_a_run_that_checked_no_frame_is_not_ok_and_says_why(steps, why):
     run = lcplab.receipts(steps)
-    assert not run.ok and run.unchecked == f"no frame was checked: {why}"
+    assert not run.ok and run.unchecked == f"the solver was checked in no frame: {why}"
     assert run.unchecked in str(run) and str(run).startswith("not ok")
 
 
-def test_one_checked_frame_is_enough():
+def test_half_of_the_frames_with_rows_are_enough_and_fewer_need_a_baseline():
     run = lcplab.receipts([CAPPED, FREE, GOOD])
     assert run.ok and run.unchecked is None
-    rigid = lcplab.receipts([unbounded(0.0)])  # its motion is compared with that of its forces
-    assert rigid.ok and "1 without a bound on the motion" in str(rigid)
+    mostly = lcplab.receipts([GOOD, *[CAPPED] * 19])
+    assert not mostly.ok and "in 1 of 20 frames with rows, which is less than half: 19 unconverged" in str(mostly)
+    assert lcplab.receipts([GOOD, *[CAPPED] * 19], baseline=mostly.to_json()).ok
 
 
 def test_a_frame_that_is_no_longer_rejected_is_named():
@@ -92,8 +94,48 @@ def test_a_session_that_checked_no_step_fails(pytester):
     result = pytester.runpytest()
     result.assert_outcomes(passed=1)
     assert result.ret == 1
-    result.stdout.fnmatch_lines(["*no frame was checked: 1 unconverged*"])
+    result.stdout.fnmatch_lines(["*the solver was checked in no frame: 1 unconverged*"])
     assert pytester.runpytest("--lcplab-baseline", "b.json", "--lcplab-update").ret == 0
+
+
+TWO_TESTS = """
+    import lcplab
+    import pytest
+
+    def step():
+        return lcplab.EngineStep.of("mine", [[2.0]], [[1.0]], [0.0], [-3.0], [3.0], [-1.5], compliance=0.5)
+
+    def test_one(lcplab_receipts):
+        for _ in range(4):
+            lcplab_receipts(step())
+
+    def test_two(lcplab_receipts):
+        lcplab_receipts(step())
+"""
+
+
+def test_a_session_without_a_test_or_a_step_of_its_baseline_fails(pytester):
+    file = pytester.makepyfile(TWO_TESTS)
+    assert pytester.runpytest("--lcplab-baseline", "b.json", "--lcplab-update").ret == 0
+    assert pytester.runpytest("--lcplab-baseline", "b.json").ret == 0
+    for removed in ("def test_two", "def test_one"):
+        file.write_text(file.read_text().replace(removed, removed.replace("def test", "def no_test")))
+        result = pytester.runpytest("--lcplab-baseline", "b.json")
+        assert result.ret != 0
+        result.stdout.fnmatch_lines(["*of the baseline * missing: *"])
+    pytester.makepyfile(TWO_TESTS.replace("range(4)", "range(3)"))
+    result = pytester.runpytest("--lcplab-baseline", "b.json")
+    assert result.ret == 1
+    result.stdout.fnmatch_lines(["*1 frame of the baseline is missing: *test_one step 4*"])
+
+
+def test_a_session_of_some_tests_needs_the_steps_of_these_tests_only(pytester):
+    file = pytester.makepyfile(TWO_TESTS)
+    assert pytester.runpytest("--lcplab-baseline", "b.json", "--lcplab-update").ret == 0
+    assert pytester.runpytest("--lcplab-baseline", "b.json", "-k", "two").ret == 0
+    assert pytester.runpytest("--lcplab-baseline", "b.json", f"{file.name}::test_one").ret == 0
+    file.write_text(file.read_text().replace("range(4)", "range(2)"))
+    assert pytester.runpytest("--lcplab-baseline", "b.json", f"{file.name}::test_one").ret == 1
 
 
 def test_a_missing_baseline_is_a_usage_error_that_says_how_to_record_it(pytester):

@@ -27,17 +27,22 @@ in the file STEM.x.json next to STEM.json or STEM.npz, in the key \"answer\" of 
 the arrays x and v of the .npz file. Record the baseline in the folder in which the check runs: frames are \
 compared by their paths.
 
+The run is compared with the 50 %, 90 % and 99 % quantiles and the largest of the baseline's errors. It is worse if \
+more of its frames are above one of them than in the baseline and than chance explains (0.5 %; at least 5 errors in \
+each run are needed). Errors below a thousandth of the limit never count as worse.
+
 Exit codes:
-  0  frames were checked, the baseline lists all rejected ones, and no quantile of the motion error \
-exceeds the baseline's by more than its sampling range; or the baseline was written
-  1  a rejected frame is not in the baseline, a quantile is worse, or no frame was checked
-  2  invalid input or usage, such as a frame without an answer")]
+  0  the run is ok, or the baseline was written. A run is ok if the baseline lists all rejected frames, the solver \
+was checked in at least one frame (without a baseline, in half of the frames with rows), no frame and no check \
+of the baseline is missing, and the run is not worse
+  1  the run is not ok
+  2  invalid input or usage, such as a frame without an answer or a negative compliance")]
 pub struct Receipts {
     /// Problem files with the key "motion", or folders of them
     #[arg(required = true)]
     frames: Vec<PathBuf>,
-    /// Largest accepted motion error, relative to the change that the constraints cause [default:
-    /// that of the engine's kind of solver]
+    /// Largest accepted motion error, or residual where there is none, relative to the change of the
+    /// motion in the step [default: that of the engine's kind of solver]
     #[arg(long, allow_negative_numbers = true)]
     limit: Option<f64>,
     /// Recorded run to compare with

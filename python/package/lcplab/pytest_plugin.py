@@ -6,14 +6,16 @@
 ...         mujoco.mj_step(model, data)
 ...         lcplab_receipts(model, data, before=before, every=10)
 
-A test fails if one of its steps is rejected and the file of ``--lcplab-baseline`` does not list it. The session fails if no
-step was checked, or a quantile of the motion error is worse than the baseline's. With ``--lcplab-update`` nothing fails, and
-the file is written.
+A test fails if one of its steps is rejected and the file of ``--lcplab-baseline`` does not list it. The session fails if too
+little was checked, steps or checks of the baseline are missing, or the errors are larger than the baseline's. If only some of
+the tests run (``-k``, ``-m``, a file or a test as argument), the steps of other tests may be missing. With ``--lcplab-update``
+nothing fails, and the file is written.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import json
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +32,10 @@ class Session:
 
     def __init__(self, config: pytest.Config) -> None:
         self.receipts: dict[str, Receipt] = {}
+        self.tests: set[str] = set()
+        self.has_all_tests = not any("::" in name or name.endswith(".py") for name in config.args)
+        #: Without xdist, whose workers have sessions of their own.
+        self.is_complete = not (config.option.collectonly or getattr(config.option, "numprocesses", None))
         self.path: str | None = config.getoption("lcplab_baseline")
         self.is_update = bool(config.getoption("lcplab_update"))
         self.out: str | None = config.getoption("lcplab_out")
@@ -39,9 +45,31 @@ class Session:
         except InputError as error:
             raise pytest.UsageError(f"{error} (--lcplab-update records one)") from error
 
+    @property
+    def is_in_use(self) -> bool:
+        """Whether tests asked for receipts, or a complete run is to be compared with a baseline."""
+        return bool(self.tests) or (self.baseline is not None and self.has_all_tests and self.is_complete)
+
     def run(self) -> Run:
         """The run of all receipts."""
-        return Run(self.receipts, self.baseline)
+        return Run(self.receipts, self.baseline if self.has_all_tests else self._of_tests())
+
+    def _of_tests(self) -> tuple[str, str] | None:
+        """The baseline without the steps of tests that did not run."""
+        if self.baseline is None:
+            return None
+        name, text = self.baseline
+        recorded = json.loads(text)
+        steps = recorded["errors"].items()
+        recorded["errors"] = {step: error for step, error in steps if _test_of(step) in self.tests}
+        unchecked = recorded["solver_unchecked"]
+        recorded["solver_unchecked"] = [step for step in unchecked if _test_of(step) in self.tests]
+        return name, json.dumps(recorded)
+
+
+def _test_of(step: str) -> str:
+    """The test of a step, by its name."""
+    return step.rpartition(" step ")[0]
 
 
 class Recorder:
@@ -49,6 +77,7 @@ class Recorder:
 
     def __init__(self, session: Session, test: str) -> None:
         self.session, self.test = session, test
+        session.tests.add(test)
         self.calls = 0
         self.receipts: dict[str, Receipt] = {}
 
@@ -96,6 +125,12 @@ def pytest_configure(config: pytest.Config) -> None:
     config.stash[SESSION] = Session(config)
 
 
+def pytest_deselected(items: Sequence[pytest.Item]) -> None:
+    """Note that some tests do not run."""
+    for item in items[:1]:
+        item.config.stash[SESSION].has_all_tests = False
+
+
 @pytest.fixture
 def lcplab_receipts(request: pytest.FixtureRequest) -> Iterator[Recorder]:
     """A function of ``(model, data, every=1)`` to call after each step; it returns the receipt, or None."""
@@ -122,22 +157,22 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Iterator[None]:
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
-    """Write the baseline and the worst steps; fail if no step was checked or the run is worse than the baseline."""
+    """Write the baseline and the worst steps; fail if the run as a whole is not ok."""
     own = session.config.stash[SESSION]
-    if not own.receipts:
+    if not own.is_in_use:
         return
     run = own.run()
     if own.is_update and own.path is not None:
         run.save(own.path)
     if own.out is not None:
         run.save_worst(Path(own.out))
-    if (run.worse or run.unchecked) and not own.is_update and session.exitstatus == pytest.ExitCode.OK:
+    if not run.ok and not own.is_update and session.exitstatus == pytest.ExitCode.OK:
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
 
 
 def pytest_terminal_summary(terminalreporter: Any, config: pytest.Config) -> None:
     """One table of all receipts."""
     own = config.stash[SESSION]
-    if own.receipts:
+    if own.is_in_use:
         terminalreporter.section("lcplab receipts")
         terminalreporter.write_line(str(own.run()))

@@ -220,3 +220,36 @@ fn a_number_that_is_not_finite_is_a_wrong_step_and_a_missing_key_bad_input() {
     assert_eq!(output.status.code(), Some(2));
     assert!(err(&output).contains("a.json: motion.bias: is missing"), "{}", err(&output));
 }
+
+#[test]
+fn frames_that_disappeared_and_a_negative_compliance_fail() {
+    let folder = tempfile::tempdir().unwrap();
+    let (frames, known) = (folder.path().join("frames"), folder.path().join("known.json"));
+    frame(&frames, "a", RIGHT);
+    frame(&frames, "b", RIGHT);
+    let arguments = [text(&frames), "--baseline", text(&known)];
+    assert_eq!(checked(&[&arguments[..], &["--update"]].concat()).1, Some(0));
+    for name in ["b.json", "b.x.json"] {
+        std::fs::remove_file(frames.join(name)).unwrap();
+    }
+    let (report, code) = checked(&arguments);
+    assert_eq!((code, report["missing"].as_array().unwrap().len()), (Some(1), 1), "{report}");
+    let mut negative = problem();
+    negative["motion"]["compliance"] = json!([-1.0]);
+    write(&frames, "a.json", &negative);
+    let output = run(&["receipts", text(&frames)]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).contains("compliance: is -1 in row 0"), "{}", err(&output));
+}
+
+#[test]
+fn a_folder_whose_solver_answers_were_not_checked_is_not_ok() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut capped = problem();
+    capped["source"] = json!({"method": "pgs", "iterations": 9, "has_converged": false});
+    write(folder.path(), "a.json", &capped);
+    write(folder.path(), "a.x.json", &json!({"x": [WRONG.0], "motion": [WRONG.1]}));
+    let (report, code) = checked(&[text(folder.path())]);
+    let why = "the solver was checked in no frame: 1 unconverged";
+    assert_eq!((code, &report["unchecked"]), (Some(1), &json!(why)), "{report}");
+}

@@ -65,6 +65,10 @@ pub(super) fn problem(
     let compliance = frame.numbers("R")?;
     let (n, k) = (bias.len(), target.len());
     frame.check("R", compliance.len(), n)?;
+    if let Some(row) = compliance.iter().position(|&value| value < 0.0) {
+        let reason = format!("must not be negative, is {}", compliance[row]);
+        return Err(frame.fault(&format!("R[{row}]"), reason));
+    }
     let mass = frame.matrix(["M_data", "M_indices", "M_indptr"], k, k)?;
     let mut jacobian = vec![Vec::new(); n];
     let entries = frame.matrix(["J_data", "J_indices", "J_indptr"], n, k)?;

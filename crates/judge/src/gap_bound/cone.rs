@@ -20,9 +20,19 @@ impl EllipticCone {
         [self.normal].into_iter().chain(self.friction.iter().map(|&(row, _)| row))
     }
 
-    /// Moves x to the nearest point of the cone in the norm Σ γ_i x_i², up to rounding, then
-    /// verifiably into the cone.
-    pub(super) fn project(&self, x: &mut [f64], compliance: &[f64]) {
+    /// Moves the cone's entries of x to the nearest point of the cone in the norm Σ γ_i x_i², up to
+    /// rounding, then verifiably into the cone. x and γ > 0 (`compliance`) have one entry per row.
+    ///
+    /// ```
+    /// use lcplab_judge::gap_bound::EllipticCone;
+    ///
+    /// // μ = 1: the point (1, 3) is √2 away from the edge (2, 2).
+    /// let cone = EllipticCone { normal: 0, friction: vec![(1, 1.0)] };
+    /// let mut x = [1.0, 3.0];
+    /// cone.project(&mut x, &[1.0, 1.0]);
+    /// assert!((x[0] - 2.0).abs() < 1e-12 && (x[1] - 2.0).abs() < 1e-12);
+    /// ```
+    pub fn project(&self, x: &mut [f64], compliance: &[f64]) {
         for &(row, _) in self.friction.iter().filter(|(_, mu)| *mu == 0.0) {
             x[row] = 0.0;
         }

@@ -1,7 +1,8 @@
-//! Proved bounds on the error of an engine's motion.
+//! The error of an engine's motion: a proved bound, or, where there is none, the violation of the
+//! law of its rows.
 
 use lcplab_judge::Demand;
-use lcplab_judge::gap_bound::{EllipticCone, GapBound, gap_bound};
+use lcplab_judge::gap_bound::{GapBound, gap_bound};
 use lcplab_judge::motion_bound::{Unproved, motion_bound};
 use lcplab_problem::file::Problem;
 use lcplab_problem::{Coupling, Gauss, Lcp, Matrix, Question};
@@ -10,6 +11,7 @@ use lcplab_solver::Options;
 use crate::friction::solve_by_default;
 
 use super::finite::first_not_finite;
+use super::law::{self, Violation, cones};
 use super::newton::Accurate;
 use super::step::{EngineAnswer, EngineStep, MassFactor, difference};
 
@@ -20,18 +22,49 @@ const MOST_ROWS: usize = 600;
 /// The sum of two bounds in floating point may be this much too small, relatively.
 const SLACK: f64 = 1.0 + 1e-12;
 
-/// The bounds of a step with an associated law, or the reason why it has none.
-pub(crate) fn bounds_of(step: &EngineStep) -> Result<GapBound, String> {
-    if first_not_finite(step).is_some() {
-        return Err("because a number is not finite".into());
+/// What is known of the error of a step's motion and forces.
+#[derive(Debug, Clone)]
+pub(crate) enum MotionError {
+    /// It has these bounds.
+    Bounded(GapBound),
+    /// It has no bound, for this reason; the law of a row is violated by at most this.
+    Unbounded(String, Option<Violation>),
+    /// The problem is not known completely, for this reason; forces leave their bounds and cones by
+    /// at most this.
+    Unknown(String, Option<Violation>),
+}
+
+impl MotionError {
+    /// That of a step with an associated law and finite numbers.
+    pub(crate) fn of(step: &EngineStep) -> Self {
+        let unknown = |why: String| MotionError::Unknown(why, law::of_bounds(step));
+        if let Some(why) = &step.no_bound {
+            return unknown(why.clone());
+        }
+        if !step.is_associated() {
+            return MotionError::Unknown(NO_LAW.into(), None);
+        }
+        match by_gap(step) {
+            Ok(bounds) => MotionError::Bounded(bounds),
+            Err(Unproved::Mass) => unknown(format!("because {}", Unproved::Mass)),
+            Err(why) => MotionError::Unbounded(reason(step, why), law::of_law(step)),
+        }
     }
-    if let Some(why) = &step.no_bound {
-        return Err(why.clone());
+}
+
+/// Why there is no bound, in words.
+fn reason(step: &EngineStep, why: Unproved) -> String {
+    let in_cone =
+        |row: usize| step.friction.index[row].is_some() || step.friction.index.contains(&Some(row));
+    match why {
+        Unproved::NoRoom { row } if in_cone(row) && step.gauss.compliance[row] == 0.0 => {
+            format!("because row {row} of a friction cone has no compliance")
+        }
+        Unproved::NoRoom { row } => format!(
+            "because no motion was found that verifiably satisfies row {row} and all others"
+        ),
+        why => format!("because {why}"),
     }
-    if !step.is_associated() {
-        return Err(NO_LAW.into());
-    }
-    by_gap(step).map_err(|why| why.to_string())
 }
 
 /// By the duality gap; for boxes without compliance by a motion that satisfies all rows.
@@ -60,18 +93,6 @@ fn closure(gauss: &Gauss, forces: &[f64], motion: &[f64]) -> Result<f64, Unprove
     gap_bound(&free, &[], forces, motion).map(|bound| bound.closure)
 }
 
-/// The cones of the rows of friction.
-fn cones(step: &EngineStep) -> Vec<EllipticCone> {
-    let mut friction: Vec<Vec<(usize, f64)>> = vec![Vec::new(); step.len()];
-    for (row, normal) in step.friction.index.iter().enumerate() {
-        if let Some(normal) = normal {
-            friction[*normal].push((row, step.friction.mu[row]));
-        }
-    }
-    let with_friction = friction.into_iter().enumerate().filter(|(_, own)| !own.is_empty());
-    with_friction.map(|(normal, friction)| EllipticCone { normal, friction }).collect()
-}
-
 /// Tighter bounds by way of an accurate motion w, if there is one: |v − û| ≤ |v − w| + a bound on
 /// |w − û|.
 ///
@@ -93,7 +114,7 @@ pub(crate) fn sharpened(
     let forces = step.answer.forces.clone();
     let beside = EngineAnswer { forces, ..exact.answer.clone() };
     let beside = EngineStep { answer: beside, ..exact.clone() };
-    let (Ok(accurate), Ok(beside)) = (bounds_of(&exact), bounds_of(&beside)) else {
+    let (Ok(accurate), Ok(beside)) = (by_gap(&exact), by_gap(&beside)) else {
         return bounds;
     };
     let slack = SLACK * step.norm(&difference(&step.answer.motion, &exact.answer.motion));

@@ -5,7 +5,8 @@
 //! them and passes a [`Report`]. What every engine's step allows is checked here: whether x and v
 //! are a solution of the problem that the engine posed, with a proved bound on the error of v
 //! relative to what the constraints change (the *motion error*), whether v and the reported forces
-//! follow from x, and whether bias and free motion are those that an adapter expects.
+//! follow from x, and whether bias and free motion are those that an adapter expects. Where the
+//! motion error has no bound, x and v must satisfy the law of every row.
 //!
 //! One frame does not distinguish two releases of an engine; a [`Run`] does.
 //!
@@ -27,9 +28,13 @@
 //! assert!(wrong.bound().unwrap() >= 0.5 * 2f64.sqrt()); // |v − û|_M
 //! ```
 
+mod baseline;
 mod bounds;
+mod definite;
 mod finding;
 mod finite;
+mod frequency;
+mod law;
 mod limits;
 mod newton;
 mod read;
@@ -42,28 +47,32 @@ use std::sync::OnceLock;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
+use bounds::MotionError;
 use lcplab_judge::gap_bound::GapBound;
 use lcplab_page::number::{counted, readable};
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::number;
 use lcplab_problem::friction::Model;
 
+pub use baseline::Baseline;
 pub use finding::{Finding, Report, Stage};
 pub use limits::NOTABLE;
 pub use read::answer_of;
-pub use run::{Baseline, Run};
+pub use run::Run;
 pub use step::{EngineAnswer, EngineStep, Expected, FrictionRows, RowNames, Source, StepFacts};
 
 /// The verdict on a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StepVerdict {
-    /// The motion error has a bound, and all errors are below their limits.
+    /// The motion error has a bound, or the law of all rows was checked, and all errors are below
+    /// their limits.
     Ok,
     /// There are no rows, and no check failed.
     NoRows,
-    /// No check failed, but the motion error has no bound.
+    /// No check failed, but the engine does not report all that the problem consists of.
     NotChecked,
-    /// The motion error is above its limit at the engine's iteration cap.
+    /// The motion error is above its limit, but the engine stopped at its iteration cap, or at an
+    /// own tolerance that is looser than the usual limit.
     Unconverged,
     /// An error is above its limit.
     Wrong,
@@ -82,6 +91,33 @@ impl StepVerdict {
     }
 }
 
+/// Why an engine's solver stopped before its error was below the limit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Stop {
+    /// It reached its iteration cap.
+    Iterations,
+    /// Its own tolerance is looser than the limit.
+    Tolerance,
+}
+
+impl Stop {
+    /// That of a step whose first rejected error is this.
+    fn of(step: &EngineStep, first: &Finding, is_loose: bool) -> Option<Stop> {
+        match first.stage == Stage::Solver && first.error.is_finite() {
+            true if !step.source.has_converged => Some(Stop::Iterations),
+            true if is_loose => Some(Stop::Tolerance),
+            _ => None,
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Stop::Iterations => "iterations",
+            Stop::Tolerance => "tolerance",
+        }
+    }
+}
+
 /// Iterations of the engine and of Newton's method with the exact Hessian.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Work {
@@ -95,16 +131,8 @@ impl Work {
     /// An engine's Newton method is slow if it takes more than this many times the steps.
     const EXCESS: usize = 4;
 
-    /// That of a solver whose error is that of an engine at its iteration cap.
-    fn at_cap(
-        step: &EngineStep,
-        first: &Finding,
-        accurate: Option<&newton::Accurate>,
-    ) -> Option<Work> {
-        let is_at_cap = first.stage == Stage::Solver && !step.source.has_converged;
-        let newton = accurate.and_then(|accurate| accurate.steps);
-        let work = Work { engine: step.source.iterations, newton };
-        (is_at_cap && first.error.is_finite()).then_some(work)
+    fn of(step: &EngineStep, accurate: &newton::Accurate) -> Work {
+        Work { engine: step.source.iterations, newton: accurate.steps }
     }
 
     fn is_excessive(self, method: &str) -> bool {
@@ -129,6 +157,7 @@ pub struct Receipt {
     limit: f64,
     effect: f64,
     bound: Option<f64>,
+    residual: Option<f64>,
     /// Whether the bound is one with the friction limits, or the slip, of the answer.
     is_frozen: bool,
     findings: Vec<Finding>,
@@ -136,6 +165,7 @@ pub struct Receipt {
     /// The place of the finding that decides.
     rejected: Option<usize>,
     verdict: StepVerdict,
+    stop: Option<Stop>,
     work: Option<Work>,
     difference: OnceLock<Option<f64>>,
 }
@@ -143,49 +173,39 @@ pub struct Receipt {
 impl Receipt {
     /// Checks a step; `report` contains the findings of collision and assembly that its engine
     /// allows, `None` those of a step that an adapter or a file describes. Without a limit on the
-    /// motion error, that of the solver's kind applies, or the engine's own tolerance if that is
-    /// looser.
+    /// motion error, that of the solver's kind applies.
     ///
     /// # Errors
-    /// If vectors of the step have different lengths, its kind of solver is unknown, or the limit
-    /// is negative.
+    /// If vectors of the step have different lengths, a compliance or a coefficient of friction is
+    /// negative, its kind of solver is unknown, or the limit is negative.
     pub fn new(step: EngineStep, report: Option<Report>, limit: Option<f64>) -> Result<Self> {
         step.check("step")?;
-        let limit = limit_for(&step, limit)?;
-        let frozen = if step.is_associated() { None } else { step.frozen() };
-        let posed = frozen.as_ref().unwrap_or(&step);
-        let bounds = bounds::bounds_of(posed);
-        let mut accurate = None;
-        let bounds = match bounds {
-            Ok(bounds) if !step.is_empty() && !is_sharp(posed, &bounds, limit) => {
-                accurate = newton::accurate_motion(posed);
-                Ok(bounds::sharpened(posed, bounds, accurate.as_ref()))
-            }
-            bounds => bounds,
-        };
-        let mut all = stages::check(posed, &bounds, limit);
+        let (limit, is_loose) = limit_for(&step, limit)?;
+        let solved = Solved::new(&step, limit);
+        let Solved { mut all, bound, residual, is_frozen, accurate } = solved;
         all.add(report.unwrap_or_else(|| stages::before_solver(&step)));
         all.findings.sort_by_key(|finding| finding.stage);
         let not_checked = [step.not_checked.clone(), all.not_checked].concat();
-        let bound = bounds.ok().filter(|_| !step.is_empty()).map(|bounds| bounds.motion);
         let findings = all.findings;
         let rejected: Vec<usize> =
             (0..findings.len()).filter(|&at| findings[at].is_rejected()).collect();
         let first = rejected.first().map(|&at| &findings[at]);
-        let work = first.and_then(|first| Work::at_cap(&step, first, accurate.as_ref()));
-        let is_excused = work.is_some_and(|work| !work.is_excessive(&step.source.method));
-        // Errors of other stages are not excused by the iteration cap, and count first.
+        let stop = first.and_then(|first| Stop::of(&step, first, is_loose));
+        let accurate = accurate.filter(|_| stop == Some(Stop::Iterations));
+        let work = accurate.map(|accurate| Work::of(&step, &accurate));
+        let is_excessive = work.is_some_and(|work| work.is_excessive(&step.source.method));
+        let is_excused = stop.is_some() && !is_excessive;
+        // Errors of other stages are not excused, and count first.
         let is_wrong = |at: &&usize| !is_excused || findings[**at].stage != Stage::Solver;
         let wrong = rejected.iter().find(is_wrong).copied();
         let verdict = match wrong {
             Some(_) => StepVerdict::Wrong,
             None if is_excused => StepVerdict::Unconverged,
             None if step.is_empty() => StepVerdict::NoRows,
-            None if bound.is_some() => StepVerdict::Ok,
+            None if bound.is_some() || residual.is_some() => StepVerdict::Ok,
             None => StepVerdict::NotChecked,
         };
         let rejected = wrong.or(rejected.first().copied());
-        let is_frozen = frozen.is_some();
         let effect = step.effect();
         let difference = OnceLock::new();
         Ok(Receipt {
@@ -193,11 +213,13 @@ impl Receipt {
             limit,
             effect,
             bound,
+            residual,
             is_frozen,
             findings,
             not_checked,
             rejected,
             verdict,
+            stop,
             work,
             difference,
         })
@@ -258,9 +280,21 @@ impl Receipt {
         self.bound
     }
 
-    /// The bound relative to what the constraints change.
+    /// The bound relative to [`EngineStep::effect`].
     pub fn motion_error(&self) -> Option<f64> {
         self.bound.map(|bound| self.step.relative(bound))
+    }
+
+    /// Where the motion error has no bound: the largest violation of the law of a row or cone, as
+    /// the change of the motion by the impulse that corrects this row alone, relative to
+    /// [`EngineStep::effect`]. It is 0 exactly if forces and motion satisfy the law of all rows.
+    pub fn residual(&self) -> Option<f64> {
+        self.residual
+    }
+
+    /// The motion error, or else the residual.
+    pub fn error(&self) -> Option<f64> {
+        self.motion_error().or(self.residual)
     }
 
     /// The largest accepted motion error.
@@ -269,11 +303,12 @@ impl Receipt {
     }
 
     /// For coupled boxes and Coulomb's law, and without a bound on the motion: its distance from
-    /// that of lcplab's own answer, relative to what the constraints change. It is measured and
+    /// that of lcplab's own answer, relative to [`EngineStep::effect`]. It is measured and
     /// proves nothing: these laws can have several solutions. `None` if lcplab finds no answer.
     pub fn difference(&self) -> Option<f64> {
         *self.difference.get_or_init(|| {
-            if self.bound.is_some() && !self.is_frozen {
+            let has_law = self.is_frozen || self.residual.is_some();
+            if !has_law {
                 return None;
             }
             let own = bounds::own_answer(&self.step)?;
@@ -304,11 +339,18 @@ impl Receipt {
             format!("{engine}: {scene}{rows}, {method}{iterations}"),
             format!("  verdict       {}{stage}", self.verdict.name()),
         ];
+        let cause = self.step.cause_of_effect();
+        let limit = readable(self.limit, 1);
+        if let Some(residual) = self.residual {
+            let residual = readable(residual, 2);
+            lines.push(format!(
+                "  residual      the law of a row is violated by {residual} of {cause} (limit {limit})"
+            ));
+        }
         if let (Some(bound), Some(error)) = (self.bound, self.motion_error()) {
             lines.push(format!(
-                "  motion error  at most {} of what the constraints change (limit {}): {} of {} {}{}",
+                "  motion error  at most {} of {cause} (limit {limit}): {} of {} {}{}",
                 readable(error, 2),
-                readable(self.limit, 1),
                 readable(bound, 2),
                 readable(self.effect, 3),
                 self.step.unit(),
@@ -322,15 +364,20 @@ impl Receipt {
         if let Some(difference) = self.difference() {
             let difference = readable(difference, 2);
             lines.push(format!(
-                "  difference    about {difference} of what the constraints change, from lcplab's own \
-                 answer"
+                "  difference    about {difference} of {cause}, from lcplab's own answer"
             ));
         }
-        if *own_tolerance > 0.0 && *own_tolerance < self.effect && !self.step.is_empty() {
+        let is_small = *own_tolerance > 0.0 && *own_tolerance < self.effect;
+        if (is_small || self.stop == Some(Stop::Tolerance)) && !self.step.is_empty() {
             let part = readable(own_tolerance / self.effect, 1);
-            lines.push(format!(
-                "  tolerance     of the engine: {part} of what the constraints change"
-            ));
+            let stopped = match self.stop {
+                Some(Stop::Tolerance) => ", looser than the limit",
+                _ => "",
+            };
+            lines.push(format!("  tolerance     of the engine: {part} of {cause}{stopped}"));
+        }
+        if self.stop == Some(Stop::Iterations) {
+            lines.push("  stopped       at its iteration cap, as far as the engine reports".into());
         }
         lines.extend(self.work.map(|work| format!("  work          {}", work.text())));
         let rejected = self.findings.iter().filter(|finding| finding.is_rejected());
@@ -368,7 +415,8 @@ impl Receipt {
             "bodies": rejected.map(|finding| finding.bodies.as_slice()).unwrap_or_default(),
             "motion_error": optional(self.motion_error()), "limit": number(self.limit),
             "bound": optional(self.bound), "frozen": self.is_frozen, "effect": number(self.effect),
-            "unit": self.step.unit(), "rejected": self.rejected, "not_checked": self.not_checked,
+            "effect_of": self.step.cause_of_effect(), "residual": optional(self.residual),
+            "stopped_by": self.stop.map(Stop::name), "unit": self.step.unit(), "rejected": self.rejected, "not_checked": self.not_checked,
             "findings": self.findings,
             "work": self.work.map(|Work { engine, newton }| {
                 json!({ "engine": engine, "newton": newton })
@@ -377,17 +425,54 @@ impl Receipt {
     }
 }
 
+/// What the forces and the motion of a step allow to check.
+struct Solved {
+    all: Report,
+    bound: Option<f64>,
+    residual: Option<f64>,
+    is_frozen: bool,
+    accurate: Option<newton::Accurate>,
+}
+
+impl Solved {
+    fn new(step: &EngineStep, limit: f64) -> Solved {
+        if let Some(all) = stages::broken(step) {
+            return Solved { all, bound: None, residual: None, is_frozen: false, accurate: None };
+        }
+        let frozen = if step.is_associated() { None } else { step.frozen() };
+        let posed = frozen.as_ref().unwrap_or(step);
+        let mut accurate = None;
+        let error = match MotionError::of(posed) {
+            MotionError::Bounded(bounds)
+                if !step.is_empty() && !is_sharp(posed, &bounds, limit) =>
+            {
+                accurate = newton::accurate_motion(posed);
+                MotionError::Bounded(bounds::sharpened(posed, bounds, accurate.as_ref()))
+            }
+            error => error,
+        };
+        let all = stages::check(posed, &error, limit);
+        let is_law = |finding: &&Finding| finding.what == stages::UNLAWFUL;
+        let residual = all.findings.iter().find(is_law).map(|finding| finding.error);
+        let bound = match error {
+            MotionError::Bounded(bounds) if !step.is_empty() => Some(bounds.motion),
+            _ => None,
+        };
+        Solved { all, bound, residual, is_frozen: frozen.is_some(), accurate }
+    }
+}
+
 /// Whether both bounds are below the limit, so that they need not be tightened.
 fn is_sharp(step: &EngineStep, bounds: &GapBound, limit: f64) -> bool {
     step.relative(bounds.motion.max(bounds.answer)) <= limit
 }
 
-fn limit_for(step: &EngineStep, limit: Option<f64>) -> Result<f64> {
+/// The limit on the motion error, and whether the engine's own tolerance is looser.
+fn limit_for(step: &EngineStep, limit: Option<f64>) -> Result<(f64, bool)> {
     let usual = limits::limit_of(&step.source)?;
     match limit {
-        None if step.effect() > 0.0 => Ok(usual.max(step.source.own_tolerance / step.effect())),
-        None => Ok(usual),
-        Some(limit) if limit >= 0.0 => Ok(limit),
+        None => Ok((usual, step.source.own_tolerance > usual * step.effect())),
+        Some(limit) if limit >= 0.0 => Ok((limit, false)),
         Some(limit) => {
             Err(Error::invalid("options", "limit", format!("is {limit}, must be 0 or larger")))
         }

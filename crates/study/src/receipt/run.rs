@@ -5,72 +5,33 @@ use std::sync::Arc;
 
 use serde_json::{Map, Value, json};
 
+use super::baseline::{self, Baseline, percent, quantile, without_numbers};
 use super::finding::Stage;
 use super::{Receipt, StepVerdict};
 use crate::ci::{self, Case, Verdict};
 use lcplab_page::number::{counted, readable};
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::{as_number, number};
-use lcplab_problem::json;
+use lcplab_problem::file::number;
 
-/// Frames are counted above these motion errors.
+/// Frames are counted above these errors.
 const LEVELS: [(&str, f64); 4] = [("1e-6", 1e-6), ("1e-5", 1e-5), ("1e-4", 1e-4), ("1e-3", 1e-3)];
 const QUANTILES: [f64; 3] = [0.5, 0.9, 0.99];
-/// The spread of a quantile is that of its rank within this number of standard deviations: 99 % of
-/// samples.
-const DEVIATIONS: f64 = 2.58;
-/// Quantiles below this fraction of the limit never count as worse.
-const FLOOR: f64 = 1e-3;
+/// The verdicts on frames whose solver was not checked.
+const UNCHECKED: [StepVerdict; 3] =
+    [StepVerdict::Unconverged, StepVerdict::NotChecked, StepVerdict::NoRows];
 const WORST: usize = 10;
 const LISTED: &str = "listed in the baseline";
 
-/// A recorded run of a trusted release.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Baseline {
-    /// The rejected frames, with their stages.
-    rejected: BTreeMap<String, Option<String>>,
-    /// The upper end of each quantile's range in samples of this size.
-    spreads: BTreeMap<String, f64>,
-}
-
-impl Baseline {
-    /// Reads a recorded run, as [`Run::to_json`] writes it.
-    ///
-    /// # Errors
-    /// If the text is not one.
-    pub fn from_json(input: &str, text: &str) -> Result<Baseline> {
-        let reason = |cause: String| Error::invalid(input, "baseline", cause);
-        let value = json::parse(text).map_err(|cause| reason(format!("is not JSON: {cause}")))?;
-        let Some(rejected) = value.get("rejected").and_then(Value::as_object) else {
-            let cause = match value.get("solvers") {
-                Some(_) => "is a recorded run of the command test, which tests a solver",
-                None => "the key rejected is missing: this file is not a recorded run",
-            };
-            return Err(reason(cause.into()));
-        };
-        let stage = |(name, stage): (&String, &Value)| {
-            (name.clone(), stage.as_str().map(ToString::to_string))
-        };
-        let spreads = value.get("spreads").and_then(Value::as_object).into_iter().flatten();
-        let spread = |(part, most): (&String, &Value)| Some((part.clone(), as_number(most)?));
-        Ok(Baseline {
-            rejected: rejected.iter().map(stage).collect(),
-            spreads: spreads.filter_map(spread).collect(),
-        })
-    }
-
-    /// Whether it lists this frame as rejected at the same stage.
-    fn lists(&self, name: &str, receipt: &Receipt) -> bool {
-        let stage = receipt.stage().map(Stage::name);
-        self.rejected.get(name).is_some_and(|known| known.as_deref() == stage)
-    }
+/// The frames in which a part was not checked, with the text in the first of them.
+pub(super) struct Unchecked {
+    pub(super) count: usize,
+    pub(super) text: String,
 }
 
 /// The receipts of a run, in the order of its steps, compared with a recorded run.
 #[derive(Debug, Clone)]
 pub struct Run {
     frames: Vec<(String, Arc<Receipt>)>,
-    /// The motion errors, sorted.
+    /// The motion errors, or else residuals, sorted.
     errors: Vec<f64>,
     baseline: Option<Baseline>,
 }
@@ -90,7 +51,7 @@ impl Run {
             }
         }
         let mut errors: Vec<f64> =
-            unique.iter().filter_map(|(_, receipt)| receipt.motion_error()).collect();
+            unique.iter().filter_map(|(_, receipt)| receipt.error()).collect();
         errors.sort_by(f64::total_cmp);
         Run { frames: unique, errors, baseline }
     }
@@ -100,12 +61,21 @@ impl Run {
         &self.frames
     }
 
-    /// Whether some frames were checked, the baseline lists all rejected ones, and no quantile of
-    /// the motion error is worse than the baseline's by more than the baseline's spread.
+    /// The motion errors, or else residuals, sorted.
+    pub(super) fn errors(&self) -> &[f64] {
+        &self.errors
+    }
+
+    /// Whether the baseline lists all rejected frames, and there is no reason against the run as a
+    /// whole.
     pub fn is_ok(&self) -> bool {
-        self.unchecked().is_none() && self.new_rejections().next().is_none() && {
-            self.worse().is_empty()
-        }
+        self.reasons().is_empty() && self.new_rejections().next().is_none()
+    }
+
+    /// What is wrong with the run as a whole, as sentences: too little was checked, frames or
+    /// checks of the baseline are missing, or errors are larger than the baseline's.
+    fn reasons(&self) -> Vec<String> {
+        self.unchecked().into_iter().chain(self.lost()).chain(self.worse()).collect()
     }
 
     fn rejected(&self) -> impl Iterator<Item = &(String, Arc<Receipt>)> {
@@ -125,70 +95,91 @@ impl Run {
         own.map(|(name, _)| name.as_str()).collect()
     }
 
-    /// Why no frame counts as checked, as a sentence: each is unconverged, or has no rows, or
-    /// nothing of it was compared.
-    pub fn unchecked(&self) -> Option<String> {
-        let is_bare = |(_, receipt): &&(String, Arc<Receipt>)| {
-            receipt.verdict() == StepVerdict::NotChecked && receipt.findings().is_empty()
-        };
-        let kinds = [
-            (self.with(StepVerdict::Unconverged).len(), "unconverged"),
-            (self.frames.iter().filter(is_bare).count(), "without any comparison"),
-            (self.with(StepVerdict::NoRows).len(), "without rows"),
-        ];
-        if kinds.iter().map(|(count, _)| count).sum::<usize>() < self.frames.len() {
-            return None;
-        }
-        let counts: Vec<String> = kinds
-            .iter()
-            .filter(|(count, _)| *count > 0)
-            .map(|(count, kind)| format!("{count} {kind}"))
-            .collect();
-        let counts = match counts.is_empty() {
-            true => "there are no frames".into(),
-            false => counts.join(", "),
-        };
-        Some(format!("no frame was checked: {counts}"))
+    /// The number of frames whose solver was checked.
+    pub(super) fn checked(&self) -> usize {
+        self.frames.len() - self.solver_unchecked().len()
     }
 
-    /// Why frames have no bound on the motion: each reason with the number of its frames.
-    fn without_bound(&self) -> Vec<String> {
-        let mut reasons: BTreeMap<&str, usize> = BTreeMap::new();
+    /// The frames whose solver was not checked.
+    pub(super) fn solver_unchecked(&self) -> Vec<&str> {
+        UNCHECKED.into_iter().flat_map(|verdict| self.with(verdict)).collect()
+    }
+
+    /// The frames whose solver was not checked, as counts by verdict.
+    pub(super) fn kinds_unchecked(&self) -> String {
+        let counts: Vec<String> = UNCHECKED
+            .into_iter()
+            .map(|verdict| (self.with(verdict).len(), verdict.name()))
+            .filter(|(count, _)| *count > 0)
+            .map(|(count, name)| format!("{count} {name}"))
+            .collect();
+        match counts.is_empty() {
+            true => "there are no frames".into(),
+            false => counts.join(", "),
+        }
+    }
+
+    /// Why the run does not count as checked, as a sentence: the solver of no frame was checked, or,
+    /// without a baseline, of less than half of the frames with rows.
+    pub fn unchecked(&self) -> Option<String> {
+        let (checked, kinds) = (self.checked(), self.kinds_unchecked());
+        let with_rows = self.frames.len() - self.with(StepVerdict::NoRows).len();
+        if checked == 0 {
+            return Some(format!("the solver was checked in no frame: {kinds}"));
+        }
+        (self.baseline.is_none() && 2 * checked < with_rows).then(|| {
+            format!(
+                "the solver was checked in {checked} of {with_rows} frames with rows, which is \
+                 less than half: {kinds}; a baseline can accept this"
+            )
+        })
+    }
+
+    /// The parts that were not checked in some frames; the keys are without numbers.
+    pub(super) fn not_checked(&self) -> BTreeMap<String, Unchecked> {
+        let mut parts: BTreeMap<String, Unchecked> = BTreeMap::new();
+        for part in self.frames.iter().flat_map(|(_, receipt)| receipt.not_checked()) {
+            let first = || Unchecked { count: 0, text: part.clone() };
+            parts.entry(without_numbers(part)).or_insert_with(first).count += 1;
+        }
+        parts
+    }
+
+    /// Why the solver was not checked in some frames: each reason with the number of its frames.
+    fn reasons_unchecked(&self) -> Vec<String> {
+        let mut reasons: BTreeMap<String, Unchecked> = BTreeMap::new();
         let of = self.frames.iter().filter(|own| own.1.verdict() == StepVerdict::NotChecked);
         for (_, receipt) in of {
             let reason = receipt.not_checked().iter().find(|part| part.starts_with("solver"));
-            *reasons.entry(reason.map_or("solver", String::as_str)).or_default() += 1;
+            let reason = reason.map_or("solver", String::as_str);
+            let first = || Unchecked { count: 0, text: reason.into() };
+            reasons.entry(without_numbers(reason)).or_insert_with(first).count += 1;
         }
-        let line = |(reason, count): (&str, usize)| {
-            format!("not checked in {}: {reason}", counted(count, "frame"))
+        let line = |own: Unchecked| {
+            format!("not checked in {}: {}", counted(own.count, "frame"), own.text)
         };
-        reasons.into_iter().map(line).collect()
+        reasons.into_values().map(line).collect()
     }
 
-    /// The quantiles that are worse than the baseline's, as sentences.
+    /// The frames of the baseline that are missing.
+    pub fn missing(&self) -> Vec<&str> {
+        self.baseline.as_ref().map(|baseline| baseline.missing(self)).unwrap_or_default()
+    }
+
+    /// What the baseline checked and this run does not, as sentences.
+    pub fn lost(&self) -> Vec<String> {
+        self.baseline.as_ref().map(|baseline| baseline.lost(self)).unwrap_or_default()
+    }
+
+    /// In which respects the errors are larger than the baseline's, as sentences.
     pub fn worse(&self) -> Vec<String> {
-        let Some(baseline) = &self.baseline else { return Vec::new() };
-        let least = self.frames.iter().map(|(_, receipt)| receipt.limit());
-        let floor = FLOOR * least.fold(f64::INFINITY, f64::min);
-        let worse = |&part: &f64| {
-            let most = *baseline.spreads.get(&part.to_string())?;
-            let own = quantile(&self.errors, part)?;
-            (own > most.max(floor)).then(|| {
-                let (own, most) = (readable(own, 2), readable(most, 2));
-                format!(
-                    "worse than the baseline: {} of the motion errors are up to {own}, allowed {most}",
-                    percent(part)
-                )
-            })
-        };
-        QUANTILES.iter().filter_map(worse).collect()
+        self.baseline.as_ref().map(|baseline| baseline.worse(self)).unwrap_or_default()
     }
 
     /// Frames that the baseline lists as rejected, and that no longer are.
     fn fixed(&self) -> Vec<&str> {
-        let listed = |name: &str| {
-            self.baseline.as_ref().is_some_and(|baseline| baseline.rejected.contains_key(name))
-        };
+        let listed =
+            |name: &str| self.baseline.as_ref().is_some_and(|baseline| baseline.has_rejected(name));
         let fixed = self.frames.iter().filter(|(name, own)| !own.is_rejected() && listed(name));
         let mut fixed: Vec<&str> = fixed.map(|(name, _)| name.as_str()).collect();
         fixed.sort_unstable();
@@ -203,7 +194,7 @@ impl Run {
         };
         let mut frames: Vec<_> = self.frames.iter().filter(is_bad).collect();
         let size = |(_, receipt): &&(String, Arc<Receipt>)| {
-            (!receipt.is_rejected(), -receipt.motion_error().unwrap_or(0.0))
+            (!receipt.is_rejected(), -receipt.error().unwrap_or(0.0))
         };
         frames.sort_by(|a, b| {
             let (a, b) = (size(a), size(b));
@@ -225,40 +216,43 @@ impl Run {
         Stage::ALL.map(|stage| (stage, count(stage))).into_iter().filter(|own| own.1 > 0).collect()
     }
 
+    /// The numbers of errors above fixed levels.
+    fn counts_line(&self) -> String {
+        let counts: Vec<String> =
+            self.counts().iter().map(|(level, count)| format!("{level}: {count}")).collect();
+        let residuals = self.frames.iter().filter(|own| own.1.residual().is_some()).count();
+        let name = match residuals {
+            0 => "motion error".into(),
+            _ => format!("motion error (residual in {})", counted(residuals, "frame")),
+        };
+        let frames = counted(self.errors.len(), "frame");
+        format!("{name} above {} of {frames}", counts.join(", "))
+    }
+
     /// The run for people: counts, quantiles, and the receipts of the worst frames.
     pub fn text(&self) -> String {
         let count = |verdict| self.with(verdict).len();
         let known = self.rejected().filter(|frame| self.is_known(frame)).count();
-        let mut first = format!(
-            "{}: {}, {} rejected ({known} known), {} unconverged, {} without rows",
+        let mut lines = vec![format!(
+            "{}: {}, {} rejected ({known} known), {} unconverged, {} not checked, {} without rows",
             if self.is_ok() { "ok" } else { "not ok" },
             counted(self.frames.len(), "frame"),
             self.rejected().count(),
             count(StepVerdict::Unconverged),
+            count(StepVerdict::NotChecked),
             count(StepVerdict::NoRows)
-        );
-        if count(StepVerdict::NotChecked) > 0 {
-            let count = count(StepVerdict::NotChecked);
-            first += &format!(
-                ", {count} without a bound on the motion, so that the solver was not checked"
-            );
-        }
-        let mut lines = vec![first];
-        let counts: Vec<String> =
-            self.counts().iter().map(|(level, count)| format!("{level}: {count}")).collect();
-        let counts = counts.join(", ");
-        let frames = counted(self.errors.len(), "frame");
-        lines.push(format!("motion error above {counts} of {frames}"));
+        )];
+        lines.extend(self.reasons());
+        lines.push(self.counts_line());
         if !self.errors.is_empty() {
             let value = |part| readable(quantile(&self.errors, part).unwrap_or_default(), 2);
             let quantiles = QUANTILES.map(|part| format!("{}: {}", percent(part), value(part)));
             lines.push(format!("quantiles {}", quantiles.join(", ")));
         }
+        lines.extend(self.baseline.as_ref().map(|baseline| baseline.comparison(self)));
         let stage = |(stage, count): (Stage, usize)| format!("rejected at {stage}: {count}");
         lines.extend(self.stages().into_iter().map(stage));
-        lines.extend(self.without_bound());
-        lines.extend(self.unchecked());
-        lines.extend(self.worse());
+        lines.extend(self.reasons_unchecked());
         let fixed = |name| format!("{name} is no longer rejected: record the baseline again");
         lines.extend(self.fixed().into_iter().map(fixed));
         for (name, receipt) in self.worst() {
@@ -270,13 +264,9 @@ impl Run {
 
     /// The run as a baseline, with which later runs are compared.
     pub fn to_json(&self) -> Map<String, Value> {
-        let of = |value: fn(&[f64], f64) -> Option<f64>| -> Map<String, Value> {
-            let value = |part| value(&self.errors, part).map_or(Value::Null, number);
-            match self.errors.is_empty() {
-                true => Map::new(),
-                false => QUANTILES.iter().map(|part| (part.to_string(), value(*part))).collect(),
-            }
-        };
+        let value = |part| quantile(&self.errors, part).map(number);
+        let value = |part: &f64| Some((part.to_string(), value(*part)?));
+        let quantiles: Map<String, Value> = QUANTILES.iter().filter_map(value).collect();
         let rejected: Map<String, Value> =
             self.rejected().map(|(name, own)| (name.clone(), json!(own.stage()))).collect();
         let mut versions: Vec<String> = self
@@ -290,16 +280,16 @@ impl Run {
         let mut object = Map::new();
         object.insert("frames".into(), json!(self.frames.len()));
         object.insert("counts".into(), Value::Object(self.counts()));
-        object.insert("quantiles".into(), Value::Object(of(quantile)));
-        object.insert("spreads".into(), Value::Object(of(spread)));
+        object.insert("quantiles".into(), Value::Object(quantiles));
         object.insert("rejected".into(), Value::Object(rejected));
         object.insert("unconverged".into(), json!(self.with(StepVerdict::Unconverged)));
         object.insert("versions".into(), json!(versions));
+        object.extend(baseline::recorded(self));
         object
     }
 
-    /// The run with its comparison: the baseline's keys, and `ok`, `known`, `fixed`, `worse`,
-    /// `unchecked`, `stages` and `worst`.
+    /// The run with its comparison: the baseline's keys, and `ok`, `known`, `fixed`, `missing`,
+    /// `lost`, `worse`, `unchecked`, `stages` and `worst`.
     pub fn summary(&self) -> Map<String, Value> {
         let mut object = Map::new();
         object.insert("ok".into(), json!(self.is_ok()));
@@ -317,6 +307,8 @@ impl Run {
         let worst: Vec<&str> = self.worst().iter().map(|(name, _)| name.as_str()).collect();
         object.insert("known".into(), json!(known));
         object.insert("fixed".into(), json!(self.fixed()));
+        object.insert("missing".into(), json!(self.missing()));
+        object.insert("lost".into(), json!(self.lost()));
         object.insert("worse".into(), json!(self.worse()));
         object.insert("unchecked".into(), json!(self.unchecked()));
         object.insert("stages".into(), Value::Object(stages));
@@ -337,9 +329,9 @@ impl Run {
     fn cases(&self) -> Vec<Case> {
         let case = |frame: &(String, Arc<Receipt>)| {
             let (name, receipt) = frame;
-            let error = receipt.motion_error().map_or("–".into(), |error| format!("{error:e}"));
-            let is_listed =
-                || self.baseline.as_ref().is_some_and(|own| own.rejected.contains_key(name));
+            let number =
+                |error: Option<f64>| error.map_or("–".into(), |error| format!("{error:e}"));
+            let is_listed = || self.baseline.as_ref().is_some_and(|own| own.has_rejected(name));
             let verdict = match receipt.rejected() {
                 Some(_) if receipt.is_rejected() && self.is_known(frame) => {
                     Verdict::Known(LISTED.into())
@@ -358,14 +350,15 @@ impl Run {
                 rule: rule(receipt.stage()),
                 properties: vec![
                     ("verdict", receipt.verdict().name().into()),
-                    ("motion_error", error),
+                    ("motion_error", number(receipt.motion_error())),
+                    ("residual", number(receipt.residual())),
                 ],
                 details,
                 is_file: true,
             }
         };
         let mut cases: Vec<Case> = self.frames.iter().map(case).collect();
-        let reasons: Vec<String> = self.unchecked().into_iter().chain(self.worse()).collect();
+        let reasons = self.reasons();
         if let Some(first) = reasons.first() {
             cases.push(Case {
                 class: "lcplab.receipts".into(),
@@ -398,23 +391,4 @@ impl Run {
 
 fn rule(stage: Option<Stage>) -> String {
     format!("receipt/{}", stage.map_or("run", Stage::name))
-}
-
-/// A fraction as text: 50 %.
-fn percent(part: f64) -> String {
-    format!("{} %", (100.0 * part).round())
-}
-
-/// The value that this fraction of the values does not exceed.
-fn quantile(ordered: &[f64], part: f64) -> Option<f64> {
-    let rank = (part * ordered.len() as f64).ceil() as usize;
-    ordered.get(rank.clamp(1, ordered.len().max(1)) - 1).copied()
-}
-
-/// The upper end of the quantile's range in samples of this size; `None` where the largest value is
-/// within it.
-fn spread(ordered: &[f64], part: f64) -> Option<f64> {
-    let count = ordered.len() as f64;
-    let rank = (part * count + DEVIATIONS * (count * part * (1.0 - part)).sqrt()).ceil() as usize;
-    (rank < ordered.len()).then(|| ordered[rank - 1])
 }

@@ -5,16 +5,26 @@
 //! solver is wrong. If only one is, the engine wrote back something else than it solved. There are
 //! two exceptions, in which the difference is the solver's residual: engines that solve for the
 //! motion and compute the forces from it, and a motion that is exactly that of the forces.
+//!
+//! Without such bounds, v must be the motion that x causes (write-back), and x and v must satisfy
+//! the law of every row (solver).
 
 use lcplab_judge::gap_bound::GapBound;
 use lcplab_problem::Level;
 
+use super::bounds::MotionError;
+use super::definite::{self, first_not_definite};
 use super::finding::{Finding, Report, Stage};
-use super::finite::{REST, first_not_finite};
+use super::finite::{self, first_not_finite};
+use super::law::Violation;
 use super::limits::rounding;
 use super::newton::are_forces_of_motion;
 use super::step::{EngineStep, difference};
 
+/// What is wrong where the problem is not known completely.
+const OUTSIDE: &str = "a force is outside its bounds or its friction cone";
+/// What is wrong where the motion error has no bound.
+pub(crate) const UNLAWFUL: &str = "force and motion of a row do not satisfy its law";
 /// Divisors are at least this.
 const TINY: f64 = 1e-300;
 
@@ -22,11 +32,12 @@ const TINY: f64 = 1e-300;
 /// where it says what model and state require.
 pub fn before_solver(step: &EngineStep) -> Report {
     let mut report = Report { findings: Vec::new(), not_checked: vec!["collision".into()] };
-    let findings = match first_not_finite(step) {
-        Some(_) => [None, None],
-        None => [expected_bias(step), expected_target(step)],
+    let is_broken = broken(step).is_some();
+    let findings = match is_broken {
+        true => [None, None],
+        false => [expected_bias(step), expected_target(step)],
     };
-    if first_not_finite(step).is_none() {
+    if !is_broken {
         let parts = ["the bias", "the free motion"];
         let checked: Vec<&str> =
             (0..2).filter(|&k| findings[k].is_some()).map(|k| parts[k]).collect();
@@ -53,7 +64,7 @@ fn expected_bias(step: &EngineStep) -> Option<Finding> {
         (bias - expected[i]).abs() / terms.max(TINY)
     };
     let (row, error) = largest((0..step.len()).map(error))?;
-    let what = "the bias of a row is not the one that model and state ask for";
+    let what = "the bias of a row differs from expected_bias";
     let bodies = step.bodies_of(Some(row));
     let finding = Finding::new(Stage::Assembly, what, error, rounding(step.source.bits));
     Some(Finding { row: Some(row), bodies, ..finding })
@@ -64,36 +75,48 @@ fn expected_target(step: &EngineStep) -> Option<Finding> {
     let expected = step.expected.target.as_ref()?;
     let scale = step.norm(expected).max(step.source.gravity).max(TINY);
     let error = step.norm(&difference(&step.gauss.target, expected)) / scale;
-    let what = "the motion without constraints is not the one that model and state ask for";
+    let what = "the motion without constraints (target) differs from expected_target";
     Some(Finding::new(Stage::Assembly, what, error, rounding(step.source.bits)))
 }
 
-/// Compares the bounds with the limit, and the motion and the reported generalized forces with the
-/// forces.
-pub(crate) fn check(step: &EngineStep, bounds: &Result<GapBound, String>, limit: f64) -> Report {
-    if let Some(broken) = first_not_finite(step) {
-        return Report { findings: vec![broken], not_checked: vec![REST.into()] };
+/// The report on a step whose numbers allow nothing else: one is not finite, or M is not positive
+/// definite.
+pub(crate) fn broken(step: &EngineStep) -> Option<Report> {
+    let of =
+        |finding, rest: &str| Report { findings: vec![finding], not_checked: vec![rest.into()] };
+    match first_not_finite(step) {
+        Some(finding) => Some(of(finding, finite::REST)),
+        None => first_not_definite(step).map(|finding| of(finding, definite::REST)),
     }
+}
+
+/// Compares the error of the motion with the limit, and the motion and the reported generalized
+/// forces with the forces.
+pub(crate) fn check(step: &EngineStep, error: &MotionError, limit: f64) -> Report {
     let mut report = Report::default();
     if let (true, Some(why)) = (step.is_empty(), &step.no_bound) {
         report.not_checked.push(format!("solver and write-back, {why}"));
         return report;
     }
-    let is_rigid = step.gauss.compliance.iter().all(|&compliance| compliance <= 0.0);
-    // No engine computes the forces of rigid rows from the motion: if these disagree, the problem
-    // is not the one that the engine solved.
-    let closure = (is_rigid && !step.has_computed_motion).then(|| closure(step));
-    match (bounds, closure) {
+    let closure = closure_to_check(step, error, limit);
+    match (error, closure) {
         _ if step.is_empty() => report.findings.push(free(step)),
         (_, Some(closure)) if closure.is_rejected() => {
             report.not_checked.push("solver: the motion is not that of the forces".into());
             report.findings.push(closure);
         }
-        (Err(why), closure) => {
+        (MotionError::Unknown(why, worst), closure) => {
             report.not_checked.push(format!("solver: no bound on the motion, {why}"));
+            report.findings.extend(worst.map(|worst| violation(step, OUTSIDE, worst, limit)));
             report.findings.extend(closure);
         }
-        (Ok(bounds), _) => report.findings.push(motion(step, bounds, limit)),
+        (MotionError::Unbounded(why, worst), closure) => {
+            let part = "solver: a bound on the motion error does not exist";
+            report.not_checked.push(format!("{part}, {why}; the law of each row was checked"));
+            report.findings.extend(worst.map(|worst| violation(step, UNLAWFUL, worst, limit)));
+            report.findings.extend(closure);
+        }
+        (MotionError::Bounded(bounds), _) => report.findings.push(motion(step, bounds, limit)),
     }
     match &step.answer.reported_push {
         None => {
@@ -104,6 +127,29 @@ pub(crate) fn check(step: &EngineStep, bounds: &Result<GapBound, String>, limit:
         Some(reported) => report.findings.push(push(step, reported)),
     }
     report
+}
+
+/// The comparison of the motion with that of the forces, where no bound on both makes it.
+///
+/// No engine computes the forces of rigid rows from the motion: if these disagree, the problem is
+/// not the one that the engine solved. An engine that does so for compliant rows may be as
+/// inaccurate here as its solver.
+fn closure_to_check(step: &EngineStep, error: &MotionError, limit: f64) -> Option<Finding> {
+    let is_rigid = step.gauss.compliance.iter().all(|&compliance| compliance <= 0.0);
+    let is_unbounded = matches!(error, MotionError::Unbounded(..));
+    if step.has_computed_motion || !(is_rigid || is_unbounded) {
+        return None;
+    }
+    let own = closure(step);
+    let limit = if is_rigid { own.limit } else { own.limit.max(limit) };
+    Some(Finding { limit, ..own })
+}
+
+/// The largest violation of the law of a row, or of its bounds.
+fn violation(step: &EngineStep, what: &str, worst: Violation, limit: f64) -> Finding {
+    let row = Some(worst.row);
+    let finding = Finding::new(Stage::Solver, what, step.relative(worst.size), limit);
+    Finding { row, bodies: step.bodies_of(row), ..finding }
 }
 
 /// Without rows the motion must be the motion without constraints.

@@ -1,7 +1,7 @@
 //! One step as an engine reports it, in the units of the engine.
 
 use faer::linalg::solvers::{PartialPivLu, Solve};
-use faer::{Col, Mat};
+use faer::{Col, Mat, Side};
 use serde::{Deserialize, Serialize};
 
 use lcplab_problem::error::{Error, Result};
@@ -126,11 +126,13 @@ pub struct EngineStep {
 }
 
 impl EngineStep {
-    /// Checks the lengths of all vectors and the normal rows of friction.
+    /// Checks the lengths of all vectors, the signs of compliance and μ, the order of bounds, and
+    /// the normal rows of friction.
     ///
     /// # Errors
-    /// If a vector has another length than rows or degrees of freedom, or a row of friction names
-    /// itself or a row that does not exist.
+    /// If a vector has another length than rows or degrees of freedom, a compliance or a
+    /// coefficient of friction is negative, lo is above hi, or a row of friction names itself or a
+    /// row that does not exist.
     pub fn check(&self, input: &str) -> Result<()> {
         let (n, k) = (self.len(), self.gauss.target.len());
         let EngineAnswer { forces, motion, reported_push } = &self.answer;
@@ -156,6 +158,18 @@ impl EngineStep {
                 let reason = format!("has {length} entries, must have {size}");
                 return Err(Error::invalid(input, name, reason));
             }
+        }
+        let Gauss { compliance, lo, hi, .. } = &self.gauss;
+        let is_negative = |values: &[f64]| values.iter().position(|&value| value < 0.0);
+        for (name, values) in [("compliance", compliance), ("mu", &self.friction.mu)] {
+            if let Some(row) = is_negative(values) {
+                let reason = format!("is {} in row {row}, must not be negative", values[row]);
+                return Err(Error::invalid(input, name, reason));
+            }
+        }
+        if let Some(row) = (0..n).find(|&row| lo[row] > hi[row]) {
+            let reason = format!("is {} in row {row}, above hi, {}", lo[row], hi[row]);
+            return Err(Error::invalid(input, "lo", reason));
         }
         for (row, normal) in self.friction.index.iter().enumerate() {
             if normal.is_some_and(|normal| normal >= n || normal == row) {
@@ -241,12 +255,29 @@ impl EngineStep {
     }
 
     /// The change of the motion by the constraints, |v − u*|_M, but at least the change by gravity
-    /// and 10⁻⁶ |u*|_M.
+    /// and 10⁻⁶ |u*|_M. Errors of the motion are relative to it.
     pub fn effect(&self) -> f64 {
+        self.effect_and_cause().0
+    }
+
+    /// Which of the three changes is the largest, with its article.
+    pub fn cause_of_effect(&self) -> &'static str {
+        self.effect_and_cause().1
+    }
+
+    fn effect_and_cause(&self) -> (f64, &'static str) {
         let change = self.norm(&difference(&self.answer.motion, &self.gauss.target));
-        let free = 1e-6 * self.norm(&self.gauss.target);
-        // The first argument of `max` may be NaN, which the receipt has to report.
-        if change.is_nan() { change } else { change.max(free).max(self.source.gravity) }
+        // NaN compares as larger than nothing, and the receipt has to report it.
+        let mut largest = (change, "the change by the constraints");
+        let gravity = (self.source.gravity, "the change by gravity");
+        let free =
+            (1e-6 * self.norm(&self.gauss.target), "a millionth of the motion without constraints");
+        for other in [gravity, free] {
+            if other.0 > largest.0 {
+                largest = other;
+            }
+        }
+        largest
     }
 
     /// An error in the norm of M, relative to the effect.
@@ -294,7 +325,7 @@ impl EngineStep {
     }
 
     /// w = J v + bias + compliance · x of the answer, n entries.
-    fn remaining(&self) -> Vec<f64> {
+    pub(crate) fn remaining(&self) -> Vec<f64> {
         let Gauss { bias, compliance, .. } = &self.gauss;
         let speeds = self.along(&self.answer.motion);
         (0..self.len())
@@ -393,26 +424,21 @@ pub(crate) struct MassFactor {
 impl MassFactor {
     /// From the entries of the upper triangle of a k × k matrix.
     pub(crate) fn of(upper: &[(usize, usize, f64)], k: usize) -> Self {
-        // The last column that shares a block with each column.
-        let mut last: Vec<usize> = (0..k).collect();
-        upper.iter().for_each(|&(i, j, _)| last[i] = last[i].max(j));
-        let (mut blocks, mut first, mut end) = (Vec::new(), 0, 0);
-        let mut block_of = vec![0; k];
-        for column in 0..k {
-            end = last[column].max(end);
-            block_of[column] = blocks.len();
-            if column == end {
-                blocks.push((first, Mat::<f64>::zeros(column + 1 - first, column + 1 - first)));
-                (first, end) = (column + 1, column + 1);
-            }
-        }
-        for &(i, j, value) in upper {
-            let (first, block) = &mut blocks[block_of[i]];
-            let (i, j) = (i - *first, j - *first);
-            (block[(i, j)], block[(j, i)]) = (value, value);
-        }
+        let blocks = blocks(upper, k).into_iter();
         let factored = |(first, block): (usize, Mat<f64>)| (first, block.partial_piv_lu());
-        MassFactor { blocks: blocks.into_iter().map(factored).collect() }
+        MassFactor { blocks: blocks.map(factored).collect() }
+    }
+
+    /// The first column of the first block that has no Cholesky factor, with M scaled to a diagonal
+    /// of ones, which must be positive.
+    pub(crate) fn first_not_definite(upper: &[(usize, usize, f64)], k: usize) -> Option<usize> {
+        let mut blocks = blocks(upper, k).into_iter();
+        blocks.find_map(|(first, block)| {
+            let root = |i: usize| block[(i, i)].sqrt();
+            let size = block.nrows();
+            let scaled = Mat::from_fn(size, size, |i, j| block[(i, j)] / (root(i) * root(j)));
+            scaled.llt(Side::Lower).is_err().then_some(first)
+        })
     }
 
     /// M⁻¹ f.
@@ -426,4 +452,28 @@ impl MassFactor {
         }
         solved
     }
+}
+
+/// The independent diagonal blocks of a k × k matrix with these entries of its upper triangle, each
+/// with its first column.
+fn blocks(upper: &[(usize, usize, f64)], k: usize) -> Vec<(usize, Mat<f64>)> {
+    // The last column that shares a block with each column.
+    let mut last: Vec<usize> = (0..k).collect();
+    upper.iter().for_each(|&(i, j, _)| last[i] = last[i].max(j));
+    let (mut blocks, mut first, mut end) = (Vec::new(), 0, 0);
+    let mut block_of = vec![0; k];
+    for column in 0..k {
+        end = last[column].max(end);
+        block_of[column] = blocks.len();
+        if column == end {
+            blocks.push((first, Mat::<f64>::zeros(column + 1 - first, column + 1 - first)));
+            (first, end) = (column + 1, column + 1);
+        }
+    }
+    for &(i, j, value) in upper {
+        let (first, block) = &mut blocks[block_of[i]];
+        let (i, j) = (i - *first, j - *first);
+        (block[(i, j)], block[(j, i)]) = (value, value);
+    }
+    blocks
 }

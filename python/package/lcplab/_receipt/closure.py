@@ -27,10 +27,12 @@ def check(model: Any, data: Any, step: Step, qvel: Array) -> Report:
         forces = step.times_mass(step.target) + push
         acceleration = np.asarray(np.linalg.solve(step.dense_mass() + h * np.diag(damping), forces), dtype=float)
     change, limit = h * acceleration, ROUNDING[step.bits]
-    error = step.norm(np.asarray(data.qvel, dtype=float) - qvel - change)
+    difference = np.asarray(data.qvel, dtype=float) - qvel - change
+    error, worst = step.norm(difference), int(np.argmax(np.abs(difference))) if model.nv else 0
+    bodies = tuple(step.dof_bodies[worst : worst + 1])
     scale = max(step.norm(change), limit * step.norm(qvel), h * step.gravity, 1e-300)
     what = "the velocity after the step does not follow from the acceleration and the implicit damping"
-    return Report([Finding("write-back", what, error / scale, limit)])
+    return Report([Finding("write-back", what, error / scale, limit, None, bodies)])
 
 
 def _why_not(model: Any) -> str:

@@ -72,13 +72,20 @@ class ContactRows:
         matrix = jacobian @ np.linalg.solve(mass, jacobian.T) + np.diag(self.compliance[::3])
         return solve((matrix + matrix.T) / 2, jacobian @ target + np.array(self.bias[::3])).x
 
-    def step(self, engine: str, bounds: Array, mass: Array, target: Array, motion: Array, **more: Any) -> Step:
-        """The step whose friction has these bounds (N s) along both tangents, (points,)."""
+    def step(
+        self, engine: str, bounds: Array, mass: Array, target: Array, motion: Array, no_bound: str = "", **more: Any
+    ) -> Step:
+        """The step whose friction has these bounds (N s) along both tangents, (points,).
+
+        If the engine does not report all rows, which ``no_bound`` says, these bounds are not known.
+        """
+        if no_bound:
+            bounds = np.full(len(bounds), np.inf)
         most = np.column_stack([np.full(len(bounds), np.inf), bounds, bounds]).ravel()
         least = np.column_stack([np.zeros(len(bounds)), -bounds, -bounds]).ravel()
         return Step.of(
             engine, mass, self.dense_jacobian(), self.bias, target, self.forces, motion, compliance=self.compliance,
-            lo=least, hi=most, rows=self.rows, **more,
+            lo=least, hi=most, rows=self.rows, no_bound=no_bound, **more,
         )
 
 

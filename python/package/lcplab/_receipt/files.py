@@ -55,12 +55,15 @@ def problem(step: Step) -> dict[str, Any]:
 
 
 def matrix(step: Step) -> Array:
-    """A = J M⁻¹Jᵀ + compliance, (n, n)."""
+    """A = J M⁻¹Jᵀ + compliance, (n, n); NaN if M is singular."""
     n = len(step)
     if n > MOST_ROWS:
         raise InputError(f"step: {n} rows are too many for a dense A; at most {MOST_ROWS} are allowed")
     jacobian = step.dense_jacobian()
-    product = jacobian @ np.linalg.solve(step.dense_mass(), jacobian.T)
+    try:
+        product = jacobian @ np.linalg.solve(step.dense_mass(), jacobian.T)
+    except np.linalg.LinAlgError:  # a singular M has no A
+        product = np.full((n, n), np.nan)
     return (product + product.T) / 2 + np.diag(step.compliance)
 
 

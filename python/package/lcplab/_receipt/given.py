@@ -74,6 +74,7 @@ class Given:
             self.defects.append(f"level: is {step.level!r}, must be 'velocity' or 'acceleration'")
         for name, is_wrong, reason in (
             ("lo", step.lo > step.hi, "is above hi"),
+            ("compliance", step.compliance < 0, "is negative"),
             ("mu", step.mu < 0, "is negative"),
         ):
             if is_wrong.any():

@@ -104,13 +104,18 @@ def scratch(model: Any, data: Any) -> Any:
 
 def is_at(model: Any, data: Any, qpos: Array) -> bool:
     """Whether the poses in these data belong to this position; after ``mj_step`` they belong to the one before."""
+    distances, turns = differences(model, data, qpos)
+    return bool(max(distances.max(initial=0.0), turns.max(initial=0.0)) <= SAME)
+
+
+def differences(model: Any, data: Any, qpos: Array) -> tuple[Array, Array]:
+    """The largest differences of each body's center of mass (m) and axes (rad) from those of a position, (bodies,)."""
     import mujoco
 
     own = scratch(model, data)
     own.qpos[:] = qpos
     mujoco.mj_kinematics(model, own)
-    same = np.abs(own.xipos - data.xipos).max(initial=0.0), np.abs(own.ximat - data.ximat).max(initial=0.0)
-    return bool(max(same) <= SAME)
+    return np.abs(own.xipos - data.xipos).max(axis=1), np.abs(own.ximat - data.ximat).max(axis=1)
 
 
 def turn(after: Array, before: Array) -> Array:

@@ -204,8 +204,8 @@ def never_checked(model: Any, data: Any) -> list[str]:
         parts.append("assembly: rows of limits (presence, J, distance)")
     if np.any(model.dof_frictionloss) or np.any(model.tendon_frictionloss):
         parts.append("assembly: rows of friction losses (presence, J, bounds)")
-    if model.neq:
-        parts.append("assembly: rows of equalities (presence)")
+    if np.any(model.eq_type > 2):
+        parts.append("assembly: rows of equalities of tendons and flexes (presence)")
     if model.nu:
         parts.append("assembly: transmissions of actuators")
     return parts

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lcplab._receipt import mujoco as reader
+from lcplab._receipt import mujoco_presence
 from lcplab._receipt.findings import Finding, Report
 from lcplab._receipt.kinematics import Kinematics, interval, scratch
 from lcplab._receipt.step import Array, Rows, Step
@@ -46,6 +47,7 @@ def check(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Report
         report.add(_free_motion(model, data, step, motion))
     report.add(_actuators(model, data))
     report.add(_passive(model, data, step, qpos, qvel))
+    report.add(mujoco_presence.check(model, data, motion))
     if len(step):
         report.add(_contacts(model, data, step, motion))
         report.add(_equalities(model, data, step, motion))

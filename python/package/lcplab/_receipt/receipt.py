@@ -33,18 +33,27 @@ class Receipt:
     Attributes
     ----------
     verdict : str
-        ``"ok"``, ``"no rows"`` (nothing to solve, and nothing else wrong), ``"not checked"`` (no bound on the motion),
-        ``"unconverged"`` (above the limit at the engine's iteration cap) or ``"wrong"``.
+        ``"ok"``, ``"no rows"`` (nothing to solve, and nothing else wrong), ``"not checked"`` (the engine does not report
+        its whole problem), ``"unconverged"`` (above the limit, but ``stopped_by`` says why the engine stopped early) or
+        ``"wrong"``.
     ok : bool
-        Whether the step has rows, its motion was bounded, and nothing is above its limit.
+        Whether the step has rows, its solver was checked, and nothing is above its limit.
     motion_error : float or None
-        A proved bound on the error of the engine's motion v, relative to what the constraints change.
+        A proved bound on the error of the engine's motion v, relative to ``effect``; None if there is none.
+    residual : float or None
+        If there is no bound: the largest violation of a row's law, as the change of the motion by the impulse that
+        corrects this row alone, relative to ``effect``. It is 0 exactly if all laws are satisfied, but many small
+        violations can add up to a large error.
+    stopped_by : str or None
+        Why an error above the limit is not the solver's: ``"iterations"``, its cap, or ``"tolerance"``, its own one.
     frozen : bool
         Whether the bound is that of the problem with the friction limits (coupled boxes) or the slip (Coulomb's law)
         of this answer. Such a bound is near 0 only if the answer satisfies the law; otherwise it is not the distance
         from a motion that does.
     bound, effect : float
-        The same bound and the change by the constraints, in the norm ``√(vᵀM v)``; ``unit`` is their unit.
+        The same bound and its divisor, in the norm ``√(vᵀM v)``; ``unit`` is their unit. The divisor is the change by the
+        constraints, or that by gravity, or a millionth of the motion without constraints, whichever is largest;
+        ``effect_of`` says which.
     stage : str or None
         The first rejected stage: ``"collision"``, ``"assembly"``, ``"solver"`` or ``"write-back"``.
     row, bodies : int or None, and tuple of str
@@ -67,7 +76,10 @@ class Receipt:
         self.limit, self.effect = float(written["limit"]), float(written["effect"])
         self.unit: str = written["unit"]
         self.frozen: bool = written["frozen"]
+        self.effect_of: str = written["effect_of"]
         self.bound, self.motion_error = _optional(written["bound"]), _optional(written["motion_error"])
+        self.residual = _optional(written["residual"])
+        self.stopped_by: str | None = written["stopped_by"]
         self.findings = [Finding.of(finding) for finding in written["findings"]]
         decides = written["rejected"]
         self.rejected = None if decides is None else self.findings[decides]
@@ -77,25 +89,25 @@ class Receipt:
 
     @property
     def ok(self) -> bool:
-        """Whether the step has rows, its motion was bounded, and nothing is above its limit."""
+        """Whether the step has rows, its solver was checked, and nothing is above its limit."""
         return self.verdict == "ok"
 
     @cached_property
     def difference(self) -> float | None:
         """For coupled boxes and Coulomb's law, and where there is no bound: the measured distance of the motion from
-        that of lcplab's own answer, relative to what the constraints change. It is no proof; None if lcplab finds no
-        answer."""
+        that of lcplab's own answer, relative to ``effect``. It is no proof; None if lcplab finds no answer."""
         return self._own.difference()
 
     @property
     def is_rejected(self) -> bool:
-        """Whether an error is above its limit and the engine did not report itself as unconverged."""
+        """Whether an error is above its limit, and no iteration cap or loose tolerance explains it."""
         return self.verdict == "wrong"
 
     @property
     def is_notable(self) -> bool:
-        """Whether the motion error is above a tenth of its limit."""
-        return self.motion_error is not None and self.motion_error > NOTABLE * self.limit
+        """Whether the motion error, or else the residual, is above a tenth of its limit."""
+        error = self.residual if self.motion_error is None else self.motion_error
+        return error is not None and error > NOTABLE * self.limit
 
     @property
     def row(self) -> int | None:
@@ -113,6 +125,7 @@ class Receipt:
     def __repr__(self) -> str:
         where = f", {self.stage}" if self.stage else ""
         error = "" if self.motion_error is None else f", motion error {self.motion_error:.1e}"
+        error += "" if self.residual is None else f", residual {self.residual:.1e}"
         return f"<lcplab.Receipt {self.verdict}{where}{error}>"
 
     def __str__(self) -> str:

@@ -25,27 +25,34 @@ class Run:
     Attributes
     ----------
     ok : bool
-        Whether some frames were checked, the baseline lists all rejected ones, and no quantile of the motion error is
-        worse than the baseline's by more than the baseline's spread.
+        Whether enough frames were checked, the baseline lists all rejected ones, nothing of the baseline is lost, and
+        the errors are not larger than the baseline's (``docs/ci.md``).
     receipts : dict of str to Receipt
         The receipt of each frame, by its name.
     rejected, known, unconverged : list of str
         The rejected frames, those of them that the baseline lists with the same stage, and frames above their limit
-        at the engine's iteration cap.
+        because the engine stopped early.
+    errors : list of float
+        The motion errors, or else residuals, of the frames that have one, sorted.
     counts : dict of str to int
-        The number of frames with a motion error above 1e-6, 1e-5, 1e-4 and 1e-3.
+        The number of errors above 1e-6, 1e-5, 1e-4 and 1e-3.
     quantiles : dict of str to float
-        Quantiles of the motion errors.
+        Quantiles of the errors.
     fixed : list of str
         Frames that the baseline lists as rejected, and that no longer are.
+    missing : list of str
+        The frames of the baseline that are not in this run.
+    lost : list of str
+        What the baseline checked and this run does not, as sentences.
     worse : list of str
-        The quantiles that are worse than the baseline's, as sentences.
+        The levels that more errors exceed than in the baseline and than chance explains, as sentences.
     worst : list of str
         The ten worst of the rejected and unconverged frames: first the rejected ones, then those with the largest motion errors.
     stages : dict of str to int
         The number of frames that are rejected at each stage.
     unchecked : str or None
-        Why no frame counts as checked, as a sentence: each is unconverged, or has no rows, or nothing of it was compared.
+        Why the run does not count as checked, as a sentence: the solver was checked in no frame or, without a baseline,
+        in less than half of the frames with rows.
     """
 
     def __init__(self, receipts: Mapping[str, Receipt], baseline: tuple[str, str] | None = None) -> None:
@@ -53,13 +60,16 @@ class Run:
         self._own = _lcplab.RunReport.of([(name, own._own) for name, own in self.receipts.items()], baseline)
         written: dict[str, Any] = json.loads(self._own.summary())
         self.ok: bool = written["ok"]
-        self.errors = sorted(own.motion_error for own in self.receipts.values() if own.motion_error is not None)
+        errors = (own.residual if own.motion_error is None else own.motion_error for own in self.receipts.values())
+        self.errors = sorted(error for error in errors if error is not None)
         self.counts: dict[str, int] = written["counts"]
         self.quantiles = {part: float(value) for part, value in written["quantiles"].items()}
         self.rejected: list[str] = list(written["rejected"])
         self.unconverged: list[str] = written["unconverged"]
         self.known: list[str] = written["known"]
         self.fixed: list[str] = written["fixed"]
+        self.missing: list[str] = written["missing"]
+        self.lost: list[str] = written["lost"]
         self.worse: list[str] = written["worse"]
         self.worst: list[str] = written["worst"]
         self.stages: dict[str, int] = written["stages"]

@@ -63,7 +63,7 @@ class Step:
     friction_index: Rows
     mu: Array
     #: The friction model of these rows, as in a problem file: ``"associated-cone"``, ``"coulomb-cone"``, or None for the
-    #: bounds ``±mu * x[k]``. Only the first has a bound on the motion.
+    #: bounds ``±mu * x[k]``.
     model: str | None = "associated-cone"
     rows: Sequence[Row] = ()
     #: The change of the motion by gravity in the step, in the norm of M.
@@ -77,8 +77,8 @@ class Step:
     own_tolerance: float = 0.0
     #: The generalized forces of the constraints as reported, (k,), if they are.
     reported_push: Array | None = None
-    #: The bias, (n,), and the motion without constraints, (k,), that model and state ask for, where the adapter
-    #: computes them on its own: assembly is compared with them.
+    #: The bias, (n,), and the motion without constraints, (k,), where the adapter computes them from the model and the
+    #: state on its own: assembly is compared with them.
     expected_bias: Array | None = None
     expected_target: Array | None = None
     settings: Mapping[str, Any] = field(default_factory=dict)
@@ -123,8 +123,9 @@ class Step:
         Raises
         ------
         InputError
-            If an array has another shape or kind than the step needs; one line for each defect. Numbers that are not
-            finite are no invalid input but a wrong step: its receipt is rejected.
+            If an array has another shape or kind than the step needs, or a compliance or coefficient of friction is
+            negative; one line for each defect. Numbers that are not finite are no invalid input but a wrong step: its
+            receipt is rejected.
 
         Examples
         --------
@@ -154,6 +155,8 @@ class Step:
             **more,
         )
         given.check_settings(step)
+        if motion is None and not step.is_definite():
+            given.defects.append("mass: is not positive definite, so that the motion of the forces cannot be computed")
         given.end()
         return step.with_motion_of_forces() if motion is None else step
 
@@ -172,6 +175,14 @@ class Step:
         mass = np.zeros((size, size))
         mass[self.mass[0], self.mass[1]] = self.mass[2]
         return mass + np.triu(mass, 1).T
+
+    def is_definite(self) -> bool:
+        """Whether M is positive definite, up to rounding."""
+        try:
+            np.linalg.cholesky(self.dense_mass())
+        except np.linalg.LinAlgError:
+            return False
+        return True
 
     def dense_jacobian(self) -> Array:
         """J, (n, k)."""
@@ -209,7 +220,7 @@ class Step:
 
     @property
     def effect(self) -> float:
-        """The change of the motion by the constraints, ``|v - u*|_M``, but at least the change by gravity and 1e-6 ``|u*|_M``."""
+        """The divisor of motion errors: the largest of ``|v - u*|_M``, the change by gravity, and 1e-6 ``|u*|_M``."""
         change, free = self.norm(self.motion - self.target), self.norm(self.target)
         return max(change, 1e-6 * free, float(self.gravity))
 
