@@ -244,8 +244,8 @@ impl Trial {
         match self.measure {
             Measure::FalseClaim => match self.claim(&posed, solution) {
                 Claim::FalseClaim(claim) if solution.is_claim_implied => format!(
-                    "{name} says: {claim}. (It returns x without a status, which counts as \"solved\" if plain \
-                     projected Gauss-Seidel has less than half the residual after the same number of sweeps.)"
+                    "{name} says: {claim} (it returns x without a status, which counts as \"solved\" if plain \
+                     projected Gauss-Seidel has less than half the residual after the same number of sweeps)"
                 ),
                 Claim::FalseClaim(claim) => format!("{name} says: {claim}"),
                 _ => format!("{name}: {}", solution.status),

@@ -7,7 +7,7 @@ use lcplab_page::number::readable;
 use lcplab_problem::file::number;
 
 /// Significant digits.
-const DIGITS: usize = 4;
+const DIGITS: usize = 5;
 /// Maximum number of contacts of a pair, and of pairs, that are printed.
 const PRINTED: usize = 20;
 

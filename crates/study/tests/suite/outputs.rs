@@ -77,13 +77,9 @@ fn answer(lcp: &Lcp, entry: &Entry) -> (String, Option<Claim>) {
     let unit = entry.group.unit();
     let unit = if solution.iterations == 1 { unit.trim_end_matches('s') } else { unit };
     let iterations = format!("{} {unit}", solution.iterations);
-    let line = |verdict: &str| {
-        format!(
-            "{:<15} | {:<16} | {iterations:<13} | {verdict}",
-            entry.name,
-            solution.status.to_string()
-        )
-    };
+    let status = solution.status.to_string();
+    let line =
+        |verdict: &str| format!("{:<15} | {status:<16} | {iterations:<13} | {verdict}", entry.name);
     if solution.status != Status::Solved {
         return (line("–"), None);
     }
