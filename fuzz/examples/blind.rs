@@ -3,6 +3,7 @@
 //! of SECONDS.
 
 use std::panic::catch_unwind;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use std::{env, fs, process};
 
@@ -55,9 +56,7 @@ fn main() {
     let Ok(seconds) = limit.parse().map(Duration::from_secs) else {
         return run(target, &fs::read(limit).expect("a file"));
     };
-    let folder = format!("{}/corpus/{target}", env!("CARGO_MANIFEST_DIR"));
-    let files = fs::read_dir(folder).expect("a known target");
-    let corpus: Vec<_> = files.map(|f| fs::read(f.unwrap().path()).expect("a file")).collect();
+    let corpus: Vec<_> = seeds(target).map(|file| fs::read(file).expect("a file")).collect();
     let is_structured = ["solvers", "judge", "diagnose", "simulator"].contains(&target.as_str());
     let mut random = Rand64::new(seed.parse().expect("a seed"));
     let (begin, mut count, mut slowest) = (Instant::now(), 0, Duration::ZERO);
@@ -77,6 +76,20 @@ fn main() {
         count += 1;
     }
     println!("{target}: {count} inputs in {seconds:?}, the slowest in {slowest:?}");
+}
+
+/// The files of the corpus, and those of the tests of a reader.
+fn seeds(target: &str) -> impl Iterator<Item = PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let tests = root.join("../crates/files/tests/problems/exchange");
+    let files = |folder: PathBuf| {
+        let entries = fs::read_dir(folder).into_iter().flatten();
+        entries.map(|entry| entry.expect("an entry").path())
+    };
+    let ending = if target == "fclib" { "hdf5" } else { target }.to_string();
+    let of_tests = files(tests.join("matlab")).chain(files(tests));
+    let of_tests = of_tests.filter(move |file| file.extension().is_some_and(|own| *own == *ending));
+    files(root.join("corpus").join(target)).chain(of_tests)
 }
 
 fn run(target: &str, bytes: &[u8]) {
