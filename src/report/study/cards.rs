@@ -9,10 +9,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
-use crate::body::{Pose, State};
 use crate::error::{Error, Result};
 use crate::lcp::file::Problem;
-use crate::scene::{Description, Scene};
 use lcplab_problem::disk;
 
 /// The record that lcplab ships.
@@ -191,9 +189,6 @@ pub struct Column {
     /// Wall time per simulated second (s), on the machine that ran it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pace: Option<f64>,
-    /// The positions of the bodies.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub picture: Option<Picture>,
 }
 
 /// A measured number next to that of the law.
@@ -212,15 +207,6 @@ pub struct Measured {
     pub unit: String,
     /// Whether the difference is within the tolerance.
     pub holds: bool,
-}
-
-/// The positions of the bodies at one time.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Picture {
-    /// The time (s).
-    pub time: f64,
-    /// Position (m) and quaternion (w, x, y, z) of each body.
-    pub poses: Vec<[f64; 7]>,
 }
 
 impl Record {
@@ -281,28 +267,6 @@ impl Column {
     /// Whether every law holds.
     pub fn holds(&self) -> bool {
         !self.measured.is_empty() && self.measured.iter().all(|measured| measured.holds)
-    }
-}
-
-impl Phenomenon {
-    /// The scene, with the fields of its last variant.
-    ///
-    /// # Errors
-    /// If the text is not a valid scene.
-    pub fn scene(&self) -> Result<Scene> {
-        let name = format!("{}.toml", self.name);
-        Scene::new(&name, &Description::from_toml(&name, &self.scene)?)
-    }
-}
-
-impl Picture {
-    /// The bodies' states, without their velocities.
-    pub fn states(&self) -> Vec<State> {
-        let state = |&[x, y, z, w, i, j, k]: &[f64; 7]| {
-            let q = nalgebra::UnitQuaternion::new_normalize(nalgebra::Quaternion::new(w, i, j, k));
-            State { pose: Pose { p: [x, y, z].into(), q }, ..State::WORLD }
-        };
-        self.poses.iter().map(state).collect()
     }
 }
 

@@ -114,8 +114,6 @@ class Phenomenon:
     steps: Sequence[float] = (1.0,)
     #: Whether the horizontal axis is logarithmic.
     log: bool = False
-    #: When the picture is taken that tells most (s); at the end without it.
-    instant: float | None = None
     #: Whether engines that tell no forces cannot be measured.
     needs_forces: bool = False
     #: What was reported of engines, and the formula that explains it.

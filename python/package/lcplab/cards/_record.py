@@ -79,7 +79,7 @@ def _column(column: Column) -> dict[str, Any]:
     for key in ("unsupported", "failed"):
         if (why := getattr(column, key)) is not None:
             return reported | {key: why}
-    assert column.curve is not None and column.exact is not None and column.poses is not None
+    assert column.curve is not None and column.exact is not None
     reported["measured"] = [
         {
             "what": m.what,
@@ -94,7 +94,6 @@ def _column(column: Column) -> dict[str, Any]:
     reported["y"] = _numbers(column.curve.y)
     if column.pace is not None:
         reported["pace"] = _number(column.pace, 2)
-    reported["picture"] = {"time": column.time, "poses": [_numbers(pose) for pose in column.poses]}
     return reported
 
 

@@ -30,9 +30,6 @@ class Column:
     measured: list[Measurement] = field(default_factory=list)
     curve: Curve | None = None
     exact: Array | None = None
-    #: When the picture was taken (s), and the poses then, (bodies, 7).
-    time: float = 0.0
-    poses: Array | None = None
     #: How long a simulated second takes (s), on the machine that ran it.
     pace: float | None = None
 
@@ -97,15 +94,12 @@ def run(engine: str, settings: str, phenomenon: str) -> Column:
     curve = wanted.plot(runs)
     if wanted.x[0] == "time":
         curve = _thinned(curve, wanted.duration)
-    instant = wanted.duration if wanted.instant is None else wanted.instant
     return Column(
         engine,
         settings,
         measured=wanted.measure(runs),
         curve=curve,
         exact=wanted.exact(curve, runs[0]),
-        time=instant,
-        poses=runs[-1].poses[runs[-1].after(instant)],
         pace=_pace([run for run in runs if run.dt == chosen.dt], wanted.duration),
     )
 

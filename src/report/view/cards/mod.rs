@@ -60,7 +60,7 @@ impl View for Plan {
             document.text(
                 "✓: the law is obeyed within its tolerance. A number is the largest violation, in multiples of \
                  the tolerance. –: the engine or its adapter does not support the scene. The rows link to the \
-                 pictures and numbers below.",
+                 curves and numbers below.",
             );
             for (name, id, words) in [
                 (DEFAULTS, "installed", "As installed"),

@@ -1,8 +1,6 @@
-//! A phenomenon: its law, the curves of all engines, pictures, and the numbers.
+//! A phenomenon: its law, the curves of all engines, and the numbers.
 
 use super::{ACCURATE, DEFAULTS, OWN, times};
-use crate::film::{Frame, Strip};
-use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Block, Cell, Mark, Table};
 use crate::report::study::cards::{Column, Measured, Phenomenon, Record};
@@ -24,9 +22,6 @@ pub fn show(record: &Record, phenomenon: &Phenomenon, document: &mut Document) {
         phenomenon.name
     ));
     document.figure(figure(record, phenomenon));
-    if let Some(strip) = strip(record, phenomenon) {
-        document.figure(strip);
-    }
     document.table(&format!("cards_{}", phenomenon.name), table(record, phenomenon));
     let (language, text) = ("toml".into(), phenomenon.scene.clone());
     document.add(Block::FoldedCode { language, text });
@@ -77,30 +72,6 @@ fn name(record: &Record, column: &Column) -> String {
 fn capital(words: &str) -> String {
     let mut letters = words.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
-}
-
-/// The instant with the clearest difference in every engine with default settings, and in lcplab.
-fn strip(record: &Record, phenomenon: &Phenomenon) -> Option<Strip> {
-    let scene = phenomenon.scene().ok()?;
-    let shown = phenomenon.columns.iter().filter(|own| own.settings != ACCURATE);
-    let (frames, labels): (Vec<_>, Vec<_>) = shown
-        .filter_map(|own| {
-            let last = own.picture.as_ref()?;
-            Some((
-                Frame { time: last.time, states: last.states(), ..Frame::default() },
-                name(record, own),
-            ))
-        })
-        .unzip();
-    let time = frames.first()?.time;
-    let caption = format!(
-        "The bodies after {} s: engines with default settings, then lcplab's schemes, all from the same \
-         viewpoint.",
-        readable(time, 3)
-    );
-    let id = format!("pictures_{}", phenomenon.name);
-    let strip = Strip::new(&scene, frames).named(&id).with_caption(&caption);
-    Some(Strip { labels, ..strip })
 }
 
 fn table(record: &Record, phenomenon: &Phenomenon) -> Table {

@@ -118,7 +118,6 @@ BRICARD = Phenomenon(
     measure=_bricard,
     plot=over_time(lambda run: np.degrees(_angle(run))),
     exact=_exact,
-    instant=0.75,
     reported="A semi-implicit step preserves the energy of a pendulum, whose inertia is constant. Here $M$ grows "
     "from 10.0 to 22.1 kg m² on the way down, and the energy drifts in proportion to the step: with 1 ms Drake, and "
     "PyBullet without its damping, gain 6.0 %, with 0.5 ms 2.9 %; Runge-Kutta steps gain nothing. Exact solutions "

@@ -100,7 +100,6 @@ CAPSTAN = Phenomenon(
     plot=over_time(lambda run: 1e3 * _lowered(run)),
     exact=lambda curve, run: np.zeros_like(curve.x),
     variants=({"bodies.heavy.mass": HELD}, {"bodies.heavy.mass": SLIDES}),
-    instant=0.4,
     reported="DART applies the same friction of 1.2 N at each link, so the forces add up: its version of Dantzig's "
     "method, from ODE, bounds friction by the normal forces of the problem without friction. Rapier keeps the "
     "normal of a contact while a ball moves over a round body by some degrees (without friction a ball moves "

@@ -96,7 +96,6 @@ PENDULUM = Phenomenon(
     measure=_pendulum,
     plot=over_time(lambda run: np.degrees(_rod_angle(run))),
     exact=lambda curve, run: np.degrees(_swung(_rod(run)[1], float(_rod_angle(run)[0]), curve.x)),
-    instant=0.9,
 )
 
 
@@ -144,7 +143,6 @@ ORDER = Phenomenon(
     exact=lambda curve, run: curve.x,
     steps=HALVED,
     log=True,
-    instant=2.0,
     reported="PyBullet as installed damps motion by 0.04 (1 + speed) per second, at any step: an error of 0.11 rad "
     "remains. Without that damping it is of first order.",
 )
@@ -182,7 +180,6 @@ CHAIN = Phenomenon(
     measure=_chain,
     plot=over_time(lambda run: 1e3 * _sunken(run)),
     exact=lambda curve, run: np.zeros_like(curve.x),
-    instant=3.0,
 )
 
 
@@ -226,7 +223,6 @@ CLOSED_LOOP = Phenomenon(
     measure=_closed_loop,
     plot=over_time(lambda run: np.degrees(_crank_angle(run))),
     exact=lambda curve, run: np.degrees(_swung(_four_bars(run)[1], float(_crank_angle(run)[0]), curve.x)),
-    instant=0.75,
 )
 
 
@@ -275,7 +271,6 @@ SPRING = Phenomenon(
     measure=_spring,
     plot=over_time(_lowered),
     exact=_bounced,
-    instant=9.33,
     reported="Rapier and lcplab treat a spring as a soft row, implicitly. At the last turning point but one, after "
     r"$t = 10.5\,T$, the fraction $1 - e^{-\omega^2 h t}$ of the energy is lost: 86 % with the substeps of 1/240 s "
     "of Rapier as installed, 37 % with steps of 1 ms; all of these columns are off by that amount. The soft scheme "

@@ -62,5 +62,4 @@ PAINLEVE = Phenomenon(
     measure=_painleve,
     plot=over_time(_gained),
     exact=lambda curve, run: np.zeros_like(curve.x),
-    instant=0.1,
 )

@@ -67,5 +67,4 @@ TOP = Phenomenon(
     measure=_top,
     plot=over_time(lambda run: np.degrees(_lean(run))),
     exact=lambda curve, run: np.full_like(curve.x, math.degrees(float(_lean(run)[0]))),
-    instant=10.0,
 )
