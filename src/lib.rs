@@ -79,11 +79,6 @@ mod handout {
     include!(concat!(env!("OUT_DIR"), "/handout.rs"));
 }
 
-/// The students' answers; an unfilled gap leaves its arguments unused.
-#[path = "../notebooks/exercises/mod.rs"]
-#[allow(missing_docs, non_snake_case, unused_variables, unused_mut)]
-mod exercises;
-
 /// Problems as numbers, and their files.
 pub mod lcp {
     pub use lcplab_files as exchange;

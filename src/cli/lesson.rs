@@ -1,11 +1,10 @@
-//! `lesson` and `exercise`: writes the notebooks as pages, and checks students' answers.
+//! `lesson` and `exercise`: writes the notebooks as pages, and checks answers to their problems.
 
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::file;
-use lcplab::lesson::exercise::{Exercise, exercises};
 use lcplab::lesson::problem::{self, Problem, Reply};
 use lcplab::lesson::template::{Seed, Template};
 use lcplab::lesson::{ENGINE, Program, unicode, write_python};
@@ -15,12 +14,6 @@ use lcplab::page::Page;
 use super::{Outcome, bar, browser, print};
 use crate::around::ALL as AROUND;
 use crate::lessons::ALL;
-
-/// The exercises with the answers that were compiled in.
-const EXERCISES: &[Exercise] = {
-    use crate::exercises as answers;
-    exercises!(answers)
-};
 
 /// Write a lesson as a page, with the outputs of its cells
 #[derive(Debug, Args)]
@@ -67,26 +60,25 @@ pub struct Lesson {
     out: Option<PathBuf>,
 }
 
-/// Check your answers to the exercises of the lessons
+/// Check your answers to the problems of the lessons
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  lcplab exercise              # lists the exercises, and which are solved
-  cargo run --release -- exercise 1.1
-  lcplab exercise 4.p1 0.9     # is 0.9 the answer to problem 4.p1?
+  lcplab exercise              # lists the problems
+  lcplab exercise 4.p1         # states problem 4.p1
+  lcplab exercise 4.p1 0.9     # is 0.9 the answer?
   lcplab exercise --for \"Ada Lovelace\" 4.p1 0.9
 
-A code exercise is a file with a gap or a bug, notebooks/exercises/eLESSON_NUMBER_….rs. Complete or fix it, \
-and run the command through cargo, which compiles your answer; lcplab compares it with an independent answer. A \
-problem asks for a number; the lessons state the problems (p on paper, r to predict and run, x on a live page). \
-With --for, a problem has different numbers for each student, the same on every machine.
+The lessons state the problems: p on paper, r to predict and run, x on a live page. With --for, a problem has \
+different numbers for each student, the same on every machine. The code exercises are in Python: pytest \
+notebooks/exercises -k e04 checks those of lesson 4.
 
 Exit codes:
   0  the answer is right
   1  the answer is wrong
   2  invalid input or usage")]
 pub struct Answer {
-    /// Lesson and number, such as 1.1 or 4.p1
+    /// Lesson and number, such as 4.p1
     exercise: Option<String>,
     /// State a problem with the numbers of this student, and check the answer with them
     #[arg(long = "for", value_name = "NAME")]
@@ -154,36 +146,17 @@ impl Lesson {
 
 impl Answer {
     pub fn run(&self) -> Result<Outcome> {
-        let Some(id) = &self.exercise else {
-            return if self.student.is_some() { list_problems() } else { list_exercises() };
-        };
-        if let Some(template) = problems()?.into_iter().find(|problem| problem.id == *id) {
-            let problem = match &self.student {
-                Some(student) => template.drawn(&Seed { secret: "", student })?,
-                None => template.printed()?,
-            };
-            return answered(&problem, self.number);
-        }
-        if self.number.is_some() || self.student.is_some() {
-            let known = problems()?.into_iter().map(|problem| problem.id).collect();
+        let Some(id) = &self.exercise else { return list_problems() };
+        let problems = problems()?;
+        let Some(template) = problems.iter().find(|problem| problem.id == *id) else {
+            let known = problems.into_iter().map(|problem| problem.id).collect();
             return Err(Error::Unknown { kind: "problem", name: id.clone(), known });
-        }
-        let exercise = EXERCISES.iter().find(|exercise| exercise.id == id).ok_or_else(|| {
-            let programs = EXERCISES.iter().map(|exercise| exercise.id.to_string());
-            let numbers = problems().into_iter().flatten().map(|problem| problem.id);
-            let known = programs.chain(numbers).collect();
-            Error::Unknown { kind: "exercise", name: id.clone(), known }
-        })?;
-        match exercise.verdict() {
-            Ok(()) => {
-                print(&format!("{id} solved: {}\n", exercise.title))?;
-                Ok(Outcome::Good)
-            }
-            Err(reason) => {
-                print(&format!("{id} not yet: {reason}\n"))?;
-                Ok(Outcome::Refuted)
-            }
-        }
+        };
+        let problem = match &self.student {
+            Some(student) => template.drawn(&Seed { secret: "", student })?,
+            None => template.printed()?,
+        };
+        answered(&problem, self.number)
     }
 }
 
@@ -235,17 +208,6 @@ fn named(name: &str) -> Result<&'static Program> {
 fn list() -> Result<Outcome> {
     let line = |lesson: &Program| format!("{}\n", lesson.title());
     print(&ALL.iter().map(line).collect::<String>())?;
-    Ok(Outcome::Good)
-}
-
-fn list_exercises() -> Result<Outcome> {
-    let line = |exercise: &Exercise| {
-        let state = if exercise.verdict().is_ok() { "solved" } else { "open  " };
-        format!("{:>5}  {state}  {:<60}  {}\n", exercise.id, exercise.title, exercise.file)
-    };
-    let of_problem = |problem: &Template| format!("{:>5}  number  {}\n", problem.id, problem.title);
-    let text: String = EXERCISES.iter().map(line).collect();
-    print(&(text + &problems()?.iter().map(of_problem).collect::<String>()))?;
     Ok(Outcome::Good)
 }
 

@@ -8,11 +8,11 @@
 //! erratum's exhibit, and [`put`] gives the prose a value that it quotes as `{{name}}`. The same
 //! calls work in a Jupyter kernel for Rust.
 //!
-//! [`exercise`] checks students' programs, [`problem`] their numerical answers; [`template`] gives
-//! each student different numbers, and [`assignment`] makes and grades sheets of such problems.
+//! [`problem`] checks students' numerical answers; [`template`] gives each student different
+//! numbers, and [`assignment`] makes and grades sheets of such problems. Their programs are checked
+//! in Python alone (`notebooks/exercises/checks.py`).
 
 pub mod assignment;
-pub mod exercise;
 mod notebook;
 mod page;
 mod plot;

@@ -1,7 +1,6 @@
-//! Lessons and exercises: every cell runs, and checks tell right answers from wrong ones.
+//! Lessons and problems: every cell runs, and checks tell right answers from wrong ones.
 
 mod assignment;
-mod exercise;
 mod handout;
 mod kernel;
 mod notebook;

@@ -1,9 +1,0 @@
-//! Exercise 6.1: the point of an active set, for two rows.
-//!
-//! Rows that are free have w_i = 0, the others x_i = 0, where w = A x + b. A is symmetric, positive
-//! definite. Signs do not matter yet: x may be negative.
-
-/// x of the active set.
-pub fn answer(a: [[f64; 2]; 2], b: [f64; 2], free: [bool; 2]) -> [f64; 2] {
-    todo!()
-}
