@@ -1,10 +1,10 @@
 //! The examples in the documentation are those of a run.
 
 use lcplab::number::plain;
-use lcplab::report::results::Results;
 use lcplab::report::view;
 
 use super::{out, run, run_with};
+use crate::report::reference::STANDARD;
 
 /// The first lines of an output, without the number of iterations, which rounding on another
 /// processor may change.
@@ -37,12 +37,13 @@ fn the_examples_of_the_readme_are_those_of_a_run() {
 }
 
 #[test]
-fn the_summary_on_the_page_of_reports_is_that_of_the_committed_report() {
+fn the_summary_on_the_page_of_reports_is_that_of_a_run() {
     let page = include_str!("../../../docs/reports.md");
-    let results = include_str!("../../../reports/reference/results.json");
-    let results: Results = serde_json::from_str(results).unwrap();
-    let document = view::document(&results).unwrap();
+    let document = view::document(&STANDARD).unwrap();
     let (_, table) = document.tables.iter().find(|(id, _)| id == "summary").unwrap();
+    // A number near rounding differs between processors.
+    let exact =
+        |text: &str| text.split(' ').filter(|word| !word.contains("e-")).collect::<String>();
     let table = plain(&table.csv());
     let (_, rest) = page.split_once("$ lcplab report\n").unwrap();
     let shown = rest.lines().take_while(|line| !line.starts_with("reports/"));
@@ -50,7 +51,7 @@ fn the_summary_on_the_page_of_reports_is_that_of_the_committed_report() {
     let shown: Vec<&str> = shown.map(|line| line.split_at(15).1).collect();
     assert_eq!(shown.len(), table.lines().count() - 1);
     for result in shown {
-        assert!(table.contains(result), "{result}");
+        assert!(exact(&table).contains(&exact(result)), "{result}");
     }
 }
 

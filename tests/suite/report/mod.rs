@@ -11,7 +11,7 @@ mod ledger;
 mod looks;
 mod page;
 mod recording;
-mod reference;
+pub mod reference;
 mod sliding;
 mod solvers;
 mod standard;
