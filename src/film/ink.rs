@@ -1,4 +1,5 @@
-//! Draws one frame: paths and circles in tenths of a px, and the colors of bodies.
+//! Draws one frame: paths and circles in tenths of a px, and the colors of bodies. They stand in a
+//! group with round ends of lines and without fill.
 
 use std::fmt::Write;
 
@@ -71,7 +72,7 @@ impl<'a> Ink<'a> {
             let corners = patch.corners.iter().map(|corner| self.lens.place(corner)).collect();
             self.polygon(&format!("stroke=\"none\" fill=\"{}\"", hex(GROUND)), corners);
         }
-        let style = format!("fill=\"none\" stroke=\"{}\" stroke-width=\"9\"", hex(FIXED));
+        let style = format!("stroke=\"{}\" stroke-width=\"9\"", hex(FIXED));
         for line in &patch.lines {
             self.line(&style, line.map(|end| self.lens.place(&end)));
         }
@@ -86,7 +87,7 @@ impl<'a> Ink<'a> {
         let under = |(x, y): Place| (x - BAND * nx, y - BAND * ny);
         let band = vec![start, end, under(end), under(start)];
         self.polygon(&format!("stroke=\"none\" fill=\"{}\"", color(GRID)), band);
-        let style = format!("fill=\"none\" stroke=\"{}\" stroke-width=\"12\"", color(FAINT_INK));
+        let style = format!("stroke=\"{}\" stroke-width=\"12\"", color(FAINT_INK));
         self.line(&style, [start, end]);
     }
 
@@ -167,8 +168,7 @@ impl<'a> Ink<'a> {
     /// Draws a line with the width of a round solid and round ends.
     fn stroke(&mut self, color: Rgb, radius: f64, ends: [Place; 2]) {
         let (color, width) = (hex(color), tenth(2.0 * radius));
-        let style = "fill=\"none\" stroke-linecap=\"round\"";
-        self.line(&format!("{style} stroke=\"{color}\" stroke-width=\"{width}\""), ends);
+        self.line(&format!("stroke=\"{color}\" stroke-width=\"{width}\""), ends);
     }
 
     /// Draws strokes on top of each other: a dark outline, then the brightness of a ball's disks.
@@ -201,7 +201,7 @@ impl<'a> Ink<'a> {
         let sweep = u8::from(m.z < 0.0);
         let angle = along_y.atan2(along_x).to_degrees();
         let style = format!(
-            "fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"",
+            "stroke=\"{}\" stroke-width=\"{}\"",
             hex(shade(base, 0.5)),
             tenth((0.06 * radius).clamp(0.7, 2.0))
         );
@@ -269,7 +269,7 @@ impl<'a> Ink<'a> {
     fn outline(&mut self, (x, y): Place, radius: f64) {
         self.end_path();
         let (x, y, r) = (tenth(x), tenth(y), tenth(radius));
-        let _ = writeln!(self.out, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"none\"/>");
+        let _ = writeln!(self.out, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"/>");
     }
 
     fn line(&mut self, style: &str, ends: [Place; 2]) {

@@ -205,8 +205,9 @@ impl Figure for Strip {
             canvas.text((x + 2.0, y - LABEL + 14.0), Anchor::Start, TEXT, FAINT_INK, label);
             canvas.raw(&format!(
                 "<g class=\"instant\" transform=\"translate({x:.1} {y:.1}) scale(0.1)\" \
-                 stroke=\"{}\" stroke-width=\"6\" stroke-linejoin=\"round\">\n\
-                 <path fill=\"none\" stroke=\"{}\" d=\"M0 0h{w}v{h}h-{w}z\"/>\n{}</g>\n",
+                 fill=\"none\" stroke=\"{}\" stroke-width=\"6\" stroke-linejoin=\"round\" \
+                 stroke-linecap=\"round\">\n\
+                 <path stroke=\"{}\" d=\"M0 0h{w}v{h}h-{w}z\"/>\n{}</g>\n",
                 hex((INK.0, INK.1, INK.2)),
                 hex((GRID.0, GRID.1, GRID.2)),
                 self.frame(frame, &patches, &lens, newton),

@@ -90,7 +90,7 @@ impl Stage {
             ink.ground(patch);
         }
         format!(
-            "<g class=\"soil\" transform=\"scale(0.1)\">{}</g>\n<g class=\"scales\">{}</g>\n",
+            "<g class=\"soil\" fill=\"none\" transform=\"scale(0.1)\">{}</g>\n<g class=\"scales\">{}</g>\n",
             ink.finish(),
             self.scales()
         )

@@ -4,6 +4,8 @@ mod kernel;
 mod python;
 mod rust;
 
+use serde::Serialize;
+use serde_json::ser::{PrettyFormatter, Serializer};
 use serde_json::{Value, json};
 
 use super::show::lined;
@@ -20,7 +22,11 @@ fn file(mut cells: Vec<Value>, metadata: &Value) -> String {
         "nbformat": nbformat,
         "nbformat_minor": nbformat_minor,
     });
-    format!("{notebook:#}\n")
+    // As Jupyter itself writes it.
+    let mut out = Vec::new();
+    let format = PrettyFormatter::with_indent(b" ");
+    notebook.serialize(&mut Serializer::with_formatter(&mut out, format)).expect("plain JSON");
+    String::from_utf8_lossy(&out).into_owned() + "\n"
 }
 
 fn prose(text: &str) -> Value {

@@ -72,5 +72,22 @@ fn shown(output: &Output) -> Option<Value> {
 }
 
 fn attached(svg: &str) -> Value {
-    json!({ "image/svg+xml": base64(svg.as_bytes()) })
+    json!({ "image/svg+xml": base64(without_data(svg).as_bytes()) })
+}
+
+/// The picture without the attributes `data-…`, which only a script on a page reads.
+fn without_data(svg: &str) -> String {
+    let mut kept = String::new();
+    for element in svg.split('<').skip(1) {
+        let (tag, text) = element.split_once('>').unwrap_or((element, ""));
+        let mut attributes = tag.split(" data-");
+        kept += "<";
+        kept += attributes.next().unwrap_or_default();
+        for attribute in attributes {
+            kept += attribute.splitn(3, '"').nth(2).unwrap_or_default();
+        }
+        kept += ">";
+        kept += text;
+    }
+    kept
 }

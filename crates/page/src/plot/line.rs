@@ -10,6 +10,7 @@ use super::cut::cut;
 use super::legend::{Drawn, Legend};
 use super::marker::{draw_zeros, marker_places};
 use super::points::{self, Placed};
+use super::simplify::simplified;
 use super::style::{self, FAINT_INK, GRID, INK, TEXT, width};
 use crate::csv;
 use crate::figure::Figure;
@@ -275,7 +276,9 @@ impl Lines {
             .map(|run| thin(run.iter().flatten().copied(), |point| frame.place(point)))
             .collect();
         // Predictions are clipped at the frame; measured curves have determined its size.
-        let inside: Vec<_> = runs.iter().flat_map(|run| cut(run, frame.x, frame.y)).collect();
+        let inside = runs.iter().flat_map(|run| cut(run, frame.x, frame.y));
+        let inside: Vec<_> =
+            inside.map(|run| simplified(&run, |point| frame.place(point))).collect();
         canvas.layer(&dashes(drawn.dash), |layer| {
             let plane = frame.plane(layer);
             inside.iter().filter(|run| run.len() > 1).try_for_each(|run| {

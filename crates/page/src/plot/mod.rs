@@ -15,6 +15,7 @@ mod marker;
 mod points;
 pub mod profile;
 mod raster;
+mod simplify;
 mod spies;
 mod spy;
 pub mod style;
