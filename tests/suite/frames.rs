@@ -5,7 +5,8 @@ use std::fs;
 use lcplab::certificate::{Demand, judge_friction};
 use lcplab::lcp::exchange;
 use lcplab::lcp::file::Problem;
-use lcplab::lcp::friction::Model;
+use lcplab::lcp::friction::{Model, ProblemForm};
+use lcplab::reference::{box_qp, cone_qp};
 use lcplab::solver::{Options, Settings, Status, solve_by_sequence};
 use nalgebra::{DMatrix, DVector};
 
@@ -71,4 +72,29 @@ fn solved(law: Model) -> usize {
 fn answers_that_are_called_solved_are_accepted_and_few_frames_are_left() {
     assert!(solved(Model::CoupledBox) >= 45);
     assert!(solved(Model::AssociatedCone) >= 45);
+}
+
+/// The reference is for convex programs: the friction laws of MuJoCo and Drake, and boxes.
+#[test]
+fn the_reference_solves_every_frame_whose_engine_poses_a_convex_program() {
+    let demand = Demand { tolerance: 1e-8, prove_up_to: 0 };
+    let mut solved = 0;
+    for problem in frames() {
+        let posed = match exchange::model(&problem) {
+            None => ProblemForm::Boxed(problem.lcp.clone()),
+            Some(law @ Model::AssociatedCone) => {
+                law.pose(&problem.friction().unwrap().unwrap(), None).unwrap()
+            }
+            Some(_) => continue,
+        };
+        let reference = match &posed {
+            ProblemForm::Boxed(lcp) => box_qp(lcp),
+            ProblemForm::Cone(cones) => cone_qp(cones),
+            ProblemForm::Polyhedral(_) => unreachable!(),
+        };
+        let verdict = judge_friction(&posed, &reference.unwrap().point, &demand).verdict;
+        assert!(verdict.is_solution(), "{}: {verdict}", problem.name);
+        solved += 1;
+    }
+    assert_eq!(solved, 30);
 }

@@ -11,7 +11,7 @@ use lcplab_problem::Lcp;
 /// The comparison of an answer with the box QP's.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CrossCheck {
-    /// Clarabel's x, with entries moved onto the bounds that their w push them to.
+    /// The reference's x, with entries moved onto the bounds that their w push them to.
     pub x: Vec<f64>,
     /// Clarabel's optimal value.
     pub objective: f64,
@@ -19,14 +19,16 @@ pub struct CrossCheck {
     pub certificate: Certificate,
     /// Clarabel's own status.
     pub status: String,
+    /// Why the judge rejects the reference's x, if it does.
+    pub failure: Option<String>,
     /// max_i |x_i − x_i'|, in the unit of x.
     pub x_difference: f64,
     /// max_i |w_i − w_i'|, in the unit of w.
     pub w_difference: f64,
 }
 
-/// An interior-point method stops at a small duality gap; the residual is about its square root.
-pub const REFERENCE_TOLERANCE: f64 = 1e-5;
+/// The reference is judged like any other answer.
+pub const REFERENCE_TOLERANCE: f64 = 1e-8;
 
 /// Compares x with the solution of the box QP; the bounds of coupled rows are those at x. `None` if
 /// the problem is not a QP (A is not symmetric).
@@ -36,7 +38,11 @@ pub fn cross_check(lcp: &Lcp, x: &[f64]) -> Option<CrossCheck> {
     let point = onto_bounds(&frozen, &reference.point);
     let demand = Demand { tolerance: REFERENCE_TOLERANCE, prove_up_to: 0 };
     let certificate = judge(&frozen, &point, &demand);
+    let verdict = &certificate.verdict;
+    let failure = (!verdict.is_solution())
+        .then(|| format!("clarabel ended with the status {}; {verdict}", reference.status));
     Some(CrossCheck {
+        failure,
         x_difference: max_difference(x, &point),
         w_difference: max_difference(&lcp.w(x), &certificate.w),
         certificate,
@@ -46,7 +52,8 @@ pub fn cross_check(lcp: &Lcp, x: &[f64]) -> Option<CrossCheck> {
     })
 }
 
-/// Moves x_i onto the bound where Π_i(x_i − w_i/s_i) is; an interior point lies slightly inside.
+/// Moves x_i onto the bound where Π_i(x_i − w_i/s_i) is: where Newton's steps do not converge, the
+/// interior point lies slightly inside.
 fn onto_bounds(lcp: &Lcp, x: &[f64]) -> Vec<f64> {
     let at = Rows::at(lcp, x);
     let snap = |i: usize| {

@@ -3,7 +3,7 @@
 //! Solvers must be independent of the reference that checks them, so clarabel is not in their
 //! registry; this crate, which knows both, gives it a similar entry. Its result is `Solved` only if
 //! the scaled residual of its point is also within the tolerance: clarabel stops on a different
-//! quantity, and an interior point is near its bounds, not on them. It uses no start, and its final
+//! quantity, and Newton's steps from its point need not converge. It uses no start, and its final
 //! point is the only iterate reported.
 
 use lcplab_judge::reference::{Reference, box_qp_within, cone_qp_within};
@@ -21,7 +21,7 @@ const SOURCE: &str = "Goulart & Chen 2024";
 /// Clarabel on ½ xᵀAx + bᵀx over a box.
 pub(crate) const BOX_QP: Entry = Entry {
     name: NAME,
-    method: "reference: clarabel's interior-point method for the box QP, iterative",
+    method: "reference: clarabel's interior-point method for the box QP, then Newton's, iterative",
     class: Class { coupling: false, ..Class::of(MatrixClass::Semidefinite) },
     group: Group::Newton,
     cost: Cost::each("n³/6 + 2 n² + s", |i| i.n.powi(3) / 6.0 + 2.0 * i.n * i.n + i.stored),
@@ -33,7 +33,7 @@ pub(crate) const BOX_QP: Entry = Entry {
 /// Clarabel on the same objective over friction cones.
 pub(crate) const CONE_QP: ConeEntry = ConeEntry {
     name: NAME,
-    method: "reference: clarabel's interior-point method for the cone QP, iterative",
+    method: "reference: clarabel's interior-point method for the cone QP, then Newton's, iterative",
     class: Class::of(MatrixClass::Semidefinite),
     laws: &[Law::Associated],
     group: Group::Newton,

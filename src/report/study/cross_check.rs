@@ -61,8 +61,10 @@ pub struct CrossCheck {
     pub verdict: String,
     /// The distance of an exact solution from our x, if proved.
     pub distance: Option<f64>,
-    /// The verdict on the QP's answer, at its own looser tolerance.
+    /// The verdict on the QP's answer.
     pub reference_verdict: String,
+    /// Why the QP's answer is rejected, if it is.
+    pub reference_failure: Option<String>,
     /// max |x − x_QP|.
     pub x_difference: f64,
     /// max |w − w_QP|.
@@ -133,6 +135,7 @@ fn one(scene: &Scene, step: usize) -> Option<CrossCheck> {
         verdict: certificate.verdict.word().to_string(),
         distance: certificate.verdict.distance(),
         reference_verdict: check.certificate.verdict.word().to_string(),
+        reference_failure: check.failure,
         x_difference: check.x_difference,
         w_difference: check.w_difference,
         u_difference: max_difference(&problem.motion(&x), &gauss.point),

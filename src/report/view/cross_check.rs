@@ -33,6 +33,15 @@ impl View for Plan {
         );
         document.equation("|u - \\hat u|_M \\le \\sqrt{2\\,(P(u) + D(x))}", "motion-bound");
         document.table("cross_checks", table(checks));
+        let failures = checks.iter().filter_map(|check| {
+            let why = check.reference_failure.as_ref()?;
+            Some(format!("- {}, {}: {why}", check.scene, check.stage))
+        });
+        let failures: Vec<String> = failures.collect();
+        if !failures.is_empty() {
+            let lead = "Answers of clarabel that the judge rejects, so that they confirm nothing:";
+            document.text(format!("{lead}\n\n{}", failures.join("\n")));
+        }
         document.table("objectives", objectives(checks));
         if checks.iter().any(|check| !check.wrenches.is_empty()) {
             document.text(
@@ -52,14 +61,16 @@ impl View for Plan {
 
     fn outcome(&self, findings: &[Vec<CrossCheck>]) -> Outcome {
         let checks = || findings.iter().flatten();
-        let solves =
-            |check: &&CrossCheck| ["proved", "within_tolerance"].contains(&&*check.verdict);
-        let accepted = checks().filter(solves).count();
+        let is_accepted = |verdict: &str| ["proved", "within_tolerance"].contains(&verdict);
+        let accepted = checks().filter(|check| is_accepted(&check.verdict)).count();
+        let confirmed = checks().filter(|check| check.reference_failure.is_none()).count();
         let apart = checks().map(|check| check.u_difference).fold(0.0, f64::max);
         let all = checks().count();
         let apart = significant(apart, 2);
-        let says = format!("{accepted} of {all} answers accepted, motions agree to {apart}");
-        Outcome { good: accepted == all, says }
+        let says = format!(
+            "{accepted} of {all} answers accepted, {confirmed} of {all} answers of clarabel; motions agree to {apart}"
+        );
+        Outcome { good: accepted == all && confirmed == all, says }
     }
 }
 

@@ -1,4 +1,5 @@
-//! The LCP as a quadratic program over a box, by clarabel's interior-point method.
+//! The LCP as a quadratic program over a box, by clarabel's interior-point method, and Newton's
+//! steps from its point.
 //!
 //! ```text
 //! minimize ½ xᵀA x + bᵀx   subject to   lo ≤ x ≤ hi
@@ -19,10 +20,11 @@ pub fn box_qp(lcp: &Lcp) -> Option<Reference> {
 
 /// [`box_qp`] with a limit on clarabel's iterations.
 pub fn box_qp_within(lcp: &Lcp, max_iterations: usize) -> Option<Reference> {
-    Some(program(lcp)?.solve_within(max_iterations))
+    Some(program(lcp)?.solve_within(max_iterations).refined(lcp, &[]))
 }
 
-/// [`box_qp`] with another tolerance on gap and feasibility; clarabel's own default is 1e-8.
+/// Clarabel's own point, without Newton's steps, to a tolerance on gap and feasibility; its default
+/// is 1e-8.
 pub fn box_qp_to(lcp: &Lcp, tolerance: f64) -> Option<Reference> {
     Some(program(lcp)?.solve_to(tolerance, MAX_ITERATIONS))
 }

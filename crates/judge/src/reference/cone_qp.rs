@@ -1,4 +1,5 @@
-//! The convex cone problem of friction as a second-order cone program, by clarabel.
+//! The convex cone problem of friction as a second-order cone program, by clarabel, and Newton's
+//! steps from its point.
 //!
 //! ```text
 //! minimize ½ xᵀA x + bᵀx   subject to   |x_t| ≤ μ x_n for each contact,   lo ≤ x ≤ hi elsewhere
@@ -38,5 +39,5 @@ pub fn cone_qp_within(problem: &ConeProblem, max_iterations: usize) -> Option<Re
             program.bound(t2, 0.0, 0.0);
         }
     }
-    Some(program.solve_within(max_iterations))
+    Some(program.solve_within(max_iterations).refined(problem, friction.contacts()))
 }

@@ -1,7 +1,7 @@
 //! Independent reference solutions, by methods that share no code with lcplab's solvers.
 //!
 //! [`box_qp`] lets clarabel, an interior-point code, minimize ½ xᵀAx + bᵀx over the box: the dual
-//! program, in impulses. [`gauss`] computes the motion of least constraint: the primal program, in
+//! program, in impulses. Newton's steps from there reach the bounds (up to 400 rows). [`gauss`] computes the motion of least constraint: the primal program, in
 //! velocities, which never forms A. [`cone_qp`] is the dual program with friction cones,
 //! [`velocity_qp_to`] the dual program with A in factors. [`farkas`] guesses a proof that there is
 //! no solution.
@@ -11,6 +11,7 @@ mod cone_qp;
 mod farkas;
 mod gauss;
 mod program;
+mod refine;
 mod velocity_qp;
 
 pub use box_qp::{box_qp, box_qp_to, box_qp_within};
@@ -18,6 +19,9 @@ pub use cone_qp::{cone_qp, cone_qp_within};
 pub use farkas::farkas;
 pub use gauss::gauss;
 pub use velocity_qp::velocity_qp_to;
+
+use lcplab_problem::Complementarity;
+use lcplab_problem::friction::Contact;
 
 /// A reference solution.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,4 +36,14 @@ pub struct Reference {
     pub status: String,
     /// Whether clarabel reports success, at full or reduced accuracy.
     pub solved: bool,
+}
+
+impl Reference {
+    /// With Newton's steps from clarabel's point, if clarabel reports success.
+    fn refined(mut self, problem: &impl Complementarity, contacts: &[Contact]) -> Self {
+        if self.solved {
+            self.point = refine::refined(problem, contacts, self.point);
+        }
+        self
+    }
 }
