@@ -47,12 +47,14 @@ pub(super) struct Ink<'a> {
     out: String,
     /// The attributes and the data of the current path.
     path: (String, String),
+    /// Whether each body is a group with its number.
+    pub groups_bodies: bool,
 }
 
 impl<'a> Ink<'a> {
     /// An empty frame.
     pub fn new(lens: &'a Lens) -> Self {
-        Ink { lens, out: String::new(), path: Default::default() }
+        Ink { lens, out: String::new(), path: Default::default(), groups_bodies: false }
     }
 
     /// The markup, in tenths of a px.
@@ -105,17 +107,29 @@ impl<'a> Ink<'a> {
         }
         for (solid, visible) in solids.iter().zip(seen.into_iter().rev()) {
             let base = look(bodies, heat, solid);
-            if solid.faces.is_empty() {
-                if let Some(ends) = visible.into_iter().next().filter(|ends| !ends.is_empty()) {
-                    self.round(solid, base, &ends);
+            match solid.part {
+                Part::Body(k) if self.groups_bodies => {
+                    self.raw(&format!("<g data-body=\"{k}\">"));
+                    self.solid(solid, visible, base);
+                    self.raw("</g>\n");
                 }
-                continue;
+                _ => self.solid(solid, visible, base),
             }
-            for (face, corners) in solid.faces.iter().zip(visible) {
-                let normal = solid.normal(face).unwrap_or_else(Vector3::zeros);
-                let style = format!("fill=\"{}\"", hex(shade(base, self.light(&normal))));
-                self.outlined(&style, corners);
+        }
+    }
+
+    /// Draws the visible faces of a solid.
+    fn solid(&mut self, solid: &Solid, visible: Vec<Vec<Place>>, base: Rgb) {
+        if solid.faces.is_empty() {
+            if let Some(ends) = visible.into_iter().next().filter(|ends| !ends.is_empty()) {
+                self.round(solid, base, &ends);
             }
+            return;
+        }
+        for (face, corners) in solid.faces.iter().zip(visible) {
+            let normal = solid.normal(face).unwrap_or_else(Vector3::zeros);
+            let style = format!("fill=\"{}\"", hex(shade(base, self.light(&normal))));
+            self.outlined(&style, corners);
         }
     }
 

@@ -5,10 +5,11 @@ use super::ink::{Ink, tenth};
 use super::layout::{LABEL, Layout, Lens};
 use super::solid::Solid;
 use super::{Camera, Force, Frame, Origin, View, arrow, depth, extent, joint};
+use crate::body::{Body, Mass, State};
 use crate::csv;
 use crate::number::readable;
 use crate::plot::Figure;
-use crate::plot::canvas::{Anchor, Canvas, hex};
+use crate::plot::canvas::{Anchor, Canvas, escape, hex};
 use crate::plot::round_step;
 use crate::plot::style::{self, EDGE, FAINT_INK, GRID, INK, TEXT};
 use crate::scene::Scene;
@@ -60,6 +61,8 @@ pub struct Strip {
     pub arrows: Arrows,
     /// The text above each frame; its time by default.
     pub labels: Vec<String>,
+    /// A force that the scale of the arrows must fit, so that strips side by side share it (N).
+    pub force: f64,
 }
 
 impl Strip {
@@ -74,6 +77,7 @@ impl Strip {
             frames,
             arrows: Arrows::Hidden,
             labels: Vec::new(),
+            force: 0.0,
         }
     }
 
@@ -97,6 +101,45 @@ impl Strip {
         Strip { arrows: Arrows::Shown, ..self }
     }
 
+    /// The first frame without a sheet, in a box of this width and height (px), with a group for
+    /// each body; empty without frames.
+    pub fn still(&self, (width, height): (f64, f64)) -> String {
+        let Some(frame) = self.frames.iter().find(|frame| frame.is_finite()) else {
+            return String::new();
+        };
+        let camera = Camera::new(self.view);
+        let landmarks = extent::landmarks(&self.scene, std::slice::from_ref(frame));
+        let patches = ground::patches(&self.scene, &landmarks);
+        let window = ground::window(&camera, landmarks, &patches);
+        let layout = Layout::single(&window, width, height);
+        let lens = layout.lens(camera, &window);
+        format!(
+            "<g transform=\"translate(0 {:.1}) scale(0.1)\" stroke=\"{}\" stroke-width=\"6\" \
+             stroke-linejoin=\"round\">\n{}</g>\n{}",
+            height - layout.height,
+            hex((INK.0, INK.1, INK.2)),
+            self.frame(frame, &patches, &lens, None, true),
+            self.names(frame, &lens, height - layout.height)
+        )
+    }
+
+    /// The names of the moving bodies, at their centers.
+    fn names(&self, frame: &Frame, lens: &Lens, top: f64) -> String {
+        let bodies = self.scene.bodies.iter().zip(&frame.states);
+        let moving = bodies.filter(|(body, _)| body.mass != Mass::Fixed);
+        let name = |(body, state): (&Body, &State)| {
+            let (x, y) = lens.place(&state.pose.p);
+            format!(
+                "<text x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"middle\" font-size=\"{TEXT}\" fill=\"#ffffff\" \
+                 stroke=\"{}\" stroke-width=\"2.5\" paint-order=\"stroke\">{}</text>\n",
+                y + top + 5.0,
+                hex((INK.0, INK.1, INK.2)),
+                escape(&body.name)
+            )
+        };
+        moving.map(name).collect()
+    }
+
     fn description(&self, frames: &[Frame]) -> String {
         let (Some(first), Some(last)) = (frames.first(), frames.last()) else {
             return "no instants".into();
@@ -111,8 +154,16 @@ impl Strip {
     }
 
     /// One frame in tenths of a px.
-    fn frame(&self, frame: &Frame, patches: &[Patch], lens: &Lens, newton: Option<f64>) -> String {
+    fn frame(
+        &self,
+        frame: &Frame,
+        patches: &[Patch],
+        lens: &Lens,
+        newton: Option<f64>,
+        grouped: bool,
+    ) -> String {
         let mut ink = Ink::new(lens);
+        ink.groups_bodies = grouped;
         for patch in patches {
             ink.ground(patch);
         }
@@ -148,7 +199,7 @@ impl Strip {
         };
         label(canvas, &mut x, &format!("{} m", readable(metres, 2)));
         let Some(newton) = newton else { return };
-        let force = round_step(0.4 * arrow::largest(frames));
+        let force = round_step(0.4 * arrow::largest(frames).max(self.force));
         for origin in Origin::ALL {
             let mut forces = frames.iter().flat_map(|frame| &frame.forces);
             let drawn = |force: &Force| force.force.norm() * newton >= arrow::SHORTEST;
@@ -191,7 +242,7 @@ impl Figure for Strip {
         let window = ground::window(&camera, landmarks, &patches);
         let layout = Layout::new(&window, width, frames.len(), widest);
         let lens = layout.lens(camera, &window);
-        let largest = arrow::largest(&frames);
+        let largest = arrow::largest(&frames).max(self.force);
         let shown = self.arrows == Arrows::Shown && largest > 0.0;
         let newton = shown.then(|| arrow::scale(largest, &lens));
 
@@ -210,7 +261,7 @@ impl Figure for Strip {
                  <path stroke=\"{}\" d=\"M0 0h{w}v{h}h-{w}z\"/>\n{}</g>\n",
                 hex((INK.0, INK.1, INK.2)),
                 hex((GRID.0, GRID.1, GRID.2)),
-                self.frame(frame, &patches, &lens, newton),
+                self.frame(frame, &patches, &lens, newton, false),
                 w = tenth(lens.width),
                 h = tenth(lens.height),
             ));

@@ -1,7 +1,7 @@
 //! The common interface of all figures.
 
 /// Width of every figure in px.
-pub const WIDTH: f64 = 720.0;
+pub const WIDTH: f64 = 880.0;
 /// Width of a figure for a phone or a column of a sheet in px.
 pub const NARROW: f64 = 400.0;
 

@@ -62,7 +62,7 @@ fn errors_by_sweep(errors: &[f64]) -> Lines {
     Lines::new(
         "error_by_sweep",
         "A chain of 50 rods, sweep after sweep",
-        "A straight line down on this scale: a constant factor a sweep, and no end. Dashed: \
+        "A straight line down on this scale: a constant factor a sweep, and no end. Pale band: \
              the slope of ρ = cos²(π/51) = 0.99621.",
         Axis::linear("sweep", ""),
         Axis::log("largest error of x", ""),

@@ -31,7 +31,7 @@ pub(super) fn example() -> Result<Finding> {
     let lines = Lines::new(
         "e34",
         "An error of 0.1 m with β = 0.1",
-        "The dashed lines are 0.1 (1 − β)ⁿ and 0.1 (1 − β dt)ⁿ after n steps of 1/60 s.",
+        "The pale bands are 0.1 (1 − β)ⁿ and 0.1 (1 − β dt)ⁿ after n steps of 1/60 s.",
         Axis::linear("time", "s"),
         Axis::log("error", "m"),
         vec![

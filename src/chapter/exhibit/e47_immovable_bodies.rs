@@ -76,7 +76,7 @@ fn drawing() -> Result<Lines> {
         "e47",
         "Sweeps until both loads are right to 10⁻⁶",
         "A heavy body above a light one costs sweeps in proportion to the mass \
-                 ratio; below it, it makes them fewer. Dashed: ln 10⁻⁶ / ln(m_top / \
+                 ratio; below it, it makes them fewer. Pale band: ln 10⁻⁶ / ln(m_top / \
                  (m_bottom + m_top)).",
         Axis::log("mass of the heavy body / mass of the light one", ""),
         Axis::log("sweeps", ""),

@@ -6,8 +6,9 @@ use super::{Film, Recording, Sample};
 use crate::film::extent;
 use crate::plot::Scale;
 use crate::plot::canvas::escape;
-use crate::plot::style::WIDTH;
 
+/// The width of a chart and of the stages above it in px.
+pub(super) const WIDTH: f64 = 720.0;
 /// The sides of the plot in px: left, right, top, bottom; and the height of the picture.
 pub(super) const PLOT: [f64; 4] = [64.0, WIDTH - 10.0, 8.0, 106.0];
 const HEIGHT: f64 = 130.0;

@@ -10,10 +10,10 @@ mod chart;
 mod data;
 mod stage;
 
-use super::extent;
 use super::frame::{Frame, instants};
 use super::strip::Strip;
 use super::{Camera, View};
+use super::{arrow, extent};
 use crate::number::readable;
 use crate::page::{Animation, Chart, Pane};
 use crate::plot::canvas::hex;
@@ -92,6 +92,12 @@ impl Recording {
     /// Records why the simulation ended early, if it did.
     pub fn end(&mut self, failure: Option<&Failure>) {
         self.ending = failure.map(ToString::to_string);
+    }
+
+    /// The instants that a strip shows.
+    fn stills(&self) -> Vec<Frame> {
+        let kept = instants(self.samples.len().saturating_sub(1), STILLS).into_iter();
+        kept.filter_map(|k| Some(self.samples.get(k)?.frame.clone())).collect()
     }
 
     /// Runs a simulation and keeps this number of instants.
@@ -249,14 +255,13 @@ impl Film {
 
     /// Some instants of a recording as a picture.
     pub fn strip(&self, recording: usize) -> Strip {
-        let Recording { name, samples, .. } = &self.recordings[recording];
-        let last = samples.len().saturating_sub(1);
-        let kept = instants(last, STILLS).into_iter().filter_map(|k| samples.get(k));
+        let largest = |recording: &Recording| arrow::largest(&recording.stills());
         let strip = Strip {
             id: format!("{}-{recording}", self.id),
-            title: name.clone(),
+            title: self.recordings[recording].name.clone(),
             view: self.view,
-            ..Strip::new(&self.scene, kept.map(|sample| sample.frame.clone()).collect())
+            force: self.recordings.iter().map(largest).fold(0.0, f64::max),
+            ..Strip::new(&self.scene, self.recordings[recording].stills())
         };
         strip.with_forces()
     }

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use nalgebra::Vector3;
 
 use super::Film;
+use super::chart::WIDTH;
 use crate::film::Camera;
 use crate::film::arrow;
 use crate::film::colors::HEAVY;
@@ -16,7 +17,7 @@ use crate::film::layout::{Layout, Lens};
 use crate::number::readable;
 use crate::plot::canvas::hex;
 use crate::plot::round_step;
-use crate::plot::style::{WIDTH, width};
+use crate::plot::style::width;
 
 /// The minimum and maximum height of a stage in px.
 const HEIGHT: (f64, f64) = (250.0, 420.0);

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::settings::{AtStep, first};
 use crate::error::Result;
+use crate::formulation::Problem;
 use crate::lcp::{Lcp, library};
 use crate::scene::Scene;
 
@@ -39,6 +40,7 @@ struct Keys {
     values: Option<BTreeMap<String, f64>>,
     boxes: Option<usize>,
     ratio: Option<f64>,
+    friction: Option<f64>,
 }
 
 impl TryFrom<Keys> for Source {
@@ -53,6 +55,7 @@ impl TryFrom<Keys> for Source {
                 values: None,
                 boxes: None,
                 ratio: None,
+                friction: None,
             } => Ok(Source::Scene(AtStep { scene, step: step.unwrap_or_else(first) })),
             Keys {
                 family: Some(family),
@@ -61,17 +64,19 @@ impl TryFrom<Keys> for Source {
                 step: None,
                 boxes: None,
                 ratio: None,
+                friction: None,
             } => Ok(Source::Family(OfFamily { family, values: values.unwrap_or_default() })),
             Keys {
                 boxes: Some(boxes),
                 ratio: Some(ratio),
+                friction,
                 scene: None,
                 step: None,
                 family: None,
                 values: None,
-            } => Ok(Source::Stack(Loaded { boxes, ratio })),
+            } => Ok(Source::Stack(Loaded { boxes, ratio, friction: friction.unwrap_or(FRICTION) })),
             _ => Err(
-                "a problem is { scene, step }, { problem = file }, { family, values } or { boxes, ratio }",
+                "a problem is { scene, step }, { problem = file }, { family, values } or { boxes, ratio, friction }",
             ),
         }
     }
@@ -96,6 +101,20 @@ pub struct Loaded {
     pub boxes: usize,
     /// The mass of the heavy box relative to the others.
     pub ratio: f64,
+    /// The coefficient of friction.
+    #[serde(default = "friction", skip_serializing_if = "is_default")]
+    pub friction: f64,
+}
+
+/// The default coefficient of friction.
+pub const FRICTION: f64 = 0.5;
+
+fn friction() -> f64 {
+    FRICTION
+}
+
+fn is_default(friction: &f64) -> bool {
+    *friction == FRICTION
 }
 
 impl Source {
@@ -112,7 +131,11 @@ impl Source {
                     format!("{family}, {}", values.join(", "))
                 }
             }
-            Source::Stack(Loaded { boxes, ratio }) => format!("{boxes} boxes, mass ratio {ratio}"),
+            Source::Stack(Loaded { boxes, ratio, friction }) => {
+                let slips =
+                    if is_default(friction) { String::new() } else { format!(", μ = {friction}") };
+                format!("{boxes} boxes, mass ratio {ratio}{slips}")
+            }
         }
     }
 
@@ -128,12 +151,20 @@ impl Source {
                     values.iter().map(|(name, value)| (name.as_str(), *value)).collect();
                 Ok(library::by_name(family)?.generate(&values)?.lcp)
             }
-            Source::Stack(stack) => Ok(simulation::problem_of(&stack.scene()?, 1)?.lcp),
+            Source::Stack(stack) => Ok(stack.problem()?.lcp),
         }
     }
 }
 
 impl Loaded {
+    /// The problem of the first step.
+    ///
+    /// # Errors
+    /// Those of [`Loaded::scene`].
+    pub fn problem(&self) -> Result<Problem> {
+        simulation::problem_of(&self.scene()?, 1)
+    }
+
     /// The scene at rest, with boxes of 1 kg and 1 m.
     ///
     /// # Errors
@@ -155,7 +186,7 @@ dt = 0.016666666666666666
 count = 1
 
 [contact]
-friction = 0.5
+friction = {}
 
 [[bodies]]
 name = "ground"
@@ -170,6 +201,7 @@ position = [0, 0, {}]
 "#,
             self.boxes,
             self.ratio,
+            self.friction,
             self.ratio,
             below as f64 + 0.5
         );

@@ -2,7 +2,7 @@
 
 use super::{Document, FILES};
 use crate::plot::Figure;
-use crate::report::page::{Block, Picture, Tile};
+use crate::report::page::{Block, Picture, Table, Tile};
 
 /// What a study adds to the top of the page.
 #[derive(Default)]
@@ -11,6 +11,8 @@ pub struct Headline {
     pub answer: Option<String>,
     /// The main figure, if it has one.
     pub figure: Option<Box<dyn Figure>>,
+    /// A table below the figure, with the name of its file.
+    pub table: Option<(String, Table)>,
     /// The result of its checks, as a number and what it counts.
     pub result: Option<[String; 2]>,
 }
@@ -22,34 +24,48 @@ impl Headline {
     }
 }
 
-/// The top of the page: the first answer, the main figures, the results of the checks, and then the
-/// other answers.
+/// The top of the page: the first answer, the results of the checks, the main figures and tables,
+/// and then the lead of the report.
 #[derive(Default)]
 pub(super) struct Top {
-    answers: Vec<String>,
+    answer: Option<String>,
     figures: Vec<Box<dyn Figure>>,
+    tables: Vec<(String, Table)>,
     tiles: Vec<Tile>,
 }
 
 impl Top {
-    pub fn add(&mut self, headline: Headline, section: &str, good: bool) {
-        self.answers.extend(headline.answer);
+    /// Adds a section's part; returns its answer if an earlier section has given one.
+    pub fn add(&mut self, headline: Headline, section: &str, good: bool) -> Option<String> {
         self.figures.extend(headline.figure);
+        self.tables.extend(headline.table);
         let tile =
             |[value, label]: [String; 2]| Tile { value, label, section: section.into(), good };
         self.tiles.extend(headline.result.map(tile));
+        match self.answer {
+            Some(_) => headline.answer,
+            None => {
+                self.answer = headline.answer;
+                None
+            }
+        }
     }
 
     pub fn put(self, lead: &str, document: &mut Document) {
         let lead = Some(lead.trim().to_string()).filter(|lead| !lead.is_empty());
-        let mut texts = self.answers.into_iter().chain(lead);
+        let mut texts = self.answer.into_iter().chain(lead);
         document.page.lead = texts.next().unwrap_or_default();
+        let opening = &mut document.page.opening;
+        if !self.tiles.is_empty() {
+            opening.push(Block::Tiles(self.tiles));
+        }
         for figure in self.figures {
-            document.page.opening.push(Block::Figure(Picture::of(&*figure, FILES)));
+            opening.push(Block::Figure(Picture::of(&*figure, FILES)));
             document.figures.push(figure);
         }
-        if !self.tiles.is_empty() {
-            document.page.opening.push(Block::Tiles(self.tiles));
+        for (id, table) in self.tables {
+            let block = document.filed(&id, table);
+            document.page.opening.push(block);
         }
         document.page.opening.extend(texts.map(Block::Text));
     }

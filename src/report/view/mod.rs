@@ -126,7 +126,9 @@ pub fn document(results: &Results) -> Result<Document> {
         if let Some(study) = &section.study {
             let failed = part.tasks.iter().any(|task| task.failure.is_some());
             let good = outcome.is_some_and(|outcome| outcome.good) && !failed;
-            top.add(study.headline(&findings)?, &part.id, good);
+            if let Some(answer) = top.add(study.headline(&findings)?, &part.id, good) {
+                document.text(answer);
+            }
             study.show(&findings, &mut document)?;
             failures(&mut document, part);
             let origin = origin(results, part);
@@ -297,9 +299,15 @@ impl Document {
     }
 
     /// Adds a table whose CSV file is named `id`.
-    pub fn table(&mut self, id: &str, mut table: Table) {
+    pub fn table(&mut self, id: &str, table: Table) {
+        let block = self.filed(id, table);
+        self.add(block);
+    }
+
+    /// The block of a table whose CSV file is named `id`.
+    fn filed(&mut self, id: &str, mut table: Table) -> Block {
         table.files = vec![("data (CSV)".into(), format!("{FILES}/{id}.csv"))];
         self.tables.push((id.into(), table.clone()));
-        self.add(Block::Table(table));
+        Block::Table(table)
     }
 }

@@ -138,18 +138,18 @@
     }
     addEventListener("scroll", () => shown && hide(), { passive: true, capture: true });
 
-    // The legend's entries are switches; the theory of a curve goes with it.
+    // The legend's entries are switches; the theory and the variants of a curve go with it.
     const entries = [...svg.querySelectorAll(".entry")];
     const turn = (entry, on) => {
       entry.setAttribute("aria-pressed", on);
       for (const group of svg.querySelectorAll(".series")) {
-        if (group.dataset.series === entry.dataset.series) group.classList.toggle("off", !on);
+        const { series, of } = group.dataset;
+        if ([series, of, series.split(", ")[0]].includes(entry.dataset.series)) group.classList.toggle("off", !on);
       }
-      for (const other of entries) if (other.dataset.of === entry.dataset.series) turn(other, on);
     };
     for (const entry of entries) {
       const { x, y, width, height } = entry.getBBox();
-      const pad = make(entry, "rect", { class: "pad", x: x - 3, y: y + height / 2 - 12, width: width + 6, height: 24, rx: 4 });
+      const pad = make(entry, "rect", { class: "pad", x: x - 3, y: y - 3, width: width + 6, height: height + 6, rx: 4 });
       entry.prepend(pad);
       for (const [name, value] of [["role", "button"], ["tabindex", 0], ["aria-pressed", true]]) entry.setAttribute(name, value);
       const toggle = () => { turn(entry, entry.getAttribute("aria-pressed") !== "true"); hide(); };
@@ -170,6 +170,14 @@
     svg.setAttribute("aria-describedby", words_of.id);
     title.remove();
   };
+  // A block of a matrix: the bodies that its rows share.
+  for (const pair of document.querySelectorAll(".plot .pair")) {
+    const bodies = pair.dataset.bodies.split(" ").flatMap((body) => [...pair.closest("svg").querySelectorAll(`[data-body="${body}"]`)]);
+    const light = (on) => [pair, ...bodies].forEach((node) => node.classList.toggle("lit", on));
+    pair.addEventListener("pointerenter", () => light(true));
+    pair.addEventListener("pointerleave", () => light(false));
+  }
+
   // Of a wide and a narrow picture one is on the page; the other is prepared when it is shown. A
   // picture that is put into the page later is prepared at the next resize event.
   const prepared = new WeakSet();

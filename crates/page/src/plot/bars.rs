@@ -1,4 +1,5 @@
-//! Bar charts of named values.
+//! Bar charts of named values. On a logarithmic axis, where the length of a bar means nothing, each
+//! value is a dot.
 
 use plotters::prelude::*;
 
@@ -12,6 +13,9 @@ use crate::number::readable;
 
 /// Height of a bar and distance between the tops of two bars in px.
 const THICKNESS: f64 = 16.0;
+const DOT: f64 = 6.0;
+/// The color of a bar without accent.
+const GRAY: (u8, u8, u8) = (128, 134, 144);
 const PITCH: f64 = 24.0;
 const TOP: f64 = 46.0;
 /// The space above the bars for the name of the limit in px.
@@ -21,7 +25,7 @@ const NUMBERS: f64 = 82.0;
 /// The width for a tick in px.
 const TICK: f64 = 110.0;
 
-/// A horizontal bar chart, in the given order.
+/// A horizontal bar or dot chart, in the given order.
 #[derive(Debug, Clone)]
 pub struct Bars {
     /// See [`Figure::id`].
@@ -41,24 +45,26 @@ pub struct Bars {
 /// A named value.
 #[derive(Debug, Clone)]
 pub struct Bar {
-    /// The name next to the bar; it determines the color ([`style::style`]).
+    /// The name next to the bar.
     pub name: String,
+    /// Whether it has the color of its name ([`style::style`]); the others are gray.
+    pub accent: bool,
     /// The value; one that the axis cannot show is written as a number.
     pub value: f64,
+    /// Other values of the same kind, drawn as pale dots on a logarithmic axis.
+    pub others: Vec<f64>,
 }
 
 impl Bars {
     fn range(&self) -> (f64, f64) {
         let scale = self.x.scale;
         let limit = self.limit.iter().map(|(value, _)| *value);
-        let values = self.bars.iter().map(|bar| bar.value).chain(limit);
+        let own = self.bars.iter().flat_map(|bar| bar.others.iter().copied().chain([bar.value]));
+        let values = own.chain(limit);
         let positions = values.filter_map(|value| scale.position(value));
         match scale {
             Scale::Linear => scale.range(positions.chain([0.0])).unwrap_or((0.0, 1.0)),
-            // Bars on a logarithmic axis start a decade below the smallest.
-            Scale::Log => {
-                scale.range(positions).map_or((0.0, 1.0), |(lo, hi)| (lo.floor() - 1.0, hi))
-            }
+            Scale::Log => scale.range(positions).unwrap_or((0.0, 1.0)),
         }
     }
 }
@@ -98,8 +104,21 @@ impl Figure for Bars {
                 },
             )
         });
+        let limit = self.limit.as_ref().and_then(|(value, _)| self.x.scale.position(*value));
+        let line = limit.map_or(f64::NAN, |at| frame.place((at, 0.0)).0);
         let mut description = format!("{}: ", self.x.heading());
         canvas.raw(&points::panel(&frame, &self.x, None));
+        if let Some((value, name)) = &self.limit
+            && let Some(at) = self.x.scale.position(*value)
+        {
+            canvas.layer("class=\"limit\"", |layer| {
+                let line = PathElement::new([(at, 0.0), (at, 1.0)], stroke(INK, 1.5));
+                frame.plane(layer).draw(&line)
+            });
+            let (x, _) = frame.place((at, 0.0));
+            canvas.text((x, top - 6.0), Anchor::Middle, TEXT, INK, name);
+            description += &format!("{name} {}; ", readable(*value, 3));
+        }
         for (k, bar) in self.bars.iter().enumerate() {
             let middle = top + PITCH * (k as f64 + 0.5);
             let (from, _) = frame.place((start, 0.0));
@@ -112,33 +131,35 @@ impl Figure for Bars {
                 escape(&bar.name),
                 points::listed(&[((bar.value, up), end.map(|x| (x, middle)))])
             ));
-            let (r, g, b) = style::style(&bar.name).color;
+            let (r, g, b) = if bar.accent { style::style(&bar.name).color } else { GRAY };
+            let color = RGBColor(r, g, b);
+            let dot = self.x.scale == Scale::Log;
             canvas.layer("class=\"bar\"", |layer| {
+                let half = if dot { 0.6 } else { THICKNESS / 2.0 };
                 let corners = [
-                    (fine(from.min(to)), fine(middle - THICKNESS / 2.0)),
-                    (fine(from.max(to)), fine(middle + THICKNESS / 2.0)),
+                    (fine(from.min(to)), fine(middle - half)),
+                    (fine(from.max(to)), fine(middle + half)),
                 ];
-                layer.draw(&Rectangle::new(corners, RGBColor(r, g, b).filled()))
+                layer.draw(&Rectangle::new(corners, color.filled()))?;
+                for at in bar.others.iter().filter_map(|value| self.x.scale.position(*value)) {
+                    let at = (fine(frame.place((at, 0.0)).0), fine(middle));
+                    layer.draw(&Circle::new(at, fine(0.6 * DOT), color.mix(0.35).filled()))?;
+                }
+                let radius = if dot && end.is_some() { fine(DOT) } else { 0 };
+                layer.draw(&Circle::new((fine(to), fine(middle)), radius, color.filled()))
             });
             canvas.raw("</g>\n");
             let amount = readable(bar.value, 3);
             canvas.text((left - 10.0, middle + 5.0), Anchor::End, TEXT, INK, &bar.name);
-            let last = (wide - style::EDGE, middle + 5.0);
-            canvas.text(last, Anchor::End, TEXT, FAINT_INK, &amount);
+            // The number does not lie on the line of the limit.
+            let (first, last) =
+                (from.max(to) + 12.0, from.max(to) + 12.0 + style::width(&amount, TEXT));
+            let first = if (first - 4.0..last).contains(&line) { line + 6.0 } else { first };
+            let beside = (first, middle + 5.0);
+            canvas.text(beside, Anchor::Start, TEXT, INK, &amount);
             description += &format!("{} {amount}; ", bar.name);
         }
         canvas.raw("</g>\n");
-        if let Some((value, name)) = &self.limit
-            && let Some(at) = self.x.scale.position(*value)
-        {
-            canvas.layer("class=\"limit\"", |layer| {
-                let line = PathElement::new([(at, 0.0), (at, 1.0)], stroke(INK, 1.5));
-                frame.plane(layer).draw(&line)
-            });
-            let (x, _) = frame.place((at, 0.0));
-            canvas.text((x, top - 6.0), Anchor::Middle, TEXT, INK, name);
-            description += &format!("{name} {}; ", readable(*value, 3));
-        }
         for tick in &ticks {
             let (x, _) = frame.place((tick.at, 0.0));
             canvas.text((x, bottom + 19.0), Anchor::Middle, TEXT, FAINT_INK, &tick.label);
@@ -152,7 +173,9 @@ impl Figure for Bars {
         let mut out = String::new();
         csv::record(&mut out, ["name", &self.x.heading()]);
         for bar in &self.bars {
-            csv::record(&mut out, [bar.name.as_str(), &csv::number(bar.value)]);
+            for value in bar.others.iter().chain([&bar.value]) {
+                csv::record(&mut out, [bar.name.as_str(), &csv::number(*value)]);
+            }
         }
         if let Some((value, name)) = &self.limit {
             csv::record(&mut out, [name.as_str(), &csv::number(*value)]);

@@ -11,6 +11,8 @@ use super::style::{self, FAINT_INK, INK, Marker, Style, TEXT, THEORY, width};
 
 /// The legend's text for the mark of a zero, which a logarithmic axis cannot show.
 const EXACTLY_ZERO: &str = "exactly 0";
+/// The entry of all theories that belong to curves.
+const THEORIES: &str = "theory";
 
 /// The drawing style of a name in this figure.
 pub(super) struct Drawn {
@@ -62,11 +64,9 @@ impl<'a> Legend<'a> {
                 (*name, Drawn { color, width, dash, marker: Some(marker) })
             },
         ));
-        looks.extend(named(Look::Theory).zip(style::THEORY_DASHES.iter().cycle()).map(
-            |((name, _), dash)| {
-                (*name, Drawn { color: THEORY, width: style::THIN, dash, marker: None })
-            },
-        ));
+        looks.extend(named(Look::Theory).map(|(name, _)| {
+            (*name, Drawn { color: THEORY, width: style::BAND, dash: &[], marker: None })
+        }));
         looks.extend(named(Look::Reference).map(|(name, _)| {
             (*name, Drawn { color: INK, width: style::THIN, dash: &[], marker: None })
         }));
@@ -74,7 +74,18 @@ impl<'a> Legend<'a> {
         let (mut x, mut row) = (style::EDGE, 0);
         let mut entries = Vec::new();
         let zero = figure.has_zeros().then_some(EXACTLY_ZERO);
-        for name in kinds.iter().map(|(name, _)| *name).chain(zero) {
+        // A curve with a label at its end has no entry; the theories of curves share one.
+        let series = || figure.panels.iter().flat_map(|panel| &panel.series);
+        let labeled = |name: &str| series().any(|other| other.end.is_some() && other.name == name);
+        let belongs = |name: &str| figure.names().any(|other| belongs(name, other));
+        let is_listed = |name: &&str| !labeled(name) && !belongs(name);
+        let theory = figure.names().any(belongs).then_some(THEORIES);
+        if theory.is_some() {
+            let band = Drawn { color: THEORY, width: style::BAND, dash: &[], marker: None };
+            looks.insert(THEORIES, band);
+        }
+        for name in kinds.iter().map(|(name, _)| *name).filter(is_listed).chain(theory).chain(zero)
+        {
             let length = Self::SAMPLE + 8.0 + width(name, TEXT);
             if x + length > room - MARGIN && x > style::EDGE {
                 (x, row) = (style::EDGE, row + 1);
@@ -95,7 +106,7 @@ impl<'a> Legend<'a> {
                 self.name(canvas, name, middle);
                 continue;
             };
-            canvas.raw(&self.opening(name));
+            canvas.raw(&format!("<g class=\"entry\" data-series=\"{}\">\n", escape(name)));
             let ends = [(*x, y), (x + Self::SAMPLE, y)].map(|(x, y)| (fine(x), fine(y)));
             if drawn.width > 0.0 {
                 canvas.layer(&dashes(drawn.dash), |layer| {
@@ -112,14 +123,12 @@ impl<'a> Legend<'a> {
         let at = (middle + Self::SAMPLE / 2.0 + 8.0, y + 5.0);
         canvas.text(at, Anchor::Start, TEXT, INK, name);
     }
+}
 
-    /// The opening tag of an entry's group; for a theory curve it names the curve that it belongs
-    /// to.
-    fn opening(&self, name: &str) -> String {
-        let of = self.entries.iter().map(|(other, _)| *other).find(|other| belongs(name, other));
-        let of = of.map_or(String::new(), |of| format!(" data-of=\"{}\"", escape(of)));
-        format!("<g class=\"entry\" data-series=\"{}\"{of}>\n", escape(name))
-    }
+/// The attribute that names the curve to which a theory belongs; empty without one.
+pub(super) fn of<'a>(name: &str, mut names: impl Iterator<Item = &'a str>) -> String {
+    let of = names.find(|other| belongs(name, other));
+    of.map_or(String::new(), |of| format!(" data-of=\"{}\"", escape(of)))
 }
 
 /// Whether a name marks the theory of a curve: `theory, NAME` or `theory, NAME: …`.

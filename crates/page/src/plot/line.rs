@@ -7,7 +7,8 @@ use plotters::prelude::*;
 use super::axis::{Axis, Scale, Tick};
 use super::canvas::{Anchor, Canvas, Frame, dashes, escape, stroke};
 use super::cut::cut;
-use super::legend::{Drawn, Legend};
+use super::ends;
+use super::legend::{self, Drawn, Legend};
 use super::marker::{draw_zeros, marker_places};
 use super::points::{self, Placed};
 use super::simplify::simplified;
@@ -21,6 +22,9 @@ pub(super) const MARGIN: f64 = 12.0;
 
 /// The width for a tick on the x axis in px.
 const TICK: f64 = 90.0;
+
+/// The distance from one panel to the next in px.
+const BETWEEN: f64 = 44.0;
 
 /// Height of a line of the legend in px.
 pub(super) const ROW: f64 = 24.0;
@@ -74,6 +78,8 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
     /// The kind of the curve.
     pub look: Look,
+    /// The label at the end of the curve; without one, the legend has its name.
+    pub end: Option<String>,
 }
 
 /// The kind of a curve, which determines how it is drawn.
@@ -83,7 +89,7 @@ pub enum Look {
     Measured,
     /// Measured points that do not form a line: one marker each. They determine the ranges, too.
     Points,
-    /// The prediction of a formula: dashed, in gray, clipped at the frame.
+    /// The prediction of a formula: a pale band behind the data, clipped at the frame.
     Theory,
     /// A known value or limit: a thin dark line, clipped at the frame.
     Reference,
@@ -92,23 +98,28 @@ pub enum Look {
 impl Series {
     /// A measured curve.
     pub fn measured(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Series { name: name.into(), points, look: Look::Measured }
+        Series { name: name.into(), points, look: Look::Measured, end: None }
     }
 
     /// Measured points that are not joined.
     pub fn points(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Series { name: name.into(), points, look: Look::Points }
+        Series { name: name.into(), points, look: Look::Points, end: None }
     }
 
     /// A predicted curve. One with the name `theory, NAME`, or `theory, NAME: …`, belongs to the
     /// curve NAME: a page shows and hides them together.
     pub fn theory(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Series { name: name.into(), points, look: Look::Theory }
+        Series { name: name.into(), points, look: Look::Theory, end: None }
     }
 
     /// A known value or limit.
     pub fn reference(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Series { name: name.into(), points, look: Look::Reference }
+        Series { name: name.into(), points, look: Look::Reference, end: None }
+    }
+
+    /// The same, with a label at its end in place of an entry in the legend.
+    pub fn labeled(self, end: impl Into<String>) -> Self {
+        Series { end: Some(end.into()), ..self }
     }
 }
 
@@ -127,34 +138,36 @@ impl Figure for Lines {
 
     fn drawn(&self, wide: f64, id: &str) -> String {
         let legend = Legend::new(self, wide);
+        let all = || self.panels.iter().flat_map(|panel| &panel.series);
+        let x = range(self.x.scale, all(), |(x, _)| x);
+        let room = ends::room(self, x, wide);
         let header = 44.0 + ROW * legend.rows as f64;
-        let plot = match (self.panels.len() < 2, wide < style::WIDTH) {
+        let usual = match (self.panels.len() < 2, wide < style::WIDTH) {
             (true, false) => 340.0,
             (true, true) => 230.0,
-            (false, false) => 190.0,
-            (false, true) => 125.0,
+            (false, false) => 200.0,
+            (false, true) => 150.0,
         };
-        let pitch = plot + 44.0;
-        let footer = 36.0;
-        let height = header + pitch * self.panels.len() as f64 + footer;
+        let heights: Vec<f64> =
+            self.panels.iter().map(|panel| ends::height(self, panel, x, room).max(usual)).collect();
+        let total: f64 = heights.iter().map(|plot| plot + BETWEEN).sum();
+        let height = header + total + 36.0;
         let (mut canvas, lower) = Canvas::titled(wide, height, &self.title);
         let header = header + lower;
         legend.draw(&mut canvas, lower);
 
-        let all = || self.panels.iter().flat_map(|panel| &panel.series);
-        let x = range(self.x.scale, all(), |(x, _)| x);
-        let columns = self.x.scale.ticks(x, (wide / TICK) as usize);
-        let wanted = if plot > 250.0 { 8 } else { 5 };
-        let ranges = self.panels.iter().map(|panel| {
+        let columns = self.x.scale.ticks(x, ((wide - room) / TICK) as usize);
+        let ranges = self.panels.iter().zip(&heights).map(|(panel, plot)| {
             let y = range(panel.y.scale, panel.series.iter(), |(_, y)| y);
-            (y, panel.y.scale.ticks(y, wanted))
+            (y, panel.y.scale.ticks(y, if *plot > 250.0 { 8 } else { 5 }))
         });
         let ranges: Vec<_> = ranges.collect();
         let labels = ranges.iter().flat_map(|(_, rows)| rows).map(|row| width(&row.label, TEXT));
         let left = style::EDGE + 8.0 + labels.fold(32.0, f64::max);
-        let right = wide - MARGIN;
+        let right = wide - MARGIN - room;
+        let mut top = header + 32.0;
         for (k, (panel, (y, rows))) in self.panels.iter().zip(&ranges).enumerate() {
-            let top = header + pitch * k as f64 + 32.0;
+            let plot = heights[k];
             let frame = Frame { x, y: *y, left, right, top, bottom: top + plot };
             let last = k + 1 == self.panels.len();
             draw_grid(&mut canvas, &frame, &columns, rows, last);
@@ -162,11 +175,13 @@ impl Figure for Lines {
             canvas.raw(&points::panel(&frame, &self.x, Some(&panel.y)));
             self.draw_curves(&mut canvas, &frame, panel, &legend.looks);
             canvas.raw("</g>\n");
+            ends::draw(&mut canvas, &frame, (&self.x, panel), &legend.looks, wide - MARGIN);
             if last {
                 let middle = (left + right) / 2.0;
                 let at = (middle, frame.bottom + 42.0);
                 canvas.text(at, Anchor::Middle, TEXT, INK, &self.x.heading());
             }
+            top += plot + BETWEEN;
         }
         canvas.finish(id, &self.title, &self.description())
     }
@@ -209,6 +224,11 @@ impl Look {
 }
 
 impl Lines {
+    /// The names of all curves.
+    pub(super) fn names(&self) -> impl Iterator<Item = &str> {
+        self.panels.iter().flat_map(|panel| &panel.series).map(|series| series.name.as_str())
+    }
+
     /// A description of the picture in words.
     fn description(&self) -> String {
         let mut text = String::new();
@@ -230,7 +250,11 @@ impl Lines {
         let (measured, others): (Vec<&Series>, Vec<&Series>) =
             panel.series.iter().partition(|series| series.look.is_measured());
         for series in others {
-            canvas.raw(&format!("<g class=\"series\" data-series=\"{}\">\n", escape(&series.name)));
+            let of = legend::of(&series.name, self.names());
+            canvas.raw(&format!(
+                "<g class=\"series\" data-series=\"{}\"{of}>\n",
+                escape(&series.name)
+            ));
             self.draw_line(canvas, frame, panel, series, &looks[series.name.as_str()]);
             canvas.raw("</g>\n");
         }

@@ -70,6 +70,9 @@ impl Marker {
             Marker::Diamond => turned(4, 1.35 * R, 0.0),
             Marker::Triangle => turned(3, 1.4 * R, -90.0),
             Marker::Wedge => turned(3, 1.4 * R, 90.0),
+            Marker::Tick => [(-0.8, -5.5), (0.8, -5.5), (0.8, 5.5), (-0.8, 5.5)]
+                .map(|(dx, dy)| (x + dx, y + dy))
+                .to_vec(),
             Marker::Plus => {
                 let (long, short) = (1.25 * R, 0.42 * R);
                 let quarter = [(short, -long), (short, -short), (long, -short), (long, short)];

@@ -7,7 +7,10 @@
 mod axis;
 mod bars;
 pub mod canvas;
+pub mod coupling;
 mod cut;
+mod ends;
+pub mod grades;
 mod heat;
 mod legend;
 mod line;

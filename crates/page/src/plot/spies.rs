@@ -93,7 +93,7 @@ impl Small {
         Words { name: wrapped(&self.name), note: wrapped(&self.note) }
     }
 
-    fn draw(&self, canvas: &mut Canvas, (left, top): (f64, f64), side: f64) {
+    pub(super) fn draw(&self, canvas: &mut Canvas, (left, top): (f64, f64), side: f64) {
         let entries = self.raster.rows.max(self.raster.columns).max(1) as f64;
         let scale = side / entries;
         canvas.raw(&self.raster.markup((left, top), (scale, scale)));

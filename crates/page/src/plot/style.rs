@@ -1,8 +1,9 @@
 //! The common style of all figures: the look of each name, sizes and gray tones.
 //!
-//! The hues are those of Okabe and Ito, which color-blind readers can distinguish; dash and marker
-//! repeat the difference for gray prints. SOR is one family, darker with increasing ω. A variant
-//! after a comma (`velocity, dt/2`) keeps the color of the name before it.
+//! The colors of names that are drawn together differ by at least 12 in the CIEDE2000 distance, on
+//! light and on dark pages; dash and marker repeat the difference for gray prints. SOR is one
+//! family, darker with increasing ω. A variant after a comma (`velocity, dt/2`) or a colon keeps the
+//! hue of the name before it.
 
 use plotters::style::RGBColor;
 
@@ -14,8 +15,10 @@ pub const TEXT: f64 = 14.0;
 pub const TITLE: f64 = 17.0;
 /// Width of a measured line in px.
 pub const LINE: f64 = 2.0;
-/// Width of theory, reference and frame lines in px.
+/// Width of reference and frame lines in px.
 pub(crate) const THIN: f64 = 1.3;
+/// Width of a band of theory, on which the measured line lies, in px.
+pub(crate) const BAND: f64 = 8.0;
 /// Distance of text from the left edge in px.
 pub const EDGE: f64 = 6.0;
 /// Radius of a marker in px.
@@ -29,8 +32,8 @@ pub const INK: RGBColor = RGBColor(34, 38, 45);
 pub const FAINT_INK: RGBColor = RGBColor(92, 98, 108);
 /// Lines of the grid.
 pub const GRID: RGBColor = RGBColor(228, 230, 234);
-/// Lines of theory.
-pub(crate) const THEORY: RGBColor = RGBColor(112, 112, 112);
+/// Bands of theory.
+pub(crate) const THEORY: RGBColor = RGBColor(206, 212, 220);
 
 /// Fonts available on the reader's machine.
 pub(crate) const FONTS: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', \
@@ -38,9 +41,6 @@ pub(crate) const FONTS: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'H
 
 /// Dash patterns in px; the first is a solid line.
 const DASHES: [&[u32]; 6] = [&[], &[9, 4], &[2, 3], &[9, 3, 2, 3], &[5, 3], &[12, 3, 2, 3, 2, 3]];
-
-/// Dash patterns of theory lines, in order of appearance in a figure.
-pub(super) const THEORY_DASHES: [&[u32]; 3] = [&[6, 4], &[2, 3], &[8, 3, 2, 3]];
 
 /// The shape of the markers on a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,15 +57,18 @@ pub enum Marker {
     Wedge,
     /// A plus sign.
     Plus,
+    /// A thin upright bar.
+    Tick,
 }
 
-const MARKERS: [Marker; 6] = [
+const MARKERS: [Marker; 7] = [
     Marker::Circle,
     Marker::Square,
     Marker::Triangle,
     Marker::Diamond,
     Marker::Wedge,
     Marker::Plus,
+    Marker::Tick,
 ];
 
 /// The look of a line or bar.
@@ -82,62 +85,76 @@ pub struct Style {
 /// Red, green, blue.
 type Rgb = (u8, u8, u8);
 
-const BLUE: Rgb = (0, 114, 178);
-const SKY: Rgb = (70, 165, 220);
-const GREEN: Rgb = (0, 138, 100);
-const PURPLE: Rgb = (190, 95, 150);
-const OCHRE: Rgb = (176, 134, 0);
-const BLACK: Rgb = (45, 45, 50);
-const VERMILION: Rgb = (205, 85, 0);
+const BLUE: Rgb = (0, 94, 170);
+const SKY: Rgb = (94, 155, 240);
+const GREEN: Rgb = (0, 124, 60);
+const PURPLE: Rgb = (208, 64, 190);
+const OCHRE: Rgb = (186, 151, 14);
+const BLACK: Rgb = (50, 50, 55);
+const VERMILION: Rgb = (226, 100, 10);
 
 /// The colors of unknown names.
 const HUES: [Rgb; 6] = [BLUE, VERMILION, GREEN, PURPLE, OCHRE, SKY];
 
 /// Name, color, index of the dash, index of the marker.
 const KNOWN: &[(&str, Rgb, usize, usize)] = &[
-    ("pgs", BLUE, 0, 0),
-    ("ssor", VERMILION, 5, 0),
-    ("red_black", BLUE, 5, 1),
-    ("jacobi", SKY, 4, 3),
-    ("block_pgs", SKY, 1, 1),
-    ("code6", BLACK, 5, 4),
-    ("nncg", SKY, 3, 2),
-    ("anderson_pgs", VERMILION, 3, 0),
-    ("mprgp", VERMILION, 0, 2),
-    ("apgd", OCHRE, 0, 3),
-    ("spectral", PURPLE, 0, 4),
-    ("admm", GREEN, 4, 5),
-    ("newton", OCHRE, 4, 0),
-    ("fischer_newton", OCHRE, 3, 4),
-    ("interior_point", BLACK, 1, 5),
-    ("dantzig", GREEN, 0, 1),
-    ("lemke", PURPLE, 1, 3),
-    ("murty", PURPLE, 2, 2),
-    ("block_pivoting", GREEN, 4, 1),
-    ("enumeration", BLACK, 5, 5),
-    ("clarabel", BLACK, 3, 5),
-    ("velocity", BLUE, 0, 0),
-    ("acceleration", VERMILION, 0, 1),
-    ("velocity_cone", GREEN, 1, 4),
-    ("position", GREEN, 0, 2),
-    ("soft", PURPLE, 0, 3),
-    ("penalty", OCHRE, 0, 4),
-    ("split_impulse", GREEN, 1, 5),
-    ("gauss_seidel", SKY, 1, 4),
-    ("xpbd", BLACK, 3, 3),
-    ("sequential_impulses", SKY, 2, 0),
+    ("pgs", (0, 94, 170), 0, 0),
+    ("ssor", (44, 37, 167), 5, 0),
+    ("red_black", (112, 102, 125), 5, 1),
+    ("jacobi", (120, 150, 225), 4, 3),
+    ("block_pgs", (12, 166, 208), 1, 1),
+    ("code6", (110, 110, 112), 5, 4),
+    ("nncg", (30, 160, 150), 3, 2),
+    ("anderson_pgs", (131, 97, 213), 3, 0),
+    ("mprgp", (186, 85, 103), 0, 2),
+    ("apgd", (186, 151, 14), 0, 3),
+    ("spectral", (196, 140, 180), 0, 4),
+    ("admm", (111, 109, 43), 4, 5),
+    ("newton", (92, 51, 1), 4, 0),
+    ("fischer_newton", (134, 108, 89), 3, 4),
+    ("interior_point", (50, 50, 55), 1, 5),
+    ("dantzig", (0, 124, 60), 0, 1),
+    ("lemke", (208, 64, 190), 1, 3),
+    ("murty", (120, 40, 90), 2, 2),
+    ("block_pivoting", (99, 172, 68), 4, 1),
+    ("enumeration", (20, 84, 82), 5, 5),
+    ("clarabel", (151, 151, 151), 3, 5),
+    ("velocity", (0, 94, 170), 0, 0),
+    ("acceleration", (226, 100, 10), 0, 1),
+    ("velocity_cone", (40, 170, 150), 1, 4),
+    ("position", (104, 120, 88), 0, 2),
+    ("soft", (208, 64, 190), 0, 3),
+    ("penalty", (191, 148, 52), 0, 4),
+    ("split_impulse", (0, 110, 14), 1, 5),
+    ("gauss_seidel", (94, 155, 240), 1, 4),
+    ("xpbd", (50, 50, 55), 3, 3),
+    ("sequential_impulses", (162, 115, 235), 2, 0),
+    ("acceleration,_midpoint", (123, 169, 52), 3, 2),
+    ("acceleration,_rk4", (116, 13, 23), 5, 3),
+    ("active_set_changes", BLACK, 0, 6),
     ("exact", BLACK, 0, 0),
     ("scaled_residual", BLUE, 0, 0),
     ("natural_residual", VERMILION, 1, 1),
     ("fischer_burmeister", GREEN, 2, 2),
-    ("siconos", PURPLE, 3, 3),
-    ("dart", OCHRE, 4, 4),
-    ("mujoco", BLUE, 0, 0),
-    ("drake", GREEN, 1, 1),
-    ("pybullet", VERMILION, 4, 3),
-    ("rapier", PURPLE, 2, 2),
-    ("pinocchio", SKY, 3, 4),
-    ("k&m_(4)", BLACK, 0, 5),
+    ("siconos", (84, 40, 160), 3, 3),
+    ("dart", (115, 112, 83), 4, 4),
+    ("mujoco", (189, 131, 147), 0, 0),
+    ("drake", (4, 66, 59), 1, 1),
+    ("pybullet", (127, 70, 0), 4, 3),
+    ("rapier", (215, 74, 75), 2, 2),
+    ("pinocchio", (140, 142, 149), 3, 4),
+    ("k&m_(4)", (121, 121, 130), 0, 5),
+    ("kinetic", (0, 52, 141), 0, 0),
+    ("potential", (0, 102, 13), 1, 1),
+    ("sum", (65, 50, 31), 2, 2),
+    ("contact", (226, 90, 40), 3, 3),
+    ("restitution", (199, 94, 242), 4, 4),
+    ("integrator", (173, 128, 24), 5, 0),
+    ("friction", (148, 46, 72), 0, 1),
+    ("constraint", (88, 153, 253), 1, 2),
+    ("gap", (114, 169, 87), 2, 3),
+    ("bias", (35, 166, 172), 3, 4),
+    ("spring", (136, 126, 130), 4, 0),
     ("box", VERMILION, 0, 1),
     ("polygon_4", OCHRE, 1, 3),
     ("polygon_8", PURPLE, 2, 4),
@@ -146,11 +163,11 @@ const KNOWN: &[(&str, Rgb, usize, usize)] = &[
     ("map_of_maps", VERMILION, 0, 1),
     ("linked_list", OCHRE, 1, 2),
     ("tree", GREEN, 4, 3),
-    ("b_tree", GREEN, 0, 4),
+    ("b_tree", (99, 172, 68), 0, 4),
     ("hash_table", PURPLE, 3, 5),
     ("compressed_rows", BLUE, 0, 0),
     ("block_rows", SKY, 1, 1),
-    ("factored", SKY, 0, 3),
+    ("factored", (131, 97, 213), 0, 3),
     ("r_=_1", SKY, 0, 0),
     ("r_=_10", GREEN, 1, 1),
     ("r_=_100", OCHRE, 2, 2),
@@ -160,13 +177,14 @@ const KNOWN: &[(&str, Rgb, usize, usize)] = &[
 
 /// The look of SOR by its ω: colors at some ω, interpolated between them, and a dash and a marker
 /// for each interval.
-const SOR: [(f64, Rgb, usize, usize); 6] = [
-    (0.4, (232, 190, 110), 2, 5),
-    (0.95, (226, 156, 36), 4, 4),
-    (1.2, (226, 116, 10), 1, 2),
-    (1.4, (200, 66, 10), 3, 1),
-    (1.6, (158, 32, 46), 5, 3),
-    (1.8, (82, 10, 54), 2, 0),
+const SOR: [(f64, Rgb, usize, usize); 7] = [
+    (0.4, (244, 222, 140), 2, 5),
+    (0.95, (228, 188, 40), 4, 4),
+    (1.2, (244, 156, 30), 1, 2),
+    (1.4, (232, 116, 0), 3, 1),
+    (1.6, (198, 62, 14), 5, 3),
+    (1.8, (150, 26, 34), 2, 0),
+    (2.0, (60, 0, 60), 2, 0),
 ];
 
 /// The pairs of dash and marker that no name in [`KNOWN`] or [`SOR`] has: those of unknown names,
@@ -175,14 +193,18 @@ const FREE: [(usize, usize); 5] = [(1, 0), (2, 1), (2, 3), (4, 2), (5, 2)];
 
 /// The look of a name, the same in every figure.
 pub fn style(name: &str) -> Style {
-    let (base, variant) = name.split_once(',').unwrap_or((name, ""));
-    let key = base.trim().to_lowercase().replace('\u{202f}', "").replace([' ', '-'], "_");
+    let known = |name: &str| KNOWN.iter().find(|(known, ..)| *known == key(name));
+    if let Some((_, color, dash, marker)) = known(name) {
+        return Style { color: *color, dash: DASHES[*dash], marker: MARKERS[*marker] };
+    }
+    let (base, variant) = name.rsplit_once([',', ':']).unwrap_or((name, ""));
+    let key = key(base);
     let parameter = key
         .strip_prefix("sor")
         .filter(|rest| !rest.starts_with(char::is_alphabetic) || rest.starts_with('ω'));
     let (color, dash, marker) = if let Some(parameter) = parameter {
         sor(first_number(parameter).or(first_number(variant)).unwrap_or(1.4))
-    } else if let Some((_, color, dash, marker)) = KNOWN.iter().find(|(known, ..)| *known == key) {
+    } else if let Some((_, color, dash, marker)) = known(base) {
         (*color, *dash, *marker)
     } else {
         let hash = fnv(&key);
@@ -192,23 +214,30 @@ pub fn style(name: &str) -> Style {
     if parameter.is_some() || variant.trim().is_empty() {
         return Style { color, dash: DASHES[dash], marker: MARKERS[marker] };
     }
-    // dt is the palest, dt/2 and dt/4 come closer to the full color: finer is stronger. Other
-    // variants have their own color.
-    let (white, turn, color) = match variant.rsplit('/').next().map(str::trim) {
-        Some("2") if variant.contains('/') => (0.25, 1, color),
-        Some("4") if variant.contains('/') => (0.0, 2, color),
-        Some("dt") => (0.5, 0, color),
+    // A finer step and a larger number are stronger: dt is the palest.
+    let (white, turn) = match variant.rsplit('/').next().map(str::trim) {
+        Some("2") if variant.contains('/') => (0.25, 1),
+        Some("4") if variant.contains('/') => (0.0, 2),
+        Some("dt") => (0.55, 0),
         _ => {
-            let turn = 1 + fnv(variant) % 5;
-            (0.0, turn, HUES[(place(&HUES, &color) + turn) % 6])
+            let shade = first_number(variant).map_or(0.0, |n| 1.1 - 0.65 * n.max(1.0).log10());
+            (shade.clamp(-0.4, 0.5), 1 + fnv(variant) % 5)
         }
     };
-    let tint = |c: u8| (f64::from(c) + white * (255.0 - f64::from(c))).round() as u8;
+    let tint = |c: u8| {
+        let toward = if white > 0.0 { 255.0 } else { 0.0 };
+        (f64::from(c) + f64::abs(white) * (toward - f64::from(c))).round() as u8
+    };
     Style {
         color: (tint(color.0), tint(color.1), tint(color.2)),
         dash: DASHES[(dash + turn) % 6],
         marker: MARKERS[(marker + turn) % 6],
     }
+}
+
+/// A name in the spelling of [`KNOWN`].
+fn key(name: &str) -> String {
+    name.trim().to_lowercase().replace('\u{202f}', "").replace([' ', '-'], "_")
 }
 
 fn sor(omega: f64) -> (Rgb, usize, usize) {
@@ -228,12 +257,12 @@ pub fn styles(names: &[&str]) -> Vec<Style> {
     for name in names {
         let mut look = style(name);
         let (dash, marker) = (place(&DASHES, &look.dash), place(&MARKERS, &look.marker));
-        for turn in 0..36 {
-            look.dash = DASHES[(dash + turn) % 6];
-            look.marker = MARKERS[(marker + turn + turn / 6) % 6];
+        for turn in 1..37 {
             if !taken.contains(&look) {
                 break;
             }
+            look.dash = DASHES[(dash + turn) % 6];
+            look.marker = MARKERS[(marker + turn + turn / 6) % 6];
         }
         taken.push(look);
     }

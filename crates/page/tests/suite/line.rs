@@ -21,7 +21,7 @@ fn the_drawing_is_thinned_and_the_csv_is_not() {
     let points: Vec<_> = (0..100_000).map(|k| (k.into(), (f64::from(k) * 0.1).sin())).collect();
     let figure = figure(Scale::Linear, Scale::Linear, vec![Series::measured("pgs", points)]);
     assert_eq!(figure.csv().lines().count(), 100_001);
-    assert!(vertices(&figure.svg()) < 4 * 720);
+    assert!(vertices(&figure.svg()) < 4 * 880);
     assert_well_formed(&figure);
 }
 
@@ -139,4 +139,35 @@ fn stacked_panels_share_the_time_and_have_a_column_each() {
          \"velocity, dt/2\",measured,0,0.5,\n\
          \"velocity, dt/2\",measured,0,,0.5\n"
     );
+}
+
+#[test]
+fn labels_at_the_ends_replace_the_legend_and_lie_apart() {
+    let curve = |name: &str, end| {
+        Series::measured(name, vec![(0.0, 0.0), (1.0, end)]).labeled(format!("{name}: first order"))
+    };
+    let theory = Series::theory("theory, pgs", vec![(0.0, 0.0), (1.0, 1.0)]);
+    let series = vec![curve("pgs", 1.0), curve("sor", 1.0), curve("lemke", 0.999), theory];
+    let svg = figure(Scale::Linear, Scale::Linear, series).svg();
+    let label = |name: &str| svg.split(&format!(">{name}: first order</text>")).next().unwrap();
+    let place = |name: &str, key: &str| -> f64 {
+        let tag = label(name).rsplit("<text ").next().unwrap();
+        let value = tag.split(&format!("{key}=\"")).nth(1).unwrap();
+        value.split('"').next().unwrap().parse().unwrap()
+    };
+    let mut heights = ["pgs", "sor", "lemke"].map(|name| place(name, "y"));
+    heights.sort_by(f64::total_cmp);
+    assert!(heights[1] - heights[0] >= 16.0 && heights[2] - heights[1] >= 16.0, "{heights:?}");
+    assert!(place("pgs", "x") > 600.0);
+    // A switch for each curve, and one for all theories.
+    assert_eq!(svg.matches("class=\"entry\"").count(), 4);
+    assert_eq!(svg.matches("data-of=\"pgs\"").count(), 1, "the theory of a curve goes with it");
+}
+
+#[test]
+fn a_curve_that_ends_inside_the_plot_has_an_upright_label() {
+    let early = Series::measured("pgs", vec![(0.0, 1.0), (1.0, 0.0)]).labeled("pgs");
+    let late = Series::measured("sor", vec![(0.0, 1.0), (9.0, 0.0)]).labeled("sor");
+    let svg = figure(Scale::Linear, Scale::Linear, vec![early, late]).svg();
+    assert_eq!(svg.matches("rotate(-90").count(), 1);
 }

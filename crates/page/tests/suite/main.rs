@@ -17,7 +17,14 @@ use lcplab_page::{csv, number};
 fn bars_without_a_place_are_written() {
     for axis in [Axis::linear("time", "s"), Axis::log("time", "s")] {
         let bars = [("pgs", 3.0), ("lemke", 0.0), ("murty", f64::NAN), ("dantzig", -1.0)];
-        let bars = bars.map(|(name, value)| Bar { name: name.into(), value }).into();
+        let bars = bars
+            .map(|(name, value)| Bar {
+                name: name.into(),
+                accent: false,
+                value,
+                others: Vec::new(),
+            })
+            .into();
         let (title, caption) = ("Time <by> solver".into(), String::new());
         let figure = Bars {
             id: "time".into(),

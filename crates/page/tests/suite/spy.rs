@@ -65,3 +65,29 @@ fn many_patterns_share_a_sheet_and_say_what_they_are() {
     assert!(sheet.svg().contains("&lt;20&gt;") && sheet.svg().contains("a note"));
     assert_eq!(sheet.csv().lines().count(), 1 + 1 + 3 + 7);
 }
+
+#[test]
+fn blocks_with_a_common_body_can_be_pointed_at_and_the_data_names_them() {
+    use lcplab_page::plot::coupling::{Coupling, Rows};
+    let block = |name: &str, bodies: &[usize]| Rows {
+        name: name.into(),
+        bodies: bodies.into(),
+        second: vec![false, true],
+    };
+    let figure = Coupling {
+        id: "a".into(),
+        title: "A is half full".into(),
+        caption: String::new(),
+        scene: "<g data-body=\"1\"><path d=\"M0 0h9v9z\"/></g>".into(),
+        blocks: vec![block("<ground> – a", &[1]), block("a – b", &[1, 2]), block("b – c", &[2, 3])],
+        kinds: ["normal".into(), "friction".into()],
+        entries: vec![(0, 0, 2.0), (0, 2, -1.0), (3, 1, 0.01)],
+        factors: Vec::new(),
+    };
+    assert_well_formed(&figure);
+    let svg = figure.svg();
+    // Three diagonal blocks, and two neighbors on either side.
+    assert_eq!(svg.matches("class=\"pair\"").count(), 7);
+    assert_eq!(svg.matches("data-bodies=\"1 2\"").count(), 1);
+    assert!(figure.csv().ends_with("3,1,0.01,a – b,<ground> – a\n"));
+}

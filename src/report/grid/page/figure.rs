@@ -1,6 +1,7 @@
 //! A measure of a grid across its first axis.
 
 use super::curves::{Curve, Curves};
+use crate::number::readable;
 use crate::plot::{Axis, Lines, Scale, Series};
 use crate::report::grid::file::{Grid, REPEAT};
 use crate::report::grid::measure::Measure;
@@ -21,7 +22,9 @@ pub(super) fn figure(
     id: &str,
 ) -> Option<Lines> {
     let shown = &curves.curves[..curves.curves.len().min(MOST_CURVES)];
-    let drawn = |curve: &Curve| Series::measured(curve.name.clone(), curve.measured(measure));
+    let drawn = |curve: &Curve| {
+        Series::measured(curve.name.clone(), curve.measured(measure)).labeled(&curve.name)
+    };
     let is_taken = |own: &Series| own.points.iter().any(|(_, y)| y.is_finite());
     let mut series: Vec<Series> = shown.iter().map(drawn).filter(is_taken).collect();
     let all: Vec<(f64, f64)> = series.iter().flat_map(|own| own.points.iter().copied()).collect();
@@ -29,6 +32,7 @@ pub(super) fn figure(
     y.most.is_finite().then_some(())?;
     let y_wide = grid.scale.map_or(y.wide, |scale| scale == Scale::Log);
     let floor = if y_wide { y.smallest } else { y.least };
+    let title = title(grid, curves, measure, &series);
     let mut words = vec![format!("{}: {}.", measure.name.replace('_', " "), measure.about)];
     let theory = shown.iter().map(|curve| curve.predicted(measure));
     if let Some(theory) = joined("theory", theory, Series::theory) {
@@ -36,7 +40,7 @@ pub(super) fn figure(
         let optima = shown.iter().filter_map(|curve| curves.optimum(curve));
         let bars = optima.map(|best| vec![(best, floor), (best, y.most)]);
         series.extend(joined("optimum by theory", bars, Series::reference));
-        words.push("Dashed gray: the closed form.".into());
+        words.push("Pale band: the closed form.".into());
     }
     if grid.axes.iter().any(|axis| axis.paths == [REPEAT]) {
         words.push("Each point is the median of its repetitions.".into());
@@ -50,12 +54,36 @@ pub(super) fn figure(
     };
     Some(Lines::new(
         format!("{id}{}", measure.name),
-        format!("{}: {} against {}", grid.title, measure.name.replace('_', " "), curves.across),
+        title,
         words.join(" "),
         axis(x.is_wide(), &curves.across, curves.unit()),
         axis(y_wide, &measure.name.replace('_', " "), measure.unit),
         series,
     ))
+}
+
+/// The finding: by what factor the measure grows along the axis, at most and at least.
+fn title(grid: &Grid, curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> String {
+    let what = measure.name.replace('_', " ");
+    let growth = |own: &Series| {
+        let mut finite = own.points.iter().filter(|(x, y)| x.is_finite() && *y > 0.0);
+        let (first, last) = (finite.next()?, finite.next_back()?);
+        Some((last.1 / first.1, (first.0, last.0), own.name.clone()))
+    };
+    let mut growths: Vec<_> = series.iter().filter_map(growth).collect();
+    growths.sort_by(|a, b| a.0.total_cmp(&b.0));
+    match &growths[..] {
+        [(least, _, slowest), .., (most, (from, to), fastest)] if *most >= 1.0 => format!(
+            "{}: as {} goes from {} to {}, {what} change by a factor of {} ({fastest}) to {} ({slowest})",
+            grid.title,
+            curves.across,
+            readable(*from, 3),
+            readable(*to, 3),
+            readable(*most, 2),
+            readable(*least, 2)
+        ),
+        _ => format!("{}: {what} against {}", grid.title, curves.across),
+    }
 }
 
 /// Several curves as one series, with a gap after each; `None` if there are no points.

@@ -4,8 +4,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::watch;
 pub use super::watch::Mark;
+use super::watch::{self, Posed};
 use crate::error::Result;
 use crate::report::study::attempt::{Outcome, entries};
 use crate::report::study::posed::Source;
@@ -17,6 +17,9 @@ use crate::solver::{Options, Settings};
 pub struct Methods {
     /// The problems.
     pub problems: Vec<Source>,
+    /// Problems of which only the cost is shown, in a table *Which solver for me?*
+    #[serde(default)]
+    pub choices: Vec<Source>,
     /// The solvers; by default all.
     #[serde(default)]
     pub solvers: Vec<String>,
@@ -69,7 +72,20 @@ pub struct MethodProgress {
     pub outcome: Outcome,
     /// Selected iterations, including the last; for pivoting methods only the last.
     pub marks: Vec<Mark>,
+    /// The factor per sweep that theory predicts while the active set is the last one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rate: Option<f64>,
 }
+
+impl MethodProgress {
+    /// The mark after ten sweeps, a typical budget of an engine.
+    pub fn ten(&self) -> Option<&Mark> {
+        self.marks.iter().find(|mark| mark.iteration == BUDGET)
+    }
+}
+
+/// The number of sweeps that engines typically take.
+pub const BUDGET: usize = 10;
 
 /// The time at each mark.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -86,7 +102,13 @@ impl Methods {
     /// # Errors
     /// If the problem or the solver does not exist.
     pub fn run(&self, problem: &Source) -> Result<(Progress, Clock)> {
-        let lcp = problem.lcp()?;
+        let posed = match problem {
+            Source::Stack(stack) => {
+                let problem = stack.problem()?;
+                Posed { lcp: problem.lcp.clone(), stack: Some(problem) }
+            }
+            other => Posed { lcp: other.lcp()?, stack: None },
+        };
         let settings = Settings {
             tolerance: self.tolerance,
             max_iterations: self.max_iterations,
@@ -94,15 +116,34 @@ impl Methods {
         };
         let options = Options { settings, omega: self.omega, ..Options::default() };
         let runs = entries(&self.solvers)?;
-        let (methods, clock) = runs.iter().map(|entry| watch::run(entry, &lcp, &options)).unzip();
+        let (methods, clock) = runs.iter().map(|entry| watch::run(entry, &posed, &options)).unzip();
         let progress = Progress {
             problem: problem.name(),
-            rows: lcp.len(),
-            stored: lcp.matrix().stored(),
+            rows: posed.lcp.len(),
+            stored: posed.lcp.matrix().stored(),
             omega: self.omega,
             tolerance: self.tolerance,
             methods,
         };
         Ok((progress, Clock { problem: problem.name(), methods: clock }))
+    }
+
+    /// The costs of the methods on a problem: the marks after ten sweeps and at the end.
+    ///
+    /// # Errors
+    /// If the problem or the solver does not exist.
+    pub fn choose(&self, problem: &Source) -> Result<Progress> {
+        let mut progress = self.run(problem)?.0;
+        for method in &mut progress.methods {
+            let end = method.marks.len().saturating_sub(1);
+            let kept =
+                |(k, mark): (usize, Mark)| (k == end || mark.iteration == BUDGET).then_some(mark);
+            method.marks = std::mem::take(&mut method.marks)
+                .into_iter()
+                .enumerate()
+                .filter_map(kept)
+                .collect();
+        }
+        Ok(progress)
     }
 }

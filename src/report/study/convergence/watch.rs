@@ -1,15 +1,20 @@
 //! Records the residual of a solver at selected iterations, with the clock stopped meanwhile.
 
+use std::cmp::Ordering;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use serde::{Deserialize, Serialize};
 
 use super::methods::MethodProgress;
+use crate::formulation::Problem;
 use crate::lcp::{Lcp, merit};
 use crate::report::study::attempt::Outcome;
-use crate::solver::{Entry, Group, Iterate, Observer, Options, Start};
+use crate::solver::{Entry, Group, Iterate, Observer, Options, Start, theory};
 use crate::trace::Work;
+
+/// Gravity in the stacks (m/s²).
+const GRAVITY: f64 = 9.81;
 
 /// The state of a solver at an iteration.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -22,31 +27,63 @@ pub struct Mark {
     /// The scaled residual.
     #[serde(with = "lcplab_study::number::always")]
     pub residual: f64,
+    /// The fraction of the weight that the contact forces do not balance, if the problem is that of
+    /// a stack at rest.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub unsupported: Option<f64>,
+    /// Whether the active set differs from that of the previous mark.
+    pub changed: bool,
+}
+
+/// An LCP, and the problem of mechanics that it comes from if that is a stack at rest.
+pub(super) struct Posed {
+    pub lcp: Lcp,
+    pub stack: Option<Problem>,
+}
+
+impl Posed {
+    /// The fraction of the weight that the contact forces x do not balance: the vertical momentum
+    /// after the step, divided by the weight times dt.
+    fn unsupported(&self, x: &[f64]) -> Option<f64> {
+        let Problem { assembly, dt, .. } = self.stack.as_ref()?;
+        let u = self.stack.as_ref()?.next_velocity(x, *dt);
+        let falls = assembly.blocks.iter().map(|own| own.mass * u[own.offset + 2].abs());
+        let weight: f64 = assembly.blocks.iter().map(|own| own.mass * GRAVITY * dt).sum();
+        Some(falls.sum::<f64>() / weight)
+    }
+
+    /// The side of each row in the projection of x − w/s: below, between or above its bounds.
+    fn active_set(&self, x: &[f64]) -> Vec<Ordering> {
+        let lcp = &self.lcp;
+        let side = |i: usize| {
+            let point = x[i] - lcp.row_w(i, x) / merit::row_scale(lcp, i);
+            point.total_cmp(&lcp.project(i, point, x))
+        };
+        (0..lcp.len()).map(side).collect()
+    }
 }
 
 /// Solves the problem from 0: returns the solver's marks, and its time (s) and scaled residual at
 /// each.
 pub(super) fn run(
     entry: &Entry,
-    lcp: &Lcp,
+    posed: &Posed,
     options: &Options,
 ) -> (MethodProgress, (String, Vec<(f64, f64)>)) {
+    let lcp = &posed.lcp;
     let mut watch = Watch {
-        lcp,
+        posed,
         work: Work::of(entry, lcp),
         marks: Vec::new(),
         seconds: Vec::new(),
         next: 0,
         start: Instant::now(),
         looking: Duration::ZERO,
+        active: Vec::new(),
     };
     let solution = (entry.build)(options).solve(lcp, &Start::default(), &mut watch);
     let seconds = watch.elapsed(Instant::now());
-    let end = Mark {
-        iteration: solution.iterations,
-        work: watch.work.multiplications,
-        residual: merit::scaled_residual(lcp, &solution.x),
-    };
+    let end = watch.mark(solution.iterations, &solution.x);
     let Watch { mut marks, seconds: mut times, .. } = watch;
     if entry.group == Group::Pivoting {
         (marks, times) = (Vec::new(), Vec::new());
@@ -59,12 +96,13 @@ pub(super) fn run(
     let outcome = Outcome::of(&solution, lcp, options.settings.tolerance);
     let times = times.into_iter().zip(marks.iter().map(|mark| mark.residual)).collect();
     let solver = entry.name.to_string();
-    (MethodProgress { solver: solver.clone(), outcome, marks }, (solver, times))
+    let rate = theory::rate(entry.name, options, lcp, &theory::rows_inside(lcp, &solution.x));
+    (MethodProgress { solver: solver.clone(), outcome, marks, rate }, (solver, times))
 }
 
 /// An observer that records selected iterates and stops the clock meanwhile.
 struct Watch<'a> {
-    lcp: &'a Lcp,
+    posed: &'a Posed,
     work: Work<'a>,
     marks: Vec<Mark>,
     seconds: Vec<f64>,
@@ -72,9 +110,24 @@ struct Watch<'a> {
     next: usize,
     start: Instant,
     looking: Duration,
+    /// The active set at the last mark.
+    active: Vec<Ordering>,
 }
 
 impl Watch<'_> {
+    fn mark(&mut self, iteration: usize, x: &[f64]) -> Mark {
+        let active = self.posed.active_set(x);
+        let changed = !self.active.is_empty() && active != self.active;
+        self.active = active;
+        Mark {
+            iteration,
+            work: self.work.multiplications,
+            residual: merit::scaled_residual(&self.posed.lcp, x),
+            unsupported: self.posed.unsupported(x),
+            changed,
+        }
+    }
+
     /// The time used by the solver so far.
     fn elapsed(&self, now: Instant) -> f64 {
         (now - self.start).saturating_sub(self.looking).as_secs_f64()
@@ -89,11 +142,8 @@ impl Observer for Watch<'_> {
         if iterate.iteration >= self.next {
             self.next = iterate.iteration + 1 + iterate.iteration / 12;
             self.seconds.push(seconds);
-            self.marks.push(Mark {
-                iteration: iterate.iteration,
-                work: self.work.multiplications,
-                residual: merit::scaled_residual(self.lcp, iterate.x),
-            });
+            let mark = self.mark(iterate.iteration, iterate.x);
+            self.marks.push(mark);
         }
         self.looking += from.elapsed();
         ControlFlow::Continue(())

@@ -1,10 +1,10 @@
 //! The residual of several methods by iteration, by multiplication and by second.
 
 use crate::number::{count, readable};
-use crate::plot::{Axis, Bar, Bars, Figure, Lines, Series};
+use crate::plot::{Axis, Bar, Bars, Figure, Lines, Panel, Series};
 use crate::report::page::{Cell, Table};
 use crate::report::study::attempt;
-use crate::report::study::convergence::methods::{Clock, MethodProgress, Progress};
+use crate::report::study::convergence::methods::{Clock, Mark, MethodProgress, Progress};
 use crate::report::view::attempt::{
     anchor, iterations_in_words, outcome as outcome_cell, rough, tolerance,
 };
@@ -13,6 +13,8 @@ use crate::solver::Group;
 
 /// The value at which a residual of exactly 0 is drawn on a logarithmic axis.
 const LEAST: f64 = 1e-17;
+/// Unsupported weight up to this is not drawn (%).
+const SUPPORTED: f64 = 1e-5;
 
 pub(super) fn show(problems: &[&Progress], document: &mut Document) {
     document.text(
@@ -34,21 +36,22 @@ pub(super) fn outcome(problems: &[&Progress]) -> Outcome {
     Outcome { good: refuted == 0, says }
 }
 
-/// The cheapest solver, and the cost of each as a bar.
-pub(super) fn headline(progress: &Progress) -> Headline {
-    let mut solved: Vec<&MethodProgress> = progress
-        .methods
-        .iter()
-        .filter(|method| method.outcome.is_solved() && work(method).is_finite())
-        .collect();
-    solved.sort_by(|a, b| work(a).total_cmp(&work(b)));
+/// The cheapest solver, the cost of each, and the cheapest ones of other problems.
+pub(super) fn headline(progress: &Progress, choices: &[&Progress]) -> Headline {
+    let solved = by_cost(progress);
     let [first, .., last] = solved[..] else { return Headline::default() };
     let figure: Box<dyn Figure> = Box::new(costs(progress, &solved));
-    Headline {
-        answer: Some(answer(progress, solved.len(), first, last)),
-        figure: Some(figure),
-        result: None,
-    }
+    let table = (!choices.is_empty()).then(|| ("choices".to_string(), choice(choices)));
+    let answer = Some(answer(progress, solved.len(), first, last));
+    Headline { answer, figure: Some(figure), table, result: None }
+}
+
+/// The methods that solve the problem, the cheapest first.
+fn by_cost(progress: &Progress) -> Vec<&MethodProgress> {
+    let solved = |method: &&MethodProgress| method.outcome.is_solved() && work(method).is_finite();
+    let mut methods: Vec<&MethodProgress> = progress.methods.iter().filter(solved).collect();
+    methods.sort_by(|a, b| work(a).total_cmp(&work(b)));
+    methods
 }
 
 fn answer(
@@ -66,23 +69,84 @@ fn answer(
         Some(most) if work(first) < most => ", less work than ten sweeps of *pgs*",
         _ => "",
     };
+    let why = left(progress).map_or(String::new(), |share| {
+        format!(
+            " Ten sweeps leave {share} of the weight unsupported, because a sweep passes the load on from \
+             contact to contact and a light box passes on only a part of it; a pivoting method solves for \
+             all contacts together."
+        )
+    });
     format!(
-        "**Which solver for {}?** *{}* is the cheapest: it needs {}{beside}. The most expensive, \
-         *{}*, needs {}, {} times the work. {solved} of {tried} solvers reach a residual of {}, and the judge \
-         accepts their answers.",
+        "**Which solver for {}?** *{}*: it needs {}{beside}.{why} *{}* needs {}, {} times the work. {solved} of \
+         {tried} solvers reach a residual of {} at this size ({} rows), and the judge accepts their answers.",
         progress.problem,
         first.solver,
         needs(first),
         last.solver,
         needs(last),
         rough(work(last) / work(first)),
-        tolerance(progress.tolerance)
+        tolerance(progress.tolerance),
+        count(progress.rows)
+    )
+}
+
+/// The share of the weight that ten sweeps of PGS leave unsupported.
+fn left(progress: &Progress) -> Option<String> {
+    let share = pgs(progress)?.ten()?.unsupported?;
+    Some(format!("{}\u{a0}%", readable(100.0 * share, 2)))
+}
+
+fn pgs(progress: &Progress) -> Option<&MethodProgress> {
+    progress.methods.iter().find(|method| method.solver == "pgs")
+}
+
+/// The cheapest method of each problem, its cost, and what ten sweeps of PGS leave undone.
+fn choice(choices: &[&Progress]) -> Table {
+    let row = |progress: &&Progress| {
+        let solved = by_cost(progress);
+        let sweep = budget(progress).map(|ten| ten / 10.0);
+        let cost = |method: &MethodProgress| {
+            sweep.map_or(Cell::text("–"), |sweep| Cell::number(work(method) / sweep, 2))
+        };
+        let failed: Vec<&str> = progress
+            .methods
+            .iter()
+            .filter(|method| method.outcome.is_attempt() && !method.outcome.is_solved())
+            .map(|method| method.solver.as_str())
+            .collect();
+        let sweeps =
+            pgs(progress).filter(|pgs| pgs.outcome.is_solved()).and_then(|pgs| pgs.marks.last());
+        vec![
+            Cell::text(&progress.problem),
+            Cell::count(progress.rows),
+            solved.first().map_or(Cell::text("none"), |first| Cell::text(&first.solver)),
+            solved.first().map_or(Cell::text("–"), |first| cost(first)),
+            solved.get(1).map_or(Cell::text("–"), |next| Cell::text(&next.solver)),
+            solved.get(1).map_or(Cell::text("–"), |next| cost(next)),
+            sweeps.map_or(Cell::text("–"), |end| Cell::count(end.iteration)),
+            left(progress).map_or(Cell::text("–"), Cell::text),
+            Cell::text(if failed.is_empty() { "none".into() } else { failed.join(", ") }),
+        ]
+    };
+    Table::new(
+        "Which solver for which stack",
+        "*cost*: multiplications until the residual is within the tolerance, in sweeps of *pgs*; a typical \
+         budget is 10. *risk*: the weight that ten sweeps of *pgs* leave unsupported, and the solvers that \
+         fail. A stack is the hardest case for sweeps and has redundant contacts.",
+        "stack | #rows | cheapest | #cost | next | #cost | #sweeps of pgs | #risk of ten sweeps | \
+         solvers that fail",
+        choices.iter().map(row).collect(),
     )
 }
 
 /// The multiplications of the methods that solve the problem, the cheapest first.
 fn costs(progress: &Progress, solved: &[&MethodProgress]) -> Bars {
-    let bar = |method: &&MethodProgress| Bar { name: method.solver.clone(), value: work(method) };
+    let bar = |(k, method): (usize, &&MethodProgress)| Bar {
+        name: method.solver.clone(),
+        accent: k == 0 || method.solver == "pgs",
+        value: work(method),
+        others: Vec::new(),
+    };
     Bars {
         id: id(&progress.problem, "costs"),
         title: title(progress),
@@ -93,7 +157,7 @@ fn costs(progress: &Progress, solved: &[&MethodProgress]) -> Bars {
             count(progress.rows)
         ),
         x: Axis::log("multiplications", ""),
-        bars: solved.iter().map(bar).collect(),
+        bars: solved.iter().enumerate().map(bar).collect(),
         limit: budget(progress).map(|value| (value, "ten sweeps of pgs".into())),
     }
 }
@@ -107,88 +171,142 @@ fn id(problem: &str, what: &str) -> String {
     format!("convergence_{}_{what}", anchor(problem))
 }
 
-/// The methods as curves, those with only a final mark as points; separated into solved and not.
-fn series(progress: &Progress) -> Vec<Series> {
-    let took_part = |method: &&MethodProgress| method.outcome.is_attempt();
-    let points = |method: &MethodProgress| -> Vec<(f64, f64)> {
-        let points = method.marks.iter().map(|mark| (mark.work, mark.residual.max(LEAST)));
-        points.filter(|(work, _)| work.is_finite()).collect()
-    };
-    let series = |method: &MethodProgress| curve(&method.solver, points(method));
-    let series = progress.methods.iter().filter(took_part).map(series);
-    series.filter(|series| !series.points.is_empty()).collect()
-}
-
 fn curve(solver: &str, points: Vec<(f64, f64)>) -> Series {
+    let points = points.into_iter().filter(|(work, _)| work.is_finite()).collect();
     match Group::of(solver) {
         Some(Group::Pivoting) => Series::points(solver, points),
         _ => Series::measured(solver, points),
     }
 }
 
+/// The curve of each method, with its name at the end; those with only a final mark are points.
+fn curves(progress: &Progress, value: fn(&Mark) -> Option<f64>, named: bool) -> Vec<Series> {
+    let series = |method: &MethodProgress| {
+        let points = method.marks.iter().filter_map(|mark| Some((mark.work, value(mark)?)));
+        let label = if named { method.solver.as_str() } else { "" };
+        curve(&method.solver, points.collect()).labeled(label)
+    };
+    let methods = progress.methods.iter().filter(|method| method.outcome.is_attempt());
+    methods.map(series).filter(|series| !series.points.is_empty()).collect()
+}
+
+/// The predicted slope of a sweep method, through its last mark, from the last change of the active
+/// set on.
+fn slope(method: &MethodProgress) -> Option<Series> {
+    let (rate, end) = (method.rate?, method.marks.last()?);
+    let settled = method.marks.iter().rposition(|mark| mark.changed).unwrap_or(0);
+    let at = |mark: &Mark| {
+        let sweeps = end.iteration as f64 - mark.iteration as f64;
+        (mark.work, end.residual * rate.powf(-sweeps))
+    };
+    let points = method.marks[settled..].iter().map(at).collect();
+    Some(Series::theory(format!("theory, {}", method.solver), points).labeled(""))
+}
+
+/// Where the active sets of the methods change.
+fn changes(progress: &Progress) -> Series {
+    let marks = progress.methods.iter().filter(|method| method.marks.len() > 1);
+    let marks = marks.flat_map(|method| &method.marks).filter(|mark| mark.changed);
+    let points = marks.map(|mark| (mark.work, mark.residual.max(LEAST))).collect();
+    Series::points("active set changes", points)
+}
+
 /// A line at the tolerance.
 fn asked(progress: &Progress) -> Series {
     let marks = progress.methods.iter().flat_map(|method| &method.marks).map(|mark| mark.work);
     let last = marks.fold(1.0, f64::max);
-    let name = format!("tolerance: {}", tolerance(progress.tolerance));
-    Series::reference(name, vec![(1e-3, progress.tolerance), (10.0 * last, progress.tolerance)])
+    let name = format!("tolerance {}", tolerance(progress.tolerance));
+    let ends = vec![(1e-3, progress.tolerance), (10.0 * last, progress.tolerance)];
+    Series::reference(name.clone(), ends).labeled(name)
 }
 
 fn by_work(progress: &Progress) -> Lines {
-    let mut curves = series(progress);
-    curves.push(asked(progress));
-    curves.extend(ten_sweeps(progress));
-    Lines::new(
-        id(&progress.problem, "work"),
-        title(progress),
-        format!(
+    let mut residuals = curves(progress, |mark| Some(mark.residual.max(LEAST)), true);
+    residuals.extend(progress.methods.iter().filter_map(slope));
+    residuals.push(changes(progress));
+    residuals.push(asked(progress));
+    residuals.extend(ten_sweeps(progress, "ten sweeps of pgs"));
+    let mut panels = vec![Panel { y: Axis::log("scaled residual", ""), series: residuals }];
+    let percent = |mark: &Mark| Some(100.0 * mark.unsupported?).filter(|share| *share > SUPPORTED);
+    let mut unsupported = curves(progress, percent, false);
+    if !unsupported.is_empty() {
+        unsupported.extend(ten_sweeps(progress, ""));
+        panels.push(Panel { y: Axis::log("unsupported weight", "%"), series: unsupported });
+    }
+    Lines {
+        id: id(&progress.problem, "work"),
+        title: finding(progress),
+        caption: format!(
             "{} rows; SOR uses ω = {}. A product with A takes {} multiplications, one for each stored entry. \
-             The cost of a method is where its curve crosses the tolerance; a pivoting method has one \
-             marker, at its end. Second-order methods converge within a few steps once they are near the \
-             solution. Sweeps remove the oscillating part of the error quickly and then slow down: the \
-             remaining error is smooth, and a row is coupled only to its neighbors.",
+             The cost of a method is where its curve meets the tolerance; a pivoting method has one \
+             marker, at its end. Sweeps remove the oscillating part of the error quickly; then their residual \
+             falls with the spectral radius of the last active set (pale band{}). Compared with the \
+             residual plots of Silcowitz et al. (2010) and Mazhar et al. (2015), this figure also shows \
+             how much weight is unsupported meanwhile, and where the active set changes.",
             count(progress.rows),
             readable(progress.omega, 3),
-            count(progress.stored)
+            count(progress.stored),
+            progress.methods.iter().filter_map(radius).collect::<String>()
         ),
-        Axis::log("multiplications", ""),
-        Axis::log("scaled residual", ""),
-        curves,
-    )
+        x: Axis::log("multiplications", ""),
+        panels,
+    }
+}
+
+/// The predicted factor per sweep of a method.
+fn radius(method: &MethodProgress) -> Option<String> {
+    Some(format!("; {}: {:.5} per sweep", method.solver, method.rate?))
+}
+
+/// What ten sweeps leave undone, and what the cheapest solver needs.
+fn finding(progress: &Progress) -> String {
+    let undone = match (left(progress), pgs(progress).and_then(MethodProgress::ten)) {
+        (Some(share), _) => format!("ten sweeps of pgs leave {share} of the weight unsupported"),
+        (None, Some(ten)) => {
+            format!("ten sweeps of pgs leave a residual of {}", readable(ten.residual, 2))
+        }
+        _ => return format!("{}: residual by multiplication", progress.problem),
+    };
+    match (by_cost(progress).first(), budget(progress)) {
+        (Some(first), Some(ten)) => format!(
+            "{}: {undone}; {} solves it with {} times their work",
+            progress.problem,
+            first.solver,
+            readable(work(first) / ten, 2)
+        ),
+        _ => format!("{}: {undone}", progress.problem),
+    }
 }
 
 /// The finding: the cheapest solver, and the cost of the most expensive one.
 fn title(progress: &Progress) -> String {
-    let cost = |method: &MethodProgress| Some((method.marks.last()?.work, method.solver.clone()));
-    let solved = progress.methods.iter().filter(|method| method.outcome.is_solved());
-    let mut costs: Vec<(f64, String)> =
-        solved.filter_map(cost).filter(|(work, _)| work.is_finite()).collect();
-    costs.sort_by(|a, b| a.0.total_cmp(&b.0));
-    match &costs[..] {
-        [(least, cheapest), .., (most, dearest)] => format!(
-            "{}: {cheapest} is cheapest, {dearest} costs {} times as much",
+    match by_cost(progress)[..] {
+        [first, .., last] => format!(
+            "{}: {} is cheapest, {} costs {} times as much",
             progress.problem,
-            rough(most / least)
+            first.solver,
+            last.solver,
+            rough(work(last) / work(first))
         ),
-        _ => format!("{}: residual by multiplication", progress.problem),
+        _ => format!("{}: costs", progress.problem),
     }
 }
 
 /// The cost of ten sweeps of PGS, a typical budget of an engine.
 fn budget(progress: &Progress) -> Option<f64> {
-    let pgs = progress.methods.iter().find(|method| method.solver == "pgs")?;
-    let end = pgs.marks.last().filter(|end| end.iteration > 0)?;
+    let end = pgs(progress)?.marks.last().filter(|end| end.iteration > 0)?;
     Some(10.0 * end.work / end.iteration as f64)
 }
 
-fn ten_sweeps(progress: &Progress) -> Option<Series> {
+fn ten_sweeps(progress: &Progress, label: &str) -> Option<Series> {
     let budget = budget(progress)?;
-    Some(Series::reference("ten sweeps of pgs", vec![(budget, LEAST), (budget, 1e3)]))
+    Some(Series::reference("ten sweeps", vec![(budget, LEAST), (budget, 1e3)]).labeled(label))
 }
 
 pub(super) fn by_second(clock: &Clock) -> Lines {
     let curves = clock.methods.iter().map(|(solver, points)| {
-        curve(solver, points.iter().map(|(s, residual)| (1e3 * s, residual.max(LEAST))).collect())
+        let points = points.iter().map(|(s, residual)| (1e3 * s, residual.max(LEAST)));
+        curve(solver, points.collect()).labeled(solver)
     });
     Lines::new(
         format!("timings_{}", anchor(&clock.problem)),

@@ -14,23 +14,21 @@ impl View for Plan {
     const TITLE: &'static str = "Convergence of the residual";
 
     fn show(&self, findings: &[Finding], document: &mut Document) {
-        let FindingsByKind { sweeps, methods, rows } = FindingsByKind::of(findings);
+        let FindingsByKind { sweeps, methods, rows, .. } = FindingsByKind::of(findings);
         if !methods.is_empty() {
             methods::show(&methods, document);
-        }
-        if !sweeps.is_empty() {
-            sweeps::show(&sweeps, document);
         }
         if let (Some(plan), false) = (&self.rows, rows.is_empty()) {
             plan.show(&rows, document);
         }
+        if !sweeps.is_empty() {
+            sweeps::show(&sweeps, document);
+        }
     }
 
     fn headline(&self, findings: &[Finding]) -> Headline {
-        FindingsByKind::of(findings)
-            .methods
-            .first()
-            .map_or_else(Headline::default, |own| methods::headline(own))
+        let FindingsByKind { methods, choices, .. } = FindingsByKind::of(findings);
+        methods.first().map_or_else(Headline::default, |own| methods::headline(own, &choices))
     }
 
     fn outcome(&self, findings: &[Finding]) -> Outcome {
@@ -54,20 +52,22 @@ impl View for Plan {
 }
 
 /// The findings by kind.
+#[derive(Default)]
 struct FindingsByKind<'a> {
     sweeps: Vec<&'a Rates>,
     methods: Vec<&'a Progress>,
+    choices: Vec<&'a Progress>,
     rows: Vec<&'a RowResiduals>,
 }
 
 impl<'a> FindingsByKind<'a> {
     fn of(findings: &'a [Finding]) -> Self {
-        let mut found =
-            FindingsByKind { sweeps: Vec::new(), methods: Vec::new(), rows: Vec::new() };
+        let mut found = FindingsByKind::default();
         for finding in findings {
             match finding {
                 Finding::Sweeps(rates) => found.sweeps.push(rates),
                 Finding::Methods(progress) => found.methods.push(progress),
+                Finding::Choice(progress) => found.choices.push(progress),
                 Finding::Rows(residuals) => found.rows.push(residuals),
             }
         }

@@ -19,7 +19,16 @@ impl Rows {
             self.bodies
         ));
         document.figure(self.figure(section_id(document) + "_rows", maps));
-        document.text(self.words(maps));
+        document.text(Self::words(maps));
+    }
+
+    /// The finding: the largest residual of each method after the last sweep.
+    fn title(&self, maps: &[&RowResiduals]) -> String {
+        let left = |map: &&RowResiduals| {
+            format!("{} m/s ({})", readable(largest(map), 2), map.method.name())
+        };
+        let left: Vec<String> = maps.iter().map(left).collect();
+        format!("After {} sweeps the largest residual is {}", self.sweeps, left.join(", "))
     }
 
     fn figure(&self, id: String, maps: &[&RowResiduals]) -> Heat {
@@ -32,7 +41,7 @@ impl Rows {
         };
         Heat {
             id,
-            title: format!("The residual of {} rows, sweep by sweep", self.bodies),
+            title: self.title(maps),
             caption: "Each small square is the residual of one row after one sweep; the contact with the \
                       ground is at the bottom, and white is a residual of 0. In sweeps from the top down, the \
                       impulse of the ground moves up by one row per sweep: the white area shows the rows that \
@@ -50,11 +59,7 @@ impl Rows {
         }
     }
 
-    fn words(&self, maps: &[&RowResiduals]) -> String {
-        let largest = |map: &&RowResiduals| {
-            let last = map.residuals.iter().filter_map(|row| row.last());
-            last.copied().fold(0.0, f64::max)
-        };
+    fn words(maps: &[&RowResiduals]) -> String {
         // The top row itself is satisfied immediately in a sweep from the ground up.
         let reached = |map: &&RowResiduals| {
             let top = map.residuals.iter().rev().nth(1)?;
@@ -63,14 +68,18 @@ impl Rows {
         let of = |map: &&RowResiduals| {
             let arrives =
                 reached(map).map_or("never".into(), |sweep| format!("after sweep {sweep}"));
-            format!(
-                "- *{}*: the impulse from the ground reaches the contact below the top one {arrives}; after \
-                 sweep {} the largest residual is {} m/s.",
-                map.method.name(),
-                self.sweeps,
-                readable(largest(map), 2)
-            )
+            format!("*{}* {arrives}", map.method.name())
         };
-        maps.iter().map(of).collect::<Vec<_>>().join("\n")
+        let arrivals: Vec<String> = maps.iter().map(of).collect();
+        format!(
+            "The impulse from the ground reaches the contact below the top one: {}.",
+            arrivals.join(", ")
+        )
     }
+}
+
+/// The largest residual after the last sweep (m/s).
+fn largest(map: &RowResiduals) -> f64 {
+    let last = map.residuals.iter().filter_map(|row| row.last());
+    last.copied().fold(0.0, f64::max)
 }

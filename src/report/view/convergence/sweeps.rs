@@ -1,5 +1,8 @@
 //! Residuals by sweep, next to the slopes that theory predicts.
 
+use std::cmp::Ordering;
+
+use crate::number::readable;
 use crate::plot::{Axis, Lines, Series};
 use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::convergence::sweeps::{Curve, Rates};
@@ -75,7 +78,7 @@ fn figure(study: &Rates) -> Lines {
     let mut series: Vec<Series> = study
         .curves
         .iter()
-        .map(|curve| Series::measured(name(curve.omega), residuals(curve)))
+        .map(|curve| Series::measured(name(curve.omega), residuals(curve)).labeled(label(curve)))
         .collect();
     series.extend(study.curves.iter().filter_map(slope));
     let rows = study.rows;
@@ -87,14 +90,14 @@ fn figure(study: &Rates) -> Lines {
     };
     Lines::new(
         format!("convergence_{}", stem(&study.scene)),
-        format!("{} ({rows} rows)", study.title),
+        title(study),
         format!(
-            "{kind} Dashed gray: the predicted slopes, set at the middle of each curve. Dantzig \
-             pivoting needs {} pivots for the same problem.",
+            "{rows} rows. {kind} Pale bands: the predicted slopes, set at the middle of each curve. \
+             Dantzig pivoting needs {} pivots for the same problem.",
             study.pivots
         ),
         Axis::linear("sweep", ""),
-        Axis::log("natural residual", "unit of x or w"),
+        Axis::log("natural residual", "m/s or N s"),
         series,
     )
 }
@@ -104,8 +107,35 @@ fn slope(curve: &Curve) -> Option<Series> {
     let rate = curve.predicted_rate?;
     let (middle, residual) = *curve.residuals.get(curve.residuals.len() / 2)?;
     let at = |k: usize| (k as f64, residual * rate.powf(k as f64 - middle as f64));
-    let name = format!("theory, {}: ρ = {rate:.4}", name(curve.omega));
-    Some(Series::theory(name, vec![at(0), at(curve.sweeps)]))
+    let name = format!("theory, {}", name(curve.omega));
+    Some(Series::theory(name, vec![at(0), at(curve.sweeps)]).labeled(""))
+}
+
+/// ω, and the predicted factor per sweep, with the measured one if they disagree.
+fn label(curve: &Curve) -> String {
+    match (curve.measured_rate, curve.predicted_rate, curve.agrees()) {
+        (Some(_), Some(rate), Some(true)) => format!("ω = {}: ρ = {rate:.4}", curve.omega),
+        (Some(measured), Some(rate), _) => {
+            format!("ω = {}: {measured:.4}, ρ = {rate:.4}", curve.omega)
+        }
+        _ => format!("ω = {}", curve.omega),
+    }
+}
+
+/// The finding: the sweeps per digit with PGS and with the best ω.
+fn title(study: &Rates) -> String {
+    let per_digit = |curve: &Curve| Some(-1.0 / curve.measured_rate?.log10());
+    let needs = |curve: &Curve| Some(readable(per_digit(curve)?, 2));
+    let pgs = study.curves.iter().find(|curve| curve.omega == 1.0).and_then(needs);
+    let measured = study.curves.iter().filter(|curve| per_digit(curve).is_some());
+    let by_rate = |a: &&Curve, b: &&Curve| a.measured_rate.partial_cmp(&b.measured_rate);
+    let best = measured.min_by(|a, b| by_rate(a, b).unwrap_or(Ordering::Equal));
+    match (pgs, best.and_then(|best| Some((best.omega, needs(best)?)))) {
+        (Some(pgs), Some((omega, best))) => {
+            format!("{}: a digit takes {pgs} sweeps of pgs, {best} with ω = {omega}", study.title)
+        }
+        _ => study.title.clone(),
+    }
 }
 
 fn table(studies: &[&Rates]) -> Table {

@@ -110,8 +110,12 @@ fn growth() -> Lines {
 
 /// Two bars.
 fn times() -> Bars {
-    let bars =
-        [("pgs", 3.25), ("lemke", 0.5)].map(|(name, value)| Bar { name: name.into(), value });
+    let bars = [("pgs", 3.25), ("lemke", 0.5)].map(|(name, value)| Bar {
+        name: name.into(),
+        accent: false,
+        value,
+        others: Vec::new(),
+    });
     let (title, caption) = ("Time a step".into(), "Shorter is better.".into());
     Bars {
         id: "times".into(),

@@ -1,0 +1,187 @@
+//! A matrix of deviations: one row per law, one column per method, the color by the size of the
+//! deviation.
+
+use super::canvas::{Anchor, Canvas, escape, hex};
+use super::style::{self, FAINT_INK, INK, TEXT};
+use crate::csv;
+use crate::figure::Figure;
+use crate::number::readable;
+
+/// The height of a row, of the space for the names of columns, and of the key in px.
+const ROW: f64 = 21.0;
+const HEAD: f64 = 128.0;
+const KEY: f64 = 34.0;
+const TOP: f64 = 40.0;
+/// The gap between groups of columns in px.
+const GAP: f64 = 9.0;
+/// The size of the numbers in the cells in px.
+const SMALL: f64 = 12.0;
+/// The least deviation of each color, palest first, and its name.
+const SHADES: [(f64, (u8, u8, u8), &str); 5] = [
+    (0.0, (214, 234, 226), "obeyed"),
+    (1.0, (253, 224, 180), "up to 10 ×"),
+    (10.0, (247, 176, 112), "up to 100 ×"),
+    (100.0, (222, 106, 72), "up to 10 000 ×"),
+    (1e4, (160, 32, 48), "more"),
+];
+const NONE: (u8, u8, u8) = (236, 238, 241);
+
+/// A matrix of deviations.
+#[derive(Debug, Clone)]
+pub struct Grades {
+    /// See [`Figure::id`].
+    pub id: String,
+    /// See [`Figure::title`].
+    pub title: String,
+    /// See [`Figure::caption`].
+    pub caption: String,
+    /// Groups of columns: the name of the group and those of its columns.
+    pub groups: Vec<(String, Vec<String>)>,
+    /// The name of each row, and a cell for each column.
+    pub rows: Vec<(String, Vec<Grade>)>,
+}
+
+/// A cell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Grade {
+    /// The law is obeyed.
+    Obeyed,
+    /// The deviation in multiples of the allowed one; infinite if the run failed.
+    Missed(f64),
+    /// Not measured.
+    Unknown,
+}
+
+impl Grade {
+    fn color(self) -> (u8, u8, u8) {
+        let of = |miss: f64| SHADES.iter().rev().find(|(least, ..)| miss >= *least);
+        match self {
+            Grade::Obeyed => SHADES[0].1,
+            Grade::Missed(miss) => of(miss.max(1.0)).unwrap_or(&SHADES[4]).1,
+            Grade::Unknown => NONE,
+        }
+    }
+
+    fn words(self) -> String {
+        match self {
+            Grade::Obeyed => String::new(),
+            Grade::Missed(miss) if miss.is_finite() => {
+                readable(miss, if miss < 10.0 { 2 } else { 1 })
+            }
+            Grade::Missed(_) => "✗".into(),
+            Grade::Unknown => "–".into(),
+        }
+    }
+}
+
+impl Figure for Grades {
+    fn id(&self) -> &str {
+        &self.id
+    }
+
+    fn title(&self) -> &str {
+        &self.title
+    }
+
+    fn caption(&self) -> &str {
+        &self.caption
+    }
+
+    fn drawn(&self, wide: f64, id: &str) -> String {
+        let names = self.rows.iter().map(|(name, _)| style::width(name, TEXT)).fold(0.0, f64::max);
+        let columns: usize = self.groups.iter().map(|(_, columns)| columns.len()).sum();
+        let gaps = GAP * self.groups.len().saturating_sub(1) as f64;
+        let left = style::EDGE + names + 10.0;
+        let width = (wide - style::EDGE - left - gaps) / columns.max(1) as f64;
+        let height = TOP + HEAD + ROW * self.rows.len() as f64 + KEY;
+        let (mut canvas, lower) = Canvas::titled(wide, height, &self.title);
+        let top = TOP + HEAD + lower;
+        let mut places = Vec::new();
+        let mut x = left;
+        for (group, names) in &self.groups {
+            canvas.text((x, TOP + lower + 12.0), Anchor::Start, TEXT, INK, group);
+            for name in names {
+                let (base, foot) = (x + width / 2.0 + 4.5, top - 7.0);
+                canvas.raw(&format!("<g transform=\"rotate(-90 {base:.1} {foot:.1})\">"));
+                canvas.text((base, foot), Anchor::Start, TEXT, FAINT_INK, name);
+                canvas.raw("</g>\n");
+                places.push(x);
+                x += width;
+            }
+            x += GAP;
+        }
+        for (k, (name, cells)) in self.rows.iter().enumerate() {
+            let y = top + ROW * k as f64;
+            canvas.text((left - 8.0, y + 15.0), Anchor::End, TEXT, INK, name);
+            for (grade, x) in cells.iter().zip(&places) {
+                let words = grade.words();
+                canvas.raw(&format!(
+                    "<rect x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\" fill=\"{}\"/>\n",
+                    x + 0.5,
+                    y + 0.5,
+                    width - 1.0,
+                    ROW - 1.0,
+                    hex(grade.color())
+                ));
+                let ink = if matches!(grade, Grade::Missed(miss) if *miss >= 1e4) {
+                    "#ffffff"
+                } else {
+                    "#22262d"
+                };
+                canvas.raw(&format!(
+                    "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\" font-size=\"{SMALL}\" fill=\"{ink}\">{}</text>\n",
+                    x + width / 2.0,
+                    y + 14.5,
+                    escape(&words)
+                ));
+            }
+        }
+        let (mut x, y) = (left, top + ROW * self.rows.len() as f64 + 24.0);
+        for (_, color, name) in SHADES {
+            canvas.raw(&format!(
+                "<rect x=\"{x:.1}\" y=\"{:.1}\" width=\"11\" height=\"11\" fill=\"{}\"/>\n",
+                y - 10.0,
+                hex(color)
+            ));
+            canvas.text((x + 16.0, y), Anchor::Start, TEXT, FAINT_INK, name);
+            x += 16.0 + style::width(name, TEXT) + 14.0;
+        }
+        let obeyed = |(name, cells): &(String, Vec<Grade>)| {
+            let count = cells.iter().filter(|grade| **grade == Grade::Obeyed).count();
+            format!("{name}: {count} of {}", cells.len())
+        };
+        let rows: Vec<String> = self.rows.iter().map(obeyed).collect();
+        canvas.finish(
+            id,
+            &self.title,
+            &format!("laws and how often they are obeyed: {}", rows.join("; ")),
+        )
+    }
+
+    /// None: the columns do not fit a phone.
+    fn narrow(&self) -> Option<String> {
+        None
+    }
+
+    /// One record per cell: row, group, column, deviation; 0 if the law is obeyed, empty if it was
+    /// not measured.
+    fn csv(&self) -> String {
+        let mut out = String::from("law,group,column,deviation\n");
+        let columns: Vec<(&String, &String)> = self
+            .groups
+            .iter()
+            .flat_map(|(group, names)| names.iter().map(move |name| (group, name)))
+            .collect();
+        for (row, cells) in &self.rows {
+            for ((group, name), grade) in columns.iter().zip(cells) {
+                let value = match grade {
+                    Grade::Obeyed => "0".into(),
+                    Grade::Missed(miss) => csv::number(*miss),
+                    Grade::Unknown => String::new(),
+                };
+                csv::record(&mut out, [row.as_str(), group, name, &value]);
+            }
+        }
+        out
+    }
+}
