@@ -82,13 +82,3 @@ impl AtStep {
         }
     }
 }
-
-/// A scene with a duration.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Timed {
-    /// A shipped scene or a file.
-    pub scene: String,
-    /// Simulated time (s).
-    pub duration: f64,
-}

@@ -10,8 +10,8 @@ use lcplab::report::page::Table;
 use lcplab::report::results::{Part, Results};
 use lcplab::report::study::comparison::{Sample, thinned};
 use lcplab::report::study::convergence::Finding;
-use lcplab::report::study::drift::steps::Curve;
-use lcplab::report::study::{convergence, drift, sliding};
+use lcplab::report::study::drift::long::Curve;
+use lcplab::report::study::{Study, convergence, drift, sliding};
 use lcplab::report::view::{Document, Outcome, View};
 use lcplab::report::{methods, run, view, write};
 use lcplab::scene::catalogue::SHIPPED as SHIPPED_SCENES;
@@ -56,7 +56,7 @@ scenes = [{ scene = "stack", step = 1 }]
 
 [[section]]
 study = "drift"
-scenes = [{ scene = "pendulum", duration = 0.1 }]
+scenes = [{ scene = "pendulum", title = "Pendulum", period = 2.4, periods = 2 }]
 "#;
 
 pub fn experiment(text: &str) -> lcplab::error::Result<Experiment> {
@@ -123,8 +123,8 @@ fn a_report_is_one_page_that_fetches_nothing_with_its_data_beside_it() {
         assert!(folder.path().join("data").join(link).is_file(), "{link}");
         count += 1;
     }
-    // A CSV for each of 12 tables, an SVG and a CSV for each of 8 figures.
-    assert_eq!(count, 12 + 2 * 8);
+    // A CSV for each of 11 tables, an SVG and a CSV for each of 7 figures.
+    assert_eq!(count, 11 + 2 * 7);
     assert!(folder.path().join("results.json").is_file());
     let left_over = std::fs::read_dir(folder.path()).unwrap();
     assert!(left_over.flatten().all(|file| file.path().extension().is_none_or(|e| e != "part")));
@@ -147,8 +147,24 @@ fn measured_slopes_are_the_spectral_radii_on_the_chain() {
 }
 
 #[test]
+fn nothing_supports_a_stack_at_first_and_a_solution_supports_all_of_it() {
+    let plan: convergence::Plan = toml::from_str(
+        "[methods]\nproblems = [{ boxes = 3, ratio = 5.0, friction = 0.0 }]\nsolvers = ['pgs', 'lemke']",
+    )
+    .unwrap();
+    let Finding::Methods(progress) = plan.run(0).unwrap().0 else { panic!("methods") };
+    let [pgs, lemke] = &progress.methods[..] else { panic!("two methods") };
+    assert_eq!(pgs.marks[0].iteration, 0);
+    assert!((pgs.marks[0].unsupported.unwrap() - 1.0).abs() < 1e-12);
+    assert!(pgs.ten().unwrap().unsupported.unwrap() > 0.1);
+    for method in [pgs, lemke] {
+        assert!(method.marks.last().unwrap().unsupported.unwrap() < 1e-6, "{}", method.solver);
+    }
+}
+
+#[test]
 fn a_task_that_fails_is_a_row_with_its_reason_and_the_others_go_on() {
-    let text = SMALL.replace("\"pendulum\", duration = 0.1", "\"moon\", duration = 0.1");
+    let text = SMALL.replace("\"pendulum\"", "\"moon\"");
     let results = run_all(&experiment(&text).unwrap());
     assert!(results.is_complete() && !results.is_good().unwrap());
     let reason = "there is no scene file or shipped scene named \"moon\"";
@@ -243,14 +259,13 @@ fn errors_that_do_not_fall_with_the_step_are_bad() {
     let plan = drift::Plan { scenes: Vec::new(), ledgers: Vec::new(), orders: None };
     fn curves(finding: &mut drift::Finding) -> &mut [Curve] {
         match finding {
-            drift::Finding::Levels(levels) => &mut levels.curves,
-            other => panic!("both levels: {other:?}"),
+            drift::Finding::Long(run) => &mut run.curves,
+            other => panic!("a long run: {other:?}"),
         }
     }
     assert!(is_good_after(&plan, |_| ()));
     assert!(!is_good_after(&plan, |found| {
-        let last = curves(found)[2].samples.last_mut().unwrap();
-        last.drift = 1.0;
+        *curves(found)[1].drift.first_mut().unwrap() = 1.0;
     }));
     assert!(!is_good_after(&plan, |found| curves(found)[0].failure = Some("no step".into())));
 }

@@ -1,28 +1,26 @@
-//! Errors of energy and of constraints: over time for decreasing step lengths ([`steps`]), by cause
+//! Errors of energy and of constraints: over many periods by integrator ([`long`]), by cause
 //! ([`ledger`]), and as a function of the step length if the exact motion is known ([`order`]).
 
 pub mod ledger;
+pub mod long;
 pub mod order;
-pub mod steps;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
-use super::settings::Timed;
 use crate::error::Result;
-use crate::scene::Scene;
 use ledger::{Account, Run};
+use long::{LongRun, Periodic};
 use order::{Orders, Problem};
-use steps::Levels;
 
 /// Scenes whose errors are measured.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
-    /// Scenes run at both levels with decreasing step lengths.
+    /// Scenes that are run for many periods by several integrators.
     #[serde(default)]
-    pub scenes: Vec<Timed>,
+    pub scenes: Vec<Periodic>,
     /// Runs whose changes of energy are accounted for.
     #[serde(default)]
     pub ledgers: Vec<Run>,
@@ -35,8 +33,8 @@ pub struct Plan {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Finding {
-    /// A scene at both levels.
-    Levels(Levels),
+    /// A scene over many periods.
+    Long(LongRun),
     /// The energy balance of a run.
     Ledger(Account),
     /// The errors of a problem with a closed form.
@@ -45,19 +43,19 @@ pub enum Finding {
 
 /// A task.
 enum Task<'a> {
-    Levels(&'a Timed),
+    Long(&'a Periodic),
     Ledger(&'a Run),
     Order(&'a Orders, Problem),
 }
 
 impl Plan {
     fn list(&self) -> Vec<Task<'_>> {
-        let levels = self.scenes.iter().map(Task::Levels);
+        let long = self.scenes.iter().map(Task::Long);
         let ledgers = self.ledgers.iter().map(Task::Ledger);
         let orders = self.orders.iter().flat_map(|orders| {
             orders.problems.iter().map(move |&problem| Task::Order(orders, problem))
         });
-        levels.chain(ledgers).chain(orders).collect()
+        long.chain(ledgers).chain(orders).collect()
     }
 }
 
@@ -68,7 +66,7 @@ impl Study for Plan {
 
     fn tasks(&self) -> Vec<String> {
         let name = |task: Task<'_>| match task {
-            Task::Levels(timed) => timed.scene.clone(),
+            Task::Long(periodic) => periodic.scene.clone(),
             Task::Ledger(run) => format!("ledger of {}", run.name),
             Task::Order(_, problem) => format!("order, {}", problem.scene()),
         };
@@ -77,9 +75,7 @@ impl Study for Plan {
 
     fn run(&self, task: usize) -> Result<(Finding, ())> {
         let finding = match self.list()[task] {
-            Task::Levels(Timed { scene, duration }) => {
-                Finding::Levels(steps::run(&Scene::load(scene)?, *duration))
-            }
+            Task::Long(periodic) => Finding::Long(periodic.run()?),
             Task::Ledger(run) => Finding::Ledger(run.audit()?),
             Task::Order(orders, problem) => Finding::Order(orders.run(problem)?),
         };

@@ -4,6 +4,7 @@ use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::drift::ledger::{Account, Book};
+use crate::report::view::attempt::section_id;
 use crate::report::view::{Document, Outcome};
 
 /// Accounts below this fraction of the exchanged energy are not drawn.
@@ -25,12 +26,10 @@ pub(super) fn show(findings: &[&Account], document: &mut Document) {
          + \\dots",
         "ledger of a step",
     );
-    document
-        .text("The *remainder* is the part of the change that no cause in the list explains; in exact arithmetic it is 0.");
     for finding in findings {
         document.text(format!("**{}.** {}", finding.run.title, finding.run.text));
-        document.figure(figure(finding));
     }
+    document.figure(figure(section_id(document) + "_ledger", findings));
     document.table("ledger", table(findings));
 }
 
@@ -60,42 +59,41 @@ fn used(finding: &Account) -> Vec<(usize, &str)> {
     names.filter(|&(k, _)| most(k) > SMALL * finding.turnover).collect()
 }
 
-fn figure(finding: &Account) -> Lines {
+fn figure(id: String, findings: &[&Account]) -> Lines {
+    let remainders = findings.iter().filter_map(|finding| finding.remainder);
+    let worst = readable(remainders.fold(0.0, f64::max), 2);
+    Lines {
+        id,
+        title: format!("Every change of energy has a cause: the causes add up to it within {worst} J"),
+        caption: "Gains are positive. The pale band is the measured change of kinetic plus potential energy; the \
+                  line on it is the sum of the causes. A scheme that does not record the forces has the band only."
+            .into(),
+        x: Axis::linear("time", "s"),
+        panels: findings.iter().map(|finding| panel(finding)).collect(),
+    }
+}
+
+fn panel(finding: &Account) -> Panel {
     let curve = |value: &dyn Fn(&Book) -> f64| {
         finding.books.iter().map(|book| (book.time, value(book))).collect::<Vec<_>>()
     };
-    let total = curve(&|book| book.kinetic + book.potential);
-    let mut panels = vec![Panel {
-        y: Axis::linear("change since the start", "J"),
-        series: vec![
-            Series::measured("kinetic", curve(&|book| book.kinetic)),
-            Series::measured("potential", curve(&|book| book.potential)),
-            Series::measured("kinetic + potential", total),
-        ],
-    }];
+    let label = |name: &str, points: &[(f64, f64)]| {
+        format!("{name} {} J", readable(points.last().map_or(0.0, |(_, work)| *work), 3))
+    };
+    let cause = |(k, name): (usize, &str)| {
+        let points = curve(&|book| book.accounts[k]);
+        let label = label(name, &points);
+        Series::measured(name, points).labeled(label)
+    };
+    let measured = curve(&|book| book.kinetic + book.potential);
+    let mut series = vec![Series::theory("change of energy", measured).labeled("")];
     if finding.remainder.is_some() {
-        let accounts = used(finding)
-            .into_iter()
-            .map(|(k, name)| Series::measured(name, curve(&|book| book.accounts[k])));
-        let sum = Series::reference("their sum", curve(&|book| book.accounts.iter().sum()));
-        let series = accounts.chain([sum]).collect();
-        panels.push(Panel { y: Axis::linear("by cause", "J"), series });
+        let sum = curve(&|book| book.accounts.iter().sum());
+        let label = label("sum", &sum);
+        series.extend(used(finding).into_iter().map(cause));
+        series.push(Series::measured("sum", sum).labeled(label));
     }
-    Lines {
-        id: format!("ledger_{}", finding.run.name),
-        title: finding.run.title.clone(),
-        caption: match finding.remainder {
-            Some(remainder) => format!(
-                "Above: the energy. Below: the causes of its change; gains are positive. The \
-                 causes add up to the change in the panel above, to within {} J.",
-                readable(remainder, 2)
-            ),
-            None => "The energy. Its causes are not shown, because this scheme does not record the forces."
-                .into(),
-        },
-        x: Axis::linear("time", "s"),
-        panels,
-    }
+    Panel { y: Axis::linear(finding.run.title.clone(), "J"), series }
 }
 
 fn table(findings: &[&Account]) -> Table {

@@ -1,21 +1,21 @@
 //! Errors of energy and of constraints: over time, by cause, and as a function of the step length.
 
 mod ledger;
+mod long;
 mod order;
-mod steps;
 
 use super::{Document, Outcome, View};
 use crate::report::study::drift::ledger::Account;
-use crate::report::study::drift::steps::Levels;
+use crate::report::study::drift::long::LongRun;
 use crate::report::study::drift::{Finding, Plan, order as measured};
 
 impl View for Plan {
     const TITLE: &'static str = "Drift of energy and constraints";
 
     fn show(&self, findings: &[Finding], document: &mut Document) {
-        let FindingsByKind { levels, ledgers, orders } = FindingsByKind::of(findings);
-        if !levels.is_empty() {
-            steps::show(&levels, document);
+        let FindingsByKind { long, ledgers, orders } = FindingsByKind::of(findings);
+        if !long.is_empty() {
+            long::show(&long, document);
         }
         if !ledgers.is_empty() {
             ledger::show(&ledgers, document);
@@ -26,10 +26,10 @@ impl View for Plan {
     }
 
     fn outcome(&self, findings: &[Finding]) -> Outcome {
-        let FindingsByKind { levels, ledgers, orders } = FindingsByKind::of(findings);
+        let FindingsByKind { long, ledgers, orders } = FindingsByKind::of(findings);
         let mut parts = Vec::new();
         if !self.scenes.is_empty() || (self.ledgers.is_empty() && self.orders.is_none()) {
-            parts.push(steps::outcome(&levels));
+            parts.push(long::outcome(&long));
         }
         if !self.ledgers.is_empty() {
             parts.push(ledger::outcome(&ledgers));
@@ -45,7 +45,7 @@ impl View for Plan {
 
 /// The findings by kind.
 struct FindingsByKind<'a> {
-    levels: Vec<&'a Levels>,
+    long: Vec<&'a LongRun>,
     ledgers: Vec<&'a Account>,
     orders: Vec<&'a measured::Finding>,
 }
@@ -53,10 +53,10 @@ struct FindingsByKind<'a> {
 impl<'a> FindingsByKind<'a> {
     fn of(findings: &'a [Finding]) -> Self {
         let mut found =
-            FindingsByKind { levels: Vec::new(), ledgers: Vec::new(), orders: Vec::new() };
+            FindingsByKind { long: Vec::new(), ledgers: Vec::new(), orders: Vec::new() };
         for finding in findings {
             match finding {
-                Finding::Levels(levels) => found.levels.push(levels),
+                Finding::Long(run) => found.long.push(run),
                 Finding::Ledger(account) => found.ledgers.push(account),
                 Finding::Order(order) => found.orders.push(order),
             }

@@ -1,7 +1,7 @@
 //! Errors as a function of the step length, with reference slopes and fitted orders.
 
 use crate::number::significant;
-use crate::plot::{Axis, Lines, Series};
+use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::drift::order::{
     Curve, Expected, Finding, Problem, ROUNDING, SLACK, Sample,
@@ -17,9 +17,7 @@ pub(super) fn show(findings: &[&Finding], document: &mut Document) {
          derived one. The fitted order is the slope through all points, with its standard error.",
     ));
     for finding in findings {
-        for quantity in quantities(finding) {
-            document.figure(figure(finding, quantity));
-        }
+        document.figure(figure(finding));
     }
     document.table("order", table(findings));
     document.aside("Reasons for the derived orders", reasons(findings));
@@ -61,30 +59,81 @@ fn what(problem: Problem) -> &'static str {
     }
 }
 
-fn figure(finding: &Finding, quantity: &str) -> Lines {
+fn figure(finding: &Finding) -> Lines {
+    let claims = finding.curves.iter().filter_map(Curve::holds);
+    let (held, all) = (claims.clone().filter(|held| *held).count(), claims.count());
+    Lines {
+        id: format!("order_{}", finding.problem.scene()),
+        title: format!(
+            "{}: {held} of {all} errors decrease with the derived order as dt is halved {} times",
+            what(finding.problem),
+            finding.curves.first().map_or(0, |curve| curve.errors.len().saturating_sub(1))
+        ),
+        caption: format!(
+            "Pale bands have the slope of the derived order. The label names the methods whose errors \
+             coincide, and the order observed between the two shortest steps, unless theory makes no claim. \
+             Methods whose error is a rounding error at every step are listed only in the table.{}",
+            flat(finding)
+        ),
+        x: Axis::log("step dt", "s"),
+        panels: quantities(finding).into_iter().map(|quantity| panel(finding, quantity)).collect(),
+    }
+}
+
+fn panel(finding: &Finding, quantity: &str) -> Panel {
     let shown: Vec<&Curve> =
         finding.curves.iter().filter(|curve| curve.quantity == quantity).collect();
     let unit = shown.first().map_or("", |curve| curve.unit.as_str());
-    let measured = shown.iter().map(|curve| {
-        let seen = curve.errors.iter().filter(|sample| sample.error > ROUNDING);
-        (curve.method.clone(), seen.map(|s| (s.dt, s.error)).collect::<Vec<_>>())
+    // The longest step last: the label is at the right.
+    let points = |curve: &Curve| -> Vec<(f64, f64)> {
+        let seen = curve.errors.iter().rev().filter(|sample| sample.error > ROUNDING);
+        seen.map(|sample| (sample.dt, sample.error)).collect()
+    };
+    let series = alike(&shown).into_iter().map(|curves| {
+        let names: Vec<&str> = curves.iter().map(|curve| short(&curve.method)).collect();
+        let order = match (&curves[0].expected, curves[0].observed()) {
+            (Expected::Open { .. }, _) | (_, None) => String::new(),
+            (_, Some(order)) => format!(": order {:.1}", order.abs()),
+        };
+        let label = format!("{}{order}", names.join(", "));
+        Series::measured(&curves[0].method, points(curves[0])).labeled(label)
     });
-    let measured: Vec<_> = measured.filter(|(_, points)| !points.is_empty()).collect();
-    let theory = slopes(&shown);
-    let series = measured.into_iter().map(|(name, points)| Series::measured(name, points));
-    Lines::new(
-        format!("order_{}_{}", finding.problem.scene(), quantity.replace(' ', "_")),
-        format!("{}: error of the {quantity}", what(finding.problem)),
-        "Gray lines have the slope of the derived order. Methods whose error is a rounding error at \
-                  every step are listed only in the table. Curves with equal errors coincide.",
-        Axis::log("step dt", "s"),
-        Axis::log(format!("error of the {quantity}"), unit),
-        series.chain(theory).collect(),
-    )
+    let y = Axis::log(format!("error of the {quantity}"), unit);
+    Panel { y, series: series.chain(slopes(&shown)).collect() }
 }
 
-/// A reference line for each derived order, through the longest step of the first method with that
-/// order.
+/// Why some errors do not decrease.
+fn flat(finding: &Finding) -> String {
+    let why = |curve: &Curve| match &curve.expected {
+        Expected::Order { order: 0.0, because } => {
+            Some(format!(" *{}* has order 0: {because}.", short(&curve.method)))
+        }
+        _ => None,
+    };
+    finding.curves.iter().find_map(why).unwrap_or_default()
+}
+
+/// The name of a method without the level of its integrator.
+fn short(method: &str) -> &str {
+    method.strip_prefix("acceleration, ").unwrap_or(method)
+}
+
+/// Curves whose errors are not rounding, those that coincide together.
+fn alike<'a>(shown: &[&'a Curve]) -> Vec<Vec<&'a Curve>> {
+    let same = |a: &Curve, b: &Curve| {
+        a.errors.iter().zip(&b.errors).all(|(a, b)| (a.error / b.error - 1.0).abs() < 0.01)
+    };
+    let mut groups: Vec<Vec<&Curve>> = Vec::new();
+    for curve in shown.iter().filter(|curve| curve.errors.iter().any(|s| s.error > ROUNDING)) {
+        match groups.iter_mut().find(|group| same(group[0], curve)) {
+            Some(group) => group.push(curve),
+            None => groups.push(vec![curve]),
+        }
+    }
+    groups
+}
+
+/// A band for each derived order, through the longest step of the first method with that order.
 fn slopes(shown: &[&Curve]) -> Vec<Series> {
     let mut lines: Vec<(f64, Vec<(f64, f64)>)> = Vec::new();
     for curve in shown {
@@ -95,8 +144,10 @@ fn slopes(shown: &[&Curve]) -> Vec<Series> {
             lines.push((order, curve.errors.iter().map(|sample| at(sample.dt)).collect()));
         }
     }
-    let named = |(order, points): (f64, Vec<_>)| Series::theory(format!("order {order}"), points);
-    lines.into_iter().map(named).collect()
+    let band = |(order, points): (f64, Vec<_>)| {
+        Series::theory(format!("order {order}"), points).labeled("")
+    };
+    lines.into_iter().map(band).collect()
 }
 
 fn table(findings: &[&Finding]) -> Table {

@@ -52,7 +52,7 @@ pub struct Finding {
 }
 
 /// The schemes, and the other integrators of the acceleration level.
-fn methods() -> Vec<(String, Scheme, Integrator)> {
+pub(super) fn methods() -> Vec<(String, Scheme, Integrator)> {
     let family = |f: Scheme| (f.name().to_string(), f, Integrator::SemiImplicitEuler);
     let other = |name: &str, integrator| {
         (format!("acceleration, {name}"), Scheme::Acceleration, integrator)
