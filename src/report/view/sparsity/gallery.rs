@@ -26,10 +26,15 @@ pub(super) fn show(pictures: &[Picture], document: &mut Document) {
         document.figure(Spies {
             id: format!("sparsity_scenes_{}", k + 1),
             title: title(k + 1, figures),
-            caption: "Under each name: the number of rows and the share of entries that are not zero; the \
-                      step, if it is not the first. An empty frame has no rows in that step. Perpendicular \
-                      rods that share a point mass have no common entry."
-                .into(),
+            caption: format!(
+                "Under each name: the number of rows and the share of entries that are not zero; the \
+                 step, if it is not the first. Perpendicular rods that share a point mass have no common \
+                 entry.{}",
+                match some.iter().any(|picture| picture.raster.rows == 0) {
+                    true => " An empty frame has no rows in that step.",
+                    false => "",
+                }
+            ),
             across: ACROSS,
             panels: some.iter().map(small).collect(),
         });

@@ -14,15 +14,15 @@ impl View for Plan {
 
     fn show(&self, findings: &[Finding], document: &mut Document) {
         let patterns: Vec<&Patterns> = patterns(findings).collect();
+        let factors: Vec<&Factor> = factors(findings).collect();
         if !patterns.is_empty() {
-            pattern::show(&patterns, document);
+            pattern::show(&patterns, &factors, document);
         }
         for finding in findings {
             if let Finding::Gallery(pictures) = finding {
                 gallery::show(pictures, document);
             }
         }
-        let factors: Vec<&Factor> = factors(findings).collect();
         if !factors.is_empty() {
             factor::show(&factors, document);
         }

@@ -1,34 +1,128 @@
-//! J and A of one step.
+//! A of one step, next to its scene, and the factors of another.
 
-use crate::plot::Spy;
+use crate::film::{Frame, Strip};
+use crate::number::{count, readable};
+use crate::plot::coupling::{Coupling, Rows, SCENE};
+use crate::plot::{Small, Spy};
 use crate::report::page::markup::literal;
-use crate::report::study::sparsity::pattern::Patterns;
+use crate::report::study::sparsity::factor::{Factor, Ordered};
+use crate::report::study::sparsity::pattern::{Block, Patterns};
 use crate::report::view::Document;
 use crate::report::view::attempt::stem;
+use crate::scene::Scene;
+use crate::storage::Ordering;
 
-pub(super) fn show(scenes: &[&Patterns], document: &mut Document) {
+/// A larger matrix is drawn as a raster.
+const MOST: usize = 200;
+
+pub(super) fn show(scenes: &[&Patterns], factors: &[&Factor], document: &mut Document) {
     document.text(
         "A row of $J$ has entries only for the one or two bodies it joins, and two rows of \
          $A = J M^{-1} J^T$ are coupled only if they share a moving body. The larger the scene, the sparser \
          its $A$ (the chapter's Figure 13). The work of a solver that reads only stored entries is \
-         proportional to the number of contacts, not to its square.",
+         proportional to the number of contacts, not to its square. A direct method factors $A = L L^T$, and \
+         $L$ has additional entries, the fill-in, whose number depends on the order of elimination.",
     );
-    for scene in scenes {
-        let figures = [
-            ("jacobian", "J", (scene.rows, scene.columns), &scene.jacobian),
-            ("matrix", "A = J M⁻¹ Jᵀ", (scene.rows, scene.rows), &scene.matrix),
-        ];
-        let of_problem = scene.columns == 0;
-        for (kind, name, size, places) in figures.into_iter().skip(of_problem.into()) {
-            let name = if of_problem { "A" } else { name };
-            let id = format!("sparsity_{}_{kind}", stem(&scene.scene));
-            let when = if of_problem { String::new() } else { format!(" in step {}", scene.step) };
-            let title = literal(&scene.title);
-            let caption = format!("{name}{when}: {title}");
-            let title = format!("{name}: {}", scene.scene);
-            if let Ok(spy) = Spy::new(id, title, caption, size, places.iter().copied()) {
-                document.figure(spy);
-            }
+    for (k, scene) in scenes.iter().enumerate() {
+        if scene.blocks.is_empty() || scene.rows > MOST {
+            raster(scene, document);
+        } else {
+            document.figure(coupling(scene, if k == 0 { factors } else { &[] }));
         }
     }
+}
+
+fn raster(scene: &Patterns, document: &mut Document) {
+    let id = format!("sparsity_{}_matrix", stem(&scene.scene));
+    let places = scene.matrix.iter().map(|&(i, j, _)| (i, j));
+    let title = format!("A: {}", scene.scene);
+    if let Ok(spy) = Spy::new(id, title, literal(&scene.title), (scene.rows, scene.rows), places) {
+        document.figure(spy);
+    }
+}
+
+fn coupling(found: &Patterns, factors: &[&Factor]) -> Coupling {
+    let rows = |block: &Block| Rows {
+        name: block.name.clone(),
+        bodies: block.bodies.clone(),
+        second: block.friction.clone(),
+    };
+    let fill = |entries: usize, of: usize| readable(100.0 * entries as f64 / of as f64, 3);
+    let full = fill(found.matrix.len(), found.rows * found.rows);
+    let shares = |a: &&Block, b: &Block| a.bodies.iter().any(|body| b.bodies.contains(body));
+    let blocks = found.blocks.iter();
+    let pairs: Vec<_> = blocks
+        .flat_map(|a| found.blocks.iter().filter(move |b| shares(&a, b)).map(move |b| (a, b)))
+        .collect();
+    let coupled: usize = pairs.iter().map(|(a, b)| a.friction.len() * b.friction.len()).sum();
+    let all = found.blocks.len().pow(2);
+    Coupling {
+        id: format!("sparsity_{}", stem(&found.scene)),
+        title: format!(
+            "{}: A is {full} % full, in {} of {all} blocks{}",
+            found.scene,
+            pairs.len(),
+            gain(factors)
+        ),
+        caption: format!(
+            "Left: the scene. Right: A in step {}, {} rows; a block holds the rows of two bodies, and the paler an \
+             entry, the smaller |a|. Blocks without a common moving body are empty; the other {} are {} % full, \
+             because the lever arms of some rows cancel. So few bodies couple most rows: with ten times as \
+             many, A would be about ten times emptier. Point at a block to see the bodies that its rows share. \
+             {}",
+            found.step,
+            count(found.rows),
+            pairs.len(),
+            fill(found.matrix.len(), coupled),
+            factors.iter().map(|factor| words(factor)).collect::<Vec<_>>().join(" ")
+        ),
+        scene: picture(found).unwrap_or_default(),
+        blocks: found.blocks.iter().map(rows).collect(),
+        kinds: ["normal".into(), "friction".into()],
+        entries: found.matrix.clone(),
+        factors: factors.iter().flat_map(|factor| panels(factor)).collect(),
+    }
+}
+
+/// The factors that are drawn: with the natural order, and with the fewest entries.
+fn drawn(factor: &Factor) -> impl Iterator<Item = &Ordered> {
+    let is_drawn = |own: &&Ordered| own.ordering != Ordering::ReverseCuthillMcKee.name();
+    factor.ordered.iter().filter(is_drawn)
+}
+
+fn gain(factors: &[&Factor]) -> String {
+    let gain = |factor: &&Factor| {
+        let entries: Vec<f64> = drawn(factor).map(|own| own.entries as f64).collect();
+        let (natural, least) = (entries.first()?, entries.last()?);
+        Some(format!(
+            "; minimum degree makes the factor of {} {} times smaller",
+            factor.scene,
+            readable(natural / least, 2)
+        ))
+    };
+    factors.iter().filter_map(gain).collect()
+}
+
+fn words(factor: &Factor) -> String {
+    format!(
+        "Below: the factor of {} in step {} ({} rows, {} entries of A on and below the diagonal).",
+        factor.scene,
+        factor.step,
+        count(factor.rows),
+        count(factor.lower)
+    )
+}
+
+fn panels(factor: &Factor) -> impl Iterator<Item = Small> {
+    drawn(factor).map(|own| Small {
+        name: format!("L of {}, {}", factor.scene, own.ordering),
+        note: format!("{} entries", count(own.entries)),
+        raster: own.picture.clone(),
+    })
+}
+
+/// The scene at its start.
+fn picture(found: &Patterns) -> Option<String> {
+    let scene = Scene::load(&found.scene).ok()?;
+    Some(Strip::new(&scene, vec![Frame::start(&scene)]).still(SCENE))
 }
