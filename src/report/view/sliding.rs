@@ -133,6 +133,44 @@ fn bias(study: &Finding, model: Model) -> Option<String> {
     least.is_finite().then(|| format!("*{}* {held} %, {aside}", short(model)))
 }
 
+/// A number of each model that is shown, with the model.
+fn listed(study: &Finding, number: fn(&Finding, Model) -> String) -> String {
+    let of = |model: &Model| format!("{} ({})", number(study, *model), short(*model));
+    SHOWN.iter().map(of).collect::<Vec<_>>().join(", ")
+}
+
+/// The least and the largest push that a model holds, relative to Coulomb's limit.
+fn held(study: &Finding, model: Model) -> String {
+    let grips = study.grips.iter().filter(|grip| grip.model == model).map(|grip| grip.measured);
+    let (least, most) =
+        grips.fold((f64::INFINITY, 0.0), |(lo, hi), grip| (f64::min(lo, grip), f64::max(hi, grip)));
+    let percent = |part: f64| readable((100.0 * part).round(), 3);
+    match (percent(least), percent(most)) {
+        (least, most) if least == most => format!("{least} %"),
+        (least, most) => format!("{least}–{most} %"),
+    }
+}
+
+/// The largest angle between friction and the direction against the slip.
+fn aside(study: &Finding, model: Model) -> String {
+    let slides = study.slides.iter().filter(|slide| slide.answer.model == model);
+    let angles = slides.filter_map(|slide| slide.answer.contacts.first()?.misalignment);
+    format!("{}°", readable(angles.fold(0.0, f64::max).round(), 2))
+}
+
+/// How far each model stops the block from where Coulomb's law does.
+fn path_title(study: &Finding) -> String {
+    let stop =
+        |model: Model| study.paths.iter().find(|path| path.model == model).map(|path| path.stop);
+    let Some([x, y]) = stop(Model::CoulombCone) else { return "Paths of the block".into() };
+    let far = |model: &Model| {
+        let [a, b] = stop(*model).filter(|_| *model != Model::CoulombCone)?;
+        Some(format!("{}\u{a0}m ({})", readable((a - x).hypot(b - y), 2), short(*model)))
+    };
+    let far: Vec<String> = SHOWN.iter().filter_map(far).collect();
+    format!("The block stops {} from where Coulomb's law stops it", far.join(", "))
+}
+
 fn path_figure(study: &Finding) -> Lines {
     let path = |model: &Model| {
         let paths = study.paths.iter().filter(|path| path.model == *model);
@@ -144,7 +182,7 @@ fn path_figure(study: &Finding) -> Lines {
     let theory = Series::theory("theory, Coulomb".to_string(), line.unwrap_or_default());
     Lines::new(
         "friction_paths",
-        "Path of a block on the floor, seen from above",
+        path_title(study),
         "A marker every 0.02 s; the last one is where the block stops. The line is the path by \
                   Coulomb's law, which has no preferred direction.",
         Axis::linear("position along t₁", "m"),
@@ -219,7 +257,7 @@ fn direction_figure(study: &Finding) -> Lines {
         |model: &Model| Series::theory(format!("theory, {}", short(*model)), stairs(*model));
     Lines::new(
         "friction_direction",
-        "Direction of friction, and the direction by Coulomb's law",
+        format!("Friction is off its direction by up to {}", listed(study, aside)),
         format!(
             "The block is pushed {} times as hard as friction can hold, from 0 to 90° to t₁ in steps \
              of 5°. Coulomb's law is the diagonal. With the box model, friction points at 45° to the \
@@ -258,7 +296,7 @@ fn grip_figure(study: &Finding) -> Lines {
     };
     Lines::new(
         "friction_grip",
-        "The largest push that does not move the block",
+        format!("Friction holds {} of Coulomb's limit", listed(study, held)),
         "By Coulomb's law the largest push is 1 N s in every direction. Markers: measured by bisection \
          (14 steps, to 10⁻⁴ N s).",
         Axis::linear("direction of the push", "degrees from t₁"),

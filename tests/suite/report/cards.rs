@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use lcplab::certificate::{Demand, Verdict};
 use lcplab::lcp::Question;
 use lcplab::report::friction::JudgedAnswer;
+use lcplab::report::page::Block;
 use lcplab::report::study::Study;
 use lcplab::report::study::cards::{Column, Frame, Phenomenon, Plan, Record};
 use lcplab::report::view::{Document, View};
@@ -345,7 +346,15 @@ fn the_page_has_a_row_a_phenomenon_and_a_column_an_engine_and_every_miss_is_a_nu
             assert_eq!(cell.value.is_some(), missed, "{}: {}", phenomenon.name, column.title);
         }
     }
-    let answer = plan.headline(&[record]).answer.unwrap();
+    let headline = plan.headline(&[record]);
+    assert!(headline.figure.unwrap().svg().contains(">accurate settings</text>"));
+    assert!(headline.answer.unwrap().contains("laws of mechanics"));
+    let words = |block: &Block| match block {
+        Block::Text(text) => Some(text.clone()),
+        _ => None,
+    };
+    let blocks = document.page.sections.iter().flat_map(|section| &section.blocks);
+    let answer: String = blocks.filter_map(words).collect();
     for use_ in [
         "A gripper",
         "A tower",

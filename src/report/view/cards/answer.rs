@@ -3,7 +3,7 @@
 
 use super::{ACCURATE, DEFAULTS, OWN};
 use crate::number::readable;
-use crate::report::study::cards::{Column, Phenomenon, Record};
+use crate::report::study::cards::{Column, Engine, Phenomenon, Record};
 
 /// Possible uses, and the phenomena that each requires.
 const USES: [(&str, &[&str]); 7] = [
@@ -16,16 +16,34 @@ const USES: [(&str, &[&str]); 7] = [
     ("Learning and optimization", &["predictability", "order", "repeat"]),
 ];
 
-/// One paragraph per use.
+/// What was tested, and the engine that obeys the most laws.
 pub fn of(record: &Record) -> String {
-    let others = record.engines.iter().filter(|engine| engine.name != OWN).count();
-    let begins = format!(
-        "{} laws of mechanics, each in its own scene, tested on {others} physics engines. For each use: the \
-         engines that obey all of the laws that matter for it, and the engine that violates them most.",
-        record.phenomena.len()
-    );
+    let others = || record.engines.iter().filter(|engine| engine.name != OWN);
+    let held = |name: &str, settings: &str| {
+        let obeys = |own: &&Phenomenon| column(own, name, settings).is_some_and(Column::holds);
+        record.phenomena.iter().filter(obeys).count()
+    };
+    let best = |settings: &str| {
+        let count = |engine: &&Engine| held(&engine.name, settings);
+        let best = others().max_by_key(count);
+        best.map_or(String::new(), |best| format!("{} obeys {}", best.title, count(&best)))
+    };
+    format!(
+        "{} laws of mechanics, each in its own scene, tested on {} physics engines. With default settings {} \
+         of them, the most of all; with accurate settings {}.",
+        record.phenomena.len(),
+        others().count(),
+        best(DEFAULTS),
+        best(ACCURATE)
+    )
+}
+
+/// One paragraph per use.
+pub fn uses(record: &Record) -> String {
+    let begins = "For each use: the engines that obey all of the laws that matter for it, and the engine \
+                  that violates them most.";
     let paragraphs = USES.iter().map(|(what, names)| paragraph(record, what, names));
-    std::iter::once(begins).chain(paragraphs).collect::<Vec<_>>().join("\n\n")
+    std::iter::once(begins.to_string()).chain(paragraphs).collect::<Vec<_>>().join("\n\n")
 }
 
 fn paragraph(record: &Record, what: &str, names: &[&str]) -> String {

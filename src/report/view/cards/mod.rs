@@ -6,6 +6,8 @@ mod phenomenon;
 
 use super::{Document, Headline, Outcome, View};
 use crate::number::readable;
+use crate::plot::Figure;
+use crate::plot::grades::{Grade, Grades};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::cards::{self, Engine, Phenomenon, Plan, Record};
 
@@ -57,11 +59,7 @@ impl View for Plan {
 
     fn show(&self, findings: &[Record], document: &mut Document) {
         for record in findings {
-            document.text(
-                "✓: the law is obeyed within its tolerance. A number is the largest violation, in multiples of \
-                 the tolerance. –: the engine or its adapter does not support the scene. The rows link to the \
-                 curves and numbers below.",
-            );
+            document.text(answer::uses(record));
             for (name, id, words) in [
                 (DEFAULTS, "installed", "As installed"),
                 (ACCURATE, "accurate", "With settings for accuracy"),
@@ -79,7 +77,9 @@ impl View for Plan {
     }
 
     fn headline(&self, findings: &[Record]) -> Headline {
-        Headline::of(findings.first().map(answer::of))
+        let Some(record) = findings.first() else { return Headline::default() };
+        let figure: Box<dyn Figure> = Box::new(heat(record));
+        Headline { figure: Some(figure), ..Headline::of(Some(answer::of(record))) }
     }
 
     fn outcome(&self, findings: &[Record]) -> Outcome {
@@ -134,6 +134,52 @@ fn own(record: &Record) -> Ways<'_> {
     let engines = record.engines.iter().filter(|engine| engine.name == OWN);
     let schemes = engines.flat_map(|engine| &engine.settings);
     schemes.map(|scheme| (scheme.name.clone(), OWN, scheme.name.as_str())).collect()
+}
+
+/// All engines with both settings, and lcplab's own schemes.
+fn heat(record: &Record) -> Grades {
+    let groups = [
+        ("as installed", others(record, DEFAULTS)),
+        ("accurate settings", others(record, ACCURATE)),
+        ("lcplab's schemes", own(record)),
+    ];
+    let row = |phenomenon: &Phenomenon| {
+        let ways = groups.iter().flat_map(|(_, ways)| ways);
+        let grades = ways.map(|(_, engine, settings)| grade(phenomenon, engine, settings));
+        (phenomenon.name.replace('_', " "), grades.collect())
+    };
+    let runs = record.phenomena.iter().flat_map(|own| &own.columns);
+    let runs = runs.filter(|column| column.engine != OWN && column.settings == DEFAULTS);
+    let measured = runs.filter(|column| column.unsupported.is_none());
+    let (held, all) = (measured.clone().filter(|column| column.holds()).count(), measured.count());
+    Grades {
+        id: "cards_matrix".into(),
+        title: format!(
+            "As installed, the engines obey their law in {held} of {all} runs of {} laws",
+            record.phenomena.len()
+        ),
+        caption: "A number is the largest violation of the law in multiples of its tolerance; ✗: the run failed; –: the \
+                  engine or its adapter does not support the scene."
+            .into(),
+        rows: record.phenomena.iter().map(row).collect(),
+        groups: groups
+            .iter()
+            .map(|(name, ways)| {
+                (name.to_string(), ways.iter().map(|(heading, ..)| heading.clone()).collect())
+            })
+            .collect(),
+    }
+}
+
+fn grade(phenomenon: &Phenomenon, engine: &str, settings: &str) -> Grade {
+    let of = |column: &&cards::Column| column.engine == engine && column.settings == settings;
+    let Some(column) = phenomenon.columns.iter().find(of) else { return Grade::Unknown };
+    match (column.worst(), &column.failed) {
+        _ if column.holds() => Grade::Obeyed,
+        (Some(worst), _) => Grade::Missed(worst.miss()),
+        (None, Some(_)) => Grade::Missed(f64::INFINITY),
+        (None, None) => Grade::Unknown,
+    }
 }
 
 fn matrix(record: &Record, title: &str, ways: &Ways<'_>) -> Table {

@@ -6,6 +6,9 @@ use crate::report::page::{Block, Cell, Mark, Table};
 use crate::report::study::cards::{Column, Measured, Phenomenon, Record};
 use crate::report::view::Document;
 
+/// A difference of positions below this part of the size of a scene cannot be seen.
+const VISIBLE: f64 = 0.03;
+
 /// Adds a section.
 pub fn show(record: &Record, phenomenon: &Phenomenon, document: &mut Document) {
     document.open(&phenomenon.name, &phenomenon.question);
@@ -33,8 +36,10 @@ fn figure(record: &Record, phenomenon: &Phenomenon) -> Lines {
     let points = |y: &[f64]| x.values.iter().copied().zip(y.iter().copied()).collect::<Vec<_>>();
     let panel = |title: &str, chosen: &dyn Fn(&Column) -> bool| {
         let drawn = phenomenon.columns.iter().filter(|own| !own.y.is_empty() && chosen(own));
-        let measured = drawn.map(|own| Series::measured(name(record, own), points(&own.y)));
-        let law = Series::theory("law", points(&y.law));
+        let measured = drawn.map(|own| {
+            Series::measured(name(record, own), points(&own.y)).labeled(name(record, own))
+        });
+        let law = Series::theory("law", points(&y.law)).labeled("law");
         Panel {
             y: Axis::linear(format!("{title}: {}", y.name), &y.unit),
             series: std::iter::once(law).chain(measured).collect(),
@@ -47,8 +52,8 @@ fn figure(record: &Record, phenomenon: &Phenomenon) -> Lines {
     ];
     Lines {
         id: format!("cards_{}", phenomenon.name),
-        title: capital(&y.name),
-        caption: "Dashed is the law. Above: engines as installed; in the middle: with settings for accuracy; \
+        title: title(record, phenomenon),
+        caption: "The pale band is the law. Above: engines as installed; in the middle: with settings for accuracy; \
                   below: lcplab's schemes."
             .into(),
         x: match phenomenon.log {
@@ -57,6 +62,20 @@ fn figure(record: &Record, phenomenon: &Phenomenon) -> Lines {
         },
         panels: panels.into_iter().filter(|panel| panel.series.len() > 1).collect(),
     }
+}
+
+/// The finding: how many engines obey the law as installed, and the largest violation.
+fn title(record: &Record, phenomenon: &Phenomenon) -> String {
+    let installed = phenomenon.columns.iter().filter(|own| own.settings == DEFAULTS);
+    let measured: Vec<&Column> = installed.filter(|own| own.unsupported.is_none()).collect();
+    let held = measured.iter().filter(|own| own.holds()).count();
+    let missed = measured.iter().filter_map(|own| Some((own, own.worst()?.miss())));
+    let worst = missed.filter(|(own, _)| !own.holds()).max_by(|a, b| a.1.total_cmp(&b.1));
+    let worst = worst.map_or(String::new(), |(own, miss)| {
+        format!("; the error of {} is {} the tolerance", record.title(&own.engine), times(miss))
+    });
+    let quantity = capital(&phenomenon.y.name);
+    format!("{quantity}: {held} of {} engines obey the law as installed{worst}", measured.len())
 }
 
 /// The name of a column in comparisons: a scheme of lcplab has its own name.

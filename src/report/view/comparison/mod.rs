@@ -7,7 +7,7 @@ pub use answer::answer;
 use super::attempt::{listed, stem};
 use super::{Document, Headline, Outcome, View};
 use crate::film::Film;
-use crate::number::{count, counted};
+use crate::number::{count, counted, readable};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Page, Table, markup};
 use crate::report::study::comparison::{Comparison, LeftOut, Plan, Run, Sample, Timing, best};
@@ -41,16 +41,22 @@ impl View for Plan {
             count(solves)
         ));
         document.table("comparison_schemes", by_scheme(findings));
+        let words = |comparison: &Comparison| {
+            let (title, teaches) = (&comparison.title, comparison.teaches.trim());
+            format!("**{}.** {}", markup::literal(title), markup::literal(teaches))
+        };
+        let (drawn, others): (Vec<_>, Vec<_>) =
+            findings.iter().partition(|own| is_worth_drawing(own));
+        for comparison in drawn {
+            document.text(words(comparison));
+            document.figure(motion_figure(comparison));
+        }
+        if !others.is_empty() {
+            let scenes: Vec<String> = others.into_iter().map(words).collect();
+            document.aside("What the other scenes show", scenes.join("\n\n"));
+        }
         for comparison in findings {
             let id = format!("comparison_{}", stem(&comparison.scene));
-            document.text(format!(
-                "**{}.** {}",
-                markup::literal(&comparison.title),
-                markup::literal(comparison.teaches.trim())
-            ));
-            if is_worth_drawing(comparison) {
-                document.figure(motion_figure(comparison));
-            }
             document.table(&id, table(comparison));
         }
     }
@@ -93,10 +99,13 @@ impl View for Plan {
     }
 }
 
-/// Whether a motion is long enough, and has errors that differ from rounding.
+/// Whether a motion is long enough, has errors that differ from rounding, and differs between more
+/// schemes than the two levels, which the study *drift* compares.
 fn is_worth_drawing(comparison: &Comparison) -> bool {
     let error = |run: &Run| run.worst(|sample| sample.drift.max(sample.penetration));
-    comparison.steps >= STEPS && comparison.runs.iter().any(|run| error(run) > ERROR)
+    comparison.steps >= STEPS
+        && alike(&comparison.runs).len() > Scheme::LEVELS.len()
+        && comparison.runs.iter().any(|run| error(run) > ERROR)
 }
 
 /// A scheme in a sentence.
@@ -265,13 +274,30 @@ fn motion_figure(comparison: &Comparison) -> Lines {
     }
     Lines {
         id: format!("motion_{}", stem(&comparison.scene)),
-        title: format!("{}: energy and errors", comparison.title),
+        title: motion_title(comparison),
         caption:
             "Solvers share a curve if their motions agree to within a thousandth of the largest \
                   energy change and of the largest error; the motion then depends only on the level."
                 .into(),
         x: Axis::linear("time", "s"),
         panels,
+    }
+}
+
+/// The finding: the largest change of energy over the runs, and the least.
+fn motion_title(comparison: &Comparison) -> String {
+    let change = |run: &&Run| run.energy_change().abs();
+    let by_change = |a: &&Run, b: &&Run| change(a).total_cmp(&change(b));
+    let named =
+        |run: &Run| format!("{} J ({})", readable(run.energy_change().abs(), 2), run.scheme);
+    match (comparison.runs.iter().min_by(by_change), comparison.runs.iter().max_by(by_change)) {
+        (Some(least), Some(most)) => format!(
+            "{}: the energy changes by {} to {}",
+            comparison.title,
+            named(least),
+            named(most)
+        ),
+        _ => comparison.title.clone(),
     }
 }
 
