@@ -6,9 +6,6 @@ use crate::report::page::{Block, Cell, Mark, Table};
 use crate::report::study::cards::{Column, Measured, Phenomenon, Record};
 use crate::report::view::Document;
 
-/// A difference of positions below this part of the size of a scene cannot be seen.
-const VISIBLE: f64 = 0.03;
-
 /// Adds a section.
 pub fn show(record: &Record, phenomenon: &Phenomenon, document: &mut Document) {
     document.open(&phenomenon.name, &phenomenon.question);
