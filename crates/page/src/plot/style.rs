@@ -2,8 +2,8 @@
 //!
 //! The colors of names that are drawn together differ by at least 12 in the CIEDE2000 distance, on
 //! light and on dark pages; dash and marker repeat the difference for gray prints. SOR is one
-//! family, darker with increasing ω. A variant after a comma (`velocity, dt/2`) or a colon keeps the
-//! hue of the name before it.
+//! family, darker with increasing ω. A variant after a comma (`velocity, dt/2`) or a colon keeps
+//! the hue of the name before it.
 
 use plotters::style::RGBColor;
 
