@@ -2,6 +2,7 @@
 
 use lcplab_mechanics::scene::Scene;
 use lcplab_mechanics::simulation::problem_of;
+use lcplab_page::document::Document;
 use lcplab_problem::file::Problem;
 use lcplab_problem::{Lcp, Matrix};
 use lcplab_solver::{Options, Settings};
@@ -500,4 +501,34 @@ fn a_problem_without_rows_has_no_cause_of_errors() {
     let problem = Problem::new("empty", contacts(&[], &[]));
     let found = examine_sequence(&[problem], &user_solver("pgs", 3));
     assert!(found.causes().is_empty(), "{:?}", found.causes());
+}
+
+/// Two hinges on a skewed axis: in rational numbers their ten rows contradict each other by
+/// rounding, so exact enumeration has no answer in some step. It makes no sweeps.
+#[test]
+fn a_finite_method_that_gives_up_is_named_with_its_step_and_is_not_called_slow() {
+    let hinge = |point: &str| {
+        format!(
+            "[[constraints]]\nkind = \"hinge\"\nbodies = [\"door\"]\naxis = [0.1, 0.2, 1]\n\
+             point = {point}\n"
+        )
+    };
+    let text = format!(
+        "step.baumgarte = 0.1\n[[bodies]]\nname = \"door\"\nshape = {{ box = [1, 0.05, 2] }}\n\
+         mass = 20\nposition = [0.5, 0, 0]\n{}{}[[constraints]]\nkind = \"motor_rotation\"\n\
+         bodies = [\"door\"]\naxis = [0.1, 0.2, 1]\nspeed = 2\neffort = 1e4\n",
+        hinge("[0.08, 0.16, 0.8]"),
+        hinge("[-0.08, -0.16, -0.8]")
+    );
+    let mut scene = Scene::from_toml("door.toml", &text).unwrap();
+    scene.solver.name = "enumeration".into();
+    let found = examine_scene(&scene, None).unwrap();
+    assert!(found.gave_up.is_some(), "{}", found.headline());
+    assert_eq!(found.causes()[0], "the solver gave up");
+    assert!(!found.causes().contains(&"slow sweeps"), "{:?}", found.causes());
+    let mut document =
+        Document { title: "Diagnosis of door, step 1".into(), ..Document::default() };
+    found.open(&mut document);
+    let place = format!("In step {}, ", found.place + 1);
+    assert!(found.place > 0 && document.lead.starts_with(&place), "{}", document.lead);
 }

@@ -176,6 +176,17 @@ impl Examination {
         words
     }
 
+    /// The step that was examined, for the start of the first sentence, if the title names another.
+    fn place_in_words(&self, title: &str) -> String {
+        let is_short = self.unsupported.as_ref().is_some_and(UnsupportedLoad::is_short);
+        match self.notes.get(self.place) {
+            Some(note) if is_short && self.notes.len() > 1 && !title.ends_with(&note.name) => {
+                format!("In {}, ", note.name)
+            }
+            _ => String::new(),
+        }
+    }
+
     /// Inserts it at the beginning of a document.
     pub fn open(&self, document: &mut Document) {
         let is_well = self.causes().is_empty()
@@ -188,7 +199,8 @@ impl Examination {
             true if is_troubled => TROUBLED_WORDS,
             _ => &document.lead,
         };
-        document.lead = format!("{} {rest}", self.headline());
+        document.lead =
+            format!("{}{} {rest}", self.place_in_words(&document.title), self.headline());
         let found = self.unsupported.as_ref();
         let mut sections: Vec<Section> = self.why().into_iter().collect();
         sections.extend(found.and_then(UnsupportedLoad::remedies_section));

@@ -331,7 +331,9 @@ impl Case<'_> {
             a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
         });
         found.causes.extend(causes.into_iter().map(|(_, cause)| cause));
-        if found.causes.is_empty() {
+        // A method without sweeps that gave up is not slow.
+        let is_slow = self.user_solver.is_sweep() || matches!(found.status, Status::IterationLimit);
+        if found.causes.is_empty() && is_slow {
             found.causes.push(Slow::Other);
         }
     }
