@@ -162,6 +162,18 @@ impl Record {
                 self.scene.bodies[body].name
             )
         }));
+        let separation = match model {
+            Model::AssociatedCone => self.slips.notable_separation(&self.scene),
+            _ => None,
+        };
+        if let Some(slip) = separation {
+            let [body, other] = slip.bodies.map(|body| &self.scene.bodies[body].name);
+            let speed = readable(slip.separation, 2);
+            return Some(format!(
+                "friction of the model {model} separates contacts that slide, at μ times the speed of the slip: \
+                 {body:?} left {other:?} at up to {speed} m/s; the model coulomb-cone does not separate them"
+            ));
+        }
         if says.is_empty() {
             return None;
         }

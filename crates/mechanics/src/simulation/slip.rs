@@ -53,6 +53,9 @@ pub struct Slip {
     /// How far the friction of all contacts together is outside the cone, relative to μ x_n; that
     /// of a single contact may be farther outside.
     pub excess: f64,
+    /// The largest speed (m/s) at which a contact that carries a load and slides at v separates, at
+    /// most μ v: the associated cone demands it, Coulomb's law has 0.
+    pub separation: f64,
     /// The impulse (N s, world) on the first body by which the step differs from one under
     /// Coulomb's law: that of friction and of the normals that answer it.
     pub error: Vector3<f64>,
@@ -72,6 +75,10 @@ impl Slip {
             sums.add(limit, push, slip, scene.resting().speed);
             sums.load += contact.normal.1.max(0.0) * contact.normal.0.pushes()[1];
             sums.weight += contact.normal.1.max(0.0);
+            if contact.normal.1 > 0.0 {
+                let parting = contact.normal.0.velocity_with(after).min(mu * slip.norm());
+                sums.separation = sums.separation.max(parting);
+            }
         }
         let errors = answered(scene, &pairs);
         let pairs = pairs.into_iter().zip(errors);
@@ -87,6 +94,8 @@ pub struct Slips {
     pub friction_angle: Option<Slip>,
     /// The pair and step whose friction was farthest outside the cone, if any was.
     pub cone_excess: Option<Slip>,
+    /// The pair and step with the largest separation of a contact that slides, if any separated.
+    pub separation: Option<Slip>,
     /// The sum of the impulse errors on each body (N s).
     errors: BTreeMap<usize, Vector3<f64>>,
     /// The largest speed of a body (m/s).
@@ -103,12 +112,22 @@ impl Slips {
             if own.excess > self.cone_excess.map_or(0.0, |slip| slip.excess) {
                 self.cone_excess = Some(*own);
             }
+            if own.separation > self.separation.map_or(0.0, |slip| slip.separation) {
+                self.separation = Some(*own);
+            }
             let [first, second] = own.bodies;
             *self.errors.entry(first).or_default() += own.error;
             *self.errors.entry(second).or_default() -= own.error;
         }
         let speeds = step.states.iter().map(|state| state.v.norm());
         self.fastest = speeds.fold(self.fastest, f64::max);
+    }
+
+    /// The pair that friction separates fastest, if that is faster than a resting contact may be, and
+    /// than 1 % of the speed of the fastest body.
+    pub fn notable_separation(&self, scene: &Scene) -> Option<Slip> {
+        let least = scene.resting().speed.max(NOTABLE * self.fastest);
+        self.separation.filter(|slip| slip.separation > least)
     }
 
     /// An estimate of how much the wrong friction changed the velocity of a body over the run
@@ -138,6 +157,8 @@ struct Sums {
     /// Σ x_n n and Σ x_n.
     load: Vector3<f64>,
     weight: f64,
+    /// That of the contact that separates fastest.
+    separation: f64,
 }
 
 impl Sums {
@@ -188,6 +209,7 @@ impl Sums {
             bodies,
             angle,
             excess: part(slides, self.limit).max(part(holds, self.holding_limit)),
+            separation: self.separation,
             error: if bodies[0] == second { error } else { -error },
         }
     }

@@ -84,6 +84,32 @@ fn a_bar_that_slides_where_the_cone_holds_it_tells_the_error_of_its_speed() {
     }
 }
 
+/// The cone |x_t| ≤ μ x_n is its own dual only with a separation: the nearest point of it to
+/// (g dt, −v) has x_n = (g dt + μ v)/(1 + μ²), which is more than gravity's g dt.
+#[test]
+fn a_point_that_slides_separates_under_an_associated_cone_and_under_no_other_model() {
+    let (v, mu, push) = (2.0, 0.3, 9.81 * 0.01);
+    let text = "contact.friction = 0.3\n[[bodies]]\nname = \"ground\"\nfixed = true\n\
+                shape = { plane = [0, 0, 1] }\n[[bodies]]\nname = \"point\"\nshape = \"point\"\n\
+                mass = 2\nvelocity = [1.2, 1.6, 0]\n";
+    for model in Model::ALL {
+        let mut scene = Scene::from_toml("point.toml", text).unwrap();
+        (scene.contact.model, scene.solver.tolerance) = (model, 1e-10);
+        let (slips, _) = slips(&scene, 20);
+        let separation = slips.separation.map_or(0.0, |slip| slip.separation);
+        match model {
+            Model::AssociatedCone => {
+                assert_near(separation, mu * (v - mu * push) / (1.0 + mu * mu), 1e-6);
+                assert_eq!(slips.notable_separation(&scene).unwrap().bodies[0], 1);
+            }
+            _ => {
+                assert!(separation < 1e-6, "{model}: {separation}");
+                assert!(slips.notable_separation(&scene).is_none());
+            }
+        }
+    }
+}
+
 #[test]
 fn a_bar_that_rests_where_the_cone_holds_it_tells_nothing() {
     // Its four contacts per face share the load arbitrarily; their sum is within the cone.
