@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 
 use super::Step;
 use super::slip::Totals;
+use super::turned::NormalShifts;
 use crate::body::State;
 use crate::scene::Scene;
 
@@ -34,7 +35,7 @@ pub struct Touch {
 
 impl Touch {
     /// Those of a step that led to these states.
-    pub(super) fn of(totals: &Totals, after: &[State]) -> Vec<Touch> {
+    pub(super) fn of(totals: &Totals, shifts: &NormalShifts, after: &[State]) -> Vec<Touch> {
         let mut pairs: BTreeMap<[usize; 2], Touch> = BTreeMap::new();
         for contact in totals.contacts() {
             let (row, impulse) = contact.normal;
@@ -42,7 +43,8 @@ impl Touch {
                 continue;
             }
             let bodies = contact.bodies;
-            let (approach, parting) = (-row.velocity, row.velocity_with(after));
+            let [before, parting] = shifts.velocities(bodies, row, after);
+            let approach = -before;
             let new = Touch { bodies, points: 0, approach, parting, largest_gap: 0.0 };
             let touch = pairs.entry(bodies).or_insert(new);
             touch.points += 1;

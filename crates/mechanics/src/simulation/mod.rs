@@ -27,6 +27,7 @@ mod stated;
 pub mod stepper;
 mod sweep;
 mod swept;
+mod turned;
 mod unlocated;
 mod warnings;
 
@@ -55,6 +56,7 @@ use interpenetration::Overlaps;
 use lcplab_solver::{Apgd, ConeSolver, Observer, Solver, Status, Stop};
 use slip::Totals;
 use solving::{Memory, Solving};
+use turned::NormalShifts;
 
 /// A speed (m/s or rad/s) beyond which a motion counts as diverged.
 const DIVERGED: f64 = 1e8;
@@ -235,7 +237,11 @@ impl Simulation {
             |events: &Vec<StepEvent>| Ledger::of(scene, &before, &solves, events, &states);
         let ledger = events.as_ref().map(account);
         let slips = Slip::of(scene, &totals, &states);
-        let touches = Touch::of(&totals, &states);
+        let shifts = match scene.step.scheme.spreads_impacts() {
+            true => NormalShifts::of(scene, [&before, &states], &totals),
+            false => NormalShifts::default(),
+        };
+        let touches = Touch::of(&totals, &shifts, &states);
         let unlocated = Unlocated::of(scene, &before, &totals);
         let laws = LawErrors::of(scene, &before, &solves, ledger.as_ref());
         let laws = match scene.step.scheme.solves_lcps() {
@@ -243,7 +249,7 @@ impl Simulation {
             false => laws.of_pushes(scene, [&before, &states], &totals, &slips),
         };
         let impact_energy = match scene.step.scheme.spreads_impacts() {
-            true => self.spread_impacts.add(scene, self.steps + 1, &totals, &states),
+            true => self.spread_impacts.add(scene, self.steps + 1, &totals, &shifts, &states),
             false => ImpactEnergy::of(scene, &before, &solves, events.as_deref()),
         };
         let scene = self.scene.forced(from, dt);

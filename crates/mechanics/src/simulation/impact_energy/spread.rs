@@ -9,7 +9,7 @@
 //! ½ X (J u + J u⁺),      Σ over rows = ½ (u + u⁺)·M Δu − the work of gravity and other forces
 //! ```
 //!
-//! exactly where J stays as it is. Its part in compression, W_c < 0, and that in separation,
+//! exactly where J stays as it is, and with J u of [`NormalShifts`] where the normal turns. Its part in compression, W_c < 0, and that in separation,
 //! W_r > 0, are related by e (Stronge 1990); for two bodies alone this is Newton's law:
 //!
 //! ```text
@@ -27,6 +27,7 @@ use crate::body::{Body, State};
 use crate::scene::{ContactId, Scene};
 use crate::simulation::interpenetration::faster_first;
 use crate::simulation::slip::Totals;
+use crate::simulation::turned::{NormalShifts, groups};
 
 /// The tolerated part of ½ Σ X (|J u| + |J u⁺|).
 const TOLERATED: f64 = 5e-3;
@@ -76,9 +77,10 @@ impl SpreadImpacts {
         scene: &Scene,
         step: usize,
         totals: &Totals,
+        shifts: &NormalShifts,
         after: &[State],
     ) -> Vec<ImpactEnergy> {
-        let pairs = pairs(totals, after);
+        let pairs = pairs(totals, shifts, after);
         let groups = groups(scene, pairs.keys());
         let group = |bodies: &[usize; 2]| {
             let moving = bodies.iter().find(|&&body| scene.bodies[body].mass.dof() > 0);
@@ -180,7 +182,7 @@ impl Pair {
 }
 
 /// What pairs of bodies did to each other in a step that led to these states.
-fn pairs(totals: &Totals, after: &[State]) -> Pairs {
+fn pairs(totals: &Totals, shifts: &NormalShifts, after: &[State]) -> Pairs {
     let mut pairs = Pairs::new();
     for contact in totals.contacts() {
         let (row, impulse) = contact.normal;
@@ -188,7 +190,7 @@ fn pairs(totals: &Totals, after: &[State]) -> Pairs {
         if *impulse <= 0.0 {
             continue;
         }
-        let (before, then) = (row.velocity, row.velocity_with(after));
+        let [before, then] = shifts.velocities(contact.bodies, row, after);
         let [compression, restitution] = work(*impulse, [before, then]);
         let friction =
             |own: &&(Row, f64)| 0.5 * own.1 * (own.0.velocity + own.0.velocity_with(after));
@@ -206,22 +208,6 @@ fn pairs(totals: &Totals, after: &[State]) -> Pairs {
         pairs.entry(contact.bodies).and_modify(|pair| pair.join(&own)).or_insert(own);
     }
     pairs
-}
-
-/// The group of each body: those that push each other or have a joint.
-fn groups<'p>(scene: &Scene, pairs: impl Iterator<Item = &'p [usize; 2]>) -> Vec<usize> {
-    let joints = scene.constraints.iter().filter_map(|own| match own.bodies() {
-        [Some(a), Some(b)] => Some([a, b]),
-        _ => None,
-    });
-    let moves = |bodies: &[usize; 2]| bodies.iter().all(|&k| scene.bodies[k].mass.dof() > 0);
-    let mut groups: Vec<usize> = (0..scene.bodies.len()).collect();
-    for bodies in pairs.copied().chain(joints).filter(moves) {
-        let [a, b] = bodies.map(|body| groups[body]);
-        let later = groups.iter_mut().filter(|group| **group == a.max(b));
-        later.for_each(|group| *group = a.min(b));
-    }
-    groups
 }
 
 /// The work (J) of an impulse while the velocity goes from the first value to the second: the part

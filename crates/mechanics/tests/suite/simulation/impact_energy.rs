@@ -370,3 +370,41 @@ fn a_report_of_a_spread_impact_names_its_first_and_last_step_and_the_warning_its
     let speed = ball.states()[0].v.x;
     assert_near(own.total, 0.5 * speed * speed - 2.0, 1e-9);
 }
+
+/// The line of centers turns while two balls approach each other within a step, and these schemes
+/// take their impact later in it. No joint and no gravity exchanges energy.
+#[test]
+fn off_center_impacts_within_a_step_are_reported_with_the_change_of_kinetic_energy() {
+    let mut reports_made = 0;
+    for scheme in [Scheme::Xpbd, Scheme::Soft, Scheme::Penalty] {
+        for (offset, gap, dt) in
+            [(0.6, 1.3, 0.01), (0.6, 1.31, 0.02), (0.9, 1.2, 0.01), (0.3, 1.0, 0.02)]
+        {
+            let mut scene = scene(&format!(
+                "{}[[bodies]]\nname = \"a\"\nmass = 1\nshape = {{ sphere = 0.5 }}\n\
+                 velocity = [3, 0, 0]\n[[bodies]]\nname = \"b\"\nmass = 2\n\
+                 shape = {{ sphere = 0.5 }}\nposition = [{}, {offset}, 0]\n",
+                head(dt, 1.0, 0.0),
+                1.0 + gap
+            ));
+            scene.step.scheme = scheme;
+            let mut balls = simulation(scene);
+            let before = balls.motion().kinetic;
+            let (mut sum, mut after) = (0.0, before);
+            for _ in 0..(1.0 / dt) as usize {
+                let step = balls.step().unwrap();
+                (sum, after) = (sum + reported(&step), step.motion.kinetic);
+            }
+            let (change, what) = (after - before, format!("{scheme:?}, {offset}, {gap}, {dt}"));
+            match sum == 0.0 {
+                // The tolerance of the report.
+                true => {
+                    assert!(change.abs() < 0.02 * before, "{what}: {change} J without a report")
+                }
+                false => assert_near(sum, change, 1e-9),
+            }
+            reports_made += usize::from(sum != 0.0);
+        }
+    }
+    assert!(reports_made >= 4, "{reports_made}");
+}
