@@ -164,8 +164,8 @@ impl Baseline {
             let (own, base) = (part(run.errors(), level), part(&recorded, level));
             own.is_more_frequent_than(base).then(|| {
                 format!(
-                    "worse than the baseline: {} of {} errors are above {name}, {}, in the baseline \
-                     {} of {}",
+                    "worse than the baseline: {} of {} errors are above {name}, {}, in the \
+                     baseline {} of {}",
                     own.with,
                     own.all,
                     readable(level, 2),

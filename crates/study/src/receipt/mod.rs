@@ -344,7 +344,7 @@ impl Receipt {
         if let Some(residual) = self.residual {
             let residual = readable(residual, 2);
             lines.push(format!(
-                "  residual      the law of a row is violated by {residual} of {cause} (limit {limit})"
+                "  residual      a row's law is violated by {residual} of {cause} (limit {limit})"
             ));
         }
         if let (Some(bound), Some(error)) = (self.bound, self.motion_error()) {
@@ -416,7 +416,8 @@ impl Receipt {
             "motion_error": optional(self.motion_error()), "limit": number(self.limit),
             "bound": optional(self.bound), "frozen": self.is_frozen, "effect": number(self.effect),
             "effect_of": self.step.cause_of_effect(), "residual": optional(self.residual),
-            "stopped_by": self.stop.map(Stop::name), "unit": self.step.unit(), "rejected": self.rejected, "not_checked": self.not_checked,
+            "stopped_by": self.stop.map(Stop::name), "unit": self.step.unit(),
+            "rejected": self.rejected, "not_checked": self.not_checked,
             "findings": self.findings,
             "work": self.work.map(|Work { engine, newton }| {
                 json!({ "engine": engine, "newton": newton })

@@ -119,8 +119,8 @@ impl Run {
         }
     }
 
-    /// Why the run does not count as checked, as a sentence: the solver of no frame was checked, or,
-    /// without a baseline, of less than half of the frames with rows.
+    /// Why the run does not count as checked, as a sentence: the solver was checked in no frame or,
+    /// without a baseline, in less than half of the frames with rows.
     pub fn unchecked(&self) -> Option<String> {
         let (checked, kinds) = (self.checked(), self.kinds_unchecked());
         let with_rows = self.frames.len() - self.with(StepVerdict::NoRows).len();
