@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::energy_totals::EnergyTotals;
 use super::{NOT_ACCOUNTED, Record};
 use crate::body::State;
-use crate::lcp::friction::Form;
+use crate::lcp::friction::{Form, Law};
 use crate::number::readable;
 use crate::scene::{Resting, Scene, Scheme};
 use crate::simulation::{Slip, momentum_sizes};
@@ -162,8 +162,8 @@ impl Record {
                 self.scene.bodies[body].name
             )
         }));
-        let separation = match model {
-            Model::AssociatedCone => self.slips.notable_separation(&self.scene),
+        let separation = match model.form() {
+            Form::Cone(Law::Associated) => self.slips.notable_separation(&self.scene),
             _ => None,
         };
         if let Some(slip) = separation {
