@@ -121,13 +121,16 @@ fn draw_beside(canvas: &mut Canvas, frame: &Frame, mut ends: Vec<End<'_>>, edge:
 
 /// Upright labels: down from the end if there is room for it, otherwise up.
 fn draw_upright(canvas: &mut Canvas, frame: &Frame, mut ends: Vec<End<'_>>) {
-    ends.sort_by(|a, b| (a.at.0 + a.shift).total_cmp(&(b.at.0 + b.shift)));
-    let wanted: Vec<_> = ends.iter().map(|end| end.at.0 + end.shift).collect();
+    let goes_up = |end: &End<'_>| end.at.1 + LEADER + width(end.text, TEXT) > frame.bottom;
+    // A falling curve arrives from the upper left.
+    let beside = |end: &End<'_>| if goes_up(end) && end.shift == 0.0 { 8.0 } else { end.shift };
+    let place = |end: &End<'_>| end.at.0 + beside(end);
+    ends.sort_by(|a, b| place(a).total_cmp(&place(b)));
+    let wanted: Vec<_> = ends.iter().map(place).collect();
     let places = apart(&wanted, &vec![LINE; ends.len()], (frame.left, frame.right));
     for (end, x) in ends.iter().zip(places) {
         let length = width(end.text, TEXT);
-        let up = end.at.1 + LEADER + length > frame.bottom;
-        let (y, anchor) = match up {
+        let (y, anchor) = match goes_up(end) {
             true => ((end.at.1 - LEADER).max(frame.top + length), Anchor::Start),
             false => (end.at.1 + LEADER, Anchor::End),
         };
