@@ -147,7 +147,7 @@ def test_equalities_of_good_steps_are_accepted(equality, jacobian):
 
 
 def test_a_tolerance_that_the_user_loosened_does_not_make_the_solver_wrong():
-    model, data = start("CG", "elliptic", 1e-3)
+    model, data = start("CG", "elliptic", 10.0)
     receipts = []
     for _ in range(60):
         before = state(data)
@@ -156,7 +156,7 @@ def test_a_tolerance_that_the_user_loosened_does_not_make_the_solver_wrong():
     assert not any(receipt.is_rejected for receipt in receipts)
     stopped = [receipt for receipt in receipts if receipt.verdict == "unconverged"]
     assert len(stopped) > 10 and all(receipt.stopped_by == "tolerance" for receipt in stopped)
-    assert all(receipt.motion_error <= 1e-3 for receipt in receipts if receipt.ok)
+    assert all(receipt.motion_error <= 1e-2 for receipt in receipts if receipt.ok)
 
 
 def test_a_mass_matrix_that_is_not_positive_definite_is_an_error_of_assembly():

@@ -41,8 +41,8 @@ pub struct Receipts {
     /// Problem files with the key "motion", or folders of them
     #[arg(required = true)]
     frames: Vec<PathBuf>,
-    /// Largest accepted motion error, or residual where there is none, relative to the change of the
-    /// motion in the step [default: that of the engine's kind of solver]
+    /// Largest accepted motion error, or residual where there is none, relative to the change of
+    /// the motion in the step [default: that of the engine's kind of solver]
     #[arg(long, allow_negative_numbers = true)]
     limit: Option<f64>,
     /// Recorded run to compare with

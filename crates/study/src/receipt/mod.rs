@@ -96,7 +96,7 @@ impl StepVerdict {
 enum Stop {
     /// It reached its iteration cap.
     Iterations,
-    /// Its own tolerance is looser than the limit.
+    /// Its own tolerance is looser than the usual limit.
     Tolerance,
 }
 
@@ -173,7 +173,8 @@ pub struct Receipt {
 impl Receipt {
     /// Checks a step; `report` contains the findings of collision and assembly that its engine
     /// allows, `None` those of a step that an adapter or a file describes. Without a limit on the
-    /// motion error, that of the solver's kind applies.
+    /// motion error, that of the solver's kind applies, or the engine's own tolerance if that is
+    /// looser, but at most ten times the former.
     ///
     /// # Errors
     /// If vectors of the step have different lengths, a compliance or a coefficient of friction is
@@ -371,7 +372,7 @@ impl Receipt {
         if (is_small || self.stop == Some(Stop::Tolerance)) && !self.step.is_empty() {
             let part = readable(own_tolerance / self.effect, 1);
             let stopped = match self.stop {
-                Some(Stop::Tolerance) => ", looser than the limit",
+                Some(Stop::Tolerance) => ", looser than the usual limit",
                 _ => "",
             };
             lines.push(format!("  tolerance     of the engine: {part} of {cause}{stopped}"));
@@ -468,11 +469,15 @@ fn is_sharp(step: &EngineStep, bounds: &GapBound, limit: f64) -> bool {
     step.relative(bounds.motion.max(bounds.answer)) <= limit
 }
 
-/// The limit on the motion error, and whether the engine's own tolerance is looser.
+/// The limit on the motion error, and whether the engine's own tolerance is looser than the usual
+/// one, which it raises up to [`limits::MOST_LOOSENED`] times.
 fn limit_for(step: &EngineStep, limit: Option<f64>) -> Result<(f64, bool)> {
     let usual = limits::limit_of(&step.source)?;
+    let effect = step.effect();
+    let own = if effect > 0.0 { step.source.own_tolerance / effect } else { 0.0 };
     match limit {
-        None => Ok((usual, step.source.own_tolerance > usual * step.effect())),
+        None if own > usual => Ok((own.min(limits::MOST_LOOSENED * usual), true)),
+        None => Ok((usual, false)),
         Some(limit) if limit >= 0.0 => Ok((limit, false)),
         Some(limit) => {
             Err(Error::invalid("options", "limit", format!("is {limit}, must be 0 or larger")))

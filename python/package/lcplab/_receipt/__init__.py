@@ -36,8 +36,8 @@ def receipt(
         velocity of such data are not checked. DART and Drake need them: ``lcplab.dart.state(world)``,
         ``lcplab.drake.state(plant, context)``.
     limit : float, optional
-        The largest accepted motion error, or else residual. The default depends on the kind of solver
-        (``docs/ci.md``).
+        The largest accepted motion error, or else residual. The default depends on the kind of solver and on the
+        engine's own tolerance (``docs/ci.md``).
 
     Returns
     -------
