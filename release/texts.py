@@ -53,7 +53,7 @@ Rust 1.91 or newer. The first build takes 4 to 6 minutes on two cores.
 | Python | `pip install ./python` | the module `lcplab` (Python 3.10 or newer, NumPy) and the command `lcplab` |
 | the Rust library | `lcplab = { path = "…" }` in your `Cargo.toml` | the crate `lcplab`; with `default-features = false` it reads no HDF5 files |
 | Python in a browser | `python3 release/pyodide.py` | a wheel for [Pyodide](https://pyodide.org) 314, for `micropip.install` |
-| to try it first | `cargo run --release -- solve problem.json` | one run; nothing is installed |
+| to try it first | `cargo run --release -- report` | the standard report; nothing is installed |
 """,
         """| you want | command | you get |
 | --- | --- | --- |

@@ -1,8 +1,9 @@
 //! Independent reference solutions, by methods that share no code with lcplab's solvers.
 //!
 //! [`box_qp`] lets clarabel, an interior-point code, minimize ½ xᵀAx + bᵀx over the box: the dual
-//! program, in impulses. Newton's steps from there reach the bounds (up to 400 rows). [`gauss`] computes the motion of least constraint: the primal program, in
-//! velocities, which never forms A. [`cone_qp`] is the dual program with friction cones,
+//! program, in impulses. Newton's steps from there reach the bounds (up to 400 rows). [`gauss`]
+//! computes the motion of least constraint: the primal program, in velocities, which never forms A.
+//! [`cone_qp`] is the dual program with friction cones,
 //! [`velocity_qp_to`] the dual program with A in factors. [`farkas`] guesses a proof that there is
 //! no solution.
 
