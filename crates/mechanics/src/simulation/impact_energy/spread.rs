@@ -9,9 +9,9 @@
 //! ½ X (J u + J u⁺),      Σ over rows = ½ (u + u⁺)·M Δu − the work of gravity and other forces
 //! ```
 //!
-//! exactly where J stays as it is, and with J u of [`NormalShifts`] where the normal turns. Its part
-//! in compression, W_c < 0, and that in separation, W_r > 0, are related by e (Stronge 1990); for
-//! two bodies alone this is Newton's law:
+//! exactly where J stays as it is, and with J u of [`NormalShifts`] where the normal turns. Its
+//! part in compression, W_c < 0, and that in separation, W_r > 0, are related by e (Stronge 1990);
+//! for two bodies alone this is Newton's law:
 //!
 //! ```text
 //! W_r = −e² W_c
