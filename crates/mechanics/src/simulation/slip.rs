@@ -123,8 +123,8 @@ impl Slips {
         self.fastest = speeds.fold(self.fastest, f64::max);
     }
 
-    /// The pair that friction separates fastest, if that is faster than a resting contact may be, and
-    /// than 1 % of the speed of the fastest body.
+    /// The pair that friction separates fastest, if that is faster than a resting contact may be,
+    /// and than 1 % of the speed of the fastest body.
     pub fn notable_separation(&self, scene: &Scene) -> Option<Slip> {
         let least = scene.resting().speed.max(NOTABLE * self.fastest);
         self.separation.filter(|slip| slip.separation > least)
