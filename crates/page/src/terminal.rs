@@ -2,16 +2,21 @@
 
 use crate::document;
 use crate::document::text::{Ink, aligned, paragraph};
-use crate::page::{Align, Cell, Column, Table};
+use crate::page::{Align, Cell, Column, Mark, Table};
 
-/// The table with its title above; below it what is the same in every row, and how to read it.
+/// The table with its title above, bad cells marked; below it what is the same in every row, and
+/// how to read it.
 pub fn table(table: &Table) -> String {
     let (condensed, same) = table.primary().condensed();
     let heading = |column: &Column| match column.unit.as_str() {
         "" => column.title.clone(),
         unit => format!("{} ({unit})", column.title),
     };
-    let cells = |row: &Vec<Cell>| row.iter().map(|cell| cell.text.clone()).collect();
+    let text = |cell: &Cell| match cell.mark {
+        Mark::Bad => format!("✗ {}", cell.text),
+        Mark::Good | Mark::Plain | Mark::Note => cell.text.clone(),
+    };
+    let cells = |row: &Vec<Cell>| row.iter().map(text).collect();
     let align: Vec<Align> = condensed.columns.iter().map(|column| column.align).collect();
     let laid_out = document::Table {
         columns: condensed.columns.iter().map(heading).collect(),

@@ -175,8 +175,9 @@ impl Drop for Plugin {
     }
 }
 
-/// The name and the command. Without a name, that of the program if it is given by its path, or of
-/// the first file that an interpreter is given, or else of the last argument that is no option.
+/// The name and the command. Without a name, that of the first file among the arguments of the
+/// command, such as an interpreter's script; or else that of the program if it is given by its
+/// path; or else the last word that is no option.
 fn named(spec: &str) -> (String, &str) {
     if let Some((name, command)) = spec.split_once('=').filter(|(name, _)| is_name(name)) {
         return (name.to_string(), command);
@@ -185,7 +186,7 @@ fn named(spec: &str) -> (String, &str) {
     let program = words.first().filter(|program| program.contains('/'));
     let script = || words.iter().skip(1).find(|word| Path::new(word).is_file());
     let last = || words.iter().rev().find(|word| !word.starts_with('-'));
-    let file = program.or_else(script).or_else(last);
+    let file = script().or(program).or_else(last);
     let stem = || Path::new(file?).file_stem()?.to_str().map(str::to_string);
     (stem().unwrap_or_default(), spec)
 }

@@ -14,7 +14,8 @@ fn bad_input_exits_with_2_and_one_message() {
         run_with(r#"{"A": {"dense": [[1]]}, "b": [-1], "hi": [Infinity]}"#, &["solve", "-"]);
     assert!(err(&pythons).contains(r#"write "inf", "-inf" or "nan" with quotation marks"#));
     assert_eq!(err(&run_with("\n", &["solve", "-"])), "error: -: file: is empty\n");
-    assert_eq!(run_with(&format!("\u{feff}{GOOD}"), &["solve", "-"]).status.code(), Some(0));
+    let marked = run_with(&format!("\u{feff}{GOOD}"), &["solve", "-"]);
+    assert!(err(&marked).starts_with("error: -: file: begins with a byte order mark"));
     let no_solver = run_with(GOOD, &["solve", "-", "--solver", "magic"]);
     assert_eq!(no_solver.status.code(), Some(2));
     assert!(

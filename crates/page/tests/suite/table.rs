@@ -42,12 +42,12 @@ fn a_column_of_one_value_is_a_remark_unless_it_is_marked_or_there_are_two_rows()
 }
 
 #[test]
-fn a_terminal_omits_secondary_columns_and_what_explains_them() {
+fn a_terminal_marks_bad_cells_and_omits_secondary_columns_and_what_explains_them() {
     let words = "Runs
     name   verdict
-    a      bad
-    b      bad
-    c      bad
+    a      ✗ bad
+    b      ✗ bad
+    c      ✗ bad
 The same in every row: limit 5 s.
 limit: of each run.
 ";

@@ -290,8 +290,10 @@ fn read_text(path: &Path, most: Memory) -> Result<String> {
 }
 
 fn parse_object(text: &str, input: &str) -> Result<Map<String, Value>> {
-    // Some editors write a byte order mark first.
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    if text.starts_with('\u{feff}') {
+        let reason = "begins with a byte order mark; save it as UTF-8 without one";
+        return Err(Error::invalid(input, "file", reason));
+    }
     if text.trim().is_empty() {
         return Err(Error::invalid(input, "file", "is empty"));
     }
