@@ -177,7 +177,7 @@ impl Drop for Plugin {
 
 /// The name and the command. Without a name, that of the first file among the arguments of the
 /// command, such as an interpreter's script; or else that of the program if it is given by its
-/// path; or else the last word that is no option.
+/// path; or else its last argument that is no option.
 fn named(spec: &str) -> (String, &str) {
     if let Some((name, command)) = spec.split_once('=').filter(|(name, _)| is_name(name)) {
         return (name.to_string(), command);
