@@ -4,7 +4,8 @@ use serde_json::json;
 
 use super::{sample, written};
 
-/// Moves the pointer to the k-th corner of a curve as it is drawn; what the tip says then.
+/// Moves the pointer to the k-th point of a curve as it is drawn, on a straight piece perhaps without
+/// a corner there; what the tip says then. The axis of x is linear.
 const POINT: &str = "
 const tip = () => (find('.tip').hidden ? null : all('.tip > *').map((line) => line.textContent));
 const svg = (id) => find(`#${id}-desc`).ownerSVGElement;
@@ -15,7 +16,13 @@ const at = (picture, x, y) => {
 };
 const corner = (picture, name, k, panel = 0) => {
   const line = all(`.series[data-series=\"${name}\"] polyline`, picture)[panel];
-  const [x, y] = line.getAttribute('points').split(' ')[k].split(',').map(Number);
+  const data = line.closest('.series').dataset.points.split(' ').map(Number).filter((_, i) => i % 2 === 0);
+  const corners = line.getAttribute('points').split(' ').map((pair) => pair.split(',').map(Number));
+  const share = (data.at(k) - data[0]) / (data.at(-1) - data[0]);
+  const x = corners[0][0] + share * (corners.at(-1)[0] - corners[0][0]);
+  const after = Math.max(1, corners.findIndex((own) => own[0] >= x - 1e-6));
+  const [[x0, y0], [x1, y1]] = [corners[after - 1], corners[after]];
+  const y = y0 + (y1 - y0) * (x - x0) / (x1 - x0);
   return at(picture, x / 10, y / 10);
 };
 ";
@@ -28,7 +35,7 @@ fn seen(script: &str) -> serde_json::Value {
 fn the_tip_says_the_nearest_point_with_its_units() {
     let found = seen(
         "const picture = svg('halving');
-        return [corner(picture, 'pgs', 3), corner(picture, 'dantzig', 1), corner(picture, 'pgs', 8), at(picture, 650, 160)];",
+        return [corner(picture, 'pgs', 3), corner(picture, 'dantzig', 1), corner(picture, 'pgs', -1), at(picture, 650, 160)];",
     );
     assert_eq!(
         found,
@@ -46,10 +53,7 @@ fn stacked_panels_have_points_of_their_own() {
     let found = seen(
         "const picture = svg('growth');
         const ends = [0, 1].map((panel) => corner(picture, 'velocity, dt/2', 0, panel));
-        const last = (panel) => {
-          const line = all('.series[data-series=\"velocity, dt/2\"] polyline', picture)[panel];
-          return corner(picture, 'velocity, dt/2', line.getAttribute('points').split(' ').length - 1, panel);
-        };
+        const last = (panel) => corner(picture, 'velocity, dt/2', -1, panel);
         return [...ends, last(0), last(1)];",
     );
     // Both curves start in one point; the first of them answers.
