@@ -37,7 +37,7 @@ pub fn read_grid(text: &str) {
                 return; // a plan of more is only longer
             }
             if let Ok(plan) = grid.plan() {
-                let _ = lcplab::report::text::table(&plan_table(&grid, &plan, 40));
+                let _ = lcplab::report::terminal::table(&plan_table(&grid, &plan, 40));
             }
         }
         Err(error) => assert_names(&error, "grid.toml"),

@@ -387,9 +387,9 @@ def sag(seconds=2.0, dt=1e-5):
     return -z[0]
 deep = 11 * G / omega**2
 assert abs(sag() - deep) < 1e-6 * deep
-check("16.p1", 1000 * deep, [1000 * G / omega**2, deep, 1000 * 11 * G / 60**2], "closed form; a simulation of its own")
+check("16.p1", 1000 * deep, [1000 * G / omega**2, 1000 * 10 * G / omega**2, deep, 1000 * 11 * G / 60**2], "closed form; a simulation of its own")
 
-check("16.p2", 10 * sqrt(16), [10 * 16, 10 * 2], "the sag goes with 1/omega squared, omega with 1/dt")
+check("16.p2", 10 * sqrt(16), [10 * 16, sqrt(16), 10, 10 * 2], "the sag goes with 1/omega squared, omega with 1/dt")
 
 cells = re.findall(r"(?s)```python[^\n]*\n(.*?)```", (ROOT / "notebooks" / "16_soft_rows.md").read_text(encoding="utf-8"))
 source = "".join(text.split("\nfor ")[0] for text in cells if "def column" in text)

@@ -45,7 +45,6 @@ FREE_FALL = Phenomenon(
     measure=_free_fall,
     plot=over_time(lambda run: run.place("cube")[:, 2]),
     exact=_thrown,
-    instant=1.0,
 )
 
 
@@ -103,7 +102,6 @@ BOUNCE = Phenomenon(
     measure=_bounce,
     plot=over_time(_above),
     exact=_height,
-    instant=2.0,
 )
 
 
@@ -144,7 +142,6 @@ BULLET = Phenomenon(
     plot=lambda runs: Curve(-np.array(PLACES), np.array(_beyond(runs))),
     exact=lambda curve, run: np.zeros_like(curve.x),
     variants=[{"bodies.ball.position": [place, 0, 0]} for place in PLACES],
-    instant=0.05,
     reported="Some engines can check the path between the steps, body by body (PyBullet with ccdSweptSphereRadius, "
     "Rapier with ccd_enabled): no column here uses that. lcplab's acceleration level finds the instant within the "
     "step at which bodies meet.",
@@ -239,5 +236,4 @@ ANGULAR_MOMENTUM = Phenomenon(
     measure=_angular_momentum,
     plot=over_time(lambda run: _rates(run)[:, 1]),
     exact=_middle,
-    instant=1.2,
 )

@@ -40,7 +40,6 @@ CREEP = Phenomenon(
     measure=_creep,
     plot=over_time(lambda run: 1e3 * (run.place("cube")[:, 0] - run.place("cube")[0, 0])),
     exact=lambda curve, run: np.zeros_like(curve.x),
-    instant=11.0,
     reported="Reported as mujoco#3328: objects that should stick creep. MuJoCo's friction is compliant: an "
     "impedance $d < 1$ leaves the fraction $1 - d$ of the pull unopposed until the slip, damped at the rate $b$, "
     r"balances it, so that $v = \frac{1-d}{d}\,\frac{g \sin\theta}{b}$; with the defaults ($d$ = 0.95, $b$ = 105 per "
@@ -74,7 +73,6 @@ LIFT = Phenomenon(
     measure=_lift,
     plot=over_time(lambda run: 1e3 * _rise(run)),
     exact=lambda curve, run: np.zeros_like(curve.x),
-    instant=0.3,
     reported="Reported as Genesis#3126, where a cube at 6 m/s rises by 318 mm. The minimum of one convex cost over "
     r"normal force and friction leaves the ground at $w_n = \mu |w_t|$: the exact solution would throw the cube up "
     r"by as much as $(\mu v)^2/2g$, here 459 mm, and softened contacts do a part of that, which also grows with "
@@ -123,7 +121,6 @@ STOPPING = Phenomenon(
     measure=_stopping,
     plot=over_time(_path),
     exact=_braked,
-    instant=1.0,
 )
 
 
@@ -158,7 +155,6 @@ PREDICTABILITY = Phenomenon(
     plot=lambda runs: Curve(runs[0].t, _farther(runs)),
     exact=lambda curve, run: np.minimum(curve.x, 2 * _distance(run)[0] / _distance(run)[1]),
     variants=({}, {"bodies.cube.velocity": [2 + FASTER, 0, 0]}),
-    instant=1.0,
 )
 
 
@@ -216,7 +212,6 @@ DIRECTIONS = Phenomenon(
     ),
     exact=lambda curve, run: np.full_like(curve.x, 1e3 * _slid(run)),
     variants=[{"gravity": _pull(turn)} for turn in TURNS],
-    instant=1.0,
 )
 
 
@@ -251,7 +246,6 @@ ROLLING = Phenomenon(
     measure=_rolling,
     plot=over_time(lambda run: run.velocities[:, run.number("ball"), 0]),
     exact=_rolls,
-    instant=1.0,
     reported="A dissipative contact patch brakes a rolling ball: its front is compressed, its rear separates, and "
     r"where pressure grows with $1 + d\,v_n$ and $d\,|v_n| > 1$ the rear supports nothing, so that the contact force "
     "acts ahead of the center. That is Drake with accurate settings ($d$ = 50 s/m): with $d$ = 10, 1 and 0 s/m the "

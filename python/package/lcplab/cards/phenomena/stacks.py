@@ -48,7 +48,6 @@ WEIGHT = Phenomenon(
         )[:, 0]
     ),
     exact=lambda curve, run: np.full_like(curve.x, 100.0),
-    instant=2.0,
     needs_forces=True,
     reported="An engine that puts bodies to sleep may report no force from then on: 0 % means that the body sleeps, "
     "not that it falls.",
@@ -85,7 +84,6 @@ MASS_RATIO = Phenomenon(
     exact=lambda curve, run: np.zeros_like(curve.x),
     variants=[{"bodies.heavy.mass": ratio} for ratio in RATIOS],
     log=True,
-    instant=3.0,
 )
 
 
@@ -119,7 +117,6 @@ TOWER = Phenomenon(
     measure=_tower,
     plot=over_time(lambda run: 1e3 * _aside(run)),
     exact=lambda curve, run: np.zeros_like(curve.x),
-    instant=20.0,
 )
 
 
@@ -159,7 +156,6 @@ WALL = Phenomenon(
     measure=_slipping,
     plot=over_time(lambda run: 1e3 * _down_the_wall(run)),
     exact=lambda curve, run: np.zeros_like(curve.x),
-    instant=5.0,
 )
 
 
@@ -188,5 +184,4 @@ REPEAT = Phenomenon(
     plot=lambda runs: Curve(runs[0].t, 1e3 * _apart(runs)),
     exact=lambda curve, run: np.zeros_like(curve.x),
     variants=({}, {}),
-    instant=2.0,
 )
