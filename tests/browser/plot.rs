@@ -4,8 +4,8 @@ use serde_json::json;
 
 use super::{sample, written};
 
-/// Moves the pointer to the k-th point of a curve as it is drawn, on a straight piece perhaps without
-/// a corner there; what the tip says then. The axis of x is linear.
+/// Moves the pointer to the k-th point of a curve as it is drawn, on a straight piece perhaps
+/// without a corner there; what the tip says then. The axis of x is linear.
 const POINT: &str = "
 const tip = () => (find('.tip').hidden ? null : all('.tip > *').map((line) => line.textContent));
 const svg = (id) => find(`#${id}-desc`).ownerSVGElement;
