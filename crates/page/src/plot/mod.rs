@@ -7,7 +7,6 @@
 mod axis;
 mod bars;
 pub mod canvas;
-pub mod coupling;
 mod cut;
 mod ends;
 pub mod grades;
@@ -18,6 +17,7 @@ mod marker;
 mod points;
 pub mod profile;
 mod raster;
+pub mod scene_matrix;
 mod simplify;
 mod spies;
 mod spy;

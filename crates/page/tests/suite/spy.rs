@@ -68,13 +68,13 @@ fn many_patterns_share_a_sheet_and_say_what_they_are() {
 
 #[test]
 fn blocks_with_a_common_body_can_be_pointed_at_and_the_data_names_them() {
-    use lcplab_page::plot::coupling::{Coupling, Rows};
-    let block = |name: &str, bodies: &[usize]| Rows {
+    use lcplab_page::plot::scene_matrix::{Block, SceneMatrix};
+    let block = |name: &str, bodies: &[usize]| Block {
         name: name.into(),
         bodies: bodies.into(),
         second: vec![false, true],
     };
-    let figure = Coupling {
+    let figure = SceneMatrix {
         id: "a".into(),
         title: "A is half full".into(),
         caption: String::new(),

@@ -2,7 +2,7 @@
 
 use crate::film::{Frame, Strip};
 use crate::number::{count, readable};
-use crate::plot::coupling::{Coupling, Rows, SCENE};
+use crate::plot::scene_matrix::{self, SCENE, SceneMatrix};
 use crate::plot::{Small, Spy};
 use crate::report::page::markup::literal;
 use crate::report::study::sparsity::factor::{Factor, Ordered};
@@ -27,7 +27,7 @@ pub(super) fn show(scenes: &[&Patterns], factors: &[&Factor], document: &mut Doc
         if scene.blocks.is_empty() || scene.rows > MOST {
             raster(scene, document);
         } else {
-            document.figure(coupling(scene, if k == 0 { factors } else { &[] }));
+            document.figure(figure(scene, if k == 0 { factors } else { &[] }));
         }
     }
 }
@@ -41,8 +41,8 @@ fn raster(scene: &Patterns, document: &mut Document) {
     }
 }
 
-fn coupling(found: &Patterns, factors: &[&Factor]) -> Coupling {
-    let rows = |block: &Block| Rows {
+fn figure(found: &Patterns, factors: &[&Factor]) -> SceneMatrix {
+    let rows = |block: &Block| scene_matrix::Block {
         name: block.name.clone(),
         bodies: block.bodies.clone(),
         second: block.friction.clone(),
@@ -56,7 +56,7 @@ fn coupling(found: &Patterns, factors: &[&Factor]) -> Coupling {
         .collect();
     let coupled: usize = pairs.iter().map(|(a, b)| a.friction.len() * b.friction.len()).sum();
     let all = found.blocks.len().pow(2);
-    Coupling {
+    SceneMatrix {
         id: format!("sparsity_{}", stem(&found.scene)),
         title: format!(
             "{}: A is {full} % full, in {} of {all} blocks{}",

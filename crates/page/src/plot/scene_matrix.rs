@@ -13,8 +13,11 @@ use crate::figure::Figure;
 pub const SCENE: (f64, f64) = (240.0, 400.0);
 const GAP: f64 = 18.0;
 const TOP: f64 = 58.0;
-/// The height of a factor's name and note in px.
+/// The height of a factor's name and note, and of the names of the colors, in px.
 const WORDS: f64 = 46.0;
+const KEY: f64 = 34.0;
+/// The matrix stands beside the scene if at least this width is left for it.
+const LEAST: f64 = 300.0;
 /// The colors of an entry between two rows of the first kind, of both kinds, of the second kind.
 const COLORS: [(u8, u8, u8); 3] = [(0, 94, 170), (150, 90, 170), (226, 100, 10)];
 /// The parts of white in a color: for entries of the largest size, and below two limits of
@@ -23,7 +26,7 @@ const WHITE: [(f64, f64); 3] = [(0.3, 0.0), (0.03, 0.4), (0.0, 0.7)];
 
 /// A scene, the matrix A of one of its steps, and factors.
 #[derive(Debug, Clone)]
-pub struct Coupling {
+pub struct SceneMatrix {
     /// See [`Figure::id`].
     pub id: String,
     /// See [`Figure::title`].
@@ -33,8 +36,8 @@ pub struct Coupling {
     /// The scene as SVG of the size [`SCENE`], without an `<svg>` element, in which a group with
     /// the attribute `data-body` is the body of that number; empty without one.
     pub scene: String,
-    /// Rows with the same bodies, from first to last.
-    pub blocks: Vec<Rows>,
+    /// Block with the same bodies, from first to last.
+    pub blocks: Vec<Block>,
     /// The names of the two kinds of rows.
     pub kinds: [String; 2],
     /// The entries of A: row, column, value.
@@ -45,7 +48,7 @@ pub struct Coupling {
 
 /// Consecutive rows with the same bodies.
 #[derive(Debug, Clone)]
-pub struct Rows {
+pub struct Block {
     /// Its name.
     pub name: String,
     /// The numbers of its moving bodies.
@@ -54,7 +57,7 @@ pub struct Rows {
     pub second: Vec<bool>,
 }
 
-impl Coupling {
+impl SceneMatrix {
     /// The first row of each block, and the number of rows.
     fn starts(&self) -> Vec<usize> {
         let mut starts = vec![0];
@@ -130,28 +133,62 @@ impl Coupling {
         }
     }
 
-    /// Draws the names of the colors from this point on.
-    fn legend(&self, canvas: &mut Canvas, (mut x, y): (f64, f64)) {
+    /// Draws the names of the colors from this point on, or farther left if they do not fit.
+    fn legend(&self, canvas: &mut Canvas, (left, y): (f64, f64), wide: f64) {
         let [first, second] = &self.kinds;
-        let names = [
-            format!("{first}, {first}"),
-            format!("{first}, {second}"),
-            format!("{second}, {second}"),
-        ];
+        let names = [first.clone(), format!("{first} × {second}"), second.clone()];
         let used: Vec<bool> = self.blocks.iter().flat_map(|block| block.second.clone()).collect();
-        for (k, (name, color)) in names.iter().zip(COLORS).enumerate() {
-            if !(k == 0 && used.contains(&false) || k > 0 && used.contains(&true)) {
-                continue;
-            }
+        let is_shown = |k: usize| used.contains(&(k > 0));
+        let shown: Vec<_> = (0..names.len()).filter(|&k| is_shown(k)).collect();
+        let width = |k: usize| 16.0 + style::width(&names[k], TEXT) + 16.0;
+        let total: f64 = shown.iter().map(|&k| width(k)).sum();
+        let mut x = left.min(wide - style::EDGE - total).max(style::EDGE);
+        for k in shown {
             canvas.raw(&format!(
                 "<rect x=\"{x:.1}\" y=\"{:.1}\" width=\"11\" height=\"11\" fill=\"{}\"/>\n",
                 y - 10.0,
-                hex(color)
+                hex(COLORS[k])
             ));
-            canvas.text((x + 16.0, y), Anchor::Start, TEXT, FAINT_INK, name);
-            x += 16.0 + style::width(name, TEXT) + 16.0;
+            canvas.text((x + 16.0, y), Anchor::Start, TEXT, FAINT_INK, &names[k]);
+            x += width(k);
         }
     }
+
+    /// The places of the parts in a picture of this width.
+    fn layout(&self, wide: f64) -> Layout {
+        let inner = wide - 2.0 * style::EDGE;
+        let names = self.blocks.iter().map(|block| style::width(&block.name, TEXT));
+        let names = names.fold(0.0, f64::max) + 10.0;
+        let scene = if self.scene.is_empty() { (0.0, 0.0) } else { (SCENE.0 + GAP, SCENE.1) };
+        let is_beside = scene.0 + names + LEAST < wide;
+        let before = names + if is_beside { scene.0 } else { 0.0 };
+        let side = (inner - before).min(SCENE.1);
+        let scene_left = if is_beside { style::EDGE } else { (wide - SCENE.0) / 2.0 };
+        let matrix_top = if is_beside { 0.0 } else { scene.1 + GAP };
+        let matrix_end = matrix_top + if is_beside { side.max(scene.1) } else { side };
+        let factor = ((inner + GAP) / self.factors.len().max(1) as f64 - GAP).min(SCENE.1);
+        let has_factors = !self.factors.is_empty();
+        let factors_top = matrix_end + KEY + if has_factors { WORDS } else { 0.0 };
+        let height = TOP + factors_top + if has_factors { factor } else { 0.0 } + 10.0;
+        let matrix = (style::EDGE + before, matrix_top);
+        Layout { scene_left, matrix, side, matrix_end, factors_top, factor, height }
+    }
+}
+
+/// Where the parts of a picture stand (px), from the line below its title.
+struct Layout {
+    scene_left: f64,
+    /// The left and upper edge of the matrix.
+    matrix: (f64, f64),
+    /// Its width and height.
+    side: f64,
+    /// The lower end of scene and matrix.
+    matrix_end: f64,
+    factors_top: f64,
+    /// The width and height of a factor.
+    factor: f64,
+    /// Of the whole picture.
+    height: f64,
 }
 
 fn tinted((r, g, b): (u8, u8, u8), white: f64) -> (u8, u8, u8) {
@@ -159,7 +196,7 @@ fn tinted((r, g, b): (u8, u8, u8), white: f64) -> (u8, u8, u8) {
     (tint(r), tint(g), tint(b))
 }
 
-impl Figure for Coupling {
+impl Figure for SceneMatrix {
     fn id(&self) -> &str {
         &self.id
     }
@@ -173,37 +210,22 @@ impl Figure for Coupling {
     }
 
     fn drawn(&self, wide: f64, id: &str) -> String {
-        let names = self.blocks.iter().map(|block| style::width(&block.name, TEXT));
-        let names = names.fold(0.0, f64::max) + 10.0;
-        let scene = if self.scene.is_empty() { (0.0, 0.0) } else { (SCENE.0 + GAP, SCENE.1) };
-        let beside = scene.0 + names + 300.0 < wide;
-        let room = wide - 2.0 * style::EDGE - names - if beside { scene.0 } else { 0.0 };
-        let side = room.min(SCENE.1);
-        let above = if beside { 0.0 } else { scene.1 + GAP };
-        let matrix = above + if beside { side.max(scene.1) } else { side };
-        let across = self.factors.len().max(1) as f64;
-        let factor = ((wide - 2.0 * style::EDGE + GAP) / across - GAP).min(SCENE.1);
-        let factors = if self.factors.is_empty() { 0.0 } else { WORDS + factor };
-        let height = TOP + matrix + 34.0 + factors + 10.0;
-        let (mut canvas, lower) = Canvas::titled(wide, height, &self.title);
+        let at = self.layout(wide);
+        let (mut canvas, lower) = Canvas::titled(wide, at.height, &self.title);
         let top = TOP + lower;
         if !self.scene.is_empty() {
-            let left = if beside { style::EDGE } else { (wide - SCENE.0) / 2.0 };
-            canvas.raw(&format!(
-                "<g transform=\"translate({left:.1} {top:.1})\">\n{}</g>\n",
-                self.scene
-            ));
+            let (x, scene) = (at.scene_left, &self.scene);
+            canvas.raw(&format!("<g transform=\"translate({x:.1} {top:.1})\">\n{scene}</g>\n"));
         }
-        let left = style::EDGE + names + if beside { scene.0 } else { 0.0 };
-        self.matrix(&mut canvas, (left, top + above), side);
-        self.legend(&mut canvas, (left, top + matrix + 22.0));
-        for (k, factor_panel) in self.factors.iter().enumerate() {
-            let left = style::EDGE + k as f64 * (factor + GAP);
-            let above = top + matrix + 34.0 + WORDS;
-            let name = (left, above - 24.0);
-            canvas.text(name, Anchor::Start, TEXT, INK, &factor_panel.name);
-            canvas.text((left, above - 7.0), Anchor::Start, TEXT, FAINT_INK, &factor_panel.note);
-            factor_panel.draw(&mut canvas, (left, above), factor);
+        let (left, above) = at.matrix;
+        self.matrix(&mut canvas, (left, top + above), at.side);
+        self.legend(&mut canvas, (left, top + at.matrix_end + 22.0), wide);
+        for (k, factor) in self.factors.iter().enumerate() {
+            let left = style::EDGE + k as f64 * (at.factor + GAP);
+            let above = top + at.factors_top;
+            canvas.text((left, above - 24.0), Anchor::Start, TEXT, INK, &factor.name);
+            canvas.text((left, above - 7.0), Anchor::Start, TEXT, FAINT_INK, &factor.note);
+            factor.draw(&mut canvas, (left, above), at.factor);
         }
         let names: Vec<&str> = self.blocks.iter().map(|block| block.name.as_str()).collect();
         canvas.finish(id, &self.title, &format!("blocks of rows: {}", names.join(", ")))
