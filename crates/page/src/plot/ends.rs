@@ -29,32 +29,43 @@ struct End<'a> {
     shift: f64,
 }
 
-/// The labels of a panel's curves that reach the right edge of the axis with these ends.
-fn reaching<'a>(
-    figure: &'a Lines,
+/// The names and labels of a panel's curves that reach the right edge of the axis with these ends.
+pub(super) fn reaching<'a>(
+    figure: &Lines,
     panel: &'a Panel,
     x: (f64, f64),
-) -> impl Iterator<Item = &'a str> {
+) -> impl Iterator<Item = (&'a str, &'a str)> {
+    let scale = figure.x.scale;
     let reaches = move |series: &&Series| {
-        let last = last(series).and_then(|point| figure.x.scale.position(point.0));
+        let last = last(series).and_then(|point| scale.position(point.0));
         last.is_some_and(|last| last > x.0 + REACHES * (x.1 - x.0))
     };
-    let labels = panel.series.iter().filter(reaches).filter_map(|series| series.end.as_deref());
-    labels.filter(|label| !label.is_empty())
+    let labels = panel.series.iter().filter(reaches);
+    let labels = labels.filter_map(|series| Some((series.name.as_str(), series.end.as_deref()?)));
+    labels.filter(|(_, label)| !label.is_empty())
 }
 
-/// The width (px) right of the frame that labels need.
+/// The width (px) right of the frame that labels need; 0 if there are none, or if they do not fit
+/// a narrow picture and a [`Key`] shows them above each panel.
+///
+/// [`Key`]: super::key::Key
 pub(super) fn room(figure: &Lines, x: (f64, f64), wide: f64) -> f64 {
     let labels = figure.panels.iter().flat_map(|panel| reaching(figure, panel, x));
-    let widest = labels.map(|label| width(label, TEXT)).fold(0.0, f64::max);
-    if widest > 0.0 { widest.min(MOST * wide) + LEADER + 4.0 } else { 0.0 }
+    let widest = labels.map(|(_, label)| width(label, TEXT)).fold(0.0, f64::max);
+    if widest == 0.0 || wide < style::WIDTH && widest > MOST * wide {
+        return 0.0;
+    }
+    widest.min(MOST * wide) + LEADER + 4.0
 }
 
 /// The height (px) that the labels of a panel need: those right of the frame below each other,
 /// those inside upright in one half.
 pub(super) fn height(figure: &Lines, panel: &Panel, x: (f64, f64), room: f64) -> f64 {
     let lines = |label: &str| style::wrapped(label, TEXT, room - LEADER).len();
-    let beside: usize = reaching(figure, panel, x).map(lines).sum();
+    let beside: usize = match room > 0.0 {
+        true => reaching(figure, panel, x).map(|(_, label)| lines(label)).sum(),
+        false => 0,
+    };
     let labels = || panel.series.iter().filter_map(|series| series.end.as_deref());
     let all = labels().filter(|label| !label.is_empty()).count();
     let longest = labels().map(|label| width(label, TEXT)).fold(0.0, f64::max);
@@ -67,7 +78,7 @@ fn last(series: &Series) -> Option<(f64, f64)> {
     series.points.iter().rev().find(|(x, y)| x.is_finite() && y.is_finite()).copied()
 }
 
-/// Draws the labels of a panel; those right of the frame end at `edge` (px).
+/// Draws the labels of a panel; those right of the frame, if there is room, end at `edge` (px).
 pub(super) fn draw(
     canvas: &mut Canvas,
     frame: &Frame,
@@ -96,7 +107,9 @@ pub(super) fn draw(
         Some(End { name: &series.name, text, at, color, shift })
     });
     let (beside, inside): (Vec<_>, Vec<_>) = ends.partition(|end| end.at.0 > reach);
-    draw_beside(canvas, frame, beside, edge);
+    if frame.right < edge {
+        draw_beside(canvas, frame, beside, edge);
+    }
     draw_upright(canvas, frame, inside);
 }
 

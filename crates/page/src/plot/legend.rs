@@ -13,6 +13,8 @@ use super::style::{self, FAINT_INK, INK, Marker, Style, TEXT, THEORY, width};
 const EXACTLY_ZERO: &str = "exactly 0";
 /// The entry of all theories that belong to curves.
 const THEORIES: &str = "theory";
+/// The length in px of the piece of a curve beside its name.
+pub(super) const SAMPLE: f64 = 40.0;
 
 /// The drawing style of a name in this figure.
 pub(super) struct Drawn {
@@ -24,6 +26,17 @@ pub(super) struct Drawn {
 }
 
 impl Drawn {
+    /// Draws a piece of the curve, with a marker, to the right of this point (px).
+    pub fn sample(&self, canvas: &mut Canvas, (x, y): (f64, f64)) {
+        let ends = [(x, y), (x + SAMPLE, y)].map(|(x, y)| (fine(x), fine(y)));
+        if self.width > 0.0 {
+            canvas.layer(&dashes(self.dash), |layer| {
+                layer.draw(&PathElement::new(ends, stroke(self.color, self.width)))
+            });
+        }
+        self.mark(canvas, &[(x + SAMPLE / 2.0, y)]);
+    }
+
     /// Draws the curve's markers at these points in px.
     pub fn mark(&self, canvas: &mut Canvas, spots: &[(f64, f64)]) {
         if let Some(marker) = self.marker {
@@ -41,8 +54,6 @@ pub(super) struct Legend<'a> {
 }
 
 impl<'a> Legend<'a> {
-    const SAMPLE: f64 = 40.0;
-
     /// The legend of a figure of this width (px).
     pub fn new(figure: &'a Lines, room: f64) -> Self {
         let mut kinds: Vec<(&str, Look)> = Vec::new();
@@ -86,7 +97,7 @@ impl<'a> Legend<'a> {
         }
         for name in kinds.iter().map(|(name, _)| *name).filter(is_listed).chain(theory).chain(zero)
         {
-            let length = Self::SAMPLE + 8.0 + width(name, TEXT);
+            let length = SAMPLE + 8.0 + width(name, TEXT);
             if x + length > room - MARGIN && x > style::EDGE {
                 (x, row) = (style::EDGE, row + 1);
             }
@@ -100,27 +111,21 @@ impl<'a> Legend<'a> {
     pub fn draw(&self, canvas: &mut Canvas, lower: f64) {
         for (name, (x, y)) in &self.entries {
             let y = y + lower;
-            let middle = (x + Self::SAMPLE / 2.0, y);
+            let middle = (x + SAMPLE / 2.0, y);
             let Some(drawn) = self.looks.get(name) else {
                 draw_zeros(canvas, &[middle], FAINT_INK);
                 self.name(canvas, name, middle);
                 continue;
             };
             canvas.raw(&format!("<g class=\"entry\" data-series=\"{}\">\n", escape(name)));
-            let ends = [(*x, y), (x + Self::SAMPLE, y)].map(|(x, y)| (fine(x), fine(y)));
-            if drawn.width > 0.0 {
-                canvas.layer(&dashes(drawn.dash), |layer| {
-                    layer.draw(&PathElement::new(ends, stroke(drawn.color, drawn.width)))
-                });
-            }
-            drawn.mark(canvas, &[middle]);
+            drawn.sample(canvas, (*x, y));
             self.name(canvas, name, middle);
             canvas.raw("</g>\n");
         }
     }
 
     fn name(&self, canvas: &mut Canvas, name: &str, (middle, y): (f64, f64)) {
-        let at = (middle + Self::SAMPLE / 2.0 + 8.0, y + 5.0);
+        let at = (middle + SAMPLE / 2.0 + 8.0, y + 5.0);
         canvas.text(at, Anchor::Start, TEXT, INK, name);
     }
 }

@@ -8,6 +8,7 @@ use super::axis::{Axis, Scale, Tick};
 use super::canvas::{Anchor, Canvas, Frame, dashes, escape, stroke};
 use super::cut::cut;
 use super::ends;
+use super::key::Key;
 use super::legend::{self, Drawn, Legend};
 use super::marker::{draw_zeros, marker_places};
 use super::points::{self, Placed};
@@ -150,7 +151,14 @@ impl Figure for Lines {
         };
         let heights: Vec<f64> =
             self.panels.iter().map(|panel| ends::height(self, panel, x, room).max(usual)).collect();
-        let total: f64 = heights.iter().map(|plot| plot + BETWEEN).sum();
+        let key = |panel| match room > 0.0 {
+            true => None,
+            false => Some(Key::new(panel, self, x, wide)),
+        };
+        let keys: Vec<Option<Key>> = self.panels.iter().map(key).collect();
+        let above = |k: usize| keys[k].as_ref().map_or(0.0, |key| key.height);
+        let total: f64 =
+            heights.iter().enumerate().map(|(k, plot)| above(k) + plot + BETWEEN).sum();
         let height = header + total + 36.0;
         let (mut canvas, lower) = Canvas::titled(wide, height, &self.title);
         let header = header + lower;
@@ -168,10 +176,14 @@ impl Figure for Lines {
         let mut top = header + 32.0;
         for (k, (panel, (y, rows))) in self.panels.iter().zip(&ranges).enumerate() {
             let plot = heights[k];
+            canvas.text((style::EDGE, top - 12.0), Anchor::Start, TEXT, INK, &panel.y.heading());
+            if let Some(key) = &keys[k] {
+                key.draw(&mut canvas, top - 4.0, &legend.looks);
+            }
+            top += above(k);
             let frame = Frame { x, y: *y, left, right, top, bottom: top + plot };
             let last = k + 1 == self.panels.len();
             draw_grid(&mut canvas, &frame, &columns, rows, last);
-            canvas.text((style::EDGE, top - 12.0), Anchor::Start, TEXT, INK, &panel.y.heading());
             canvas.raw(&points::panel(&frame, &self.x, Some(&panel.y)));
             self.draw_curves(&mut canvas, &frame, panel, &legend.looks);
             canvas.raw("</g>\n");

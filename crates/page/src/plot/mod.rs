@@ -11,6 +11,7 @@ mod cut;
 mod ends;
 pub mod grades;
 mod heat;
+mod key;
 mod legend;
 mod line;
 mod marker;

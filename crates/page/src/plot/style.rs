@@ -274,17 +274,18 @@ pub fn width(text: &str, size: f64) -> f64 {
     let em = |c: char| match c {
         '⁰'..='⁹' | '¹' | '²' | '³' | '⁻' => 0.4,
         'i' | 'j' | 'l' | 't' | 'f' | 'r' | ' ' | '.' | ',' | '(' | ')' | '/' | '|' | '\'' => 0.36,
-        'm' | 'w' | 'M' | 'W' => 0.9,
+        'm' | 'w' | 'M' | 'W' | '%' => 0.9,
         'A'..='Z' | '×' | '−' | '=' | 'ω' => 0.78,
         _ => 0.61,
     };
     size * text.chars().map(em).sum::<f64>()
 }
 
-/// The text in lines of at most this width in px; a longer word has a line of its own.
+/// The text in lines of at most this width in px; a longer word has a line of its own. A percent
+/// sign stays with its number.
 pub fn wrapped(text: &str, size: f64, room: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    for word in text.split(' ') {
+    for word in text.replace(" %", "\u{a0}%").split(' ') {
         match lines.last_mut() {
             Some(line) if width(line, size) + width(word, size) <= room => {
                 *line += " ";

@@ -165,6 +165,23 @@ fn labels_at_the_ends_replace_the_legend_and_lie_apart() {
 }
 
 #[test]
+fn labels_too_wide_for_a_narrow_picture_stand_above_the_panel() {
+    let curve = |name: &str, end| {
+        let label = format!("{name} with a sentence about it");
+        Series::measured(name, vec![(0.0, 0.0), (1.0, end)]).labeled(label)
+    };
+    let figure = figure(Scale::Linear, Scale::Linear, vec![curve("pgs", 1.0), curve("sor", 0.5)]);
+    let svg = figure.narrow().unwrap();
+    // Each label is whole, on one line, in a row of its own, above the tick of the largest value.
+    let height = |text: &str| -> f64 {
+        let tag = svg.split(text).next().unwrap().rsplit("<text ").next().unwrap();
+        tag.split(" y=\"").nth(1).unwrap().split('"').next().unwrap().parse().unwrap()
+    };
+    let labels = ["pgs", "sor"].map(|name| height(&format!(">{name} with a sentence about it<")));
+    assert!(labels[0] + 14.0 <= labels[1] && labels[1] < height(">1</text>"), "{labels:?}");
+}
+
+#[test]
 fn a_curve_that_ends_inside_the_plot_has_an_upright_label() {
     let early = Series::measured("pgs", vec![(0.0, 1.0), (1.0, 0.0)]).labeled("pgs");
     let late = Series::measured("sor", vec![(0.0, 1.0), (9.0, 0.0)]).labeled("sor");
