@@ -48,7 +48,7 @@ def test_a_wrong_answer_is_a_claim_that_the_judge_refutes():
     "function, words",
     [
         (breaks, "ZeroDivisionError: row 3 has no mass"),
-        (lambda A, b, lo, hi, **s: [1.0], "x has 1 entries, the problem has 2 rows"),
+        (lambda A, b, lo, hi, **s: [1.0], "x has length 1, the problem has 2 rows"),
         (lambda A, b, lo, hi, **s: [np.nan, 0.0], "no finite number"),
         (lambda A, b, lo, hi, **s: "x", "TypeError"),
     ],

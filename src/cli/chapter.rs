@@ -24,7 +24,7 @@ Examples:
 
 Kinds: equations, unnumbered, listings, figures, notes, claims, techniques, demos, future.
 
-Verdicts: right, convention, misprint, misleading, wrong, confirmed (by measurement), opinion, rebuilt.
+Verdicts: right, convention (another choice is usual), misprint, misleading, wrong, confirmed (by measurement), opinion, rebuilt (drawn again by lcplab).
 
 Exit codes:
   0  printed or written

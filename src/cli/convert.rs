@@ -20,8 +20,8 @@ Examples:
   lcplab convert --list                     # the formats, their contents and pitfalls
 
 The extensions determine the formats unless --from or --to is given. It is an error if the target format \
-cannot store the problem. Standard error lists the metadata that is lost and the friction model of FROM, and \
-warns if the format of TO implies another model.
+cannot store the problem. Standard error has the friction model of FROM, the metadata that TO cannot store, and a warning if TO implies \
+another friction model.
 
 Exit codes:
   0  written
@@ -59,7 +59,7 @@ impl Convert {
         warn(&problem);
         let to = to.or_else(|| Format::of(target));
         if let Some(model) = exchange::model(&problem) {
-            say(&format!("note: {}: friction is {model}", source.display()));
+            say(&format!("note: {}: the friction model is {model}", source.display()));
         }
         let notes = if target == Path::new("-") {
             let output = exchange::encode(&problem, to.unwrap_or(&exchange::JSON))?;

@@ -53,7 +53,7 @@ lcplab simulates a scene for one second, with its solver and with an exact one, 
 weight. It removes each possible cause in turn to see whether that helps, and tries remedies. If the \
 solver's error is at least twice that of plain Gauss-Seidel after the same number of sweeps, the solver is \
 listed as the first cause. A problem file, or a folder of them, has no solver of its own: name one with \
---solver or --sweeps for the same analysis. Every error is a fraction of the motion that the constraints cause.
+--solver, or give --sweeps for pgs, for the same analysis. Every error is a fraction of the motion that the constraints cause.
 
 With an answer, lcplab compares it with the result of each known mistake, including up to 2,000 sweeps of each \
 method. It names a mistake if that result, \

@@ -58,8 +58,12 @@ pub fn run(
     match ended(group, stop).map_err(|cause| refused(cause.to_string()))? {
         Err(reason) => return Ok(Err(reason)),
         Ok(status) if !status.success() => {
-            let package = "to install lcplab's Python package: pip install ./python";
-            return Err(refused(format!("ended with {status}; its message is above; {package}")));
+            // The package exists if it has rejected its arguments.
+            let package = match status.code() {
+                Some(2) => "",
+                _ => "; to install lcplab's Python package: pip install ./python",
+            };
+            return Err(refused(format!("ended with {status}; its message is above{package}")));
         }
         Ok(_) => {}
     }

@@ -30,7 +30,7 @@ Examples:
 
 Without --measure lcplab prints a table of the claims of each solver. With --measure lcplab starts from random \
 problems, makes small changes that increase the measure (hill climbing), shrinks the worst problem, and prints \
-it with the solver's x, the correct x and a test. The same seed finds the same problem.
+it with the solver's x, the correct x and a regression test. The same seed finds the same problem.
 
 Exit codes:
   0  no false claim

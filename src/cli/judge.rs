@@ -35,8 +35,8 @@ An answer file is a JSON object with the key \"x\". The key \"iterates\", a list
 each of them; iterates do not change the exit code.
 
 Exit codes:
-  0  every answer is accepted
-  1  an answer is rejected
+  0  every answer is accepted (with --fail-on within_tolerance: proved)
+  1  an answer is rejected (or not proved)
   2  invalid input or usage")]
 pub struct Judge {
     /// Problem file; its extension determines the format; - reads JSON from standard input

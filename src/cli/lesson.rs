@@ -69,12 +69,12 @@ Examples:
   lcplab exercise 4.p1 0.9     # is 0.9 the answer?
   lcplab exercise --for \"Ada Lovelace\" 4.p1 0.9
 
-The lessons state the problems: p on paper, r to predict and run, x on a live page. With --for, a problem has \
+The letter in a problem's number is its kind: p on paper, r predict and run, x on a live page. With --for, a problem has \
 different numbers for each student, the same on every machine. The code exercises are in Python: pytest \
 notebooks/exercises -k e04 checks those of lesson 4.
 
 Exit codes:
-  0  the answer is right
+  0  the answer is right, or problems were printed
   1  the answer is wrong
   2  invalid input or usage")]
 pub struct Answer {

@@ -2,7 +2,7 @@
 
 use lcplab::diagnosis::{Conclusion, Mistake, MistakeKind, MistakeSearch, Precision};
 use lcplab::lcp::file::number;
-use lcplab::number::readable;
+use lcplab::number::{counted, readable};
 use serde_json::{Value, json};
 
 /// Scaled residuals below this are compared with those of single precision.
@@ -36,7 +36,8 @@ pub fn words(search: &MistakeSearch, single: Option<[f64; 2]>) -> String {
             format!("lcplab did not look for mistakes: the problem has more than {limit} rows.\n")
         }
         Conclusion::NoSolutionKnown => {
-            "lcplab names no mistake: it found no solution of the problem to compare with x.\n"
+            "lcplab names no mistake: it knows no solution of the problem to compare with x. \
+             Without an answer, `lcplab diagnose` says whether the problem has one.\n"
                 .into()
         }
         Conclusion::RoundedSolution { distance } => format!(
@@ -46,7 +47,7 @@ pub fn words(search: &MistakeSearch, single: Option<[f64; 2]>) -> String {
         ),
         Conclusion::Compared { solution_distance } => {
             let solution = format!(
-                "The nearest exact solution differs from x by up to {}.\n",
+                "The closest exact solution that was found differs from x by up to {}.\n",
                 share(solution_distance)
             );
             let is_found = !search.mistakes.is_empty();
@@ -93,8 +94,9 @@ fn none_found(redundant_rows: usize) -> String {
     match redundant_rows {
         0 => "No known mistake gives this x.\n".into(),
         count => format!(
-            "No known mistake was found that gives this x. {count} of the rows are redundant, so forces need not be \
-             unique: a solver with a mistake may return other forces than those that lcplab compared.\n"
+            "No known mistake was found that gives this x. The problem has {}, so forces need not be \
+             unique: a solver with a mistake may return other forces than those that lcplab compared.\n",
+            counted(count, "redundant row")
         ),
     }
 }

@@ -32,7 +32,7 @@ Examples:
 From the strongest to the weakest the kinds are no-solution, unique, not-unique, solution, cone-solution, motion, \
 within. \
 The first kind that can be proved is written; for each stronger kind the output says why it was not proved. \
-With --all, lcplab lists all solutions of a problem of up to 16 contacts, or 10 rows with two bounds. \
+With --all, lcplab lists all solutions of a problem of up to 16 rows with one finite bound, or 10 rows with two. \
 docs/proofs.md says what each kind proves. Most proofs are about boxes: under a friction cone, no-solution, \
 solution and cone-solution can be proved, under a polygon only no-solution.
 
@@ -140,7 +140,7 @@ impl Prove {
     fn all_solutions(&self, question: &Question, input: &str) -> Result<Outcome> {
         let lcp = question.require_boxed("all solutions can be listed", input)?;
         let set = SolutionSet::of(lcp).ok_or_else(|| {
-            let reason = "has more than 65,536 combinations of sides, too many to try";
+            let reason = "has more than 65,536 active sets, too many to try";
             Error::invalid(input, "problem", reason)
         })?;
         print(&if self.json { solutions::to_json(&set) } else { solutions::words(&set) })?;

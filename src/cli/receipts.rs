@@ -28,12 +28,12 @@ the arrays x and v of the .npz file. Record the baseline in the folder in which 
 compared by their paths.
 
 The run is compared with the 50 %, 90 % and 99 % quantiles and the largest of the baseline's errors. It is worse if \
-more of its frames are above one of them than in the baseline and than chance explains (0.5 %; at least 5 errors in \
-each run are needed). Errors below a thousandth of the limit never count as worse.
+more of its frames are above one of them than in the baseline and than chance explains (0.5 %; two runs of equal length \
+need at least 5 errors each). Errors below a thousandth of the limit never count as worse.
 
 Exit codes:
   0  the run is ok, or the baseline was written. A run is ok if the baseline lists all rejected frames, the solver \
-was checked in at least one frame (without a baseline, in half of the frames with rows), no frame and no check \
+was checked in at least one frame (without a baseline, in at least half of the frames with rows), no frame and no check \
 of the baseline is missing, and the run is not worse
   1  the run is not ok
   2  invalid input or usage, such as a frame without an answer or a negative compliance")]

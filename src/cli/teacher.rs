@@ -26,7 +26,7 @@ The first command writes a sheet for each name in class.txt (set3/sheets), the f
 (set3/answers), and the right answers (set3/key.csv). The number of a lesson in --set selects all of its problems that \
 have parameters. The numbers depend only on the secret and the name, so every machine computes the same; without the \
 secret they cannot be computed. Keep the secret: the second command needs it. A right answer to an easy problem gives \
-1 point, to a middle one 2, to a hard one 3.
+1 point, to a medium one 2, to a hard one 3.
 
 --grade accepts .csv files and folders of them. Without --set, every problem that a file names is graded. With \
 --students, the table also lists students without a file, and lcplab reports files of students that are not in the \

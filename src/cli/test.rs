@@ -31,9 +31,9 @@ Examples:
   lcplab test dumps pd stack --solver pgs --junit test.xml --sarif test.sarif
 
 A problem fails if its answer is not accepted: the solver claims a solution that the judge rejects, crashes, \
-is too slow, or finds no solution. A problem without a solution passes if the solver does not claim one. With a baseline, a problem fails only if its result is worse than the \
-recorded one: an accepted answer is no longer accepted, or needs many more iterations or has a much larger \
-residual. Record the baseline in the folder in which the test runs: problems are compared by their paths.
+is too slow, or finds no solution. A problem without a solution passes if the solver does \
+not claim to have solved it. With a baseline, a problem that it lists fails only if its result is worse than the recorded \
+one: an accepted answer is no longer accepted, or needs many more iterations or has a much larger residual. Record the baseline in the folder in which the test runs: problems are compared by their paths.
 
 Exit codes:
   0  no problem fails, or the baseline was written

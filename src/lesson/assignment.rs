@@ -97,8 +97,10 @@ impl Assignment {
         let mut defects = Defects::default();
         for name in names {
             if !all.iter().any(|problem| is_meant(name, problem)) {
-                defects
-                    .add(name, "is neither a problem with parameters nor a lesson that has some");
+                defects.add(
+                    name,
+                    "is neither a problem with parameters nor a lesson that contains such problems",
+                );
             }
         }
         defects.into_result("set")?;

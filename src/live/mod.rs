@@ -102,7 +102,7 @@ pub fn linked(text: &str) -> Vec<Live> {
     let live = |link: &str| {
         let (file, state) = link.split_once('#').unwrap_or((link, ""));
         let page = PAGES.iter().find(|page| file.strip_suffix(".html") == Some(page.name))?;
-        let title = format!("Open the page here: {}", page.about);
+        let title = format!("Open the live page {}", page.about);
         Some(Live { name: page.name.into(), title, html: page.text(), state: state.into() })
     };
     links.filter_map(live).collect()

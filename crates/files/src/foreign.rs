@@ -30,7 +30,7 @@ pub(super) fn explained(error: Error, path: &Path, format: &Format) -> Error {
     match kind.or_else(|| xml::reason(&String::from_utf8_lossy(&start))) {
         Some(reason) => Error::invalid(path.display().to_string(), "file", reason),
         None if is_guess(path, format) && !is_object(&start) => {
-            Error::invalid(path.display().to_string(), "extension", super::unknown_ending())
+            Error::invalid(path.display().to_string(), "extension", super::unknown_ending(|_| true))
         }
         None => error,
     }

@@ -183,7 +183,8 @@ pub fn write(problem: &Problem, path: &Path, format: Option<&Format>) -> Result<
     let format = match format.or_else(|| Format::of(path)) {
         Some(format) => format,
         None => {
-            return Err(Error::invalid(path.display().to_string(), "extension", unknown_ending()));
+            let reason = unknown_ending(|format| format.write.is_some());
+            return Err(Error::invalid(path.display().to_string(), "extension", reason));
         }
     };
     let main = match format.in_folder {
@@ -240,7 +241,7 @@ fn left_behind(problem: &Problem, format: &Format) -> Option<String> {
     left.extend((problem.lcp.scale() > 0.0).then_some("scale"));
     left.extend(problem.frozen_at.as_ref().map(|_| "frozen_at"));
     left.extend(problem.motion.as_ref().map(|_| "motion"));
-    (!left.is_empty()).then(|| format!("left behind: {}", left.join(", ")))
+    (!left.is_empty()).then(|| format!("the format cannot store {}", left.join(", ")))
 }
 
 /// The file with the matrix, if `path` is the folder or the common prefix of several files.
@@ -261,9 +262,9 @@ fn main_file(path: &Path) -> Option<PathBuf> {
     several().map(|(format, _)| with(format.endings[0])).find(|path| path.is_file())
 }
 
-fn unknown_ending() -> String {
+fn unknown_ending(is_suitable: impl Fn(&Format) -> bool) -> String {
     let of = |format: &Format| format!("{} {}", format.name, format.endings.join(" "));
-    let known: Vec<String> = ALL.iter().map(of).collect();
+    let known: Vec<String> = ALL.iter().filter(|format| is_suitable(format)).map(of).collect();
     format!("is unknown; known are {}", known.join(", "))
 }
 

@@ -95,7 +95,7 @@ fn header(words: &mut Words) -> Result<Header> {
     let line = words.line().unwrap_or_default().to_ascii_lowercase();
     let fields: Vec<&str> = line.split_whitespace().collect();
     let ["%%matrixmarket", "matrix", format, field, symmetry] = fields[..] else {
-        return Err(words.fault("must be %%MatrixMarket matrix, a format, a field and a symmetry"));
+        return Err(words.fault("must be %%MatrixMarket matrix FORMAT FIELD SYMMETRY"));
     };
     let among = |word: &str, what: &str, known: &[&str]| match known.contains(&word) {
         true => Ok(()),

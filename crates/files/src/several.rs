@@ -48,8 +48,11 @@ pub fn several(name: &str, wanted: fn(&Path) -> bool) -> Result<Option<Vec<Strin
         }
     }
     if files.is_empty() {
-        let place = if is_pattern { "matches this pattern" } else { "is in this folder" };
-        return Err(fault(format!("no file that can be read {place}")));
+        let reason = match is_pattern {
+            true => "no file that lcplab can read matches this pattern",
+            false => "the folder contains no file that lcplab can read",
+        };
+        return Err(fault(reason.into()));
     }
     Ok(Some(files))
 }

@@ -167,7 +167,7 @@ fn whole(value: &Value) -> Option<usize> {
 fn numbers(value: &Value, what: &str, n: usize) -> Result<Vec<f64>, String> {
     let list = value.as_array().ok_or(format!("{what} is not a list of numbers"))?;
     if list.len() != n {
-        return Err(format!("{what} has {} entries, the problem has {n} rows", list.len()));
+        return Err(format!("{what} has length {}, the problem has {n} rows", list.len()));
     }
     let number = |(i, value): (usize, &Value)| {
         as_number(value).filter(|number| number.is_finite()).ok_or_else(|| {

@@ -143,7 +143,8 @@ fn read(value: &Value) -> Read<Proof> {
     let Value::Object(object) = value else { return wrong("file", "must be a JSON object") };
     let text = |key: &str| match object.get(key) {
         Some(Value::String(text)) => Ok(text.as_str()),
-        _ => wrong(key, "must be a string"),
+        Some(_) => wrong(key, "must be a string"),
+        None => wrong(key, "is missing: this is no proof file"),
     };
     if text("format")? != FORMAT {
         return wrong("format", format!("must be {FORMAT:?}"));

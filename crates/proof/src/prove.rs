@@ -42,15 +42,15 @@ impl ProofSearch {
         let model = model(question);
         Some(match self.missing.as_slice() {
             [(kind, reason)] if *kind != Kind::NoSolution => {
-                format!("is {model}, and nothing of the kind {kind} is proved: {reason}")
+                format!("is {model}: no proof of kind {kind}: {reason}")
             }
             _ if matches!(question.posed(), ProblemForm::Cone(_)) => format!(
                 "is {model}: neither a solution near the answer was found, nor a vector that shows that \
                  no solution exists; other proofs are about boxes"
             ),
             _ => format!(
-                "is {model}: of it only that no solution exists can be proved, and no vector was found \
-                 that shows it; other proofs are about boxes"
+                "is {model}: only the absence of a solution can be proved under it, and no such proof was \
+                 found; other proofs are about boxes"
             ),
         })
     }

@@ -366,15 +366,18 @@ pub fn certificate_text(
             "objective minus lower bound; – if there is no such bound",
         ),
     ];
-    let mut text =
-        format!("verdict    {}\n", labelled(&certificate.verdict, &certificate.w, problem));
+    let verdict = match certificate.evidence {
+        Some(Evidence::NoSolution(_)) => "not a solution: no solution exists".into(),
+        _ => labelled(&certificate.verdict, &certificate.w, problem),
+    };
+    let mut text = format!("verdict    {verdict}\n");
     for (name, value, meaning) in lines {
         let shown = if value.is_nan() { "–".into() } else { readable(value, 3) };
         text += &format!("  {name:<17}{shown:>10}  {meaning}\n");
     }
     if certificate.scale > 0.0 {
         text += &format!(
-            "  scale            {:>10}  a smaller |x| counts as 0\n",
+            "  scale            {:>10}  residuals are relative to at least this |x|\n",
             readable(certificate.scale, 3)
         );
     }

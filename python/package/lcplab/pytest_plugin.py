@@ -115,7 +115,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     group = parser.getgroup("lcplab", "receipts of a physics engine's steps")
     group.addoption("--lcplab-baseline", metavar="FILE", help="recorded run; steps that it lists as rejected do not fail")
     group.addoption("--lcplab-update", action="store_true", help="write this run to the file of --lcplab-baseline")
-    group.addoption("--lcplab-out", metavar="FOLDER", help="write a folder for each of the worst rejected steps")
+    group.addoption("--lcplab-out", metavar="FOLDER", help="write a folder for each of the ten worst rejected or unconverged steps")
 
 
 def pytest_configure(config: pytest.Config) -> None:

@@ -61,7 +61,8 @@ pub struct Compare {
     #[arg(long)]
     solver: Vec<String>,
     /// Friction model (repeatable for problems): frozen-box, coupled-box, polygon-4 (or 8, 12, …),
-    /// associated-cone, coulomb-cone [default: the scene's; of a family all; of a file its own]
+    /// associated-cone, coulomb-cone [default: for a scene, its own; for a family, all; for
+    /// a file, the one that it states]
     #[arg(long)]
     model: Vec<Model>,
     /// Print one JSON object

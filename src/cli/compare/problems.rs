@@ -27,7 +27,7 @@ pub struct ProblemArgs {
     /// Run all solvers instead of one of each kind
     #[arg(long, conflicts_with = "solver")]
     all: bool,
-    /// Number of problems of each family that has a seed: the seeds 1 to COUNT [default: 3]
+    /// Number of problems of each random family: the seeds 1 to COUNT [default: 3]
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(1..=10_000))]
     seeds: Option<u32>,
     /// Abandon a solve by a built-in solver after this time [default: no limit]

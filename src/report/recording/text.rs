@@ -228,11 +228,12 @@ impl Record {
 
     /// The drift relative to the scene, and how to reduce it, if it is large enough to report.
     fn drift_in_words(&self) -> String {
-        let points = self.states.iter().map(|state| state.pose.p);
+        // At the start, because a drift enlarges the scene.
+        let points = self.scene.states.iter().map(|state| state.pose.p);
         let size = points.clone().flat_map(|p| points.clone().map(move |q| (p - q).norm()));
         let size = size.fold(0.0, f64::max).max(points.map(|p| p.norm()).fold(0.0, f64::max));
         let part = self.worst_drift / size;
-        if !(part > DRIFT) {
+        if !(part > DRIFT && part.is_finite()) {
             return String::new();
         }
         let remedy = match self.scene.step.scheme {
@@ -240,14 +241,11 @@ impl Record {
                 "a shorter step or a larger step.baumgarte reduces it"
             }
             Scheme::Velocity | Scheme::SequentialImpulses => "set step.baumgarte to correct it",
-            Scheme::Acceleration if self.scene.step.alpha > 0.0 => {
-                "a shorter step or a larger step.alpha reduces it"
-            }
-            Scheme::Acceleration => "set step.alpha to correct it",
+            Scheme::Acceleration if self.scene.step.alpha == 0.0 => "set step.alpha to correct it",
             _ => "a shorter step reduces it",
         };
         let percent = readable(100.0 * part, 2);
-        format!(", {percent} % of the scene's size; {remedy}")
+        format!(", {percent} % of the scene's size at the start; {remedy}")
     }
 
     /// The current positions and velocities of the moving bodies.

@@ -29,7 +29,8 @@ impl View for Plan {
             "The two optimal values must have the same size and opposite signs. If contacts are redundant, $x$ \
              is not unique: the rank of $A$ on the free rows is less than their number, and $x$ may differ \
              while $w$ and the motion $u$ agree. Then the distance to the exact motion $\\hat u$ is bounded \
-             instead of the distance to $x$. For any feasible $u$ and $x$",
+             instead of the distance to $x$. For any feasible $u$ and $x$, with the objective $P(u)$ above and \
+             $D(x) = \\tfrac12 x^T A x + b^T x$,",
         );
         document.equation("|u - \\hat u|_M \\le \\sqrt{2\\,(P(u) + D(x))}", "motion-bound");
         document.table("cross_checks", table(checks));
@@ -70,7 +71,7 @@ impl View for Plan {
         let all = checks().count();
         let apart = significant(apart, 2);
         let says = format!(
-            "{accepted} of {all} answers accepted, {confirmed} of {all} answers of clarabel; motions agree to {apart}"
+            "{accepted} of {all} answers accepted, {confirmed} of {all} answers of clarabel; velocities agree to {apart} m/s"
         );
         Outcome { good: accepted == all && confirmed == all, says }
     }
@@ -80,8 +81,8 @@ fn table(checks: &[CrossCheck]) -> Table {
     Table::new(
         "Differences from the reference solutions",
         "Largest difference of any entry. *shared*: x is not unique, so x − x_QP is not an error. *u − û \
-         at most*: a proved bound on the error of lcplab's motion, from duality and interval arithmetic. For rows with friction it applies to the frozen \
-         motion, with the friction limits of lcplab's x, and is not a proof for the motion itself.",
+         at most*: a proved bound on the error of lcplab's motion, from duality and interval arithmetic. With friction, the bound holds for the problem \
+         whose friction limits are fixed at those of lcplab's x, not for the coupled problem.",
         "scene | problem | #step | #rows | #free | #rank | x | #x − x_QP (x) | #w − w_QP (w) | \
          #u − u_Gauss (u) | #u − û at most (u) | verdict | verdict on QP",
         checks.iter().map(cells).collect(),
@@ -132,9 +133,9 @@ fn objectives(checks: &[CrossCheck]) -> Table {
     };
     Table::new(
         "The optimal value, computed in three ways",
-        "½ xᵀAx + bᵀx at our x, the box QP's optimum, and minus the optimum of \
+        "½ xᵀAx + bᵀx at lcplab's x, the box QP's optimum, and minus the optimum of \
                       Gauss's principle: all three should agree. Joules for impulses.",
-        "scene | problem | #at our x | #box QP | #− Gauss",
+        "scene | problem | #at lcplab's x | #box QP | #− Gauss",
         checks.iter().map(cells).collect(),
     )
 }

@@ -198,7 +198,7 @@ fn path_table(study: &Finding) -> Table {
          model, for infinitely short steps. A row agrees if the block stops no farther from the expected position \
          than it moves in two steps, and its gap agrees to 1 µm. (The frozen box needs both steps, because its \
          limits are 0 in the first one.) *gap*: the height at which the block slides after 0.1 s, $\\Delta t\\, \\mu |v|$ for \
-         the associated cone. There the block starts at that height; from the floor the cone would throw it up.",
+         the associated cone. With this cone the block starts at that height, because from the floor the cone would throw it up.",
         "model | solver | #problems | #accepted | #t₁ (m) | #expected (m) | #t₂ (m) | \
          #expected (m) | #gap (m) | #expected (m) | agreement",
         study.paths.iter().map(path_cells).collect(),
@@ -259,8 +259,8 @@ fn direction_figure(study: &Finding) -> Lines {
         "friction_direction",
         format!("Friction is off its direction by up to {}", listed(study, aside)),
         format!(
-            "The block is pushed {} times as hard as friction can hold, from 0 to 90° to t₁ in steps \
-             of 5°. Coulomb's law is the diagonal. With the box model, friction points at 45° to the \
+            "The block is pushed {} times as hard as friction can hold, in directions from 0 to 90° \
+             from t₁, in steps of 5°. Coulomb's law is the diagonal. With the box model, friction points at 45° to the \
              tangents unless the slip is along a tangent.",
             readable(study.push, 3)
         ),

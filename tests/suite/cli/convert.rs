@@ -55,7 +55,7 @@ fn what_a_format_cannot_carry_is_refused_or_named() {
     assert_eq!(refused.status.code(), Some(2));
     assert!(err(&refused).contains("qps: friction_index: is given"));
     let named = run_with(&pushed(), &["convert", "-", &path("pushed.npz")]);
-    let notes = "note: -: friction is coupled-box\nnote: left behind: source, frozen_at\n";
+    let notes = "note: -: the friction model is coupled-box\nnote: the format cannot store source, frozen_at\n";
     assert_eq!(err(&named), notes);
     assert!(
         err(&run_with(GOOD, &["convert", "-", "-", "--to", "npz"])).contains("it needs a file")
@@ -82,7 +82,7 @@ fn a_conversion_that_changes_the_law_of_friction_says_so() {
         let read = run(&["convert", &file, "-"]);
         let problem: Value = serde_json::from_str(&out(&read)).unwrap();
         assert_eq!(problem["model"], "coulomb-cone");
-        assert_eq!(err(&read), format!("note: {file}: friction is coulomb-cone\n"));
+        assert_eq!(err(&read), format!("note: {file}: the friction model is coulomb-cone\n"));
         // The same law: nothing changes. Back to rows with a box: it does.
         let same = err(&run(&["convert", &file, &path("again.dat")]));
         assert!(!same.contains("warning"), "{same}");

@@ -236,10 +236,13 @@ fn engines_that_are_named_run_before_their_page_is_drawn() {
 #[test]
 fn engines_that_do_not_run_are_one_message() {
     let folder = tempfile::tempdir().unwrap();
-    let output = report_on_engines(folder.path(), "exit 2", &[]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(err(&output).contains("ended with exit status: 2"), "{}", err(&output));
-    assert!(err(&output).contains("pip install ./python"), "{}", err(&output));
+    for (status, is_missing) in [(1, true), (2, false)] {
+        let output = report_on_engines(folder.path(), &format!("exit {status}"), &[]);
+        assert_eq!(output.status.code(), Some(2));
+        let message = err(&output);
+        assert!(message.contains(&format!("ended with exit status: {status}")), "{message}");
+        assert_eq!(message.contains("pip install ./python"), is_missing, "{message}");
+    }
     let output = report_on_engines(folder.path(), "exit 0", &[]);
     assert_eq!(output.status.code(), Some(2));
     assert!(err(&output).contains("wrote no record"), "{}", err(&output));

@@ -120,7 +120,7 @@ fn judge_accepts_and_refuses_answers_from_elsewhere() {
     assert_eq!((output.status.code(), &verdict["verdict"]), (Some(1), &"not_a_solution".into()));
     let output = run(&["judge", &problem, &short]);
     assert_eq!(output.status.code(), Some(2));
-    assert!(err(&output).ends_with("short.json: x: has 1 entries, the problem has 2 rows\n"));
+    assert!(err(&output).ends_with("short.json: x: has length 1, the problem has 2 rows\n"));
 }
 
 #[test]

@@ -185,7 +185,7 @@ fn what_the_commands_cannot_use_exits_with_2() {
         (&["teacher", "--seed", " ", "--grade", "class.txt"], "must not be empty"),
         (
             &["teacher", "--seed", "a", "--set", "3,99", "--students", "class.txt", "--out", "o"],
-            "set: 99: is neither a problem with parameters nor a lesson that has some",
+            "set: 99: is neither a problem with parameters nor a lesson that contains such problems",
         ),
         (
             &["teacher", "--seed", "a", "--set", "3", "--students", "none", "--out", "o"],

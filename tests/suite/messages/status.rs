@@ -69,6 +69,6 @@ fn every_status_is_claimed_by_a_solver_and_put_into_words() {
         Status::OutsideClass { .. } => said("dantzig", &skew, usual()),
             "outside the solver's class: A is not symmetric";
         Status::NoAnswer { .. } => said(short.name(), &pair, usual()),
-            "no answer: x has 1 entries, the problem has 2 rows";
+            "no answer: x has length 1, the problem has 2 rows";
     }
 }

@@ -52,7 +52,7 @@ fn a_file_that_would_be_read_as_part_of_a_problem_is_not_left_beside_it() {
 fn each_defect_has_its_line() {
     let file = |rest: &str| format!("%%MatrixMarket matrix coordinate real {rest}");
     let cases = [
-        ("1 2 3", "p: line 1: must be %%MatrixMarket matrix, a format, a field and a symmetry"),
+        ("1 2 3", "p: line 1: must be %%MatrixMarket matrix FORMAT FIELD SYMMETRY"),
         (
             &file("hermitian"),
             "p: line 1: the symmetry must be general or symmetric, is \"hermitian\"",

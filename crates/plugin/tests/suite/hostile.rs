@@ -93,5 +93,5 @@ fn one_that_crashes_is_named_and_starts_again() {
 #[test]
 fn one_with_the_wrong_number_of_entries_is_ended() {
     let short = reason("short", "print('{\"x\": [1]}', flush=True)", LONG);
-    assert_eq!(short, "x has 1 entries, the problem has 2 rows");
+    assert_eq!(short, "x has length 1, the problem has 2 rows");
 }

@@ -257,7 +257,7 @@ pub fn read_answers(path: &Path, n: usize, most: Memory) -> Result<Answers> {
         if defects.len() == before && !object.contains_key(key) {
             defects.add(key, "is missing");
         } else if defects.len() == before && x.len() != n {
-            defects.add(key, format!("has {} entries, the problem has {n} rows", x.len()));
+            defects.add(key, format!("has length {}, the problem has {n} rows", x.len()));
         }
         x
     };

@@ -91,7 +91,7 @@ pub(super) fn descriptions(object: &Map<String, Value>, n: usize, defects: &mut 
         None => {}
         Some(Some(rows)) if rows.len() > n => {
             let reason =
-                format!("has {} entries, the problem has {}", rows.len(), counted(n, "row"));
+                format!("has length {}, the problem has {}", rows.len(), counted(n, "row"));
             defects.add("rows", reason);
         }
         Some(Some(rows)) if rows.iter().all(Value::is_object) => {}

@@ -103,7 +103,7 @@ fn descriptions_of_rows_that_do_not_exist_and_time_steps_that_are_none_are_defec
         Problem::parse(&text, "p.json").map_err(|error| error.to_string())
     };
     for (key, message) in [
-        (r#""rows": [{}, {}]"#, "p.json: rows: has 2 entries, the problem has 1 row"),
+        (r#""rows": [{}, {}]"#, "p.json: rows: has length 2, the problem has 1 row"),
         (r#""rows": ["normal"]"#, "p.json: rows: must be a list of objects"),
         (r#""rows": {"label": "a"}"#, "p.json: rows: must be a list of objects"),
         (r#""dt": -0.01"#, "p.json: dt: must be a positive number of seconds, is -0.01"),
@@ -253,7 +253,7 @@ fn an_answer_is_the_vector_x_of_any_object() {
     assert_eq!(answer("{}").unwrap_err(), "x.json: x: is missing");
     assert_eq!(
         answer(r#"{"x": [1]}"#).unwrap_err(),
-        "x.json: x: has 1 entries, the problem has 2 rows"
+        "x.json: x: has length 1, the problem has 2 rows"
     );
     assert_eq!(answer(r#"{"x": 1}"#).unwrap_err(), "x.json: x: must be a list of numbers");
     let small = read_answer(&path, 2, Memory::bytes(1)).unwrap_err().to_string();

@@ -225,7 +225,7 @@ impl fmt::Display for Cause {
             Cause::Apart { row, error } => write!(
                 f,
                 "row {row} has a position error of {error}, and feedback of such an error adds energy. \
-                 Start with c = 0, or correct positions separately from velocities (split-impulse, \
+                 Start with a position error of 0, or correct positions separately from velocities (split-impulse, \
                  gauss-seidel)."
             ),
             Cause::IllConditioned { condition } => write!(

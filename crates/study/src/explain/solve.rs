@@ -4,7 +4,7 @@ use super::answer::Reading;
 use super::units::with_unit;
 use super::{Method, dantzig, lemke, sweeps};
 use lcplab_page::document::notation::{indexed, interval, plain, vector};
-use lcplab_page::document::{Formula, Section};
+use lcplab_page::document::{Block, Formula, Section};
 use lcplab_problem::Lcp;
 use lcplab_problem::error::Result;
 use lcplab_problem::number::counted;
@@ -63,7 +63,8 @@ pub(super) fn by_suitable(
         return section(reading, method, start);
     }
     let mut solved = section(reading, &method.for_any_matrix(), start)?;
-    solved.section.say("A is not symmetric, so Lemke's method takes over.");
+    let reason = Block::Text("A is not symmetric, so Lemke's method takes over.".into());
+    solved.section.blocks.insert(0, reason);
     Ok(solved)
 }
 

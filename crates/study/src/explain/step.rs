@@ -61,7 +61,7 @@ pub fn steps(scene: &Scene, method: &Method, numbers: RangeInclusive<usize>) -> 
 }
 
 const CONVENTIONS: &str = "Rows are numbered from 0. x ≥ 0 pushes the bodies of a row apart. w of a row is the \
- velocity of its second body relative to its first one.";
+ velocity of its second body relative to its first one, plus the bias.";
 
 /// The LCPs of a step, and why it failed, if it did.
 fn solves(

@@ -53,7 +53,7 @@ impl View for Plan {
         }
         if !others.is_empty() {
             let scenes: Vec<String> = others.into_iter().map(words).collect();
-            document.aside("What the other scenes show", scenes.join("\n\n"));
+            document.aside("What each scene shows", scenes.join("\n\n"));
         }
         for comparison in findings {
             let id = format!("comparison_{}", stem(&comparison.scene));
@@ -138,7 +138,7 @@ fn by_scheme(findings: &[Comparison]) -> Table {
         of_scheme.filter_map(best).map(|run| row(comparison, run)).collect()
     };
     Table::new(
-        "Velocity level, acceleration level and other schemes",
+        "Velocity level and acceleration level",
         "One row per scene and scheme, for the solver with the most steps and the fewest \
                       rejected answers. *largest energy change*: since the start; *drift* and *penetration* \
                       are the largest errors.",

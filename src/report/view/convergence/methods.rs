@@ -130,9 +130,9 @@ fn choice(choices: &[&Progress]) -> Table {
     };
     Table::new(
         "Which solver for which stack",
-        "*cost*: multiplications until the residual is within the tolerance, in sweeps of *pgs*; a typical \
-         budget is 10. *risk*: the weight that ten sweeps of *pgs* leave unsupported, and the solvers that \
-         fail. A stack is the hardest case for sweeps and has redundant contacts.",
+        "*cost*: multiplications until the residual is within the tolerance, divided by those of one sweep of *pgs*; a \
+         typical budget is 10. *risk*: the weight that ten sweeps of *pgs* leave unsupported, and the solvers that \
+         fail. A stack is a hard case for sweeps and has redundant contacts.",
         "stack | #rows | cheapest | #cost | next | #cost | #sweeps of pgs | #risk of ten sweeps | \
          solvers that fail",
         choices.iter().map(row).collect(),
@@ -239,7 +239,7 @@ fn by_work(progress: &Progress) -> Lines {
         caption: format!(
             "{} rows; SOR uses ω = {}. A product with A takes {} multiplications, one for each stored entry. \
              The cost of a method is where its curve meets the tolerance; a pivoting method has one \
-             marker, at its end. Sweeps remove the oscillating part of the error quickly; then their residual \
+             marker, at its end. Sweeps first remove the part of the error that changes sign from contact to contact; then their residual \
              falls with the spectral radius of the last active set (pale band{}). Compared with the \
              residual plots of Silcowitz et al. (2010) and Mazhar et al. (2015), this figure also shows \
              how much weight is unsupported meanwhile, and where the active set changes.",
@@ -269,7 +269,7 @@ fn finding(progress: &Progress) -> String {
     };
     match (by_cost(progress).first(), budget(progress)) {
         (Some(first), Some(ten)) => format!(
-            "{}: {undone}; {} solves it with {} times their work",
+            "{}: {undone}; {} solves the problem with {} times their work",
             progress.problem,
             first.solver,
             readable(work(first) / ten, 2)

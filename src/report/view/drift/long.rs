@@ -16,8 +16,8 @@ pub(super) fn show(runs: &[&LongRun], document: &mut Document) {
     document.text(
         "Without friction the energy is constant, and so is the length of a rod. In a step the rod turns, but its \
          impulse, computed for the old direction, does work: the energy error of every method grows with the number \
-         of periods, and the order of the method decides how fast. Errors of length stay bounded because they are \
-         fed back: at velocity level each step adds $(v\\,dt)^2/2l$ and removes the fraction $\\beta$ of the error, \
+         of periods, and the order of the method decides how fast. Errors of length are fed back and \
+         therefore grow only with the speed: at velocity level each step adds $(v\\,dt)^2/2l$ and removes the fraction $\\beta$ of the error, \
          which leaves an error of *second* order; at acceleration level it removes the fraction $\\alpha\\,dt$, \
          which leaves *first* order. A ball in free flight has no such rod: midpoint and RK4 follow its parabola exactly, \
          and the impact is located within the step.",

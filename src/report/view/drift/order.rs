@@ -156,7 +156,7 @@ fn table(findings: &[&Finding]) -> Table {
         format!(
             "Errors at the longest and at the shortest step. *derived*: the theoretical order; 0 means that \
              the error does not decrease, *exact* that it is a rounding error (below 10⁻¹¹) at every step, and \
-             *open* that no order is claimed. The reasons are given below. A row passes if the observed order \
+             *open* that no order is claimed. The reasons are given above. A row passes if the observed order \
              is within {SLACK} of the derived one."
         ),
         "problem | quantity | method | #first error | #last error | unit | derived | #observed | \

@@ -207,8 +207,8 @@ impl MistakeKind {
             },
             MistakeKind::FactorOfX => Description {
                 name: "factor of x",
-                computes: "the solution times a factor; only if a bound is finite and not \
-                          0, where it differs from a factor of b",
+                computes: "the solution times a factor; only if some bound is finite and not \
+                          0 (otherwise this is the same as a factor of b)",
                 check: "Is x an impulse or a force? Compare units and dt.",
             },
             MistakeKind::SignOfX => Description {
@@ -243,9 +243,9 @@ impl MistakeKind {
             },
             MistakeKind::ContactLeftOut => Description {
                 name: "contact left out",
-                computes: "the solution with the rows of one contact, or one row that \
-                          starts at 0, set to 0; the others solved with or without it; \
-                          only up to 60 contacts",
+                computes: "the solution with the rows of one contact, or with one row whose \
+                          lower bound is 0, set to 0; the other rows are solved either \
+                          with or without it; only up to 60 contacts",
                 check: "Is every contact solved, written back and read?",
             },
             MistakeKind::OtherRows => Description {

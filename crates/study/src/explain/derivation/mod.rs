@@ -32,7 +32,7 @@ pub(super) fn newton_to_lcp(
     let left_out = all - columns.kept.len();
     if left_out > 0 {
         section.say(format!(
-            "{left_out} of {all} columns have no entries in any row and are not shown."
+            "Not shown: {left_out} of {all} columns, which have no entries in any row."
         ));
     }
     section.say(format!("The columns are {}.", columns.names(scene)));
@@ -86,7 +86,7 @@ fn newton(section: &mut Section, columns: &Columns, dt: f64) {
             formula.symbols("a* =", "a^* =").vector(&target),
         ),
         Stage::Restitution => (
-            "1. Rows with an impulse in the first answer bounce. The step is solved again from the same u*, \
+            "1. The contacts named above bounce. The step is solved again from the same u*, \
              with a different bias for the rows that bounce.",
             ["u⁺ = u* + M⁻¹Jᵀ x", "u^+ = u^* + M^{-1} J^T x"],
             formula.symbols("u* =", "u^* =").vector(&target),

@@ -27,7 +27,7 @@ fn figure_6_at_velocity_level_gives_two_newton_seconds() {
     overlap. The bias of a friction row is 0, that of a motor the negative target speed.
 
     4 Step 1, velocity: from Newton's law to the LCP
-    2 of 3 columns have no entries in any row and are not shown.
+    Not shown: 2 of 3 columns, which have no entries in any row.
     The columns are v_z of body.
     1. Newton's law over the step. Without constraints the velocities would be u*. The impulses x of
     the rows act along Jᵀ and change them.
@@ -97,7 +97,7 @@ fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
     let text = sections(&document, &["Newton", "move by move", "answer", "motion"]);
     insta::assert_snapshot!(text, @r"
     4 Step 1, impact: from Newton's law to the LCP
-    2 of 3 columns have no entries in any row and are not shown.
+    Not shown: 2 of 3 columns, which have no entries in any row.
     The columns are v_z of body.
     1. Newton's law over an instant. Only the impulses x of the rows matter; forces have no time to
     act.
@@ -150,7 +150,7 @@ fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
         u⁺ = u* + M⁻¹Jᵀ x = [ −1 ] + [ 1 ] = [ 0 ]   m/s
 
     10 Step 1, acceleration: from Newton's law to the LCP
-    2 of 3 columns have no entries in any row and are not shown.
+    Not shown: 2 of 3 columns, which have no entries in any row.
     The columns are v_z of body.
     1. Newton's law. Without constraints the accelerations would be a*. The forces x of the rows act
     along Jᵀ and change them.

@@ -21,7 +21,7 @@ fn figure_7_at_velocity_level_by_sweeps() {
     overlap. The bias of a friction row is 0, that of a motor the negative target speed.
 
     4 Step 1, velocity: from Newton's law to the LCP
-    15 of 18 columns have no entries in any row and are not shown.
+    Not shown: 15 of 18 columns, which have no entries in any row.
     The columns are v_z of bottom, v_z of middle, v_z of top.
     1. Newton's law over the step. Without constraints the velocities would be u*. The impulses x of
     the rows act along Jᵀ and change them.
@@ -230,7 +230,7 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
     let text = sections(&document, &["Newton", "answer", "motion"]);
     insta::assert_snapshot!(text, @r"
     4 Step 1, impact: from Newton's law to the LCP
-    15 of 18 columns have no entries in any row and are not shown.
+    Not shown: 15 of 18 columns, which have no entries in any row.
     The columns are v_z of bottom, v_z of middle, v_z of top.
     1. Newton's law over an instant. Only the impulses x of the rows matter; forces have no time to
     act.
@@ -286,7 +286,7 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
                             ⎣  0 ⎦   ⎣ 0 ⎦   ⎣ 0 ⎦
 
     10 Step 1, acceleration: from Newton's law to the LCP
-    15 of 18 columns have no entries in any row and are not shown.
+    Not shown: 15 of 18 columns, which have no entries in any row.
     The columns are v_z of bottom, v_z of middle, v_z of top.
     1. Newton's law. Without constraints the accelerations would be a*. The forces x of the rows act
     along Jᵀ and change them.
