@@ -82,8 +82,12 @@ def block(doc):
                 out.append("```python")
                 is_code = True
         elif is_code or not line.startswith("    "):
-            is_item = not is_code and " : " in line
-            out.append(f"- `{line.split(' : ')[0]}`: {line.split(' : ', 1)[1]}" if is_item else line)
+            is_described = k + 1 < len(lines) and lines[k + 1].startswith("    ")
+            if not is_code and " : " in line:
+                line = f"- `{line.split(' : ')[0]}`: {line.split(' : ', 1)[1]}"
+            elif not is_code and is_described and not line.startswith("- "):
+                line = f"- `{line}`:"
+            out.append(line)
         else:
             out.append(f"  {line.strip()}")
     return "\n".join(out + (["```"] if is_code else [])) + "\n\n"

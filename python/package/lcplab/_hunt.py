@@ -83,9 +83,10 @@ def hunt(
     at_least : float, optional
         Keep searching until the measure reaches this value.
     within : str, optional
-        The class of the matrices: ``"definite"``, ``"semidefinite"``, ``"p"``, ``"general"`` and others. The problem that
-        is found belongs to it exactly. The default is ``"definite"``, for which every problem has a solution; with
-        ``start``, it is the narrowest class that contains those problems.
+        The class of the matrices: ``"definite"``, ``"semidefinite"``, ``"p"``, ``"p-or-semidefinite"``, ``"p0"``,
+        ``"copositive-plus"`` or ``"general"``. The problem that is found belongs to it exactly. The
+        default is ``"definite"``, for which every problem has a solution; with ``start``, it is the narrowest class that
+        contains those problems.
     friction : bool
         Whether to try only problems with friction: contacts with a normal and two tangents each.
     model : str, optional
@@ -108,9 +109,9 @@ def hunt(
     Notes
     -----
     A function returns no status, so its x may be the last iterate of a solver that ran out of sweeps. Therefore an x that
-    the judge rejects counts as a false claim only if it is worse than the iterates of plain projected Gauss-Seidel, in
-    several orders of the rows, from half the number of sweeps on. The number of sweeps is the number of iterates that the
-    function yields, or four if it only returns x.
+    the judge rejects counts as a false claim only if its residual is more than twice that of plain projected Gauss-Seidel
+    in each of seven orders of the rows, at all sweeps from k/2 to k. k is the number of iterates that the function
+    yields, or four if it only returns x.
 
     Examples
     --------

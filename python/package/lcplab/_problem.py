@@ -36,7 +36,7 @@ class Problem:
     model : str, optional
         The friction model, as in :func:`solve`.
     scale : float, optional
-        The smallest significant `|x|`; rows with smaller terms count as at rest.
+        The smallest significant `|x|`; the residual of a row with smaller terms is relative to this size.
     name : str, optional
         A name for tables and messages.
 

@@ -52,7 +52,7 @@ class Verdict:
 
 
 class Result(Verdict):
-    """A solver's answer and the judge's verdict on it; true if x is a solution.
+    """A solver's answer and the judge's verdict on it, with all attributes of a `Verdict`; true if x is a solution.
 
     Attributes
     ----------

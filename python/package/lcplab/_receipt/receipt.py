@@ -39,13 +39,14 @@ class Receipt:
     ok : bool
         Whether the step has rows, its solver was checked, and nothing is above its limit.
     motion_error : float or None
-        A proved bound on the error of the engine's motion v, relative to ``effect``; None if there is none.
+        A proved bound on the error of the engine's motion v, relative to ``effect``; None if there is none. See ``frozen``.
     residual : float or None
         If there is no bound: the largest violation of a row's law, as the change of the motion by the impulse that
         corrects this row alone, relative to ``effect``. It is 0 exactly if all laws are satisfied, but many small
         violations can add up to a large error.
     stopped_by : str or None
-        Why an error above the limit is not the solver's: ``"iterations"``, its cap, or ``"tolerance"``, its own one.
+        What stopped the solver early: its iteration cap (``"iterations"``) or its own loose tolerance (``"tolerance"``);
+        otherwise None.
     frozen : bool
         Whether the bound is that of the problem with the friction limits (coupled boxes) or the slip (Coulomb's law)
         of this answer. Such a bound is near 0 only if the answer satisfies the law; otherwise it is not the distance
@@ -55,12 +56,12 @@ class Receipt:
         constraints, or that by gravity, or a millionth of the motion without constraints, whichever is largest;
         ``effect_of`` says which.
     stage : str or None
-        The first rejected stage: ``"collision"``, ``"assembly"``, ``"solver"`` or ``"write-back"``.
-    row, bodies : int or None, and tuple of str
-        The row and the bodies with the largest error.
-    findings : list of Finding
-        All measured errors, each with its limit.
-    rejected : Finding or None
+        The first stage with an error above its limit: ``"collision"``, ``"assembly"``, ``"solver"`` or ``"write-back"``.
+    limit : float
+        The largest accepted motion error, or residual.
+    findings : list
+        All measured errors: objects with ``stage``, ``what``, ``error``, ``limit``, ``row`` and ``bodies``.
+    rejected : object or None
         The finding that decides, if one is above its limit.
     not_checked : list of str
         What the engine does not report, or lcplab cannot check.
@@ -111,7 +112,7 @@ class Receipt:
 
     @property
     def row(self) -> int | None:
-        """The row with the largest error of the rejected stage."""
+        """The row with the largest error of this stage, or None."""
         return self.rejected.row if self.rejected else None
 
     @property

@@ -42,6 +42,20 @@ class Step:
     ``w = J v + bias + compliance * x`` is the velocity (``level="velocity"``, m/s, x in N s) or the acceleration
     (``"acceleration"``, m/s², x in N) that remains in a row; ``v = target + inv(M) J.T x``. Contacts push with
     ``x >= 0``. ``n`` rows, ``k`` degrees of freedom.
+
+    Further keywords of ``of``:
+
+    - ``method``: ``"direct"`` (the default), ``"newton"``, ``"cg"`` or ``"pgs"``; with ``bits=32`` for single precision
+      it determines the limit.
+    - ``iterations``, and ``has_converged=False`` if the solver stopped at its iteration cap.
+    - ``own_tolerance``: the solver's tolerance as an error of the motion in the norm √(vᵀM v), if it states one.
+    - ``gravity``: the change of the motion by gravity in the step, in the same norm: a number.
+    - ``model``: the friction model of rows with ``friction_index``: ``"associated-cone"`` (the default),
+      ``"coulomb-cone"``, or None for the bounds ±mu x[k].
+    - ``reported_push``: the generalized forces of the constraints that the engine reports, (k,).
+    - ``expected_bias``, ``expected_target``: bias and target as the adapter computes them from the model, to check assembly.
+    - ``rows``: an `EngineRow` for each row; ``dof_bodies``: the body of each velocity component; ``name``, ``time``,
+      ``settings``, ``not_checked``: stated in the receipt and in files.
     """
 
     engine: str
