@@ -29,13 +29,16 @@ const SCHEMA: &str = "schema";
 /// The report that shows the results of physics engines.
 const ENGINES: &str = "engines";
 
+/// The width of the tables of `--list`.
+const WIDTH: usize = 100;
+
 /// Run a report: a list of studies, written as a page with figures and tables
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   lcplab report                        # writes reports/standard/index.html
   lcplab report --list                 # the shipped reports, and what a report file can contain
-  lcplab report verification --list    # a line per closed form, on the terminal
+  lcplab report verification --list    # all closed forms, on the terminal
   lcplab report chapter                # the chapter with everything computed
   lcplab report solvers --out solvers.pdf
   lcplab report --print standard > mine.toml; lcplab report mine.toml --out mine
@@ -233,12 +236,13 @@ impl Report {
         }
         let outcome = if results.is_good()? { Outcome::Good } else { Outcome::Refuted };
         if self.list {
-            document.tables.iter().try_for_each(|(_, table)| print(&terminal::table(table)))?;
-            print(&format!("{}\n", results.summary()?))?;
+            let printed = |table| print(&(terminal::table_within(table, WIDTH) + "\n"));
+            document.tables.iter().try_for_each(|(_, table)| printed(table))?;
+            print(&terminal::prose(&results.summary()?))?;
             return Ok((outcome, None));
         }
         let page = write::document(&document, folder)?;
-        print(&format!("{}\n{}\n", results.summary()?, page.display()))?;
+        print(&format!("{}{}\n", terminal::prose(&results.summary()?), page.display()))?;
         Ok((outcome, Some(page)))
     }
 

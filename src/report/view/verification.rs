@@ -19,6 +19,10 @@ impl View for Plan {
              bound*. The reasons for the allowed errors are below the table."
         ));
         document.figure(dots(rows));
+        document.table("by_case", by_case(rows));
+        if rows.iter().any(is_approximate) {
+            document.table("approximate", approximate(rows));
+        }
         document.aside("The closed forms", formulas(rows));
         document.table("closed_forms", table(rows));
         document.text(tolerances(rows));
@@ -63,6 +67,77 @@ fn kind(row: &Row) -> &'static str {
         Criterion::Exact { .. } => EXACT,
         Criterion::Order(_) => "",
     }
+}
+
+/// An error above this is no rounding.
+const NOTABLE: f64 = 1e-6;
+
+/// Whether a number does not converge to its closed form, but only stays near it.
+fn is_approximate(row: &Row) -> bool {
+    kind(row) == BOUNDED && largest_error(row) > NOTABLE
+}
+
+/// The largest error of any step length; NaN if one is not a number.
+fn largest_error(row: &Row) -> f64 {
+    let larger = |most: f64, error: f64| if most >= error || most.is_nan() { most } else { error };
+    row.errors().into_iter().fold(0.0, larger)
+}
+
+/// A summary of each case.
+fn by_case(rows: &[Row]) -> Table {
+    let summary = |rows: &[Row]| {
+        let passed = rows.iter().filter(|row| row.passes()).count();
+        let mut methods: Vec<&str> = rows.iter().map(|row| row.method.as_str()).collect();
+        methods.sort_unstable();
+        methods.dedup();
+        let of_kind = |kind: &str| rows.iter().filter(|row| self::kind(row) == kind).count();
+        let verdict = match passed == rows.len() {
+            true => Cell::text("pass").marked(Mark::Good),
+            false => Cell::text("FAIL").marked(Mark::Bad),
+        };
+        vec![
+            Cell::text(&rows[0].case),
+            Cell::count(methods.len()),
+            Cell::count(rows.len()),
+            Cell::count(passed),
+            Cell::count(of_kind(EXACT)),
+            Cell::count(rows.iter().filter(|row| row.derived_order().is_some()).count()),
+            Cell::count(of_kind(BOUNDED)),
+            verdict,
+        ]
+    };
+    Table::new(
+        "The cases",
+        "*exact*, *converging* and *bounded*: how many numbers must be right at every time step, must converge at \
+         the derived order, and must stay within a bound.",
+        "case | #methods | #numbers | #passed | #exact | #converging | #bounded | verdict",
+        rows.chunk_by(|a, b| a.case == b.case).map(summary).collect(),
+    )
+}
+
+/// The numbers that are only near their closed form, with the largest error first.
+fn approximate(rows: &[Row]) -> Table {
+    let mut found: Vec<&Row> = rows.iter().filter(|row| is_approximate(row)).collect();
+    found.sort_by(|a, b| largest_error(b).total_cmp(&largest_error(a)));
+    let cells = |row: &Row| {
+        let Criterion::Exact { tolerance, because } = &row.criterion else { return Vec::new() };
+        vec![
+            Cell::text(&row.case),
+            Cell::text(&row.method),
+            Cell::text(&row.quantity),
+            Cell::number(largest_error(row), 2),
+            Cell::number(*tolerance, 2),
+            Cell::text(&row.formula),
+            Cell::text(because),
+        ]
+    };
+    Table::new(
+        "Laws that a method obeys only approximately",
+        "Numbers that do not converge to their closed form: the largest error of any time step, relative unless 0 \
+         is expected, the bound for it, the law, and why the error remains.",
+        "case | method | quantity | #error | #bound | law | reason",
+        found.into_iter().map(cells).collect(),
+    )
 }
 
 /// The error of each row as a fraction of the allowed one: for a derived order, the distance of the

@@ -32,7 +32,7 @@ impl Ink {
 /// The largest width of a paragraph.
 const WIDTH: usize = 96;
 /// The largest width of a table, if its cells can be wrapped.
-const TABLE: usize = 128;
+pub(crate) const TABLE: usize = 128;
 /// Cells are wrapped to this width at least.
 const WRAPPED: usize = 24;
 /// The margin of a table, and the gap between its columns.
@@ -71,7 +71,7 @@ pub(crate) fn paragraph(words: &str) -> String {
 }
 
 /// Text wrapped to this width, made printable; at least one line.
-fn wrapped(words: &str, width: usize) -> Vec<String> {
+pub(crate) fn wrapped(words: &str, width: usize) -> Vec<String> {
     let words = printable(words);
     let (mut lines, mut line, mut length) = (Vec::new(), String::new(), 0);
     for word in words.split(' ') {
@@ -143,16 +143,18 @@ fn grid(grid: &Grid) -> Vec<String> {
 fn table(table: &Table, ink: Ink) -> String {
     let align = |c: usize| if table.is_numeric(c) { Align::Right } else { Align::Left };
     let align: Vec<Align> = (0..table.columns.len()).map(align).collect();
-    let mut out = format!("  {}\n{}", printable(&table.title), aligned(table, &align, ink));
+    let rows = aligned(table, &align, TABLE, ink);
+    let mut out = format!("  {}\n{rows}", printable(&table.title));
     if table.left_out > 0 {
         out += &format!("    and {} more\n", table.left_out);
     }
     out
 }
 
-/// The headings and rows of a table, its columns aligned in this way.
-pub(crate) fn aligned(table: &Table, align: &[Align], ink: Ink) -> String {
-    let widths = widths(table);
+/// The headings and rows of a table, its columns aligned in this way; lines are no longer than
+/// `width` if cells that are wrapped at spaces allow it.
+pub(crate) fn aligned(table: &Table, align: &[Align], width: usize, ink: Ink) -> String {
+    let widths = widths(table, width);
     let lines = |row: &[String]| {
         let cells: Vec<_> =
             row.iter().zip(&widths).map(|(cell, &width)| wrapped(cell, width)).collect();
@@ -171,31 +173,54 @@ pub(crate) fn aligned(table: &Table, align: &[Align], ink: Ink) -> String {
     format!("{}\n{}", ink.faint(&lines(&table.columns)), rows.collect::<String>())
 }
 
+/// Whether the columns fit lines of this width with cells that are not narrower than [`WRAPPED`]
+/// for wrapping.
+pub(crate) fn is_readable(table: &Table, width: usize) -> bool {
+    total(&readable(table)) <= width
+}
+
 /// The columns' widths: those of their cells; while the table is too wide, the widest column that
 /// can be wrapped is narrowed, first to [`WRAPPED`] and then to its longest word.
-fn widths(table: &Table) -> Vec<usize> {
-    let size = |words: &str| words.chars().count();
-    let word = |words: &str| words.split(' ').map(size).max().unwrap_or(0);
-    let longest = |c: usize, of: &dyn Fn(&str) -> usize| {
-        let cells = table.rows.iter().map(|row| row[c].as_str());
-        cells.chain([table.columns[c].as_str()]).map(of).max().unwrap_or(0)
-    };
-    let columns = 0..table.columns.len();
-    let words: Vec<usize> = columns.clone().map(|c| longest(c, &word)).collect();
-    let cells = |c: usize| table.rows.iter().map(|row| size(&row[c])).max().unwrap_or(0);
-    let readable = columns.clone().map(|c| words[c].max(cells(c).min(WRAPPED))).collect();
-    let mut widths: Vec<usize> = columns.map(|c| longest(c, &size)).collect();
-    let is_wide = |widths: &[usize]| {
-        MARGIN + widths.iter().sum::<usize>() + GAP * widths.len().saturating_sub(1) > TABLE
-    };
+fn widths(table: &Table, width: usize) -> Vec<usize> {
+    let [words, readable] = [words(table), readable(table)];
+    let mut widths = longest(table, size);
     // If even the longest words are too wide, narrower columns are of no use.
-    let least = if is_wide(&words) { vec![readable] } else { vec![readable, words] };
+    let least = if total(&words) > width { vec![readable] } else { vec![readable, words] };
     for least in least {
-        while is_wide(&widths) {
+        while total(&widths) > width {
             let partable = (0..widths.len()).filter(|&c| widths[c] > least[c]);
             let Some(widest) = partable.max_by_key(|&c| widths[c]) else { break };
             widths[widest] -= 1;
         }
     }
     widths
+}
+
+/// The width of the lines of a table whose columns have these widths.
+fn total(widths: &[usize]) -> usize {
+    MARGIN + widths.iter().sum::<usize>() + GAP * widths.len().saturating_sub(1)
+}
+
+/// The least widths: the longest word of each column.
+fn words(table: &Table) -> Vec<usize> {
+    longest(table, |words| words.split(' ').map(size).max().unwrap_or(0))
+}
+
+/// The least widths at which cells of several words are easy to read.
+fn readable(table: &Table) -> Vec<usize> {
+    let cells = |c: usize| table.rows.iter().map(|row| size(&row[c])).max().unwrap_or(0);
+    words(table).into_iter().enumerate().map(|(c, word)| word.max(cells(c).min(WRAPPED))).collect()
+}
+
+/// The largest size in each column, heading included.
+fn longest(table: &Table, size: impl Fn(&str) -> usize) -> Vec<usize> {
+    let longest = |c: usize| {
+        let cells = table.rows.iter().map(|row| row[c].as_str());
+        cells.chain([table.columns[c].as_str()]).map(&size).max().unwrap_or(0)
+    };
+    (0..table.columns.len()).map(longest).collect()
+}
+
+fn size(words: &str) -> usize {
+    words.chars().count()
 }

@@ -53,3 +53,23 @@ limit: of each run.
 ";
     assert_eq!(terminal::table(&table()), words);
 }
+
+#[test]
+fn a_table_that_is_too_wide_for_a_terminal_is_written_row_by_row() {
+    let row = |name: &str, number: f64| {
+        let numbers = (0..12).map(|k| Cell::number(number + f64::from(k) / 8.0, 4));
+        [Cell::text(name), Cell::text("a method")].into_iter().chain(numbers).collect()
+    };
+    let headings: Vec<String> = (0..12).map(|k| format!("#quantity {k} (m)")).collect();
+    let headings = format!("case | method | {}", headings.join(" | "));
+    let mut wide = Table::new("Wide", "", &headings, vec![row("one", 0.5), row("two", 2.0)]);
+    wide.rows[0][2] = Cell::text("–");
+    wide.rows[1][3].mark = Mark::Bad;
+    let words = terminal::table_within(&wide, 100);
+    assert!(words.lines().all(|line| line.chars().count() <= 100), "{words}");
+    let starts = "Wide\n    one, a method\n        quantity 1 (m) 0.625; quantity 2 (m) 0.75; ";
+    assert!(words.starts_with(starts), "{words}");
+    let second = "\n    two, a method\n        quantity 0 (m) 2; quantity 1 (m) ✗ 2.125; ";
+    assert!(words.contains(second), "{words}");
+    assert_eq!(terminal::table_within(&table(), 100), terminal::table(&table()));
+}
