@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use lcplab::hunt::{Finding, Friction, Given, Measure, Search, Trial};
+use lcplab::hunt::{Finding, Friction, Given, Measure, Search, Target};
 use lcplab::lcp::friction::Model;
 use lcplab::solver::{MatrixClass, Stop};
 use numpy::PyArray1;
@@ -63,7 +63,7 @@ pub fn hunt<'py>(
         })
         .collect();
     let start = Given::new(&start, within, model).map_err(refused)?;
-    let trial = Trial {
+    let target = Target {
         measure,
         solver: callable::method(&solver, start.model)?,
         rival: rival.map(|rival| callable::method(&rival, start.model)).transpose()?,
@@ -78,7 +78,7 @@ pub fn hunt<'py>(
         allows_single_tangents: start.has_single_tangents,
         best_omega: true,
     };
-    trial.validate().map_err(refused)?;
+    target.validate().map_err(refused)?;
     let search = Search {
         rows: args.rows.0..=args.rows.1,
         evaluations: args.evaluations,
@@ -86,21 +86,21 @@ pub fn hunt<'py>(
         at_least: args.at_least,
         from: start.problems,
     };
-    search.validate(&trial).map_err(refused)?;
+    search.validate(&target).map_err(refused)?;
     let limit = args.seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
     let stop = limit.map_or_else(Stop::default, Stop::after);
     let (result, finding) = wait(py, &stop, || {
-        let result = search.run(&trial, &stop, &|_| ());
+        let result = search.run(&target, &stop, &|_| ());
         let finding = result
             .counterexample
             .as_ref()
-            .map(|counterexample| Finding::of(counterexample, &trial, args.seed));
+            .map(|counterexample| Finding::of(counterexample, &target, args.seed));
         (result, finding)
     })?;
     let fields = PyDict::new(py);
     fields.set_item("evaluations", result.evaluations)?;
     fields.set_item("solved", result.solved)?;
-    fields.set_item("useless", result.useless(trial.solver.name()))?;
+    fields.set_item("useless", result.useless(target.solver.name()))?;
     fields.set_item("notes", start.notes)?;
     if let (Some(counterexample), Some(finding)) = (result.counterexample, finding) {
         fields.set_item("value", counterexample.value)?;

@@ -12,7 +12,7 @@ use lcplab::solver::{ALL, Method, Options, Settings, Solver, Stop};
 
 use super::limits::Limits;
 use super::plugin::Plugins;
-use super::search::{SearchArgs, Target};
+use super::search::{HuntOptions, SearchArgs};
 use super::{Outcome, bar, print, say};
 
 /// Search for false claims of solvers on random difficult problems, or for the smallest problem
@@ -76,14 +76,14 @@ impl Challenge {
         let names: Vec<&str> =
             named.chain(plugins.iter().map(|plugin| -> &str { plugin.name() })).collect();
         if self.search.is_given() {
-            let target = Target {
+            let all = HuntOptions {
                 names: &names,
                 model: self.model,
                 options,
                 seed: self.seed,
                 command: self.plugins.first(),
             };
-            return self.search.hunt(target, self.json, limits);
+            return self.search.hunt(all, self.json, limits);
         }
         let progress = bar(self.problems as u64, "problems");
         let stop = limits.stop();

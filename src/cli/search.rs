@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use lcplab::error::{Error, Result};
 use lcplab::file;
-use lcplab::hunt::{Counterexample, Finding, Friction, Given, Measure, Search, Trial};
+use lcplab::hunt::{Counterexample, Finding, Friction, Given, Measure, Search, Target};
 use lcplab::lcp::file::{Problem, number};
 use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
@@ -56,7 +56,7 @@ pub struct SearchArgs {
 }
 
 /// The solvers to examine, and the options that a search shares with a table of claims.
-pub struct Target<'a> {
+pub struct HuntOptions<'a> {
     /// The named solvers, and the plug-ins.
     pub names: &'a [&'a str],
     /// The requested friction model.
@@ -100,11 +100,11 @@ impl SearchArgs {
     }
 
     /// Searches for a problem on which the named solver, or the first of a ratio, fails.
-    pub fn hunt(&self, target: Target<'_>, json: bool, limits: &Limits) -> Result<Outcome> {
-        let Target { names, model, options, seed, command } = target;
+    pub fn hunt(&self, all: HuntOptions<'_>, json: bool, limits: &Limits) -> Result<Outcome> {
+        let HuntOptions { names, model, options, seed, command } = all;
         let given = Given::new(&self.problems()?, self.class.map(Class::into), model)?;
         given.notes.iter().for_each(|note| say(&format!("note: {note}")));
-        let trial = self.trial(names, options, &given)?;
+        let target = self.target(names, options, &given)?;
         let search = Search {
             rows: self.n.clone(),
             evaluations: self.evaluations,
@@ -112,14 +112,14 @@ impl SearchArgs {
             at_least: self.at_least,
             from: given.problems,
         };
-        search.validate(&trial)?;
+        search.validate(&target)?;
         let progress = bar(self.evaluations as u64, "problems");
         let stop = limits.stop();
-        let result = search.run(&trial, stop, &|tried| progress.inc(tried as u64));
+        let result = search.run(&target, stop, &|tried| progress.inc(tried as u64));
         let stopped = stop.reason();
         limits.over();
         progress.finish_and_clear();
-        let name = trial.solver.name();
+        let name = target.solver.name();
         let useless = result.useless(name);
         let Some(counterexample) = result.counterexample else {
             let (tried, solved) = (result.evaluations, result.solved);
@@ -139,7 +139,7 @@ impl SearchArgs {
                 None => Outcome::Good,
             });
         };
-        let mut finding = Finding::of(&counterexample, &trial, seed);
+        let mut finding = Finding::of(&counterexample, &target, seed);
         if let Some(path) = &self.out {
             finding.test = finding.test.replace("PROBLEM", &path.display().to_string());
         }
@@ -151,10 +151,10 @@ impl SearchArgs {
         }
         print(&match json {
             true => in_json(&counterexample, &finding, seed),
-            false => self.text(&counterexample, &finding, &trial, seed),
+            false => self.text(&counterexample, &finding, &target, seed),
         })?;
         Ok(match stopped {
-            _ if trial.measure == Measure::FalseClaim => Outcome::Refuted,
+            _ if target.measure == Measure::FalseClaim => Outcome::Refuted,
             Some(reason) => Outcome::Stopped(reason),
             None => Outcome::Good,
         })
@@ -172,7 +172,7 @@ impl SearchArgs {
         Ok(given)
     }
 
-    fn trial(&self, names: &[&str], mut options: Options, given: &Given) -> Result<Trial> {
+    fn target(&self, names: &[&str], mut options: Options, given: &Given) -> Result<Target> {
         let wrong = |reason: &str| Error::invalid("options", "--measure", reason);
         let measure: Measure = self.measure[0].parse().map_err(|reason: String| wrong(&reason))?;
         let pair = self.measure.get(1).map(|pair| {
@@ -189,7 +189,7 @@ impl SearchArgs {
             (None, [name]) => (method(name)?, None),
             (None, _) => return Err(wrong("give one solver: --solver NAME or one --plugin")),
         };
-        let trial = Trial {
+        let target = Target {
             measure,
             solver,
             rival,
@@ -200,20 +200,20 @@ impl SearchArgs {
             allows_single_tangents: given.has_single_tangents,
             best_omega: self.omega.is_none(),
         };
-        trial.validate()?;
-        Ok(trial)
+        target.validate()?;
+        Ok(target)
     }
 
     fn text(
         &self,
         counterexample: &Counterexample,
         finding: &Finding,
-        trial: &Trial,
+        target: &Target,
         seed: u64,
     ) -> String {
         let Counterexample { evaluation, shrinking, rows_at_first, value, value_at_first, .. } =
             counterexample;
-        let measure = trial.measure;
+        let measure = target.measure;
         let mut text = format!(
             "{measure} found at evaluation {evaluation} of seed {seed}, with {rows_at_first} rows; shrunk in \
              {shrinking} more evaluations\n"
@@ -228,7 +228,7 @@ impl SearchArgs {
             None => text += &format!("\n{}\n", finding.problem.to_json()),
         }
         text += "\n";
-        text += &match trial.solver.group() {
+        text += &match target.solver.group() {
             Group::Plugin => {
                 format!("test       {}   # exit code 1 until it is fixed\n", finding.test)
             }

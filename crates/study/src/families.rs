@@ -5,8 +5,7 @@
 
 mod contender;
 
-use std::ops::ControlFlow;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 pub use contender::{Contender, useless};
 use rayon::prelude::*;
@@ -15,13 +14,13 @@ use serde::{Deserialize, Serialize};
 use crate::answer::{labelled, proof_of_denial};
 use crate::friction::is_impossible;
 use crate::methods::why_none_takes;
-use lcplab_judge::{Demand, FrictionCertificate, judge_friction};
-use lcplab_problem::Complementarity;
+use crate::trial::{Trial, solved_rows};
+use lcplab_judge::{Demand, FrictionCertificate};
 use lcplab_problem::file::{Expected, Problem};
 use lcplab_problem::friction::{Model, ProblemForm};
 use lcplab_problem::library::Family;
-use lcplab_solver::trace::{NO_ITERATES, Provenance, Work};
-use lcplab_solver::{Group, Iterate, Method, Observer, Options, Reason, Solution, Status, Stop};
+use lcplab_solver::trace::{NO_ITERATES, Provenance};
+use lcplab_solver::{Group, Method, Options, Reason, Solution, Status, Stop};
 
 /// A solver on the problems of one family.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -324,41 +323,32 @@ fn attempt(
     row.known_failure = known.map(str::to_string);
     for (problem, posed) in problems {
         limits.stop.reason().is_none().then_some(())?;
-        let lcp = match posed {
-            ProblemForm::Boxed(lcp) => lcp,
-            ProblemForm::Polyhedral(polyhedral) => polyhedral.lcp(),
-            ProblemForm::Cone(cone) => cone.lcp(),
-        };
-        let work = match method {
-            Method::Boxed(entry) => Some(Work::of(entry, lcp)),
-            Method::Cone(_) => None,
-        };
-        let mut record = IterateRecord { provenance: Provenance::of(lcp), work };
-        let start = Instant::now();
+        let mut provenance = Provenance::of(solved_rows(posed));
         let each = limits.each.map_or_else(Stop::default, Stop::after);
-        let mut watched = limits.stop.watch(&mut record);
-        let mut solution = method.solve(posed, options, &mut each.watch(&mut watched));
-        row.seconds += start.elapsed().as_secs_f64();
-        if solution.status == Status::Stopped {
+        let mut watched = limits.stop.watch(&mut provenance);
+        let mut trial = Trial::run(method, posed, options, &mut each.watch(&mut watched));
+        row.seconds += trial.seconds;
+        if trial.solution.status == Status::Stopped {
             let Some(Reason::TimeLimit(limit)) = each.reason() else { return None };
             let reason = format!("no answer within its time limit of {} s", limit.as_secs_f64());
-            solution.status = Status::NoAnswer { reason };
+            trial.solution.status = Status::NoAnswer { reason };
         }
         if row.fingerprint.is_empty() {
-            row.fingerprint = format!("{:016x}", record.provenance.fingerprint);
+            row.fingerprint = format!("{:016x}", provenance.fingerprint);
         }
-        let known = record.work.map(|work| work.multiplications).filter(|work| work.is_finite());
-        row.multiplications = row.multiplications.zip(known).map(|(sum, own)| sum + own);
+        row.multiplications =
+            row.multiplications.zip(trial.multiplications).map(|(sum, own)| sum + own);
         let demand = Demand { tolerance: options.settings.tolerance, ..Demand::default() };
-        let certificate = judge_friction(posed, &solution.x, &demand);
+        let certificate = trial.judged(posed, &demand);
+        let status = &trial.solution.status;
         row.denied += usize::from(match posed {
-            _ if limits.search && reports_none(&solution.status) => {
+            _ if limits.search && reports_none(status) => {
                 !certificate.verdict.is_solution() && is_impossible(posed, &demand)
             }
-            ProblemForm::Boxed(lcp) => proof_of_denial(lcp, &solution.status, &demand).is_some(),
+            ProblemForm::Boxed(lcp) => proof_of_denial(lcp, status, &demand).is_some(),
             ProblemForm::Polyhedral(_) | ProblemForm::Cone(_) => false,
         });
-        row.add(&solution, &certificate, problem);
+        row.add(&trial.solution, &certificate, problem);
     }
     if unsolvable && row.proved > 0 {
         // A file may say what is not so; a proof outranks it.
@@ -372,21 +362,6 @@ fn attempt(
 /// Whether a solver ends without a solution; one that crashes or is too slow says nothing.
 fn reports_none(status: &Status) -> bool {
     !matches!(status, Status::Solved | Status::NoAnswer { .. })
-}
-
-/// What is kept of a solve's iterates.
-struct IterateRecord<'a> {
-    provenance: Provenance<'a>,
-    work: Option<Work<'a>>,
-}
-
-impl Observer for IterateRecord<'_> {
-    fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
-        if let Some(work) = &mut self.work {
-            work.observe(iterate)?;
-        }
-        self.provenance.observe(iterate)
-    }
 }
 
 impl Row {

@@ -8,6 +8,7 @@ use super::answer::{
     verdict_json,
 };
 use super::methods;
+use super::trial::Trial;
 use lcplab_judge::{Demand, FrictionCertificate, Refutation, judge_cone, judge_friction};
 use lcplab_problem::file::{Problem, number};
 use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law, Model, ProblemForm};
@@ -42,7 +43,7 @@ pub fn solve(
     demand: &Demand,
     observer: &mut dyn Observer,
 ) -> (Solution, JudgedAnswer) {
-    let solution = method.solve(question.posed(), options, observer);
+    let solution = Trial::run(method, question.posed(), options, observer).solution;
     let judged = JudgedAnswer::of(question, &solution.x, demand);
     let judged = judged.with_claim(question.posed(), &solution.status, demand);
     (solution, judged.searched(question.posed(), demand))

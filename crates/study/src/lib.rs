@@ -10,7 +10,6 @@
 
 pub mod answer;
 pub mod aside;
-pub mod attempt;
 pub mod card;
 pub mod ci;
 #[cfg(feature = "clarabel")]
@@ -31,3 +30,4 @@ pub mod profiles;
 pub mod receipt;
 pub mod regression;
 pub mod tasks;
+pub mod trial;

@@ -46,6 +46,17 @@ pub fn entry(name: &str) -> Result<Entry> {
     })
 }
 
+/// The solvers with these names for plain LCPs; all registered ones if the list is empty.
+///
+/// # Errors
+/// If no solver has one of the names.
+pub fn entries(names: &[String]) -> Result<Vec<Entry>> {
+    if names.is_empty() {
+        return Ok(ALL.to_vec());
+    }
+    names.iter().map(|name| lcplab_solver::entry(name).copied()).collect()
+}
+
 /// The method with this name for a friction model.
 ///
 /// # Errors

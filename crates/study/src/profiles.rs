@@ -14,7 +14,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::attempt::Attempt;
+use crate::trial::Attempt;
 
 /// The attempts of the solvers on a family.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

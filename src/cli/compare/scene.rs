@@ -117,8 +117,10 @@ impl Compare {
         if let Some(page) = written {
             say(&page?.display().to_string());
         }
-        let refuted =
-            comparison.runs.iter().any(|run| run.refuted_claims > 0 || run.unanswered > 0);
+        let refuted = comparison
+            .runs
+            .iter()
+            .any(|run| run.tally.refuted_claims > 0 || run.tally.unanswered > 0);
         let all_left_out = !named.is_empty() && comparison.left_out.len() == named.len();
         Ok(match stopped {
             Some(reason) => Outcome::Stopped(reason),

@@ -12,16 +12,18 @@ use super::file::Grid;
 use super::plan::Task;
 use super::subject::Subject;
 use super::theory::{Predicted, Prediction};
-use crate::certificate::{Demand, FrictionCertificate, Verdict, judge};
+use crate::certificate::{Demand, FrictionCertificate, Verdict, judge_friction};
 use crate::error::Result;
 use crate::lcp::Lcp;
 use crate::lcp::file::{Expected, Problem, as_number, number};
+use crate::lcp::friction::ProblemForm;
 use crate::report::answer::status_word;
 use crate::report::methods;
+use crate::report::study::trial::{Tally, Trial};
 use crate::scene::Scene;
-use crate::simulation::{Motion, Step};
-use crate::solver::{Options, Settings, Solution, Start, Status, theory};
-use crate::trace::{Convergence, Work};
+use crate::simulation::{Motion, Solve, Step};
+use crate::solver::{Method, Options, Settings, Solution, Start, Status, theory};
+use crate::trace::Convergence;
 
 /// A measured quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -128,8 +130,7 @@ pub fn run(task: &Task, grid: &Grid) -> Result<(Finding, f64)> {
 
 fn simulate(task: &Task, scene: &Scene, steps: usize, grid: &Grid) -> Result<(Finding, f64)> {
     let mut simulation = Simulation::of(scene)?;
-    let demand = Demand { tolerance: scene.solver.tolerance, prove_up_to: 0 };
-    let mut tally = Tally::default();
+    let mut answers = Answers::default();
     let mut course = SceneMotion::from(simulation.motion());
     let (mut seconds, mut last) = (0.0, None);
     for _ in 0..steps {
@@ -138,17 +139,17 @@ fn simulate(task: &Task, scene: &Scene, steps: usize, grid: &Grid) -> Result<(Fi
         seconds += start.elapsed().as_secs_f64();
         match step {
             Ok(step) => {
-                tally.step(&step, &demand);
+                answers.step(&step, scene.solver.tolerance);
                 course.add(&step.motion);
                 last = step.solves.into_iter().next_back().map(|solve| solve.problem.lcp).or(last);
             }
             Err(failure) => {
-                tally.fail(failure.to_string());
+                answers.fail(failure.to_string());
                 break;
             }
         }
     }
-    let mut finding = tally.finding();
+    let mut finding = answers.finding();
     finding.put("steps", course.steps as f64);
     finding.put("energy_change", course.energy_change);
     finding.put("drift", course.drift);
@@ -161,18 +162,16 @@ fn simulate(task: &Task, scene: &Scene, steps: usize, grid: &Grid) -> Result<(Fi
 
 fn solve(task: &Task, problem: &Problem, settings: &Scene, grid: &Grid) -> Result<(Finding, f64)> {
     let options = simulation::options(settings);
-    let entry = methods::entry(&settings.solver.name)?;
-    let mut work = Work::of(&entry, &problem.lcp);
-    let start = Instant::now();
-    let solution = (entry.build)(&options).solve(&problem.lcp, &Start::default(), &mut work);
-    let seconds = start.elapsed().as_secs_f64();
+    let method = Method::Boxed(methods::entry(&settings.solver.name)?);
+    let posed = ProblemForm::Boxed(problem.lcp.clone());
+    let Trial { solution, multiplications, seconds } =
+        Trial::run(&method, &posed, &options, &mut ());
     let demand = Demand { tolerance: options.settings.tolerance, ..Demand::default() };
-    let certificate = judge(&problem.lcp, &solution.x, &demand).into();
-    let mut tally = Tally::default();
-    tally.add(problem.lcp.len(), &solution, &certificate, None);
-    let mut finding = tally.finding();
-    if work.multiplications.is_finite() {
-        finding.put("work", work.multiplications);
+    let mut answers = Answers::default();
+    answers.add(problem.lcp.len(), &solution, &judge_friction(&posed, &solution.x, &demand));
+    let mut finding = answers.finding();
+    if let Some(work) = multiplications {
+        finding.put("work", work);
     }
     if let Some(exact) = only_solution(problem) {
         let size = exact.iter().fold(0.0, |size, x| f64::max(size, x.abs()));
@@ -219,80 +218,70 @@ fn rates(name: &str, options: &Options, lcp: &Lcp) -> Result<(Option<f64>, Optio
     Ok((eigenvalue.and(trace.rate()), eigenvalue))
 }
 
-/// The claims and verdicts of many solves.
+/// The counts of many answers, and the worst that is said of them.
 #[derive(Default)]
-struct Tally {
-    rows: usize,
-    solves: usize,
-    claimed: usize,
-    accepted: usize,
-    refuted: usize,
-    iterations: usize,
-    worst: f64,
-    status: Option<&'static str>,
-    verdict: Option<Verdict>,
-    trouble: Option<String>,
+struct Answers {
+    tally: Tally,
+    worst: Worst,
 }
 
-impl Tally {
-    fn step(&mut self, step: &Step, demand: &Demand) {
-        for solve in &step.solves {
-            let rows = solve.problem.lcp.len();
-            self.add(rows, &solve.solution, &solve.judged(demand), Some(step.number));
+/// The last status that is not solved, and the worst verdict.
+#[derive(Default)]
+struct Worst {
+    status: Option<&'static str>,
+    verdict: Option<Verdict>,
+}
+
+impl Worst {
+    fn add(&mut self, solution: &Solution, certificate: &FrictionCertificate) {
+        let verdict = certificate.verdict;
+        if solution.status != Status::Solved {
+            self.status = Some(status_word(&solution.status));
+        }
+        if self.verdict.is_none_or(|worst| rank(&verdict) > rank(&worst)) {
+            self.verdict = Some(verdict);
         }
     }
+}
 
-    fn add(
-        &mut self,
-        rows: usize,
-        solution: &Solution,
-        certificate: &FrictionCertificate,
-        step: Option<usize>,
-    ) {
-        let claims = solution.status == Status::Solved;
-        let holds = certificate.verdict.is_solution();
-        self.rows = self.rows.max(rows);
-        self.solves += 1;
-        self.claimed += usize::from(claims);
-        self.accepted += usize::from(holds);
-        self.refuted += usize::from(claims && !holds);
-        self.iterations += solution.iterations;
-        self.worst = self.worst.max(certificate.scaled_residual);
-        if self.verdict.is_none_or(|verdict| rank(&certificate.verdict) > rank(&verdict)) {
-            self.verdict = Some(certificate.verdict);
-        }
-        if !claims {
-            let place = step.map(|step| format!("step {step}: ")).unwrap_or_default();
-            self.status = Some(status_word(&solution.status));
-            self.trouble = Some(format!("{place}{}", solution.status));
-        }
+impl Answers {
+    fn step(&mut self, step: &Step, tolerance: f64) {
+        let Answers { tally, worst } = self;
+        let note = |solve: &Solve, certificate: &_| worst.add(&solve.solution, certificate);
+        tally.add_step(step, tolerance, note);
+    }
+
+    fn add(&mut self, rows: usize, solution: &Solution, certificate: &FrictionCertificate) {
+        self.tally.add(rows, solution, certificate, "");
+        self.worst.add(solution, certificate);
     }
 
     fn fail(&mut self, reason: String) {
-        self.status = Some("failed");
-        self.trouble = Some(reason);
+        self.worst.status = Some("failed");
+        self.tally.trouble = Some(reason);
     }
 
     fn finding(self) -> Finding {
-        let usual = if self.solves > 0 { "solved" } else { "no LCP" };
+        let Answers { tally, worst } = self;
+        let usual = if tally.solves > 0 { "solved" } else { "no LCP" };
         let mut finding = Finding {
-            status: self.status.unwrap_or(usual).into(),
-            verdict: self.verdict.map_or("none", |verdict| verdict.word()).into(),
-            trouble: self.trouble,
+            status: worst.status.unwrap_or(usual).into(),
+            verdict: worst.verdict.map_or("none", |verdict| verdict.word()).into(),
+            trouble: tally.trouble,
             values: Map::new(),
             predicted: Vec::new(),
         };
         for (name, count) in [
-            ("iterations", self.iterations),
-            ("rows", self.rows),
-            ("solves", self.solves),
-            ("claimed", self.claimed),
-            ("accepted", self.accepted),
-            ("refuted", self.refuted),
+            ("iterations", tally.iterations),
+            ("rows", tally.rows),
+            ("solves", tally.solves),
+            ("claimed", tally.claimed),
+            ("accepted", tally.accepted),
+            ("refuted", tally.refuted_claims),
         ] {
             finding.values.insert(name.into(), count.into());
         }
-        finding.put("scaled_residual", self.worst);
+        finding.put("scaled_residual", tally.worst_residual);
         finding
     }
 }

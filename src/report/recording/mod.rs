@@ -15,16 +15,15 @@ use refused::{Refused, proof};
 use tables::Tables;
 
 use crate::body::{Body, State};
-use crate::certificate::Demand;
 use crate::error::Result;
 use crate::file;
 use crate::lcp::file::number;
 use crate::memory::Memory;
+use crate::report::study::trial::Tally;
 use crate::scene::Scene;
 use crate::simulation::{
     Failure, Impact, Impacts, LawErrors, Motion, Simulation, Slips, Step, Warnings, carried,
 };
-use crate::solver::Status;
 
 /// The text instead of the work if the forces were not recorded.
 const NOT_ACCOUNTED: &str = "not accounted";
@@ -42,12 +41,9 @@ pub struct Record {
     /// The current states.
     states: Vec<State>,
     steps: usize,
-    problems: usize,
-    accepted: usize,
-    refuted_claims: usize,
+    tally: Tally,
     /// The solvers that gave the answers, in the order of their first answer.
     solvers: Vec<&'static str>,
-    worst_residual: f64,
     worst_drift: f64,
     worst_penetration: f64,
     /// The step with the smallest supported fraction of the weight, and that fraction.
@@ -80,11 +76,8 @@ impl Record {
             last: motion.clone(),
             states: simulation.states().to_vec(),
             steps: 0,
-            problems: 0,
-            accepted: 0,
-            refuted_claims: 0,
+            tally: Tally::default(),
             solvers: Vec::new(),
-            worst_residual: 0.0,
             worst_drift: 0.0,
             worst_penetration: 0.0,
             least_carried: None,
@@ -120,24 +113,19 @@ impl Record {
 
     /// Adds a step and judges every answer in it.
     pub fn add(&mut self, step: &Step) {
-        let demand = Demand { tolerance: self.scene.solver.tolerance, prove_up_to: 0 };
-        for solve in &step.solves {
-            let certificate = solve.judged(&demand);
+        let Record { scene, tally, solvers, refused, conflict, .. } = self;
+        tally.add_step(step, scene.solver.tolerance, |solve, certificate| {
             let holds = certificate.verdict.is_solution();
-            self.problems += 1;
-            self.accepted += usize::from(holds);
-            self.refuted_claims += usize::from(solve.solution.status == Status::Solved && !holds);
-            self.worst_residual = self.worst_residual.max(certificate.scaled_residual);
-            if !self.solvers.contains(&solve.solver) {
-                self.solvers.push(solve.solver);
+            if !solvers.contains(&solve.solver) {
+                solvers.push(solve.solver);
             }
-            if !holds && self.refused.is_none() {
-                self.refused = Some(Refused::of(&self.scene, step.number, solve, &certificate));
+            if !holds && refused.is_none() {
+                *refused = Some(Refused::of(scene, step.number, solve, certificate));
             }
-            if !holds && self.conflict.is_empty() {
-                self.conflict = solve.conflict(&self.scene);
+            if !holds && conflict.is_empty() {
+                *conflict = solve.conflict(scene);
             }
-        }
+        });
         self.warnings.add(&self.scene, step);
         if let Some(part) = carried(&self.scene, &self.last, &step.motion)
             && self.least_carried.is_none_or(|(_, least)| part < least)
@@ -185,7 +173,7 @@ impl Record {
 
     /// Whether all steps were taken and the judge accepts every answer.
     pub fn is_good(&self) -> bool {
-        self.failure.is_none() && self.accepted == self.problems
+        self.failure.is_none() && self.tally.rejected() == 0
     }
 
     /// Writes results.json, and trajectory.csv, ledger.csv and forces.csv if there are tables.
@@ -212,10 +200,10 @@ impl Record {
             "dt": number(self.scene.step.dt),
             "steps": self.steps,
             "time": number(self.last.time),
-            "problems": self.problems,
-            "accepted": self.accepted,
-            "refuted_claims": self.refuted_claims,
-            "worst_residual": (self.problems > 0).then(|| number(self.worst_residual)),
+            "problems": self.tally.solves,
+            "accepted": self.tally.accepted,
+            "refuted_claims": self.tally.refuted_claims,
+            "worst_residual": (self.tally.solves > 0).then(|| number(self.tally.worst_residual)),
             "energy_start": number(self.first.energy()),
             "energy_end": number(self.last.energy()),
             "drift": number(self.worst_drift),

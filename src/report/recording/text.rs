@@ -49,17 +49,18 @@ impl Record {
             self.steps,
             self.last.time,
             match &self.scene.solver {
-                solver if solver.fixed_sweeps && self.problems == 0 => {
+                solver if solver.fixed_sweeps && self.tally.solves == 0 => {
                     format!(
                         "not judged: {} sweeps per step, without a tolerance",
                         solver.max_iterations
                     )
                 }
-                _ => format!("{}, accepted by the judge {}", self.problems, self.accepted),
+                _ =>
+                    format!("{}, accepted by the judge {}", self.tally.solves, self.tally.accepted),
             },
-            match self.problems {
+            match self.tally.solves {
                 0 => "–".into(),
-                _ => format!("at most {}", readable(self.worst_residual, 2)),
+                _ => format!("at most {}", readable(self.tally.worst_residual, 2)),
             },
             readable(self.worst_drift, 3),
             self.drift_in_words(),

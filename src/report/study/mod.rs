@@ -24,7 +24,7 @@ pub mod sparsity;
 pub mod variation;
 pub mod verification;
 
-pub use lcplab_study::{attempt, ci, families, receipt, regression};
+pub use lcplab_study::{ci, families, receipt, regression, trial};
 
 use schemars::JsonSchema;
 use serde::Serialize;

@@ -13,13 +13,16 @@ use crate::error::Result;
 use crate::lcp::Lcp;
 use crate::lcp::Question;
 use crate::lcp::file::{Expected, Problem};
+use crate::lcp::friction::ProblemForm;
 use crate::lcp::library;
 use crate::memory::Memory;
-use lcplab_study::attempt::{attempt, entries, options};
+use crate::report::methods;
+use crate::solver::{Entry, Method, Options, Settings};
 pub use lcplab_study::profiles::{
     Cost, FamilyAttempts, ProblemAttempts, Profile, costs, iterations, multiplications, of_all,
     profiles,
 };
+use lcplab_study::trial::{Attempt, Trial};
 
 /// The problems and solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -83,7 +86,7 @@ impl Study for Plan {
     }
 
     fn run(&self, task: usize) -> Result<(FamilyAttempts, Seconds)> {
-        let entries = entries(&self.solvers)?;
+        let entries = methods::entries(&self.solvers)?;
         let families = self.families();
         let (family, problems) = match families.get(task) {
             Some(name) => (name.clone(), self.of_family(name)?),
@@ -94,15 +97,8 @@ impl Study for Plan {
         };
         let (mut posed, mut clocks) = (Vec::new(), Vec::new());
         for (lcp, impossible) in problems {
-            let (mut attempts, mut clock) = (Vec::new(), Vec::new());
-            for tolerance in &self.tolerances {
-                let options = options(*tolerance, self.max_iterations);
-                let tried = entries.iter().map(|entry| attempt(entry, &lcp, &options));
-                let (tried, times): (Vec<_>, Vec<_>) =
-                    tried.map(|tried| (tried.attempt, tried.seconds)).unzip();
-                attempts.push(tried);
-                clock.push(times);
-            }
+            let at = |tolerance: &f64| self.attempts(&entries, &lcp, *tolerance);
+            let (attempts, clock) = self.tolerances.iter().map(at).unzip();
             posed.push(ProblemAttempts { rows: lcp.len(), impossible, attempts });
             clocks.push(clock);
         }
@@ -137,6 +133,19 @@ pub fn seconds(
 }
 
 impl Plan {
+    /// The attempts of the solvers at a problem, and their wall times (s).
+    fn attempts(&self, entries: &[Entry], lcp: &Lcp, tolerance: f64) -> (Vec<Attempt>, Vec<f64>) {
+        let max_iterations = self.max_iterations;
+        let settings = Settings { tolerance, max_iterations, ..Settings::default() };
+        let options = Options { settings, ..Options::default() };
+        let problem = ProblemForm::Boxed(lcp.clone());
+        let attempt = |entry: &Entry| {
+            let trial = Trial::run(&Method::Boxed(*entry), &problem, &options, &mut ());
+            (trial.attempt(entry.name, lcp, tolerance), trial.seconds)
+        };
+        entries.iter().map(attempt).unzip()
+    }
+
     fn families(&self) -> Vec<String> {
         if self.families.is_empty() {
             library::all().map(|family| family.name().to_string()).collect()

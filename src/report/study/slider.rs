@@ -15,7 +15,8 @@
 //! On the disk it moves straight from the start, for v²/(2 μ g). If sliding bodies float in a
 //! model, the block starts at the floating height dt μ v: from the floor it would be thrown up.
 
-use crate::simulation::Simulation;
+use crate::report::study::trial::Tally;
+use crate::simulation::{Simulation, Solve};
 use std::f64::consts::TAU;
 
 use rayon::prelude::*;
@@ -82,7 +83,6 @@ fn path(model: Model, mu: f64) -> Result<Path> {
     let mu_g = mu * scene.gravity.norm();
     // Friction with a polygon decelerates by at least μ g/√2.
     let steps = (1.5 * speed / (mu_g * DT)).ceil() as usize;
-    let demand = Demand { prove_up_to: 0, ..Demand::default() };
     let mut simulation = Simulation::of(&scene)?;
     let mut path = Path {
         model,
@@ -96,14 +96,12 @@ fn path(model: Model, mu: f64) -> Result<Path> {
         gap: 0.0,
         expected_gap: 0.0,
     };
+    let mut tally = Tally::default();
     for number in 1..=steps {
         // The number of problems shows an early end.
         let Ok(step) = simulation.step() else { break };
-        for solve in &step.solves {
-            path.problems += 1;
-            path.accepted += usize::from(solve.judged(&demand).verdict.is_solution());
-            path.solver = solve.solver.to_string();
-        }
+        let named = |solve: &Solve, _: &_| path.solver = solve.solver.to_string();
+        tally.add_step(&step, Demand::default().tolerance, named);
         let state = &step.states[1];
         path.stop = [state.pose.p.x, state.pose.p.y];
         if number % KEPT == 0 {
@@ -114,6 +112,7 @@ fn path(model: Model, mu: f64) -> Result<Path> {
             path.expected_gap = floats * state.v.xy().norm();
         }
     }
+    (path.problems, path.accepted) = (tally.solves, tally.accepted);
     Ok(path)
 }
 

@@ -3,7 +3,7 @@
 use super::Document;
 use crate::number::{count, readable};
 use crate::report::page::{Cell, Mark};
-use crate::report::study::attempt::Outcome;
+use crate::report::study::trial::Outcome;
 use crate::solver::Group;
 
 /// The outcome of an attempt, marked.

@@ -7,11 +7,11 @@ use super::{Document, Headline, Outcome, View};
 use crate::plot::Axis;
 use crate::plot::profile::{Curve, Group as Line, Profiles};
 use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::attempt::{self, Attempt};
 use crate::report::study::profiles::{
     Cost, FamilyAttempts, Plan, Profile, Seconds, costs, iterations, multiplications, of_all,
     profiles,
 };
+use crate::report::study::trial::{self, Attempt};
 use crate::solver::{ALL, Entry, Group};
 
 /// A failure: solver, tolerance, reason; with the families where it happened.
@@ -68,7 +68,7 @@ impl View for Plan {
 
     fn outcome(&self, tried: &[FamilyAttempts]) -> Outcome {
         let all = |of| count(tried, None, None, of);
-        let refuted = all(|attempt| attempt.outcome == attempt::Outcome::Refuted);
+        let refuted = all(|attempt| attempt.outcome == trial::Outcome::Refuted);
         let says = format!(
             "{} attempts: {} reported as solved, {} answers accepted by the judge, {refuted} false claims",
             all(|attempt| attempt.outcome.is_attempt()),
@@ -187,7 +187,7 @@ impl Plan {
         });
         let cheapest = named().max_by(|(_, a), (_, b)| at_one(a).total_cmp(&at_one(b)));
         let refuted =
-            count(tried, None, None, |attempt| attempt.outcome == attempt::Outcome::Refuted);
+            count(tried, None, None, |attempt| attempt.outcome == trial::Outcome::Refuted);
         let unsolved = costs.iter().filter(|row| !row.iter().any(is_solved)).count();
         let mut text = format!("At {} ", tolerance(self.tolerances[last]));
         text += &match all.is_empty() {
@@ -231,7 +231,7 @@ impl Plan {
                 let count = |of: fn(&Attempt) -> bool| count(tried, Some(solver), Some(k), of);
                 let attempted = count(|attempt| attempt.outcome.is_attempt());
                 let claimed = count(|attempt| attempt.outcome.is_claim());
-                let refuted = count(|attempt| attempt.outcome == attempt::Outcome::Refuted);
+                let refuted = count(|attempt| attempt.outcome == trial::Outcome::Refuted);
                 let solved = count(|attempt| attempt.outcome.is_solved());
                 rows.push(vec![
                     Cell::text(solver),
@@ -240,7 +240,7 @@ impl Plan {
                     Cell::count(count(|attempt| !attempt.outcome.is_attempt())),
                     Cell::count(claimed),
                     Cell::count(solved),
-                    Cell::count(count(|attempt| attempt.outcome == attempt::Outcome::Proved)),
+                    Cell::count(count(|attempt| attempt.outcome == trial::Outcome::Proved)),
                     Cell::count(refuted).marked(if refuted == 0 { Mark::Plain } else { Mark::Bad }),
                     Cell::count(attempted - claimed),
                     {
@@ -428,7 +428,7 @@ fn matrix(tried: &[FamilyAttempts], solvers: &[String], k: usize, value: f64) ->
             let impossible = family.problems.iter().any(|problem| problem.impossible);
             let attempted = attempts.iter().filter(|a| a.outcome.is_attempt()).count();
             let solved = attempts.iter().filter(|a| a.outcome.is_solved()).count();
-            let proved = attempts.iter().filter(|a| a.outcome == attempt::Outcome::Proved).count();
+            let proved = attempts.iter().filter(|a| a.outcome == trial::Outcome::Proved).count();
             match (attempted, solved) {
                 (0, _) => Cell::text("·"),
                 (_, 0) if impossible => Cell::text("none").marked(Mark::Plain),

@@ -3,11 +3,11 @@
 use lcplab::lcp::{Lcp, Matrix};
 use lcplab::report::results::Results;
 use lcplab::report::study::Study;
-use lcplab::report::study::attempt::{Attempt, Outcome};
 use lcplab::report::study::convergence::methods::Mark;
 use lcplab::report::study::convergence::{Finding, Plan};
 use lcplab::report::study::posed::{Loaded, STEP_SPEED, Source};
 use lcplab::report::study::profiles::{self, Cost, costs, multiplications, of_all, profiles};
+use lcplab::report::study::trial::{Attempt, Outcome};
 use lcplab::report::view;
 use lcplab::solver::{self, Options, Start, entry};
 use lcplab::trace::Work;

@@ -15,13 +15,13 @@ use serde::{Deserialize, Serialize};
 
 use crate::aside::GRACE;
 use crate::tasks::Tasks;
+use crate::trial::Tally;
 use laws::LawMonitor;
-use lcplab_judge::Demand;
 use lcplab_mechanics::scene::{Scene, Scheme};
-use lcplab_mechanics::simulation::{Motion, Simulation, Solve, Step, carried};
+use lcplab_mechanics::simulation::{Motion, Simulation, Step, carried};
 use lcplab_problem::error::Result;
 use lcplab_problem::friction::Model;
-use lcplab_solver::{CONES, Class, Cost, Dantzig, Entry, Group, MatrixClass, Method, Status, Stop};
+use lcplab_solver::{CONES, Class, Cost, Dantzig, Entry, Group, MatrixClass, Method, Stop};
 
 /// A scene with all solvers at all levels.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -69,29 +69,9 @@ pub struct Run {
     pub solver: String,
     /// Steps taken.
     pub steps: usize,
-    /// LCPs solved in them; impacts and bounces are LCPs of their own.
-    pub solves: usize,
-    /// LCPs that the solver claims to have solved.
-    pub claimed: usize,
-    /// LCPs whose answer the judge accepts.
-    pub accepted: usize,
-    /// Claims that the judge refutes: this must be 0.
-    pub refuted_claims: usize,
-    /// LCPs that the solver is not made for, and says so.
-    #[serde(default, skip_serializing_if = "crate::number::is_zero")]
-    pub outside: usize,
-    /// LCPs without any answer: the solver crashed or wrote something unreadable.
-    #[serde(default, skip_serializing_if = "crate::number::is_zero")]
-    pub unanswered: usize,
-    /// Sweeps or pivots in all.
-    pub iterations: usize,
-    /// The worst scaled residual of all answers, claimed or not; infinite where one is no number.
-    #[serde(with = "crate::number::always")]
-    pub worst_residual: f64,
-    /// The largest number of rows of an LCP.
-    pub rows: usize,
-    /// Why the run ended early, or the last status that was not solved.
-    pub trouble: Option<String>,
+    /// The LCPs solved in them, of which impacts and bounces are some, and the verdicts.
+    #[serde(flatten)]
+    pub tally: Tally,
     /// The average force with which contacts, joints and springs support the bodies, as a part of
     /// their weight, if there is a weight.
     #[serde(default)]
@@ -252,7 +232,7 @@ impl Comparison {
 /// The run that took the most steps with the fewest rejected answers, the first of several; none
 /// where no solver supports the problems.
 pub fn best(runs: &[Run]) -> Option<&Run> {
-    let key = |run: &Run| (Reverse(run.steps), run.solves - run.accepted);
+    let key = |run: &Run| (Reverse(run.steps), run.tally.rejected());
     runs.iter().filter(|run| run.is_candidate()).min_by_key(|run| key(run))
 }
 
@@ -302,16 +282,7 @@ fn run(scene: &Scene, solver: &Method, steps: usize, stop: &Stop) -> (Run, Timin
         scheme: scheme.clone(),
         solver: solver.name().to_string(),
         steps: 0,
-        solves: 0,
-        claimed: 0,
-        accepted: 0,
-        refuted_claims: 0,
-        outside: 0,
-        unanswered: 0,
-        iterations: 0,
-        worst_residual: 0.0,
-        rows: 0,
-        trouble: None,
+        tally: Tally::default(),
         carried: None,
         laws: RunLaws::default(),
         motion: Vec::new(),
@@ -340,7 +311,7 @@ fn step_through(mut simulation: Simulation, steps: usize, stop: &Stop, run: &mut
                 run.record(&step, tolerance);
             }
             Err(failure) => {
-                run.trouble = Some(failure.to_string());
+                run.tally.trouble = Some(failure.to_string());
                 break;
             }
         }
@@ -354,33 +325,12 @@ impl Run {
     fn record(&mut self, step: &Step, tolerance: f64) {
         self.steps += 1;
         self.motion.push(Sample::from(&step.motion));
-        for solve in &step.solves {
-            let certificate = solve.judged(&Demand { tolerance, prove_up_to: 0 });
-            let Solve { problem, solution, .. } = solve;
-            let is_answered = !matches!(solution.status, Status::NoAnswer { .. });
-            let claims = solution.status == Status::Solved;
-            // Without an answer, x is the start.
-            let holds = is_answered && certificate.verdict.is_solution();
-            self.solves += 1;
-            self.outside += usize::from(matches!(solution.status, Status::OutsideClass { .. }));
-            self.unanswered += usize::from(!is_answered);
-            self.claimed += usize::from(claims);
-            self.accepted += usize::from(holds);
-            self.refuted_claims += usize::from(claims && !holds);
-            self.iterations += solution.iterations;
-            let residual = certificate.scaled_residual;
-            let residual = if residual.is_nan() { f64::INFINITY } else { residual };
-            self.worst_residual = self.worst_residual.max(residual);
-            self.rows = self.rows.max(problem.lcp.len());
-            if !claims {
-                self.trouble = Some(format!("step {}: {}", step.number, solution.status));
-            }
-        }
+        self.tally.add_step(step, tolerance, |_, _| ());
     }
 
     /// Whether the solver is made for a problem of the run: not if it refused all of them.
     pub fn is_candidate(&self) -> bool {
-        self.solves == 0 || self.outside < self.solves
+        self.tally.solves == 0 || self.tally.outside < self.tally.solves
     }
 
     /// The criterion that the run fails, if any: all steps taken, every answer accepted, and drift
@@ -389,7 +339,7 @@ impl Run {
         let error = self.worst(|sample| sample.drift.max(sample.penetration));
         match self {
             _ if self.steps < steps => Some("ended early"),
-            _ if self.accepted < self.solves => Some("answers rejected"),
+            _ if self.tally.rejected() > 0 => Some("answers rejected"),
             _ if self.laws.passages > 0 => Some("a body passed through another one"),
             _ if error > HELD * thinnest => Some("drift or penetration too large"),
             _ => None,

@@ -14,11 +14,12 @@ use rayon::prelude::*;
 
 use super::Tally;
 use super::numbers::Random;
+use crate::trial::Trial;
 use lcplab_judge::{Demand, judge_cone};
-use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law};
+use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law, ProblemForm};
 use lcplab_problem::number::readable;
 use lcplab_problem::{Lcp, Matrix};
-use lcplab_solver::{CONES, ConeEntry, Settings, Start, Status};
+use lcplab_solver::{CONES, ConeEntry, Method, Options, Settings, Status};
 
 /// The allowed distance of an answer from the exact one, relative to its largest entry.
 const NEAR: f64 = 1e-6;
@@ -81,7 +82,9 @@ pub fn tallies(seed: u64, contacts: usize, settings: &Settings) -> Vec<Tally> {
 /// A claim is false if the judge rejects it, or if it differs from the closed form; a verdict is
 /// false if the judge rejects the closed form.
 fn tally(entry: &ConeEntry, truth: &ConeTruth, number: usize, settings: &Settings) -> Tally {
-    let solution = (entry.build)(settings).solve(&truth.problem, &Start::default(), &mut ());
+    let options = Options { settings: settings.clone(), ..Options::default() };
+    let posed = ProblemForm::Cone(truth.problem.clone());
+    let solution = Trial::run(&Method::Cone(*entry), &posed, &options, &mut ()).solution;
     let accepts =
         |x: &[f64]| judge_cone(&truth.problem, x, &Demand::default()).verdict.is_solution();
     let size = truth.x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));

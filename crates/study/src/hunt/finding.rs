@@ -10,7 +10,7 @@ use lcplab_problem::friction::{Contact, Form, Model};
 use lcplab_problem::number::readable;
 use lcplab_solver::{Group, MatrixClass, Settings, Solution, Status};
 
-use super::measure::{Measure, Trial};
+use super::measure::{Measure, Target};
 use super::posing::frozen_at;
 use super::right::RightAnswer;
 use super::search::Counterexample;
@@ -46,14 +46,14 @@ pub struct Finding {
 
 impl Finding {
     /// The result of a search with this seed.
-    pub fn of(counterexample: &Counterexample, trial: &Trial, seed: u64) -> Finding {
+    pub fn of(counterexample: &Counterexample, target: &Target, seed: u64) -> Finding {
         let lcp = &counterexample.lcp;
-        let measure = trial.measure;
-        let solver = trial.solver.name();
+        let measure = target.measure;
+        let solver = target.solver.name();
         let title =
             format!("{measure} of {solver}, seed {seed}, evaluation {}", counterexample.evaluation);
-        let mut problem = Problem { model: trial.model, ..Problem::new(title, lcp.clone()) };
-        problem.frozen_at = (trial.model == Some(Model::FrozenBox)).then(|| frozen_at(lcp));
+        let mut problem = Problem { model: target.model, ..Problem::new(title, lcp.clone()) };
+        problem.frozen_at = (target.model == Some(Model::FrozenBox)).then(|| frozen_at(lcp));
         problem.extra.insert("source".into(), json!("found by lcplab hunt"));
         let posed = Question::new(&problem, None, "hunt").expect("a problem that was posed");
         let exact = posed.boxed().and_then(all_solutions);
@@ -61,10 +61,10 @@ impl Finding {
             let expected = Expected { solutions: solutions.clone(), complete: true };
             problem.extra.insert("expected".into(), expected.json());
         }
-        let solution = trial.answer(lcp).expect("a problem that was posed");
+        let solution = target.answer(lcp).expect("a problem that was posed");
         let answer = given(&solution).then(|| solution.x.clone());
         let right =
-            RightAnswer::of(posed.posed(), trial.model, exact.as_deref(), answer.as_deref());
+            RightAnswer::of(posed.posed(), target.model, exact.as_deref(), answer.as_deref());
         let vector = |x: &[f64]| -> serde_json::Value { x.iter().map(|&x| number(x)).collect() };
         problem.extra.insert(
             "hunt".into(),
@@ -78,10 +78,10 @@ impl Finding {
             matches!(class_of(lcp.matrix()), Some(MatrixClass::Definite | MatrixClass::P))
                 && posed.boxed().is_some_and(|lcp| lcp.coupling().is_none());
         let truth = exact.as_deref().map(|all| truth(all, is_unique)).unwrap_or_default();
-        let (happens, card) = (trial.words(lcp, &solution), Card::of(lcp).words());
-        let model = trial.model.map_or(String::new(), |model| format!(" under {model}"));
+        let (happens, card) = (target.words(lcp, &solution), Card::of(lcp).words());
+        let model = target.model.map_or(String::new(), |model| format!(" under {model}"));
         let words = format!("{happens}. The problem{model} has {card}.{truth}");
-        let test = test(&problem, trial, counterexample, right.as_ref());
+        let test = test(&problem, target, counterexample, right.as_ref());
         Finding { problem, words, answer, right, test, solver }
     }
 
@@ -218,20 +218,20 @@ fn truth(solutions: &[Vec<RBig>], is_unique: bool) -> String {
 /// A test that fails as long as the solver's behavior is unchanged; for a plug-in, a command.
 fn test(
     problem: &Problem,
-    trial: &Trial,
+    target: &Target,
     counterexample: &Counterexample,
     right: Option<&RightAnswer>,
 ) -> String {
-    let Settings { max_iterations: most, tolerance, .. } = trial.options.settings;
+    let Settings { max_iterations: most, tolerance, .. } = target.options.settings;
     let is_usual = tolerance == Settings::default().tolerance;
-    if trial.solver.group() == Group::Plugin {
+    if target.solver.group() == Group::Plugin {
         let tolerance =
             if is_usual { String::new() } else { format!(" --tolerance {tolerance:e}") };
         return format!(
             "lcplab solve PROBLEM --plugin \"COMMAND\" --max-iterations {most}{tolerance}"
         );
     }
-    let demand = match trial.measure {
+    let demand = match target.measure {
         Measure::FalseClaim => {
             "let demand = Demand { tolerance: settings.tolerance, ..Demand::default() };\n    \
              let verdict = judge_friction(question.posed(), &solution.x, &demand).verdict;\n    \
@@ -254,15 +254,15 @@ fn test(
         }
         Measure::Ratio => {
             let (name, ratio) =
-                (trial.rival.map_or("", |rival| rival.name()), counterexample.value);
+                (target.rival.map_or("", |rival| rival.name()), counterexample.value);
             let fewer = format!("assert!(solution.iterations < {});", counterexample.iterations);
             format!("{fewer} // {ratio:.0} times those of {name}")
         }
     };
-    let name = trial.solver.name();
-    let test = format!("{}_of_{name}", trial.measure).replace('-', "_");
+    let name = target.solver.name();
+    let test = format!("{}_of_{name}", target.measure).replace('-', "_");
     let tolerance = if is_usual { String::new() } else { format!("tolerance: {tolerance:e}, ") };
-    let method = match trial.model {
+    let method = match target.model {
         Some(_) => format!("methods::by_name(\"{name}\", question.model().unwrap()).unwrap()"),
         None => format!("Method::Boxed(methods::entry(\"{name}\").unwrap())"),
     };

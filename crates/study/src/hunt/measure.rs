@@ -3,6 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+use crate::trial::Trial;
 use lcplab_judge::{Demand, Evidence, Verdict, judge, judge_friction};
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::exact::all_solutions;
@@ -77,7 +78,7 @@ impl Measure {
 
 /// A solver, and the measure to search for.
 #[derive(Debug, Clone)]
-pub struct Trial {
+pub struct Target {
     /// The measure.
     pub measure: Measure,
     /// The solver.
@@ -157,8 +158,8 @@ impl fmt::Display for Exclusion {
     }
 }
 
-impl Trial {
-    /// Checks that the trial is complete.
+impl Target {
+    /// Checks that it is complete.
     ///
     /// # Errors
     /// If it lacks a baseline, has one that it does not need, needs exact solutions that the
@@ -237,7 +238,7 @@ impl Trial {
     }
 
     /// The solver's behavior on the problem, in a sentence; `solution` is its
-    /// [answer](Trial::answer).
+    /// [answer](Target::answer).
     pub fn words(&self, lcp: &Lcp, solution: &Solution) -> String {
         let name = self.solver.name();
         let Ok(posed) = pose(lcp, self.model) else { return format!("{name} is not tried") };
@@ -292,7 +293,7 @@ impl Trial {
     ) -> Solution {
         let mut options = Options { omega, ..self.options.clone() };
         options.settings.max_iterations = most;
-        method.solve(posed, &options, &mut ())
+        Trial::run(method, posed, &options, &mut ()).solution
     }
 
     fn is_solved(&self, posed: &ProblemForm, solution: &Solution) -> bool {
@@ -338,12 +339,12 @@ impl Trial {
         (if fails { 1.0 + part } else { part.min(1.0) }, fails)
     }
 
-    /// Whether the problem is valid for this trial.
+    /// Whether a search for this target may use the problem.
     pub(super) fn is_fair(&self, lcp: &Lcp) -> bool {
         self.unfair(lcp).is_none()
     }
 
-    /// Why the problem is not valid for this trial: it is not of the requested class or kind or,
+    /// Why a search may not use the problem: it is not of the requested class or kind or,
     /// for measures of cost, the solver or its baseline is not made for it.
     pub(crate) fn unfair(&self, lcp: &Lcp) -> Option<Exclusion> {
         let has_friction = lcp.coupling().is_some_and(|coupling| !coupling.is_empty());

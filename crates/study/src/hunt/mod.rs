@@ -54,7 +54,7 @@ mod truth;
 
 pub use finding::Finding;
 pub use given::Given;
-pub use measure::{Exclusion, Friction, Measure, Score, Trial};
+pub use measure::{Exclusion, Friction, Measure, Score, Target};
 pub use posing::{frozen_at, pose};
 pub use problem::{KINDS, Kind, contact_problem, problem};
 pub use right::RightAnswer;
@@ -64,6 +64,7 @@ pub use truth::{Claim, FalseClaim, Truth};
 
 use rayon::prelude::*;
 
+use crate::trial::Trial;
 use lcplab_problem::Lcp;
 use lcplab_problem::friction::Model;
 use lcplab_solver::{Method, Options, Solver, Start, Stop};
@@ -123,8 +124,8 @@ impl Hunt {
                 return empty();
             };
             let claim = |method: &Method| {
-                let solution = method.solve(&posed, options, &mut ());
-                (method.name(), Claim::under(&posed, &solution, self.tolerance))
+                let trial = Trial::run(method, &posed, options, &mut ());
+                (method.name(), Claim::under(&posed, &trial.solution, self.tolerance))
             };
             let claims: Vec<(&'static str, Claim)> = methods.iter().map(claim).collect();
             tick();

@@ -2,12 +2,13 @@
 
 use dashu_ratio::RBig;
 
-use lcplab_judge::{Demand, judge_friction};
+use lcplab_judge::Demand;
 use lcplab_problem::exact::all_solutions;
 use lcplab_problem::friction::{Model, ProblemForm};
 use lcplab_solver::{Method, Options, Settings};
 
 use crate::methods;
+use crate::trial::Trial;
 
 /// The solvers used if exact arithmetic has no answer, the most accurate ones first.
 const ASKED: [&str; 7] =
@@ -63,10 +64,10 @@ fn by_a_solver(posed: &ProblemForm, model: Option<Model>) -> Option<RightAnswer>
         let options = Options { settings, ..Options::default() };
         let demand = Demand { tolerance, ..Demand::default() };
         methods.iter().find_map(|method| {
-            let x = method.solve(posed, &options, &mut ()).x;
-            let is_right = judge_friction(posed, &x, &demand).verdict.is_solution();
+            let trial = Trial::run(method, posed, &options, &mut ());
+            let is_right = trial.judged(posed, &demand).verdict.is_solution();
             is_right.then(|| RightAnswer {
-                x,
+                x: trial.solution.x,
                 source: format!("by {}, accepted by the judge", method.name()),
             })
         })

@@ -18,7 +18,7 @@ use lcplab_problem::error::{Defects, Result};
 use lcplab_problem::library;
 use lcplab_solver::Stop;
 
-use super::measure::{Measure, Score, Trial};
+use super::measure::{Measure, Score, Target};
 use super::numbers::{Numbers, Random};
 use super::problem;
 
@@ -141,13 +141,13 @@ impl Search {
     /// # Errors
     /// If the range of rows is empty, exceeds what exact arithmetic can handle, or is too small for
     /// a contact with friction; or if an initial problem is not valid for the search.
-    pub fn validate(&self, trial: &Trial) -> Result<()> {
+    pub fn validate(&self, target: &Target) -> Result<()> {
         let (least, most) = (*self.rows.start(), *self.rows.end());
         let mut defects = Defects::default();
         if least == 0 || least > most || most > 60 {
             defects.add("n", format!("must lie within 1..60, is {least}..{most}"));
-        } else if trial.needs_friction() && most < contact_rows(trial) {
-            let rows = contact_rows(trial);
+        } else if target.needs_friction() && most < contact_rows(target) {
+            let rows = contact_rows(target);
             let reason = format!("a contact with friction has {rows} rows, the most is {most}");
             defects.add("n", reason);
         }
@@ -155,7 +155,7 @@ impl Search {
             defects.add("evaluations", "must be at least 1, is 0");
         }
         for (k, lcp) in self.from.iter().enumerate() {
-            if let Some(reason) = trial.unfair(lcp) {
+            if let Some(reason) = target.unfair(lcp) {
                 defects.add(format!("starting problem {}", k + 1), reason.to_string());
             }
         }
@@ -163,11 +163,11 @@ impl Search {
     }
 
     /// Runs the search; `tick` receives the number of additional problems tried.
-    pub fn run(&self, trial: &Trial, stop: &Stop, tick: &(dyn Fn(usize) + Sync)) -> SearchResult {
+    pub fn run(&self, target: &Target, stop: &Stop, tick: &(dyn Fn(usize) + Sync)) -> SearchResult {
         let (mut evaluations, mut solved, mut round) = (0, 0, 0);
         let (mut unanswered, mut first_unanswered) = (0, None);
-        let mut best = self.given(trial, &mut evaluations, &mut solved, stop);
-        let mut is_over = best.as_ref().is_some_and(|(climb, _)| self.ends(trial, &climb.score));
+        let mut best = self.given(target, &mut evaluations, &mut solved, stop);
+        let mut is_over = best.as_ref().is_some_and(|(climb, _)| self.ends(target, &climb.score));
         while evaluations < self.evaluations && !is_over && stop.reason().is_none() {
             let left = self.evaluations - evaluations;
             let most = |k: usize| (left / ROUND + usize::from(k < left % ROUND)).min(CLIMB);
@@ -177,9 +177,9 @@ impl Search {
             let climb = |k: usize| {
                 let from = elite.filter(|_| k % 2 == 1);
                 let is_too_late = || first.load(Relaxed) < k || stop.reason().is_some();
-                let climb = self.climb(trial, round * ROUND + k, from, most(k), &is_too_late);
+                let climb = self.climb(target, round * ROUND + k, from, most(k), &is_too_late);
                 tick(climb.used);
-                if self.ends(trial, &climb.score) {
+                if self.ends(target, &climb.score) {
                     first.fetch_min(k, Relaxed);
                 }
                 climb
@@ -190,7 +190,7 @@ impl Search {
                 solved += climb.solved;
                 unanswered += climb.unanswered;
                 first_unanswered = first_unanswered.or_else(|| climb.first_unanswered.clone());
-                is_over = self.ends(trial, &climb.score);
+                is_over = self.ends(target, &climb.score);
                 if best.as_ref().is_none_or(|(best, _)| climb.score.is_above(&best.score)) {
                     best = Some((climb, at));
                 }
@@ -202,22 +202,22 @@ impl Search {
             round += 1;
         }
         let found = best.filter(|(climb, _)| {
-            climb.score.value > 0.0 && trial.measure.is_found(climb.score.is_found)
+            climb.score.value > 0.0 && target.measure.is_found(climb.score.is_found)
         });
-        let counterexample = found.map(|(climb, at)| self.shrunk(trial, &climb, at, stop));
+        let counterexample = found.map(|(climb, at)| self.shrunk(target, &climb, at, stop));
         let status_on =
-            |numbers: Numbers| Some(trial.answer(&numbers.lcp().ok()?).ok()?.status.to_string());
+            |numbers: Numbers| Some(target.answer(&numbers.lcp().ok()?).ok()?.status.to_string());
         let trouble = first_unanswered
             .and_then(status_on)
-            .or_else(|| (solved == 0).then(|| self.first_trouble(trial)).flatten());
+            .or_else(|| (solved == 0).then(|| self.first_trouble(target)).flatten());
         SearchResult { counterexample, evaluations, solved, unanswered, trouble }
     }
 
     /// The solver's message on the first problem.
-    fn first_trouble(&self, trial: &Trial) -> Option<String> {
-        let first = || self.start(trial, 0, &mut self.random(0)).lcp().ok();
+    fn first_trouble(&self, target: &Target) -> Option<String> {
+        let first = || self.start(target, 0, &mut self.random(0)).lcp().ok();
         let lcp = self.from.first().cloned().or_else(first)?;
-        Some(trial.answer(&lcp).ok()?.status.to_string())
+        Some(target.answer(&lcp).ok()?.status.to_string())
     }
 
     /// The random numbers of a climb.
@@ -228,7 +228,7 @@ impl Search {
     /// The given problem with the largest measure.
     fn given(
         &self,
-        trial: &Trial,
+        target: &Target,
         tried: &mut usize,
         solved: &mut usize,
         stop: &Stop,
@@ -238,7 +238,7 @@ impl Search {
             *tried += 1;
             let numbers = Numbers::of(lcp);
             let Ok(lcp) = numbers.clone().lcp() else { continue };
-            let score = trial.score(&lcp, trial.options.settings.max_iterations);
+            let score = target.score(&lcp, target.options.settings.max_iterations);
             *solved += usize::from(score.is_right);
             if best.as_ref().is_none_or(|(best, _)| score.is_above(&best.score)) {
                 best = Some((Climb::at(numbers, score, 1), *tried));
@@ -248,16 +248,16 @@ impl Search {
     }
 
     /// Whether the search is finished.
-    fn ends(&self, trial: &Trial, score: &Score) -> bool {
+    fn ends(&self, target: &Target, score: &Score) -> bool {
         match self.at_least {
-            Some(least) => score.value >= least && trial.measure.is_found(score.is_found),
-            None => trial.measure.is_yes_or_no() && score.is_found,
+            Some(least) => score.value >= least && target.measure.is_found(score.is_found),
+            None => target.measure.is_yes_or_no() && score.is_found,
         }
     }
 
     fn climb(
         &self,
-        trial: &Trial,
+        target: &Target,
         k: usize,
         from: Option<&Numbers>,
         most: usize,
@@ -265,16 +265,16 @@ impl Search {
     ) -> Climb {
         let random = &mut self.random(k);
         let rows = (*self.rows.start(), *self.rows.end());
-        let mut candidate = from.cloned().unwrap_or_else(|| self.start(trial, k, random));
+        let mut candidate = from.cloned().unwrap_or_else(|| self.start(target, k, random));
         let score = Score { value: -1.0, ..Score::NOTHING };
         let mut climb = Climb::at(candidate.clone(), score, 0);
         let mut gained = 0;
         while climb.used < most && climb.used - gained < PATIENCE && !is_too_late() {
             climb.used += 1;
             if let Ok(lcp) = candidate.clone().lcp()
-                && trial.is_fair(&lcp)
+                && target.is_fair(&lcp)
             {
-                let score = trial.score(&lcp, most_iterations(trial, &climb.score));
+                let score = target.score(&lcp, most_iterations(target, &climb.score));
                 climb.solved += usize::from(score.is_right);
                 if !score.is_answered {
                     climb.unanswered += 1;
@@ -286,32 +286,32 @@ impl Search {
                     }
                     (climb.numbers, climb.score) = (candidate, score);
                 }
-                if self.ends(trial, &climb.score) {
+                if self.ends(target, &climb.score) {
                     break;
                 }
             }
-            candidate = climb.numbers.changed(random, rows, &|lcp| trial.is_fair(lcp));
+            candidate = climb.numbers.changed(random, rows, &|lcp| target.is_fair(lcp));
         }
         climb
     }
 
     /// The start of climb k: a problem valid for the search, if its class has such starts.
-    fn start(&self, trial: &Trial, k: usize, random: &mut Random) -> Numbers {
+    fn start(&self, target: &Target, k: usize, random: &mut Random) -> Numbers {
         let rows = self.rows.clone();
-        if trial.needs_friction() {
-            let tangents = contact_rows(trial) - 1;
+        if target.needs_friction() {
+            let tangents = contact_rows(target) - 1;
             let least = (*rows.start()).max(1 + tangents);
-            let numbers = problem::whole(random, least..=*rows.end(), problem::own(trial.within));
+            let numbers = problem::whole(random, least..=*rows.end(), problem::own(target.within));
             return numbers.with_contacts(random, tangents);
         }
-        let of_size = |lcp: &Lcp| rows.contains(&lcp.len()) && trial.is_fair(lcp);
+        let of_size = |lcp: &Lcp| rows.contains(&lcp.len()) && target.is_fair(lcp);
         let found = match k % 3 {
             0 => Some(super::problem(self.seed, k / 3).0).filter(of_size),
             1 => family(random, rows.clone()).filter(of_size),
             _ => None,
         };
         found.map_or_else(
-            || problem::whole(random, rows, problem::own(trial.within)),
+            || problem::whole(random, rows, problem::own(target.within)),
             |lcp| Numbers::of(&lcp),
         )
     }
@@ -319,19 +319,19 @@ impl Search {
     /// The smallest problem that shows what the climb found.
     fn shrunk(
         &self,
-        trial: &Trial,
+        target: &Target,
         climb: &Climb,
         evaluation: usize,
         stop: &Stop,
     ) -> Counterexample {
-        let kept = if trial.measure.is_yes_or_no() { KEPT_OF_A_LIE } else { KEPT };
+        let kept = if target.measure.is_yes_or_no() { KEPT_OF_A_LIE } else { KEPT };
         let goal = self.at_least.unwrap_or(kept * climb.score.value).min(climb.score.value);
         let rows = *self.rows.start()..=climb.numbers.len();
         let (mut smallest, mut score) = (climb.numbers.clone(), climb.score);
         let shows = |numbers: &Numbers, before: &Score| -> Option<Score> {
-            let lcp = numbers.clone().lcp().ok().filter(|lcp| trial.is_fair(lcp))?;
-            let score = trial.score(&lcp, most_iterations(trial, before));
-            let holds = score.value >= goal && trial.measure.is_found(score.is_found);
+            let lcp = numbers.clone().lcp().ok().filter(|lcp| target.is_fair(lcp))?;
+            let score = target.score(&lcp, most_iterations(target, before));
+            let holds = score.value >= goal && target.measure.is_found(score.is_found);
             holds.then_some(score)
         };
         let (mut tried, mut failed, mut at) = (0, 0, 0);
@@ -361,9 +361,9 @@ impl Search {
 }
 
 /// The iteration limit for the next problem.
-fn most_iterations(trial: &Trial, before: &Score) -> usize {
-    let most = trial.options.settings.max_iterations;
-    match trial.measure {
+fn most_iterations(target: &Target, before: &Score) -> usize {
+    let most = target.options.settings.max_iterations;
+    match target.measure {
         Measure::Iterations | Measure::Ratio => {
             before.iterations.saturating_mul(GROWTH).clamp(LEAST_ITERATIONS.min(most), most)
         }
@@ -384,6 +384,6 @@ fn family(random: &mut Random, rows: RangeInclusive<usize>) -> Option<Lcp> {
 }
 
 /// The rows of a contact with friction: its normal and two tangents, or one if that is allowed.
-fn contact_rows(trial: &Trial) -> usize {
-    if trial.allows_single_tangents { 2 } else { 3 }
+fn contact_rows(target: &Target) -> usize {
+    if target.allows_single_tangents { 2 } else { 3 }
 }

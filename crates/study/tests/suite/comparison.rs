@@ -167,7 +167,7 @@ fn a_body_that_passes_through_another_one_has_not_kept_gaps_closed() {
     ";
     let found = compared(&of(text), &[Scheme::Velocity], &["dantzig"], 3);
     let run = only(&found);
-    assert_eq!(run.accepted, run.solves);
+    assert_eq!(run.tally.accepted, run.tally.solves);
     assert_eq!(run.laws.passages, 1);
     let criterion = run.failing_criterion(3, found.thinnest);
     assert_eq!(criterion, Some("a body passed through another one"));
@@ -177,7 +177,7 @@ fn a_body_that_passes_through_another_one_has_not_kept_gaps_closed() {
 fn a_solver_that_refuses_every_problem_is_no_candidate() {
     let found = compared(&Scene::load("stack").unwrap(), &[Scheme::Velocity], &["enumeration"], 2);
     let run = only(&found);
-    assert!(run.solves > 0 && run.claimed == 0, "{run:?}");
+    assert!(run.tally.solves > 0 && run.tally.claimed == 0, "{run:?}");
     assert!(!run.is_candidate(), "{run:?}");
     assert_eq!(best(&found.runs), None);
 }
@@ -296,12 +296,12 @@ fn the_best_solver_has_the_fewest_rejected_answers() {
     let scene = Scene::load("mass_ratio3").unwrap();
     let found = compared(&scene, &[Scheme::Velocity], &["jacobi", "enumeration", "dantzig"], 3);
     let [jacobi, ..] = &found.runs[..] else { panic!() };
-    assert!(jacobi.accepted < jacobi.solves, "{jacobi:?}");
+    assert!(jacobi.tally.accepted < jacobi.tally.solves, "{jacobi:?}");
     assert_eq!(jacobi.failing_criterion(3, found.thinnest), Some("answers rejected"));
     assert_eq!(best(&found.runs).unwrap().solver, "dantzig");
     // More impacts are more problems: a count of accepted answers would prefer their solver.
     let [mut more, mut fewer] = [found.runs[0].clone(), found.runs[2].clone()];
-    (more.solves, more.accepted) = (10, 9);
-    (fewer.solves, fewer.accepted) = (8, 8);
+    (more.tally.solves, more.tally.accepted) = (10, 9);
+    (fewer.tally.solves, fewer.tally.accepted) = (8, 8);
     assert_eq!(best(&[more, fewer]).unwrap().solver, "dantzig");
 }

@@ -13,7 +13,7 @@ use lcplab_solver::{
     Settings, Solution, Solver, Start, Status, Stop, entry,
 };
 use lcplab_study::hunt::{
-    Counterexample, Finding, Friction, Given, Measure, Search, SearchResult, Trial,
+    Counterexample, Finding, Friction, Given, Measure, Search, SearchResult, Target,
 };
 use lcplab_testing::boxed;
 
@@ -33,8 +33,8 @@ fn engine(sweeps: Sweeps, count: usize, says: bool) -> Method {
     method("engine", move || Box::new(Engine { sweeps, count, says }))
 }
 
-fn trial(solver: Method, within: MatrixClass, with_friction: bool) -> Trial {
-    Trial {
+fn target(solver: Method, within: MatrixClass, with_friction: bool) -> Target {
+    Target {
         measure: Measure::FalseClaim,
         solver,
         rival: None,
@@ -47,10 +47,10 @@ fn trial(solver: Method, within: MatrixClass, with_friction: bool) -> Trial {
     }
 }
 
-fn result(trial: &Trial, seed: u64, evaluations: usize) -> SearchResult {
+fn result(target: &Target, seed: u64, evaluations: usize) -> SearchResult {
     let search = Search { rows: 1..=6, evaluations, seed, at_least: None, from: Vec::new() };
-    search.validate(trial).unwrap();
-    search.run(trial, &Stop::default(), &|_| ())
+    search.validate(target).unwrap();
+    search.run(target, &Stop::default(), &|_| ())
 }
 
 #[test]
@@ -61,8 +61,8 @@ fn a_thousand_hunts_report_problems_of_their_class_alone() {
         let class = [Definite, Semidefinite, P, General][k as usize % 4];
         let with_friction = k / 4 % 2 == 0;
         let bug = BUGS[k as usize % BUGS.len()];
-        let trial = trial(engine(bug, 30, k % 3 == 0), class, with_friction);
-        let Some(Counterexample { lcp, .. }) = result(&trial, k, 40).counterexample else {
+        let target = target(engine(bug, 30, k % 3 == 0), class, with_friction);
+        let Some(Counterexample { lcp, .. }) = result(&target, k, 40).counterexample else {
             continue;
         };
         reported += 1;
@@ -91,8 +91,8 @@ fn a_right_solver_without_a_status_is_never_accused() {
         (MatrixClass::General, 40),
     ] {
         for seed in 0..seeds {
-            let trial = trial(exact(), class, seed % 2 == 0);
-            let SearchResult { counterexample, solved, .. } = result(&trial, seed, 60);
+            let target = target(exact(), class, seed % 2 == 0);
+            let SearchResult { counterexample, solved, .. } = result(&target, seed, 60);
             assert!(
                 counterexample.is_none(),
                 "{class}, seed {seed}: {:?}",
@@ -112,8 +112,8 @@ fn a_solver_that_runs_out_of_sweeps_is_not_accused_of_a_false_claim() {
             (Sweeps::Right, 3, true),
             (Sweeps::Right, 50, true),
         ] {
-            let trial = trial(engine(sweeps, count, says), MatrixClass::Definite, seed % 2 == 0);
-            let counterexample = result(&trial, seed, 60).counterexample;
+            let target = target(engine(sweeps, count, says), MatrixClass::Definite, seed % 2 == 0);
+            let counterexample = result(&target, seed, 60).counterexample;
             assert!(
                 counterexample.is_none(),
                 "{sweeps:?} {count} {seed}: {:?}",
@@ -127,10 +127,10 @@ fn a_solver_that_runs_out_of_sweeps_is_not_accused_of_a_false_claim() {
 fn a_planted_bug_is_found_with_its_own_answer_and_the_right_one() {
     for bug in BUGS {
         for says in [false, true] {
-            let trial = trial(engine(bug, 200, says), MatrixClass::Definite, true);
+            let target = target(engine(bug, 200, says), MatrixClass::Definite, true);
             let counterexample =
-                result(&trial, 1, 2000).counterexample.unwrap_or_else(|| panic!("{bug:?}"));
-            let finding = Finding::of(&counterexample, &trial, 1);
+                result(&target, 1, 2000).counterexample.unwrap_or_else(|| panic!("{bug:?}"));
+            let finding = Finding::of(&counterexample, &target, 1);
             let lcp = &finding.problem.lcp;
             let own = bug.swept(lcp, 200);
             assert_eq!(finding.answer.as_ref(), Some(&own), "{bug:?}");
@@ -156,8 +156,8 @@ fn every_problem_of_the_default_class_has_a_solution() {
     let mut caught = 0;
     for seed in 0..100 {
         let bug = BUGS[seed as usize % BUGS.len()];
-        let trial = trial(engine(bug, 30, true), MatrixClass::Definite, seed % 2 == 0);
-        if let Some(counterexample) = result(&trial, seed, 60).counterexample {
+        let target = target(engine(bug, 30, true), MatrixClass::Definite, seed % 2 == 0);
+        if let Some(counterexample) = result(&target, seed, 60).counterexample {
             assert_ne!(
                 all_solutions(&counterexample.lcp).map(|all| all.len()),
                 Some(0),
@@ -190,8 +190,8 @@ impl ConeSolver for Square {
     }
 }
 
-fn under_cones(solver: Method) -> Trial {
-    Trial { model: Some(Model::CoulombCone), ..trial(solver, MatrixClass::Definite, false) }
+fn under_cones(solver: Method) -> Target {
+    Target { model: Some(Model::CoulombCone), ..target(solver, MatrixClass::Definite, false) }
 }
 
 fn square() -> Method {
@@ -208,9 +208,9 @@ fn square() -> Method {
 
 #[test]
 fn a_solver_of_cones_is_examined_under_the_cone() {
-    let trial = under_cones(square());
-    let counterexample = result(&trial, 1, 2000).counterexample.expect("a box is no cone");
-    let finding = Finding::of(&counterexample, &trial, 1);
+    let target = under_cones(square());
+    let counterexample = result(&target, 1, 2000).counterexample.expect("a box is no cone");
+    let finding = Finding::of(&counterexample, &target, 1);
     assert_eq!(finding.problem.model, Some(Model::CoulombCone));
     let lcp = &finding.problem.lcp;
     let contact = lcp.contacts()[0];
@@ -238,14 +238,14 @@ fn every_model_can_be_hunted_under() {
         ("cone-pgs", Model::CoulombCone),
     ] {
         let solver = lcplab_study::methods::by_name(name, model).unwrap();
-        let trial = Trial { model: Some(model), ..trial(solver, MatrixClass::Definite, false) };
-        trial.validate().unwrap();
-        let SearchResult { counterexample, solved, .. } = result(&trial, 3, 100);
+        let target = Target { model: Some(model), ..target(solver, MatrixClass::Definite, false) };
+        target.validate().unwrap();
+        let SearchResult { counterexample, solved, .. } = result(&target, 3, 100);
         assert!(counterexample.is_none() && solved > 20, "{model}: {solved} {counterexample:?}");
     }
-    let boxes = Trial {
+    let boxes = Target {
         model: Some(Model::CoulombCone),
-        ..trial(engine(Sweeps::Right, 9, true), MatrixClass::Definite, true)
+        ..target(engine(Sweeps::Right, 9, true), MatrixClass::Definite, true)
     };
     let reason = boxes.validate().unwrap_err().to_string();
     assert_eq!(reason, "solver engine: model: it does not declare support for coulomb-cone");
@@ -293,12 +293,12 @@ fn the_scale_of_a_given_problem_stays_and_frozen_bounds_that_do_not_are_told() {
     let problem = Problem::parse(text, "frozen.json").unwrap();
     let given = Given::new(&[("frozen.json".into(), problem)], None, None).unwrap();
     assert!(given.notes[0].starts_with("frozen.json: frozen_at is not kept"), "{:?}", given.notes);
-    let trial =
-        Trial { model: given.model, ..trial(engine(Sweeps::Right, 4, true), given.within, true) };
-    let trial = Trial { measure: Measure::Iterations, ..trial };
+    let target =
+        Target { model: given.model, ..target(engine(Sweeps::Right, 4, true), given.within, true) };
+    let target = Target { measure: Measure::Iterations, ..target };
     let search =
         Search { rows: 3..=3, evaluations: 60, seed: 1, at_least: None, from: given.problems };
-    let counterexample = search.run(&trial, &Stop::default(), &|_| ()).counterexample.unwrap();
+    let counterexample = search.run(&target, &Stop::default(), &|_| ()).counterexample.unwrap();
     assert_eq!(counterexample.lcp.scale(), 0.25);
 }
 
@@ -312,11 +312,11 @@ fn a_hunt_from_an_identity_with_friction_keeps_to_its_class() {
     for bug in BUGS.into_iter().chain([Sweeps::Right]) {
         let given = [("tiny_box.json".to_string(), problem.clone())];
         let given = Given::new(&given, Some(MatrixClass::Semidefinite), None).unwrap();
-        let trial = trial(engine(bug, 100, true), given.within, false);
+        let target = target(engine(bug, 100, true), given.within, false);
         let search =
             Search { rows: 1..=6, evaluations: 400, seed: 1, at_least: None, from: given.problems };
-        search.validate(&trial).unwrap();
-        let counterexample = search.run(&trial, &Stop::default(), &|_| ()).counterexample;
+        search.validate(&target).unwrap();
+        let counterexample = search.run(&target, &Stop::default(), &|_| ()).counterexample;
         assert_eq!(counterexample.is_some(), bug != Sweeps::Right, "{bug:?} {counterexample:?}");
         if let Some(counterexample) = counterexample {
             assert!(definiteness(rational(&counterexample.lcp)).0, "{:?}", counterexample.lcp);
@@ -340,14 +340,14 @@ impl Solver for Dead {
 
 #[test]
 fn a_solver_that_solves_nothing_is_not_passed_for_want_of_false_claims() {
-    let dead = trial(method("dead", || Box::new(Dead)), MatrixClass::Definite, false);
+    let dead = target(method("dead", || Box::new(Dead)), MatrixClass::Definite, false);
     let result = result(&dead, 1, 200);
     assert_eq!((result.counterexample.is_none(), result.solved), (true, 0));
     assert_eq!(
         result.useless("dead").unwrap(),
         "dead solves none of 200 problems; reason for the first one: no answer: IndexError: list index out of range"
     );
-    let alive = trial(engine(Sweeps::Right, 100, true), MatrixClass::Definite, false);
+    let alive = target(engine(Sweeps::Right, 100, true), MatrixClass::Definite, false);
     assert_eq!(self::result(&alive, 1, 200).useless("engine"), None);
 }
 
@@ -370,8 +370,8 @@ impl Solver for Crashes {
 
 #[test]
 fn a_solver_that_crashes_is_no_honest_one() {
-    let trial = trial(method("crashes", || Box::new(Crashes)), MatrixClass::Definite, false);
-    let found = result(&trial, 1, 60);
+    let target = target(method("crashes", || Box::new(Crashes)), MatrixClass::Definite, false);
+    let found = result(&target, 1, 60);
     assert!(found.counterexample.is_none() && found.unanswered > 0, "{found:?}");
     let told = found.useless("crashes").unwrap();
     assert!(told.contains("IndexError"), "{told}");
@@ -383,8 +383,8 @@ fn sweeps_in_another_order_are_not_accused() {
         for count in [4, 10, 50] {
             let build = move || -> Box<dyn Solver> { Box::new(Ordered { order, count }) };
             for seed in 0..10 {
-                let trial = trial(method("ordered", build), MatrixClass::Definite, seed % 2 == 0);
-                let counterexample = result(&trial, seed, 60).counterexample;
+                let target = target(method("ordered", build), MatrixClass::Definite, seed % 2 == 0);
+                let counterexample = result(&target, seed, 60).counterexample;
                 assert!(
                     counterexample.is_none(),
                     "{order:?} {count} {seed}: {:?}",

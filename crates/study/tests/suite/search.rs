@@ -11,7 +11,7 @@ use lcplab_solver::{
     Entry, MatrixClass, Method, Observer, Options, Settings, Solution, Solver, Start, Status, Stop,
     entry,
 };
-use lcplab_study::hunt::{Counterexample, Finding, Friction, Measure, Search, Trial};
+use lcplab_study::hunt::{Counterexample, Finding, Friction, Measure, Search, Target};
 
 /// A plain projected Gauss-Seidel with one mistake.
 #[derive(Clone, Copy)]
@@ -76,9 +76,9 @@ fn mistaken(mistake: Mistaken) -> Entry {
     Entry { name: "mistaken", build: Box::leak(Box::new(build)), ..*entry("pgs").unwrap() }
 }
 
-fn trial(measure: Measure, solver: Entry, rival: Option<&str>, max_iterations: usize) -> Trial {
+fn target(measure: Measure, solver: Entry, rival: Option<&str>, max_iterations: usize) -> Target {
     let settings = Settings { max_iterations, ..Settings::default() };
-    Trial {
+    Target {
         measure,
         solver: Method::Boxed(solver),
         rival: rival.map(|name| Method::Boxed(*entry(name).unwrap())),
@@ -92,13 +92,13 @@ fn trial(measure: Measure, solver: Entry, rival: Option<&str>, max_iterations: u
 }
 
 fn search(
-    trial: &Trial,
+    target: &Target,
     rows: RangeInclusive<usize>,
     evaluations: usize,
 ) -> Option<Counterexample> {
     let search = Search { rows, evaluations, seed: 1, at_least: None, from: Vec::new() };
-    search.validate(trial).unwrap();
-    search.run(trial, &Stop::default(), &|_| ()).counterexample
+    search.validate(target).unwrap();
+    search.run(target, &Stop::default(), &|_| ()).counterexample
 }
 
 #[test]
@@ -108,30 +108,30 @@ fn three_planted_mistakes_are_found_and_shrunk_to_a_contact_or_two() {
         (Mistaken::NeverRenewsTheFrictionBounds, 3), // a normal and two tangents
         (Mistaken::AddsInSinglePrecision, 2),
     ] {
-        let trial = trial(Measure::FalseClaim, mistaken(mistake), None, 1000);
-        let counterexample = search(&trial, 1..=8, 20_000).expect("a false claim");
+        let target = target(Measure::FalseClaim, mistaken(mistake), None, 1000);
+        let counterexample = search(&target, 1..=8, 20_000).expect("a false claim");
         assert!(
             counterexample.lcp.len() <= rows,
             "{} rows: {:?}",
             counterexample.lcp.len(),
             counterexample.lcp
         );
-        assert!(trial.score(&counterexample.lcp, 1000).is_found);
+        assert!(target.score(&counterexample.lcp, 1000).is_found);
         assert!(all_solutions(&counterexample.lcp).is_some());
     }
 }
 
 #[test]
 fn the_wrong_fixed_point_of_code_6_is_found() {
-    let trial = trial(Measure::Failure, *entry("code6").unwrap(), None, 1000);
-    let counterexample = search(&trial, 2..=5, 20_000).expect("a failure");
+    let target = target(Measure::Failure, *entry("code6").unwrap(), None, 1000);
+    let counterexample = search(&target, 2..=5, 20_000).expect("a failure");
     assert_eq!(counterexample.lcp.len(), 2);
 }
 
 #[test]
 fn an_honest_solver_is_not_caught() {
-    let trial = trial(Measure::FalseClaim, *entry("pgs").unwrap(), None, 500);
-    assert!(search(&trial, 1..=4, 4000).is_none());
+    let target = target(Measure::FalseClaim, *entry("pgs").unwrap(), None, 500);
+    assert!(search(&target, 1..=4, 4000).is_none());
 }
 
 #[test]
@@ -141,12 +141,12 @@ fn a_problem_of_ones_own_is_made_smaller_until_only_the_mistake_is_left() {
     let pile = family.generate(&[("bodies", 8.0), ("contacts", 12.0)]).unwrap().lcp;
     assert!(pile.len() >= 36);
     let solver = mistaken(Mistaken::NeverRenewsTheFrictionBounds);
-    let trial =
-        Trial { friction: Friction::Only, ..trial(Measure::FalseClaim, solver, None, 1000) };
+    let target =
+        Target { friction: Friction::Only, ..target(Measure::FalseClaim, solver, None, 1000) };
     let from = vec![pile];
     let search = Search { rows: 1..=6, evaluations: 3000, seed: 1, at_least: None, from };
     let counterexample =
-        search.run(&trial, &Stop::default(), &|_| ()).counterexample.expect("a false claim");
+        search.run(&target, &Stop::default(), &|_| ()).counterexample.expect("a false claim");
     assert_eq!((counterexample.evaluation, counterexample.rows_at_first >= 36), (1, true));
     assert_eq!(counterexample.lcp.len(), 3); // a normal and two tangents
     assert_eq!(counterexample.lcp.contacts().len(), 1);
@@ -158,34 +158,34 @@ fn a_problem_of_ones_own_is_made_smaller_until_only_the_mistake_is_left() {
 #[test]
 fn a_small_lie_does_not_end_a_search_for_a_large_one() {
     let solver = mistaken(Mistaken::AddsInSinglePrecision);
-    let trial = trial(Measure::FalseClaim, solver, None, 1000);
-    let counterexample = enough(&trial, 1..=4, 1e-3);
-    assert!(counterexample.value >= 1e-3 && trial.score(&counterexample.lcp, 1000).value >= 1e-3);
+    let target = target(Measure::FalseClaim, solver, None, 1000);
+    let counterexample = enough(&target, 1..=4, 1e-3);
+    assert!(counterexample.value >= 1e-3 && target.score(&counterexample.lcp, 1000).value >= 1e-3);
 }
 
 #[test]
 fn what_is_within_the_tolerance_that_was_asked_for_is_no_lie() {
-    let mut trial =
-        trial(Measure::FalseClaim, mistaken(Mistaken::AddsInSinglePrecision), None, 1000);
-    let counterexample = search(&trial, 1..=4, 20_000).expect("a false claim");
-    trial.options.settings.tolerance = 2.0 * counterexample.value;
-    assert!(!trial.score(&counterexample.lcp, 1000).is_found);
-    trial.options.settings.tolerance = 0.5 * counterexample.value;
-    assert!(trial.score(&counterexample.lcp, 1000).is_found);
+    let mut target =
+        target(Measure::FalseClaim, mistaken(Mistaken::AddsInSinglePrecision), None, 1000);
+    let counterexample = search(&target, 1..=4, 20_000).expect("a false claim");
+    target.options.settings.tolerance = 2.0 * counterexample.value;
+    assert!(!target.score(&counterexample.lcp, 1000).is_found);
+    target.options.settings.tolerance = 0.5 * counterexample.value;
+    assert!(target.score(&counterexample.lcp, 1000).is_found);
 }
 
 /// The same with an upper limit of the measure; `docs/hunt.md` has the results of the complete
 /// search.
-fn enough(trial: &Trial, rows: RangeInclusive<usize>, at_least: f64) -> Counterexample {
+fn enough(target: &Target, rows: RangeInclusive<usize>, at_least: f64) -> Counterexample {
     let search =
         Search { rows, evaluations: 20_000, seed: 1, at_least: Some(at_least), from: Vec::new() };
-    search.run(trial, &Stop::default(), &|_| ()).counterexample.expect("a ratio")
+    search.run(target, &Stop::default(), &|_| ()).counterexample.expect("a ratio")
 }
 
 #[test]
 fn a_matrix_is_found_on_which_least_index_pivoting_takes_many_pivots_and_block_pivoting_few() {
-    let trial = trial(Measure::Ratio, *entry("murty").unwrap(), Some("block-pivoting"), 1000);
-    let counterexample = enough(&trial, 6..=6, 12.0);
+    let target = target(Measure::Ratio, *entry("murty").unwrap(), Some("block-pivoting"), 1000);
+    let counterexample = enough(&target, 6..=6, 12.0);
     let pivots = |name: &str| {
         let solver = (entry(name).unwrap().build)(&Options::default());
         solver.solve(&counterexample.lcp, &Start::default(), &mut ()).iterations
@@ -197,8 +197,8 @@ fn a_matrix_is_found_on_which_least_index_pivoting_takes_many_pivots_and_block_p
 
 #[test]
 fn two_rows_are_found_on_which_gauss_seidel_takes_a_hundred_times_the_sweeps_of_the_best_sor() {
-    let trial = trial(Measure::Ratio, *entry("pgs").unwrap(), Some("sor"), 10_000_000);
-    let counterexample = enough(&trial, 2..=3, 100.0);
+    let target = target(Measure::Ratio, *entry("pgs").unwrap(), Some("sor"), 10_000_000);
+    let counterexample = enough(&target, 2..=3, 100.0);
     assert!(counterexample.value >= 100.0, "{}", counterexample.value);
     // Young: with rho of Jacobi, ln rho^2 of Gauss-Seidel beside ln (omega* - 1) of the best SOR.
     let a = counterexample.lcp.matrix();
@@ -216,9 +216,9 @@ fn two_rows_are_found_on_which_gauss_seidel_takes_a_hundred_times_the_sweeps_of_
 
 #[test]
 fn what_was_found_is_explained_with_its_exact_solution() {
-    let trial = trial(Measure::FalseClaim, mistaken(Mistaken::ClampsAfterTheSweep), None, 1000);
-    let counterexample = search(&trial, 2..=2, 2000).expect("a false claim");
-    let finding = Finding::of(&counterexample, &trial, 1);
+    let target = target(Measure::FalseClaim, mistaken(Mistaken::ClampsAfterTheSweep), None, 1000);
+    let counterexample = search(&target, 2..=2, 2000).expect("a false claim");
+    let finding = Finding::of(&counterexample, &target, 1);
     let solutions = Expected::of(&finding.problem).unwrap().solutions;
     assert_eq!(solutions.len(), all_solutions(&counterexample.lcp).unwrap().len());
     assert!(

@@ -7,8 +7,9 @@ use serde::{Deserialize, Serialize};
 pub use super::watch::Mark;
 use super::watch::{self, Posed};
 use crate::error::Result;
-use crate::report::study::attempt::{Outcome, entries};
+use crate::report::methods;
 use crate::report::study::posed::Source;
+use crate::report::study::trial::Outcome;
 use crate::solver::{Options, Settings};
 
 /// The problems and solvers.
@@ -115,7 +116,7 @@ impl Methods {
             ..Settings::default()
         };
         let options = Options { settings, omega: self.omega, ..Options::default() };
-        let runs = entries(&self.solvers)?;
+        let runs = methods::entries(&self.solvers)?;
         let (methods, clock) = runs.iter().map(|entry| watch::run(entry, &posed, &options)).unzip();
         let progress = Progress {
             problem: problem.name(),

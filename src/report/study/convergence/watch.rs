@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::methods::MethodProgress;
 use crate::formulation::Problem;
 use crate::lcp::{Lcp, merit};
-use crate::report::study::attempt::Outcome;
+use crate::report::study::trial::Outcome;
 use crate::solver::{Entry, Group, Iterate, Observer, Options, Start, theory};
 use crate::trace::Work;
 

@@ -29,10 +29,10 @@ impl View for Plan {
     fn show(&self, findings: &[Comparison], document: &mut Document) {
         let runs = || findings.iter().flat_map(|comparison| &comparison.runs);
         let (solves, claimed) = (
-            runs().map(|run| run.solves).sum::<usize>(),
-            runs().map(|run| run.claimed).sum::<usize>(),
+            runs().map(|run| run.tally.solves).sum::<usize>(),
+            runs().map(|run| run.tally.claimed).sum::<usize>(),
         );
-        let refuted = runs().map(|run| run.refuted_claims).sum::<usize>();
+        let refuted = runs().map(|run| run.tally.refuted_claims).sum::<usize>();
         document.text(format!(
             "Each solver simulates each scene with {}. Every solve starts from the answer of the previous \
              step. The solvers report {} of {} problems as solved; the judge rejects {refuted} of these answers.",
@@ -65,11 +65,11 @@ impl View for Plan {
         let sum = |count: fn(&Run) -> usize| -> usize {
             findings.iter().flat_map(|comparison| &comparison.runs).map(count).sum()
         };
-        let claimed = sum(|run| run.claimed);
-        let confirmed = claimed - sum(|run| run.refuted_claims);
+        let claimed = sum(|run| run.tally.claimed);
+        let confirmed = claimed - sum(|run| run.tally.refuted_claims);
         let value = format!("{} of {}", count(confirmed), count(claimed));
         let mut label = "answers of solvers confirmed by an independent judge".to_string();
-        let given_up = sum(|run| run.solves) - claimed;
+        let given_up = sum(|run| run.tally.solves) - claimed;
         if given_up > 0 {
             label += &format!("; {} not solved", counted(given_up, "problem"));
         }
@@ -80,12 +80,12 @@ impl View for Plan {
         let sum = |of: fn(&Run) -> usize| -> usize {
             findings.iter().flat_map(|comparison| &comparison.runs).map(of).sum()
         };
-        let refuted = sum(|run| run.refuted_claims);
+        let refuted = sum(|run| run.tally.refuted_claims);
         let says = format!(
             "{} problems: {} reported as solved, {} answers accepted by the judge, {refuted} false claims",
-            count(sum(|run| run.solves)),
-            count(sum(|run| run.claimed)),
-            count(sum(|run| run.accepted)),
+            count(sum(|run| run.tally.solves)),
+            count(sum(|run| run.tally.claimed)),
+            count(sum(|run| run.tally.accepted)),
         );
         Outcome { good: refuted == 0, says }
     }
@@ -157,7 +157,8 @@ pub fn table(comparison: &Comparison) -> Table {
          #penetration (m) | #support (% of the weight)",
     );
     let left_out = &comparison.left_out;
-    let trouble = !left_out.is_empty() || comparison.runs.iter().any(|run| run.trouble.is_some());
+    let trouble =
+        !left_out.is_empty() || comparison.runs.iter().any(|run| run.tally.trouble.is_some());
     if trouble {
         columns.insert(TROUBLE, Column::words("reason"));
     }
@@ -165,7 +166,7 @@ pub fn table(comparison: &Comparison) -> Table {
         comparison.runs.iter().map(|run| cells(run, comparison.steps)).collect();
     if trouble {
         for (row, run) in rows.iter_mut().zip(&comparison.runs) {
-            row.insert(TROUBLE, Cell::text(run.trouble.clone().unwrap_or_default()));
+            row.insert(TROUBLE, Cell::text(run.tally.trouble.clone().unwrap_or_default()));
         }
     }
     for LeftOut { solver, reason } in left_out {
@@ -194,13 +195,13 @@ fn cells(run: &Run, steps: usize) -> Vec<Cell> {
         Cell::text(&run.scheme),
         Cell::text(&run.solver),
         Cell::count(run.steps).marked(mark(run.steps == steps)),
-        Cell::count(run.solves),
-        Cell::count(run.claimed).marked(mark(run.claimed == run.solves)),
-        Cell::count(run.accepted).marked(mark(run.accepted == run.solves)),
-        Cell::number(run.iterations as f64 / run.solves.max(1) as f64, 3),
-        match run.solves {
+        Cell::count(run.tally.solves),
+        Cell::count(run.tally.claimed).marked(mark(run.tally.claimed == run.tally.solves)),
+        Cell::count(run.tally.accepted).marked(mark(run.tally.accepted == run.tally.solves)),
+        Cell::number(run.tally.iterations as f64 / run.tally.solves.max(1) as f64, 3),
+        match run.tally.solves {
             0 => Cell::text("–"),
-            _ => Cell::number(run.worst_residual, 2),
+            _ => Cell::number(run.tally.worst_residual, 2),
         },
         Cell::number(run.energy_at_end(), 2),
         Cell::number(run.energy_change(), 2).marked(mark(run.laws.keeps_energy())),

@@ -3,8 +3,8 @@
 use crate::number::{count, readable};
 use crate::plot::{Axis, Bar, Bars, Figure, Lines, Panel, Series};
 use crate::report::page::{Cell, Table};
-use crate::report::study::attempt;
 use crate::report::study::convergence::methods::{Clock, Mark, MethodProgress, Progress};
+use crate::report::study::trial;
 use crate::report::view::attempt::{
     anchor, iterations_in_words, outcome as outcome_cell, rough, tolerance,
 };
@@ -30,7 +30,7 @@ pub(super) fn show(problems: &[&Progress], document: &mut Document) {
 
 pub(super) fn outcome(problems: &[&Progress]) -> Outcome {
     let methods = || problems.iter().flat_map(|progress| &progress.methods);
-    let refuted = methods().filter(|method| method.outcome == attempt::Outcome::Refuted).count();
+    let refuted = methods().filter(|method| method.outcome == trial::Outcome::Refuted).count();
     let solved = methods().filter(|method| method.outcome.is_solved()).count();
     let says = format!("{solved} of {} solvers succeed, {refuted} false claims", methods().count());
     Outcome { good: refuted == 0, says }
