@@ -2,6 +2,7 @@
 
 import json
 import re
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 
 import lcplab
 from lcplab.defects import DEFECTS, __main__, drake, newton, rapier, replay
+from lcplab.defects.environment import Environment
 from lcplab.defects.scenes import SCENES
 
 
@@ -39,6 +41,15 @@ def test_each_defect_has_a_scene_and_pins_all_its_packages():
     assert {defect.name for defect in DEFECTS} == set(SCENES)
     packages = [package for defect in DEFECTS for package in (*defect.bad, *defect.mended)]
     assert all(re.fullmatch(r"[\w-]+==[\d.]+|npm:@[\w/-]+@[\d.]+", package) for package in packages)
+
+
+def test_an_engine_is_not_taken_from_the_folder_in_which_the_command_is_called(tmp_path, monkeypatch):
+    (tmp_path / "mujoco.py").write_text("raise SystemExit('the file of the current folder')", encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    own = Environment(Path("environments"), ["mujoco==1"])
+    own.folder.mkdir(parents=True)
+    found = "import importlib.util; print(importlib.util.find_spec('mujoco'))"
+    assert str(tmp_path / "mujoco.py") not in own._run([sys.executable, "-c", found], 60)
 
 
 @pytest.mark.parametrize(

@@ -27,7 +27,7 @@ class Environment:
 
     def __init__(self, place: Path, packages: Sequence[str]) -> None:
         name = re.sub(r"[^a-z0-9.]+", "-", "-".join(packages))
-        self.folder = place / name
+        self.folder = place.resolve() / name
         self.packages = packages
         self.python = self.folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 
@@ -70,7 +70,10 @@ class Environment:
     def _run(self, command: Sequence[str | Path], seconds: int) -> str:
         surroundings = {**os.environ, "JAX_PLATFORMS": "cpu", "PYTHONNOUSERSITE": "1"}
         try:
-            done = subprocess.run(command, capture_output=True, text=True, timeout=seconds, env=surroundings)
+            # Python imports from the current folder first, where a folder may have an engine's name.
+            done = subprocess.run(
+                command, capture_output=True, text=True, timeout=seconds, env=surroundings, cwd=self.folder
+            )
         except (OSError, subprocess.TimeoutExpired) as error:
             raise Unavailable(str(error)) from error
         if done.returncode:
