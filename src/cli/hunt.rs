@@ -188,7 +188,7 @@ fn table(record: &Record) -> Table {
     };
     Table::new(
         "Claims",
-        "",
+        "A rejected answer to a problem that has no solution is no false claim.",
         "solver | #proved | #within tolerance | #rejected | #no solution | #unsolved | \
          #outside class | #false claims",
         record.tallies.iter().map(row).collect(),

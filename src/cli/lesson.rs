@@ -197,11 +197,10 @@ fn named(name: &str) -> Result<&'static Program> {
     let is_meant = |lesson: &&Program| {
         lesson.name == name || name.parse().is_ok_and(|number: usize| lesson.number() == number)
     };
-    let all = || ALL.iter().chain(AROUND);
-    all().find(is_meant).ok_or_else(|| Error::Unknown {
+    ALL.iter().chain(AROUND).find(is_meant).ok_or_else(|| Error::Unknown {
         kind: "lesson",
         name: name.to_string(),
-        known: all().map(|lesson| lesson.name.to_string()).collect(),
+        known: ALL.iter().map(|lesson| lesson.number().to_string()).collect(),
     })
 }
 

@@ -32,15 +32,14 @@ pub struct SolverArgs {
 /// Options that only some solvers use; one that no solver of the command uses is an error.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct Choices {
-    /// Relaxation factor of sor and ssor, above 0 and below 2; a scene may state another
-    /// default [default: 1.3]
+    /// Relaxation factor of sor and ssor, above 0 and below 2 [default: that of the
+    /// scene, or 1.3]
     #[arg(long, allow_negative_numbers = true)]
     pub omega: Option<f64>,
-    /// Order of the rows in a sweep of pgs and sor; a scene may state another default
-    /// [default: natural]
+    /// Order of the rows in a sweep of pgs and sor [default: that of the scene, or natural]
     #[arg(long, value_enum)]
     pub order: Option<RowOrder>,
-    /// Seed of --order shuffled; a scene may state another default [default: 1]
+    /// Seed of --order shuffled [default: that of the scene, or 1]
     #[arg(long)]
     pub seed: Option<u64>,
     /// Damping factor of jacobi, above 0 and below 2 [default: one that converges for every

@@ -129,7 +129,8 @@ impl SearchArgs {
                     format!("{object}\n")
                 }
                 false => format!(
-                    "nothing found in {tried} problems, seed {seed}; {name} solves {solved} of them\n"
+                    "nothing found in {tried} problems, seed {seed}; {name} solves {solved} of them (others may have \
+                     no solution)\n"
                 ),
             })?;
             useless.iter().for_each(|reason| say(&format!("failed: {reason}")));

@@ -90,7 +90,7 @@ class Result(Verdict):
 
     def __repr__(self) -> str:
         return (
-            f"<lcplab.Result {self.status} by {self.solver} in {self.iterations} iterations, "
+            f"<lcplab.Result {self.status} by {self.solver}, iterations: {self.iterations}, "
             f"{self.verdict}: x = {np.array2string(self.x, precision=4, threshold=8)}>"
         )
 

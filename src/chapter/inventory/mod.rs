@@ -121,9 +121,9 @@ fn ranges() -> Vec<String> {
     let range = |group: &Group| match group.entries.as_slice() {
         [] => String::new(),
         [only] => only.id.clone(),
-        [first, .., last] => format!("{} to {}", first.id, last.id),
+        [first, .., last] => format!("{} … {}", first.id, last.id),
     };
-    let others = ["E01 to E67", "errata", "glossary", "references"].map(str::to_string);
+    let others = ["E01 … E67", "errata", "glossary", "references"].map(str::to_string);
     groups().iter().map(range).chain(others).collect()
 }
 

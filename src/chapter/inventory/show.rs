@@ -37,7 +37,7 @@ pub fn list(kind: Option<&Group>, verdict: Option<Verdict>) -> Document {
         document.add("", section);
     }
     document.lead = format!(
-        "{count} entries. lcplab chapter NO shows one of them, lcplab chapter E07 an erratum; N, T, D, W, U \
+        "{count} entries. lcplab chapter NUMBER shows one of them, lcplab chapter E07 an erratum; N, T, D, W, U \
          and K are numbered here, not in print."
     );
     document

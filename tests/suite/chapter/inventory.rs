@@ -40,7 +40,7 @@ fn an_entry_is_found_by_its_number_however_it_is_written() {
         assert_eq!(named(asked).unwrap().1.id, id);
     }
     let error = named("46").unwrap_err().to_string();
-    assert!(error.contains("(1) to (45)") && error.contains("T1 to T34"), "{error}");
+    assert!(error.contains("(1) … (45)") && error.contains("T1 … T34"), "{error}");
 }
 
 #[test]

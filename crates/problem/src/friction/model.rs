@@ -184,7 +184,15 @@ impl FromStr for Model {
         Err(Error::Unknown {
             kind: "friction model",
             name: name.to_string(),
-            known: Model::ALL.iter().map(Model::to_string).collect(),
+            known: [
+                "frozen-box",
+                "coupled-box",
+                "polygon-K (K = 4, 8, … 256)",
+                "associated-cone",
+                "coulomb-cone",
+            ]
+            .map(str::to_string)
+            .to_vec(),
         })
     }
 }
