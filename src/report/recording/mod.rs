@@ -245,7 +245,8 @@ impl Record {
     fn solver(&self) -> Option<String> {
         let asked = match self.solvers.as_slice() {
             [] => self.scene.solver.name.clone(),
-            names => names.join(", "),
+            [only] => only.to_string(),
+            [first, others @ ..] => format!("{first}; in some steps {}", others.join(", ")),
         };
         self.scene.step.scheme.solves_lcps().then_some(asked)
     }

@@ -47,7 +47,7 @@ impl Record {
             self.scene.step.dt,
             self.scene.contact.model,
             self.steps,
-            self.last.time,
+            readable(self.last.time, 6),
             match &self.scene.solver {
                 solver if solver.fixed_sweeps && self.tally.solves == 0 => {
                     format!(

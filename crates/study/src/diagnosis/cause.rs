@@ -215,11 +215,10 @@ impl fmt::Display for Cause {
             ),
             Cause::Redundant { rows, spare } => write!(
                 f,
-                "{spare} of {} rows {} redundant, up to rounding. Rows that depend on each other: {}. The \
-                 distribution of the load among them need not be unique; with friction, the motion need \
-                 not be unique either.",
-                rows.len(),
-                if *spare == 1 { "is" } else { "are" },
+                "{}, up to rounding. {} depend on each other: {}. The distribution of the load among them \
+                 need not be unique; with friction, the motion need not be unique either.",
+                counted(*spare, "redundant row"),
+                counted(rows.len(), "row"),
                 listed(rows)
             ),
             Cause::Apart { row, error } => write!(
