@@ -13,6 +13,8 @@ from typing import Any
 from lcplab import _lcplab
 from lcplab._receipt import files
 from lcplab._receipt.findings import Finding, Report
+from lcplab._receipt.page import page
+from lcplab._receipt.shrink import shrunk
 from lcplab._receipt.step import Step
 
 #: An error above this fraction of its limit is worth a look.
@@ -144,11 +146,39 @@ class Receipt:
         """
         files.write(self.step, Path(problem), Path(answer))
 
+    def shrunk(self) -> Step | None:
+        """A step with fewer rows and at least half of the error, which is rejected at the same stage; None if there is none.
+
+        The forces of the removed rows become a part of the motion without constraints. Errors of collision, and of
+        assembly unless an adapter's expected values show them, are those of the model and the state: their steps are
+        not shrunk.
+        """
+        if self.rejected is None or not self._shows_it(self.step):
+            return None
+        found = shrunk(self.step, self._shows_it)
+        return found if len(found) < len(self.step) else None
+
+    def _shows_it(self, step: Step) -> bool:
+        """Whether a step is rejected at the same stage, with at least half of the error."""
+        own = receipts_of([(step, None)], self.limit)[0]
+        if own.rejected is None or self.rejected is None or own.stage != self.stage:
+            return False
+        return not own.rejected.error * own.effect < self.rejected.error * self.effect / 2
+
     def save(self, folder: str | os.PathLike[str]) -> Path:
-        """Write a folder with the problem, the engine's answer, the receipt as text and as JSON; its path."""
+        """Write a folder for a report of a defect; its path.
+
+        It contains the problem and the engine's answer (frame.json, frame.x.json), the receipt as text, as JSON and as a page
+        with a picture (receipt.html), and if the step can be shrunk, fewer rows that show the same error (shrunk.json,
+        shrunk.x.json).
+        """
         place = Path(folder)
         place.mkdir(parents=True, exist_ok=True)
         self.write(place / "frame.json", place / "frame.x.json")
+        smaller = self.shrunk()
+        if smaller is not None:
+            files.write(smaller, place / "shrunk.json", place / "shrunk.x.json")
+        (place / "receipt.html").write_text(page(self.step, str(self), self.row, smaller is not None), encoding="utf-8")
         (place / "receipt.txt").write_text(f"{self}\n", encoding="utf-8")
         (place / "receipt.json").write_text(json.dumps(self.to_json(), indent=1) + "\n", encoding="utf-8")
         return place
