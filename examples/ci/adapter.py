@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 import lcplab
-from engine import COMPLIANCE, DT, GRAVITY, Ball, World
+from engine import COMPLIANCE, DT, GRAVITY, Ball, World, frame
 
 
 class Adapter:
@@ -18,6 +18,7 @@ class Adapter:
             "balls",
             mass=np.diag(world.mass),
             jacobian=world.jacobian,
+            expected_jacobian=self.jacobian(world),
             bias=world.bias,
             compliance=COMPLIANCE,
             target=world.free,  # the velocity without contacts
@@ -30,6 +31,26 @@ class Adapter:
             method="pgs",  # the kind of solver: its limit is 1e-3
             gravity=DT * np.linalg.norm(GRAVITY) * np.sqrt(sum(ball.mass for ball in world.balls)),
         )
+
+    def jacobian(self, world):
+        """J computed independently of the engine: how fast the two material points of a contact leave each other, for each
+        unit velocity of a ball, at the positions before the step."""
+        rows = np.zeros((3 * len(world.contacts), 6 * len(world.balls)))
+        for number, contact in enumerate(world.contacts):
+            for column in range(rows.shape[1]):
+                unit = np.zeros(rows.shape[1])
+                unit[column] = 1.0
+                first, second = (self.speed(world, body, contact.point, unit) for body in (contact.first, contact.second))
+                rows[3 * number : 3 * number + 3, column] = frame(contact.normal) @ (first - second)
+        return rows
+
+    def speed(self, world, body, point, velocities):
+        """The velocity of the material point of a body; the floor rests."""
+        if body is None:
+            return np.zeros(3)
+        ball, (linear, angular) = world.balls[body], velocities[6 * body : 6 * body + 6].reshape(2, 3)
+        start = ball.position - DT * world.velocity[6 * body : 6 * body + 3]
+        return linear + np.cross(angular, point - start)
 
     def rows(self, world, contact):
         """Names for messages."""

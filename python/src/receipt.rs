@@ -49,6 +49,8 @@ pub struct Step<'py> {
     motion: Numbers<'py>,
     #[pyo3(item("reported_push"))]
     reported_push: Option<Numbers<'py>>,
+    #[pyo3(item("expected_jacobian"))]
+    expected_jacobian: Option<Triplets<'py>>,
     #[pyo3(item("expected_bias"))]
     expected_bias: Option<Numbers<'py>>,
     #[pyo3(item("expected_target"))]
@@ -188,10 +190,16 @@ impl Step<'_> {
         let bias = numbers(&self.bias);
         let (n, k) = (bias.len(), target.len());
         let mass = entries("mass", &self.mass, k, k)?;
-        let mut jacobian = vec![Vec::new(); n];
-        for (i, j, value) in entries("jacobian", &self.jacobian, n, k)? {
-            jacobian[i].push((j, value));
-        }
+        let rows = |name: &str, triplets: &Triplets<'_>| -> Result<_> {
+            let mut rows = vec![Vec::new(); n];
+            for (i, j, value) in entries(name, triplets, n, k)? {
+                rows[i].push((j, value));
+            }
+            Ok(rows)
+        };
+        let jacobian = rows("jacobian", &self.jacobian)?;
+        let expected = self.expected_jacobian.as_ref();
+        let expected_jacobian = expected.map(|own| rows("expected_jacobian", own)).transpose()?;
         let gauss = Gauss {
             mass: mass.into_iter().filter(|(i, j, _)| i <= j).collect(),
             jacobian,
@@ -216,6 +224,7 @@ impl Step<'_> {
                 reported_push: optional(&self.reported_push),
             },
             expected: Expected {
+                jacobian: expected_jacobian,
                 bias: optional(&self.expected_bias),
                 target: optional(&self.expected_target),
             },

@@ -75,15 +75,28 @@ def test_reported_generalized_forces_are_compared_with_those_of_the_rows():
 
 
 def test_assembly_is_compared_with_what_the_adapter_expects():
-    expected = {"expected_bias": np.zeros(1), "expected_target": np.array([-3.0])}
+    expected = {"expected_jacobian": [[1.0]], "expected_bias": np.zeros(1), "expected_target": np.array([-3.0])}
     good = lcplab.receipt(stop(**expected))
     assert good.ok and "assembly" not in good.not_checked
-    assert "assembly: all but the bias and the free motion" in good.not_checked
-    for wrong in ({"expected_bias": np.array([0.3])}, {"expected_target": np.array([-3.1])}):
+    assert "assembly: all but J, the bias and the free motion" in good.not_checked
+    for wrong in (
+        {"expected_jacobian": [[-1.0]]}, {"expected_jacobian": [[0.0]]}, {"expected_bias": np.array([0.3])},
+        {"expected_target": np.array([-3.1])},
+    ):
         receipt = lcplab.receipt(stop(**{**expected, **wrong}))
         assert receipt.stage == "assembly" and receipt.motion_error < 1e-7
-    with pytest.raises(lcplab.InputError, match="expected_bias"):
-        stop(expected_bias=np.zeros(2))
+    for name, values in (("expected_bias", np.zeros(2)), ("expected_jacobian", [[1.0, 0.0]])):
+        with pytest.raises(lcplab.InputError, match=name):
+            stop(**{name: values})
+
+
+@pytest.mark.parametrize("row", [0, 1])
+@pytest.mark.parametrize("name", ["expected_jacobian", "expected_bias"])
+def test_an_expected_value_that_is_not_a_number_is_rejected_in_every_row(name, row):
+    values = np.eye(2) if name == "expected_jacobian" else np.zeros(2)
+    values[row] = np.nan
+    step = lcplab.EngineStep.of("mine", np.eye(2), np.eye(2), [0.0, 0.0], [-1.0, -1.0], [1.0, 1.0], **{name: values})
+    assert lcplab.receipt(step).stage == "assembly"
 
 
 def test_a_free_motion_that_inputs_do_not_ask_for_is_rejected_without_rows():

@@ -34,16 +34,16 @@ pub fn before_solver(step: &EngineStep) -> Report {
     let mut report = Report { findings: Vec::new(), not_checked: vec!["collision".into()] };
     let is_broken = broken(step).is_some();
     let findings = match is_broken {
-        true => [None, None],
-        false => [expected_bias(step), expected_target(step)],
+        true => [None, None, None],
+        false => [expected_jacobian(step), expected_bias(step), expected_target(step)],
     };
     if !is_broken {
-        let parts = ["the bias", "the free motion"];
+        let parts = ["J", "the bias", "the free motion"];
         let checked: Vec<&str> =
-            (0..2).filter(|&k| findings[k].is_some()).map(|k| parts[k]).collect();
+            (0..3).filter(|&k| findings[k].is_some()).map(|k| parts[k]).collect();
         report.not_checked.push(match checked.is_empty() {
             true => "assembly".into(),
-            false => format!("assembly: all but {}", checked.join(" and ")),
+            false => format!("assembly: all but {}", listed(&checked)),
         });
     }
     report.findings.extend(findings.into_iter().flatten());
@@ -52,6 +52,30 @@ pub fn before_solver(step: &EngineStep) -> Report {
         report.not_checked.push("write-back: the velocity after the step".into());
     }
     report
+}
+
+/// Words as a list: a, b and c.
+fn listed(words: &[&str]) -> String {
+    match words {
+        [most @ .., last] if !most.is_empty() => format!("{} and {last}", most.join(", ")),
+        words => words.concat(),
+    }
+}
+
+/// The largest difference of a row of J, relative to its largest entry.
+fn expected_jacobian(step: &EngineStep) -> Option<Finding> {
+    let expected = step.expected.jacobian.as_ref().filter(|_| !step.is_empty())?;
+    let error = |i: usize| {
+        let mut apart = vec![0.0; step.gauss.target.len()];
+        step.gauss.jacobian[i].iter().for_each(|&(j, value)| apart[j] += value);
+        expected[i].iter().for_each(|&(j, value)| apart[j] -= value);
+        let scale = expected[i].iter().fold(TINY, |most, (_, value)| most.max(value.abs()));
+        largest(apart.into_iter().map(|own| own.abs() / scale)).map_or(0.0, |(_, error)| error)
+    };
+    let (row, error) = largest((0..step.len()).map(error))?;
+    let what = "J of a row differs from expected_jacobian";
+    let finding = Finding::new(Stage::Assembly, what, error, rounding(step.source.bits));
+    Some(Finding { row: Some(row), bodies: step.bodies_of(Some(row)), ..finding })
 }
 
 /// The largest difference of a bias, relative to its terms and to those of J u*.
@@ -220,7 +244,8 @@ fn no_push(step: &EngineStep, reported: &[f64]) -> Finding {
     Finding::new(Stage::WriteBack, what, error, rounding(step.source.bits))
 }
 
-/// The first of the largest values, with its place.
+/// The first of the largest values, with its place; one that is not a number is larger than all others.
 fn largest(values: impl Iterator<Item = f64>) -> Option<(usize, f64)> {
-    values.enumerate().reduce(|worst, own| if own.1 > worst.1 { own } else { worst })
+    let is_larger = |own: f64, worst: f64| own > worst || (own.is_nan() && !worst.is_nan());
+    values.enumerate().reduce(|worst, own| if is_larger(own.1, worst.1) { own } else { worst })
 }

@@ -91,6 +91,8 @@ pub struct EngineAnswer {
 /// What model and state require, where an adapter computes it independently.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Expected {
+    /// J, n rows of columns and values.
+    pub jacobian: Option<Vec<Vec<(usize, f64)>>>,
     /// The bias, n entries.
     pub bias: Option<Vec<f64>>,
     /// The motion without constraints, k entries.
@@ -153,6 +155,8 @@ impl EngineStep {
         vectors.extend(optional.iter().filter_map(|(name, values, size)| {
             values.as_ref().map(|values| (*name, values.len(), *size))
         }));
+        vectors
+            .extend(self.expected.jacobian.iter().map(|rows| ("expected_jacobian", rows.len(), n)));
         for (name, length, size) in vectors {
             if length != size {
                 let reason = format!("has {length} entries, must have {size}");

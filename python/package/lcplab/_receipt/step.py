@@ -91,8 +91,9 @@ class Step:
     own_tolerance: float = 0.0
     #: The generalized forces of the constraints as reported, (k,), if they are.
     reported_push: Array | None = None
-    #: The bias, (n,), and the motion without constraints, (k,), where the adapter computes them from the model and the
-    #: state on its own: assembly is compared with them.
+    #: Entries of J, (n, k), the bias, (n,), and the motion without constraints, (k,), where the adapter computes them from
+    #: the model and the state on its own: assembly is compared with them.
+    expected_jacobian: Triplets | None = None
     expected_bias: Array | None = None
     expected_target: Array | None = None
     settings: Mapping[str, Any] = field(default_factory=dict)
@@ -130,6 +131,7 @@ class Step:
         friction_index: ArrayLike = -1,
         mu: ArrayLike = 0.0,
         version: str = "",
+        expected_jacobian: ArrayLike | None = None,
         **more: Any,
     ) -> Step:
         """A step from dense arrays; a number instead of an array applies to all rows.
@@ -166,6 +168,9 @@ class Step:
             hi=given.rows("hi", hi, n),
             friction_index=given.normal_rows(friction_index, n),
             mu=given.rows("mu", mu, n),
+            expected_jacobian=None if expected_jacobian is None else stored(
+                given.array("expected_jacobian", expected_jacobian, (n, k))
+            ),
             **more,
         )
         given.check_settings(step)
@@ -253,7 +258,7 @@ class Step:
             "dof_bodies": list(self.dof_bodies), "not_checked": list(self.not_checked), "no_bound": self.no_bound or None,
             "has_computed_motion": self.has_computed_motion,
         }
-        triplets = {"mass": self.mass, "jacobian": self.jacobian}
+        triplets = {"mass": self.mass, "jacobian": self.jacobian, "expected_jacobian": self.expected_jacobian}
         return {**triplets, **vectors, "friction_index": self.friction_index, "facts": json.dumps(facts)}
 
     def _source(self) -> dict[str, Any]:
