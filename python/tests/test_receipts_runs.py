@@ -148,3 +148,13 @@ def test_a_run_is_valid_json(tmp_path):
     broken = lcplab.EngineStep.of("mine", [[2.0]], [[1.0]], [0.0], [-3.0], [np.nan], [-2.0], compliance=0.5)
     lcplab.receipts([broken, GOOD]).save(tmp_path / "known.json")
     assert json.loads((tmp_path / "known.json").read_text())["rejected"] == {"mine 0": "solver"}
+
+
+def test_an_adapter_that_checks_more_than_its_baseline_loses_nothing():
+    known = lcplab.receipts([GOOD] * 9).to_json()
+    more = lcplab.EngineStep.of(
+        "mine", [[2.0]], [[1.0]], [0.0], [-3.0], [3.0], [-1.5], compliance=0.5, expected_jacobian=[[1.0]]
+    )
+    run = lcplab.receipts([more] * 9, baseline=known)
+    assert run.ok and run.lost == [], str(run)
+    assert lcplab.receipts([GOOD] * 9, baseline=lcplab.receipts([more] * 9).to_json()).lost

@@ -114,7 +114,9 @@ impl Baseline {
             ));
         }
         for (part, own) in run.not_checked() {
-            let is_new = !self.not_checked.contains(&part);
+            // "assembly" includes "assembly: all but the bias".
+            let whole = part.split(':').next().unwrap_or(&part);
+            let is_new = !self.not_checked.contains(&part) && !self.not_checked.contains(whole);
             let never = Part { with: 0, all: base };
             let is_of_most = 2 * own.count >= all;
             let frequent = Part { with: own.count, all };

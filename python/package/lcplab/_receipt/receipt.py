@@ -153,7 +153,7 @@ class Receipt:
         assembly unless an adapter's expected values show them, are those of the model and the state: their steps are
         not shrunk.
         """
-        if self.rejected is None or not self._shows_it(self.step):
+        if self.rejected is None or not self.step.is_definite() or not self._shows_it(self.step):
             return None
         found = shrunk(self.step, self._shows_it)
         return found if len(found) < len(self.step) else None
