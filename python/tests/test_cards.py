@@ -14,10 +14,12 @@ from scipy.special import ellipj, ellipk
 import lcplab
 from lcplab import cards, engines
 from lcplab.cards import PHENOMENA
+from lcplab.cards import _run
 from lcplab.cards.__main__ import main
 from lcplab.cards._elliptic import first_kind, sine
 from lcplab.cards._frames import frames
-from lcplab.cards.phenomena import bricard, capstan
+from lcplab.cards._solver import part
+from lcplab.cards.phenomena import bricard, capstan, trees
 
 NAMED = {phenomenon.name: phenomenon for phenomenon in PHENOMENA}
 OTHERS = [name for name in engines.NAMES if name != "lcplab"]
@@ -190,7 +192,8 @@ def test_the_curve_of_the_brick_solves_eulers_equations():
 
 @pytest.mark.parametrize(
     "name",
-    "free_fall creep wall capstan lift stopping predictability painleve weight bounce order chain top".split(),
+    "free_fall creep wall capstan lift stopping predictability painleve weight bounce order chain flying_tree standing_tree top"
+    .split(),
 )
 def test_velocity_level_keeps_the_laws(name):
     column = cards.run("lcplab", "velocity", name)
@@ -218,11 +221,63 @@ def test_velocity_level_keeps_the_laws(name):
         ("bullet", {"bodies.wall.position": [0.0102, 0, 0], "contact.margin": 0.2}),  # 0.2 mm past
         ("chain", {"bodies.load.velocity": [1, 0, 0]}),
         ("top", {"bodies.top.angular_velocity": [5.6, 0, 12.7]}),
+        ("flying_tree", {"gravity": [0, 0, -9]}),
+        ("standing_tree", {"contact.friction": 0.25}),
+        ("standing_tree", {"gravity": [0, 0, -9.6]}),
     ],
 )
 def test_a_measure_notices_another_motion(name, changed):
     runs = [moved(name, changed)] * len(NAMED[name].variants)
     assert not all(measured.holds for measured in NAMED[name].measure(runs)), NAMED[name].measure(runs)
+
+
+def test_a_tree_that_spins_as_one_body_has_the_momentum_and_energy_of_its_inertia():
+    scene = NAMED["flying_tree"].described({})
+    run = moved("flying_tree", duration=0.001)
+    masses = np.array([body["mass"] for body in scene["bodies"]])
+    places = np.array([body["position"] for body in scene["bodies"]])
+    arms = places - masses @ places / masses.sum()
+    inertia = np.zeros((3, 3))
+    for body, mass, arm in zip(scene["bodies"], masses, arms, strict=True):
+        w, *xyz = body["rotation"]["quaternion"]
+        axes = Rotation.from_quat([*xyz, w]).as_matrix()
+        inertia += axes @ np.diag(body["inertia"]) @ axes.T + mass * (arm @ arm * np.eye(3) - np.outer(arm, arm))
+    spin = np.array([4, 0.5, 0])
+    momentum, energy = trees._invariants(run)
+    np.testing.assert_allclose(momentum[0], inertia @ spin, rtol=1e-6, atol=1e-6)
+    assert energy[0] == pytest.approx(spin @ inertia @ spin / 2, rel=1e-6)
+
+
+@pytest.mark.parametrize("change", [(1, 1.02), (5, 1.05), (12, 0.9)])
+def test_a_tree_whose_limb_or_twig_gains_speed_out_of_nothing_misses_its_law(change):
+    run = moved("flying_tree")
+    assert all(measured.holds for measured in NAMED["flying_tree"].measure([run]))
+    body, factor = change
+    velocities = run.velocities.copy()
+    velocities[len(velocities) // 2 :, body] *= factor
+    assert not all(measured.holds for measured in NAMED["flying_tree"].measure([replace(run, velocities=velocities)]))
+
+
+def test_a_leg_of_the_standing_tree_has_the_thrust_of_statics():
+    # About a leg's hinge, 0.28 m inside its foot and 0.5 m above the ground: the normal force and the weights of the foot
+    # (1 kg) and of the chains at half the distance (1.2 kg) balance the friction.
+    run, g = moved("standing_tree"), 9.81
+    normal = (3 + 3 * (1 + 1.2)) * g / 3
+    thrust = 0.28 / 0.5 * (normal - g - 1.2 * g / 2)
+    assert thrust / normal == pytest.approx(0.28)
+    plates = [run.number(f"plate {k}") for k in (1, 2, 3)]
+    forces = run.forces[run.after(1.0) :, plates].mean(axis=0)
+    np.testing.assert_allclose(forces[:, 2], -normal, rtol=1e-6)
+    np.testing.assert_allclose(np.linalg.norm(forces[:, :2], axis=1), thrust, rtol=1e-3)
+
+
+def test_a_body_that_moves_on_its_joint_at_the_start_is_refused():
+    scene = NAMED["flying_tree"].described({})
+    joint, bodies = engines.joints(scene)[0], scene["bodies"]
+    np.testing.assert_array_equal(engines.rates(joint, bodies, joint.child), [0.0])
+    faster = [{**body, "angular_velocity": [4, 0.6, 0]} if k == joint.child else body for k, body in enumerate(bodies)]
+    with pytest.raises(engines.Unsupported, match="moves at the start relative to the parent"):
+        engines.rates(joint, faster, joint.child)
 
 
 def test_the_way_of_two_cubes_differs_as_their_speeds_and_their_friction_say():
@@ -566,6 +621,57 @@ def test_an_engine_that_was_translated_wrongly_is_left_out_of_the_record():
     kept = cards.record([("free_fall", right), ("free_fall", wrong), ("lift", other)])
     assert [engine["name"] for engine in kept["engines"]] == ["lcplab"]
     assert [own["name"] for own in kept["phenomena"]] == ["free_fall"]
+
+
+def test_records_of_engines_in_their_own_environments_are_one(tmp_path, capfd):
+    one, other = (cards.record([(name, cards.run("lcplab", "velocity", name))]) for name in ("stopping", "free_fall"))
+    foreign = json.loads(json.dumps(other).replace('"lcplab"', '"mujoco"'))
+    files = [tmp_path / name for name in ("a.json", "b.json")]
+    for file, own in zip(files, (one, foreign), strict=True):
+        file.write_text(json.dumps(own), encoding="utf-8")
+    assert main(["--merge", *map(str, files), "--out", str(tmp_path / "all.json")]) == 0
+    both = json.loads((tmp_path / "all.json").read_text(encoding="utf-8"))
+    assert [engine["name"] for engine in both["engines"]] == ["mujoco", "lcplab"]
+    assert [own["name"] for own in both["phenomena"]] == ["free_fall", "stopping"]
+    assert both["phenomena"][0]["columns"] == foreign["phenomena"][0]["columns"]
+    foreign["engines"][0] |= {"name": "lcplab", "version": "0.0"}
+    files[1].write_text(json.dumps(foreign), encoding="utf-8")
+    assert main(["--merge", *map(str, files)]) == 2
+    assert "lcplab: the records have the versions" in capfd.readouterr().err
+
+
+def stop(error, **more):
+    """A step that stops a body of 2 kg on a compliant row, with an error of its force."""
+    return lcplab.EngineStep.of("mine", [[2.0]], [[1.0]], [0.0], [-3.0], [3.0 + error], compliance=0.5, **more)
+
+
+def test_the_solvers_part_is_the_largest_error_of_the_reported_steps():
+    scene = NAMED["stopping"].described({})
+    run = cards.Run(scene, 0.001, np.zeros(1), np.zeros((1, 2, 7)), np.zeros((1, 2, 6)), None)
+
+    def of(reported, why=""):
+        return part([replace(run, reported=reported, unreported=why)])
+
+    # The force 3 + e gives the motion -1.5 + e/2, and the constraints change it by 1.5: an error of e/3.
+    found = of([stop(0.0), stop(0.03), stop(-0.3)])
+    assert (found.steps, found.above, found.limit, found.is_bound) == (3, 2, 1e-6, True)
+    assert 0.1 <= found.error < 0.15
+    free = lcplab.EngineStep.of("mine", [[2.0]], np.zeros((0, 1)), [], [-3.0], [], [-3.0])
+    assert of([free]).why == "no rows" and of([], "no report").why == "no report"
+    hidden = stop(0.3, no_bound="because loops are not known")
+    assert of([hidden]).why == "loops are not known" and of([hidden, stop(0.0)]).steps == 1
+
+
+@pytest.mark.parametrize("name", [name for name in OTHERS if name != "rapier"])
+def test_checked_steps_leave_a_run_as_it_is(name, monkeypatch):
+    engine = installed(name)
+    scene = NAMED["pendulum" if name == "pinocchio" else "weight"].described({})
+    checked = cards.simulate(engine, engine.settings[0], scene, 0.1)
+    monkeypatch.setattr(_run, "_take", lambda world, taken: world.step() or "")
+    plain = cards.simulate(engine, engine.settings[0], scene, 0.1)
+    # DART's order of contacts depends on addresses: any new object, as lcplab's copy of the world, changes its rounding.
+    np.testing.assert_allclose(checked.poses, plain.poses, rtol=0, atol=1e-7 if name == "dart" else 0)
+    assert not plain.reported and (len(checked.reported) >= 20 or checked.unreported)
 
 
 def test_unknown_engines_and_phenomena_are_one_message(capfd):

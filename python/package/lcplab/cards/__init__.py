@@ -14,7 +14,7 @@ the energy at play), and what a step of first order may be off at this length of
 """
 
 from lcplab.cards._phenomenon import Curve, Measurement, Phenomenon, Run
-from lcplab.cards._record import record
+from lcplab.cards._record import merged, record
 from lcplab.cards._run import Column, run, simulate
 from lcplab.cards.phenomena import PHENOMENA
 
@@ -25,6 +25,7 @@ __all__ = [
     "Measurement",
     "Phenomenon",
     "Run",
+    "merged",
     "record",
     "run",
     "simulate",

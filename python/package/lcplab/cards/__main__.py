@@ -4,6 +4,7 @@ Examples:
   python -m lcplab.cards                                    # all that is installed, as a table
   python -m lcplab.cards --engine mujoco --phenomenon creep,lift
   python -m lcplab.cards --report mine                      # mine/index.html, and the record beside it
+  python -m lcplab.cards --merge a.json b.json --report mine
 """
 
 from __future__ import annotations
@@ -11,13 +12,14 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from collections.abc import Callable
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from pathlib import Path
 from typing import Any
 
 from lcplab import _lcplab
-from lcplab.cards._record import record
+from lcplab.cards._record import merged, record
 from lcplab.cards._run import Column, run, tasks
 from lcplab.cards.phenomena import PHENOMENA
 from lcplab.engines import NAMES, by_name
@@ -46,6 +48,8 @@ def main(arguments: list[str] | None = None) -> int:
             state = engine.version if engine.is_installed else f"not installed: pip install {engine.package}"
             print(f"{name:<18} {state}")
         return 0
+    if options.merge:
+        return _merge(options)
     asked = list(NAMES) if options.engine is None else options.engine.split(",")
     phenomena = names if options.phenomenon is None else options.phenomenon.split(",")
     for what, given, known in (("engine", asked, NAMES), ("phenomenon", phenomena, names)):
@@ -60,27 +64,45 @@ def main(arguments: list[str] | None = None) -> int:
         return 2
     found = _run_all([name for name in asked if name not in missing], phenomena, options.jobs)
     print(_table(found), flush=True)
+    return _keep(options, lambda: record(found))
+
+
+def _merge(options: argparse.Namespace) -> int:
+    """Write the record of all files of ``--merge``."""
+    try:
+        records = [json.loads(Path(file).read_text(encoding="utf-8")) for file in options.merge]
+        one = merged(records)
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        reason = f"lacks the key {error}" if isinstance(error, KeyError) else error
+        print(f"error: --merge: {reason}", file=sys.stderr)
+        return 2
+    return _keep(options, lambda: one)
+
+
+def _keep(options: argparse.Namespace, made: Callable[[], dict[str, Any]]) -> int:
+    """Write the record where the options want it."""
+    if not (options.out or options.report):
+        return 0
+    own = made()
     if options.out:
-        _write(Path(options.out), found)
-    if options.report:
-        return _report(Path(options.report), found)
-    return 0
+        _write(Path(options.out), own)
+    return _report(Path(options.report), own) if options.report else 0
 
 
-def _write(file: Path, found: list[tuple[str, Column]]) -> None:
-    text = json.dumps(record(found), ensure_ascii=False, separators=(",", ":"))
+def _write(file: Path, own: dict[str, Any]) -> None:
+    text = json.dumps(own, ensure_ascii=False, separators=(",", ":"))
     file.write_text(text + "\n", encoding="utf-8")
 
 
-def _report(folder: Path, found: list[tuple[str, Column]]) -> int:
+def _report(folder: Path, own: dict[str, Any]) -> int:
     folder.mkdir(parents=True, exist_ok=True)
     record_file, file = folder / "engines.json", folder / "engines.toml"
-    for own in (record_file, file):
+    for written in (record_file, file):
         # The folder may come from a stranger, whose link could lead to any file of the user.
-        if own.is_symlink():
-            print(f"error: {own} is a symbolic link, and nothing is written through it: delete it", file=sys.stderr)
+        if written.is_symlink():
+            print(f"error: {written} is a symbolic link, and nothing is written through it: delete it", file=sys.stderr)
             return 2
-    _write(record_file, found)
+    _write(record_file, own)
     file.write_text(REPORT.format(record=json.dumps(str(record_file))), encoding="utf-8")
     (folder / "results.json").unlink(missing_ok=True)  # what a stopped run has left is of another record
     return _lcplab.run(["lcplab", "report", str(file), "--out", str(folder)])
@@ -98,6 +120,8 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--phenomenon", metavar="NAMES", help="phenomena, with commas; all")
     parser.add_argument("--out", metavar="FILE", help="write the record, which a report file can name")
     parser.add_argument("--report", metavar="FOLDER", help="write the page, and the record beside it")
+    parser.add_argument("--merge", nargs="+", metavar="FILE",
+                        help="run nothing; merge these records, of engines in environments of their own")
     parser.add_argument("--jobs", type=int, metavar="N", help="processes at a time; one a processor")
     parser.add_argument("--list", action="store_true", help="list phenomena and engines")
     return parser

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from lcplab import Scene
+from lcplab import EngineStep, Scene
 from lcplab.engines import Array, Description
 
 if TYPE_CHECKING:
@@ -33,6 +33,9 @@ class Run:
     forces: Array | None
     #: How long the steps took (s).
     seconds: float = 0.0
+    #: Steps of the run as the engine reports them, or why it does not.
+    reported: Sequence[EngineStep] = ()
+    unreported: str = ""
 
     @property
     def gravity(self) -> float:

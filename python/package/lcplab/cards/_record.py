@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -11,8 +11,9 @@ import numpy as np
 from lcplab.cards._frames import frames
 from lcplab.cards._phenomenon import Phenomenon
 from lcplab.cards._run import Column, _named
+from lcplab.cards._solver import SolverPart
 from lcplab.cards.phenomena import PHENOMENA
-from lcplab.engines import Array, by_name
+from lcplab.engines import NAMES, Array, by_name
 
 #: The version of the format.
 FORMAT = 1
@@ -40,6 +41,39 @@ def record(columns: Sequence[tuple[str, Column]]) -> dict[str, Any]:
             _phenomenon(_named(PHENOMENA, name), [column for own, column in columns if own == name])
             for name in names
         ],
+    }
+
+
+def merged(records: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+    """One record of several, whose engines were run in environments of their own.
+
+    Raises
+    ------
+    ValueError
+        If two records have different versions of an engine.
+    """
+    engines: dict[str, Any] = {}
+    phenomena: dict[str, Any] = {}
+    for record in records:
+        for engine in record["engines"]:
+            known = engines.setdefault(engine["name"], engine)
+            if known["version"] != engine["version"]:
+                raise ValueError(f"{engine['name']}: the records have the versions {known['version']} and {engine['version']}")
+        for phenomenon in record["phenomena"]:
+            kept = phenomena.setdefault(phenomenon["name"], {**phenomenon, "columns": []})
+            kept["columns"] = kept["columns"] + phenomenon["columns"]
+            for axis, values in (("x", "values"), ("y", "law")):
+                if not kept[axis][values]:
+                    kept[axis] = phenomenon[axis]
+    order = {name: place for place, name in enumerate(NAMES)}
+    for phenomenon in phenomena.values():
+        phenomenon["columns"] = sorted(phenomenon["columns"], key=lambda column: order[column["engine"]])
+    frames = [frame for record in records for frame in record["frames"]]
+    return {
+        "format": FORMAT,
+        "engines": sorted(engines.values(), key=lambda engine: order[engine["name"]]),
+        "frames": sorted(frames, key=lambda frame: order[frame["engine"]]),
+        "phenomena": [phenomena[own.name] for own in PHENOMENA if own.name in phenomena],
     }
 
 
@@ -92,9 +126,18 @@ def _column(column: Column) -> dict[str, Any]:
         for m in column.measured
     ]
     reported["y"] = _numbers(column.curve.y)
+    if column.solver is not None:
+        reported["solver"] = _solver(column.solver)
     if column.pace is not None:
         reported["pace"] = _number(column.pace, 2)
     return reported
+
+
+def _solver(part: SolverPart) -> dict[str, Any]:
+    if part.why:
+        return {"why": part.why}
+    error = _number(part.error, 2)
+    return {"steps": part.steps, "above": part.above, "error": error, "limit": part.limit, "is_bound": part.is_bound}
 
 
 def _number(value: float, digits: int = 6) -> float | str:

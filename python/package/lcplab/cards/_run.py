@@ -9,10 +9,12 @@ from typing import Any
 
 import numpy as np
 
+from lcplab import EngineStep, InputError
 from lcplab.cards._phenomenon import Curve, Measurement
 from lcplab.cards._phenomenon import Run as Recorded
+from lcplab.cards._solver import CHECKED, SolverPart, part
 from lcplab.cards.phenomena import PHENOMENA
-from lcplab.engines import Array, Description, Engine, Settings, Unsupported, by_name
+from lcplab.engines import Array, Description, Engine, Reported, Settings, Unsupported, World, by_name
 
 #: A body that is farther away (m) than this has left: the run went wrong.
 LEFT = 1e6
@@ -32,6 +34,8 @@ class Column:
     exact: Array | None = None
     #: How long a simulated second takes (s), on the machine that ran it.
     pace: float | None = None
+    #: The solver's part in the motion, if something was measured.
+    solver: SolverPart | None = None
 
     @property
     def holds(self) -> bool:
@@ -49,11 +53,16 @@ def simulate(engine: Engine, settings: Settings, scene: Description, duration: f
     steps = round(duration / settings.dt)
     poses, velocities = [world.poses().copy()], [world.velocities().copy()]
     forces: list[Array] = []
-    seconds = 0.0
+    seconds: list[float] = []
+    taken: list[EngineStep] = []
+    unreported = ""
     for step in range(steps):
-        start = time.perf_counter()
-        world.step()
-        seconds += time.perf_counter() - start
+        if unreported or step % max(1, steps // CHECKED):
+            start = time.perf_counter()
+            world.step()
+            seconds.append(time.perf_counter() - start)
+        else:
+            unreported = _take(world, taken)
         poses.append(world.poses().copy())
         velocities.append(world.velocities().copy())
         if (reported := world.forces()) is not None:
@@ -67,8 +76,22 @@ def simulate(engine: Engine, settings: Settings, scene: Description, duration: f
         poses=np.array(poses),
         velocities=np.array(velocities),
         forces=np.array([np.zeros_like(forces[0]), *forces]) if len(forces) == steps else None,
-        seconds=seconds,
+        seconds=steps * float(np.mean(seconds)) if seconds else 0.0,
+        reported=taken,
+        unreported=unreported,
     )
+
+
+def _take(world: World, taken: list[EngineStep]) -> str:
+    """Take a step and append it as the engine reports it; why it does not, if so."""
+    if not isinstance(world, Reported):
+        world.step()
+        return "the engine does not report its problem"
+    try:
+        taken.append(world.reported_step())
+    except (Unsupported, InputError) as why:
+        return str(why)
+    return ""
 
 
 def run(engine: str, settings: str, phenomenon: str) -> Column:
@@ -81,9 +104,9 @@ def run(engine: str, settings: str, phenomenon: str) -> Column:
     chosen = _named(known.settings, settings)
     try:
         runs = [
-            simulate(known, replace(chosen, dt=part * chosen.dt), wanted.described(variant), wanted.duration)
+            simulate(known, replace(chosen, dt=fraction * chosen.dt), wanted.described(variant), wanted.duration)
             for variant in wanted.variants
-            for part in wanted.steps
+            for fraction in wanted.steps
         ]
         if wanted.needs_forces and runs[0].forces is None:
             raise Unsupported("forces are not told")
@@ -101,6 +124,7 @@ def run(engine: str, settings: str, phenomenon: str) -> Column:
         curve=curve,
         exact=wanted.exact(curve, runs[0]),
         pace=_pace([run for run in runs if run.dt == chosen.dt], wanted.duration),
+        solver=None if engine == "lcplab" else part(runs),  # its own solvers are judged by its own reports
     )
 
 

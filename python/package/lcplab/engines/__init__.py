@@ -18,7 +18,7 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import NDArray
 
-from lcplab import EngineRow, EngineStep, Problem
+from lcplab import EngineStep, Problem
 
 Array = NDArray[np.float64]
 Description = Mapping[str, Any]
@@ -106,8 +106,25 @@ class Engine:
 
     @property
     def version(self) -> str:
-        """The version of its package."""
-        return importlib.metadata.version(self.package)
+        """The version of the package that holds its module."""
+        try:
+            return importlib.metadata.version(self.package)
+        except importlib.metadata.PackageNotFoundError:  # MuJoCo 3 is in ``mujoco``, MuJoCo 4 in ``mujoco-core``
+            return importlib.metadata.version(importlib.metadata.packages_distributions()[self.module][0])
+
+
+@runtime_checkable
+class Reported(Protocol):
+    """A world whose engine reports, of a step that was taken, the problem and its answer."""
+
+    def reported_step(self) -> EngineStep:
+        """Take a step by the settings' ``dt`` and read it, as :func:`lcplab.receipt` takes it.
+
+        Raises
+        ------
+        Unsupported, InputError
+            If the engine does not report this step; it is taken all the same.
+        """
 
 
 def engine_step(world: World) -> EngineStep:
@@ -116,44 +133,18 @@ def engine_step(world: World) -> EngineStep:
     Raises
     ------
     Unsupported
-        If the engine does not report its problem, or this one cannot be assembled.
+        If the engine does not report its problem, or not that of this scene.
     """
+    if isinstance(world, Reported):
+        return world.reported_step()
     name = type(world).__module__.rsplit(".", 1)[-1]
-    if not isinstance(world, Posing):
-        raise Unsupported(f"{TITLES.get(name, name)} does not report its problem")
-    posed = world.problem()
-    motion, problem = posed.more.get("motion"), posed.problem
-    if motion is None:
-        raise Unsupported(f"{TITLES[name]}: pass its own model and data")
-    n, k = len(problem), len(motion["target"])
-    upper = _dense(motion["mass"], k, k)
-    mass = upper + np.triu(upper, 1).T
-    gravity = np.array(posed.more["gravity"])
-    friction: dict[str, Any] = {"model": None}
-    if problem.friction_index is not None:
-        friction = {"friction_index": problem.friction_index, "mu": problem.mu, "model": problem.model}
-    return EngineStep.of(
-        TITLES[name], mass, _dense(motion["jacobian"], n, k), motion["bias"], motion["target"],
-        posed.answer, world.velocities()[list(posed.free)].ravel(), compliance=motion["compliance"], lo=problem.lo, hi=problem.hi,
-        **friction, version=by_name(name).version, method=METHODS[name], gravity=float(np.sqrt(gravity @ mass @ gravity)),
-        has_converged=METHODS[name] != "pgs",  # such an engine does not report whether its cap stopped it
-        rows=[EngineRow(row["label"], row["kind"], tuple(row["bodies"])) for row in posed.more["rows"]],
-        not_checked=[f"assembly: the problem, which {TITLES[name]} does not report; assembled from its contact points"],
-    )
+    raise Unsupported(f"{TITLES.get(name, name)} does not report its problem")
 
 
-def _dense(entries: Sequence[Sequence[Any]], rows: int, columns: int) -> Array:
-    matrix = np.zeros((rows, columns))
-    for row, column, value in entries:
-        matrix[row, column] = value
-    return matrix
-
-
-#: The kinds of the solvers of the engines that pose problems.
-METHODS = {"drake": "newton", "pybullet": "pgs", "dart": "direct"}
 #: The engines by the names of their modules, in the order of tables.
 TITLES = {
     "mujoco": "MuJoCo",
+    "warp": "MuJoCo Warp",
     "drake": "Drake",
     "pybullet": "PyBullet",
     "dart": "DART",
@@ -309,11 +300,22 @@ def joints(scene: Description, besides: Sequence[str] = ()) -> list[Joint]:
     return tree
 
 
-def rates(joint: Joint | None, body: Mapping[str, Any]) -> Array:
-    """The angular velocity, in the body's axes, of a body that hangs at the world on a ball and moves at the start."""
-    own, omega = pose(body), np.array(body["angular_velocity"], dtype=float)
+def rates(joint: Joint | None, bodies: Sequence[Mapping[str, Any]], k: int) -> Array:
+    """The rates of the joint on which body ``k`` hangs, which moves at the start: 1 of a hinge, 3 of a ball.
+
+    Either the body moves as if it were fixed to its parent: then they are 0. Or it turns about a ball at the world: then
+    they are its angular velocity in its own axes.
+    """
+    own, body = pose(bodies[k]), bodies[k]
+    omega = np.array(body["angular_velocity"], dtype=float)
+    if joint is not None and joint.parent is not None:
+        parent = bodies[joint.parent]
+        turning = np.array(parent["angular_velocity"], dtype=float)
+        velocity = np.array(parent["velocity"]) + np.cross(turning, own[:3] - pose(parent)[:3])
+        if np.allclose(omega, turning, atol=1e-9) and np.allclose(velocity, body["velocity"], atol=1e-6):
+            return np.zeros(1 if joint.kind == "hinge" else 3)
     if joint is None or joint.parent is not None or joint.kind != "ball":
-        raise Unsupported("a body on a joint that moves at the start, other than one on a ball at the world")
+        raise Unsupported("a body that moves at the start relative to the parent of its joint, except on a ball at the world")
     if not np.allclose(np.cross(omega, own[:3] - joint.point), body["velocity"], atol=1e-9):
         raise Unsupported("a start that opens a joint")
     return turned(conjugate(own[3:]), omega)

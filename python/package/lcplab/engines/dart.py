@@ -15,6 +15,8 @@ from typing import Any
 import numpy as np
 
 import lcplab
+from lcplab import EngineStep
+from lcplab._receipt import dart as receipt
 from lcplab.engines import Array, Description, Engine, Joint, Posed, Settings, Unsupported
 from lcplab.engines import conjugate, joints, one_value, pose, rates, relative, shape, turned
 from lcplab._receipt.contact_rows import axes_along
@@ -89,7 +91,7 @@ class Model:
         if parent is None:
             skeleton.enableSelfCollisionCheck()
             self.world.addSkeleton(skeleton)
-        self._set_going(body, made, joint)
+        self._set_going(bodies, k, made, joint)
 
     def _isometry(self, placed: Array) -> Any:
         return self.dart.math.Isometry3(self.dart.math.Quaternion(placed[3:]), placed[:3])
@@ -115,11 +117,12 @@ class Model:
         aspect.setFrictionCoeff(self.surface[0])
         aspect.setRestitutionCoeff(self.surface[1])
 
-    def _set_going(self, body: Any, made: Any, joint: Joint | None) -> None:
+    def _set_going(self, bodies: Any, k: int, made: Any, joint: Joint | None) -> None:
+        body = bodies[k]
         if body["fixed"] or not any([*body["velocity"], *body["angular_velocity"]]):
             return
         if joint is not None:
-            made.setVelocities(rates(joint, body))
+            made.setVelocities(rates(joint, bodies, k))
             return
         made.setLinearVelocity(body["velocity"])
         made.setAngularVelocity(body["angular_velocity"])
@@ -134,6 +137,11 @@ class Model:
 
     def step(self) -> None:
         self.world.step()
+
+    def reported_step(self) -> EngineStep:
+        before = receipt.state(self.world)
+        self.step()
+        return receipt.read(self.world, before)
 
     def poses(self) -> Array:
         found = []

@@ -13,6 +13,8 @@ from typing import Any
 
 import numpy as np
 
+from lcplab import EngineStep
+from lcplab._receipt import drake as receipt
 from lcplab.engines import Array, Description, Engine, Joint, Posed, Settings, Unsupported
 from lcplab.engines import conjugate, joints, one_value, pose, rates, relative, shape, springs, turned
 from lcplab._receipt.contact_rows import axes_along
@@ -43,6 +45,7 @@ class Model:
         self.tree: Any = tree
         self.velocity: Any = spatial.SpatialVelocity
         self.accurate = settings.name == "accurate"
+        self.stiction: float | None = settings.values.get("plant", {}).get("stiction_tolerance")
         if one_value(scene, "restitution") > 0 and self.accurate:
             raise Unsupported("a coefficient of restitution")
         builder = framework.DiagramBuilder()
@@ -78,8 +81,8 @@ class Model:
         self.simulator: Any = analysis.Simulator(builder.Build())
         self.context: Any = self.plant.GetMyMutableContextFromRoot(self.simulator.get_mutable_context())
         self.dt, self.steps = settings.dt, 0
-        for k, body in enumerate(scene["bodies"]):
-            self._set_going(k, body, hangs.get(k))
+        for k in range(len(scene["bodies"])):
+            self._set_going(scene["bodies"], k, hangs.get(k))
 
     def _inertia(self, body: Any) -> Any:
         if any(body["force"]) or any(body["torque"]):
@@ -93,12 +96,18 @@ class Model:
         return self.math.RigidTransform(self.quaternion(wxyz=at[3:] / np.linalg.norm(at[3:])), at[:3])
 
     def _shape(self, k: int, body: Any) -> None:
-        """A body's shape. Planes are rigid: a soft one and a soft box meet in one point, as by default."""
+        """A body's shape. Planes are rigid: a soft one and a soft box meet in one point, as by default.
+
+        A fixed plane is a shape of the world: on a body, Drake 1.51 and 1.58 crash with more than about 15 other shapes.
+        """
         kind, size = shape(body)
+        owner, at = self.bodies[k], self.math.RigidTransform()
         if kind == "plane":
             if size != [0, 0, 1]:
                 raise Unsupported("planes across other axes than z")
             made = self.geometry.HalfSpace()
+            if body["fixed"]:
+                owner, at = self.plant.world_body(), self._transform(pose(body))
         elif kind == "box":
             made = self.geometry.Box(*size)
         elif kind == "sphere":
@@ -115,8 +124,7 @@ class Model:
         elif self.accurate:
             radius = size if kind == "sphere" else size["radius"] if kind == "capsule" else np.inf
             self.geometry.AddCompliantHydroelasticProperties(min(MESH, FINE * radius), MODULUS, properties)
-        at = self.math.RigidTransform()
-        made = self.plant.RegisterCollisionGeometry(self.bodies[k], at, made, body["name"], properties)
+        made = self.plant.RegisterCollisionGeometry(owner, at, made, body["name"], properties)
         self.owners[made] = k
 
     def _join(self, bodies: Any, joint: Joint) -> None:
@@ -164,13 +172,15 @@ class Model:
             self.plant.WeldFrames(self.plant.world_frame(), made.body_frame())
         return self.plant.GetBodyByName("world that closes")
 
-    def _set_going(self, k: int, body: Any, hung: Joint | None) -> None:
+    def _set_going(self, bodies: Any, k: int, hung: Joint | None) -> None:
+        body = bodies[k]
         velocity = [*body["angular_velocity"], *body["velocity"]]
         if body["fixed"] or not any(velocity):
             return
         if not self.bodies[k].is_floating_base_body():
-            joint = self.plant.GetJointByName(f"joint of {body['name']}")
-            joint.set_angular_velocity(self.context, rates(hung, body))
+            turning = rates(hung, bodies, k)
+            if turning.any():
+                self.plant.GetJointByName(f"joint of {body['name']}").set_angular_velocity(self.context, turning)
             return
         moving = self.velocity(w=np.array(velocity[:3]), v=np.array(velocity[3:]))
         self.plant.SetFreeBodySpatialVelocity(self.context, self.bodies[k], moving)
@@ -178,6 +188,11 @@ class Model:
     def step(self) -> None:
         self.steps += 1
         self.simulator.AdvanceTo(self.steps * self.dt)
+
+    def reported_step(self) -> EngineStep:
+        before = receipt.state(self.plant, self.context)
+        self.step()
+        return receipt.read(self.plant, self.context, before, self.stiction)
 
     def poses(self) -> Array:
         found = [self.plant.EvalBodyPoseInWorld(self.context, body) for body in self.bodies]
@@ -189,12 +204,11 @@ class Model:
 
     def forces(self) -> Array | None:
         results = self.plant.get_contact_results_output_port().Eval(self.context)
-        numbers = {body.index(): k for k, body in enumerate(self.bodies)}
         every = np.zeros((len(self.bodies), 3))
         for k in range(results.num_point_pair_contacts()):
             point = results.point_pair_contact_info(k)
-            every[numbers[point.bodyA_index()]] -= point.contact_force()
-            every[numbers[point.bodyB_index()]] += point.contact_force()
+            every[self.owners[point.point_pair().id_A]] -= point.contact_force()
+            every[self.owners[point.point_pair().id_B]] += point.contact_force()
         for k in range(results.num_hydroelastic_contacts()):
             surface = results.hydroelastic_contact_info(k)
             force = surface.F_Ac_W().translational()  # on the body of the first geometry
@@ -219,12 +233,11 @@ class Model:
         contacts = Contacts(self.scene, self.poses(), before, dt)
         self.step()
         after = self.velocities()
-        numbers = {body.index(): k for k, body in enumerate(self.bodies)}
         results = self.plant.get_contact_results_output_port().Eval(self.context)
         bounds = []
         for number in range(results.num_point_pair_contacts()):
             point = results.point_pair_contact_info(number)
-            pair = numbers[point.bodyA_index()], numbers[point.bodyB_index()]
+            pair = self.owners[point.point_pair().id_A], self.owners[point.point_pair().id_B]
             normal, depth = np.array(point.point_pair().nhat_BA_W), point.point_pair().depth
             axes = axes_along(normal)
             place = point.contact_point()

@@ -12,7 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from lcplab import Problem
+from lcplab import EngineStep, Problem
+from lcplab._receipt import mujoco as receipt
 from lcplab.engines import Array, Description, Engine, Joint, Posed, Settings, Unsupported
 from lcplab.engines import joints, one_value, pose, rates, relative, shape, springs, turned
 
@@ -46,7 +47,7 @@ class Model:
         self.ids = [mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_BODY, name) for name in names]
         hung = {joint.child: joint for joint in self.joints if not joint.closes}
         for k, body in enumerate(scene["bodies"]):
-            self._set_going(body, hung.get(k))
+            self._set_going(scene["bodies"], k, hung.get(k))
         mujoco.mj_forward(self.model, self.data)
 
     def _bodies(self, spec: Any, scene: Description) -> None:
@@ -124,13 +125,14 @@ class Model:
             if "solref" in self.contact:
                 equality.solref = self.contact["solref"]
 
-    def _set_going(self, body: Any, hung: Joint | None) -> None:
+    def _set_going(self, bodies: Any, k: int, hung: Joint | None) -> None:
+        body = bodies[k]
         velocity = [*body["velocity"], *body["angular_velocity"]]
         if body["fixed"] or not any(velocity):
             return
         joint = self.data.joint(int(self.model.body(body["name"]).jntadr[0]))
         if len(joint.qvel) != 6:
-            joint.qvel[:] = rates(hung, body)
+            joint.qvel[:] = rates(hung, bodies, k)
             return
         joint.qvel[:3] = velocity[:3]
         # In the body's axes.
@@ -141,6 +143,13 @@ class Model:
         self.mujoco.mj_step(self.model, self.data)
         for follow in (self.mujoco.mj_kinematics, self.mujoco.mj_comPos, self.mujoco.mj_comVel):
             follow(self.model, self.data)
+
+    def reported_step(self) -> EngineStep:
+        self.step()
+        step = receipt.read(self.model, self.data)
+        if int(self.model.opt.integrator) == receipt.RK4:
+            return step.with_motion_of_forces("which is a mean of the stages of RK4")
+        return step
 
     def poses(self) -> Array:
         return np.hstack([self.data.xpos[self.ids], self.data.xquat[self.ids]])
@@ -208,7 +217,7 @@ def bouncing(restitution: float) -> list[float]:
 
 ENGINE = Engine(
     name="mujoco",
-    package="mujoco",
+    package="mujoco-core",
     module="mujoco",
     settings=(
         Settings("defaults", "as installed: Newton's method, pyramids for cones, Euler, steps of 2 ms", 0.002),

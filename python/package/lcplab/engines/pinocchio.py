@@ -12,7 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from lcplab import Problem
+from lcplab import EngineStep, Problem
+from lcplab._receipt import pinocchio as receipt
 from lcplab.engines import Array, Description, Engine, Joint, Settings, Unsupported
 from lcplab.engines import conjugate, joints, pose, rates, relative, shape, turned
 
@@ -94,7 +95,7 @@ class Model:
                 own = [turned(conjugate(placed[3:]), part) for part in velocity]  # in the body's axes
                 v[joint.idx_v : joint.idx_v + 6] = np.concatenate(own)
             elif np.any(velocity):
-                v[joint.idx_v : joint.idx_v + joint.nv] = rates(self.hung.get(k), body)
+                v[joint.idx_v : joint.idx_v + joint.nv] = rates(self.hung.get(k), bodies, k)
         return q, v
 
     def _close(self, joint: Joint, values: Any) -> list[Any]:
@@ -140,6 +141,16 @@ class Model:
             moved = dt * self.v
         self.q = self.pin.integrate(self.model, self.q, moved)
         self._update()
+
+    def reported_step(self) -> EngineStep:
+        force = np.zeros(self.model.nv)
+        at = (self.q.copy(), self.v.copy())
+        self._acceleration(*at)
+        step = receipt.read(self.model, self.data, *at, force, self.loops, self.kept) if self.loops else None
+        self.step()
+        if step is None:
+            raise Unsupported("no rows: Pinocchio computes the accelerations of trees in one pass")
+        return step
 
     def _update(self) -> None:
         self.pin.forwardKinematics(self.model, self.data, self.q, self.v)

@@ -14,6 +14,8 @@ from typing import Any
 
 import numpy as np
 
+from lcplab import EngineStep
+from lcplab._receipt import pybullet as receipt
 from lcplab.engines import Array, Description, Engine, Joint, Posed, Settings, Unsupported
 from lcplab.engines import conjugate, joints, one_value, pose, rates, relative, shape, turned
 from lcplab._receipt.pybullet import BOUNCES_FROM, DAMPING, ERP, SLOP
@@ -55,8 +57,8 @@ class Model:
         self.hung = {joint.child: joint for joint in every if not joint.closes}
         for root, tree in trees([joint for joint in every if not joint.closes]):
             self._linked(scene["bodies"], root, tree)
-        for k, body in enumerate(scene["bodies"]):
-            self._body(k, body)
+        for k in range(len(scene["bodies"])):
+            self._body(scene["bodies"], k)
         for joint in every:
             if joint.parent is not None:
                 (first, one), (second, other) = self.places[joint.parent], self.places[joint.child]
@@ -64,8 +66,9 @@ class Model:
             if joint.closes:
                 self._close(scene["bodies"], joint)
 
-    def _body(self, k: int, body: Any) -> None:
+    def _body(self, bodies: Any, k: int) -> None:
         """What a body has beside its place: its mass, its coefficients and its velocity."""
+        body = bodies[k]
         if any(body["force"]) or any(body["torque"]):
             raise Unsupported("forces on bodies")
         velocity = [*body["velocity"], *body["angular_velocity"]]
@@ -80,7 +83,9 @@ class Model:
             dynamics |= {"mass": body["mass"], "localInertiaDiagonal": body["inertia"]}
         self.p.changeDynamics(*self.places[k], **dynamics, **self.at)
         if self.places[k][1] >= 0 and any(velocity):
-            self.p.resetJointStateMultiDof(*self.places[k], [0, 0, 0, 1], list(rates(self.hung.get(k), body)), **self.at)
+            turning = rates(self.hung.get(k), bodies, k)
+            if turning.any():
+                self.p.resetJointStateMultiDof(*self.places[k], [0, 0, 0, 1], list(turning), **self.at)
         elif any(velocity):
             self.p.resetBaseVelocity(self.places[k][0], velocity[:3], velocity[3:], **self.at)
 
@@ -162,6 +167,15 @@ class Model:
     def step(self) -> None:
         self.p.stepSimulation(**self.at)
 
+    def reported_step(self) -> EngineStep:
+        before = receipt.state(self.client)
+        self.step()
+        if self.maximal:
+            raise Unsupported("split impulses, which PyBullet does not report")
+        if any(link >= 0 for _, link in self.places):
+            raise Unsupported("lcplab reads only free bodies of PyBullet")
+        return receipt.read(self.client, before, self.dynamics.get("linearDamping", DAMPING))
+
     def _link(self, body: int, link: int) -> Any:
         return self.p.getLinkState(body, link, computeLinkVelocity=1, computeForwardKinematics=1, **self.at)
 
@@ -198,7 +212,7 @@ class Model:
         is left out: ``u* + M⁻¹Jᵀx`` is the velocity after the step.
         """
         if self.maximal:
-            raise Unsupported("rigid bodies with split impulses")
+            raise Unsupported("split impulses, which PyBullet does not report")
         velocities = self.velocities()
         contacts = Contacts(self.scene, self.poses(), velocities, self.dt)
         parts = velocities[list(contacts.first)].reshape(-1, 3)

@@ -9,6 +9,7 @@ from lcplab.cards.phenomena.joints import CHAIN, CLOSED_LOOP, ORDER, PENDULUM, S
 from lcplab.cards.phenomena.painleve import PAINLEVE
 from lcplab.cards.phenomena.stacks import MASS_RATIO, REPEAT, TOWER, WALL, WEIGHT
 from lcplab.cards.phenomena.top import TOP
+from lcplab.cards.phenomena.trees import FLYING_TREE, STANDING_TREE
 
 #: All of them; the first is the adapters' own test.
 PHENOMENA: tuple[Phenomenon, ...] = (
@@ -32,6 +33,8 @@ PHENOMENA: tuple[Phenomenon, ...] = (
     ORDER,
     CHAIN,
     ANGULAR_MOMENTUM,
+    FLYING_TREE,
+    STANDING_TREE,
     TOP,
     CLOSED_LOOP,
     BRICARD,

@@ -19,7 +19,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from lcplab.cards._phenomenon import PART, Curve, Measurement, Phenomenon, Run, over_time
-from lcplab.cards.phenomena.joints import _gap, _swing
+from lcplab.cards.phenomena.joints import _swing, gap
 from lcplab.engines import Array, turned
 
 #: ψ at the cube, where θ = φ = 90 degrees.
@@ -96,7 +96,7 @@ def _bricard(runs: Sequence[Run]) -> list[Measurement]:
     return [
         Measurement("swings in", _swing(_angle(run), run.t), period, PART * period, "s"),
         Measurement("loses", 100 * lost, 0.0, 100 * PART, "% of its energy"),
-        Measurement("joints open by", 1e3 * _gap(run), 0.0, 1e3 * PART * length, "mm"),
+        Measurement("joints open by", 1e3 * gap(run), 0.0, 1e3 * PART * length, "mm"),
     ]
 
 

@@ -12,7 +12,7 @@ from lcplab.cards._phenomenon import PART, Curve, Measurement, Phenomenon, Run, 
 from lcplab.engines import Array, joints, pose, relative, turned
 
 
-def _gap(run: Run) -> float:
+def gap(run: Run) -> float:
     """How far the two ends of any joint come apart at most (m)."""
     worst = 0.0
     for joint in joints(run.scene):
@@ -52,7 +52,7 @@ def _swinging(run: Run, angle: Array, period: float, length: float, loss: float)
     return [
         Measurement("swings in", measured, period, PART * period, "s"),
         Measurement("loses", 100 * lost, 0.0, 100 * loss, "% of its energy"),
-        Measurement("joints open by", 1e3 * _gap(run), 0.0, 1e3 * PART * length, "mm"),
+        Measurement("joints open by", 1e3 * gap(run), 0.0, 1e3 * PART * length, "mm"),
     ]
 
 
@@ -162,7 +162,7 @@ def _chain(runs: Sequence[Run]) -> list[Measurement]:
     worst = float(sunken[np.argmax(np.abs(sunken))])
     return [
         Measurement("load sinks by", 1e3 * worst, 0.0, 1e3 * PART * link * count, "mm"),
-        Measurement("joints open by", 1e3 * _gap(run), 0.0, 1e3 * PART * link, "mm"),
+        Measurement("joints open by", 1e3 * gap(run), 0.0, 1e3 * PART * link, "mm"),
     ]
 
 
