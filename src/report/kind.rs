@@ -40,6 +40,7 @@ pub const KINDS: &[Kind] = &[
     Kind::of::<study::film::Plan>(),
     Kind::of::<study::scenes::Plan>(),
     Kind::of::<study::frames::Plan>(),
+    Kind::of::<study::solved::Plan>(),
     Kind::of::<study::cards::Plan>(),
     Kind::of::<study::grid::Plan>(),
 ];

@@ -20,6 +20,7 @@ pub mod settings;
 pub mod side_by_side;
 pub mod slider;
 pub mod sliding;
+pub mod solved;
 pub mod sparsity;
 pub mod variation;
 pub mod verification;

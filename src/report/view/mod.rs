@@ -20,6 +20,7 @@ mod headline;
 mod profiles;
 mod scenes;
 mod sliding;
+mod solved;
 mod sparsity;
 mod summary;
 mod verification;

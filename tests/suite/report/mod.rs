@@ -13,6 +13,7 @@ mod page;
 mod recording;
 pub mod reference;
 mod sliding;
+mod solved;
 mod solvers;
 mod standard;
 mod summary;
