@@ -77,14 +77,16 @@ fn no_level_is_called_exact() {
         solver: "dantzig".into(),
         halved: 0.0,
         errors: [Some(error); 3],
+        mistimed: Some(2.0 * error),
     };
     let mut comparison = compared(&["dantzig"]);
     let levels = vec![level("velocity", 0.25), level("acceleration", 0.0)];
     comparison.levels = Some(Levels { levels, apart: 0.0 });
     let text = comparison_answer(&comparison);
     for sentence in [
-        "Where bodies meet, velocity is off by 25 % of the approach in a step, acceleration does not \
-         change when the step is divided (to 1e-6).",
+        "Where bodies meet, velocity bounces up to 50 % of a step too early or too late and is off by \
+         25 % of the approach in a step, acceleration does not change when the step is divided (to \
+         1e-6).",
         "Where bodies spin freely, velocity is off by 25 % of the angular momentum or energy in a \
          step, acceleration keeps angular momentum and energy (to 1e-6).",
         "Where bodies rest, velocity is off by 25 % of the thinnest body, by gaps or overlaps, \

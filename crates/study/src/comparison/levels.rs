@@ -5,14 +5,17 @@
 //! by what the bodies do:
 //!
 //! ```text
-//! meet   velocities of a step taken in one, two and three parts; and the error of the normal and
-//!        of the instant of an impact that the step takes at its beginning, across a gap, or for a
-//!        scheme with parts of its own the path
+//! meet   velocities of a step taken in one, two and three parts, of pairs that meet in each of
+//!        them; the error of the normal of an impact that the step takes at its beginning, across a
+//!        gap; for a scheme with parts of its own also the path; and apart from these, because it
+//!        changes when bodies bounce and not how, the error of the instant
 //! spin   angular momentum and energy of bodies without contacts, joints and torques
 //! rest   gaps and overlaps of contacts that push
 //! ```
 //!
 //! Motions differ by |Δp| + r Δθ and |Δv| + r |Δω|, r half the size of a body.
+
+use std::collections::BTreeSet;
 
 use lcplab_mechanics::body::{Mass, State, angular};
 use lcplab_mechanics::scene::{Scene, Scheme};
@@ -38,7 +41,8 @@ const SPINNING: f64 = 1e-6;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Phase {
-    /// They meet: an impact. Its error is a part of the approach, in speed or in distance a step.
+    /// They meet: an impact. Its error is a part of the approach, in speed or in distance a step;
+    /// that of its instant is [`LevelRefinement::mistimed`].
     Meet,
     /// They spin freely, and not about a principal axis. Its error is the change of the angular
     /// momentum or of the energy in a step, as a part of it.
@@ -64,6 +68,9 @@ pub struct LevelRefinement {
     pub halved: f64,
     /// The largest error of each [`Phase`], as a part; none where bodies never do this.
     pub errors: [Option<f64>; 3],
+    /// The largest time by which bodies bounce too early or too late, as a part of the step; none
+    /// where they never meet.
+    pub mistimed: Option<f64>,
 }
 
 /// The levels of a scene, compared with each other.
@@ -81,13 +88,14 @@ pub(super) fn levels(runs: &[(Scene, Method)], steps: usize, stop: &Stop) -> Opt
     let mut ends = Vec::new();
     let mut levels = Vec::new();
     for (scene, method) in runs {
-        let (end, errors) = course(scene, method, steps, stop)?;
-        let halved = last(&divided(scene, &scene.states, 0.0, 2), method, 2 * steps, stop)?;
+        let Course { end, errors, mistimed } = course(scene, method, steps, stop)?;
+        let (halved, _) = last(&divided(scene, &scene.states, 0.0, 2), method, 2 * steps, stop)?;
         levels.push(LevelRefinement {
             scheme: scene.step.scheme.name().into(),
             solver: method.name().into(),
             halved: apart(scene, &end, &halved),
             errors,
+            mistimed,
         });
         ends.push(end);
     }
@@ -108,34 +116,47 @@ fn divided(scene: &Scene, states: &[State], time: f64, parts: usize) -> Scene {
     scene
 }
 
-/// The states after this number of steps.
-fn last(scene: &Scene, method: &Method, steps: usize, stop: &Stop) -> Option<Vec<State>> {
-    let mut simulation = Simulation::by(scene, method);
-    for _ in 0..steps {
-        simulation.step_before(stop).ok()?;
-    }
-    Some(simulation.states().to_vec())
-}
-
-/// The states after this number of steps, and the largest error of each phase.
-fn course(
+/// The states after this number of steps, and the pairs of bodies that pushed each other.
+fn last(
     scene: &Scene,
     method: &Method,
     steps: usize,
     stop: &Stop,
-) -> Option<(Vec<State>, [Option<f64>; 3])> {
+) -> Option<(Vec<State>, BTreeSet<[usize; 2]>)> {
+    let mut simulation = Simulation::by(scene, method);
+    let mut pairs = BTreeSet::new();
+    for _ in 0..steps {
+        let step = simulation.step_before(stop).ok()?;
+        pairs.extend(step.touches.iter().map(|touch| touch.bodies));
+    }
+    Some((simulation.states().to_vec(), pairs))
+}
+
+/// The states after a number of steps, and the largest errors on the way.
+struct Course {
+    end: Vec<State>,
+    errors: [Option<f64>; 3],
+    mistimed: Option<f64>,
+}
+
+/// Measures each step.
+fn course(scene: &Scene, method: &Method, steps: usize, stop: &Stop) -> Option<Course> {
     let mut simulation = Simulation::by(scene, method);
     let mut errors = [None; 3];
+    let mut mistimed: Option<f64> = None;
     for _ in 0..steps {
         let (before, time) = (simulation.states().to_vec(), simulation.time());
         let step = simulation.step_before(stop).ok()?;
         let Some(phase) = phase(scene, &before, &step) else { continue };
         let error = match phase {
             Phase::Meet => {
-                let mut error = instant_error(scene, &step);
+                let time_error = instant_error(scene, &step);
+                mistimed = Some(mistimed.map_or(time_error, |known| known.max(time_error)));
+                let mut error = normal_error(scene, &step);
                 for parts in PARTS {
-                    let fine = last(&divided(scene, &before, time, parts), method, parts, stop)?;
-                    error = error.max(changed(scene, &step, &fine));
+                    let fine = divided(scene, &before, time, parts);
+                    let (fine, pairs) = last(&fine, method, parts, stop)?;
+                    error = error.max(changed(scene, &step, &fine, &pairs));
                 }
                 error
             }
@@ -148,7 +169,7 @@ fn course(
         let known: &mut Option<f64> = &mut errors[phase as usize];
         *known = Some(known.map_or(error, |known| known.max(error)));
     }
-    Some((simulation.states().to_vec(), errors))
+    Some(Course { end: simulation.states().to_vec(), errors, mistimed })
 }
 
 /// What the bodies do in a step, if it is one of these.
@@ -175,17 +196,24 @@ fn approach(scene: &Scene, step: &Step) -> f64 {
     meeting(scene, step).map(|touch| touch.approach).fold(0.0, f64::max)
 }
 
-/// The error of impacts that a step without parts takes at its beginning: of the velocity, because
-/// the normal turns until the bodies meet, and of the path, because bodies that bounce c/v⁻ too
-/// early or too late are off by c (v⁻ + v⁺)/v⁻.
+/// The velocity error of impacts that a step without parts takes at its beginning, because the
+/// normal turns until the bodies meet, as a part of the approach.
+fn normal_error(scene: &Scene, step: &Step) -> f64 {
+    if has_parts(scene) {
+        return 0.0;
+    }
+    step.unlocated.iter().map(|own| own.speed).fold(0.0, f64::max) / approach(scene, step)
+}
+
+/// The largest time c/v⁻ by which bodies bounce too early or too late in a step without parts, as a
+/// part of the step.
 fn instant_error(scene: &Scene, step: &Step) -> f64 {
     if has_parts(scene) {
         return 0.0;
     }
     let bounced = meeting(scene, step).filter(|touch| touch.parting > 0.0);
-    let off = bounced.map(|touch| touch.largest_gap * (1.0 + touch.parting / touch.approach));
-    let speeds = step.unlocated.iter().map(|own| own.speed);
-    speeds.chain(off.map(|off| off / scene.step.dt)).fold(0.0, f64::max) / approach(scene, step)
+    let times = bounced.map(|touch| touch.largest_gap / touch.approach);
+    times.fold(0.0, f64::max) / scene.step.dt
 }
 
 /// Whether a scheme divides its steps by itself, wherever impacts are.
@@ -195,16 +223,20 @@ fn has_parts(scene: &Scene) -> bool {
 }
 
 /// How far the bodies that touch in a step are from these states at its end, as a part of the
-/// approach: in velocity, and in the path of a scheme with parts.
-fn changed(scene: &Scene, step: &Step, other: &[State]) -> f64 {
-    let bodies = step.touches.iter().flat_map(|touch| touch.bodies);
-    let difference = bodies.map(|k| {
+/// approach: in velocity, if the pair has also met on the way to these states, and in the path of a
+/// scheme with parts.
+fn changed(scene: &Scene, step: &Step, other: &[State], pairs: &BTreeSet<[usize; 2]>) -> f64 {
+    let difference = |(k, has_met): (usize, bool)| {
         let (a, b, size) = (&step.states[k], &other[k], half_size(&scene.bodies[k].mass));
         let velocity = (a.v - b.v).norm() + size * (a.omega - b.omega).norm();
         let path = if has_parts(scene) { distance(size, a, b) / scene.step.dt } else { 0.0 };
-        velocity.max(path)
+        if has_met { velocity.max(path) } else { path }
+    };
+    let bodies = step.touches.iter().flat_map(|touch| {
+        let has_met = pairs.contains(&touch.bodies);
+        touch.bodies.map(|body| (body, has_met))
     });
-    difference.fold(0.0, f64::max) / approach(scene, step)
+    bodies.map(difference).fold(0.0, f64::max) / approach(scene, step)
 }
 
 /// The angular momentum of a body about its center of mass (N m s).

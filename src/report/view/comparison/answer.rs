@@ -182,10 +182,18 @@ fn phase_in_words(levels: &Levels, phase: Phase) -> Option<String> {
     };
     let own = |level: &LevelRefinement| {
         let (scheme, error) = (&level.scheme, level.errors[phase as usize]?);
-        Some(match error <= EXACT {
-            true => format!("{scheme} {passes}"),
-            false => format!("{scheme} is off by {} % {fails}", readable(100.0 * error, DIGITS)),
-        })
+        let mistimed = level.mistimed.filter(|&time| phase == Phase::Meet && time > EXACT);
+        let time = mistimed.map(|time| {
+            let part = readable(100.0 * time, DIGITS);
+            format!("bounces up to {part} % of a step too early or too late")
+        });
+        let rest = match error <= EXACT {
+            true if time.is_some() => None,
+            true => Some(passes.to_string()),
+            false => Some(format!("is off by {} % {fails}", readable(100.0 * error, DIGITS))),
+        };
+        let says: Vec<String> = time.into_iter().chain(rest).collect();
+        Some(format!("{scheme} {}", says.join(" and ")))
     };
     let own: Vec<String> = levels.levels.iter().filter_map(own).collect();
     (!own.is_empty()).then(|| format!("Where bodies {place}, {}.", own.join(", ")))
