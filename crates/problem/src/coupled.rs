@@ -63,6 +63,24 @@ impl Coupling {
         Coupling { contacts, index, mu }
     }
 
+    /// The same rows with other coefficients, computed from the row, its normal row and the old one.
+    ///
+    /// # Errors
+    /// If a coefficient is negative or not finite.
+    pub fn with_mu(&self, mu: impl Fn(usize, usize, f64) -> f64) -> Result<Self> {
+        let own = |i: usize| self.index[i].map_or(0.0, |k| mu(i, k, self.mu[i]));
+        Coupling::new(self.index.clone(), (0..self.index.len()).map(own).collect())
+    }
+
+    /// The coupling among these rows, numbered by their places. A row whose normal row is not one
+    /// of them is not coupled.
+    pub(crate) fn part(&self, rows: &[usize], places: &[Option<usize>]) -> Self {
+        let index: Vec<_> = rows.iter().map(|&i| self.index[i].and_then(|k| places[k])).collect();
+        let mu: Vec<_> = rows.iter().map(|&i| self.mu[i]).collect();
+        let contacts = pairs(&index, &mu);
+        Coupling { contacts, index, mu }
+    }
+
     /// The contacts: a normal row that bounds exactly two rows, both with the same μ.
     pub fn contacts(&self) -> &[Contact] {
         &self.contacts

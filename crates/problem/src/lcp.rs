@@ -202,6 +202,72 @@ impl Lcp {
         Ok(Lcp { b, ..self.clone() })
     }
 
+    /// The same problem with another matrix.
+    ///
+    /// # Errors
+    /// As [`Lcp::new`].
+    pub fn with_matrix(&self, matrix: Matrix) -> Result<Lcp> {
+        let plain = Lcp::new(matrix, self.b.clone(), self.lo.clone(), self.hi.clone())?;
+        Ok(Lcp { coupling: self.coupling.clone(), scale: self.scale, ..plain })
+    }
+
+    /// The same problem with other bounds of the rows that are not coupled.
+    ///
+    /// # Errors
+    /// As [`Lcp::new`] and [`Lcp::with_coupling`].
+    pub fn with_bounds(&self, lo: Vec<f64>, hi: Vec<f64>) -> Result<Lcp> {
+        let mut defects = Defects::default();
+        for (name, values) in [("lo", &lo), ("hi", &hi)] {
+            check_length(name, values, self.len(), &mut defects);
+        }
+        for (i, (lo, hi)) in lo.iter().zip(&hi).enumerate() {
+            check_bounds(i, *lo, *hi, &mut defects);
+        }
+        defects.into_result("problem")?;
+        let plain = Lcp { lo, hi, coupling: None, ..self.clone() };
+        match &self.coupling {
+            Some(coupling) => plain.with_coupling(coupling.clone()),
+            None => Ok(plain),
+        }
+    }
+
+    /// The problem of these rows alone, in this order; all other x are 0. A friction row whose
+    /// normal row is not one of them has no bounds.
+    ///
+    /// ```
+    /// use lcplab_problem::{Lcp, Matrix};
+    ///
+    /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 3.0]);
+    /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+    /// assert_eq!(lcp.part(&[1]).w(&[1.0]), [5.0]); // 3 · 1 + 2
+    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    /// If a row does not exist.
+    pub fn part(&self, rows: &[usize]) -> Lcp {
+        let of = |values: &[f64]| rows.iter().map(|&i| values[i]).collect::<Vec<f64>>();
+        let mut places = vec![None; self.len()];
+        rows.iter().enumerate().for_each(|(k, &i)| places[i] = Some(k));
+        let entries = |(k, &i): (usize, &usize)| {
+            let row = self.matrix.row(i);
+            row.iter().filter_map(|(j, a)| Some((k, places[j]?, a))).collect::<Vec<_>>()
+        };
+        let entries: Vec<_> = rows.iter().enumerate().flat_map(entries).collect();
+        Lcp {
+            matrix: Arc::new(Matrix::sparse(rows.len(), &entries)),
+            b: of(&self.b),
+            lo: of(&self.lo),
+            hi: of(&self.hi),
+            coupling: self
+                .coupling
+                .as_ref()
+                .map(|coupling| coupling.part(rows, &places))
+                .filter(|coupling| !coupling.is_empty()),
+            scale: self.scale,
+        }
+    }
+
     /// The same b and bounds with each diagonal entry of A increased by this fraction of itself:
     /// every row becomes slightly compliant.
     ///

@@ -15,7 +15,6 @@ use super::Problem;
 use crate::assembly::{Row, Source};
 use crate::constraint::Bounds;
 use crate::scene::Scene;
-use lcplab_problem::Coupling;
 use lcplab_problem::error::Result;
 
 /// The slip, relative to that which static friction could stop, above which a contact slips.
@@ -65,15 +64,13 @@ impl Problem {
     /// The problem with other coefficients of friction, computed from the normal row, the row and
     /// the old coefficient.
     fn with_friction(mut self, own: impl Fn(usize, &Row, f64) -> f64) -> Result<Self> {
-        let mut index = vec![None; self.lcp.len()];
-        let mut coefficients = vec![0.0; self.lcp.len()];
-        for (t, row) in self.assembly.rows.iter_mut().enumerate() {
-            let Some((normal, mu)) = self.lcp.coupled_to(t) else { continue };
-            let mu = own(normal, row, mu);
-            (index[t], coefficients[t]) = (Some(normal), mu);
-            row.bounds = Bounds::Friction { normal, mu };
+        let Some(coupling) = self.lcp.coupling() else { return Ok(self) };
+        let rows = &mut self.assembly.rows;
+        let coupling = coupling.with_mu(|t, normal, mu| own(normal, &rows[t], mu))?;
+        for (t, normal) in coupling.rows() {
+            rows[t].bounds = Bounds::Friction { normal, mu: coupling.mu(t) };
         }
-        self.lcp = self.lcp.with_coupling(Coupling::new(index, coefficients)?)?;
+        self.lcp = self.lcp.with_coupling(coupling)?;
         Ok(self)
     }
 }

@@ -96,13 +96,7 @@ fn rays(lcp: &Lcp) -> Option<(Exact, Vec<Point>)> {
     let zero = |bound: &f64| if bound.is_finite() { 0.0 } else { *bound };
     let (lo, hi): (Vec<f64>, Vec<f64>) =
         (lcp.lo().iter().map(zero).collect(), lcp.hi().iter().map(zero).collect());
-    let bounded = |lo: Vec<f64>, hi: Vec<f64>| {
-        let plain = Lcp::new(lcp.matrix().clone(), vec![0.0; lcp.len()], lo, hi).ok()?;
-        match lcp.coupling() {
-            Some(coupling) => plain.with_coupling(coupling.clone()).ok(),
-            None => Some(plain),
-        }
-    };
+    let bounded = |lo, hi| lcp.homogeneous().with_bounds(lo, hi).ok();
     let directions = bounded(lo.clone(), hi.clone())?;
     let cone = Exact::new(&directions);
     if Pieces::of(&directions)?.are_regular() {

@@ -68,3 +68,49 @@ fn a_coupling_of_another_size_is_refused() {
     let error = one.with_coupling(pair).unwrap_err().to_string();
     assert_eq!(error, "problem: friction_index: has 2 rows, A has 1");
 }
+
+/// A row without friction, then a contact with its normal last.
+fn with_contact() -> Lcp {
+    let rows: [&[f64]; 4] = [
+        &[9.0, 0.0, 0.0, 1.0],
+        &[0.0, 2.0, 0.5, 0.0],
+        &[0.0, 0.5, 3.0, 0.0],
+        &[1.0, 0.0, 0.0, 4.0],
+    ];
+    let lcp = boxed(&rows, &[1.0, 2.0, 3.0, 4.0], &[-5.0, -INF, -INF, 0.0], &[5.0, INF, INF, INF]);
+    let index = vec![None, Some(3), Some(3), None];
+    let coupling = Coupling::new(index, vec![0.0, 0.25, 0.25, 0.0]).unwrap();
+    lcp.with_coupling(coupling).unwrap().with_scale(1e-3).unwrap()
+}
+
+#[test]
+fn a_part_keeps_the_entries_the_contact_and_the_scale_of_its_rows() {
+    let part = with_contact().part(&[3, 1, 2]);
+    assert_eq!(part.w(&[1.0, 1.0, 1.0]), [8.0, 4.5, 6.5]);
+    assert_eq!(part.bounds(2, &[8.0, 0.0, 0.0]), (-2.0, 2.0));
+    assert_eq!(part.contacts().iter().map(|own| own.rows).collect::<Vec<_>>(), [[0, 1, 2]]);
+    assert_eq!(part.scale(), 1e-3);
+}
+
+#[test]
+fn a_friction_row_without_its_normal_row_is_free() {
+    let part = with_contact().part(&[1, 2]);
+    assert_eq!(part.bounds(0, &[0.0, 0.0]), (-INF, INF));
+    assert!(part.coupling().is_none() && part.contacts().is_empty());
+}
+
+#[test]
+fn other_numbers_leave_the_contact_and_the_scale() {
+    let lcp = with_contact();
+    let matrix = lcp.with_matrix(Matrix::dense(4, &[1.0; 16])).unwrap();
+    assert_eq!(matrix.w(&[1.0; 4]), [5.0, 6.0, 7.0, 8.0]);
+    let bounds = lcp.with_bounds(vec![0.0, -INF, -INF, 0.0], vec![INF; 4]).unwrap();
+    assert_eq!(bounds.bounds(0, &[0.0; 4]), (0.0, INF));
+    let mu = lcp.coupling().unwrap().with_mu(|t, normal, mu| mu * (t + normal) as f64).unwrap();
+    assert_eq!([mu.mu(1), mu.mu(2)], [1.0, 1.25]);
+    for other in [matrix, bounds] {
+        assert_eq!((other.contacts(), other.scale()), (lcp.contacts(), 1e-3));
+    }
+    // The limit of friction would not be of this contact: its normal force could pull.
+    assert!(lcp.with_bounds(vec![-1.0, -INF, -INF, -1.0], vec![INF; 4]).is_err());
+}

@@ -52,7 +52,7 @@ pub(super) fn made_definite(lcp: &Lcp) -> Option<(Lcp, f64)> {
             (i, j) => symmetric(i, j),
         };
         let entries: Vec<f64> = (0..n * n).map(entry).collect();
-        with_matrix(lcp, Matrix::dense(n, &entries))
+        lcp.with_matrix(Matrix::dense(n, &entries)).ok()
     };
     let least = least_eigenvalue(&with_diagonal(0.0)?)?;
     if least < -ROUNDING {
@@ -62,14 +62,4 @@ pub(super) fn made_definite(lcp: &Lcp) -> Option<(Lcp, f64)> {
         let lcp = with_diagonal(part)?;
         is_of(MatrixClass::Definite, &lcp).then_some((lcp, part))
     })
-}
-
-/// The problem with another A.
-fn with_matrix(lcp: &Lcp, matrix: Matrix) -> Option<Lcp> {
-    let (b, lo, hi) = (lcp.b().to_vec(), lcp.lo().to_vec(), lcp.hi().to_vec());
-    let new = Lcp::new(matrix, b, lo, hi).ok()?.with_scale(lcp.scale()).ok()?;
-    match lcp.coupling() {
-        Some(coupling) => new.with_coupling(coupling.clone()).ok(),
-        None => Some(new),
-    }
 }

@@ -33,8 +33,7 @@ pub(super) fn changed_problems(lcp: &Lcp) -> Vec<Changed> {
         lcp.with_b(negative(lcp.b())).ok(),
     ));
     if !lcp.matrix().is_symmetric() {
-        let bounds = (lcp.lo().to_vec(), lcp.hi().to_vec());
-        let lcp = with(lcp, transposed(lcp.matrix()), bounds);
+        let lcp = lcp.with_matrix(transposed(lcp.matrix())).ok();
         all.extend(Changed::new(MistakeKind::Transposed, "A transposed", lcp));
     }
     all.extend(without_side(lcp));
@@ -46,7 +45,7 @@ pub(super) fn changed_problems(lcp: &Lcp) -> Vec<Changed> {
         all.extend(Changed::new(
             MistakeKind::SignOfBounds,
             "bounds with the opposite sign, so that contacts pull",
-            with(lcp, lcp.matrix().clone(), bounds),
+            lcp.with_bounds(bounds.0, bounds.1).ok(),
         ));
     }
     if lcp.len() <= MOST_ROWS {
@@ -75,8 +74,7 @@ pub(super) fn compliant(lcp: &Lcp, x: &[f64]) -> Option<(f64, Lcp)> {
     let n = lcp.len();
     let all = (0..n).flat_map(|i| lcp.matrix().row(i).iter().map(move |(j, a)| (i, j, a)));
     let entries: Vec<_> = all.chain((0..n).map(|i| (i, i, softness))).collect();
-    let bounds = (lcp.lo().to_vec(), lcp.hi().to_vec());
-    Some((softness, with(lcp, Matrix::sparse(n, &entries), bounds)?))
+    Some((softness, lcp.with_matrix(Matrix::sparse(n, &entries)).ok()?))
 }
 
 /// b times the positive factor that brings the solution nearest to x. The factor can be computed
@@ -138,7 +136,7 @@ pub(super) fn with_factor_of_mu(lcp: &Lcp, x: &[f64]) -> Option<(f64, Lcp)> {
     };
     let factor = coupling.rows().filter_map(used).fold(0.0, f64::max);
     let is_factor = factor > 0.0 && factor.is_finite() && (factor - 1.0).abs() > NO_FACTOR;
-    let changed = is_factor.then(|| recoupled(lcp, |_, k| k, |mu| factor * mu))??;
+    let changed = is_factor.then(|| with_mu(lcp, |mu| factor * mu))??;
     Some((factor, changed))
 }
 
@@ -179,9 +177,9 @@ fn changed_coupling(lcp: &Lcp) -> Vec<Changed> {
     let count = normals.len();
     let other = |by: usize| {
         let of = |k: usize| normals.iter().position(|&own| own == k).map(|at| (at + by) % count);
-        recoupled(lcp, |_, k| of(k).map_or(k, |at| normals[at]), |mu| mu)
+        with_normals(lcp, |k| of(k).map_or(k, |at| normals[at]))
     };
-    let squared = recoupled(lcp, |_, k| k, |mu| mu * mu);
+    let squared = with_mu(lcp, |mu| mu * mu);
     let mut all = vec![Changed::new(MistakeKind::FactorOfMu, "μ squared", squared)];
     if count > 1 {
         let what = "friction limited by the normal force of the next contact";
@@ -192,18 +190,18 @@ fn changed_coupling(lcp: &Lcp) -> Vec<Changed> {
     all.into_iter().flatten().collect()
 }
 
-/// The problem with other normal rows and other μ.
-fn recoupled(
-    lcp: &Lcp,
-    normal: impl Fn(usize, usize) -> usize,
-    mu: impl Fn(f64) -> f64,
-) -> Option<Lcp> {
+/// The problem with other coefficients of friction.
+fn with_mu(lcp: &Lcp, mu: impl Fn(f64) -> f64) -> Option<Lcp> {
+    let coupling = lcp.coupling()?.with_mu(|_, _, own| mu(own)).ok()?;
+    lcp.clone().with_coupling(coupling).ok()
+}
+
+/// The problem with friction limited by other normal rows.
+fn with_normals(lcp: &Lcp, normal: impl Fn(usize) -> usize) -> Option<Lcp> {
     let coupling = lcp.coupling()?;
-    let index = (0..lcp.len()).map(|i| coupling.index(i).map(|k| normal(i, k))).collect();
-    let mu = (0..lcp.len()).map(|i| mu(coupling.mu(i))).collect();
-    let bounds = (lcp.lo().to_vec(), lcp.hi().to_vec());
-    let plain = Lcp::new(lcp.matrix().clone(), lcp.b().to_vec(), bounds.0, bounds.1).ok()?;
-    plain.with_coupling(Coupling::new(index, mu).ok()?).ok()
+    let index = (0..lcp.len()).map(|i| coupling.index(i).map(&normal)).collect();
+    let mu = (0..lcp.len()).map(|i| coupling.mu(i)).collect();
+    lcp.clone().with_coupling(Coupling::new(index, mu).ok()?).ok()
 }
 
 /// Without all lower or all upper bounds, if some are finite.
@@ -216,7 +214,7 @@ fn without_side(lcp: &Lcp) -> Vec<Changed> {
         ("lower bounds not applied", is_bounded(&lo), (none, hi.clone())),
         ("upper bounds not applied", is_bounded(&hi), (lo.clone(), all)),
     ] {
-        let changed = is_there.then(|| with(lcp, lcp.matrix().clone(), bounds)).flatten();
+        let changed = is_there.then(|| lcp.with_bounds(bounds.0, bounds.1).ok()).flatten();
         found.extend(Changed::new(MistakeKind::MissingBound, what, changed));
     }
     found
@@ -233,7 +231,7 @@ fn without_row(lcp: &Lcp, i: usize) -> Option<Changed> {
         true => format!("the contact of row {i} left out"),
         false => format!("row {i} left out"),
     };
-    Changed::new(MistakeKind::ContactLeftOut, what, with(lcp, lcp.matrix().clone(), (lo, hi)))
+    Changed::new(MistakeKind::ContactLeftOut, what, lcp.with_bounds(lo, hi).ok())
 }
 
 /// Row i as an equation.
@@ -243,8 +241,8 @@ fn without_bounds(lcp: &Lcp, i: usize) -> Option<Changed> {
         return None;
     }
     (lo[i], hi[i]) = (f64::NEG_INFINITY, f64::INFINITY);
-    let changed = with(lcp, lcp.matrix().clone(), (lo, hi));
-    Changed::new(MistakeKind::UnboundedRow, format!("row {i} without its bounds"), changed)
+    let what = format!("row {i} without its bounds");
+    Changed::new(MistakeKind::UnboundedRow, what, lcp.with_bounds(lo, hi).ok())
 }
 
 fn negative(v: &[f64]) -> Vec<f64> {
@@ -255,13 +253,4 @@ fn transposed(matrix: &Matrix) -> Matrix {
     let entries: Vec<(usize, usize, f64)> =
         (0..matrix.len()).flat_map(|i| matrix.row(i).iter().map(move |(j, a)| (j, i, a))).collect();
     Matrix::sparse(matrix.len(), &entries)
-}
-
-/// The problem with another matrix and other bounds.
-fn with(lcp: &Lcp, matrix: Matrix, (lo, hi): (Vec<f64>, Vec<f64>)) -> Option<Lcp> {
-    let plain = Lcp::new(matrix, lcp.b().to_vec(), lo, hi).ok()?;
-    match lcp.coupling() {
-        Some(coupling) => plain.with_coupling(coupling.clone()).ok(),
-        None => Some(plain),
-    }
 }

@@ -164,8 +164,7 @@ impl Frame {
             rows.iter().for_each(|&i| bounds[i] *= part);
             bounds
         };
-        let (lo, hi) = (scaled(self.lcp.lo()), scaled(self.lcp.hi()));
-        self.with(self.lcp.matrix().clone(), self.lcp.b().to_vec(), lo, hi)
+        self.lcp.with_bounds(scaled(self.lcp.lo()), scaled(self.lcp.hi())).ok()
     }
 
     /// The pairs of bodies between which these rows act.
@@ -174,19 +173,9 @@ impl Frame {
         pairs.map(|pair| pair.name.clone()).collect()
     }
 
-    /// A problem with the bounds of this one.
+    /// A problem with the bounds, the friction and the scale of this one.
     fn with_rows(&self, matrix: Matrix, b: Vec<f64>) -> Option<Lcp> {
-        self.with(matrix, b, self.lcp.lo().to_vec(), self.lcp.hi().to_vec())
-    }
-
-    /// A problem with the coupling and the scale of this one.
-    fn with(&self, matrix: Matrix, b: Vec<f64>, lo: Vec<f64>, hi: Vec<f64>) -> Option<Lcp> {
-        let lcp = Lcp::new(matrix, b, lo, hi);
-        let lcp = lcp.and_then(|lcp| lcp.with_scale(self.lcp.scale())).ok()?;
-        match self.lcp.coupling() {
-            Some(coupling) => lcp.with_coupling(coupling.clone()).ok(),
-            None => Some(lcp),
-        }
+        self.lcp.with_matrix(matrix).ok()?.with_b(b).ok()
     }
 
     /// For each body, those that share a row with it.
