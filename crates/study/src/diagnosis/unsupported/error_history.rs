@@ -3,10 +3,11 @@
 use lcplab_solver::{Order, Pgs};
 use serde::{Deserialize, Serialize};
 
-use super::examine::{GOOD, UserSolver};
+use super::examine::UserSolver;
 use super::frame::Frame;
 use super::linear::{Linear, SweepParameters};
 use super::reference::{ReferenceSolution, start};
+use super::thresholds::GOOD;
 
 /// A course has this many times the number of sweeps used in practice, and at least a minimum.
 const LONGER: usize = 4;

@@ -5,22 +5,17 @@ use lcplab_page::number::readable;
 use serde_json::{Value, json};
 
 use super::cause::Moving;
-use super::examine::{HEALTHY, UnsupportedLoad};
+use super::examine::UnsupportedLoad;
 use super::frame::Frame;
 use super::remedy::RemedyEffect;
 use super::show::percent;
+use super::thresholds::{HEALTHY, LARGE_PART, REPORTED_DEPTH};
 
 /// Significant digits of measured values.
 const DIGITS: usize = 2;
 
-/// A depth (m) from which sinking is reported.
-const WORTH: f64 = 1e-6;
-
 /// Number of steps shown.
 const STEPS: usize = 5;
-
-/// An error above this fraction of the largest counts as a large part of it.
-const GOOD_PART: f64 = 0.25;
 
 /// The text if nothing is wrong.
 const HEALTHY_WORDS: &str = "No cause of errors was found.";
@@ -58,7 +53,7 @@ pub struct StepSummary {
 pub(crate) fn first_bad_step(notes: &[StepSummary]) -> usize {
     let most = notes.iter().filter_map(|note| note.missing).fold(HEALTHY, f64::max);
     let is_bad =
-        |note: &StepSummary| note.missing.is_some_and(|missing| missing >= GOOD_PART * most);
+        |note: &StepSummary| note.missing.is_some_and(|missing| missing >= LARGE_PART * most);
     notes.iter().position(is_bad).unwrap_or(0)
 }
 
@@ -165,7 +160,7 @@ impl Examination {
                 "No LCP was solved in these steps, so the solver has no influence.".into()
             }
         };
-        let deep = self.sunk.as_ref().filter(|(_, depth)| *depth > WORTH);
+        let deep = self.sunk.as_ref().filter(|(_, depth)| *depth > REPORTED_DEPTH);
         if let (Some((body, depth)), Some(time)) = (deep, self.time) {
             words += &format!(
                 " After {} s {body} is {} m lower than with exact answers.",

@@ -1,43 +1,17 @@
 //! The examination of one solve.
 
-use lcplab_problem::{Lcp, merit};
+use lcplab_problem::merit;
 use lcplab_solver::{
-    Entry, Group, Options, Order, Pgs, Solution, Solver, Start, Status, by_name, entry,
+    Entry, Group, Options, Order, Solution, Solver, Start, Status, by_name, entry,
 };
 
-use super::cause::{Moving, Slow, Without};
+use super::cause::{Moving, Slow};
 use super::frame::{Body, Frame};
 use super::linear::{Linear, Slowest, SweepParameters};
 use super::reference::ReferenceSolution;
-use super::remedy::{Remedy, remedies, sweeps_to};
-use crate::diagnosis::find_mistakes;
-use lcplab_problem::friction::ProblemForm;
-
-/// An error below this fraction is negligible.
-pub const HEALTHY: f64 = 0.01;
-
-/// The error of a good answer, for counting sweeps.
-pub const GOOD: f64 = 1e-3;
-
-/// A cause must reduce the number of sweeps by at least this factor when removed.
-const LARGE_FACTOR: f64 = 2.0;
-
-/// It must also explain this part of the error.
-const WORTH: f64 = 0.1;
-
-/// A cause that explains this part of the error explains most of it.
-const MOST: f64 = 0.5;
-
-/// The factor on motor limits for testing the effect of strong motors.
-const WEAK: f64 = 0.01;
-
-/// A solver whose error is this many times that of plain Gauss-Seidel after the same number of
-/// sweeps is suspected.
-const WORSE: f64 = 2.0;
-
-/// Maximum number of sweeps, and of multiplications, for counting sweeps.
-const MOST_SWEEPS: usize = 20_000;
-const MULTIPLICATIONS: usize = 10_000_000;
+use super::remedy::{Remedy, remedies};
+use super::slow::{Case, MOST_SWEEPS};
+use super::thresholds::HEALTHY;
 
 /// How the user solves a problem.
 #[derive(Clone)]
@@ -196,16 +170,15 @@ pub fn examine(
     };
     found.loads(frame, &reference.exact);
     if reference.is_needed() && found.is_short() {
-        let case = Case { frame, user_solver, reference: &reference, linear: &linear };
-        let suspected = case.solver(&found, start);
-        let plain = UserSolver { entry: *entry("pgs").ok()?, options: user_solver.options.clone() };
-        match suspected {
-            None => case.explain(&mut found, start, missing),
+        let case = Case { frame, user_solver, reference: &reference, linear: &linear, from: start };
+        match case.solver(&found) {
+            None => case.explain(&mut found, missing),
             Some((cause, left)) => {
                 found.causes.push(cause);
                 if left > HEALTHY {
                     // The scene is responsible only for the error of plain sweeps.
-                    Case { user_solver: &plain, ..case }.explain(&mut found, start, left);
+                    let plain = UserSolver { entry: *entry("pgs").ok()?, ..user_solver.clone() };
+                    Case { user_solver: &plain, ..case }.explain(&mut found, left);
                 }
             }
         }
@@ -269,192 +242,5 @@ impl UnsupportedLoad {
             self.pairs.extend((load.due > HEALTHY * due).then_some(load));
         }
         self.pairs.sort_by(|a, b| (b.due - b.given).total_cmp(&(a.due - a.given)));
-    }
-}
-
-#[derive(Clone, Copy)]
-struct Case<'a> {
-    frame: &'a Frame,
-    user_solver: &'a UserSolver,
-    reference: &'a ReferenceSolution<'a>,
-    linear: &'a Linear<'a>,
-}
-
-impl Case<'_> {
-    fn most(&self) -> usize {
-        MOST_SWEEPS.min(MULTIPLICATIONS / (1 + self.frame.lcp.matrix().stored()))
-    }
-
-    /// For a changed problem, with the effect of gravity `weight`: the number of sweeps that it
-    /// needs, and the error if it is solved like the original.
-    fn changed(&self, lcp: &Lcp, weight: f64) -> Option<[f64; 2]> {
-        let reference = ReferenceSolution::new(lcp, weight)?;
-        if !reference.is_needed() {
-            return Some([1.0, 0.0]);
-        }
-        let needed = sweeps_to(lcp, &reference, Order::Natural, GOOD, self.most()).0;
-        let solution = self.user_solver.solver().solve(lcp, &Start::default(), &mut ());
-        Some([needed.max(1.0), reference.missing(&solution.x)])
-    }
-
-    /// Adds the causes of slow sweeps; `missing` is the error after the user's number of sweeps.
-    fn explain(&self, found: &mut UnsupportedLoad, from: Option<&[f64]>, missing: f64) {
-        let lcp = &self.frame.lcp;
-        let zero = super::reference::start(lcp);
-        found.slowest = self.linear.slowest(&zero, GOOD, self.most());
-        let Some(slowest) = &found.slowest else { return };
-        let (needed, is_done) = sweeps_to(lcp, self.reference, Order::Natural, GOOD, self.most());
-        found.sweeps = Some((needed, is_done));
-        let speeds = self.frame.speeds(&slowest.forces);
-        let speed = |k: &usize| speeds[*k];
-        let movers = || 0..self.frame.bodies.len();
-        let mover = movers().max_by(|a, b| speed(a).total_cmp(&speed(b)));
-        found.mover = mover.map(|k| self.frame.bodies[k].name.clone());
-        let mut causes: Vec<(Without, Slow)> = Vec::new();
-        causes.extend(self.masses_and_height([needed, missing], mover, &speed));
-        causes.extend(self.motors([needed, missing]));
-        if self.user_solver.is_sweep() {
-            causes.extend(self.order());
-        }
-        causes.extend(from.and_then(|_| self.stale(missing)));
-        let is_bad = |own: &Without| own.factor >= LARGE_FACTOR && own.share() >= WORTH * missing;
-        causes.retain(|(without, _)| is_bad(without));
-        // Of the causes that each explain most of the error alone, the one that is removed most
-        // easily comes first.
-        let explains = |own: &Without| own.share() >= MOST * missing;
-        let place = |(without, cause): &(Without, Slow)| match explains(without) {
-            true => (cause.ease(), 0.0),
-            false => (usize::MAX, -without.share()),
-        };
-        causes.sort_by(|a, b| {
-            let (a, b) = (place(a), place(b));
-            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
-        });
-        found.causes.extend(causes.into_iter().map(|(_, cause)| cause));
-        // A method without sweeps that gave up is not slow.
-        let is_slow = self.user_solver.is_sweep() || matches!(found.status, Status::IterationLimit);
-        if found.causes.is_empty() && is_slow {
-            found.causes.push(Slow::Other);
-        }
-    }
-
-    /// The solver as a cause, if plain Gauss-Seidel has a much smaller error after the same number
-    /// of sweeps; with the error of plain Gauss-Seidel.
-    fn solver(&self, found: &UnsupportedLoad, from: Option<&[f64]>) -> Option<(Slow, f64)> {
-        let UserSolver { entry, options } = self.user_solver;
-        if entry.group != Group::Plugin {
-            // Solvers of the library are tested; some of them are slower than sweeps.
-            return None;
-        }
-        let start = from.map_or_else(Start::default, Start::at);
-        let pgs = Pgs { settings: options.settings.clone(), ..Pgs::default() };
-        let plain = pgs.solve(&self.frame.lcp, &start, &mut ());
-        let left = self.reference.missing(&plain.x);
-        let is_worse = !(found.missing < WORSE * left || found.missing - left < HEALTHY);
-        is_worse.then(|| {
-            let refusal = match &found.status {
-                Status::NoAnswer { .. } | Status::OutsideClass { .. } => {
-                    Some(found.status.to_string())
-                }
-                _ => None,
-            };
-            let mistakes = match &refusal {
-                Some(_) => Vec::new(),
-                None => {
-                    find_mistakes(&ProblemForm::Boxed(self.frame.lcp.clone()), &found.x, from)
-                        .mistakes
-                }
-            };
-            let (sweeps, with) = (plain.iterations, found.missing);
-            (Slow::Solver { sweeps, with, plain: left, refusal, mistakes }, left)
-        })
-    }
-
-    /// The effect of equal masses, if masses are known, and then of decoupling the pairs of bodies.
-    fn masses_and_height(
-        &self,
-        own: [f64; 2],
-        mover: Option<usize>,
-        speed: &dyn Fn(&usize) -> f64,
-    ) -> Vec<(Without, Slow)> {
-        let bodies = &self.frame.bodies;
-        let mean = bodies.iter().map(|body| body.mass.ln()).sum::<f64>() / bodies.len() as f64;
-        let equal: Vec<f64> = bodies.iter().map(|body| body.mass / mean.exp()).collect();
-        let lcp = self.frame.with_mobility(&equal);
-        let weight = match &lcp {
-            Some(_) => self.frame.weight(|k| 1.0 / equal[k]),
-            None => self.frame.weight(|_| 1.0),
-        };
-        let mut causes = Vec::new();
-        let mut alike = own;
-        if let (Some(lcp), Some(mover)) = (&lcp, mover) {
-            alike = self.changed(lcp, weight).unwrap_or(own);
-            causes.push(self.masses(own, alike, mover, speed));
-        }
-        let apart = self.frame.by_pairs(lcp.as_ref().unwrap_or(&self.frame.lcp));
-        if let Some(left) = apart.and_then(|apart| self.changed(&apart, weight)) {
-            // An error that is not there now cannot be caused by it.
-            let with = alike[1].min(own[1]);
-            let without = Without { factor: alike[0] / left[0], with, without: left[1] };
-            let bodies = mover.filter(|_| lcp.is_some()).map(|mover| self.frame.diameter(mover));
-            causes.push((without, Slow::Tall { bodies, without }));
-        }
-        causes
-    }
-
-    fn masses(
-        &self,
-        [needed, missing]: [f64; 2],
-        alike: [f64; 2],
-        mover: usize,
-        speed: &dyn Fn(&usize) -> f64,
-    ) -> (Without, Slow) {
-        let largest = speed(&mover);
-        let bodies = &self.frame.bodies;
-        let moving =
-            || (0..bodies.len()).filter(|k| speed(k) > HEALTHY * largest).map(|k| &bodies[k]);
-        let by_mass = |a: &&Body, b: &&Body| a.mass.total_cmp(&b.mass);
-        let named = |body: Option<&Body>| {
-            body.map_or_else(Default::default, |body| (body.name.clone(), body.mass))
-        };
-        let without = Without { factor: needed / alike[0], with: missing, without: alike[1] };
-        let heavy = named(moving().max_by(by_mass));
-        let light = named(moving().min_by(by_mass));
-        (without, Slow::MassRatio { heavy, light, without })
-    }
-
-    /// The effect of motors at their limits.
-    fn motors(&self, [needed, missing]: [f64; 2]) -> Option<(Without, Slow)> {
-        let rows = self.reference.motors_at_limits();
-        if rows.is_empty() {
-            return None;
-        }
-        let weak = self.frame.with_efforts(&rows, WEAK)?;
-        let [fewer, without] = self.changed(&weak, self.frame.weight(|_| 1.0))?;
-        let without = Without { factor: needed / fewer, with: missing, without };
-        Some((without, Slow::Motors { between: self.frame.between(&rows), without }))
-    }
-
-    /// The effect of the other order. Asymptotically it is no faster (a chain has the same
-    /// eigenvalues both ways): it matters in the first sweeps, as many as bodies on the path of an
-    /// impulse.
-    fn order(&self) -> Option<(Without, Slow)> {
-        let lcp = &self.frame.lcp;
-        let mut reversed = self.user_solver.clone();
-        reversed.options.order = Order::Reverse;
-        let run = |user_solver: &UserSolver| {
-            let solution = user_solver.solver().solve(lcp, &Start::default(), &mut ());
-            self.reference.missing(&solution.x)
-        };
-        let (with, without) = (run(self.user_solver), run(&reversed));
-        let without = Without { factor: with / without, with, without };
-        Some((without, Slow::Order { without }))
-    }
-
-    fn stale(&self, missing: f64) -> Option<(Without, Slow)> {
-        let solution = self.user_solver.solver().solve(&self.frame.lcp, &Start::default(), &mut ());
-        let left = self.reference.missing(&solution.x);
-        let without = Without { factor: missing / left, with: missing, without: left };
-        Some((without, Slow::Stale { without }))
     }
 }

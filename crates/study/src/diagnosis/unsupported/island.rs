@@ -3,14 +3,11 @@
 //! An error is measured relative to the effect of all constraints. If one part is driven hard, its
 //! effect hides the error of another part, so that each part is measured by itself too.
 
-use lcplab_problem::{Coupling, Gauss, Lcp, Matrix};
+use lcplab_problem::{Gauss, Lcp};
 
-use super::examine::HEALTHY;
 use super::frame::{Body, Frame, Pair};
 use super::reference::ReferenceSolution;
-
-/// The error of a part is hidden if it is larger than that of the whole by this factor.
-const HIDDEN: f64 = 1.1;
+use super::thresholds::{HEALTHY, HIDDEN};
 
 /// A part of a frame.
 pub(super) struct Island {
@@ -26,14 +23,13 @@ impl Island {
     }
 }
 
-/// The parts of a frame; none if all rows are connected, or a part cannot be stated alone.
+/// The parts of a frame; none if all rows are connected.
 pub(super) fn islands(frame: &Frame) -> Vec<Island> {
     let groups = groups(&frame.lcp);
     if groups.len() < 2 {
         return Vec::new();
     }
-    let island = |rows: Vec<usize>| Some(Island { frame: part(frame, &rows)?, rows });
-    groups.into_iter().map(island).collect::<Option<_>>().unwrap_or_default()
+    groups.into_iter().map(|rows| Island { frame: part(frame, &rows), rows }).collect()
 }
 
 /// The part with the largest error of x, and that error, among those whose constraints have an
@@ -112,7 +108,7 @@ fn groups(lcp: &Lcp) -> Vec<Vec<usize>> {
 }
 
 /// The frame of these rows, which no other row is connected with, and of the bodies they act on.
-fn part(frame: &Frame, rows: &[usize]) -> Option<Frame> {
+fn part(frame: &Frame, rows: &[usize]) -> Frame {
     let of = |values: &[f64]| rows.iter().map(|&i| values[i]).collect::<Vec<f64>>();
     let motion = frame.motion.as_ref().map(|motion| Gauss {
         jacobian: rows.iter().map(|&i| motion.jacobian[i].clone()).collect(),
@@ -130,34 +126,14 @@ fn part(frame: &Frame, rows: &[usize]) -> Option<Frame> {
         (!own.is_empty()).then(|| Pair { name: pair.name.clone(), rows: own })
     };
     let pairs: Vec<Pair> = frame.pairs.iter().filter_map(pair).collect();
-    Some(Frame {
+    Frame {
         part: Some(named(&bodies, &pairs)),
-        lcp: problem(&frame.lcp, rows)?,
+        lcp: frame.lcp.part(rows),
         pairs,
         bodies: bodies.into_iter().cloned().collect(),
         motion,
         ..frame.clone()
-    })
-}
-
-/// The problem of these rows.
-fn problem(lcp: &Lcp, rows: &[usize]) -> Option<Lcp> {
-    let of = |values: &[f64]| rows.iter().map(|&i| values[i]).collect::<Vec<f64>>();
-    let entries: Vec<(usize, usize, f64)> = rows
-        .iter()
-        .enumerate()
-        .flat_map(|(k, &i)| {
-            let entries = lcp.matrix().row(i);
-            entries.iter().filter_map(move |(j, a)| Some((k, position(rows, j)?, a)))
-        })
-        .collect();
-    let matrix = Matrix::sparse(rows.len(), &entries);
-    let alone = Lcp::new(matrix, of(lcp.b()), of(lcp.lo()), of(lcp.hi())).ok()?;
-    let alone = alone.with_scale(lcp.scale()).ok()?;
-    let Some(coupling) = lcp.coupling() else { return Some(alone) };
-    let index = rows.iter().map(|&i| coupling.index(i).and_then(|k| position(rows, k))).collect();
-    let mu = rows.iter().map(|&i| coupling.mu(i)).collect();
-    alone.with_coupling(Coupling::new(index, mu).ok()?).ok()
+    }
 }
 
 /// The place of a row among sorted rows.

@@ -14,6 +14,8 @@ mod examine;
 mod frame;
 mod island;
 mod linear;
+#[cfg(feature = "mechanics")]
+mod moving;
 mod reference;
 mod remedy;
 #[cfg(feature = "mechanics")]
@@ -22,13 +24,14 @@ mod remedy_effect;
 mod run;
 mod sequence;
 mod show;
-#[cfg(feature = "mechanics")]
+mod slow;
 mod suspect;
+mod thresholds;
 
 pub use cause::{Moving, Slow, Without};
 pub use error_history::{ErrorHistory, error_histories};
 pub use examination::{Examination, StepSummary};
-pub use examine::{GOOD, HEALTHY, Load, UnsupportedLoad, UserSolver, examine};
+pub use examine::{Load, UnsupportedLoad, UserSolver, examine};
 pub use frame::{Body, Frame, Pair};
 pub use linear::{Linear, Slowest, SweepParameters};
 pub use reference::ReferenceSolution;
@@ -36,3 +39,4 @@ pub use remedy::{Remedy, RemedyEffect};
 #[cfg(feature = "mechanics")]
 pub use run::{exact, examine_scene, main_solve, user_solver};
 pub use sequence::examine_sequence;
+pub use thresholds::{GOOD, HEALTHY};

@@ -27,8 +27,8 @@ use lcplab_judge::{Demand, judge};
 use lcplab_problem::Lcp;
 use lcplab_solver::{Iterate, Observer, Options, Settings, Solver, Start, by_name};
 
-use super::examine::HEALTHY;
 use super::frame::Frame;
+use super::thresholds::HEALTHY;
 
 /// The scaled residual of a reference solution.
 const TOLERANCE: f64 = 1e-8;

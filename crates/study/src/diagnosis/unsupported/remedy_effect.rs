@@ -8,9 +8,10 @@ use lcplab_solver::Group;
 
 use super::cause::Slow;
 use super::examination::Examination;
+use super::moving::apart;
 use super::remedy::{METHODS, RemedyEffect};
 use super::run::{End, end_of};
-use super::suspect::apart;
+use super::thresholds::CREDIBLE;
 
 /// The number of parts into which a step is divided.
 const PARTS: usize = 8;
@@ -103,7 +104,7 @@ impl Examination {
             self.remedy_effects.iter().find(|remedy_effect| remedy_effect.what == what)
         };
         let (Some(own), Some(cold)) = (of(UNCHANGED), of(COLD)) else { return };
-        let helps = cold.missing < 0.5 * own.missing;
+        let helps = cold.missing < CREDIBLE * own.missing;
         let Some(found) = self.unsupported.as_mut().filter(|_| !helps) else { return };
         let before = found.causes.len();
         found.causes.retain(|cause| !matches!(cause, Slow::Stale { .. }));

@@ -11,12 +11,13 @@ use lcplab_problem::{Lcp, merit};
 use lcplab_solver::Status;
 
 use super::examination::{Examination, StepSummary, first_bad_step};
-use super::examine::{HEALTHY, UserSolver, examine};
+use super::examine::{UserSolver, examine};
 use super::frame::Frame;
 use super::island::{worst, worst_part};
+use super::moving::causes;
 use super::reference::{ReferenceSolution, is_accepted};
 use super::remedy_effect::remedy_effects;
-use super::suspect::causes;
+use super::thresholds::{HEALTHY, REPORTED_LENGTH};
 
 /// The duration of a run (s), or that of the scene if it is shorter.
 const TIME: f64 = 1.0;
@@ -29,10 +30,6 @@ const LARGEST: usize = 300;
 
 /// Number of rows above which not every step is compared.
 const EVERY_STEP: usize = 80;
-
-/// Position errors are reported from this fraction of the thinnest body on; energies from this
-/// fraction of the work of all weights over its thickness.
-pub(super) const WORTH: f64 = 0.01;
 
 /// Number of steps compared in a run of which only the end matters.
 const COMPARED: usize = 20;
@@ -95,7 +92,7 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
         // Exact answers are no reference for another scheme, nor if they let rows drift apart
         // themselves.
         let is_alike = is_of_impulses(scene.step.scheme);
-        if is_alike && exactly.error <= WORTH * scene.thinnest().unwrap_or(1.0) {
+        if is_alike && exactly.error <= REPORTED_LENGTH * scene.thinnest().unwrap_or(1.0) {
             found.sunk = sunk(scene, &run.end.states, &exactly.states);
         }
         let (moving, ruled_out) = causes(scene, taken, &run.end, &exactly)?;

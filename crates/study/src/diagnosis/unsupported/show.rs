@@ -7,8 +7,9 @@ use lcplab_problem::file::number;
 use serde_json::{Value, json};
 
 use super::cause::Slow;
-use super::examine::{HEALTHY, Load, UnsupportedLoad};
+use super::examine::{Load, UnsupportedLoad};
 use super::remedy::Remedy;
+use super::thresholds::HEALTHY;
 use crate::diagnosis::Mistake;
 
 /// Significant digits of measured values.

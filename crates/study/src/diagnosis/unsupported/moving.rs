@@ -1,0 +1,203 @@
+//! Causes of wrong motion although every problem is solved: the run is repeated without each
+//! suspect.
+
+use lcplab_mechanics::body::State;
+use lcplab_mechanics::scene::{Persistence, Scene, Scheme};
+use lcplab_problem::error::Result;
+use lcplab_problem::friction::{Form, Model};
+
+use super::cause::Moving;
+use super::run::{End, end_of, exact, is_of_impulses, sunk};
+use super::suspect::{Findings, Suspect, tested};
+use super::thresholds::{
+    CREDIBLE, FEEDBACK_HELPS, HEALTHY, REPORTED_LENGTH, REPORTED_SLIDE, REPORTED_YIELD,
+};
+
+/// A run, and the same with exact answers.
+struct Case<'a> {
+    scene: &'a Scene,
+    /// The number of steps.
+    count: usize,
+    own: &'a End,
+    exactly: &'a End,
+    /// The thickness (m) of the thinnest body.
+    size: f64,
+}
+
+/// The suspects of a run.
+fn suspects<'a>() -> [Suspect<Case<'a>, End, Moving>; 4] {
+    [
+        Suspect { intervention: Case::warm, measure: Case::cold_start, is_last: false },
+        Suspect { intervention: Case::without_feedback, measure: Case::feedback, is_last: false },
+        // Another law of friction moves the bodies elsewhere, so nothing is said of their depth.
+        Suspect { intervention: Case::with_cone, measure: Case::friction, is_last: true },
+        Suspect { intervention: Case::rigid, measure: Case::compliance, is_last: false },
+    ]
+}
+
+/// The causes of a run of this number of steps, the strongest first, and the suspects that were
+/// ruled out.
+pub(super) fn causes(
+    scene: &Scene,
+    count: usize,
+    own: &End,
+    exactly: &End,
+) -> Result<(Vec<Moving>, Vec<String>)> {
+    let size = scene.thinnest().unwrap_or(1.0);
+    let mut found = tested(&suspects(), &Case { scene, count, own, exactly, size })?;
+    found.causes.sort_by(|a, b| b.0.total_cmp(&a.0));
+    Ok((found.causes.into_iter().map(|(_, cause)| cause).collect(), found.ruled_out))
+}
+
+impl Case<'_> {
+    /// The end of the run of a changed scene.
+    fn end(&self, scene: &Scene) -> Result<Option<End>> {
+        end_of(scene, self.count).map(Some)
+    }
+
+    /// The run with every step from the last answer, if steps start from 0 and that costs accuracy.
+    fn warm(&self) -> Result<Option<End>> {
+        let is_cold = self.scene.contact.persistence == Persistence::None;
+        if !is_cold || self.own.missing <= HEALTHY {
+            return Ok(None);
+        }
+        let mut warm = self.scene.clone();
+        warm.contact.persistence = Persistence::Features;
+        self.end(&warm)
+    }
+
+    fn cold_start(&self, warm: &End) -> Findings<Moving> {
+        let (with, without) = (self.own.missing, warm.missing);
+        match without < CREDIBLE * with {
+            true => Findings::cause(with / without, Moving::Cold { with, without }),
+            false => Findings::ruled_out("the cold start"),
+        }
+    }
+
+    fn without_feedback(&self) -> Result<Option<End>> {
+        if self.scene.step.baumgarte <= 0.0 {
+            return Ok(None);
+        }
+        let mut plain = self.scene.clone();
+        plain.step.baumgarte = 0.0;
+        self.end(&plain)
+    }
+
+    /// Feedback that adds energy, or drives rows away from their targets.
+    fn feedback(&self, plain: &End) -> Findings<Moving> {
+        let (own, exactly) = (self.own, self.exactly);
+        let [energy, length] = [self.reported_energy(), self.reported_length()];
+        let gains = own.gained > energy;
+        let errs = exactly.error > length;
+        if !gains && !errs {
+            return Findings::ruled_out("Baumgarte feedback (it adds no energy)");
+        }
+        let mut found = Findings::default();
+        let (with, without) = (own.gained, plain.gained.max(0.0));
+        if gains && without < CREDIBLE * with {
+            let exactly = exactly.gained.max(0.0);
+            let cause = Moving::Feedback { with, without, exactly };
+            found = found.and(Findings::cause(with / energy, cause));
+        }
+        let (with, without) = (own.error, plain.error);
+        if errs && with > length && without < FEEDBACK_HELPS * with {
+            found = found.and(Findings::cause(with / length, Moving::Away { with, without }));
+        }
+        found
+    }
+
+    /// The run with Coulomb's cone, if friction has another law, and the end of the run is known to
+    /// depend on that law alone.
+    fn with_cone(&self) -> Result<Option<End>> {
+        let scene = self.scene;
+        let has_friction = scene.bodies.iter().any(|body| body.friction > 0.0);
+        let is_cone = matches!(scene.contact.model.form(), Form::Cone(_));
+        if !has_friction || is_cone || self.compared_states().is_none() {
+            return Ok(None);
+        }
+        let mut round = exact(scene);
+        round.contact.model = Model::CoulombCone;
+        if round.validate().is_err() {
+            round = round.at_level(Scheme::Velocity);
+        }
+        if round.validate().is_err() { Ok(None) } else { self.end(&round) }
+    }
+
+    /// The final states that are compared with those under Coulomb's cone: with exact answers if
+    /// the scheme solves problems, otherwise its own if they contradict Coulomb's law.
+    fn compared_states(&self) -> Option<&[State]> {
+        match self.scene.step.scheme.solves_lcps() {
+            true => Some(&self.exactly.states),
+            false => self.own.slips.speed_error(self.scene).map(|_| self.own.states.as_slice()),
+        }
+    }
+
+    fn friction(&self, round: &End) -> Findings<Moving> {
+        let (scene, scheme) = (self.scene, self.scene.step.scheme);
+        let Some(states) = self.compared_states() else { return Findings::default() };
+        let (distance, way) = (apart(states, &round.states), apart(states, &scene.states));
+        let off = |k: &usize| (states[*k].pose.p - round.states[*k].pose.p).norm();
+        let farthest = (0..states.len()).max_by(|a, b| off(a).total_cmp(&off(b)));
+        let is_far = distance > self.reported_length().max(REPORTED_SLIDE * way);
+        let Some(body) = farthest.filter(|_| is_far) else {
+            return match scheme.solves_lcps() {
+                true => {
+                    Findings::ruled_out("the friction model (Coulomb's cone gives the same motion)")
+                }
+                false => Findings::default(),
+            };
+        };
+        let cause = Moving::Friction {
+            is_polygon: matches!(scene.contact.model.form(), Form::Polygon { .. }),
+            only_of: (!scheme.poses_friction()).then(|| scheme.name()),
+            body: scene.bodies[body].name.clone(),
+            distance,
+            way: (states[body].pose.p - scene.states[body].pose.p).norm(),
+        };
+        Findings::cause(distance / self.reported_length(), cause)
+    }
+
+    /// The run with rigid constraints, if the scheme's are compliant.
+    fn rigid(&self) -> Result<Option<End>> {
+        if is_of_impulses(self.scene.step.scheme) {
+            return Ok(None);
+        }
+        self.end(&exact(self.scene).at_level(Scheme::Velocity))
+    }
+
+    fn compliance(&self, rigid: &End) -> Findings<Moving> {
+        let (own, length) = (self.own, self.reported_length());
+        let yields = own.error > REPORTED_YIELD * length && own.error > rigid.error / CREDIBLE;
+        let deepest = sunk(self.scene, &own.states, &rigid.states);
+        match deepest.filter(|(_, depth)| yields && *depth > length) {
+            Some((body, depth)) => {
+                let scheme = self.scene.step.scheme.name();
+                Findings::cause(depth / length, Moving::Soft { scheme, body, depth })
+            }
+            None => Findings::default(),
+        }
+    }
+
+    /// The length (m) from which on a position error is reported.
+    fn reported_length(&self) -> f64 {
+        REPORTED_LENGTH * self.size
+    }
+
+    /// The energy (J) from which on a gain is reported: the same part of the work of all weights
+    /// over the thickness of the thinnest body; without gravity of the kinetic energy, or that of
+    /// all bodies when they move by this thickness during the run.
+    fn reported_energy(&self) -> f64 {
+        let Case { scene, own, size, .. } = self;
+        let mass: f64 = scene.bodies.iter().map(|body| body.mass.mass()).sum();
+        let weight = mass * scene.gravity.norm();
+        let speed = size / (own.steps as f64 * scene.step.dt);
+        let energy = || own.kinetic.max(0.5 * mass * speed * speed);
+        REPORTED_LENGTH * if weight > 0.0 { weight * size } else { energy() }
+    }
+}
+
+/// The distance between the ends of two runs (m).
+pub(super) fn apart(one: &[State], other: &[State]) -> f64 {
+    let distance = |(a, b): (&State, &State)| (a.pose.p - b.pose.p).norm();
+    one.iter().zip(other).map(distance).fold(0.0, f64::max)
+}
