@@ -5,11 +5,13 @@
 //! misleading. If several solvers run, it applies to those that use it, and a note names them if
 //! they are not all.
 
-use clap::{Args, ValueEnum};
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use lcplab::certificate::Demand;
 use lcplab::error::{Defects, Error, Result};
 use lcplab::memory::Memory;
-use lcplab::solver::{ALL, Choice, Damping, Entry, Method, Options, Order, Settings};
+use lcplab::scene::RowOrder;
+use lcplab::solver::{ALL, Choice, Damping, Entry, Method, Options, Settings};
 
 use super::limits::MemoryLimit;
 use super::say;
@@ -37,7 +39,7 @@ pub struct Choices {
     #[arg(long, allow_negative_numbers = true)]
     pub omega: Option<f64>,
     /// Order of the rows in a sweep of pgs and sor [default: that of the scene, or natural]
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = row_order())]
     pub order: Option<RowOrder>,
     /// Seed of --order shuffled [default: that of the scene, or 1]
     #[arg(long)]
@@ -49,14 +51,17 @@ pub struct Choices {
 }
 
 /// The orders of rows that can be chosen; symmetric and colored sweeps are separate solvers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum RowOrder {
-    /// First row first
-    Natural,
-    /// Last row first
-    Reverse,
-    /// A random permutation by --seed, the same in every sweep
-    Shuffled,
+const ORDERS: [(RowOrder, &str, &str); 3] = [
+    (RowOrder::Natural, "natural", "First row first"),
+    (RowOrder::Reverse, "reverse", "Last row first"),
+    (RowOrder::Shuffled, "shuffled", "A random permutation by --seed, the same in every sweep"),
+];
+
+fn row_order() -> impl TypedValueParser<Value = RowOrder> {
+    let words = ORDERS.map(|(_, name, help)| PossibleValue::new(name).help(help));
+    let named = |word: String| ORDERS.into_iter().find(|(_, name, _)| *name == word);
+    PossibleValuesParser::new(words)
+        .try_map(move |word| named(word).map(|(order, ..)| order).ok_or("is no order"))
 }
 
 impl SolverArgs {
@@ -89,11 +94,7 @@ impl SolverArgs {
         let options = Options {
             settings,
             omega: omega.unwrap_or(default.omega),
-            order: match order {
-                None | Some(RowOrder::Natural) => Order::Natural,
-                Some(RowOrder::Reverse) => Order::Reverse,
-                Some(RowOrder::Shuffled) => Order::Shuffled { seed: seed.unwrap_or(1) },
-            },
+            order: order.unwrap_or_default().seeded(seed.unwrap_or(1)),
             damping: damping.map_or(default.damping, Damping::Factor),
         };
         options.validate()?;

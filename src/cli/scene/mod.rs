@@ -19,7 +19,7 @@ use lcplab::simulation::Simulation;
 use lcplab::solver::{Method, entry};
 
 use super::limits::MemoryLimit;
-use super::options::{Choices, RowOrder, SolverArgs};
+use super::options::{Choices, SolverArgs};
 use super::plugin::Plugins;
 
 /// A scene, and what to change in it.
@@ -147,7 +147,7 @@ impl SceneArgs {
         solver.tolerance = self.solve.tolerance.unwrap_or(solver.tolerance);
         solver.max_iterations = self.solve.max_iterations.unwrap_or(solver.max_iterations);
         solver.omega = self.solve.choices.omega.unwrap_or(solver.omega);
-        solver.order = self.solve.choices.order.map_or(solver.order, scene::Order::from);
+        solver.order = self.solve.choices.order.unwrap_or(solver.order);
         solver.seed = self.solve.choices.seed.unwrap_or(solver.seed);
         solver.damping = self.solve.choices.damping.or(solver.damping);
         scene.validate()?;
@@ -191,26 +191,6 @@ impl SceneArgs {
 
     pub fn check(&self, solvers: &[Method], scene: &Scene) -> Result<()> {
         let users: Vec<_> = solvers.iter().map(|solver| (solver.name(), solver.uses())).collect();
-        self.solve.choices.check(&users, Some(scene.solver.order.into()))
-    }
-}
-
-impl From<RowOrder> for scene::Order {
-    fn from(order: RowOrder) -> Self {
-        match order {
-            RowOrder::Natural => scene::Order::Natural,
-            RowOrder::Reverse => scene::Order::Reverse,
-            RowOrder::Shuffled => scene::Order::Shuffled,
-        }
-    }
-}
-
-impl From<scene::Order> for RowOrder {
-    fn from(order: scene::Order) -> Self {
-        match order {
-            scene::Order::Natural => RowOrder::Natural,
-            scene::Order::Reverse => RowOrder::Reverse,
-            scene::Order::Shuffled => RowOrder::Shuffled,
-        }
+        self.solve.choices.check(&users, Some(scene.solver.order))
     }
 }

@@ -34,7 +34,7 @@ pub use file::schema;
 pub use resting::Resting;
 pub use saved::saved;
 pub use scheme::{Feedback, Integrator, Penalty, Scheme, Soft, Xpbd};
-pub use settings::{Contacts, Manifold, Order, Persistence, Sliding, Solver, Step};
+pub use settings::{Contacts, Manifold, Persistence, RowOrder, Sliding, Solver, Step};
 pub use surface::Surface;
 pub use time_function::{Sine, TimeFunction};
 

@@ -8,6 +8,7 @@ use super::{range, surface};
 use crate::body::Gyroscopic;
 use lcplab_problem::error::Defects;
 use lcplab_problem::friction::Model;
+use lcplab_solver::Order;
 
 /// Maximum number of substeps and of sweeps per step.
 const MOST_PARTS: usize = 1_000_000;
@@ -163,10 +164,11 @@ impl Default for Contacts {
     }
 }
 
-/// The order of the rows in a sweep.
+/// The order of the rows in a sweep, as a scene or a command names it: the solvers' own
+/// [`Order`](lcplab_solver::Order) also has a seed, and orders that are solvers by themselves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
-pub enum Order {
+pub enum RowOrder {
     /// In the order of their numbers.
     #[default]
     Natural,
@@ -174,6 +176,24 @@ pub enum Order {
     Reverse,
     /// A random permutation, the same in every sweep.
     Shuffled,
+}
+
+impl RowOrder {
+    /// The order in a sweep, with this seed if it is a random one.
+    ///
+    /// ```
+    /// use lcplab_mechanics::scene::RowOrder;
+    /// use lcplab_solver::Order;
+    ///
+    /// assert_eq!(RowOrder::Shuffled.seeded(7), Order::Shuffled { seed: 7 });
+    /// ```
+    pub fn seeded(self, seed: u64) -> Order {
+        match self {
+            RowOrder::Natural => Order::Natural,
+            RowOrder::Reverse => Order::Reverse,
+            RowOrder::Shuffled => Order::Shuffled { seed },
+        }
+    }
 }
 
 /// The solver that supports a fixed number of sweeps.
@@ -188,7 +208,7 @@ pub struct Solver {
     /// The relaxation factor ω of methods that have one.
     pub omega: f64,
     /// The order of the rows in a sweep, for methods that let it be chosen.
-    pub order: Order,
+    pub order: RowOrder,
     /// The seed of the order "shuffled".
     pub seed: u64,
     /// The damping factor θ of Jacobi's method, above 0 and below 2; by default a safe value.
@@ -210,7 +230,7 @@ impl Default for Solver {
         Solver {
             name: "dantzig".into(),
             omega: 1.3,
-            order: Order::default(),
+            order: RowOrder::default(),
             seed: 1,
             damping: None,
             tolerance: 1e-8,
@@ -276,7 +296,7 @@ impl Solver {
             }
         }
         not_negative(defects, "solver.tolerance", self.tolerance);
-        if self.fixed_sweeps && (self.name.as_str(), self.order) != (SWEEPING, Order::Natural) {
+        if self.fixed_sweeps && (self.name.as_str(), self.order) != (SWEEPING, RowOrder::Natural) {
             let reason = format!(
                 "only the solver {SWEEPING}, in natural order, takes a fixed number of sweeps"
             );

@@ -1,13 +1,11 @@
 //! A simulation as its scene states it: which solver, with which settings.
 
 use lcplab_problem::error::{Error, Result};
-use lcplab_solver::{
-    Damping, Dantzig, Method, Options, Order, Settings, Solver, by_name, nameable,
-};
+use lcplab_solver::{Damping, Dantzig, Method, Options, Settings, Solver, by_name, nameable};
 
 use super::{Simulation, Step};
 use crate::formulation::Problem;
-use crate::scene::{self, Scene, Scheme};
+use crate::scene::{Scene, Scheme};
 
 /// The solver that finds a step's problem where the solver does not matter.
 const STEPPER: &str = "dantzig";
@@ -20,11 +18,7 @@ pub fn options(scene: &Scene) -> Options {
         memory: scene.memory,
         ..Settings::default()
     };
-    let order = match scene.solver.order {
-        scene::Order::Natural => Order::Natural,
-        scene::Order::Reverse => Order::Reverse,
-        scene::Order::Shuffled => Order::Shuffled { seed: scene.solver.seed },
-    };
+    let order = scene.solver.order.seeded(scene.solver.seed);
     let damping = scene.solver.damping.map_or(Damping::Safe, Damping::Factor);
     Options { settings, omega: scene.solver.omega, order, damping }
 }
