@@ -314,7 +314,7 @@ fn read_results(path: &Path) -> Result<Results> {
 }
 
 /// Writes a single figure.
-fn alone(document: &view::Document, id: &str, file: &Path) -> Result<()> {
+fn alone(document: &view::ReportPage, id: &str, file: &Path) -> Result<()> {
     let known = || document.figures.iter().map(|figure| figure.id().into()).collect();
     let figure = document.figures.iter().find(|figure| figure.id() == id);
     let figure = figure.ok_or_else(|| Error::Unknown {

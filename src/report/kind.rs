@@ -9,7 +9,7 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use super::study::{self, Study};
-use super::view::{Document, Headline, Outcome, View};
+use super::view::{Headline, Outcome, ReportPage, View};
 use crate::error::{Defects, Error, Result};
 use crate::scene::source::Source;
 
@@ -117,17 +117,17 @@ pub trait AnyStudy: Send + Sync {
     /// If it cannot be done, with the reason.
     fn run(&self, task: usize) -> Result<(Value, Value)>;
 
-    /// Adds the findings to the document.
+    /// Adds the findings to the page.
     ///
     /// # Errors
     /// If they are not of this kind.
-    fn show(&self, findings: &[Value], document: &mut Document) -> Result<()>;
+    fn show(&self, findings: &[Value], document: &mut ReportPage) -> Result<()>;
 
     /// Adds the machine-dependent data.
     ///
     /// # Errors
     /// If it is not of this kind.
-    fn show_times(&self, times: &[Value], document: &mut Document) -> Result<()>;
+    fn show_times(&self, times: &[Value], document: &mut ReportPage) -> Result<()>;
 
     /// What it adds to the top of the page.
     ///
@@ -175,12 +175,12 @@ impl<S: View> AnyStudy for S {
         Ok((finding, json::<S, _>(&times)?))
     }
 
-    fn show(&self, findings: &[Value], document: &mut Document) -> Result<()> {
+    fn show(&self, findings: &[Value], document: &mut ReportPage) -> Result<()> {
         View::show(self, &read::<S, _>(findings)?, document);
         Ok(())
     }
 
-    fn show_times(&self, times: &[Value], document: &mut Document) -> Result<()> {
+    fn show_times(&self, times: &[Value], document: &mut ReportPage) -> Result<()> {
         View::show_times(self, &read::<S, _>(times)?, document);
         Ok(())
     }

@@ -5,6 +5,7 @@
 pub mod difference;
 pub mod experiment;
 pub mod grid;
+mod hash;
 pub mod kind;
 mod layout;
 pub mod recording;

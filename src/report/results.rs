@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::experiment::{Experiment, Section, Shown};
+use super::hash::fnv;
 use super::study::Study;
 use super::study::settings::file_name;
 use crate::error::{Error, Result};
@@ -308,13 +309,6 @@ impl Task {
     pub fn is_over(&self) -> bool {
         self.finding.is_some() || self.failure.is_some()
     }
-}
-
-/// FNV-1a (Fowler, Noll & Vo), 64 bits.
-fn fnv(text: &str) -> u64 {
-    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-    })
 }
 
 /// The versions of the numerical libraries, from the lock file of this build.

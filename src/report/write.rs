@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::layout;
 use super::results::Results;
-use super::view::{self, Document, FILES};
+use super::view::{self, FILES, ReportPage};
 use crate::error::{Defects, Error, Result};
 use crate::file;
 use crate::live::write_linked;
@@ -36,12 +36,12 @@ pub fn results(results: &Results, folder: &Path) -> Result<()> {
     file::write_in(folder, RESULTS, &json)
 }
 
-/// Writes a document's page, figures and tables; returns the path of the page.
+/// Writes a page with its figures and tables; returns the path of the page.
 ///
 /// # Errors
 /// If an equation cannot be rendered or a name is not a valid file name, in which case nothing is
 /// written; or if a file cannot be written.
-pub fn document(document: &Document, folder: &Path) -> Result<PathBuf> {
+pub fn document(document: &ReportPage, folder: &Path) -> Result<PathBuf> {
     check_names(document)?;
     let html = document.page.render()?;
     let data = |id: &str, ending: &str| format!("{FILES}/{id}.{ending}");
@@ -59,7 +59,7 @@ pub fn document(document: &Document, folder: &Path) -> Result<PathBuf> {
 
 /// Checks the names of figures and tables, which are derived from those of scenes, runs and
 /// sections.
-fn check_names(document: &Document) -> Result<()> {
+fn check_names(document: &ReportPage) -> Result<()> {
     let figures = document.figures.iter().map(|figure| figure.id());
     let tables = document.tables.iter().map(|(id, _)| id.as_str());
     let mut defects = Defects::default();

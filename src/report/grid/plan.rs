@@ -3,6 +3,7 @@
 use serde::Serialize;
 use toml::{Table, Value};
 
+use super::super::hash::fnv;
 use super::file::{Grid, REPEAT, SUBJECT};
 use crate::csv;
 use crate::error::{Error, Result};
@@ -141,13 +142,6 @@ fn seed(grid: u64, settings: &Table) -> u32 {
         .collect();
     lines.sort();
     (mixed(fnv(&format!("{grid}\n{}", lines.join("\n")))) >> 32) as u32
-}
-
-/// FNV-1a (Fowler, Noll & Vo), 64 bits.
-fn fnv(text: &str) -> u64 {
-    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    })
 }
 
 /// The finalizer of splitmix64 (Steele, Lea & Flood 2014): every bit depends on every other.

@@ -1,6 +1,6 @@
 //! Animations on separate pages and next to the tables of a comparison.
 
-use super::Document;
+use super::ReportPage;
 use crate::film::Film;
 use crate::report::page::{Block, Page, Player, markup};
 use crate::report::recording::Record;
@@ -8,7 +8,7 @@ use crate::report::recording::Record;
 /// The explanation of the controls, for the caption.
 const HOW: &str = "Arrows are forces on the moving body. Click a curve to jump to that time.";
 
-impl Document {
+impl ReportPage {
     /// Adds an animation as a separate section.
     pub fn film(&mut self, film: &Film, caption: &str) {
         self.open("film", "The motion");
@@ -26,7 +26,7 @@ pub fn simulation_page(film: Film, record: &Record) -> Page {
         lead: markup::literal(scene.teaches.trim()),
         ..Page::default()
     };
-    let mut document = Document { page, figures: Vec::new(), tables: Vec::new() };
+    let mut document = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
     document.film(&film, "The simulated motion over time.");
     if let Some(Block::Player(player)) =
         document.page.sections.iter_mut().flat_map(|section| &mut section.blocks).next()

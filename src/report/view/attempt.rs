@@ -1,6 +1,6 @@
 //! Attempts of solvers in the tables of several studies.
 
-use super::Document;
+use super::ReportPage;
 use crate::number::{count, readable};
 use crate::report::page::{Cell, Mark};
 use crate::report::study::trial::Outcome;
@@ -55,7 +55,7 @@ pub fn tolerance(value: f64) -> String {
 }
 
 /// The id of the current section: the prefix of its figures and tables.
-pub fn section_id(document: &Document) -> String {
+pub fn section_id(document: &ReportPage) -> String {
     document.page.sections.last().map_or_else(String::new, |section| section.id.clone())
 }
 

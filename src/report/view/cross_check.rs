@@ -1,6 +1,6 @@
 //! Our answers compared with two independent ones.
 
-use super::{Document, Headline, Outcome, View};
+use super::{Headline, Outcome, ReportPage, View};
 use crate::certificate::cross_check::max_difference;
 use crate::number::significant;
 use crate::report::page::{Cell, Mark, Table};
@@ -9,7 +9,7 @@ use crate::report::study::cross_check::{CrossCheck, Plan, Wrench};
 impl View for Plan {
     const TITLE: &'static str = "Cross-check with clarabel";
 
-    fn show(&self, findings: &[Vec<CrossCheck>], document: &mut Document) {
+    fn show(&self, findings: &[Vec<CrossCheck>], document: &mut ReportPage) {
         let checks = &findings.concat();
         document.text(
             "Dantzig's answer is compared with two independent answers of the interior-point solver clarabel. \

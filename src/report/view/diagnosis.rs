@@ -2,7 +2,7 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::Document;
+use super::ReportPage;
 use crate::diagnosis::unsupported::{
     ErrorHistory, Examination, Frame as Problem, ReferenceSolution, UserSolver, error_histories,
     exact, main_solve,
@@ -39,7 +39,7 @@ pub fn diagnosis_page(
         facts: vec![("lcplab".into(), env!("CARGO_PKG_VERSION").into())],
         ..Page::default()
     };
-    let mut page = Document { page, figures: Vec::new(), tables: Vec::new() };
+    let mut page = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
     if let Some(scene) = scene.filter(|_| !found.notes.is_empty()) {
         page.film(&film(scene, found.notes.len())?, FILM);
     }
@@ -62,7 +62,7 @@ pub fn diagnosis_page(
 
 /// The slowest mode and the errors by sweep of the examined frame, if its error is not negligible.
 fn pictures(
-    page: &mut Document,
+    page: &mut ReportPage,
     frame: &Problem,
     found: &Examination,
     user_solver: &UserSolver,

@@ -1,10 +1,10 @@
 //! Animations from recorded motions.
 
-use super::{Document, Outcome, View};
+use super::{Outcome, ReportPage, View};
 use crate::report::page::{Block, Player};
 use crate::report::study::film::{FilmData, Plan};
 
-impl Document {
+impl ReportPage {
     /// Adds an animation from a recorded motion.
     pub(super) fn recorded(&mut self, data: &FilmData, caption: &str) {
         match data.film() {
@@ -21,7 +21,7 @@ impl Document {
 impl View for Plan {
     const TITLE: &'static str = "Animation of a scene";
 
-    fn show(&self, findings: &[FilmData], document: &mut Document) {
+    fn show(&self, findings: &[FilmData], document: &mut ReportPage) {
         for data in findings {
             document.recorded(data, &self.caption);
         }

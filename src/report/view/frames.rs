@@ -1,7 +1,7 @@
 //! The diagnosis of a user's own problems.
 
 use super::diagnosis::convergence;
-use super::{Document, Headline, Outcome, View};
+use super::{Headline, Outcome, ReportPage, View};
 use crate::number::counted;
 use crate::report::page::markup::literal;
 use crate::report::study::frames::{Finding, Plan};
@@ -9,7 +9,7 @@ use crate::report::study::frames::{Finding, Plan};
 impl View for Plan {
     const TITLE: &'static str = "Remaining error and its causes";
 
-    fn show(&self, found: &[Finding], document: &mut Document) {
+    fn show(&self, found: &[Finding], document: &mut ReportPage) {
         for Finding { words, error_histories, .. } in found {
             if !error_histories.is_empty() {
                 document.figure(convergence(error_histories));

@@ -1,20 +1,20 @@
 //! A grid's curves and tables.
 
 use super::attempt::section_id;
-use super::{Document, Outcome, View};
+use super::{Outcome, ReportPage, View};
 use crate::report::grid::{self, Finding, Point};
 use crate::report::study::grid::{Plan, PointResult, Seconds};
 
 impl View for Plan {
     const TITLE: &'static str = "A grid of settings";
 
-    fn show(&self, found: &[PointResult], document: &mut Document) {
+    fn show(&self, found: &[PointResult], document: &mut ReportPage) {
         document.text(self.grid.text.trim());
         let id = format!("{}_", section_id(document));
         grid::show(&self.grid, &self.plan, &self.points(found), &id, document);
     }
 
-    fn show_times(&self, times: &[Option<Seconds>], document: &mut Document) {
+    fn show_times(&self, times: &[Option<Seconds>], document: &mut ReportPage) {
         let found: Vec<PointResult> = times.iter().flatten().map(Seconds::found).collect();
         let id = format!("{}_", self.grid.name);
         grid::show_seconds(&self.grid, &self.plan, &self.points(&found), &id, document);

@@ -1,6 +1,6 @@
 //! The top of a page: what each study adds to it, and how that is put together.
 
-use super::{Document, FILES};
+use super::{FILES, ReportPage};
 use crate::plot::Figure;
 use crate::report::page::{Block, Picture, Table, Tile};
 
@@ -51,7 +51,7 @@ impl Top {
         }
     }
 
-    pub fn put(self, lead: &str, document: &mut Document) {
+    pub fn put(self, lead: &str, document: &mut ReportPage) {
         let lead = Some(lead.trim().to_string()).filter(|lead| !lead.is_empty());
         let mut texts = self.answer.into_iter().chain(lead);
         document.page.lead = texts.next().unwrap_or_default();

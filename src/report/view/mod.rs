@@ -49,7 +49,7 @@ use crate::live::linked;
 use crate::plot::Figure;
 
 /// A page with its figures and tables, each with the name of its files.
-pub struct Document {
+pub struct ReportPage {
     /// The page.
     pub page: Page,
     /// The figures; their SVG and CSV files are written next to the page.
@@ -72,10 +72,10 @@ pub trait View: Study {
     const TITLE: &'static str;
 
     /// Adds the findings to the current section.
-    fn show(&self, findings: &[Self::Finding], document: &mut Document);
+    fn show(&self, findings: &[Self::Finding], document: &mut ReportPage);
 
     /// Adds the machine-dependent data to the section of times.
-    fn show_times(&self, _times: &[Self::Times], _document: &mut Document) {}
+    fn show_times(&self, _times: &[Self::Times], _document: &mut ReportPage) {}
 
     /// What it adds to the top of the page.
     fn headline(&self, _findings: &[Self::Finding]) -> Headline {
@@ -107,9 +107,9 @@ impl Outcome {
 ///
 /// # Errors
 /// If a finding does not have the format of this version.
-pub fn document(results: &Results) -> Result<Document> {
+pub fn document(results: &Results) -> Result<ReportPage> {
     let page = Page { title: results.title.clone(), facts: facts(results), ..Page::default() };
-    let mut document = Document { page, figures: Vec::new(), tables: Vec::new() };
+    let mut document = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
     let experiment = Experiment::of(results)?;
     let mut top = Top::default();
     for (section, part) in experiment.sections.iter().zip(&results.sections) {
@@ -197,7 +197,7 @@ fn command(results: &Results) -> String {
 }
 
 /// The machine-dependent data, study by study.
-fn times(document: &mut Document, experiment: &Experiment, results: &Results) -> Result<()> {
+fn times(document: &mut ReportPage, experiment: &Experiment, results: &Results) -> Result<()> {
     for section in &experiment.sections {
         let of_section = results.machine.times.iter().filter(|timed| timed.section == section.id);
         let times: Vec<Value> = of_section.map(|timed| timed.times.clone()).collect();
@@ -209,7 +209,7 @@ fn times(document: &mut Document, experiment: &Experiment, results: &Results) ->
 }
 
 /// The tasks of a section that failed, each with its reason.
-fn failures(document: &mut Document, part: &Part) {
+fn failures(document: &mut ReportPage, part: &Part) {
     let row = |task: &Task| {
         let why = Cell::text(task.failure.as_ref()?).marked(Mark::Bad);
         Some(vec![Cell::text(&task.name), why])
@@ -241,11 +241,11 @@ fn facts(results: &Results) -> Vec<(String, String)> {
     facts.into_iter().chain(stopped).collect()
 }
 
-impl Document {
-    /// A document that shows the findings of one study.
+impl ReportPage {
+    /// A page that shows the findings of one study.
     pub fn of<S: View>(study: &S, findings: &[S::Finding]) -> Self {
         let page = Page { title: S::TITLE.into(), ..Page::default() };
-        let mut document = Document { page, figures: Vec::new(), tables: Vec::new() };
+        let mut document = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
         document.open(S::NAME, S::TITLE);
         study.show(findings, &mut document);
         document

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::attempt::{listed, tolerance};
-use super::{Document, Headline, Outcome, View};
+use super::{Headline, Outcome, ReportPage, View};
 use crate::plot::Axis;
 use crate::plot::profile::{Curve, Group as Line, Profiles};
 use crate::report::page::{Cell, Column, Mark, Table};
@@ -20,7 +20,7 @@ type Failures = Vec<((String, usize, String), Vec<String>)>;
 impl View for Plan {
     const TITLE: &'static str = "All solvers on all families";
 
-    fn show(&self, tried: &[FamilyAttempts], document: &mut Document) {
+    fn show(&self, tried: &[FamilyAttempts], document: &mut ReportPage) {
         let solvers = solvers(tried);
         if solvers.is_empty() {
             return;
@@ -56,7 +56,7 @@ impl View for Plan {
         document.table("profiles_failures", self.failures(tried));
     }
 
-    fn show_times(&self, times: &[Seconds], document: &mut Document) {
+    fn show_times(&self, times: &[Seconds], document: &mut ReportPage) {
         if let Some(figure) = self.by_time(times) {
             document.figure(figure);
         }

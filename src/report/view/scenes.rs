@@ -1,13 +1,13 @@
 //! Scenes as animations.
 
-use super::{Document, Outcome, View};
+use super::{Outcome, ReportPage, View};
 use crate::report::page::markup::literal;
 use crate::report::study::scenes::{Finding, Plan};
 
 impl View for Plan {
     const TITLE: &'static str = "Animations of scenes";
 
-    fn show(&self, findings: &[Finding], document: &mut Document) {
+    fn show(&self, findings: &[Finding], document: &mut ReportPage) {
         for Finding { title, teaches, film } in findings {
             document.text(format!("**{}**: {}", literal(&film.id), literal(title)));
             document.recorded(film, &literal(teaches.trim()));

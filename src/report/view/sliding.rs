@@ -1,6 +1,6 @@
 //! The friction models on a block that is pushed from all sides, and on a rod.
 
-use super::{Document, Headline, Outcome, View};
+use super::{Headline, Outcome, ReportPage, View};
 use crate::number::readable;
 use crate::plot::{Axis, Lines, Series};
 use crate::report::page::{Cell, Mark, Table};
@@ -16,7 +16,7 @@ const TABLE: f64 = 30.0;
 impl View for Plan {
     const TITLE: &'static str = "Friction models compared: a block pushed in many directions";
 
-    fn show(&self, findings: &[Finding], document: &mut Document) {
+    fn show(&self, findings: &[Finding], document: &mut ReportPage) {
         for study in findings {
             document.text(
                 "Coulomb's law: the friction of a sticking contact has any strength up to $\\mu x_n$; that of \

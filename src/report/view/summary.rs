@@ -1,12 +1,12 @@
 //! The outcomes of all studies of a report, in one table.
 
-use super::Document;
+use super::ReportPage;
 use crate::error::Result;
 use crate::report::page::{Cell, Mark, Table};
 use crate::report::results::Results;
 
 /// One row for each study with an outcome or a failed task.
-pub(super) fn show(results: &Results, document: &mut Document) -> Result<()> {
+pub(super) fn show(results: &Results, document: &mut ReportPage) -> Result<()> {
     let outcomes = results.outcomes()?;
     let rows = outcomes.iter().filter_map(|(id, outcome)| {
         let part = results.sections.iter().find(|part| part.id == *id)?;

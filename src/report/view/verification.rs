@@ -1,6 +1,6 @@
 //! Closed forms compared with measured numbers.
 
-use super::{Document, Headline, Outcome, View};
+use super::{Headline, Outcome, ReportPage, View};
 use crate::number::{significant, tabular};
 use crate::plot::{Axis, Bar, Bars};
 use crate::report::page::{Cell, Column, Mark, Table};
@@ -9,7 +9,7 @@ use crate::report::study::verification::{Criterion, ORDER_SLACK, Plan, Row};
 impl View for Plan {
     const TITLE: &'static str = "Verification against closed-form solutions";
 
-    fn show(&self, findings: &[Vec<Row>], document: &mut Document) {
+    fn show(&self, findings: &[Vec<Row>], document: &mut ReportPage) {
         let rows = &findings.concat();
         document.text(format!(
             "If a number depends on the time step, its error must decrease at the theoretical order p: each \

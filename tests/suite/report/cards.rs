@@ -10,7 +10,7 @@ use lcplab::report::friction::JudgedAnswer;
 use lcplab::report::page::Block;
 use lcplab::report::study::Study;
 use lcplab::report::study::cards::{Column, Frame, Phenomenon, Plan, Record};
-use lcplab::report::view::{Document, View};
+use lcplab::report::view::{ReportPage, View};
 use lcplab::scene::catalogue::spin::FreeBody;
 use lcplab::scene::{Description, Integrator, Scene, Scheme};
 use lcplab::simulation::Simulation;
@@ -275,7 +275,7 @@ fn mujoco_solves_what_it_poses_so_that_what_it_misses_is_missed_by_the_model() {
     let (plan, missed) = (Plan::default(), phenomenon(&record, "creep"));
     let of = |own: &&Column| own.engine == "mujoco" && own.settings == "defaults";
     assert!(!missed.columns.iter().find(of).unwrap().holds());
-    let document = Document::of(&plan, std::slice::from_ref(&record));
+    let document = ReportPage::of(&plan, std::slice::from_ref(&record));
     let (_, table) = document.tables.iter().find(|(id, _)| id == "cards_frames").unwrap();
     assert_eq!(table.rows.len(), record.frames.len());
 }
@@ -331,7 +331,7 @@ fn every_scene_of_the_record_is_one_and_every_curve_has_a_value_for_each_x() {
 #[test]
 fn the_page_has_a_row_a_phenomenon_and_a_column_an_engine_and_every_miss_is_a_number() {
     let (plan, record) = (Plan::default(), shipped());
-    let document = Document::of(&plan, std::slice::from_ref(&record));
+    let document = ReportPage::of(&plan, std::slice::from_ref(&record));
     let (_, installed) = document.tables.iter().find(|(id, _)| id == "cards_installed").unwrap();
     assert_eq!(installed.rows.len(), record.phenomena.len());
     let engines = record.engines.iter().filter(|engine| engine.name != "lcplab").count();

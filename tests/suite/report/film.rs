@@ -4,7 +4,7 @@ use lcplab::film::{Film, Recording};
 use lcplab::report::study::Study;
 use lcplab::report::study::film::{self, FilmData};
 use lcplab::report::study::variation::Variation;
-use lcplab::report::view::Document;
+use lcplab::report::view::ReportPage;
 use lcplab::simulation::Simulation;
 
 fn variation(text: &str) -> Variation {
@@ -60,6 +60,6 @@ fn a_film_section_shows_its_variants_side_by_side() {
     .unwrap();
     let found = plan.run(0).unwrap().0;
     assert_eq!(found.recordings.iter().map(|own| own.samples.len()).collect::<Vec<_>>(), [3, 3]);
-    let page = Document::of(&plan, &[found]).page.render().unwrap();
+    let page = ReportPage::of(&plan, &[found]).page.render().unwrap();
     assert!(page.contains("acceleration") && page.contains("Look."));
 }

@@ -5,7 +5,7 @@ use lcplab::report::study::Study;
 use lcplab::report::study::drift::ledger::Account;
 use lcplab::report::study::drift::order::{Curve, Expected, Sample};
 use lcplab::report::study::drift::{Finding, Plan};
-use lcplab::report::view::{Document, Outcome, View};
+use lcplab::report::view::{Outcome, ReportPage, View};
 
 /// The plan of one run, and what it finds.
 fn audited(run: &str) -> (Plan, Account) {
@@ -50,7 +50,7 @@ fn a_family_that_does_not_write_down_what_acts_is_not_accounted() {
         (outcome.good, outcome.says.as_str()),
         (true, "0 of 0 energy ledgers balance, 1 without a ledger")
     );
-    let table = Document::of(&plan, &[Finding::Ledger(found)]).tables[0].1.clone();
+    let table = ReportPage::of(&plan, &[Finding::Ledger(found)]).tables[0].1.clone();
     let last = table.rows[0].last().unwrap();
     assert_eq!((last.text.as_str(), last.mark), ("not accounted", Mark::Plain));
 }

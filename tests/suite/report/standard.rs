@@ -12,7 +12,7 @@ use lcplab::report::study::comparison::{Sample, thinned};
 use lcplab::report::study::convergence::Finding;
 use lcplab::report::study::drift::long::Curve;
 use lcplab::report::study::{Study, convergence, drift, sliding};
-use lcplab::report::view::{Document, Outcome, View};
+use lcplab::report::view::{Outcome, ReportPage, View};
 use lcplab::report::{methods, run, view, write};
 use lcplab::scene::catalogue::SHIPPED as SHIPPED_SCENES;
 use lcplab::solver::{ALL, Method, Stop};
@@ -84,7 +84,7 @@ pub fn run_all(experiment: &Experiment) -> Results {
 }
 
 /// The document's table whose file has this name.
-pub fn table(document: &Document, name: &str) -> Table {
+pub fn table(document: &ReportPage, name: &str) -> Table {
     document.tables.iter().find(|(id, _)| id == name).expect("a table of that name").1.clone()
 }
 

@@ -1,5 +1,9 @@
 //! Documents for explanations and other results, as plain data, and their output formats: aligned
 //! text for a terminal, Markdown with LaTeX, and a self-contained page.
+//!
+//! A document has only what every format can show: text without markup, formulas, tables and
+//! pictures. A [`Page`](crate::page::Page) has what only a browser can: markup, sortable cells,
+//! animations, collapsed parts. A document is written as a page by [`Block::on_page`].
 
 mod html;
 mod markdown;

@@ -27,7 +27,7 @@ const WIDE: usize = 9;
 
 #[derive(Template)]
 #[template(path = "page.html")]
-struct Document<'a> {
+struct Html<'a> {
     page: &'a Page,
     lead: String,
     opening: Vec<String>,
@@ -152,7 +152,7 @@ impl Page {
             only(self.runs_python, include_str!("python.js")),
         ];
         let script = format!("\n{}", script.concat());
-        finished(&Document {
+        finished(&Html {
             page: self,
             lead,
             opening,
@@ -384,8 +384,8 @@ fn written(template: &impl Template) -> std::result::Result<String, String> {
     template.render().map_err(|error| error.to_string())
 }
 
-fn finished(document: &Document) -> Result<String> {
-    written(document).map_err(|reason| Error::invalid("page", document.page.title.as_str(), reason))
+fn finished(html: &Html) -> Result<String> {
+    written(html).map_err(|reason| Error::invalid("page", html.page.title.as_str(), reason))
 }
 
 /// Bytes as base64 (RFC 4648), as used in `data:` addresses.

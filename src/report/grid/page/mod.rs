@@ -11,7 +11,7 @@ use super::file::{Grid, SUBJECT};
 use super::measure::SECONDS;
 use super::plan::{Plan, Task, plain};
 use crate::report::page::{Block, Cell, Column, Origin, Page, Table};
-use crate::report::view::Document;
+use crate::report::view::ReportPage;
 
 /// The files of a collected grid.
 const WHOLE: [(&str, &str); 3] = [
@@ -21,14 +21,14 @@ const WHOLE: [(&str, &str); 3] = [
 ];
 
 /// The page with its figures and tables.
-pub fn document(grid: &Grid, plan: &Plan, collection: &Collection) -> Document {
+pub fn document(grid: &Grid, plan: &Plan, collection: &Collection) -> ReportPage {
     let page = Page {
         title: grid.title.clone(),
         lead: grid.text.trim().to_string(),
         facts: facts(plan, collection),
         ..Page::default()
     };
-    let mut document = Document { page, figures: Vec::new(), tables: Vec::new() };
+    let mut document = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
     document.open("results", "What was measured");
     show(grid, plan, &collection.points(), "", &mut document);
     document.page.sections.iter_mut().for_each(|section| section.origin = Some(origin(grid)));
@@ -42,7 +42,7 @@ pub fn document(grid: &Grid, plan: &Plan, collection: &Collection) -> Document {
 
 /// Adds figures and tables of these points to the current section; the names of their files begin
 /// with `id`.
-pub fn show(grid: &Grid, plan: &Plan, points: &[Point<'_>], id: &str, document: &mut Document) {
+pub fn show(grid: &Grid, plan: &Plan, points: &[Point<'_>], id: &str, document: &mut ReportPage) {
     if let Some(curves) = Curves::of(grid, plan, points) {
         for measure in &grid.measures {
             if let Some(figure) = figure::figure(grid, &curves, measure, id) {
@@ -65,7 +65,7 @@ pub fn show_seconds(
     plan: &Plan,
     points: &[Point<'_>],
     id: &str,
-    document: &mut Document,
+    document: &mut ReportPage,
 ) {
     let curves = Curves::of(grid, plan, points);
     if let Some(figure) = curves.and_then(|curves| figure::figure(grid, &curves, &SECONDS, id)) {

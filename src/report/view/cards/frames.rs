@@ -4,11 +4,11 @@
 use crate::number::readable;
 use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::cards::{Frame, Record, SolverAttempt};
-use crate::report::view::Document;
+use crate::report::view::ReportPage;
 use crate::report::view::attempt::iterations_in_words;
 
 /// Adds a section, if there are such problems.
-pub fn show(record: &Record, document: &mut Document) {
+pub fn show(record: &Record, document: &mut ReportPage) {
     if record.frames.is_empty() {
         return;
     }

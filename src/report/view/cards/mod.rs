@@ -4,7 +4,7 @@ mod answer;
 mod frames;
 mod phenomenon;
 
-use super::{Document, Headline, Outcome, View};
+use super::{Headline, Outcome, ReportPage, View};
 use crate::number::readable;
 use crate::plot::Figure;
 use crate::plot::grades::{Grade, Grades};
@@ -57,7 +57,7 @@ const PACED: &str = "tower";
 impl View for Plan {
     const TITLE: &'static str = "Which law holds in which engine";
 
-    fn show(&self, findings: &[Record], document: &mut Document) {
+    fn show(&self, findings: &[Record], document: &mut ReportPage) {
         for record in findings {
             document.text(answer::uses(record));
             for (name, id, words) in [

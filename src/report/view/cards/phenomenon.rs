@@ -4,10 +4,10 @@ use super::{ACCURATE, DEFAULTS, OWN, times};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Block, Cell, Mark, Table};
 use crate::report::study::cards::{Column, Measured, Phenomenon, Record};
-use crate::report::view::Document;
+use crate::report::view::ReportPage;
 
 /// Adds a section.
-pub fn show(record: &Record, phenomenon: &Phenomenon, document: &mut Document) {
+pub fn show(record: &Record, phenomenon: &Phenomenon, document: &mut ReportPage) {
     document.open(&phenomenon.name, &phenomenon.question);
     document.fold_tables();
     document.text(&phenomenon.matters);

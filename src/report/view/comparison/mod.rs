@@ -5,7 +5,7 @@ mod answer;
 pub use answer::answer;
 
 use super::attempt::{listed, stem};
-use super::{Document, Headline, Outcome, View};
+use super::{Headline, Outcome, ReportPage, View};
 use crate::film::Film;
 use crate::number::{count, counted, readable};
 use crate::plot::{Axis, Lines, Panel, Series};
@@ -26,7 +26,7 @@ const ERROR: f64 = 1e-6;
 impl View for Plan {
     const TITLE: &'static str = "Comparison of solvers at velocity and acceleration level";
 
-    fn show(&self, findings: &[Comparison], document: &mut Document) {
+    fn show(&self, findings: &[Comparison], document: &mut ReportPage) {
         let runs = || findings.iter().flat_map(|comparison| &comparison.runs);
         let (solves, claimed) = (
             runs().map(|run| run.tally.solves).sum::<usize>(),
@@ -90,7 +90,7 @@ impl View for Plan {
         Outcome { good: refuted == 0, says }
     }
 
-    fn show_times(&self, times: &[Vec<Timing>], document: &mut Document) {
+    fn show_times(&self, times: &[Vec<Timing>], document: &mut ReportPage) {
         document.text(
             "Times are those of whole simulations: contacts, assembly, solves and motion, without \
          the judge.",
@@ -231,7 +231,7 @@ fn timings(times: &[Timing]) -> Table {
 }
 
 /// A separate page for one scene: the animation, the table, and the motion by solver and level.
-pub fn document(comparison: &Comparison, film: Film) -> Document {
+pub fn document(comparison: &Comparison, film: Film) -> ReportPage {
     let page = Page {
         title: comparison.title.clone(),
         lead: format!(
@@ -241,7 +241,7 @@ pub fn document(comparison: &Comparison, film: Film) -> Document {
         ),
         ..Page::default()
     };
-    let mut document = Document { page, figures: Vec::new(), tables: Vec::new() };
+    let mut document = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
     document.film(&film, "The same scene by several solvers, at the same instants.");
     document.open("comparison", "Solvers and levels");
     document.table(&format!("comparison_{}", stem(&comparison.scene)), table(comparison));

@@ -8,7 +8,7 @@ use crate::report::study::trial;
 use crate::report::view::attempt::{
     anchor, iterations_in_words, outcome as outcome_cell, rough, tolerance,
 };
-use crate::report::view::{Document, Headline, Outcome};
+use crate::report::view::{Headline, Outcome, ReportPage};
 use crate::solver::Group;
 
 /// The value at which a residual of exactly 0 is drawn on a logarithmic axis.
@@ -16,7 +16,7 @@ const LEAST: f64 = 1e-17;
 /// Unsupported weight up to this is not drawn (%).
 const SUPPORTED: f64 = 1e-5;
 
-pub(super) fn show(problems: &[&Progress], document: &mut Document) {
+pub(super) fn show(problems: &[&Progress], document: &mut ReportPage) {
     document.text(
         "Iterations of different methods have different costs: a Newton step solves a linear system, a sweep \
          is one product with A. The residual is therefore plotted against the number of multiplications (the \

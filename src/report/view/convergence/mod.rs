@@ -4,7 +4,7 @@ mod methods;
 mod rows;
 mod sweeps;
 
-use super::{Document, Headline, Outcome, View};
+use super::{Headline, Outcome, ReportPage, View};
 use crate::report::study::convergence::methods::{Clock, Progress};
 use crate::report::study::convergence::rows::RowResiduals;
 use crate::report::study::convergence::sweeps::Rates;
@@ -13,7 +13,7 @@ use crate::report::study::convergence::{Finding, Plan};
 impl View for Plan {
     const TITLE: &'static str = "Convergence of the residual";
 
-    fn show(&self, findings: &[Finding], document: &mut Document) {
+    fn show(&self, findings: &[Finding], document: &mut ReportPage) {
         let FindingsByKind { sweeps, methods, rows, .. } = FindingsByKind::of(findings);
         if !methods.is_empty() {
             methods::show(&methods, document);
@@ -44,7 +44,7 @@ impl View for Plan {
         Outcome { good: rates.good && progress.good, says: says.join("; ") }
     }
 
-    fn show_times(&self, clocks: &[Option<Clock>], document: &mut Document) {
+    fn show_times(&self, clocks: &[Option<Clock>], document: &mut ReportPage) {
         for clock in clocks.iter().flatten() {
             document.figure(methods::by_second(clock));
         }

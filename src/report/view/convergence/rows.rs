@@ -3,14 +3,14 @@
 use crate::number::readable;
 use crate::plot::{Axis, Heat, Shaded};
 use crate::report::study::convergence::rows::{RowResiduals, Rows, Sweep};
-use crate::report::view::Document;
+use crate::report::view::ReportPage;
 use crate::report::view::attempt::section_id;
 
 /// A residual (m/s) up to this is rounding.
 const ROUNDING: f64 = 1e-14;
 
 impl Rows {
-    pub(super) fn show(&self, maps: &[&RowResiduals], document: &mut Document) {
+    pub(super) fn show(&self, maps: &[&RowResiduals], document: &mut ReportPage) {
         document.text(format!(
             "**Why sweeps are slow on a stack.** {} bodies have fallen for one step. All of them move at the \
              same speed, so initially only the lowest contact closes, and its impulse stops one body. The \

@@ -7,13 +7,13 @@ use crate::plot::{Axis, Lines, Series};
 use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::convergence::sweeps::{Curve, Rates};
 use crate::report::view::attempt::stem;
-use crate::report::view::{Document, Outcome};
+use crate::report::view::{Outcome, ReportPage};
 
 /// A measured rate, as digits per sweep, is marked if it differs from the predicted one by more
 /// than this fraction.
 const AGREES: f64 = 0.1;
 
-pub(super) fn show(studies: &[&Rates], document: &mut Document) {
+pub(super) fn show(studies: &[&Rates], document: &mut ReportPage) {
     document.text(
         "While the active set does not change, each sweep multiplies the error by the same \
          matrix, and the residual falls like $\\rho^k$ with its spectral radius $\\rho$: the curves \

@@ -5,7 +5,7 @@ use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::drift::ledger::{Account, Book};
 use crate::report::view::attempt::section_id;
-use crate::report::view::{Document, Outcome};
+use crate::report::view::{Outcome, ReportPage};
 
 /// Accounts below this fraction of the exchanged energy are not drawn.
 const SMALL: f64 = 1e-6;
@@ -14,7 +14,7 @@ const NOTHING: f64 = 1e-9;
 /// A remainder up to this fraction of the energies in the computation is rounding.
 const ROUNDING: f64 = 1e-11;
 
-pub(super) fn show(findings: &[&Account], document: &mut Document) {
+pub(super) fn show(findings: &[&Account], document: &mut ReportPage) {
     document.text(
         "**The energy ledger.** Every impulse does work, and the work of an impulse at fixed positions is \
          known exactly. Therefore each change of energy has a known cause: impacts and friction dissipate energy, \

@@ -4,7 +4,7 @@ use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::study::drift::long::{Curve, LongRun};
 use crate::report::view::attempt::section_id;
-use crate::report::view::{Document, Outcome};
+use crate::report::view::{Outcome, ReportPage};
 
 /// Halving the step must divide an error by at least this much: by 2 if the method is of first
 /// order and the step is short, by somewhat less otherwise.
@@ -12,7 +12,7 @@ const LEAST_GAIN: f64 = 1.5;
 /// Errors up to this are rounding: relative to the largest kinetic energy, or in meters.
 const ROUNDING: f64 = 1e-9;
 
-pub(super) fn show(runs: &[&LongRun], document: &mut Document) {
+pub(super) fn show(runs: &[&LongRun], document: &mut ReportPage) {
     document.text(
         "Without friction the energy is constant, and so is the length of a rod. In a step the rod turns, but its \
          impulse, computed for the old direction, does work: the energy error of every method grows with the number \

@@ -4,7 +4,7 @@ mod ledger;
 mod long;
 mod order;
 
-use super::{Document, Outcome, View};
+use super::{Outcome, ReportPage, View};
 use crate::report::study::drift::ledger::Account;
 use crate::report::study::drift::long::LongRun;
 use crate::report::study::drift::{Finding, Plan, order as measured};
@@ -12,7 +12,7 @@ use crate::report::study::drift::{Finding, Plan, order as measured};
 impl View for Plan {
     const TITLE: &'static str = "Drift of energy and constraints";
 
-    fn show(&self, findings: &[Finding], document: &mut Document) {
+    fn show(&self, findings: &[Finding], document: &mut ReportPage) {
         let FindingsByKind { long, ledgers, orders } = FindingsByKind::of(findings);
         if !long.is_empty() {
             long::show(&long, document);

@@ -6,9 +6,9 @@ use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::drift::order::{
     Curve, Expected, Finding, Problem, ROUNDING, SLACK, Sample,
 };
-use crate::report::view::{Document, Outcome};
+use crate::report::view::{Outcome, ReportPage};
 
-pub(super) fn show(findings: &[&Finding], document: &mut Document) {
+pub(super) fn show(findings: &[&Finding], document: &mut ReportPage) {
     document.text(format!(
         "**Order of accuracy.** Each problem below has a closed form, so every error is a distance to \
          the exact motion, not to a finer run. A method of order $p$ divides its error by $2^p$ when the step is halved: a line \

@@ -2,9 +2,9 @@
 
 use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::sparsity::factor::{Factor, Ordered};
-use crate::report::view::Document;
+use crate::report::view::ReportPage;
 
-pub(super) fn show(factors: &[&Factor], document: &mut Document) {
+pub(super) fn show(factors: &[&Factor], document: &mut ReportPage) {
     let rows =
         factors.iter().flat_map(|factor| factor.ordered.iter().map(|own| cells(factor, own)));
     let table = Table::new(

@@ -3,13 +3,13 @@
 use crate::number::{count, readable};
 use crate::plot::{Small, Spies};
 use crate::report::study::sparsity::gallery::Picture;
-use crate::report::view::Document;
+use crate::report::view::ReportPage;
 
 /// The number of pictures in a figure, and per row.
 const PICTURES: usize = 20;
 const ACROSS: usize = 5;
 
-pub(super) fn show(pictures: &[Picture], document: &mut Document) {
+pub(super) fn show(pictures: &[Picture], document: &mut ReportPage) {
     document.text(
         "**A of the shipped scenes.** The rows are in the order of the joints of the scene, then its contacts, \
          each with a normal and two tangents. Two rows have a common entry in A if they share a moving body. A \

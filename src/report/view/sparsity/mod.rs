@@ -4,7 +4,7 @@ mod factor;
 mod gallery;
 mod pattern;
 
-use super::{Document, Outcome, View};
+use super::{Outcome, ReportPage, View};
 use crate::report::study::sparsity::factor::Factor;
 use crate::report::study::sparsity::pattern::Patterns;
 use crate::report::study::sparsity::{Finding, Plan};
@@ -12,7 +12,7 @@ use crate::report::study::sparsity::{Finding, Plan};
 impl View for Plan {
     const TITLE: &'static str = "Sparsity of J, A and its factor";
 
-    fn show(&self, findings: &[Finding], document: &mut Document) {
+    fn show(&self, findings: &[Finding], document: &mut ReportPage) {
         let patterns: Vec<&Patterns> = patterns(findings).collect();
         let factors: Vec<&Factor> = factors(findings).collect();
         if !patterns.is_empty() {

@@ -7,7 +7,7 @@ use crate::plot::{Small, Spy};
 use crate::report::page::markup::literal;
 use crate::report::study::sparsity::factor::{Factor, Ordered};
 use crate::report::study::sparsity::pattern::{Block, Patterns};
-use crate::report::view::Document;
+use crate::report::view::ReportPage;
 use crate::report::view::attempt::stem;
 use crate::scene::Scene;
 use crate::storage::Ordering;
@@ -15,7 +15,7 @@ use crate::storage::Ordering;
 /// A larger matrix is drawn as a raster.
 const MOST: usize = 200;
 
-pub(super) fn show(scenes: &[&Patterns], factors: &[&Factor], document: &mut Document) {
+pub(super) fn show(scenes: &[&Patterns], factors: &[&Factor], document: &mut ReportPage) {
     document.text(
         "A row of $J$ has entries only for the one or two bodies it joins, and two rows of \
          $A = J M^{-1} J^T$ are coupled only if they share a moving body. The larger the scene, the sparser \
@@ -32,7 +32,7 @@ pub(super) fn show(scenes: &[&Patterns], factors: &[&Factor], document: &mut Doc
     }
 }
 
-fn raster(scene: &Patterns, document: &mut Document) {
+fn raster(scene: &Patterns, document: &mut ReportPage) {
     let id = format!("sparsity_{}_matrix", stem(&scene.scene));
     let places = scene.matrix.iter().map(|&(i, j, _)| (i, j));
     let title = format!("A: {}", scene.scene);
