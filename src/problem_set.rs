@@ -4,6 +4,7 @@
 use std::path::Path;
 
 use indicatif::ProgressBar;
+use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
 use crate::card::Card;
@@ -47,14 +48,20 @@ const VERSION: &str = "3";
 pub fn write(folder: &Path, progress: &ProgressBar) -> Result<usize> {
     file::prepare(folder, &[INDEX, CITATION])?;
     let mut problems: Vec<Problem> = library::all().flat_map(of_family).collect();
-    let scenes = catalogue::SHIPPED.iter();
-    problems.extend(scenes.flat_map(|scene| STEPS.map(|k| step(scene.name, k))).flatten());
+    let scenes = catalogue::SHIPPED.par_iter();
+    let steps: Vec<_> = scenes.map(|scene| STEPS.map(|k| step(scene.name, k))).collect();
+    problems.extend(steps.into_iter().flatten().flatten());
     for frame in &Record::load(None)?.frames {
         problems.push(frame.problem()?);
     }
     problems.retain(|problem| !problem.lcp.is_empty() && is_small(&problem.lcp));
-    problems.iter_mut().for_each(solved);
+    problems.par_iter_mut().for_each(solved);
     progress.set_length(problems.len() as u64);
+    let examined = |problem: &Problem| {
+        progress.inc(1);
+        (Card::of(&problem.lcp), truth(problem))
+    };
+    let properties: Vec<(Card, String)> = problems.par_iter().map(examined).collect();
     let mut index = String::new();
     let columns = [
         "file",
@@ -71,7 +78,7 @@ pub fn write(folder: &Path, progress: &ProgressBar) -> Result<usize> {
     ];
     csv::record(&mut index, columns);
     let mut written = Vec::new();
-    for problem in &problems {
+    for (problem, (card, truth)) in problems.iter().zip(&properties) {
         let text = format!("{}\n", problem.to_json());
         let hash: String = Sha256::digest(&text).iter().map(|byte| format!("{byte:02x}")).collect();
         if written.contains(&hash) {
@@ -80,9 +87,8 @@ pub fn write(folder: &Path, progress: &ProgressBar) -> Result<usize> {
         }
         let name = format!("{:03}_{}.json", written.len() + 1, stem(&problem.name));
         file::write_in(folder, &name, text)?;
-        csv::record(&mut index, record(problem, &name, &hash));
+        csv::record(&mut index, record(problem, card, [truth, &name, &hash]));
         written.push(hash);
-        progress.inc(1);
     }
     file::write_in(folder, INDEX, index)?;
     file::write_in(folder, CITATION, citation(written.len()))?;
@@ -163,8 +169,8 @@ fn stem(name: &str) -> String {
     stem.trim_matches('-').chars().take(60).collect()
 }
 
-fn record(problem: &Problem, name: &str, hash: &str) -> [String; 11] {
-    let card = Card::of(&problem.lcp);
+/// A line of the index, from the problem's truth, the name of its file and its hash.
+fn record(problem: &Problem, card: &Card, [truth, name, hash]: [&str; 3]) -> [String; 11] {
     let known = |key: &str| problem.extra.get(key).and_then(|v| v.as_str()).unwrap_or_default();
     [
         name.to_string(),
@@ -173,10 +179,10 @@ fn record(problem: &Problem, name: &str, hash: &str) -> [String; 11] {
         card.rows.to_string(),
         card.coupled.to_string(),
         card.equations.to_string(),
-        card.class.unwrap_or_default(),
+        card.class.clone().unwrap_or_default(),
         card.rank.map(|rank| rank.to_string()).unwrap_or_default(),
         card.condition.map(csv::number).unwrap_or_default(),
-        truth(problem),
+        truth.to_string(),
         hash.to_string(),
     ]
 }

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 const PHRASES: &str = include_str!("words.txt");
 
@@ -80,15 +81,20 @@ fn end_of_literal(text: &str) -> usize {
     text.len()
 }
 
+/// The words of a text in lower case, each between spaces.
+fn plain_words(text: &str) -> String {
+    let letters = |letter: char| if letter.is_alphanumeric() { letter } else { ' ' };
+    let plain: String = text.to_lowercase().chars().map(letters).collect();
+    format!(" {} ", plain.split_whitespace().collect::<Vec<_>>().join(" "))
+}
+
 /// The phrases in a text, as whole words in any case.
 fn found(text: &str) -> Vec<&'static str> {
-    let letters = |letter: char| if letter.is_alphanumeric() { letter } else { ' ' };
-    let words = |text: &str| {
-        let plain: String = text.to_lowercase().chars().map(letters).collect();
-        format!(" {} ", plain.split_whitespace().collect::<Vec<_>>().join(" "))
-    };
-    let text = words(text);
-    phrases().filter(|phrase| text.contains(&words(phrase))).collect()
+    static PLAIN: LazyLock<Vec<(&str, String)>> =
+        LazyLock::new(|| phrases().map(|phrase| (phrase, plain_words(phrase))).collect());
+    let text = plain_words(text);
+    let hits = PLAIN.iter().filter(|(_, plain)| text.contains(plain));
+    hits.map(|(phrase, _)| *phrase).collect()
 }
 
 #[test]

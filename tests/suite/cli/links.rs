@@ -179,7 +179,8 @@ fn attack(writer: &Writer, name: &str, target: &str) {
 
 #[test]
 fn the_names_that_a_command_chooses_are_known() {
-    for writer in WRITERS {
+    // What `problems --export` writes, its own test says.
+    for writer in WRITERS.iter().filter(|writer| writer.arguments[0] != "problems") {
         let workspace = Workspace::new();
         fs::create_dir(workspace.path("out")).unwrap();
         let first = if writer.first.is_empty() {
@@ -193,9 +194,7 @@ fn the_names_that_a_command_chooses_are_known() {
         let found = names(&workspace.path("out"), writer.names);
         let by_user = ["p.mtx", "page.html"];
         let is_new = |name: &&String| {
-            let is_numbered = writer.arguments[0] == "problems" && name.ends_with(".json");
             !by_user.contains(&name.as_str())
-                && !is_numbered
                 && (!first.contains(name) || writer.names.contains(&name.as_str()))
         };
         let found: Vec<&String> = found.iter().filter(is_new).collect();

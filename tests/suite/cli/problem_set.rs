@@ -1,6 +1,7 @@
 //! `problems --export` and `compare --profile`: a set that can be cited, and a figure for a paper.
 
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
+use std::ffi::OsStr;
 use std::fs;
 
 use super::{out, run};
@@ -13,8 +14,10 @@ fn the_set_is_small_has_no_problem_twice_and_an_index_of_cards() {
     let output = run(&["problems", "--export", path.to_str().unwrap()]);
     assert_eq!(output.status.code(), Some(0));
     let files: Vec<_> = fs::read_dir(&path).unwrap().map(|entry| entry.unwrap().path()).collect();
-    let problems: Vec<_> =
-        files.iter().filter(|file| file.extension().is_some_and(|e| e == "json")).collect();
+    let (problems, others): (Vec<_>, Vec<_>) =
+        files.iter().partition(|file| file.extension().is_some_and(|e| e == "json"));
+    let others: BTreeSet<_> = others.iter().map(|file| file.file_name().unwrap()).collect();
+    assert_eq!(others, BTreeSet::from(["CITATION.cff", "index.csv"].map(OsStr::new)));
     let bytes: u64 = files.iter().map(|file| fs::metadata(file).unwrap().len()).sum();
     assert!((100..=300).contains(&problems.len()) && bytes < 20_000_000, "{bytes}");
     assert_eq!(out(&output), format!("{} problems in {}\n", problems.len(), path.display()));
