@@ -1,8 +1,11 @@
 //! Who may import whom. Between crates Cargo sees to it, by their manifests; within a crate a
 //! module may use those of the rows above its own, never a neighbor's.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
+
+use toml::Table;
 
 /// The libraries, and those of ours that each may use. The judge must not see a solver, a page
 /// neither solvers nor scenes.
@@ -173,5 +176,27 @@ fn files_are_written_in_one_place_and_never_through_a_link_of_a_stranger() {
             let is_made = [".join(", "with_file_name(", "with_extension("];
             assert!(!is_made.iter().any(|word| named.contains(word)), "{}: {line}", file.display());
         }
+    }
+}
+
+/// The versions of each package in a lock file.
+fn locked(file: &str) -> BTreeMap<String, BTreeSet<String>> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+    let lock: Table = fs::read_to_string(path).unwrap().parse().unwrap();
+    let mut versions = BTreeMap::<_, BTreeSet<_>>::new();
+    for package in lock["package"].as_array().unwrap() {
+        let [name, version] = ["name", "version"].map(|key| package[key].as_str().unwrap());
+        versions.entry(name.to_string()).or_default().insert(version.to_string());
+    }
+    versions
+}
+
+/// Otherwise CI compiles all of lcplab once more for Python, with other versions than are tested.
+#[test]
+fn the_python_package_has_the_librarys_versions() {
+    let [library, python] = ["Cargo.lock", "python/Cargo.lock"].map(locked);
+    for (name, versions) in python {
+        let Some(tested) = library.get(&name) else { continue };
+        assert!(versions.is_subset(tested), "{name}: {versions:?} in python, {tested:?} here");
     }
 }
