@@ -36,7 +36,7 @@ Examples:
   lcplab diagnose frames/ --solver pgs --sweeps 10       # the same for problem files, one per step
   lcplab diagnose fig8                      # three rows that contradict each other, proved
   lcplab diagnose stack --step 10
-  lcplab diagnose mass_ratio3 --sweeps 10 --out why.html # a page with an animation
+  lcplab diagnose mass_ratio3 --solver pgs --sweeps 10 --out why.html # a page with an animation
   lcplab diagnose fig8 --json
   lcplab problems fathi | lcplab diagnose - --format markdown
   lcplab diagnose problem.json answer.json  # which known mistake produces exactly this x?
@@ -49,14 +49,14 @@ problems if it is a folder of such files, and as a scene otherwise.
 For each input lcplab reports rank, condition number and degrees of freedom, and lists zero rows, dependent \
 rows, contradictory rows, constraints without direction, drift, overlap, and sign errors in A.
 
-lcplab simulates a scene for one second, with its solver and with an exact one, and measures the unsupported \
+lcplab simulates a scene for one second, or its own number of steps if that is less, with its solver and with an exact one, and measures the unsupported \
 weight. It removes each possible cause in turn to see whether that helps, and tries remedies. If the \
 solver's error is at least twice that of plain Gauss-Seidel after the same number of sweeps, the solver is \
 listed as the first cause. A problem file, or a folder of them, has no solver of its own: name one with \
 --solver, or give --sweeps for pgs, for the same analysis. Every error is a fraction of the motion that the constraints cause.
 
 With an answer, lcplab compares it with the result of each known mistake, including up to 2,000 sweeps of each \
-method. It names a mistake if that result, \
+method. It names a mistake only if that result, \
 rounded to the precision of x, is at least a hundred times closer to x than the exact solution is. If the judge \
 accepts the answer, lcplab names no mistake.
 

@@ -92,7 +92,7 @@ fn found(search: &MistakeSearch) -> String {
 /// No mistake; with redundant rows one may remain unknown.
 fn none_found(redundant_rows: usize) -> String {
     match redundant_rows {
-        0 => "No known mistake gives this x.\n".into(),
+        0 => "No known mistake was found that gives this x.\n".into(),
         count => format!(
             "No known mistake was found that gives this x. The problem has {}, so forces need not be \
              unique: a solver with a mistake may return other forces than those that lcplab compared.\n",

@@ -32,16 +32,16 @@ Examples:
   lcplab compare murty fathi --solver dantzig --solver lemke
   lcplab compare pushed-rod --model coulomb-cone --model polygon-16
   lcplab compare problem.mtx                  # any format of `convert --list`
-  lcplab compare pd --plugin \"python3 mine.py\" # your solver and eight built-in ones
+  lcplab compare pd --plugin \"python3 mine.py\" # your solver and built-in ones
   lcplab compare set --profile mine           # a set of `problems --export set`
 
 A scene: every solver simulates it at the velocity and at the acceleration level; --solver and --scheme \
-select some. A scheme that solves no LCP has one row. lcplab measures the errors of contacts and joints, \
+select some. A scheme that solves no LCP has one row, because no solver runs in it. lcplab measures the errors of contacts and joints, \
 energy, momentum, restitution and the direction of friction, and compares the two levels with each other and \
 with half the time step. --out writes a page with the table, the plots and an animation of the solvers side \
 by side. If several solvers give the same motion, the animation shows one of them; --show selects others.
 
-Problems: eight solvers, one of each kind, solve them, or every solver with --all; clarabel is the reference. \
+Problems: one built-in solver of each kind that supports them, or with --all every solver, solves them; clarabel is the reference. \
 lcplab solves families with friction under seven friction models, and a problem file under the model that it \
 states, or as a coupled box. Tolerance and iteration limit have the same defaults as in `solve`. \
 `stack` and `painleve` name both a scene and a family: write family:stack for the family.
@@ -50,8 +50,8 @@ If a solver that you name cannot handle the problem or the friction model, its r
 
 Exit codes:
   0  the judge accepts every claim of a solver
-  1  the judge rejects a claim, a solver claims a solution where none exists, an expected failure does not \
-occur, or a solver that you name solves nothing
+  1  the judge rejects a claim, a solver claims a solution where none exists, a failure that theory predicts \
+does not occur, or a solver that you name solves nothing
   2  invalid input or usage")]
 pub struct Compare {
     /// Scene file or name of a shipped scene; or problems: families that `problems` lists, problem

@@ -53,7 +53,7 @@ Examples:
 
 Exit codes:
   0  every step was solved
-  1  a step was not solved, or the motion diverged; the steps before it are written
+  1  a step was not solved (the simulation continues), or the motion diverged (the steps before are written)
   2  invalid input or usage")]
 pub struct Simulate {
     #[command(flatten)]

@@ -11,8 +11,7 @@ use crate::error::{Error, Result};
 use crate::lcp::file::Problem;
 use crate::lcp::friction::Model;
 use crate::lcp::{Question, exchange};
-use crate::solver::{Method, Status};
-use lcplab_study::attempt::options;
+use crate::solver::{Method, Options, Settings, Status};
 use lcplab_study::{friction, methods};
 
 /// The files and solvers.
@@ -112,7 +111,9 @@ impl Plan {
             |method: &Method| method.name() == column.solver && method.takes(question.model());
         let Some(method) = methods::all().into_iter().find(is_asked) else { return Ok(None) };
         let demand = Demand { tolerance: self.tolerance, prove_up_to: 0 };
-        let options = options(self.tolerance, self.max_iterations);
+        let Plan { tolerance, max_iterations, .. } = *self;
+        let settings = Settings { tolerance, max_iterations, ..Settings::default() };
+        let options = Options { settings, ..Options::default() };
         let (solution, judged) = friction::solve(&question, &method, &options, &demand, &mut ());
         Ok(Some(Answer {
             is_claim: solution.status == Status::Solved,

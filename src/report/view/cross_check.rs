@@ -22,7 +22,7 @@ impl View for Plan {
         );
         document.equation(
             "\\min_u\\; \\tfrac12 (u - u^*)^T M (u - u^*) \\quad \\text{subject to} \\quad J u + \
-             \\text{bias} \\ge 0",
+             \\text{bias} \\ge 0 \\; (\\text{joints: } = 0)",
             "primal",
         );
         document.text(
@@ -71,7 +71,7 @@ impl View for Plan {
         let all = checks().count();
         let apart = significant(apart, 2);
         let says = format!(
-            "{accepted} of {all} answers accepted, {confirmed} of {all} answers of clarabel; velocities agree to {apart} m/s"
+            "{accepted} of {all} answers of lcplab accepted, {confirmed} of {all} of clarabel; velocities agree to {apart} m/s"
         );
         Outcome { good: accepted == all && confirmed == all, says }
     }

@@ -34,7 +34,7 @@ impl View for Plan {
                  - **Polygon** of 4, 8 or 16 corners on the circle, one at $t_1$: an LCP with one additional unknown for each corner, solved by Lemke's method.\n\
                  - **Cone**: the disc itself. *Associated*: a convex problem, in which sliding bodies lift off. *Coulomb*: the exact law.\n\n\
                  A block of 1 kg lies on the floor and is pushed along it. It is pressed so that \
-                 $\\mu x_n = 1$ N s. Its rows are not coupled ($A$ is the identity), so the friction impulse is \
+                 $\\mu x_n = 1$ N s. $A$ is the identity: no impulse changes the $w$ of another row. So the friction impulse is \
                  the point of the model's square, polygon or disc that is nearest to the push. This point \
                  follows from geometry alone: the lines below show the geometric construction, the markers \
                  the answers of the solvers.",

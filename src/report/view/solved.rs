@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Document, Outcome, View};
+use super::{Outcome, ReportPage, View};
 use crate::number::tabular;
 use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::solved::{Answer, Column, File, Plan};
@@ -10,7 +10,7 @@ use crate::report::study::solved::{Answer, Column, File, Plan};
 impl View for Plan {
     const TITLE: &'static str = "Problem files solved";
 
-    fn show(&self, findings: &[Vec<File>], document: &mut Document) {
+    fn show(&self, findings: &[Vec<File>], document: &mut ReportPage) {
         let files = findings.concat();
         document.table("by_solver", by_solver(self, &files));
         document.table("by_file", by_file(self, &files));

@@ -169,8 +169,8 @@ fn dots(rows: &[Row]) -> Bars {
         id: "verification_dots".into(),
         title: format!("{passed} of {} numbers agree with their closed forms", rows.len()),
         caption: "A dot for each number: its error divided by the allowed one; if an order is derived, the \
-                  distance of the observed order from it, divided by 0.1. Left of the line it passes. The number \
-                  is the largest of the case. Errors below 10⁻⁶ of the allowed one lie at the left edge."
+                  distance of the observed order from it, divided by 0.1. Left of the line it passes. The number at the \
+                  right is the largest of the case. Errors below 10⁻⁶ of the allowed one lie at the left edge."
             .into(),
         x: Axis::log("error / allowed error", ""),
         bars,

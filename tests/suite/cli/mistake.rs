@@ -75,7 +75,7 @@ fn an_accepted_answer_is_accused_of_nothing() {
     let near = file("near.json", r#"{"x": [4.0000123, 3.0000321, 1.0000213]}"#);
     let told = run(&["diagnose", &problem, &near]);
     assert_eq!(told.status.code(), Some(1));
-    assert!(out(&told).contains("No known mistake gives this x."), "{}", out(&told));
+    assert!(out(&told).contains("No known mistake was found that gives this x."), "{}", out(&told));
     let object: serde_json::Value =
         serde_json::from_slice(&run(&["diagnose", &problem, &near, "--json"]).stdout).unwrap();
     assert_eq!(

@@ -250,6 +250,6 @@ fn a_folder_whose_solver_answers_were_not_checked_is_not_ok() {
     write(folder.path(), "a.json", &capped);
     write(folder.path(), "a.x.json", &json!({"x": [WRONG.0], "motion": [WRONG.1]}));
     let (report, code) = checked(&[text(folder.path())]);
-    let why = "the solver was checked in no frame: 1 unconverged";
+    let why = "no frame is ok or wrong: 1 unconverged";
     assert_eq!((code, &report["unchecked"]), (Some(1), &json!(why)), "{report}");
 }

@@ -116,7 +116,7 @@ impl fmt::Display for Unproved {
                 write!(f, "row {row} has a negative compliance")
             }
             Unproved::DependentEquations => write!(f, "equations depend on each other"),
-            Unproved::NoRoom { row } => write!(f, "row {row} leaves no room for rounding"),
+            Unproved::NoRoom { row } => write!(f, "the rounding error of row {row} has no bound"),
         }
     }
 }

@@ -24,9 +24,11 @@ pub(super) fn states(when: &str, scene: &Scene, states: &[State]) -> Section {
 pub(super) fn after(scene: &Scene, step: &Step) -> Section {
     let mut section = Section::new("the states after the step");
     if step.solves.iter().all(|solve| solve.problem.lcp.is_empty()) {
-        section.say("No row is active, so every body moves freely.");
+        section.say(
+            "No contact or joint acts in this step: it has no rows, and every body moves freely.",
+        );
     }
-    section.say("The bodies move with their new velocities, s⁺ = s + dt S u⁺.");
+    section.say("The bodies move with their new velocities, s⁺ = s + dt S u⁺ (S turns velocities into rates of positions and quaternions).");
     state_table(&mut section, "the bodies after", scene, &step.states);
     section
 }
@@ -51,7 +53,7 @@ fn state_table(section: &mut Section, title: &str, scene: &Scene, states: &[Stat
         scene.bodies.iter().filter(is_fixed).take(SHOWN).map(|body| body.name.as_str()).collect();
     if !fixed.is_empty() {
         section.say(format!(
-            "Fixed bodies, with M⁻¹ = 0 and therefore without columns: {}.",
+            "Fixed bodies (M⁻¹ = 0; they have no columns in J): {}.",
             fixed.join(", ")
         ));
     }

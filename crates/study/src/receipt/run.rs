@@ -119,13 +119,13 @@ impl Run {
         }
     }
 
-    /// Why the run does not count as checked, as a sentence: the solver was checked in no frame or,
+    /// Why the run does not count as checked, as a sentence: no frame is ok or wrong or,
     /// without a baseline, in less than half of the frames with rows.
     pub fn unchecked(&self) -> Option<String> {
         let (checked, kinds) = (self.checked(), self.kinds_unchecked());
         let with_rows = self.frames.len() - self.with(StepVerdict::NoRows).len();
         if checked == 0 {
-            return Some(format!("the solver was checked in no frame: {kinds}"));
+            return Some(format!("no frame is ok or wrong: {kinds}"));
         }
         (self.baseline.is_none() && 2 * checked < with_rows).then(|| {
             format!(

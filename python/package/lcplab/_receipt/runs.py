@@ -51,7 +51,7 @@ class Run:
     stages : dict of str to int
         The number of frames that are rejected at each stage.
     unchecked : str or None
-        Why the run does not count as checked, as a sentence: the solver was checked in no frame or, without a baseline,
+        Why the run does not count as checked, as a sentence: no frame is ok or wrong or, without a baseline,
         in less than half of the frames with rows.
     """
 

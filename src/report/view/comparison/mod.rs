@@ -34,7 +34,7 @@ impl View for Plan {
         );
         let refuted = runs().map(|run| run.tally.refuted_claims).sum::<usize>();
         document.text(format!(
-            "Each solver simulates each scene with {}. Every solve starts from the answer of the previous \
+            "Each solver of the comparison simulates each scene with {}. Every solve starts from the answer of the previous \
              step. The solvers report {} of {} problems as solved; the judge rejects {refuted} of these answers.",
             listed(&self.schemes.iter().map(|&scheme| in_words(scheme)).collect::<Vec<_>>()),
             count(claimed),

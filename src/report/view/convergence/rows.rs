@@ -46,8 +46,8 @@ impl Rows {
                       ground is at the bottom, and white is a residual of 0. In sweeps from the top down, the \
                       impulse of the ground moves up by one row per sweep: the white area shows the rows that \
                       it has not reached. In sweeps from the ground up, it reaches the top in the first sweep, \
-                      halved in each row (the row swept last is always satisfied); then the residuals of all \
-                      rows decrease together, slowly. With the best ω the residual drops row by row from the \
+                      halved in each row (the row swept last is always satisfied); then the lowest rows \
+                      decrease slowly, and the upper rows grow toward them. With the best ω the residual drops row by row from the \
                       top, one row per sweep. With Jacobi's method, a row changes in \
                       every second sweep."
                 .into(),
@@ -73,7 +73,7 @@ impl Rows {
         let arrivals: Vec<String> = maps.iter().map(of).collect();
         format!(
             "The impulse from the ground reaches the contact below the top one: {}.",
-            arrivals.join(", ")
+            arrivals.join("; ")
         )
     }
 }

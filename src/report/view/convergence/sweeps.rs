@@ -17,7 +17,7 @@ pub(super) fn show(studies: &[&Rates], document: &mut ReportPage) {
     document.text(
         "While the active set does not change, each sweep multiplies the error by the same \
          matrix, and the residual falls like $\\rho^k$ with its spectral radius $\\rho$: the curves \
-         below have the slope $\\log \\rho$. For a chain, whose matrix is consistently ordered, Young's theory also \
+         below have the slope $\\log \\rho$. For a chain, whose matrix is tridiagonal, Young's theory also \
          gives the best relaxation factor:",
     );
     document.equation(

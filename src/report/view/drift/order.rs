@@ -65,7 +65,7 @@ fn figure(finding: &Finding) -> Lines {
     Lines {
         id: format!("order_{}", finding.problem.scene()),
         title: format!(
-            "{}: {held} of {all} errors decrease with the derived order as dt is halved {} times",
+            "{}: {held} of {all} errors behave as derived as dt is halved {} times",
             what(finding.problem),
             finding.curves.first().map_or(0, |curve| curve.errors.len().saturating_sub(1))
         ),

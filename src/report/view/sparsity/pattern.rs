@@ -19,7 +19,7 @@ pub(super) fn show(scenes: &[&Patterns], factors: &[&Factor], document: &mut Rep
     document.text(
         "A row of $J$ has entries only for the one or two bodies it joins, and two rows of \
          $A = J M^{-1} J^T$ are coupled only if they share a moving body. The larger the scene, the sparser \
-         its $A$ (the chapter's Figure 13). The work of a solver that reads only stored entries is \
+         its $A$ (the chapter's Figure 13). The work of a sweep that reads only stored entries is \
          proportional to the number of contacts, not to its square. A direct method factors $A = L L^T$, and \
          $L$ has additional entries, the fill-in, whose number depends on the order of elimination.",
     );
@@ -67,7 +67,7 @@ fn figure(found: &Patterns, factors: &[&Factor]) -> SceneMatrix {
         caption: format!(
             "Left: the scene. Right: A in step {}, {} rows; a block holds the rows of two bodies, and the paler an \
              entry, the smaller |a|. Blocks without a common moving body are empty; the other {} are {} % full, \
-             because the lever arms of some rows cancel. So few bodies couple most rows: with ten times as \
+             because the lever arms of some rows cancel. With so few bodies, many blocks have entries: with ten times as \
              many, A would be about ten times emptier. Point at a block to see the bodies that its rows share. \
              {}",
             found.step,
@@ -95,7 +95,7 @@ fn gain(factors: &[&Factor]) -> String {
         let entries: Vec<f64> = drawn(factor).map(|own| own.entries as f64).collect();
         let (natural, least) = (entries.first()?, entries.last()?);
         Some(format!(
-            "; minimum degree makes the factor of {} {} times smaller",
+            "; eliminating rows by minimum degree makes the factor of {} {} times smaller",
             factor.scene,
             readable(natural / least, 2)
         ))

@@ -352,7 +352,7 @@ fn why_there_is_no_bound_is_said() {
         (Unproved::TooLarge, "too large"),
         (Unproved::Mass, "M is not verifiably definite"),
         (Unproved::DependentEquations, "equations depend on each other"),
-        (Unproved::NoRoom { row: 2 }, "row 2 leaves no room for rounding"),
+        (Unproved::NoRoom { row: 2 }, "the rounding error of row 2 has no bound"),
     ] {
         assert_eq!(reason.to_string(), text);
     }

@@ -81,12 +81,13 @@ fn figure_6_at_velocity_level_gives_two_newton_seconds() {
         u⁺ = u* + M⁻¹Jᵀ x = [ −2 ] + [ 2 ] = [ 0 ]   m/s
 
     8 Step 1: the states after the step
-    The bodies move with their new velocities, s⁺ = s + dt S u⁺.
+    The bodies move with their new velocities, s⁺ = s + dt S u⁺ (S turns velocities into rates of
+    positions and quaternions).
       Step 1: the bodies after
         body     p (m)       q   v (m/s)     ω (rad/s)
         ground   (0, 0, 0)   —   —           —
         body     (0, 0, 0)   —   (0, 0, 0)   —
-    Fixed bodies, with M⁻¹ = 0 and therefore without columns: ground.
+    Fixed bodies (M⁻¹ = 0; they have no columns in J): ground.
     ");
 }
 

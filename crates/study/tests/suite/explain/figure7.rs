@@ -167,14 +167,15 @@ fn figure_7_by_the_moves_of_dantzig() {
                             ⎣ −1 ⎦   ⎣ 1 ⎦   ⎣ 0 ⎦
 
     8 Step 1: the states after the step
-    The bodies move with their new velocities, s⁺ = s + dt S u⁺.
+    The bodies move with their new velocities, s⁺ = s + dt S u⁺ (S turns velocities into rates of
+    positions and quaternions).
       Step 1: the bodies after
         body     p (m)         q              v (m/s)     ω (rad/s)
         ground   (0, 0, 0)     —              —           —
         bottom   (0, 0, 0.5)   (1, 0, 0, 0)   (0, 0, 0)   (0, 0, 0)
         middle   (0, 0, 1.5)   (1, 0, 0, 0)   (0, 0, 0)   (0, 0, 0)
         top      (0, 0, 2.5)   (1, 0, 0, 0)   (0, 0, 0)   (0, 0, 0)
-    Fixed bodies, with M⁻¹ = 0 and therefore without columns: ground.
+    Fixed bodies (M⁻¹ = 0; they have no columns in J): ground.
     ");
 }
 
