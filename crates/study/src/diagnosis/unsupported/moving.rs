@@ -8,7 +8,7 @@ use lcplab_problem::friction::{Form, Model};
 
 use super::cause::Moving;
 use super::run::{End, end_of, exact, is_of_impulses, sunk};
-use super::suspect::{Findings, Suspect, tested};
+use super::suspect::{Suspect, tested};
 use super::thresholds::{
     CREDIBLE, FEEDBACK_HELPS, HEALTHY, REPORTED_LENGTH, REPORTED_SLIDE, REPORTED_YIELD,
 };
@@ -24,14 +24,24 @@ struct Case<'a> {
     size: f64,
 }
 
+/// What the measure of a suspect finds.
+enum Finding {
+    /// A cause, with its strength.
+    Cause(f64, Moving),
+    /// The suspect is ruled out, in words.
+    RuledOut(&'static str),
+}
+
 /// The suspects of a run.
-fn suspects<'a>() -> [Suspect<Case<'a>, End, Moving>; 4] {
+fn suspects<'a>() -> [Suspect<Case<'a>, Result<End>, Result<Vec<Finding>>>; 4] {
     [
-        Suspect { intervention: Case::warm, measure: Case::cold_start, is_last: false },
-        Suspect { intervention: Case::without_feedback, measure: Case::feedback, is_last: false },
-        // Another law of friction moves the bodies elsewhere, so nothing is said of their depth.
-        Suspect { intervention: Case::with_cone, measure: Case::friction, is_last: true },
-        Suspect { intervention: Case::rigid, measure: Case::compliance, is_last: false },
+        Suspect { intervention: Case::warm, measure: |case, end| Ok(case.cold_start(&end?)) },
+        Suspect {
+            intervention: Case::without_feedback,
+            measure: |case, end| Ok(case.feedback(&end?)),
+        },
+        Suspect { intervention: Case::with_cone, measure: |case, end| Ok(case.friction(&end?)) },
+        Suspect { intervention: Case::rigid, measure: |case, end| Ok(case.compliance(&end?)) },
     ]
 }
 
@@ -44,39 +54,51 @@ pub(super) fn causes(
     exactly: &End,
 ) -> Result<(Vec<Moving>, Vec<String>)> {
     let size = scene.thinnest().unwrap_or(1.0);
-    let mut found = tested(&suspects(), &Case { scene, count, own, exactly, size })?;
-    found.causes.sort_by(|a, b| b.0.total_cmp(&a.0));
-    Ok((found.causes.into_iter().map(|(_, cause)| cause).collect(), found.ruled_out))
+    let case = Case { scene, count, own, exactly, size };
+    let (mut causes, mut ruled_out) = (Vec::new(), Vec::new());
+    let findings: Result<Vec<_>> = tested(&suspects(), &case).into_iter().collect();
+    for finding in findings?.into_iter().flatten() {
+        match finding {
+            Finding::Cause(strength, cause) => causes.push((strength, cause)),
+            Finding::RuledOut(what) => ruled_out.push(what.to_string()),
+        }
+    }
+    // Another law of friction moves the bodies elsewhere, so nothing is said of their depth.
+    if causes.iter().any(|(_, cause)| matches!(cause, Moving::Friction { .. })) {
+        causes.retain(|(_, cause)| !matches!(cause, Moving::Soft { .. }));
+    }
+    causes.sort_by(|a, b| b.0.total_cmp(&a.0));
+    Ok((causes.into_iter().map(|(_, cause)| cause).collect(), ruled_out))
 }
 
 impl Case<'_> {
     /// The end of the run of a changed scene.
-    fn end(&self, scene: &Scene) -> Result<Option<End>> {
-        end_of(scene, self.count).map(Some)
+    fn end(&self, scene: &Scene) -> Option<Result<End>> {
+        Some(end_of(scene, self.count))
     }
 
     /// The run with every step from the last answer, if steps start from 0 and that costs accuracy.
-    fn warm(&self) -> Result<Option<End>> {
+    fn warm(&self) -> Option<Result<End>> {
         let is_cold = self.scene.contact.persistence == Persistence::None;
         if !is_cold || self.own.missing <= HEALTHY {
-            return Ok(None);
+            return None;
         }
         let mut warm = self.scene.clone();
         warm.contact.persistence = Persistence::Features;
         self.end(&warm)
     }
 
-    fn cold_start(&self, warm: &End) -> Findings<Moving> {
+    fn cold_start(&self, warm: &End) -> Vec<Finding> {
         let (with, without) = (self.own.missing, warm.missing);
         match without < CREDIBLE * with {
-            true => Findings::cause(with / without, Moving::Cold { with, without }),
-            false => Findings::ruled_out("the cold start"),
+            true => vec![Finding::Cause(with / without, Moving::Cold { with, without })],
+            false => vec![Finding::RuledOut("the cold start")],
         }
     }
 
-    fn without_feedback(&self) -> Result<Option<End>> {
+    fn without_feedback(&self) -> Option<Result<End>> {
         if self.scene.step.baumgarte <= 0.0 {
-            return Ok(None);
+            return None;
         }
         let mut plain = self.scene.clone();
         plain.step.baumgarte = 0.0;
@@ -84,43 +106,43 @@ impl Case<'_> {
     }
 
     /// Feedback that adds energy, or drives rows away from their targets.
-    fn feedback(&self, plain: &End) -> Findings<Moving> {
+    fn feedback(&self, plain: &End) -> Vec<Finding> {
         let (own, exactly) = (self.own, self.exactly);
         let [energy, length] = [self.reported_energy(), self.reported_length()];
         let gains = own.gained > energy;
         let errs = exactly.error > length;
         if !gains && !errs {
-            return Findings::ruled_out("Baumgarte feedback (it adds no energy)");
+            return vec![Finding::RuledOut("Baumgarte feedback (it adds no energy)")];
         }
-        let mut found = Findings::default();
+        let mut found = Vec::new();
         let (with, without) = (own.gained, plain.gained.max(0.0));
         if gains && without < CREDIBLE * with {
             let exactly = exactly.gained.max(0.0);
             let cause = Moving::Feedback { with, without, exactly };
-            found = found.and(Findings::cause(with / energy, cause));
+            found.push(Finding::Cause(with / energy, cause));
         }
         let (with, without) = (own.error, plain.error);
         if errs && with > length && without < FEEDBACK_HELPS * with {
-            found = found.and(Findings::cause(with / length, Moving::Away { with, without }));
+            found.push(Finding::Cause(with / length, Moving::Away { with, without }));
         }
         found
     }
 
     /// The run with Coulomb's cone, if friction has another law, and the end of the run is known to
     /// depend on that law alone.
-    fn with_cone(&self) -> Result<Option<End>> {
+    fn with_cone(&self) -> Option<Result<End>> {
         let scene = self.scene;
         let has_friction = scene.bodies.iter().any(|body| body.friction > 0.0);
         let is_cone = matches!(scene.contact.model.form(), Form::Cone(_));
         if !has_friction || is_cone || self.compared_states().is_none() {
-            return Ok(None);
+            return None;
         }
         let mut round = exact(scene);
         round.contact.model = Model::CoulombCone;
         if round.validate().is_err() {
             round = round.at_level(Scheme::Velocity);
         }
-        if round.validate().is_err() { Ok(None) } else { self.end(&round) }
+        if round.validate().is_err() { None } else { self.end(&round) }
     }
 
     /// The final states that are compared with those under Coulomb's cone: with exact answers if
@@ -132,20 +154,17 @@ impl Case<'_> {
         }
     }
 
-    fn friction(&self, round: &End) -> Findings<Moving> {
+    fn friction(&self, round: &End) -> Vec<Finding> {
         let (scene, scheme) = (self.scene, self.scene.step.scheme);
-        let Some(states) = self.compared_states() else { return Findings::default() };
+        let Some(states) = self.compared_states() else { return Vec::new() };
         let (distance, way) = (apart(states, &round.states), apart(states, &scene.states));
         let off = |k: &usize| (states[*k].pose.p - round.states[*k].pose.p).norm();
         let farthest = (0..states.len()).max_by(|a, b| off(a).total_cmp(&off(b)));
         let is_far = distance > self.reported_length().max(REPORTED_SLIDE * way);
         let Some(body) = farthest.filter(|_| is_far) else {
-            return match scheme.solves_lcps() {
-                true => {
-                    Findings::ruled_out("the friction model (Coulomb's cone gives the same motion)")
-                }
-                false => Findings::default(),
-            };
+            let is_tested = scheme.solves_lcps();
+            let words = "the friction model (Coulomb's cone gives the same motion)";
+            return is_tested.then_some(Finding::RuledOut(words)).into_iter().collect();
         };
         let cause = Moving::Friction {
             is_polygon: matches!(scene.contact.model.form(), Form::Polygon { .. }),
@@ -154,28 +173,26 @@ impl Case<'_> {
             distance,
             way: (states[body].pose.p - scene.states[body].pose.p).norm(),
         };
-        Findings::cause(distance / self.reported_length(), cause)
+        vec![Finding::Cause(distance / self.reported_length(), cause)]
     }
 
     /// The run with rigid constraints, if the scheme's are compliant.
-    fn rigid(&self) -> Result<Option<End>> {
+    fn rigid(&self) -> Option<Result<End>> {
         if is_of_impulses(self.scene.step.scheme) {
-            return Ok(None);
+            return None;
         }
         self.end(&exact(self.scene).at_level(Scheme::Velocity))
     }
 
-    fn compliance(&self, rigid: &End) -> Findings<Moving> {
+    fn compliance(&self, rigid: &End) -> Vec<Finding> {
         let (own, length) = (self.own, self.reported_length());
         let yields = own.error > REPORTED_YIELD * length && own.error > rigid.error / CREDIBLE;
         let deepest = sunk(self.scene, &own.states, &rigid.states);
-        match deepest.filter(|(_, depth)| yields && *depth > length) {
-            Some((body, depth)) => {
-                let scheme = self.scene.step.scheme.name();
-                Findings::cause(depth / length, Moving::Soft { scheme, body, depth })
-            }
-            None => Findings::default(),
-        }
+        let found = deepest.filter(|(_, depth)| yields && *depth > length);
+        let scheme = self.scene.step.scheme.name();
+        let cause =
+            |(body, depth)| Finding::Cause(depth / length, Moving::Soft { scheme, body, depth });
+        found.map(cause).into_iter().collect()
     }
 
     /// The length (m) from which on a position error is reported.

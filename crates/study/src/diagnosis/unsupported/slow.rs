@@ -1,7 +1,6 @@
 //! Causes of slow sweeps: the problem is solved again without each suspect.
 
 use lcplab_problem::Lcp;
-use lcplab_problem::error::Result;
 use lcplab_problem::friction::ProblemForm;
 use lcplab_solver::{Group, Order, Pgs, Solver, Start, Status};
 
@@ -11,7 +10,7 @@ use super::frame::{Body, Frame};
 use super::linear::Linear;
 use super::reference::{ReferenceSolution, start};
 use super::remedy::sweeps_to;
-use super::suspect::{Findings, Suspect, tested};
+use super::suspect::{Suspect, tested};
 use super::thresholds::{
     EXPLAINS, EXPLAINS_MOST, FEWER_SWEEPS, GOOD, HEALTHY, WEAK_MOTOR, WORSE_THAN_PLAIN,
 };
@@ -56,14 +55,21 @@ struct Sweeps<'a> {
     alike: Pace,
 }
 
-/// The suspects of slow sweeps; height is tested with equal masses.
-fn suspects<'a>() -> [Suspect<Sweeps<'a>, Without, Slow>; 5] {
+/// The suspects of slow sweeps; height is tested with equal masses. A cause comes with the part of
+/// the error that it explains.
+fn suspects<'a>() -> [Suspect<Sweeps<'a>, Without, Option<(f64, Slow)>>; 5] {
     [
-        Suspect { intervention: Sweeps::equal_masses, measure: Sweeps::mass_ratio, is_last: false },
-        Suspect { intervention: Sweeps::separate_pairs, measure: Sweeps::height, is_last: false },
-        Suspect { intervention: Sweeps::weak_motors, measure: Sweeps::motors, is_last: false },
-        Suspect { intervention: Sweeps::reversed_rows, measure: Sweeps::order, is_last: false },
-        Suspect { intervention: Sweeps::cold_start, measure: Sweeps::start, is_last: false },
+        Suspect { intervention: Sweeps::equal_masses, measure: Sweeps::mass_ratio },
+        Suspect { intervention: Sweeps::separate_pairs, measure: Sweeps::height },
+        Suspect { intervention: Sweeps::weak_motors, measure: Sweeps::motors },
+        Suspect {
+            intervention: Sweeps::reversed_rows,
+            measure: |case, without| case.decided(without, Slow::Order { without }),
+        },
+        Suspect {
+            intervention: Sweeps::cold_start,
+            measure: |case, without| case.decided(without, Slow::Stale { without }),
+        },
     ]
 }
 
@@ -78,7 +84,8 @@ impl<'a> Case<'a> {
         found.sweeps = Some((needed, is_done));
         let sweeps = Sweeps::of(*self, Pace { needed, error: missing }, speeds);
         found.mover = sweeps.mover.map(|k| self.frame.bodies[k].name.clone());
-        let Ok(Findings { mut causes, .. }) = tested(&suspects(), &sweeps) else { return };
+        let mut causes: Vec<(f64, Slow)> =
+            tested(&suspects(), &sweeps).into_iter().flatten().collect();
         // Of the causes that each explain most of the error alone, the one that is removed most
         // easily comes first.
         let place = |(share, cause): &(f64, Slow)| match *share >= EXPLAINS_MOST * missing {
@@ -166,22 +173,20 @@ impl<'a> Sweeps<'a> {
     }
 
     /// A cause, if its removal saves enough sweeps and explains enough of the error.
-    fn decided(&self, without: &Without, cause: Slow) -> Findings<Slow> {
-        let is_cause =
-            without.factor >= FEWER_SWEEPS && without.share() >= EXPLAINS * self.own.error;
-        if is_cause { Findings::cause(without.share(), cause) } else { Findings::default() }
+    fn decided(&self, without: Without, cause: Slow) -> Option<(f64, Slow)> {
+        let share = without.share();
+        let is_cause = without.factor >= FEWER_SWEEPS && share >= EXPLAINS * self.own.error;
+        is_cause.then_some((share, cause))
     }
 
-    fn equal_masses(&self) -> Result<Option<Without>> {
+    fn equal_masses(&self) -> Option<Without> {
         let Sweeps { own, alike, .. } = self;
-        Ok(self.equal.as_ref().and(self.mover).map(|_| Without {
-            factor: own.needed / alike.needed,
-            with: own.error,
-            without: alike.error,
-        }))
+        self.equal.as_ref().and(self.mover)?;
+        let factor = own.needed / alike.needed;
+        Some(Without { factor, with: own.error, without: alike.error })
     }
 
-    fn mass_ratio(&self, without: &Without) -> Findings<Slow> {
+    fn mass_ratio(&self, without: Without) -> Option<(f64, Slow)> {
         let bodies = &self.case.frame.bodies;
         let largest = self.mover.map_or(0.0, |mover| self.speeds[mover]);
         let moves = |k: &usize| self.speeds[*k] > HEALTHY * largest;
@@ -191,76 +196,62 @@ impl<'a> Sweeps<'a> {
             body.map_or_else(Default::default, |body| (body.name.clone(), body.mass))
         };
         let (heavy, light) = (named(moving().max_by(by_mass)), named(moving().min_by(by_mass)));
-        self.decided(without, Slow::MassRatio { heavy, light, without: *without })
+        self.decided(without, Slow::MassRatio { heavy, light, without })
     }
 
     /// Each pair of bodies solved on its own, with equal masses in both cases.
-    fn separate_pairs(&self) -> Result<Option<Without>> {
+    fn separate_pairs(&self) -> Option<Without> {
         let Case { frame, .. } = self.case;
-        let apart = frame.by_pairs(self.equal.as_ref().unwrap_or(&frame.lcp));
-        let left = apart.and_then(|apart| self.case.changed(&apart, self.weight));
-        Ok(left.map(|left| Without {
-            factor: self.alike.needed / left.needed,
-            // An error that is not there now cannot be caused by it.
-            with: self.alike.error.min(self.own.error),
-            without: left.error,
-        }))
+        let apart = frame.by_pairs(self.equal.as_ref().unwrap_or(&frame.lcp))?;
+        let left = self.case.changed(&apart, self.weight)?;
+        // An error that is not there now cannot be caused by it.
+        let with = self.alike.error.min(self.own.error);
+        let factor = self.alike.needed / left.needed;
+        Some(Without { factor, with, without: left.error })
     }
 
-    fn height(&self, without: &Without) -> Findings<Slow> {
+    fn height(&self, without: Without) -> Option<(f64, Slow)> {
         let mover = self.mover.filter(|_| self.equal.is_some());
         let bodies = mover.map(|mover| self.case.frame.diameter(mover));
-        self.decided(without, Slow::Tall { bodies, without: *without })
+        self.decided(without, Slow::Tall { bodies, without })
     }
 
-    fn weak_motors(&self) -> Result<Option<Without>> {
+    fn weak_motors(&self) -> Option<Without> {
         let Case { frame, reference, .. } = self.case;
         let rows = reference.motors_at_limits();
         if rows.is_empty() {
-            return Ok(None);
+            return None;
         }
-        let weak = frame.with_efforts(&rows, WEAK_MOTOR);
-        let left = weak.and_then(|weak| self.case.changed(&weak, frame.weight(|_| 1.0)));
-        Ok(left.map(|left| Without {
-            factor: self.own.needed / left.needed,
-            with: self.own.error,
-            without: left.error,
-        }))
+        let weak = frame.with_efforts(&rows, WEAK_MOTOR)?;
+        let left = self.case.changed(&weak, frame.weight(|_| 1.0))?;
+        let factor = self.own.needed / left.needed;
+        Some(Without { factor, with: self.own.error, without: left.error })
     }
 
-    fn motors(&self, without: &Without) -> Findings<Slow> {
+    fn motors(&self, without: Without) -> Option<(f64, Slow)> {
         let between = self.case.frame.between(&self.case.reference.motors_at_limits());
-        self.decided(without, Slow::Motors { between, without: *without })
+        self.decided(without, Slow::Motors { between, without })
     }
 
     /// The rows in the other order. Asymptotically it is no faster (a chain has the same
     /// eigenvalues both ways): it matters in the first sweeps, as many as bodies on the path of an
     /// impulse.
-    fn reversed_rows(&self) -> Result<Option<Without>> {
+    fn reversed_rows(&self) -> Option<Without> {
         let Case { user_solver, .. } = self.case;
         if !user_solver.is_sweep() {
-            return Ok(None);
+            return None;
         }
         let mut reversed = user_solver.clone();
         reversed.options.order = Order::Reverse;
         let [with, without] = [user_solver, &reversed].map(|solver| self.case.error_of(solver));
-        Ok(Some(Without { factor: with / without, with, without }))
-    }
-
-    fn order(&self, without: &Without) -> Findings<Slow> {
-        self.decided(without, Slow::Order { without: *without })
+        Some(Without { factor: with / without, with, without })
     }
 
     /// The solve from x = 0, if it began elsewhere.
-    fn cold_start(&self) -> Result<Option<Without>> {
+    fn cold_start(&self) -> Option<Without> {
         let with = self.own.error;
-        Ok(self.case.from.map(|_| {
-            let without = self.case.error_of(self.case.user_solver);
-            Without { factor: with / without, with, without }
-        }))
-    }
-
-    fn start(&self, without: &Without) -> Findings<Slow> {
-        self.decided(without, Slow::Stale { without: *without })
+        self.case.from?;
+        let without = self.case.error_of(self.case.user_solver);
+        Some(Without { factor: with / without, with, without })
     }
 }
