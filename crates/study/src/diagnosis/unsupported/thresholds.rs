@@ -36,22 +36,27 @@ pub(super) const WEAK_MOTOR: f64 = 0.01;
 pub(super) const WORSE_THAN_PLAIN: f64 = 2.0;
 
 /// A cause of wrong motion must explain half of the symptom: then no other explains more.
+#[cfg(feature = "mechanics")]
 pub(super) const CREDIBLE: f64 = 0.5;
 
 /// Feedback is wrong if the error without it is below this fraction of that with it. It is meant to
 /// reduce errors, so it need not double them to be wrong.
+#[cfg(feature = "mechanics")]
 pub(super) const FEEDBACK_HELPS: f64 = 0.9;
 
 /// Position errors are reported from this fraction of the thinnest body on, energies from the same
 /// fraction of the work of all weights over its thickness: an overlap of that size is just visible.
+#[cfg(feature = "mechanics")]
 pub(super) const REPORTED_LENGTH: f64 = 0.01;
 
 /// A compliant scheme is examined from this part of [`REPORTED_LENGTH`] on, because the errors of
 /// several compliant constraints on each other add up.
+#[cfg(feature = "mechanics")]
 pub(super) const REPORTED_YIELD: f64 = 0.1;
 
 /// Friction is reported from this fraction of the distance moved on: a body that stops within 50
 /// steps has an error of about this size from the step alone.
+#[cfg(feature = "mechanics")]
 pub(super) const REPORTED_SLIDE: f64 = 0.02;
 
 /// Sinking is stated in a sentence from this depth (m) on: less is rounding of positions and
