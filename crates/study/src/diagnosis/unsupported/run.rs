@@ -154,7 +154,7 @@ fn steps(scene: &Scene) -> usize {
 /// The scene with exact answers.
 pub fn exact(scene: &Scene) -> Scene {
     let mut scene = scene.clone();
-    scene.solver.name = EXACT.into();
+    (scene.solver.name, scene.solver.fixed_sweeps) = (EXACT.into(), false);
     let usual = lcplab_solver::Settings::default();
     scene.solver.max_iterations = usual.max_iterations;
     scene.solver.tolerance = scene.solver.tolerance.min(usual.tolerance);
