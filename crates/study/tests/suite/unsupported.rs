@@ -12,6 +12,7 @@ use lcplab_study::diagnosis::unsupported::{
 };
 use lcplab_study::methods::entry;
 use lcplab_testing::{INF, contacts};
+use rayon::prelude::*;
 
 fn user_solver(solver: &str, sweeps: usize) -> UserSolver {
     let settings = Settings { max_iterations: sweeps, ..Settings::default() };
@@ -245,10 +246,10 @@ fn the_planted_cause_is_named_first() {
         ("bridge", 10, none, "energy from Baumgarte feedback"),
         ("bridge", 10, &[("step.baumgarte", "0")], TALL),
     ];
-    for (name, sweeps, changes, cause) in planted {
+    planted.into_par_iter().for_each(|(name, sweeps, changes, cause)| {
         let found = examined(name, "pgs", sweeps, changes);
         assert_eq!(found.causes().first(), Some(&cause), "{name} {changes:?}");
-    }
+    });
 }
 
 /// Balls on each other, each lighter than the one below, listed and therefore swept from the top

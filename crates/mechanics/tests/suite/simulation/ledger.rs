@@ -3,6 +3,7 @@
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::scene::{Integrator, Scene, Scheme, catalogue};
 use lcplab_mechanics::simulation::{Ledger, Step, StepEvent};
+use rayon::prelude::*;
 
 use super::{assert_near, scene, simulation};
 
@@ -73,7 +74,7 @@ fn steps_of(scene: Scene) -> Vec<Step> {
 
 #[test]
 fn the_accounts_of_every_shipped_scene_close_to_rounding() {
-    for shipped in catalogue::SHIPPED {
+    catalogue::SHIPPED.par_iter().for_each(|shipped| {
         for level in Scheme::LEVELS {
             if (shipped.name, level) == ("painleve", Scheme::Acceleration) {
                 continue; // provably has no solution: see painleve.rs
@@ -91,12 +92,12 @@ fn the_accounts_of_every_shipped_scene_close_to_rounding() {
                 assert!(ledger.closes() && ledger.correction == 0.0, "{}", shipped.name);
             }
         }
-    }
+    });
 }
 
 #[test]
 fn every_shipped_scene_keeps_the_laws_of_contact_and_momentum() {
-    for shipped in catalogue::SHIPPED {
+    catalogue::SHIPPED.par_iter().for_each(|shipped| {
         for level in Scheme::LEVELS {
             if (shipped.name, level) == ("painleve", Scheme::Acceleration) {
                 continue; // provably has no solution: see painleve.rs
@@ -124,7 +125,7 @@ fn every_shipped_scene_keeps_the_laws_of_contact_and_momentum() {
                 assert!(laws.internal_torque < allowed, "{} {level:?}: {laws:?}", shipped.name);
             }
         }
-    }
+    });
 }
 
 /// The schemes that record their forces; XPBD's velocities are differences of positions.
