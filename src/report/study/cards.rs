@@ -189,6 +189,34 @@ pub struct Column {
     /// Wall time per simulated second (s), on the machine that ran it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pace: Option<f64>,
+    /// The solver's part in the motion, if something was measured and the engine is an external one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub solver: Option<SolverPart>,
+}
+
+/// The error of an engine's solver on its own problems, from receipts of steps of the run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(untagged, deny_unknown_fields)]
+pub enum SolverPart {
+    /// Steps were checked.
+    Checked {
+        /// The number of checked steps.
+        steps: usize,
+        /// The number of those whose error is above the limit.
+        above: usize,
+        /// The largest error of the motion in a step, relative to its change in this step.
+        #[serde(with = "lcplab_study::number::always")]
+        error: f64,
+        /// The limit of that step.
+        limit: f64,
+        /// Whether all errors are proved bounds; otherwise some are residuals.
+        is_bound: bool,
+    },
+    /// No step was checked.
+    Unchecked {
+        /// The reason.
+        why: String,
+    },
 }
 
 /// A measured number next to that of the law.

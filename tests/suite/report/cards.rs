@@ -9,7 +9,7 @@ use lcplab::lcp::Question;
 use lcplab::report::friction::JudgedAnswer;
 use lcplab::report::page::Block;
 use lcplab::report::study::Study;
-use lcplab::report::study::cards::{Column, Frame, Phenomenon, Plan, Record};
+use lcplab::report::study::cards::{Column, Frame, Phenomenon, Plan, Record, SolverPart};
 use lcplab::report::view::{ReportPage, View};
 use lcplab::scene::catalogue::spin::FreeBody;
 use lcplab::scene::{Description, Integrator, Scene, Scheme};
@@ -138,6 +138,8 @@ fn the_laws_of_the_record_are_those_of_mechanics() {
     assert!(held == 0.0 && (slides / thin - 1.0).abs() < 0.12, "{slides} beside {thin}");
     assert_laws(&record, "predictability", &[2.0 / (0.5 * G)]);
     assert_laws(&record, "top", &[0.0, top_goes_round()]);
+    assert_laws(&record, "flying_tree", &[0.0; 4]);
+    assert_laws(&record, "standing_tree", &[100.0, 100.0, 0.0, 0.0]);
     let still = [
         "creep",
         "wall",
@@ -278,6 +280,45 @@ fn mujoco_solves_what_it_poses_so_that_what_it_misses_is_missed_by_the_model() {
     let document = ReportPage::of(&plan, std::slice::from_ref(&record));
     let (_, table) = document.tables.iter().find(|(id, _)| id == "cards_frames").unwrap();
     assert_eq!(table.rows.len(), record.frames.len());
+}
+
+/// Each run of an external engine that violates a law says which part of it is the solver's, or why
+/// that is not known; the page shows it in the row of the violation and of no other.
+#[test]
+fn each_violated_law_of_another_engine_names_the_solvers_part() {
+    let (plan, record) = (Plan::default(), shipped());
+    let document = ReportPage::of(&plan, std::slice::from_ref(&record));
+    let mut checked = 0;
+    for phenomenon in &record.phenomena {
+        let others = phenomenon.columns.iter().filter(|own| own.engine != "lcplab");
+        for own in others.filter(|own| !own.measured.is_empty()) {
+            assert!(own.solver.is_some(), "{}: {} {}", phenomenon.name, own.engine, own.settings);
+            checked +=
+                usize::from(matches!(own.solver, Some(SolverPart::Checked { steps: 1.., .. })));
+        }
+        let id = format!("cards_{}", phenomenon.name);
+        let (_, table) = document.tables.iter().find(|(own, _)| *own == id).unwrap();
+        for row in &table.rows {
+            let (engine, verdict, part) = (&row[0], &row[6], &row[7]);
+            let is_violated = verdict.text.ends_with('×') || verdict.text == "no end";
+            let is_named = !part.text.is_empty() && part.text != "–";
+            let is_other = engine.text != "lcplab";
+            assert_eq!(is_named, is_violated && is_other, "{}: {}", phenomenon.name, part.text);
+        }
+    }
+    assert!(checked > 100, "{checked}");
+    // MuJoCo's creep is the model's: its solver is right to a millionth of each step.
+    let creep = &phenomenon(&record, "creep").columns;
+    let of = |own: &&Column| own.engine == "mujoco" && own.settings == "defaults";
+    let Some(SolverPart::Checked { above: 0, error, .. }) = creep.iter().find(of).unwrap().solver
+    else {
+        panic!("checked");
+    };
+    assert!(error < 1e-6);
+    // PyBullet stops after fifty sweeps, which its own laws of rows show.
+    let of = |own: &&Column| own.engine == "pybullet" && own.settings == "defaults";
+    let weight = phenomenon(&record, "weight").columns.iter().find(of).unwrap();
+    assert!(matches!(weight.solver, Some(SolverPart::Checked { above: 1.., is_bound: false, .. })));
 }
 
 /// The verdict on an engine's own answer, under the friction model of its problem.

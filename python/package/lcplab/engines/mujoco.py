@@ -24,6 +24,9 @@ BOUNCE = 0.02
 class Model:
     """A scene in MuJoCo."""
 
+    #: What else contacts without friction get.
+    FRICTIONLESS: dict[str, Any] = {}
+
     def __init__(self, scene: Description, settings: Settings) -> None:
         import mujoco
 
@@ -33,6 +36,8 @@ class Model:
         for key, value in options.items():
             setattr(spec.option, key, value)
         self.contact: dict[str, Any] = {"friction": [one_value(scene, "friction"), 0.005, 0.0001]}
+        if one_value(scene, "friction") == 0:
+            self.contact |= self.FRICTIONLESS
         accurate = settings.name == "accurate"
         if accurate:
             self.contact |= {"solref": [2 * settings.dt, 1.0]}

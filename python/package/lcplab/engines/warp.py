@@ -18,6 +18,9 @@ CONTACTS, ROWS = 200, 800
 class Model(mujoco.Model):
     """A scene in MuJoCo Warp. Its poses and velocities are those of MuJoCo's kinematics at its state."""
 
+    #: MuJoCo raises a coefficient of 0 to 1e-5; Warp does not, warns of NaN, and gives it.
+    FRICTIONLESS = {"condim": 1}
+
     def __init__(self, scene: Description, settings: Settings) -> None:
         import mujoco_warp
         import warp

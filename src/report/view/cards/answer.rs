@@ -7,11 +7,11 @@ use crate::report::study::cards::{Column, Engine, Phenomenon, Record};
 
 /// Possible uses, and the phenomena that each requires.
 const USES: [(&str, &[&str]); 7] = [
-    ("A gripper, a leg", &["creep", "wall", "capstan", "stopping", "weight"]),
+    ("A gripper, a leg", &["creep", "wall", "capstan", "stopping", "weight", "standing_tree"]),
     ("A tower, a load", &["tower", "mass_ratio", "weight"]),
     ("Rolling and sliding", &["directions", "rolling", "stopping"]),
     ("A mechanism", &["spring", "pendulum", "chain", "closed_loop", "bricard"]),
-    ("Flight", &["free_fall", "angular_momentum", "top"]),
+    ("Flight", &["free_fall", "angular_momentum", "flying_tree", "top"]),
     ("Throws and impacts", &["lift", "bounce", "bullet"]),
     ("Learning and optimization", &["predictability", "order", "repeat"]),
 ];

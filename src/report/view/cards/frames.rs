@@ -1,9 +1,10 @@
 //! The contact problems that engines solve themselves: their own answers judged, and which solvers
 //! solve them.
 
+use super::phenomenon::NO_ROWS;
 use crate::number::readable;
 use crate::report::page::{Cell, Mark, Table};
-use crate::report::study::cards::{Frame, Record, SolverAttempt};
+use crate::report::study::cards::{Frame, Record, SolverAttempt, SolverPart};
 use crate::report::view::ReportPage;
 use crate::report::view::attempt::iterations_in_words;
 
@@ -23,7 +24,28 @@ pub fn show(record: &Record, document: &mut ReportPage) {
          Pinocchio has no contact model, so its solver is given lcplab's problem. Rapier does not report its \
          problem, and DART reports none for a sleeping scene.",
     );
+    document.text(causes(record));
     document.table("cards_frames", table(record));
+}
+
+/// Of the laws that engines violate: how many are the solver's, according to receipts of the runs.
+fn causes(record: &Record) -> String {
+    let external = record.phenomena.iter().flat_map(|own| &own.columns);
+    let missed: Vec<&SolverPart> =
+        external.filter(|own| !own.holds()).filter_map(|own| own.solver.as_ref()).collect();
+    let count = |of: &dyn Fn(&SolverPart) -> bool| missed.iter().filter(|part| of(part)).count();
+    let is_free = |part: &SolverPart| matches!(part, SolverPart::Unchecked { why } if why.starts_with(NO_ROWS));
+    format!(
+        "In {} runs an engine violates a law. lcplab took up to 25 steps of each run and checked the engine's answer: \
+         a *receipt* is the verification report of one step. In {} of these runs all answers are \
+         within the limit of their solver, so the solver is not the cause; in {} some are not; {} have no constraint \
+         rows, so no solver is involved; {} cannot be checked. The tables of the phenomena have the numbers.",
+        missed.len(),
+        count(&|part| matches!(part, SolverPart::Checked { above: 0, .. })),
+        count(&|part| matches!(part, SolverPart::Checked { above: 1.., .. })),
+        count(&is_free),
+        count(&|part| matches!(part, SolverPart::Unchecked { .. }) && !is_free(part)),
+    )
 }
 
 fn table(record: &Record) -> Table {

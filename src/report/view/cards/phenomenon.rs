@@ -1,10 +1,14 @@
 //! A phenomenon: its law, the curves of all engines, and the numbers.
 
 use super::{ACCURATE, DEFAULTS, OWN, times};
+use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Block, Cell, Mark, Table};
-use crate::report::study::cards::{Column, Measured, Phenomenon, Record};
+use crate::report::study::cards::{Column, Measured, Phenomenon, Record, SolverPart};
 use crate::report::view::ReportPage;
+
+/// The beginning of the reason of a run without constraint rows.
+pub const NO_ROWS: &str = "no rows";
 
 /// Adds a section.
 pub fn show(record: &Record, phenomenon: &Phenomenon, document: &mut ReportPage) {
@@ -100,7 +104,7 @@ fn table(record: &Record, phenomenon: &Phenomenon) -> Table {
         let words = [record.title(&own.engine), &own.settings, why].map(Cell::text);
         let [engine, settings, why] = words;
         let dash = || Cell::text("–");
-        vec![engine, settings, why.marked(mark), dash(), dash(), dash(), dash()]
+        vec![engine, settings, why.marked(mark), dash(), dash(), dash(), dash(), dash()]
     };
     let rows = phenomenon.columns.iter().flat_map(|own| match own.measured.is_empty() {
         true => vec![nothing(own)],
@@ -109,8 +113,10 @@ fn table(record: &Record, phenomenon: &Phenomenon) -> Table {
     Table::new(
         format!("Measured: {}", phenomenon.name.replace('_', " ")),
         "A law is obeyed if the measured number agrees with that of the law within the \
-         tolerance.",
-        "engine | settings | what was measured | #found | #law | #tolerance | verdict",
+         tolerance. *Solver's part* of a violation: the largest error of the engine's solver in a step, relative to \
+         the change of the motion in that step, from receipts of up to 25 steps a run. If it is small, the cause is the \
+         engine's contact model, its integrator or the length of its step.",
+        "engine | settings | what was measured | #found | #law | #tolerance | verdict | solver's part",
         rows.collect(),
     )
 }
@@ -127,5 +133,29 @@ fn row(record: &Record, column: &Column, measured: &Measured) -> Vec<Cell> {
             true => Cell::text("met").marked(Mark::Good),
             false => Cell::text(times(measured.miss())).marked(Mark::Bad),
         },
+        match (measured.holds, &column.solver) {
+            (false, Some(part)) => solvers_part(part),
+            _ => Cell::text(""),
+        },
     ]
+}
+
+/// How much of a violation is the solver's.
+fn solvers_part(part: &SolverPart) -> Cell {
+    match part {
+        SolverPart::Unchecked { why } => Cell::text(match why.starts_with(NO_ROWS) {
+            true => format!("none: {why}"),
+            false => format!("not checked: {why}"),
+        }),
+        SolverPart::Checked { above: 0, error, is_bound, .. } => {
+            let at_most = if *is_bound { "at most " } else { "residual " };
+            Cell::text(format!("{at_most}{}", readable(*error, 2))).marked(Mark::Good)
+        }
+        SolverPart::Checked { above, steps, error, limit, .. } => Cell::text(format!(
+            "{} in {above} of {steps} steps above {}",
+            readable(*error, 2),
+            readable(*limit, 2)
+        ))
+        .marked(Mark::Bad),
+    }
 }
