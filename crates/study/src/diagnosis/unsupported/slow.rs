@@ -55,9 +55,11 @@ struct Sweeps<'a> {
     alike: Pace,
 }
 
-/// The suspects of slow sweeps; height is tested with equal masses. A cause comes with the part of
-/// the error that it explains.
-fn suspects<'a>() -> [Suspect<Sweeps<'a>, Without, Option<(f64, Slow)>>; 5] {
+/// A cause, with the part of the error that it explains.
+type Explained = Option<(f64, Slow)>;
+
+/// The suspects of slow sweeps; height is tested with equal masses.
+fn suspects<'a>() -> [Suspect<Sweeps<'a>, Without, Explained>; 5] {
     [
         Suspect { intervention: Sweeps::equal_masses, measure: Sweeps::mass_ratio },
         Suspect { intervention: Sweeps::separate_pairs, measure: Sweeps::height },
