@@ -91,14 +91,28 @@ impl State {
         (self.v, Quaternion::from_imag(self.omega) * self.pose.q.into_inner() * 0.5)
     }
 
-    /// s + dt S(s) u with the quaternion normalized; the velocity is unchanged.
+    /// The pose after dt (s) at constant velocity u: p + dt v, and q turned by exactly dt ω, which
+    /// is the solution of s' = S(s) u; the velocity is unchanged.
+    ///
+    /// ```
+    /// use lcplab_bodies::body::State;
+    /// use nalgebra::Vector3;
+    ///
+    /// let wheel = State { omega: Vector3::new(0.0, 3.0, 0.0), ..State::WORLD };
+    /// let turned = wheel.advanced(0.5).pose.q.scaled_axis(); // rad
+    /// assert!((turned - Vector3::new(0.0, 1.5, 0.0)).norm() < 1e-15);
+    /// ```
     pub fn advanced(&self, dt: f64) -> State {
-        let (p_rate, q_rate) = self.rate();
-        let q = UnitQuaternion::new_normalize(self.pose.q.into_inner() + q_rate * dt);
-        State { pose: Pose { p: self.pose.p + p_rate * dt, q }, ..*self }
+        let half = 0.5 * dt * self.omega;
+        let angle = half.norm();
+        let (sin, cos) = libm::sincos(angle);
+        let sinc = if angle > 0.0 { sin / angle } else { 1.0 };
+        let turn = Quaternion::from_parts(cos, sinc * half);
+        let q = UnitQuaternion::new_normalize(turn * self.pose.q.into_inner());
+        State { pose: Pose { p: self.pose.p + dt * self.v, q }, ..*self }
     }
 
-    /// The pose moved by S(s) d for a small displacement d = [Δp; Δθ]; the velocity is unchanged.
+    /// The pose moved by Δp and turned by Δθ, d = [Δp; Δθ]; the velocity is unchanged.
     pub fn displaced(&self, d: &Vector6<f64>) -> State {
         State { pose: self.with_velocity(d).advanced(1.0).pose, ..*self }
     }

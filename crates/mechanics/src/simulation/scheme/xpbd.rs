@@ -5,7 +5,7 @@
 //! u = u⁻ + h M⁻¹F,   s = s⁻ + h S u
 //! each row:   Δx = −((1 − β) J u + (β/h) c + γ x)/(J M⁻¹Jᵀ + γ),   x ← Π(x + Δx)
 //!             s ← s + h S M⁻¹Jᵀ Δx,   u ← u + M⁻¹Jᵀ Δx                  J, c at the newest s and u
-//! u = (s − s⁻)/h,   ω = 2 vec(q (q⁻)⁻¹)/(h w)          w, vec: the parts of q (q⁻)⁻¹
+//! u = (s − s⁻)/h,   ω = the rotation vector of q (q⁻)⁻¹, divided by h
 //! ```
 //!
 //! The published multiplier is h x. A row of compliance α has β = 1 and γ = α/h²: rigid for α = 0.
@@ -25,6 +25,9 @@
 //! Chentanez 2016; Müller et al. 2020.
 
 use std::collections::BTreeMap;
+use std::f64::consts::PI;
+
+use nalgebra::Vector3;
 
 use super::substepped;
 use crate::assembly::{ConstraintFilter, RowId, Source};
@@ -86,7 +89,8 @@ fn substep(
     named: &mut Impulses,
 ) -> Result<(), Cause> {
     let sources = sources(scene, found);
-    let before = std::mem::replace(states, free(scene, states)?);
+    let free = free(scene, states)?;
+    let before = std::mem::replace(states, free.clone());
     let mut x = Vec::with_capacity(sources.len());
     for &(source, constraint) in &sources {
         x.push(begin(scene, source, constraint, named, &before, states)?);
@@ -97,7 +101,10 @@ fn substep(
         }
     }
     for (k, (state, before)) in states.iter_mut().zip(&before).enumerate() {
-        *state = with_rate(scene, k, before, state);
+        // A body that no row moved keeps the velocity of its free motion.
+        if state.pose != free[k].pose {
+            *state = with_rate(scene, k, before, state);
+        }
     }
     for sweep in 1..=MOST_SWEEPS.max(scene.step.xpbd.sweeps) {
         let mut left = 0.0_f64;
@@ -209,12 +216,16 @@ fn project(row: &Row, value: f64, before: &[f64], h: f64) -> f64 {
     value.max(lo).min(hi)
 }
 
-/// The new pose with the velocity that led to it; of a body that did not move, 0. q⁺ = q + h S ω,
-/// normalised, turns by (1, ½ h ω): so ω = 2 vec/(h w) of q⁺ q⁻¹.
+/// The new pose with the velocity that led to it. If the body turned by more than half a turn, the
+/// poses do not show by how much: then what they differ from the turn of its ω is added to it.
 fn with_rate(scene: &Scene, body: usize, old: &State, new: &State) -> State {
     let h = scene.step.dt;
-    let turn = new.pose.q.into_inner() * old.pose.q.inverse().into_inner();
-    let omega = turn.imag() * (2.0 / (h * turn.w));
+    let expected = match (h * new.omega).norm() < PI {
+        true => Vector3::zeros(),
+        false => new.omega,
+    };
+    let turned = State { omega: expected, ..*old }.advanced(h).pose.q;
+    let omega = expected + (new.pose.q * turned.inverse()).scaled_axis() / h;
     let mean = State { v: (new.pose.p - old.pose.p) / h, omega, ..*new };
     scene.step.gyroscopic().arrived(&scene.bodies[body].mass, &mean, h)
 }

@@ -42,7 +42,7 @@ fn a_spring_swings_as_its_step_says_at_both_levels() {
 
 #[test]
 fn a_torsion_spring_swings_likewise() {
-    // I of a ball is ⅖ m r² = 0.2 kg m²; rotating a quaternion by ωh has the error (ωh)³/12.
+    // I of a ball is ⅖ m r² = 0.2 kg m²; a step turns by exactly ωh.
     let text = format!(
         "gravity = [0, 0, 0]\n[step]\ndt = {DT}\n\
          [[bodies]]\nname = \"wheel\"\nshape = {{ sphere = 0.5 }}\nmass = {MASS}\n\
