@@ -226,4 +226,27 @@ proptest! {
         let refused = refused(&text, scheme, solver, 20);
         prop_assert!(refused.is_empty(), "{name}, {scheme:?}, {solver}: {refused:?}\n{text}");
     }
+
+    /// All rows are rounding: nothing acts and nothing moves, or a body only turns.
+    #[test]
+    fn no_step_without_forces_of_a_mechanism_with_redundant_joints_is_refused(
+        (name, text) in machine(),
+        spins in any::<bool>(),
+        scheme in prop_oneof![Just(Scheme::Velocity), Just(Scheme::Acceleration)],
+        solver in prop_oneof![Just("dantzig"), Just("lemke"), Just("block-pivoting")],
+    ) {
+        let start = text.find("kind = \"motor").map_or(text.len(), |at| {
+            text[..at].rfind("[[constraints]]").unwrap()
+        });
+        let (_, rest) = text.split_once('\n').unwrap();
+        let rest = &rest[..start - (text.len() - rest.len())];
+        let mut still = format!("gravity = [0, 0, 0]\n{rest}");
+        if spins {
+            let body = "[[bodies]]\nname = \"alone\"\nshape = { sphere = 0.02 }\nmass = 1.5\n\
+                        position = [9, 0, 0]\nangular_velocity = [0, 0, 3]\n";
+            still += body;
+        }
+        let refused = refused(&still, scheme, solver, 20);
+        prop_assert!(refused.is_empty(), "{name}, {scheme:?}, {solver}: {refused:?}\n{still}");
+    }
 }
