@@ -32,8 +32,10 @@ enum Finding {
     RuledOut(&'static str),
 }
 
+type Row<'a> = Suspect<Case<'a>, Result<End>, Result<Vec<Finding>>>;
+
 /// The suspects of a run.
-fn suspects<'a>() -> [Suspect<Case<'a>, Result<End>, Result<Vec<Finding>>>; 4] {
+fn suspects<'a>() -> [Row<'a>; 4] {
     [
         Suspect { intervention: Case::warm, measure: |case, end| Ok(case.cold_start(&end?)) },
         Suspect {

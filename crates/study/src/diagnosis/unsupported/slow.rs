@@ -55,11 +55,11 @@ struct Sweeps<'a> {
     alike: Pace,
 }
 
-/// A cause, with the part of the error that it explains.
-type Explained = Option<(f64, Slow)>;
+/// A cause comes with the part of the error that it explains.
+type Row<'a> = Suspect<Sweeps<'a>, Without, Option<(f64, Slow)>>;
 
 /// The suspects of slow sweeps; height is tested with equal masses.
-fn suspects<'a>() -> [Suspect<Sweeps<'a>, Without, Explained>; 5] {
+fn suspects<'a>() -> [Row<'a>; 5] {
     [
         Suspect { intervention: Sweeps::equal_masses, measure: Sweeps::mass_ratio },
         Suspect { intervention: Sweeps::separate_pairs, measure: Sweeps::height },
