@@ -63,7 +63,8 @@ impl Coupling {
         Coupling { contacts, index, mu }
     }
 
-    /// The same rows with other coefficients, computed from the row, its normal row and the old one.
+    /// The same rows with other coefficients, computed from the row, its normal row and the old
+    /// one.
     ///
     /// # Errors
     /// If a coefficient is negative or not finite.
