@@ -2,11 +2,11 @@
 //!
 //! [`trial`] solves, judges and counts. With it, [`families`] and [`profiles`] compare the solvers
 //! on problems, [`regression`] with a recorded run, `comparison` on scenes, and [`hunt`] searches
-//! for false claims. [`answer`] and [`friction`] put one answer and its verdict into words and JSON,
-//! [`explain`] derives it line by line, [`diagnosis`] says why there is none. [`receipt`] checks
-//! the steps of physics engines, and [`ci`] writes the results of both for continuous integration.
-//! What needs scenes is behind the feature `mechanics`. [`methods`] are the solvers of the registry,
-//! with the feature `clarabel` the reference beside them.
+//! for false claims. [`answer`] and [`friction`] put one answer and its verdict into words and
+//! JSON, [`explain`] derives it line by line, [`diagnosis`] says why there is none. [`receipt`]
+//! checks the steps of physics engines, and [`ci`] writes the results of both for continuous
+//! integration. What needs scenes is behind the feature `mechanics`. [`methods`] are the solvers
+//! of the registry, with the feature `clarabel` the reference beside them.
 
 pub mod answer;
 pub mod aside;
