@@ -99,8 +99,8 @@ pub trait AnyStudy: Send + Sync {
     /// The kind's name.
     fn name(&self) -> &'static str;
 
-    /// Whether its tasks must run alone.
-    fn alone(&self) -> bool;
+    /// Whether a task must run alone.
+    fn alone(&self, task: usize) -> bool;
 
     /// Its own name and heading, if it has them.
     fn named(&self) -> Option<(String, String)>;
@@ -147,8 +147,8 @@ impl<S: View> AnyStudy for S {
         S::NAME
     }
 
-    fn alone(&self) -> bool {
-        Study::alone(self)
+    fn alone(&self, task: usize) -> bool {
+        Study::alone(self, task)
     }
 
     fn named(&self) -> Option<(String, String)> {

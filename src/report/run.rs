@@ -39,7 +39,7 @@ pub fn run(
     progress.set_length(missing.len() as u64);
     let studies: Vec<_> = experiment.sections.iter().map(|part| part.study.clone()).collect();
     let study = |section: usize| studies[section].as_ref();
-    let is_alone = |&(section, _): &Place| study(section).is_some_and(|study| study.alone());
+    let is_alone = |&(section, task): &Place| study(section).is_some_and(|study| study.alone(task));
     let (alone, together) = missing.into_iter().partition(is_alone);
     let (names, bar) = (names(&results), progress.clone());
     let work = move |&(section, task): &Place| {

@@ -83,7 +83,7 @@ impl Study for Plan {
     type Finding = PointResult;
     type Times = Option<Seconds>;
 
-    fn alone(&self) -> bool {
+    fn alone(&self, _task: usize) -> bool {
         self.timed
     }
 

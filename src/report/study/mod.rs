@@ -42,8 +42,8 @@ pub trait Study: JsonSchema + Serialize + DeserializeOwned + Send + Sync {
     /// The machine-dependent data; `()` if nothing is timed.
     type Times: Serialize + DeserializeOwned + Send;
 
-    /// Whether its tasks must run alone, one after the other, because they are timed.
-    fn alone(&self) -> bool {
+    /// Whether a task must run alone, because it is timed.
+    fn alone(&self, _task: usize) -> bool {
         false
     }
 

@@ -76,7 +76,7 @@ impl Study for Plan {
     type Finding = FamilyAttempts;
     type Times = Seconds;
 
-    fn alone(&self) -> bool {
+    fn alone(&self, _task: usize) -> bool {
         true
     }
 

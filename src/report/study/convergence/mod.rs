@@ -76,8 +76,8 @@ impl Study for Plan {
     type Finding = Finding;
     type Times = Option<Clock>;
 
-    fn alone(&self) -> bool {
-        self.methods.is_some()
+    fn alone(&self, task: usize) -> bool {
+        matches!(self.list()[task], Task::Methods(..))
     }
 
     fn tasks(&self) -> Vec<String> {
