@@ -270,7 +270,7 @@ impl Record {
         }
         match moving().count().saturating_sub(SHOWN) {
             0 => text,
-            more => text + &format!("             and {more} more bodies: see --json\n"),
+            more => text + &format!("             and {more} more bodies, which the JSON lists\n"),
         }
     }
 
