@@ -2,8 +2,7 @@
 //!
 //! A path given by the user may be a symbolic link and is followed. A name that the program chose
 //! inside a folder must not be a link: the folder may come from an untrusted source, and a link in
-//! it can point to any file of the user. Such names go through [`inside`], [`write_in`] or
-//! [`make_in`].
+//! it can point to any file of the user. Such names go through [`inside`] or [`write_in`].
 
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -116,30 +115,11 @@ pub fn list(folder: &Path) -> Result<Vec<PathBuf>> {
 /// # Errors
 /// The error of `make`; or if it created no file, or the file cannot be renamed.
 pub fn made_by(path: &Path, make: impl FnOnce(&Path) -> Result<()>) -> Result<()> {
-    make_at(&followed(path), make)
-}
-
-/// Like [`made_by`], for a file whose name the program chose inside a folder: see [`inside`].
-/// Returns its path.
-///
-/// # Errors
-/// If the name is a link; the error of `make`; or if it created no file, or the file cannot be
-/// renamed.
-pub fn make_in(
-    folder: &Path,
-    name: impl AsRef<Path>,
-    make: impl FnOnce(&Path) -> Result<()>,
-) -> Result<PathBuf> {
-    let path = inside(folder, name)?;
-    make_at(&path, make)?;
-    Ok(path)
-}
-
-fn make_at(path: &Path, make: impl FnOnce(&Path) -> Result<()>) -> Result<()> {
-    let failed = |cause: io::Error| Error::file(path, &plain(cause));
-    let part = named_part().tempfile_in(folder_of(path)).map_err(failed)?.into_temp_path();
+    let place = followed(path);
+    let failed = |cause: io::Error| Error::file(&place, &plain(cause));
+    let part = named_part().tempfile_in(folder_of(&place)).map_err(failed)?.into_temp_path();
     make(&part)?;
-    part.persist(path).map_err(|cause| failed(cause.error))
+    part.persist(&place).map_err(|cause| failed(cause.error))
 }
 
 /// A temporary file with the permissions that the user's umask allows.
