@@ -1,8 +1,6 @@
 //! Bodies that pass through each other or stay overlapped are always reported, and sound scenes
 //! cause no report.
 
-use std::time::{Duration, Instant};
-
 use lcplab_mechanics::body::{Pose, State};
 use lcplab_mechanics::scene::{Scene, Scheme, catalogue, contacts, step_contacts};
 use lcplab_mechanics::simulation::{
@@ -367,13 +365,11 @@ fn no_shipped_scene_has_a_warning() {
     for shipped in catalogue::SHIPPED {
         let scene = Scene::load(shipped.name).unwrap();
         let mut simulation = Simulation::of(&scene).unwrap();
-        let (mut warnings, start) = (Warnings::default(), Instant::now());
-        for _ in 0..scene.step.count.min(120) {
+        let mut warnings = Warnings::default();
+        let most = if scene.bodies.len() > 40 { 20 } else { 120 };
+        for _ in 0..scene.step.count.min(most) {
             let Ok(step) = simulation.step() else { break }; // painleve has no solution at some instant
             warnings.add(&scene, &step);
-            if start.elapsed() > Duration::from_secs(2) {
-                break; // thousands of rows: looked at in full by hand
-            }
         }
         assert!(warnings.as_slice().is_empty(), "{}: {:?}", shipped.name, warnings.as_slice());
     }
