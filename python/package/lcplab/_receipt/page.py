@@ -31,7 +31,8 @@ pre {{ overflow-x: auto; font-size: 14px; }} svg {{ max-width: 100%; height: aut
 
 def page(step: Step, receipt: str, row: int | None, has_shrunk: bool) -> str:
     """The page as HTML."""
-    title = f"{step.engine} {step.version}: a rejected step of {step.name or 'a scene'} at {step.time:.4g} s"
+    engine = f"{step.engine} {step.version}".strip()
+    title = f"{engine}: a rejected step of {step.name or 'a scene'} at {step.time:.4g} s"
     files = ["lcplab judge frame.json frame.x.json     # the problem and the engine's answer"]
     if has_shrunk:
         files.append("lcplab judge shrunk.json shrunk.x.json   # fewer rows that show the same error")

@@ -98,9 +98,9 @@ def _standing(runs: Sequence[Run]) -> list[Measurement]:
     trunk = run.place("trunk")
     moved, height = float(np.linalg.norm(trunk - trunk[0], axis=1).max()), float(trunk[0, 2])
     return [
-        Measurement("plates support", 100 * float(supported.sum()), 100.0, 100 * PART, "% of the weight"),
-        Measurement("one plate supports", 100 * uneven, 100.0, 100 * PART, "% of a third of it"),
-        Measurement("trunk moves by", 1e3 * moved, 0.0, 1e3 * PART * height, "mm"),
+        Measurement("reports on all plates", 100 * float(supported.sum()), 100.0, 100 * PART, "% of the weight"),
+        Measurement("reports on one plate", 100 * uneven, 100.0, 100 * PART, "% of a third of the weight"),
+        Measurement("lets the trunk move by", 1e3 * moved, 0.0, 1e3 * PART * height, "mm"),
         Measurement("joints open by", 1e3 * gap(run), 0.0, 1e3 * PART * height, "mm"),
     ]
 
