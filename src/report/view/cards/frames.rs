@@ -34,12 +34,16 @@ fn causes(record: &Record) -> String {
     let missed: Vec<&SolverPart> =
         external.filter(|own| !own.holds()).filter_map(|own| own.solver.as_ref()).collect();
     let count = |of: &dyn Fn(&SolverPart) -> bool| missed.iter().filter(|part| of(part)).count();
-    let is_free = |part: &SolverPart| matches!(part, SolverPart::Unchecked { why } if why.starts_with(NO_ROWS));
+    let is_free = |part: &SolverPart| match part {
+        SolverPart::Unchecked { why } => why.starts_with(NO_ROWS),
+        SolverPart::Checked { .. } => false,
+    };
     format!(
-        "In {} runs an engine violates a law. lcplab took up to 25 steps of each run and checked the engine's answer: \
-         a *receipt* is the verification report of one step. In {} of these runs all answers are \
-         within the limit of their solver, so the solver is not the cause; in {} some are not; {} have no constraint \
-         rows, so no solver is involved; {} cannot be checked. The tables of the phenomena have the numbers.",
+        "In {} runs an engine violates a law. lcplab took up to 25 steps of each run and checked \
+         the engine's answer: a *receipt* is the verification report of one step. In {} of these \
+         runs all checked answers are within the limit of their solver, so the solver is not the \
+         cause; in {} some are not; {} have no constraint rows, so no solver is involved; {} cannot \
+         be checked. The tables of the phenomena have the numbers.",
         missed.len(),
         count(&|part| matches!(part, SolverPart::Checked { above: 0, .. })),
         count(&|part| matches!(part, SolverPart::Checked { above: 1.., .. })),
