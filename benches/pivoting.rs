@@ -6,7 +6,7 @@ use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use lcplab::lcp::Lcp;
 use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
-use lcplab::solver::{Options, Settings, Start, Status, by_name};
+use lcplab::solver::{Options, Registry, Settings, Start, Status};
 
 fn options() -> Options {
     let settings = Settings { tolerance: 1e-10, ..Settings::default() };
@@ -21,7 +21,7 @@ fn tower(count: usize, mu: f64) -> Lcp {
          [[bodies]]\nname = \"ground\"\nfixed = true\nshape = {{ plane = [0, 0, 1] }}\n"
     );
     let scene = Scene::from_toml("tower.toml", &text).expect("a scene");
-    let dantzig = by_name("dantzig", &options()).expect("a solver");
+    let dantzig = Registry::standard().entry("dantzig").expect("a solver").build(&options());
     let mut simulation = Simulation::new(scene, dantzig);
     let steps: Vec<_> = (0..3).map(|_| simulation.step().expect("a step")).collect();
     steps[2].solves[0].problem.lcp.clone()
@@ -31,7 +31,7 @@ fn pivoting(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("pivoting a tower");
     group.sample_size(10);
     for (name, mu) in [("dantzig", 0.0), ("lemke", 0.0), ("dantzig", 0.5)] {
-        let solver = by_name(name, &options()).expect("a solver");
+        let solver = Registry::standard().entry(name).expect("a solver").build(&options());
         for count in [15, 75] {
             let lcp = tower(count, mu);
             let solve = || solver.solve(black_box(&lcp), &Start::default(), &mut ());

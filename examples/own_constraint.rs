@@ -4,7 +4,7 @@
 
 use lcplab::body::{Pose, State, stack};
 use lcplab::constraint::{Bodies, Constraint, Degenerate, Kind, Position, Row, verify};
-use lcplab::{scene::Scene, simulation::Simulation, solver};
+use lcplab::{scene::Scene, simulation::Simulation, solver::Dantzig};
 use nalgebra::{RealField, Vector3, convert};
 
 /// c = z − ½ κ (x² + y² − 1), J = [−g, g] with g = (−κx, −κy, 1, 0, 0, 0), J'u = −κ (vx² + vy²).
@@ -33,7 +33,7 @@ pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     scene.constraints = vec![std::sync::Arc::new(Bowl(2.0))];
     scene.states[0].v.y = (9.81 * 2.0_f64).sqrt(); // a circle, at any height in 2π/√(g κ) = 1.42 s
     verify(&Bowl(2.0), [&State::WORLD, &scene.states[0]])?; // J and J'u by dual numbers
-    let mut bead = Simulation::new(scene, solver::by_name("dantzig", &Default::default())?);
+    let mut bead = Simulation::new(scene, Box::new(Dantzig::default()));
     bead.run(142, |_| std::ops::ControlFlow::Continue(()));
     println!("after a turn at {:.2?}", bead.states()[0].pose.p.as_slice());
     Ok(())

@@ -5,12 +5,12 @@
 use lcplab::lcp::{Lcp, merit};
 use lcplab::report::{study::comparison::compare, terminal, view};
 use lcplab::scene::{Scene, Scheme};
-use lcplab::solver::{Entry, Observer, Solution, Solver, Start, Status, entry};
+use lcplab::solver::{Entry, Observer, Registry, Solution, Solver, Start, Status};
 
 struct Jacobi;
 
 impl Solver for Jacobi {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "jacobi"
     }
 
@@ -29,8 +29,9 @@ impl Solver for Jacobi {
 }
 
 fn main() -> lcplab::error::Result<()> {
-    let mine = Entry { name: "jacobi", build: &|_| Box::new(Jacobi), ..*entry("pgs")? };
-    let solvers = [mine, *entry("pgs")?, *entry("dantzig")?];
+    let known = Registry::standard();
+    let mine = Entry::new("jacobi", |_| Box::new(Jacobi));
+    let solvers = [mine, known.entry("pgs")?.clone(), known.entry("dantzig")?.clone()];
     let (comparison, _) = compare(&Scene::load("fig7")?, &Scheme::LEVELS, &solvers, 3, &|| ());
     print!("{}", terminal::table(&view::comparison_table(&comparison)));
     Ok(())

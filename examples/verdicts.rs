@@ -24,9 +24,7 @@ use lcplab::report::answer::{
 };
 use lcplab::report::friction::JudgedAnswer;
 use lcplab::scene::{Scene, Scheme, catalogue};
-use lcplab::solver::{
-    ALL, CONES, Options, PolygonPgs, Settings, Solution, Solver, Start, Status, methods,
-};
+use lcplab::solver::{Options, PolygonPgs, Registry, Settings, Solution, Solver, Start, Status};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
@@ -47,7 +45,8 @@ fn main() -> Result<()> {
     let random = std::env::args().nth(1).and_then(|n| n.parse().ok()).unwrap_or(2000);
     let settings = Settings { max_iterations: 500, ..Settings::default() };
     let options = Options { settings, ..Options::default() };
-    let solvers: Vec<_> = ALL.iter().map(|entry| (entry.build)(&options)).collect();
+    let solvers: Vec<_> =
+        Registry::standard().entries().map(|entry| entry.build(&options)).collect();
     let mut subjects = of_library()?;
     subjects.extend((0..random).map(hostile));
     subjects.extend(of_scenes()?);
@@ -133,7 +132,7 @@ fn polygon_record(name: &str, friction: &FrictionProblem, corners: usize) -> Res
         }
         answers.push(judged(name, Some(&solution.status), &solution.x));
     };
-    for method in methods().iter().filter(|method| method.takes(Some(model))) {
+    for method in Registry::standard().methods().filter(|method| method.takes(Some(model))) {
         solved(method.name(), method.solve(&posed, &options, &mut ()));
     }
     if let ProblemForm::Polyhedral(polyhedral) = &posed {
@@ -194,9 +193,9 @@ fn cone_record(name: &str, friction: &FrictionProblem, model: Model) -> Value {
     };
     let mut answers = Vec::new();
     let mut last = vec![0.0; friction.lcp().len()];
-    for entry in CONES.iter().filter(|entry| entry.laws.contains(&law)) {
-        let solution = (entry.build)(&settings).solve(&cone, &Start::default(), &mut ());
-        answers.push(judged(entry.name, status_word(&solution.status), &solution.x));
+    for entry in Registry::standard().cone_entries().filter(|entry| entry.laws.contains(&law)) {
+        let solution = entry.build(&settings).solve(&cone, &Start::default(), &mut ());
+        answers.push(judged(&entry.name, status_word(&solution.status), &solution.x));
         last = solution.x;
     }
     answers.extend(

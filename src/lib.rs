@@ -16,11 +16,11 @@
 //! use lcplab::certificate::{Demand, judge};
 //! use lcplab::scene::Scene;
 //! use lcplab::simulation::Simulation;
-//! use lcplab::solver::{Options, by_name};
+//! use lcplab::solver::Dantzig;
 //!
 //! // Three balls in a stack; the middle one is hit (the chapter's Figure 7).
 //! let scene = Scene::load("fig7")?;
-//! let mut simulation = Simulation::new(scene, by_name("dantzig", &Options::default())?);
+//! let mut simulation = Simulation::new(scene, Box::new(Dantzig::default()));
 //! let step = simulation.step().expect("a step that does not diverge");
 //! let solve = &step.solves[0];
 //! assert_eq!(solve.solution.x, [4.0, 3.0, 1.0]); // impulses in N s, from the ground up

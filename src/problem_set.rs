@@ -20,7 +20,7 @@ use crate::lcp::{Lcp, Matrix};
 use crate::report::study::cards::Record;
 use crate::scene::{Scene, catalogue};
 use crate::simulation::Step;
-use crate::solver::{Options, Start, by_name, default_for};
+use crate::solver::{Options, Registry, Start, default_for};
 
 /// The index with the properties of each problem.
 const INDEX: &str = "index.csv";
@@ -152,7 +152,7 @@ fn is_boxed(problem: &Problem) -> bool {
 
 /// The answer of the default solver.
 fn answer(lcp: &Lcp) -> Option<Vec<f64>> {
-    let solver = by_name(default_for(lcp), &Options::default()).ok()?;
+    let solver = Registry::standard().entry(default_for(lcp)).ok()?.build(&Options::default());
     Some(solver.solve(lcp, &Start::default(), &mut ()).x)
 }
 

@@ -7,7 +7,7 @@ use criterion::{BenchmarkGroup, BenchmarkId};
 use lcplab::certificate::{Demand, Verdict, judge};
 use lcplab::lcp::Lcp;
 use lcplab::reference::{Reference, box_qp_to};
-use lcplab::solver::{Options, Settings, Solution, Start, Status, by_name};
+use lcplab::solver::{Options, Registry, Settings, Solution, Start, Status};
 
 /// The tolerances of gap and feasibility for clarabel, tried in order until x is accepted.
 const ASKED: [f64; 5] = [1e-8, 1e-9, 1e-10, 1e-11, 1e-12];
@@ -69,7 +69,7 @@ pub fn all(group: &mut Group, problem: &str, lcp: &Lcp, tolerance: f64, solvers:
     let settings = Settings { tolerance, ..Settings::default() };
     let options = Options { settings, ..Options::default() };
     for name in solvers {
-        let solver = by_name(name, &options).expect("a solver");
+        let solver = Registry::standard().entry(name).expect("a solver").build(&options);
         let solve = || solver.solve(black_box(lcp), &Start::default(), &mut ());
         ours(group, name, problem, lcp, tolerance, solve);
     }

@@ -5,7 +5,7 @@ use lcplab::formulation::Problem;
 use lcplab::lcp::{Lcp, Matrix, library};
 use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
-use lcplab::solver::{Options, Settings, by_name};
+use lcplab::solver::{Options, Registry, Settings};
 
 /// The bounds of a random problem with a definite A.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -90,7 +90,7 @@ const SWEEPS: usize = 20;
 /// If the scene cannot be loaded or stepped, or the step solves no problem.
 pub fn posed(scene: &str, step: usize) -> Result<Problem> {
     let settings = Settings { max_iterations: SWEEPS, ..Settings::default() };
-    let pgs = by_name("pgs", &Options { settings, ..Options::default() })?;
+    let pgs = Registry::standard().entry("pgs")?.build(&Options { settings, ..Options::default() });
     let mut simulation = Simulation::new(Scene::load(scene)?, pgs);
     let refused = |reason: String| Error::invalid(scene, format!("step {step}"), reason);
     let mut last = None;

@@ -1,7 +1,7 @@
 //! Every registered solver on a small problem: what it claims is true.
 
 use arbitrary::{Result, Unstructured};
-use lcplab::solver::{ALL, Options, Settings};
+use lcplab::solver::{Options, Settings, Registry};
 use lcplab::hunt::{Claim, claims};
 
 use crate::contact;
@@ -14,7 +14,7 @@ pub fn solvers(bytes: &[u8]) -> Result<()> {
     let start = if u.ratio(1, 3)? { Some(numbers(&mut u, lcp.len())?) } else { None };
     let settings = Settings { max_iterations: 200, ..Settings::default() };
     let options = Options { settings, ..Options::default() };
-    let solvers: Vec<_> = ALL.iter().map(|entry| (entry.build)(&options)).collect();
+    let solvers: Vec<_> = Registry::standard().entries().map(|entry| entry.build(&options)).collect();
     for (solver, claim) in claims(&lcp, start.as_deref(), &solvers, Settings::default().tolerance) {
         assert!(!matches!(claim, Claim::FalseClaim(_)), "{solver}: {claim:?} of {lcp:?} from {start:?}");
     }

@@ -5,7 +5,7 @@ use lcplab_page::document::Block;
 use lcplab_problem::file::Problem;
 use lcplab_problem::{Lcp, Question};
 use lcplab_proof::prove;
-use lcplab_solver::{ALL, Options, Start, by_name, default_for};
+use lcplab_solver::{Options, Registry, Start, default_for};
 use lcplab_study::answer::{Answer as JudgedAnswer, bound, certificate_text};
 use lcplab_study::explain::{Method, problem as derivation};
 use serde::Deserialize;
@@ -52,7 +52,10 @@ impl Solve {
         let question = read(self.problem)?;
         let (problem, lcp) = (question.problem(), boxed(&question)?);
         let name = self.solver.as_deref().unwrap_or_else(|| default_for(lcp));
-        let solver = by_name(name, &Options::default()).map_err(|error| error.to_string())?;
+        let solver = Registry::standard()
+            .entry(name)
+            .map_err(|error| error.to_string())?
+            .build(&Options::default());
         let mut steps = Steps::of(lcp, name, MOST_STEPS);
         let solution = solver.solve(lcp, &Start::default(), &mut steps);
         if steps.steps.is_empty() {
@@ -68,7 +71,7 @@ impl Solve {
             "judge": certificate_text(&answer.certificate, answer.error_bound, problem),
             "steps": steps.steps,
             "derivation": derived,
-            "solvers": ALL.iter().map(|entry| [entry.name, entry.method]).collect::<Vec<_>>(),
+            "solvers": Registry::standard().entries().map(|entry| [&*entry.name, entry.method]).collect::<Vec<_>>(),
         }))
     }
 }

@@ -82,8 +82,8 @@ impl Question {
 /// an eigenvalue routine the module is smaller by a quarter.
 fn rate(solver: &str, omega: f64, lcp: &Lcp, x: &[f64]) -> Option<f64> {
     let omega = match solver {
-        "pgs" => 1.0,
-        "sor" => omega,
+        Pgs::NAME => 1.0,
+        Pgs::RELAXED => omega,
         _ => return None,
     };
     let is_inside = |&i: &usize| lcp.lo()[i] < x[i] && x[i] < lcp.hi()[i];
@@ -125,12 +125,12 @@ pub fn solver(
     let order = if backward { Order::Reverse } else { Order::Natural };
     let sweeping = |omega| Box::new(Pgs { omega, order, settings: settings.clone() });
     Ok(match name {
-        "pgs" => sweeping(1.0),
-        "sor" => sweeping(omega),
-        "jacobi" => Box::new(Jacobi { damping: Damping::default(), settings }),
-        "murty" => Box::new(Murty { settings }),
-        "dantzig" => Box::new(Dantzig { settings }),
-        "lemke" => Box::new(Lemke { settings }),
+        Pgs::NAME => sweeping(1.0),
+        Pgs::RELAXED => sweeping(omega),
+        Jacobi::NAME => Box::new(Jacobi { damping: Damping::default(), settings }),
+        Murty::NAME => Box::new(Murty { settings }),
+        Dantzig::NAME => Box::new(Dantzig { settings }),
+        Lemke::NAME => Box::new(Lemke { settings }),
         name => return Err(format!("solver: {name:?} is not one of these pages")),
     })
 }
@@ -193,7 +193,7 @@ fn words(event: Event, solver: &str) -> String {
         Event::Start => "start".into(),
         Event::Sweep => "a sweep".into(),
         Event::Step => "a step".into(),
-        Event::Pivot { driven, blocking } if solver == "lemke" => {
+        Event::Pivot { driven, blocking } if solver == Lemke::NAME => {
             format!(
                 "on the path: the variable of row {driven} enters, that of row {blocking} leaves"
             )

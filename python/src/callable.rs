@@ -1,15 +1,15 @@
 //! A Python function as a solver.
 
-use std::collections::HashMap;
-use std::sync::{Mutex, PoisonError};
+use std::sync::Arc;
 
 use lcplab::error::Error;
 use lcplab::lcp::Lcp;
 use lcplab::lcp::friction::{ConeProblem, Law, Model};
-use lcplab::report::methods::{self as library, why_none_takes};
+use lcplab::report::methods::with_reference;
+use lcplab::report::study::families::Contender;
 use lcplab::solver::{
-    Class, ConeEntry, ConeSolver, Cost, Entry, Event, Group, Iterate, MatrixClass, Method,
-    Observer, Options, Settings, Solution, Solver, Start, Status,
+    ConeEntry, ConeSolver, Entry, Event, Iterate, Method, Observer, Settings, Solution, Solver,
+    Start, Status, why_none_takes,
 };
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyException, PyNotImplementedError, PyTypeError};
@@ -20,10 +20,10 @@ use crate::{arrays, refused, waiting};
 
 /// `solver(A, b, lo, hi, **settings)`, which returns x, or yields iterates of which the last one is
 /// x, or returns `None` if it found no solution.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 struct Callable {
-    name: &'static str,
-    function: &'static Py<PyAny>,
+    name: String,
+    function: Arc<Py<PyAny>>,
     /// Whether it has a parameter `model`; it is then also given friction cones.
     takes_models: bool,
 }
@@ -34,63 +34,33 @@ struct Set {
     settings: Settings,
 }
 
-/// A function as a solver: for boxes, and for cones if it has a parameter `model`.
-#[derive(Clone, Copy)]
-struct Function {
-    boxed: Entry,
-    cone: Option<ConeEntry>,
-}
-
-/// Functions as solvers, by their addresses. They are never freed, so addresses are not reused.
-static KNOWN: Mutex<Option<HashMap<usize, Function>>> = Mutex::new(None);
-
 /// The methods of a solver by its name, or of a function: for boxes, and for cones if it has a
 /// parameter `model`.
 pub fn methods(solver: &Bound<'_, PyAny>) -> PyResult<Vec<Method>> {
     if let Ok(name) = solver.extract::<String>() {
-        return library::named(&name).map_err(refused);
+        let named = Contender::named(&name, with_reference()).map_err(refused)?;
+        return Ok(named.methods);
     }
-    Ok(known(solver)?.methods())
+    if !solver.is_callable() {
+        return Err(PyTypeError::new_err("a solver is a name or a function of A, b, lo, hi"));
+    }
+    Ok(Callable::new(solver).methods())
 }
 
 /// The method of a solver by its name, or of a function, for a friction model, or for LCPs
 /// without any.
 pub fn method(solver: &Bound<'_, PyAny>, model: Option<Model>) -> PyResult<Method> {
     if let Ok(name) = solver.extract::<String>() {
-        let named = match model {
-            Some(model) => library::by_name(&name, model),
-            None => library::entry(&name).map(Method::Boxed),
-        };
-        return named.map_err(refused);
+        return with_reference().method(&name, model).cloned().map_err(refused);
     }
-    let function = known(solver)?;
-    let methods = function.methods();
-    if let Some(method) = methods.iter().find(|method| method.takes(model)) {
-        return Ok(*method);
-    }
+    let methods = methods(solver)?;
     let reason = why_none_takes(&methods, model).unwrap_or_default();
-    let reason =
-        format!("{reason}; a function that has a parameter named model gets friction cones");
-    Err(refused(Error::invalid(format!("solver {}", function.boxed.name), "model", reason)))
-}
-
-/// A solver for LCPs by its name, or a function as one.
-pub fn entry(solver: &Bound<'_, PyAny>) -> PyResult<Entry> {
-    if let Ok(name) = solver.extract::<String>() {
-        return library::entry(&name).map_err(refused);
-    }
-    Ok(known(solver)?.boxed)
-}
-
-/// The function, which is stored at its first use.
-fn known(solver: &Bound<'_, PyAny>) -> PyResult<Function> {
-    if !solver.is_callable() {
-        return Err(PyTypeError::new_err("a solver is a name or a function of A, b, lo, hi"));
-    }
-    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
-    let known = known.get_or_insert_with(HashMap::new);
-    let address = solver.as_ptr() as usize;
-    Ok(*known.entry(address).or_insert_with(|| Callable::new(solver).into_function()))
+    let name = methods.first().map_or(String::new(), |method| method.name().to_string());
+    methods.into_iter().find(|method| method.takes(model)).ok_or_else(|| {
+        let reason =
+            format!("{reason}; a function that has a parameter named model gets friction cones");
+        refused(Error::invalid(format!("solver {name}"), "model", reason))
+    })
 }
 
 /// Whether a function has a parameter of this name; `**settings` does not count, because the
@@ -113,64 +83,49 @@ fn has_parameter(function: &Bound<'_, PyAny>, name: &str) -> bool {
     parameters().unwrap_or(false)
 }
 
-impl Function {
-    fn methods(self) -> Vec<Method> {
-        let boxed = std::iter::once(Method::Boxed(self.boxed));
-        boxed.chain(self.cone.map(Method::Cone)).collect()
-    }
-}
-
 impl Callable {
     fn new(function: &Bound<'_, PyAny>) -> Self {
         let name = function.getattr("__name__").and_then(|name| name.extract::<String>());
-        let name = name.unwrap_or_else(|_| "my_solver".into());
         Callable {
-            name: Box::leak(name.into_boxed_str()),
-            function: Box::leak(Box::new(function.clone().unbind())),
+            name: name.unwrap_or_else(|_| "my_solver".into()),
+            function: Arc::new(function.clone().unbind()),
             takes_models: has_parameter(function, "model"),
         }
     }
 
-    fn into_function(self) -> Function {
-        let cone = self.takes_models.then(|| self.cone_entry());
-        Function { boxed: self.entry(), cone }
+    fn methods(self) -> Vec<Method> {
+        let cone = self.takes_models.then(|| Method::Cone(self.cone_entry()));
+        [Method::Boxed(self.entry())].into_iter().chain(cone).collect()
     }
 
-    fn entry(self) -> Entry {
-        let build = move |options: &Options| -> Box<dyn Solver> {
-            Box::new(Set { callable: self, settings: options.settings.clone() })
-        };
-        Entry {
-            name: self.name,
-            method: "a function in Python",
-            class: Class { divides_by_diagonal: true, ..Class::of(MatrixClass::General) },
-            group: Group::Plugin,
-            cost: Cost::UNKNOWN,
-            source: "a function in Python",
-            uses: &[],
-            build: Box::leak(Box::new(build)),
-        }
+    fn entry(&self) -> Entry {
+        let callable = self.clone();
+        let mut entry = Entry::new(self.name.clone(), move |options| {
+            Box::new(Set { callable: callable.clone(), settings: options.settings.clone() })
+        });
+        (entry.method, entry.source) = (KIND, KIND);
+        entry.class.divides_by_diagonal = true;
+        entry
     }
 
-    fn cone_entry(self) -> ConeEntry {
-        let build = move |settings: &Settings| -> Box<dyn ConeSolver> {
-            Box::new(Set { callable: self, settings: settings.clone() })
-        };
-        ConeEntry {
-            name: self.name,
-            method: "a function in Python",
-            class: Class { divides_by_diagonal: true, ..Class::of(MatrixClass::General) },
-            laws: &[Law::Associated, Law::Coulomb],
-            group: Group::Plugin,
-            source: "a function in Python",
-            build: Box::leak(Box::new(build)),
-        }
+    fn cone_entry(&self) -> ConeEntry {
+        let callable = self.clone();
+        let laws = [Law::Associated, Law::Coulomb].to_vec();
+        let mut entry = ConeEntry::new(self.name.clone(), laws, move |settings| {
+            Box::new(Set { callable: callable.clone(), settings: settings.clone() })
+        });
+        (entry.method, entry.source) = (KIND, KIND);
+        entry.class.divides_by_diagonal = true;
+        entry
     }
 }
 
+/// What it is in a list of methods.
+const KIND: &str = "a function in Python";
+
 impl Solver for Set {
-    fn name(&self) -> &'static str {
-        self.callable.name
+    fn name(&self) -> &str {
+        &self.callable.name
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
@@ -180,8 +135,8 @@ impl Solver for Set {
 }
 
 impl ConeSolver for Set {
-    fn name(&self) -> &'static str {
-        self.callable.name
+    fn name(&self) -> &str {
+        &self.callable.name
     }
 
     fn solve(

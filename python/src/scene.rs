@@ -49,8 +49,8 @@ impl SimulatedStep {
     }
 
     #[getter]
-    fn solvers(&self) -> PyResult<Vec<&'static str>> {
-        Ok(self.solves()?.iter().map(|solve| solve.solver).collect())
+    fn solvers(&self) -> PyResult<Vec<String>> {
+        Ok(self.solves()?.iter().map(|solve| solve.solver.clone()).collect())
     }
 
     #[getter]
@@ -123,20 +123,13 @@ impl Scene {
         if let Some(solver) = solver {
             let scene = self.simulation.scene();
             let options = simulation::options(scene);
-            let cone = match scene.contact.model {
-                model if matches!(model.form(), Form::Cone(_)) => {
-                    Some(callable::method(&solver, Some(model))?)
+            let model = scene.contact.model;
+            let model = Some(model).filter(|model| matches!(model.form(), Form::Cone(_)));
+            match callable::method(&solver, model)? {
+                Method::Cone(entry) => {
+                    self.simulation.solve_cones_by(entry.build(&options.settings));
                 }
-                _ => None,
-            };
-            match cone {
-                Some(Method::Cone(entry)) => {
-                    self.simulation.solve_cones_by((entry.build)(&options.settings));
-                }
-                _ => {
-                    let entry = callable::entry(&solver)?;
-                    self.simulation.solve_by((entry.build)(&options));
-                }
+                Method::Boxed(entry) => self.simulation.solve_by(entry.build(&options)),
             }
         }
         let simulation = &mut self.simulation;

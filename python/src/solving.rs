@@ -12,8 +12,8 @@ use lcplab::report::friction::{self, JudgedAnswer};
 use lcplab::report::study::families::{self, Contender, Models};
 use lcplab::report::{methods, terminal, view};
 use lcplab::solver::{
-    Entry, Observer, Options, SequenceAnswer, Settings, Solution, Start, Stop, default_for,
-    solve_boxed_by_sequence,
+    Entry, Method, Observer, Options, Registry, SequenceAnswer, Settings, Solution, Start, Stop,
+    default_for, solve_boxed_by_sequence,
 };
 use lcplab::trace::Convergence;
 use numpy::{PyArray1, PyReadonlyArray1};
@@ -81,14 +81,18 @@ pub fn solve<'py>(
         return solve_modelled(py, &question, model, solver, &options, &demand);
     }
     let lcp = &problem.0.lcp;
-    let entry = match solver {
-        Some(solver) => Some(callable::entry(&solver)?),
+    let method = match solver {
+        Some(solver) => Some(callable::method(&solver, None)?),
         // With a trace, one method runs.
-        None if trace => Some(methods::entry(default_for(lcp)).map_err(refused)?),
+        None if trace => {
+            let default = methods::with_reference().method(default_for(lcp), None);
+            Some(default.map_err(refused)?.clone())
+        }
         None => None,
     };
+    let entry = method.as_ref().and_then(Method::boxed);
     let stop = Stop::default();
-    let work = || answered(lcp, entry.as_ref(), &options, &demand, trace, &stop);
+    let work = || answered(lcp, entry, &options, &demand, trace, &stop);
     let (answer, records) = match lcp.len() <= QUICK_ROWS && !trace {
         true => quickly(py, work)?,
         false => wait(py, &stop, work)?,
@@ -136,7 +140,7 @@ pub fn question(
     solver: Option<&str>,
 ) -> PyResult<Question> {
     let asked = model.map(|model| model.parse()).transpose().map_err(refused)?;
-    let model = friction::model(asked, solver, &problem.0);
+    let model = friction::model(asked, solver, &problem.0, methods::with_reference());
     Question::new(&problem.0, model, "problem").map_err(refused)
 }
 
@@ -157,7 +161,8 @@ fn solve_modelled<'py>(
             Some(method) => {
                 let (solution, judged) =
                     friction::solve(question, method, options, demand, observer);
-                (SequenceAnswer { solver: method.name(), solution, attempts: Vec::new() }, judged)
+                let solver = method.name().to_string();
+                (SequenceAnswer { solver, solution, attempts: Vec::new() }, judged)
             }
             None => friction::solve_by_default(question, options, demand, observer),
         }
@@ -188,8 +193,8 @@ fn answered(
     let (observer, start) = (&mut stop.watch(observer), Start::default());
     let SequenceAnswer { solver, solution, attempts } = match entry {
         Some(entry) => SequenceAnswer {
-            solver: entry.name,
-            solution: (entry.build)(options).solve(lcp, &start, observer),
+            solver: entry.name.to_string(),
+            solution: entry.build(options).solve(lcp, &start, observer),
             attempts: Vec::new(),
         },
         None => solve_boxed_by_sequence(lcp, &start, options, observer),
@@ -263,7 +268,7 @@ pub fn compare(
     let mut chosen = Vec::new();
     let usual = if solvers.is_empty() { methods::USUAL.as_slice() } else { &[] };
     for name in usual {
-        let contender = Contender::named(name).map_err(refused)?;
+        let contender = Contender::named(name, methods::with_reference()).map_err(refused)?;
         chosen.push(Contender { is_named: false, ..contender });
     }
     for solver in &solvers {
@@ -291,6 +296,6 @@ pub fn compare(
 /// The named solvers: name, description, and the class of matrices.
 #[pyfunction]
 pub fn solvers() -> Vec<(&'static str, &'static str, String)> {
-    let all = lcplab::solver::ALL.iter();
-    all.map(|entry| (entry.name, entry.method, entry.class.to_string())).collect()
+    let all = Registry::standard().entries();
+    all.map(|entry| (&*entry.name, entry.method, entry.class.to_string())).collect()
 }

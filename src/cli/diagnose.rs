@@ -14,12 +14,11 @@ use lcplab::lcp::Question;
 use lcplab::lcp::exchange;
 use lcplab::lcp::file::{Problem, read_answers};
 use lcplab::memory::Memory;
-use lcplab::report::methods;
 use lcplab::report::motion_error::MotionError;
 use lcplab::report::view::diagnosis_page;
 use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
-use lcplab::solver::Options;
+use lcplab::solver::{Options, Pgs, Registry};
 
 use super::form::Writing;
 use super::mistake;
@@ -120,14 +119,14 @@ impl Diagnose {
             }
             return self.mistake(&read_problem(Path::new(&self.input), Memory::default())?, answer);
         }
-        let plugins = self.plugins.start()?;
+        let (plugins, solvers) = self.plugins.start()?;
         let solver = Plugins::sole(self.solver.as_deref(), &plugins)?;
         if !is_problem && Path::new(&self.input).is_dir() {
-            return self.sequence(solver);
+            return self.sequence(solver, &solvers);
         }
         let (mut found, examined) = match is_problem {
-            true => self.problem(solver)?,
-            false => self.of_scene(solver)?,
+            true => self.problem(solver, &solvers)?,
+            false => self.of_scene(solver, &solvers)?,
         };
         if self.json {
             let mut object = found.to_json();
@@ -147,7 +146,11 @@ impl Diagnose {
     }
 
     /// Diagnoses a problem, and its solve if a solver is given.
-    fn problem(&self, solver: Option<&str>) -> Result<(Diagnosis, Option<ExaminedInput>)> {
+    fn problem(
+        &self,
+        solver: Option<&str>,
+        solvers: &Registry,
+    ) -> Result<(Diagnosis, Option<ExaminedInput>)> {
         let refuse = |option| {
             Error::invalid(&self.input, option, "applies to scenes, but the input is a problem")
         };
@@ -162,20 +165,24 @@ impl Diagnose {
         if solver.is_none() && self.max_iterations.is_none() {
             return Ok((diagnosis, None));
         }
-        let user_solver = self.user_solver(solver)?;
+        let user_solver = self.user_solver(solver, solvers)?;
         let found = examine_sequence(&[as_box(read, &self.input)?], &user_solver);
         Ok((diagnosis, Some(ExaminedInput { found, user_solver, scene: None })))
     }
 
     /// Diagnoses a scene, and its solve if possible.
-    fn of_scene(&self, solver: Option<&str>) -> Result<(Diagnosis, Option<ExaminedInput>)> {
-        let scene = self.scene(solver)?;
+    fn of_scene(
+        &self,
+        solver: Option<&str>,
+        solvers: &Registry,
+    ) -> Result<(Diagnosis, Option<ExaminedInput>)> {
+        let scene = self.scene(solver, solvers)?;
         let step = self.step.map(|step| step as usize);
         let number = step.unwrap_or(1);
         let progress = bar(number.saturating_sub(1) as u64, "steps before it");
         let diagnosis = diagnosis::observed_scene(&scene, number, &|| progress.inc(1))?;
         progress.finish_and_clear();
-        if !diagnosis.is_sound() || methods::entry(&scene.solver.name).is_err() {
+        if !diagnosis.is_sound() || solvers.entry(&scene.solver.name).is_err() {
             return Ok((diagnosis, None));
         }
         let (found, user_solver) = (examine_scene(&scene, step)?, user_solver(&scene)?);
@@ -200,8 +207,9 @@ impl Diagnose {
     }
 
     /// The scene with the options of its solver.
-    fn scene(&self, solver: Option<&str>) -> Result<Scene> {
+    fn scene(&self, solver: Option<&str>, solvers: &Registry) -> Result<Scene> {
         let mut scene = self.changes.load(&self.input)?;
+        scene.solvers = solvers.clone();
         if let Some(name) = solver {
             let scheme = scene.step.scheme;
             if !scheme.solves_lcps() {
@@ -209,15 +217,15 @@ impl Diagnose {
                     format!("cannot run {name}: the scheme {} solves no LCP", scheme.name());
                 return Err(Error::invalid(&self.input, "solver", reason));
             }
-            scene.solver.name = methods::entry(name)?.name.into();
+            scene.solver.name = solvers.entry(name)?.name.to_string();
         }
         scene.solver.max_iterations = self.max_iterations.unwrap_or(scene.solver.max_iterations);
         Ok(scene)
     }
 
     /// The solver and options for a problem.
-    fn user_solver(&self, solver: Option<&str>) -> Result<UserSolver> {
-        let entry = methods::entry(solver.unwrap_or("pgs"))?;
+    fn user_solver(&self, solver: Option<&str>, solvers: &Registry) -> Result<UserSolver> {
+        let entry = solvers.entry(solver.unwrap_or(Pgs::NAME))?.clone();
         let mut options = Options::default();
         if let Some(most) = self.max_iterations {
             options.settings.max_iterations = most;
@@ -226,7 +234,7 @@ impl Diagnose {
     }
 
     /// Diagnoses the problems of a folder, in the order of their names.
-    fn sequence(&self, solver: Option<&str>) -> Result<Outcome> {
+    fn sequence(&self, solver: Option<&str>, solvers: &Registry) -> Result<Outcome> {
         let paths = file::list(Path::new(&self.input))?;
         let paths = paths.iter().filter(|path| exchange::is_problem(path));
         let problems = paths.map(|path| {
@@ -240,7 +248,7 @@ impl Diagnose {
         if problems.is_empty() {
             return Err(Error::invalid(&self.input, "the folder", "contains no problem files"));
         }
-        let user_solver = self.user_solver(solver)?;
+        let user_solver = self.user_solver(solver, solvers)?;
         let found = examine_sequence(&problems, &user_solver);
         let tolerance = user_solver.options.settings.tolerance;
         let unsolved = found.unsolved(tolerance);

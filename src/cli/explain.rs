@@ -15,7 +15,7 @@ use lcplab::plot::Figure;
 use lcplab::report::page::Picture;
 use lcplab::scene::{Scene, Scheme};
 use lcplab::simulation::Simulation;
-use lcplab::solver::{Options, default_for};
+use lcplab::solver::{Dantzig, Options, Pgs, default_for};
 
 use super::form::Writing;
 use super::{Outcome, read_problem};
@@ -152,7 +152,7 @@ impl Explain {
         let name = match &self.solver {
             Some(name) => name.as_str(),
             None if own => scene.solver.name.as_str(),
-            None => "dantzig",
+            None => Dantzig::NAME,
         };
         let method = self.method(name, simulation::options(&scene))?;
         if let Some(model) = self.model {
@@ -171,7 +171,7 @@ impl Explain {
         options.omega = self.omega.unwrap_or(options.omega);
         options.settings.tolerance = self.tolerance.unwrap_or(options.settings.tolerance);
         let method = Method::with(name, options)?;
-        if self.omega.is_some() && name != "sor" {
+        if self.omega.is_some() && name != Pgs::RELAXED {
             return Err(Error::invalid(
                 "options",
                 "--omega",

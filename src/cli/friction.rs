@@ -31,7 +31,7 @@ pub fn solve(
         Some(method) => {
             let (solution, judged) =
                 solve_and_judge(question, method, options, demand, &mut stop.watch(&mut ()));
-            (method.name(), solution, Vec::new(), judged)
+            (method.name().to_string(), solution, Vec::new(), judged)
         }
         None => {
             let (answered, judged) =

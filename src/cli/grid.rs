@@ -121,7 +121,8 @@ impl Plan {
 impl Run {
     fn run(&self, limits: &Limits) -> Result<Outcome> {
         let (grid, folder) = self.place.open()?;
-        let _running = self.plugins.start(&self.place.grid, &grid.plugins)?;
+        let (_running, solvers) = self.plugins.start(&self.place.grid, &grid.plugins)?;
+        let folder = folder.with_solvers(solvers);
         if let Some(task) = self.task {
             let record = folder.run_one(task)?;
             let refuted = record.finding.and_then(|finding| finding.get("refuted"));

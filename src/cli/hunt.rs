@@ -5,10 +5,9 @@ use lcplab::error::{Error, Result};
 use lcplab::hunt::{Hunt, KINDS, Record, Tally};
 use lcplab::lcp::friction::Model;
 use lcplab::number::counted;
-use lcplab::report::methods;
 use lcplab::report::page::{Cell, Table};
 use lcplab::report::terminal;
-use lcplab::solver::{ALL, Method, Options, Settings, Solver, Stop};
+use lcplab::solver::{Method, Options, Registry, Settings, Solver, Stop};
 
 use super::limits::Limits;
 use super::plugin::Plugins;
@@ -71,7 +70,7 @@ impl Challenge {
         let settings = Settings { tolerance, max_iterations, ..Settings::default() };
         let options = Options { settings, ..Options::default() };
         options.validate()?;
-        let plugins = self.plugins.start()?;
+        let (plugins, solvers) = self.plugins.start()?;
         let named = self.solver.iter().map(String::as_str);
         let names: Vec<&str> =
             named.chain(plugins.iter().map(|plugin| -> &str { plugin.name() })).collect();
@@ -82,12 +81,13 @@ impl Challenge {
                 options,
                 seed: self.seed,
                 command: self.plugins.first(),
+                solvers: &solvers,
             };
             return self.search.hunt(all, self.json, limits);
         }
         let progress = bar(self.problems as u64, "problems");
         let stop = limits.stop();
-        let record = self.record(&names, &options, stop, &|| progress.inc(1))?;
+        let record = self.record(&names, &solvers, &options, stop, &|| progress.inc(1))?;
         let stopped = stop.reason().filter(|_| record.problems < self.problems);
         limits.over();
         progress.finish_and_clear();
@@ -114,6 +114,7 @@ impl Challenge {
     fn record(
         &self,
         names: &[&str],
+        registry: &Registry,
         options: &Options,
         stop: &Stop,
         tick: &(dyn Fn() + Sync),
@@ -121,18 +122,18 @@ impl Challenge {
         let hunt = Hunt { problems: self.problems, seed: self.seed, tolerance: self.tolerance };
         if let Some(model) = self.model {
             let methods: Vec<Method> = match names {
-                [] => methods::all().into_iter().filter(|m| m.takes(Some(model))).collect(),
+                [] => registry.methods().filter(|m| m.takes(Some(model))).cloned().collect(),
                 names => {
-                    let named = names.iter().map(|name| methods::by_name(name, model));
-                    named.collect::<Result<_>>()?
+                    let of = |name: &&str| registry.method(name, Some(model)).cloned();
+                    names.iter().map(of).collect::<Result<_>>()?
                 }
             };
             return Ok(hunt.under(model, stop, &methods, options, tick));
         }
         let solvers: Vec<Box<dyn Solver>> = match names {
-            [] => ALL.iter().map(|entry| (entry.build)(options)).collect(),
+            [] => Registry::standard().entries().map(|entry| entry.build(options)).collect(),
             names => {
-                let build = |name: &&str| Ok((methods::entry(name)?.build)(options));
+                let build = |name: &&str| Ok(registry.entry(name)?.build(options));
                 names.iter().map(build).collect::<Result<_>>()?
             }
         };

@@ -11,7 +11,7 @@ use lcplab::certificate::Demand;
 use lcplab::error::{Defects, Error, Result};
 use lcplab::memory::Memory;
 use lcplab::scene::RowOrder;
-use lcplab::solver::{ALL, Choice, Damping, Entry, Method, Options, Settings};
+use lcplab::solver::{Choice, Damping, Entry, Method, Options, Registry, Settings};
 
 use super::limits::MemoryLimit;
 use super::say;
@@ -82,7 +82,7 @@ impl SolverArgs {
     }
 
     /// The options for these solvers.
-    pub fn options(&self, solvers: &[Method]) -> Result<Options> {
+    pub fn options<'m>(&self, solvers: impl IntoIterator<Item = &'m Method>) -> Result<Options> {
         let settings = Settings {
             tolerance: self.tolerance,
             max_iterations: self.max_iterations,
@@ -98,7 +98,8 @@ impl SolverArgs {
             damping: damping.map_or(default.damping, Damping::Factor),
         };
         options.validate()?;
-        let users: Vec<_> = solvers.iter().map(|method| (method.name(), method.uses())).collect();
+        let users: Vec<_> =
+            solvers.into_iter().map(|method| (method.name(), method.uses())).collect();
         self.choices.check(&users, order)?;
         Ok(options)
     }
@@ -151,6 +152,7 @@ impl Choices {
 /// The solvers that use an option, as text.
 fn having(choice: Choice) -> String {
     let looks = |entry: &&Entry| entry.uses.contains(&choice);
-    let names: Vec<&str> = ALL.iter().filter(looks).map(|entry| entry.name).collect();
+    let entries = Registry::standard().entries().filter(looks);
+    let names: Vec<&str> = entries.map(|entry| &*entry.name).collect();
     format!("{} {}", names.join(" and "), if names.len() == 1 { "does" } else { "do" })
 }

@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::plugin::{Declaration, Plugin};
+use lcplab::report::methods::with_reference;
+use lcplab::solver::Registry;
 
 use super::say;
 
@@ -21,10 +23,10 @@ pub struct Plugins {
 }
 
 impl Plugins {
-    /// Starts the plug-ins; each ends when it is dropped.
-    pub fn start(&self) -> Result<Vec<Plugin>> {
+    /// Starts the plug-ins; each ends when it is dropped. The registry has all solvers and them.
+    pub fn start(&self) -> Result<(Vec<Plugin>, Registry)> {
         let limit = self.plugin_time_limit;
-        self.plugin.iter().map(|spec| Plugin::start(spec, limit)).collect()
+        registered(self.plugin.iter().map(|spec| Plugin::start(spec, limit)))
     }
 
     /// The first command.
@@ -38,7 +40,7 @@ impl Plugins {
     }
 
     /// The solver of a command that uses only one: the named one, or the plug-in.
-    pub fn sole<'a>(named: Option<&'a str>, plugins: &[Plugin]) -> Result<Option<&'a str>> {
+    pub fn sole<'a>(named: Option<&'a str>, plugins: &'a [Plugin]) -> Result<Option<&'a str>> {
         match (named, plugins) {
             (named, []) => Ok(named),
             (None, [plugin]) => Ok(Some(plugin.name())),
@@ -50,6 +52,19 @@ impl Plugins {
     }
 }
 
+/// These plug-ins, and a registry of all solvers and them.
+fn registered(
+    plugins: impl IntoIterator<Item = Result<Plugin>>,
+) -> Result<(Vec<Plugin>, Registry)> {
+    let (mut started, mut solvers) = (Vec::new(), with_reference().clone());
+    for plugin in plugins {
+        let plugin = plugin?;
+        plugin.add_to(&mut solvers)?;
+        started.push(plugin);
+    }
+    Ok((started, solvers))
+}
+
 /// Programs that a file declares.
 #[derive(Debug, Args)]
 pub struct Declared {
@@ -59,14 +74,15 @@ pub struct Declared {
 }
 
 impl Declared {
-    /// Starts the plug-ins of a file, if allowed; each ends when it is dropped.
+    /// Starts the plug-ins of a file, if allowed; each ends when it is dropped. The registry has
+    /// all solvers and them.
     pub fn start(
         &self,
         input: &str,
         plugins: &BTreeMap<String, Declaration>,
-    ) -> Result<Vec<Plugin>> {
+    ) -> Result<(Vec<Plugin>, Registry)> {
         if plugins.is_empty() {
-            return Ok(Vec::new());
+            return registered([]);
         }
         let commands = plugins.iter().map(|(name, plugin)| format!("{name}: {}", plugin.command));
         let commands: Vec<String> = commands.collect();
@@ -78,7 +94,7 @@ impl Declared {
             return Err(Error::invalid(input, "plugins", reason));
         }
         commands.iter().for_each(|command| say(&format!("plug-in {command}")));
-        plugins.iter().map(|(name, plugin)| Plugin::declared(name, plugin)).collect()
+        registered(plugins.iter().map(|(name, plugin)| Plugin::declared(name, plugin)))
     }
 
     /// The option, if it was given.

@@ -86,7 +86,7 @@ pub struct Solve {
 
 impl Solve {
     pub fn run(&self, limits: &Limits) -> Result<Outcome> {
-        let plugins = self.plugins.start()?;
+        let (plugins, solvers) = self.plugins.start()?;
         let solver = Plugins::sole(self.solver.as_deref(), &plugins)?;
         let problem = read_problem(&self.problem, self.settings.memory())?;
         let mut demand = self.settings.demand();
@@ -94,7 +94,7 @@ impl Solve {
             demand.prove_up_to = Demand::EXACT_ROWS;
         }
         let (input, asked) =
-            (self.problem.display().to_string(), model(self.model, solver, &problem));
+            (self.problem.display().to_string(), model(self.model, solver, &problem, &solvers));
         let question = Question::new(&problem, asked, &input)?;
         if self.loads {
             check_loads(&question, &input)?;
@@ -102,43 +102,36 @@ impl Solve {
         if let Some(model) = question.model() {
             self.tracing.check(false)?;
             self.proof.as_ref().map_or(Ok(()), |_| proof::check_model(model))?;
-            let method = solver.map(|name| methods::by_name(name, model)).transpose()?;
-            let first = methods::by_name(methods::default_for(model), model)?;
-            let options = self.settings.options(&[method.unwrap_or(first)])?;
+            let method = solver.map(|name| solvers.method(name, Some(model))).transpose()?;
+            let first = solvers.method(methods::default_for(model), Some(model))?;
+            let options = self.settings.options([method.unwrap_or(first)])?;
             let title = title(&problem);
-            let (outcome, solution) = friction::solve(
-                &question,
-                &title,
-                method.as_ref(),
-                &options,
-                &demand,
-                self.json,
-                limits,
-            )?;
+            let (outcome, solution) =
+                friction::solve(&question, &title, method, &options, &demand, self.json, limits)?;
             self.prove(&question, &solution.x)?;
             return Ok(outcome);
         }
         // A trace shows one method.
         let traced = self.tracing.is_wanted().then(|| default_for(&problem.lcp));
-        let entry = solver.or(traced).map(methods::entry).transpose()?;
-        let first = methods::entry(default_for(&problem.lcp))?;
-        let options = self.settings.options(&[Method::Boxed(entry.unwrap_or(first))])?;
+        let method = solver.or(traced).map(|name| solvers.method(name, None)).transpose()?;
+        let first = solvers.method(default_for(&problem.lcp), None)?;
+        let options = self.settings.options([method.unwrap_or(first)])?;
         let (stop, start) = (limits.stop(), Start::default());
         let mut trace = Convergence::of(&problem.lcp);
         let observer: &mut dyn Observer =
             if self.tracing.is_wanted() { &mut trace } else { &mut () };
         let observer = &mut stop.watch(observer);
-        let SequenceAnswer { solver, solution, attempts } = match entry {
+        let SequenceAnswer { solver, solution, attempts } = match method.and_then(Method::boxed) {
             Some(entry) => SequenceAnswer {
-                solver: entry.name,
-                solution: (entry.build)(&options).solve(&problem.lcp, &start, observer),
+                solver: entry.name.to_string(),
+                solution: entry.build(&options).solve(&problem.lcp, &start, observer),
                 attempts: Vec::new(),
             },
             None => solve_boxed_by_sequence(&problem.lcp, &start, &options, observer),
         };
         let stopped = stop.reason().filter(|_| solution.status == Status::Stopped);
         limits.over();
-        self.tracing.write(&problem.lcp, solver, &options, &solution, &trace.records)?;
+        self.tracing.write(&problem.lcp, &solver, &options, &solution, &trace.records)?;
         self.prove(&question, &solution.x)?;
         let answer = Answer::judged(&problem.lcp, solver, solution, &demand);
         let answer = answer.searched(&problem.lcp, &demand);

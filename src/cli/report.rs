@@ -174,7 +174,7 @@ impl Report {
             return self.shown(&read_results(path)?, self.folder().unwrap_or(&beside));
         }
         let mut experiment = Experiment::load(self.name())?;
-        let _running = self.plugins.start(self.name(), &experiment.plugins)?;
+        let (_running, solvers) = self.plugins.start(self.name(), &experiment.plugins)?;
         let mut folder = folder_of(self.folder(), "reports", &experiment.name)?;
         if let Some(record) = record {
             experiment = of_record(record)?;
@@ -200,7 +200,7 @@ impl Report {
             false => write::results(results, &folder),
         };
         let stop = limits.stop();
-        let results = run::run(&experiment, earlier.as_ref(), &progress, stop, &save)?;
+        let results = run::run(&experiment, earlier.as_ref(), &solvers, &progress, stop, &save)?;
         let stopped = stop.reason().filter(|_| !results.is_complete());
         limits.over();
         progress.finish_and_clear();

@@ -11,9 +11,8 @@ use lcplab::lcp::file::{Problem, number};
 use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
 use lcplab::number::readable;
-use lcplab::report::methods;
 use lcplab::report::study::problems;
-use lcplab::solver::{Group, MatrixClass, Method, Options};
+use lcplab::solver::{Group, MatrixClass, Options, Registry};
 use serde_json::{Value, json};
 
 use super::limits::Limits;
@@ -59,6 +58,8 @@ pub struct SearchArgs {
 pub struct HuntOptions<'a> {
     /// The named solvers, and the plug-ins.
     pub names: &'a [&'a str],
+    /// All solvers, and the plug-ins.
+    pub solvers: &'a Registry,
     /// The requested friction model.
     pub model: Option<Model>,
     /// The options of the solvers.
@@ -101,10 +102,10 @@ impl SearchArgs {
 
     /// Searches for a problem on which the named solver, or the first of a ratio, fails.
     pub fn hunt(&self, all: HuntOptions<'_>, json: bool, limits: &Limits) -> Result<Outcome> {
-        let HuntOptions { names, model, options, seed, command } = all;
+        let HuntOptions { names, solvers, model, options, seed, command } = all;
         let given = Given::new(&self.problems()?, self.class.map(Class::into), model)?;
         given.notes.iter().for_each(|note| say(&format!("note: {note}")));
-        let target = self.target(names, options, &given)?;
+        let target = self.target(names, solvers, options, &given)?;
         let search = Search {
             rows: self.n.clone(),
             evaluations: self.evaluations,
@@ -173,7 +174,13 @@ impl SearchArgs {
         Ok(given)
     }
 
-    fn target(&self, names: &[&str], mut options: Options, given: &Given) -> Result<Target> {
+    fn target(
+        &self,
+        names: &[&str],
+        solvers: &Registry,
+        mut options: Options,
+        given: &Given,
+    ) -> Result<Target> {
         let wrong = |reason: &str| Error::invalid("options", "--measure", reason);
         let measure: Measure = self.measure[0].parse().map_err(|reason: String| wrong(&reason))?;
         let pair = self.measure.get(1).map(|pair| {
@@ -181,10 +188,7 @@ impl SearchArgs {
         });
         options.omega = self.omega.unwrap_or(options.omega);
         options.validate()?;
-        let method = |name: &str| match given.model {
-            Some(model) => methods::by_name(name, model),
-            None => methods::entry(name).map(Method::Boxed),
-        };
+        let method = |name: &str| solvers.method(name, given.model).cloned();
         let (solver, rival) = match (pair.transpose()?, names) {
             (Some((a, b)), _) => (method(a)?, Some(method(b)?)),
             (None, [name]) => (method(name)?, None),

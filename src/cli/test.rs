@@ -13,7 +13,6 @@ use lcplab::report::study::ci::Verdict;
 use lcplab::report::study::families::{self, Contender, Models};
 use lcplab::report::study::problems;
 use lcplab::report::study::regression::{Factors, Finding, Run};
-use lcplab::solver::Method;
 use serde_json::json;
 
 use super::limits::Limits;
@@ -87,10 +86,11 @@ const SEEDS: u32 = 3;
 
 impl Test {
     pub fn run(&self, limits: &Limits) -> Result<Outcome> {
-        let plugins = self.plugins.start()?;
+        let (plugins, solvers) = self.plugins.start()?;
         let named = self.solver.iter().map(String::as_str);
         let names = named.chain(plugins.iter().map(|plugin| -> &str { plugin.name() }));
-        let contenders = names.map(Contender::named).collect::<Result<Vec<_>>>()?;
+        let contenders = names.map(|name| Contender::named(name, &solvers));
+        let contenders = contenders.collect::<Result<Vec<_>>>()?;
         if contenders.is_empty() {
             let reason = "name the solver to test with --plugin COMMAND or --solver NAME";
             return Err(Error::invalid("options", "--plugin", reason));
@@ -164,9 +164,8 @@ impl Test {
         contenders: &[Contender],
         limits: &Limits,
     ) -> Result<Option<Run>> {
-        let methods: Vec<Method> =
-            contenders.iter().flat_map(|contender| &contender.methods).copied().collect();
-        let options = self.solve.options(&methods)?;
+        let methods = contenders.iter().flat_map(|contender| &contender.methods);
+        let options = self.solve.options(methods)?;
         let progress = bar((problems.len() * contenders.len()) as u64, "problems");
         let stop = limits.stop();
         let all = families::Limits { stop, each: None, search: true, tick: &|| progress.inc(1) };

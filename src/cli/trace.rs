@@ -8,7 +8,7 @@ use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::lcp::Lcp;
 use lcplab::plot::{Axis, Figure, Lines, Panel, Series};
-use lcplab::solver::{Group, Options, Solution, theory};
+use lcplab::solver::{Group, Options, Registry, Solution, theory};
 use lcplab::trace::Record;
 
 /// Maximum number of rows for which eigenvalues are computed.
@@ -123,7 +123,7 @@ fn figure(solver: &str, records: &[Record], rate: Option<f64>) -> Lines {
 
 /// The name of an iteration.
 fn unit(solver: &str) -> &'static str {
-    match Group::of(solver) {
+    match Registry::standard().entry(solver).ok().map(|entry| entry.group) {
         Some(Group::Sweeps) => "sweep",
         Some(Group::Pivoting) => "pivot",
         _ => "iteration",

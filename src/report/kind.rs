@@ -12,6 +12,7 @@ use super::study::{self, Study};
 use super::view::{Headline, Outcome, ReportPage, View};
 use crate::error::{Defects, Error, Result};
 use crate::scene::source::Source;
+use crate::solver::Registry;
 
 /// A kind of study.
 pub struct Kind {
@@ -111,11 +112,11 @@ pub trait AnyStudy: Send + Sync {
     /// The names of the tasks, which are unique.
     fn tasks(&self) -> Vec<String>;
 
-    /// Runs a task: returns the finding, and the machine-dependent data.
+    /// Runs a task with solvers of this registry: returns the finding, and the machine-dependent data.
     ///
     /// # Errors
     /// If it cannot be done, with the reason.
-    fn run(&self, task: usize) -> Result<(Value, Value)>;
+    fn run(&self, task: usize, solvers: &Registry) -> Result<(Value, Value)>;
 
     /// Adds the findings to the page.
     ///
@@ -168,8 +169,8 @@ impl<S: View> AnyStudy for S {
         names
     }
 
-    fn run(&self, task: usize) -> Result<(Value, Value)> {
-        let (finding, times) = Study::run(self, task)?;
+    fn run(&self, task: usize, solvers: &Registry) -> Result<(Value, Value)> {
+        let (finding, times) = Study::run(self, task, solvers)?;
         let finding = json::<S, _>(&finding)?;
         read::<S, S::Finding>(std::slice::from_ref(&finding))?;
         Ok((finding, json::<S, _>(&times)?))

@@ -9,13 +9,13 @@ use super::results::{Results, Task};
 use super::tasks::Tasks;
 use super::text::printable;
 use crate::error::Result;
-use crate::solver::Stop;
+use crate::solver::{Registry, Stop};
 
 /// Minimum interval between saves while the report runs.
 const PAUSE: Duration = Duration::from_secs(1);
 
-/// Runs every task that is missing in the `earlier` results, until a stop; `save` receives the
-/// growing results.
+/// Runs every task that is missing in the `earlier` results, with solvers of this registry, until a
+/// stop; `save` receives the growing results.
 ///
 /// The findings do not depend on the number of threads. A task that fails becomes a row with its
 /// reason.
@@ -25,6 +25,7 @@ const PAUSE: Duration = Duration::from_secs(1);
 pub fn run(
     experiment: &Experiment,
     earlier: Option<&Results>,
+    solvers: &Registry,
     progress: &ProgressBar,
     stop: &Stop,
     save: &dyn Fn(&Results) -> Result<()>,
@@ -41,13 +42,13 @@ pub fn run(
     let study = |section: usize| studies[section].as_ref();
     let is_alone = |&(section, task): &Place| study(section).is_some_and(|study| study.alone(task));
     let (alone, together) = missing.into_iter().partition(is_alone);
-    let (names, bar) = (names(&results), progress.clone());
+    let (names, bar, solvers) = (names(&results), progress.clone(), solvers.clone());
     let work = move |&(section, task): &Place| {
         // A section with text only has no tasks.
         let study = studies[section].as_ref()?;
         let message = format!("{}: {}", study.name(), names[section][task]);
         bar.set_message(printable(&message).into_owned());
-        Some(study.run(task))
+        Some(study.run(task, &solvers))
     };
     let mut saved = Instant::now();
     Tasks { together, alone, grace: Duration::ZERO }.run(

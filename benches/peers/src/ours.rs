@@ -19,7 +19,7 @@ pub fn solvers(lcp: &Lcp) -> Result<Vec<Contender<'_>>> {
     let settings = Settings { tolerance: TOLERANCE, ..Settings::default() };
     let options = Options { settings, ..Options::default() };
     let contender = |name: &&str| {
-        let solver = solver::by_name(name, &options)?;
+        let solver = solver::Registry::standard().entry(name)?.build(&options);
         let run = move || {
             let start = Instant::now();
             let solution = solver.solve(lcp, &Start::default(), &mut ());

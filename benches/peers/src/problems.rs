@@ -70,7 +70,7 @@ fn posed() -> Result<Vec<(String, Lcp)>> {
 
 /// The rods of 20 by 20 masses: equations alone.
 fn net() -> Result<Lcp> {
-    let solver = solver::by_name("dantzig", &Options::default())?;
+    let solver = solver::Registry::standard().entry("dantzig")?.build(&Options::default());
     let mut simulation = Simulation::new(Scene::load("net")?, solver);
     let mut lcp = None;
     for _ in 0..STEP {

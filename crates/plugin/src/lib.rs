@@ -33,19 +33,19 @@ use lcplab_problem::Lcp;
 use lcplab_problem::error::{Defects, Error, Result};
 use lcplab_problem::friction::{ConeProblem, Law, Model};
 use lcplab_solver::{
-    Class, ConeEntry, ConeSolver, Cost, Entry, Event, Group, Iterate, MatrixClass, Observer,
-    Options, Settings, Solution, Solver, Start, Status, add, add_cone,
+    Class, ConeEntry, ConeSolver, Entry, Event, Iterate, MatrixClass, Method, Observer, Registry,
+    Settings, Solution, Solver, Start, Status,
 };
 
 use self::message::Answer;
 use self::process::{Process, Trouble};
 
-/// An external program that solves problems. It is in the solver registry as long as this value
-/// lives; dropping the value ends the program.
+/// An external program that solves problems. Dropping the value ends the program.
 #[derive(Debug)]
 pub struct Plugin {
-    name: &'static str,
+    name: String,
     program: Arc<Program>,
+    methods: Vec<Method>,
 }
 
 /// A plug-in as declared in a file, under its name.
@@ -95,8 +95,7 @@ impl Plugin {
         Plugin::declared(&name, &Declaration { time_limit, ..Declaration::of(command) })
     }
 
-    /// Starts a program and adds it to the [registry](lcplab_solver::entry); also to the [cone
-    /// solvers](lcplab_solver::added_cones) if its first answer lists their models.
+    /// Starts a program.
     ///
     /// # Errors
     /// If the command, the class, the limit or the name cannot be used, or the program does not
@@ -127,45 +126,43 @@ impl Plugin {
         let laws = program
             .greet()
             .map_err(|reason| Error::invalid(format!("plug-in {name}"), "start", reason))?;
-        let name: &'static str = Box::leak(name.to_string().into_boxed_str());
-        let runs = Arc::clone(&program);
+        let (shared, outside) = (Arc::clone(&program), name.to_string());
         let outside = move |settings: &Settings| Outside {
-            name,
-            program: Arc::clone(&runs),
+            name: outside.clone(),
+            program: Arc::clone(&shared),
             settings: settings.clone(),
         };
-        let runs = outside.clone();
-        let build =
-            move |options: &Options| -> Box<dyn Solver> { Box::new(runs(&options.settings)) };
-        add(Entry {
-            name,
-            method: "a plug-in",
-            class,
-            group: Group::Plugin,
-            cost: Cost::UNKNOWN,
-            source: "a plug-in",
-            uses: &[],
-            build: Box::leak(Box::new(build)),
-        })?;
+        let build = outside.clone();
+        let mut entry =
+            Entry::new(name.to_string(), move |options| Box::new(build(&options.settings)));
+        (entry.method, entry.source, entry.class) = ("a plug-in", "a plug-in", class);
+        let mut methods = vec![Method::Boxed(entry)];
         if !laws.is_empty() {
             let build =
                 move |settings: &Settings| -> Box<dyn ConeSolver> { Box::new(outside(settings)) };
-            add_cone(ConeEntry {
-                name,
-                method: "a plug-in",
-                class,
-                laws: laws.leak(),
-                group: Group::Plugin,
-                source: "a plug-in",
-                build: Box::leak(Box::new(build)),
-            })?;
+            let mut entry = ConeEntry::new(name.to_string(), laws, build);
+            (entry.method, entry.source, entry.class) = ("a plug-in", "a plug-in", class);
+            methods.push(Method::Cone(entry));
         }
-        Ok(Plugin { name, program })
+        Ok(Plugin { name: name.to_string(), program, methods })
     }
 
     /// Its name.
-    pub fn name(&self) -> &'static str {
-        self.name
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Its methods: for boxes, and for friction cones if its first answer lists their models.
+    pub fn methods(&self) -> &[Method] {
+        &self.methods
+    }
+
+    /// Adds its methods to a registry. They give no answers once this value is dropped.
+    ///
+    /// # Errors
+    /// If the registry has a solver of this name.
+    pub fn add_to(&self, registry: &mut Registry) -> Result<()> {
+        self.methods.iter().try_for_each(|method| registry.add(method.clone()))
     }
 }
 
@@ -250,14 +247,14 @@ impl Program {
 
 /// The plug-in as a solver.
 struct Outside {
-    name: &'static str,
+    name: String,
     program: Arc<Program>,
     settings: Settings,
 }
 
 impl Solver for Outside {
-    fn name(&self) -> &'static str {
-        self.name
+    fn name(&self) -> &str {
+        &self.name
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
@@ -267,8 +264,8 @@ impl Solver for Outside {
 }
 
 impl ConeSolver for Outside {
-    fn name(&self) -> &'static str {
-        self.name
+    fn name(&self) -> &str {
+        &self.name
     }
 
     fn solve(

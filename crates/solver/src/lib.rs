@@ -48,26 +48,24 @@ pub mod trace;
 mod warm;
 
 pub use class::{Class, MatrixClass};
-pub use cone::{CONES, ConeBuild, ConeEntry, ConeSolver, add_cone, added_cones, cone_by_name};
+pub use cone::{ConeEntry, ConeSolver};
 pub use gradient::{Admm, AndersonPgs, Apgd, Mprgp, Nncg, Spectral};
 pub use lcplab_problem::exact::all_solutions;
-pub use method::{Method, methods, nameable, solve_polyhedral};
+pub use method::{Method, solve_polyhedral, why_none_takes};
 pub use newton::{Equations, InteriorPoint, Newton};
 pub use observer::{
     Centering, Event, Iterate, Leaving, Move, Observer, RowUpdate, StepDetail, Tableau,
 };
 pub use pivot::{BlockPivoting, Dantzig, Enumeration, Lemke, Murty, Side, Variable};
-pub use registry::{
-    ALL, Build, Choice, Entry, Group, KNOWN_WRONG, Options, add, added, by_name, default_for, entry,
-};
+pub use registry::{Choice, Entry, Group, Options, Registry, default_for};
 pub use sequence::{
     Attempt, SequenceAnswer, solve as solve_by_sequence, solve_boxed as solve_boxed_by_sequence,
-    solve_boxed_without,
+    solve_boxed_without, solve_lcp as solve,
 };
 pub use settings::Settings;
 pub use solution::{Fallback, Solution, Status};
 pub use stop::{Reason, Stop, StopObserver};
-pub use sweep::{BlockPgs, Code6, ConePgs, Damping, Jacobi, Order, Pgs, PolygonPgs};
+pub use sweep::{BlockPgs, Code6, ConePgs, Damping, Jacobi, KNOWN_WRONG, Order, Pgs, PolygonPgs};
 pub use trace::{Cost, Effort};
 pub use warm::Warm;
 
@@ -76,7 +74,7 @@ use lcplab_problem::{Complementarity, Lcp};
 /// A method that solves boxed LCPs.
 pub trait Solver: Send + Sync {
     /// The name in the registry, on the command line and in tables.
-    fn name(&self) -> &'static str;
+    fn name(&self) -> &str;
 
     /// Solves the problem from a start and reports each iterate to the observer.
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution;

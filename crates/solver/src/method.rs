@@ -1,19 +1,18 @@
 //! Box and cone solvers as one type: the methods that can solve a friction problem.
 //!
-//! Models 1 and 2 of friction are boxed LCPs, open to every solver of [`ALL`]. Model 3 is an LCP
-//! whose matrix is not symmetric and has zeros on the diagonal; it needs solvers made for such
-//! matrices. Model 4 needs the solvers of [`CONES`]. A new entry in either list is available for
-//! the models it fits.
+//! Models 1 and 2 of friction are boxed LCPs, open to every [`Entry`]. Model 3 is an LCP whose
+//! matrix is not symmetric and has zeros on the diagonal; it needs solvers made for such matrices.
+//! Model 4 needs a [`ConeEntry`]. A new entry in a registry is available for the models it fits.
 
 use super::{
-    ALL, CONES, Choice, Class, ConeEntry, Entry, Group, MatrixClass, Observer, Options, Solution,
-    Solver, Start, Status, added, added_cones,
+    Choice, Class, ConeEntry, Entry, Group, MatrixClass, Observer, Options, Solution, Solver,
+    Start, Status,
 };
 use lcplab_problem::Complementarity;
 use lcplab_problem::friction::{Form, Model, Polyhedral, ProblemForm};
 
 /// A box or cone solver.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub enum Method {
     /// A solver for boxed LCPs.
     Boxed(Entry),
@@ -21,23 +20,29 @@ pub enum Method {
     Cone(ConeEntry),
 }
 
-/// All methods that are registered.
-pub fn methods() -> Vec<Method> {
-    let boxed = ALL.iter().copied().map(Method::Boxed);
-    boxed.chain(CONES.iter().copied().map(Method::Cone)).collect()
-}
-
-/// All methods that can be selected by name: the registered ones and those added at run time.
-pub fn nameable() -> Vec<Method> {
-    let boxed = added().into_iter().copied().map(Method::Boxed);
-    methods().into_iter().chain(boxed).chain(added_cones().into_iter().map(Method::Cone)).collect()
+/// Why none of these methods is made for a model; `None` if there are none, or one of them is.
+pub fn why_none_takes<'a>(
+    methods: impl IntoIterator<Item = &'a Method>,
+    model: Option<Model>,
+) -> Option<String> {
+    let refusals: Option<Vec<String>> =
+        methods.into_iter().map(|method| method.refusal(model)).collect();
+    refusals?.into_iter().next()
 }
 
 impl Method {
     /// The name, unique among the methods for one model.
-    pub fn name(&self) -> &'static str {
+    pub fn name(&self) -> &str {
         match self {
             Method::Boxed(Entry { name, .. }) | Method::Cone(ConeEntry { name, .. }) => name,
+        }
+    }
+
+    /// The solver of boxed LCPs that it is; `None` for one of cones.
+    pub fn boxed(&self) -> Option<&Entry> {
+        match self {
+            Method::Boxed(entry) => Some(entry),
+            Method::Cone(_) => None,
         }
     }
 
@@ -67,9 +72,9 @@ impl Method {
     ///
     /// ```
     /// use lcplab_problem::friction::Model;
-    /// use lcplab_solver::{Method, entry};
+    /// use lcplab_solver::Registry;
     ///
-    /// let pgs = Method::Boxed(*entry("pgs")?);
+    /// let pgs = Registry::standard().method("pgs", None)?;
     /// assert_eq!(pgs.refusal(Some(Model::CoupledBox)), None);
     /// assert_eq!(
     ///     pgs.refusal(Some(Model::CoulombCone)).unwrap(),
@@ -130,14 +135,14 @@ impl Method {
         let start = Start::default();
         match (self, problem) {
             (Method::Boxed(entry), ProblemForm::Boxed(lcp)) => {
-                (entry.build)(options).solve(lcp, &start, observer)
+                entry.build(options).solve(lcp, &start, observer)
             }
             (Method::Boxed(entry), ProblemForm::Polyhedral(polyhedral)) => {
-                let solver = (entry.build)(options);
+                let solver = entry.build(options);
                 solve_polyhedral(&*solver, polyhedral, &start, options.settings.tolerance, observer)
             }
             (Method::Cone(entry), ProblemForm::Cone(problem)) => {
-                (entry.build)(&options.settings).solve(problem, &start, observer)
+                entry.build(&options.settings).solve(problem, &start, observer)
             }
             (Method::Boxed(_), ProblemForm::Cone(problem)) => {
                 let reason = "the problem has cones, not bounds";

@@ -1,18 +1,222 @@
-//! The list of solvers, with one entry for each. The command line, comparison, report and tests
-//! read this list, so a new solver needs only a file and an entry.
+//! The solvers by name. The command line, comparisons, reports and tests read a [`Registry`], so a
+//! new solver needs only a file and an entry.
+//!
+//! [`Registry::standard`] has the solvers of this crate and never changes. A program that adds
+//! solvers of its own makes a copy, adds them, and passes the copy on:
+//!
+//! ```
+//! use lcplab_problem::Lcp;
+//! use lcplab_solver::{Dantzig, Entry, Method, Observer, Registry, Settings, Solution, Solver, Start};
+//!
+//! struct Mine(Settings);
+//!
+//! impl Solver for Mine {
+//!     fn name(&self) -> &str {
+//!         "mine"
+//!     }
+//!
+//!     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
+//!         Dantzig { settings: self.0.clone() }.solve(lcp, start, observer)
+//!     }
+//! }
+//!
+//! let mut registry = Registry::default();
+//! let mine = Entry::new("mine", |options| Box::new(Mine(options.settings.clone())));
+//! registry.add(Method::Boxed(mine))?;
+//! assert_eq!(registry.entry("mine")?.name, "mine");
+//! assert!(Registry::standard().entry("mine").is_err());
+//! # Ok::<(), lcplab_problem::error::Error>(())
+//! ```
 
-use std::sync::{PoisonError, RwLock};
+use std::borrow::Cow;
+use std::fmt;
+use std::sync::{Arc, LazyLock};
 
-pub use super::sweep::KNOWN_WRONG;
-use super::{CONES, Class, Cost, Damping, Order, Settings, Solver, gradient, newton, pivot, sweep};
+use super::cone::CONES;
+use super::sweep::KNOWN_WRONG;
+use super::{
+    Class, ConeEntry, Cost, Damping, Dantzig, Lemke, MatrixClass, Method, Order, Settings, Solver,
+    gradient, method, newton, pivot, sweep,
+};
 use lcplab_problem::Lcp;
 use lcplab_problem::error::{Defects, Error, Result};
+use lcplab_problem::friction::Model;
+use lcplab_problem::memory::Memory;
+
+/// Solvers by name: those that a comparison runs if none is named, and others that must be named.
+/// A copy shares its entries with the original until one of the two is changed.
+#[derive(Debug, Clone)]
+pub struct Registry {
+    listed: Arc<Vec<Method>>,
+    named: Arc<Vec<Method>>,
+}
+
+/// The solvers of this crate.
+impl Default for Registry {
+    fn default() -> Self {
+        Registry::standard().clone()
+    }
+}
+
+impl Registry {
+    /// The solvers of this crate: for boxes group by group, for cones, and the known-wrong
+    /// variants, which must be named.
+    ///
+    /// ```
+    /// use lcplab_problem::{Lcp, Matrix};
+    /// use lcplab_solver::{Options, Registry, Start, Status};
+    ///
+    /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
+    /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+    /// let solver = Registry::standard().entry("dantzig")?.solver(&Options::default())?;
+    /// let solution = solver.solve(&lcp, &Start::default(), &mut ());
+    /// assert_eq!(solution.status, Status::Solved);
+    /// assert_eq!(solution.x, [0.5, 0.0]);
+    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// ```
+    pub fn standard() -> &'static Registry {
+        static STANDARD: LazyLock<Registry> = LazyLock::new(|| {
+            let groups = [sweep::ENTRIES, gradient::ENTRIES, newton::ENTRIES, pivot::ENTRIES];
+            let boxed = groups.into_iter().flatten().cloned().map(Method::Boxed);
+            let cones = CONES.iter().cloned().map(Method::Cone);
+            Registry {
+                listed: Arc::new(boxed.chain(cones).collect()),
+                named: Arc::new(KNOWN_WRONG.iter().cloned().map(Method::Boxed).collect()),
+            }
+        });
+        &STANDARD
+    }
+
+    /// Adds a method that comparisons run only if it is named.
+    ///
+    /// # Errors
+    /// If the name is taken: for a boxed solver by any method, for a cone solver by another one.
+    pub fn add(&mut self, method: Method) -> Result<()> {
+        self.check_is_new(&method)?;
+        Arc::make_mut(&mut self.named).push(method);
+        Ok(())
+    }
+
+    /// Adds a method that comparisons also run if none is named.
+    ///
+    /// # Errors
+    /// As [`Registry::add`].
+    pub fn add_listed(&mut self, method: Method) -> Result<()> {
+        self.check_is_new(&method)?;
+        Arc::make_mut(&mut self.listed).push(method);
+        Ok(())
+    }
+
+    fn check_is_new(&self, method: &Method) -> Result<()> {
+        let is_boxed = matches!(method, Method::Boxed(_));
+        let is_same = |known: &Method| {
+            known.name() == method.name() && (is_boxed || matches!(known, Method::Cone(_)))
+        };
+        if self.all().any(is_same) {
+            let kind = if is_boxed { "solver" } else { "cone solver" };
+            let reason = format!("there is a {kind} named {:?} already", method.name());
+            return Err(Error::invalid("solvers", "name", reason));
+        }
+        Ok(())
+    }
+
+    /// The methods that a comparison runs if none is named.
+    pub fn methods(&self) -> impl Iterator<Item = &Method> {
+        self.listed.iter()
+    }
+
+    /// All methods, including those that must be named.
+    pub fn all(&self) -> impl Iterator<Item = &Method> {
+        self.listed.iter().chain(self.named.iter())
+    }
+
+    /// The solvers of boxed LCPs among [`Registry::methods`].
+    pub fn entries(&self) -> impl Iterator<Item = &Entry> {
+        self.methods().filter_map(Method::boxed)
+    }
+
+    /// The solvers of friction cones among [`Registry::methods`].
+    pub fn cone_entries(&self) -> impl Iterator<Item = &ConeEntry> {
+        self.methods().filter_map(|method| match method {
+            Method::Cone(entry) => Some(entry),
+            Method::Boxed(_) => None,
+        })
+    }
+
+    /// The solver with this name for LCPs without friction cones.
+    ///
+    /// # Errors
+    /// If no solver has this name; the error lists the names.
+    pub fn entry(&self, name: &str) -> Result<&Entry> {
+        let found = self.all().filter_map(Method::boxed).find(|entry| entry.name == name);
+        found.ok_or_else(|| self.none_named(name, None))
+    }
+
+    /// The method with this name for a friction model, or for LCPs without friction.
+    ///
+    /// ```
+    /// use lcplab_problem::friction::Model;
+    /// use lcplab_solver::{Method, Registry};
+    ///
+    /// let solvers = Registry::standard();
+    /// assert!(matches!(solvers.method("apgd", None)?, Method::Boxed(_)));
+    /// assert!(matches!(solvers.method("apgd", Some(Model::CoulombCone))?, Method::Cone(_)));
+    /// assert_eq!(
+    ///     solvers.method("pgs", Some(Model::CoulombCone)).unwrap_err().to_string(),
+    ///     "solver pgs: model: it supports boxes, not coulomb-cone; these solve it: cone-pgs, apgd"
+    /// );
+    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If no method has this name, or it is not made for the model; the error gives the reason.
+    pub fn method(&self, name: &str, model: Option<Model>) -> Result<&Method> {
+        let found = self.all().find(|method| method.name() == name && method.takes(model));
+        found.ok_or_else(|| self.none_named(name, model))
+    }
+
+    /// The error for a name that no method has; it lists the names of all.
+    pub fn unknown(&self, name: &str) -> Error {
+        let known = distinct(self.all().map(Method::name));
+        Error::Unknown { kind: "solver", name: name.into(), known }
+    }
+
+    /// Why no method of this name is made for the model.
+    fn none_named(&self, name: &str, model: Option<Model>) -> Error {
+        let taking = self.all().filter(|method| method.takes(model));
+        let known = distinct(taking.map(Method::name));
+        let named = self.all().filter(|method| method.name() == name);
+        let refused = |reason: String| Error::invalid(format!("solver {name}"), "model", reason);
+        match (method::why_none_takes(named, model), model) {
+            (Some(reason), None) => refused(reason),
+            (Some(reason), Some(_)) => {
+                refused(format!("{reason}; these solve it: {}", known.join(", ")))
+            }
+            (None, None) => Error::Unknown { kind: "solver", name: name.into(), known },
+            (None, Some(_)) => {
+                let kind = "solver for this friction model";
+                Error::Unknown { kind, name: name.into(), known }
+            }
+        }
+    }
+}
+
+/// The names, each once.
+fn distinct<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
+    let mut found: Vec<String> = Vec::new();
+    for name in names {
+        if !found.iter().any(|other| other == name) {
+            found.push(name.to_string());
+        }
+    }
+    found
+}
 
 /// A solver in the registry.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Entry {
     /// The name that selects it.
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
     /// A one-line description of the method.
     pub method: &'static str,
     /// The problem class it is made for.
@@ -26,20 +230,88 @@ pub struct Entry {
     /// The options that it uses in addition to the common settings.
     pub uses: &'static [Choice],
     /// Builds the solver.
-    pub build: &'static Build,
+    pub(crate) build: Build<Options, dyn Solver>,
 }
 
-/// A function that builds a solver with these options.
-pub type Build = dyn Fn(&Options) -> Box<dyn Solver> + Send + Sync;
+impl Entry {
+    /// A solver for any boxed LCP that is no method of this crate. Change the other fields as
+    /// needed.
+    pub fn new(
+        name: impl Into<Cow<'static, str>>,
+        build: impl Fn(&Options) -> Box<dyn Solver> + Send + Sync + 'static,
+    ) -> Self {
+        Entry {
+            name: name.into(),
+            method: "a user's solver",
+            class: Class::of(MatrixClass::General),
+            group: Group::Plugin,
+            cost: Cost::UNKNOWN,
+            source: "the user",
+            uses: &[],
+            build: Build::of(build),
+        }
+    }
 
-impl std::fmt::Debug for Entry {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+    /// The same entry with another solver.
+    #[must_use]
+    pub fn building(
+        self,
+        build: impl Fn(&Options) -> Box<dyn Solver> + Send + Sync + 'static,
+    ) -> Self {
+        Entry { build: Build::of(build), ..self }
+    }
+
+    /// Builds the solver with these options, which [`Options::validate`] accepts.
+    pub fn build(&self, options: &Options) -> Box<dyn Solver> {
+        self.build.call(options)
+    }
+
+    /// Builds the solver with these options.
+    ///
+    /// # Errors
+    /// If an option is invalid.
+    pub fn solver(&self, options: &Options) -> Result<Box<dyn Solver>> {
+        options.validate()?;
+        Ok(self.build(options))
+    }
+}
+
+impl fmt::Debug for Entry {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Entry { name, class, group, .. } = self;
         f.debug_struct("Entry")
             .field("name", name)
             .field("class", class)
             .field("group", group)
             .finish()
+    }
+}
+
+/// A function that builds a solver from its options: one of this crate, or one that owns data.
+pub(crate) enum Build<O, S: ?Sized> {
+    Function(fn(&O) -> Box<S>),
+    Shared(Arc<dyn Fn(&O) -> Box<S> + Send + Sync>),
+}
+
+impl<O, S: ?Sized> Build<O, S> {
+    pub(crate) fn of(build: impl Fn(&O) -> Box<S> + Send + Sync + 'static) -> Self {
+        Build::Shared(Arc::new(build))
+    }
+
+    pub(crate) fn call(&self, options: &O) -> Box<S> {
+        match self {
+            Build::Function(build) => build(options),
+            Build::Shared(build) => build(options),
+        }
+    }
+}
+
+impl<O, S: ?Sized> Clone for Build<O, S> {
+    fn clone(&self) -> Self {
+        match self {
+            Build::Function(build) => Build::Function(*build),
+            Build::Shared(build) => Build::Shared(Arc::clone(build)),
+        }
     }
 }
 
@@ -61,11 +333,6 @@ pub enum Group {
 impl Group {
     /// The groups of the built-in solvers.
     pub const ALL: [Group; 4] = [Group::Sweeps, Group::FirstOrder, Group::Newton, Group::Pivoting];
-
-    /// The group of a registered solver.
-    pub fn of(solver: &str) -> Option<Group> {
-        ALL.iter().find(|entry| entry.name == solver).map(|entry| entry.group)
-    }
 
     /// The name of its methods.
     pub fn name(self) -> &'static str {
@@ -135,6 +402,56 @@ impl Default for Options {
     }
 }
 
+/// A builder of the same: each function changes one option.
+///
+/// ```
+/// use lcplab_solver::Options;
+///
+/// let options = Options::default().with_tolerance(1e-10).with_max_iterations(50).with_omega(1.5);
+/// assert_eq!((options.settings.tolerance, options.settings.max_iterations), (1e-10, 50));
+/// assert_eq!(options.omega, 1.5);
+/// ```
+impl Options {
+    /// Stop at this scaled residual.
+    #[must_use]
+    pub fn with_tolerance(mut self, tolerance: f64) -> Self {
+        self.settings.tolerance = tolerance;
+        self
+    }
+
+    /// Stop after this many iterations.
+    #[must_use]
+    pub fn with_max_iterations(mut self, max_iterations: usize) -> Self {
+        self.settings.max_iterations = max_iterations;
+        self
+    }
+
+    /// Do not start if the solver's own data would need more memory than this.
+    #[must_use]
+    pub fn with_memory(mut self, memory: Memory) -> Self {
+        self.settings.memory = memory;
+        self
+    }
+
+    /// The relaxation factor ω of PGS and SOR.
+    #[must_use]
+    pub fn with_omega(self, omega: f64) -> Self {
+        Options { omega, ..self }
+    }
+
+    /// The order of the rows in a sweep of PGS and SOR.
+    #[must_use]
+    pub fn with_order(self, order: Order) -> Self {
+        Options { order, ..self }
+    }
+
+    /// The step length of Jacobi's method.
+    #[must_use]
+    pub fn with_damping(self, damping: Damping) -> Self {
+        Options { damping, ..self }
+    }
+}
+
 impl Options {
     /// Checks that the options are valid.
     ///
@@ -157,89 +474,8 @@ impl Options {
     }
 }
 
-/// All solvers, group by group, without the known-wrong variants [`KNOWN_WRONG`].
-pub const ALL: &[Entry] = &joined::<COUNT>();
-
-const GROUPS: [&[Entry]; 4] = [sweep::ENTRIES, gradient::ENTRIES, newton::ENTRIES, pivot::ENTRIES];
-const COUNT: usize = GROUPS[0].len() + GROUPS[1].len() + GROUPS[2].len() + GROUPS[3].len();
-
-const fn joined<const N: usize>() -> [Entry; N] {
-    let mut all = [GROUPS[0][0]; N];
-    let (mut group, mut k) = (0, 0);
-    while group < GROUPS.len() {
-        let mut own = 0;
-        while own < GROUPS[group].len() {
-            all[k] = GROUPS[group][own];
-            (own, k) = (own + 1, k + 1);
-        }
-        group += 1;
-    }
-    all
-}
-
-/// The solver or known-wrong variant with this name.
-///
-/// ```
-/// use lcplab_problem::{Lcp, Matrix};
-/// use lcplab_solver::{by_name, Options, Start, Status};
-///
-/// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
-/// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
-/// let solution = by_name("dantzig", &Options::default())?.solve(&lcp, &Start::default(), &mut ());
-/// assert_eq!(solution.status, Status::Solved);
-/// assert_eq!(solution.x, [0.5, 0.0]);
-/// # Ok::<(), lcplab_problem::error::Error>(())
-/// ```
-///
-/// # Errors
-/// If none has this name, or an option is invalid.
-pub fn by_name(name: &str, options: &Options) -> Result<Box<dyn Solver>> {
-    options.validate()?;
-    Ok((entry(name)?.build)(options))
-}
-
-/// Solvers that were added at run time.
-static ADDED: RwLock<Vec<&'static Entry>> = RwLock::new(Vec::new());
-
-/// Adds a solver to the registry, where it can be selected by name until the program ends.
-///
-/// # Errors
-/// If an entry already has this name.
-pub fn add(entry: Entry) -> Result<&'static Entry> {
-    let mut added = ADDED.write().unwrap_or_else(PoisonError::into_inner);
-    let known = ALL.iter().chain(KNOWN_WRONG).chain(added.iter().copied()).map(|known| known.name);
-    // clarabel is the reference.
-    let reserved = CONES.iter().map(|known| known.name).chain(["clarabel"]);
-    if known.chain(reserved).any(|known| known == entry.name) {
-        let reason = format!("there is a solver named {:?} already", entry.name);
-        return Err(Error::invalid("solvers", "name", reason));
-    }
-    let entry = &*Box::leak(Box::new(entry));
-    added.push(entry);
-    Ok(entry)
-}
-
-/// The solvers that were added at run time.
-pub fn added() -> Vec<&'static Entry> {
-    ADDED.read().unwrap_or_else(PoisonError::into_inner).clone()
-}
-
-/// The entry with this name, among the solvers, the known-wrong variants and those added at run
-/// time.
-///
-/// # Errors
-/// If no entry has this name.
-pub fn entry(name: &str) -> Result<&'static Entry> {
-    let added = added();
-    let entries = || ALL.iter().chain(KNOWN_WRONG).chain(added.iter().copied());
-    entries().find(|entry| entry.name == name).ok_or_else(|| Error::Unknown {
-        kind: "solver",
-        name: name.to_string(),
-        known: entries().map(|entry| entry.name.to_string()).collect(),
-    })
-}
-
-/// The default solver: Dantzig's method if A is symmetric up to rounding, otherwise Lemke's.
+/// The name of the default solver: Dantzig's method if A is symmetric up to rounding, otherwise
+/// Lemke's.
 pub fn default_for(lcp: &Lcp) -> &'static str {
-    if lcp.matrix().is_nearly_symmetric() { "dantzig" } else { "lemke" }
+    if lcp.matrix().is_nearly_symmetric() { Dantzig::NAME } else { Lemke::NAME }
 }

@@ -29,8 +29,8 @@
 use nalgebra::DMatrix;
 
 use crate::{
-    CONES, ConeEntry, Observer, Options, PolygonPgs, Settings, Solution, Start, Status, entry,
-    solve_polyhedral,
+    Apgd, BlockPivoting, ConePgs, ConeSolver, Dantzig, Enumeration, InteriorPoint, Lemke, Newton,
+    Observer, Options, PolygonPgs, Registry, Settings, Solution, Start, Status, solve_polyhedral,
 };
 use lcplab_problem::Lcp;
 use lcplab_problem::friction::{ConeProblem, Polyhedral, ProblemForm};
@@ -58,12 +58,30 @@ pub struct Attempt {
 /// The answer of the fallback sequence.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SequenceAnswer {
-    /// The method that gave the answer: the one that solved the problem, otherwise the first.
-    pub solver: &'static str,
+    /// The name of the method that gave the answer: the one that solved the problem, otherwise the
+    /// first.
+    pub solver: String,
     /// Its answer.
     pub solution: Solution,
     /// The methods that failed before, in order.
     pub attempts: Vec<Attempt>,
+}
+
+/// Solves a problem by the fallback sequence, from 0, with the default options. Check the
+/// [status](Solution::status): it is the claim of the method that gave the answer.
+///
+/// ```
+/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_solver::{Status, solve};
+///
+/// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// let solution = solve(&lcp);
+/// assert_eq!((solution.status, solution.x), (Status::Solved, vec![0.5, 0.0]));
+/// # Ok::<(), lcplab_problem::error::Error>(())
+/// ```
+pub fn solve_lcp(lcp: &Lcp) -> Solution {
+    solve_boxed(lcp, &Start::default(), &Options::default(), &mut ()).solution
 }
 
 /// Solves a problem from 0 with the suitable methods, one after the other, until one succeeds.
@@ -99,17 +117,24 @@ pub fn solve_boxed_without(
 ) -> SequenceAnswer {
     let is_symmetric = lcp.matrix().is_nearly_symmetric();
     let names: &[&'static str] = match is_symmetric {
-        true => &["dantzig", "block-pivoting", "newton", "interior-point", "lemke", "enumeration"],
-        false => &["lemke", "fischer-newton", "enumeration"],
+        true => &[
+            Dantzig::NAME,
+            BlockPivoting::NAME,
+            Newton::NAME,
+            InteriorPoint::NAME,
+            Lemke::NAME,
+            Enumeration::NAME,
+        ],
+        false => &[Lemke::NAME, Newton::FISCHER_BURMEISTER, Enumeration::NAME],
     };
     let names: Vec<&str> = names.iter().copied().filter(|name| *name != tried).collect();
     let attempt = |name: &'static str, observer: &mut dyn Observer| {
-        let is_general = matches!(name, "lemke" | "enumeration");
+        let is_general = matches!(name, Lemke::NAME | Enumeration::NAME);
         if is_general && is_symmetric && (lcp.len() > MOST_ROWS || is_semidefinite(lcp)) {
             return None;
         }
-        let solver = entry(name).ok().map(|entry| (entry.build)(&within_budget(name, options)));
-        solver.map(|solver| solver.solve(lcp, start, observer))
+        let entry = Registry::standard().entry(name).ok()?;
+        Some(entry.build(&within_budget(name, options)).solve(lcp, start, observer))
     };
     first_success(&names, observer, attempt)
 }
@@ -136,14 +161,17 @@ fn solve_polygons(
     observer: &mut dyn Observer,
 ) -> SequenceAnswer {
     let (start, settings) = (Start::default(), options.settings.clone());
-    let attempt = |name: &'static str, observer: &mut dyn Observer| match entry(name) {
-        Ok(entry) => {
-            let solver = (entry.build)(options);
-            Some(solve_polyhedral(&*solver, polygons, &start, settings.tolerance, observer))
-        }
-        Err(_) => Some(PolygonPgs { settings: settings.clone() }.solve(polygons, &start, observer)),
+    let attempt = |name: &'static str, observer: &mut dyn Observer| {
+        let settings = settings.clone();
+        Some(match name {
+            Lemke::NAME => {
+                let tolerance = settings.tolerance;
+                solve_polyhedral(&Lemke { settings }, polygons, &start, tolerance, observer)
+            }
+            _ => PolygonPgs { settings }.solve(polygons, &start, observer),
+        })
     };
-    first_success(&["lemke", PolygonPgs::NAME], observer, attempt)
+    first_success(&[Lemke::NAME, PolygonPgs::NAME], observer, attempt)
 }
 
 fn solve_cones(
@@ -153,13 +181,16 @@ fn solve_cones(
 ) -> SequenceAnswer {
     use lcplab_problem::Complementarity;
     let names: &[&'static str] = match cones.lcp().matrix().is_nearly_symmetric() {
-        true => &["apgd", "cone-pgs"],
-        false => &["cone-pgs"],
+        true => &[Apgd::NAME, ConePgs::NAME],
+        false => &[ConePgs::NAME],
     };
     let attempt = |name: &'static str, observer: &mut dyn Observer| {
-        let entry: Option<&ConeEntry> = CONES.iter().find(|entry| entry.name == name);
-        entry
-            .map(|entry| (entry.build)(&options.settings).solve(cones, &Start::default(), observer))
+        let settings = options.settings.clone();
+        let solver: Box<dyn ConeSolver> = match name {
+            Apgd::NAME => Box::new(Apgd { settings }),
+            _ => Box::new(ConePgs { settings }),
+        };
+        Some(solver.solve(cones, &Start::default(), observer))
     };
     first_success(names, observer, attempt)
 }
@@ -168,8 +199,8 @@ fn solve_cones(
 fn within_budget(name: &str, options: &Options) -> Options {
     let given = options.settings.max_iterations;
     let max_iterations = match name {
-        "newton" | "fischer-newton" | "interior-point" => given.min(MOST_STEPS),
-        "enumeration" => MOST_SETS,
+        Newton::NAME | Newton::FISCHER_BURMEISTER | InteriorPoint::NAME => given.min(MOST_STEPS),
+        Enumeration::NAME => MOST_SETS,
         _ => given,
     };
     let settings = Settings { max_iterations, ..options.settings.clone() };
@@ -200,5 +231,5 @@ fn first_success(
     };
     let attempts = failed.iter().map(attempt).collect();
     let (solver, solution) = success.unwrap_or_else(|| failed.swap_remove(0));
-    SequenceAnswer { solver, solution, attempts }
+    SequenceAnswer { solver: solver.into(), solution, attempts }
 }

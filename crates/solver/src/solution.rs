@@ -4,6 +4,7 @@ use std::fmt;
 
 use crate::Settings;
 use lcplab_problem::memory::Memory;
+use lcplab_problem::number::{counted, readable};
 use lcplab_problem::{Complementarity, Lcp};
 
 /// A solver's answer. It contains no time, so it does not depend on the machine's speed.
@@ -63,6 +64,28 @@ impl Solution {
         Solution { is_claim_implied, ..self }
     }
 }
+
+/// The status, the iterations and x.
+///
+/// ```
+/// use lcplab_problem::{Lcp, Matrix};
+///
+/// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// assert_eq!(lcplab_solver::solve(&lcp).to_string(), "solved after 1 iteration: x = (0.5, 0)");
+/// # Ok::<(), lcplab_problem::error::Error>(())
+/// ```
+impl fmt::Display for Solution {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let x: Vec<String> = self.x.iter().take(PRINTED).map(|&x| readable(x, 6)).collect();
+        let more = if self.x.len() > PRINTED { ", …" } else { "" };
+        let iterations = counted(self.iterations, "iteration");
+        write!(f, "{} after {iterations}: x = ({}{more})", self.status, x.join(", "))
+    }
+}
+
+/// The number of entries of x that are printed.
+const PRINTED: usize = 10;
 
 /// What a method does when it cannot continue by itself. This list is complete: no solver
 /// transforms a problem first (presolve) or passes it to another solver.

@@ -16,13 +16,12 @@ use super::{Iterate, Observer, StepDetail};
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};
-/// use lcplab_solver::{Options, Start, Status, Stop, by_name};
+/// use lcplab_solver::{Pgs, Solver, Start, Status, Stop};
 ///
 /// let stop = Stop::default();
 /// stop.raise();
 /// let lcp = Lcp::new(Matrix::dense(1, &[1.0]), vec![-1.0], vec![0.0], vec![2.0])?;
-/// let pgs = by_name("pgs", &Options::default())?;
-/// let solution = pgs.solve(&lcp, &Start::default(), &mut stop.watch(&mut ()));
+/// let solution = Pgs::default().solve(&lcp, &Start::default(), &mut stop.watch(&mut ()));
 /// assert_eq!(solution.status, Status::Stopped);
 /// assert_eq!(stop.reason().unwrap().to_string(), "interrupted");
 /// # Ok::<(), lcplab_problem::error::Error>(())

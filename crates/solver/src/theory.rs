@@ -34,7 +34,7 @@
 use nalgebra::DMatrix;
 
 use crate::metric::Metric;
-use crate::{Options, Order};
+use crate::{Jacobi, Options, Order, Pgs};
 use lcplab_problem::{Lcp, Matrix};
 
 /// The submatrix of A with these rows and columns, in that order: the matrix while these rows are
@@ -131,11 +131,13 @@ pub fn rate(method: &str, options: &Options, lcp: &Lcp, free: &[usize]) -> Optio
         ordered_iteration_matrix(&block, omega, order.rows(lcp).into_iter().filter_map(place))
     };
     let matrix = match method {
-        "pgs" => relaxed(1.0, options.order),
-        "sor" => relaxed(options.omega, options.order),
-        "ssor" => relaxed(options.omega, Order::Symmetric),
-        "red-black" => relaxed(1.0, Order::Colored),
-        "jacobi" => jacobi_iteration_matrix(&block, options.damping.factor(&Metric::of(lcp).ok()?)),
+        Pgs::NAME => relaxed(1.0, options.order),
+        Pgs::RELAXED => relaxed(options.omega, options.order),
+        Pgs::SYMMETRIC => relaxed(options.omega, Order::Symmetric),
+        Pgs::COLORED => relaxed(1.0, Order::Colored),
+        Jacobi::NAME => {
+            jacobi_iteration_matrix(&block, options.damping.factor(&Metric::of(lcp).ok()?))
+        }
         _ => return None,
     };
     Some(contraction_of(&block, &matrix)).filter(|rate| *rate < 1.0)

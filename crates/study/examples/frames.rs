@@ -49,11 +49,11 @@ fn main() -> Result<(), Box<dyn Error>> {
             println!("{name} cannot be stated under this model");
             continue;
         };
-        let takes = |method: &Method| {
+        let takes = |method: &&Method| {
             let is_asked = names.is_empty() || names.iter().any(|own| own == method.name());
             is_asked && method.takes(question.model())
         };
-        for method in methods::all().into_iter().filter(takes) {
+        for method in methods::with_reference().methods().filter(takes) {
             let tally = tallies.entry(method.name()).or_default();
             let (stop, start) = (Stop::after(limit), Instant::now());
             let (solution, judged) = friction::solve(

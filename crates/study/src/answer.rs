@@ -19,7 +19,7 @@ const SHOWN: usize = 12;
 #[derive(Debug, Clone)]
 pub struct Answer {
     /// The solver.
-    pub solver: &'static str,
+    pub solver: String,
     /// What it returned.
     pub solution: Solution,
     /// The judge's verdict on it, or on the claim that there is no solution.
@@ -36,14 +36,26 @@ pub struct Answer {
 impl Answer {
     /// Judges a solution; if the solver ended on a ray or reports that there is no solution, the
     /// judge looks for a proof of that.
-    pub fn judged(lcp: &Lcp, solver: &'static str, solution: Solution, demand: &Demand) -> Self {
+    pub fn judged(
+        lcp: &Lcp,
+        solver: impl Into<String>,
+        solution: Solution,
+        demand: &Demand,
+    ) -> Self {
         let certificate = judge(lcp, &solution.x, demand);
         let certificate = match proof_of_denial(lcp, &solution.status, demand) {
             Some(refutation) => certificate.refuted_by(refutation),
             None => certificate,
         };
         let error_bound = bound(lcp, &solution.x, &certificate);
-        Answer { solver, solution, certificate, error_bound, stopped: None, attempts: Vec::new() }
+        Answer {
+            solver: solver.into(),
+            solution,
+            certificate,
+            error_bound,
+            stopped: None,
+            attempts: Vec::new(),
+        }
     }
 
     /// The same answer; if it is rejected, with a proof that no x solves the problem, where the

@@ -6,6 +6,7 @@
 //! quantity, and Newton's steps from its point need not converge. It uses no start, and its final
 //! point is the only iterate reported.
 
+use super::methods::REFERENCE;
 use lcplab_judge::reference::{Reference, box_qp_within, cone_qp_within};
 use lcplab_problem::friction::{ConeProblem, Law};
 use lcplab_problem::memory::Memory;
@@ -15,31 +16,34 @@ use lcplab_solver::{
     Settings, Solution, Solver, Start, Status,
 };
 
-const NAME: &str = "clarabel";
 const SOURCE: &str = "Goulart & Chen 2024";
 
 /// Clarabel on ½ xᵀAx + bᵀx over a box.
-pub(crate) const BOX_QP: Entry = Entry {
-    name: NAME,
-    method: "reference: clarabel's interior-point method for the box QP, then Newton's, iterative",
-    class: Class { coupling: false, ..Class::of(MatrixClass::Semidefinite) },
-    group: Group::Newton,
-    cost: Cost::each("n³/6 + 2 n² + s", |i| i.n.powi(3) / 6.0 + 2.0 * i.n * i.n + i.stored),
-    source: SOURCE,
-    uses: &[],
-    build: &|options| Box::new(Clarabel { settings: options.settings.clone() }),
-};
+pub(crate) fn box_qp() -> Entry {
+    let mut entry =
+        Entry::new(REFERENCE, |options| Box::new(Clarabel { settings: options.settings.clone() }));
+    entry.method =
+        "reference: clarabel's interior-point method for the box QP, then Newton's, iterative";
+    entry.class = Class { coupling: false, ..Class::of(MatrixClass::Semidefinite) };
+    entry.group = Group::Newton;
+    entry.cost =
+        Cost::each("n³/6 + 2 n² + s", |i| i.n.powi(3) / 6.0 + 2.0 * i.n * i.n + i.stored);
+    entry.source = SOURCE;
+    entry
+}
 
 /// Clarabel on the same objective over friction cones.
-pub(crate) const CONE_QP: ConeEntry = ConeEntry {
-    name: NAME,
-    method: "reference: clarabel's interior-point method for the cone QP, then Newton's, iterative",
-    class: Class::of(MatrixClass::Semidefinite),
-    laws: &[Law::Associated],
-    group: Group::Newton,
-    source: SOURCE,
-    build: &|settings| Box::new(Clarabel { settings: settings.clone() }),
-};
+pub(crate) fn cone_qp() -> ConeEntry {
+    let mut entry = ConeEntry::new(REFERENCE, &[Law::Associated], |settings| {
+        Box::new(Clarabel { settings: settings.clone() })
+    });
+    entry.method =
+        "reference: clarabel's interior-point method for the cone QP, then Newton's, iterative";
+    entry.class = Class::of(MatrixClass::Semidefinite);
+    entry.group = Group::Newton;
+    entry.source = SOURCE;
+    entry
+}
 
 /// Clarabel with the solver traits.
 #[derive(Debug, Clone)]
@@ -50,8 +54,8 @@ struct Clarabel {
 }
 
 impl Solver for Clarabel {
-    fn name(&self) -> &'static str {
-        NAME
+    fn name(&self) -> &str {
+        REFERENCE
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
@@ -60,8 +64,8 @@ impl Solver for Clarabel {
 }
 
 impl ConeSolver for Clarabel {
-    fn name(&self) -> &'static str {
-        NAME
+    fn name(&self) -> &str {
+        REFERENCE
     }
 
     fn solve(

@@ -13,14 +13,15 @@ use serde::{Deserialize, Serialize};
 
 use crate::answer::{labelled, proof_of_denial};
 use crate::friction::is_impossible;
-use crate::methods::why_none_takes;
 use crate::trial::{Trial, solved_rows};
 use lcplab_judge::{Demand, FrictionCertificate};
 use lcplab_problem::file::{Expected, Problem};
 use lcplab_problem::friction::{Model, ProblemForm};
 use lcplab_problem::library::Family;
 use lcplab_solver::trace::{NO_ITERATES, Provenance};
-use lcplab_solver::{Group, Method, Options, Reason, Solution, Status, Stop};
+use lcplab_solver::{
+    Group, Lemke, Method, Murty, Options, Pgs, Reason, Solution, Status, Stop, why_none_takes,
+};
 
 /// A solver on the problems of one family.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -76,10 +77,22 @@ pub struct Row {
 /// Failures that mathematics explains, beside those on problems without solution: (solver, family,
 /// why). They must stay failures.
 pub const KNOWN_FAILURES: &[(&str, &str, &str)] = &[
-    ("lemke", "cps-3", "A is not copositive-plus: the path ends on a ray although solutions exist"),
-    ("murty", "cps-2", "the diagonal is 0: least-index pivoting needs positive principal minors"),
-    ("murty", "cps-3", "the diagonal is 0: least-index pivoting needs positive principal minors"),
-    ("pgs", "cps-2", "the diagonal is 0: a sweep divides by it"),
+    (
+        Lemke::NAME,
+        "cps-3",
+        "A is not copositive-plus: the path ends on a ray although solutions exist",
+    ),
+    (
+        Murty::NAME,
+        "cps-2",
+        "the diagonal is 0: least-index pivoting needs positive principal minors",
+    ),
+    (
+        Murty::NAME,
+        "cps-3",
+        "the diagonal is 0: least-index pivoting needs positive principal minors",
+    ),
+    (Pgs::NAME, "cps-2", "the diagonal is 0: a sweep divides by it"),
 ];
 
 /// The reason why no solver solves a problem without a solution.
@@ -124,7 +137,7 @@ pub fn run(
 ) -> Vec<Row> {
     let of_family = |family: &&dyn Family| (family.name().to_string(), instances(*family, seeds));
     let problems: Vec<_> = families.iter().map(of_family).collect();
-    let contenders = Contender::unnamed(methods.iter().copied());
+    let contenders = Contender::unnamed(methods.iter().cloned());
     let limits = Limits { stop, each: None, search: false, tick: &|| () };
     run_on(&problems, Models::Usual(models), &contenders, options, &limits)
 }
@@ -199,7 +212,7 @@ enum Participation<'a> {
     /// A method that takes the model.
     Solves(&'a Posing<'a>, Method),
     /// A solver that was named and does not, with the reason.
-    LeftOut(&'a Posing<'a>, &'static str, String),
+    LeftOut(&'a Posing<'a>, String, String),
 }
 
 impl Participation<'_> {
@@ -218,14 +231,14 @@ fn participations<'a>(
 ) -> Vec<Participation<'a>> {
     let Some(reason) = why_none_takes(&contender.methods, posing.model) else {
         let taking = contender.methods.iter().filter(|method| method.takes(posing.model));
-        return taking.map(|method| Participation::Solves(posing, *method)).collect();
+        return taking.map(|method| Participation::Solves(posing, method.clone())).collect();
     };
     let mut same = all.iter().filter(|other| other.family == posing.family);
     let is_first = same.clone().next().is_some_and(|first| first.model == posing.model);
     let refuses = |other: &Posing<'_>| why_none_takes(&contender.methods, other.model).is_some();
     let is_due = posing.is_stated || is_first && same.all(refuses);
     match contender.is_named && is_due {
-        true => vec![Participation::LeftOut(posing, contender.name(), reason)],
+        true => vec![Participation::LeftOut(posing, contender.name().to_string(), reason)],
         false => Vec::new(),
     }
 }

@@ -7,7 +7,6 @@ use super::answer::{
     claim, evidence_json, evidence_text, impossible, proof_of_denial, rounding_json, rounding_text,
     verdict_json,
 };
-use super::methods;
 use super::trial::Trial;
 use lcplab_judge::{Demand, FrictionCertificate, Refutation, judge_cone, judge_friction};
 use lcplab_problem::file::{Problem, number};
@@ -16,7 +15,8 @@ use lcplab_problem::merit::RowTerms;
 use lcplab_problem::number::readable;
 use lcplab_problem::{Lcp, Question};
 use lcplab_solver::{
-    Method, Observer, Options, Reason, SequenceAnswer, Solution, Status, solve_by_sequence,
+    Method, Observer, Options, Reason, Registry, SequenceAnswer, Solution, Status,
+    solve_by_sequence,
 };
 
 /// A contact slides if |w_t| is above this fraction of its terms.
@@ -27,9 +27,14 @@ const PRINTED: usize = 20;
 /// The friction model: the requested one, otherwise the problem's own, otherwise Coulomb's law for
 /// a solver that is made only for cones. `None` means that friction rows are treated as rows of a
 /// boxed LCP.
-pub fn model(asked: Option<Model>, solver: Option<&str>, problem: &Problem) -> Option<Model> {
+pub fn model(
+    asked: Option<Model>,
+    solver: Option<&str>,
+    problem: &Problem,
+    solvers: &Registry,
+) -> Option<Model> {
     let is_for_cones = |name: &&str| {
-        methods::entry(name).is_err() && methods::by_name(name, Model::CoulombCone).is_ok()
+        solvers.entry(name).is_err() && solvers.method(name, Some(Model::CoulombCone)).is_ok()
     };
     let law = solver.filter(is_for_cones).map(|_| Model::CoulombCone);
     asked.or(problem.model).or(law)

@@ -9,7 +9,9 @@ use crate::body::State;
 use crate::constraint::Constraint;
 use crate::error::{Error, Result};
 use crate::lcp::{Lcp, Matrix};
-use crate::solver::{Damping, Iterate, Observer, Options, Settings, Start, all_solutions, by_name};
+use crate::solver::{
+    Damping, Iterate, Observer, Options, Registry, Settings, Start, all_solutions,
+};
 
 /// w = A x + b ≥ 0, x ≥ 0, with A by rows.
 pub(super) fn contacts(a: &[f64], b: &[f64]) -> Result<Lcp> {
@@ -41,7 +43,11 @@ pub(super) fn enumerated(lcp: &Lcp) -> Vec<Vec<f64>> {
 
 /// A solver's answer, starting from 0.
 pub(super) fn answer(solver: &str, lcp: &Lcp) -> Result<Vec<f64>> {
-    Ok(by_name(solver, &Options::default())?.solve(lcp, &Start::default(), &mut ()).x)
+    Ok(Registry::standard()
+        .entry(solver)?
+        .build(&Options::default())
+        .solve(lcp, &Start::default(), &mut ())
+        .x)
 }
 
 /// The iterates of this number of sweeps, the start first, without a stop test. Jacobi is undamped.
@@ -59,7 +65,7 @@ pub(super) fn sweeps(
     };
     let options = Options { settings, damping: Damping::Factor(1.0), ..Options::default() };
     let mut kept = Kept(Vec::new());
-    by_name(solver, &options)?.solve(lcp, &Start::at(start), &mut kept);
+    Registry::standard().entry(solver)?.build(&options).solve(lcp, &Start::at(start), &mut kept);
     Ok(kept.0)
 }
 

@@ -5,6 +5,7 @@ use super::{Finding, Measure, Outcome};
 use crate::error::Result;
 use crate::lcp::{Lcp, merit};
 use crate::plot::{Axis, Lines, Series};
+use crate::solver::Pgs;
 
 const SWEEPS: usize = 10_000;
 const SMALL: f64 = 1e-3;
@@ -12,7 +13,7 @@ const SMALL: f64 = 1e-3;
 /// A problem that the first sweep solves, and b = 0.
 pub(super) fn example() -> Result<Finding> {
     let lcp = contacts(&[2.0, -1.0, -1.0, 2.0], &[-1.0, 3.0])?;
-    let iterates = sweeps("pgs", &lcp, &[0.0; 2], SWEEPS)?;
+    let iterates = sweeps(Pgs::NAME, &lcp, &[0.0; 2], SWEEPS)?;
     let sweeps_to =
         |merit: fn(&Lcp, &[f64]) -> f64| match iterates.iter().position(|x| merit(&lcp, x) < SMALL)
         {
@@ -50,7 +51,7 @@ pub(super) fn example() -> Result<Finding> {
 fn both_merits() -> Result<Lines> {
     let a = [1.0, -1.0, 0.0, -1.0, 2.0, -1.0, 0.0, -1.0, 2.0];
     let lcp = contacts(&a, &[-1.0, -1.0, 3.0])?;
-    let iterates = sweeps("pgs", &lcp, &[0.0; 3], 30)?;
+    let iterates = sweeps(Pgs::NAME, &lcp, &[0.0; 3], 30)?;
     let values = |merit: fn(&Lcp, &[f64]) -> f64| {
         spaced(&iterates.iter().map(|x| merit(&lcp, x)).collect::<Vec<_>>(), 1.0)
     };

@@ -3,7 +3,7 @@
 use super::common::{contacts, enumerated, last};
 use super::{Finding, Measure};
 use crate::error::Result;
-use crate::solver::{Options, Start, by_name};
+use crate::solver::{Code6, Options, Pgs, Registry, Start};
 
 /// A wrong limit in two rows, another between three balls, divergence in three.
 pub(super) fn example() -> Result<Finding> {
@@ -28,10 +28,10 @@ pub(super) fn example() -> Result<Finding> {
         let lcp = contacts(a, b)?;
         let start = vec![2.0; b.len()];
         let answer = |solver: &str| -> Result<Vec<f64>> {
-            let solver = by_name(solver, &Options::default())?;
+            let solver = Registry::standard().entry(solver)?.build(&Options::default());
             Ok(solver.solve(&lcp, &Start::at(&start), &mut ()).x)
         };
-        let (printed, corrected) = (answer("code6")?, answer("pgs")?);
+        let (printed, corrected) = (answer(Code6::NAME)?, answer(Pgs::NAME)?);
         let end = b.len() - 1;
         let x = Measure::new(quantity, "", printed[end], corrected[end]);
         finding = finding

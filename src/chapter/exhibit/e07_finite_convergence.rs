@@ -6,6 +6,7 @@ use super::common::{bounded, spaced, sweeps, tridiagonal};
 use super::{Finding, Measure, Outcome};
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Series};
+use crate::solver::Pgs;
 use crate::solver::theory::sweeps_to;
 
 const RODS: usize = 50;
@@ -53,7 +54,7 @@ fn chain_errors() -> Result<Vec<f64>> {
     let error = |x: &Vec<f64>| {
         x.iter().zip(&solution).map(|(x, exact)| (x - exact).abs()).fold(0.0, f64::max)
     };
-    Ok(sweeps("pgs", &lcp, &[0.0; RODS], 4700)?.iter().map(error).collect())
+    Ok(sweeps(Pgs::NAME, &lcp, &[0.0; RODS], 4700)?.iter().map(error).collect())
 }
 
 fn errors_by_sweep(errors: &[f64]) -> Lines {

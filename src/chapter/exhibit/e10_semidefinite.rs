@@ -7,6 +7,7 @@ use super::setting::{DT, G};
 use super::{Finding, Measure};
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Series};
+use crate::solver::Pgs;
 
 const SWEEPS: usize = 4000;
 /// A redistribution of forces that has no effect on the box.
@@ -57,7 +58,7 @@ fn delassus(j: &SMatrix<f64, 4, 6>) -> DMatrix<f64> {
 /// x₁ and the cube's upward velocity after each sweep.
 fn run_off(j: &SMatrix<f64, 4, 6>) -> Result<(Vec<f64>, Vec<f64>)> {
     let lcp = equations(delassus(j).as_slice(), &[-1.0, 0.0, 0.0, 0.0])?;
-    let iterates = sweeps("pgs", &lcp, &[0.0; 4], SWEEPS)?;
+    let iterates = sweeps(Pgs::NAME, &lcp, &[0.0; 4], SWEEPS)?;
     Ok(iterates.iter().map(|x| (x[0], x.iter().sum::<f64>())).unzip())
 }
 

@@ -6,6 +6,7 @@ use super::{Finding, Measure};
 use crate::error::Result;
 use crate::lcp::Lcp;
 use crate::plot::{Axis, Lines, Series};
+use crate::solver::Pgs;
 
 const BODIES: usize = 10;
 const FRAMES: usize = 100;
@@ -63,7 +64,7 @@ fn frames(lcp: &Lcp, start: impl Fn(&[f64]) -> Vec<f64>) -> Result<Vec<f64>> {
     let mut x = vec![0.0; BODIES];
     (0..FRAMES)
         .map(|_| {
-            x = last(sweeps("pgs", lcp, &start(&x), SWEEPS)?);
+            x = last(sweeps(Pgs::NAME, lcp, &start(&x), SWEEPS)?);
             Ok(x[0] / (BODIES as f64 * STEP))
         })
         .collect()

@@ -12,7 +12,7 @@ use crate::plot::{Axis, Lines, Series};
 use crate::scene::catalogue::pendulum::{Pendulum, Swing};
 use crate::scene::{Scene, Scheme};
 use crate::simulation::Simulation;
-use crate::solver::{Options, by_name};
+use crate::solver::{Dantzig, Lemke};
 
 const START: Swing<1> = Swing { angles: [0.7], rates: [1.3] };
 
@@ -23,9 +23,9 @@ pub(super) fn example() -> Result<Finding> {
     let force =
         Measure::new("λ of the rod", "N", step(Scheme::Velocity)?, step(Scheme::Acceleration)?);
     let (at_rest, impact) =
-        (answer("dantzig", &contacts(&[1.0], &[-G])?)?, contacts(&[1.0], &[-1.0])?);
+        (answer(Dantzig::NAME, &contacts(&[1.0], &[-G])?)?, contacts(&[1.0], &[-1.0])?);
     let printed = -1.0 + 0.01 * (at_rest[0] - G);
-    let corrected = -1.0 + answer("dantzig", &impact)?[0];
+    let corrected = -1.0 + answer(Dantzig::NAME, &impact)?[0];
     let velocity = Measure::new("velocity after an impact", "m/s", printed, corrected);
     Ok(Finding::new(
         "A pendulum of 1 kg and 1 m at 0.7 rad and 1.3 rad/s: λ < 0 pulls. Printed is a step at velocity \
@@ -57,7 +57,8 @@ fn painleve() -> Result<Measure> {
     // ¼ (A_tt fall − A_nt), with 1 + 3 sin² = 3.25 and −3 sin cos = −1.299
     let (square, tangent) = (1.0 + tan * tan, (1.0 + 4.0 * tan * tan) / (1.0 + tan * tan));
     let truth = 0.25 * (tangent * fall + 3.0 * tan / square);
-    let x = Measure::new("push on the rod's end", "N s", printed, answer("lemke", &impulses)?[0]);
+    let x =
+        Measure::new("push on the rod's end", "N s", printed, answer(Lemke::NAME, &impulses)?[0]);
     Ok(x.truth(&[truth], "the end sticks", 1e-9))
 }
 
@@ -69,7 +70,7 @@ fn forces(scheme: Scheme, dt: f64, steps: usize) -> Result<Vec<f64>> {
     let ([(sin, cos)], [rate]) = (START.angles.map(f64::sin_cos), START.rates);
     scene.states[0].pose.p = Vector3::new(sin, 0.0, -cos);
     scene.states[0].v = rate * Vector3::new(cos, 0.0, sin);
-    let mut simulation = Simulation::new(scene, by_name("dantzig", &Options::default())?);
+    let mut simulation = Simulation::new(scene, Box::new(Dantzig::default()));
     let mut force = || -> Result<f64> {
         let step = simulation
             .step()

@@ -8,7 +8,7 @@ use crate::error::Result;
 use crate::plot::{Axis, Lines, Series};
 use crate::scene::Scene;
 use crate::simulation::Simulation;
-use crate::solver::{Options, by_name};
+use crate::solver::Dantzig;
 
 /// The coefficient of restitution.
 const E: f64 = 0.5;
@@ -46,7 +46,7 @@ fn corrected(start: (f64, f64), dt: f64, steps: usize) -> Result<Vec<(f64, f64)>
         start.0, start.1
     );
     let scene = Scene::from_toml("bounce.toml", &text)?;
-    let mut simulation = Simulation::new(scene, by_name("dantzig", &Options::default())?);
+    let mut simulation = Simulation::new(scene, Box::new(Dantzig::default()));
     let mut path = vec![start];
     simulation.run(steps, |step| {
         let ball = &step.states[1];

@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::plot::{Axis, Lines, Series};
 use crate::scene::{Scene, Scheme};
 use crate::simulation::Simulation;
-use crate::solver::{Options, by_name};
+use crate::solver::Dantzig;
 
 /// A step (s) of a mass (kg) on a spring with error c (m) and its rate (m/s), using the row
 /// w = (1/m + γ) x + b, b = v + β/dt c: the velocity after it.
@@ -42,7 +42,7 @@ fn pushed_out(scheme: Scheme, depth: f64) -> Result<(Vec<f64>, f64)> {
     );
     let mut scene = Scene::from_toml("overlap.toml", &text)?;
     scene.step.scheme = scheme;
-    let mut simulation = Simulation::new(scene, by_name("dantzig", &Options::default())?);
+    let mut simulation = Simulation::new(scene, Box::new(Dantzig::default()));
     let (mut heights, mut first) = (vec![-depth], f64::NAN);
     simulation.run(60, |step| {
         let body = &step.states[1];

@@ -8,6 +8,7 @@ use super::{Finding, Measure};
 use crate::error::Result;
 use crate::lcp::Lcp;
 use crate::plot::{Axis, Lines, Series};
+use crate::solver::Pgs;
 
 /// Bodies of these masses on a floor under gravity, bottom first, after one step of 1/60 s.
 fn stack(bottom: f64, top: f64) -> Result<Lcp> {
@@ -22,7 +23,7 @@ fn loads(bottom: f64, top: f64) -> [f64; 2] {
 
 /// The factor by which a late sweep reduces the error of the upper contact.
 fn measured_factor(bottom: f64, top: f64) -> Result<f64> {
-    let x = sweeps("pgs", &stack(bottom, top)?, &[0.0; 2], 2)?;
+    let x = sweeps(Pgs::NAME, &stack(bottom, top)?, &[0.0; 2], 2)?;
     let [_, load] = loads(bottom, top);
     Ok((x[2][1] - load) / (x[1][1] - load))
 }
@@ -32,7 +33,7 @@ fn sweeps_needed(bottom: f64, top: f64) -> Result<f64> {
     let loads = loads(bottom, top);
     let is_near =
         |x: &Vec<f64>| x.iter().zip(loads).all(|(x, load)| (x - load).abs() <= 1e-6 * load);
-    let x = sweeps("pgs", &stack(bottom, top)?, &[0.0; 2], 20_000)?;
+    let x = sweeps(Pgs::NAME, &stack(bottom, top)?, &[0.0; 2], 20_000)?;
     Ok(x.iter().position(is_near).map_or(f64::NAN, |sweep| sweep as f64))
 }
 
@@ -47,7 +48,7 @@ pub(super) fn example() -> Result<Finding> {
     // afterwards.
     let floor = |inverse_mass: f64| -> Result<f64> {
         let j = DMatrix::from_row_slice(1, 2, &[-1.0, 1.0]);
-        let x = answer("pgs", &contacts(&delassus(&j, &[inverse_mass, 1.0]), &[-1.0])?)?;
+        let x = answer(Pgs::NAME, &contacts(&delassus(&j, &[inverse_mass, 1.0]), &[-1.0])?)?;
         Ok(-inverse_mass * x[0])
     };
     let floor = Measure::new("speed of the floor", "m/s", floor(1e-7)?, floor(0.0)?);

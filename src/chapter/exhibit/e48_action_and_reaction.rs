@@ -5,6 +5,7 @@ use nalgebra::DMatrix;
 use super::common::{answer, delassus, equations};
 use super::{Finding, Measure};
 use crate::error::Result;
+use crate::solver::Pgs;
 
 /// The effect of a row on two bodies on a line.
 struct Pushed {
@@ -19,7 +20,7 @@ fn pushed(j: [f64; 2], inverse_mass: [f64; 2], u: [f64; 2], force: [f64; 2]) -> 
     let row = DMatrix::from_row_slice(1, 2, &j);
     let target = [0, 1].map(|k| u[k] + inverse_mass[k] * force[k]);
     let b = j[0] * target[0] + j[1] * target[1];
-    let x = answer("pgs", &equations(&delassus(&row, &inverse_mass), &[b])?)?[0];
+    let x = answer(Pgs::NAME, &equations(&delassus(&row, &inverse_mass), &[b])?)?[0];
     Ok(Pushed {
         forces: j.map(|j| j * x),
         velocities: [0, 1].map(|k| target[k] + inverse_mass[k] * j[k] * x),

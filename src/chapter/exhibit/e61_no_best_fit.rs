@@ -7,6 +7,7 @@ use super::{Finding, Measure};
 use crate::error::Result;
 use crate::lcp::Lcp;
 use crate::plot::{Axis, Lines, Series};
+use crate::solver::{Dantzig, Pgs};
 
 /// β/dt (1/s), and by how much the rod is too short (m).
 const FEEDBACK: f64 = 0.2 * 60.0;
@@ -44,15 +45,15 @@ fn least_squares() -> Vec<f64> {
 
 pub(super) fn example() -> Result<Finding> {
     let best = least_squares();
-    let last = sweeps("pgs", &problem(ROD_LAST, 0.0)?, &[0.0; 3], 1000)?;
-    let first = sweeps("pgs", &problem(ROD_FIRST, 0.0)?, &[0.0; 3], 1000)?;
+    let last = sweeps(Pgs::NAME, &problem(ROD_LAST, 0.0)?, &[0.0; 3], 1000)?;
+    let first = sweeps(Pgs::NAME, &problem(ROD_FIRST, 0.0)?, &[0.0; 3], 1000)?;
     let end = |x: &[Vec<f64>]| x.last().cloned().unwrap_or_default();
     let size = |k: usize| largest(last[k].iter().copied());
     // The share of the rod's correction that each mass gets.
     let share = FEEDBACK * SHORT / 2.0;
     let soft = problem(ROD_LAST, 1e-6)?;
     let [one, other] = [ROD_LAST, ROD_FIRST].map(|order| -> Result<_> {
-        Ok(velocities(order, &answer("dantzig", &problem(order, 1e-6)?)?))
+        Ok(velocities(order, &answer(Dantzig::NAME, &problem(order, 1e-6)?)?))
     });
     let (one, other): (Vec<f64>, Vec<f64>) = (one?, other?);
 
@@ -76,14 +77,14 @@ pub(super) fn example() -> Result<Finding> {
     .measure(rod_first.truth(&velocities(ROD_FIRST, &end(&first)), "PGS, measured", 1e-6))
     .measure(yielding("CFM, rod last", &last, ROD_LAST, one))
     .measure(yielding("CFM, rod first", &first, ROD_FIRST, other))
-    .judged("the rows with γ = 10⁻⁶", &soft, &end(&last), &answer("dantzig", &soft)?)
+    .judged("the rows with γ = 10⁻⁶", &soft, &end(&last), &answer(Dantzig::NAME, &soft)?)
     .plot(&drawing()?))
 }
 
 /// |x| against sweeps, rigid and compliant.
 fn drawing() -> Result<Lines> {
     let curve = |compliance: f64| -> Result<Vec<(f64, f64)>> {
-        let x = sweeps("pgs", &problem(ROD_LAST, compliance)?, &[0.0; 3], 100)?;
+        let x = sweeps(Pgs::NAME, &problem(ROD_LAST, compliance)?, &[0.0; 3], 100)?;
         let size = x.iter().map(|x| largest(x.iter().copied()));
         Ok(size.enumerate().map(|(sweep, size)| (sweep as f64, size)).collect())
     };

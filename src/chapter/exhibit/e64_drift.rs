@@ -9,7 +9,7 @@ use crate::error::Result;
 use crate::plot::{Axis, Lines, Series};
 use crate::scene::{Feedback, Scene, Scheme, Step};
 use crate::simulation::Simulation;
-use crate::solver::{Options, by_name};
+use crate::solver::Dantzig;
 
 const STEPS: usize = 600;
 
@@ -30,7 +30,7 @@ fn methods() -> [(&'static str, Step); 4] {
 /// |length − 1 m| after each step, by the library's simulation.
 fn simulated(step: Step) -> Result<Vec<f64>> {
     let scene = Scene { step, ..Scene::load("pendulum")? };
-    let mut simulation = Simulation::new(scene, by_name("dantzig", &Options::default())?);
+    let mut simulation = Simulation::new(scene, Box::new(Dantzig::default()));
     let recording = simulation.run(STEPS, |_| std::ops::ControlFlow::Continue(()));
     Ok(recording.motion.iter().map(|motion| motion.drift).collect())
 }

@@ -5,6 +5,7 @@ use super::setting::DT;
 use super::{Finding, Measure};
 use crate::error::Result;
 use crate::lcp::Lcp;
+use crate::solver::Pgs;
 
 /// Velocities and gap after half a second.
 struct Motion {
@@ -19,7 +20,7 @@ fn moved(pose: impl Fn(f64) -> Result<Lcp>) -> Result<Motion> {
     let (mut u, mut gap, mut first) = ([0.0, 2.0], 0.0, None);
     for _ in 0..30 {
         // A gap may close within the step, and no faster.
-        let x = answer("pgs", &pose(u[1] - u[0] + gap / dt)?)?[0];
+        let x = answer(Pgs::NAME, &pose(u[1] - u[0] + gap / dt)?)?[0];
         u = [u[0] - x, u[1] + x];
         gap += dt * (u[1] - u[0]);
         first = first.or(Some(x));

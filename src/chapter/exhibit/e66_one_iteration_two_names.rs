@@ -5,6 +5,7 @@ use nalgebra::DMatrix;
 use super::common::{contacts, delassus, largest, sweeps};
 use super::{Finding, Measure};
 use crate::error::Result;
+use crate::solver::Pgs;
 
 /// A plank of 1 kg lands flat on two supports at ±a, a² = I/2m: rows [1, ±1/√2] of (v, ω √(I/m)).
 const ARM: f64 = std::f64::consts::FRAC_1_SQRT_2;
@@ -40,7 +41,7 @@ pub(super) fn example() -> Result<Finding> {
     let j = [[1.0, ARM], [1.0, -ARM]];
     let matrix = DMatrix::from_row_slice(2, 2, &j.concat());
     let lcp = contacts(&delassus(&matrix, &[1.0; 2]), &[-1.0, -1.0])?;
-    let system = sweeps("pgs", &lcp, &[0.0; 2], count)?;
+    let system = sweeps(Pgs::NAME, &lcp, &[0.0; 2], count)?;
     let (single, total) =
         (impulses(&j, Clamped::Single, count), impulses(&j, Clamped::Total, count));
     let apart = |kept: &[([f64; 2], [f64; 2])]| {

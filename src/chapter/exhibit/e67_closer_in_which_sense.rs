@@ -8,6 +8,7 @@ use super::{Finding, Measure};
 use crate::error::Result;
 use crate::lcp::{Lcp, merit};
 use crate::plot::{Axis, Lines, Series};
+use crate::solver::Pgs;
 
 /// A by rows, b in this library's sign, x*: all integers.
 type Case = (&'static [i64], &'static [i64], &'static [i64]);
@@ -39,13 +40,13 @@ fn norm(values: impl IntoIterator<Item = RBig>) -> f64 {
 
 pub(super) fn example() -> Result<Finding> {
     let near = problem(NEAR)?;
-    let x = sweeps("pgs", &near, &[0.0; 2], 50)?;
+    let x = sweeps(Pgs::NAME, &near, &[0.0; 2], 50)?;
     let distance = |x: &[f64]| x[0].hypot(x[1] - 1.0);
     let number = |value: i64| RBig::from(IBig::from(value));
     let exact = norm(exact_sweep(NEAR).into_iter().zip(NEAR.2).map(|(x, &star)| x - number(star)));
 
     let second = problem(RESIDUAL)?;
-    let y = sweeps("pgs", &second, &[0.0; 3], 1)?;
+    let y = sweeps(Pgs::NAME, &second, &[0.0; 3], 1)?;
     let z = exact_sweep(RESIDUAL);
     let w = |i: usize| {
         (0..3).fold(number(RESIDUAL.1[i]), |sum, j| sum + number(RESIDUAL.0[3 * i + j]) * &z[j])

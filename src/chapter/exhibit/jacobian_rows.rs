@@ -9,6 +9,7 @@ use super::{Finding, Measure};
 use crate::body::State;
 use crate::constraint::Distance;
 use crate::error::Result;
+use crate::solver::Pgs;
 
 /// E17: the Jacobian as input over output, K&M (9).
 ///
@@ -81,7 +82,7 @@ pub(super) fn sign_of_the_contact_row() -> Result<Finding> {
     // The floor, body 0, has no columns: it does not move.
     let step = |j: Vector3<f64>| -> Result<(f64, f64, f64)> {
         let lcp = contacts(&[j.dot(&j)], &[j.dot(&ball.v)])?;
-        let x = answer("pgs", &lcp)?[0];
+        let x = answer(Pgs::NAME, &lcp)?[0];
         Ok((j.dot(&ball.v), x, (ball.v + j * x).y))
     };
     let (printed, x_printed, v_printed) = step(-n)?;

@@ -6,6 +6,7 @@ use super::{Finding, Measure, Outcome};
 use crate::chapter::code::code09_10_dense_matrix::{corrected, printed};
 use crate::chapter::code::code11_map_matrix::printed::MapMatrix;
 use crate::error::Result;
+use crate::solver::Pgs;
 
 /// E50: limits on matrix sizes that exclude the chapter's own tower, Codes 10 and 11.
 ///
@@ -54,7 +55,7 @@ pub(super) fn matrices_of_size_zero() -> Result<Finding> {
         .count();
 
     let (v, g) = (-1.0, -G);
-    let x = answer("pgs", &contacts(&[], &vec![0.0; right.num_rows()])?)?;
+    let x = answer(Pgs::NAME, &contacts(&[], &vec![0.0; right.num_rows()])?)?;
     let falling = v + dt * g + x.iter().sum::<f64>();
     let flight = j.as_ref().map_or_else(|_| stopped(), |_| falling.into());
 

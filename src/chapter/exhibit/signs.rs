@@ -6,6 +6,7 @@ use super::common::{answer, contacts, enumerated, equations, last, product};
 use super::setting::{DT, G};
 use super::{Finding, Measure};
 use crate::error::Result;
+use crate::solver::{Dantzig, Pgs};
 
 /// E02: one letter b for three things, K&M (1), (2), (4), (13) to (15).
 ///
@@ -14,7 +15,7 @@ pub(super) fn meanings_of_b() -> Result<Finding> {
     let (a, b) = ([2.0, -1.0, -1.0, 2.0], [-1.0, 2.0]);
     let negated = b.map(|b| -b);
     // The chapter's solver of A x = b finds the x with w = A x − b.
-    let solve_ax_equals = |b: [f64; 2]| answer("pgs", &contacts(&a, &b.map(|b| -b))?);
+    let solve_ax_equals = |b: [f64; 2]| answer(Pgs::NAME, &contacts(&a, &b.map(|b| -b))?);
     let (printed, corrected) = (solve_ax_equals(b)?, solve_ax_equals(negated)?);
     let lcp = contacts(&a, &b)?;
     let truth = last(enumerated(&lcp));
@@ -33,7 +34,7 @@ pub(super) fn meanings_of_b() -> Result<Finding> {
 pub(super) fn locked_axis() -> Result<Finding> {
     let (v, j) = ([1.0, 2.0, 3.0], [0.0, 0.0, 1.0]);
     let in_x_z_plane = [v[0], 0.0, v[2]];
-    let push = answer("dantzig", &equations(&[1.0], &[v[2]])?)?[0];
+    let push = answer(Dantzig::NAME, &equations(&[1.0], &[v[2]])?)?[0];
     let corrected: [f64; 3] = std::array::from_fn(|k| v[k] + j[k] * push);
     let velocity = Measure::new("velocity", "m/s", in_x_z_plane, corrected);
     Ok(Finding::new(
@@ -55,7 +56,7 @@ pub(super) fn figure_4() -> Result<Finding> {
     let unconstrained = -1.0 - G * DT;
     // w = A x + b = 0 with A = 1; the printed equation is A x = J u*, so its b is −J u*.
     let next = |b: f64| -> Result<f64> {
-        Ok(unconstrained + answer("dantzig", &equations(&[1.0], &[b])?)?[0])
+        Ok(unconstrained + answer(Dantzig::NAME, &equations(&[1.0], &[b])?)?[0])
     };
     let velocity = Measure::new("v⁺", "m/s", next(-unconstrained)?, next(unconstrained)?);
     Ok(Finding::new(

@@ -6,7 +6,7 @@ use super::common::{answer, contacts, equations, last, sweeps, tridiagonal};
 use super::{Finding, Measure};
 use crate::error::Result;
 use crate::lcp::{Lcp, library};
-use crate::solver::{Options, Start, by_name};
+use crate::solver::{Jacobi, Lemke, Murty, Pgs, Solver, Start};
 
 const ROWS: usize = 10;
 const BODIES: usize = 60;
@@ -16,12 +16,11 @@ const RODS: usize = 50;
 ///
 /// The worst case of the least-index rule, and a column of sixty bodies.
 pub(super) fn pivoting() -> Result<Finding> {
-    let exchanges = by_name("murty", &Options::default())?
-        .solve(&problem("murty", ROWS)?, &Start::default(), &mut ())
-        .iterations;
+    let exchanges =
+        Murty::default().solve(&problem("murty", ROWS)?, &Start::default(), &mut ()).iterations;
     let column = problem("stack", BODIES)?;
-    let swept = last(sweeps("pgs", &column, &[0.0; BODIES], 1000)?);
-    let pivoted = answer("lemke", &column)?;
+    let swept = last(sweeps(Pgs::NAME, &column, &[0.0; BODIES], 1000)?);
+    let pivoted = answer(Lemke::NAME, &column)?;
     let count = Measure::new("exchanges, n = 10", "", ROWS as f64, exchanges as f64);
     let floor = Measure::new("floor's impulse", "N s", swept[0], pivoted[0]);
     Ok(Finding::new(
@@ -46,14 +45,15 @@ fn problem(family: &str, n: usize) -> Result<Lcp> {
 pub(super) fn equality_contacts() -> Result<Finding> {
     let speed = 1.0;
     let v_next = |x: Vec<f64>| speed + x[0];
-    let glued = v_next(answer("pgs", &equations(&[1.0], &[speed])?)?);
-    let free = v_next(answer("pgs", &contacts(&[1.0], &[speed])?)?);
+    let glued = v_next(answer(Pgs::NAME, &equations(&[1.0], &[speed])?)?);
+    let free = v_next(answer(Pgs::NAME, &contacts(&[1.0], &[speed])?)?);
     let shared = equations(&[1.0, 0.9, 0.9, 0.9, 1.0, 0.9, 0.9, 0.9, 1.0], &[-2.8; 3])?;
     let first = |solver: &str, count: usize| -> Result<f64> {
         Ok(last(sweeps(solver, &shared, &[0.0; 3], count)?)[0])
     };
     let velocity = Measure::new("velocity of an open contact", "m/s", glued, free);
-    let x = Measure::new("x₁ after the sweeps", "", first("jacobi", 30)?, first("pgs", 200)?);
+    let x =
+        Measure::new("x₁ after the sweeps", "", first(Jacobi::NAME, 30)?, first(Pgs::NAME, 200)?);
     Ok(Finding::new(
         "A body of 1 kg leaves the floor at 1 m/s: w = x + 1 (A = 1, b = 1 in this \
          library's sign, −1 in the chapter's). As an equation, then as an inequality. Second, A with 1 on the diagonal and 0.9 elsewhere, three rows, b = −2.8: A is positive \

@@ -7,13 +7,14 @@ use crate::chapter::code::code01_unconstrained_step::Blocks;
 use crate::chapter::code::{code02_constrained_step as code02, code04_drift_correction as code04};
 use crate::document::notation::plain;
 use crate::error::Result;
+use crate::solver::{Dantzig, Pgs};
 
 const V: f64 = -1.0;
 const F: f64 = -G;
 
 /// λ of a body of 1 kg: (a, b) of w = a λ + b ≥ 0, λ ≥ 0.
 fn force(a: f64, b: f64) -> Result<f64> {
-    Ok(answer("dantzig", &contacts(&[a], &[b])?)?[0])
+    Ok(answer(Dantzig::NAME, &contacts(&[a], &[b])?)?[0])
 }
 
 /// E13: the velocity equation lacks the time step, K&M's first velocity-level equation.
@@ -79,7 +80,7 @@ pub(super) fn impulse_or_force() -> Result<Finding> {
 /// (kg).
 fn load(length: f64, time: f64, mass: f64) -> Result<f64> {
     let (m, g, dt) = (1.0 / mass, G / length * time * time, DT / time);
-    let x = answer("pgs", &contacts(&[1.0 / m], &[-g * dt])?)?;
+    let x = answer(Pgs::NAME, &contacts(&[1.0 / m], &[-g * dt])?)?;
     Ok(x[0] / dt)
 }
 

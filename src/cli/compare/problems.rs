@@ -15,7 +15,7 @@ use lcplab::plugin::Plugin;
 use lcplab::report::study::families::{self, Contender, Models, Row};
 use lcplab::report::study::problems;
 use lcplab::report::{methods, terminal, view};
-use lcplab::solver::Method;
+use lcplab::solver::Registry;
 
 use super::{Compare, FAMILY, profile};
 use crate::cli::limits::Limits;
@@ -88,11 +88,10 @@ impl Compare {
         {
             say(&format!("note: {name}: compared only as a coupled box, because it {reason}"));
         }
-        let plugins = self.plugins.start()?;
-        let contenders = self.contenders(&plugins)?;
-        let methods: Vec<Method> =
-            contenders.iter().flat_map(|contender| &contender.methods).copied().collect();
-        let options = settings.options(&methods)?;
+        let (plugins, solvers) = self.plugins.start()?;
+        let contenders = self.contenders(&plugins, &solvers)?;
+        let methods = contenders.iter().flat_map(|contender| &contender.methods);
+        let options = settings.options(methods)?;
         let stop = limits.stop();
         let (library, files): (Vec<_>, Vec<_>) =
             problems.into_iter().partition(|(name, _)| library::by_name(name).is_ok());
@@ -200,16 +199,17 @@ impl Compare {
     }
 
     /// The solvers that take part: those that were named, or the usual ones, and the plug-ins.
-    fn contenders(&self, plugins: &[Plugin]) -> Result<Vec<Contender>> {
-        let usual = |name: &&str| Ok(Contender { is_named: false, ..Contender::named(name)? });
+    fn contenders(&self, plugins: &[Plugin], solvers: &Registry) -> Result<Vec<Contender>> {
+        let usual =
+            |name: &&str| Ok(Contender { is_named: false, ..Contender::named(name, solvers)? });
         let mut contenders = match (self.problems.all, self.solver.as_slice()) {
-            (true, _) => Contender::unnamed(methods::all()),
+            (true, _) => Contender::unnamed(solvers.methods().cloned()),
             (false, []) => methods::USUAL.iter().map(usual).collect::<Result<_>>()?,
             (false, _) => Vec::new(),
         };
         let named = self.solver.iter().map(String::as_str);
         for name in named.chain(plugins.iter().map(|plugin| -> &str { plugin.name() })) {
-            contenders.push(Contender::named(name)?);
+            contenders.push(Contender::named(name, solvers)?);
         }
         Ok(contenders)
     }

@@ -8,10 +8,11 @@ use lcplab::file;
 use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
 use lcplab::report::study::comparison::{self, LeftOut, Sample};
+use lcplab::report::study::families::Contender;
 use lcplab::report::study::side_by_side::{self, AnimatedSolver};
-use lcplab::report::{methods, terminal, view, write};
+use lcplab::report::{terminal, view, write};
 use lcplab::scene::Scheme;
-use lcplab::solver::{self, Method};
+use lcplab::solver::{Method, Registry};
 use serde_json::json;
 
 use super::Compare;
@@ -50,8 +51,8 @@ impl Compare {
         let only = if let [only] = &solver[..] { Some(only.clone()) } else { None };
         let model = model.first().copied();
         let args = SceneArgs { scene: name, solver: only, model, step, solve, plugins };
-        let plugins = args.plugins.start()?;
-        let scene = args.load(args.solver.as_deref())?;
+        let (plugins, registry) = args.plugins.start()?;
+        let scene = args.load(args.solver.as_deref(), registry.clone())?;
         let steps = motion.steps.unwrap_or(scene.step.count);
         let schemes = match args.step.scheme {
             Some(scheme) => vec![scheme],
@@ -60,18 +61,20 @@ impl Compare {
         let named = solver.iter().map(String::as_str);
         let named: Vec<&str> =
             named.chain(plugins.iter().map(|plugin| -> &str { plugin.name() })).collect();
-        let mut solvers = if solver.is_empty() { solver::methods() } else { Vec::new() };
+        let mut solvers: Vec<Method> = match solver.is_empty() {
+            true => Registry::standard().methods().cloned().collect(),
+            false => Vec::new(),
+        };
         let mut left_out = Vec::new();
         for name in &named {
-            match takes_part(name, &schemes, scene.contact.model)? {
+            match takes_part(name, &registry, &schemes, scene.contact.model)? {
                 Ok(method) => solvers.push(method),
                 Err(reason) => left_out.push(LeftOut { solver: name.to_string(), reason }),
             }
         }
         let contenders = comparison::contenders(&scene, &schemes, &solvers);
-        let running: Vec<Method> = contenders.iter().map(|(_, solver)| *solver).collect();
-        args.check(&running, &scene)?;
-        let shown = motion.show.iter().map(|name| AnimatedSolver::named(name, &scene));
+        args.check(contenders.iter().map(|(_, solver)| solver), &scene)?;
+        let shown = motion.show.iter().map(|name| AnimatedSolver::named(name, &scene, &registry));
         let shown = shown.collect::<Result<Vec<AnimatedSolver>>>()?;
         let what = format!("the motion of {} runs of {steps} steps", contenders.len());
         let samples = Memory::bytes(size_of::<Sample>() as u64).times(steps);
@@ -136,10 +139,11 @@ impl Compare {
 /// If there is no solver of this name.
 fn takes_part(
     name: &str,
+    solvers: &Registry,
     schemes: &[Scheme],
     model: Model,
 ) -> Result<std::result::Result<Method, String>> {
-    let methods = methods::named(name)?;
+    let Contender { methods, .. } = Contender::named(name, solvers)?;
     if let [scheme] = schemes
         && !scheme.solves_lcps()
     {
@@ -147,5 +151,5 @@ fn takes_part(
     }
     let taking = methods.iter().find(|method| comparison::refusal(method, model).is_none());
     let reason = || methods.iter().find_map(|method| comparison::refusal(method, model));
-    Ok(taking.copied().ok_or_else(|| reason().unwrap_or_default()))
+    Ok(taking.cloned().ok_or_else(|| reason().unwrap_or_default()))
 }

@@ -37,8 +37,9 @@ pub struct Export {
 
 impl Export {
     pub fn run(&self, limits: &Limits) -> Result<Outcome> {
-        let plugins = self.scene.plugins.start()?;
-        let scene = self.scene.load(Plugins::sole(self.scene.solver.as_deref(), &plugins)?)?;
+        let (plugins, solvers) = self.scene.plugins.start()?;
+        let named = Plugins::sole(self.scene.solver.as_deref(), &plugins)?;
+        let scene = self.scene.load(named, solvers)?;
         let mut simulation = self.scene.simulation(&scene)?;
         let (stop, mut last) = (limits.stop(), None);
         for _ in 0..self.step {

@@ -13,10 +13,10 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use lcplab::body::State;
 use lcplab::error::{Error, Result};
 use lcplab::lcp::friction::{Form, Model};
-use lcplab::report::methods;
+use lcplab::report::methods::default_for;
 use lcplab::scene::{self, Scene, Scheme};
 use lcplab::simulation::Simulation;
-use lcplab::solver::{Method, entry};
+use lcplab::solver::{Method, Registry};
 
 use super::limits::MemoryLimit;
 use super::options::{Choices, SolverArgs};
@@ -130,9 +130,10 @@ fn schemes() -> impl TypedValueParser<Value = Scheme> {
 }
 
 impl SceneArgs {
-    /// The scene, stepped by this solver instead of its own if given.
-    pub fn load(&self, named: Option<&str>) -> Result<Scene> {
+    /// The scene, stepped by this solver of the registry instead of its own if given.
+    pub fn load(&self, named: Option<&str>, solvers: Registry) -> Result<Scene> {
         let mut scene = self.step.changes.load(&self.scene)?;
+        scene.solvers = solvers;
         scene.step.scheme = self.step.scheme.unwrap_or(scene.step.scheme);
         let names_method = self.step.scheme.is_some() || self.model.is_some() || named.is_some();
         if names_method || self.solve.tolerance.is_some() || self.solve.choices.order.is_some() {
@@ -176,12 +177,15 @@ impl SceneArgs {
     /// The solver with this name. A requested solver must be made for the friction model; if the
     /// scene's own is not, another one is used and the output names it.
     fn method(&self, name: &str, scene: &Scene) -> Result<Method> {
-        match scene.contact.model {
-            model if model.form() == Form::Box => Ok(Method::Boxed(*entry(name)?)),
-            model if self.is_named() => methods::by_name(name, model),
-            model => methods::by_name(name, model)
-                .or_else(|_| methods::by_name(methods::default_for(model), model)),
-        }
+        let (solvers, model) = (&scene.solvers, scene.contact.model);
+        let method = match model.form() {
+            Form::Box => solvers.method(name, None),
+            _ if self.is_named() => solvers.method(name, Some(model)),
+            _ => solvers
+                .method(name, Some(model))
+                .or_else(|_| solvers.method(default_for(model), Some(model))),
+        };
+        method.cloned()
     }
 
     /// Whether a solver was given.
@@ -189,8 +193,13 @@ impl SceneArgs {
         self.solver.is_some() || !self.plugins.is_empty()
     }
 
-    pub fn check(&self, solvers: &[Method], scene: &Scene) -> Result<()> {
-        let users: Vec<_> = solvers.iter().map(|solver| (solver.name(), solver.uses())).collect();
+    pub fn check<'m>(
+        &self,
+        solvers: impl IntoIterator<Item = &'m Method>,
+        scene: &Scene,
+    ) -> Result<()> {
+        let users: Vec<_> =
+            solvers.into_iter().map(|solver| (solver.name(), solver.uses())).collect();
         self.solve.choices.check(&users, Some(scene.solver.order))
     }
 }

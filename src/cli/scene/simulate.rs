@@ -87,8 +87,9 @@ pub struct Simulate {
 
 impl Simulate {
     pub fn run(&self, limits: &Limits) -> Result<Outcome> {
-        let plugins = self.scene.plugins.start()?;
-        let scene = self.scene.load(Plugins::sole(self.scene.solver.as_deref(), &plugins)?)?;
+        let (plugins, solvers) = self.scene.plugins.start()?;
+        let named = Plugins::sole(self.scene.solver.as_deref(), &plugins)?;
+        let scene = self.scene.load(named, solvers)?;
         let simulation = self.scene.simulation(&scene)?;
         if let Some(folder) = &self.out {
             file::prepare(folder, &FILES)?;

@@ -38,7 +38,7 @@ const SPARE: [&str; 5] = ["acceleration", "soft", "penalty", "position", "exact"
 /// use lcplab::{scene::Scene, simulation::Simulation, solver};
 ///
 /// let scene = Scene::load("stack")?;
-/// let solver = solver::by_name("dantzig", &solver::Options::default())?;
+/// let solver = Box::new(solver::Dantzig::default());
 /// let mut simulation = Simulation::new(scene.clone(), solver);
 /// let film = Film::new("stack", &scene, vec![Recording::of("dantzig", &mut simulation, 10, 11)]);
 /// assert_eq!(film.times().len(), 11);

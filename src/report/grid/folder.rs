@@ -15,8 +15,9 @@ use crate::error::{Error, Result};
 use crate::file;
 use crate::json;
 use crate::memory::Memory;
+use crate::report::methods::with_reference;
 use crate::report::tasks::Tasks;
-use crate::solver::Stop;
+use crate::solver::{Registry, Stop};
 
 /// The file of the plan in the folder.
 const PLAN: &str = "plan.json";
@@ -27,6 +28,7 @@ pub struct Folder {
     path: PathBuf,
     plan: Plan,
     grid: Grid,
+    solvers: Registry,
 }
 
 /// The stored result of a task.
@@ -65,7 +67,14 @@ impl Folder {
         if let Some(found) = read(&file)? {
             check(&file, found["hash"].as_str().unwrap_or("none"), &plan.hash)?;
         }
-        Ok(Folder { path: path.into(), plan, grid: grid.clone() })
+        let solvers = with_reference().clone();
+        Ok(Folder { path: path.into(), plan, grid: grid.clone(), solvers })
+    }
+
+    /// The same with the solvers of another registry.
+    #[must_use]
+    pub fn with_solvers(self, solvers: Registry) -> Self {
+        Folder { solvers, ..self }
     }
 
     /// The plan.
@@ -146,7 +155,7 @@ impl Folder {
     }
 
     fn done(&self, task: &Task) -> Record {
-        let (finding, reason, seconds) = match measure::run(task, &self.grid) {
+        let (finding, reason, seconds) = match measure::run(task, &self.grid, &self.solvers) {
             Ok((finding, seconds)) => (Some(finding), None, seconds),
             Err(reason) => (None, Some(reason.to_string()), 0.0),
         };

@@ -18,11 +18,10 @@ use crate::lcp::Lcp;
 use crate::lcp::file::{Expected, Problem, as_number, number};
 use crate::lcp::friction::ProblemForm;
 use crate::report::answer::status_word;
-use crate::report::methods;
 use crate::report::study::trial::{Tally, Trial};
 use crate::scene::Scene;
 use crate::simulation::{Motion, Solve, Step};
-use crate::solver::{Method, Options, Settings, Solution, Start, Status, theory};
+use crate::solver::{Method, Options, Registry, Settings, Solution, Start, Status, theory};
 use crate::trace::Convergence;
 
 /// A measured quantity.
@@ -116,15 +115,21 @@ impl Finding {
     }
 }
 
-/// Solves a task and judges every answer; the second value is the wall time of stepping and solving
+/// Solves a task with a solver of the registry and judges every answer; the second value is the wall time of stepping and solving
 /// (s).
 ///
 /// # Errors
 /// If the task's settings give no scene or problem, or name no solver.
-pub fn run(task: &Task, grid: &Grid) -> Result<(Finding, f64)> {
+pub fn run(task: &Task, grid: &Grid, solvers: &Registry) -> Result<(Finding, f64)> {
     match Subject::of(task)? {
-        Subject::Scene(scene, steps) => simulate(task, &scene, steps, grid),
-        Subject::Problem(problem, settings) => solve(task, &problem, &settings, grid),
+        Subject::Scene(mut scene, steps) => {
+            scene.solvers = solvers.clone();
+            simulate(task, &scene, steps, grid)
+        }
+        Subject::Problem(problem, mut settings) => {
+            settings.solvers = solvers.clone();
+            solve(task, &problem, &settings, grid)
+        }
     }
 }
 
@@ -162,7 +167,7 @@ fn simulate(task: &Task, scene: &Scene, steps: usize, grid: &Grid) -> Result<(Fi
 
 fn solve(task: &Task, problem: &Problem, settings: &Scene, grid: &Grid) -> Result<(Finding, f64)> {
     let options = simulation::options(settings);
-    let method = Method::Boxed(methods::entry(&settings.solver.name)?);
+    let method = Method::Boxed(settings.solvers.entry(&settings.solver.name)?.clone());
     let posed = ProblemForm::Boxed(problem.lcp.clone());
     let Trial { solution, multiplications, seconds } =
         Trial::run(&method, &posed, &options, &mut ());
@@ -188,7 +193,7 @@ impl Finding {
     fn beside_theory(&mut self, task: &Task, grid: &Grid, lcp: &Lcp, scene: &Scene) -> Result<()> {
         let (name, options) = (&scene.solver.name, simulation::options(scene));
         if grid.measures.iter().any(|measure| measure.name == "rate") {
-            let (rate, eigenvalue) = rates(name, &options, lcp)?;
+            let (rate, eigenvalue) = rates(scene, &options, lcp)?;
             rate.into_iter().for_each(|rate| self.put("rate", rate));
             eigenvalue.into_iter().for_each(|rate| self.put("eigenvalue", rate));
         }
@@ -207,12 +212,13 @@ impl Finding {
 const FLOOR: f64 = 1e-11;
 
 /// The convergence rate of a sweep method, from its residuals and as an eigenvalue.
-fn rates(name: &str, options: &Options, lcp: &Lcp) -> Result<(Option<f64>, Option<f64>)> {
+fn rates(scene: &Scene, options: &Options, lcp: &Lcp) -> Result<(Option<f64>, Option<f64>)> {
     let settings = Settings { tolerance: 0.0, ..options.settings.clone() };
     let options = Options { settings, ..options.clone() };
     let mut trace = Convergence::of(lcp);
     trace.floor = FLOOR;
-    let solver = (methods::entry(name)?.build)(&options);
+    let name = &scene.solver.name;
+    let solver = scene.solvers.entry(name)?.build(&options);
     let x = solver.solve(lcp, &Start::default(), &mut trace).x;
     let eigenvalue = theory::rate(name, &options, lcp, &theory::rows_inside(lcp, &x));
     Ok((eigenvalue.and(trace.rate()), eigenvalue))

@@ -7,7 +7,7 @@ use super::plan::Task;
 use crate::error::{Error, Result};
 use crate::lcp::file::Problem;
 use crate::lcp::library::{self, Family};
-use crate::report::methods;
+use crate::report::methods::with_reference;
 use crate::scene::{self, Description, Scene};
 use crate::solver::Choice;
 
@@ -179,7 +179,8 @@ fn unused(grid: &Grid, usual: Vec<String>) -> Vec<(&str, String)> {
     let named: Vec<String> = named.map(String::from).collect();
     let names = if named.is_empty() { usual } else { named };
     let ignored = |choice: Choice| {
-        let uses = |name: &String| methods::entry(name).map(|entry| entry.uses.contains(&choice));
+        let uses =
+            |name: &String| with_reference().entry(name).map(|entry| entry.uses.contains(&choice));
         names.iter().all(|name| uses(name) == Ok(false))
     };
     [Choice::Omega, Choice::Order, Choice::Damping]

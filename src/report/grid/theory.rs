@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::plan::Task;
 use crate::lcp::{Lcp, Matrix};
 use crate::solver::theory::{column_radius, optimal_omega, sor_radius, sweeps_to};
-use crate::solver::{Damping, Options, Order};
+use crate::solver::{Damping, Jacobi, Options, Order, Pgs};
 
 /// A closed form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -102,15 +102,15 @@ impl Theory {
 fn young(lcp: &Lcp, solver: &str, options: &Options) -> Option<Prediction> {
     let jacobi = radius_of_column(lcp.matrix())?;
     let (rate, optimum) = match (solver, options.damping) {
-        ("sor", _) => (sor_radius(jacobi, options.omega), Some(optimal_omega(jacobi))),
-        ("pgs", _) => (jacobi * jacobi, None),
-        ("jacobi", Damping::Factor(1.0)) => (jacobi, None),
+        (Pgs::RELAXED, _) => (sor_radius(jacobi, options.omega), Some(optimal_omega(jacobi))),
+        (Pgs::NAME, _) => (jacobi * jacobi, None),
+        (Jacobi::NAME, Damping::Factor(1.0)) => (jacobi, None),
         _ => return None,
     };
     let tolerance = options.settings.tolerance;
     let squared = (lcp.len() * lcp.len()) as f64;
     let falls = lcp.b().iter().skip(1).all(|b| *b == 0.0);
-    let is_plain = solver == "pgs" && options.order == Order::Natural;
+    let is_plain = solver == Pgs::NAME && options.order == Order::Natural;
     let sweeps = match falls && is_plain && tolerance * squared < 1.0 {
         true => claimed_sweeps(sweeps_to(tolerance * squared, rate)),
         false => Predicted::thumb("iterations", sweeps_to(tolerance, rate)),
@@ -125,7 +125,7 @@ fn mass_ratio(
     options: &Options,
     iterations: f64,
 ) -> Option<Prediction> {
-    let is_pair = task.text("family") == Some("stack") && lcp.len() == 2 && solver == "pgs";
+    let is_pair = task.text("family") == Some("stack") && lcp.len() == 2 && solver == Pgs::NAME;
     let ratio = is_pair.then(|| task.number("ratio").unwrap_or(1.0))?;
     let rate = ratio / (1.0 + ratio);
     let error = libm::pow(rate, iterations);

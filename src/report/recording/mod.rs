@@ -43,7 +43,7 @@ pub struct Record {
     steps: usize,
     tally: Tally,
     /// The solvers that gave the answers, in the order of their first answer.
-    solvers: Vec<&'static str>,
+    solvers: Vec<String>,
     worst_drift: f64,
     worst_penetration: f64,
     /// The step with the smallest supported fraction of the weight, and that fraction.
@@ -117,7 +117,7 @@ impl Record {
         tally.add_step(step, scene.solver.tolerance, |solve, certificate| {
             let holds = certificate.verdict.is_solution();
             if !solvers.contains(&solve.solver) {
-                solvers.push(solve.solver);
+                solvers.push(solve.solver.clone());
             }
             if !holds && refused.is_none() {
                 *refused = Some(Refused::of(scene, step.number, solve, certificate));

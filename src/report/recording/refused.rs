@@ -17,7 +17,7 @@ pub(super) struct Refused {
     stage: &'static str,
     row: String,
     residual: f64,
-    solver: &'static str,
+    solver: String,
     status: String,
 }
 
@@ -33,7 +33,7 @@ impl Refused {
             stage: solve.problem.stage.name(),
             row: solve.problem.assembly.rows[certificate.worst_row].label(scene),
             residual: certificate.scaled_residual,
-            solver: solve.solver,
+            solver: solve.solver.clone(),
             status: solve.solution.status.to_string(),
         }
     }
@@ -54,7 +54,7 @@ impl fmt::Display for Refused {
             "first in step {step}, {stage} stage, row {row:?}: residual {}, ",
             readable(*residual, 2)
         )?;
-        match *solver {
+        match solver.as_str() {
             "none" => write!(f, "{status}"),
             solver => write!(f, "{solver}: {status}"),
         }

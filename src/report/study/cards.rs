@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::Study;
 use crate::error::{Error, Result};
 use crate::lcp::file::Problem;
+use crate::solver::Registry;
 use lcplab_problem::disk;
 
 /// The record that lcplab ships.
@@ -307,7 +308,7 @@ impl Study for Plan {
         vec!["record".into()]
     }
 
-    fn run(&self, _: usize) -> Result<(Record, ())> {
+    fn run(&self, _: usize, _: &Registry) -> Result<(Record, ())> {
         Ok((Record::load(self.record.as_deref())?, ()))
     }
 }

@@ -8,7 +8,7 @@ use super::Study;
 use super::variation::Variation;
 use crate::error::Result;
 use crate::scene::Scheme;
-use crate::solver::{ALL, Entry, entry};
+use crate::solver::{Entry, Registry};
 pub use lcplab_study::comparison::*;
 
 /// Scenes stepped by solvers at both levels, or with other schemes.
@@ -41,7 +41,7 @@ pub struct Case {
 
 /// The names of all registered solvers.
 fn all_solvers() -> Vec<String> {
-    ALL.iter().map(|entry| entry.name.to_string()).collect()
+    Registry::standard().entries().map(|entry| entry.name.to_string()).collect()
 }
 
 /// Velocity and acceleration level.
@@ -58,10 +58,10 @@ impl Study for Plan {
         self.scenes.iter().map(|task| task.scene.clone()).collect()
     }
 
-    fn run(&self, task: usize) -> Result<(Comparison, Vec<Timing>)> {
+    fn run(&self, task: usize, solvers: &Registry) -> Result<(Comparison, Vec<Timing>)> {
         let task = &self.scenes[task];
         let solvers: Vec<Entry> =
-            self.solvers.iter().map(|name| entry(name).copied()).collect::<Result<_>>()?;
+            self.solvers.iter().map(|name| solvers.entry(name).cloned()).collect::<Result<_>>()?;
         let scene = Variation::of(&task.scene, &task.change).scene()?;
         let (mut comparison, timings) =
             compare(&scene, &self.schemes, &solvers, task.steps, &|| ());

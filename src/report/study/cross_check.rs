@@ -4,8 +4,8 @@ use crate::simulation;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::Study;
 use super::settings::AtStep;
-use super::{STEPPER, Study};
 use crate::assembly::Block;
 use crate::certificate::cross_check::{cross_check, max_difference};
 use crate::certificate::motion_bound::motion_bound;
@@ -14,7 +14,7 @@ use crate::error::Result;
 use crate::formulation::Problem;
 use crate::reference;
 use crate::scene::{Scene, Scheme};
-use crate::solver::{Start, by_name};
+use crate::solver::{Dantzig, Registry, Solver, Start};
 
 /// LCPs solved in three ways.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -33,7 +33,7 @@ impl Study for Plan {
         self.scenes.iter().map(|task| task.scene.clone()).collect()
     }
 
-    fn run(&self, task: usize) -> Result<(Self::Finding, ())> {
+    fn run(&self, task: usize, _: &Registry) -> Result<(Self::Finding, ())> {
         let task = &self.scenes[task];
         Ok((run(&Scene::load(&task.scene)?, task.step), ()))
     }
@@ -109,7 +109,7 @@ fn answered(scene: &Scene, step: usize) -> Option<(Problem, Vec<f64>)> {
     let problem = simulation::problem_of(scene, step).ok()?;
     let mut options = simulation::options(scene);
     options.settings.tolerance = 1e-12;
-    let solver = by_name(STEPPER, &options).ok()?;
+    let solver = Dantzig { settings: options.settings };
     let x = solver.solve(&problem.lcp, &Start::default(), &mut ()).x;
     Some((problem, x))
 }

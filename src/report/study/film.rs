@@ -13,6 +13,7 @@ use crate::body::{Pose, State};
 use crate::error::Result;
 use crate::film::{Film, Force, Frame, Origin, Recording, Sample};
 use crate::simulation::{Motion, Simulation};
+use crate::solver::Registry;
 
 /// An animation as a separate section.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -204,10 +205,11 @@ impl Study for Plan {
         vec![self.name.clone()]
     }
 
-    fn run(&self, _: usize) -> Result<(Self::Finding, ())> {
+    fn run(&self, _: usize, solvers: &Registry) -> Result<(Self::Finding, ())> {
         let base = Variation::of(&self.scene, &self.change);
         let recording = |variant: &Variant| {
-            let scene = base.and(&variant.change).scene()?;
+            let mut scene = base.and(&variant.change).scene()?;
+            scene.solvers = solvers.clone();
             let steps = (self.duration / scene.step.dt).round() as usize;
             Ok(Recording::of(&variant.name, &mut Simulation::of(&scene)?, steps, self.samples))
         };

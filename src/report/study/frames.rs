@@ -11,8 +11,7 @@ use crate::document::Document;
 use crate::error::{Error, Result};
 use crate::lcp::exchange;
 use crate::lcp::file::Problem;
-use crate::solver::Options;
-use lcplab_study::methods;
+use crate::solver::{Options, Pgs, Registry};
 
 /// The problems, and the solver.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -22,15 +21,15 @@ pub struct Plan {
     /// previous one.
     pub files: Vec<String>,
     /// The solver.
-    #[serde(default = "pgs")]
+    #[serde(default = "usual")]
     pub solver: String,
     /// The maximum number of sweeps or pivots.
     #[serde(default = "limit")]
     pub max_iterations: usize,
 }
 
-fn pgs() -> String {
-    "pgs".into()
+fn usual() -> String {
+    Pgs::NAME.into()
 }
 
 fn limit() -> usize {
@@ -57,11 +56,11 @@ impl Study for Plan {
         vec![self.files.join(", ")]
     }
 
-    fn run(&self, _task: usize) -> Result<(Finding, ())> {
+    fn run(&self, _task: usize, solvers: &Registry) -> Result<(Finding, ())> {
         let problems = self.problems()?;
         let mut options = Options::default();
         options.settings.max_iterations = self.max_iterations;
-        let user_solver = UserSolver { entry: methods::entry(&self.solver)?, options };
+        let user_solver = UserSolver { entry: solvers.entry(&self.solver)?.clone(), options };
         let tolerance = user_solver.options.settings.tolerance;
         let found = examine_sequence(&problems, &user_solver);
         let unsolved = found.unsolved_in_words(tolerance);

@@ -27,7 +27,7 @@ use crate::certificate::Demand;
 use crate::error::Result;
 use crate::lcp::friction::FrictionProblem;
 use crate::report::friction::JudgedAnswer;
-use crate::report::methods;
+use crate::report::methods::{default_for, with_reference};
 use crate::report::study::trial::Trial;
 use crate::solver::{Options, Settings};
 
@@ -73,7 +73,7 @@ pub fn compare(
 }
 
 fn answer(problem: &FrictionProblem, model: Model, options: &Options) -> Result<Answer> {
-    let method = methods::by_name(methods::default_for(model), model)?;
+    let method = with_reference().method(default_for(model), Some(model))?;
     let frozen_at = match model {
         Model::FrozenBox => {
             let unbraked = model.pose(problem, Some(&vec![0.0; problem.lcp().len()]))?;

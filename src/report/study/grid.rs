@@ -9,6 +9,7 @@ use super::Study;
 use crate::error::{Error, Result};
 use crate::report::grid::{self, Finding, Grid, measure};
 use crate::report::view::attempt::anchor;
+use crate::solver::Registry;
 
 /// A grid file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -104,9 +105,9 @@ impl Study for Plan {
         self.plan.tasks.iter().map(name).collect()
     }
 
-    fn run(&self, task: usize) -> Result<(PointResult, Option<Seconds>)> {
+    fn run(&self, task: usize, solvers: &Registry) -> Result<(PointResult, Option<Seconds>)> {
         let task = &self.plan.tasks[task];
-        let (finding, seconds) = measure::run(task, &self.grid)?;
+        let (finding, seconds) = measure::run(task, &self.grid, solvers)?;
         let seconds = Some(seconds).filter(|_| finding.status == "solved");
         let times = self.timed.then_some(Seconds { task: task.task, seconds });
         Ok((PointResult { task: task.task, finding }, times))

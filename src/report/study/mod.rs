@@ -32,6 +32,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use crate::error::Result;
+use crate::solver::Registry;
 
 /// A kind of study; a value has the settings of one section in a report file.
 pub trait Study: JsonSchema + Serialize + DeserializeOwned + Send + Sync {
@@ -55,13 +56,11 @@ pub trait Study: JsonSchema + Serialize + DeserializeOwned + Send + Sync {
     /// The names of the tasks, such as a scene's name or a size.
     fn tasks(&self) -> Vec<String>;
 
-    /// Runs the task with this index in [`Study::tasks`].
+    /// Runs the task with this index in [`Study::tasks`]; solvers that the settings name are those
+    /// of the registry.
     ///
     /// # Errors
     /// If the task cannot be done, with the reason, which becomes a row of the report. Other tasks
     /// continue.
-    fn run(&self, task: usize) -> Result<(Self::Finding, Self::Times)>;
+    fn run(&self, task: usize, solvers: &Registry) -> Result<(Self::Finding, Self::Times)>;
 }
-
-/// The solver of studies that do not compare solvers.
-const STEPPER: &str = "dantzig";

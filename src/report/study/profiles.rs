@@ -17,7 +17,7 @@ use crate::lcp::friction::ProblemForm;
 use crate::lcp::library;
 use crate::memory::Memory;
 use crate::report::methods;
-use crate::solver::{Entry, Method, Options, Settings};
+use crate::solver::{Entry, Method, Options, Registry, Settings};
 pub use lcplab_study::profiles::{
     Cost, FamilyAttempts, ProblemAttempts, Profile, costs, iterations, multiplications, of_all,
     profiles,
@@ -85,8 +85,8 @@ impl Study for Plan {
         self.families().into_iter().chain(steps).collect()
     }
 
-    fn run(&self, task: usize) -> Result<(FamilyAttempts, Seconds)> {
-        let entries = methods::entries(&self.solvers)?;
+    fn run(&self, task: usize, solvers: &Registry) -> Result<(FamilyAttempts, Seconds)> {
+        let entries = methods::entries(&self.solvers, solvers)?;
         let families = self.families();
         let (family, problems) = match families.get(task) {
             Some(name) => (name.clone(), self.of_family(name)?),
@@ -140,8 +140,8 @@ impl Plan {
         let options = Options { settings, ..Options::default() };
         let problem = ProblemForm::Boxed(lcp.clone());
         let attempt = |entry: &Entry| {
-            let trial = Trial::run(&Method::Boxed(*entry), &problem, &options, &mut ());
-            (trial.attempt(entry.name, lcp, tolerance), trial.seconds)
+            let trial = Trial::run(&Method::Boxed(entry.clone()), &problem, &options, &mut ());
+            (trial.attempt(&entry.name, lcp, tolerance), trial.seconds)
         };
         entries.iter().map(attempt).unzip()
     }

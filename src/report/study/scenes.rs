@@ -11,6 +11,7 @@ use crate::error::Result;
 use crate::film::Recording;
 use crate::scene::Scene;
 use crate::simulation::Simulation;
+use crate::solver::Registry;
 
 /// The scenes to show.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -44,7 +45,7 @@ impl Study for Plan {
         self.scenes.clone()
     }
 
-    fn run(&self, task: usize) -> Result<(Finding, ())> {
+    fn run(&self, task: usize, _: &Registry) -> Result<(Finding, ())> {
         let name = &self.scenes[task];
         let scene = Scene::load(name)?;
         let instants = INSTANTS[usize::from(scene.bodies.len() > MANY)];

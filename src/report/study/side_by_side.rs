@@ -5,12 +5,11 @@ use rayon::prelude::*;
 
 use super::comparison::Run;
 use crate::film::{Film, Recording};
-use crate::report::methods;
 use crate::scene::{Scene, Scheme};
-use crate::solver::{Method, Stop};
+use crate::solver::{Method, Registry, Stop};
 
 /// A solver with its scheme and iteration limit in an animation.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct AnimatedSolver {
     /// The scheme.
     pub scheme: Scheme,
@@ -26,7 +25,7 @@ impl AnimatedSolver {
     ///
     /// # Errors
     /// If there is no such solver, or the number is invalid.
-    pub fn named(text: &str, scene: &Scene) -> crate::error::Result<Self> {
+    pub fn named(text: &str, scene: &Scene, solvers: &Registry) -> crate::error::Result<Self> {
         let (name, most) = text.split_once(':').map_or((text, None), |(n, m)| (n, Some(m)));
         let number = |most: &str| {
             let reason = || format!("{most:?} is not a number of sweeps");
@@ -35,7 +34,7 @@ impl AnimatedSolver {
         let most = most.map(number).transpose();
         let max_iterations =
             most.map_err(|reason| crate::error::Error::invalid("solver", text, reason))?;
-        let method = methods::by_name(name, scene.contact.model)?;
+        let method = solvers.method(name, Some(scene.contact.model))?.clone();
         Ok(AnimatedSolver { scheme: scene.step.scheme, method, max_iterations })
     }
 
@@ -77,7 +76,7 @@ pub fn alike(
         let is = |(scheme, method): &&(Scheme, Method)| {
             scheme.name() == run.scheme && method.name() == run.solver
         };
-        let &(scheme, method) = contenders.iter().find(is)?;
+        let (scheme, method) = contenders.iter().find(is)?.clone();
         Some((name.clone(), AnimatedSolver { scheme, method, max_iterations: None }))
     };
     groups.iter().filter_map(solver).collect()

@@ -25,7 +25,7 @@ use super::slider::{self, Path};
 use crate::error::Result;
 use crate::lcp::friction::{Contact, FrictionProblem};
 use crate::lcp::{Lcp, Matrix};
-use crate::solver::Settings;
+use crate::solver::{Registry, Settings};
 
 /// A block on the floor.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -46,7 +46,7 @@ impl Study for Plan {
         vec!["all".into()]
     }
 
-    fn run(&self, _: usize) -> Result<(Finding, ())> {
+    fn run(&self, _: usize, _: &Registry) -> Result<(Finding, ())> {
         Ok((run(self.mu, self.push)?, ()))
     }
 }

@@ -11,8 +11,8 @@ use crate::error::{Error, Result};
 use crate::lcp::file::Problem;
 use crate::lcp::friction::Model;
 use crate::lcp::{Question, exchange};
-use crate::solver::{Method, Options, Settings, Status};
-use lcplab_study::{friction, methods};
+use crate::solver::{Method, Options, Registry, Settings, Status};
+use lcplab_study::friction;
 
 /// The files and solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -83,7 +83,7 @@ impl Study for Plan {
         self.files.clone()
     }
 
-    fn run(&self, task: usize) -> Result<(Vec<File>, ())> {
+    fn run(&self, task: usize, solvers: &Registry) -> Result<(Vec<File>, ())> {
         let pattern = &self.files[task];
         let files = exchange::several(pattern, exchange::is_problem)?;
         let files = files.unwrap_or_else(|| vec![pattern.clone()]);
@@ -94,7 +94,8 @@ impl Study for Plan {
             let path = Path::new(file);
             let problem = exchange::read(path, None)?;
             let name = path.file_stem().map_or(String::new(), |own| own.to_string_lossy().into());
-            let answers = self.solvers.iter().map(|column| self.answer(column, &problem, &name));
+            let answers =
+                self.solvers.iter().map(|column| self.answer(column, solvers, &problem, &name));
             Ok(File { rows: problem.lcp.len(), answers: answers.collect::<Result<_>>()?, name })
         };
         Ok((files.iter().map(file).collect::<Result<_>>()?, ()))
@@ -102,19 +103,25 @@ impl Study for Plan {
 }
 
 impl Plan {
-    fn answer(&self, column: &Column, problem: &Problem, name: &str) -> Result<Option<Answer>> {
+    fn answer(
+        &self,
+        column: &Column,
+        solvers: &Registry,
+        problem: &Problem,
+        name: &str,
+    ) -> Result<Option<Answer>> {
         // Bounds that depend on no other row are the same under every model.
         let has_friction = problem.lcp.coupling().is_some();
         let model = column.model.or_else(|| exchange::model(problem)).filter(|_| has_friction);
         let question = Question::new(problem, model, name)?;
         let is_asked =
-            |method: &Method| method.name() == column.solver && method.takes(question.model());
-        let Some(method) = methods::all().into_iter().find(is_asked) else { return Ok(None) };
+            |method: &&Method| method.name() == column.solver && method.takes(question.model());
+        let Some(method) = solvers.all().find(is_asked) else { return Ok(None) };
         let demand = Demand { tolerance: self.tolerance, prove_up_to: 0 };
         let Plan { tolerance, max_iterations, .. } = *self;
         let settings = Settings { tolerance, max_iterations, ..Settings::default() };
         let options = Options { settings, ..Options::default() };
-        let (solution, judged) = friction::solve(&question, &method, &options, &demand, &mut ());
+        let (solution, judged) = friction::solve(&question, method, &options, &demand, &mut ());
         Ok(Some(Answer {
             is_claim: solution.status == Status::Solved,
             status: solution.status.to_string(),

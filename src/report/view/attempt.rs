@@ -4,7 +4,7 @@ use super::ReportPage;
 use crate::number::{count, readable};
 use crate::report::page::{Cell, Mark};
 use crate::report::study::trial::Outcome;
-use crate::solver::Group;
+use crate::solver::Registry;
 
 /// The outcome of an attempt, marked.
 pub fn outcome(outcome: &Outcome) -> Cell {
@@ -23,7 +23,8 @@ pub fn outcome(outcome: &Outcome) -> Cell {
 
 /// `1 234 sweeps`.
 pub fn iterations_in_words(solver: &str, iterations: usize) -> String {
-    let unit = Group::of(solver).map_or("iterations", Group::unit);
+    let entry = Registry::standard().entry(solver);
+    let unit = entry.map_or("iterations", |entry| entry.group.unit());
     let unit = if iterations == 1 { unit.trim_end_matches('s') } else { unit };
     format!("{} {unit}", count(iterations))
 }

@@ -12,7 +12,7 @@ use crate::report::study::profiles::{
     profiles,
 };
 use crate::report::study::trial::{self, Attempt};
-use crate::solver::{ALL, Entry, Group};
+use crate::solver::{Dantzig, Entry, Group, Registry};
 
 /// A failure: solver, tolerance, reason; with the families where it happened.
 type Failures = Vec<((String, usize, String), Vec<String>)>;
@@ -323,7 +323,7 @@ fn drawn(
     let group = |group: Option<Group>| Line {
         name: group.map_or("Others", Group::name).into(),
         curves: (0..solvers.len())
-            .filter(|solver| Group::of(&solvers[*solver]) == group)
+            .filter(|solver| group_of(&solvers[*solver]) == group)
             .filter(|solver| is_counted(*solver))
             .map(curve)
             .collect(),
@@ -378,7 +378,7 @@ fn semidefinite(tried: &[FamilyAttempts], solver: &str, tolerance: usize) -> (us
     let problems = tried.iter().flat_map(|family| &family.problems).filter(|p| !p.impossible);
     let of = |attempts: &[Attempt], name: &str| attempts.iter().find(|a| a.solver == name).cloned();
     let fit = problems.filter(|problem| {
-        let dantzig = of(&problem.attempts[tolerance], "dantzig");
+        let dantzig = of(&problem.attempts[tolerance], Dantzig::NAME);
         dantzig.is_some_and(|attempt| attempt.outcome.is_attempt())
     });
     let solved: Vec<bool> = fit
@@ -457,14 +457,19 @@ fn matrix(tried: &[FamilyAttempts], solvers: &[String], k: usize, value: f64) ->
     }
 }
 
+/// The group of a solver of the library.
+fn group_of(solver: &str) -> Option<Group> {
+    Registry::standard().entry(solver).ok().map(|entry| entry.group)
+}
+
 /// The cost formulas of the registry: one row for the methods of a group with the same formula.
 fn iteration_costs() -> Table {
     let mut rows: Vec<(Vec<&str>, &Entry)> = Vec::new();
-    for entry in ALL {
+    for entry in Registry::standard().entries() {
         let key = |e: &Entry| (e.group, e.cost.formula);
         match rows.iter_mut().find(|(_, first)| key(first) == key(entry)) {
-            Some((names, _)) => names.push(entry.name),
-            None => rows.push((vec![entry.name], entry)),
+            Some((names, _)) => names.push(&entry.name),
+            None => rows.push((vec![&entry.name], entry)),
         }
     }
     let row = |(names, entry): &(Vec<&str>, &Entry)| {

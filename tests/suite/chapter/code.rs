@@ -329,7 +329,10 @@ fn corrected_code_7_swings_a_double_pendulum_as_the_library_does() {
 }
 
 fn simulation(scene: Scene) -> Simulation {
-    Simulation::new(scene, solver::by_name("dantzig", &solver::Options::default()).unwrap())
+    Simulation::new(
+        scene,
+        solver::Registry::standard().entry("dantzig").unwrap().build(&solver::Options::default()),
+    )
 }
 
 /// What is left of an error of 0.1 m after one step in one direction, with these parts of Code 7.

@@ -7,7 +7,7 @@ use lcplab::lcp::library;
 use lcplab::scene::catalogue::pendulum::{Pendulum, Swing};
 use lcplab::scene::{Scene, Scheme};
 use lcplab::simulation::Simulation;
-use lcplab::solver::{Options, by_name};
+use lcplab::solver::{Options, Registry};
 use nalgebra::Vector3;
 
 use super::{assert_near, both, outcomes};
@@ -36,7 +36,10 @@ fn e14_along_a_run_the_velocity_level_recovers_the_force() {
     (scene.step.scheme, scene.step.dt, scene.step.baumgarte) = (Scheme::Velocity, dt, 0.0);
     scene.states[0].pose.p = Vector3::new(angle.sin(), 0.0, -angle.cos());
     scene.states[0].v = rate * Vector3::new(angle.cos(), 0.0, angle.sin());
-    let mut simulation = Simulation::new(scene, by_name("dantzig", &Options::default()).unwrap());
+    let mut simulation = Simulation::new(
+        scene,
+        Registry::standard().entry("dantzig").unwrap().build(&Options::default()),
+    );
     let mut force = 0.0;
     for _ in 0..200 {
         force = simulation.step().unwrap().solves[0].solution.x[0] / dt;

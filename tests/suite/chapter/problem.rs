@@ -7,7 +7,7 @@ use lcplab::lcp::merit;
 use lcplab::solver::theory::{
     jacobi_iteration_matrix, sor_iteration_matrix, spectral_radius, sweeps_to,
 };
-use lcplab::solver::{Options, Start, by_name};
+use lcplab::solver::{Options, Registry, Start};
 
 use super::{assert_near, both};
 use lcplab_testing::{assert_proved, contacts, tridiagonal};
@@ -108,7 +108,7 @@ fn e10_from_zero_the_corners_share_the_weight_though_they_need_not() {
     for (found, exact) in eigenvalues.iter().zip([0.0, 4.0, 6.0, 6.0]) {
         assert_near(*found, exact, 1e-12);
     }
-    let pgs = by_name("pgs", &Options::default()).unwrap();
+    let pgs = Registry::standard().entry("pgs").unwrap().build(&Options::default());
     for x in pgs.solve(&lcp, &Start::default(), &mut ()).x {
         assert_near(x, 9.81 / 240.0, 1e-8);
     }

@@ -141,7 +141,8 @@ fn thrown_from(depth: f64) -> f64 {
     );
     let mut scene = Scene::from_toml("overlap.toml", &text).unwrap();
     scene.step.scheme = Scheme::Velocity;
-    let solver = solver::by_name("dantzig", &solver::Options::default()).unwrap();
+    let solver =
+        solver::Registry::standard().entry("dantzig").unwrap().build(&solver::Options::default());
     let mut simulation = Simulation::new(scene, solver);
     let mut top = f64::NEG_INFINITY;
     simulation.run(300, |step| {

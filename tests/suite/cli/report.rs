@@ -4,7 +4,7 @@ use indicatif::ProgressBar;
 use lcplab::report::experiment::Experiment;
 use lcplab::report::results::Results;
 use lcplab::report::{run as runner, write};
-use lcplab::solver::Stop;
+use lcplab::solver::{Registry, Stop};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -20,7 +20,15 @@ const TWO: &str = "title = 'Two'\nlead = ''\n\
 fn interrupted(file: &Path, folder: &Path) -> Results {
     let experiment = Experiment::load(file.to_str().unwrap()).unwrap();
     let hidden = ProgressBar::hidden();
-    let whole = runner::run(&experiment, None, &hidden, &Stop::default(), &|_| Ok(())).unwrap();
+    let whole = runner::run(
+        &experiment,
+        None,
+        Registry::standard(),
+        &hidden,
+        &Stop::default(),
+        &|_| Ok(()),
+    )
+    .unwrap();
     let mut stopped = whole.clone();
     let last = stopped.sections.last_mut().unwrap().tasks.last_mut().unwrap();
     last.finding = None;

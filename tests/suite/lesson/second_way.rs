@@ -8,7 +8,7 @@ use std::process::Command;
 
 use lcplab::lcp::{Lcp, Matrix};
 use lcplab::lesson::problem::Problem;
-use lcplab::solver::{Options, Start, Status, by_name};
+use lcplab::solver::{Options, Registry, Start, Status};
 use nalgebra::{DMatrix, DVector};
 
 const G: f64 = 9.81;
@@ -124,7 +124,7 @@ const METHODS: [(&str, Method); 35] = [
         let ends_on_ray = |a11: f64| {
             let a = Matrix::dense(2, &[1.0, p("a"), 2.0, a11]);
             let lcp = Lcp::new(a, vec![-1.0, -1.5], vec![0.0; 2], vec![f64::INFINITY; 2]).unwrap();
-            let lemke = by_name("lemke", &Options::default()).unwrap();
+            let lemke = Registry::standard().entry("lemke").unwrap().build(&Options::default());
             lemke.solve(&lcp, &Start::default(), &mut ()).status != Status::Solved
         };
         slider(-2.0, 2.0, 0.1).filter(|a11| ends_on_ray(*a11)).last().unwrap()

@@ -9,7 +9,7 @@ use lcplab::body::Mass;
 use lcplab::scene::{Scene, Scheme};
 use lcplab::simulation::Simulation;
 use lcplab::solver::theory::optimal_omega;
-use lcplab::solver::{Options, by_name};
+use lcplab::solver::{Options, Registry};
 use serde_json::Value;
 
 use super::written;
@@ -82,7 +82,7 @@ fn the_axes_contain_the_least_factor_at_the_best_omega() {
 fn the_entries_of_rods_at_right_angles_fill_in_as_a_net_sags() {
     let mut net = Simulation::new(
         Scene::load("net").unwrap(),
-        by_name("dantzig", &Options::default()).unwrap(),
+        Registry::standard().entry("dantzig").unwrap().build(&Options::default()),
     );
     let mut nonzero = || net.step().unwrap().solves[0].problem.lcp.matrix().pattern().len();
     // Flat: the diagonal, and the pairs in line: two at each mass inside, one at an edge.
@@ -96,7 +96,10 @@ fn the_entries_of_rods_at_right_angles_fill_in_as_a_net_sags() {
 fn first_force(mut scene: Scene, level: Scheme) -> f64 {
     (scene.step.scheme, scene.step.baumgarte, scene.step.alpha) = (level, 0.0, 0.0);
     let unit = if level == Scheme::Velocity { scene.step.dt } else { 1.0 };
-    let mut simulation = Simulation::new(scene, by_name("dantzig", &Options::default()).unwrap());
+    let mut simulation = Simulation::new(
+        scene,
+        Registry::standard().entry("dantzig").unwrap().build(&Options::default()),
+    );
     let step = simulation.step().unwrap();
     step.solves[step.solves.len() - 1].solution.x[0] / unit
 }

@@ -3,14 +3,17 @@
 use lcplab::number::readable;
 use lcplab::scene::{Integrator, Scene, Scheme};
 use lcplab::simulation::{Cause, Simulation};
-use lcplab::solver::{Options, Stop, by_name};
+use lcplab::solver::{Options, Registry, Stop};
 
 /// The shipped scene of this name at this level, changed.
 fn simulation(name: &str, level: Scheme, change: impl FnOnce(&mut Scene)) -> Simulation {
     let mut scene = Scene::load(name).unwrap();
     scene.step.scheme = level;
     change(&mut scene);
-    Simulation::new(scene, by_name("dantzig", &Options::default()).unwrap())
+    Simulation::new(
+        scene,
+        Registry::standard().entry("dantzig").unwrap().build(&Options::default()),
+    )
 }
 
 /// Why it ends within a thousand steps.

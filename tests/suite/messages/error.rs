@@ -6,7 +6,7 @@ use lcplab::error::Error;
 use lcplab::file;
 use lcplab::lcp::{Lcp, Matrix};
 use lcplab::memory::Memory;
-use lcplab::solver::{Settings, cone_by_name};
+use lcplab::solver::MatrixClass;
 
 #[test]
 fn every_error_is_made_and_says_what_is_wrong_where() {
@@ -14,8 +14,9 @@ fn every_error_is_made_and_says_what_is_wrong_where() {
     each_variant! { Error:
         Error::File { .. } => file::read(manifest, Memory::bytes(3)).unwrap_err(),
             "Cargo.toml: is larger than 3 B, the limit for reading";
-        Error::Unknown { .. } => cone_by_name("magic", &Settings::default()).err().unwrap(),
-            "there is no cone solver named \"magic\"; there are cone-pgs, apgd";
+        Error::Unknown { .. } => MatrixClass::by_word("magic").unwrap_err(),
+            "there is no class of matrices named \"magic\"; there are definite, semidefinite, p, p-or-semidefinite, \
+             p0, copositive-plus, general";
         Error::Invalid { .. } =>
             Lcp::new(Matrix::dense(1, &[1.0]), vec![0.0], vec![2.0], vec![1.0]).unwrap_err(),
             "problem: lo[0]: is 2, above hi[0] = 1";

@@ -3,14 +3,14 @@
 use lcplab::lcp::{Coupling, Lcp, Matrix};
 use lcplab::memory::Memory;
 use lcplab::plugin::Plugin;
-use lcplab::solver::{Options, Settings, Start, Status, Stop, by_name};
+use lcplab::solver::{Options, Registry, Settings, Start, Status, Stop};
 
 use lcplab_testing::{INF, boxed, contacts};
 
 /// The status of a solver on a problem from 0.
 fn said(solver: &str, lcp: &Lcp, settings: Settings) -> Status {
     let options = Options { settings, ..Options::default() };
-    let solver = by_name(solver, &options).unwrap();
+    let solver = Registry::standard().entry(solver).unwrap().build(&options);
     let solution = solver.solve(lcp, &Start::default(), &mut ());
     assert!(solution.x.iter().all(|x| x.is_finite()), "{:?}", solution.x);
     solution.status
@@ -42,7 +42,7 @@ fn every_status_is_claimed_by_a_solver_and_put_into_words() {
     let stopped = || {
         let stop = Stop::default();
         stop.raise();
-        let pgs = by_name("pgs", &Options::default()).unwrap();
+        let pgs = Registry::standard().entry("pgs").unwrap().build(&Options::default());
         pgs.solve(&pair, &Start::default(), &mut stop.watch(&mut ())).status
     };
     let small = Settings { memory: Memory::bytes(1), ..usual() };

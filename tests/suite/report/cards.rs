@@ -14,7 +14,7 @@ use lcplab::report::view::{ReportPage, View};
 use lcplab::scene::catalogue::spin::FreeBody;
 use lcplab::scene::{Description, Integrator, Scene, Scheme};
 use lcplab::simulation::Simulation;
-use lcplab::solver::{Options, Start, by_name, default_for};
+use lcplab::solver::{Options, Registry, Start, default_for};
 
 const G: f64 = 9.81;
 
@@ -349,7 +349,8 @@ fn the_default_solver_finds_what_an_engine_finds_where_there_is_one_solution() {
     let alone = frames.iter().filter(|frame| ["mujoco", "drake", "dart"].contains(&&*frame.engine));
     for frame in alone {
         let lcp = frame.problem().unwrap().lcp;
-        let solver = by_name(default_for(&lcp), &Options::default()).unwrap();
+        let solver =
+            Registry::standard().entry(default_for(&lcp)).unwrap().build(&Options::default());
         let own = solver.solve(&lcp, &Start::default(), &mut ()).x;
         let most = own.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
         for (own, theirs) in own.iter().zip(&frame.answer) {
@@ -416,7 +417,7 @@ fn a_file_that_is_no_record_is_one_message_with_its_name() {
         let file: PathBuf = folder.path().join("record.json");
         std::fs::write(&file, text).unwrap();
         let plan = Plan { record: Some(file) };
-        plan.run(0).unwrap_err().to_string()
+        plan.run(0, Registry::standard()).unwrap_err().to_string()
     };
     let newer = of(r#"{ "format": 2, "engines": [], "phenomena": [] }"#);
     assert!(

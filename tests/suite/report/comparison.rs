@@ -3,11 +3,12 @@
 use lcplab::report::study::comparison::{Comparison, LevelRefinement, Levels, Plan, Run, compare};
 use lcplab::report::view::{View, comparison_answer, comparison_table};
 use lcplab::scene::{Scene, Scheme};
-use lcplab::solver::entry;
+use lcplab::solver::Registry;
 
 /// Three steps of three bodies, the top one heavy, at velocity level.
 fn compared(solvers: &[&str]) -> Comparison {
-    let solvers: Vec<_> = solvers.iter().map(|name| *entry(name).unwrap()).collect();
+    let solvers: Vec<_> =
+        solvers.iter().map(|name| Registry::standard().entry(name).unwrap().clone()).collect();
     compare(&Scene::load("mass_ratio3").unwrap(), &[Scheme::Velocity], &solvers, 3, &|| ()).0
 }
 

@@ -1,19 +1,22 @@
 use lcplab::lcp::friction::Model;
 use lcplab::lcp::library::{self, Family};
-use lcplab::report::methods;
+use lcplab::report::methods::with_reference;
 use lcplab::report::study::families::{KNOWN_FAILURES, Row, run};
-use lcplab::solver::Stop;
-use lcplab::solver::{Method, Options, by_name, entry};
+use lcplab::solver::{Method, Options, Registry, Stop};
+
+fn methods() -> Vec<Method> {
+    with_reference().methods().cloned().collect()
+}
 
 fn rows() -> Vec<Row> {
     let families: Vec<&dyn Family> = library::all().collect();
-    run(&families, &Model::ALL, &methods::all(), &Options::default(), 2, &Stop::default())
+    run(&families, &Model::ALL, &methods(), &Options::default(), 2, &Stop::default())
 }
 
 fn rows_of(names: &[&str]) -> Vec<Row> {
     let families: Vec<&dyn Family> =
         names.iter().map(|name| library::by_name(name).unwrap()).collect();
-    run(&families, &Model::ALL, &methods::all(), &Options::default(), 3, &Stop::default())
+    run(&families, &Model::ALL, &methods(), &Options::default(), 3, &Stop::default())
 }
 
 const FRICTION: [&str; 4] = ["pushed-mass", "pushed-rod", "friction-table", "friction-pile"];
@@ -32,7 +35,7 @@ fn no_claim_on_the_whole_library_is_refuted_or_false() {
 fn known_failures_name_solvers_and_families_that_exist_and_happen() {
     let rows = rows();
     for (solver, family, why) in KNOWN_FAILURES {
-        assert!(by_name(solver, &Options::default()).is_ok());
+        assert!(Registry::standard().entry(solver).is_ok());
         let row = rows.iter().find(|row| row.solver == *solver && row.family == *family);
         let row = row.unwrap_or_else(|| panic!("no row for {solver} on {family}"));
         assert_eq!((row.claimed, row.known_failure.as_deref()), (0, Some(*why)));
@@ -57,7 +60,7 @@ fn dantzig_solves_every_symmetric_semidefinite_family_that_has_a_solution() {
     ];
     let families: Vec<&dyn Family> =
         names.iter().map(|name| library::by_name(name).unwrap()).collect();
-    let dantzig = [Method::Boxed(*entry("dantzig").unwrap())];
+    let dantzig = [Method::Boxed(Registry::standard().entry("dantzig").unwrap().clone())];
     for row in run(&families, &[], &dantzig, &Options::default(), 3, &Stop::default()) {
         assert_eq!((row.claimed, row.accepted), (row.problems, row.problems), "{row:?}");
     }
@@ -66,7 +69,7 @@ fn dantzig_solves_every_symmetric_semidefinite_family_that_has_a_solution() {
 #[test]
 fn friction_families_run_under_every_model_by_every_method_that_takes_it() {
     let rows = rows_of(&FRICTION);
-    let (taking, per_family) = (methods::all(), rows.len() / FRICTION.len());
+    let (taking, per_family) = (methods(), rows.len() / FRICTION.len());
     let takes = |model: Model| taking.iter().filter(|method| method.takes(Some(model))).count();
     assert_eq!(per_family, Model::ALL.into_iter().map(takes).sum::<usize>());
     for model in Model::ALL.map(|model| model.to_string()) {

@@ -6,6 +6,7 @@ use lcplab::report::study::film::{self, FilmData};
 use lcplab::report::study::variation::Variation;
 use lcplab::report::view::ReportPage;
 use lcplab::simulation::Simulation;
+use lcplab::solver::Registry;
 
 fn variation(text: &str) -> Variation {
     toml::from_str(text).unwrap()
@@ -58,7 +59,7 @@ fn a_film_section_shows_its_variants_side_by_side() {
          { name = 'acceleration', change = { step = { scheme = 'acceleration' } } }]",
     )
     .unwrap();
-    let found = plan.run(0).unwrap().0;
+    let found = plan.run(0, Registry::standard()).unwrap().0;
     assert_eq!(found.recordings.iter().map(|own| own.samples.len()).collect::<Vec<_>>(), [3, 3]);
     let page = ReportPage::of(&plan, &[found]).page.render().unwrap();
     assert!(page.contains("acceleration") && page.contains("Look."));

@@ -6,11 +6,14 @@ use lcplab::report::study::drift::ledger::Account;
 use lcplab::report::study::drift::order::{Curve, Expected, Sample};
 use lcplab::report::study::drift::{Finding, Plan};
 use lcplab::report::view::{Outcome, ReportPage, View};
+use lcplab::solver::Registry;
 
 /// The plan of one run, and what it finds.
 fn audited(run: &str) -> (Plan, Account) {
     let plan: Plan = toml::from_str(run).unwrap();
-    let Finding::Ledger(found) = plan.run(0).unwrap().0 else { panic!("a ledger") };
+    let Finding::Ledger(found) = plan.run(0, Registry::standard()).unwrap().0 else {
+        panic!("a ledger")
+    };
     (plan, found)
 }
 
@@ -115,7 +118,8 @@ fn an_error_that_stays_passes_for_no_order() {
 fn errors_of_all_families_shrink_as_derived() {
     let plan: Plan =
         toml::from_str("[orders]\nproblems = ['fall', 'swing', 'slide']\nhalvings = 3").unwrap();
-    let findings: Vec<Finding> = (0..3).map(|k| plan.run(k).unwrap().0).collect();
+    let findings: Vec<Finding> =
+        (0..3).map(|k| plan.run(k, Registry::standard()).unwrap().0).collect();
     let curves = findings.iter().flat_map(|finding| match finding {
         Finding::Order(order) => order.curves.as_slice(),
         other => panic!("orders: {other:?}"),

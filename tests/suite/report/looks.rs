@@ -3,14 +3,16 @@
 
 use lcplab::plot::style::style;
 use lcplab::scene::Scheme;
-use lcplab::solver::{ALL, KNOWN_WRONG};
+use lcplab::solver::{KNOWN_WRONG, Registry};
 
 /// The least CIEDE2000 distance of two colors; from about 10 on, they differ at a glance.
 const APART: f64 = 12.0;
 
 #[test]
 fn no_two_names_of_a_figure_have_similar_colors_in_light_or_dark() {
-    let solvers = || ALL.iter().map(|entry| entry.name).chain(["clarabel", "sor ω = 1.7"]);
+    let solvers = || {
+        Registry::standard().entries().map(|entry| &*entry.name).chain(["clarabel", "sor ω = 1.7"])
+    };
     let schemes = Scheme::ALL.map(Scheme::name);
     let engines = ["mujoco", "drake", "pybullet", "rapier", "pinocchio", "dart", "siconos"];
     let integrators = ["acceleration, midpoint", "acceleration, RK4", "velocity cone"];
@@ -94,7 +96,11 @@ fn the_distance_of_colors_is_that_of_the_published_pairs() {
 
 #[test]
 fn no_two_solvers_look_the_same_in_grey() {
-    let registered = ALL.iter().chain(KNOWN_WRONG).map(|entry| entry.name).filter(|&n| n != "sor");
+    let registered = Registry::standard()
+        .entries()
+        .chain(KNOWN_WRONG)
+        .map(|entry| &*entry.name)
+        .filter(|&n| n != "sor");
     let sor = ["sor ω = 0.8", "sor ω = 1.3", "sor ω = 1.5", "sor ω = 1.7", "sor ω = 1.9"];
     let names: Vec<&str> = registered.chain(["clarabel"]).chain(sor).collect();
     let looks: Vec<_> = names.iter().map(|name| style(name)).collect();
@@ -106,11 +112,15 @@ fn no_two_solvers_look_the_same_in_grey() {
 
 #[test]
 fn an_unlisted_solver_differs_from_all_listed_ones_in_gray() {
-    let listed: Vec<_> = ALL.iter().map(|entry| style(entry.name)).collect();
+    let listed: Vec<_> = Registry::standard().entries().map(|entry| style(&entry.name)).collect();
     for k in 0..100 {
         let own = style(&format!("solver {k}"));
         let same =
             listed.iter().position(|other| (own.dash, own.marker) == (other.dash, other.marker));
-        assert_eq!(same.map(|at| ALL[at].name), None, "solver {k}");
+        assert_eq!(
+            same.map(|at| Registry::standard().entries().nth(at).unwrap().name.as_ref()),
+            None,
+            "solver {k}"
+        );
     }
 }

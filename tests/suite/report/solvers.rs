@@ -9,7 +9,7 @@ use lcplab::report::study::posed::{Loaded, STEP_SPEED, Source};
 use lcplab::report::study::profiles::{self, Cost, costs, multiplications, of_all, profiles};
 use lcplab::report::study::trial::{Attempt, Outcome};
 use lcplab::report::view;
-use lcplab::solver::{self, Options, Start, entry};
+use lcplab::solver::{self, Options, Registry, Start};
 use lcplab::trace::Work;
 
 use super::standard::{experiment, run_all};
@@ -145,7 +145,8 @@ fn the_clock_of_a_family_counts_what_has_a_solution_and_was_solved() {
 #[test]
 fn problems_without_solution_are_in_the_tables_and_not_in_the_profiles() {
     let plan: profiles::Plan = settings("families = [\"wedged\", \"deudeu\"]");
-    let tried: Vec<_> = (0..2).map(|task| plan.run(task).unwrap().0).collect();
+    let tried: Vec<_> =
+        (0..2).map(|task| plan.run(task, Registry::standard()).unwrap().0).collect();
     assert!(tried[0].problems[0].impossible && !tried[1].problems[0].impossible);
     for (k, _) in plan.tolerances.iter().enumerate() {
         assert_eq!(costs(&tried, k, multiplications).len(), 1);
@@ -171,8 +172,8 @@ fn work_is_what_the_formulas_say() {
     let lcp =
         Lcp::new(Matrix::sparse(n, &entries), b, vec![0.0; n], vec![f64::INFINITY; n]).unwrap();
     let work = |name: &'static str| {
-        let mut work = Work::of(entry(name).unwrap(), &lcp);
-        let solver = solver::by_name(name, &Options::default()).unwrap();
+        let mut work = Work::of(Registry::standard().entry(name).unwrap(), &lcp);
+        let solver = solver::Registry::standard().entry(name).unwrap().build(&Options::default());
         let iterations = solver.solve(&lcp, &Start::default(), &mut work).iterations;
         (work.multiplications, iterations as f64)
     };
@@ -189,7 +190,7 @@ fn work_is_what_the_formulas_say() {
 #[test]
 fn an_impulse_climbs_one_row_a_sweep_or_the_whole_column_at_once() {
     let plan: Plan = settings("[rows]\nbodies = 8\nsweeps = 9\nmethods = [\"up\", \"down\"]");
-    let residuals = |task: usize| match plan.run(task).unwrap().0 {
+    let residuals = |task: usize| match plan.run(task, Registry::standard()).unwrap().0 {
         Finding::Rows(rows) => rows.residuals,
         other => panic!("the residuals of rows: {other:?}"),
     };
@@ -215,7 +216,8 @@ fn marks_go_forward_and_end_below_the_tolerance() {
         "[methods]\nproblems = [{ family = \"stack\", values = { n = 8 } }]\n\
          solvers = [\"pgs\", \"nncg\", \"interior-point\", \"dantzig\"]",
     );
-    let (Finding::Methods(progress), Some(clock)) = plan.run(0).unwrap() else {
+    let (Finding::Methods(progress), Some(clock)) = plan.run(0, Registry::standard()).unwrap()
+    else {
         panic!("the progress of methods, with its times")
     };
     for (method, (name, times)) in progress.methods.iter().zip(&clock.methods) {

@@ -6,6 +6,7 @@ use lcplab::error::Error;
 use lcplab::lcp::friction::Model;
 use lcplab::report::experiment::{Experiment, SHIPPED};
 use lcplab::report::kind::{KINDS, UNDECIDED};
+use lcplab::report::methods::with_reference;
 use lcplab::report::page::Table;
 use lcplab::report::results::{Part, Results};
 use lcplab::report::study::comparison::{Sample, thinned};
@@ -13,9 +14,9 @@ use lcplab::report::study::convergence::Finding;
 use lcplab::report::study::drift::long::Curve;
 use lcplab::report::study::{Study, convergence, drift, sliding};
 use lcplab::report::view::{Outcome, ReportPage, View};
-use lcplab::report::{methods, run, view, write};
+use lcplab::report::{run, view, write};
 use lcplab::scene::catalogue::SHIPPED as SHIPPED_SCENES;
-use lcplab::solver::{ALL, Method, Stop};
+use lcplab::solver::{Method, Registry, Stop};
 
 /// Every study once, on scenes that take milliseconds.
 const SMALL: &str = r#"
@@ -80,7 +81,10 @@ fn run_on(threads: usize) -> Results {
 
 /// The results of all its tasks, saved nowhere.
 pub fn run_all(experiment: &Experiment) -> Results {
-    run::run(experiment, None, &ProgressBar::hidden(), &Stop::default(), &|_| Ok(())).unwrap()
+    run::run(experiment, None, with_reference(), &ProgressBar::hidden(), &Stop::default(), &|_| {
+        Ok(())
+    })
+    .unwrap()
 }
 
 /// The document's table whose file has this name.
@@ -152,7 +156,9 @@ fn nothing_supports_a_stack_at_first_and_a_solution_supports_all_of_it() {
         "[methods]\nproblems = [{ boxes = 3, ratio = 5.0, friction = 0.0 }]\nsolvers = ['pgs', 'lemke']",
     )
     .unwrap();
-    let Finding::Methods(progress) = plan.run(0).unwrap().0 else { panic!("methods") };
+    let Finding::Methods(progress) = plan.run(0, with_reference()).unwrap().0 else {
+        panic!("methods")
+    };
     let [pgs, lemke] = &progress.methods[..] else { panic!("two methods") };
     assert_eq!(pgs.marks[0].iteration, 0);
     assert!((pgs.marks[0].unsupported.unwrap() - 1.0).abs() < 1e-12);
@@ -186,8 +192,15 @@ fn a_run_goes_on_where_another_one_stopped() {
     let marked = serde_json::json!({"marked": true});
     stopped.sections[4].tasks[1].finding = Some(marked.clone());
     let go_on = |earlier: &Results| {
-        run::run(&experiment, Some(earlier), &ProgressBar::hidden(), &Stop::default(), &|_| Ok(()))
-            .unwrap()
+        run::run(
+            &experiment,
+            Some(earlier),
+            with_reference(),
+            &ProgressBar::hidden(),
+            &Stop::default(),
+            &|_| Ok(()),
+        )
+        .unwrap()
     };
     let resumed = go_on(&stopped);
     assert_eq!(resumed.sections[3], whole.sections[3]);
@@ -203,8 +216,15 @@ fn a_run_goes_on_where_another_one_stopped() {
 fn results_that_cannot_be_saved_are_reported_before_anything_runs() {
     let full = |_: &Results| Err(Error::invalid("results.json", "disk", "is full"));
     let progress = ProgressBar::hidden();
-    let message = run::run(&experiment(SMALL).unwrap(), None, &progress, &Stop::default(), &full)
-        .unwrap_err();
+    let message = run::run(
+        &experiment(SMALL).unwrap(),
+        None,
+        with_reference(),
+        &progress,
+        &Stop::default(),
+        &full,
+    )
+    .unwrap_err();
     assert_eq!(message.to_string(), "results.json: disk: is full");
     assert_eq!(progress.position(), 0);
 }
@@ -314,7 +334,7 @@ fn results_of(id: &str) -> Part {
 #[test]
 fn the_documentation_lists_every_method_and_the_models_it_takes() {
     let page = include_str!("../../../docs/solvers.md");
-    for method in methods::all() {
+    for method in with_reference().methods() {
         let (line, class, source) = match method {
             Method::Boxed(entry) => (entry.method, entry.class, entry.source),
             Method::Cone(entry) => (entry.method, entry.class, entry.source),
@@ -323,11 +343,15 @@ fn the_documentation_lists_every_method_and_the_models_it_takes() {
         assert!(page.contains(&row), "docs/solvers.md lacks the row\n{row}");
     }
     let names = |model: Model| {
-        let taking = methods::all().into_iter().filter(|method| method.takes(Some(model)));
+        let taking = with_reference().methods().filter(|method| method.takes(Some(model)));
         taking.map(|method| format!("`{}`", method.name())).collect::<Vec<_>>()
     };
-    let boxed: Vec<String> =
-        ALL.iter().map(|entry| entry.name).chain(["clarabel"]).map(|n| format!("`{n}`")).collect();
+    let boxed: Vec<String> = Registry::standard()
+        .entries()
+        .map(|entry| &*entry.name)
+        .chain(["clarabel"])
+        .map(|n| format!("`{n}`"))
+        .collect();
     for model in Model::ALL {
         let mut row = page.lines().filter(|line| line.starts_with("| `"));
         let name = match model {
@@ -337,7 +361,7 @@ fn the_documentation_lists_every_method_and_the_models_it_takes() {
         let row = row.find(|line| line.starts_with(&format!("| `{name}`"))).expect("a row");
         let solvers = match names(model) {
             names if names == boxed => "all solvers above".to_string(),
-            names if names == boxed[..ALL.len()] => {
+            names if names == boxed[..boxed.len() - 1] => {
                 "all solvers above except `clarabel`".to_string()
             }
             names => names.join(", "),

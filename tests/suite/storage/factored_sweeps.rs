@@ -8,7 +8,7 @@ use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
 use lcplab::solver::kernel::impulses::{Row, System, WIDTH};
 use lcplab::solver::linalg::elimination::Lu;
-use lcplab::solver::{InteriorPoint, Options, Settings, Solution, Solver, Start, Status, by_name};
+use lcplab::solver::{InteriorPoint, Options, Registry, Settings, Solution, Solver, Start, Status};
 use lcplab::storage::Factors;
 use proptest::prelude::*;
 
@@ -17,7 +17,10 @@ use lcplab_testing::{INF, cases};
 /// The third step of a scene.
 fn step(scene: Scene) -> Problem {
     let settings = Settings { max_iterations: 30, ..Settings::default() };
-    let pgs = by_name("pgs", &Options { settings, ..Options::default() }).unwrap();
+    let pgs = Registry::standard()
+        .entry("pgs")
+        .unwrap()
+        .build(&Options { settings, ..Options::default() });
     let mut simulation = Simulation::new(scene, pgs);
     let mut steps = (0..3).map(|_| simulation.step().unwrap());
     steps.next_back().unwrap().solves.remove(0).problem

@@ -2,10 +2,10 @@ use lcplab::formulation::Problem;
 use lcplab::lcp::{Coupling, Lcp, Matrix};
 use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
-use lcplab::solver::Status;
 use lcplab::solver::kernel::Width;
 use lcplab::solver::kernel::impulses::{Row, RowByRow, SimdPairs, System};
-use lcplab::solver::{Options, Settings, by_name};
+use lcplab::solver::{Options, Settings};
+use lcplab::solver::{Registry, Status};
 use lcplab::storage::Factors;
 
 use lcplab_testing::INF;
@@ -16,7 +16,10 @@ const SWEEPS: usize = 20;
 /// The LCP of a step, with what it is made of; friction rows follow their normals.
 fn step(scene: Scene) -> Problem {
     let settings = Settings { max_iterations: 30, ..Settings::default() };
-    let pgs = by_name("pgs", &Options { settings, ..Options::default() }).unwrap();
+    let pgs = Registry::standard()
+        .entry("pgs")
+        .unwrap()
+        .build(&Options { settings, ..Options::default() });
     let mut simulation = Simulation::new(scene, pgs);
     let mut steps = (0..3).map(|_| simulation.step().unwrap());
     steps.next_back().unwrap().solves.remove(0).problem

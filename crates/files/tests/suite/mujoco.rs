@@ -8,7 +8,7 @@ use lcplab_judge::{Demand, Verdict, judge, judge_friction};
 use lcplab_problem::file::read_answer;
 use lcplab_problem::friction::{Model, ProblemForm};
 use lcplab_problem::memory::Memory;
-use lcplab_solver::{Options, Settings, Start, Status, by_name, cone_by_name};
+use lcplab_solver::{ConePgs, ConeSolver, Options, Registry, Settings, Start, Status};
 
 fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/problems").join(name)
@@ -24,7 +24,7 @@ fn with_pyramids_both_forces_are_proved_and_agree_to_thirteen_digits() {
     let lcp = exchange::read(&file("mujoco_pyramidal.json"), None).unwrap().lcp;
     let theirs =
         read_answer(&file("mujoco_pyramidal_answer.json"), lcp.len(), Memory::default()).unwrap();
-    let dantzig = by_name("dantzig", &Options::default()).unwrap();
+    let dantzig = Registry::standard().entry("dantzig").unwrap().build(&Options::default());
     let ours = dantzig.solve(&lcp, &Start::default(), &mut ()).x;
     for x in [&theirs, &ours] {
         assert!(matches!(judge(&lcp, x, &Demand::default()).verdict, Verdict::Proved { .. }));
@@ -47,7 +47,7 @@ fn elliptic_cones_are_the_associated_model_and_not_coulombs_law() {
     assert!(!verdict(Model::CoulombCone).is_solution());
     let ProblemForm::Cone(cone) = posed(Model::AssociatedCone) else { unreachable!() };
     let settings = Settings { tolerance: 1e-13, max_iterations: 5000, ..Settings::default() };
-    let sweeps = cone_by_name("cone-pgs", &settings).unwrap();
+    let sweeps = ConePgs { settings };
     let ours = sweeps.solve(&cone, &Start::default(), &mut ());
     assert_eq!(ours.status, Status::Solved);
     assert!(distance(&theirs, &ours.x) < 1e-8);

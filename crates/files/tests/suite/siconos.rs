@@ -3,7 +3,7 @@ use lcplab_judge::{Demand, judge};
 use lcplab_problem::file::Problem;
 use lcplab_problem::friction::{Contact, Model};
 use lcplab_problem::{Coupling, Lcp, Matrix, library};
-use lcplab_solver::{Options, Start, by_name};
+use lcplab_solver::{Options, Registry, Start};
 use proptest::prelude::*;
 
 use super::{again, assert_same, frictions, message, parse, refusal, rows, sample};
@@ -57,7 +57,7 @@ fn a_dense_matrix_is_listed_by_columns() {
 fn read_by_rows_the_portfolio_would_be_insoluble() {
     let by_rows = "4\n0\n4\n4\n4 4\n11 0 10 -1 0 11 10 -1 10 10 21 -1 1 1 1 0\n50 50 10 -6";
     let lcp = parse("siconos", by_rows).unwrap().lcp; // the matrix transposed
-    let solver = by_name("enumeration", &Options::default()).unwrap();
+    let solver = Registry::standard().entry("enumeration").unwrap().build(&Options::default());
     let x = solver.solve(&lcp, &Start::default(), &mut ()).x;
     assert!(!judge(&lcp, &x, &Demand::default()).verdict.is_solution());
 }

@@ -15,6 +15,7 @@ use super::{Scene, driven, friction, generate, range, surface};
 use crate::body::{Body, Cylinder, Mass, Placed, Polytope, Pose, Shape, State, inertia};
 use lcplab_problem::error::{Defects, Result};
 use lcplab_problem::memory::Memory;
+use lcplab_solver::Registry;
 
 /// A placeholder for an invalid mass, which causes no further defects.
 const STAND_IN: Mass = Mass::Point { mass: 1.0 };
@@ -44,6 +45,7 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
         pairs: BTreeMap::new(),
         constraints: Vec::with_capacity(whole.constraints.len()),
         memory: Memory::default(),
+        solvers: Registry::default(),
     };
     let mut names = HashMap::new();
     for (k, body) in whole.bodies.iter().enumerate() {

@@ -49,6 +49,7 @@ use crate::constraint::Constraint;
 use lcplab_problem::disk;
 use lcplab_problem::error::{Defects, Error, Result};
 use lcplab_problem::memory::Memory;
+use lcplab_solver::Registry;
 
 /// The path and the text of a scene file or a shipped scene.
 ///
@@ -103,6 +104,9 @@ pub struct Scene {
     /// The memory limit for the matrix of a step and for the solver's own data, each; not stored in
     /// files.
     pub memory: Memory,
+    /// The solvers among which the name of [`Scene::solver`] selects one: those of the library,
+    /// unless a program adds its own. Not stored in files.
+    pub solvers: Registry,
 }
 
 impl Scene {

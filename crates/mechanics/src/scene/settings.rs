@@ -197,7 +197,7 @@ impl RowOrder {
 }
 
 /// The solver that supports a fixed number of sweeps.
-const SWEEPING: &str = "pgs";
+const SWEEPING: &str = lcplab_solver::Pgs::NAME;
 
 /// The solver and its settings; the name is checked by the solver registry.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -228,7 +228,7 @@ pub struct Solver {
 impl Default for Solver {
     fn default() -> Self {
         Solver {
-            name: "dantzig".into(),
+            name: lcplab_solver::Dantzig::NAME.into(),
             omega: 1.3,
             order: RowOrder::default(),
             seed: 1,

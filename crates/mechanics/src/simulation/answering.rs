@@ -14,8 +14,9 @@ use crate::scene::Scene;
 use lcplab_problem::Lcp;
 use lcplab_problem::friction::{Model, Polyhedral, ProblemForm};
 use lcplab_solver::{
-    self, ConeSolver, Fallback, Lemke, MatrixClass, Method, Observer, Options, PolygonPgs,
-    Settings, Solution, Solver, Start, Status, solve_boxed_without, solve_polyhedral,
+    BlockPivoting, ConeSolver, Dantzig, Entry, Fallback, Lemke, MatrixClass, Method, Murty,
+    Observer, Options, PolygonPgs, Settings, Solution, Solver, Start, Status, solve_boxed_without,
+    solve_polyhedral,
 };
 
 /// The solvers of a simulation.
@@ -23,6 +24,8 @@ use lcplab_solver::{
 pub(super) struct Solvers<'a> {
     /// For LCPs.
     pub boxed: &'a dyn Solver,
+    /// What it is made for; `None` if that is not known.
+    pub entry: Option<&'a Entry>,
     /// For cones.
     pub cone: &'a dyn ConeSolver,
     /// The scene with its settings.
@@ -37,7 +40,7 @@ impl Solvers<'_> {
         posing: Option<&Posing>,
         x: &[f64],
         observer: &mut dyn Observer,
-    ) -> (&'static str, Solution) {
+    ) -> NamedSolution {
         let start = Start::at(x);
         match posing.map(|posing| (posing.model, &posing.posed)) {
             None => self.boxed(&problem.lcp, &start, observer),
@@ -45,11 +48,11 @@ impl Solvers<'_> {
             Some((model, ProblemForm::Polyhedral(polyhedral))) => {
                 let settings = settings(self.scene);
                 let lemke = Lemke { settings: settings.clone() };
-                let solver = if takes(self.boxed, model) { self.boxed } else { &lemke };
+                let solver = if self.takes(model) { self.boxed } else { &lemke };
                 by_polygons(solver, polyhedral, &start, &settings, observer)
             }
             Some((_, ProblemForm::Cone(cones))) => {
-                (self.cone.name(), self.cone.solve(cones, &start, observer))
+                (self.cone.name().into(), self.cone.solve(cones, &start, observer))
             }
         }
     }
@@ -57,35 +60,43 @@ impl Solvers<'_> {
     /// The simulation's solver if it is made for A. Where that pivots and is led astray, by
     /// friction limits that change on the way say, or is not made for A, the methods of the
     /// fallback sequence.
-    fn boxed(
-        self,
-        lcp: &Lcp,
-        start: &Start<'_>,
-        observer: &mut dyn Observer,
-    ) -> (&'static str, Solution) {
+    fn boxed(self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> NamedSolution {
         let name = self.boxed.name();
-        let first = suits(self.boxed, lcp).then(|| self.boxed.solve(lcp, start, observer));
+        let first = self.suits(lcp).then(|| self.boxed.solve(lcp, start, observer));
         let is_lost = |first: &Solution| {
             PIVOTING.contains(&name) && !matches!(first.status, Status::Solved | Status::Stopped)
         };
         if let Some(first) = first.as_ref().filter(|first| !is_lost(first)) {
-            return (name, first.clone());
+            return (name.into(), first.clone());
         }
         let options = Options { settings: settings(self.scene), ..Options::default() };
         let tried = first.as_ref().map_or("", |_| name);
         let next = solve_boxed_without(tried, lcp, start, &options, observer);
         match (next.solution.status.clone(), first) {
             (Status::Solved | Status::Stopped | Status::NoSolution, _) | (_, None) => {
-                (next.solver, next.solution)
+                (next.solver.into(), next.solution)
             }
-            (_, Some(first)) => (name, first),
+            (_, Some(first)) => (name.into(), first),
         }
+    }
+
+    /// Whether the solver is made for a friction model; one of which nothing is known is thought to
+    /// be.
+    fn takes(&self, model: Model) -> bool {
+        self.entry.is_none_or(|entry| Method::Boxed(entry.clone()).takes(Some(model)))
+    }
+
+    /// Whether the solver is made for A, or A is symmetric, which all are.
+    fn suits(&self, lcp: &Lcp) -> bool {
+        use MatrixClass::{Definite, Semidefinite};
+        let class = self.entry.map(|entry| entry.class.matrix);
+        lcp.matrix().is_nearly_symmetric() || !matches!(class, Some(Definite | Semidefinite))
     }
 }
 
 /// Methods that end at a solution or nowhere. Others come nearer with every sweep, and where they
 /// end early that is what a user wants to see.
-const PIVOTING: [&str; 4] = ["dantzig", "block-pivoting", "murty", "lemke"];
+const PIVOTING: [&str; 4] = [Dantzig::NAME, BlockPivoting::NAME, Murty::NAME, Lemke::NAME];
 
 /// With more contacts than these, pivoting a polygon's LCP takes longer than sweeps.
 const FEW_CONTACTS: usize = 8;
@@ -94,7 +105,7 @@ const FEW_CONTACTS: usize = 8;
 const SOFTENINGS: [f64; 3] = [1e-12, 1e-10, 1e-9];
 
 /// An answer, and who gave it.
-type NamedSolution = (&'static str, Solution);
+pub(super) type NamedSolution = (String, Solution);
 /// A way to get one.
 type Attempt<'a> = &'a dyn Fn(&mut dyn Observer) -> NamedSolution;
 
@@ -107,13 +118,13 @@ fn by_polygons(
     start: &Start<'_>,
     settings: &Settings,
     observer: &mut dyn Observer,
-) -> (&'static str, Solution) {
+) -> NamedSolution {
     let tolerance = settings.tolerance;
     let sweeps = PolygonPgs { settings: settings.clone() };
     let swept: Attempt<'_> =
-        &|observer| (PolygonPgs::NAME, sweeps.solve(polyhedral, start, observer));
+        &|observer| (PolygonPgs::NAME.into(), sweeps.solve(polyhedral, start, observer));
     let pivoted: Attempt<'_> = &|observer| {
-        (solver.name(), solve_polyhedral(solver, polyhedral, start, tolerance, observer))
+        (solver.name().into(), solve_polyhedral(solver, polyhedral, start, tolerance, observer))
     };
     let has_few = polyhedral.friction().contacts().len() <= FEW_CONTACTS;
     let [one, other] = if has_few { [pivoted, swept] } else { [swept, pivoted] };
@@ -136,20 +147,7 @@ fn by_polygons(
         let solution = || Solution::new(lcp, x, Status::Solved, iterations);
         solves.then(|| solution().with_fallback(Some(Fallback::Softened)))
     });
-    again.map_or(first, |answer| (solver.name(), answer))
-}
-
-/// Whether a solver is made for a friction model; one that is not registered is thought to be.
-fn takes(solver: &dyn Solver, model: Model) -> bool {
-    let entry = lcplab_solver::entry(solver.name());
-    entry.map_or(true, |entry| Method::Boxed(*entry).takes(Some(model)))
-}
-
-/// Whether a solver is made for A, or A is symmetric, which all are.
-fn suits(solver: &dyn Solver, lcp: &Lcp) -> bool {
-    use MatrixClass::{Definite, Semidefinite};
-    let class = lcplab_solver::entry(solver.name()).ok().map(|entry| entry.class.matrix);
-    lcp.matrix().is_nearly_symmetric() || !matches!(class, Some(Definite | Semidefinite))
+    again.map_or(first, |answer| (solver.name().into(), answer))
 }
 
 /// The scene's settings of solvers.

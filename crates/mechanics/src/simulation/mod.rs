@@ -53,7 +53,7 @@ use crate::scene::{DetectedContact, Detector, Passage, Scene, step_contacts};
 use answering::Solvers;
 use impact_energy::SpreadImpacts;
 use interpenetration::Overlaps;
-use lcplab_solver::{Apgd, ConeSolver, Observer, Solver, Status, Stop};
+use lcplab_solver::{Apgd, ConeSolver, Entry, Observer, Registry, Solver, Status, Stop};
 use slip::Totals;
 use solving::{Memory, Solving};
 use turned::NormalShifts;
@@ -65,10 +65,10 @@ const DIVERGED: f64 = 1e8;
 ///
 /// ```
 /// use lcplab_mechanics::{scene::Scene, simulation::Simulation};
-/// use lcplab_solver::{Options, by_name};
+/// use lcplab_solver::Dantzig;
 ///
-/// let solver = by_name("dantzig", &Options::default())?;
-/// let mut simulation = Simulation::new(Scene::load("fig7")?, solver);
+/// let solver = Dantzig::default();
+/// let mut simulation = Simulation::new(Scene::load("fig7")?, Box::new(solver));
 /// let step = simulation.step().expect("a step that can be taken");
 /// assert_eq!(step.solves[0].solution.x, [4.0, 3.0, 1.0]); // N s, from the ground up
 /// # Ok::<(), lcplab_problem::error::Error>(())
@@ -76,6 +76,8 @@ const DIVERGED: f64 = 1e8;
 pub struct Simulation {
     scene: Scene,
     solver: Box<dyn Solver>,
+    /// What the solver is made for; `None` if that is not known.
+    entry: Option<Entry>,
     cone_solver: Box<dyn ConeSolver>,
     states: Vec<State>,
     steps: usize,
@@ -86,6 +88,11 @@ pub struct Simulation {
     unfinished: Vec<Solve>,
     /// Takes the steps of a scene with a fixed number of sweeps.
     stepper: Option<Box<Stepper>>,
+}
+
+/// The entry of a solver of the library.
+fn built_in(solver: &dyn Solver) -> Option<Entry> {
+    Registry::standard().entry(solver.name()).ok().cloned()
 }
 
 impl Simulation {
@@ -99,6 +106,7 @@ impl Simulation {
         overlaps.update(&scene, &states, detector.find(&scene, &states, 0.0));
         Simulation {
             scene,
+            entry: built_in(&*solver),
             solver,
             cone_solver,
             states,
@@ -120,6 +128,7 @@ impl Simulation {
     /// From now on its problems are solved by this one.
     pub fn solve_by(&mut self, solver: Box<dyn Solver>) {
         self.stepper = None;
+        self.entry = built_in(&*solver);
         self.solver = solver;
     }
 
@@ -203,6 +212,7 @@ impl Simulation {
             from,
             solvers: Solvers {
                 boxed: self.solver.as_ref(),
+                entry: self.entry.as_ref(),
                 cone: self.cone_solver.as_ref(),
                 scene,
             },

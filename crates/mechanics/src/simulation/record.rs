@@ -106,7 +106,7 @@ pub struct Solve {
     pub start: Vec<f64>,
     /// The name of the solver that gave the answer: another than the simulation's where that one is
     /// not made for the problem; "none" where no solver was asked.
-    pub solver: &'static str,
+    pub solver: String,
     /// The answer.
     pub solution: Solution,
     /// The factor from x to the impulse that acted in the step: 1 for impulses and corrections, the

@@ -96,7 +96,7 @@ impl Solving<'_> {
             problem,
             posing: None,
             start: x,
-            solver: "none",
+            solver: "none".into(),
             solution,
             impulse_factor: 1.0,
         }))

@@ -1,14 +1,11 @@
 //! A simulation as its scene states it: which solver, with which settings.
 
 use lcplab_problem::error::{Error, Result};
-use lcplab_solver::{Damping, Dantzig, Method, Options, Settings, Solver, by_name, nameable};
+use lcplab_solver::{Damping, Dantzig, Entry, Method, Options, Settings, Solver};
 
 use super::{Simulation, Step};
 use crate::formulation::Problem;
 use crate::scene::{Scene, Scheme};
-
-/// The solver that finds a step's problem where the solver does not matter.
-const STEPPER: &str = "dantzig";
 
 /// The options that a scene states for its solver.
 pub fn options(scene: &Scene) -> Options {
@@ -28,13 +25,20 @@ pub fn options(scene: &Scene) -> Options {
 /// # Errors
 /// If there is none of that name, or it solves only friction cones.
 pub fn solver(scene: &Scene) -> Result<Box<dyn Solver>> {
+    Ok(entry(scene)?.build(&options(scene)))
+}
+
+/// The entry of the solver for LCPs that a scene states, for which its options are valid.
+fn entry(scene: &Scene) -> Result<&Entry> {
     let name = &scene.solver.name;
-    let mut named = nameable().into_iter().filter(|method| method.name() == *name).peekable();
-    if named.peek().is_some() && named.all(|method| matches!(method, Method::Cone(_))) {
+    let mut named = scene.solvers.all().filter(|method| method.name() == *name).peekable();
+    if named.peek().is_some() && named.all(|method| method.boxed().is_none()) {
         let reason = format!("{name} supports only friction cones, not {}", scene.contact.model);
         return Err(Error::invalid(&*scene.name, "solver.name", reason));
     }
-    by_name(&scene.solver.name, &options(scene)).map_err(|error| error.within(&scene.name))
+    let within = |error: Error| error.within(&scene.name);
+    options(scene).validate().map_err(within)?;
+    scene.solvers.entry(name).map_err(within)
 }
 
 impl Simulation {
@@ -55,10 +59,10 @@ impl Simulation {
     pub fn of(scene: &Scene) -> Result<Self> {
         let model = scene.contact.model;
         let is_stated =
-            |method: &Method| method.takes(Some(model)) && method.name() == scene.solver.name;
-        match nameable().into_iter().find(is_stated) {
-            Some(method @ Method::Cone(_)) => Ok(Simulation::by(scene, &method)),
-            _ => Ok(Simulation::new(scene.clone(), solver(scene)?)),
+            |method: &&Method| method.takes(Some(model)) && method.name() == scene.solver.name;
+        match scene.solvers.all().find(is_stated) {
+            Some(method @ Method::Cone(_)) => Ok(Simulation::by(scene, method)),
+            _ => Ok(Simulation::by(scene, &Method::Boxed(entry(scene)?.clone()))),
         }
     }
 
@@ -67,10 +71,13 @@ impl Simulation {
     pub fn by(scene: &Scene, method: &Method) -> Self {
         let options = options(scene);
         match method {
-            Method::Boxed(entry) => Simulation::new(scene.clone(), (entry.build)(&options)),
+            Method::Boxed(entry) => Simulation {
+                entry: Some(entry.clone()),
+                ..Simulation::new(scene.clone(), entry.build(&options))
+            },
             Method::Cone(entry) => {
                 let boxed = Box::new(Dantzig { settings: options.settings.clone() });
-                let cone_solver = (entry.build)(&options.settings);
+                let cone_solver = entry.build(&options.settings);
                 Simulation::new(scene.clone(), boxed).with_cone_solver(cone_solver)
             }
         }
@@ -83,7 +90,8 @@ impl Step {
     /// # Errors
     /// If the simulation fails before.
     pub fn of(scene: &Scene, number: usize) -> Result<Self> {
-        let mut simulation = Simulation::new(scene.clone(), by_name(STEPPER, &options(scene))?);
+        let stepper = Dantzig { settings: options(scene).settings };
+        let mut simulation = Simulation::new(scene.clone(), Box::new(stepper));
         let refused =
             |reason: String| Error::invalid(&*scene.name, format!("step {number}"), reason);
         let mut last = None;

@@ -10,13 +10,10 @@ use crate::body::{Mass, State};
 use crate::formulation::Problem;
 use crate::scene::{DetectedContact, Scene};
 use lcplab_problem::error;
-use lcplab_solver::{Solution, Status};
+use lcplab_solver::{Pgs, Solution, Status};
 
 /// With more moving bodies than these, pairs that share no body are swept eight at a time.
 const FEW_BODIES: usize = 32;
-
-/// The name of the solver in the steps' solves.
-const SOLVER: &str = "pgs";
 
 /// What a step of sweeps started from, and its impulses.
 #[derive(Debug, Clone)]
@@ -137,7 +134,7 @@ impl Swept {
                 problem: problem.clone(),
                 posing: None,
                 start: start.clone(),
-                solver: SOLVER,
+                solver: Pgs::NAME.into(),
                 solution,
                 impulse_factor: 1.0,
             });

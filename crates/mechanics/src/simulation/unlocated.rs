@@ -114,6 +114,7 @@ fn alone(scene: &Scene, states: &[State], row: &Row) -> Option<Scene> {
         pairs: surface.into_iter().collect(),
         constraints: Vec::new(),
         memory: scene.memory,
+        solvers: scene.solvers.clone(),
     })
 }
 

@@ -9,7 +9,7 @@ use lcplab_mechanics::formulation::Problem;
 use lcplab_mechanics::scene::{Scene, step_contacts};
 use lcplab_mechanics::simulation::Simulation;
 use lcplab_problem::Lcp;
-use lcplab_solver::{Fallback, Options, Settings, Solution, Start, Status, by_name};
+use lcplab_solver::{Fallback, Options, Registry, Settings, Solution, Start, Status};
 
 const TOLERANCE: f64 = 1e-10;
 
@@ -72,7 +72,8 @@ fn wall(layers: usize, ratio: f64, mu: f64) -> Scene {
 /// The LCP of the next step after some steps, so that the positions of the corners have rounding
 /// errors.
 fn last(scene: Scene, copies: Copies) -> Lcp {
-    let mut simulation = Simulation::new(scene, by_name("dantzig", &options()).unwrap());
+    let mut simulation =
+        Simulation::new(scene, Registry::standard().entry("dantzig").unwrap().build(&options()));
     for _ in 0..3 {
         simulation.step().unwrap();
     }
@@ -97,7 +98,11 @@ fn last(scene: Scene, copies: Copies) -> Lcp {
 /// The answer of a solver; if it claims a solution, the judge must accept it.
 #[track_caller]
 fn honest(name: &str, lcp: &Lcp) -> Solution {
-    let solution = by_name(name, &options()).unwrap().solve(lcp, &Start::default(), &mut ());
+    let solution = Registry::standard().entry(name).unwrap().build(&options()).solve(
+        lcp,
+        &Start::default(),
+        &mut (),
+    );
     let demand = Demand { tolerance: TOLERANCE, prove_up_to: 0 };
     let certificate = judge(lcp, &solution.x, &demand);
     assert!(solution.x.iter().all(|x| x.is_finite()), "{name}");

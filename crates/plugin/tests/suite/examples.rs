@@ -7,10 +7,10 @@ use lcplab_judge::{Demand, judge_cone};
 use lcplab_plugin::Plugin;
 use lcplab_problem::friction::{ConeProblem, Law};
 use lcplab_problem::library;
-use lcplab_solver::{Settings, Start, Status, added_cones};
+use lcplab_solver::{Settings, Start, Status};
 use lcplab_testing::{contacts, pushed_mass};
 
-use super::{LONG, pushed, solve, start};
+use super::{LONG, cone_entry, pushed, solve, start};
 
 fn example(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/plugins").join(name)
@@ -65,8 +65,8 @@ fn forty_lines_of_c_plus_plus_are_a_solver() {
 #[test]
 fn sixty_lines_of_python_are_a_solver_of_friction_cones() {
     let plugin = start(&example("cones.py"), LONG);
-    let entry = added_cones().into_iter().find(|entry| entry.name == plugin.name()).unwrap();
-    let solver = (entry.build)(&Settings::default());
+    let entry = cone_entry(&plugin).unwrap();
+    let solver = entry.build(&Settings::default());
     // A unit mass, pressed with 2 and pushed with 3, µ = ½: friction takes 1 of the push, along it.
     for degrees in [0.0_f64, 10.0, -45.0, 90.0, 200.0] {
         let problem = ConeProblem::new(pushed_mass(2.0, 3.0, degrees), Law::Coulomb);

@@ -10,7 +10,7 @@ use std::time::Duration;
 use lcplab_judge::{Certificate, Demand, judge};
 use lcplab_plugin::Plugin;
 use lcplab_problem::Lcp;
-use lcplab_solver::{Options, Solution, Start, by_name};
+use lcplab_solver::{ConeEntry, Entry, Method, Options, Solution, Start};
 use lcplab_testing::contacts;
 
 /// Long enough for any answer here, beside other work.
@@ -58,8 +58,20 @@ fn start(file: &Path, limit: Duration) -> Plugin {
     Plugin::start(&format!("python3 '{}'", file.display()), limit.as_secs_f64()).unwrap()
 }
 
+/// Its methods for boxes and for cones.
+fn entry(plugin: &Plugin) -> &Entry {
+    plugin.methods().iter().find_map(Method::boxed).unwrap()
+}
+
+fn cone_entry(plugin: &Plugin) -> Option<&ConeEntry> {
+    plugin.methods().iter().find_map(|method| match method {
+        Method::Cone(entry) => Some(entry),
+        Method::Boxed(_) => None,
+    })
+}
+
 fn solve(plugin: &Plugin, lcp: &Lcp) -> (Solution, Certificate) {
-    let solver = by_name(plugin.name(), &Options::default()).unwrap();
+    let solver = entry(plugin).build(&Options::default());
     let solution = solver.solve(lcp, &Start::default(), &mut ());
     let certificate = judge(lcp, &solution.x, &Demand::default());
     (solution, certificate)

@@ -4,13 +4,11 @@ use std::time::Duration;
 
 use lcplab_plugin::{Declaration, Plugin};
 use lcplab_problem::friction::{ConeProblem, Law};
-use lcplab_solver::{
-    ConeEntry, MatrixClass, Options, Settings, Start, Status, added_cones, by_name, entry,
-};
+use lcplab_solver::{MatrixClass, Options, Registry, Settings, Start, Status};
 use lcplab_testing::{Iterates, pushed_mass};
 use serde_json::Value;
 
-use super::{LONG, Script, pushed, solve};
+use super::{LONG, Script, cone_entry, entry, pushed, solve};
 
 /// A script that names models in its first answer and keeps the problem that comes after it.
 fn naming(name: &str, models: &str) -> Script {
@@ -22,18 +20,14 @@ fn naming(name: &str, models: &str) -> Script {
     Script::new(name, &lines)
 }
 
-fn cone_entry(name: &str) -> Option<ConeEntry> {
-    added_cones().into_iter().find(|entry| entry.name == name)
-}
-
 #[test]
 fn a_plug_in_that_names_a_cone_gets_its_model_and_its_contacts() {
     let script = naming("says_cones", "['coulomb-cone', 'coupled-box']");
     let plugin = script.start(LONG);
-    let entry = cone_entry(plugin.name()).expect("a solver of cones");
-    assert_eq!(entry.laws, [Law::Coulomb]);
+    let entry = cone_entry(&plugin).expect("a solver of cones");
+    assert_eq!(*entry.laws, [Law::Coulomb]);
     let problem = ConeProblem::new(pushed_mass(2.0, 3.0, 30.0), Law::Coulomb);
-    let solution = (entry.build)(&Settings::default()).solve(&problem, &Start::default(), &mut ());
+    let solution = entry.build(&Settings::default()).solve(&problem, &Start::default(), &mut ());
     assert_eq!((solution.x, solution.status), (vec![1.0, 0.0, 0.0], Status::Solved));
     let told = std::fs::read_to_string(script.path("says_cones.py.json")).unwrap();
     let told: Value = serde_json::from_str(&told).unwrap();
@@ -48,8 +42,8 @@ fn a_plug_in_that_names_no_cone_gets_none() {
     let script = naming("boxes", "['coupled-box']");
     let silent = Script::answering("silent", "print('{\"x\": [0, 0]}', flush=True)");
     for plugin in [script.start(LONG), silent.start(LONG)] {
-        assert!(cone_entry(plugin.name()).is_none(), "{}", plugin.name());
-        assert!(entry(plugin.name()).is_ok());
+        assert!(cone_entry(&plugin).is_none(), "{}", plugin.name());
+        assert_eq!(entry(&plugin).name, plugin.name());
     }
 }
 
@@ -99,7 +93,7 @@ fn a_plug_in_receives_the_problem_and_the_demands() {
     );
     let plugin = script.start(Duration::from_secs(7));
     let settings = Settings { tolerance: 1e-9, max_iterations: 50, ..Settings::default() };
-    let solver = by_name("echo", &Options { settings, ..Options::default() }).unwrap();
+    let solver = entry(&plugin).build(&Options { settings, ..Options::default() });
     let solution = solver.solve(&pushed(), &Start::at(&[1.0, 2.0]), &mut ());
     assert_eq!((solution.x, solution.status), (vec![0.5, 0.0], Status::Solved));
     let told = std::fs::read_to_string(script.path("echo.py.json")).unwrap();
@@ -160,7 +154,7 @@ fn iterates_are_seen_as_those_of_any_solver() {
     let script = Script::answering("iterates", answer);
     let plugin = script.start(LONG);
     let mut seen = Iterates::default();
-    let solver = by_name(plugin.name(), &Options::default()).unwrap();
+    let solver = entry(&plugin).build(&Options::default());
     let solution = solver.solve(&pushed(), &Start::default(), &mut seen);
     assert_eq!(seen.0, [vec![0.0, 0.0], vec![1.0, 1.0], vec![0.5, 0.0]]);
     assert_eq!(solution.iterations, 2);
@@ -171,7 +165,7 @@ fn an_answer_without_iterates_is_one_iteration() {
     let script = Script::answering("answer", "print('{\"x\": [0.5, 0]}', flush=True)");
     let plugin = script.start(LONG);
     let mut seen = Iterates::default();
-    let solver = by_name(plugin.name(), &Options::default()).unwrap();
+    let solver = entry(&plugin).build(&Options::default());
     assert_eq!(solver.solve(&pushed(), &Start::default(), &mut seen).iterations, 1);
     assert_eq!(seen.0, [vec![0.0, 0.0], vec![0.5, 0.0]]);
 }
@@ -185,7 +179,7 @@ fn a_declared_plug_in_has_a_class_and_receives_its_settings() {
         serde_json::json!({ "command": command, "class": "definite", "settings": { "root": 3 } });
     let declaration: Declaration = serde_json::from_value(json).unwrap();
     let plugin = Plugin::declared("told", &declaration).unwrap();
-    assert_eq!(entry("told").unwrap().class.matrix, MatrixClass::Definite);
+    assert_eq!(entry(&plugin).class.matrix, MatrixClass::Definite);
     assert_eq!(solve(&plugin, &pushed()).0.x, [3.0, 3.0]);
     let wrong = Declaration { class: Some("nice".into()), ..declaration };
     let refusal = Plugin::declared("wrong", &wrong).unwrap_err().to_string();
@@ -229,9 +223,9 @@ fn a_command_that_cannot_be_a_plug_in_is_refused_in_a_line() {
     assert_eq!(refusal("pgs=cat"), "plug-in pgs: start: its answer has no \"x\"");
     let dumb = Script::answering("dantzig", "pass");
     let dantzig = format!("python3 '{}'", dumb.path("dantzig.py").display());
-    let named = Plugin::start(&dantzig, LONG.as_secs_f64());
+    let named = Plugin::start(&dantzig, LONG.as_secs_f64()).unwrap();
     assert_eq!(
-        named.unwrap_err().to_string(),
+        named.add_to(&mut Registry::default()).unwrap_err().to_string(),
         "solvers: name: there is a solver named \"dantzig\" already"
     );
 }

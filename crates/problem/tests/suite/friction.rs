@@ -6,7 +6,7 @@ use lcplab_problem::friction::{
     ConeProblem, Contact, FrictionProblem, Law, Model, Polyhedral, ProblemForm, project,
 };
 use lcplab_problem::{Complementarity, Coupling, Lcp, Question, merit};
-use lcplab_solver::{Settings, Start, Status, cone_by_name};
+use lcplab_solver::{Apgd, ConeSolver, Settings, Start, Status};
 use proptest::prelude::*;
 
 use lcplab_testing::{INF, boxed, cases, contacts, pushed_mass, rubbing};
@@ -251,8 +251,8 @@ proptest! {
     ) {
         let coulomb = ConeProblem::new(problem, Law::Coulomb);
         let settings = Settings { tolerance: 1e-12, ..Settings::default() };
-        let solver = cone_by_name("apgd", &settings).unwrap();
-        let solution = solver.solve(&coulomb, &Start::default(), &mut ());
+        let solver = Apgd { settings };
+        let solution = ConeSolver::solve(&solver, &coulomb, &Start::default(), &mut ());
         if solution.status == Status::Solved {
             let frozen = coulomb.frozen_at(&solution.x);
             prop_assert!(frozen.scaled_residual(&solution.x) < 1e-10);

@@ -5,7 +5,7 @@ use lcplab_judge::ray::refute;
 use lcplab_problem::Lcp;
 use lcplab_problem::file::{Expected, Problem};
 use lcplab_problem::library;
-use lcplab_solver::{Options, Start, Status, all_solutions, by_name};
+use lcplab_solver::{Options, Registry, Start, Status, all_solutions};
 use nalgebra::{Matrix2, Vector2, Vector3};
 
 use lcplab_testing::assert_proved;
@@ -85,13 +85,13 @@ fn the_inconsistent_rod_is_refuted_by_a_farkas_vector_and_no_other_is() {
     assert_eq!(refuted(&[("mu", 1.0)]), None);
     assert_eq!(refuted(&[("spin", 2.0)]), None);
     let lcp = make("painleve", &[]).lcp;
-    let exact = by_name("enumeration", &Options::default()).unwrap();
+    let exact = Registry::standard().entry("enumeration").unwrap().build(&Options::default());
     assert_eq!(exact.solve(&lcp, &Start::default(), &mut ()).status, Status::NoSolution);
 }
 
 /// x_n and x_t = β_1 − β_3 of Lemke's answer, which the judge proves.
 fn impulse(lcp: &Lcp) -> [f64; 2] {
-    let lemke = by_name("lemke", &Options::default()).unwrap();
+    let lemke = Registry::standard().entry("lemke").unwrap().build(&Options::default());
     let z = lemke.solve(lcp, &Start::default(), &mut ()).x;
     assert_proved(lcp, &z);
     [z[0], z[1] - z[3]]

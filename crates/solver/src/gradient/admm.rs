@@ -51,9 +51,14 @@ impl Default for Admm {
     }
 }
 
+impl Admm {
+    /// Its name in the registry.
+    pub const NAME: &'static str = "admm";
+}
+
 impl Solver for Admm {
-    fn name(&self) -> &'static str {
-        "admm"
+    fn name(&self) -> &str {
+        Admm::NAME
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {

@@ -39,9 +39,14 @@ pub struct AndersonPgs {
     pub settings: Settings,
 }
 
+impl AndersonPgs {
+    /// Its name in the registry.
+    pub const NAME: &'static str = "anderson-pgs";
+}
+
 impl Solver for AndersonPgs {
-    fn name(&self) -> &'static str {
-        "anderson-pgs"
+    fn name(&self) -> &str {
+        AndersonPgs::NAME
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {

@@ -42,9 +42,14 @@ pub struct Apgd {
     pub settings: Settings,
 }
 
+impl Apgd {
+    /// Its name in the registry.
+    pub const NAME: &'static str = "apgd";
+}
+
 impl Solver for Apgd {
-    fn name(&self) -> &'static str {
-        "apgd"
+    fn name(&self) -> &str {
+        Apgd::NAME
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
@@ -53,8 +58,8 @@ impl Solver for Apgd {
 }
 
 impl ConeSolver for Apgd {
-    fn name(&self) -> &'static str {
-        "apgd"
+    fn name(&self) -> &str {
+        Apgd::NAME
     }
 
     fn solve(

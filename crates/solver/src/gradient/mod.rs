@@ -19,6 +19,9 @@ pub use mprgp::Mprgp;
 pub use nncg::Nncg;
 pub use spectral::Spectral;
 
+use std::borrow::Cow;
+
+use crate::registry::Build;
 use crate::{Class, Cost, Entry, Group, MatrixClass};
 
 /// The class of problems for these methods.
@@ -27,59 +30,61 @@ const CLASS: Class = Class::of(MatrixClass::Semidefinite).with_positive_diagonal
 const PRODUCTS: Cost = Cost::each("2 s + 5 n", |i| 2.0 * i.stored + 5.0 * i.n);
 
 /// The methods of this group.
-pub const ENTRIES: &[Entry] = &[
+pub(crate) static ENTRIES: &[Entry] = &[
     Entry {
-        name: "nncg",
+        name: Cow::Borrowed(Nncg::NAME),
         method: "nonsmooth nonlinear conjugate gradients around PGS, iterative",
         class: CLASS,
         group: Group::FirstOrder,
         cost: Cost::each("s + 5 n", |i| i.stored + 5.0 * i.n),
         source: "Silcowitz, Niebe & Erleben 2010",
         uses: &[],
-        build: &|options| Box::new(Nncg { settings: options.settings.clone() }),
+        build: Build::Function(|options| Box::new(Nncg { settings: options.settings.clone() })),
     },
     Entry {
-        name: "anderson-pgs",
+        name: Cow::Borrowed(AndersonPgs::NAME),
         method: "PGS with Anderson acceleration over five sweeps, iterative",
         class: CLASS,
         group: Group::FirstOrder,
         cost: Cost::each("3 s + 35 n", |i| 3.0 * i.stored + 35.0 * i.n),
         source: "Anderson 1965; Walker & Ni 2011",
         uses: &[],
-        build: &|options| Box::new(AndersonPgs { settings: options.settings.clone() }),
+        build: Build::Function(|options| {
+            Box::new(AndersonPgs { settings: options.settings.clone() })
+        }),
     },
     Entry {
-        name: "mprgp",
+        name: Cow::Borrowed(Mprgp::NAME),
         method: "projected conjugate gradients with proportioning, iterative",
         class: CLASS,
         group: Group::FirstOrder,
         cost: PRODUCTS,
         source: "Dostál & Schöberl 2005",
         uses: &[],
-        build: &|options| Box::new(Mprgp { settings: options.settings.clone() }),
+        build: Build::Function(|options| Box::new(Mprgp { settings: options.settings.clone() })),
     },
     Entry {
-        name: "apgd",
+        name: Cow::Borrowed(Apgd::NAME),
         method: "accelerated projected gradients with restart, iterative",
         class: CLASS,
         group: Group::FirstOrder,
         cost: PRODUCTS,
         source: "Nesterov 1983; Mazhar, Heyn, Negrut & Tasora 2015",
         uses: &[],
-        build: &|options| Box::new(Apgd { settings: options.settings.clone() }),
+        build: Build::Function(|options| Box::new(Apgd { settings: options.settings.clone() })),
     },
     Entry {
-        name: "spectral",
+        name: Cow::Borrowed(Spectral::NAME),
         method: "projected gradients with Barzilai-Borwein steps, iterative",
         class: CLASS,
         group: Group::FirstOrder,
         cost: PRODUCTS,
         source: "Barzilai & Borwein 1988; Birgin, Martínez & Raydan 2000",
         uses: &[],
-        build: &|options| Box::new(Spectral { settings: options.settings.clone() }),
+        build: Build::Function(|options| Box::new(Spectral { settings: options.settings.clone() })),
     },
     Entry {
-        name: "admm",
+        name: Cow::Borrowed(Admm::NAME),
         method: "alternating direction method of multipliers, iterative",
         class: CLASS,
         group: Group::FirstOrder,
@@ -90,6 +95,8 @@ pub const ENTRIES: &[Entry] = &[
         },
         source: "Stellato, Banjac, Goulart, Bemporad & Boyd 2020",
         uses: &[],
-        build: &|options| Box::new(Admm { settings: options.settings.clone(), ..Admm::default() }),
+        build: Build::Function(|options| {
+            Box::new(Admm { settings: options.settings.clone(), ..Admm::default() })
+        }),
     },
 ];

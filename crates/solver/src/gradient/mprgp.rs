@@ -35,9 +35,14 @@ pub struct Mprgp {
     pub settings: Settings,
 }
 
+impl Mprgp {
+    /// Its name in the registry.
+    pub const NAME: &'static str = "mprgp";
+}
+
 impl Solver for Mprgp {
-    fn name(&self) -> &'static str {
-        "mprgp"
+    fn name(&self) -> &str {
+        Mprgp::NAME
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {

@@ -35,9 +35,14 @@ pub struct Nncg {
     pub settings: Settings,
 }
 
+impl Nncg {
+    /// Its name in the registry.
+    pub const NAME: &'static str = "nncg";
+}
+
 impl Solver for Nncg {
-    fn name(&self) -> &'static str {
-        "nncg"
+    fn name(&self) -> &str {
+        Nncg::NAME
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {

@@ -45,9 +45,14 @@ pub struct Spectral {
     pub settings: Settings,
 }
 
+impl Spectral {
+    /// Its name in the registry.
+    pub const NAME: &'static str = "spectral";
+}
+
 impl Solver for Spectral {
-    fn name(&self) -> &'static str {
-        "spectral"
+    fn name(&self) -> &str {
+        Spectral::NAME
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {

@@ -12,6 +12,9 @@ pub use equations::Equations;
 pub use interior_point::InteriorPoint;
 pub use semismooth::Newton;
 
+use std::borrow::Cow;
+
+use crate::registry::Build;
 use crate::{Class, Cost, Entry, Event, Group, MatrixClass, Options, Solver};
 
 /// The class of the methods that divide by the diagonal of A.
@@ -30,36 +33,38 @@ const LEAST_SQUARES: Cost =
     });
 
 /// The methods of this group.
-pub const ENTRIES: &[Entry] = &[
+pub(crate) static ENTRIES: &[Entry] = &[
     Entry {
-        name: "newton",
+        name: Cow::Borrowed(Newton::NAME),
         method: "Newton on the minimum map with a watchdog and line search, iterative",
         class: CLASS,
         group: Group::Newton,
         cost: CHOLESKY,
         source: "Pang 1990; Qi & Sun 1993",
         uses: &[],
-        build: &|options| newton(Equations::MinimumMap, options),
+        build: Build::Function(|options| newton(Equations::MinimumMap, options)),
     },
     Entry {
-        name: "fischer-newton",
+        name: Cow::Borrowed(Newton::FISCHER_BURMEISTER),
         method: "Newton on the Fischer-Burmeister equations with line search, iterative",
         class: Class::of(MatrixClass::P0).with_positive_diagonal(),
         group: Group::Newton,
         cost: LEAST_SQUARES,
         source: "Fischer 1992; De Luca, Facchinei & Kanzow 1996",
         uses: &[],
-        build: &|options| newton(Equations::FischerBurmeister, options),
+        build: Build::Function(|options| newton(Equations::FischerBurmeister, options)),
     },
     Entry {
-        name: "interior-point",
+        name: Cow::Borrowed(InteriorPoint::NAME),
         method: "primal-dual interior point, predictor-corrector, iterative",
         class: CLASS,
         group: Group::Newton,
         cost: Cost::each("n³/6 + 2 n² + s", |i| i.n.powi(3) / 6.0 + 2.0 * i.n * i.n + i.stored),
         source: "Mehrotra 1992",
         uses: &[],
-        build: &|options| Box::new(InteriorPoint { settings: options.settings.clone() }),
+        build: Build::Function(|options| {
+            Box::new(InteriorPoint { settings: options.settings.clone() })
+        }),
     },
 ];
 

@@ -95,11 +95,18 @@ pub struct Newton {
     pub settings: Settings,
 }
 
+impl Newton {
+    /// Its name in the registry, on the minimum map.
+    pub const NAME: &'static str = "newton";
+    /// Its name on the Fischer-Burmeister equations.
+    pub const FISCHER_BURMEISTER: &'static str = "fischer-newton";
+}
+
 impl Solver for Newton {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         match self.equations {
-            Equations::MinimumMap => "newton",
-            Equations::FischerBurmeister => "fischer-newton",
+            Equations::MinimumMap => Newton::NAME,
+            Equations::FischerBurmeister => Newton::FISCHER_BURMEISTER,
         }
     }
 

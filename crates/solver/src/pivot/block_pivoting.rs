@@ -45,9 +45,14 @@ impl Default for BlockPivoting {
     }
 }
 
+impl BlockPivoting {
+    /// Its name in the registry.
+    pub const NAME: &'static str = "block-pivoting";
+}
+
 impl Solver for BlockPivoting {
-    fn name(&self) -> &'static str {
-        "block-pivoting"
+    fn name(&self) -> &str {
+        BlockPivoting::NAME
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {

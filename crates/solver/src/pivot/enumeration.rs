@@ -27,9 +27,14 @@ pub struct Enumeration {
     pub settings: Settings,
 }
 
+impl Enumeration {
+    /// Its name in the registry.
+    pub const NAME: &'static str = "enumeration";
+}
+
 impl Solver for Enumeration {
-    fn name(&self) -> &'static str {
-        "enumeration"
+    fn name(&self) -> &str {
+        Enumeration::NAME
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {

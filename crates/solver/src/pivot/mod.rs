@@ -30,6 +30,9 @@ pub use lemke::Lemke;
 pub use murty::Murty;
 pub use variable::Variable;
 
+use std::borrow::Cow;
+
+use crate::registry::Build;
 use crate::{Class, Cost, Effort, Entry, Group, MatrixClass};
 
 /// One factorization of the free rows per exchange, and one for the first active set; an upper
@@ -52,58 +55,60 @@ fn lemke_pivot(i: &Effort<'_>) -> f64 {
 }
 
 /// The methods of this group.
-pub const ENTRIES: &[Entry] = &[
+pub(crate) static ENTRIES: &[Entry] = &[
     Entry {
-        name: "dantzig",
+        name: Cow::Borrowed(Dantzig::NAME),
         method: "Dantzig pivoting with updated LDLᵀ, finite",
         class: Class::of(MatrixClass::Semidefinite),
         group: Group::Pivoting,
         cost: Cost::each("n²/2", |i| i.n * i.n / 2.0),
         source: "Cottle & Dantzig 1968; Baraff 1994",
         uses: &[],
-        build: &|options| Box::new(Dantzig { settings: options.settings.clone() }),
+        build: Build::Function(|options| Box::new(Dantzig { settings: options.settings.clone() })),
     },
     Entry {
-        name: "lemke",
+        name: Cow::Borrowed(Lemke::NAME),
         method: "Lemke's complementary pivoting, lexicographic ties, finite",
         class: Class::of(MatrixClass::CopositivePlus),
         group: Group::Pivoting,
         cost: Cost::each("n (n + 2), half of it where A is symmetric", lemke_pivot),
         source: "Lemke 1965; Cottle, Pang & Stone 1992",
         uses: &[],
-        build: &|options| Box::new(Lemke { settings: options.settings.clone() }),
+        build: Build::Function(|options| Box::new(Lemke { settings: options.settings.clone() })),
     },
     Entry {
-        name: "murty",
+        name: Cow::Borrowed(Murty::NAME),
         method: "least-index principal pivoting, finite",
         class: Class::of(MatrixClass::P),
         group: Group::Pivoting,
         cost: ACTIVE_SET,
         source: "Murty 1974",
         uses: &[],
-        build: &|options| Box::new(Murty { settings: options.settings.clone() }),
+        build: Build::Function(|options| Box::new(Murty { settings: options.settings.clone() })),
     },
     Entry {
-        name: "block-pivoting",
+        name: Cow::Borrowed(BlockPivoting::NAME),
         method: "block principal pivoting, then Murty's rule (finite) or proximal steps",
         class: Class::of(MatrixClass::POrSemidefinite),
         group: Group::Pivoting,
         cost: ACTIVE_SET,
         source: "Kostreva 1978; Júdice & Pires 1994",
         uses: &[],
-        build: &|options| {
+        build: Build::Function(|options| {
             let settings = options.settings.clone();
             Box::new(BlockPivoting { settings, ..BlockPivoting::default() })
-        },
+        }),
     },
     Entry {
-        name: "enumeration",
+        name: Cow::Borrowed(Enumeration::NAME),
         method: "up to 65,536 active sets in exact arithmetic, finite",
         class: Class::of(MatrixClass::General),
         group: Group::Pivoting,
         cost: Cost::each("n³/3, of fractions", |i| i.n.powi(3) / 3.0),
         source: "the definition of a solution",
         uses: &[],
-        build: &|options| Box::new(Enumeration { settings: options.settings.clone() }),
+        build: Build::Function(|options| {
+            Box::new(Enumeration { settings: options.settings.clone() })
+        }),
     },
 ];

@@ -35,9 +35,14 @@ pub struct Murty {
     pub settings: Settings,
 }
 
+impl Murty {
+    /// Its name in the registry.
+    pub const NAME: &'static str = "murty";
+}
+
 impl Solver for Murty {
-    fn name(&self) -> &'static str {
-        "murty"
+    fn name(&self) -> &str {
+        Murty::NAME
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {

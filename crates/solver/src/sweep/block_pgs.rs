@@ -43,9 +43,14 @@ impl Default for BlockPgs {
     }
 }
 
+impl BlockPgs {
+    /// Its name in the registry.
+    pub const NAME: &'static str = "block-pgs";
+}
+
 impl Solver for BlockPgs {
-    fn name(&self) -> &'static str {
-        "block-pgs"
+    fn name(&self) -> &str {
+        BlockPgs::NAME
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {

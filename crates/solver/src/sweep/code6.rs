@@ -30,9 +30,14 @@ pub struct Code6 {
     pub settings: Settings,
 }
 
+impl Code6 {
+    /// Its name in the registry.
+    pub const NAME: &'static str = "code6";
+}
+
 impl Solver for Code6 {
-    fn name(&self) -> &'static str {
-        "code6"
+    fn name(&self) -> &str {
+        Code6::NAME
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {

@@ -34,9 +34,14 @@ pub struct ConePgs {
     pub settings: Settings,
 }
 
+impl ConePgs {
+    /// Its name in the registry.
+    pub const NAME: &'static str = "cone-pgs";
+}
+
 impl ConeSolver for ConePgs {
-    fn name(&self) -> &'static str {
-        "cone-pgs"
+    fn name(&self) -> &str {
+        ConePgs::NAME
     }
 
     fn solve(

@@ -55,9 +55,14 @@ impl Damping {
     }
 }
 
+impl Jacobi {
+    /// Its name in the registry.
+    pub const NAME: &'static str = "jacobi";
+}
+
 impl Solver for Jacobi {
-    fn name(&self) -> &'static str {
-        "jacobi"
+    fn name(&self) -> &str {
+        Jacobi::NAME
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {

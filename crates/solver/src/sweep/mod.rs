@@ -23,6 +23,9 @@ pub use order::Order;
 pub use pgs::Pgs;
 pub use polygon_pgs::PolygonPgs;
 
+use std::borrow::Cow;
+
+use crate::registry::Build;
 use crate::{Choice, Class, Cost, Entry, Group, MatrixClass, Options, Solver};
 
 /// The class of the methods that divide by the diagonal of A.
@@ -31,83 +34,83 @@ const CLASS: Class = Class::of(MatrixClass::Semidefinite).with_positive_diagonal
 const SWEEP: Cost = Cost::each("s + n", |i| i.stored + i.n);
 
 /// The methods of this group.
-pub const ENTRIES: &[Entry] = &[
+pub(crate) static ENTRIES: &[Entry] = &[
     Entry {
-        name: "pgs",
+        name: Cow::Borrowed(Pgs::NAME),
         method: "projected Gauss-Seidel, iterative",
         class: CLASS,
         group: Group::Sweeps,
         cost: SWEEP,
         source: "K&M (2), (3); Cryer 1971",
         uses: &[Choice::Order],
-        build: &|options| relaxation(1.0, options.order, options),
+        build: Build::Function(|options| relaxation(1.0, options.order, options)),
     },
     Entry {
-        name: "sor",
+        name: Cow::Borrowed(Pgs::RELAXED),
         method: "projected successive over-relaxation, 0 < ω < 2, iterative",
         class: CLASS,
         group: Group::Sweeps,
         cost: SWEEP,
         source: "Cryer 1971; Luo & Tseng 1991",
         uses: &[Choice::Omega, Choice::Order],
-        build: &|options| relaxation(options.omega, options.order, options),
+        build: Build::Function(|options| relaxation(options.omega, options.order, options)),
     },
     Entry {
-        name: "ssor",
+        name: Cow::Borrowed(Pgs::SYMMETRIC),
         method: "projected symmetric SOR, sweeps forward and backward, 0 < ω < 2, iterative",
         class: CLASS,
         group: Group::Sweeps,
         cost: Cost::each("2 (s + n)", |i| 2.0 * (i.stored + i.n)),
         source: "Sheldon 1955; Mangasarian 1977",
         uses: &[Choice::Omega],
-        build: &|options| relaxation(options.omega, Order::Symmetric, options),
+        build: Build::Function(|options| relaxation(options.omega, Order::Symmetric, options)),
     },
     Entry {
-        name: "red-black",
+        name: Cow::Borrowed(Pgs::COLORED),
         method: "projected Gauss-Seidel, color by color, iterative",
         class: CLASS,
         group: Group::Sweeps,
         cost: SWEEP,
         source: "Young 1950",
         uses: &[],
-        build: &|options| relaxation(1.0, Order::Colored, options),
+        build: Build::Function(|options| relaxation(1.0, Order::Colored, options)),
     },
     Entry {
-        name: "jacobi",
+        name: Cow::Borrowed(Jacobi::NAME),
         method: "projected Jacobi, with safe damping by default, iterative",
         class: CLASS,
         group: Group::Sweeps,
         cost: SWEEP,
         source: "Goldstein 1964; Mangasarian 1977",
         uses: &[Choice::Damping],
-        build: &|options| {
+        build: Build::Function(|options| {
             Box::new(Jacobi { damping: options.damping, settings: options.settings.clone() })
-        },
+        }),
     },
     Entry {
-        name: "block-pgs",
+        name: Cow::Borrowed(BlockPgs::NAME),
         method: "projected Gauss-Seidel by contacts and joints, iterative",
         class: Class::of(MatrixClass::Semidefinite),
         group: Group::Sweeps,
         cost: Cost::each("s + 10 n", |i| i.stored + 10.0 * i.n),
         source: "Luo & Tseng 1992",
         uses: &[],
-        build: &|options| {
+        build: Build::Function(|options| {
             Box::new(BlockPgs { settings: options.settings.clone(), ..BlockPgs::default() })
-        },
+        }),
     },
 ];
 
 /// Known-wrong variants, kept for comparison with the correct methods.
-pub const KNOWN_WRONG: &[Entry] = &[Entry {
-    name: "code6",
+pub static KNOWN_WRONG: &[Entry] = &[Entry {
+    name: Cow::Borrowed(Code6::NAME),
     method: "the chapter's Code 6: Gauss-Seidel, clamped after the whole sweep",
     class: Class { bounds: false, coupling: false, ..CLASS },
     group: Group::Sweeps,
     cost: SWEEP,
     source: "K&M Code 6, E06",
     uses: &[],
-    build: &|options| Box::new(Code6 { settings: options.settings.clone() }),
+    build: Build::Function(|options| Box::new(Code6 { settings: options.settings.clone() })),
 }];
 
 fn relaxation(omega: f64, order: Order, options: &Options) -> Box<dyn Solver> {

@@ -43,13 +43,24 @@ impl Default for Pgs {
     }
 }
 
+impl Pgs {
+    /// The name of projected Gauss-Seidel in the registry.
+    pub const NAME: &'static str = "pgs";
+    /// The name with ω ≠ 1: projected successive over-relaxation.
+    pub const RELAXED: &'static str = "sor";
+    /// The name with sweeps there and back.
+    pub const SYMMETRIC: &'static str = "ssor";
+    /// The name with sweeps color by color.
+    pub const COLORED: &'static str = "red-black";
+}
+
 impl Solver for Pgs {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         match self.order {
-            Order::Symmetric => "ssor",
-            Order::Colored => "red-black",
-            _ if self.omega == 1.0 => "pgs",
-            _ => "sor",
+            Order::Symmetric => Pgs::SYMMETRIC,
+            Order::Colored => Pgs::COLORED,
+            _ if self.omega == 1.0 => Pgs::NAME,
+            _ => Pgs::RELAXED,
         }
     }
 

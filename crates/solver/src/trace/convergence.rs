@@ -11,13 +11,13 @@ use lcplab_problem::{Lcp, merit};
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};
-/// use lcplab_solver::{by_name, Options, Start};
+/// use lcplab_solver::{Pgs, Solver, Start};
 /// use lcplab_solver::trace::Convergence;
 ///
 /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
 /// let lcp = Lcp::new(a, vec![-1.0, -1.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
 /// let mut trace = Convergence::of(&lcp);
-/// by_name("pgs", &Options::default())?.solve(&lcp, &Start::default(), &mut trace);
+/// Pgs::default().solve(&lcp, &Start::default(), &mut trace);
 /// let objective: Vec<f64> = trace.records.iter().map(|record| record.objective).collect();
 /// assert!(objective.windows(2).all(|pair| pair[1] <= pair[0]));
 /// # Ok::<(), lcplab_problem::error::Error>(())

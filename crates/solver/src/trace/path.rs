@@ -8,13 +8,13 @@ use crate::{Event, Iterate, Observer};
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};
-/// use lcplab_solver::{by_name, Options, Start};
+/// use lcplab_solver::{Pgs, Solver, Start};
 /// use lcplab_solver::trace::Path;
 ///
 /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
 /// let lcp = Lcp::new(a, vec![-1.0, -1.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
 /// let mut path = Path::default();
-/// by_name("pgs", &Options::default())?.solve(&lcp, &Start::default(), &mut path);
+/// Pgs::default().solve(&lcp, &Start::default(), &mut path);
 /// assert_eq!(path.points[..2], [[0.0, 0.0], [0.5, 0.75]]);
 /// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```

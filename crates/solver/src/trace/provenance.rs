@@ -12,19 +12,18 @@ use lcplab_problem::{Lcp, merit};
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};
-/// use lcplab_solver::{by_name, Options, Start};
+/// use lcplab_solver::{Pgs, Solver, Start};
 /// use lcplab_solver::trace::Provenance;
 ///
 /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
 /// let lcp = Lcp::new(a, vec![-1.0, -1.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
-/// let path = |name| {
+/// let path = |omega| {
 ///     let mut provenance = Provenance::of(&lcp);
-///     let solver = by_name(name, &Options::default()).unwrap();
-///     solver.solve(&lcp, &Start::default(), &mut provenance);
+///     Pgs { omega, ..Pgs::default() }.solve(&lcp, &Start::default(), &mut provenance);
 ///     provenance
 /// };
-/// assert_eq!(path("pgs"), path("pgs"));
-/// assert_ne!(path("pgs").fingerprint, path("sor").fingerprint);
+/// assert_eq!(path(1.0), path(1.0));
+/// assert_ne!(path(1.0).fingerprint, path(1.3).fingerprint);
 /// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 #[derive(Debug, Clone)]

@@ -16,13 +16,13 @@ use lcplab_problem::{Lcp, merit};
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};
-/// use lcplab_solver::{by_name, entry, Options, Start};
+/// use lcplab_solver::{Pgs, Registry, Solver, Start};
 /// use lcplab_solver::trace::Work;
 ///
 /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
 /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
-/// let mut work = Work::of(entry("pgs")?, &lcp);
-/// by_name("pgs", &Options::default())?.solve(&lcp, &Start::default(), &mut work);
+/// let mut work = Work::of(Registry::standard().entry(Pgs::NAME)?, &lcp);
+/// Pgs::default().solve(&lcp, &Start::default(), &mut work);
 /// assert_eq!(work.multiplications, 6.0); // one sweep: four entries, two divisions
 /// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```

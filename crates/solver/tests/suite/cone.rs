@@ -4,14 +4,14 @@ use lcplab_judge::reference::cone_qp;
 use lcplab_judge::{Demand, judge_cone};
 use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law};
 use lcplab_problem::{Complementarity, merit};
-use lcplab_solver::{CONES, ConeSolver, Settings, Start, Status, cone_by_name};
+use lcplab_solver::{ConeSolver, Registry, Settings, Start, Status};
 use proptest::prelude::*;
 
 use lcplab_testing::{INF, boxed, cases, pushed_mass, rubbing};
 
 fn all() -> Vec<Box<dyn ConeSolver>> {
     let settings = Settings { tolerance: 1e-9, max_iterations: 100_000, ..Settings::default() };
-    CONES.iter().map(|entry| cone_by_name(entry.name, &settings).unwrap()).collect()
+    Registry::standard().cone_entries().map(|entry| entry.build(&settings)).collect()
 }
 
 /// The solution by a solver, accepted by the judge; `None` if freezing Coulomb's shift stalls or

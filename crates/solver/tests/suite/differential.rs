@@ -2,9 +2,7 @@
 
 use lcplab_judge::{Demand, judge, ray};
 use lcplab_problem::{Lcp, Matrix};
-use lcplab_solver::{
-    ALL, Options, Settings, Solution, Solver, Start, Status, all_solutions, by_name,
-};
+use lcplab_solver::{Options, Registry, Settings, Solution, Solver, Start, Status, all_solutions};
 
 use lcplab_testing::INF;
 
@@ -65,7 +63,7 @@ fn check(kind: Kind, seed: u64, count: usize, must_solve: &[&str]) {
     let settings = Settings { max_iterations: 1000, ..Settings::default() };
     let options = Options { settings, ..Options::default() };
     let solvers: Vec<Box<dyn Solver>> =
-        ALL.iter().map(|entry| by_name(entry.name, &options).unwrap()).collect();
+        Registry::standard().entries().map(|entry| entry.build(&options)).collect();
     for number in 0..count {
         let lcp = problem(&mut dice, kind);
         let exact = all_solutions(&lcp).expect("few enough sets");

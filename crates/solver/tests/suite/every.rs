@@ -7,25 +7,25 @@ use lcplab_judge::{Demand, judge};
 use lcplab_problem::merit::RowTerms;
 use lcplab_problem::{Coupling, Lcp, Matrix};
 use lcplab_solver::trace::Provenance;
-use lcplab_solver::{ALL, KNOWN_WRONG, Options, Settings, Solver, Start, Status, by_name};
+use lcplab_solver::{KNOWN_WRONG, Options, Registry, Settings, Solver, Start, Status};
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 
 use lcplab_testing::{INF, Manufactured, assert_certified, boxed, cases, contacts, manufactured};
 
 fn all() -> Vec<Box<dyn Solver>> {
-    ALL.iter().map(|entry| by_name(entry.name, &Options::default()).unwrap()).collect()
+    Registry::standard().entries().map(|entry| entry.build(&Options::default())).collect()
 }
 
 #[test]
 fn an_unknown_name_is_answered_with_names_that_are_taken() {
-    let error = by_name("gauss", &Options::default()).err().unwrap().to_string();
+    let error = Registry::standard().entry("gauss").unwrap_err().to_string();
     let (begins, names) = error.split_once("; there are ").unwrap();
     assert_eq!(begins, "there is no solver named \"gauss\"");
     let names: Vec<&str> = names.split(", ").collect();
     assert!(names.len() >= 20 && names.contains(&"dantzig"), "{error}");
     for name in names {
-        assert!(by_name(name, &Options::default()).is_ok(), "{name}");
+        assert!(Registry::standard().entry(name).is_ok(), "{name}");
     }
 }
 
@@ -42,13 +42,13 @@ fn no_two_take_the_same_path() {
     ];
     let lcp = boxed(&a, &[-1.0, 0.75, -2.0, 1.5, -3.0], &[0.0; 5], &[INF, INF, INF, 0.5, 1.75]);
     let mut paths: HashMap<u64, &str> = HashMap::new();
-    for entry in ALL.iter().chain(KNOWN_WRONG) {
-        let solver = by_name(entry.name, &Options::default()).unwrap();
+    for entry in Registry::standard().entries().chain(KNOWN_WRONG) {
+        let solver = entry.build(&Options::default());
         let mut provenance = Provenance::of(&lcp);
         let solution = solver.solve(&lcp, &Start::default(), &mut provenance);
         assert_eq!(provenance.iterations, solution.iterations, "{}", entry.name);
         assert!(provenance.iterations > 0, "{}", entry.name);
-        let other = paths.insert(provenance.fingerprint, entry.name);
+        let other = paths.insert(provenance.fingerprint, &entry.name);
         assert_eq!(other, None, "{} does the same", entry.name);
     }
 }
@@ -319,12 +319,12 @@ proptest! {
 #[test]
 fn an_iteration_limit_is_a_status_and_not_a_solution() {
     let lcp = contacts(&[&[2.0, -1.0], &[-1.0, 2.0]], &[-1.0, -1.0]);
-    for entry in ALL {
+    for entry in Registry::standard().entries() {
         let settings = Settings { max_iterations: 1, tolerance: 0.0, ..Settings::default() };
-        let solver = by_name(entry.name, &Options { settings, ..Options::default() }).unwrap();
+        let solver = entry.build(&Options { settings, ..Options::default() });
         let solution = solver.solve(&lcp, &Start::default(), &mut ());
         let is_exact = solution.w == [0.0; 2]; // by a method that takes both rows at once
-        let status = match entry.name {
+        let status = match &*entry.name {
             _ if is_exact => Status::Solved,
             // Each of the two rows is at its bound or free.
             "enumeration" => Status::SetsLeft { tried: 1, count: 4 },

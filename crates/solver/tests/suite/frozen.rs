@@ -1,5 +1,5 @@
 use lcplab_problem::{Coupling, Lcp};
-use lcplab_solver::{Options, Status, StepDetail, by_name};
+use lcplab_solver::{Options, Registry, Status, StepDetail};
 
 use lcplab_testing::{INF, boxed, parts};
 
@@ -15,7 +15,7 @@ fn rubbing(c: f64, mu: f64) -> Lcp {
 
 /// The bounds of the friction row in each round, and the final status.
 fn rounds(lcp: &Lcp) -> (Vec<f64>, Status) {
-    let dantzig = by_name("dantzig", &Options::default()).unwrap();
+    let dantzig = Registry::standard().entry("dantzig").unwrap().build(&Options::default());
     let (solution, _, bounds) = parts(dantzig.as_ref(), lcp, |part| match part {
         StepDetail::Frozen(frozen) => Some(frozen.hi()[1]),
         _ => None,

@@ -3,15 +3,15 @@
 use lcplab_problem::friction::{Contact, FrictionProblem, Model, Polyhedral, ProblemForm};
 use lcplab_problem::merit;
 use lcplab_solver::{
-    KNOWN_WRONG, Lemke, Method, Options, PolygonPgs, Settings, Start, Status, methods,
+    KNOWN_WRONG, Lemke, Method, Options, PolygonPgs, Registry, Settings, Start, Status,
     solve_polyhedral,
 };
 
 use lcplab_testing::{INF, boxed, pushed_mass};
 
 fn method(name: &str) -> Method {
-    let method = methods().into_iter().find(|method| method.name() == name);
-    method.unwrap_or_else(|| panic!("no method {name}"))
+    let method = Registry::standard().methods().find(|method| method.name() == name);
+    method.unwrap_or_else(|| panic!("no method {name}")).clone()
 }
 
 fn posed(model: Model, problem: &FrictionProblem) -> ProblemForm {
@@ -37,7 +37,7 @@ fn a_model_is_taken_by_the_methods_whose_theory_holds_for_it() {
     assert_eq!(takes("lemke"), [true, true, true, false, false]);
     assert_eq!(takes("cone-pgs"), [false, false, false, true, true]);
     assert!(method("lemke").takes(None) && !method("cone-pgs").takes(None));
-    let code6 = Method::Boxed(KNOWN_WRONG[0]); // it knows no coupled rows
+    let code6 = Method::Boxed(KNOWN_WRONG[0].clone()); // it knows no coupled rows
     assert!(code6.takes(Some(Model::FrozenBox)) && !code6.takes(Some(Model::CoupledBox)));
 }
 

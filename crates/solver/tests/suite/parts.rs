@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use lcplab_problem::{Lcp, library};
 use lcplab_solver::{
-    ALL, Event, Iterate, Observer, Options, Side, Solution, Start, StepDetail, Variable, by_name,
+    Event, Iterate, Observer, Options, Registry, Side, Solution, Start, StepDetail, Variable,
 };
 use proptest::prelude::*;
 
@@ -22,7 +22,7 @@ impl Follower {
     fn of(lcp: &Lcp, solver: &str) -> (Self, Solution) {
         let (x, last_values) = (vec![0.0; lcp.len()], Vec::new());
         let mut follower = Follower { x, parts: 0, worst: 0.0, last_values };
-        let solver = by_name(solver, &Options::default()).unwrap();
+        let solver = Registry::standard().entry(solver).unwrap().build(&Options::default());
         let solution = solver.solve(lcp, &Start::default(), &mut follower);
         (follower, solution)
     }
@@ -129,8 +129,8 @@ impl Observer for Deaf {
 
 #[test]
 fn only_an_observer_that_asks_receives_parts() {
-    for entry in ALL {
-        let solver = by_name(entry.name, &Options::default()).unwrap();
+    for entry in Registry::standard().entries() {
+        let solver = entry.build(&Options::default());
         let heard = solver.solve(&stack(4), &Start::default(), &mut Deaf);
         assert_eq!(heard, solver.solve(&stack(4), &Start::default(), &mut ()), "{}", entry.name);
     }

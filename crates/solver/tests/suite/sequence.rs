@@ -14,7 +14,7 @@ fn solve(lcp: Lcp) -> SequenceAnswer {
 #[test]
 fn the_first_method_that_solves_the_problem_answers() {
     let answer = solve(contacts(&[&[2.0, -1.0], &[-1.0, 2.0]], &[-1.0, 2.0]));
-    assert_eq!((answer.solver, answer.solution.x), ("dantzig", vec![0.5, 0.0]));
+    assert_eq!((&*answer.solver, answer.solution.x), ("dantzig", vec![0.5, 0.0]));
     assert!(answer.attempts.is_empty());
 }
 
@@ -50,7 +50,7 @@ fn a_game_on_which_lemke_ends_on_a_ray_is_solved_by_enumeration() {
 fn a_problem_without_a_solution_ends_with_that_answer_and_all_attempts() {
     // w_0 = x_1 − 1 with x_1 ≤ ½: negative whatever x, and A is not symmetric.
     let answer = solve(boxed(&[&[0.0, 1.0], &[0.5, 1.0]], &[-1.0, 0.0], &[0.0; 2], &[INF, 0.5]));
-    assert_eq!((answer.solver, answer.solution.status), ("enumeration", Status::NoSolution));
+    assert_eq!((&*answer.solver, answer.solution.status), ("enumeration", Status::NoSolution));
     let tried: Vec<&str> = answer.attempts.iter().map(|attempt| attempt.solver).collect();
     assert_eq!(tried, ["lemke", "fischer-newton"]);
 }

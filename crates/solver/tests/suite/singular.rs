@@ -4,7 +4,7 @@
 
 use lcplab_judge::{Demand, judge};
 use lcplab_problem::{Lcp, Matrix, library};
-use lcplab_solver::{Options, Settings, Start, Status, by_name};
+use lcplab_solver::{Options, Registry, Settings, Start, Status};
 
 const TOLERANCE: f64 = 1e-9;
 
@@ -32,7 +32,10 @@ fn regularized(lcp: &Lcp) -> Lcp {
 /// The number of problems that a solver claims to have solved; the judge accepts each claim.
 fn solved(solver: &str, problems: impl Iterator<Item = (String, Lcp)>) -> usize {
     let settings = Settings { tolerance: TOLERANCE, ..Settings::default() };
-    let solver = by_name(solver, &Options { settings, ..Options::default() }).unwrap();
+    let solver = Registry::standard()
+        .entry(solver)
+        .unwrap()
+        .build(&Options { settings, ..Options::default() });
     let claims = problems.filter(|(name, lcp)| {
         let solution = solver.solve(lcp, &Start::default(), &mut ());
         let demand = Demand { tolerance: TOLERANCE, prove_up_to: 0 };

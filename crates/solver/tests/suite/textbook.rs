@@ -2,7 +2,7 @@
 
 use lcplab_problem::{Lcp, Matrix as Entries};
 use lcplab_solver::textbook::{self, Matrix, Vector};
-use lcplab_solver::{Damping, Options, Pgs, Settings, Solver, Start, Status, by_name};
+use lcplab_solver::{Damping, Jacobi, Pgs, Registry, Settings, Solver, Start, Status};
 use oorandom::Rand64;
 
 use lcplab_testing::{INF, iterates};
@@ -40,7 +40,7 @@ impl Problem {
 
     #[track_caller]
     fn assert_same(&self, solver: &str, x: &Vector, accuracy: f64) {
-        let strong = by_name(solver, &Default::default()).unwrap();
+        let strong = Registry::standard().entry(solver).unwrap().build(&Default::default());
         let solution = strong.solve(&self.lcp(), &Start::default(), &mut ());
         assert_eq!(solution.status, Status::Solved);
         let apart = (x - Vector::from_vec(solution.x)).amax();
@@ -58,10 +58,8 @@ fn a_sweep_of_the_textbook_is_a_sweep_of_the_solver() {
         let lcp = Problem { a: a.clone(), b: b.clone(), lo: lo.clone(), hi: hi.clone() }.lcp();
         let settings = Settings { tolerance: 0.0, max_iterations: 5, ..Settings::default() };
         let pgs = Pgs { settings: settings.clone(), ..Pgs::default() };
-        let by = Options { settings, ..Default::default() };
-        let jacobi = by_name("jacobi", &Options { damping: Damping::Factor(0.7), ..by });
-        let jacobi = jacobi.unwrap();
-        let strong: [&dyn Solver; 2] = [&pgs, &*jacobi];
+        let jacobi = Jacobi { damping: Damping::Factor(0.7), settings };
+        let strong: [&dyn Solver; 2] = [&pgs, &jacobi];
         for (k, solver) in strong.into_iter().enumerate() {
             for (sweeps, x) in iterates(solver, &lcp).iter().enumerate() {
                 let own = match k {

@@ -3,7 +3,7 @@
 use lcplab_problem::Matrix;
 use lcplab_problem::memory::Memory;
 use lcplab_solver::{
-    Choice, Class, Damping, MatrixClass, Options, Settings, Status, default_for, entry,
+    Choice, Class, Damping, MatrixClass, Options, Registry, Settings, Status, default_for,
 };
 
 use lcplab_testing::contacts;
@@ -16,7 +16,7 @@ fn a_class_is_its_matrix_and_what_it_excludes() {
     let excluded = "equations only, no free rows, no coupled rows";
     assert_eq!(narrow.to_string(), format!("P-matrix, positive diagonal, {excluded}"));
     assert_eq!(
-        entry("code6").unwrap().class.to_string(),
+        Registry::standard().entry("code6").unwrap().class.to_string(),
         "symmetric positive semidefinite, positive diagonal, equations only, no coupled rows"
     );
 }

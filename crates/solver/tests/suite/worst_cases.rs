@@ -4,7 +4,7 @@
 //! favorable one. All counts follow from the rules of the methods in exact arithmetic.
 
 use lcplab_problem::{Lcp, library};
-use lcplab_solver::{Options, Start, Status, all_solutions, by_name};
+use lcplab_solver::{Options, Registry, Start, Status, all_solutions};
 
 use lcplab_testing::assert_proved;
 
@@ -18,7 +18,7 @@ fn problem(family: &str, n: u32, reversed: bool) -> Lcp {
 /// The number of iterations to a solution that the judge proves.
 #[track_caller]
 fn cost(solver: &str, lcp: &Lcp) -> usize {
-    let solver = by_name(solver, &Options::default()).unwrap();
+    let solver = Registry::standard().entry(solver).unwrap().build(&Options::default());
     let solution = solver.solve(lcp, &Start::default(), &mut ());
     assert_eq!(solution.status, Status::Solved);
     assert_proved(lcp, &solution.x);

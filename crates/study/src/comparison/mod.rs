@@ -21,7 +21,7 @@ use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{Motion, Simulation, Step, carried};
 use lcplab_problem::error::Result;
 use lcplab_problem::friction::Model;
-use lcplab_solver::{CONES, Class, Cost, Dantzig, Entry, Group, MatrixClass, Method, Stop};
+use lcplab_solver::{Dantzig, Entry, Method, Registry, Stop};
 
 /// A scene with all solvers at all levels.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -149,16 +149,11 @@ pub struct Timing {
 }
 
 /// What stands for the solver where a scheme solves no LCP: it is never asked.
-const NONE: Entry = Entry {
-    name: "none",
-    method: "no LCP is solved",
-    class: Class::of(MatrixClass::General),
-    group: Group::Pivoting,
-    cost: Cost::each("0", |_| 0.0),
-    source: "",
-    uses: &[],
-    build: &|options| Box::new(Dantzig { settings: options.settings.clone() }),
-};
+fn none() -> Method {
+    Method::Boxed(Entry::new("none", |options| {
+        Box::new(Dantzig { settings: options.settings.clone() })
+    }))
+}
 
 /// Steps a scene with each of these solvers by each of these schemes; an entry need not be a
 /// registered one.
@@ -172,11 +167,11 @@ pub fn compare(
     steps: usize,
     note: &(dyn Fn() + Sync),
 ) -> (Comparison, Vec<Timing>) {
-    let cones = CONES.iter().copied().map(Method::Cone);
-    let methods: Vec<Method> = solvers.iter().copied().map(Method::Boxed).chain(cones).collect();
+    let cones = Registry::standard().cone_entries().cloned().map(Method::Cone);
+    let methods: Vec<Method> = solvers.iter().cloned().map(Method::Boxed).chain(cones).collect();
     let pairs = contenders(scene, schemes, &methods);
-    let runs = pairs.par_iter().map(|&(scheme, solver)| {
-        let ended = run(&scene.at_level(scheme), &solver, steps, &Stop::default());
+    let runs = pairs.par_iter().map(|(scheme, solver)| {
+        let ended = run(&scene.at_level(*scheme), solver, steps, &Stop::default());
         note();
         ended
     });
@@ -200,8 +195,8 @@ pub fn compare_families(
 ) -> Result<(Comparison, Vec<Timing>)> {
     let pairs: Vec<_> = contenders(scene, schemes, methods).into_iter().enumerate().collect();
     let (own, asked) = (scene.clone(), stop.clone());
-    let work = move |&(_, (scheme, solver)): &(usize, (Scheme, Method))| {
-        run(&own.at_level(scheme), &solver, steps, &asked)
+    let work = move |(_, (scheme, solver)): &(usize, (Scheme, Method))| {
+        run(&own.at_level(*scheme), solver, steps, &asked)
     };
     let mut ended = BTreeMap::new();
     Tasks { together: pairs, alone: Vec::new(), grace: GRACE }.run(stop, work, |(k, _), run| {
@@ -220,7 +215,7 @@ impl Comparison {
             let run = best(runs).filter(|run| run.steps == self.steps)?;
             let scheme = Scheme::by_name(&run.scheme)?;
             let named = |method: &&Method| method.name() == run.solver;
-            let method = methods.iter().find(named).copied().unwrap_or(Method::Boxed(NONE));
+            let method = methods.iter().find(named).cloned().unwrap_or_else(none);
             Some((scene.at_level(scheme), method))
         };
         let schemes = self.runs.chunk_by(|a, b| a.scheme == b.scheme);
@@ -268,8 +263,8 @@ pub fn contenders(scene: &Scene, schemes: &[Scheme], methods: &[Method]) -> Vec<
     let takes = |method: &&Method| refusal(method, scene.contact.model).is_none();
     let of = |scheme: Scheme| -> Vec<Method> {
         match scheme.solves_lcps() {
-            true => methods.iter().filter(takes).copied().collect(),
-            false => vec![Method::Boxed(NONE)],
+            true => methods.iter().filter(takes).cloned().collect(),
+            false => vec![none()],
         }
     };
     let able = schemes.iter().filter(|&&scheme| scene.at_level(scheme).validate().is_ok());

@@ -2,7 +2,7 @@
 
 use lcplab_judge::Demand;
 use lcplab_problem::error::{Error, Result};
-use lcplab_solver::{Options, Solver, by_name};
+use lcplab_solver::{Dantzig, Lemke, Options, Pgs, Registry, Solver};
 
 /// A method that reports step details, with its options.
 #[derive(Debug, Clone)]
@@ -13,7 +13,7 @@ pub struct Method {
 
 impl Method {
     /// The names of these methods.
-    pub const NAMES: [&'static str; 4] = ["pgs", "sor", "dantzig", "lemke"];
+    pub const NAMES: [&'static str; 4] = [Pgs::NAME, Pgs::RELAXED, Dantzig::NAME, Lemke::NAME];
 
     /// The method with this name.
     ///
@@ -45,7 +45,7 @@ impl Method {
 
     /// The solver.
     pub(super) fn solver(&self) -> Result<Box<dyn Solver>> {
-        by_name(self.name, &self.options)
+        Registry::standard().entry(self.name)?.solver(&self.options)
     }
 
     /// The same options, for other solvers.
@@ -60,6 +60,6 @@ impl Method {
 
     /// Lemke's method instead of one for symmetric A.
     pub(super) fn for_any_matrix(&self) -> Self {
-        Method { name: "lemke", options: self.options.clone() }
+        Method { name: Lemke::NAME, options: self.options.clone() }
     }
 }

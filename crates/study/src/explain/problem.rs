@@ -78,7 +78,7 @@ fn boxed(question: &Question, lcp: &Lcp, method: &Method, document: &mut Documen
 }
 
 /// The answer that `solve` gives, and its solver.
-fn answer(question: &Question, method: &Method) -> (Solution, &'static str) {
+fn answer(question: &Question, method: &Method) -> (Solution, String) {
     let found = solve_by_sequence(question.posed(), method.options(), &mut ());
     (found.solution, found.solver)
 }
@@ -87,7 +87,7 @@ fn answer(question: &Question, method: &Method) -> (Solution, &'static str) {
 fn answered<'a>(
     question: &'a Question,
     method: &'a Method,
-    (answer, solver): &'a (Solution, &'static str),
+    (answer, solver): &'a (Solution, String),
     document: &mut Document,
 ) -> ExplainedAnswer<'a> {
     let rows = reading(question.problem(), &question.problem().lcp);

@@ -91,7 +91,7 @@ impl Single<'_> {
             method: self.method,
             rows: self.reading(),
             answer: &self.own.solution,
-            solver: self.own.solver,
+            solver: &self.own.solver,
             start: Some(&self.own.start),
         }
     }

@@ -8,7 +8,7 @@ use lcplab_page::document::{Block, Formula, Section};
 use lcplab_problem::Lcp;
 use lcplab_problem::error::Result;
 use lcplab_problem::number::counted;
-use lcplab_solver::{Observer, Solution, Start, Status};
+use lcplab_solver::{Dantzig, Lemke, Observer, Solution, Start, Status};
 
 /// An observer that writes down what a solver does.
 pub(super) trait Scribe: Observer {
@@ -26,16 +26,17 @@ pub(super) struct Solved {
 pub(super) fn section(reading: &Reading, method: &Method, start: Option<&[f64]>) -> Result<Solved> {
     let lcp = reading.lcp;
     let mut scribe: Box<dyn Scribe + '_> = match method.name() {
-        "dantzig" => Box::new(dantzig::Moves::of(reading)),
-        "lemke" => Box::new(lemke::Tableaux::of(reading)),
+        Dantzig::NAME => Box::new(dantzig::Moves::of(reading)),
+        Lemke::NAME => Box::new(lemke::Tableaux::of(reading)),
         _ => Box::new(sweeps::Sweeps::of(reading, method.name())),
     };
     let solution =
         method.solver()?.solve(lcp, &Start { x: start, ..Start::default() }, &mut *scribe);
     let mut section = scribe.section(&solution);
-    if let (Status::Ray { row, direction }, true) = (&solution.status, method.name() != "lemke") {
+    if let (Status::Ray { row, direction }, true) = (&solution.status, method.name() != Lemke::NAME)
+    {
         section.say(match method.name() {
-            "dantzig" => stuck(reading, &solution.x, *row),
+            Dantzig::NAME => stuck(reading, &solution.x, *row),
             _ => ENDLESS.to_string(),
         });
         ray(&mut section, reading, direction);
@@ -59,7 +60,7 @@ pub(super) fn by_suitable(
     method: &Method,
     start: Option<&[f64]>,
 ) -> Result<Solved> {
-    if reading.lcp.matrix().is_symmetric() || method.name() == "lemke" {
+    if reading.lcp.matrix().is_symmetric() || method.name() == Lemke::NAME {
         return section(reading, method, start);
     }
     let mut solved = section(reading, &method.for_any_matrix(), start)?;

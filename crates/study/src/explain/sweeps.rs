@@ -9,7 +9,7 @@ use super::units::{headed, with_unit};
 use lcplab_page::document::notation::{bracketed, interval, plain, sum, vector};
 use lcplab_page::document::{Formula, SHOWN, Section};
 use lcplab_problem::merit;
-use lcplab_solver::{Event, Iterate, Observer, RowUpdate, Solution, StepDetail};
+use lcplab_solver::{Event, Iterate, Observer, Pgs, RowUpdate, Solution, StepDetail};
 
 /// Number of sweeps that are written row by row; for the others only x is written.
 const IN_FULL: usize = 3;
@@ -31,7 +31,7 @@ pub(super) struct Sweeps<'a> {
 
 impl<'a> Sweeps<'a> {
     pub fn of(reading: &'a Reading<'a>, name: &str) -> Self {
-        let title = if name == "pgs" { "projected Gauss-Seidel" } else { "projected SOR" };
+        let title = if name == Pgs::NAME { "projected Gauss-Seidel" } else { "projected SOR" };
         let mut section = Section::new(format!("{title}, row by row"));
         section.say(
             "A sweep updates one row after another, always with the newest x. It sums the w of the row, \

@@ -1,10 +1,9 @@
 //! The solvers of a comparison.
 
 use super::Row;
-use crate::methods::named;
 use lcplab_problem::error::Result;
 use lcplab_problem::number::counted;
-use lcplab_solver::Method;
+use lcplab_solver::{Method, Registry};
 
 /// A solver in a comparison: its methods for boxes, for cones or for both.
 #[derive(Debug, Clone)]
@@ -21,8 +20,13 @@ impl Contender {
     ///
     /// # Errors
     /// If there is none.
-    pub fn named(name: &str) -> Result<Self> {
-        Ok(Contender { methods: named(name)?, is_named: true })
+    pub fn named(name: &str, solvers: &Registry) -> Result<Self> {
+        let own = |method: &&Method| method.name() == name;
+        let methods: Vec<Method> = solvers.all().filter(own).cloned().collect();
+        match methods.is_empty() {
+            true => Err(solvers.unknown(name)),
+            false => Ok(Contender { methods, is_named: true }),
+        }
     }
 
     /// Methods that take part in what they are made for, and are not mentioned elsewhere.
@@ -32,7 +36,7 @@ impl Contender {
     }
 
     /// Its name.
-    pub fn name(&self) -> &'static str {
+    pub fn name(&self) -> &str {
         self.methods.first().map_or("", Method::name)
     }
 }

@@ -19,7 +19,7 @@ use lcplab_judge::{Demand, judge_cone};
 use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law, ProblemForm};
 use lcplab_problem::number::readable;
 use lcplab_problem::{Lcp, Matrix};
-use lcplab_solver::{CONES, ConeEntry, Method, Options, Settings, Status};
+use lcplab_solver::{ConeEntry, Method, Options, Registry, Settings, Status};
 
 /// The allowed distance of an answer from the exact one, relative to its largest entry.
 const NEAR: f64 = 1e-6;
@@ -72,11 +72,11 @@ pub fn contact(seed: u64, k: usize) -> ConeTruth {
 /// The claims of the cone solvers on the first contacts of a seed, and whether they are true.
 pub fn tallies(seed: u64, contacts: usize, settings: &Settings) -> Vec<Tally> {
     let of_entry = |entry: &ConeEntry| {
-        let empty = || Tally { solver: entry.name.into(), ..Tally::default() };
+        let empty = || Tally { solver: entry.name.to_string(), ..Tally::default() };
         let one = |k: usize| tally(entry, &contact(seed, k), k, settings);
         (0..contacts).into_par_iter().map(one).reduce(empty, Tally::and)
     };
-    CONES.iter().map(of_entry).collect()
+    Registry::standard().cone_entries().map(of_entry).collect()
 }
 
 /// A claim is false if the judge rejects it, or if it differs from the closed form; a verdict is
@@ -84,7 +84,7 @@ pub fn tallies(seed: u64, contacts: usize, settings: &Settings) -> Vec<Tally> {
 fn tally(entry: &ConeEntry, truth: &ConeTruth, number: usize, settings: &Settings) -> Tally {
     let options = Options { settings: settings.clone(), ..Options::default() };
     let posed = ProblemForm::Cone(truth.problem.clone());
-    let solution = Trial::run(&Method::Cone(*entry), &posed, &options, &mut ()).solution;
+    let solution = Trial::run(&Method::Cone(entry.clone()), &posed, &options, &mut ()).solution;
     let accepts =
         |x: &[f64]| judge_cone(&truth.problem, x, &Demand::default()).verdict.is_solution();
     let size = truth.x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
@@ -104,7 +104,7 @@ fn tally(entry: &ConeEntry, truth: &ConeTruth, number: usize, settings: &Setting
         _ => None,
     };
     Tally {
-        solver: entry.name.into(),
+        solver: entry.name.to_string(),
         within: usize::from(is_claim && wrong.is_none()),
         unsolved: usize::from(!is_claim && wrong.is_none()),
         false_claim_count: usize::from(wrong.is_some()),

@@ -41,7 +41,7 @@ pub struct Finding {
     /// code is 1 as long as it does. It ends without a newline.
     pub test: String,
     /// The name of the solver.
-    solver: &'static str,
+    solver: String,
 }
 
 impl Finding {
@@ -82,7 +82,7 @@ impl Finding {
         let model = target.model.map_or(String::new(), |model| format!(" under {model}"));
         let words = format!("{happens}. The problem{model} has {card}.{truth}");
         let test = test(&problem, target, counterexample, right.as_ref());
-        Finding { problem, words, answer, right, test, solver }
+        Finding { problem, words, answer, right, test, solver: solver.into() }
     }
 
     /// The solver's x and the correct one, row by row; empty if there is neither.
@@ -254,7 +254,7 @@ fn test(
         }
         Measure::Ratio => {
             let (name, ratio) =
-                (target.rival.map_or("", |rival| rival.name()), counterexample.value);
+                (target.rival.as_ref().map_or("", |rival| rival.name()), counterexample.value);
             let fewer = format!("assert!(solution.iterations < {});", counterexample.iterations);
             format!("{fewer} // {ratio:.0} times those of {name}")
         }
@@ -263,8 +263,10 @@ fn test(
     let test = format!("{}_of_{name}", target.measure).replace('-', "_");
     let tolerance = if is_usual { String::new() } else { format!("tolerance: {tolerance:e}, ") };
     let method = match target.model {
-        Some(_) => format!("methods::by_name(\"{name}\", question.model().unwrap()).unwrap()"),
-        None => format!("Method::Boxed(methods::entry(\"{name}\").unwrap())"),
+        Some(_) => format!(
+            "methods::with_reference().method(\"{name}\", question.model()).unwrap().clone()"
+        ),
+        None => format!("methods::with_reference().method(\"{name}\", None).unwrap().clone()"),
     };
     format!(
         "#[test]\nfn {test}() {{\n    let text = r#\"{}\"#;\n    \

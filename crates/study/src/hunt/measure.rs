@@ -143,7 +143,7 @@ pub enum Exclusion {
     /// A is not shown to be in the class.
     Class(MatrixClass),
     /// This solver is not made for it.
-    Solver(&'static str),
+    Solver(String),
 }
 
 impl fmt::Display for Exclusion {
@@ -265,7 +265,7 @@ impl Target {
             Measure::Ratio => {
                 let most = self.options.settings.max_iterations;
                 let rival = self.rival_iterations(&posed, most).unwrap_or_default();
-                let other = self.rival.map_or("", |rival| rival.name());
+                let other = self.rival.as_ref().map_or("", |rival| rival.name());
                 let omega = self.omega_words();
                 let iterations = counted(solution.iterations, "iteration");
                 format!("{name} needs {iterations}, {other}{omega} {rival}")
@@ -363,7 +363,7 @@ impl Target {
         }
         let must_suit = matches!(self.measure, Measure::Iterations | Measure::Ratio);
         let unsuited = self.methods().find(|method| must_suit && !is_in_class(method, lcp));
-        unsuited.map(|method| Exclusion::Solver(method.name()))
+        unsuited.map(|method| Exclusion::Solver(method.name().to_string()))
     }
 
     /// The distance of the accepted answer from the nearest exact solution, relative to max |x|.
@@ -397,7 +397,8 @@ impl Target {
 
     /// The relaxation factors tried for the baseline.
     fn omegas(&self) -> Vec<f64> {
-        let has_omega = self.rival.is_some_and(|rival| rival.uses().contains(&Choice::Omega));
+        let has_omega =
+            self.rival.as_ref().is_some_and(|rival| rival.uses().contains(&Choice::Omega));
         if self.best_omega && has_omega {
             (0..=OMEGAS).rev().map(|k| 2.0 - libm::exp2(-0.5 * f64::from(k))).collect()
         } else {

@@ -21,10 +21,10 @@
 //! out of sweeps would have come nearer: [`Claim::under`].
 //!
 //! ```
-//! use lcplab_solver::{Options, by_name};
+//! use lcplab_solver::{Dantzig, Pgs, Solver};
 //! use lcplab_study::hunt::Hunt;
 //!
-//! let solvers = [by_name("pgs", &Options::default())?, by_name("dantzig", &Options::default())?];
+//! let solvers: [Box<dyn Solver>; 2] = [Box::new(Pgs::default()), Box::new(Dantzig::default())];
 //! let record = Hunt { problems: 40, seed: 7, tolerance: 1e-8 }.of(&solvers, &|| ());
 //! assert!(record.tallies.iter().all(|tally| tally.false_claims.is_empty()));
 //! # Ok::<(), lcplab_problem::error::Error>(())
@@ -125,9 +125,10 @@ impl Hunt {
             };
             let claim = |method: &Method| {
                 let trial = Trial::run(method, &posed, options, &mut ());
-                (method.name(), Claim::under(&posed, &trial.solution, self.tolerance))
+                Claim::under(&posed, &trial.solution, self.tolerance)
             };
-            let claims: Vec<(&'static str, Claim)> = methods.iter().map(claim).collect();
+            let claims: Vec<(&str, Claim)> =
+                methods.iter().map(|method| (method.name(), claim(method))).collect();
             tick();
             Record::of(k, "friction", &claims)
         };
@@ -136,17 +137,17 @@ impl Hunt {
 }
 
 /// The claim of every solver on a problem, and whether it is true.
-pub fn claims(
+pub fn claims<'s>(
     lcp: &Lcp,
     start: Option<&[f64]>,
-    solvers: &[Box<dyn Solver>],
+    solvers: &'s [Box<dyn Solver>],
     tolerance: f64,
-) -> Vec<(&'static str, Claim)> {
+) -> Vec<(&'s str, Claim)> {
     let start = Start { x: start, ..Start::default() };
-    let solve = |solver: &dyn Solver| {
+    let solve = |solver: &'s dyn Solver| {
         (solver.name(), Claim::of(lcp, &solver.solve(lcp, &start, &mut ()), tolerance))
     };
-    let mut claims: Vec<(&'static str, Claim)> =
+    let mut claims: Vec<(&str, Claim)> =
         solvers.iter().map(|solver| solve(solver.as_ref())).collect();
     let truth = Truth::of(lcp, claims.iter().map(|(_, claim)| claim));
     for (_, claim) in &mut claims {

@@ -5,14 +5,23 @@ use dashu_ratio::RBig;
 use lcplab_judge::Demand;
 use lcplab_problem::exact::all_solutions;
 use lcplab_problem::friction::{Model, ProblemForm};
-use lcplab_solver::{Method, Options, Settings};
+use lcplab_solver::{
+    Apgd, BlockPivoting, ConePgs, Dantzig, Lemke, Method, Newton, Options, Settings,
+};
 
-use crate::methods;
+use crate::methods::{REFERENCE, with_reference};
 use crate::trial::Trial;
 
 /// The solvers used if exact arithmetic has no answer, the most accurate ones first.
-const ASKED: [&str; 7] =
-    ["dantzig", "lemke", "block-pivoting", "newton", "cone-pgs", "apgd", "clarabel"];
+const ASKED: [&str; 7] = [
+    Dantzig::NAME,
+    Lemke::NAME,
+    BlockPivoting::NAME,
+    Newton::NAME,
+    ConePgs::NAME,
+    Apgd::NAME,
+    REFERENCE,
+];
 /// Their tolerances, tried one after the other.
 const TOLERANCES: [f64; 2] = [1e-12, 1e-9];
 
@@ -53,12 +62,9 @@ impl RightAnswer {
 
 /// The first answer of a solver of the library that the judge accepts.
 fn by_a_solver(posed: &ProblemForm, model: Option<Model>) -> Option<RightAnswer> {
-    let methods: Vec<Method> = ASKED
-        .iter()
-        .filter_map(|name| methods::named(name).ok())
-        .flatten()
-        .filter(|method| method.takes(model))
-        .collect();
+    let own = |name| with_reference().all().filter(move |method| method.name() == name);
+    let methods: Vec<&Method> =
+        ASKED.into_iter().flat_map(own).filter(|method| method.takes(model)).collect();
     TOLERANCES.iter().find_map(|&tolerance| {
         let settings = Settings { tolerance, max_iterations: 100_000, ..Settings::default() };
         let options = Options { settings, ..Options::default() };

@@ -44,19 +44,14 @@ pub struct Tally {
 
 impl Record {
     /// A record without problems.
-    pub(super) fn empty(solvers: impl Iterator<Item = &'static str>) -> Record {
+    pub(super) fn empty<'s>(solvers: impl Iterator<Item = &'s str>) -> Record {
         let tally = |name: &str| Tally { solver: name.to_string(), ..Tally::default() };
         Record { problems: 0, contacts: 0, tallies: solvers.map(tally).collect() }
     }
 
     /// The record of one problem of a kind.
-    pub(super) fn of(
-        number: usize,
-        kind: &'static str,
-        claims: &[(&'static str, Claim)],
-    ) -> Record {
-        let tally =
-            |(solver, claim): &(&'static str, Claim)| Tally::of(number, kind, solver, claim);
+    pub(super) fn of(number: usize, kind: &'static str, claims: &[(&str, Claim)]) -> Record {
+        let tally = |(solver, claim): &(&str, Claim)| Tally::of(number, kind, solver, claim);
         Record { problems: 1, contacts: 0, tallies: claims.iter().map(tally).collect() }
     }
 

@@ -2,14 +2,15 @@
 
 use lcplab_mechanics::scene::{Integrator, Scene, Scheme};
 use lcplab_mechanics::simulation::Simulation;
-use lcplab_solver::{Entry, Method, Stop, entry};
+use lcplab_solver::{Entry, Method, Registry, Stop};
 use lcplab_study::comparison::{
     Comparison, EXACT, Energy, LAW_TOLERANCE, LevelRefinement, Phase, Run, best, compare,
 };
 use nalgebra::Vector3;
 
 fn compared(scene: &Scene, schemes: &[Scheme], solvers: &[&str], steps: usize) -> Comparison {
-    let solvers: Vec<Entry> = solvers.iter().map(|name| *entry(name).unwrap()).collect();
+    let solvers: Vec<Entry> =
+        solvers.iter().map(|name| Registry::standard().entry(name).unwrap().clone()).collect();
     let (mut comparison, _) = compare(scene, schemes, &solvers, steps, &|| ());
     let methods: Vec<Method> = solvers.into_iter().map(Method::Boxed).collect();
     comparison.add_levels(scene, &methods, &Stop::default());
@@ -90,7 +91,7 @@ fn an_impact_that_is_taken_too_early_shows_in_any_part_of_the_step_as_an_error_o
         let levels = levels(&scene, 1);
         let [velocity, acceleration] = levels.each_ref().map(meet);
         let off = {
-            let method = Method::Boxed(*entry("dantzig").unwrap());
+            let method = Method::Boxed(Registry::standard().entry("dantzig").unwrap().clone());
             let mut simulation = Simulation::by(&scene, &method);
             (simulation.step().unwrap().states[1].v - due).norm()
         };

@@ -2,7 +2,7 @@
 
 use lcplab_judge::Demand;
 use lcplab_problem::{Lcp, Matrix};
-use lcplab_solver::{ALL, Options, Settings, Start, Status, by_name};
+use lcplab_solver::{Options, Registry, Settings, Start, Status};
 use lcplab_study::answer::Answer;
 use proptest::prelude::*;
 
@@ -91,13 +91,12 @@ fn feasible(
 /// Requirements on every solver for a problem with a solution.
 fn makes_no_false_claim(lcp: &Lcp) -> Result<(), TestCaseError> {
     let settings = Settings { max_iterations: 300, ..Settings::default() };
-    for entry in ALL {
-        let solver =
-            by_name(entry.name, &Options { settings: settings.clone(), ..Options::default() });
-        let solution = solver.unwrap().solve(lcp, &Start::default(), &mut ());
+    for entry in Registry::standard().entries() {
+        let solver = entry.build(&Options { settings: settings.clone(), ..Options::default() });
+        let solution = solver.solve(lcp, &Start::default(), &mut ());
         prop_assert!(solution.x.iter().all(|x| x.is_finite()), "{}: {:?}", entry.name, solution.x);
         let claims = solution.status == Status::Solved;
-        let answer = Answer::judged(lcp, entry.name, solution, &Demand::default());
+        let answer = Answer::judged(lcp, &*entry.name, solution, &Demand::default());
         prop_assert!(answer.status_word() != "infeasible", "{}: {}", entry.name, answer.message());
         let verdict = &answer.certificate.verdict;
         prop_assert!(!claims || verdict.is_solution(), "{}: {verdict}", entry.name);
@@ -139,8 +138,8 @@ fn a_solution_beyond_the_largest_number_is_not_denied() {
             Matrix::sparse(n, &entries.iter().map(|&(i, a)| (i, i, a)).collect::<Vec<_>>());
         let b = [-1e300, -1.0][..n].to_vec();
         let lcp = Lcp::new(matrix, b, vec![0.0; n], vec![INF; n]).unwrap();
-        for entry in ALL {
-            let solver = (entry.build)(&Options::default());
+        for entry in Registry::standard().entries() {
+            let solver = entry.build(&Options::default());
             let status = solver.solve(&lcp, &Start::default(), &mut ()).status;
             let denied = matches!(
                 status,

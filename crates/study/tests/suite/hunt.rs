@@ -3,7 +3,8 @@
 use lcplab_judge::{Demand, judge_cone};
 use lcplab_problem::{Complementarity, Lcp};
 use lcplab_solver::{
-    ALL, CONES, Observer, Options, Settings, Solution, Solver, Start, Status, all_solutions,
+    Enumeration, Observer, Options, Pgs, Registry, Settings, Solution, Solver, Start, Status,
+    all_solutions,
 };
 use lcplab_study::hunt::cone::{ConeTruth, contact, tallies};
 use lcplab_study::hunt::{Claim, FalseClaim, Hunt, KINDS, claims, problem};
@@ -14,7 +15,7 @@ use lcplab_testing::{INF, boxed};
 struct Liar(Status, f64);
 
 impl Solver for Liar {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "liar"
     }
 
@@ -24,7 +25,7 @@ impl Solver for Liar {
 }
 
 fn said(lcp: &Lcp, status: Status, x: f64) -> Claim {
-    let honest = (lcplab_solver::entry("enumeration").unwrap().build)(&Options::default());
+    let honest = Box::new(Enumeration::default());
     let solvers: [Box<dyn Solver>; 2] = [Box::new(Liar(status, x)), honest];
     claims(lcp, None, &solvers, 1e-8).swap_remove(0).1
 }
@@ -33,7 +34,8 @@ fn said(lcp: &Lcp, status: Status, x: f64) -> Claim {
 fn no_solver_lies_about_ten_thousand_hostile_problems() {
     let settings = Settings { max_iterations: 500, ..Settings::default() };
     let options = Options { settings, ..Options::default() };
-    let solvers: Vec<_> = ALL.iter().map(|entry| (entry.build)(&options)).collect();
+    let solvers: Vec<_> =
+        Registry::standard().entries().map(|entry| entry.build(&options)).collect();
     let record = Hunt { problems: 10_000, seed: 8, tolerance: 1e-8 }.of(&solvers, &|| ());
     assert_eq!(record.problems, 10_000);
     for tally in &record.tallies {
@@ -125,8 +127,8 @@ fn the_judge_of_cones_knows_a_contact_in_any_units() {
 
 #[test]
 fn no_solver_of_cones_lies_about_a_contact_in_any_units() {
-    for entry in CONES {
-        let solver = (entry.build)(&Settings::default());
+    for entry in Registry::standard().cone_entries() {
+        let solver = entry.build(&Settings::default());
         let mut solved = 0;
         for (k, truth) in (0..1000).map(|k| (k, contact(2, k))) {
             let solution = solver.solve(&truth.problem, &Start::default(), &mut ());
@@ -197,8 +199,10 @@ fn the_record_is_the_same_on_any_number_of_threads() {
     let record = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let options = Options::default();
-        let liar: [Box<dyn Solver>; 2] =
-            [Box::new(Liar(Status::Solved, 1.0)), (ALL[0].build)(&options)];
+        let liar: [Box<dyn Solver>; 2] = [
+            Box::new(Liar(Status::Solved, 1.0)),
+            Box::new(Pgs { settings: options.settings, ..Pgs::default() }),
+        ];
         pool.install(|| Hunt { problems: 200, seed: 2, tolerance: 1e-8 }.of(&liar, &|| ()))
     };
     assert_eq!(record(1), record(2));

@@ -9,8 +9,8 @@ use lcplab_problem::file::Problem;
 use lcplab_problem::friction::{Law, Model};
 use lcplab_problem::{Lcp, Matrix};
 use lcplab_solver::{
-    ConeEntry, ConeSolver, Entry, Group, MatrixClass, Method, Observer, Options, Order, Pgs,
-    Settings, Solution, Solver, Start, Status, Stop, entry,
+    ConeEntry, ConeSolver, Group, MatrixClass, Method, Observer, Options, Order, Pgs, Registry,
+    Settings, Solution, Solver, Start, Status, Stop,
 };
 use lcplab_study::hunt::{
     Counterexample, Finding, Friction, Given, Measure, Search, SearchResult, Target,
@@ -24,9 +24,10 @@ fn method(
     name: &'static str,
     build: impl Fn() -> Box<dyn Solver> + Send + Sync + 'static,
 ) -> Method {
-    let build = move |_: &Options| build();
-    let pgs = *entry("pgs").unwrap();
-    Method::Boxed(Entry { name, build: Box::leak(Box::new(build)), group: Group::Plugin, ..pgs })
+    let pgs = Registry::standard().entry("pgs").unwrap().clone();
+    let mut entry = pgs.building(move |_| build());
+    (entry.name, entry.group) = (name.into(), Group::Plugin);
+    Method::Boxed(entry)
 }
 
 fn engine(sweeps: Sweeps, count: usize, says: bool) -> Method {
@@ -174,7 +175,7 @@ fn every_problem_of_the_default_class_has_a_solution() {
 struct Square;
 
 impl ConeSolver for Square {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "square"
     }
 
@@ -195,15 +196,9 @@ fn under_cones(solver: Method) -> Target {
 }
 
 fn square() -> Method {
-    Method::Cone(ConeEntry {
-        name: "square",
-        method: "a box for a cone",
-        class: entry("pgs").unwrap().class,
-        laws: &[Law::Coulomb],
-        group: Group::Plugin,
-        source: "a test",
-        build: &|_: &Settings| Box::new(Square),
-    })
+    let mut entry = ConeEntry::new("square", &[Law::Coulomb], |_| Box::new(Square));
+    entry.class = Registry::standard().entry("pgs").unwrap().class;
+    Method::Cone(entry)
 }
 
 #[test]
@@ -222,7 +217,7 @@ fn a_solver_of_cones_is_examined_under_the_cone() {
     assert!(strength(&finding.right.as_ref().unwrap().x) < 1.0 + 1e-9, "{finding:?}");
     assert!(finding.equations().contains("|(x_1, x_2)| ≤"), "{}", finding.equations());
     assert!(finding.words.contains("under coulomb-cone"), "{}", finding.words);
-    let honest = lcplab_study::methods::by_name("cone-pgs", Model::CoulombCone).unwrap();
+    let honest = Registry::standard().method("cone-pgs", Some(Model::CoulombCone)).unwrap().clone();
     let SearchResult { counterexample, solved, .. } = result(&under_cones(honest), 1, 300);
     assert!(counterexample.is_none() && solved > 100, "{solved} {counterexample:?}");
 }
@@ -237,7 +232,7 @@ fn every_model_can_be_hunted_under() {
         ("cone-pgs", Model::AssociatedCone),
         ("cone-pgs", Model::CoulombCone),
     ] {
-        let solver = lcplab_study::methods::by_name(name, model).unwrap();
+        let solver = Registry::standard().method(name, Some(model)).unwrap().clone();
         let target = Target { model: Some(model), ..target(solver, MatrixClass::Definite, false) };
         target.validate().unwrap();
         let SearchResult { counterexample, solved, .. } = result(&target, 3, 100);
@@ -328,7 +323,7 @@ fn a_hunt_from_an_identity_with_friction_keeps_to_its_class() {
 struct Dead;
 
 impl Solver for Dead {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "dead"
     }
 
@@ -355,7 +350,7 @@ fn a_solver_that_solves_nothing_is_not_passed_for_want_of_false_claims() {
 struct Crashes;
 
 impl Solver for Crashes {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "crashes"
     }
 
@@ -402,7 +397,7 @@ struct Ordered {
 }
 
 impl Solver for Ordered {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "ordered"
     }
 

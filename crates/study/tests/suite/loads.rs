@@ -2,7 +2,7 @@ use lcplab_mechanics::scene::Scene;
 use lcplab_mechanics::simulation::Simulation;
 use lcplab_problem::Question;
 use lcplab_problem::file::Problem;
-use lcplab_solver::{Options, Settings, Start, by_name};
+use lcplab_solver::{Options, Registry, Settings, Start};
 use lcplab_study::loads::Loads;
 use serde_json::json;
 
@@ -44,7 +44,7 @@ fn table(legs: &[[f64; 2]]) -> Question {
 }
 
 fn loads_of(question: &Question) -> Loads {
-    let solver = by_name("dantzig", &Options::default()).unwrap();
+    let solver = Registry::standard().entry("dantzig").unwrap().build(&Options::default());
     let solution = solver.solve(question.boxed().unwrap(), &Start::default(), &mut ());
     Loads::of(question, &solution.x).unwrap()
 }
@@ -113,7 +113,7 @@ proptest! {
         for name in ["dantzig", "block-pivoting", "newton", "interior-point", "pgs", "apgd"] {
             let options = Options::default();
             let options = Options { settings: Settings { max_iterations: 100_000, ..options.settings }, ..options };
-            let solver = by_name(name, &options).unwrap();
+            let solver = Registry::standard().entry(name).unwrap().build(&options);
             let solution = solver.solve(question.boxed().unwrap(), &Start::default(), &mut ());
             let loads = Loads::of(&question, &solution.x).unwrap();
             prop_assert_eq!(&loads.unexamined, &None, "{}", name);

@@ -13,7 +13,7 @@ use lcplab_page::number::significant;
 use lcplab_problem::Lcp;
 use lcplab_problem::library::{self, Family};
 use lcplab_solver::textbook::{self, Matrix, Vector};
-use lcplab_solver::{ALL, Damping, Entry, Options, Settings, Start, Status, by_name};
+use lcplab_solver::{Damping, Entry, Options, Registry, Settings, Start, Status};
 
 use lcplab_testing::iterates;
 
@@ -72,7 +72,7 @@ impl Claim {
 /// Status, iterations and verdict of a solver as a line, and its claim.
 fn answer(lcp: &Lcp, entry: &Entry) -> (String, Option<Claim>) {
     let settings = Settings { tolerance: 1e-10, max_iterations: 20_000, ..Settings::default() };
-    let solver = by_name(entry.name, &Options { settings, ..Options::default() }).unwrap();
+    let solver = entry.build(&Options { settings, ..Options::default() });
     let solution = solver.solve(lcp, &Start::default(), &mut ());
     let unit = entry.group.unit();
     let unit = if solution.iterations == 1 { unit.trim_end_matches('s') } else { unit };
@@ -107,7 +107,7 @@ const SWEEPS: [(&str, &str, Twin); 2] = [
 fn sweeps(lcp: &Lcp, name: &str, twin: Twin) -> String {
     let settings = Settings { tolerance: 0.0, max_iterations: 3, ..Settings::default() };
     let options = Options { settings, damping: Damping::Factor(1.0), ..Options::default() };
-    let own = iterates(&*by_name(name, &options).unwrap(), lcp);
+    let own = iterates(&*Registry::standard().entry(name).unwrap().build(&options), lcp);
     let of = |v: &[f64]| Vector::from_column_slice(v);
     let a = lcp.matrix().to_dense();
     let mut text = String::new();
@@ -129,7 +129,8 @@ fn is_plain(lcp: &Lcp) -> bool {
 /// A line for each solver, and the solution that its claim is compared with: that of the first in
 /// [`REFERENCES`] that has one, otherwise of the first solver that has one.
 fn table(family: &dyn Family, lcp: &Lcp) -> String {
-    let answers: Vec<_> = ALL.iter().map(|entry| (entry.name, answer(lcp, entry))).collect();
+    let answers: Vec<_> =
+        Registry::standard().entries().map(|entry| (&*entry.name, answer(lcp, entry))).collect();
     let claims = || answers.iter().filter_map(|(name, (_, claim))| Some((*name, claim.as_ref()?)));
     let exact = REFERENCES.iter().find_map(|exact| claims().find(|(name, _)| name == exact));
     let reference = exact.or_else(|| claims().next());

@@ -8,7 +8,7 @@
 
 use lcplab_problem::error::Result;
 use lcplab_problem::{Lcp, Matrix};
-use lcplab_solver::{ALL, Options, Settings, Solution, Solver, Start, Status, by_name};
+use lcplab_solver::{Options, Registry, Settings, Solution, Solver, Start, Status};
 use lcplab_study::hunt::{Claim, claims, problem};
 use oorandom::Rand64;
 
@@ -107,7 +107,10 @@ fn in_units(lcp: &Lcp, (of_a, of_b): (i32, i32)) -> Result<Lcp> {
 /// Solves each family of each size in each unit; the worst ratios are in a table.
 fn is_backward_stable(solver: &str, tolerance: f64, sizes: &[usize]) {
     let settings = Settings { tolerance, ..Settings::default() };
-    let solver = by_name(solver, &Options { settings, ..Options::default() }).unwrap();
+    let solver = Registry::standard()
+        .entry(solver)
+        .unwrap()
+        .build(&Options { settings, ..Options::default() });
     let mut table = format!("| {} |", solver.name());
     let mut worst = 0.0;
     for &n in sizes {
@@ -164,7 +167,7 @@ fn murty_is_backward_stable() {
 fn all() -> Vec<Box<dyn Solver>> {
     let settings = Settings { max_iterations: 300, ..Settings::default() };
     let options = Options { settings, ..Options::default() };
-    ALL.iter().map(|entry| (entry.build)(&options)).collect()
+    Registry::standard().entries().map(|entry| entry.build(&options)).collect()
 }
 
 #[test]

@@ -8,8 +8,8 @@ use lcplab_problem::library;
 use lcplab_problem::{Lcp, merit};
 use lcplab_solver::theory::optimal_omega;
 use lcplab_solver::{
-    Entry, MatrixClass, Method, Observer, Options, Settings, Solution, Solver, Start, Status, Stop,
-    entry,
+    Entry, MatrixClass, Method, Observer, Options, Registry, Settings, Solution, Solver, Start,
+    Status, Stop,
 };
 use lcplab_study::hunt::{Counterexample, Finding, Friction, Measure, Search, Target};
 
@@ -22,7 +22,7 @@ enum Mistaken {
 }
 
 impl Solver for Mistaken {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "mistaken"
     }
 
@@ -72,8 +72,10 @@ impl Solver for Mistaken {
 }
 
 fn mistaken(mistake: Mistaken) -> Entry {
-    let build = move |_: &Options| -> Box<dyn Solver> { Box::new(mistake) };
-    Entry { name: "mistaken", build: Box::leak(Box::new(build)), ..*entry("pgs").unwrap() }
+    let pgs = Registry::standard().entry("pgs").unwrap().clone();
+    let mut entry = pgs.building(move |_| Box::new(mistake));
+    entry.name = "mistaken".into();
+    entry
 }
 
 fn target(measure: Measure, solver: Entry, rival: Option<&str>, max_iterations: usize) -> Target {
@@ -81,7 +83,7 @@ fn target(measure: Measure, solver: Entry, rival: Option<&str>, max_iterations: 
     Target {
         measure,
         solver: Method::Boxed(solver),
-        rival: rival.map(|name| Method::Boxed(*entry(name).unwrap())),
+        rival: rival.map(|name| Method::Boxed(Registry::standard().entry(name).unwrap().clone())),
         options: Options { settings, ..Options::default() },
         model: None,
         within: MatrixClass::General,
@@ -123,14 +125,16 @@ fn three_planted_mistakes_are_found_and_shrunk_to_a_contact_or_two() {
 
 #[test]
 fn the_wrong_fixed_point_of_code_6_is_found() {
-    let target = target(Measure::Failure, *entry("code6").unwrap(), None, 1000);
+    let target =
+        target(Measure::Failure, Registry::standard().entry("code6").unwrap().clone(), None, 1000);
     let counterexample = search(&target, 2..=5, 20_000).expect("a failure");
     assert_eq!(counterexample.lcp.len(), 2);
 }
 
 #[test]
 fn an_honest_solver_is_not_caught() {
-    let target = target(Measure::FalseClaim, *entry("pgs").unwrap(), None, 500);
+    let target =
+        target(Measure::FalseClaim, Registry::standard().entry("pgs").unwrap().clone(), None, 500);
     assert!(search(&target, 1..=4, 4000).is_none());
 }
 
@@ -184,10 +188,15 @@ fn enough(target: &Target, rows: RangeInclusive<usize>, at_least: f64) -> Counte
 
 #[test]
 fn a_matrix_is_found_on_which_least_index_pivoting_takes_many_pivots_and_block_pivoting_few() {
-    let target = target(Measure::Ratio, *entry("murty").unwrap(), Some("block-pivoting"), 1000);
+    let target = target(
+        Measure::Ratio,
+        Registry::standard().entry("murty").unwrap().clone(),
+        Some("block-pivoting"),
+        1000,
+    );
     let counterexample = enough(&target, 6..=6, 12.0);
     let pivots = |name: &str| {
-        let solver = (entry(name).unwrap().build)(&Options::default());
+        let solver = Registry::standard().entry(name).unwrap().build(&Options::default());
         solver.solve(&counterexample.lcp, &Start::default(), &mut ()).iterations
     };
     let (murty, block) = (pivots("murty"), pivots("block-pivoting"));
@@ -197,7 +206,12 @@ fn a_matrix_is_found_on_which_least_index_pivoting_takes_many_pivots_and_block_p
 
 #[test]
 fn two_rows_are_found_on_which_gauss_seidel_takes_a_hundred_times_the_sweeps_of_the_best_sor() {
-    let target = target(Measure::Ratio, *entry("pgs").unwrap(), Some("sor"), 10_000_000);
+    let target = target(
+        Measure::Ratio,
+        Registry::standard().entry("pgs").unwrap().clone(),
+        Some("sor"),
+        10_000_000,
+    );
     let counterexample = enough(&target, 2..=3, 100.0);
     assert!(counterexample.value >= 100.0, "{}", counterexample.value);
     // Young: with rho of Jacobi, ln rho^2 of Gauss-Seidel beside ln (omega* - 1) of the best SOR.

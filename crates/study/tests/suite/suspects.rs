@@ -2,10 +2,7 @@
 
 use lcplab_mechanics::scene::Scene;
 use lcplab_problem::Lcp;
-use lcplab_solver::trace::Cost;
-use lcplab_solver::{
-    Class, Entry, Group, MatrixClass, Observer, Options, Solution, Solver, Start, Status, add,
-};
+use lcplab_solver::{Entry, Method, Observer, Registry, Solution, Solver, Start, Status};
 use lcplab_study::diagnosis::unsupported::{Examination, Slow, examine_scene};
 
 /// The bug in a loop of projected Gauss-Seidel.
@@ -49,7 +46,7 @@ impl Own {
 }
 
 impl Solver for Own {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         self.name
     }
 
@@ -75,26 +72,22 @@ impl Solver for Own {
     }
 }
 
-/// Adds a solver of this name, as a plug-in does.
-fn register(name: &'static str, bug: Bug) {
-    let build = move |options: &Options| -> Box<dyn Solver> {
+/// The solvers, and one with a bug.
+fn with_own(name: &'static str, bug: Bug) -> Registry {
+    with(Entry::new(name, move |options| {
         Box::new(Own { name, bug, sweeps: options.settings.max_iterations })
-    };
-    add(Entry {
-        name,
-        method: "a solver with a bug",
-        class: Class::of(MatrixClass::General),
-        group: Group::Plugin,
-        cost: Cost::UNKNOWN,
-        source: "a test",
-        uses: &[],
-        build: Box::leak(Box::new(build)),
-    })
-    .unwrap();
+    }))
+}
+
+/// The solvers, and this one.
+fn with(entry: Entry) -> Registry {
+    let mut solvers = Registry::default();
+    solvers.add(Method::Boxed(entry)).unwrap();
+    solvers
 }
 
 /// Boxes on each other that are pushed.
-fn pushed(boxes: usize, solver: &str, sweeps: usize) -> Examination {
+fn pushed(boxes: usize, solver: &str, sweeps: usize, solvers: Registry) -> Examination {
     let ground = "[[bodies]]\nname = \"ground\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n";
     let cube = |k: usize| {
         format!(
@@ -109,7 +102,9 @@ fn pushed(boxes: usize, solver: &str, sweeps: usize) -> Examination {
          [solver]\nname = {solver:?}\nmax_iterations = {sweeps}\n"
     );
     let text = head + ground + &(0..boxes).map(cube).collect::<String>();
-    examine_scene(&Scene::from_toml("pushed.toml", &text).unwrap(), None).unwrap()
+    let mut scene = Scene::from_toml("pushed.toml", &text).unwrap();
+    scene.solvers = solvers;
+    examine_scene(&scene, None).unwrap()
 }
 
 /// The first cause, if it is the solver.
@@ -131,9 +126,8 @@ fn a_solver_that_is_worse_than_plain_sweeps_is_suspected_first_and_the_scene_is_
         ("clamped-increments", Bug::ClampedIncrements),
         ("mu-squared", Bug::MuSquared),
     ] {
-        register(name, bug);
         for sweeps in [1000, 3000] {
-            let found = pushed(3, name, sweeps);
+            let found = pushed(3, name, sweeps, with_own(name, bug));
             let Slow::Solver { with, plain, .. } = suspected(&found) else { panic!("{name}") };
             assert!(*plain < 0.01 && *with > 2.0 * plain, "{name}: {with} {plain}");
             assert_eq!(found.unsupported.as_ref().unwrap().causes.len(), 1, "{name}");
@@ -143,10 +137,9 @@ fn a_solver_that_is_worse_than_plain_sweeps_is_suspected_first_and_the_scene_is_
 
 #[test]
 fn the_scene_is_blamed_for_no_more_than_plain_sweeps_leave() {
-    register("left-out", Bug::NoFriction);
     let mut blamed = 0;
     for (boxes, sweeps) in [(4, 20), (6, 20), (8, 20), (8, 40)] {
-        let found = pushed(boxes, "left-out", sweeps);
+        let found = pushed(boxes, "left-out", sweeps, with_own("left-out", Bug::NoFriction));
         let unsupported = found.unsupported.as_ref().unwrap();
         let Some(Slow::Solver { plain, .. }) = unsupported.causes.first() else { continue };
         for cause in &unsupported.causes[1..] {
@@ -165,8 +158,7 @@ fn the_scene_is_blamed_for_no_more_than_plain_sweeps_leave() {
 
 #[test]
 fn the_known_mistakes_are_tried_on_the_answer_of_a_suspected_solver() {
-    register("no-friction", Bug::NoFriction);
-    let found = pushed(2, "no-friction", 50);
+    let found = pushed(2, "no-friction", 50, with_own("no-friction", Bug::NoFriction));
     let Slow::Solver { mistakes, .. } = suspected(&found) else { panic!() };
     assert!(mistakes.iter().any(|own| own.what.contains("friction left out")), "{mistakes:?}");
     assert!(found.to_json()["solve"]["causes"][0]["mistakes"].is_array());
@@ -174,27 +166,25 @@ fn the_known_mistakes_are_tried_on_the_answer_of_a_suspected_solver() {
 
 #[test]
 fn a_solver_without_an_answer_is_suspected_with_its_reason() {
-    register("silent", Bug::Silent);
-    let found = pushed(2, "silent", 100);
+    let found = pushed(2, "silent", 100, with_own("silent", Bug::Silent));
     let words = suspected(&found).to_string();
     assert!(words.contains("It gave no answer:") && words.contains("IndexError"), "{words}");
 }
 
 #[test]
 fn a_solver_as_good_as_plain_sweeps_is_not_suspected() {
-    register("sound", Bug::None);
     // Too few sweeps for a tall stack, with any solver.
-    let found = pushed(8, "sound", 10);
+    let found = pushed(8, "sound", 10, with_own("sound", Bug::None));
     let causes = found.causes();
     assert!(!causes.is_empty() && !causes.contains(&"suspect the solver"), "{causes:?}");
-    assert!(pushed(2, "sound", 2000).causes().is_empty());
+    assert!(pushed(2, "sound", 2000, with_own("sound", Bug::None)).causes().is_empty());
 }
 
 /// A solver that does two sweeps and then reports a ray.
 struct GivesUp;
 
 impl Solver for GivesUp {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "gives-up"
     }
 
@@ -206,19 +196,8 @@ impl Solver for GivesUp {
 
 #[test]
 fn a_solver_that_gives_up_is_the_first_cause() {
-    let build = |_: &Options| -> Box<dyn Solver> { Box::new(GivesUp) };
-    add(Entry {
-        name: "gives-up",
-        method: "a solver that gives up",
-        class: Class::of(MatrixClass::General),
-        group: Group::Plugin,
-        cost: Cost::UNKNOWN,
-        source: "a test",
-        uses: &[],
-        build: Box::leak(Box::new(build)),
-    })
-    .unwrap();
-    let found = pushed(2, "gives-up", 50);
+    let solvers = with(Entry::new("gives-up", |_| Box::new(GivesUp)));
+    let found = pushed(2, "gives-up", 50, solvers);
     assert_eq!(found.causes().first(), Some(&"the solver gave up"), "{:?}", found.causes());
     let told = found.gave_up.as_ref().unwrap();
     assert!(told.starts_with("in step 1: ended on a ray"), "{told}");

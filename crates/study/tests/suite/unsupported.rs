@@ -5,19 +5,18 @@ use lcplab_mechanics::simulation::problem_of;
 use lcplab_page::document::Document;
 use lcplab_problem::file::Problem;
 use lcplab_problem::{Lcp, Matrix};
-use lcplab_solver::{Options, Settings};
+use lcplab_solver::{Options, Registry, Settings};
 use lcplab_study::diagnosis::unsupported::{
     Examination, Frame, GOOD, Linear, Moving, ReferenceSolution, SweepParameters, UnsupportedLoad,
     UserSolver, examine, examine_scene, examine_sequence,
 };
-use lcplab_study::methods::entry;
 use lcplab_testing::{INF, contacts};
 use rayon::prelude::*;
 
 fn user_solver(solver: &str, sweeps: usize) -> UserSolver {
     let settings = Settings { max_iterations: sweeps, ..Settings::default() };
     let options = Options { settings, ..Options::default() };
-    UserSolver { entry: entry(solver).unwrap(), options }
+    UserSolver { entry: Registry::standard().entry(solver).unwrap().clone(), options }
 }
 
 /// A scene with these changes and this number of iterations of a solver.

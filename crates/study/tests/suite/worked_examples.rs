@@ -2,7 +2,7 @@
 
 use lcplab_page::number::significant;
 use lcplab_problem::Lcp;
-use lcplab_solver::{ALL, Options, Settings, Start, by_name};
+use lcplab_solver::{Options, Registry, Settings, Start};
 
 use lcplab_testing::{assert_certified, assert_proved, contacts};
 
@@ -10,7 +10,10 @@ use lcplab_testing::{assert_certified, assert_proved, contacts};
 /// it.
 fn certified(lcp: &Lcp, solver: &str) -> String {
     let settings = Settings { tolerance: 1e-10, ..Settings::default() };
-    let solver = by_name(solver, &Options { settings, ..Options::default() }).unwrap();
+    let solver = Registry::standard()
+        .entry(solver)
+        .unwrap()
+        .build(&Options { settings, ..Options::default() });
     let solution = solver.solve(lcp, &Start::default(), &mut ());
     assert_certified(lcp, &solution.x);
     let side = |(i, &x): (usize, &f64)| match x {
@@ -28,8 +31,8 @@ fn figure_6_the_object_is_stopped_by_its_weight_and_its_momentum() {
     // One unit mass on the ground, v = −1, g = 9.81, dt = 1/60: b = J u* = −1 − g/60, A = 1, so
     // x = 1 + 9.81/60 = 1.1635 N s.
     let lcp = contacts(&[&[1.0]], &[-1.0 - 9.81 / 60.0]);
-    for entry in ALL {
-        let solver = by_name(entry.name, &Options::default()).unwrap();
+    for entry in Registry::standard().entries() {
+        let solver = entry.build(&Options::default());
         let solution = solver.solve(&lcp, &Start::default(), &mut ());
         assert!((solution.x[0] - 1.1635).abs() < 1e-7, "{}", entry.name);
     }
@@ -43,9 +46,9 @@ fn figure_7_the_stack_takes_up_the_blow() {
     let a: [&[f64]; 3] = [&[1.0, -1.0, 0.0], &[-1.0, 2.0, -1.0], &[0.0, -1.0, 2.0]];
     let lcp = contacts(&a, &[-1.0, -1.0, 1.0]);
     assert_proved(&lcp, &[4.0, 3.0, 1.0]);
-    for entry in ALL {
+    for entry in Registry::standard().entries() {
         let settings = Settings { tolerance: 1e-12, ..Settings::default() };
-        let solver = by_name(entry.name, &Options { settings, ..Options::default() }).unwrap();
+        let solver = entry.build(&Options { settings, ..Options::default() });
         let solution = solver.solve(&lcp, &Start::default(), &mut ());
         for (found, x) in solution.x.iter().zip([4.0, 3.0, 1.0]) {
             assert!((found - x).abs() < 1e-9, "{}: {:?}", entry.name, solution.x);

@@ -10,7 +10,7 @@ use crate::error::Result;
 use crate::report::methods;
 use crate::report::study::posed::Source;
 use crate::report::study::trial::Outcome;
-use crate::solver::{Options, Settings};
+use crate::solver::{Options, Registry, Settings};
 
 /// The problems and solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -102,7 +102,7 @@ impl Methods {
     ///
     /// # Errors
     /// If the problem or the solver does not exist.
-    pub fn run(&self, problem: &Source) -> Result<(Progress, Clock)> {
+    pub fn run(&self, problem: &Source, solvers: &Registry) -> Result<(Progress, Clock)> {
         let posed = match problem {
             Source::Stack(stack) => {
                 let problem = stack.problem()?;
@@ -116,7 +116,7 @@ impl Methods {
             ..Settings::default()
         };
         let options = Options { settings, omega: self.omega, ..Options::default() };
-        let runs = methods::entries(&self.solvers)?;
+        let runs = methods::entries(&self.solvers, solvers)?;
         let (methods, clock) = runs.iter().map(|entry| watch::run(entry, &posed, &options)).unzip();
         let progress = Progress {
             problem: problem.name(),
@@ -133,8 +133,8 @@ impl Methods {
     ///
     /// # Errors
     /// If the problem or the solver does not exist.
-    pub fn choose(&self, problem: &Source) -> Result<Progress> {
-        let mut progress = self.run(problem)?.0;
+    pub fn choose(&self, problem: &Source, solvers: &Registry) -> Result<Progress> {
+        let mut progress = self.run(problem, solvers)?.0;
         for method in &mut progress.methods {
             let end = method.marks.len().saturating_sub(1);
             let kept =

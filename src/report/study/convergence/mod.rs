@@ -13,6 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::Study;
 use super::posed::Source;
 use crate::error::Result;
+use crate::solver::Registry;
 use methods::{Clock, Methods, Progress};
 use rows::{RowResiduals, Rows, Sweep};
 use sweeps::{Rates, SweepCase};
@@ -89,14 +90,16 @@ impl Study for Plan {
         self.list().into_iter().map(name).collect()
     }
 
-    fn run(&self, task: usize) -> Result<(Finding, Option<Clock>)> {
+    fn run(&self, task: usize, solvers: &Registry) -> Result<(Finding, Option<Clock>)> {
         match self.list()[task] {
             Task::Sweeps(swept) => Ok((Finding::Sweeps(swept.run()?), None)),
             Task::Methods(methods, problem) => {
-                let (progress, clock) = methods.run(problem)?;
+                let (progress, clock) = methods.run(problem, solvers)?;
                 Ok((Finding::Methods(progress), Some(clock)))
             }
-            Task::Choice(methods, problem) => Ok((Finding::Choice(methods.choose(problem)?), None)),
+            Task::Choice(methods, problem) => {
+                Ok((Finding::Choice(methods.choose(problem, solvers)?), None))
+            }
             Task::Rows(rows, sweep) => Ok((Finding::Rows(rows.run(sweep)?), None)),
         }
     }

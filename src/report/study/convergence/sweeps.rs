@@ -114,6 +114,6 @@ fn curve(lcp: &Lcp, omega: f64) -> Curve {
         measured_rate: trace.rate(),
         sweeps: records.len().saturating_sub(1),
         residuals: kept.map(|(_, record)| (record.iteration, record.natural_residual)).collect(),
-        predicted_rate: theory::rate("sor", &options, lcp, &theory::rows_inside(lcp, &x)),
+        predicted_rate: theory::rate(Pgs::RELAXED, &options, lcp, &theory::rows_inside(lcp, &x)),
     }
 }

@@ -81,7 +81,7 @@ pub(super) fn run(
         looking: Duration::ZERO,
         active: Vec::new(),
     };
-    let solution = (entry.build)(options).solve(lcp, &Start::default(), &mut watch);
+    let solution = entry.build(options).solve(lcp, &Start::default(), &mut watch);
     let seconds = watch.elapsed(Instant::now());
     let end = watch.mark(solution.iterations, &solution.x);
     let Watch { mut marks, seconds: mut times, .. } = watch;
@@ -96,7 +96,7 @@ pub(super) fn run(
     let outcome = Outcome::of(&solution, lcp, options.settings.tolerance);
     let times = times.into_iter().zip(marks.iter().map(|mark| mark.residual)).collect();
     let solver = entry.name.to_string();
-    let rate = theory::rate(entry.name, options, lcp, &theory::rows_inside(lcp, &solution.x));
+    let rate = theory::rate(&entry.name, options, lcp, &theory::rows_inside(lcp, &solution.x));
     (MethodProgress { solver: solver.clone(), outcome, marks, rate }, (solver, times))
 }
 

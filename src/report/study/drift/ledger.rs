@@ -18,6 +18,7 @@ use crate::film::instants;
 use crate::report::study::settings::file_name;
 use crate::report::study::variation::Variation;
 use crate::simulation::{Ledger, Motion, Simulation};
+use crate::solver::Registry;
 
 /// A scene stepped with one set of settings.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -88,12 +89,13 @@ impl Book {
 }
 
 impl Run {
-    /// Steps the scene and adds up its energy balance.
+    /// Steps the scene with its solver, one of these, and adds up its energy balance.
     ///
     /// # Errors
     /// If the scene does not exist, or is invalid with the overridden fields.
-    pub fn audit(&self) -> Result<Account> {
-        let scene = Variation::of(&self.scene, &self.change).scene()?;
+    pub fn audit(&self, solvers: &Registry) -> Result<Account> {
+        let mut scene = Variation::of(&self.scene, &self.change).scene()?;
+        scene.solvers = solvers.clone();
         let start = Motion::of(&scene, &scene.states, 0);
         let steps = (self.duration / scene.step.dt).round() as usize;
         let kept = instants(steps, KEPT);

@@ -10,6 +10,7 @@ use crate::error::Result;
 use crate::report::study::variation::Variation;
 use crate::scene::{Scene, Scheme};
 use crate::simulation::Simulation;
+use crate::solver::Registry;
 
 /// A scene whose exact motion is periodic and conserves its energy.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -61,12 +62,13 @@ pub struct Curve {
 }
 
 impl Periodic {
-    /// Runs the scene with both levels and with the other integrators of the acceleration level.
+    /// Runs the scene with its solver, one of these, with both levels and with the other integrators of the acceleration level.
     ///
     /// # Errors
     /// If the scene does not exist, or is invalid with the overridden fields.
-    pub fn run(&self) -> Result<LongRun> {
-        let scene = Variation::of(&self.scene, &self.change).scene()?;
+    pub fn run(&self, solvers: &Registry) -> Result<LongRun> {
+        let mut scene = Variation::of(&self.scene, &self.change).scene()?;
+        scene.solvers = solvers.clone();
         let levels = methods().into_iter().filter(|(_, scheme, _)| Scheme::LEVELS.contains(scheme));
         let runs: Vec<_> = levels.flat_map(|method| [(method.clone(), 1), (method, 2)]).collect();
         let curves = runs.into_par_iter().map(|((name, scheme, integrator), division)| {

@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Study;
 use crate::error::Result;
+use crate::solver::Registry;
 use ledger::{Account, Run};
 use long::{LongRun, Periodic};
 use order::{Orders, Problem};
@@ -73,10 +74,10 @@ impl Study for Plan {
         self.list().into_iter().map(name).collect()
     }
 
-    fn run(&self, task: usize) -> Result<(Finding, ())> {
+    fn run(&self, task: usize, solvers: &Registry) -> Result<(Finding, ())> {
         let finding = match self.list()[task] {
-            Task::Long(periodic) => Finding::Long(periodic.run()?),
-            Task::Ledger(run) => Finding::Ledger(run.audit()?),
+            Task::Long(periodic) => Finding::Long(periodic.run(solvers)?),
+            Task::Ledger(run) => Finding::Ledger(run.audit(solvers)?),
             Task::Order(orders, problem) => Finding::Order(orders.run(problem)?),
         };
         Ok((finding, ()))

@@ -14,7 +14,7 @@ use crate::error::Result;
 use crate::formulation::Problem;
 use crate::scene::{Scene, Scheme};
 use crate::simulation::{self, Simulation};
-use crate::solver::{self, Options, by_name};
+use crate::solver::{self, Pgs, Registry};
 use factor::Factor;
 use gallery::{Gallery, Picture};
 use pattern::Patterns;
@@ -75,7 +75,7 @@ impl Study for Plan {
         self.list().into_iter().map(name).collect()
     }
 
-    fn run(&self, task: usize) -> Result<(Finding, ())> {
+    fn run(&self, task: usize, _: &Registry) -> Result<(Finding, ())> {
         let finding = match self.list()[task] {
             Task::Patterns(at) => Finding::Patterns(pattern::run(at)?),
             Task::Gallery(gallery) => Finding::Gallery(gallery.run()?),
@@ -96,7 +96,7 @@ fn problem(task: &AtStep) -> Result<Option<Problem>> {
         return simulation::problem_of(&scene, task.step).map(Some);
     }
     let settings = solver::Settings { max_iterations: 1, ..solver::Settings::default() };
-    let solver = by_name("pgs", &Options { settings, ..Options::default() })?;
+    let solver = Box::new(Pgs { settings, ..Pgs::default() });
     let step = Simulation::new(scene, solver).step().ok();
     Ok(step.and_then(|mut step| step.solves.pop()).map(|solve| solve.problem))
 }

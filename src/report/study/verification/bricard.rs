@@ -9,7 +9,7 @@ use crate::assembly::{Assembly, ConstraintFilter};
 use crate::error::Result;
 use crate::scene::Scene;
 use crate::simulation::Simulation;
-use crate::solver::by_name;
+use crate::solver::{Dantzig, InteriorPoint, Lemke, Registry};
 
 /// Singular values below this fraction of the largest count as 0.
 const ZERO: f64 = 1e-9;
@@ -34,7 +34,7 @@ pub(super) fn bricard(size: Size) -> Result<Vec<Row>> {
     let solved = (1e-7, "the tolerance of the interior-point method");
     let formula = ["n (n F)/(n M n)", "n\\,\\frac{n^T F}{n^T M n}"];
     let expected = freedom(&case.scene).unwrap_or(f64::NAN);
-    let solvers = ["dantzig", "lemke", "interior-point"];
+    let solvers = [Dantzig::NAME, Lemke::NAME, InteriorPoint::NAME];
     let known = solvers.map(|name| {
         let what = format!("acceleration of rod 3 from rest, {name}");
         Known::exact(solved, what, formula, "m/s²", expected)
@@ -43,7 +43,10 @@ pub(super) fn bricard(size: Size) -> Result<Vec<Row>> {
         let start = |name: &str| {
             let mut options = simulation::options(scene);
             options.settings.tolerance = 1e-9;
-            let mut simulation = Simulation::new(scene.clone(), by_name(name, &options).ok()?);
+            let mut simulation = Simulation::new(
+                scene.clone(),
+                Registry::standard().entry(name).ok()?.build(&options),
+            );
             Some(simulation.step().ok()?.states[2].v.norm() / scene.step.dt)
         };
         Some(solvers.map(|name| start(name).unwrap_or(f64::NAN)).into())

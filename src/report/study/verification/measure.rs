@@ -3,11 +3,10 @@
 use super::{Criterion, Row, Sample, Size};
 use crate::body::State;
 use crate::error::Result;
-use crate::report::study::STEPPER;
 use crate::scene::{Integrator, Scene, Scheme};
 use crate::simulation;
 use crate::simulation::{Simulation, Step};
-use crate::solver::by_name;
+use crate::solver::Dantzig;
 
 /// A scheme, and the integrator for the acceleration level.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -148,7 +147,7 @@ impl Case {
 
 /// A simulation of the scene.
 pub(super) fn start(scene: &Scene) -> Option<Simulation> {
-    let solver = by_name(STEPPER, &simulation::options(scene)).ok()?;
+    let solver = Box::new(Dantzig { settings: simulation::options(scene).settings });
     Some(Simulation::new(scene.clone(), solver))
 }
 

@@ -36,6 +36,7 @@ use super::Study;
 use crate::error::{Error, Result};
 use crate::lcp::friction::Model;
 use crate::scene::Scheme;
+use crate::solver::Registry;
 
 /// The allowed difference between an observed order and the derived one.
 pub const ORDER_SLACK: f64 = 0.1;
@@ -65,7 +66,7 @@ impl Study for Plan {
         self.cases.clone()
     }
 
-    fn run(&self, task: usize) -> Result<(Vec<Row>, ())> {
+    fn run(&self, task: usize, _: &Registry) -> Result<(Vec<Row>, ())> {
         Ok((run(self.size, Some(&self.cases[task]))?, ()))
     }
 }

@@ -9,7 +9,7 @@ use crate::report::view::attempt::{
     anchor, iterations_in_words, outcome as outcome_cell, rough, tolerance,
 };
 use crate::report::view::{Headline, Outcome, ReportPage};
-use crate::solver::Group;
+use crate::solver::{Group, Pgs, Registry};
 
 /// The value at which a residual of exactly 0 is drawn on a logarithmic axis.
 const LEAST: f64 = 1e-17;
@@ -97,7 +97,7 @@ fn left(progress: &Progress) -> Option<String> {
 }
 
 fn pgs(progress: &Progress) -> Option<&MethodProgress> {
-    progress.methods.iter().find(|method| method.solver == "pgs")
+    progress.methods.iter().find(|method| method.solver == Pgs::NAME)
 }
 
 /// The cheapest method of each problem, its cost, and what ten sweeps of PGS leave undone.
@@ -143,7 +143,7 @@ fn choice(choices: &[&Progress]) -> Table {
 fn costs(progress: &Progress, solved: &[&MethodProgress]) -> Bars {
     let bar = |(k, method): (usize, &&MethodProgress)| Bar {
         name: method.solver.clone(),
-        accent: k == 0 || method.solver == "pgs",
+        accent: k == 0 || method.solver == Pgs::NAME,
         value: work(method),
         others: Vec::new(),
     };
@@ -173,7 +173,7 @@ fn id(problem: &str, what: &str) -> String {
 
 fn curve(solver: &str, points: Vec<(f64, f64)>) -> Series {
     let points = points.into_iter().filter(|(work, _)| work.is_finite()).collect();
-    match Group::of(solver) {
+    match Registry::standard().entry(solver).ok().map(|entry| entry.group) {
         Some(Group::Pivoting) => Series::points(solver, points),
         _ => Series::measured(solver, points),
     }

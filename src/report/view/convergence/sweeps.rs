@@ -8,6 +8,7 @@ use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::convergence::sweeps::{Curve, Rates};
 use crate::report::view::attempt::stem;
 use crate::report::view::{Outcome, ReportPage};
+use crate::solver::Pgs;
 
 /// A measured rate, as digits per sweep, is marked if it differs from the predicted one by more
 /// than this fraction.
@@ -68,7 +69,7 @@ impl Curve {
 }
 
 fn name(omega: f64) -> String {
-    if omega == 1.0 { "pgs".into() } else { format!("sor ω = {omega}") }
+    if omega == 1.0 { Pgs::NAME.into() } else { format!("sor ω = {omega}") }
 }
 
 fn figure(study: &Rates) -> Lines {

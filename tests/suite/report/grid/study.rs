@@ -6,6 +6,7 @@ use std::path::Path;
 use indicatif::ProgressBar;
 use lcplab::report::experiment::Experiment;
 use lcplab::report::grid::{Folder, Grid, collect};
+use lcplab::report::methods::with_reference;
 use lcplab::report::results::Results;
 use lcplab::report::{run, view};
 use lcplab::solver::Stop;
@@ -25,7 +26,10 @@ fn written(folder: &Path, text: &str) -> (String, String) {
 
 fn results(report: &str) -> Results {
     let experiment = Experiment::parse(report, "mine.toml", "mine").unwrap();
-    run::run(&experiment, None, &ProgressBar::hidden(), &Stop::default(), &|_| Ok(())).unwrap()
+    run::run(&experiment, None, with_reference(), &ProgressBar::hidden(), &Stop::default(), &|_| {
+        Ok(())
+    })
+    .unwrap()
 }
 
 #[test]

@@ -27,7 +27,7 @@ fn simulation(text: &str, level: Scheme) -> Simulation {
 }
 
 fn start(scene: Scene) -> Simulation {
-    Simulation::new(scene, solver::by_name("dantzig", &solver::Options::default()).unwrap())
+    Simulation::new(scene, Box::new(solver::Dantzig::default()))
 }
 
 /// The forces (N, N m) of a step's rows of the constraint with this index: x at acceleration level,

@@ -28,7 +28,10 @@ fn the_example_slides_up_and_then_down_its_slope() {
     // again.
     let (sin, cos) = 17f64.to_radians().sin_cos();
     let top = -4.0 / (2.0 * 9.81 * (sin + 0.25 * cos));
-    let solver = lcplab_solver::by_name("dantzig", &lcplab_solver::Options::default()).unwrap();
+    let solver = lcplab_solver::Registry::standard()
+        .entry("dantzig")
+        .unwrap()
+        .build(&lcplab_solver::Options::default());
     let mut simulation = lcplab_mechanics::simulation::Simulation::new(scene, solver);
     let mut least = 0.0f64;
     for _ in 0..100 {

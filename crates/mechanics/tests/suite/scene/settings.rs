@@ -7,7 +7,7 @@ use lcplab_solver as solver;
 use nalgebra::Vector3;
 
 fn simulation_of(scene: Scene) -> Simulation {
-    Simulation::new(scene, solver::by_name("dantzig", &solver::Options::default()).unwrap())
+    Simulation::new(scene, Box::new(solver::Dantzig::default()))
 }
 
 fn changed(scene: &str, changes: &[(&str, &str)]) -> lcplab_problem::error::Result<Scene> {

@@ -31,7 +31,8 @@ fn constraints_that_fight_are_named() {
     for level in Scheme::LEVELS {
         for name in ["dantzig", "lemke", "pgs"] {
             let scene = scene("fig8", level);
-            let solver = solver::by_name(name, &Options::default()).unwrap();
+            let solver =
+                solver::Registry::standard().entry(name).unwrap().build(&Options::default());
             let mut fight = Simulation::new(scene.clone(), solver);
             let step = fight.step().unwrap();
             assert_eq!(step.solves[0].conflict(&scene), fighting, "{name} {level:?}");
@@ -61,7 +62,7 @@ fn sweeps_find_no_best_fit_where_constraints_fight() {
             ..Settings::default()
         };
         let options = Options { settings, ..Options::default() };
-        let pgs = solver::by_name("pgs", &options).unwrap();
+        let pgs = solver::Registry::standard().entry("pgs").unwrap().build(&options);
         let mut fight = Simulation::new(scene("fig8", Scheme::Velocity), pgs);
         x(&fight.step().unwrap()).iter().fold(0.0, |m: f64, x| m.max(x.abs()))
     });

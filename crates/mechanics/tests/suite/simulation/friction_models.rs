@@ -6,7 +6,7 @@ use lcplab_judge::{Demand, judge};
 use lcplab_mechanics::scene::{Persistence, Scene, Scheme, Sliding};
 use lcplab_mechanics::simulation::{Simulation, Step};
 use lcplab_problem::friction::Model;
-use lcplab_solver::{CONES, Settings, Status};
+use lcplab_solver::{Registry, Settings, Status};
 use nalgebra::Vector3;
 
 use super::{assert_near, simulation};
@@ -366,10 +366,11 @@ fn a_model_is_solved_by_a_solver_that_takes_it_and_named() {
         let step = simulation(scene("sliding", model)).step().unwrap();
         assert_eq!(step.solves[0].solver, solver, "{model}");
     }
-    let sweeps = (CONES.iter().find(|cone| cone.name == "cone-pgs").unwrap().build)(&Settings {
-        max_iterations: 100_000,
-        ..Settings::default()
-    });
+    let sweeps = Registry::standard()
+        .cone_entries()
+        .find(|cone| cone.name == "cone-pgs")
+        .unwrap()
+        .build(&Settings { max_iterations: 100_000, ..Settings::default() });
     let mut block = simulation(scene("sliding", Model::CoulombCone)).with_cone_solver(sweeps);
     let mut same = simulation(scene("sliding", Model::CoulombCone));
     for _ in 0..30 {

@@ -121,7 +121,8 @@ fn what_bounces_does_not_depend_on_how_a_solver_shares_the_impulse() {
     ";
     let scene = Scene::from_toml("flat.toml", text).unwrap();
     let after = |solver: &str| {
-        let solver = solver::by_name(solver, &solver::Options::default()).unwrap();
+        let solver =
+            solver::Registry::standard().entry(solver).unwrap().build(&solver::Options::default());
         let mut flat = Simulation::new(scene.clone(), solver);
         flat.step().unwrap().states[1].velocity()
     };

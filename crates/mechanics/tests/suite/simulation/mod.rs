@@ -69,7 +69,7 @@ fn changed(name: &str, words: &[(&str, &str)]) -> Scene {
 /// A simulation of the scene with Dantzig's method.
 fn simulation(scene: Scene) -> Simulation {
     scene.validate().unwrap();
-    Simulation::new(scene, solver::by_name("dantzig", &solver::Options::default()).unwrap())
+    Simulation::new(scene, Box::new(solver::Dantzig::default()))
 }
 
 /// The x of the last solve of a step.

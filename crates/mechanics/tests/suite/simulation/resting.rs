@@ -94,7 +94,7 @@ fn a_resting_ball_stays_where_it_is_for_ever() {
 #[test]
 fn the_stack_keeps_its_twenty_corners_whatever_the_rounding() {
     // Gauss-Seidel leaves errors of 1e-9 m between flush boxes.
-    let pgs = solver::by_name("pgs", &solver::Options::default()).unwrap();
+    let pgs = Box::new(solver::Pgs::default());
     let mut stack = Simulation::new(scene("stack", Scheme::Velocity), pgs);
     let first: Vec<_> = stack.step().unwrap().contacts.iter().map(|found| found.id).collect();
     assert_eq!(first.len(), 20);

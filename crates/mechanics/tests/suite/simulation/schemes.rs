@@ -128,7 +128,7 @@ fn the_sweeps_of_sequential_impulses_are_those_of_pgs() {
             ..Settings::default()
         };
         let options = Options { settings, ..Options::default() };
-        let pgs = solver::by_name("pgs", &options).unwrap();
+        let pgs = solver::Registry::standard().entry("pgs").unwrap().build(&options);
         let mut with_matrix = Simulation::new(scene.clone(), pgs);
         scene.step.scheme = Scheme::SequentialImpulses;
         let mut without = simulation(scene);

@@ -31,7 +31,7 @@ fn pgs() -> Box<dyn Solver> {
 struct InOrder(Arc<Mutex<Vec<usize>>>);
 
 impl Solver for InOrder {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "in order"
     }
 

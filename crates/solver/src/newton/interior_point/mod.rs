@@ -59,9 +59,14 @@ pub struct InteriorPoint {
     pub settings: Settings,
 }
 
+impl InteriorPoint {
+    /// Its name in the registry.
+    pub const NAME: &'static str = "interior-point";
+}
+
 impl Solver for InteriorPoint {
-    fn name(&self) -> &'static str {
-        "interior-point"
+    fn name(&self) -> &str {
+        InteriorPoint::NAME
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {

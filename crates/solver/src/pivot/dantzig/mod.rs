@@ -59,9 +59,14 @@ pub struct Dantzig {
     pub settings: Settings,
 }
 
+impl Dantzig {
+    /// Its name in the registry.
+    pub const NAME: &'static str = "dantzig";
+}
+
 impl Solver for Dantzig {
-    fn name(&self) -> &'static str {
-        "dantzig"
+    fn name(&self) -> &str {
+        Dantzig::NAME
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {

@@ -64,9 +64,14 @@ pub struct Lemke {
     pub settings: Settings,
 }
 
+impl Lemke {
+    /// Its name in the registry.
+    pub const NAME: &'static str = "lemke";
+}
+
 impl Solver for Lemke {
-    fn name(&self) -> &'static str {
-        "lemke"
+    fn name(&self) -> &str {
+        Lemke::NAME
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {

@@ -6,7 +6,7 @@
 
 use lcplab_problem::exact::{Exact, Side};
 use lcplab_problem::{Lcp, merit};
-use lcplab_solver::{Options, Settings, Solver, Start, Status, by_name, default_for};
+use lcplab_solver::{Enumeration, Lemke, Options, Registry, Settings, Start, Status, default_for};
 
 /// Maximum number of rows for exact solutions; with more, the solutions of solvers are used
 /// unchanged.
@@ -41,7 +41,7 @@ pub(super) fn solution(lcp: &Lcp) -> Option<Vec<f64>> {
 }
 
 fn solved_by(name: &str, lcp: &Lcp) -> Option<Vec<f64>> {
-    let solver: Box<dyn Solver> = by_name(name, &Options::default()).ok()?;
+    let solver = Registry::standard().entry(name).ok()?.build(&Options::default());
     let solution = solver.solve(lcp, &Start::default(), &mut ());
     (solution.status == Status::Solved).then_some(solution.x)
 }
@@ -49,8 +49,8 @@ fn solved_by(name: &str, lcp: &Lcp) -> Option<Vec<f64>> {
 /// The solution of the default solver, or of another one if it finds none.
 fn any_solution(lcp: &Lcp) -> Option<Vec<f64>> {
     let enumerated =
-        || if lcp.len() <= ENUMERATED_ROWS { solved_by("enumeration", lcp) } else { None };
-    solution(lcp).or_else(|| solved_by("lemke", lcp)).or_else(enumerated)
+        || if lcp.len() <= ENUMERATED_ROWS { solved_by(Enumeration::NAME, lcp) } else { None };
+    solution(lcp).or_else(|| solved_by(Lemke::NAME, lcp)).or_else(enumerated)
 }
 
 /// The solutions with the active sets of x and of these points.

@@ -1,6 +1,6 @@
 //! The error after each sweep, measured and predicted by theory.
 
-use lcplab_solver::{Order, Pgs};
+use lcplab_solver::{AndersonPgs, BlockPgs, Order, Pgs};
 use serde::{Deserialize, Serialize};
 
 use super::examine::UserSolver;
@@ -15,7 +15,7 @@ const LEAST: usize = 40;
 const MOST: usize = 400;
 
 /// Other methods whose course is shown.
-const METHODS: [&str; 2] = ["block-pgs", "anderson-pgs"];
+const METHODS: [&str; 2] = [BlockPgs::NAME, AndersonPgs::NAME];
 
 /// The error at the start and after each sweep.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -39,7 +39,7 @@ pub fn error_histories(frame: &Frame, user_solver: &UserSolver) -> Vec<ErrorHist
     (settings.max_iterations, settings.tolerance) = (sweeps, 0.0);
     let linear = Linear::new(lcp, &reference);
     let zero = start(lcp);
-    let relaxed = [(1.0, "pgs"), (1.6, "ω = 1.6")].map(|(omega, name)| {
+    let relaxed = [(1.0, Pgs::NAME), (1.6, "ω = 1.6")].map(|(omega, name)| {
         let solver = Pgs { omega, order: Order::Natural, settings: settings.clone() };
         let way = SweepParameters { omega, is_reversed: false };
         let theory = (0..=sweeps).map(|k| linear.missing(&zero, way, k)).collect();

@@ -1,9 +1,7 @@
 //! The examination of one solve.
 
 use lcplab_problem::merit;
-use lcplab_solver::{
-    Entry, Group, Options, Order, Solution, Solver, Start, Status, by_name, entry,
-};
+use lcplab_solver::{Entry, Group, Options, Order, Pgs, Registry, Solution, Solver, Start, Status};
 
 use super::cause::{Moving, Slow};
 use super::frame::{Body, Frame};
@@ -39,18 +37,18 @@ impl UserSolver {
 
     /// The solver.
     pub fn solver(&self) -> Box<dyn Solver> {
-        (self.entry.build)(&self.options)
+        self.entry.build(&self.options)
     }
 
     /// Another solver with these settings, except for the number of steps if it is a direct method;
     /// `None` if there is none with this name.
     pub fn other(&self, name: &str) -> Option<Box<dyn Solver>> {
         let mut options = self.options.clone();
-        let entry = lcplab_solver::entry(name).ok()?;
+        let entry = Registry::standard().entry(name).ok()?;
         if entry.group != Group::Sweeps && entry.group != Group::FirstOrder {
             options.settings.max_iterations = Options::default().settings.max_iterations;
         }
-        by_name(name, &options).ok()
+        Some(entry.build(&options))
     }
 }
 
@@ -141,7 +139,8 @@ pub fn examine(
     let linear = Linear::new(lcp, &reference);
     let zero = super::reference::start(lcp);
     let sweeps = user_solver.options.settings.max_iterations;
-    let is_plain = user_solver.entry.name == "pgs" && user_solver.options.order == Order::Natural;
+    let is_plain =
+        user_solver.entry.name == Pgs::NAME && user_solver.options.order == Order::Natural;
     let missing = reference.missing(&x);
     let predicted = (is_plain && sweeps <= MOST_SWEEPS)
         .then(|| linear.missing(start.unwrap_or(&zero), SweepParameters::PLAIN, sweeps))
@@ -149,7 +148,7 @@ pub fn examine(
     let mut found = UnsupportedLoad {
         subject: frame.name.clone(),
         part: frame.part.clone(),
-        solver: user_solver.entry.name.into(),
+        solver: user_solver.entry.name.to_string(),
         iterations,
         unit: user_solver.unit(),
         status,
@@ -177,7 +176,8 @@ pub fn examine(
                 found.causes.push(cause);
                 if left > HEALTHY {
                     // The scene is responsible only for the error of plain sweeps.
-                    let plain = UserSolver { entry: *entry("pgs").ok()?, ..user_solver.clone() };
+                    let entry = Registry::standard().entry(Pgs::NAME).ok()?.clone();
+                    let plain = UserSolver { entry, ..user_solver.clone() };
                     Case { user_solver: &plain, ..case }.explain(&mut found, left);
                 }
             }

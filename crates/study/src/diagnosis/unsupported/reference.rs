@@ -25,7 +25,10 @@ use std::ops::ControlFlow;
 
 use lcplab_judge::{Demand, judge};
 use lcplab_problem::Lcp;
-use lcplab_solver::{Iterate, Observer, Options, Settings, Solver, Start, by_name};
+use lcplab_solver::{
+    AndersonPgs, BlockPivoting, Dantzig, Iterate, Newton, Observer, Options, Registry, Settings,
+    Solver, Start,
+};
 
 use super::frame::Frame;
 use super::thresholds::HEALTHY;
@@ -34,8 +37,12 @@ use super::thresholds::HEALTHY;
 const TOLERANCE: f64 = 1e-8;
 
 /// The solvers that compute it, with their iteration limits.
-const EFFORTS: [(&str, usize); 4] =
-    [("block-pivoting", 300), ("dantzig", 2_000), ("newton", 50), ("anderson-pgs", 1_000)];
+const EFFORTS: [(&str, usize); 4] = [
+    (BlockPivoting::NAME, 300),
+    (Dantzig::NAME, 2_000),
+    (Newton::NAME, 50),
+    (AndersonPgs::NAME, 1_000),
+];
 
 /// A row counts as free if |w| is at most this fraction of the sum of its terms.
 const FREE: f64 = 1e-7;
@@ -207,7 +214,8 @@ pub fn start(lcp: &Lcp) -> Vec<f64> {
 fn solution(lcp: &Lcp) -> Option<Vec<f64>> {
     EFFORTS.into_iter().find_map(|(name, max_iterations)| {
         let settings = Settings { tolerance: TOLERANCE, max_iterations, ..Settings::default() };
-        let solver = by_name(name, &Options { settings, ..Options::default() }).ok()?;
+        let entry = Registry::standard().entry(name).ok()?;
+        let solver = entry.build(&Options { settings, ..Options::default() });
         let x = solver.solve(lcp, &Start::default(), &mut ()).x;
         is_accepted(lcp, &x).then_some(x)
     })

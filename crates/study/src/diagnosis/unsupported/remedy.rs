@@ -2,7 +2,10 @@
 
 use lcplab_problem::Lcp;
 use lcplab_solver::trace::Work;
-use lcplab_solver::{Entry, Order, Pgs, Settings, Solver, Start};
+use lcplab_solver::{
+    AndersonPgs, BlockPgs, BlockPivoting, Dantzig, Entry, Order, Pgs, Registry, Settings, Solver,
+    Start,
+};
 
 use super::examine::UserSolver;
 use super::frame::Frame;
@@ -10,7 +13,8 @@ use super::linear::{Linear, SweepParameters};
 use super::reference::{ReferenceSolution, start};
 
 /// Other methods that are tried, by name.
-pub(super) const METHODS: [&str; 4] = ["anderson-pgs", "block-pgs", "block-pivoting", "dantzig"];
+pub(super) const METHODS: [&str; 4] =
+    [AndersonPgs::NAME, BlockPgs::NAME, BlockPivoting::NAME, Dantzig::NAME];
 
 /// Relaxation factors that are tried.
 const OMEGAS: [f64; 3] = [1.3, 1.6, 1.9];
@@ -82,7 +86,8 @@ pub fn remedies(
         }
     }
     for name in METHODS.into_iter().filter(|name| *name != user_solver.entry.name) {
-        if let (Some(solver), Ok(entry)) = (user_solver.other(name), lcplab_solver::entry(name)) {
+        let entry = Registry::standard().entry(name);
+        if let (Some(solver), Ok(entry)) = (user_solver.other(name), entry) {
             add(name.into(), entry, &*solver, None);
         }
     }

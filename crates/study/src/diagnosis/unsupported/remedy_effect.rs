@@ -4,7 +4,7 @@
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::scene::{Persistence, Scene};
 use lcplab_problem::error::Result;
-use lcplab_solver::Group;
+use lcplab_solver::{Group, Registry};
 
 use super::cause::Slow;
 use super::examination::Examination;
@@ -56,7 +56,7 @@ struct Change {
 
 fn changes(scene: &Scene) -> Vec<Change> {
     let sweeps = scene.solver.max_iterations;
-    let group = crate::methods::entry(&scene.solver.name).map(|entry| entry.group);
+    let group = scene.solvers.entry(&scene.solver.name).map(|entry| entry.group);
     let mut all = Vec::new();
     let mut add = |what: String, parts: usize, change: &dyn Fn(&mut Scene)| {
         let mut scene = scene.clone();
@@ -83,7 +83,8 @@ fn changes(scene: &Scene) -> Vec<Change> {
         });
     }
     for name in METHODS.into_iter().filter(|name| *name != scene.solver.name) {
-        let is_direct = crate::methods::entry(name)
+        let is_direct = Registry::standard()
+            .entry(name)
             .is_ok_and(|entry| entry.group != Group::Sweeps && entry.group != Group::FirstOrder);
         add(name.into(), 1, &|scene| {
             scene.solver.name = name.into();

@@ -8,7 +8,7 @@ use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{self, Simulation, Slips, Solve, Step, Warnings};
 use lcplab_problem::error::Result;
 use lcplab_problem::{Lcp, merit};
-use lcplab_solver::Status;
+use lcplab_solver::{Dantzig, Status};
 
 use super::examination::{Examination, StepSummary, first_bad_step};
 use super::examine::{UserSolver, examine};
@@ -35,7 +35,7 @@ const EVERY_STEP: usize = 80;
 const COMPARED: usize = 20;
 
 /// The solver for exact answers.
-const EXACT: &str = "dantzig";
+const EXACT: &str = Dantzig::NAME;
 
 /// The end of a run.
 pub(super) struct End {
@@ -208,7 +208,8 @@ impl RunResult {
             let solve = solve.as_ref().filter(|solve| solve.posing.is_some())?;
             let demand = Demand { tolerance: self.tolerance, prove_up_to: 0 };
             let certificate = solve.judged(&demand);
-            (!certificate.verdict.is_solution()).then(|| (k + 1, solve.solver, certificate.verdict))
+            (!certificate.verdict.is_solution())
+                .then(|| (k + 1, &solve.solver, certificate.verdict))
         });
         let refused: Vec<_> = posed.collect();
         let (step, solver, verdict) = refused.first()?;
@@ -348,6 +349,6 @@ pub(super) fn sunk(scene: &Scene, own: &[State], exact: &[State]) -> Option<(Str
 /// # Errors
 /// If its solver is not for boxes.
 pub fn user_solver(scene: &Scene) -> Result<UserSolver> {
-    let entry = crate::methods::entry(&scene.solver.name)?;
+    let entry = scene.solvers.entry(&scene.solver.name)?.clone();
     Ok(UserSolver { entry, options: simulation::options(scene) })
 }

@@ -7,7 +7,7 @@ use lcplab_judge::{
 };
 use lcplab_problem::exact::all_solutions;
 use lcplab_problem::{Coupling, Lcp, Matrix};
-use lcplab_solver::{Options, Start, Status, by_name};
+use lcplab_solver::{Options, Registry, Start, Status};
 use proptest::prelude::*;
 
 use lcplab_testing::{INF, cases};
@@ -65,7 +65,7 @@ fn a_contact_with_dependent_tangents_is_solved_by_its_sides() {
     // Both tangents are equal: x = (1, 2, 2)/111 lies on both sides of the pyramid.
     let a: [&[f64]; 3] = [&[27.0, 21.0, 21.0], &[21.0, 17.0, 17.0], &[21.0, 17.0, 17.0]];
     let lcp = contact(&a, &[-1.0, -1.0, -2.0], 2.0);
-    let solution = by_name("enumeration", &Options::default()).unwrap();
+    let solution = Registry::standard().entry("enumeration").unwrap().build(&Options::default());
     let solution = solution.solve(&lcp, &Start::default(), &mut ());
     assert_eq!(solution.status, Status::Solved);
     assert!(matches!(judged(&lcp, &solution.x).verdict, Verdict::Proved { .. }));
@@ -94,7 +94,7 @@ fn three_solutions_of_one_contact_are_found() {
 #[test]
 fn enumeration_says_by_how_many_pieces_there_is_no_solution() {
     let lcp = contact(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-1.0, -0.5], 1.0);
-    let enumeration = by_name("enumeration", &Options::default()).unwrap();
+    let enumeration = Registry::standard().entry("enumeration").unwrap().build(&Options::default());
     // A worthless start is not accepted as a solution.
     let start = [1e9, 1e9];
     for start in [Start::default(), Start::at(&start)] {
@@ -190,7 +190,7 @@ proptest! {
     fn what_every_solver_claims_is_what_all_pieces_say(lcp in small(0.0)) {
         let Some(all) = all_solutions(&lcp) else { return Ok(()) };
         for name in ["pgs", "dantzig", "lemke", "block-pivoting", "newton", "enumeration"] {
-            let solver = by_name(name, &Options::default()).unwrap();
+            let solver = Registry::standard().entry(name).unwrap().build(&Options::default());
             let solution = solver.solve(&lcp, &Start::default(), &mut ());
             if solution.status == Status::Solved {
                 let verdict = judged(&lcp, &solution.x).verdict;

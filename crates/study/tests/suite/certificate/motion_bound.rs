@@ -3,7 +3,7 @@ use lcplab_mechanics::assembly::{Assembly, ConstraintFilter};
 use lcplab_mechanics::formulation::Problem;
 use lcplab_mechanics::scene::{Scene, step_contacts};
 use lcplab_problem::{Gauss, Lcp, Matrix};
-use lcplab_solver::{Options, Start, by_name};
+use lcplab_solver::{Options, Registry, Start};
 use proptest::prelude::*;
 
 use lcplab_testing::{INF, cases};
@@ -231,7 +231,7 @@ fn every_sweep_tightens_the_bound_of_a_stack() {
     let bound = |tolerance: f64| {
         let mut options = Options::default();
         options.settings.tolerance = tolerance;
-        let solver = by_name("pgs", &options).unwrap();
+        let solver = Registry::standard().entry("pgs").unwrap().build(&options);
         let x = solver.solve(&problem.lcp, &Start::default(), &mut ()).x;
         motion_bound(&problem.gauss(&x), &x).unwrap().largest_entry
     };

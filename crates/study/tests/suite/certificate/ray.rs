@@ -1,7 +1,7 @@
 use lcplab_judge::ray::refute;
 use lcplab_judge::{Demand, judge};
 use lcplab_problem::{Lcp, Matrix};
-use lcplab_solver::{Options, Start, Status, by_name};
+use lcplab_solver::{Options, Registry, Start, Status};
 use lcplab_study::answer::proof_of_denial;
 use proptest::prelude::*;
 
@@ -64,7 +64,7 @@ proptest! {
         let b: Vec<f64> = m.lcp.b().iter().enumerate().map(|(i, b)| b + f64::from(shift * (i as i32 * 7 % 5 - 2))).collect();
         let a: Vec<f64> = (0..25).map(|k| m.lcp.matrix().entry(k / 5, k % 5)).collect();
         let lcp = lcplab_problem::Lcp::new(lcplab_problem::Matrix::dense(5, &a), b, vec![-INF; 5], vec![INF; 5]).unwrap();
-        let solution = by_name("dantzig", &Options::default()).unwrap().solve(&lcp, &Start::default(), &mut ());
+        let solution = Registry::standard().entry("dantzig").unwrap().build(&Options::default()).solve(&lcp, &Start::default(), &mut ());
         match solution.status {
             Status::Ray { row, direction } => prop_assert!(refute(&lcp, row, &direction).is_some()),
             status => prop_assert_eq!(status, Status::Solved),

@@ -95,7 +95,8 @@ fn a_tie_is_read_in_the_way_that_has_a_solution_next_to_x() {
     ];
     let b = [-0.0981, -0.0981, -0.0981, 0.06163207755851065, -0.0981];
     let lcp = contacts(&a, &b);
-    let solver = lcplab_solver::by_name("dantzig", &Default::default()).unwrap();
+    let solver =
+        lcplab_solver::Registry::standard().entry("dantzig").unwrap().build(&Default::default());
     let x = solver.solve(&lcp, &Default::default(), &mut ()).x;
     let verdict = judge(&lcp, &x, &Demand::default()).verdict;
     let Verdict::Proved { distance } = verdict else { panic!("{verdict}") };

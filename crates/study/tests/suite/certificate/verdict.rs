@@ -235,10 +235,10 @@ fn an_x_far_out_is_no_answer_to_a_problem_without_one() {
     let lcp = boxed(&a, &b, &lo, &hi);
     let null = [-5e6, -1.0, -1.0, -5e6 / 2.0, -5e6];
     assert!(!judge(&lcp, &null, &Demand::default()).verdict.is_solution());
-    for entry in lcplab_solver::ALL {
-        let solver = (entry.build)(&Options::default());
+    for entry in lcplab_solver::Registry::standard().entries() {
+        let solver = entry.build(&Options::default());
         let solution = solver.solve(&lcp, &Start::default(), &mut ());
-        let answer = Answer::judged(&lcp, entry.name, solution, &Demand::default());
+        let answer = Answer::judged(&lcp, &*entry.name, solution, &Demand::default());
         assert!(!answer.certificate.verdict.is_solution(), "{}", entry.name);
     }
 }
@@ -264,10 +264,10 @@ fn status_verdict_and_message_agree_where_there_is_no_solution() {
     // x₁ = 1 is pinned, so w₀ = 1 − 1.000000001 < 0 though hi₀ = ∞: no solution, by 1e-9.
     let a: [&[f64]; 2] = [&[0.0, 1.0], &[1.0, 1.0]];
     let lcp = boxed(&a, &[-1.000000001, 0.0], &[0.0, 1.0], &[INF, 1.0]);
-    for entry in lcplab_solver::ALL {
-        let solver = (entry.build)(&Options::default());
+    for entry in lcplab_solver::Registry::standard().entries() {
+        let solver = entry.build(&Options::default());
         let solution = solver.solve(&lcp, &Start::default(), &mut ());
-        let answer = Answer::judged(&lcp, entry.name, solution, &Demand::default());
+        let answer = Answer::judged(&lcp, &*entry.name, solution, &Demand::default());
         assert!(!answer.certificate.verdict.is_solution(), "{}", entry.name);
         let is_infeasible = answer.status_word() == "infeasible";
         assert!(!is_infeasible || answer.certificate.refutation().is_some(), "{}", entry.name);

@@ -73,7 +73,7 @@ pub struct Engine {
 }
 
 impl Solver for Engine {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "engine"
     }
 
@@ -92,7 +92,7 @@ impl Solver for Engine {
 pub struct Exact;
 
 impl Solver for Exact {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "exact"
     }
 

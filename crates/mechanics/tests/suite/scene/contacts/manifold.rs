@@ -41,7 +41,8 @@ fn four_points_carry_the_weight_that_sixteen_carry() {
         for (manifold, points) in [(Manifold::Full, 16), (Manifold::Four, 4)] {
             let scene = resting(ground, manifold);
             let dt = scene.step.dt;
-            let solver = solver::by_name("dantzig", &Options::default()).unwrap();
+            let solver =
+                solver::Registry::standard().entry("dantzig").unwrap().build(&Options::default());
             let mut simulation = Simulation::new(scene, solver);
             for _ in 0..5 {
                 let step = simulation.step().unwrap();

@@ -22,7 +22,7 @@ fn simulation(
         ..Settings::default()
     };
     let options = Options { settings, ..Options::default() };
-    let solver = solver::by_name(&scene.solver.name, &options).unwrap();
+    let solver = solver::Registry::standard().entry(&scene.solver.name).unwrap().build(&options);
     Simulation::new(scene, solver)
 }
 
