@@ -1,10 +1,13 @@
 //! The judge's full result on x: measured quantities, and what was proved in exact arithmetic.
 
+use std::fmt;
+
 use dashu_ratio::RBig;
 
 use super::{Refusal, Refutation, Verdict};
 use lcplab_problem::accurate::Sum;
 use lcplab_problem::merit::Sum as _;
+use lcplab_problem::number::readable;
 
 use crate::convex::is_convex;
 use crate::residual::{Residual, Rows, worst};
@@ -46,6 +49,31 @@ pub struct Certificate {
     pub rounded_by: Option<f64>,
     /// Further facts proved in exact arithmetic.
     pub evidence: Option<Evidence>,
+}
+
+/// The verdict and the largest scaled residual.
+///
+/// ```
+/// use lcplab_judge::{Demand, judge};
+/// use lcplab_problem::{Lcp, Matrix};
+///
+/// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// assert_eq!(
+///     judge(&lcp, &[0.5, 0.0], &Demand::default()).to_string(),
+///     "proved: x is an exact solution; scaled residual 0"
+/// );
+/// # Ok::<(), lcplab_problem::error::Error>(())
+/// ```
+impl fmt::Display for Certificate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let residual = readable(self.scaled_residual, 3);
+        match &self.verdict {
+            // It states the residual itself.
+            Verdict::NotASolution { .. } => self.verdict.fmt(f),
+            verdict => write!(f, "{verdict}; scaled residual {residual}"),
+        }
+    }
 }
 
 /// Facts that exact arithmetic proves in addition to the verdict.

@@ -36,6 +36,9 @@ impl Lcp {
     /// # Ok::<(), lcplab_problem::error::Error>(())
     /// ```
     pub fn new(matrix: Matrix, b: Vec<f64>, lo: Vec<f64>, hi: Vec<f64>) -> Result<Self> {
+        if let Some(defect) = matrix.defect() {
+            return Err(Error::invalid("problem", "A", defect));
+        }
         let mut defects = Defects::default();
         let n = matrix.len();
         for (name, values) in [("b", &b), ("lo", &lo), ("hi", &hi)] {

@@ -45,9 +45,12 @@ impl Matrix {
         let entries = (0..self.len()).flat_map(|i| self.row(i).iter().map(move |a| scaled(i, a)));
         let entries: Vec<f64> = entries.collect();
         let balanced = match self {
-            Matrix::Dense(dense) => {
-                Matrix::Dense(Dense { n: dense.n, entries, is_symmetric: OnceLock::new() })
-            }
+            Matrix::Dense(dense) => Matrix::Dense(Dense {
+                n: dense.n,
+                entries,
+                is_symmetric: OnceLock::new(),
+                defect: None,
+            }),
             Matrix::Sparse(sparse) => Matrix::Sparse(Sparse {
                 values: entries,
                 is_symmetric: OnceLock::new(),

@@ -4,9 +4,10 @@
 //! Rows are contiguous in both kinds of storage.
 
 #[cfg(feature = "nalgebra")]
-use nalgebra::{DMatrix, DMatrixView};
+use nalgebra::DMatrix;
 
 mod balance;
+mod conversions;
 mod sparse;
 
 pub use sparse::Sparse;
@@ -29,6 +30,7 @@ pub struct Dense {
     n: usize,
     entries: Vec<f64>,
     is_symmetric: OnceLock<bool>,
+    defect: Option<String>,
 }
 
 impl Dense {
@@ -39,20 +41,42 @@ impl Dense {
 }
 
 impl Matrix {
-    /// A dense A from its rows.
+    /// A dense A from its n² entries, row by row. [`Lcp::new`](crate::Lcp::new) reports another
+    /// number of entries; the matrix then has fewer rows.
     ///
     /// ```
-    /// # use lcplab_problem::Matrix;
+    /// # use lcplab_problem::{Lcp, Matrix};
     /// let a = Matrix::dense(2, &[2.0, -1.0, 0.0, 3.0]);
     /// assert_eq!(a.row_dot(0, &[1.0, 1.0]), 1.0);
     /// assert_eq!(a.diagonal(1), 3.0);
-    /// ```
     ///
-    /// # Panics
-    /// If there are not n² entries.
+    /// let short = Matrix::dense(2, &[2.0, -1.0, 0.0]);
+    /// assert_eq!(
+    ///     Lcp::new(short, vec![1.0; 2], vec![0.0; 2], vec![9.0; 2]).unwrap_err().to_string(),
+    ///     "problem: A: has 3 entries, needs 4 for 2 rows"
+    /// );
+    /// ```
     pub fn dense(n: usize, entries_by_rows: &[f64]) -> Self {
-        assert_eq!(entries_by_rows.len(), n * n, "a dense matrix needs n² entries");
-        Matrix::Dense(Dense { n, entries: entries_by_rows.to_vec(), is_symmetric: OnceLock::new() })
+        let count = entries_by_rows.len();
+        let is_square = n.checked_mul(n) == Some(count);
+        let side = if is_square { n } else { count.isqrt().min(n) };
+        let rows = if n == 1 { "row" } else { "rows" };
+        let defect =
+            || format!("has {count} entries, needs {} for {n} {rows}", n.saturating_mul(n));
+        Matrix::Dense(Dense {
+            n: side,
+            entries: entries_by_rows[..side * side].to_vec(),
+            is_symmetric: OnceLock::new(),
+            defect: (!is_square).then(defect),
+        })
+    }
+
+    /// Why the matrix cannot be that of a problem, if it cannot.
+    pub(crate) fn defect(&self) -> Option<&str> {
+        match self {
+            Matrix::Dense(dense) => dense.defect.as_deref(),
+            Matrix::Sparse(_) => None,
+        }
     }
 
     /// A sparse A from entries (row, column, value); entries at the same place are summed exactly
@@ -138,7 +162,7 @@ impl Matrix {
     /// Whether a_ij = a_ji for all entries, exactly. The result is computed once and cached.
     pub fn is_symmetric(&self) -> bool {
         match self {
-            Matrix::Dense(Dense { n, entries, is_symmetric: known }) => {
+            Matrix::Dense(Dense { n, entries, is_symmetric: known, .. }) => {
                 *known.get_or_init(|| is_symmetric(entries, *n))
             }
             Matrix::Sparse(sparse) => {
@@ -207,13 +231,6 @@ impl Matrix {
     pub fn pattern(&self) -> Vec<(usize, usize)> {
         let nonzero = |i| self.row(i).iter().filter(|&(_, a)| a != 0.0).map(move |(j, _)| (i, j));
         (0..self.len()).flat_map(|i| nonzero(i).collect::<Vec<_>>()).collect()
-    }
-}
-
-#[cfg(feature = "nalgebra")]
-impl From<DMatrixView<'_, f64>> for Matrix {
-    fn from(dense: DMatrixView<'_, f64>) -> Self {
-        Matrix::dense(dense.nrows(), dense.transpose().as_slice())
     }
 }
 
