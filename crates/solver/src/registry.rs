@@ -287,10 +287,12 @@ impl fmt::Debug for Entry {
     }
 }
 
+type Closure<O, S> = Arc<dyn Fn(&O) -> Box<S> + Send + Sync>;
+
 /// A function that builds a solver from its options: one of this crate, or one that owns data.
 pub(crate) enum Build<O, S: ?Sized> {
     Function(fn(&O) -> Box<S>),
-    Shared(Arc<dyn Fn(&O) -> Box<S> + Send + Sync>),
+    Shared(Closure<O, S>),
 }
 
 impl<O, S: ?Sized> Build<O, S> {

@@ -58,7 +58,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             let (stop, start) = (Stop::after(limit), Instant::now());
             let (solution, judged) = friction::solve(
                 &question,
-                &method,
+                method,
                 &Options::default(),
                 &Demand::default(),
                 &mut stop.watch(&mut ()),

@@ -77,12 +77,12 @@ fn answer(problem: &FrictionProblem, model: Model, options: &Options) -> Result<
     let frozen_at = match model {
         Model::FrozenBox => {
             let unbraked = model.pose(problem, Some(&vec![0.0; problem.lcp().len()]))?;
-            Some(Trial::run(&method, &unbraked, options, &mut ()).solution.x)
+            Some(Trial::run(method, &unbraked, options, &mut ()).solution.x)
         }
         _ => None,
     };
     let posed = model.pose(problem, frozen_at.as_deref())?;
-    let solution = Trial::run(&method, &posed, options, &mut ()).solution;
+    let solution = Trial::run(method, &posed, options, &mut ()).solution;
     let judged = JudgedAnswer::at_contacts(problem, &posed, &solution.x, &Demand::default());
     Ok(Answer {
         model,

@@ -74,7 +74,7 @@ impl Solvers<'_> {
         let next = solve_boxed_without(tried, lcp, start, &options, observer);
         match (next.solution.status.clone(), first) {
             (Status::Solved | Status::Stopped | Status::NoSolution, _) | (_, None) => {
-                (next.solver.into(), next.solution)
+                (next.solver, next.solution)
             }
             (_, Some(first)) => (name.into(), first),
         }
