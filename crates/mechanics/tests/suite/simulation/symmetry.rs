@@ -182,7 +182,7 @@ fn bits(states: &[State]) -> u64 {
 /// resting contacts, one with joints, one with rolling and impacts. Sums, products, quotients and
 /// square roots in a fixed order, and sines of libm: every IEEE 754 processor gives these.
 const AFTER_500: [(&str, u64); 3] = [
-    ("stack", 0xf679_d70f_7791_ee4e),
+    ("stack", 0xd3b5_74f1_dfb3_bb29),
     ("double_pendulum", 0x983c_9e65_7ee1_d6d1),
     ("ball_chain", 0xfaf4_1212_a839_0974),
 ];
