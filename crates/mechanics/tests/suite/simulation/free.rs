@@ -103,8 +103,8 @@ fn a_free_body_keeps_momentum_and_energy_however_fast_it_turns_and_thin_it_is() 
 #[test]
 fn a_body_that_turns_at_a_constant_rate_turns_by_the_exact_angle_under_every_scheme() {
     // A coin and a brick about a principal axis, free and on a hinge, by 0.01 to 50 radians a step:
-    // after t, q = exp(ω t) q₀. At acceleration level the gyroscopic torque is part of F, and beyond
-    // a radian a step an explicit one multiplies the rounding of ω.
+    // after t, q = exp(ω t) q₀. At acceleration level the gyroscopic torque is part of F, and
+    // beyond a radian a step an explicit one multiplies the rounding of ω.
     for scheme in Scheme::ALL {
         for (moments, hinged) in
             [([1.0, 1.0, 1.9], false), ([2.0, 3.0, 4.5], false), ([2.0, 3.0, 4.5], true)]
