@@ -10,7 +10,8 @@ use serde_json::Value;
 use super::form::Writing;
 use super::{Outcome, print};
 
-/// List the statements of the chapter by Kenwright & Morgan with their verdicts, or show one or an erratum
+/// List the statements of the chapter by Kenwright & Morgan with their verdicts, or show a
+/// statement or an erratum
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

@@ -52,7 +52,7 @@ const ROWS: [(&str, &[&[&str]]); 5] = [
         "crates/study/src",
         &[
             &["number"],
-            &["answer", "aside", "attempt", "card", "ci", "clarabel", "minimum", "motion_error"],
+            &["answer", "aside", "card", "ci", "clarabel", "minimum", "motion_error", "trial"],
             &["loads", "methods"],
             &["friction"],
             &["families", "profiles", "tasks"],

@@ -35,12 +35,13 @@ impl Trial {
     /// use lcplab_judge::Demand;
     /// use lcplab_problem::friction::ProblemForm;
     /// use lcplab_problem::{Lcp, Matrix};
-    /// use lcplab_solver::{Method, Options, entry};
+    /// use lcplab_solver::{Method, Options, Registry};
     /// use lcplab_study::trial::Trial;
     ///
     /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
     /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
-    /// let (pgs, problem) = (Method::Boxed(*entry("pgs")?), ProblemForm::Boxed(lcp));
+    /// let pgs = Method::Boxed(Registry::standard().entry("pgs")?.clone());
+    /// let problem = ProblemForm::Boxed(lcp);
     /// let trial = Trial::run(&pgs, &problem, &Options::default(), &mut ());
     /// assert_eq!(trial.solution.x, [0.5, 0.0]);
     /// assert_eq!(trial.multiplications, Some(6.0));

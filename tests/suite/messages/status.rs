@@ -7,10 +7,14 @@ use lcplab::solver::{Options, Registry, Settings, Start, Status, Stop};
 
 use lcplab_testing::{INF, boxed, contacts};
 
-/// The status of a solver on a problem from 0.
+/// The status of a solver of the library on a problem from 0.
 fn said(solver: &str, lcp: &Lcp, settings: Settings) -> Status {
+    said_by(Registry::standard(), solver, lcp, settings)
+}
+
+fn said_by(solvers: &Registry, solver: &str, lcp: &Lcp, settings: Settings) -> Status {
     let options = Options { settings, ..Options::default() };
-    let solver = Registry::standard().entry(solver).unwrap().build(&options);
+    let solver = solvers.entry(solver).unwrap().build(&options);
     let solution = solver.solve(lcp, &Start::default(), &mut ());
     assert!(solution.x.iter().all(|x| x.is_finite()), "{:?}", solution.x);
     solution.status
@@ -47,7 +51,9 @@ fn every_status_is_claimed_by_a_solver_and_put_into_words() {
     };
     let small = Settings { memory: Memory::bytes(1), ..usual() };
     let always_one = r#"short=python3 -c "import sys; [print('{\"x\": [1]}', flush=True) for line in sys.stdin]""#;
+    let mut solvers = Registry::default();
     let short = Plugin::start(always_one, 60.0).unwrap();
+    short.add_to(&mut solvers).unwrap();
     each_variant! { Status:
         Status::Solved => said("dantzig", &one, usual()), "solved";
         Status::Inaccurate => said("murty", &no_float, exactly.clone()), "ended above the tolerance";
@@ -68,7 +74,7 @@ fn every_status_is_claimed_by_a_solver_and_put_into_words() {
             format!("needs {needs}; the limit is {limit}");
         Status::OutsideClass { .. } => said("dantzig", &skew, usual()),
             "outside the solver's class: A is not symmetric";
-        Status::NoAnswer { .. } => said(short.name(), &pair, usual()),
+        Status::NoAnswer { .. } => said_by(&solvers, short.name(), &pair, usual()),
             "no answer: x has length 1, the problem has 2 rows";
     }
 }

@@ -95,7 +95,8 @@ fn an_impact_that_is_taken_too_early_shows_in_any_part_of_the_step_as_an_error_o
             let mut simulation = Simulation::by(&scene, &method);
             (simulation.step().unwrap().states[1].v - due).norm()
         };
-        assert!(velocity > 0.99 * off / 3.0, "{part}: {velocity}, {off}");
+        // A velocity error below half a percent of the approach is not reported.
+        assert!(velocity > 0.99 * off / 3.0 || off < 5e-3 * 3.0, "{part}: {velocity}, {off}");
         assert!(acceleration < EXACT, "{part}: {acceleration}");
         let early = levels[0].mistimed.unwrap();
         assert!((early / part - 1.0).abs() < 0.03, "{part}: {early}");
