@@ -5,7 +5,7 @@ use arbitrary::{Result, Unstructured};
 use lcplab::certificate::{Demand, judge_cone, judge_friction};
 use lcplab::lcp::friction::{ConeProblem, Contact, FrictionProblem, Law, Model};
 use lcplab::lcp::{Lcp, Matrix};
-use lcplab::solver::{Settings, Start, Status, Registry};
+use lcplab::solver::{Registry, Settings, Start, Status};
 
 use crate::problem::numbers;
 
@@ -81,8 +81,9 @@ pub fn judged(u: &mut Unstructured<'_>) -> Result<()> {
 pub fn solved(u: &mut Unstructured<'_>) -> Result<()> {
     let one = One::new(u)?;
     let settings = Settings { max_iterations: 200, ..Settings::default() };
-    for (entry, law) in
-        Registry::standard().cone_entries().flat_map(|entry| entry.laws.iter().map(move |law| (entry, *law)))
+    for (entry, law) in Registry::standard()
+        .cone_entries()
+        .flat_map(|entry| entry.laws.iter().map(move |law| (entry, *law)))
     {
         let problem = ConeProblem::new(one.friction(), law);
         let solution = entry.build(&settings).solve(&problem, &Start::default(), &mut ());

@@ -13,7 +13,7 @@ mod solvers;
 pub use diagnose::diagnose;
 pub use files::read;
 pub use judge::judge;
-pub use pages::{read_markup, read_report, read_results, read_grid};
+pub use pages::{read_grid, read_markup, read_report, read_results};
 pub use scene::read_scene;
 pub use simulator::simulator;
 pub use solvers::solvers;

@@ -6,10 +6,10 @@ use lcplab::error::Error;
 use lcplab::file::is_name;
 use lcplab::json;
 use lcplab::report::experiment::Experiment;
+use lcplab::report::grid::{Grid, plan_table};
 use lcplab::report::page::{Block, Page, Section};
 use lcplab::report::results::Results;
-use lcplab::report::grid::{Grid, plan_table};
-use lcplab::report::view::{self, Document};
+use lcplab::report::view::{self, ReportPage};
 
 use crate::files::folder;
 
@@ -61,14 +61,19 @@ pub fn read_markup(text: &str) {
         Block::Equation { latex: text.into(), label: None },
     ];
     for block in blocks {
-        let section = Section { id: "one".into(), title: text.into(), blocks: vec![block], ..Section::default() };
+        let section = Section {
+            id: "one".into(),
+            title: text.into(),
+            blocks: vec![block],
+            ..Section::default()
+        };
         let page = Page { title: text.into(), sections: vec![section], ..Page::default() };
         assert_own(&page);
     }
 }
 
 /// Whatever is drawn is the page's own, and its files lie beside it.
-fn assert_sound(document: &Document) {
+fn assert_sound(document: &ReportPage) {
     for section in &document.page.sections {
         assert!(is_name(&section.id) || document.page.render().is_err(), "{:?}", section.id);
     }

@@ -3,7 +3,7 @@
 use arbitrary::{Result, Unstructured};
 use lcplab::constraint::Field;
 use lcplab::scene::description::{Body, Capsule, Constraint, Rotation, Shape};
-use lcplab::scene::{Description, Scheme, Scene};
+use lcplab::scene::{Description, Scene, Scheme};
 
 /// A scene's text: a scene whose states are numbers, or an error that names the file.
 pub fn read_scene(text: &str) {

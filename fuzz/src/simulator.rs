@@ -5,7 +5,7 @@ use lcplab::body::State;
 use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
 use lcplab::simulation::stepper::{Kernel, Stepper};
-use lcplab::solver::{Options, Settings, Registry};
+use lcplab::solver::{Options, Registry, Settings};
 
 use crate::scene::scene;
 
@@ -20,7 +20,8 @@ pub fn simulator(bytes: &[u8]) -> Result<()> {
     };
     let settings = Settings { max_iterations: 50, ..Settings::default() };
     let options = Options { settings, ..Options::default() };
-    let solver = Registry::standard().entry(&scene.solver.name).expect("a known solver").build(&options);
+    let solver =
+        Registry::standard().entry(&scene.solver.name).expect("a known solver").build(&options);
     let mut simulation = Simulation::new(scene.clone(), solver);
     for _ in 0..STEPS {
         let outcome = simulation.step();

@@ -1,8 +1,8 @@
 //! Every registered solver on a small problem: what it claims is true.
 
 use arbitrary::{Result, Unstructured};
-use lcplab::solver::{Options, Settings, Registry};
 use lcplab::hunt::{Claim, claims};
+use lcplab::solver::{Options, Registry, Settings};
 
 use crate::contact;
 use crate::problem::{numbers, problem};
@@ -14,9 +14,13 @@ pub fn solvers(bytes: &[u8]) -> Result<()> {
     let start = if u.ratio(1, 3)? { Some(numbers(&mut u, lcp.len())?) } else { None };
     let settings = Settings { max_iterations: 200, ..Settings::default() };
     let options = Options { settings, ..Options::default() };
-    let solvers: Vec<_> = Registry::standard().entries().map(|entry| entry.build(&options)).collect();
+    let solvers: Vec<_> =
+        Registry::standard().entries().map(|entry| entry.build(&options)).collect();
     for (solver, claim) in claims(&lcp, start.as_deref(), &solvers, Settings::default().tolerance) {
-        assert!(!matches!(claim, Claim::FalseClaim(_)), "{solver}: {claim:?} of {lcp:?} from {start:?}");
+        assert!(
+            !matches!(claim, Claim::FalseClaim(_)),
+            "{solver}: {claim:?} of {lcp:?} from {start:?}"
+        );
     }
     contact::solved(&mut u)
 }

@@ -112,7 +112,8 @@ pub trait AnyStudy: Send + Sync {
     /// The names of the tasks, which are unique.
     fn tasks(&self) -> Vec<String>;
 
-    /// Runs a task with solvers of this registry: returns the finding, and the machine-dependent data.
+    /// Runs a task with solvers of this registry: returns the finding, and the machine-dependent
+    /// data.
     ///
     /// # Errors
     /// If it cannot be done, with the reason.

@@ -115,8 +115,8 @@ impl Finding {
     }
 }
 
-/// Solves a task with a solver of the registry and judges every answer; the second value is the wall time of stepping and solving
-/// (s).
+/// Solves a task with a solver of the registry and judges every answer; the second value is the
+/// wall time of stepping and solving (s).
 ///
 /// # Errors
 /// If the task's settings give no scene or problem, or name no solver.

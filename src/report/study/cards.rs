@@ -190,7 +190,8 @@ pub struct Column {
     /// Wall time per simulated second (s), on the machine that ran it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pace: Option<f64>,
-    /// The solver's part in the motion, if something was measured and the engine is an external one.
+    /// The solver's part in the motion, if something was measured and the engine is an external
+    /// one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub solver: Option<SolverPart>,
 }
