@@ -62,8 +62,8 @@ pub struct Curve {
 }
 
 impl Periodic {
-    /// Runs the scene with its solver, one of these, with both levels and with the other integrators of
-    /// the acceleration level.
+    /// Runs the scene with its solver, one of these, with both levels and with the other
+    /// integrators of the acceleration level.
     ///
     /// # Errors
     /// If the scene does not exist, or is invalid with the overridden fields.
