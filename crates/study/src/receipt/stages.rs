@@ -244,7 +244,8 @@ fn no_push(step: &EngineStep, reported: &[f64]) -> Finding {
     Finding::new(Stage::WriteBack, what, error, rounding(step.source.bits))
 }
 
-/// The first of the largest values, with its place; one that is not a number is larger than all others.
+/// The first of the largest values, with its place; one that is not a number is larger than all
+/// others.
 fn largest(values: impl Iterator<Item = f64>) -> Option<(usize, f64)> {
     let is_larger = |own: f64, worst: f64| own > worst || (own.is_nan() && !worst.is_nan());
     values.enumerate().reduce(|worst, own| if is_larger(own.1, worst.1) { own } else { worst })
