@@ -1,6 +1,8 @@
 //! A matrix of deviations: one row per law, one column per method, the color by the size of the
 //! deviation.
 
+use std::ops::Range;
+
 use super::canvas::{Anchor, Canvas, escape, hex};
 use super::style::{self, FAINT_INK, INK, TEXT};
 use crate::csv;
@@ -12,8 +14,9 @@ const ROW: f64 = 21.0;
 const HEAD: f64 = 128.0;
 const KEY: f64 = 34.0;
 const TOP: f64 = 40.0;
-/// The gap between groups of columns in px.
+/// The gaps between groups of columns side by side, and one below the other, in px.
 const GAP: f64 = 9.0;
+const BETWEEN: f64 = 18.0;
 /// The size of the numbers in the cells in px.
 const SMALL: f64 = 12.0;
 /// The least deviation of each color, palest first, and its name.
@@ -87,64 +90,33 @@ impl Figure for Grades {
         &self.caption
     }
 
+    /// All groups side by side; one below the other on a narrow picture.
     fn drawn(&self, wide: f64, id: &str) -> String {
-        let names = self.rows.iter().map(|(name, _)| style::width(name, TEXT)).fold(0.0, f64::max);
-        let columns: usize = self.groups.iter().map(|(_, columns)| columns.len()).sum();
-        let gaps = GAP * self.groups.len().saturating_sub(1) as f64;
-        let left = style::EDGE + names + 10.0;
-        let width = (wide - style::EDGE - left - gaps) / columns.max(1) as f64;
-        let height = TOP + HEAD + ROW * self.rows.len() as f64 + KEY;
-        let (mut canvas, lower) = Canvas::titled(wide, height, &self.title);
-        let top = TOP + HEAD + lower;
-        let mut places = Vec::new();
-        let mut x = left;
-        for (group, names) in &self.groups {
-            canvas.text((x, TOP + lower + 12.0), Anchor::Start, TEXT, INK, group);
-            for name in names {
-                let (base, foot) = (x + width / 2.0 + 4.5, top - 7.0);
-                canvas.raw(&format!("<g transform=\"rotate(-90 {base:.1} {foot:.1})\">"));
-                canvas.text((base, foot), Anchor::Start, TEXT, FAINT_INK, name);
-                canvas.raw("</g>\n");
-                places.push(x);
-                x += width;
-            }
-            x += GAP;
+        let blocks: Vec<Range<usize>> = match wide < style::WIDTH {
+            true => (0..self.groups.len()).map(|k| k..k + 1).collect(),
+            false => vec![0..self.groups.len()],
+        };
+        let left = self.left();
+        let keys = key(left.min(wide / 4.0), wide);
+        let block = HEAD + ROW * self.rows.len() as f64;
+        let blocks_height =
+            block * blocks.len() as f64 + BETWEEN * blocks.len().saturating_sub(1) as f64;
+        let key_height = keys.last().map_or(0.0, |(_, y)| *y) + KEY;
+        let (mut canvas, lower) =
+            Canvas::titled(wide, TOP + blocks_height + key_height, &self.title);
+        let mut top = TOP + lower;
+        for groups in blocks {
+            self.draw_groups(&mut canvas, groups, wide, top);
+            top += block + BETWEEN;
         }
-        for (k, (name, cells)) in self.rows.iter().enumerate() {
-            let y = top + ROW * k as f64;
-            canvas.text((left - 8.0, y + 15.0), Anchor::End, TEXT, INK, name);
-            for (grade, x) in cells.iter().zip(&places) {
-                let words = grade.words();
-                canvas.raw(&format!(
-                    "<rect x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\" fill=\"{}\"/>\n",
-                    x + 0.5,
-                    y + 0.5,
-                    width - 1.0,
-                    ROW - 1.0,
-                    hex(grade.color())
-                ));
-                let ink = if matches!(grade, Grade::Missed(miss) if *miss >= 1e4) {
-                    "#ffffff"
-                } else {
-                    "#22262d"
-                };
-                canvas.raw(&format!(
-                    "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\" font-size=\"{SMALL}\" fill=\"{ink}\">{}</text>\n",
-                    x + width / 2.0,
-                    y + 14.5,
-                    escape(&words)
-                ));
-            }
-        }
-        let (mut x, y) = (left, top + ROW * self.rows.len() as f64 + 24.0);
-        for (_, color, name) in SHADES {
+        for ((_, color, name), (x, y)) in SHADES.iter().zip(keys) {
+            let y = top - BETWEEN + 24.0 + y;
             canvas.raw(&format!(
                 "<rect x=\"{x:.1}\" y=\"{:.1}\" width=\"11\" height=\"11\" fill=\"{}\"/>\n",
                 y - 10.0,
-                hex(color)
+                hex(*color)
             ));
             canvas.text((x + 16.0, y), Anchor::Start, TEXT, FAINT_INK, name);
-            x += 16.0 + style::width(name, TEXT) + 14.0;
         }
         let obeyed = |(name, cells): &(String, Vec<Grade>)| {
             let count = cells.iter().filter(|grade| **grade == Grade::Obeyed).count();
@@ -156,11 +128,6 @@ impl Figure for Grades {
             &self.title,
             &format!("laws and how often they are obeyed: {}", rows.join("; ")),
         )
-    }
-
-    /// None: the columns do not fit a phone.
-    fn narrow(&self) -> Option<String> {
-        None
     }
 
     /// One record per cell: row, group, column, deviation; 0 if the law is obeyed, empty if it was
@@ -184,4 +151,76 @@ impl Figure for Grades {
         }
         out
     }
+}
+
+impl Grades {
+    /// The left edge of the cells in px.
+    fn left(&self) -> f64 {
+        let names = self.rows.iter().map(|(name, _)| style::width(name, TEXT)).fold(0.0, f64::max);
+        style::EDGE + names + 10.0
+    }
+
+    /// Draws some groups side by side, from this height (px) on.
+    fn draw_groups(&self, canvas: &mut Canvas, groups: Range<usize>, wide: f64, top: f64) {
+        let before: usize = self.groups[..groups.start].iter().map(|(_, own)| own.len()).sum();
+        let columns: usize = self.groups[groups.clone()].iter().map(|(_, own)| own.len()).sum();
+        let gaps = GAP * groups.len().saturating_sub(1) as f64;
+        let left = self.left();
+        let width = (wide - style::EDGE - left - gaps) / columns.max(1) as f64;
+        let mut places = Vec::new();
+        let mut x = left;
+        for (group, names) in &self.groups[groups] {
+            canvas.text((x, top + 12.0), Anchor::Start, TEXT, INK, group);
+            for name in names {
+                let (base, foot) = (x + width / 2.0 + 4.5, top + HEAD - 7.0);
+                canvas.raw(&format!("<g transform=\"rotate(-90 {base:.1} {foot:.1})\">"));
+                canvas.text((base, foot), Anchor::Start, TEXT, FAINT_INK, name);
+                canvas.raw("</g>\n");
+                places.push(x);
+                x += width;
+            }
+            x += GAP;
+        }
+        for (k, (name, cells)) in self.rows.iter().enumerate() {
+            let y = top + HEAD + ROW * k as f64;
+            canvas.text((left - 8.0, y + 15.0), Anchor::End, TEXT, INK, name);
+            for (grade, x) in cells[before..].iter().zip(&places) {
+                draw_cell(canvas, *grade, (*x, y), width);
+            }
+        }
+    }
+}
+
+fn draw_cell(canvas: &mut Canvas, grade: Grade, (x, y): (f64, f64), width: f64) {
+    canvas.raw(&format!(
+        "<rect x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\" fill=\"{}\"/>\n",
+        x + 0.5,
+        y + 0.5,
+        width - 1.0,
+        ROW - 1.0,
+        hex(grade.color())
+    ));
+    let is_dark = matches!(grade, Grade::Missed(miss) if miss >= 1e4);
+    let ink = if is_dark { "#ffffff" } else { "#22262d" };
+    canvas.raw(&format!(
+        "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\" font-size=\"{SMALL}\" fill=\"{ink}\">{}</text>\n",
+        x + width / 2.0,
+        y + 14.5,
+        escape(&grade.words())
+    ));
+}
+
+/// The places of the shades and their names in px, in rows from this left edge on.
+fn key(left: f64, wide: f64) -> Vec<(f64, f64)> {
+    let (mut x, mut y) = (left, 0.0);
+    let place = |(_, _, name): &(f64, (u8, u8, u8), &str)| {
+        let length = 16.0 + style::width(name, TEXT) + 14.0;
+        if x + length > wide && x > left {
+            (x, y) = (left, y + ROW);
+        }
+        let at = (x, y);
+        x += length;
+        at
+    };
+    SHADES.iter().map(place).collect()
 }

@@ -1,5 +1,6 @@
 //! Figures: nothing is lost in the data, nothing panics, the same bytes each time.
 
+mod grades;
 mod heat;
 mod line;
 mod profile;
