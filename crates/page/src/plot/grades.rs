@@ -94,7 +94,7 @@ impl Figure for Grades {
     fn drawn(&self, wide: f64, id: &str) -> String {
         let blocks: Vec<Range<usize>> = match wide < style::WIDTH {
             true => (0..self.groups.len()).map(|k| k..k + 1).collect(),
-            false => vec![0..self.groups.len()],
+            false => std::iter::once(0..self.groups.len()).collect(),
         };
         let left = self.left();
         let keys = key(left.min(wide / 4.0), wide);
