@@ -314,7 +314,7 @@ impl MistakeKind {
                 name: "another friction law",
                 computes: "the solution under another friction law: box, polygon with 4 \
                           or 8 sides, associated cone, Coulomb cone",
-                check: "Which friction law does the solver implement? See `solve --model`.",
+                check: "Which friction law does the solver implement?",
             },
             MistakeKind::Tangents => Description {
                 name: "tangents swapped or reversed",
