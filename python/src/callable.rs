@@ -199,7 +199,7 @@ impl IterateRecord<'_> {
         let x = numbers(x)?;
         if x.len() != self.lcp.len() {
             let reason =
-                format!("x has {} entries, the problem has {} rows", x.len(), self.lcp.len());
+                format!("x has length {}, the problem has {} rows", x.len(), self.lcp.len());
             return Err(pyo3::exceptions::PyValueError::new_err(reason));
         }
         if let Some(i) = x.iter().position(|x| !x.is_finite()) {

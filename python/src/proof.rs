@@ -27,7 +27,7 @@ pub fn prove(
     let lcp = &problem.0.lcp;
     let answer = answer.map(|answer| answer.as_array().to_vec());
     if let Some(n) = answer.as_ref().map(Vec::len).filter(|n| *n != lcp.len()) {
-        let reason = format!("has {n} entries, the problem has {} rows", lcp.len());
+        let reason = format!("has length {n}, the problem has {} rows", lcp.len());
         return Err(refused(Error::invalid("answer", "x", reason)));
     }
     let question = question(problem, model, None)?;

@@ -214,7 +214,7 @@ pub fn judge(
 ) -> PyResult<(bool, String)> {
     let (lcp, x) = (&problem.0.lcp, x.as_array().to_vec());
     if x.len() != lcp.len() {
-        let reason = format!("has {} entries, the problem has {} rows", x.len(), lcp.len());
+        let reason = format!("has length {}, the problem has {} rows", x.len(), lcp.len());
         return Err(refused(Error::invalid("answer", "x", reason)));
     }
     Settings { tolerance, ..Settings::default() }.validate().map_err(refused)?;
