@@ -271,7 +271,7 @@ def test_a_proof_of_a_scene_is_that_of_the_command_line_and_convinces_both_check
     assert again.read_text() == proved.read_text()
     checker = Path(__file__).parents[2] / "proofs" / "lcpcheck.py"
     subprocess.run([sys.executable, checker, path, proved], check=True, capture_output=True)
-    with pytest.raises(lcplab.InputError, match="2 entries, the problem has 12 rows"):
+    with pytest.raises(lcplab.InputError, match="length 2, the problem has 12 rows"):
         lcplab.prove(problem, [0, 0])
 
 
