@@ -52,7 +52,17 @@ const ROWS: [(&str, &[&[&str]]); 5] = [
         "crates/study/src",
         &[
             &["number"],
-            &["answer", "aside", "card", "ci", "clarabel", "minimum", "motion_error", "trial"],
+            &[
+                "answer",
+                "aside",
+                "card",
+                "ci",
+                "clarabel",
+                "minimum",
+                "motion_error",
+                "tally",
+                "trial",
+            ],
             &["loads", "methods"],
             &["friction"],
             &["families", "profiles", "tasks"],

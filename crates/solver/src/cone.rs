@@ -7,7 +7,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use super::registry::Build;
+use super::entry::Build;
 use super::{Apgd, Class, ConePgs, Group, MatrixClass, Observer, Settings, Solution, Start};
 use lcplab_problem::friction::{ConeProblem, Law};
 

@@ -26,6 +26,7 @@
 
 mod class;
 mod cone;
+mod entry;
 pub mod frozen;
 pub mod gradient;
 mod iterate;
@@ -35,6 +36,7 @@ mod method;
 mod metric;
 pub mod newton;
 mod observer;
+mod options;
 pub mod pivot;
 mod registry;
 mod sequence;
@@ -49,6 +51,7 @@ mod warm;
 
 pub use class::{Class, MatrixClass};
 pub use cone::{ConeEntry, ConeSolver};
+pub use entry::{Entry, Group};
 pub use gradient::{Admm, AndersonPgs, Apgd, Mprgp, Nncg, Spectral};
 pub use lcplab_problem::exact::all_solutions;
 pub use method::{Method, solve_polyhedral, why_none_takes};
@@ -56,8 +59,9 @@ pub use newton::{Equations, InteriorPoint, Newton};
 pub use observer::{
     Centering, Event, Iterate, Leaving, Move, Observer, RowUpdate, StepDetail, Tableau,
 };
+pub use options::{Choice, Options};
 pub use pivot::{BlockPivoting, Dantzig, Enumeration, Lemke, Murty, Side, Variable};
-pub use registry::{Choice, Entry, Group, Options, Registry, default_for};
+pub use registry::{Registry, default_for};
 pub use sequence::{
     Attempt, SequenceAnswer, solve as solve_by_sequence, solve_boxed as solve_boxed_by_sequence,
     solve_boxed_without, solve_lcp as solve,

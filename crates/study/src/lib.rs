@@ -29,5 +29,6 @@ pub mod number;
 pub mod profiles;
 pub mod receipt;
 pub mod regression;
+pub mod tally;
 pub mod tasks;
 pub mod trial;

@@ -19,7 +19,7 @@ use crate::error::Result;
 use crate::file;
 use crate::lcp::file::number;
 use crate::memory::Memory;
-use crate::report::study::trial::Tally;
+use crate::report::study::tally::Tally;
 use crate::scene::Scene;
 use crate::simulation::{
     Failure, Impact, Impacts, LawErrors, Motion, Simulation, Slips, Step, Warnings, carried,

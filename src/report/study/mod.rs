@@ -25,7 +25,7 @@ pub mod sparsity;
 pub mod variation;
 pub mod verification;
 
-pub use lcplab_study::{ci, families, receipt, regression, trial};
+pub use lcplab_study::{ci, families, receipt, regression, tally, trial};
 
 use schemars::JsonSchema;
 use serde::Serialize;

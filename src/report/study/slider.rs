@@ -15,7 +15,7 @@
 //! On the disk it moves straight from the start, for v²/(2 μ g). If sliding bodies float in a
 //! model, the block starts at the floating height dt μ v: from the floor it would be thrown up.
 
-use crate::report::study::trial::Tally;
+use crate::report::study::tally::Tally;
 use crate::simulation::{Simulation, Solve};
 use std::f64::consts::TAU;
 

@@ -84,6 +84,10 @@ impl Study for Plan {
     }
 
     fn run(&self, task: usize, solvers: &Registry) -> Result<(Vec<File>, ())> {
+        let is_unknown = |column: &&Column| solvers.all().all(|own| own.name() != column.solver);
+        if let Some(column) = self.solvers.iter().find(is_unknown) {
+            return Err(solvers.unknown(&column.solver));
+        }
         let pattern = &self.files[task];
         let files = exchange::several(pattern, exchange::is_problem)?;
         let files = files.unwrap_or_else(|| vec![pattern.clone()]);
@@ -125,7 +129,9 @@ impl Plan {
         Ok(Some(Answer {
             is_claim: solution.status == Status::Solved,
             status: solution.status.to_string(),
-            is_accepted: judged.certificate.verdict.is_solution(),
+            // Without an answer, x is the start, which may be a solution.
+            is_accepted: !matches!(solution.status, Status::NoAnswer { .. })
+                && judged.certificate.verdict.is_solution(),
             residual: judged.certificate.scaled_residual,
         }))
     }

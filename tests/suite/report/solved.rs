@@ -1,7 +1,11 @@
 //! The study `solved`: problem files by solver.
 
+use lcplab::plugin::Plugin;
 use lcplab::report::experiment::Experiment;
+use lcplab::report::study::Study;
+use lcplab::report::study::solved::{Column, Plan};
 use lcplab::report::view;
+use lcplab::solver::Registry;
 
 use super::standard::{experiment, run_all, table};
 
@@ -33,6 +37,28 @@ fn each_file_and_solver_has_its_verdict_and_reason_and_the_accepted_are_counted(
         assert!(row[4].ends_with(": 1") && row[5] == "1", "{row:?}");
     }
     assert_eq!(by_solver[2][2..4], ["0", "0"]);
+}
+
+#[test]
+fn an_unknown_solver_is_an_error_and_a_start_that_solves_the_problem_is_no_answer() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("rest.json");
+    std::fs::write(&path, r#"{ "A": { "dense": [[1, 0], [0, 1]] }, "b": [1, 1] }"#).unwrap(); // x = 0
+    let plan = |solver: &str| Plan {
+        files: vec![path.display().to_string()],
+        solvers: vec![Column { solver: solver.into(), model: None }],
+        tolerance: 1e-8,
+        max_iterations: 100,
+    };
+    let error = plan("dantzg").run(0, Registry::standard()).unwrap_err().to_string();
+    assert!(error.contains("there is no solver named \"dantzg\""), "{error}");
+    let mut solvers = Registry::default();
+    let one_number = r#"short=python3 -c "import sys; [print('{\"x\": [1]}', flush=True) for line in sys.stdin]""#;
+    let short = Plugin::start(one_number, 60.0).unwrap();
+    short.add_to(&mut solvers).unwrap();
+    let (files, ()) = plan("short").run(0, &solvers).unwrap();
+    let answer = files[0].answers[0].as_ref().unwrap();
+    assert!(!answer.is_accepted && !answer.is_claim, "{answer:?}");
 }
 
 #[test]

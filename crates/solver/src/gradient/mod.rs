@@ -21,7 +21,7 @@ pub use spectral::Spectral;
 
 use std::borrow::Cow;
 
-use crate::registry::Build;
+use crate::entry::Build;
 use crate::{Class, Cost, Entry, Group, MatrixClass};
 
 /// The class of problems for these methods.

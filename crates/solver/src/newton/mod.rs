@@ -14,7 +14,7 @@ pub use semismooth::Newton;
 
 use std::borrow::Cow;
 
-use crate::registry::Build;
+use crate::entry::Build;
 use crate::{Class, Cost, Entry, Event, Group, MatrixClass, Options, Solver};
 
 /// The class of the methods that divide by the diagonal of A.

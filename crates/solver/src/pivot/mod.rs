@@ -32,7 +32,7 @@ pub use variable::Variable;
 
 use std::borrow::Cow;
 
-use crate::registry::Build;
+use crate::entry::Build;
 use crate::{Class, Cost, Effort, Entry, Group, MatrixClass};
 
 /// One factorization of the free rows per exchange, and one for the first active set; an upper

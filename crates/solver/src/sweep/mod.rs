@@ -25,7 +25,7 @@ pub use polygon_pgs::PolygonPgs;
 
 use std::borrow::Cow;
 
-use crate::registry::Build;
+use crate::entry::Build;
 use crate::{Choice, Class, Cost, Entry, Group, MatrixClass, Options, Solver};
 
 /// The class of the methods that divide by the diagonal of A.

@@ -14,8 +14,8 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::aside::GRACE;
+use crate::tally::Tally;
 use crate::tasks::Tasks;
-use crate::trial::Tally;
 use laws::LawMonitor;
 use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{Motion, Simulation, Step, carried};

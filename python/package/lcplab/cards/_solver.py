@@ -24,7 +24,8 @@ class SolverPart:
     #: The largest error of a step: of the motion, relative to its change in the step (docs/ci.md); and the limit.
     error: float = 0.0
     limit: float = 0.0
-    #: Whether the error is a proved bound of the motion error; otherwise a residual is among the errors.
+    #: Whether all errors are proved bounds of the motion error; otherwise a residual, or a bound for the friction of the
+    #: answer, is among them.
     is_bound: bool = True
     #: Why no step was checked.
     why: str = ""
@@ -42,7 +43,7 @@ def part(runs: Sequence[Run]) -> SolverPart:
     worst, error = max(checked, key=lambda pair: pair[1])
     return SolverPart(
         steps=len(checked), above=sum(not error <= receipt.limit for receipt, error in checked), error=error,
-        limit=worst.limit, is_bound=all(receipt.motion_error is not None for receipt, _ in checked),
+        limit=worst.limit, is_bound=all(receipt.motion_error is not None and not receipt.frozen for receipt, _ in checked),
     )
 
 

@@ -41,8 +41,8 @@ fn causes(record: &Record) -> String {
     format!(
         "In {} runs an engine violates a law. lcplab took up to 25 steps of each run and checked \
          the engine's answer: a *receipt* is the verification report of one step. In {} of these \
-         runs all checked answers are within the limit of their solver, so the solver is not the \
-         cause; in {} some are not; {} have no constraint rows, so no solver is involved; {} cannot \
+         runs all checked answers are within the limit of their solver, so in these \
+         steps the solver is not the cause; in {} some are not; {} have no constraint rows, so no solver is involved; {} cannot \
          be checked. The tables of the phenomena have the numbers.",
         missed.len(),
         count(&|part| matches!(part, SolverPart::Checked { above: 0, .. })),

@@ -113,7 +113,8 @@ fn a_body_that_turns_at_a_constant_rate_turns_by_the_exact_angle_under_every_sch
                 if scheme == Scheme::Acceleration && angle > 1.0 {
                     continue;
                 }
-                // XPBD's position correction of a hinge diverges at 6 radians a substep.
+                // XPBD takes the velocity from two poses, which do not show more than half a turn
+                // a substep: a hinged wheel diverges at 6 radians, with a failure.
                 if scheme == Scheme::Xpbd && hinged && angle > 3.0 {
                     continue;
                 }
@@ -150,7 +151,9 @@ fn a_body_that_turns_at_a_constant_rate_turns_by_the_exact_angle_under_every_sch
                 let what = format!("{scheme:?}, {moments:?}, {hinged}, {angle}");
                 assert!(error < 1e-9 * angle.max(1.0), "{what}: {error:e} rad");
                 let change = (state.omega - axis * (angle / dt)).norm() * dt / angle;
-                assert!(change < 1e-8, "{what}: {change:e}");
+                // The springs of the penalty scheme hold the axis to 1e-9 only.
+                let allowed = if scheme == Scheme::Penalty { 1e-8 } else { 1e-9 };
+                assert!(change < allowed, "{what}: {change:e}");
             }
         }
     }

@@ -17,9 +17,6 @@ const DIGITS: usize = 2;
 /// Number of steps shown.
 const STEPS: usize = 5;
 
-/// The text if nothing is wrong.
-const HEALTHY_WORDS: &str = "No cause of errors was found.";
-
 /// The text if the rows are sound but something else is wrong.
 const TROUBLED_WORDS: &str =
     "The problem of this step has a solution; the causes of the error follow.";
@@ -182,6 +179,14 @@ impl Examination {
         }
     }
 
+    /// The text if nothing is wrong; later steps of a scene are not examined.
+    fn healthy_words(&self) -> String {
+        match self.notes.len() {
+            0 | 1 => "No cause of errors was found.".into(),
+            steps => format!("No cause of errors was found in the {steps} steps."),
+        }
+    }
+
     /// Inserts it at the beginning of a document.
     pub fn open(&self, document: &mut Document) {
         let is_well = self.causes().is_empty()
@@ -190,9 +195,9 @@ impl Examination {
             && self.unmeasured.is_none();
         let is_troubled = !self.causes().is_empty() || !self.warnings.is_empty();
         let rest = match document.is_accepted {
-            true if is_well => HEALTHY_WORDS,
-            true if is_troubled => TROUBLED_WORDS,
-            _ => &document.lead,
+            true if is_well => self.healthy_words(),
+            true if is_troubled => TROUBLED_WORDS.into(),
+            _ => document.lead.clone(),
         };
         document.lead =
             format!("{}{} {rest}", self.place_in_words(&document.title), self.headline());

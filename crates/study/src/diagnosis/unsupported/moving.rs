@@ -8,9 +8,9 @@ use lcplab_problem::friction::{Form, Model};
 
 use super::cause::Moving;
 use super::run::{End, end_of, exact, is_of_impulses, sunk};
-use super::suspect::{Suspect, tested};
+use super::suspect::{Suspect, test_all};
 use super::thresholds::{
-    CREDIBLE, FEEDBACK_HELPS, HEALTHY, REPORTED_LENGTH, REPORTED_SLIDE, REPORTED_YIELD,
+    CREDIBLE, EXAMINED_COMPLIANCE, FEEDBACK_HELPS, HEALTHY, REPORTED_LENGTH, REPORTED_SLIDE,
 };
 
 /// A run, and the same with exact answers.
@@ -58,14 +58,14 @@ pub(super) fn causes(
     let size = scene.thinnest().unwrap_or(1.0);
     let case = Case { scene, count, own, exactly, size };
     let (mut causes, mut ruled_out) = (Vec::new(), Vec::new());
-    let findings: Result<Vec<_>> = tested(&suspects(), &case).into_iter().collect();
+    let findings: Result<Vec<_>> = test_all(&suspects(), &case).into_iter().collect();
     for finding in findings?.into_iter().flatten() {
         match finding {
             Finding::Cause(strength, cause) => causes.push((strength, cause)),
             Finding::RuledOut(what) => ruled_out.push(what.to_string()),
         }
     }
-    // Another law of friction moves the bodies elsewhere, so nothing is said of their depth.
+    // Another law of friction moves the bodies elsewhere, so their depths cannot be compared.
     if causes.iter().any(|(_, cause)| matches!(cause, Moving::Friction { .. })) {
         causes.retain(|(_, cause)| !matches!(cause, Moving::Soft { .. }));
     }
@@ -159,13 +159,13 @@ impl Case<'_> {
     fn friction(&self, round: &End) -> Vec<Finding> {
         let (scene, scheme) = (self.scene, self.scene.step.scheme);
         let Some(states) = self.compared_states() else { return Vec::new() };
-        let (distance, way) = (apart(states, &round.states), apart(states, &scene.states));
+        let (distance, moved) = (apart(states, &round.states), apart(states, &scene.states));
         let off = |k: &usize| (states[*k].pose.p - round.states[*k].pose.p).norm();
         let farthest = (0..states.len()).max_by(|a, b| off(a).total_cmp(&off(b)));
-        let is_far = distance > self.reported_length().max(REPORTED_SLIDE * way);
+        let is_far = distance > self.reported_length().max(REPORTED_SLIDE * moved);
         let Some(body) = farthest.filter(|_| is_far) else {
             let is_tested = scheme.solves_lcps();
-            let words = "the friction model (Coulomb's cone gives the same motion)";
+            let words = "the friction model (Coulomb's cone gives the same motion in these steps)";
             return is_tested.then_some(Finding::RuledOut(words)).into_iter().collect();
         };
         let cause = Moving::Friction {
@@ -188,9 +188,10 @@ impl Case<'_> {
 
     fn compliance(&self, rigid: &End) -> Vec<Finding> {
         let (own, length) = (self.own, self.reported_length());
-        let yields = own.error > REPORTED_YIELD * length && own.error > rigid.error / CREDIBLE;
+        let is_worse = own.error > rigid.error / CREDIBLE;
+        let is_compliant = is_worse && own.error > EXAMINED_COMPLIANCE * length;
         let deepest = sunk(self.scene, &own.states, &rigid.states);
-        let found = deepest.filter(|(_, depth)| yields && *depth > length);
+        let found = deepest.filter(|(_, depth)| is_compliant && *depth > length);
         let scheme = self.scene.step.scheme.name();
         let cause =
             |(body, depth)| Finding::Cause(depth / length, Moving::Soft { scheme, body, depth });

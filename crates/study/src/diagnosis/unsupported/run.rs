@@ -121,7 +121,9 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
 /// Why the answer of a step is not compared with an exact one.
 fn unmeasured(solve: Option<&Solve>, step: usize) -> String {
     match solve {
-        None => format!("step {step} was not simulated, or has no problem to solve"),
+        None => {
+            format!("step {step} was not simulated (only {TIME} s are), or has no problem to solve")
+        }
         Some(Solve { posing: Some(posing), .. }) => {
             format!(
                 "exact answers are available for the coupled box only, and this problem has the model \

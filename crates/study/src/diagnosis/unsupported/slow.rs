@@ -10,7 +10,7 @@ use super::frame::{Body, Frame};
 use super::linear::Linear;
 use super::reference::{ReferenceSolution, start};
 use super::remedy::sweeps_to;
-use super::suspect::{Suspect, tested};
+use super::suspect::{Suspect, test_all};
 use super::thresholds::{
     EXPLAINS, EXPLAINS_MOST, FEWER_SWEEPS, GOOD, HEALTHY, WEAK_MOTOR, WORSE_THAN_PLAIN,
 };
@@ -87,7 +87,7 @@ impl<'a> Case<'a> {
         let sweeps = Sweeps::of(*self, Pace { needed, error: missing }, speeds);
         found.mover = sweeps.mover.map(|k| self.frame.bodies[k].name.clone());
         let mut causes: Vec<(f64, Slow)> =
-            tested(&suspects(), &sweeps).into_iter().flatten().collect();
+            test_all(&suspects(), &sweeps).into_iter().flatten().collect();
         // Of the causes that each explain most of the error alone, the one that is removed most
         // easily comes first.
         let place = |(share, cause): &(f64, Slow)| match *share >= EXPLAINS_MOST * missing {
@@ -206,7 +206,7 @@ impl<'a> Sweeps<'a> {
         let Case { frame, .. } = self.case;
         let apart = frame.by_pairs(self.equal.as_ref().unwrap_or(&frame.lcp))?;
         let left = self.case.changed(&apart, self.weight)?;
-        // An error that is not there now cannot be caused by it.
+        // It cannot explain more than the present error.
         let with = self.alike.error.min(self.own.error);
         let factor = self.alike.needed / left.needed;
         Some(Without { factor, with, without: left.error })
@@ -235,9 +235,9 @@ impl<'a> Sweeps<'a> {
         self.decided(without, Slow::Motors { between, without })
     }
 
-    /// The rows in the other order. Asymptotically it is no faster (a chain has the same
-    /// eigenvalues both ways): it matters in the first sweeps, as many as bodies on the path of an
-    /// impulse.
+    /// The rows in the other order. In the long run it is no faster (a chain has the same
+    /// eigenvalues in both orders). It matters in the first sweeps, until impulses have passed all
+    /// bodies on their path.
     fn reversed_rows(&self) -> Option<Without> {
         let Case { user_solver, .. } = self.case;
         if !user_solver.is_sweep() {

@@ -3,14 +3,14 @@
 
 /// A suspected cause of a `Case`.
 pub(super) struct Suspect<Case, Effect, Found> {
-    /// Repeats the solve or the run without it; `None` if there is nothing of it to remove.
+    /// Repeats the solve or the run without it; `None` if there is nothing to remove.
     pub intervention: fn(&Case) -> Option<Effect>,
     /// Decides by the effect of the removal.
     pub measure: fn(&Case, Effect) -> Found,
 }
 
 /// Tries the interventions of a table, one after the other.
-pub(super) fn tested<Case, Effect, Found>(
+pub(super) fn test_all<Case, Effect, Found>(
     table: &[Suspect<Case, Effect, Found>],
     case: &Case,
 ) -> Vec<Found> {

@@ -4,8 +4,8 @@
 /// An error below this is negligible: it is far above rounding, and not seen in an animation.
 pub const HEALTHY: f64 = 0.01;
 
-/// The error of a good answer, up to which sweeps are counted: a tenth of what is negligible, so
-/// that the count does not end with the first answer that only just is.
+/// The error of a good answer, up to which sweeps are counted: a tenth of the negligible error, so
+/// that the count does not end at an answer that is barely negligible.
 pub const GOOD: f64 = 1e-3;
 
 /// An error above this fraction of the largest is a large part of it. Later steps inherit the error
@@ -13,18 +13,18 @@ pub const GOOD: f64 = 1e-3;
 pub(super) const LARGE_PART: f64 = 0.25;
 
 /// The error of a part of a frame is hidden if it is larger than that of the whole by this factor;
-/// with less, both tell the same.
+/// below it, both show the same error.
 pub(super) const HIDDEN: f64 = 1.1;
 
-/// A cause of slow sweeps must save half of them when it is removed; what saves less is no remedy.
+/// Without a cause of slow sweeps, half of them must suffice; smaller savings are no remedy.
 pub(super) const FEWER_SWEEPS: f64 = 2.0;
 
-/// It must also explain this part of the error: sweeps that are only slow in the end may owe their
-/// error to another cause.
+/// A cause must also explain this part of the error: if sweeps become slow only near the end,
+/// their error may have another cause.
 pub(super) const EXPLAINS: f64 = 0.1;
 
-/// A cause that explains half of the error explains most of it. Several may, for causes multiply:
-/// then the one that is easiest to remove comes first.
+/// A cause that explains half of the error explains most of it. Several causes may, because their
+/// effects multiply; then the one that is easiest to remove comes first.
 pub(super) const EXPLAINS_MOST: f64 = 0.5;
 
 /// The factor on motor limits for testing strong motors: their effect is then a hundredth, which is
@@ -39,8 +39,8 @@ pub(super) const WORSE_THAN_PLAIN: f64 = 2.0;
 #[cfg(feature = "mechanics")]
 pub(super) const CREDIBLE: f64 = 0.5;
 
-/// Feedback is wrong if the error without it is below this fraction of that with it. It is meant to
-/// reduce errors, so it need not double them to be wrong.
+/// Feedback is a cause if the error without it is below this fraction of that with it. Feedback
+/// should reduce errors, so any clear increase is a fault.
 #[cfg(feature = "mechanics")]
 pub(super) const FEEDBACK_HELPS: f64 = 0.9;
 
@@ -49,10 +49,10 @@ pub(super) const FEEDBACK_HELPS: f64 = 0.9;
 #[cfg(feature = "mechanics")]
 pub(super) const REPORTED_LENGTH: f64 = 0.01;
 
-/// A compliant scheme is examined from this part of [`REPORTED_LENGTH`] on, because the errors of
-/// several compliant constraints on each other add up.
+/// Compliance is examined from this part of [`REPORTED_LENGTH`] on, because the errors of several
+/// compliant contacts in a stack add up.
 #[cfg(feature = "mechanics")]
-pub(super) const REPORTED_YIELD: f64 = 0.1;
+pub(super) const EXAMINED_COMPLIANCE: f64 = 0.1;
 
 /// Friction is reported from this fraction of the distance moved on: a body that stops within 50
 /// steps has an error of about this size from the step alone.

@@ -1,0 +1,121 @@
+//! The options of solvers that a user can choose.
+
+use super::{Damping, Order, Settings};
+use lcplab_problem::error::{Defects, Result};
+use lcplab_problem::memory::Memory;
+
+/// An option that only some solvers use.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Choice {
+    /// [`Options::omega`].
+    Omega,
+    /// [`Options::order`].
+    Order,
+    /// [`Options::damping`].
+    Damping,
+}
+
+impl Choice {
+    /// The option's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Choice::Omega => "omega",
+            Choice::Order => "order",
+            Choice::Damping => "damping",
+        }
+    }
+}
+
+/// The options of a solver that a user can choose.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    /// The common settings.
+    pub settings: Settings,
+    /// The relaxation factor ω of PGS and SOR.
+    pub omega: f64,
+    /// The order of the rows in a sweep of PGS and SOR.
+    pub order: Order,
+    /// The step length of Jacobi's method.
+    pub damping: Damping,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options {
+            settings: Settings::default(),
+            omega: 1.3,
+            order: Order::default(),
+            damping: Damping::default(),
+        }
+    }
+}
+
+/// A builder of the same: each function changes one option.
+///
+/// ```
+/// use lcplab_solver::Options;
+///
+/// let options = Options::default().with_tolerance(1e-10).with_max_iterations(50).with_omega(1.5);
+/// assert_eq!((options.settings.tolerance, options.settings.max_iterations), (1e-10, 50));
+/// assert_eq!(options.omega, 1.5);
+/// ```
+impl Options {
+    /// Stop at this scaled residual.
+    #[must_use]
+    pub fn with_tolerance(mut self, tolerance: f64) -> Self {
+        self.settings.tolerance = tolerance;
+        self
+    }
+
+    /// Stop after this many iterations.
+    #[must_use]
+    pub fn with_max_iterations(mut self, max_iterations: usize) -> Self {
+        self.settings.max_iterations = max_iterations;
+        self
+    }
+
+    /// Do not start if the solver's own data would need more memory than this.
+    #[must_use]
+    pub fn with_memory(mut self, memory: Memory) -> Self {
+        self.settings.memory = memory;
+        self
+    }
+
+    /// The relaxation factor ω of PGS and SOR.
+    #[must_use]
+    pub fn with_omega(self, omega: f64) -> Self {
+        Options { omega, ..self }
+    }
+
+    /// The order of the rows in a sweep of PGS and SOR.
+    #[must_use]
+    pub fn with_order(self, order: Order) -> Self {
+        Options { order, ..self }
+    }
+
+    /// The step length of Jacobi's method.
+    #[must_use]
+    pub fn with_damping(self, damping: Damping) -> Self {
+        Options { damping, ..self }
+    }
+
+    /// Checks that the options are valid.
+    ///
+    /// # Errors
+    /// Names the invalid option.
+    pub fn validate(&self) -> Result<()> {
+        self.settings.validate()?;
+        let mut defects = Defects::default();
+        let damping = match self.damping {
+            Damping::Safe => 1.0,
+            // Values from 2/λ on diverge, and λ ≥ 1.
+            Damping::Factor(theta) => theta,
+        };
+        for (choice, value) in [(Choice::Omega, self.omega), (Choice::Damping, damping)] {
+            if !(value > 0.0 && value < 2.0) {
+                defects.add(choice.name(), format!("must lie between 0 and 2, is {value}"));
+            }
+        }
+        defects.into_result("settings")
+    }
+}
