@@ -1,4 +1,4 @@
-//! Counts the claims and verdicts of many answers, those of trials and of the steps of a simulation.
+//! Counts the claims and verdicts of many answers: of trials, and of the steps of a simulation.
 
 use serde::{Deserialize, Serialize};
 
