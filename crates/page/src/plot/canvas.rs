@@ -21,6 +21,10 @@ const BOLD: f64 = 1.1;
 /// The height of a line of the title in px.
 const LINE: f64 = 22.0;
 
+/// A picture whose height is above this multiple of its width is too tall for a column of a printed
+/// page, which then has the wide picture.
+const TALL: f64 = 3.0;
+
 /// The drawing area of plotters.
 pub type Layer<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
@@ -155,8 +159,9 @@ impl Canvas {
     pub fn finish(self, id: &str, title: &str, description: &str) -> String {
         let title = if title.is_empty() { description } else { title };
         let (id, title, description) = (escape(id), escape(title), escape(description));
+        let class = if self.height > TALL * self.width { " class=\"tall\"" } else { "" };
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\"{class} width=\"{width}\" height=\"{height}\" \
              viewBox=\"0 0 {width} {height}\" role=\"img\" aria-labelledby=\"{id}-title {id}-desc\" \
              font-family=\"{FONTS}\">\n<title id=\"{id}-title\">{title}</title>\n\
              <desc id=\"{id}-desc\">{description}</desc>\n{body}</svg>\n",
