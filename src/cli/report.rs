@@ -6,6 +6,7 @@ use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::lesson::Program;
+use lcplab::number::plain;
 use lcplab::report::difference::Tolerance;
 use lcplab::report::experiment::{self, Experiment, SHIPPED};
 use lcplab::report::kind::KINDS;
@@ -29,8 +30,9 @@ const SCHEMA: &str = "schema";
 /// The report that shows the results of physics engines.
 const ENGINES: &str = "engines";
 
-/// The width of the tables of `--list`.
+/// The width of what is printed, and of the names of sections before their outcomes.
 const WIDTH: usize = 100;
+const NAME: usize = 15;
 
 /// Run a report: a list of studies, written as a page with figures and tables
 #[derive(Debug, Args)]
@@ -238,11 +240,11 @@ impl Report {
         if self.list {
             let printed = |table| print(&(terminal::table_within(table, WIDTH) + "\n"));
             document.tables.iter().try_for_each(|(_, table)| printed(table))?;
-            print(&terminal::prose(&results.summary()?))?;
+            print(&summary(results)?)?;
             return Ok((outcome, None));
         }
         let page = write::document(&document, folder)?;
-        print(&format!("{}{}\n", terminal::prose(&results.summary()?), page.display()))?;
+        print(&format!("{}{}\n", summary(results)?, page.display()))?;
         Ok((outcome, Some(page)))
     }
 
@@ -305,6 +307,11 @@ fn list() -> Result<Outcome> {
     }
     print(&text)?;
     Ok(Outcome::Good)
+}
+
+/// The outcome of each section, with powers of ten as they are printed.
+fn summary(results: &Results) -> Result<String> {
+    Ok(terminal::hanging(&plain(&results.summary()?), NAME, WIDTH))
 }
 
 /// The results in a file.

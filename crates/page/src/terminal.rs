@@ -26,6 +26,24 @@ pub fn table_within(table: &Table, width: usize) -> String {
     titled(&condensed, &rows, &same)
 }
 
+/// Lines of at most this many characters; a longer one continues below, indented.
+///
+/// ```
+/// use lcplab_page::terminal::hanging;
+///
+/// assert_eq!(hanging("drift    one two three", 9, 16), "drift    one two\n         three\n");
+/// ```
+pub fn hanging(text: &str, indent: usize, width: usize) -> String {
+    let mut out = String::new();
+    for line in text.lines() {
+        let (label, rest) = line.split_at_checked(indent).unwrap_or((line, ""));
+        out += label;
+        out += &wrapped(rest, width - indent).join(&format!("\n{:indent$}", ""));
+        out.push('\n');
+    }
+    out
+}
+
 /// The rows between the title and the words that explain them.
 fn titled(table: &Table, rows: &str, same: &str) -> String {
     let mut out = format!("{}\n{rows}", table.title);
