@@ -166,6 +166,38 @@ fn an_endless_cell_is_stopped_by_its_button_by_time_and_by_its_output() {
 }
 
 #[test]
+fn python_starts_from_the_memory_that_an_earlier_page_kept_unless_it_is_spoiled() {
+    let folder = lessons("1");
+    // Each start of Python draws another seed for the hashes of texts; a kept memory holds its own.
+    let script = format!(
+        "{CLICKS}
+        const hash = async () => {{
+            const page = await open('01_complementarity.html'), [first] = cells(page);
+            write(first, 'print(hash(\"text\"))');
+            const end = await run(first);
+            return end === 'Done in s' ? Number(output(first)) : end;
+        }};
+        const kept = async () => {{
+            const cache = await caches.open('lcplab'), [place] = await cache.keys();
+            return {{ cache, place, size: place ? (await (await cache.match(place)).arrayBuffer()).byteLength : 0 }};
+        }};
+        const isKept = async () => {{ while ((await kept()).size < 1e6) await wait(50); }};
+        const cold = await hash();
+        await isKept();
+        const warm = await hash(), {{ cache, place }} = await kept();
+        await cache.put(place, new Response('spoiled'));
+        const afresh = await hash();
+        await isKept();
+        return [cold, warm, afresh, await hash()];"
+    );
+    let seen = served(folder.path(), &script);
+    let hash = |k: usize| seen[k].as_i64().unwrap_or_else(|| panic!("{seen}"));
+    assert_eq!(hash(0), hash(1));
+    assert_ne!(hash(1), hash(2));
+    assert_eq!(hash(2), hash(3));
+}
+
+#[test]
 fn enter_keeps_the_indentation_and_shift_enter_runs() {
     let folder = lessons("1");
     let script = format!(

@@ -42,9 +42,26 @@ def run(k, code):
         sys.stdout.flush()
 `;
 
+const at = (name) => new URL(name, import.meta.url).href;
+
+// The memory of a Python that has just started is kept in the browser's cache: to start from it takes a fraction of the
+// time. Without a cache, or if that memory is not of this version, Python starts as it did the first time.
+async function interpreter() {
+  const files = { indexURL: at("pyodide/"), packageBaseUrl: at("pyodide/") };
+  const cache = await globalThis.caches?.open("lcplab").catch(() => undefined);
+  const kept = await cache?.match(files.indexURL);
+  if (kept) {
+    try {
+      return await loadPyodide({ ...files, _loadSnapshot: await kept.arrayBuffer() });
+    } catch {} // of another version
+  }
+  const python = await loadPyodide({ ...files, _makeSnapshot: true });
+  cache?.put(files.indexURL, new Response(python.makeMemorySnapshot())).catch(() => {}); // a full disk
+  return python;
+}
+
 async function start() {
-  const at = (name) => new URL(name, import.meta.url).href;
-  const python = await loadPyodide({ indexURL: at("pyodide/"), packageBaseUrl: at("pyodide/") });
+  const python = await interpreter();
   await python.loadPackagesFromImports("import numpy"); // does nothing where the distribution is without it
   for (const file of ["engine.py", "arrays.py"]) {
     const answer = await fetch(at(`../${file}`));
