@@ -156,13 +156,13 @@ fn polygon_record(name: &str, friction: &FrictionProblem, corners: usize) -> Res
     }))
 }
 
-/// Answers with wrong friction: turned by 90°, missing, or at the limit of the disc.
+/// Answers with wrong friction: turned by 90°, missing, or at the limit of the disk.
 fn turned(friction: &FrictionProblem, x: &[f64]) -> impl Iterator<Item = (&'static str, Vec<f64>)> {
     type Turn = fn([f64; 3], f64) -> [f64; 3];
     let turns: [(&'static str, Turn); 3] = [
         ("turned", |[n, t1, t2], _| [n, -t2, t1]),
         ("frictionless", |[n, _, _], _| [n, 0.0, 0.0]),
-        ("on the disc", |[n, t1, t2], mu| match t1.hypot(t2) {
+        ("on the disk", |[n, t1, t2], mu| match t1.hypot(t2) {
             0.0 => [n, mu * n, 0.0],
             length => [n, mu * n * (t1 / length), mu * n * (t2 / length)],
         }),

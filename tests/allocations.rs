@@ -124,7 +124,7 @@ fn a_map_that_was_set_out_of_order_holds_about_what_it_says() {
     let mut map = MapOfMaps::new(100, 100);
     let info = measure(|| {
         for k in 0..6000_usize {
-            let place = k * 6007 % 10_000; // 6007 and 10 000 have no common factor
+            let place = k * 6007 % 10_000; // 6007 and 10,000 have no common factor
             map.set(place / 100, place % 100, 1.0).unwrap();
         }
     });

@@ -5,7 +5,7 @@ from math import hypot
 
 
 def on_disc(radius, t1, t2):
-    """The point of the disc that is nearest to (t1, t2)."""
+    """The point of the disk that is nearest to (t1, t2)."""
     length = hypot(t1, t2)
     return (t1, t2) if length <= radius else (radius * t1 / length, radius * t2 / length)
 

@@ -1,5 +1,6 @@
 // Projected Gauss-Seidel as a plug-in: c++ -O2 -o sweeps sweeps.cpp
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <iomanip>
@@ -29,17 +30,21 @@ int main() {
         auto A = numbers(line, "dense"), b = numbers(line, "b");
         auto lo = numbers(line, "lo"), hi = numbers(line, "hi");
         std::vector<double> x(b.size());
-        for (int sweep = 0; sweep < 1000; ++sweep)
+        bool is_solved = false;
+        for (int sweep = 0; sweep < 1000 && !is_solved; ++sweep) {
+            double change = 0, size = 0;
+            bool has_sweeps = true;
             for (size_t i = 0; i < x.size(); ++i) {
-                if (A[i * x.size() + i] == 0) continue;  // such a row has no sweep
-                double w = b[i];
+                double a = A[i * x.size() + i], w = b[i], old = x[i];
+                if (a == 0) { has_sweeps = false; continue; }
                 for (size_t j = 0; j < x.size(); ++j) w += A[i * x.size() + j] * x[j];
-                x[i] = std::clamp(x[i] - w / A[i * x.size() + i], lo[i], hi[i]);
+                x[i] = std::clamp(x[i] - w / a, lo[i], hi[i]);
+                change += std::abs(x[i] - old), size += std::abs(x[i]);
             }
+            is_solved = has_sweeps && change <= 1e-14 * size;
+        }
         std::cout << "{\"x\": [";
         for (size_t i = 0; i < x.size(); ++i) std::cout << (i ? ", " : "") << x[i];
-        bool has_sweeps = true;
-        for (size_t i = 0; i < x.size(); ++i) has_sweeps &= A[i * x.size() + i] != 0;
-        std::cout << (has_sweeps ? "]}" : "], \"status\": \"iteration_limit\"}") << std::endl;
+        std::cout << "], \"status\": \"" << (is_solved ? "solved" : "iteration_limit") << "\"}" << std::endl;
     }
 }

@@ -10,7 +10,7 @@ use serde_json::Value;
 use super::form::Writing;
 use super::{Outcome, print};
 
-/// List the statements of the chapter by Kenwright & Morgan with their verdicts, or show a
+/// List the statements of the chapter by Kenwright & Morgan and whether each is correct, or show a
 /// statement or an erratum
 #[derive(Debug, Args)]
 #[command(after_help = "\

@@ -33,7 +33,7 @@ use super::{Outcome, bar, print, read_problem};
 Examples:
   lcplab diagnose mass_ratio3 --solver pgs --sweeps 10   # why do the boxes sink, and what helps?
   lcplab diagnose frames/ --solver pgs --sweeps 10       # the same for problem files, one per step
-  lcplab diagnose fig8                      # three rows that contradict each other, proved
+  lcplab diagnose fig8                      # proves that three rows contradict each other
   lcplab diagnose stack --step 10
   lcplab diagnose mass_ratio3 --solver pgs --sweeps 10 --out why.html # a page with an animation
   lcplab diagnose fig8 --json
@@ -42,17 +42,18 @@ Examples:
   lcplab diagnose problem.json answer.json --last before.json
   lcplab diagnose --mistakes                # lists the known mistakes
 
-lcplab reads INPUT as a problem if it is - or has an extension that `convert --list` shows, as a sequence of \
-problems if it is a folder of such files, and as a scene otherwise.
+INPUT is read as a problem if it is \"-\" or a file with an extension that `convert --list` shows; as a \
+sequence of problems if it is a folder of such files; otherwise as a scene.
 
 For each input lcplab reports rank, condition number and degrees of freedom, and lists zero rows, dependent \
-rows, contradictory rows, constraints without direction, drift, overlap, and sign errors in A.
+rows, contradictory rows, constraints whose direction is undefined (such as a rod of length 0), drift, overlap, and sign errors in A.
 
-lcplab simulates a scene for one second, or its own number of steps if that is less, with its solver and with an exact one, and measures the unsupported \
-weight. It removes each possible cause in turn to see whether that helps, and tries remedies. If the \
+lcplab simulates a scene twice, with its solver and with an exact solver, and measures the unsupported weight. \
+Each simulation lasts one second, or as long as the scene file states if that is shorter. lcplab removes each possible cause in turn to see whether that helps, and tries remedies. If the \
 solver's error is at least twice that of plain Gauss-Seidel after the same number of sweeps, the solver is \
-listed as the first cause. A problem file, or a folder of them, has no solver of its own: name one with \
---solver, or give --sweeps for pgs, for the same analysis. Every error is a fraction of the motion that the constraints cause.
+listed as the first cause. A problem file does not name a solver: for the same analysis, choose one with --solver, or give --sweeps to use \
+pgs. Every error of a motion is its distance from the exact motion, divided by the change of motion that the \
+constraints cause; it can exceed 100 %.
 
 With an answer, lcplab compares it with the result of each known mistake, including up to 2,000 sweeps of each \
 method. It names a mistake only if that result, \
@@ -60,8 +61,9 @@ rounded to the precision of x, is at least a hundred times closer to x than the 
 accepts the answer, lcplab names no mistake.
 
 Exit codes:
-  0  the problem can be solved; in a folder, an accepted answer to each problem is known
-  1  otherwise, or the judge rejects the answer
+  0  the problem has a solution (in a folder: lcplab found an accepted answer to each problem), and the judge \
+accepts ANSWER, if given
+  1  otherwise
   2  invalid input or usage")]
 pub struct Diagnose {
     /// Scene file, name of a shipped scene, problem file, folder of problem files, or - for a JSON

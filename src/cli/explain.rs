@@ -62,7 +62,7 @@ pub struct Explain {
     /// Number of steps of the scene to explain [default: 1]
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..=1000))]
     steps: Option<u64>,
-    /// Largest scaled residual that counts as solved [default: the scene's, or that of `solve`]
+    /// Largest scaled residual of an accepted answer [default: the scene's, or that of `solve`]
     #[arg(long, allow_negative_numbers = true)]
     tolerance: Option<f64>,
     /// Relaxation factor of sor, above 0 and below 2 [default: 1.3, unless the scene sets it]

@@ -14,8 +14,8 @@ use super::plugin::Plugins;
 use super::search::{HuntOptions, SearchArgs};
 use super::{Outcome, bar, print, say};
 
-/// Search for false claims of solvers on random difficult problems, or for the smallest problem
-/// that breaks one
+/// Search for false claims of solvers on difficult random problems, or for the smallest problem on
+/// which a solver fails
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -23,16 +23,18 @@ Examples:
   lcplab hunt --solver dantzig --json
   lcplab hunt --plugin \"python3 mine.py\" --problems 1000
   lcplab hunt --plugin \"python3 mine.py\" --measure false-claim --out bug.json
-  lcplab hunt --plugin \"python3 mine.py\" --measure false-claim --from dump.json     # shrinks your problem
+  lcplab hunt --plugin \"python3 mine.py\" --measure false-claim --from dump.json     # shrinks it
   lcplab hunt --plugin \"python3 mine.py\" --measure false-claim --model coulomb-cone # friction cones
   lcplab hunt --measure ratio murty:block-pivoting --n 8
 
 Without --measure lcplab prints a table of the claims of each solver. With --measure lcplab starts from random \
 problems, makes small changes that increase the measure (hill climbing), shrinks the worst problem, and prints \
-it with the solver's x, the correct x and a regression test. The same seed finds the same problem.
+it with the solver's x, the correct x and a regression test. The measure of a false claim is its scaled residual; that of a \
+failure is the number of rows, and the smallest wins. The same seed finds the same problem. The options --n, --class, \
+--friction, --from, --evaluations, --at-least, --omega and --out apply only with --measure.
 
 Exit codes:
-  0  no false claim
+  0  no false claim; also if a search for another measure found a problem
   1  a claim is false, or a solver that you name solves no problem
   2  invalid input or usage")]
 pub struct Challenge {
@@ -52,7 +54,7 @@ pub struct Challenge {
     /// Maximum number of sweeps or pivots
     #[arg(long, visible_alias = "sweeps", default_value_t = 2000)]
     max_iterations: usize,
-    /// Largest scaled residual that counts as solved
+    /// Largest scaled residual of an accepted answer
     #[arg(long, default_value = "1e-8")]
     tolerance: f64,
     #[command(flatten)]

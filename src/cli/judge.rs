@@ -23,7 +23,7 @@ use super::limits::MemoryLimit;
 use super::problem::{check_loads, rows, title};
 use super::{Outcome, print, read_problem};
 
-/// Check answers of any program against a problem
+/// Check answers from any program against a problem
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -55,8 +55,8 @@ pub struct Judge {
     fail_on: Worst,
     #[command(flatten)]
     memory: MemoryLimit,
-    /// Print the forces by pair of bodies and by contact, and which are unique; needs a file
-    /// with the keys motion, rows and bodies, as `export` writes it
+    /// Print the forces for each pair of bodies and for each contact, and mark the unique ones.
+    /// The file must have the keys motion, rows and bodies, like the files of `export`
     #[arg(long)]
     loads: bool,
     /// Print one JSON object

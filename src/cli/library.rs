@@ -12,7 +12,7 @@ use lcplab::problem_set;
 
 use super::{Outcome, bar, print};
 
-/// List the problem library, or write one of its problems as a problem file
+/// List the problem library, or write one or all of its problems as problem files
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

@@ -57,7 +57,7 @@ Examples:
   lcplab report                        # the standard report
   lcplab simulate stack
   lcplab export stack --step 50 --out stack.json; lcplab solve stack.json
-  lcplab solve problem.mtx             # a problem of another program
+  lcplab solve problem.mtx             # a problem from another program
   lcplab convert stack.json stack.npz  # a problem for another program
 
 Exit codes:

@@ -19,7 +19,7 @@ use super::say;
 /// The settings of a solver.
 #[derive(Debug, Args)]
 pub struct SolverArgs {
-    /// Largest scaled residual that counts as solved
+    /// Largest scaled residual of an accepted answer
     #[arg(long, allow_negative_numbers = true, default_value = "1e-8")]
     tolerance: f64,
     /// Maximum number of sweeps or pivots
@@ -34,18 +34,18 @@ pub struct SolverArgs {
 /// Options that only some solvers use; one that no solver of the command uses is an error.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct Choices {
-    /// Relaxation factor of sor and ssor, above 0 and below 2 [default: that of the
-    /// scene, or 1.3]
+    /// Relaxation factor of sor and ssor, above 0 and below 2 [default: 1.3; for a scene, the
+    /// scene's]
     #[arg(long, allow_negative_numbers = true)]
     pub omega: Option<f64>,
-    /// Order of the rows in a sweep of pgs and sor [default: that of the scene, or natural]
+    /// Order of the rows in a sweep of pgs and sor [default: natural; for a scene, the scene's]
     #[arg(long, value_parser = row_order())]
     pub order: Option<RowOrder>,
-    /// Seed of --order shuffled [default: that of the scene, or 1]
+    /// Seed of --order shuffled [default: 1; for a scene, the scene's]
     #[arg(long)]
     pub seed: Option<u64>,
-    /// Damping factor of jacobi, above 0 and below 2 [default: one that converges for every
-    /// semidefinite A]
+    /// Damping factor of jacobi, above 0 and below 2 [default: a value for which jacobi converges
+    /// for every semidefinite A]
     #[arg(long, allow_negative_numbers = true)]
     pub damping: Option<f64>,
 }
@@ -54,7 +54,7 @@ pub struct Choices {
 const ORDERS: [(RowOrder, &str, &str); 3] = [
     (RowOrder::Natural, "natural", "First row first"),
     (RowOrder::Reverse, "reverse", "Last row first"),
-    (RowOrder::Shuffled, "shuffled", "A random permutation by --seed, the same in every sweep"),
+    (RowOrder::Shuffled, "shuffled", "A random permutation, determined by --seed and the same in every sweep"),
 ];
 
 fn row_order() -> impl TypedValueParser<Value = RowOrder> {

@@ -13,8 +13,9 @@ use super::say;
 /// Programs that solve problems.
 #[derive(Debug, Args)]
 pub struct Plugins {
-    /// Run this command as a solver (repeatable): it reads problems and writes answers, see
-    /// docs/plugins.md. The solver is named after its file; NAME=COMMAND sets another name
+    /// Run this command as a solver; the command reads problems and writes answers (see
+    /// docs/plugins.md). The solver is named after its file; NAME=COMMAND sets another name.
+    /// Repeatable in commands that run several solvers
     #[arg(long, value_name = "COMMAND")]
     plugin: Vec<String>,
     /// Time limit for each answer of a plug-in

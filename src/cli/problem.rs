@@ -56,21 +56,22 @@ pub struct Solve {
     /// Problem file; its extension determines the format; - reads JSON from standard input
     problem: PathBuf,
     /// Solver [default: try a sequence of methods until one succeeds, starting with dantzig for
-    /// symmetric A, lemke for other A, and apgd or cone-pgs for friction cones]
+    /// symmetric A, lemke for other A, and apgd or cone-pgs for friction cones; docs/solvers.md
+    /// explains all solvers]
     #[arg(long)]
     solver: Option<String>,
     /// Friction model: frozen-box, coupled-box, polygon-4 (or 8, 12, …), associated-cone,
-    /// coulomb-cone [default: the file's]
+    /// coulomb-cone; docs/solvers.md explains them [default: the file's]
     #[arg(long)]
     model: Option<Model>,
-    /// Try an exact proof for up to 150 rows instead of 50
+    /// Attempt a proof in exact arithmetic for up to 150 rows instead of 50
     #[arg(long)]
     exact: bool,
     /// Write the strongest proof to this file, as the command prove does
     #[arg(long, value_name = "FILE")]
     proof: Option<PathBuf>,
-    /// Print the forces by pair of bodies and by contact, and which are unique; needs a file
-    /// with the keys motion, rows and bodies, as `export` writes it
+    /// Print the forces for each pair of bodies and for each contact, and mark the unique ones.
+    /// The file must have the keys motion, rows and bodies, like the files of `export`
     #[arg(long)]
     loads: bool,
     /// Print one JSON object

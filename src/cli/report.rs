@@ -34,7 +34,7 @@ const ENGINES: &str = "engines";
 const WIDTH: usize = 100;
 const NAME: usize = 15;
 
-/// Run a report: a list of studies, written as a page with figures and tables
+/// Run the studies that a report file lists, and write a page with figures and tables
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

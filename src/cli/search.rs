@@ -21,8 +21,8 @@ use super::{Outcome, bar, print, say, warn};
 /// What to look for, and where.
 #[derive(Debug, Args)]
 pub struct SearchArgs {
-    /// Search for the smallest problem on which the solver makes a false claim (false-claim),
-    /// fails (failure), takes many iterations (iterations), is accepted far from the exact
+    /// Search for a small problem on which the solver makes a false claim (false-claim), fails
+    /// (failure), takes many iterations (iterations), returns an accepted answer far from the exact
     /// solution (error), or takes many times the iterations of another solver (ratio A:B)
     #[arg(long, num_args = 1..=2, value_names = ["MEASURE", "A:B"])]
     measure: Vec<String>,
@@ -33,20 +33,22 @@ pub struct SearchArgs {
     /// narrowest class of the given problems]
     #[arg(long, value_enum, requires = "measure")]
     class: Option<Class>,
-    /// Search only problems with friction: contacts with a normal and two tangents
+    /// Search only problems with friction: contacts with a normal and two tangents; --model implies
+    /// this
     #[arg(long, requires = "measure")]
     friction: bool,
-    /// Start from these problems: a file, a folder or a pattern (repeatable). Problems of any size
-    /// are shrunk
+    /// Start from these problems: a file, a folder or a pattern (repeatable). They may have more
+    /// rows than --n allows; lcplab shrinks the worst of them
     #[arg(long, value_name = "FILES", requires = "measure")]
     from: Vec<String>,
-    /// Number of problems to try before the best one is shrunk
+    /// Number of problems to try before the worst one is shrunk
     #[arg(long, default_value_t = 20_000, requires = "measure")]
     evaluations: usize,
     /// Stop searching when the measure reaches this value [default: no limit]
     #[arg(long, value_name = "VALUE", requires = "measure")]
     at_least: Option<f64>,
-    /// Relaxation factor of sor and ssor [default: 1.3; in a ratio the best of 25 for each problem]
+    /// Relaxation factor of sor and ssor [default: 1.3; with --measure ratio, the best of 25 values
+    /// for each problem]
     #[arg(long, requires = "measure")]
     omega: Option<f64>,
     /// Write the problem to this file

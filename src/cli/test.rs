@@ -29,10 +29,11 @@ Examples:
   lcplab test dumps --plugin \"python3 mine.py\" --baseline base.json           # in CI
   lcplab test dumps pd stack --solver pgs --junit test.xml --sarif test.sarif
 
-A problem fails if its answer is not accepted: the solver claims a solution that the judge rejects, crashes, \
-is too slow, or finds no solution. A problem without a solution passes if the solver does \
-not claim to have solved it. With a baseline, a problem that it lists fails only if its result is worse than the recorded \
-one: an accepted answer is no longer accepted, or needs many more iterations or has a much larger residual. Record the baseline in the folder in which the test runs: problems are compared by their paths.
+A problem fails if the solver claims a solution that the judge rejects, or if the solver crashes, exceeds the time limit or \
+finds no solution. A problem without a solution passes if the solver answers in time and does not claim to have solved it. If the \
+baseline lists a problem, this problem fails only if its result is worse than the recorded one: an answer that was accepted is \
+rejected, or needs many more iterations or has a much larger residual; or a solver that gave up now makes a false claim, crashes or \
+exceeds the time limit. Record the baseline in the folder in which the test runs, because lcplab matches problems by their paths.
 
 Exit codes:
   0  no problem fails, or the baseline was written

@@ -52,12 +52,12 @@ pub const PAGES: [Page; 5] = [
     page!(
         "stack",
         "A stack",
-        "a stack: the load on each contact after a row, after a sweep, and in motion"
+        "a stack: the load on each contact after each row update, after each sweep, and during the motion"
     ),
     page!(
         "friction",
         "Friction",
-        "friction: square, polygon and disc, their nearest points, the path of a block on the floor"
+        "friction: square, polygon and disk, their nearest points, the path of a block on the floor"
     ),
     page!(
         "problem",
@@ -102,7 +102,8 @@ pub fn linked(text: &str) -> Vec<Live> {
     let live = |link: &str| {
         let (file, state) = link.split_once('#').unwrap_or((link, ""));
         let page = PAGES.iter().find(|page| file.strip_suffix(".html") == Some(page.name))?;
-        let title = format!("Open the live page {}", page.about);
+        let about = page.about.split_once(": ").map_or(page.about, |(_, about)| about);
+        let title = format!("Open the live page \"{}\": {about}", page.title);
         Some(Live { name: page.name.into(), title, html: page.text(), state: state.into() })
     };
     links.filter_map(live).collect()

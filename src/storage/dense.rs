@@ -17,7 +17,7 @@ use super::{Result, Storage, check_entry, check_place, check_row};
 /// use lcplab::storage::{Dense, Storage};
 ///
 /// let a = Dense::new(100, 100);
-/// assert_eq!(a.bytes(), 80_000); // f64; the chapter's float: 40 000
+/// assert_eq!(a.bytes(), 80_000); // f64; the chapter's float: 40,000
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Dense {

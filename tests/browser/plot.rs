@@ -63,7 +63,7 @@ fn stacked_panels_have_points_of_their_own() {
         json!([
             start("energy 0 J"),
             start("drift 0 m"),
-            ["velocity, dt/2", "time 10 s", "energy 2\u{202f}000 J"],
+            ["velocity, dt/2", "time 10 s", "energy 2,000 J"],
             ["velocity, dt/2", "time 10 s", "drift −2×10⁻⁶ m"],
         ])
     );

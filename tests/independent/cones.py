@@ -10,7 +10,7 @@ How far x is from it: each part beside its own scale s and its own terms T = sum
     r_t = |x_t - D(x_t - w_t/s_t)| s_t / |(T_t1, T_t2)|              s_t = the largest row sum of |A| among t1, t2
 
 but s_t is at least |(T_t1, T_t2)| / R, and just that where t1 and t2 are rows of zeros, with
-R = mu max(x_n, T_n/s_n) unless that is 0, and where D(v) is the point of the disc of radius mu x_n nearest to v. Other rows as in judge.py. The associated law
+R = mu max(x_n, T_n/s_n) unless that is 0, and where D(v) is the point of the disk of radius mu x_n nearest to v. Other rows as in judge.py. The associated law
 (x in K, w in its dual, x.w = 0) is the fixed point x = P(x - w/s), P the nearest point of the cone in the metric
 of s. Of an answer that is called proved, a solution must lie within `distance`. Where each contact is open (x = 0) or sticks (w = 0,
 |x_t| <= mu x_n), exact equations give it. Where one slides, it is a closed form if there is one contact and A is diagonal, else the zero

@@ -125,7 +125,7 @@ impl std::fmt::Display for Verdict {
 /// use lcplab_judge::upper_bound;
 ///
 /// assert_eq!(upper_bound(1.04e-9), "1.1×10⁻⁹");
-/// assert_eq!(upper_bound(9.96e3), "10\u{202f}000");
+/// assert_eq!(upper_bound(9.96e3), "10,000");
 /// assert_eq!(upper_bound(0.25), "0.25"); // exact
 /// assert_eq!(upper_bound(f64::from_bits(1)), "5.0×10⁻³²⁴"); // 4.94…×10⁻³²⁴
 /// ```

@@ -41,7 +41,7 @@ pub fn plain(text: &str) -> String {
     while let Some((before, after)) = rest.split_once("10") {
         out.push_str(before);
         let exponent: String = after.chars().map_while(lowered).collect();
-        let is_inside = out.ends_with(|c: char| c.is_alphanumeric() || c == '.' || c == '\u{202f}');
+        let is_inside = out.ends_with(|c: char| c.is_alphanumeric() || c == '.' || c == ',');
         if exponent.is_empty() || is_inside {
             out.push_str("10");
             rest = after;
@@ -72,7 +72,7 @@ pub fn plain(text: &str) -> String {
 /// assert_eq!(readable(0.25, 3), "0.25");
 /// assert_eq!(readable(-1.5e-9, 2), "−1.5×10⁻⁹");
 /// assert_eq!(readable(1e6, 3), "10⁶");
-/// assert_eq!(readable(12345.0, 3), "12\u{202f}300"); // a narrow space that does not break
+/// assert_eq!(readable(12345.0, 3), "12,300");
 /// assert_eq!(readable(725.0, 2), "720"); // ties to even, as everywhere
 /// assert_eq!(readable(f64::INFINITY, 3), "∞");
 /// ```
@@ -134,35 +134,35 @@ fn written(value: f64, digits: usize, shorter: fn(f64, &str) -> &str) -> String 
     text.replace('-', "−")
 }
 
-/// A count with thin spaces between groups of three digits.
+/// A count with commas between groups of three digits.
 pub fn count(value: usize) -> String {
     grouped(&value.to_string())
 }
 
-/// A number of things: `1 sweep`, `12 sweeps`.
+/// A number of things: `1 sweep`, `1,200 sweeps`.
 ///
 /// ```
 /// use lcplab_problem::number::counted;
 ///
 /// assert_eq!(counted(1, "sweep"), "1 sweep");
-/// assert_eq!(counted(0, "entry"), "0 entries");
+/// assert_eq!(counted(1200, "entry"), "1,200 entries");
 /// ```
 pub fn counted(number: usize, noun: &str) -> String {
     match noun.strip_suffix('y') {
         _ if number == 1 => format!("{number} {noun}"),
-        Some(stem) => format!("{number} {stem}ies"),
-        None => format!("{number} {noun}s"),
+        Some(stem) => format!("{} {stem}ies", count(number)),
+        None => format!("{} {noun}s", count(number)),
     }
 }
 
-/// A decimal number with a thin space between groups of three digits before the point.
+/// A decimal number with a comma between groups of three digits before the point.
 fn grouped(decimal: &str) -> String {
     let whole = decimal.find('.').unwrap_or(decimal.len());
     let mut text = String::new();
     for (i, digit) in decimal.char_indices() {
         let is_between = i > 0 && i < whole && decimal.as_bytes()[i - 1].is_ascii_digit();
         if is_between && (whole - i).is_multiple_of(3) {
-            text.push('\u{202f}');
+            text.push(',');
         }
         text.push(digit);
     }

@@ -1,7 +1,7 @@
 //! Whether an answer is a minimum of the objective that a problem declares.
 //!
 //! If a file has the key `objective`, its rows are the optimality conditions of min ½ xᵀP x + qᵀx
-//! under bounds and linear constraints. Maxima and saddles satisfy these conditions too. At a
+//! under bounds and linear constraints. Maxima and saddles can satisfy them, too. At a
 //! minimum no direction d that keeps all constraints has dᵀP d < 0 while the objective does not
 //! rise at first order (the *second-order condition*):
 //!

@@ -122,7 +122,7 @@ def solve(
         iterates, or returns None. By default, lcplab tries the methods of ``docs/solvers.md`` in turn until one solves the
         problem. For friction cones the function needs a parameter named ``model``.
     tolerance : float
-        The largest scaled residual that counts as solved.
+        The largest scaled residual of an accepted answer.
     max_iterations : int
         The largest number of sweeps, pivots or other iterations.
     omega : float, optional

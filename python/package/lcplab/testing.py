@@ -74,7 +74,7 @@ def assert_no_false_claims(
     evaluations : int
         The number of problems to try. The same seed and number try the same problems.
     tolerance : float
-        The largest scaled residual that counts as solved; use 1e-5 for single precision.
+        The largest scaled residual of an accepted answer; use 1e-5 for single precision.
     friction : bool
         Whether to try the same number of problems with friction as well: contacts with a normal and two tangents each.
     model : str, optional

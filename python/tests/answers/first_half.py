@@ -60,7 +60,7 @@ def run(id, which):
     assert r.returncode in (0, 1), (line, r.stderr)
     return r.stdout
 iterations = lambda text: int(re.search(r"(\d+) iterations", text)[1])
-PLAIN = str.maketrans("−⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "--0123456789", "\u202f")  # −1.5×10⁻⁸ becomes -1.5e-8
+PLAIN = str.maketrans("−⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "--0123456789", ",")  # −1.5×10⁻⁸ becomes -1.5e-8
 plain = lambda text: re.sub(r"(?<=\s)10(?=-)", "1e", text.translate(PLAIN).replace("×10", "e"))
 field = lambda text, name: float(re.search(rf"(?m)^\s*{name}\s+(-?[\d.]+(?:e-?\d+)?)", plain(text))[1])
 column_x = lambda text: [float(r[2]) for r in re.findall(r"(?m)^ +(\d+) +(\S+) +(-?\d\S*) +(\S+) +(\S+)(?: +\S.*)?$", plain(text))]

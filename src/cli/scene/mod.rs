@@ -9,7 +9,7 @@ pub use list::Scenes;
 pub use simulate::Simulate;
 
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use lcplab::body::State;
 use lcplab::error::{Error, Result};
 use lcplab::lcp::friction::{Form, Model};
@@ -67,7 +67,7 @@ impl StepArgs {
 /// How each problem is solved.
 #[derive(Debug, Args)]
 pub struct SolveArgs {
-    /// Largest scaled residual that counts as solved [default: the scene's]
+    /// Largest scaled residual of an accepted answer [default: the scene's]
     #[arg(long, allow_negative_numbers = true)]
     tolerance: Option<f64>,
     /// Maximum number of sweeps or pivots in a solve [default: the scene's]
@@ -125,8 +125,22 @@ fn key_and_value(text: &str) -> std::result::Result<(String, String), String> {
 
 /// A parser for the names of the schemes.
 fn schemes() -> impl TypedValueParser<Value = Scheme> {
-    let names = Scheme::ALL.map(Scheme::name);
-    PossibleValuesParser::new(names).map(|name| Scheme::by_name(&name).unwrap_or_default())
+    let value = |scheme: Scheme| PossibleValue::new(scheme.name()).help(meaning(scheme));
+    PossibleValuesParser::new(Scheme::ALL.map(value)).map(|name| Scheme::by_name(&name).unwrap_or_default())
+}
+
+/// A scheme in the help.
+fn meaning(scheme: Scheme) -> &'static str {
+    match scheme {
+        Scheme::Velocity => "Solve an LCP for impulses; constraints hold for velocities",
+        Scheme::Acceleration => "Solve an LCP for forces; constraints hold for accelerations",
+        Scheme::SplitImpulse => "As velocity, then correct positions by a second LCP",
+        Scheme::GaussSeidel => "As velocity, then correct positions row by row (NGS)",
+        Scheme::Xpbd => "Correct positions row by row in substeps; --solver is not used",
+        Scheme::Soft => "Treat rows as springs of a given frequency; --solver is not used",
+        Scheme::Penalty => "Replace constraints by springs and dampers; --solver is not used",
+        Scheme::SequentialImpulses => "Apply impulses row by row; --solver is not used",
+    }
 }
 
 impl SceneArgs {

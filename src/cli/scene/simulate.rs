@@ -49,11 +49,11 @@ Examples:
   forces.csv      x and w of each row; for contacts also the bodies and the point
   results.json    the summary
   frames.svg      pictures of some instants
-  final.toml      the scene in its final state, with the changes of --set, to continue from
+  final.toml      the scene in its final state, including the changes of --set; load it to continue
 
 Exit codes:
   0  every step was solved
-  1  a step was not solved (the simulation continues), or the motion diverged (the steps before are written)
+  1  a step was not solved (the simulation continues), or the motion diverged (only the steps before that are written)
   2  invalid input or usage")]
 pub struct Simulate {
     #[command(flatten)]
@@ -76,8 +76,8 @@ pub struct Simulate {
     /// Draw contacts, contact forces and constraint forces in frames.svg
     #[arg(long, requires = "out")]
     forces: bool,
-    /// Print the forces of the last step by pair of bodies and by contact, and which of them
-    /// are unique
+    /// Print the forces of the last step for each pair of bodies and for each contact, and mark
+    /// the unique ones
     #[arg(long)]
     loads: bool,
     /// Print one JSON object

@@ -1,7 +1,7 @@
 const USUAL = { press: 2, mu: 0.5, directions: 4, angle: 30, size: 3 };
 const SLIDERS = ["press", "mu", "angle", "size"], SPAN = 5, SPEED = 3, G = 9.81;
 const UNITS = { press: " N s", mu: "", angle: "°", size: " N s" };
-const NAMES = ["coupled-box", "polygon", "coulomb-cone"], CLASSES = ["box", "polygon", "disc"];
+const NAMES = ["coupled-box", "polygon", "coulomb-cone"], CLASSES = ["box", "polygon", "disk"];
 const toPlane = ([x, y]) => [210 + x / SPAN * 420 * 0.55, 210 - y / SPAN * 420 * 0.55];
 const fromPlane = (px, py) => [(px - 210) / 420 * SPAN / 0.55, (210 - py) / 420 * SPAN / 0.55];
 
@@ -23,7 +23,7 @@ function drawFigures() {
   let picture = svg("line", { x1: 0, x2: 420, y1: oy, y2: oy, class: "axis" }) + svg("line", { x1: ox, x2: ox, y1: 0, y2: 420, class: "axis" });
   picture += svg("text", { x: 346, y: oy - 6 }, "x_t1 (N s)") + svg("text", { x: ox + 6, y: 14 }, "x_t2 (N s)");
   picture += svg("rect", { x: ox - radius, y: oy - radius, width: 2 * radius, height: 2 * radius, class: "figure box" });
-  picture += svg("circle", { cx: ox, cy: oy, r: radius, class: "figure disc" });
+  picture += svg("circle", { cx: ox, cy: oy, r: radius, class: "figure disk" });
   picture += svg("polygon", { points: corners(k, 0), class: "figure polygon" });
   const [wx, wy] = toPlane(wanted());
   NAMES.forEach((_, i) => {

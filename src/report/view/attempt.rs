@@ -21,7 +21,7 @@ pub fn outcome(outcome: &Outcome) -> Cell {
     Cell::text(text).marked(mark)
 }
 
-/// `1 234 sweeps`.
+/// `1,234 sweeps`.
 pub fn iterations_in_words(solver: &str, iterations: usize) -> String {
     let entry = Registry::standard().entry(solver);
     let unit = entry.map_or("iterations", |entry| entry.group.unit());
@@ -29,7 +29,7 @@ pub fn iterations_in_words(solver: &str, iterations: usize) -> String {
     format!("{} {unit}", count(iterations))
 }
 
-/// A large number rounded to two digits, in a readable form: `12 000`, `1.2×10⁸`.
+/// A large number rounded to two digits, in a readable form: `12,000`, `1.2×10⁸`.
 pub fn rough(value: f64) -> String {
     if !(10.0..1e6).contains(&value) {
         return readable(value, 2);

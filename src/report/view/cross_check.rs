@@ -13,12 +13,13 @@ impl View for Plan {
         let checks = &findings.concat();
         document.text(
             "Dantzig's answer is compared with two independent answers of the interior-point solver clarabel. \
-             The *box QP* is the same problem as a minimization over impulses:",
+             The first is that of the *box QP*: the LCP, written as a minimization over impulses. With friction, its \
+             limits are fixed at those of lcplab's $x$:",
         );
         document.equation("\\min_{lo \\le x \\le hi}\\; \\tfrac12 x^T A x + b^T x", "dual");
         document.text(
-            "*Gauss's principle* determines the same motion as a minimization over velocities. It never forms \
-             $A$, so it also checks the assembly of $A$:",
+            "The second is that of *Gauss's principle*, which determines the same motion as a minimization over \
+             velocities. It never forms $A$, so it also checks the assembly of $A$:",
         );
         document.equation(
             "\\min_u\\; \\tfrac12 (u - u^*)^T M (u - u^*) \\quad \\text{subject to} \\quad J u + \
@@ -26,10 +27,14 @@ impl View for Plan {
             "primal",
         );
         document.text(
+            "A friction row with the fixed limits $\\pm h_i$ has no such constraint. It adds the term $h_i |(J u + \
+             \\text{bias})_i|$ to the objective.",
+        );
+        document.text(
             "The two optimal values must have the same size and opposite signs. If contacts are redundant, $x$ \
              is not unique: the rank of $A$ on the free rows is less than their number, and $x$ may differ \
-             while $w$ and the motion $u$ agree. Then the distance to the exact motion $\\hat u$ is bounded \
-             instead of the distance to $x$. For any feasible $u$ and $x$, with the objective $P(u)$ above and \
+             while $w$ and the motion $u$ agree. In this case lcplab bounds the distance of its motion from the \
+             exact motion $\\hat u$, instead of the distance between two $x$. For any feasible $u$ and $x$, with the objective $P(u)$ above and \
              $D(x) = \\tfrac12 x^T A x + b^T x$,",
         );
         document.equation("|u - \\hat u|_M \\le \\sqrt{2\\,(P(u) + D(x))}", "motion-bound");
@@ -46,8 +51,8 @@ impl View for Plan {
         document.table("objectives", objectives(checks));
         if checks.iter().any(|check| !check.wrenches.is_empty()) {
             document.text(
-                "If the load distribution is not unique, single forces have no meaning. The resulting force \
-                 and torque on each body are unique, and both answers must agree on them:",
+                "If the load distribution is not unique, individual forces have no meaning. The net force and \
+                 torque on each body are unique, and both answers must agree on them:",
             );
             document.table("wrenches", wrenches(checks));
         }
@@ -71,7 +76,8 @@ impl View for Plan {
         let all = checks().count();
         let apart = significant(apart, 2);
         let says = format!(
-            "{accepted} of {all} answers of lcplab accepted, {confirmed} of {all} of clarabel; velocities agree to {apart} m/s"
+            "the judge accepts {accepted} of {all} answers of lcplab and {confirmed} of {all} of clarabel; their velocities \
+             differ by at most {apart} m/s"
         );
         Outcome { good: accepted == all && confirmed == all, says }
     }
@@ -80,8 +86,9 @@ impl View for Plan {
 fn table(checks: &[CrossCheck]) -> Table {
     Table::new(
         "Differences from the reference solutions",
-        "Largest difference of any entry. *shared*: x is not unique, so x − x_QP is not an error. *u − û \
-         at most*: a proved bound on the error of lcplab's motion, from duality and interval arithmetic. With friction, the bound holds for the problem \
+        "Largest difference of any entry. *not unique*: several x are solutions, so x − x_QP is not an error. *verdict*: \
+         an answer is only *within tolerance* if lcplab finds no exact solution near it, as can happen if rows are \
+         redundant only up to rounding. *u − û at most*: a proved bound on the error of lcplab's motion, from duality and interval arithmetic. With friction, the bound holds for the problem \
          whose friction limits are fixed at those of lcplab's x, not for the coupled problem.",
         "scene | problem | #step | #rows | #free | #rank | x | #x − x_QP (x) | #w − w_QP (w) | \
          #u − u_Gauss (u) | #u − û at most (u) | verdict | verdict on QP",
@@ -90,7 +97,7 @@ fn table(checks: &[CrossCheck]) -> Table {
 }
 
 fn cells(check: &CrossCheck) -> Vec<Cell> {
-    let rows = if check.rank == check.free { "independent" } else { "shared" };
+    let rows = if check.rank == check.free { "unique" } else { "not unique" };
     vec![
         Cell::text(&check.scene),
         Cell::text(&check.stage),
@@ -134,7 +141,8 @@ fn objectives(checks: &[CrossCheck]) -> Table {
     Table::new(
         "The optimal value, computed in three ways",
         "½ xᵀAx + bᵀx at lcplab's x, the box QP's optimum, and minus the optimum of \
-                      Gauss's principle: all three should agree. Joules for impulses.",
+                      Gauss's principle. All three should agree. The unit is J at velocity level, J/s² at acceleration \
+                      level.",
         "scene | problem | #at lcplab's x | #box QP | #− Gauss",
         checks.iter().map(cells).collect(),
     )
@@ -160,7 +168,7 @@ fn wrenches(checks: &[CrossCheck]) -> Table {
         .iter()
         .flat_map(|check| check.wrenches.iter().map(move |wrench| cells(check, wrench)));
     Table::new(
-        "Resulting force and torque on each body",
+        "Net force and torque on each body",
         "Sum over all rows, about the center of mass; the last column is the largest difference \
          from the answer of the box QP.",
         "scene | problem | body | force | torque | #difference",

@@ -30,7 +30,7 @@ impl View for Plan {
         };
         let (points, all) = (found.len(), self.plan.tasks.len());
         let says =
-            format!("{points} of {all} points measured{theory}, {refuted} with false claims");
+            format!("{points} of {all} points of the grid measured{theory}, {refuted} with false claims");
         Outcome { good: refuted == 0 && held == claims.len(), says }
     }
 }

@@ -27,21 +27,21 @@ impl View for Plan {
                 "Coulomb",
             );
             document.text(
-                "This is a disc in the plane of the two tangents $t_1$, $t_2$, and a disc is not linear. \
-                 Solvers approximate it:\n\n\
-                 - **Frozen box**: each tangent has its own bounds, $\\pm\\mu$ times the normal impulse of a solve *without* friction. A square of fixed size.\n\
-                 - **Coupled box**: the same square, with the current $x_n$. The scenes of this report and Open Dynamics Engine use it.\n\
+                "The first condition is a disk in the plane of the two tangents $t_1$, $t_2$. Its boundary is a circle, \
+                 which linear constraints only approximate. Solvers use one of these sets:\n\n\
+                 - **Frozen box**: each tangent has its own bounds, $\\pm\\mu$ times a known normal impulse: in a single problem that of a solve *without* friction, in a simulation that of the previous step (0 in the first step of a contact). A square of fixed size.\n\
+                 - **Coupled box**: the same square, with the current $x_n$. The scenes of this report use it.\n\
                  - **Polygon** of 4, 8 or 16 corners on the circle, one at $t_1$: an LCP with one additional unknown for each corner, solved by Lemke's method.\n\
-                 - **Cone**: the disc itself. *Associated*: a convex problem, in which sliding bodies lift off. *Coulomb*: the exact law.\n\n\
-                 A block of 1 kg lies on the floor and is pushed along it. It is pressed so that \
-                 $\\mu x_n = 1$ N s. $A$ is the identity: no impulse changes the $w$ of another row. So the friction impulse is \
-                 the point of the model's square, polygon or disc that is nearest to the push. This point \
-                 follows from geometry alone: the lines below show the geometric construction, the markers \
-                 the answers of the solvers.",
+                 - **Cone**: the disk itself. *Associated*: a convex problem, in which sliding bodies lift off. *Coulomb*: the exact law.\n\n\
+                 A block of 1 kg lies on the floor and is pushed along it. It is pressed down so that \
+                 $\\mu x_n = 1$ N s. $A$ is the identity: no impulse changes the $w$ of another row. The friction impulse \
+                 is therefore the point of the model's square, polygon or disk that is nearest to the opposite of \
+                 the push. This point follows from geometry alone: the lines below show the geometric construction, \
+                 the markers the answers of the solvers.",
             );
             document.figure(direction_figure(study));
             document.text(
-                "Friction should point against the slip, but in the box and the polygon it points to a corner \
+                "Friction should point against the slip, but under the box and the polygon it points to a corner \
                  instead. A crate that is dragged at 30° to the tangents drifts to one side; dragged along a \
                  tangent it does not. A real floor has no tangents: the program chooses them.",
             );
@@ -55,11 +55,10 @@ impl View for Plan {
             document.table("friction_block", block_table(study));
             document.text(
                 "For the block the two box models agree; so do the two cones, except that the associated one \
-                 lifts the block. A rod on two feet distinguishes the boxes by their impulses. Its center is \
-                 above the ground, so friction at the feet tips it: one foot is pressed harder than without \
-                 friction, the other less. The frozen box ignores this: its *strength* is too small at one \
-                 foot and too large at the other, where it may exceed the $\\sqrt{2}$ of a square of the \
-                 correct size. The motion of the rod is the same under both boxes, because the sum of their \
+                 lifts the block. For a rod on two feet, the two box models give different impulses. The center of the \
+                 rod is above the ground, so friction at the feet shifts load from one foot to the other. The \
+                 frozen box ignores this: its friction is too weak at one foot and too strong at the other, where \
+                 it can exceed even $\\sqrt{2}$ times Coulomb's limit, the maximum of the coupled box. The motion of the rod is the same under both boxes, because the sum of their \
                  friction is the same. With more corners the polygons approach Coulomb's law.",
             );
             document.table("friction_rod", rod_table(study));
@@ -81,9 +80,8 @@ impl View for Plan {
         };
         Headline::of(findings.first().map(|study| {
             format!(
-                "**What is the error of a friction model?** Strength of friction relative to Coulomb's limit, \
-                 and deviation of its direction, for a block that is pushed in directions a few degrees \
-                 apart: {}.",
+                "**The error of each friction model**, for a block that is pushed in directions a few degrees \
+                 apart. Compared with Coulomb's law, friction has {}.",
                 said(study).join("; ")
             )
         }))
@@ -97,7 +95,7 @@ impl View for Plan {
         let paths = checked(findings.iter().flat_map(|study| &study.paths), stops_as_expected);
         let rods = checked(findings.iter().flat_map(|study| &study.rod), is_accepted);
         let says = format!(
-            "{} of {} pushes, {} of {} sticking limits and {} of {} paths match geometry; {} of {} \
+            "{} of {} pushes, {} of {} sticking limits and {} of {} paths agree with the geometric construction; {} of {} \
              answers for the rod accepted",
             slides[0], slides[1], grips[0], grips[1], paths[0], paths[1], rods[0], rods[1]
         );
@@ -127,10 +125,10 @@ fn bias(study: &Finding, model: Model) -> Option<String> {
         (least, most) => format!("{least} to {most}"),
     };
     let aside = match aside.round() {
-        0.0 => "straight".to_string(),
-        degrees => format!("up to {}° off direction", readable(degrees, 2)),
+        0.0 => "the correct direction".to_string(),
+        degrees => format!("a direction up to {}° off", readable(degrees, 2)),
     };
-    least.is_finite().then(|| format!("*{}* {held} %, {aside}", short(model)))
+    least.is_finite().then(|| format!("{held} % of the strength and {aside} (*{}*)", short(model)))
 }
 
 /// A number of each model that is shown, with the model.
@@ -168,7 +166,7 @@ fn path_title(study: &Finding) -> String {
         Some(format!("{}\u{a0}m ({})", readable((a - x).hypot(b - y), 2), short(*model)))
     };
     let far: Vec<String> = SHOWN.iter().filter_map(far).collect();
-    format!("The block stops {} from where Coulomb's law stops it", far.join(", "))
+    format!("Distance of the stopping point from that under Coulomb's law: {}", far.join(", "))
 }
 
 fn path_figure(study: &Finding) -> Lines {
@@ -195,10 +193,10 @@ fn path_table(study: &Finding) -> Table {
     Table::new(
         "Where the block stops",
         "Positions along $t_1$ and $t_2$; the expected ones follow from the geometry of the \
-         model, for infinitely short steps. A row agrees if the block stops no farther from the expected position \
-         than it moves in two steps, and its gap agrees to 1 µm. (The frozen box needs both steps, because its \
-         limits are 0 in the first one.) *gap*: the height at which the block slides after 0.1 s, $\\Delta t\\, \\mu |v|$ for \
-         the associated cone. With this cone the block starts at that height, because from the floor the cone would throw it up.",
+         model, for infinitely short steps. A row agrees if the distance from the expected position is at most the distance that the block moves in the \
+         first two steps, and if its gap agrees to 1 µm. (The frozen box needs this tolerance: its limits come \
+         from the previous step, so they are 0 in the first step.) *gap*: the height at which the block slides after 0.1 s, $\\Delta t\\, \\mu |v|$ for \
+         the associated cone. With this cone the block starts at that height; if it started on the floor, the cone would lift it off.",
         "model | solver | #problems | #accepted | #t₁ (m) | #expected (m) | #t₂ (m) | \
          #expected (m) | #gap (m) | #expected (m) | agreement",
         study.paths.iter().map(path_cells).collect(),
@@ -233,7 +231,7 @@ fn path_cells(path: &Path) -> Vec<Cell> {
 fn short(model: Model) -> String {
     match model {
         Model::FrozenBox | Model::CoupledBox => "box".into(),
-        Model::CoulombCone => "disc".into(),
+        Model::CoulombCone => "disk".into(),
         other => other.to_string(),
     }
 }
@@ -257,9 +255,9 @@ fn direction_figure(study: &Finding) -> Lines {
         |model: &Model| Series::theory(format!("theory, {}", short(*model)), stairs(*model));
     Lines::new(
         "friction_direction",
-        format!("Friction is off its direction by up to {}", listed(study, aside)),
+        format!("The direction of friction is wrong by up to {}", listed(study, aside)),
         format!(
-            "The block is pushed {} times as hard as friction can hold, in directions from 0 to 90° \
+            "The push is {} times the largest push that friction can resist, in directions from 0 to 90° \
              from t₁, in steps of 5°. Coulomb's law is the diagonal. With the box model, friction points at 45° to the \
              tangents unless the slip is along a tangent.",
             readable(study.push, 3)
@@ -296,7 +294,7 @@ fn grip_figure(study: &Finding) -> Lines {
     };
     Lines::new(
         "friction_grip",
-        format!("Friction holds {} of Coulomb's limit", listed(study, held)),
+        format!("The largest push without slip, relative to Coulomb's limit: {}", listed(study, held)),
         "By Coulomb's law the largest push is 1 N s in every direction. Markers: measured by bisection \
          (14 steps, to 10⁻⁴ N s).",
         Axis::linear("direction of the push", "degrees from t₁"),
@@ -313,7 +311,7 @@ fn block_table(study: &Finding) -> Table {
             "*strength*: $|x_t| / (\\mu x_n)$. *off*: the angle between friction and the direction opposite to \
              the slip. *rise*: the speed $w_n$ at which the block leaves the floor. The expected numbers \
              follow from the geometry of the model, and a row agrees if they differ by at most {}. *verdict*: \
-             on the problem of the model. *Coulomb residual*: the scaled residual of the same answer under \
+             the judge's verdict on the problem with this friction model. *Coulomb residual*: the scaled residual of the same answer under \
              Coulomb's law.",
             readable(AGREES, 1)
         ),
@@ -352,8 +350,8 @@ fn rod_table(study: &Finding) -> Table {
     let exact = study.rod.iter().find(|answer| answer.model == Model::CoulombCone);
     Table::new(
         "The rod on two feet",
-        "Strength and angle as above, for each foot; a dash means that the foot sticks. Along the \
-         rod the rows of the feet are dependent, so single impulses may not be unique; velocities are. \
+        "Strength and angle as above, for each foot; a dash means that the foot sticks. The tangent rows of the two \
+         feet along the rod are redundant, so individual impulses may not be unique; the velocities are unique. \
          *velocity error*: the largest difference of $w$ from that of Coulomb's cone.",
         "model | solver | verdict | #x_n, foot 1 (N s) | #strength | #off (°) | \
          #x_n, foot 2 (N s) | #strength | #off (°) | #velocity error (m/s) | #Coulomb residual",

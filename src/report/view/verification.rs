@@ -12,7 +12,7 @@ impl View for Plan {
     fn show(&self, findings: &[Vec<Row>], document: &mut ReportPage) {
         let rows = &findings.concat();
         document.text(format!(
-            "If a number depends on the time step, its error must decrease at the theoretical order p: each \
+            "If a number depends on the time step, its error must decrease at the derived order p: each \
              halving of the step multiplies the error by $2^{{-p}}$, and the observed order may differ from p by \
              at most {ORDER_SLACK}. If a number does not depend on the time step, it is *exact*: it must agree at every \
              time step within the error stated in the column *allowed*. All other numbers must stay *within a \
@@ -44,7 +44,7 @@ impl View for Plan {
         let by_order = rows().filter(|row| row.passes() && row.derived_order().is_some()).count();
         let says = format!(
             "{passed} of {all} numbers agree with their closed forms: {} up to rounding and the solver's tolerance, {by_order} \
-             converging at the predicted order, {} within a bound fixed beforehand",
+             converging at the derived order, {} within a bound fixed beforehand",
             of_kind(EXACT),
             of_kind(BOUNDED)
         );
@@ -91,9 +91,9 @@ fn by_case(rows: &[Row]) -> Table {
         methods.sort_unstable();
         methods.dedup();
         let of_kind = |kind: &str| rows.iter().filter(|row| self::kind(row) == kind).count();
-        let verdict = match passed == rows.len() {
-            true => Cell::text("pass").marked(Mark::Good),
-            false => Cell::text("FAIL").marked(Mark::Bad),
+        let outcome = match passed == rows.len() {
+            true => Cell::text("passed").marked(Mark::Good),
+            false => Cell::text("FAILED").marked(Mark::Bad),
         };
         vec![
             Cell::text(&rows[0].case),
@@ -103,14 +103,14 @@ fn by_case(rows: &[Row]) -> Table {
             Cell::count(of_kind(EXACT)),
             Cell::count(rows.iter().filter(|row| row.derived_order().is_some()).count()),
             Cell::count(of_kind(BOUNDED)),
-            verdict,
+            outcome,
         ]
     };
     Table::new(
         "The cases",
         "*exact*, *converging* and *bounded*: how many numbers must be right at every time step, must converge at \
          the derived order, and must stay within a bound.",
-        "case | #methods | #numbers | #passed | #exact | #converging | #bounded | verdict",
+        "case | #methods | #numbers | #passed | #exact | #converging | #bounded | outcome",
         rows.chunk_by(|a, b| a.case == b.case).map(summary).collect(),
     )
 }
@@ -133,8 +133,9 @@ fn approximate(rows: &[Row]) -> Table {
     };
     Table::new(
         "Laws that a method obeys only approximately",
-        "Numbers that do not converge to their closed form: the largest error of any time step, relative unless 0 \
-         is expected, the bound for it, the law, and why the error remains.",
+        "The numbers that do not converge to their closed form. *error*: the largest over all time steps; it is \
+         relative unless the expected value is 0. *bound*: the largest allowed error. *reason*: why an error \
+         remains.",
         "case | method | quantity | #error | #bound | law | reason",
         found.into_iter().map(cells).collect(),
     )
@@ -168,9 +169,10 @@ fn dots(rows: &[Row]) -> Bars {
     Bars {
         id: "verification_dots".into(),
         title: format!("{passed} of {} numbers agree with their closed forms", rows.len()),
-        caption: "A dot for each number: its error divided by the allowed one; if an order is derived, the \
-                  distance of the observed order from it, divided by 0.1. Left of the line it passes. The number at the \
-                  right is the largest of the case. Errors below 10⁻⁶ of the allowed one lie at the left edge."
+        caption: "Each dot is one number. Its position is the error divided by the allowed error or, if theory \
+                  gives an order, the difference between the observed and the derived order, divided by 0.1. \
+                  Numbers left of the line pass. The number at the right is the largest of the case. Dots below \
+                  10⁻⁶ lie at the left edge."
             .into(),
         x: Axis::log("error / allowed error", ""),
         bars,

@@ -76,7 +76,7 @@ fn more_directions_lose_one_minus_cos_of_pi_over_k() {
 #[test]
 fn at_30_degrees_box_and_polygon_rub_aslant_and_the_cone_against_the_slip() {
     // Friction is the point of the model's figure nearest to the push 3 (cos 30°, sin 30°): a
-    // corner of the square, a corner of the diamond, and the same direction on the disc.
+    // corner of the square, a corner of the diamond, and the same direction on the disk.
     let friction = |model| {
         let contact = pushed(model, 3.0, 30.0);
         ([contact.impulse[1], contact.impulse[2]], contact.misalignment.unwrap())

@@ -12,7 +12,7 @@ fn bytes(mut storage: impl Storage, k: usize) -> usize {
 
 #[test]
 fn a_dense_matrix_takes_its_size_whatever_it_holds() {
-    // The chapter's 40 000 bytes are right for its 4-byte float; f64 takes twice that.
+    // The chapter's 40,000 bytes are right for its 4-byte float; f64 takes twice that.
     assert_eq!(100 * 100 * size_of::<f32>(), 40_000);
     for k in [0, 100, 10_000] {
         assert_eq!(bytes(Dense::new(100, 100), k), 80_000);
@@ -21,8 +21,8 @@ fn a_dense_matrix_takes_its_size_whatever_it_holds() {
 
 #[test]
 fn a_list_breaks_even_at_the_ratio_of_number_to_entry() {
-    // E57: the chapter's entry has 28 bytes beside numbers of 4. Full: 280 000 bytes, right, but
-    // that is 7 times the dense matrix, not 28; half full 140 000, not 70 000; break-even at 1/7.
+    // E57: the chapter's entry has 28 bytes beside numbers of 4. Full: 280,000 bytes, right, but
+    // that is 7 times the dense matrix, not 28; half full 140,000, not 70,000; break-even at 1/7.
     let chapter = |entries: usize| 28 * entries;
     assert_eq!((chapter(10_000), chapter(10_000) / 40_000), (280_000, 7));
     assert_eq!(chapter(5_000), 140_000);

@@ -71,13 +71,13 @@ impl Interpenetration {
             ),
             InterpenetrationKind::DeepOverlap { thickness } => format!(
                 "{body:?} is {depth} m inside {other:?} after step {step}; the thinner of the two is {} m thick. \
-                 A smaller step.dt prevents this. {}",
+                 If the judge rejects answers of the solver, they are a likely cause; otherwise use a smaller step.dt. {}",
                 readable(thickness, DIGITS),
                 remedy_for_overlap(scene)
             ),
             InterpenetrationKind::LastingOverlap => format!(
                 "{body:?} has been inside {other:?} for {LASTING} steps, by {depth} m after step {step}, \
-                 and the overlap does not shrink. {}",
+                 and the overlap did not shrink in these steps. {}",
                 remedy_for_overlap(scene)
             ),
         }
@@ -111,13 +111,13 @@ fn remedy_for_overlap(scene: &Scene) -> &'static str {
     let step = &scene.step;
     match step.scheme {
         Scheme::Velocity | Scheme::SequentialImpulses if step.baumgarte == 0.0 => {
-            "Nothing pushes them apart: set step.baumgarte to 0.2, or use the scheme split-impulse."
+            "No error feedback pushes them apart: set step.baumgarte to 0.2, or use the scheme split-impulse."
         }
         Scheme::Velocity | Scheme::SequentialImpulses => {
             "A larger step.baumgarte, up to 1, pushes them apart faster."
         }
         Scheme::Acceleration if step.alpha == 0.0 => {
-            "Nothing pushes them apart: set step.alpha, to 0.2/dt for example."
+            "No error feedback pushes them apart: set step.alpha, to 0.2/dt for example."
         }
         Scheme::Acceleration => "A larger step.alpha pushes them apart faster.",
         Scheme::GaussSeidel => "More step.sweeps push them apart.",

@@ -246,7 +246,7 @@ impl Table {
     pub(super) fn is_numeric(&self, column: usize) -> bool {
         let number = |cell: &String| {
             !cell.is_empty()
-                && cell.chars().all(|c| "0123456789.−×⁰¹²³⁴⁵⁶⁷⁸⁹⁻∞± \u{202f}".contains(c))
+                && cell.chars().all(|c| "0123456789.−×⁰¹²³⁴⁵⁶⁷⁸⁹⁻∞± ,".contains(c))
         };
         self.rows.iter().all(|row| number(&row[column]))
     }

@@ -15,7 +15,7 @@ pub fn plain(value: f64) -> String {
 
 /// The number in LaTeX.
 pub fn latex(value: f64) -> String {
-    let text = plain(value).replace('−', "-").replace('∞', "\\infty").replace('\u{202f}', "\\,");
+    let text = plain(value).replace('−', "-").replace('∞', "\\infty").replace(',', "{,}");
     let Some(at) = text.rfind("10").filter(|&at| text[at + 2..].chars().any(is_raised)) else {
         return text;
     };

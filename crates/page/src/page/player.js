@@ -204,7 +204,7 @@ function stage(film, recording, pane) {
   const number = (x) => {
     const small = x !== 0 && (Math.abs(x) < 1e-3 || Math.abs(x) >= 1e5);
     const [digits, power] = small ? x.toExponential(1).split("e") : [x === 0 ? "0" : `${Number(x.toPrecision(3))}`];
-    return digits.replace("-", "−").replace(/\B(?=(\d{3})+$)/, Math.abs(x) < 1000 ? "" : "\u202f") + (power ? `×10${raised(power.replace("+", ""))}` : "");
+    return digits.replace("-", "−").replace(/\B(?=(\d{3})+$)/, Math.abs(x) < 1000 ? "" : ",") + (power ? `×10${raised(power.replace("+", ""))}` : "");
   };
   return (asked) => {
     const now = Math.min(asked, count - 1);

@@ -19,7 +19,7 @@
   const readable = (value) => {
     if (value === 0) return "0";
     const [digits, power] = value.toExponential(3).split("e").map(Number);
-    if (power >= 3 && power < 5) return String(Math.round(value)).replace(/\B(?=(\d{3})+$)/g, "\u202f").replace("-", "−");
+    if (power >= 3 && power < 5) return String(Math.round(value)).replace(/\B(?=(\d{3})+$)/g, ",").replace("-", "−");
     if (power >= -3 && power < 3) return String(Number(value.toPrecision(4))).replace("-", "−");
     const raised = String(power).replace(/./g, (c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]));
     return `${digits === 1 ? "" : `${digits}×`}10${raised}`.replace("-", "−");

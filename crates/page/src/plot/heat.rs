@@ -140,10 +140,11 @@ impl Heat {
         let last = |row: &Vec<f64>| row.last().copied().unwrap_or(0.0);
         let largest = |at: &dyn Fn(&Vec<f64>) -> f64| panel.rows.iter().map(at).fold(0.0, f64::max);
         format!(
-            "{}: {} rows, {} places; the largest value goes from {} to {}",
+            "{}: {} rows, {} columns ({}); the largest value goes from {} to {}",
             panel.name,
             count(panel.rows.len()),
             count(panel.places()),
+            self.across,
             readable(largest(&|row| row.first().copied().unwrap_or(0.0)), 2),
             readable(largest(&last), 2)
         )

@@ -368,12 +368,18 @@ fn describe(series: &Series) -> String {
     let finite = |point: &&(f64, f64)| point.0.is_finite() && point.1.is_finite();
     let (first, last) =
         (series.points.iter().find(finite), series.points.iter().rev().find(finite));
+    let name = format!("{} ({}", series.name, series.look.word());
+    let points = series.points.len();
     match (first, last) {
+        (Some(first), Some(last)) if points > 1 && first.0 == last.0 => {
+            format!("{name}) is a vertical line at {}", readable(first.0, 2))
+        }
+        (Some(first), Some(_)) if points == 1 => {
+            format!("{name}, 1 point) is {}", readable(first.1, 2))
+        }
         (Some(first), Some(last)) => format!(
-            "{} ({}, {} points) goes from {} to {}",
-            series.name,
-            series.look.word(),
-            count(series.points.len()),
+            "{name}, {} points) goes from {} to {}",
+            count(points),
             readable(first.1, 2),
             readable(last.1, 2)
         ),

@@ -158,7 +158,7 @@ const KNOWN: &[(&str, Rgb, usize, usize)] = &[
     ("box", VERMILION, 0, 1),
     ("polygon_4", OCHRE, 1, 3),
     ("polygon_8", PURPLE, 2, 4),
-    ("disc", BLUE, 0, 0),
+    ("disk", BLUE, 0, 0),
     ("dense", BLACK, 0, 0),
     ("map_of_maps", VERMILION, 0, 1),
     ("linked_list", OCHRE, 1, 2),
@@ -237,7 +237,7 @@ pub fn style(name: &str) -> Style {
 
 /// A name in the spelling of [`KNOWN`].
 fn key(name: &str) -> String {
-    name.trim().to_lowercase().replace('\u{202f}', "").replace([' ', '-'], "_")
+    name.trim().to_lowercase().replace(',', "").replace([' ', '-'], "_")
 }
 
 fn sor(omega: f64) -> (Rgb, usize, usize) {

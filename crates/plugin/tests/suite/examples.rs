@@ -36,9 +36,9 @@ fn claims_nothing_of_a_zero_diagonal(plugin: &Plugin) {
 }
 
 #[test]
-fn thirteen_lines_of_python_are_a_solver() {
+fn seventeen_lines_of_python_are_a_solver() {
     let text = std::fs::read_to_string(example("sweeps.py")).unwrap();
-    assert_eq!(text.lines().count(), 13);
+    assert_eq!(text.lines().count(), 17);
     let plugin = start(&example("sweeps.py"), LONG);
     assert_eq!(plugin.name(), "sweeps");
     solves(&plugin);
@@ -46,9 +46,9 @@ fn thirteen_lines_of_python_are_a_solver() {
 }
 
 #[test]
-fn forty_lines_of_c_plus_plus_are_a_solver() {
+fn fifty_lines_of_c_plus_plus_are_a_solver() {
     let text = std::fs::read_to_string(example("sweeps.cpp")).unwrap();
-    assert!(text.lines().count() <= 45);
+    assert!(text.lines().count() <= 52);
     let folder = tempfile::tempdir().unwrap();
     let program = folder.path().join("sweeps_cpp");
     let compiler = Command::new("c++")

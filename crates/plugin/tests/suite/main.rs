@@ -35,7 +35,7 @@ impl Script {
         Script { folder, file }
     }
 
-    /// `answer` is the body of a loop over the problems p; the greeting of one row is answered
+    /// `answer` is the body of a loop over the problems p; the handshake with one row is answered
     /// beforehand.
     fn answering(name: &str, answer: &str) -> Script {
         let lines = format!(

@@ -215,9 +215,11 @@ impl fmt::Display for Cause {
             ),
             Cause::Redundant { rows, spare } => write!(
                 f,
-                "{}, up to rounding. {} depend on each other: {}. The distribution of the load among them \
-                 need not be unique; with friction, the motion need not be unique either.",
-                counted(*spare, "redundant row"),
+                "{} {} redundant, up to rounding, among the {} that depend on each other: {}. The \
+                 distribution of the load among them need not be unique; with friction, the motion need not be \
+                 unique either.",
+                counted(*spare, "row"),
+                if *spare == 1 { "is" } else { "are" },
                 counted(rows.len(), "row"),
                 listed(rows)
             ),

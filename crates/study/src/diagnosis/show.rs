@@ -89,8 +89,8 @@ impl Diagnosis {
             ["rows of A".to_string(), self.labels.len().to_string()],
             ["rank of A, up to rounding".into(), found.rank.to_string()],
             [
-                "condition number of the independent part of A, scaled".into(),
-                plain(found.condition),
+                "condition number of A, scaled to unit diagonal, without zero eigenvalues".into(),
+                readable(found.condition, DIGITS),
             ],
         ];
         if let Some(freedoms) = &self.freedoms {

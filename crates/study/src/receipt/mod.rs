@@ -71,7 +71,7 @@ pub enum StepVerdict {
     NoRows,
     /// No check failed, but the engine does not report all that the problem consists of.
     NotChecked,
-    /// The motion error is above its limit, but the engine stopped at its iteration cap, or at an
+    /// The motion error is above its limit, but the engine stopped at its iteration limit, or at an
     /// own tolerance that is looser than the usual limit.
     Unconverged,
     /// An error is above its limit.
@@ -94,7 +94,7 @@ impl StepVerdict {
 /// Why an engine's solver stopped before its error was below the limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Stop {
-    /// It reached its iteration cap.
+    /// It reached its iteration limit.
     Iterations,
     /// Its own tolerance is looser than the usual limit.
     Tolerance,
@@ -378,7 +378,7 @@ impl Receipt {
             lines.push(format!("  tolerance     of the engine: {part} of {cause}{stopped}"));
         }
         if self.stop == Some(Stop::Iterations) {
-            lines.push("  stopped       at its iteration cap, as far as the engine reports".into());
+            lines.push("  stopped       at its iteration limit, as far as the engine reports".into());
         }
         lines.extend(self.work.map(|work| format!("  work          {}", work.text())));
         let rejected = self.findings.iter().filter(|finding| finding.is_rejected());

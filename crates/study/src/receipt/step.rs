@@ -22,7 +22,7 @@ pub struct Source {
     pub bits: u32,
     /// The iterations of its solver; 0 if unknown.
     pub iterations: usize,
-    /// Whether the solver ended before its iteration cap.
+    /// Whether the solver ended before its iteration limit.
     pub has_converged: bool,
     /// The time of the step (s).
     #[serde(with = "crate::number::always")]

@@ -405,7 +405,7 @@ fn a_baseline_without_the_frames_is_to_be_recorded_again() {
     assert!(error.contains("record it again"), "{error}");
 }
 
-/// A run with one good frame and frames at the iteration cap.
+/// A run with one good frame and frames at the iteration limit.
 fn capped(count: usize, baseline: Option<&Run>) -> Run {
     let mut problem = stop();
     problem["source"] = json!({"method": "pgs", "iterations": 9, "has_converged": false});

@@ -78,7 +78,7 @@ def read(client: int, before: tuple[Array, Array], damping: float = DAMPING) -> 
         "PyBullet", mass, rows.dense_jacobian(), rows.bias, target, rows.forces, state(client)[1][free].ravel(),
         lo=np.where(normal < 0, 0.0, -np.inf), friction_index=normal, mu=mu, model="coulomb-cone", rows=rows.rows,
         version=importlib.metadata.version("pybullet"), method="pgs", iterations=int(engine["numSolverIterations"]),
-        has_converged=False,  # PyBullet does not report whether its cap stopped it
+        has_converged=False,  # PyBullet does not report whether its iteration limit stopped it
         gravity=float(np.sqrt(fall @ mass @ fall)),
         dof_bodies=[_name(bodies[k]) for k in free for _ in range(6)], not_checked=[NOT_REPORTED],
     )

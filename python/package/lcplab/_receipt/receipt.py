@@ -47,7 +47,7 @@ class Receipt:
         corrects this row alone, relative to ``effect``. It is 0 exactly if all laws are satisfied, but many small
         violations can add up to a large error.
     stopped_by : str or None
-        What stopped the solver early: its iteration cap (``"iterations"``) or its own loose tolerance (``"tolerance"``);
+        What stopped the solver early: its iteration limit (``"iterations"``) or its own loose tolerance (``"tolerance"``);
         otherwise None.
     frozen : bool
         Whether the bound is that of the problem with the friction limits (coupled boxes) or the slip (Coulomb's law)
@@ -103,7 +103,7 @@ class Receipt:
 
     @property
     def is_rejected(self) -> bool:
-        """Whether an error is above its limit, and no iteration cap or loose tolerance explains it."""
+        """Whether an error is above its limit, and no iteration limit or loose tolerance explains it."""
         return self.verdict == "wrong"
 
     @property

@@ -47,7 +47,7 @@ class Step:
 
     - ``method``: ``"direct"`` (the default), ``"newton"``, ``"cg"`` or ``"pgs"``; with ``bits=32`` for single precision
       it determines the limit.
-    - ``iterations``, and ``has_converged=False`` if the solver stopped at its iteration cap.
+    - ``iterations``, and ``has_converged=False`` if the solver stopped at its iteration limit.
     - ``own_tolerance``: the solver's tolerance as an error of the motion in the norm √(vᵀM v), if it states one.
     - ``gravity``: the change of the motion by gravity in the step, in the same norm: a number.
     - ``model``: the friction model of rows with ``friction_index``: ``"associated-cone"`` (the default),

@@ -207,7 +207,7 @@ class Model:
         multibodies without links: a step first adds gravity and the gyroscopic torque to u and takes the damping
         0.04 (1 + |u|) u per second away. A point that is apart may close its distance, one that overlaps is to
         correct a part of it, and one that comes fast enough bounces. Bullet moves the friction of a point
-        along each tangent by the sliding over that row's own diagonal entry, and then onto its disc; where the
+        along each tangent by the sliding over that row's own diagonal entry, and then onto its disk; where the
         entries differ, friction is not quite against the sliding. What is posed is Coulomb's law. Nothing else
         is left out: ``u* + M⁻¹Jᵀx`` is the velocity after the step.
         """

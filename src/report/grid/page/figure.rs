@@ -74,7 +74,7 @@ fn title(grid: &Grid, curves: &Curves<'_>, measure: &Measure, series: &[Series])
     growths.sort_by(|a, b| a.0.total_cmp(&b.0));
     match &growths[..] {
         [(least, _, slowest), .., (most, (from, to), fastest)] if *most >= 1.0 => format!(
-            "{}: as {} goes from {} to {}, {what} change by a factor of {} ({fastest}) to {} ({slowest})",
+            "{}: from {} {} to {}, {what} grow by a factor of {} ({fastest}) to {} ({slowest})",
             grid.title,
             curves.across,
             readable(*from, 3),

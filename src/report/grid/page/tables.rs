@@ -70,7 +70,8 @@ pub(super) fn growth(grid: &Grid, curves: &Curves<'_>) -> Option<Table> {
         title: format!("Growth with {}", curves.across),
         how_to_read: format!(
             "Exponents from the last two values of {}: 1 means that doubling it doubles the quantity, 2 that \
-             it quadruples. For counts below about ten, an exponent only reflects single iterations.",
+             it quadruples. If a count is below about ten, its exponent has no meaning, because a difference of one \
+             iteration dominates it.",
             curves.across
         ),
         columns: [Column::words("curve")].into_iter().chain(heads).collect(),
@@ -143,7 +144,8 @@ pub(super) fn results(grid: &Grid, plan: &Plan, points: &[Point<'_>]) -> Table {
     Table {
         title: "Results at each point".into(),
         how_to_read: format!(
-            "*Status*: the solver's own claim. *Verdict*: the judge's, for the worst answer.{theory}{more}"
+            "*Status*: the solver's own claim. *Verdict*: the judge's; for several problems in a row, the worst one. \
+             lcplab attempts no proof of the answers of a simulation, so their best verdict is *within tolerance*.{theory}{more}"
         ),
         columns,
         rows,

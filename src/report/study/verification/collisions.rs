@@ -158,7 +158,7 @@ pub(super) fn oblique_slip(size: Size) -> Result<Vec<Row>> {
         (scene.contact.model, scene.contact.sliding) = (model, sliding);
         let name = match sliding {
             Sliding::Box => model.to_string(),
-            Sliding::Substituted => "substituted".into(),
+            Sliding::Substituted => "λ_t = −μ λ_n v_t/|v_t| substituted".into(),
         };
         let case = Case::of("oblique-slip", scene, size);
         let known = ["x", "y"].into_iter().zip(expected).map(|(axis, expected)| {
@@ -244,7 +244,7 @@ pub(super) fn bounces(size: Size) -> Result<Vec<Row>> {
     let what = "velocity after three bounces";
     let formula = ["-e^3 v", "-e^3 v"];
     // The errors of the three contacts depend on the part of a substep in which each begins.
-    let within = (2e-3, "contacts begin and end within a substep, 1/300 of a contact");
+    let within = (2e-3, "a contact begins and ends somewhere within a substep, which lasts 1/300 of the contact");
     let known = vec![Known::exact(within, what, formula, "m/s", -e.powi(3) * speed)];
     // Each contact takes 31 ms: the third ends at 1.3 s, the fourth begins at 1.9 s.
     let moved = |scene: &Scene| Some(vec![after(scene, 1.6)?[2].v.x]);

@@ -12,9 +12,9 @@ use crate::simulation::Step;
 const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
 const SOLVED: (f64, &str) = (1e-9, "rounding and the tolerance of the solver");
 const SUMMED: (f64, &str) = (1e-6, "the tolerance of the solver, accumulated over the steps");
-/// The tolerance where a gap with a rounding error of 1e-16 m closes within a step.
+/// The tolerance where a gap with a rounding error closes within a step.
 const RESTS: (f64, &str) =
-    (1e-7, "the gap has a rounding error of 1e-16 m, which is closed within one step");
+    (1e-7, "the gap has a rounding error, and removing it within one step changes the velocity");
 
 /// x of all normal rows of a step's first LCP.
 fn normals(step: &Step) -> Vec<f64> {

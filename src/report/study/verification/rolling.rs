@@ -116,7 +116,7 @@ pub(super) fn cylinder(size: Size) -> Result<Vec<Row>> {
     ];
     let mut rows = Vec::new();
     for (ground, fields) in grounds {
-        for (body, length) in [("cylinder", 0.4), ("disc", 0.01)] {
+        for (body, length) in [("cylinder", 0.4), ("disk", 0.01)] {
             let text = format!(
                 "tilt = {{ y = 10 }}\ncontact.friction = 0.5\n[[bodies]]\nname = \"ground\"\n\
                  fixed = true\n{fields}\n[[bodies]]\nname = \"round\"\nmass = 1\n\

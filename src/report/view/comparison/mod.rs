@@ -41,6 +41,7 @@ impl View for Plan {
             count(solves)
         ));
         document.table("comparison_schemes", by_scheme(findings));
+        document.text(MEASURES);
         let words = |comparison: &Comparison| {
             let (title, teaches) = (&comparison.title, comparison.teaches.trim());
             format!("**{}.** {}", markup::literal(title), markup::literal(teaches))
@@ -57,7 +58,7 @@ impl View for Plan {
         }
         for comparison in findings {
             let id = format!("comparison_{}", stem(&comparison.scene));
-            document.table(&id, table(comparison));
+            document.table(&id, scene_table(comparison, String::new()));
         }
     }
 
@@ -68,7 +69,7 @@ impl View for Plan {
         let claimed = sum(|run| run.tally.claimed);
         let confirmed = claimed - sum(|run| run.tally.refuted_claims);
         let value = format!("{} of {}", count(confirmed), count(claimed));
-        let mut label = "answers of solvers confirmed by an independent judge".to_string();
+        let mut label = "answers accepted by an independent judge".to_string();
         let given_up = sum(|run| run.tally.solves) - claimed;
         if given_up > 0 {
             label += &format!("; {} not solved", counted(given_up, "problem"));
@@ -91,10 +92,6 @@ impl View for Plan {
     }
 
     fn show_times(&self, times: &[Vec<Timing>], document: &mut ReportPage) {
-        document.text(
-            "Times are those of whole simulations: contacts, assembly, solves and motion, without \
-         the judge.",
-        );
         document.table("timings", timings(&times.concat()));
     }
 }
@@ -117,7 +114,7 @@ fn in_words(scheme: Scheme) -> String {
     }
 }
 
-/// The schemes side by side: of each scene and scheme the best run.
+/// The levels side by side: the best run of each scene and level.
 fn by_scheme(findings: &[Comparison]) -> Table {
     let row = |comparison: &Comparison, run: &Run| {
         vec![
@@ -139,17 +136,30 @@ fn by_scheme(findings: &[Comparison]) -> Table {
     };
     Table::new(
         "Velocity level and acceleration level",
-        "One row per scene and scheme, for the solver with the most steps and the fewest \
-                      rejected answers. *largest energy change*: since the start; *drift* and *penetration* \
-                      are the largest errors.",
-        "scene | scheme | solver | #steps | #largest energy change (J) | #drift (m) | \
+        "One row per scene and level, for the solver that took the most steps; of several such solvers, the \
+                      one with the fewest rejected answers, and of several such ones the first. *largest \
+                      energy change*: since the start; *drift* and *penetration* are the largest errors.",
+        "scene | level | solver | #steps | #largest energy change (J) | #drift (m) | \
          #penetration (m)",
         findings.iter().flat_map(rows).collect(),
     )
 }
 
-/// One scene's runs as a table.
+/// The explanation of the columns of the scenes' tables.
+const MEASURES: &str = "In the tables of the scenes, *problems* counts the LCPs: at acceleration level, an impact is a \
+ problem of its own, and a bounce may be a second one. *claims*: problems that the solver reports as solved. \
+ *accepted*: answers that the judge accepts. *worst residual*: the largest scaled residual over all problems, \
+ claimed or not; – if there was none. *energy change*: from the start to the end; *largest energy change*: from \
+ the start to any instant. *support*: the average upward component of the forces of contacts, joints and springs; \
+ 100 % of the weight at rest, 0 in free fall.";
+
+/// One scene's runs as a table that explains its columns.
 pub fn table(comparison: &Comparison) -> Table {
+    scene_table(comparison, MEASURES.into())
+}
+
+/// One scene's runs as a table with this explanation.
+fn scene_table(comparison: &Comparison, how_to_read: String) -> Table {
     let Comparison { scene, steps, dt, .. } = comparison;
     let mut columns = Column::list(
         "level | solver | #steps | #problems | #claims | #accepted | #iterations per problem | \
@@ -176,13 +186,8 @@ pub fn table(comparison: &Comparison) -> Table {
         rows.push(row);
     }
     Table {
-        title: format!("{scene}: {steps} steps of {dt} s"),
-        how_to_read: "*claims*: problems that the solver reports as solved. *accepted*: answers that the judge \
-         accepts. *worst residual*: the largest scaled residual over all problems, claimed or not; – if there \
-         was none. *energy change*: from the start to the end; *largest energy change*: from the start to any \
-         instant. *support*: the average force of contacts, \
-         joints and springs; 100 % of the weight at rest, 0 in free fall."
-            .into(),
+        title: format!("{scene}: {} of {dt} s", counted(*steps, "step")),
+        how_to_read,
         columns,
         rows,
         ..Table::default()
@@ -224,7 +229,8 @@ fn timings(times: &[Timing]) -> Table {
     };
     Table::new(
         "Wall time of a step",
-        "Mean over the run. Several runs ran at the same time.",
+        "Mean over a whole simulation: contacts, assembly, solves and motion, without the judge. Several \
+         simulations ran at the same time.",
         "scene | level | solver | #steps | #time per step (ms)",
         times.iter().map(row).collect(),
     )

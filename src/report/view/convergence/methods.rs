@@ -20,7 +20,7 @@ pub(super) fn show(problems: &[&Progress], document: &mut ReportPage) {
     document.text(
         "Iterations of different methods have different costs: a Newton step solves a linear system, a sweep \
          is one product with A. The residual is therefore plotted against the number of multiplications (the \
-         leading term of each method). The section *Computing times on this machine* has the times.",
+         leading term of the operation count). The section *Computing times on this machine* has the times.",
     );
     for progress in problems {
         document.figure(by_work(progress));
@@ -65,26 +65,28 @@ fn answer(
         let iterations = method.marks.last().map_or(0, |end| end.iteration);
         iterations_in_words(&method.solver, iterations)
     };
-    let beside = match budget(progress) {
-        Some(most) if work(first) < most => ", less work than ten sweeps of *pgs*",
+    let compared = match budget(progress) {
+        Some(most) if work(first) < most => " and does less work than ten sweeps of *pgs*",
         _ => "",
     };
     let why = left(progress).map_or(String::new(), |share| {
         format!(
-            " Ten sweeps leave {share} of the weight unsupported, because a sweep passes the load on from \
-             contact to contact and a light box passes on only a part of it; a pivoting method solves for \
-             all contacts together."
+            " Ten sweeps leave {share} of the total weight unsupported: a sweep propagates impulses from \
+             contact to contact, and a light box transmits only a part of the load. A pivoting method \
+             solves for all contacts together."
         )
     });
     format!(
-        "**Which solver for {}?** *{}*: it needs {}{beside}.{why} *{}* needs {}, {} times the work. {solved} of \
-         {tried} solvers reach a residual of {} at this size ({} rows), and the judge accepts their answers.",
+        "**For {}, *{}* is the cheapest solver:** it needs {}{compared}.{why} *{}* needs {}, {} times the \
+         work of *{}*. {solved} of {tried} solvers reach a scaled residual of {} at this size ({} rows), and \
+         the judge accepts their answers.",
         progress.problem,
         first.solver,
         needs(first),
         last.solver,
         needs(last),
         rough(work(last) / work(first)),
+        first.solver,
         tolerance(progress.tolerance),
         count(progress.rows)
     )
@@ -100,7 +102,8 @@ fn pgs(progress: &Progress) -> Option<&MethodProgress> {
     progress.methods.iter().find(|method| method.solver == Pgs::NAME)
 }
 
-/// The cheapest method of each problem, its cost, and what ten sweeps of PGS leave undone.
+/// The cheapest method of each problem, its cost, and the weight that ten sweeps of PGS leave
+/// unsupported.
 fn choice(choices: &[&Progress]) -> Table {
     let row = |progress: &&Progress| {
         let solved = by_cost(progress);
@@ -131,9 +134,10 @@ fn choice(choices: &[&Progress]) -> Table {
     Table::new(
         "Which solver for which stack",
         "*cost*: multiplications until the residual is within the tolerance, divided by those of one sweep of *pgs*; a \
-         typical budget is 10. *risk*: the weight that ten sweeps of *pgs* leave unsupported, and the solvers that \
-         fail. A stack is a hard case for sweeps and has redundant contacts.",
-        "stack | #rows | cheapest | #cost | next | #cost | #sweeps of pgs | #risk of ten sweeps | \
+         typical budget is 10. *unsupported*: the part of the total weight that ten sweeps of *pgs* leave \
+         unsupported. *solvers that fail*: those that do not reach the tolerance within the maximum number of \
+         iterations. A stack is a hard case for sweeps and has redundant contacts.",
+        "stack | #rows | cheapest | #cost | next | #cost | #sweeps of pgs | #unsupported after ten sweeps | \
          solvers that fail",
         choices.iter().map(row).collect(),
     )
@@ -151,10 +155,11 @@ fn costs(progress: &Progress, solved: &[&MethodProgress]) -> Bars {
         id: id(&progress.problem, "costs"),
         title: title(progress),
         caption: format!(
-            "Multiplications until the scaled residual is {}: the leading term of each method, for {} rows and \
-             a start from x = 0. Ten sweeps of *pgs* per step are a typical budget in engines.",
+            "Multiplications needed to reach a scaled residual of {} (leading term of the operation count), for {} \
+             rows, starting from x = 0. Ten sweeps of *pgs* per step are a typical budget in engines.{}",
             tolerance(progress.tolerance),
-            count(progress.rows)
+            count(progress.rows),
+            full_names(solved.iter().map(|method| method.solver.as_str()))
         ),
         x: Axis::log("multiplications", ""),
         bars: solved.iter().enumerate().map(bar).collect(),
@@ -237,10 +242,11 @@ fn by_work(progress: &Progress) -> Lines {
         id: id(&progress.problem, "work"),
         title: finding(progress),
         caption: format!(
-            "{} rows; SOR uses ω = {}. A product with A takes {} multiplications, one for each stored entry. \
-             The cost of a method is where its curve meets the tolerance; a pivoting method has one \
-             marker, at its end. Sweeps first remove the part of the error that changes sign from contact to contact; then their residual \
-             falls with the spectral radius of the last active set (pale band{}). Compared with the \
+            "{} rows; SOR uses ω = {}. A product with A takes {} multiplications, one for each stored entry; a small \
+             A, as here, is stored with its zeros. The cost of a method is where its curve meets the tolerance; \
+             a pivoting method has one marker, at its end. Sweeps first remove the part of the error that changes \
+             sign from contact to contact. Then each sweep multiplies the residual by the spectral radius of the \
+             iteration matrix on the active set, the rows between their bounds (pale band{}). Compared with the \
              residual plots of Silcowitz et al. (2010) and Mazhar et al. (2015), this figure also shows \
              how much weight is unsupported meanwhile, and where the active set changes.",
             count(progress.rows),
@@ -258,10 +264,10 @@ fn radius(method: &MethodProgress) -> Option<String> {
     Some(format!("; {}: {:.5} per sweep", method.solver, method.rate?))
 }
 
-/// What ten sweeps leave undone, and what the cheapest solver needs.
+/// The weight that ten sweeps leave unsupported, and the cost of the cheapest solver.
 fn finding(progress: &Progress) -> String {
     let undone = match (left(progress), pgs(progress).and_then(MethodProgress::ten)) {
-        (Some(share), _) => format!("ten sweeps of pgs leave {share} of the weight unsupported"),
+        (Some(share), _) => format!("ten sweeps of pgs leave {share} of the total weight unsupported"),
         (None, Some(ten)) => {
             format!("ten sweeps of pgs leave a residual of {}", readable(ten.residual, 2))
         }
@@ -269,10 +275,10 @@ fn finding(progress: &Progress) -> String {
     };
     match (by_cost(progress).first(), budget(progress)) {
         (Some(first), Some(ten)) => format!(
-            "{}: {undone}; {} solves the problem with {} times their work",
+            "{}: {undone}; {} solves the problem with {} % of their work",
             progress.problem,
             first.solver,
-            readable(work(first) / ten, 2)
+            readable((100.0 * work(first) / ten).round(), 3)
         ),
         _ => format!("{}: {undone}", progress.problem),
     }
@@ -303,6 +309,32 @@ fn ten_sweeps(progress: &Progress, label: &str) -> Option<Series> {
     Some(Series::reference("ten sweeps", vec![(budget, LEAST), (budget, 1e3)]).labeled(label))
 }
 
+/// The finding: the solver that reaches its last residual first.
+fn clock_title(clock: &Clock) -> String {
+    let ends = clock.methods.iter().filter_map(|(solver, points)| Some((solver, points.last()?.0)));
+    match ends.min_by(|a, b| a.1.total_cmp(&b.1)) {
+        Some((solver, seconds)) => format!(
+            "{}: {solver} ends first, after {} ms",
+            clock.problem,
+            readable(1e3 * seconds, 2)
+        ),
+        None => clock.problem.clone(),
+    }
+}
+
+/// The names of the gradient methods in full, for a caption.
+fn full_names<'a>(solvers: impl Iterator<Item = &'a str>) -> String {
+    let in_full = |solver: &str| match solver {
+        "mprgp" => Some("modified proportioning with reduced gradient projections"),
+        "apgd" => Some("accelerated projected gradient descent"),
+        "nncg" => Some("nonsmooth nonlinear conjugate gradients"),
+        _ => None,
+    };
+    let names: Vec<String> =
+        solvers.filter_map(|solver| Some(format!("*{solver}*: {}", in_full(solver)?))).collect();
+    if names.is_empty() { String::new() } else { format!(" {}.", names.join("; ")) }
+}
+
 pub(super) fn by_second(clock: &Clock) -> Lines {
     let curves = clock.methods.iter().map(|(solver, points)| {
         let points = points.iter().map(|(s, residual)| (1e3 * s, residual.max(LEAST)));
@@ -310,7 +342,7 @@ pub(super) fn by_second(clock: &Clock) -> Lines {
     });
     Lines::new(
         format!("timings_{}", anchor(&clock.problem)),
-        format!("{}: residual by time", clock.problem),
+        clock_title(clock),
         "The runs of the section *Convergence of the residual*, plotted against wall time. It includes the \
          stopping tests, but not the recording of iterates; other processes may have run at the same time.",
         Axis::log("time", "ms"),
@@ -334,9 +366,9 @@ fn table(progress: &Progress) -> Table {
     };
     Table::new(
         format!("{}: cost of a residual of {}", progress.problem, tolerance(progress.tolerance)),
-        "*judge*: the verdict on the answer, or the reason why there is none. *multiplications*: only for \
-             methods that solved the problem.",
-        "solver | judge | #iterations | #multiplications | #scaled residual",
+        "*verdict*: the judge's verdict on the answer, or the reason why there is no answer. \
+             *multiplications*: only for methods that solved the problem.",
+        "solver | verdict | #iterations | #multiplications | #scaled residual",
         progress.methods.iter().map(row).collect(),
     )
 }

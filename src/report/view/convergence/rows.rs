@@ -15,7 +15,7 @@ impl Rows {
             "**Why sweeps are slow on a stack.** {} bodies have fallen for one step. All of them move at the \
              same speed, so initially only the lowest contact closes, and its impulse stops one body. The \
              effect on the other bodies must propagate from row to row, because a row of A couples only \
-             neighbors.",
+             neighbors. Each update halves it.",
             self.bodies
         ));
         document.figure(self.figure(section_id(document) + "_rows", maps));
@@ -46,10 +46,11 @@ impl Rows {
                       ground is at the bottom, and white is a residual of 0. In sweeps from the top down, the \
                       impulse of the ground moves up by one row per sweep: the white area shows the rows that \
                       it has not reached. In sweeps from the ground up, it reaches the top in the first sweep, \
-                      halved in each row (the row swept last is always satisfied); then the lowest rows \
-                      decrease slowly, and the upper rows grow toward them. With the best ω the residual drops row by row from the \
-                      top, one row per sweep. With Jacobi's method, a row changes in \
-                      every second sweep."
+                      but halved in each row, so that almost nothing arrives (the row swept last is always \
+                      satisfied). Then the residuals of the lowest rows decrease slowly, and those of the \
+                      upper rows rise until all are similar. With the best ω the residual drops row by row \
+                      from the top, one row per sweep. With Jacobi's method, a row changes in every second \
+                      sweep."
                 .into(),
             across: "sweep".into(),
             upwards: "contact, upward".into(),
@@ -67,12 +68,12 @@ impl Rows {
         };
         let of = |map: &&RowResiduals| {
             let arrives =
-                reached(map).map_or("never".into(), |sweep| format!("after sweep {sweep}"));
-            format!("*{}* {arrives}", map.method.name())
+                reached(map).map_or("never".into(), |sweep| sweep.to_string());
+            format!("{arrives} (*{}*)", map.method.name())
         };
         let arrivals: Vec<String> = maps.iter().map(of).collect();
         format!(
-            "The impulse from the ground reaches the contact below the top one: {}.",
+            "Sweep after which the impulse from the ground has reached the contact below the top contact: {}.",
             arrivals.join("; ")
         )
     }

@@ -17,8 +17,8 @@ const AGREES: f64 = 0.1;
 pub(super) fn show(studies: &[&Rates], document: &mut ReportPage) {
     document.text(
         "While the active set does not change, each sweep multiplies the error by the same \
-         matrix, and the residual falls like $\\rho^k$ with its spectral radius $\\rho$: the curves \
-         below have the slope $\\log \\rho$. For a chain, whose matrix is tridiagonal, Young's theory also \
+         matrix, and the residual after $k$ sweeps is proportional to $\\rho^k$, where $\\rho$ is the spectral radius \
+         of this matrix: the curves below have the slope $\\log \\rho$. For a chain, whose matrix is tridiagonal, Young's theory also \
          gives the best relaxation factor:",
     );
     document.equation(
@@ -44,13 +44,17 @@ pub(super) fn outcome(studies: &[&Rates]) -> Outcome {
     let (settled, bounded) =
         (slopes(false).filter(|(agrees, _)| *agrees).count(), slopes(false).count());
     let slower = slopes(false).filter(|(agrees, slower)| !agrees && *slower).count();
-    let mut says = format!("without bounds, {agree} of {all} slopes match the spectral radius");
+    let mut says = format!(
+        "convergence rates: {agree} of {all} match the spectral radius without bounds"
+    );
     if bounded > 0 {
-        says += &format!("; with bounds, {settled} of {bounded} match");
+        says += &format!(", {settled} of {bounded} with bounds");
     }
     let faster = bounded - settled - slower;
     if faster > 0 {
-        says += &format!(" and {faster} fall faster, which is not counted as an error");
+        says += &format!(
+            " (the other {faster} still converge faster than in the limit, which is not an error)"
+        );
     }
     Outcome { good: agree == all && slower == 0, says }
 }
@@ -93,8 +97,9 @@ fn figure(study: &Rates) -> Lines {
         format!("convergence_{}", stem(&study.scene)),
         title(study),
         format!(
-            "{rows} rows. {kind} Pale bands: the predicted slopes, set at the middle of each curve. \
-             Dantzig pivoting needs {} pivots for the same problem.",
+            "{rows} rows. The natural residual is the largest |x − Π(x − w)|. {kind} The pale bands show the \
+             predicted slopes, drawn through the middle of each curve. Dantzig's method needs {} pivots for \
+             the same problem.",
             study.pivots
         ),
         Axis::linear("sweep", ""),
@@ -123,17 +128,29 @@ fn label(curve: &Curve) -> String {
     }
 }
 
-/// The finding: the sweeps per digit with PGS and with the best ω.
+/// The finding: the sweeps per decimal digit with PGS and with the best ω; until a curve has its
+/// final slope, also those in the limit.
 fn title(study: &Rates) -> String {
     let per_digit = |curve: &Curve| Some(-1.0 / curve.measured_rate?.log10());
-    let needs = |curve: &Curve| Some(readable(per_digit(curve)?, 2));
+    let needs = |curve: &Curve| {
+        let sweeps = readable(per_digit(curve)?, 2);
+        match (curve.predicted_rate, curve.agrees()) {
+            (Some(rate), Some(false)) => {
+                Some(format!("{sweeps} ({} in the limit)", readable(-1.0 / rate.log10(), 2)))
+            }
+            _ => Some(sweeps),
+        }
+    };
     let pgs = study.curves.iter().find(|curve| curve.omega == 1.0).and_then(needs);
     let measured = study.curves.iter().filter(|curve| per_digit(curve).is_some());
     let by_rate = |a: &&Curve, b: &&Curve| a.measured_rate.partial_cmp(&b.measured_rate);
     let best = measured.min_by(|a, b| by_rate(a, b).unwrap_or(Ordering::Equal));
     match (pgs, best.and_then(|best| Some((best.omega, needs(best)?)))) {
         (Some(pgs), Some((omega, best))) => {
-            format!("{}: a digit takes {pgs} sweeps of pgs, {best} with ω = {omega}", study.title)
+            format!(
+                "{}: sweeps per decimal digit: pgs {pgs}, SOR with ω = {omega} {best}",
+                study.title
+            )
         }
         _ => study.title.clone(),
     }
@@ -146,9 +163,10 @@ fn table(studies: &[&Rates]) -> Table {
         "Contraction per sweep, predicted and measured",
         "The factor by which a sweep multiplies the error: *predicted* is the spectral radius of the \
              iteration matrix on the free rows, *measured* the factor per sweep in the second half of the curve. \
-             They agree if the digits gained per sweep are the same to 10 %. With bounds, ρ is the limit of \
-             the factor; a curve that still falls faster, because the slowest component is small, has *not \
-             settled*.",
+             They agree if the numbers of digits gained per sweep differ by at most 10 %. With bounds, ρ is the limit \
+             of the factor; a curve that still falls faster, because the slowest component is small, has *not \
+             settled*. ω* is rounded to four decimals; because ρ has a vertical tangent there, it is slightly \
+             larger than ω* − 1.",
         "scene | #ω | #predicted ρ | #measured | #sweeps recorded | agreement",
         rows.collect(),
     )

@@ -18,8 +18,9 @@ pub(super) fn show(findings: &[&Account], document: &mut ReportPage) {
     document.text(
         "**The energy ledger.** Every impulse does work, and the work of an impulse at fixed positions is \
          known exactly. Therefore each change of energy has a known cause: impacts and friction dissipate energy, \
-         restitution returns some of it, error feedback adds energy, and so does the integrator if a force \
-         changes within a step.",
+         restitution returns some of it, and error feedback adds or removes energy. The entry *integrator* is the \
+         difference between the work of gravity along the mean velocity of a step and along the path of the bodies: \
+         it adds or removes energy even if gravity is constant.",
     );
     document.equation(
         "\\Delta E = \\sum_{\\text{rows}} \\tfrac12 x_i (J u + J u^+)_i + \\Delta E_{\\text{integrator}} \
@@ -64,9 +65,9 @@ fn figure(id: String, findings: &[&Account]) -> Lines {
     let worst = readable(remainders.fold(0.0, f64::max), 2);
     Lines {
         id,
-        title: format!("Every change of energy has a cause: the causes add up to it within {worst} J"),
+        title: format!("The entries of the ledger sum to the change of energy, to within {worst} J"),
         caption: "Gains are positive. The pale band is the measured change of kinetic plus potential energy; the \
-                  line on it is the sum of the causes. A scheme that does not record the forces has the band only."
+                  line on it is the sum of the entries. For a scheme that does not record the forces, only the band is shown."
             .into(),
         x: Axis::linear("time", "s"),
         panels: findings.iter().map(|finding| panel(finding)).collect(),
@@ -107,7 +108,7 @@ fn table(findings: &[&Account]) -> Table {
     columns.extend(shown.iter().map(|&k| Column::numbers(names[k].clone(), "J")));
     columns.extend([
         Column::numbers("remainder", "J"),
-        Column::numbers("energy moved", "J"),
+        Column::numbers("energy scale", "J"),
         Column::words("ledger"),
     ]);
     let cells = |finding: &&Account| {
@@ -133,7 +134,7 @@ fn table(findings: &[&Account]) -> Table {
     Table {
         title: "The ledger of each run".into(),
         how_to_read: "*change*: the change of kinetic plus potential energy over the run, which is the sum of \
-         its causes. *remainder*: the largest deviation from this sum at any time. *energy moved*: the \
+         the entries. *remainder*: the largest deviation from this sum at any time. *energy scale*: the \
          largest kinetic energy or change of potential energy. *ledger*: balances if the remainder is a \
          rounding error of the energies from which it was computed. *not accounted*: this scheme does not \
          record the forces."

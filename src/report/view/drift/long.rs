@@ -14,13 +14,14 @@ const ROUNDING: f64 = 1e-9;
 
 pub(super) fn show(runs: &[&LongRun], document: &mut ReportPage) {
     document.text(
-        "Without friction the energy is constant, and so is the length of a rod. In a step the rod turns, but its \
-         impulse, computed for the old direction, does work: the energy error of every method grows with the number \
-         of periods, and the order of the method decides how fast. Errors of length are fed back and \
-         therefore grow only with the speed: at velocity level each step adds $(v\\,dt)^2/2l$ and removes the fraction $\\beta$ of the error, \
-         which leaves an error of *second* order; at acceleration level it removes the fraction $\\alpha\\,dt$, \
-         which leaves *first* order. A ball in free flight has no such rod: midpoint and RK4 follow its parabola exactly, \
-         and the impact is located within the step.",
+        "Without friction the energy is constant, and so is the length of a rod. In a step the rod turns, so its \
+         impulse, computed for the old direction, does work. The energy error of every method grows with the number \
+         of periods; the order of the method decides how fast. Error feedback limits the error of the length: each \
+         step adds $(v\\,dt)^2/2l$ and removes a fraction of the error, $\\beta$ at velocity level and $\\alpha\\,dt$ \
+         at acceleration level ($\\alpha$ is the rate of feedback). The error settles where both are equal, at \
+         $(v\\,dt)^2/(2 l \\beta)$, which is of *second* order in dt, or at $v^2 dt/(2 l \\alpha)$, of *first* order. \
+         A ball in free flight has no constraint. Midpoint and RK4 follow its parabola exactly, and lcplab computes \
+         the time of the impact within the step.",
     );
     document.figure(figure(section_id(document) + "_long", runs));
 }
@@ -71,9 +72,9 @@ fn figure(id: String, runs: &[&LongRun]) -> Lines {
         title: title(runs),
         caption: format!(
             "The largest error in each period; E is the largest kinetic energy. Pale: the step dt ({}). Full color: \
-             dt/2. The order is the binary logarithm of the ratio of the two errors in the first period. Plots of \
-             long-time energy errors (Hairer, Lubich and Wanner 2006, chapter I) usually show one free body; here \
-             are also the constraint, its feedback and an impact.",
+             dt/2. The order in the labels is the binary logarithm of the ratio of the two errors in the first period. \
+             Plots of long-time energy errors (Hairer, Lubich and Wanner 2006, chapter I) usually show systems \
+             without contacts; this figure also shows a constraint, its feedback and an impact.",
             steps.join("; ")
         ),
         x: Axis::linear("period", ""),

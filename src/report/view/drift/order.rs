@@ -12,7 +12,8 @@ pub(super) fn show(findings: &[&Finding], document: &mut ReportPage) {
     document.text(format!(
         "**Order of accuracy.** Each problem below has a closed form, so every error is a distance to \
          the exact motion, not to a finer run. A method of order $p$ divides its error by $2^p$ when the step is halved: a line \
-         of slope $p$ in the figures. Error feedback is off ($\\alpha = \\beta = 0$). Schemes with substeps \
+         of slope $p$ in the figures. The schemes *velocity* and *acceleration* have no error feedback here ($\\alpha = \\beta = 0$); \
+         *split-impulse*, *gauss-seidel* and *xpbd* always correct positions. Schemes with substeps \
          use eight of them. The observed order, from the two shortest steps, must be within {SLACK} of the \
          derived one. The fitted order is the slope through all points, with its standard error.",
     ));
@@ -20,7 +21,7 @@ pub(super) fn show(findings: &[&Finding], document: &mut ReportPage) {
         document.figure(figure(finding));
     }
     document.table("order", table(findings));
-    document.aside("Reasons for the derived orders", reasons(findings));
+    document.aside("Reasons for the derived orders, or for claiming none", reasons(findings));
 }
 
 pub(super) fn outcome(findings: &[&Finding]) -> Outcome {
@@ -30,7 +31,7 @@ pub(super) fn outcome(findings: &[&Finding]) -> Outcome {
         .filter(|(_, curve)| matches!(curve.expected, Expected::Exact { .. }))
         .count();
     let says = format!(
-        "{held} of {} errors behave as derived, {exact} of them at rounding level",
+        "{held} of {} errors decrease at the derived order, or stay at rounding level ({exact} of them)",
         claims.len()
     );
     Outcome { good: held == claims.len(), says }
@@ -65,7 +66,7 @@ fn figure(finding: &Finding) -> Lines {
     Lines {
         id: format!("order_{}", finding.problem.scene()),
         title: format!(
-            "{}: {held} of {all} errors behave as derived as dt is halved {} times",
+            "{}: {held} of {all} errors decrease at the derived order when dt is halved {} times",
             what(finding.problem),
             finding.curves.first().map_or(0, |curve| curve.errors.len().saturating_sub(1))
         ),
@@ -106,7 +107,11 @@ fn panel(finding: &Finding, quantity: &str) -> Panel {
 fn flat(finding: &Finding) -> String {
     let why = |curve: &Curve| match &curve.expected {
         Expected::Order { order: 0.0, because } => {
-            Some(format!(" *{}* has order 0: {because}.", short(&curve.method)))
+            Some(format!(
+                " The {} under *{}* has order 0: {because}.",
+                curve.quantity,
+                short(&curve.method)
+            ))
         }
         _ => None,
     };
@@ -154,13 +159,13 @@ fn table(findings: &[&Finding]) -> Table {
     Table::new(
         "Orders, derived, observed and fitted",
         format!(
-            "Errors at the longest and at the shortest step. *derived*: the theoretical order; 0 means that \
-             the error does not decrease, *exact* that it is a rounding error (below 10⁻¹¹) at every step, and \
-             *open* that no order is claimed. The reasons are given above. A row passes if the observed order \
+            "Errors at the longest and at the shortest step. *derived*: the derived order. Here 0 means that \
+             the error does not decrease, *exact* means that it is a rounding error (below 10⁻¹¹) at every step, and \
+             *open* means that no order is claimed. The reasons are given above. A row passes if the observed order \
              is within {SLACK} of the derived one."
         ),
         "problem | quantity | method | #first error | #last error | unit | derived | #observed | \
-         fitted | verdict",
+         fitted | outcome",
         curves(findings).map(|(problem, curve)| cells(problem, curve)).collect(),
     )
 }
@@ -180,9 +185,9 @@ fn cells(problem: Problem, curve: &Curve) -> Vec<Cell> {
     let fitted = curve.fitted().map_or("–".into(), |(slope, error)| {
         format!("{} ± {}", significant(slope, 3), significant(error, 1))
     });
-    let verdict = match curve.holds() {
-        Some(true) => Cell::text("pass").marked(Mark::Good),
-        Some(false) => Cell::text("FAIL").marked(Mark::Bad),
+    let outcome = match curve.holds() {
+        Some(true) => Cell::text("passed").marked(Mark::Good),
+        Some(false) => Cell::text("FAILED").marked(Mark::Bad),
         None => Cell::text("–"),
     };
     vec![
@@ -195,7 +200,7 @@ fn cells(problem: Problem, curve: &Curve) -> Vec<Cell> {
         Cell::text(derived),
         curve.observed().map_or(Cell::text("–"), |order| Cell::number(order, 3)),
         Cell::text(fitted),
-        verdict,
+        outcome,
     ]
 }
 

@@ -19,7 +19,7 @@ pub(super) fn show(scenes: &[&Patterns], factors: &[&Factor], document: &mut Rep
     document.text(
         "A row of $J$ has entries only for the one or two bodies it joins, and two rows of \
          $A = J M^{-1} J^T$ are coupled only if they share a moving body. The larger the scene, the sparser \
-         its $A$ (the chapter's Figure 13). The work of a sweep that reads only stored entries is \
+         its $A$ (the chapter's Figure 13). The work of a sweep that skips the zeros of $A$ is \
          proportional to the number of contacts, not to its square. A direct method factors $A = L L^T$, and \
          $L$ has additional entries, the fill-in, whose number depends on the order of elimination.",
     );
@@ -65,10 +65,11 @@ fn figure(found: &Patterns, factors: &[&Factor]) -> SceneMatrix {
             gain(factors)
         ),
         caption: format!(
-            "Left: the scene. Right: A in step {}, {} rows; a block holds the rows of two bodies, and the paler an \
-             entry, the smaller |a|. Blocks without a common moving body are empty; the other {} are {} % full, \
-             because the lever arms of some rows cancel. With so few bodies, many blocks have entries: with ten times as \
-             many, A would be about ten times emptier. Point at a block to see the bodies that its rows share. \
+            "Left: the scene. Right: A in step {}, {} rows; a block couples the rows of one pair of bodies with those of the same or another pair, and the \
+             paler an entry, the smaller |a|. Blocks without a common moving body are empty; the other {} are {} % \
+             full, because in some entries the contributions of translation and rotation cancel. With so few bodies, \
+             many blocks have entries: with ten times as many bodies, the share of entries would be about ten times \
+             smaller. Point at a block to see the bodies that its rows share. \
              {}",
             found.step,
             count(found.rows),
@@ -95,7 +96,7 @@ fn gain(factors: &[&Factor]) -> String {
         let entries: Vec<f64> = drawn(factor).map(|own| own.entries as f64).collect();
         let (natural, least) = (entries.first()?, entries.last()?);
         Some(format!(
-            "; eliminating rows by minimum degree makes the factor of {} {} times smaller",
+            "; in minimum-degree order, the factor of the scene {} has {} times fewer entries",
             factor.scene,
             readable(natural / least, 2)
         ))

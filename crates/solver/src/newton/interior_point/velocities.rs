@@ -8,7 +8,7 @@
 //!
 //! The matrix on the right, K, has six rows per body however many contacts it has, and a block for
 //! each pair of bodies that share a row: a pile of 700 cubes has 4200 equations instead of one for
-//! each of its 24 000 rows. K is positive definite, with no eigenvalue below 1. Its largest
+//! each of its 24,000 rows. K is positive definite, with no eigenvalue below 1. Its largest
 //! eigenvalues grow with 1/D, and in rows without bounds D is only the added minimum; there 10⁻⁸
 //! a_ii is added, and one or two iterations correct the effect on x.
 

@@ -13,11 +13,11 @@ const DIGITS: usize = 2;
 /// A body that moves less than this (m) counts as not moving.
 const NOWHERE: f64 = 1e-6;
 
-/// What is left of a number of sweeps that is divided by this factor.
+/// The number of sweeps without a cause that is responsible for this factor.
 fn part_of_sweeps(factor: f64) -> String {
     match percent(1.0 / factor) {
-        none if none == "0 %" => "far fewer sweeps".into(),
-        part => format!("{part} of the sweeps"),
+        none if none == "0 %" => "far fewer sweeps than now".into(),
+        part => format!("{part} of the sweeps that it takes now"),
     }
 }
 
@@ -128,7 +128,7 @@ impl fmt::Display for Slow {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let saves = |own: &Without| {
             format!(
-                "the error of the motion would be {} instead of {}, and a good answer would need {}",
+                "the error of the motion would be {} instead of {}, and an error of 0.1 % would take {}",
                 percent(own.without),
                 percent(own.with),
                 part_of_sweeps(own.factor)
@@ -159,8 +159,8 @@ impl fmt::Display for Slow {
             ),
             Slow::MassRatio { heavy, light, without } => write!(
                 f,
-                "{} ({} kg) and {} ({} kg) move together in the error pattern that decays most slowly. With \
-                 equal masses {}.",
+                "the slowest error pattern of Gauss-Seidel moves {} ({} kg) together with {} ({} kg). With equal \
+                 masses, {}.",
                 heavy.0,
                 readable(heavy.1, DIGITS),
                 light.0,
@@ -169,14 +169,14 @@ impl fmt::Display for Slow {
             ),
             Slow::Tall { bodies: Some(bodies), without } => write!(
                 f,
-                "impulses propagate through {bodies} bodies, one after the other. With equal masses, and \
-                 with each pair of bodies solved on its own, {}.",
+                "impulses propagate through {bodies} bodies, one after the other. If, in addition to equal masses, each \
+                 pair of bodies were a separate problem, {}.",
                 saves(without)
             ),
             Slow::Tall { bodies: None, without } => write!(
                 f,
                 "impulses propagate over a long chain of rows. The file names no bodies, so the influence \
-                 of the masses is not known. If each pair of bodies were separate, {}.",
+                 of the masses is not known. If each pair of bodies were a separate problem, {}.",
                 saves(without)
             ),
             Slow::Order { without } => write!(

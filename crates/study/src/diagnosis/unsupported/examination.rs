@@ -88,6 +88,12 @@ pub struct Examination {
     pub remedy_effects: Vec<RemedyEffect>,
 }
 
+/// The text with a capital letter at the beginning.
+fn capitalized(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}
+
 /// The largest number of problems that a sentence names.
 const LISTED: usize = 10;
 /// The name of the cause that the solver gave up in a step.
@@ -223,7 +229,7 @@ impl Examination {
     }
 
     fn why(&self) -> Option<Section> {
-        let title = if self.causes().is_empty() { "what was examined" } else { "why" };
+        let title = if self.causes().is_empty() { "what was examined" } else { "causes" };
         let mut section = Section::new(title);
         let mut lines: Vec<String> = Vec::new();
         let slow = self.unsupported.iter().flat_map(|found| &found.causes);
@@ -242,7 +248,7 @@ impl Examination {
         for (k, name) in self.causes().into_iter().enumerate() {
             let word = if k == 0 { "Cause" } else { "Also" };
             if let Some((_, text)) = named.iter().find(|(own, _)| *own == name) {
-                lines.push(format!("{word}: {name}: {text}"));
+                lines.push(format!("{word}: {name}. {}", capitalized(text)));
             }
         }
         if let Some(found) = &self.unsupported {
@@ -330,7 +336,7 @@ impl Examination {
             worst("residual", &|k| Some(self.notes[k].residual)),
             worst("bias", &|k| Some(self.notes[k].bias)),
             worst("overlap", &|k| self.notes[k].penetration),
-            worst("energy gain", &|k| Some(energy(k)? - energy(k.checked_sub(1)?)?)),
+            worst("energy gain in the step", &|k| Some(energy(k)? - energy(k.checked_sub(1)?)?)),
         ];
         measures.into_iter().flatten().collect()
     }
@@ -347,14 +353,18 @@ impl Examination {
             ]
         };
         section.table(
-            "remedies for the whole run, each one simulated",
+            "results of a simulation with each remedy alone",
             &[
                 "remedy",
                 "mean error, second half",
-                "largest position error of a body (mm)",
+                "error of the final position, worst body (mm)",
                 "iterations per step",
             ],
             self.remedy_effects.iter().map(row).collect(),
+        );
+        section.say(
+            "The final positions are compared with those of exact answers. They vary strongly if bodies bounce or tip over. \
+             A solver that starts from the previous answer may need no iteration in a step.",
         );
         (!self.remedy_effects.is_empty()).then_some(section)
     }

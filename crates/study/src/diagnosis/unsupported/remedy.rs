@@ -77,7 +77,7 @@ pub fn remedies(
             add(format!("ω = {omega}"), own, &solver, theory(omega, false, sweeps));
         }
         let solver = Pgs { omega: 1.0, order: Order::Reverse, settings: settings() };
-        add("rows from the last to the first".into(), own, &solver, theory(1.0, true, sweeps));
+        add("reverse order of rows".into(), own, &solver, theory(1.0, true, sweeps));
         for factor in FACTORS {
             let more = factor * sweeps;
             let solver =

@@ -141,8 +141,8 @@ fn redundancy(lcp: &Lcp) -> Option<String> {
         lcplab_judge::regularity::regularity(lcp.matrix()).filter(|_| lcp.len() <= LARGEST)?;
     let spare = lcp.len() - found.rank;
     let effect = match lcp.has_coupled_rows() {
-        true => "the distribution of forces is not unique",
-        false => "the forces are not unique, but the motion is",
+        true => "they make the forces non-unique, which is not an error of the solver",
+        false => "they make the forces non-unique, but do not change the motion",
     };
     (spare > 0).then(|| format!("{spare} redundant rows ({effect})"))
 }

@@ -1,7 +1,7 @@
 //! The error, its causes and remedies, as sentences and tables.
 
 use lcplab_page::document::Section;
-use lcplab_page::number::{counted, readable};
+use lcplab_page::number::{count, counted, readable};
 
 use lcplab_problem::file::number;
 use serde_json::{Value, json};
@@ -67,8 +67,8 @@ impl UnsupportedLoad {
             return format!("{who} an error of the motion of only {}.", percent(self.missing));
         }
         let effect = match &self.part {
-            Some(part) => format!("the constraints' effect on {part}"),
-            None => "the constraints' effect".into(),
+            Some(part) => format!("the motion that the constraints cause in {part}"),
+            None => "the motion that the constraints cause".into(),
         };
         let error = percent(self.missing);
         let place = |pair: &Load| format!(", most of it at {}", pair.name);
@@ -78,7 +78,7 @@ impl UnsupportedLoad {
                 format!("{who} an error of {error} of {effect}, more than x = 0 has{most}.")
             }
             Some(whole) => format!(
-                "{who} {} of the weight unsupported{most}; the error of the motion is {error}.",
+                "{who} {} of the total weight unsupported{most}. The error of the motion is {error} of {effect}.",
                 percent(whole.missing())
             ),
             None => format!("{who} an error of {error} of {effect}{most}."),
@@ -94,13 +94,13 @@ impl UnsupportedLoad {
         let (slowest, (needed, is_done)) = (self.slowest.as_ref()?, self.sweeps?);
         let sweeps = readable(needed.round(), DIGITS);
         let measured = match is_done {
-            true => format!("measured: {sweeps}"),
-            false => format!("extrapolated from those that ran: {sweeps}"),
+            true => format!("measured, {sweeps}"),
+            false => format!("extrapolated from the measured sweeps, {sweeps}"),
         };
         let mover = self.mover.as_ref();
         Some(format!(
             "While no contact opens or closes, each sweep of Gauss-Seidel multiplies the slowest error \
-             pattern by {}{}. In theory a good answer, with an error of 0.1 %, needs {} sweeps; {measured}.",
+             pattern by {}{}. An error of 0.1 % takes {} sweeps in theory; {measured}.",
             readable(slowest.rate, 4),
             mover.map_or(String::new(), |body| format!("; {body} moves most in it")),
             readable(slowest.sweeps.round(), DIGITS),
@@ -148,8 +148,8 @@ impl UnsupportedLoad {
             vec![load.name.clone(), due, given, part(load)]
         };
         let title = match self.is_of_forces {
-            true => "total upward force on each body (N)",
-            false => "total upward impulse on each body (N s)",
+            true => "net upward force on each body (N)",
+            false => "net upward impulse on each body (N s)",
         };
         let bodies = self.bodies.iter().map(body).collect();
         section.table(title, &["body", "required", "actual", "fraction"], bodies);
@@ -168,13 +168,13 @@ impl UnsupportedLoad {
                     large if large > LARGE => format!("> {LARGE}"),
                     factor => readable(factor, DIGITS),
                 },
-                remedy.iterations.to_string(),
+                count(remedy.iterations),
                 if remedy.work.is_nan() { String::new() } else { readable(remedy.work, DIGITS) },
             ]
         };
         let rows = self.remedies.iter().map(row).collect();
         section.table(
-            "remedies for this solve, each one solved",
+            "results of this solve with each remedy alone",
             &["remedy", "error", "theory", "improvement", "iterations", "multiplications"],
             rows,
         );

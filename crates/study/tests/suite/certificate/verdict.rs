@@ -296,11 +296,11 @@ fn the_message_of_a_solver_that_gave_up_says_so_if_its_x_is_accepted() {
     assert_eq!(message([0.5, 0.0], Status::Solved), ("solved", "solved".into()));
 }
 
-/// Parses a printed number: `1.1×10⁻⁹`, `10 000`.
+/// Parses a printed number: `1.1×10⁻⁹`, `10,000`.
 fn read(printed: &str) -> f64 {
     let lowered = |c: char| match c {
         '⁻' => Some('-'),
-        '\u{202f}' => None,
+        ',' => None,
         c => Some(
             "⁰¹²³⁴⁵⁶⁷⁸⁹"
                 .chars()

@@ -89,7 +89,7 @@ impl Plain {
     }
 
     /// The solution under Coulomb's law: both tangents of a contact are moved with one step and
-    /// then into the disc of radius μ x_n, until nothing changes.
+    /// then into the disk of radius μ x_n, until nothing changes.
     pub fn under_coulomb(&self) -> Option<Vec<f64>> {
         let mut x = vec![0.0; self.len()];
         for _ in 0..40_000 {

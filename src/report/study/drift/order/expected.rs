@@ -44,7 +44,7 @@ const KICK: &str =
     "the position changes with the velocity at the end of the step: the error is g t h/2";
 const SPRING: &str =
     "the extension of a spring is its load divided by its stiffness, for any time step";
-const SWEPT: &str = "the number of sweeps is fixed, so it does not converge";
+const SWEPT: &str = "no order is claimed, because a fixed number of sweeps leaves an error";
 
 /// The required behavior of a quantity of a problem with a scheme and integrator.
 pub(super) fn expected(
@@ -78,9 +78,15 @@ fn of_pendulum(quantity: &str, family: Scheme) -> Expected {
             exact("the rod is corrected along its own direction, in which its length is linear")
         }
         ("length of the rod", Penalty) => order(0.0, SPRING),
-        (_, Soft) => open("its springs become stiffer as the step becomes shorter, up to 60 Hz"),
+        (_, Soft) => open(
+            "no order is claimed, because the frequency of the springs depends on the step: it rises as the step \
+             becomes shorter, up to 60 Hz",
+        ),
         (_, Penalty) => {
-            open("first order, down to the error of its springs, which does not decrease")
+            open(
+                "no order is claimed, because the error tends to that of the springs, whose extension does not \
+                 depend on the step",
+            )
         }
         ("length of the rod", _) => order(
             1.0,
@@ -100,8 +106,8 @@ fn of_bounce(family: Scheme, euler: bool) -> Expected {
         Acceleration if !euler => exact("the ball touches the ground at the end of a step"),
         Scheme::Penalty => order(0.0, "the damping determines the bounce; e is not used"),
         _ => open(
-            "the bounce occurs below the ground, at a fraction of a step that is not a smooth function \
-         of dt",
+            "no order is claimed, because the bounce occurs below the ground, at a fraction of a step that is not a \
+             smooth function of dt",
         ),
     }
 }
@@ -116,7 +122,8 @@ fn of_slide(family: Scheme, euler: bool) -> Expected {
         }
         Scheme::SequentialImpulses => open(SWEPT),
         _ => open(
-            "the box settles on its springs, or its sweeps converge, before it slides steadily",
+            "no order is claimed, because the box settles on its springs, or its sweeps converge, before it slides \
+             steadily",
         ),
     }
 }
