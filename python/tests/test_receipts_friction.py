@@ -82,7 +82,7 @@ def moved(step, forces):
 
 
 def change_of(step, forces):
-    """The change of the motion by other forces, relative to what the constraints change."""
+    """The change of the motion by other forces, relative to the change that the constraints cause."""
     return step.norm(moved(step, forces).motion - step.motion) / step.effect
 
 

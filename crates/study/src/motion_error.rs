@@ -75,14 +75,14 @@ impl MotionError {
         if let Some((row, difference)) = inconsistency(question, x) {
             text += &format!(
                 "  motion data      {:>10}  A x + b is not J u(x) + bias + γ x, relative to the terms of row {row}: \
-                 A and b were not made from these masses and rows\n",
+                 A and b were not computed from these masses and rows\n",
                 readable(difference, 2)
             );
         }
         text
     }
 
-    /// The key `motion_error` of an answer, and `motion_data` if A and b were not made from the
+    /// The key `motion_error` of an answer, and `motion_data` if A and b were not computed from the
     /// masses and rows; no key if the problem does not state these.
     pub fn json(question: &Question, x: &[f64]) -> Vec<(String, Value)> {
         let Some(found) = MotionError::of(question, x) else { return Vec::new() };
@@ -114,11 +114,11 @@ impl MotionError {
         let unit = self.level.map(Level::norm_unit).unwrap_or("in the norm √(uᵀM u)");
         let of_what = match self.relative() {
             relative if relative < 1.0 => format!(
-                "at most {} of what the constraints change ({} {unit})",
+                "at most {} of the change that the constraints cause ({} {unit})",
                 readable(relative, 2),
                 readable(self.effect, 3)
             ),
-            _ => "possibly more than what the constraints change".into(),
+            _ => "possibly more than the change that the constraints cause".into(),
         };
         let frozen = if self.is_frozen { ", with the friction limits of x" } else { "" };
         let entries = self.level.map(|level| {

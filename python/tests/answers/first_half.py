@@ -59,7 +59,7 @@ def run(id, which):
     r = subprocess.run([sys.executable, "-m", "lcplab", *shlex.split(words)], capture_output=True, text=True, timeout=300, cwd=TMP, input=given)
     assert r.returncode in (0, 1), (line, r.stderr)
     return r.stdout
-iterations = lambda text: int(re.search(r"(\d+) iterations", text)[1])
+iterations = lambda text: int(re.search(r"([\d,]+) iterations", text)[1].replace(",", ""))
 PLAIN = str.maketrans("−⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "--0123456789", ",")  # −1.5×10⁻⁸ becomes -1.5e-8
 plain = lambda text: re.sub(r"(?<=\s)10(?=-)", "1e", text.translate(PLAIN).replace("×10", "e"))
 field = lambda text, name: float(re.search(rf"(?m)^\s*{name}\s+(-?[\d.]+(?:e-?\d+)?)", plain(text))[1])

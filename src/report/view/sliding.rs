@@ -35,8 +35,8 @@ impl View for Plan {
                  - **Cone**: the disk itself. *Associated*: a convex problem, in which sliding bodies lift off. *Coulomb*: the exact law.\n\n\
                  A block of 1 kg lies on the floor and is pushed along it. It is pressed down so that \
                  $\\mu x_n = 1$ N s. $A$ is the identity: no impulse changes the $w$ of another row. The friction impulse \
-                 is therefore the point of the model's square, polygon or disk that is nearest to the opposite of \
-                 the push. This point follows from geometry alone: the lines below show the geometric construction, \
+                 is therefore the point of the model's square, polygon or disk that is nearest to the impulse that \
+                 would hold the block, the opposite of the push. This point follows from geometry alone: the lines below show the geometric construction, \
                  the markers the answers of the solvers.",
             );
             document.figure(direction_figure(study));

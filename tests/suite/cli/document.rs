@@ -48,7 +48,7 @@ fn a_list_sums_up_each_case_shows_each_closed_form_in_100_columns_and_writes_no_
     let found: Vec<&str> =
         text.lines().filter(|line| line.trim_start().starts_with("free-fall")).collect();
     assert_eq!(found.len(), 1 + 8, "{text}");
-    assert!(found[0].ends_with("pass"), "{text}");
+    assert!(found[0].ends_with("passed"), "{text}");
     assert!(text.lines().all(|line| line.chars().count() <= 100), "{text}");
     let heights = text.lines().filter(|line| line.contains("height after 1 s"));
     assert!(heights.into_iter().all(|line| !line.contains('✗')), "{text}");

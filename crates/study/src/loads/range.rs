@@ -22,7 +22,7 @@ use crate::motion_error::MotionError;
 
 /// Larger problems are not examined.
 const MAX_ROWS: usize = 300;
-/// The largest motion error, relative to what the constraints change.
+/// The largest motion error, relative to the change that the constraints cause.
 const MOST_ERROR: f64 = 1e-4;
 /// A range that is shorter than this part of the largest force is a single value.
 const UNIQUE: f64 = 1e-6;
@@ -128,7 +128,7 @@ fn error(question: &Question, x: &[f64]) -> Result<f64, String> {
         return Ok(error.bound);
     }
     Err(format!(
-        "they need an answer whose motion error is at most {} of what the constraints change; it is {}",
+        "they need an answer whose motion error is at most {} of the change that the constraints cause; it is {}",
         readable(MOST_ERROR, 2),
         readable(part, 2)
     ))

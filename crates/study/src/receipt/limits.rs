@@ -1,7 +1,7 @@
 //! The largest accepted errors.
 //!
-//! The limits of motion errors, relative to what the constraints change, were measured on 1,560
-//! good frames of MuJoCo 4.0.1 and 3.12 (stack, humanoid, gripper, trees; both cones; three
+//! The limits of motion errors, relative to the change that the constraints cause, were measured on
+//! 1,560 good frames of MuJoCo 4.0.1 and 3.12 (stack, humanoid, gripper, trees; both cones; three
 //! solvers) and of MuJoCo Warp; see `docs/ci.md`.
 
 use super::step::Source;

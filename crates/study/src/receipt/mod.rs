@@ -4,9 +4,9 @@
 //! The collision and most of the assembly need the engine itself, so that the Python package checks
 //! them and passes a [`Report`]. What every engine's step allows is checked here: whether x and v
 //! are a solution of the problem that the engine posed, with a proved bound on the error of v
-//! relative to what the constraints change (the *motion error*), whether v and the reported forces
-//! follow from x, and whether bias and free motion are those that an adapter expects. Where the
-//! motion error has no bound, x and v must satisfy the law of every row.
+//! relative to the change that the constraints cause (the *motion error*), whether v and the
+//! reported forces follow from x, and whether bias and free motion are those that an adapter
+//! expects. Where there is no such bound, x and v must satisfy the law of every row.
 //!
 //! One frame does not distinguish two releases of an engine; a [`Run`] does.
 //!

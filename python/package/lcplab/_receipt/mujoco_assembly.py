@@ -2,7 +2,7 @@
 
 Masses and Jacobians come from differences of poses, so that a wrong arm, sign or missing J̇v shows. Errors of entries
 are relative to their terms; errors of generalized forces f are what they change, |M⁻¹f|_M, relative to the larger of
-what the constraints change and of u*.
+the change that the constraints cause and of u*.
 """
 
 from __future__ import annotations

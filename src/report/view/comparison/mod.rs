@@ -147,7 +147,8 @@ fn by_scheme(findings: &[Comparison]) -> Table {
 
 /// The explanation of the columns of the scenes' tables.
 const MEASURES: &str = "In the tables of the scenes, *problems* counts the LCPs: at acceleration level, an impact is a \
- problem of its own, and a bounce may be a second one. *claims*: problems that the solver reports as solved. \
+ problem of its own, and the approach velocity that an iterative solver leaves within the tolerance is another small \
+ impact. *claims*: problems that the solver reports as solved. \
  *accepted*: answers that the judge accepts. *worst residual*: the largest scaled residual over all problems, \
  claimed or not; – if there was none. *energy change*: from the start to the end; *largest energy change*: from \
  the start to any instant. *support*: the average upward component of the forces of contacts, joints and springs; \

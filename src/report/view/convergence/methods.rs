@@ -77,7 +77,7 @@ fn answer(
         )
     });
     format!(
-        "**For {}, *{}* is the cheapest solver:** it needs {}{compared}.{why} *{}* needs {}, {} times the \
+        "**For {}, {} is the cheapest solver:** it needs {}{compared}.{why} *{}* needs {}, {} times the \
          work of *{}*. {solved} of {tried} solvers reach a scaled residual of {} at this size ({} rows), and \
          the judge accepts their answers.",
         progress.problem,

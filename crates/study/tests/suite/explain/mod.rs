@@ -122,7 +122,7 @@ fn numbers_are_written_in_latex_as_on_the_terminal() {
         (-0.25, "-0.25"),
         (1.105e-4, "1.105\\times 10^{-4}"),
         (-1e6, "-10^{6}"),
-        (1010.0, "1\\,010"),
+        (1010.0, "1{,}010"),
         (f64::NEG_INFINITY, "-\\infty"),
     ] {
         let text = markdown(Formula::default().symbols("x =", "x =").number(value).unit("m/s²"));
