@@ -54,7 +54,11 @@ pub struct Choices {
 const ORDERS: [(RowOrder, &str, &str); 3] = [
     (RowOrder::Natural, "natural", "First row first"),
     (RowOrder::Reverse, "reverse", "Last row first"),
-    (RowOrder::Shuffled, "shuffled", "A random permutation, determined by --seed and the same in every sweep"),
+    (
+        RowOrder::Shuffled,
+        "shuffled",
+        "A random permutation, determined by --seed and the same in every sweep",
+    ),
 ];
 
 fn row_order() -> impl TypedValueParser<Value = RowOrder> {

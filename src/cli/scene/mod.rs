@@ -126,7 +126,8 @@ fn key_and_value(text: &str) -> std::result::Result<(String, String), String> {
 /// A parser for the names of the schemes.
 fn schemes() -> impl TypedValueParser<Value = Scheme> {
     let value = |scheme: Scheme| PossibleValue::new(scheme.name()).help(meaning(scheme));
-    PossibleValuesParser::new(Scheme::ALL.map(value)).map(|name| Scheme::by_name(&name).unwrap_or_default())
+    PossibleValuesParser::new(Scheme::ALL.map(value))
+        .map(|name| Scheme::by_name(&name).unwrap_or_default())
 }
 
 /// A scheme in the help.

@@ -29,8 +29,9 @@ impl View for Plan {
             all => format!(", {held} of {all} numbers match the closed form"),
         };
         let (points, all) = (found.len(), self.plan.tasks.len());
-        let says =
-            format!("{points} of {all} points of the grid measured{theory}, {refuted} with false claims");
+        let says = format!(
+            "{points} of {all} points of the grid measured{theory}, {refuted} with false claims"
+        );
         Outcome { good: refuted == 0 && held == claims.len(), says }
     }
 }

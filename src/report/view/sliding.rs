@@ -294,7 +294,10 @@ fn grip_figure(study: &Finding) -> Lines {
     };
     Lines::new(
         "friction_grip",
-        format!("The largest push without slip, relative to Coulomb's limit: {}", listed(study, held)),
+        format!(
+            "The largest push without slip, relative to Coulomb's limit: {}",
+            listed(study, held)
+        ),
         "By Coulomb's law the largest push is 1 N s in every direction. Markers: measured by bisection \
          (14 steps, to 10⁻⁴ N s).",
         Axis::linear("direction of the push", "degrees from t₁"),

@@ -245,8 +245,7 @@ impl Table {
     /// Whether a column contains only numbers.
     pub(super) fn is_numeric(&self, column: usize) -> bool {
         let number = |cell: &String| {
-            !cell.is_empty()
-                && cell.chars().all(|c| "0123456789.−×⁰¹²³⁴⁵⁶⁷⁸⁹⁻∞± ,".contains(c))
+            !cell.is_empty() && cell.chars().all(|c| "0123456789.−×⁰¹²³⁴⁵⁶⁷⁸⁹⁻∞± ,".contains(c))
         };
         self.rows.iter().all(|row| number(&row[column]))
     }

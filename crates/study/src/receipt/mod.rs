@@ -378,7 +378,9 @@ impl Receipt {
             lines.push(format!("  tolerance     of the engine: {part} of {cause}{stopped}"));
         }
         if self.stop == Some(Stop::Iterations) {
-            lines.push("  stopped       at its iteration limit, as far as the engine reports".into());
+            lines.push(
+                "  stopped       at its iteration limit, as far as the engine reports".into(),
+            );
         }
         lines.extend(self.work.map(|work| format!("  work          {}", work.text())));
         let rejected = self.findings.iter().filter(|finding| finding.is_rejected());

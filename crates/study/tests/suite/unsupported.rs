@@ -361,8 +361,10 @@ fn the_worst_steps_are_the_worst() {
         let of = |j: usize| match measure {
             "residual" => found.notes[j].residual,
             "overlap" => found.notes[j].penetration.unwrap(),
-            "energy gain" if j == 0 => f64::NEG_INFINITY,
-            "energy gain" => found.notes[j].energy.unwrap() - found.notes[j - 1].energy.unwrap(),
+            "energy gain in the step" if j == 0 => f64::NEG_INFINITY,
+            "energy gain in the step" => {
+                found.notes[j].energy.unwrap() - found.notes[j - 1].energy.unwrap()
+            }
             other => panic!("{other}"),
         };
         assert!((0..found.notes.len()).all(|j| of(j) <= of(k)), "{measure}");

@@ -244,7 +244,10 @@ pub(super) fn bounces(size: Size) -> Result<Vec<Row>> {
     let what = "velocity after three bounces";
     let formula = ["-e^3 v", "-e^3 v"];
     // The errors of the three contacts depend on the part of a substep in which each begins.
-    let within = (2e-3, "a contact begins and ends somewhere within a substep, which lasts 1/300 of the contact");
+    let within = (
+        2e-3,
+        "a contact begins and ends somewhere within a substep, which lasts 1/300 of the contact",
+    );
     let known = vec![Known::exact(within, what, formula, "m/s", -e.powi(3) * speed)];
     // Each contact takes 31 ms: the third ends at 1.3 s, the fourth begins at 1.9 s.
     let moved = |scene: &Scene| Some(vec![after(scene, 1.6)?[2].v.x]);

@@ -57,7 +57,10 @@ pub(super) fn free_body(size: Size) -> Result<Vec<Row>> {
 pub(super) fn lean(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("top-lean", "top", size)?;
     (case.scene.step.dt, case.scene.step.baumgarte) = (0.002, 0.2);
-    let half_a_degree = (0.5 / 30.0, "the error of the tilt is of first order in dt; half a degree is allowed at steps of up to 2 ms");
+    let half_a_degree = (
+        0.5 / 30.0,
+        "the error of the tilt is of first order in dt; half a degree is allowed at steps of up to 2 ms",
+    );
     let mut rows = Vec::new();
     for scheme in [Scheme::Velocity, Scheme::SequentialImpulses] {
         let what = "tilt after 5 s";

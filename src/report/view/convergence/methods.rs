@@ -267,7 +267,9 @@ fn radius(method: &MethodProgress) -> Option<String> {
 /// The weight that ten sweeps leave unsupported, and the cost of the cheapest solver.
 fn finding(progress: &Progress) -> String {
     let undone = match (left(progress), pgs(progress).and_then(MethodProgress::ten)) {
-        (Some(share), _) => format!("ten sweeps of pgs leave {share} of the total weight unsupported"),
+        (Some(share), _) => {
+            format!("ten sweeps of pgs leave {share} of the total weight unsupported")
+        }
         (None, Some(ten)) => {
             format!("ten sweeps of pgs leave a residual of {}", readable(ten.residual, 2))
         }

@@ -67,8 +67,7 @@ impl Rows {
             top.iter().position(|residual| *residual > ROUNDING)
         };
         let of = |map: &&RowResiduals| {
-            let arrives =
-                reached(map).map_or("never".into(), |sweep| sweep.to_string());
+            let arrives = reached(map).map_or("never".into(), |sweep| sweep.to_string());
             format!("{arrives} (*{}*)", map.method.name())
         };
         let arrivals: Vec<String> = maps.iter().map(of).collect();

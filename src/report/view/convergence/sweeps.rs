@@ -44,9 +44,8 @@ pub(super) fn outcome(studies: &[&Rates]) -> Outcome {
     let (settled, bounded) =
         (slopes(false).filter(|(agrees, _)| *agrees).count(), slopes(false).count());
     let slower = slopes(false).filter(|(agrees, slower)| !agrees && *slower).count();
-    let mut says = format!(
-        "convergence rates: {agree} of {all} match the spectral radius without bounds"
-    );
+    let mut says =
+        format!("convergence rates: {agree} of {all} match the spectral radius without bounds");
     if bounded > 0 {
         says += &format!(", {settled} of {bounded} with bounds");
     }

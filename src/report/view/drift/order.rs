@@ -106,13 +106,11 @@ fn panel(finding: &Finding, quantity: &str) -> Panel {
 /// Why some errors do not decrease.
 fn flat(finding: &Finding) -> String {
     let why = |curve: &Curve| match &curve.expected {
-        Expected::Order { order: 0.0, because } => {
-            Some(format!(
-                " The {} under *{}* has order 0: {because}.",
-                curve.quantity,
-                short(&curve.method)
-            ))
-        }
+        Expected::Order { order: 0.0, because } => Some(format!(
+            " The {} under *{}* has order 0: {because}.",
+            curve.quantity,
+            short(&curve.method)
+        )),
         _ => None,
     };
     finding.curves.iter().find_map(why).unwrap_or_default()

@@ -82,12 +82,10 @@ fn of_pendulum(quantity: &str, family: Scheme) -> Expected {
             "no order is claimed, because the frequency of the springs depends on the step: it rises as the step \
              becomes shorter, up to 60 Hz",
         ),
-        (_, Penalty) => {
-            open(
-                "no order is claimed, because the error tends to that of the springs, whose extension does not \
+        (_, Penalty) => open(
+            "no order is claimed, because the error tends to that of the springs, whose extension does not \
                  depend on the step",
-            )
-        }
+        ),
         ("length of the rod", _) => order(
             1.0,
             "each step moves along the tangent of the circle, so the length grows by (v dt)²/2l",
