@@ -256,7 +256,7 @@ def row(boxes, i, j, q, n):
 def step(boxes, dt, sweeps, mu, kept, soft=None, g=9.81):
     """One step with the given number of sweeps; returns the impulses by name, for the next step.
 
-    `kept` are those of the last step. `soft` is (frequency in 1/s, damping ratio) of lesson 16.
+    `kept` are those of the last step. `soft` is (frequency in Hz, damping ratio) of lesson 16.
     """
     rows = []
     for i, j, name, q, n, gap in contacts(boxes, margin=0.02):
@@ -295,6 +295,6 @@ def step(boxes, dt, sweeps, mu, kept, soft=None, g=9.81):
 
 
 def softness(a, frequency, damping, dt):
-    """γ and β of a row with A_ii = a that swings with this frequency (1/s) and damping ratio."""
+    """γ and β of a row with A_ii = a that swings with this frequency (Hz) and damping ratio."""
     omega = 2 * np.pi * frequency
     return spring(omega**2 / a, 2 * damping * omega / a, dt)

@@ -3,6 +3,7 @@
 import doctest
 import re
 import sys
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -114,6 +115,115 @@ def test_all_cases_lists_each_isolated_solution_once():
     singular = np.array([[1.0, -1], [-1, 1]])
     assert engine.all_cases(singular, np.array([-1.0, -1])) == []
     assert_allclose(engine.all_cases(singular, np.array([-1.0, 1])), [[1, 0]])
+
+
+def fathi(n):
+    """Fathi's matrix of lesson 7 in exact numbers: U Uᵀ with 1 on the diagonal of U and 2 above it."""
+    U = [[Fraction(1 if i == j else 2 * (j > i)) for j in range(n)] for i in range(n)]
+    return [[sum(a * b for a, b in zip(p, q)) for q in U] for p in U]
+
+
+def eliminated(A, F, right):
+    """The exact solution of A_FF y = right_F, by its rows."""
+    M = {i: {j: A[i][j] for j in F} | {"right": right[i]} for i in F}
+    for k in F:
+        M[k] = {j: value / M[k][k] for j, value in M[k].items()}
+        for i in F:
+            if i != k:
+                M[i] = {j: value - M[i][k] * M[k][j] for j, value in M[i].items()}
+    return {i: M[i]["right"] for i in F}
+
+
+def exact_moves_of_dantzig(A, b, first):
+    """Moves of Dantzig's method without rounding; of tied events the one with the least first(event)."""
+    n, F, moves = len(b), [], 0
+    x, w, bound_since = [Fraction(0)] * n, list(b), [0] * n
+    for k in range(n):
+        while w[k] < 0:
+            y = eliminated(A, F, [-A[i][k] for i in range(n)])
+            d = [Fraction(i == k) + y.get(i, 0) for i in range(n)]
+            v = [sum(a * e for a, e in zip(row, d)) for row in A]
+            ends = [(-w[k] / v[k], "driven", 0, k)]
+            ends += [(-x[i] / d[i], "leaves", 0, i) for i in F if d[i] < 0]
+            ends += [(-w[i] / v[i], "enters", bound_since[i], i) for i in range(k) if i not in F and v[i] < 0]
+            length = min(end[0] for end in ends)
+            i = min((end for end in ends if end[0] == length), key=first)[3]
+            x, w = ([a + length * e for a, e in zip(p, q)] for p, q in [(x, d), (w, v)])
+            moves += 1
+            if i in F:
+                F.remove(i)
+                bound_since[i] = moves
+            else:
+                F.append(i)
+    assert x == [0] * (n - 1) + [1]
+    return moves
+
+
+def test_the_moves_of_dantzigs_method_on_fathis_matrix_depend_on_the_rule_for_ties():
+    order = {"driven": 0, "enters": 1, "leaves": 2}
+    for n in range(2, 8):
+        A, b = fathi(n), [Fraction(-1)] * n
+        assert exact_moves_of_dantzig(A, b, lambda end: (order[end[1]], end[2])) == n * n - n + 1
+        assert exact_moves_of_dantzig(A, b, lambda end: end[3]) == 2**n - 1
+        assert exact_moves_of_dantzig(A, b, lambda end: -end[3]) == 2 * n - 1
+
+
+def ordinary(n, kind, generator):
+    if kind == "column":
+        A = 2 * np.eye(n) - np.eye(n, k=1) - np.eye(n, k=-1)
+        A[0, 0] = 1
+        return A, generator.normal(size=n)
+    J = generator.normal(size=(n, n if kind == "Gram" else 4 * n))
+    return J @ J.T + 0.1 * np.eye(n), generator.normal(size=n)
+
+
+@pytest.mark.parametrize("kind", ["Gram", "well conditioned", "column"])
+def test_ordinary_problems_take_one_to_four_moves_for_each_free_row_and_few_blocks(kind, monkeypatch):
+    calls, point = [], engine.point
+    monkeypatch.setattr(engine, "point", lambda *given: calls.append(0) or point(*given))
+    generator = np.random.default_rng(7)
+    for _ in range(20):
+        A, b = ordinary(60, kind, generator)
+        calls.clear()
+        x = engine.dantzig(A, b)
+        assert engine.natural(A, b, x) < 1e-8
+        free = (x > 0).sum()
+        assert free <= len(calls) <= 4 * free
+        assert kind != "column" or len(calls) == free
+        F, exchanges = np.zeros(60, dtype=bool), 0
+        while (wrong := np.where(F, (x := point(A, b, F)) < 0, A @ x + b < -1e-9)).any():
+            F, exchanges = F ^ wrong, exchanges + 1
+        assert 2 <= exchanges <= 16
+
+
+def test_what_a_sweep_adds_to_x_tends_to_a_farkas_vector_of_the_ring():
+    A = 2 * np.eye(4) - np.roll(np.eye(4), 1, axis=0) - np.roll(np.eye(4), -1, axis=0)
+    b, zero, inf = -np.ones(4), np.zeros(4), np.full(4, np.inf)
+    x, y = (engine.gauss_seidel(A, b, zero, inf, sweeps) for sweeps in (60, 61))
+    assert_allclose(y - x, np.ones(4))
+    assert_allclose(A @ np.ones(4), 0)
+
+
+def test_the_stiffest_soft_column_that_stands_needs_many_substeps_of_one_sweep_as_lesson_16_says():
+    code = next(code for code, _ in cells.cells(NOTEBOOKS / "16_soft_rows.md") if "def column" in code)
+    names = {"np": np, "softness": engine.softness}
+    exec(code.split("\nfor masses")[0], names)
+    heavy = [1, 1, 1, 1, 100]
+    for sweeps, stands, falls in (1, 1.2, 1.5), (2, 1.8, 2.5), (10, 4.0, 6.0):
+        dt = 0.001 * sweeps
+        for h, is_right in (stands, True), (falls, False):
+            hertz = h / (2 * np.pi * dt)
+            risen = names["column"](heavy, dt, sweeps, hertz)
+            assert (abs(risen / names["formula"](heavy, hertz) - 1) < 0.05) == is_right
+
+
+def test_a_block_that_slides_stops_half_a_step_early_as_lesson_11_says():
+    mu_g, speed, dt = 0.5 * 9.81, 3.0, 0.01
+    v, place = speed, 0.0
+    while v > 0:
+        v = max(0.0, v - mu_g * dt)
+        place += dt * v
+    assert_allclose(speed**2 / (2 * mu_g) - place, 0.5 * speed * dt, rtol=0.02)
 
 
 def test_sweeps_circle_on_a_definite_matrix_that_is_not_symmetric_as_lesson_4_says():
