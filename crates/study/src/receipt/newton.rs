@@ -14,6 +14,8 @@ use super::step::{EngineStep, difference};
 /// The largest number of steps, and of rows or degrees of freedom.
 pub(crate) const MOST: usize = 100;
 const MOST_ROWS: usize = 2_000;
+/// The number of bisection steps for a multiplier: full floating-point accuracy.
+const HALVINGS: usize = 64;
 /// The method stops at this gradient, relative to that of the motion without constraints.
 const SMALL: f64 = 1e-12;
 
@@ -134,9 +136,9 @@ fn laws_at(step: &EngineStep, motion: &[f64]) -> Vec<Law> {
         Law { rows: vec![i], forces: vec![force], slope: vec![slope] }
     };
     let mut laws: Vec<Law> = (0..step.len()).filter(|&i| !is_of_cone[i]).map(single).collect();
-    for Cone { rows, roots, slope } in cones {
+    for Cone { rows, roots, slopes } in cones {
         let point: Vec<f64> = rows.iter().zip(&roots).map(|(&i, root)| root * wanted[i]).collect();
-        let (nearest, derivative) = onto_cone(&point, slope);
+        let (nearest, derivative) = onto_cone(point, &slopes);
         let forces = nearest.iter().zip(&roots).map(|(y, root)| y / root).collect();
         let count = rows.len();
         let slope = (0..count * count)
@@ -168,11 +170,11 @@ pub(crate) fn are_forces_of_motion(step: &EngineStep) -> bool {
 }
 
 /// The rows of a cone, the normal one first, the roots of their compliance, and the slope of the
-/// cone in the norm of the compliance.
+/// cone along each axis in the norm of the compliance.
 struct Cone {
     rows: Vec<usize>,
     roots: Vec<f64>,
-    slope: f64,
+    slopes: Vec<f64>,
 }
 
 fn cones(step: &EngineStep) -> Vec<Cone> {
@@ -185,39 +187,82 @@ fn cones(step: &EngineStep) -> Vec<Cone> {
     let with_friction = friction.into_iter().enumerate().filter(|(_, own)| !own.is_empty());
     let cone = |(normal, own): (usize, Vec<usize>)| {
         let root = |row: usize| step.gauss.compliance[row].sqrt();
-        let slopes = own.iter().map(|&row| root(row) * step.friction.mu[row] / root(normal));
-        let slope = slopes.sum::<f64>() / own.len() as f64;
+        let slope = |&row: &usize| root(row) * step.friction.mu[row] / root(normal);
+        let slopes = own.iter().map(slope).collect();
         let rows: Vec<usize> = [normal].into_iter().chain(own).collect();
-        Cone { roots: rows.iter().map(|&row| root(row)).collect(), rows, slope }
+        Cone { roots: rows.iter().map(|&row| root(row)).collect(), rows, slopes }
     };
     with_friction.map(cone).collect()
 }
 
-/// The nearest point of the circular cone |y_t| ≤ slope · y_n, and its derivative by rows.
-fn onto_cone(point: &[f64], slope: f64) -> (Vec<f64>, Vec<f64>) {
+/// The nearest point y of the cone √(Σ (y_i/m_i)²) ≤ y_n to a point z with z_n first, and its
+/// derivative by rows.
+///
+/// On the surface y_i = z_i m_i² / (m_i² + t) and y_n = N(t) = √(Σ (z_i m_i / (m_i² + t))²), where
+/// t > 0 is the zero of (1 − t) N(t) − z_n, which is decreasing.
+fn onto_cone(mut point: Vec<f64>, slopes: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let count = point.len();
-    let length = norm(&point[1..]);
-    let identity = |at: usize| f64::from(u8::from(at / count == at % count));
-    if length <= slope * point[0] {
-        return (point.to_vec(), (0..count * count).map(identity).collect());
+    // An axis without friction has no force.
+    let has_friction = |i: usize| i == 0 || slopes[i - 1] > 0.0;
+    (1..count).filter(|&i| !has_friction(i)).for_each(|i| point[i] = 0.0);
+    let axes: Vec<(f64, f64)> = point[1..].iter().copied().zip(slopes.iter().copied()).collect();
+    let sum = |term: &dyn Fn(f64, f64) -> f64| axes.iter().map(|&(z, m)| term(z, m)).sum::<f64>();
+    let length =
+        |t: f64| sum(&|z, m| if z == 0.0 { 0.0 } else { (z * m / (m * m + t)).powi(2) }).sqrt();
+    if length(0.0) <= point[0] {
+        let derivative =
+            |at: usize| f64::from(u8::from(at / count == at % count && has_friction(at % count)));
+        return (point, (0..count * count).map(derivative).collect());
     }
-    if slope * length <= -point[0] {
+    if sum(&|z, m| (z * m).powi(2)).sqrt() <= -point[0] {
         return (vec![0.0; count], vec![0.0; count * count]);
     }
-    let width = (1.0 + slope * slope).sqrt();
-    let axis: Vec<f64> = (0..count)
-        .map(|i| if i == 0 { 1.0 / width } else { slope * point[i] / length / width })
-        .collect();
-    let reach = dot(&axis, point);
-    let derivative = |at: usize| {
-        let (i, j) = (at / count, at % count);
-        let across = match i.min(j) {
-            0 => 0.0,
-            _ => identity(at) - point[i] * point[j] / (length * length),
-        };
-        axis[i] * axis[j] + reach * slope / (width * length) * across
+    let by_t = |t: f64, normal: f64| -sum(&|z, m| (z * m).powi(2) / (m * m + t).powi(3)) / normal;
+    let t = match circular(slopes) {
+        Some(m) => {
+            let side = sum(&|z, _| z * z).sqrt();
+            let t = m * (side - m * point[0]) / (point[0] + m * side);
+            // One step of Newton's method, because the slopes are equal up to rounding only.
+            let normal = length(t);
+            let slope = (1.0 - t) * by_t(t, normal) - normal;
+            t - ((1.0 - t) * normal - point[0]) / slope
+        }
+        None => multiplier(|t| (1.0 - t) * length(t) > point[0]),
     };
-    (axis.iter().map(|a| reach * a).collect(), (0..count * count).map(derivative).collect())
+    let normal = length(t);
+    // dN/dz_i, dN/dt and dt/dz_i, with z_n first.
+    let by_z: Vec<f64> =
+        axes.iter().map(|&(z, m)| z * (m / (m * m + t)).powi(2) / normal).collect();
+    let by_t = by_t(t, normal);
+    let bottom = (1.0 - t) * by_t - normal;
+    let of_t: Vec<f64> =
+        [1.0 / bottom].into_iter().chain(by_z.iter().map(|by| (t - 1.0) * by / bottom)).collect();
+    let mut nearest = vec![normal];
+    let mut derivative: Vec<f64> =
+        (0..count).map(|j| by_t * of_t[j] + if j == 0 { 0.0 } else { by_z[j - 1] }).collect();
+    for (i, &(z, m)) in axes.iter().enumerate() {
+        let part = if m > 0.0 { m * m / (m * m + t) } else { 0.0 };
+        nearest.push(z * part);
+        let own = |j: usize| if j == i + 1 { part } else { 0.0 };
+        derivative.extend((0..count).map(|j| own(j) - z * part / (m * m + t) * of_t[j]));
+    }
+    (nearest, derivative)
+}
+
+/// The slope of a cone that is circular up to rounding.
+fn circular(slopes: &[f64]) -> Option<f64> {
+    let mean = slopes.iter().sum::<f64>() / slopes.len() as f64;
+    slopes.iter().all(|slope| (slope - mean).abs() <= 1e-9 * mean).then_some(mean)
+}
+
+/// The t > 0 up to which a condition holds, by bisection of t / (1 + t).
+fn multiplier(is_below: impl Fn(f64) -> bool) -> f64 {
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if is_below(middle / (1.0 - middle)) { low = middle } else { high = middle }
+    }
+    high / (1.0 - high)
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {

@@ -162,6 +162,27 @@ fn a_bound_above_the_limit_is_tightened_by_an_accurate_motion() {
 }
 
 #[test]
+fn a_bound_is_tightened_for_cones_with_different_coefficients_along_their_axes() {
+    // M = J = compliance = 1. x = (5, 1 · 3, ¼ · 4) is on the surface of the cone with coefficients
+    // 1 and ¼, and w = (5, −3 / 1, −4 / ¼) on that of its dual, with x·w = 0: they are the solution,
+    // v = w − x = (0, −6, −17) and u* = v − x.
+    let unit = json!([[0, 0, 1.0], [1, 1, 1.0], [2, 2, 1.0]]);
+    let problem = json!({
+        "motion": {"mass": unit, "jacobian": unit, "bias": [0.0, 0.0, 0.0],
+            "compliance": [1.0, 1.0, 1.0], "target": [-5.0, -9.0, -18.0]},
+        "lo": [0.0, "-inf", "-inf"], "friction_index": [-1, 0, 0], "mu": [0.0, 1.0, 0.25],
+        "model": "associated-cone",
+    });
+    // On the surface of a cone a rounding error of x or w is the square of one of the bound.
+    let rounding = 1e-6;
+    for error in [1e-1, 1e-3, 1e-5] {
+        let answer = json!({"x": [5.0, 3.0, 1.0], "motion": [error, -6.0, -17.0]});
+        let bound = receipt(&problem, &answer).bound().unwrap();
+        assert!(bound >= error && bound < error + rounding, "{bound:e} of {error:e}");
+    }
+}
+
+#[test]
 fn a_negative_compliance_or_coefficient_of_friction_is_invalid() {
     let answer = json!({"x": [3.0], "motion": [-1.5]});
     let mut negative = stop();
