@@ -52,6 +52,7 @@ fn _lcplab(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(receipt::step_receipts, module)?)?;
     module.add_function(wrap_pyfunction!(receipt::frame_files, module)?)?;
     module.add_function(wrap_pyfunction!(receipt::read_frame, module)?)?;
+    module.add_function(wrap_pyfunction!(receipt::step_files, module)?)?;
     module.add_function(wrap_pyfunction!(run, module)?)?;
     Ok(())
 }

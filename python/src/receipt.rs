@@ -75,6 +75,20 @@ impl StepReceipt {
         py.detach(|| lcplab::number::plain(&self.0.text()))
     }
 
+    /// A step with fewer rows that shows the same error, as the arrays and the rest as JSON.
+    fn shrunk<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        py.detach(|| self.0.shrunk()).map(|step| fields(py, step)).transpose()
+    }
+
+    /// The names and texts of the files of its folder.
+    fn folder(&self, py: Python<'_>) -> PyResult<Vec<(&'static str, String)>> {
+        let files = || {
+            let step = self.0.step();
+            self.0.folder(&step.to_problem()?, &step.to_answer())
+        };
+        py.detach(files).map_err(refused)
+    }
+
     /// Without a bound on the motion, its distance from that of lcplab's own answer.
     fn difference(&self, py: Python<'_>) -> Option<f64> {
         py.detach(|| self.0.difference())
@@ -148,20 +162,25 @@ pub fn read_frame(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>> 
     let found = Frame::find(&path, most).map_err(refused)?;
     let frame = found.first().ok_or_else(|| refused(fault("path", "has no frame")))?;
     let step = frame.step(most).map_err(refused)?;
+    fields(py, step)
+}
+
+/// The problem file of a step, and the file with its answer.
+#[pyfunction]
+pub fn step_files(py: Python<'_>, step: Step<'_>) -> PyResult<(String, String)> {
+    let step = step.read().map_err(refused)?;
+    let problem = py.detach(|| step.to_problem()).map_err(refused)?;
+    Ok((problem.to_string(), step.to_answer().to_string()))
+}
+
+/// The arrays of a step, and the rest as JSON.
+fn fields(py: Python<'_>, step: EngineStep) -> PyResult<Bound<'_, PyDict>> {
     let fields = PyDict::new(py);
     let facts = serde_json::to_string(&StepFacts::of(&step));
     fields.set_item("facts", facts.map_err(|cause| refused(fault("facts", cause)))?)?;
-    let EngineStep { gauss, friction, answer, .. } = step;
-    let mass = gauss.mass;
-    let jacobian = gauss.jacobian.iter().enumerate();
-    let jacobian = jacobian.flat_map(|(i, row)| row.iter().map(move |&(j, value)| (i, j, value)));
-    let jacobian: Vec<(usize, usize, f64)> = jacobian.collect();
-    for (name, entries) in [("mass", mass), ("jacobian", jacobian)] {
-        let rows = PyArray1::from_iter(py, entries.iter().map(|entry| entry.0 as i64));
-        let columns = PyArray1::from_iter(py, entries.iter().map(|entry| entry.1 as i64));
-        let values = PyArray1::from_iter(py, entries.iter().map(|entry| entry.2));
-        fields.set_item(name, (rows, columns, values))?;
-    }
+    let EngineStep { gauss, friction, answer, expected, .. } = step;
+    fields.set_item("mass", triplets(py, &gauss.mass))?;
+    fields.set_item("jacobian", triplets(py, &entries_of_rows(&gauss.jacobian)))?;
     let EngineAnswer { forces, motion, reported_push } = answer;
     for (name, values) in [
         ("bias", gauss.bias),
@@ -179,6 +198,11 @@ pub fn read_frame(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>> 
     fields.set_item("reported_push", reported_push)?;
     let index = friction.index.iter().map(|normal| normal.map_or(-1, |normal| normal as i64));
     fields.set_item("friction_index", PyArray1::from_iter(py, index))?;
+    let jacobian = expected.jacobian.map(|rows| entries_of_rows(&rows));
+    fields.set_item("expected_jacobian", jacobian.map(|entries| triplets(py, &entries)))?;
+    for (name, values) in [("expected_bias", expected.bias), ("expected_target", expected.target)] {
+        fields.set_item(name, values.map(|values| PyArray1::from_vec(py, values)))?;
+    }
     Ok(fields)
 }
 
@@ -237,6 +261,24 @@ impl Step<'_> {
         step.check("step")?;
         Ok(step)
     }
+}
+
+type Arrays<'py, T> = Bound<'py, PyArray1<T>>;
+
+fn triplets<'py>(
+    py: Python<'py>,
+    entries: &[(usize, usize, f64)],
+) -> (Arrays<'py, i64>, Arrays<'py, i64>, Arrays<'py, f64>) {
+    (
+        PyArray1::from_iter(py, entries.iter().map(|entry| entry.0 as i64)),
+        PyArray1::from_iter(py, entries.iter().map(|entry| entry.1 as i64)),
+        PyArray1::from_iter(py, entries.iter().map(|entry| entry.2)),
+    )
+}
+
+fn entries_of_rows(rows: &[Vec<(usize, f64)>]) -> Vec<(usize, usize, f64)> {
+    let rows = rows.iter().enumerate();
+    rows.flat_map(|(i, row)| row.iter().map(move |&(j, value)| (i, j, value))).collect()
 }
 
 fn normal_row(normal: i64) -> Result<Option<usize>> {

@@ -82,3 +82,19 @@ def test_the_folder_has_a_page_with_a_picture_and_files_that_the_command_judges(
         assert {"mass", "jacobian", "target"} <= set(problem["motion"])
         assert _lcplab.run(["lcplab", "receipts", str(tmp_path / f"{stem}.json")]) == 1
         assert "1 rejected" in capfd.readouterr().out
+
+
+def test_a_step_with_a_cone_that_the_judge_does_not_take_has_a_folder_too(tmp_path, capfd):
+    # Unit masses and rows: x = (5, 1 * 3, 0.25 * 4) is on the cone with the coefficients 1 and 0.25. Half of it is no solution.
+    eye, x = np.eye(3), np.array([5.0, 3.0, 1.0])
+    step = lcplab.EngineStep.of("mine", eye, eye, np.zeros(3), [-5.0, -9.0, -18.0], x / 2, compliance=1.0, lo=[0, -np.inf, -np.inf],
+                                friction_index=[-1, 0, 0], mu=[0, 1.0, 0.25])
+    receipt = lcplab.receipt(step)
+    assert receipt.stage == "solver"
+    receipt.save(tmp_path)
+    with pytest.raises(lcplab.InputError, match="two equal coefficients"):
+        receipt.write(tmp_path / "a.json", tmp_path / "a.x.json")
+    from lcplab import _lcplab
+
+    assert _lcplab.run(["lcplab", "receipts", str(tmp_path / "frame.json")]) == 1
+    assert "rejected at solver: 1" in capfd.readouterr().out

@@ -244,6 +244,15 @@ fn say(line: &str) {
     let _ = writeln!(std::io::stderr().lock(), "{}", plain(&printable(line)));
 }
 
+/// The text of a recorded run with which this one is compared.
+fn baseline_text(path: &Path) -> Result<String> {
+    if !file::is_there(path) {
+        let reason = "there is no such file; record it with --update, in a run that you trust";
+        return Err(Error::File { path: path.display().to_string(), reason: reason.into() });
+    }
+    file::read(path, file::WRITTEN_BY_HAND)
+}
+
 /// The problem of a file, in the format of its extension; JSON by default.
 fn read_problem(path: &Path, most: Memory) -> Result<Problem> {
     let problem = exchange::read_within(path, None, most)?;

@@ -7,10 +7,10 @@ use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::report::study::receipt::{Baseline, Receipt, Run};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use super::limits::MemoryLimit;
-use super::{Outcome, print, say};
+use super::{Outcome, baseline_text, print, say};
 use crate::frames::Frame;
 
 /// Check recorded steps of a physics engine, and compare with a recorded run
@@ -104,8 +104,7 @@ impl Receipts {
     /// The baseline to compare with; none if this run becomes the baseline.
     fn recorded(&self) -> Result<Option<Baseline>> {
         let Some(path) = self.baseline.as_ref().filter(|_| !self.update) else { return Ok(None) };
-        let text = file::read(path, file::WRITTEN_BY_HAND)?;
-        Baseline::from_json(&path.display().to_string(), &text).map(Some)
+        Baseline::from_json(&path.display().to_string(), &baseline_text(path)?).map(Some)
     }
 
     fn write(&self, run: &Run, frames: &[Frame]) -> Result<()> {
@@ -127,17 +126,11 @@ impl Receipts {
         Ok(())
     }
 
-    /// Writes a folder with the problem, the engine's answer, and the receipt as text and as JSON.
+    /// Writes the folder of a frame: its problem and answer, its receipt, and a page.
     fn save(&self, frame: &Frame, receipt: &Receipt, out: &Path) -> Result<()> {
         let (problem, answer) = frame.read(self.memory.max_memory)?;
         let folder = folder_name(&frame.name());
-        let files = [
-            ("frame.json", format!("{problem}\n")),
-            ("frame.x.json", format!("{answer}\n")),
-            ("receipt.txt", format!("{}\n", lcplab::number::plain(&receipt.text()))),
-            ("receipt.json", format!("{:#}\n", json!(receipt.to_json()))),
-        ];
-        for (name, text) in files {
+        for (name, text) in receipt.folder(&problem, &answer)? {
             file::write_in(out, Path::new(&folder).join(name), text)?;
         }
         say(&format!("written: {}", out.join(folder).display()));

@@ -17,7 +17,7 @@ use serde_json::json;
 
 use super::limits::Limits;
 use super::plugin::Plugins;
-use super::{Outcome, bar, print, say, warn};
+use super::{Outcome, bar, baseline_text, print, say, warn};
 use crate::cli::options::SolverArgs;
 
 /// Test your solver on problems, and compare with a recorded run
@@ -132,7 +132,7 @@ impl Test {
     fn recorded(&self) -> Result<Option<Run>> {
         let Some(path) = self.baseline.as_ref().filter(|_| !self.update) else { return Ok(None) };
         let input = path.display().to_string();
-        let run = Run::from_json(&input, &file::read(path, file::WRITTEN_BY_HAND)?)?;
+        let run = Run::from_json(&input, &baseline_text(path)?)?;
         let tolerance = self.solve.demand().tolerance;
         if run.tolerance != tolerance {
             let reason = format!("is {:e}, this run has {tolerance:e}", run.tolerance);

@@ -253,3 +253,49 @@ fn a_folder_whose_solver_answers_were_not_checked_is_not_ok() {
     let why = "no frame is ok or wrong: 1 unconverged";
     assert_eq!((code, &report["unchecked"]), (Some(1), &json!(why)), "{report}");
 }
+
+/// Four balls of 2 kg fall at 3 m/s on rows of compliance ½ s/kg; the impulse of the third is 2
+/// instead of 3 N s.
+#[test]
+fn the_folder_of_a_rejected_frame_has_a_page_with_a_picture_and_the_row_that_shows_the_error() {
+    let folder = tempfile::tempdir().unwrap();
+    let (frames, worst) = (folder.path().join("frames"), folder.path().join("worst"));
+    let diagonal = |value: f64| (0..4).map(|i| json!([i, i, value])).collect::<Value>();
+    let rows = |i: usize| json!({"label": format!("ball <{i}>"), "bodies": [format!("ball {i}")]});
+    let balls = json!({
+        "b": [-3.0, -3.0, -3.0, -3.0],
+        "motion": {"mass": diagonal(2.0), "jacobian": diagonal(1.0), "bias": [0.0, 0.0, 0.0, 0.0],
+            "compliance": [0.5, 0.5, 0.5, 0.5], "target": [-3.0, -3.0, -3.0, -3.0]},
+        "rows": (0..4).map(rows).collect::<Value>(),
+        "answer": {"x": [3.0, 3.0, 2.0, 3.0], "motion": [-1.5, -1.5, -2.0, -1.5]},
+    });
+    write(&frames, "a.json", &balls);
+    assert_eq!(checked(&[text(&frames), "--out", text(&worst)]).1, Some(1));
+    let place = std::fs::read_dir(&worst).unwrap().next().unwrap().unwrap().path();
+    let read = |name: &str| std::fs::read_to_string(place.join(name)).unwrap();
+    let files = ["frame.json", "frame.x.json", "receipt.json", "receipt.txt"];
+    assert!(files.iter().all(|name| !read(name).is_empty()));
+    let page = read("receipt.html");
+    assert_eq!(page.matches("<circle").count(), 4, "{page}");
+    assert!(page.contains(">ball &lt;2&gt;</text>") && page.contains("wrong: solver"), "{page}");
+    let smaller: Value = serde_json::from_str(&read("shrunk.json")).unwrap();
+    assert_eq!(smaller["rows"].as_array().unwrap().len(), 1);
+    assert_eq!(smaller["rows"][0]["label"], "ball <2>");
+    let judged =
+        run(&["judge", text(&place.join("shrunk.json")), text(&place.join("shrunk.x.json"))]);
+    assert_eq!(judged.status.code(), Some(1), "{}", err(&judged));
+}
+
+#[test]
+fn a_baseline_that_does_not_exist_is_named_with_the_option_that_records_it() {
+    let folder = tempfile::tempdir().unwrap();
+    frame(folder.path(), "a", RIGHT);
+    let known = folder.path().join("known.json");
+    let arguments = ["receipts", text(folder.path()), "--baseline", text(&known)];
+    let output = run(&arguments);
+    assert_eq!(output.status.code(), Some(2));
+    let message = format!("{}: there is no such file; record it with --update", text(&known));
+    assert!(err(&output).contains(&message), "{}", err(&output));
+    assert_eq!(run(&[&arguments[..], &["--update"]].concat()).status.code(), Some(0));
+    assert_eq!(run(&arguments).status.code(), Some(0));
+}

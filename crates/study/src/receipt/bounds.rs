@@ -160,7 +160,7 @@ pub(crate) fn own_answer(step: &EngineStep) -> Option<EngineStep> {
 }
 
 /// A = J M⁻¹Jᵀ + compliance.
-fn matrix(step: &EngineStep) -> Matrix {
+pub(super) fn matrix(step: &EngineStep) -> Matrix {
     let n = step.len();
     let factor = MassFactor::of(&step.gauss.mass, step.gauss.target.len());
     let mut a = vec![0.0; n * n];

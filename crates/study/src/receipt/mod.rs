@@ -33,12 +33,15 @@ mod bounds;
 mod definite;
 mod finding;
 mod finite;
+mod folder;
 mod frequency;
 mod law;
 mod limits;
 mod newton;
+mod page;
 mod read;
 mod run;
+mod shrink;
 mod stages;
 mod step;
 

@@ -3,6 +3,7 @@
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Col, Mat, Side};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::friction::Model;
@@ -35,6 +36,9 @@ pub struct Source {
     pub gravity: f64,
     /// The scene; may be empty.
     pub name: String,
+    /// The engine's settings, for files only.
+    #[serde(skip_serializing_if = "Value::is_null")]
+    pub settings: Value,
 }
 
 impl Default for Source {
@@ -50,6 +54,7 @@ impl Default for Source {
             own_tolerance: 0.0,
             gravity: 0.0,
             name: String::new(),
+            settings: Value::Null,
         }
     }
 }

@@ -13,8 +13,6 @@ from typing import Any
 from lcplab import _lcplab
 from lcplab._receipt import files
 from lcplab._receipt.findings import Finding, Report
-from lcplab._receipt.page import page
-from lcplab._receipt.shrink import shrunk
 from lcplab._receipt.step import Step
 
 #: An error above this fraction of its limit is worth a look.
@@ -153,17 +151,8 @@ class Receipt:
         assembly unless an adapter's expected values show them, are those of the model and the state: their steps are
         not shrunk.
         """
-        if self.rejected is None or not self.step.is_definite() or not self._shows_it(self.step):
-            return None
-        found = shrunk(self.step, self._shows_it)
-        return found if len(found) < len(self.step) else None
-
-    def _shows_it(self, step: Step) -> bool:
-        """Whether a step is rejected at the same stage, with at least half of the error."""
-        own = receipts_of([(step, None)], self.limit)[0]
-        if own.rejected is None or self.rejected is None or own.stage != self.stage:
-            return False
-        return not own.rejected.error * own.effect < self.rejected.error * self.effect / 2
+        fields = self._own.shrunk()
+        return None if fields is None else Step._of_frame(fields)
 
     def save(self, folder: str | os.PathLike[str]) -> Path:
         """Write a folder for a report of a defect; its path.
@@ -174,13 +163,8 @@ class Receipt:
         """
         place = Path(folder)
         place.mkdir(parents=True, exist_ok=True)
-        self.write(place / "frame.json", place / "frame.x.json")
-        smaller = self.shrunk()
-        if smaller is not None:
-            files.write(smaller, place / "shrunk.json", place / "shrunk.x.json")
-        (place / "receipt.html").write_text(page(self.step, str(self), self.row, smaller is not None), encoding="utf-8")
-        (place / "receipt.txt").write_text(f"{self}\n", encoding="utf-8")
-        (place / "receipt.json").write_text(json.dumps(self.to_json(), indent=1) + "\n", encoding="utf-8")
+        for name, text in self._own.folder():
+            (place / name).write_text(text, encoding="utf-8")
         return place
 
 

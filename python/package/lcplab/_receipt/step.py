@@ -6,12 +6,14 @@ import json
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lcplab._lcplab import InputError
+from lcplab._receipt.blocks import Blocks
 from lcplab._receipt.given import Given
 
 Array = NDArray[np.float64]
@@ -181,7 +183,7 @@ class Step:
 
     def with_motion_of_forces(self, why: str = "which the engine does not report") -> Step:
         """The same step with the motion that its forces cause instead of the engine's, which is then not checked."""
-        change = np.linalg.solve(self.dense_mass(), self.push(self.forces)) if len(self.target) else 0.0
+        change = self.mass_blocks.solve(self.push(self.forces))
         not_checked = [*self.not_checked, f"write-back: the motion, {why}"]
         return replace(self, motion=self.target + change, not_checked=not_checked, has_computed_motion=True)
 
@@ -195,13 +197,14 @@ class Step:
         mass[self.mass[0], self.mass[1]] = self.mass[2]
         return mass + np.triu(mass, 1).T
 
+    @cached_property
+    def mass_blocks(self) -> Blocks:
+        """M by its independent diagonal blocks."""
+        return Blocks.of(self.mass, len(self.target))
+
     def is_definite(self) -> bool:
         """Whether M is positive definite, up to rounding."""
-        try:
-            np.linalg.cholesky(self.dense_mass())
-        except np.linalg.LinAlgError:
-            return False
-        return True
+        return self.mass_blocks.is_definite()
 
     def dense_jacobian(self) -> Array:
         """J, (n, k)."""
@@ -254,12 +257,13 @@ class Step:
             vectors[name] = None if values is None else np.ascontiguousarray(values, dtype=float)
         facts = {
             "source": self._source(), "level": self.level, "model": self.model,
-            "rows": [{"label": row.label, "kind": row.kind, "bodies": list(row.bodies)} for row in self.rows],
             "dof_bodies": list(self.dof_bodies), "not_checked": list(self.not_checked), "no_bound": self.no_bound or None,
             "has_computed_motion": self.has_computed_motion,
         }
         triplets = {"mass": self.mass, "jacobian": self.jacobian, "expected_jacobian": self.expected_jacobian}
-        return {**triplets, **vectors, "friction_index": self.friction_index, "facts": json.dumps(facts)}
+        rows = ", ".join(map(_written, self.rows))
+        text = f'{json.dumps(facts)[:-1]}, "rows": [{rows}]}}'
+        return {**triplets, **vectors, "friction_index": self.friction_index, "facts": text}
 
     def _source(self) -> dict[str, Any]:
         """Where the step comes from, as in a problem file."""
@@ -267,6 +271,7 @@ class Step:
             "engine": self.engine, "version": self.version, "method": self.method, "bits": int(self.bits),
             "iterations": int(self.iterations), "has_converged": bool(self.has_converged), "time": number(self.time),
             "own_tolerance": number(self.own_tolerance), "gravity": number(self.gravity), "name": self.name,
+            "settings": {key: plain(value) for key, value in self.settings.items()},
         }
 
     @classmethod
@@ -279,7 +284,21 @@ class Step:
         for name in ("time", "own_tolerance", "gravity"):
             source[name] = float(source[name])
         facts["no_bound"] = facts["no_bound"] or ""
+        source.setdefault("settings", {})
         return cls(**arrays, **source, **facts, rows=rows)
+
+
+@lru_cache(4096)
+def _written(row: Row) -> str:
+    """The names of a row as JSON; the rows of a contact have the same ones, as have those of the next step."""
+    return json.dumps({"label": row.label, "kind": row.kind, "bodies": row.bodies})
+
+
+def plain(value: Any) -> Any:
+    """A setting for JSON."""
+    if hasattr(value, "item"):
+        return value.item()
+    return value if isinstance(value, (int, float, str, bool)) else str(value)
 
 
 def number(value: float) -> float | str:
