@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 import numpy as np
 
 from lcplab._receipt.findings import Finding, Report
-from lcplab._receipt.geometry import EXACT, Shape, distance
+from lcplab._receipt.geometry import EXACT, Shape, distances
 
 #: The largest accepted difference of distances, relative to the size of the smaller shape.
 LIMIT = 1e-5
@@ -33,9 +33,9 @@ def check(
     wrong = Finding("collision", "the distance of a contact differs from that of its shapes", 0.0, LIMIT)
     unknown: set[str] = set()
     near = _near(shapes, list(pairs))
-    for one, other in near:
+    gaps = distances([shapes[one] for one, _ in near], [shapes[other] for _, other in near])
+    for (one, other), gap in zip(near, gaps):
         first, second = shapes[one], shapes[other]
-        gap = distance(first, second)
         if gap is None:
             unknown.add(_kinds(first, second))
             continue
@@ -65,8 +65,9 @@ def _kinds(first: Shape, second: Shape) -> str:
 
 def _size(shape: Shape) -> float:
     """The smallest radius or half edge (m)."""
-    sizes = {"plane": np.inf, "sphere": shape.size[0], "capsule": shape.size[0]}
-    return float(sizes.get(shape.kind, np.min(shape.size)))
+    if shape.kind == "plane":
+        return np.inf
+    return float(shape.size[0] if shape.kind in ("sphere", "capsule") else min(shape.size.tolist()))
 
 
 def _near(shapes: Mapping[int, Shape], pairs: list[tuple[int, int]]) -> list[tuple[int, int]]:

@@ -5,7 +5,8 @@ Negative where shapes overlap. A plane is ``z <= 0`` of its axes, a capsule lies
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -26,27 +27,40 @@ class Shape:
     #: The distance (m) from which on it has contacts; negative if only where it overlaps more.
     margin: float = 0.0
 
-    def local(self, point: Array) -> Array:
-        """A point in its axes."""
-        return np.asarray((point - self.center) @ self.axes)
-
     @property
     def radius(self) -> float:
         """Of a sphere around it; infinite for a plane."""
-        reach = {"plane": np.inf, "sphere": self.size[0], "capsule": self.size[:2].sum()}
-        return float(reach.get(self.kind, np.linalg.norm(self.size)))
+        if self.kind == "plane":
+            return math.inf
+        sizes = self.size.tolist()
+        return {"sphere": sizes[0], "capsule": sum(sizes[:2])}.get(self.kind, math.hypot(*sizes))
+
+
+@dataclass(frozen=True)
+class Many:
+    """Shapes of one kind: sizes and centers, (n, 3), and axes, (n, 3, 3)."""
+
+    size: Array
+    center: Array
+    axes: Array
+
+    @classmethod
+    def of(cls, shapes: Sequence[Shape]) -> Many:
+        """These shapes."""
+        sizes = np.zeros((len(shapes), 3))
+        for row, shape in zip(sizes, shapes):
+            row[: len(shape.size)] = shape.size
+        return cls(sizes, np.array([shape.center for shape in shapes]), np.array([shape.axes for shape in shapes]))
+
+    def local(self, points: Array) -> Array:
+        """A point for each shape in its axes, (n, 3)."""
+        return _along(points - self.center, self.axes)
 
     @property
-    def ends(self) -> Array:
-        """The ends of a capsule's line, (2, 3)."""
-        half = self.axes[:, 2] * self.size[1]
-        return np.array([self.center - half, self.center + half])
-
-    @property
-    def corners(self) -> Array:
-        """The corners of a box, (8, 3)."""
-        signs = np.array(np.meshgrid([-1, 1], [-1, 1], [-1, 1])).reshape(3, -1).T
-        return np.asarray(self.center + (signs * self.size) @ self.axes.T)
+    def ends(self) -> tuple[Array, Array]:
+        """The ends of capsules' lines, (n, 3) each."""
+        half = self.axes[:, :, 2] * self.size[:, 1:2]
+        return self.center - half, self.center + half
 
 
 def distance(first: Shape, second: Shape) -> float | None:
@@ -62,69 +76,99 @@ def distance(first: Shape, second: Shape) -> float | None:
     >>> round(distance(ball, box), 12)
     -0.15
     """
-    for one, other in ((first, second), (second, first)):
-        pair = _PAIRS.get((one.kind, other.kind))
-        if pair:
-            return float(pair(one, other))
-    return None
+    return distances([first], [second])[0]
 
 
-def _plane_sphere(plane: Shape, ball: Shape) -> float:
-    return float(plane.local(ball.center)[2] - ball.size[0])
+def distances(firsts: Sequence[Shape], seconds: Sequence[Shape]) -> list[float | None]:
+    """The signed distances of pairs; those of the same kinds are computed together."""
+    found: list[float | None] = [None] * len(firsts)
+    groups: dict[tuple[str, str], list[tuple[int, Shape, Shape]]] = {}
+    for number, (first, second) in enumerate(zip(firsts, seconds)):
+        if (first.kind, second.kind) not in _PAIRS:
+            first, second = second, first
+        groups.setdefault((first.kind, second.kind), []).append((number, first, second))
+    for kinds, group in groups.items():
+        if kinds in _PAIRS:
+            numbers, one, other = zip(*group)
+            for number, gap in zip(numbers, _PAIRS[kinds](Many.of(one), Many.of(other)).tolist()):
+                found[number] = gap
+    return found
 
 
-def _plane_capsule(plane: Shape, rod: Shape) -> float:
-    return float(min(plane.local(end)[2] for end in rod.ends) - rod.size[0])
+def _along(vectors: Array, axes: Array) -> Array:
+    """The components of vectors along axes in columns, (n, 3)."""
+    return np.asarray(np.einsum("ni,nij->nj", vectors, axes))
 
 
-def _plane_box(plane: Shape, box: Shape) -> float:
-    return float(min(plane.local(corner)[2] for corner in box.corners))
+def _plane_sphere(plane: Many, ball: Many) -> Array:
+    return np.asarray(plane.local(ball.center)[:, 2] - ball.size[:, 0])
 
 
-def _sphere_sphere(first: Shape, second: Shape) -> float:
-    return float(np.linalg.norm(first.center - second.center) - first.size[0] - second.size[0])
+def _plane_capsule(plane: Many, rod: Many) -> Array:
+    first, last = rod.ends
+    return np.asarray(np.minimum(plane.local(first)[:, 2], plane.local(last)[:, 2]) - rod.size[:, 0])
 
 
-def _sphere_capsule(ball: Shape, rod: Shape) -> float:
-    return _point_to_line(ball.center, *rod.ends) - float(ball.size[0] + rod.size[0])
+def _plane_box(plane: Many, box: Many) -> Array:
+    # The lowest corner is that against the normal along each axis of the box.
+    reach = np.sum(np.abs(_along(plane.axes[:, :, 2], box.axes)) * box.size, axis=1)
+    return np.asarray(plane.local(box.center)[:, 2] - reach)
 
 
-def _sphere_box(ball: Shape, box: Shape) -> float:
+def _sphere_sphere(first: Many, second: Many) -> Array:
+    return np.asarray(_length(first.center - second.center) - first.size[:, 0] - second.size[:, 0])
+
+
+def _sphere_capsule(ball: Many, rod: Many) -> Array:
+    return _point_to_line(ball.center, *rod.ends) - ball.size[:, 0] - rod.size[:, 0]
+
+
+def _sphere_box(ball: Many, box: Many) -> Array:
     beyond = np.abs(box.local(ball.center)) - box.size
-    outside = float(np.linalg.norm(np.maximum(beyond, 0.0)))
-    return outside + min(float(beyond.max()), 0.0) - float(ball.size[0])
+    outside = _length(np.maximum(beyond, 0.0))
+    return np.asarray(outside + np.minimum(beyond.max(axis=1), 0.0) - ball.size[:, 0])
 
 
-def _capsule_capsule(first: Shape, second: Shape) -> float:
+def _capsule_capsule(first: Many, second: Many) -> Array:
     (a, b), (c, d) = first.ends, second.ends
-    apart = min(_point_to_line(a, c, d), _point_to_line(b, c, d), _point_to_line(c, a, b), _point_to_line(d, a, b))
+    ends = [_point_to_line(a, c, d), _point_to_line(b, c, d), _point_to_line(c, a, b), _point_to_line(d, a, b)]
     u, v, w = b - a, d - c, a - c
-    across = u @ u * (v @ v) - (u @ v) ** 2
-    if across > 1e-12 * (u @ u) * (v @ v):
-        s = ((u @ v) * (v @ w) - (v @ v) * (u @ w)) / across
-        t = ((u @ u) * (v @ w) - (u @ v) * (u @ w)) / across
-        if 0 <= s <= 1 and 0 <= t <= 1:
-            apart = min(apart, float(np.linalg.norm(w + s * u - t * v)))
-    return apart - float(first.size[0] + second.size[0])
+    uu, vv, uv, uw, vw = (np.sum(one * other, axis=1) for one, other in ((u, u), (v, v), (u, v), (u, w), (v, w)))
+    across = uu * vv - uv**2
+    is_crossed = across > 1e-12 * uu * vv
+    across = np.where(is_crossed, across, 1.0)
+    s, t = (uv * vw - vv * uw) / across, (uu * vw - uv * uw) / across
+    is_crossed &= (s >= 0) & (s <= 1) & (t >= 0) & (t <= 1)
+    between = _length(w + s[:, None] * u - t[:, None] * v)
+    apart = np.minimum(np.min(ends, axis=0), np.where(is_crossed, between, np.inf))
+    return np.asarray(apart - first.size[:, 0] - second.size[:, 0])
 
 
-def _box_box(first: Shape, second: Shape) -> float:
-    crossed = np.cross(first.axes.T[:, None], second.axes.T[None, :]).reshape(9, 3)
-    axes = np.vstack([first.axes.T, second.axes.T, crossed])
-    lengths = np.linalg.norm(axes, axis=1)
-    axes = axes[lengths >= 1e-9] / lengths[lengths >= 1e-9, None]
-    reach = sum(np.abs(axes @ box.axes) @ box.size for box in (first, second))
-    return float(np.max(np.abs(axes @ (second.center - first.center)) - reach))
+def _box_box(first: Many, second: Many) -> Array:
+    one, other = np.swapaxes(first.axes, 1, 2), np.swapaxes(second.axes, 1, 2)
+    crossed = np.cross(one[:, :, None], other[:, None, :]).reshape(-1, 9, 3)
+    lengths = _length(crossed)
+    is_axis = lengths >= 1e-9
+    crossed = crossed / np.where(is_axis, lengths, 1.0)[..., None]
+    axes = np.concatenate([one, other, crossed], axis=1)
+    reach = sum((np.abs(axes @ box.axes) @ box.size[..., None])[..., 0] for box in (first, second))
+    gaps = np.abs(axes @ (second.center - first.center)[..., None])[..., 0] - reach
+    gaps[:, 6:][~is_axis] = -np.inf
+    return np.asarray(gaps.max(axis=1))
 
 
-def _point_to_line(point: Array, start: Array, end: Array) -> float:
-    along = end - start
-    length = float(along @ along)
-    part = 0.0 if length == 0 else min(max(float((point - start) @ along) / length, 0.0), 1.0)
-    return float(np.linalg.norm(point - start - part * along))
+def _point_to_line(points: Array, starts: Array, ends: Array) -> Array:
+    along, apart = ends - starts, points - starts
+    length = np.sum(along**2, axis=1)
+    part = np.clip(np.sum(apart * along, axis=1) / np.where(length == 0, 1.0, length), 0.0, 1.0)
+    return _length(apart - part[:, None] * along)
 
 
-_PAIRS: dict[tuple[str, str], Callable[[Shape, Shape], float]] = {
+def _length(vectors: Array) -> Array:
+    return np.asarray(np.sqrt(np.sum(vectors**2, axis=-1)))
+
+
+_PAIRS: dict[tuple[str, str], Callable[[Many, Many], Array]] = {
     ("plane", "sphere"): _plane_sphere,
     ("plane", "capsule"): _plane_capsule,
     ("plane", "box"): _plane_box,

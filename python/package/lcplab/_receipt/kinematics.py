@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from lcplab._receipt.step import Array
+from lcplab._receipt.step import Array, Rows
 
 #: The time step (s) of second differences, which are accurate to about nine digits.
 SECOND = 1e-3
@@ -42,13 +42,19 @@ class Kinematics:
         # The truncation error, size² of a rotation, equals the rounding error, EPSILON * reach / size.
         self.first = size = float(np.cbrt(EPSILON * self.reach))
         linear, angular = np.zeros((2, model.nbody, 3, model.nv))
-        unit = np.zeros(model.nv)
-        for dof in range(model.nv):
-            unit[dof] = 1.0
-            (p, after), (q, before) = self.along(unit, size), self.along(unit, -size)
-            linear[:, :, dof] = (p - q) / (2 * size)
-            angular[:, :, dof] = turn(after, before) / (2 * size)
-            unit[dof] = 0.0
+        rounds = trees_of(model).rounds
+        after, before = [], []
+        for dofs, _, _ in rounds:
+            velocity = np.zeros(model.nv)
+            velocity[dofs] = 1.0
+            after.append(self.along(velocity, size))
+            before.append(self.along(velocity, -size))
+        if rounds:
+            (p, a), (q, b) = ([np.array(part) for part in zip(*poses)] for poses in (after, before))
+            moved, turned = (p - q) / (2 * size), turn(a, b) / (2 * size)
+            for number, (_, bodies, columns) in enumerate(rounds):
+                linear[bodies, :, columns] = moved[number, bodies]
+                angular[bodies, :, columns] = turned[number, bodies]
         self.linear, self.angular = linear, angular
 
     def along(self, velocity: Array, time: float) -> tuple[Array, Array]:
@@ -79,11 +85,73 @@ class Kinematics:
         """The error of these accelerations by rounding of the poses (m/s²)."""
         return 8 * EPSILON * self.reach / interval(velocity) ** 2
 
+    @property
+    def trees(self) -> list[tuple[Rows, Rows]]:
+        """Bodies and degrees of freedom of trees that have as many, (trees, bodies) and (trees, dofs)."""
+        return trees_of(self.model).groups
+
+    def of_trees(self, bodies: Rows, dofs: Rows) -> tuple[Array, Array]:
+        """Linear and angular velocities of trees, (trees, bodies, 3, dofs)."""
+        part = bodies[:, :, None, None], np.arange(3)[:, None], dofs[:, None, None, :]
+        return self.linear[part], self.angular[part]
+
+    def flat(self) -> tuple[Array, Array]:
+        """Linear and angular velocities as matrices, (3 bodies, k)."""
+        return self.linear.reshape(-1, self.model.nv), self.angular.reshape(-1, self.model.nv)
+
     def point(self, body: int, at: Array) -> Array:
         """The velocity of a body's point that each degree of freedom gives, (3, k)."""
-        x, y, z = at - self.centers[body]
-        turning = np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]])  # turning @ w = w × arm
-        return np.asarray(self.linear[body] + turning @ self.angular[body])
+        return np.asarray(self.points(np.array([body]), at[None])[0])
+
+    def points(self, bodies: Rows, at: Array) -> Array:
+        """The velocities of a point of each of these bodies that each degree of freedom gives, (points, 3, k)."""
+        x, y, z = (at - self.centers[bodies]).T
+        zero = np.zeros(len(bodies))
+        turning = np.array([[zero, z, -y], [-z, zero, x], [y, -x, zero]])  # turning @ w = w × arm
+        return np.asarray(self.linear[bodies] + np.moveaxis(turning, 2, 0) @ self.angular[bodies])
+
+
+class Trees:
+    """The trees of a compiled model, which do not change: the bodies that hang on one child of the world.
+
+    Attributes
+    ----------
+    rounds : list of (dofs, bodies, columns)
+        Degrees of freedom that move different bodies, which one pair of poses measures: at most one of each tree. With them,
+        the bodies that can move with one of them, and which one that is.
+    groups : list of (bodies, dofs)
+        Trees of as many bodies and degrees of freedom: (trees, bodies) and (trees, dofs).
+    """
+
+    def __init__(self, model: Any) -> None:
+        roots = np.asarray(model.body_rootid)
+        of_dof = roots[np.asarray(model.dof_bodyid)]
+        place = np.zeros(model.nv, dtype=np.int64)
+        sizes: dict[tuple[int, int], list[tuple[Rows, Rows]]] = {}
+        for root in np.unique(of_dof):
+            bodies, dofs = np.flatnonzero(roots == root), np.flatnonzero(of_dof == root)
+            place[dofs] = np.arange(len(dofs))
+            sizes.setdefault((len(bodies), len(dofs)), []).append((bodies, dofs))
+        self.groups = [(np.array([own for own, _ in group]), np.array([own for _, own in group])) for group in sizes.values()]
+        self.rounds = []
+        for number in range(int(place.max(initial=-1)) + 1):
+            dofs = np.flatnonzero(place == number)
+            moves = np.full(model.nbody, -1, dtype=np.int64)
+            moves[of_dof[dofs]] = dofs
+            columns = moves[roots]
+            bodies = np.flatnonzero(columns >= 0)
+            self.rounds.append((dofs, bodies, columns[bodies]))
+
+
+_trees: list[Any] = []
+
+
+def trees_of(model: Any) -> Trees:
+    """The trees of the model that was read last are kept."""
+    if not _trees or _trees[0] is not model:
+        _trees[:] = [model, Trees(model)]
+    own: Trees = _trees[1]
+    return own
 
 
 def interval(velocity: Array) -> float:
@@ -119,7 +187,7 @@ def differences(model: Any, data: Any, qpos: Array) -> tuple[Array, Array]:
 
 
 def turn(after: Array, before: Array) -> Array:
-    """The rotation vectors (rad) of small turns, (bodies, 3), world axes."""
-    change = after @ np.swapaxes(before, 1, 2)
-    skew = (change - np.swapaxes(change, 1, 2)) / 2
-    return np.stack([skew[:, 2, 1], skew[:, 0, 2], skew[:, 1, 0]], axis=1)
+    """The rotation vectors (rad) of small turns, world axes: (..., 3) of axes (..., 3, 3)."""
+    change = after @ np.swapaxes(before, -1, -2)
+    skew = (change - np.swapaxes(change, -1, -2)) / 2
+    return np.stack([skew[..., 2, 1], skew[..., 0, 2], skew[..., 1, 0]], axis=-1)

@@ -7,11 +7,12 @@ friction losses) or elliptic cones. So the motion is an acceleration (m/s²), x 
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
-from lcplab._receipt.step import Array, Row, Rows, Step, stored
+from lcplab._receipt.step import Array, Row, Rows, Step, Triplets, stored
 
 METHODS = {0: "pgs", 1: "cg", 2: "newton"}
 RK4, IMPLICIT_FAST = 1, 3
@@ -41,7 +42,7 @@ def read(model: Any, data: Any) -> Step:
         version=mujoco.__version__,
         level="acceleration",
         mass=stored(np.triu(mass)),
-        jacobian=stored(jacobian(model, data)),
+        jacobian=jacobian(model, data),
         bias=-np.array(data.efc_aref[:n]),
         compliance=np.array(data.efc_R[:n]),
         target=np.array(data.qacc_smooth),
@@ -59,9 +60,9 @@ def read(model: Any, data: Any) -> Step:
         own_tolerance=float(np.sqrt(2 * model.opt.tolerance * scale)),
         reported_push=np.array(data.qfrc_constraint),
         settings=_settings(model),
-        name=model.names.split(b"\0")[0].decode() or "model",
+        name=names_of(model).model,
         time=float(data.time),
-        dof_bodies=[_name(model, mujoco.mjtObj.mjOBJ_BODY, body) for body in model.dof_bodyid],
+        dof_bodies=names_of(model).dofs,
         not_checked=["solver: some trees are asleep"] if are_asleep(data) else [],
         no_bound=_no_bound(model, kinds),
     )
@@ -79,22 +80,22 @@ def full_mass(model: Any, data: Any) -> Array:
     return mass
 
 
-def jacobian(model: Any, data: Any) -> Array:
-    """J, (nefc, nv)."""
+def jacobian(model: Any, data: Any) -> Triplets:
+    """The entries of J, (nefc, nv), that are not 0."""
     import mujoco
 
     n = int(data.nefc)
-    dense = np.zeros((n, model.nv))
-    if n == 0:
-        return dense
-    if not mujoco.mj_isSparse(model):
-        return np.array(data.efc_J).reshape(-1)[: n * model.nv].reshape(n, model.nv)
-    values, columns = np.asarray(data.efc_J).reshape(-1), np.asarray(data.efc_J_colind).reshape(-1)
-    counts, starts = np.asarray(data.efc_J_rownnz).reshape(-1), np.asarray(data.efc_J_rowadr).reshape(-1)
-    for row in range(n):
-        own = slice(starts[row], starts[row] + counts[row])
-        dense[row, columns[own]] = values[own]
-    return dense
+    values = np.asarray(data.efc_J).reshape(-1)
+    if n == 0 or not mujoco.mj_isSparse(model):
+        return stored(values[: n * model.nv].reshape(n, model.nv))
+    columns = np.asarray(data.efc_J_colind).reshape(-1)
+    counts, starts = np.asarray(data.efc_J_rownnz).reshape(-1)[:n], np.asarray(data.efc_J_rowadr).reshape(-1)[:n]
+    # The entries of row i are at starts[i], starts[i] + 1, ...
+    rows = np.repeat(np.arange(n), counts)
+    places = np.arange(len(rows)) + np.repeat(starts - np.cumsum(counts) + counts, counts)
+    kept = values[places] != 0
+    places = places[kept]
+    return rows[kept], columns[places].astype(np.int64), values[places].astype(float)
 
 
 def _bounds(data: Any, kinds: Rows) -> tuple[Array, Array]:
@@ -109,53 +110,76 @@ def _bounds(data: Any, kinds: Rows) -> tuple[Array, Array]:
 def _cones(data: Any, kinds: Rows) -> tuple[Rows, Array]:
     """The normal row of each row of friction, and its coefficient."""
     index, mu = np.full(len(kinds), -1, dtype=np.int64), np.zeros(len(kinds))
-    row = 0
-    while row < len(kinds):
-        if kinds[row] != ELLIPTIC:
-            row += 1
-            continue
-        contact = data.contact[int(data.efc_id[row])]
-        friction = slice(row + 1, row + contact.dim)
-        index[friction], mu[friction] = row, contact.friction[: contact.dim - 1]
-        row += int(contact.dim)
+    elliptic = np.flatnonzero(kinds == ELLIPTIC)
+    if len(elliptic) == 0:
+        return index, mu
+    numbers = np.array(data.efc_id)[elliptic]
+    # The place of a row in its contact: 0 for the normal.
+    place = elliptic - np.array(data.contact.efc_address)[numbers]
+    friction = place > 0
+    index[elliptic[friction]] = (elliptic - place)[friction]
+    mu[elliptic[friction]] = np.array(data.contact.friction)[numbers[friction], place[friction] - 1]
     return index, mu
+
+
+class Names:
+    """The names of a compiled model, which do not change."""
+
+    def __init__(self, model: Any) -> None:
+        import mujoco
+
+        self.objects = mujoco.mjtObj
+        body = self.objects.mjOBJ_BODY
+        self.model = model.names.split(b"\0")[0].decode() or "model"
+        self.bodies = [_name(model, body, number) for number in range(model.nbody)]
+        self.dofs = [self.bodies[number] for number in model.dof_bodyid]
+        self.geoms = [self.bodies[number] for number in model.geom_bodyid]
+        words = (kind.name.removeprefix("mjCNSTR_").lower().replace("_", " ") for kind in map(mujoco.mjtConstraint, range(8)))
+        self.kinds = list(words)
+
+
+_names: list[Any] = []
+
+
+def names_of(model: Any) -> Names:
+    """The names of the model that was read last are kept."""
+    if not _names or _names[0] is not model:
+        _names[:] = [model, Names(model)]
+    return _names[1]
 
 
 def _rows(model: Any, data: Any, kinds: Rows) -> list[Row]:
     numbers = np.array(data.efc_id[: len(kinds)]).tolist()
-    own: dict[tuple[int, int], Row] = {}
-    for kind, number in dict.fromkeys(zip(kinds.tolist(), numbers)):
-        own[kind, number] = _row(model, data, kind, number)
-    return [own[pair] for pair in zip(kinds.tolist(), numbers)]
+    names, shapes = names_of(model), shapes_of(data).tolist()
+    pairs = list(zip(kinds.tolist(), numbers))
+    own = {pair: _row(model, names, shapes, *pair) for pair in dict.fromkeys(pairs)}
+    return [own[pair] for pair in pairs]
 
 
-def _row(model: Any, data: Any, kind: int, number: int) -> Row:
+def _row(model: Any, names: Names, shapes: list[list[int]], kind: int, number: int) -> Row:
     """The names of the rows of an equality, a limit, a friction loss or a contact."""
-    import mujoco
-
-    objects = mujoco.mjtObj
-    word = mujoco.mjtConstraint(kind).name.removeprefix("mjCNSTR_").lower().replace("_", " ")
-
-    def body(place: int) -> str:
-        return _name(model, objects.mjOBJ_BODY, place)
-
+    objects, word = names.objects, names.kinds[kind]
     if kind == EQUALITY:
         return Row(f"{word} {_name(model, objects.mjOBJ_EQUALITY, number)}", word)
     if kind == FRICTION_DOF:
-        return Row(f"{word} {number}", word, (body(model.dof_bodyid[number]),))
+        return Row(f"{word} {number}", word, (names.dofs[number],))
     if kind == LIMIT_JOINT:
         label = f"{word} {_name(model, objects.mjOBJ_JOINT, number)}"
-        return Row(label, word, (body(model.jnt_bodyid[number]),))
+        return Row(label, word, (names.bodies[model.jnt_bodyid[number]],))
     if kind in (FRICTION_TENDON, LIMIT_TENDON):
         return Row(f"{word} {_name(model, objects.mjOBJ_TENDON, number)}", word)
-    shapes = shapes_of(data.contact[number])
-    pair = tuple(body(model.geom_bodyid[geom]) if geom >= 0 else "flex" for geom in shapes)
-    return Row(f"{word} {number}: {pair[0]}, {pair[1]}", word, pair)
+    first, second = (names.geoms[geom] if geom >= 0 else "flex" for geom in shapes[number])
+    return _contact_row(word, number, first, second)
 
 
-def shapes_of(contact: Any) -> tuple[int, ...]:
-    """The numbers of a contact's two shapes; -1 for a flex."""
-    return tuple(int(geom) for geom in np.ravel(contact.geom))
+@lru_cache(4096)
+def _contact_row(word: str, number: int, first: str, second: str) -> Row:
+    return Row(f"{word} {number}: {first}, {second}", word, (first, second))
+
+
+def shapes_of(data: Any) -> Rows:
+    """The numbers of the two shapes of each contact, (ncon, 2); -1 for a flex."""
+    return np.array(data.contact.geom, dtype=np.int64).reshape(-1, 2)
 
 
 def _name(model: Any, kind: Any, number: int) -> str:

@@ -7,13 +7,15 @@ the change that the constraints cause and of u*.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lcplab._receipt import mujoco as reader
-from lcplab._receipt import mujoco_presence
+from lcplab._receipt import mujoco_contacts, mujoco_presence
 from lcplab._receipt.findings import Finding, Report
 from lcplab._receipt.kinematics import Kinematics, interval, scratch
 from lcplab._receipt.step import Array, Rows, Step
@@ -39,21 +41,22 @@ def check(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Report
     if model.nv == 0:
         return report
     motion = Kinematics(model, data, qpos)
-    report.add(_mass(model, data, motion))
-    report.add(_bias_forces(model, data, step, motion, qvel))
+    report.add(_mass(model, step, motion))
+    actuators = _actuators(model, data)
+    passive, unknown = _passive(model, data, qpos, qvel)
     if reader.has_effective_mass(model):
         report.not_checked.append("assembly: u* and reference accelerations, which contain the integrator's effective mass")
-    else:
-        report.add(_free_motion(model, data, step, motion))
-    report.add(_actuators(model, data))
-    report.add(_passive(model, data, step, qpos, qvel))
+    forces = [_bias_forces(model, data, motion, qvel), _free_motion(model, data, step, motion), passive]
+    report.findings += _forces(step, [own for own in forces if own is not None])
+    report.add(actuators)
+    report.not_checked += unknown
     report.add(mujoco_presence.check(model, data, motion))
     if len(step):
-        report.add(_contacts(model, data, step, motion))
+        report.add(mujoco_contacts.check(model, data, step, motion))
         report.add(_equalities(model, data, step, motion))
     if len(step) and not reader.has_effective_mass(model):
         report.add(_references(model, data, step, motion, qvel))
-        report.add(_dual(model, data, step))
+        report.add(_dual(data, step))
     return report
 
 
@@ -76,20 +79,51 @@ def _inertia(model: Any, motion: Kinematics) -> Array:
     return np.asarray(np.einsum("bij,bj,bkj->bik", axes, model.body_inertia, axes), dtype=float)
 
 
-def _mass(model: Any, data: Any, motion: Kinematics) -> Report:
+def _mass(model: Any, step: Step, motion: Kinematics) -> Report:
     if _has_armature(model):
         return Report(not_checked=["assembly: M and bias forces, because of armature of tendons or actuators"])
-    own = np.einsum("b,bij,bik->jk", model.body_mass, motion.linear, motion.linear)
-    own += np.einsum("bij,bil,blk->jk", motion.angular, _inertia(model, motion), motion.angular)
+    inertia, own = _inertia(model, motion), np.zeros((model.nv, model.nv))
+    for bodies, dofs in motion.trees:
+        linear, angular = motion.of_trees(bodies, dofs)
+        masses = np.asarray(model.body_mass)[bodies][:, :, None, None]
+        turned = inertia[bodies] @ angular
+        parts = ((linear, masses * linear), (angular, turned))
+        flat = [[part.reshape(len(bodies), -1, dofs.shape[1]) for part in pair] for pair in parts]
+        blocks = sum(np.swapaxes(left, 1, 2) @ right for left, right in flat)
+        own[dofs[:, :, None], dofs[:, None, :]] = blocks
     own += np.diag(model.dof_armature)
-    scale = np.sqrt(np.outer(np.diag(own), np.diag(own)))
-    difference = reader.full_mass(model, data) - own
-    return Report([_worst("M is not that of masses and differences of poses", difference, scale, FIRST)])
+    root = np.sqrt(np.diag(own))
+    return Report([_worst("M is not that of masses and differences of poses", step.dense_mass() - own, np.outer(root, root), FIRST)])
 
 
-def _bias_forces(model: Any, data: Any, step: Step, motion: Kinematics, qvel: Array) -> Report:
+@dataclass(frozen=True)
+class Difference:
+    """A difference of generalized forces, its limit, and the size of terms that may cancel."""
+
+    what: str
+    values: Array
+    limit: float
+    size: float = 0.0
+
+
+def _forces(step: Step, differences: Sequence[Difference]) -> list[Finding]:
+    """Errors of generalized forces, as the motions that they cause."""
+    if not differences:
+        return []
+    changes = step.mass_blocks.solve(np.column_stack([own.values for own in differences])).T
+    least = max(step.effect, step.norm(step.target), 1e-300)
+    findings = []
+    for own, change in zip(differences, changes):
+        worst = int(np.argmax(np.abs(change)))
+        bodies = (step.dof_bodies[worst],) if worst < len(step.dof_bodies) else ()
+        error = step.norm(change) / max(least, own.size)
+        findings.append(Finding("assembly", own.what, error, own.limit, None, bodies))
+    return findings
+
+
+def _bias_forces(model: Any, data: Any, motion: Kinematics, qvel: Array) -> Difference | None:
     if _has_armature(model):
-        return Report()
+        return None
     linear, angular = motion.accelerations(qvel)
     gravity = np.zeros(3) if reader.is_disabled(model, "GRAVITY") else np.asarray(model.opt.gravity)
     inertia = _inertia(model, motion)
@@ -101,33 +135,22 @@ def _bias_forces(model: Any, data: Any, step: Step, motion: Kinematics, qvel: Ar
     what = "the bias forces (gravity, Coriolis, centrifugal) differ from those computed from poses"
     size = float(np.sqrt(np.sum(model.body_mass * np.sum(linear**2, axis=1))))
     size += motion.rounding(qvel) * float(np.sqrt(model.body_mass.sum())) / SECOND
-    return Report([_force(what, model, data, step, data.qfrc_bias - own, SECOND, size)])
-
-
-def _force(
-    what: str, model: Any, data: Any, step: Step, difference: Array, limit: float, size: float = 0.0
-) -> Finding:
-    """An error of generalized forces, as the motion that it causes; ``size`` is the size of terms that may cancel."""
-    change = np.asarray(np.linalg.solve(reader.full_mass(model, data), difference), dtype=float)
-    scale = max(step.effect, step.norm(step.target), size, 1e-300)
-    worst = int(np.argmax(np.abs(change)))
-    bodies = (step.dof_bodies[worst],) if worst < len(step.dof_bodies) else ()
-    return Finding("assembly", what, step.norm(change) / scale, limit, None, bodies)
+    return Difference(what, data.qfrc_bias - own, SECOND, size)
 
 
 def _to_dofs(motion: Kinematics, forces: Array, torques: Array) -> Array:
-    return np.asarray(
-        np.einsum("bik,bi->k", motion.linear, forces) + np.einsum("bik,bi->k", motion.angular, torques)
-    )
+    linear, angular = motion.flat()
+    return np.asarray(forces.ravel() @ linear + torques.ravel() @ angular)
 
 
-def _free_motion(model: Any, data: Any, step: Step, motion: Kinematics) -> Report:
+def _free_motion(model: Any, data: Any, step: Step, motion: Kinematics) -> Difference | None:
     """M u* against the sum of the forces, outer ones by differences of poses."""
+    if reader.has_effective_mass(model):
+        return None
     outer = _to_dofs(motion, data.xfrc_applied[:, :3], data.xfrc_applied[:, 3:])
     parts = [data.qfrc_passive, -data.qfrc_bias, data.qfrc_applied, data.qfrc_actuator, outer]
-    needed = reader.full_mass(model, data) @ data.qacc_smooth
     what = "the motion without constraints u* does not follow from the applied, passive, bias and actuator forces"
-    return Report([_force(what, model, data, step, needed - np.sum(parts, axis=0), FIRST)])
+    return Difference(what, step.times_mass(step.target) - np.sum(parts, axis=0), FIRST)
 
 
 def _actuators(model: Any, data: Any) -> Report:
@@ -141,7 +164,7 @@ def _actuators(model: Any, data: Any) -> Report:
     if not plain.all():
         why = "dynamics, gains that are not constant, or a limit of their tendon's force"
         report.not_checked.append(f"assembly: forces of {int(np.sum(~plain))} actuators with {why}")
-    force, terms = _forces(model, data)
+    force, terms = _actuator_forces(model, data)
     difference = np.where(plain, data.actuator_force - force, 0.0)
     what = "the force of an actuator does not follow from its control"
     report.findings.append(_worst(what, difference, terms, FIRST))
@@ -164,7 +187,7 @@ def _are_plain(model: Any) -> Flags:
     return plain
 
 
-def _forces(model: Any, data: Any) -> tuple[Array, Array]:
+def _actuator_forces(model: Any, data: Any) -> tuple[Array, Array]:
     """The forces of plain actuators, 0 in disabled groups, and the sums of the sizes of their terms, (nu,)."""
     import mujoco
 
@@ -184,8 +207,8 @@ def _forces(model: Any, data: Any) -> tuple[Array, Array]:
     return np.where(disabled, 0.0, force), np.abs(terms).sum(axis=0)
 
 
-def _passive(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Report:
-    """Springs and dampers of joints."""
+def _passive(model: Any, data: Any, qpos: Array, qvel: Array) -> tuple[Difference | None, list[str]]:
+    """Springs and dampers of joints, or what is not checked."""
     import mujoco
 
     others = {
@@ -208,13 +231,13 @@ def _passive(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Rep
     if reader.is_disabled(model, "PASSIVE", "SPRING", "DAMPER"):
         found.append("disabled passive forces")
     if found or stiffness is None or damping is None:
-        return Report(not_checked=[f"assembly: passive forces, because of {', '.join(found)}"])
+        return None, [f"assembly: passive forces, because of {', '.join(found)}"]
     spring, damper = np.zeros(model.nv), -damping * qvel
     for joint in np.flatnonzero(~turning):
         place = model.jnt_qposadr[joint]
         spring[model.jnt_dofadr[joint]] = -stiffness[joint] * (qpos[place] - model.qpos_spring[place])
     what = "the passive forces differ from those of the joints' springs and dampers"
-    return Report([_force(what, model, data, step, data.qfrc_passive - spring - damper, FIRST)])
+    return Difference(what, data.qfrc_passive - spring - damper, FIRST), []
 
 
 def _has_any(owner: Any, *names: str) -> bool:
@@ -228,51 +251,6 @@ def _linear(coefficients: Any) -> Array | None:
     if table.ndim == 1:
         return table
     return None if np.any(table[:, 1:]) else table[:, 0]
-
-
-def _contacts(model: Any, data: Any, step: Step, motion: Kinematics) -> Report:
-    """Rows of contacts: the velocity at the contact point, along the contact's axes."""
-    whole = reader.jacobian(model, data)
-    worst = Finding("assembly", "", 0.0, FIRST)
-    report = Report()
-    for number in range(data.ncon):
-        contact = data.contact[number]
-        if contact.efc_address < 0:
-            continue
-        if min(reader.shapes_of(contact)) < 0:
-            report.not_checked.append("assembly: J of contacts of flexes")
-            continue
-        own, terms = _contact_rows(model, contact, motion)
-        rows = np.arange(contact.efc_address, contact.efc_address + len(own))
-        errors = np.abs(whole[rows] - own).max(axis=1) / np.maximum(terms, 1e-300)
-        if not errors.max() <= worst.error:
-            row = int(rows[np.argmax(errors)])
-            what = "a contact's row of J differs from the velocity of its point along its axis"
-            bodies = step.rows[row].bodies if row < len(step.rows) else ()
-            worst = Finding("assembly", what, float(errors.max()), FIRST, row, bodies)
-    if data.ncon:
-        report.findings.append(worst)
-    return report
-
-
-def _contact_rows(model: Any, contact: Any, motion: Kinematics) -> tuple[Array, Array]:
-    """The rows, and the sum of the two bodies' norms for each row."""
-    first, second = (int(model.geom_bodyid[geom]) for geom in reader.shapes_of(contact))
-    axes = np.asarray(contact.frame).reshape(3, 3)
-    at = np.asarray(contact.pos)
-
-    def velocities(body: int) -> Array:
-        return np.vstack([axes @ motion.point(body, at), axes @ motion.angular[body]])[: contact.dim]
-
-    before, after = velocities(first), velocities(second)
-    every = after - before
-    sizes = np.linalg.norm(before, axis=1) + np.linalg.norm(after, axis=1)
-    if contact.dim == 1 or model.opt.cone == 1:
-        return every, sizes
-    friction = np.asarray(contact.friction)[: contact.dim - 1]
-    edges = [(sign * mu, axis) for axis, mu in enumerate(friction, start=1) for sign in (1, -1)]
-    sides = [every[0] + slope * every[axis] for slope, axis in edges]
-    return np.array(sides), np.array([sizes[0] + abs(slope) * sizes[axis] for slope, axis in edges])
 
 
 def _equalities(model: Any, data: Any, step: Step, motion: Kinematics) -> Report:
@@ -336,10 +314,11 @@ def _bends(model: Any, data: Any, n: int, motion: Kinematics, qvel: Array) -> Ar
 def _with_own_references(data: Any, n: int) -> Flags:
     """The rows of contacts with adhesion or a surface velocity, which enter their references too, (n,)."""
     special = np.zeros(n, dtype=bool)
-    for number in range(data.ncon):
-        contact = data.contact[number]
-        if contact.efc_address >= 0 and _has_any(contact, "adhesion", "surfacevel"):
-            special |= (np.arange(n) >= contact.efc_address) & (data.efc_id[:n] == number)
+    starts, numbers = np.array(data.contact.efc_address), np.array(data.efc_id[:n])
+    for name in ("adhesion", "surfacevel") if len(starts) else ():
+        values = np.reshape(getattr(data.contact, name, np.zeros(len(starts))), (len(starts), -1))
+        for number in np.flatnonzero(values.any(axis=1) & (starts >= 0)).tolist():
+            special |= (np.arange(n) >= starts[number]) & (numbers == number)
     return special
 
 
@@ -366,12 +345,12 @@ def _violations(
     return found[0], found[1], found[2]
 
 
-def _dual(model: Any, data: Any, step: Step) -> Report:
+def _dual(data: Any, step: Step) -> Report:
     """A + R where the engine makes it: for its dual solver."""
     reported = np.asarray(getattr(data, "efc_AR", np.zeros(0))).reshape(-1)
     if step.method != "pgs" or len(reported) != len(step) ** 2:
         return Report()
-    whole = reader.jacobian(model, data)
-    own = whole @ np.linalg.solve(reader.full_mass(model, data), whole.T) + np.diag(step.compliance)
+    whole = step.dense_jacobian()
+    own = whole @ step.mass_blocks.solve(whole.T) + np.diag(step.compliance)
     scale = np.sqrt(np.outer(np.diag(own), np.diag(own)))
     return Report([_worst("A is not J M⁻¹Jᵀ + R", reported.reshape(own.shape) - own, scale, FIRST)])

@@ -36,29 +36,24 @@ def check(model: Any, data: Any) -> Report:
 
 def _without_rows(model: Any, data: Any) -> list[Finding]:
     """A contact within its margin that has no constraint rows, although the engine does not exclude it."""
-    for number in range(data.ncon):
-        contact = data.contact[number]
-        shapes = reader.shapes_of(contact)
-        is_included = contact.exclude == INCLUDED or (contact.exclude == IN_GAP and contact.dist < contact.includemargin)
-        if contact.efc_address < 0 and is_included and min(shapes) >= 0:
-            bodies = tuple(_body(model, geom) for geom in shapes)
-            return [Finding("assembly", f"contact {number} has no constraint rows", np.inf, 0.0, None, bodies)]
+    if not data.ncon:
+        return []
+    contacts, shapes = data.contact, reader.shapes_of(data)
+    exclude = np.array(contacts.exclude)
+    included = (exclude == INCLUDED) | ((exclude == IN_GAP) & (np.array(contacts.dist) < np.array(contacts.includemargin)))
+    lost = np.flatnonzero((np.array(contacts.efc_address) < 0) & included & (shapes.min(axis=1) >= 0))
+    for number in lost[:1].tolist():
+        bodies = tuple(reader.names_of(model).geoms[geom] for geom in shapes[number])
+        return [Finding("assembly", f"contact {number} has no constraint rows", np.inf, 0.0, None, bodies)]
     return []
 
 
 def _shapes(model: Any, data: Any) -> dict[int, Shape]:
-    shapes = {}
-    margins = _margins(model)
-    for geom, kind in enumerate(model.geom_type):
-        shapes[geom] = Shape(
-            KINDS.get(int(kind), OTHERS.get(int(kind), "shape")),
-            np.array(model.geom_size[geom]),
-            np.array(data.geom_xpos[geom]),
-            np.array(data.geom_xmat[geom]).reshape(3, 3),
-            _body(model, geom),
-            float(margins[geom]),
-        )
-    return shapes
+    kinds = [KINDS.get(kind, OTHERS.get(kind, "shape")) for kind in np.asarray(model.geom_type).tolist()]
+    margins, names = _margins(model).tolist(), reader.names_of(model).geoms
+    sizes, centers = np.array(model.geom_size), np.array(data.geom_xpos)
+    axes = np.array(data.geom_xmat).reshape(-1, 3, 3)
+    return {geom: Shape(*own) for geom, own in enumerate(zip(kinds, sizes, centers, axes, names, margins))}
 
 
 def _margins(model: Any) -> Array:
@@ -70,14 +65,21 @@ def _margins(model: Any) -> Array:
     return np.array(model.geom_margin, dtype=float)
 
 
-def _body(model: Any, geom: int) -> str:
-    import mujoco
-
-    body = int(model.geom_bodyid[geom])
-    return mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_BODY, body) or f"body {body}"
+_pairs: list[Any] = []
+#: What the pairs of a model depend on.
+RULES = ("geom_contype", "geom_conaffinity", "geom_bodyid", "body_weldid", "body_parentid", "body_dofnum", "exclude_signature",
+         "pair_geom1", "pair_geom2", "pair_margin")
 
 
 def pairs(model: Any) -> list[tuple[int, int]]:
+    """The pairs of the model that was read last are kept while nothing changes that they depend on."""
+    rules = [model.opt.disableflags, *(np.asarray(getattr(model, name)).tobytes() for name in RULES)]
+    if not _pairs or _pairs[0] != rules:
+        _pairs[:] = [rules, _pairs_of(model)]
+    return list(_pairs[1])
+
+
+def _pairs_of(model: Any) -> list[tuple[int, int]]:
     """Pairs by MuJoCo's documentation, "Collision detection": types, welded bodies, parents, exclusions.
 
     Two bodies that cannot move, such as the world and a mocap body, do not collide.
@@ -110,8 +112,7 @@ def _are_movable(model: Any) -> NDArray[np.bool_]:
 
 def _contacts(data: Any) -> dict[tuple[int, int], float]:
     found: dict[tuple[int, int], float] = {}
-    for number in range(data.ncon):
-        contact = data.contact[number]
-        one, other = sorted(reader.shapes_of(contact))
-        found[one, other] = min(found.get((one, other), np.inf), float(contact.dist))
+    shapes = np.sort(reader.shapes_of(data), axis=1).tolist()
+    for (one, other), distance in zip(shapes, np.array(data.contact.dist).tolist()):
+        found[one, other] = min(found.get((one, other), np.inf), distance)
     return found

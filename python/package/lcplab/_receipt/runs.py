@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -142,12 +143,17 @@ def receipts(
     known = load(baseline)
     found: dict[str, Receipt] = {}
     waiting: list[tuple[str, Step, Report | None]] = []
-    for number, (name, step, report) in enumerate(_read(frames, adapter)):
-        waiting.append((name or f"{step.name or step.engine} {number}", step, report))
-        if len(waiting) == TOGETHER:
-            found |= _checked(waiting, limit)
-            waiting = []
-    found |= _checked(waiting, limit)
+    # Steps are checked without the GIL while the next ones are read.
+    with ThreadPoolExecutor(1) as pool:
+        checked = []
+        for number, (name, step, report) in enumerate(_read(frames, adapter)):
+            waiting.append((name or f"{step.name or step.engine} {number}", step, report))
+            if len(waiting) == TOGETHER:
+                checked.append(pool.submit(_checked, waiting, limit))
+                waiting = []
+        checked.append(pool.submit(_checked, waiting, limit))
+        for part in checked:
+            found |= part.result()
     return Run(found, known)
 
 
