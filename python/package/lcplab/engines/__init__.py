@@ -145,6 +145,7 @@ def engine_step(world: World) -> EngineStep:
 TITLES = {
     "mujoco": "MuJoCo",
     "warp": "MuJoCo Warp",
+    "newton": "Newton",
     "drake": "Drake",
     "pybullet": "PyBullet",
     "dart": "DART",

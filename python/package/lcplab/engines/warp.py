@@ -13,6 +13,8 @@ from lcplab.engines import mujoco
 
 #: The largest numbers of contacts and rows; Warp drops those beyond.
 CONTACTS, ROWS = 200, 800
+#: MuJoCo's number of the pyramidal cone.
+PYRAMIDAL = 0
 
 
 class Model(mujoco.Model):
@@ -60,26 +62,31 @@ class Model(mujoco.Model):
         return super().velocities()
 
     def forces(self) -> Array | None:
-        every = np.zeros((self.model.nbody, 3))
-        contact, rows = self.state.contact, self.state.efc.force.numpy()[0]
-        count = int(np.ravel(self.state.nacon.numpy())[0])
-        frames, geoms = contact.frame.numpy()[:count].reshape(-1, 3, 3), contact.geom.numpy()[:count]
-        friction, places = contact.friction.numpy()[:count], contact.efc_address.numpy()[:count]
-        sizes = contact.dim.numpy()[:count]
-        is_pyramid = self.model.opt.cone == self.mujoco.mjtCone.mjCONE_PYRAMIDAL
-        for frame, pair, mu, place, size in zip(frames, geoms, friction, places, sizes):
-            if place[0] < 0:
-                continue
-            own = rows[place[: 2 * (size - 1) if is_pyramid and size > 1 else size]]
-            local = pyramid(own, mu) if is_pyramid and size > 1 else own[:3]
-            force = frame[: len(local)].T @ local  # on the second geom
-            first, second = self.model.geom_bodyid[pair]
-            every[first] -= force
-            every[second] += force
-        return every[self.ids]
+        return contact_forces(self.model, self.state)[self.ids]
 
     def problem(self) -> Any:
         raise Unsupported("problems in single precision")
+
+
+def contact_forces(model: Any, state: Any) -> Array:
+    """What contacts put on each body of a MuJoCo model in the only world of Warp's data (N, world axes), (nbody, 3)."""
+    every = np.zeros((model.nbody, 3))
+    contact, rows = state.contact, state.efc.force.numpy()[0]
+    count = int(np.ravel(state.nacon.numpy())[0])
+    frames, geoms = contact.frame.numpy()[:count].reshape(-1, 3, 3), contact.geom.numpy()[:count]
+    friction, places = contact.friction.numpy()[:count], contact.efc_address.numpy()[:count]
+    sizes = contact.dim.numpy()[:count]
+    is_pyramid = model.opt.cone == PYRAMIDAL
+    for frame, pair, mu, place, size in zip(frames, geoms, friction, places, sizes):
+        if place[0] < 0:
+            continue
+        own = rows[place[: 2 * (size - 1) if is_pyramid and size > 1 else size]]
+        local = pyramid(own, mu) if is_pyramid and size > 1 else own[:3]
+        force = frame[: len(local)].T @ local  # on the second geom
+        first, second = model.geom_bodyid[pair]
+        every[first] -= force
+        every[second] += force
+    return every
 
 
 def pyramid(edges: Array, mu: Array) -> Array:
