@@ -29,6 +29,8 @@ def row(bad, mended):
         (reported(0), reported(0), "missed"),
         (reported(1, "assembly"), reported(0), "missed"),
         (reported(1), reported(1), "false alarm"),
+        (reported(0) | {"worse": ["9 of 9 errors are above 0"]}, reported(0), "detected by comparison"),
+        (reported(1, "assembly") | {"worse": ["9 of 9 errors are above 0"]}, reported(0), "missed"),
         ({"packages": ["a==1"], "unavailable": "no such version"}, reported(0), "skipped"),
     ],
 )

@@ -43,6 +43,7 @@ pub const KINDS: &[Kind] = &[
     Kind::of::<study::frames::Plan>(),
     Kind::of::<study::solved::Plan>(),
     Kind::of::<study::cards::Plan>(),
+    Kind::of::<study::defects::Plan>(),
     Kind::of::<study::grid::Plan>(),
 ];
 

@@ -41,8 +41,7 @@ macro_rules! shipped {
 }
 
 /// The reports that lcplab ships, by name.
-pub const SHIPPED: &[(&str, &str)] =
-    shipped!["standard" "solvers" "schemes" "friction" "verification" "scenes" "engines"];
+pub const SHIPPED: &[(&str, &str)] = shipped!["standard" "solvers" "schemes" "friction" "verification" "scenes" "engines" "receipts"];
 
 /// A report's description.
 pub struct Experiment {

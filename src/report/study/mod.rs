@@ -7,6 +7,7 @@ pub mod cards;
 pub mod comparison;
 pub mod convergence;
 pub mod cross_check;
+pub mod defects;
 pub mod drift;
 pub mod film;
 pub mod frames;

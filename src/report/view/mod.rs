@@ -10,6 +10,7 @@ mod cards;
 mod comparison;
 mod convergence;
 mod cross_check;
+mod defects;
 mod diagnosis;
 mod drift;
 mod families;

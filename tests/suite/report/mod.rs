@@ -1,5 +1,6 @@
 mod cards;
 mod comparison;
+mod defects;
 mod difference;
 mod families;
 mod file;

@@ -14,25 +14,38 @@ from lcplab.defects.known import DEFECTS, Defect
 
 
 def row(defect: Defect, place: Path) -> dict[str, Any]:
-    """Both releases of a defect: what their receipts say, or why one does not run here."""
-    reported: dict[str, Any] = {"name": defect.name, "what": defect.what, "source": defect.source, "stage": defect.stage}
-    for side, packages in (("bad", defect.bad), ("mended", defect.mended)):
-        own = Environment(place, packages)
-        try:
-            own.install()
-            reported[side] = own.replay(defect.name)
-        except Unavailable as why:
-            reported[side] = {"packages": list(packages), "unavailable": str(why)}
-    return reported
+    """Both releases of a defect: what their receipts say, or why one does not run here.
+
+    The run of the bad release is compared with that of the mended one.
+    """
+    environment = Environment(place, defect.mended)
+    recorded = environment.folder / f"{defect.name}.json"
+    mended = _replayed(environment, defect.name, "--save", recorded)
+    compared = ("--baseline", recorded) if "unavailable" not in mended else ()
+    bad = _replayed(Environment(place, defect.bad), defect.name, *compared)
+    facts = {"name": defect.name, "what": defect.what, "source": defect.source, "stage": defect.stage}
+    return {**facts, "bad": bad, "mended": mended}
+
+
+def _replayed(own: Environment, name: str, *more: str | Path) -> dict[str, Any]:
+    try:
+        own.install()
+        return own.replay(name, *more)
+    except Unavailable as why:
+        return {"packages": list(own.packages), "unavailable": str(why)}
 
 
 def outcome(reported: dict[str, Any]) -> str:
-    """``"detected"``, ``"missed"``, ``"false alarm"`` or ``"skipped"``."""
+    """``"detected"``, ``"detected by comparison"`` with the mended release's run, ``"missed"``, ``"false alarm"`` or ``"skipped"``."""
     if any("unavailable" in reported[side] for side in ("bad", "mended")):
         return "skipped"
     if reported["mended"]["refused"]:
         return "false alarm"
-    return "detected" if reported["bad"]["refused"] and reported["bad"]["stage"] == reported["stage"] else "missed"
+    bad = reported["bad"]
+    if bad["refused"]:
+        return "detected" if bad["stage"] == reported["stage"] else "missed"
+    # The errors that are compared are those of the solver.
+    return "detected by comparison" if bad.get("worse") and reported["stage"] == "solver" else "missed"
 
 
 def line(reported: dict[str, Any]) -> str:
@@ -44,6 +57,8 @@ def line(reported: dict[str, Any]) -> str:
             words.append(f"{' '.join(own['packages'])}: {own['unavailable']}")
         else:
             words.append(f"{', '.join(own['versions'])}: {own['refused']} of {own['frames']} rejected")
+    if outcome(reported) == "detected by comparison":
+        words[0] += f", {reported['bad']['worse'][0]}"
     return f"{reported['name']:<18} {reported['stage']:<10} {outcome(reported):<11} {'; '.join(words)}"
 
 
@@ -69,7 +84,7 @@ def main() -> int:
     if options.out:
         record = {"python": platform.python_version(), "defects": [{**reported, "outcome": outcome(reported)} for reported in rows]}
         options.out.write_text(json.dumps(record, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
-    return 0 if all(outcome(reported) in ("detected", "skipped") for reported in rows) else 1
+    return 0 if all(outcome(reported) in ("detected", "detected by comparison", "skipped") for reported in rows) else 1
 
 
 if __name__ == "__main__":

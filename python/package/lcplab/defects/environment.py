@@ -55,15 +55,15 @@ class Environment:
         if packages:
             self._run([*npm, *packages], INSTALLATION)
 
-    def replay(self, scene: str) -> dict[str, Any]:
-        """What a scene's run says here.
+    def replay(self, scene: str, *more: str | Path) -> dict[str, Any]:
+        """What a scene's run says here; ``more`` are options of ``lcplab.defects.replay``.
 
         Raises
         ------
         Unavailable
             If the scene does not run.
         """
-        reported = self._run([self.python, "-m", "lcplab.defects.replay", scene], SCENE)
+        reported = self._run([self.python, "-m", "lcplab.defects.replay", scene, *more], SCENE)
         replayed: dict[str, Any] = json.loads(reported.splitlines()[-1])
         return replayed
 

@@ -34,7 +34,8 @@ def _mjx(version: str) -> tuple[str, ...]:
 
 
 def _warp(version: str) -> tuple[str, ...]:
-    return (f"mujoco-warp=={version}", "mujoco==3.10.0", "warp-lang==1.15.0")
+    mujoco = ".".join([*version.split(".")[:2], "0"])
+    return (f"mujoco-warp=={version}", f"mujoco=={mujoco}", "warp-lang==1.15.0")
 
 
 def _newton(version: str) -> tuple[str, ...]:
@@ -101,6 +102,14 @@ DEFECTS = (
         "write-back",
         _warp("3.10.0.1"),
         _warp("3.10.0.2"),
+    ),
+    Defect(
+        "lost_improvements",
+        "Newton's line search compares costs in single precision: small improvements are lost beside a large cost",
+        "MuJoCo Warp 3.10.0, #1374",
+        "solver",
+        _warp("3.9.0"),
+        _warp("3.10.0"),
     ),
     Defect(
         "welded_chain",

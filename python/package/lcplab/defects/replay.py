@@ -1,18 +1,24 @@
-"""One scene with the engine of this environment: ``python -m lcplab.defects.replay NAME`` prints JSON."""
+"""One scene with the engine of this environment: ``python -m lcplab.defects.replay NAME`` prints JSON.
+
+``--save FILE`` records the run; ``--baseline FILE`` compares with a recorded one.
+"""
 
 from __future__ import annotations
 
+import argparse
 import json
-import sys
+from pathlib import Path
 from typing import Any
 
 from lcplab._receipt import Run, receipts
 from lcplab.defects.scenes import SCENES
 
 
-def replay(name: str) -> dict[str, Any]:
-    """The run of a scene: what is rejected, at which stage, and the first of it."""
-    run: Run = receipts(SCENES[name]())
+def replay(name: str, save: Path | None = None, baseline: Path | None = None) -> dict[str, Any]:
+    """The run of a scene: what is rejected, at which stage, the first of it, and how it is worse than a recorded run."""
+    run: Run = receipts(SCENES[name](), baseline=baseline)
+    if save is not None:
+        run.save(save)
     first = run.receipts[run.rejected[0]].rejected if run.rejected else None
     return {
         "versions": run.to_json()["versions"],
@@ -22,8 +28,14 @@ def replay(name: str) -> dict[str, Any]:
         "stage": first.stage if first else None,
         "what": first.what if first else None,
         "largest_motion_error": max(run.errors, default=None),
+        "worse": run.worse,
     }
 
 
 if __name__ == "__main__":
-    print(json.dumps(replay(sys.argv[1])))
+    parser = argparse.ArgumentParser()
+    parser.add_argument("name")
+    parser.add_argument("--save", type=Path)
+    parser.add_argument("--baseline", type=Path)
+    options = parser.parse_args()
+    print(json.dumps(replay(options.name, options.save, options.baseline)))

@@ -163,6 +163,33 @@ def world_of_zeros() -> Frames:
     yield model, both
 
 
+def lost_improvements() -> Frames:
+    """Boxes of 1 kg to 1 t slide down a ramp with a friction of 0.5; MuJoCo Warp solves states of MuJoCo from a cold start."""
+    import mujoco
+    import mujoco_warp
+    import warp
+
+    warp.set_device("cpu")
+    boxes = "".join(
+        f'<body pos="{.3 * k} 0 .0995"><freejoint/><geom type="box" size=".1 .1 .1" mass="{10**k}" friction=".5"/></body>'
+        for k in range(4)
+    )
+    gravity = f"{9.81 * np.sin(0.35)} 0 {-9.81 * np.cos(0.35)}"
+    option = f'<option timestep="0.004" cone="elliptic" impratio="100" gravity="{gravity}"/>'
+    floor = '<geom type="plane" size="50 50 .1"/>'
+    model = mujoco.MjModel.from_xml_string(f"<mujoco>{option}<worldbody>{floor}{boxes}</worldbody></mujoco>")
+    data, on_device = mujoco.MjData(model), mujoco_warp.put_model(model)
+    for _ in range(150):
+        mujoco.mj_step(model, data, 2)
+        cold = mujoco.MjData(model)
+        cold.qpos[:], cold.qvel[:] = data.qpos, data.qvel
+        mujoco.mj_forward(model, cold)
+        own = mujoco_warp.put_data(model, cold, nconmax=64, njmax=max(64, 2 * cold.nefc))
+        own.qacc_warmstart.zero_()
+        mujoco_warp.forward(on_device, own)
+        yield model, own
+
+
 def _placed(fixed: str, free: str, places: list[tuple[float, float, float]]) -> Frames:
     """A free body at rest at each place."""
     import mujoco
@@ -180,6 +207,6 @@ SCENES: dict[str, Callable[[], Frames]] = {
     scene.__name__: scene
     for scene in (
         sparse_factor, uncoupled_hessian, implicit_damping, connect_bias, sphere_in_box, box_in_plate, world_of_zeros,
-        welded_chain, resting_cube, floating_gripper, driven_slider, sliding_block, bouncing_ball,
+        lost_improvements, welded_chain, resting_cube, floating_gripper, driven_slider, sliding_block, bouncing_ball,
     )
 }

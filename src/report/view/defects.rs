@@ -1,0 +1,86 @@
+//! Replayed defects as a table with one row per defect.
+
+use super::{Headline, Outcome, ReportPage, View};
+use crate::number::count;
+use crate::report::page::markup::literal;
+use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::study::defects::{Defect, Plan, Record, Replay};
+
+impl View for Plan {
+    const TITLE: &'static str = "Known defects of physics engines, replayed";
+
+    fn show(&self, findings: &[Record], document: &mut ReportPage) {
+        for Record { defects, .. } in findings {
+            document.table("defects", table(defects));
+            for defect in defects {
+                let first = match (&defect.bad.what, defect.bad.worse.first()) {
+                    (Some(what), _) => what,
+                    (None, Some(worse)) => worse,
+                    (None, None) => continue,
+                };
+                let (name, what) = (literal(&defect.source), literal(&defect.what));
+                document.text(format!("**{name}**: {what}. The receipt says: {}.", literal(first)));
+            }
+        }
+    }
+
+    fn headline(&self, findings: &[Record]) -> Headline {
+        Headline::of(findings.first().map(|record| {
+            format!("**Which released defects would receipts have caught?** {}.", says(record))
+        }))
+    }
+
+    fn outcome(&self, findings: &[Record]) -> Outcome {
+        let mut all = findings.iter().flat_map(|record| &record.defects);
+        let is_good = |defect: &Defect| defect.mended.refused == 0 && !defect.is_misjudged();
+        let good = !findings.is_empty() && all.all(is_good);
+        Outcome { good, says: findings.iter().map(says).collect::<Vec<_>>().join("; ") }
+    }
+}
+
+fn says(record: &Record) -> String {
+    let all = &record.defects;
+    let of = |has: fn(&Defect) -> bool| all.iter().filter(|defect| has(defect)).count();
+    let rejected = of(|defect| defect.outcome == "detected");
+    let compared = of(Defect::is_detected) - rejected;
+    let good = of(|defect| defect.mended.refused == 0 && defect.mended.unavailable.is_none());
+    format!(
+        "{rejected} of {n} defective releases rejected at the right stage, {compared} more only in \
+         comparison with a run of the corrected release; {good} of {n} corrected releases accepted",
+        n = all.len()
+    )
+}
+
+fn table(defects: &[Defect]) -> Table {
+    let rows = defects.iter().map(|defect| {
+        let mark = if defect.is_detected() { Mark::Good } else { Mark::Bad };
+        vec![
+            Cell::text(literal(&defect.what)),
+            Cell::text(literal(&defect.source)),
+            Cell::text(&defect.stage),
+            Cell::text(literal(&words(&defect.bad))),
+            Cell::text(literal(&words(&defect.mended))),
+            Cell::text(&defect.outcome).marked(mark),
+        ]
+    });
+    let how = "One row per defect. The same scene runs in the defective and in the corrected release, \
+               with the engine's default settings unless the scene needs others, and each step is \
+               checked with default arguments. *Stage*: the part of the step that was wrong. *Detected \
+               by comparison*: no step is rejected, but the errors are larger than in the run of the \
+               corrected release.";
+    let headings =
+        "what was wrong | corrected in | stage | defective release | corrected release | outcome";
+    let mut table = Table::new("Known defects", how, headings, rows.collect());
+    table.columns[1] = Column::words("corrected in").secondary();
+    table
+}
+
+fn words(run: &Replay) -> String {
+    match &run.unavailable {
+        Some(why) => format!("{}: {why}", run.packages.join(", ")),
+        None => {
+            let (refused, frames) = (count(run.refused), count(run.frames));
+            format!("{}: {refused} of {frames} steps rejected", run.versions.join(", "))
+        }
+    }
+}

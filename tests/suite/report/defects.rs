@@ -1,0 +1,43 @@
+//! The record of replayed defects and its section.
+
+use lcplab::report::study::Study;
+use lcplab::report::study::defects::{Plan, Record};
+use lcplab::report::view::View;
+use lcplab::solver::Registry;
+
+fn shipped() -> Record {
+    Plan::default().run(0, Registry::standard()).unwrap().0
+}
+
+fn is_good(record: Record) -> bool {
+    Plan::default().outcome(&[record]).good
+}
+
+#[test]
+fn at_least_twelve_of_fourteen_defects_are_rejected_and_no_corrected_release_is() {
+    let record = shipped();
+    let rejected = record.defects.iter().filter(|defect| defect.outcome == "detected").count();
+    assert!(record.defects.len() == 14 && rejected >= 12, "{rejected}");
+    assert!(record.defects.iter().all(|own| own.mended.frames > 0 && own.mended.refused == 0));
+    assert!(is_good(record));
+}
+
+#[test]
+fn an_outcome_that_contradicts_its_runs_fails_the_section() {
+    let changed = |change: fn(&mut Record)| {
+        let mut record = shipped();
+        change(&mut record);
+        is_good(record)
+    };
+    assert!(changed(|_| ()));
+    assert!(!changed(|record| record.defects[0].mended.refused = 1));
+    assert!(!changed(|record| record.defects[0].bad.refused = 0));
+    assert!(!changed(|record| record.defects[0].bad.stage = Some("collision".into())));
+    assert!(!changed(|record| record.defects[0].outcome = "false alarm".into()));
+    assert!(!changed(|record| {
+        let by_comparison = |own: &&mut lcplab::report::study::defects::Defect| {
+            own.outcome == "detected by comparison"
+        };
+        record.defects.iter_mut().find(by_comparison).unwrap().bad.worse.clear();
+    }));
+}
