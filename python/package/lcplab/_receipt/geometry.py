@@ -32,7 +32,7 @@ class Shape:
         """Of a sphere around it; infinite for a plane."""
         if self.kind == "plane":
             return math.inf
-        sizes = self.size.tolist()
+        sizes: list[float] = self.size.tolist()
         return {"sphere": sizes[0], "capsule": sum(sizes[:2])}.get(self.kind, math.hypot(*sizes))
 
 

@@ -145,7 +145,8 @@ def names_of(model: Any) -> Names:
     """The names of the model that was read last are kept."""
     if not _names or _names[0] is not model:
         _names[:] = [model, Names(model)]
-    return _names[1]
+    own: Names = _names[1]
+    return own
 
 
 def _rows(model: Any, data: Any, kinds: Rows) -> list[Row]:
