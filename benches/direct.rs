@@ -33,7 +33,7 @@ fn definite(criterion: &mut Criterion) {
 fn warm_factor(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("block pivoting, b moved");
     group.sample_size(10).measurement_time(Duration::from_secs(1));
-    let settings = Settings { tolerance: TOLERANCE, ..Settings::default() };
+    let settings = Settings::default().with_tolerance(TOLERANCE);
     let solver = BlockPivoting { settings, ..BlockPivoting::default() };
     for &n in contest::sizes(&[200, 500, 1000]) {
         let before = Bounds::OneSided.lcp(n, CONDITION).expect("a problem");

@@ -29,7 +29,7 @@ fn exact_proof(criterion: &mut Criterion) {
     group.sample_size(10);
     for n in [10, 50, 150] {
         let lcp = problem(n);
-        let settings = Settings { tolerance: 1e-12, ..Settings::default() };
+        let settings = Settings::default().with_tolerance(1e-12);
         let x = Dantzig { settings }.solve(&lcp, &Start::default(), &mut ()).x;
         assert!(prove(&lcp, &x).is_some(), "the solution must be proved");
         group.bench_function(BenchmarkId::from_parameter(n), |bencher| {

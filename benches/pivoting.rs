@@ -9,8 +9,8 @@ use lcplab::simulation::Simulation;
 use lcplab::solver::{Options, Registry, Settings, Start, Status};
 
 fn options() -> Options {
-    let settings = Settings { tolerance: 1e-10, ..Settings::default() };
-    Options { settings, ..Options::default() }
+    let settings = Settings::default().with_tolerance(1e-10);
+    Options::default().with_settings(settings)
 }
 
 /// The LCP of the third step.

@@ -41,7 +41,7 @@ fn measure(group: &mut contest::Group, scene: &str) {
     (0..SWEEPS).for_each(|_| kernel.sweep(&coupled));
     let lcp = posed.lcp.frozen_at(kernel.x());
     let system = System::new(factors.bodies(), &rows, &lcp).expect("no row of zeros");
-    let ours = InteriorPoint { settings: Settings { tolerance: TOLERANCE, ..Settings::default() } };
+    let ours = InteriorPoint { settings: Settings::default().with_tolerance(TOLERANCE) };
     let (jacobian, velocities) = (entries(&rows), WIDTH * system.bodies());
     let start = Start::default();
     if lcp.len() <= MOST_ROWS {

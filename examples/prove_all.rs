@@ -131,8 +131,8 @@ impl Tally {
 
 /// A tolerance near rounding, so that the distance of a proof is not that of the solver.
 fn precise() -> Options {
-    let settings = Settings { tolerance: 1e-14, max_iterations: 20_000, ..Settings::default() };
-    Options { settings, ..Options::default() }
+    let settings = Settings::default().with_tolerance(1e-14).with_max_iterations(20_000);
+    Options::default().with_settings(settings)
 }
 
 fn write(folder: &Path, stem: &str, text: &str) -> Result<()> {

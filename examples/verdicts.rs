@@ -19,9 +19,7 @@ use lcplab::hunt;
 use lcplab::lcp::file::{Problem, number};
 use lcplab::lcp::friction::{ConeProblem, FrictionProblem, Law, Model, Polyhedral, ProblemForm};
 use lcplab::lcp::{Lcp, library};
-use lcplab::report::answer::{
-    Answer, certificate_json, evidence_json, rounding_json, status_word, verdict_json,
-};
+use lcplab::report::answer::{Answer, json_object, rounding_json};
 use lcplab::report::friction::JudgedAnswer;
 use lcplab::scene::{Scene, Scheme, catalogue};
 use lcplab::solver::{Options, PolygonPgs, Registry, Settings, Solution, Solver, Start, Status};
@@ -43,8 +41,8 @@ const STEPS: [usize; 3] = [1, 5, 20];
 
 fn main() -> Result<()> {
     let random = std::env::args().nth(1).and_then(|n| n.parse().ok()).unwrap_or(2000);
-    let settings = Settings { max_iterations: 500, ..Settings::default() };
-    let options = Options { settings, ..Options::default() };
+    let settings = Settings::default().with_max_iterations(500);
+    let options = Options::default().with_settings(settings);
     let solvers: Vec<_> =
         Registry::standard().entries().map(|entry| entry.build(&options)).collect();
     let mut subjects = of_library()?;
@@ -101,8 +99,8 @@ fn of_polygons(subjects: &[Subject]) -> Result<Vec<Value>> {
 fn polygon_record(name: &str, friction: &FrictionProblem, corners: usize) -> Result<Value> {
     let model = Model::Polyhedral { directions: corners };
     let posed = ProblemForm::Polyhedral(Polyhedral::new(friction, corners)?);
-    let settings = Settings { max_iterations: 500, ..Settings::default() };
-    let options = Options { settings: settings.clone(), ..Options::default() };
+    let settings = Settings::default().with_max_iterations(500);
+    let options = Options::default().with_settings(settings.clone());
     let demand = Demand::default();
     let judged = |solver: &str, status: Option<&Status>, x: &[f64]| {
         let judged = JudgedAnswer::at_contacts(friction, &posed, x, &demand);
@@ -114,10 +112,10 @@ fn polygon_record(name: &str, friction: &FrictionProblem, corners: usize) -> Res
             None => ("failed", judged), // no solver claims it
         };
         let certificate = &judged.certificate;
-        let mut answer = verdict_json(&certificate.verdict);
+        let mut answer = json_object(&certificate.verdict);
         answer.extend(rounding_json(certificate.rounded_by));
         let evidence = certificate.evidence.iter();
-        answer.extend(evidence.map(|found| ("certificate".into(), evidence_json(found))));
+        answer.extend(evidence.map(|found| ("certificate".into(), json_object(found).into())));
         answer.insert("solver".into(), json!(solver));
         answer.insert("status".into(), json!(word));
         answer.insert("x".into(), x.iter().map(|&x| number(x)).collect());
@@ -177,13 +175,13 @@ fn turned(friction: &FrictionProblem, x: &[f64]) -> impl Iterator<Item = (&'stat
 }
 
 fn cone_record(name: &str, friction: &FrictionProblem, model: Model) -> Value {
-    let settings = Settings { max_iterations: 500, ..Settings::default() };
+    let settings = Settings::default().with_max_iterations(500);
     let demand = Demand::default();
     let law = if model == Model::CoulombCone { Law::Coulomb } else { Law::Associated };
     let cone = ConeProblem::new(friction.clone(), law);
     let judged = |solver: &str, status: &str, x: &[f64]| {
         let certificate = judge_cone(&cone, x, &demand);
-        let mut answer = verdict_json(&certificate.verdict);
+        let mut answer = json_object(&certificate.verdict);
         answer.extend(rounding_json(certificate.rounded_by));
         answer.insert("solver".into(), json!(solver));
         answer.insert("status".into(), json!(status));
@@ -195,7 +193,7 @@ fn cone_record(name: &str, friction: &FrictionProblem, model: Model) -> Value {
     let mut last = vec![0.0; friction.lcp().len()];
     for entry in Registry::standard().cone_entries().filter(|entry| entry.laws.contains(&law)) {
         let solution = entry.build(&settings).solve(&cone, &Start::default(), &mut ());
-        answers.push(judged(&entry.name, status_word(&solution.status), &solution.x));
+        answers.push(judged(&entry.name, solution.status.word(), &solution.x));
         last = solution.x;
     }
     answers.extend(
@@ -313,7 +311,7 @@ fn strange<'a>(lcp: &'a Lcp, x: &'a [f64]) -> impl Iterator<Item = (&'static str
 fn judged(lcp: &Lcp, name: &str, x: &[f64], demand: &Demand) -> Value {
     let certificate = judge(lcp, x, demand);
     let vector = |v: &[f64]| -> Value { v.iter().map(|&v| number(v)).collect() };
-    let mut answer = certificate_json(&certificate);
+    let mut answer = json_object(&certificate);
     answer.insert("solver".into(), json!(name));
     answer.insert("status".into(), json!("failed")); // no solver claims it
     answer.insert("x".into(), vector(x));

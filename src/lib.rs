@@ -96,3 +96,8 @@ pub mod file {
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+/// The same for the page about the crates.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/rust.md")]
+struct Crates;

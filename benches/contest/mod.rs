@@ -66,8 +66,8 @@ pub fn clarabel(
 #[allow(dead_code, reason = "not all benchmarks use it")]
 pub fn all(group: &mut Group, problem: &str, lcp: &Lcp, tolerance: f64, solvers: &[&str]) {
     clarabel(group, "clarabel", problem, lcp, tolerance, |asked| box_qp_to(lcp, asked));
-    let settings = Settings { tolerance, ..Settings::default() };
-    let options = Options { settings, ..Options::default() };
+    let settings = Settings::default().with_tolerance(tolerance);
+    let options = Options::default().with_settings(settings);
     for name in solvers {
         let solver = Registry::standard().entry(name).expect("a solver").build(&options);
         let solve = || solver.solve(black_box(lcp), &Start::default(), &mut ());

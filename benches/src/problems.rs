@@ -89,8 +89,8 @@ const SWEEPS: usize = 20;
 /// # Errors
 /// If the scene cannot be loaded or stepped, or the step solves no problem.
 pub fn posed(scene: &str, step: usize) -> Result<Problem> {
-    let settings = Settings { max_iterations: SWEEPS, ..Settings::default() };
-    let pgs = Registry::standard().entry("pgs")?.build(&Options { settings, ..Options::default() });
+    let settings = Settings::default().with_max_iterations(SWEEPS);
+    let pgs = Registry::standard().entry("pgs")?.build(&Options::default().with_settings(settings));
     let mut simulation = Simulation::new(Scene::load(scene)?, pgs);
     let refused = |reason: String| Error::invalid(scene, format!("step {step}"), reason);
     let mut last = None;

@@ -80,7 +80,7 @@ pub fn judged(u: &mut Unstructured<'_>) -> Result<()> {
 /// Makes a contact of the bytes and gives it to every solver for cones.
 pub fn solved(u: &mut Unstructured<'_>) -> Result<()> {
     let one = One::new(u)?;
-    let settings = Settings { max_iterations: 200, ..Settings::default() };
+    let settings = Settings::default().with_max_iterations(200);
     for (entry, law) in Registry::standard()
         .cone_entries()
         .flat_map(|entry| entry.laws.iter().map(move |law| (entry, *law)))

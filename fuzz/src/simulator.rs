@@ -18,8 +18,8 @@ pub fn simulator(bytes: &[u8]) -> Result<()> {
     let is_sound = |states: &[State]| {
         assert!(states.iter().all(State::is_finite), "{description:?}");
     };
-    let settings = Settings { max_iterations: 50, ..Settings::default() };
-    let options = Options { settings, ..Options::default() };
+    let settings = Settings::default().with_max_iterations(50);
+    let options = Options::default().with_settings(settings);
     let solver =
         Registry::standard().entry(&scene.solver.name).expect("a known solver").build(&options);
     let mut simulation = Simulation::new(scene.clone(), solver);

@@ -12,8 +12,8 @@ pub fn solvers(bytes: &[u8]) -> Result<()> {
     let mut u = Unstructured::new(bytes);
     let lcp = problem(&mut u)?;
     let start = if u.ratio(1, 3)? { Some(numbers(&mut u, lcp.len())?) } else { None };
-    let settings = Settings { max_iterations: 200, ..Settings::default() };
-    let options = Options { settings, ..Options::default() };
+    let settings = Settings::default().with_max_iterations(200);
+    let options = Options::default().with_settings(settings);
     let solvers: Vec<_> =
         Registry::standard().entries().map(|entry| entry.build(&options)).collect();
     for (solver, claim) in claims(&lcp, start.as_deref(), &solvers, Settings::default().tolerance) {

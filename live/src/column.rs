@@ -86,7 +86,8 @@ impl Motion {
         let (m, n, dt) = (&column.masses, column.masses.len(), column.dt);
         let tolerance = if self.sweeps.is_some() { 0.0 } else { Settings::default().tolerance };
         let max_iterations = self.sweeps.unwrap_or(10_000).min(10_000);
-        let settings = Settings { tolerance, max_iterations, ..Settings::default() };
+        let settings =
+            Settings::default().with_tolerance(tolerance).with_max_iterations(max_iterations);
         let solver = solver(&self.solver, self.omega, self.backward, settings)?;
         let weight = m.iter().sum::<f64>() * G * dt;
         let (mut u, mut z, mut x) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);

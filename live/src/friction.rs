@@ -101,7 +101,7 @@ fn block(mu: f64, press: f64, wanted: [f64; 2]) -> Result<FrictionProblem, Strin
 
 /// x under a model, by a solver that supports it.
 pub fn solved(model: Model, problem: &FrictionProblem) -> Result<Vec<f64>, String> {
-    let settings = Settings { tolerance: 1e-12, ..Settings::default() };
+    let settings = Settings::default().with_tolerance(1e-12);
     let start = Start::default();
     Ok(match model.pose(problem, None).map_err(|error| error.to_string())? {
         ProblemForm::Boxed(lcp) => {

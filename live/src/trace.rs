@@ -59,7 +59,7 @@ impl Question {
         }
         let limit = self.sweeps.unwrap_or(MOST_STEPS).min(MOST_STEPS);
         let tolerance = if self.sweeps.is_some() { 0.0 } else { Settings::default().tolerance };
-        let settings = Settings { tolerance, max_iterations: limit, ..Settings::default() };
+        let settings = Settings::default().with_tolerance(tolerance).with_max_iterations(limit);
         let solver = solver(&self.solver, self.omega, self.backward, settings)?;
         let mut steps = Steps::of(&lcp, &self.solver, MOST_STEPS + 1);
         let start = self.start.as_deref().map_or(Start::default(), Start::at);

@@ -7,7 +7,7 @@ use lcplab::explain::{Method as Explained, problem as explained};
 use lcplab::lcp::Lcp;
 use lcplab::lcp::Question;
 use lcplab::lcp::friction::Model;
-use lcplab::report::answer::{Answer, attempts_json, certificate_json, searched};
+use lcplab::report::answer::{Answer, attempts_json, json_object, searched};
 use lcplab::report::friction::{self, JudgedAnswer};
 use lcplab::report::study::families::{self, Contender, Models};
 use lcplab::report::{methods, terminal, view};
@@ -41,12 +41,8 @@ pub struct SolverSettings {
 
 impl SolverSettings {
     pub fn options(&self) -> PyResult<Options> {
-        let settings = Settings {
-            tolerance: self.tolerance,
-            max_iterations: self.max_iterations,
-            ..Settings::default()
-        };
-        let mut options = Options { settings, ..Options::default() };
+        let settings = Settings::default().with_tolerance(self.tolerance).with_max_iterations(self.max_iterations);
+        let mut options = Options::default().with_settings(settings);
         options.omega = self.omega.unwrap_or(options.omega);
         options.validate().map_err(refused)?;
         Ok(options)
@@ -102,7 +98,7 @@ pub fn solve<'py>(
     fields.set_item("status", answer.status_word())?;
     fields.set_item("message", answer.message())?;
     fields.set_item("solver", answer.solver)?;
-    let mut object = certificate_json(certificate);
+    let mut object = json_object(certificate);
     object.extend(attempts_json(&answer.attempts));
     fields.set_item("certificate", Value::Object(object).to_string())?;
     if trace {
@@ -217,7 +213,7 @@ pub fn judge(
         let reason = format!("has length {}, the problem has {} rows", x.len(), lcp.len());
         return Err(refused(Error::invalid("answer", "x", reason)));
     }
-    Settings { tolerance, ..Settings::default() }.validate().map_err(refused)?;
+    Settings::default().with_tolerance(tolerance).validate().map_err(refused)?;
     let demand = Demand { tolerance, prove_up_to: Demand::EXACT_ROWS };
     let question = question(problem, model, None)?;
     let (verdict, object) = match question.model() {
@@ -230,7 +226,7 @@ pub fn judge(
         None => {
             let certificate =
                 py.detach(|| searched(lcp, certificate::judge(lcp, &x, &demand), &demand));
-            (certificate.verdict, certificate_json(&certificate))
+            (certificate.verdict, json_object(&certificate))
         }
     };
     Ok((verdict.is_solution(), Value::Object(object).to_string()))

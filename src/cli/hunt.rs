@@ -69,8 +69,9 @@ pub struct Challenge {
 impl Challenge {
     pub fn run(&self, limits: &Limits) -> Result<Outcome> {
         let (tolerance, max_iterations) = (self.tolerance, self.max_iterations);
-        let settings = Settings { tolerance, max_iterations, ..Settings::default() };
-        let options = Options { settings, ..Options::default() };
+        let settings =
+            Settings::default().with_tolerance(tolerance).with_max_iterations(max_iterations);
+        let options = Options::default().with_settings(settings);
         options.validate()?;
         let (plugins, solvers) = self.plugins.start()?;
         let named = self.solver.iter().map(String::as_str);

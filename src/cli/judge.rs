@@ -8,7 +8,7 @@ use lcplab::error::Result;
 use lcplab::lcp::Question;
 use lcplab::lcp::file::{Problem, number, read_answers};
 use lcplab::lcp::friction::Model;
-use lcplab::report::answer::{bound, certificate_json, certificate_text, searched, verdict_json};
+use lcplab::report::answer::{bound, certificate_text, json_object, searched};
 use lcplab::report::friction::JudgedAnswer as Judgement;
 use lcplab::report::loads::Loads;
 use lcplab::report::minimum::Descent;
@@ -94,7 +94,7 @@ struct AnswerRow {
 
 impl Judge {
     pub fn run(&self) -> Result<Outcome> {
-        Settings { tolerance: self.tolerance, ..Settings::default() }.validate()?;
+        Settings::default().with_tolerance(self.tolerance).validate()?;
         let memory = self.memory.max_memory;
         let problem = read_problem(&self.problem, memory)?;
         let read = |path: &PathBuf| read_answers(path, problem.lcp.len(), memory);
@@ -136,7 +136,7 @@ impl Judge {
         let certificate = searched(&problem.lcp, certificate, &demand);
         let bound = bound(&problem.lcp, x, &certificate);
         if self.json {
-            let mut object = certificate_json(&certificate);
+            let mut object = json_object(&certificate);
             if let Some(bound) = bound {
                 object.insert("error_bound".into(), number(printed_up(bound)));
             }
@@ -173,7 +173,7 @@ impl Judge {
                 let mut object = Map::new();
                 object.insert("answer".into(), json!(judged.label));
                 object.insert("scaled_residual".into(), number(judged.scaled_residual));
-                object.extend(verdict_json(&judged.verdict));
+                object.extend(json_object(&judged.verdict));
                 Value::Object(object)
             };
             let answers: Vec<Value> = all.iter().map(object).collect();

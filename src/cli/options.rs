@@ -87,20 +87,17 @@ impl SolverArgs {
 
     /// The options for these solvers.
     pub fn options<'m>(&self, solvers: impl IntoIterator<Item = &'m Method>) -> Result<Options> {
-        let settings = Settings {
-            tolerance: self.tolerance,
-            max_iterations: self.max_iterations,
-            memory: self.memory(),
-            ..Settings::default()
-        };
+        let settings = Settings::default()
+            .with_tolerance(self.tolerance)
+            .with_max_iterations(self.max_iterations)
+            .with_memory(self.memory());
         let default = Options::default();
         let Choices { omega, order, seed, damping } = self.choices;
-        let options = Options {
-            settings,
-            omega: omega.unwrap_or(default.omega),
-            order: order.unwrap_or_default().seeded(seed.unwrap_or(1)),
-            damping: damping.map_or(default.damping, Damping::Factor),
-        };
+        let options = Options::default()
+            .with_settings(settings)
+            .with_omega(omega.unwrap_or(default.omega))
+            .with_order(order.unwrap_or_default().seeded(seed.unwrap_or(1)))
+            .with_damping(damping.map_or(default.damping, Damping::Factor));
         options.validate()?;
         let users: Vec<_> =
             solvers.into_iter().map(|method| (method.name(), method.uses())).collect();

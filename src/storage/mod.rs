@@ -26,7 +26,7 @@
 //! Zero entries are not stored: setting an entry to zero removes it (E54), and a row's entries are
 //! its nonzero ones, columns ascending, in every format. [`sweep`] runs projected Gauss-Seidel with
 //! any of them, [`Factors`] has J and M⁻¹ for sweeps that never assemble A
-//! ([`impulses`](crate::solver::kernel::impulses)), and [`Ordering`] gives the fill of a factor of
+//! (the kernel `impulses`), and [`Ordering`] gives the fill of a factor of
 //! A.
 
 mod compressed;

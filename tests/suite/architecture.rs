@@ -189,6 +189,35 @@ fn files_are_written_in_one_place_and_never_through_a_link_of_a_stranger() {
     }
 }
 
+#[test]
+fn the_solvers_tolerances_are_in_one_table_with_a_reason_each() {
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/solver/src");
+    let (mut table, mut elsewhere) = (Vec::new(), Vec::new());
+    for file in sources(&src) {
+        let text = fs::read_to_string(&file).unwrap();
+        let lines: Vec<&str> = text.lines().collect();
+        for (k, line) in lines.iter().enumerate() {
+            let Some((declared, value)) = line.split_once(": f64 = ") else { continue };
+            let Some((_, name)) = declared.split_once("const ") else { continue };
+            if !value.starts_with(|c: char| c.is_ascii_digit()) {
+                continue;
+            }
+            if file.ends_with("tolerances.rs") {
+                let reason = lines[..k].iter().rev().take_while(|line| line.starts_with("///"));
+                let words: usize = reason.map(|line| line.split_whitespace().count() - 1).sum();
+                assert!(words >= 8, "{name} has no reason");
+                table.push(name.to_string());
+            } else {
+                elsewhere.push(format!("{}: {line}", file.display()));
+            }
+        }
+    }
+    assert!(elsewhere.is_empty(), "{elsewhere:#?}");
+    assert!(table.len() > 30, "{table:?}");
+    let names: BTreeSet<&String> = table.iter().collect();
+    assert_eq!(names.len(), table.len());
+}
+
 /// The versions of each package in a lock file.
 fn locked(file: &str) -> BTreeMap<String, BTreeSet<String>> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);

@@ -51,8 +51,8 @@ fn a_and_b_follow_from_the_bodies_and_rows() {
 /// How many of the frames the default methods solve under a law; the judge accepts each
 /// of these answers.
 fn solved(law: Model) -> usize {
-    let settings = Settings { tolerance: 1e-8, ..Settings::default() };
-    let options = Options { settings, ..Options::default() };
+    let settings = Settings::default().with_tolerance(1e-8);
+    let options = Options::default().with_settings(settings);
     let demand = Demand { tolerance: 1e-8, prove_up_to: 0 };
     let mut solved = 0;
     for problem in frames().filter(|problem| problem.lcp.coupling().is_some()) {

@@ -16,8 +16,8 @@ const NAMES: [&str; 5] = ["dantzig", "block-pivoting", "lemke", "newton", "inter
 
 /// All of them on a problem. Their time includes setup, solve and the check of the residual.
 pub fn solvers(lcp: &Lcp) -> Result<Vec<Contender<'_>>> {
-    let settings = Settings { tolerance: TOLERANCE, ..Settings::default() };
-    let options = Options { settings, ..Options::default() };
+    let settings = Settings::default().with_tolerance(TOLERANCE);
+    let options = Options::default().with_settings(settings);
     let contender = |name: &&str| {
         let solver = solver::Registry::standard().entry(name)?.build(&options);
         let run = move || {

@@ -69,7 +69,7 @@ impl<'a> Words<'a> {
     }
 
     /// The next `count` nonnegative integers.
-    pub fn wholes(&mut self, count: usize, what: &str) -> Result<Vec<usize>> {
+    pub(crate) fn wholes(&mut self, count: usize, what: &str) -> Result<Vec<usize>> {
         let mut numbers = Vec::new();
         for i in 0..count {
             numbers.push(self.whole(format_args!("{what}[{i}]"))?);

@@ -14,6 +14,7 @@ use crate::residual::{Residual, Rows, worst};
 
 /// The judge's full result on x.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Certificate {
     /// w = A x + b.
     pub w: Vec<f64>,

@@ -44,6 +44,8 @@ pub mod reference;
 mod refutation;
 pub mod regularity;
 mod residual;
+#[cfg(feature = "serde")]
+mod serialized;
 pub mod uniqueness;
 mod verdict;
 
@@ -86,6 +88,22 @@ const NEAR: f64 = 1e-6;
 /// Before an x above the tolerance is rejected, two more checks can accept it: an exact solution
 /// lies within rounding of x, or the judge accepts the rounded neighbor of x, in which entries that
 /// differ from a bound or from 0 only by rounding are moved there.
+///
+/// ```
+/// use lcplab_judge::{Demand, judge};
+/// use lcplab_problem::{Lcp, Matrix};
+///
+/// // w = (2 x_0 − x_1 − 1, 2 x_1 − x_0 + 2): x = (½, 0).
+/// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// let verdict = |x: [f64; 2]| judge(&lcp, &x, &Demand::default()).verdict.to_string();
+/// assert_eq!(verdict([0.5, 0.0]), "proved: x is an exact solution");
+/// assert_eq!(
+///     verdict([0.4, 0.0]),
+///     "not a solution: scaled residual 0.11 in row 0, above the tolerance 10⁻⁸"
+/// );
+/// # Ok::<(), lcplab_problem::error::Error>(())
+/// ```
 ///
 /// # Panics
 /// If x does not have n entries.

@@ -4,6 +4,7 @@ use lcplab_problem::number::{readable, superscript};
 
 /// The judge's decision about x.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Verdict {
     /// x is within the tolerance, or differs from a solution only by rounding, and an exact
     /// solution was shown to exist this far from x (max norm, in the unit of x), at most 1e-6 of
@@ -28,6 +29,7 @@ pub enum Verdict {
 
 /// Why x is rejected.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Refusal {
     /// The residual is above the tolerance.
     Residual {
@@ -44,7 +46,10 @@ pub enum Refusal {
 impl Verdict {
     /// Whether x counts as a solution.
     pub fn is_solution(&self) -> bool {
-        !matches!(self, Verdict::NotASolution { .. })
+        match self {
+            Verdict::Proved { .. } | Verdict::WithinTolerance => true,
+            Verdict::NotASolution { .. } => false,
+        }
     }
 
     /// The largest possible distance of an exact solution from x, if one was proved.

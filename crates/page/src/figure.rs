@@ -3,7 +3,7 @@
 /// Width of every figure in px.
 pub const WIDTH: f64 = 880.0;
 /// Width of a figure for a phone or a column of a sheet in px.
-pub const NARROW: f64 = 400.0;
+pub(crate) const NARROW: f64 = 400.0;
 
 /// A picture with a name, texts and numbers.
 pub trait Figure {

@@ -19,6 +19,7 @@ pub type Result<T> = std::result::Result<T, Error>;
 
 /// An input that cannot be used.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum Error {
     /// A file that cannot be read or written, or a directory that cannot be made.
     #[error("{path}: {reason}")]

@@ -20,7 +20,7 @@ pub fn parse(text: &str) -> serde_json::Result<Value> {
 }
 
 /// A value whose objects have no duplicate keys.
-struct Unique(Value);
+pub(crate) struct Unique(pub(crate) Value);
 
 impl<'de> Deserialize<'de> for Unique {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

@@ -1,4 +1,8 @@
-//! Readable numbers: `1.3×10⁻⁸`, `−0.25`.
+//! Readable numbers: `1.3×10⁻⁸`, `−0.25`; and numbers as files contain them.
+
+use std::fmt;
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// The exponent in superscript digits: −8 gives `⁻⁸`.
 pub fn superscript(exponent: i32) -> String {
@@ -174,5 +178,82 @@ fn trimmed(decimal: &str) -> &str {
         decimal.trim_end_matches('0').trim_end_matches('.')
     } else {
         decimal
+    }
+}
+
+/// A number as files contain it: JSON has no infinities and no NaN, so they are the words "inf",
+/// "-inf" and "nan".
+///
+/// ```
+/// use lcplab_problem::number::Filed;
+///
+/// let text = serde_json::to_string(&[0.5, f64::INFINITY].map(Filed)).unwrap();
+/// assert_eq!(text, r#"[0.5,"inf"]"#);
+/// let back: Vec<Filed> = serde_json::from_str(&text).unwrap();
+/// assert_eq!(back, [Filed(0.5), Filed(f64::INFINITY)]);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Filed(pub f64);
+
+impl Filed {
+    /// The word for a number that JSON does not have.
+    pub(crate) fn word(self) -> Option<&'static str> {
+        match self.0 {
+            value if value.is_finite() => None,
+            value if value.is_nan() => Some("nan"),
+            value => Some(if value > 0.0 { "inf" } else { "-inf" }),
+        }
+    }
+
+    /// The number that a word means.
+    pub(crate) fn of_word(word: &str) -> Option<Self> {
+        match word {
+            "inf" | "+inf" => Some(Filed(f64::INFINITY)),
+            "-inf" => Some(Filed(f64::NEG_INFINITY)),
+            "nan" => Some(Filed(f64::NAN)),
+            _ => None,
+        }
+    }
+}
+
+impl Serialize for Filed {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.word() {
+            Some(word) => serializer.serialize_str(word),
+            None => serializer.serialize_f64(self.0),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Filed {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(FiledVisitor)
+    }
+}
+
+struct FiledVisitor;
+
+impl serde::de::Visitor<'_> for FiledVisitor {
+    type Value = Filed;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a number, \"inf\", \"-inf\" or \"nan\"")
+    }
+
+    fn visit_f64<E>(self, value: f64) -> Result<Filed, E> {
+        Ok(Filed(value))
+    }
+
+    fn visit_i64<E>(self, value: i64) -> Result<Filed, E> {
+        Ok(Filed(value as f64))
+    }
+
+    fn visit_u64<E>(self, value: u64) -> Result<Filed, E> {
+        Ok(Filed(value as f64))
+    }
+
+    fn visit_str<E: serde::de::Error>(self, word: &str) -> Result<Filed, E> {
+        Filed::of_word(word)
+            .ok_or_else(|| E::invalid_value(serde::de::Unexpected::Str(word), &self))
     }
 }

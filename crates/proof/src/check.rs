@@ -21,6 +21,22 @@ pub(crate) const MOST_ROWS_OF_P: usize = 12;
 
 /// Checks a proof of a problem under its friction model.
 ///
+/// ```
+/// use lcplab_problem::file::Problem;
+/// use lcplab_problem::{Lcp, Matrix, Question};
+/// use lcplab_proof::{check, prove};
+///
+/// let question = |b: f64| {
+///     let lcp = Lcp::new(Matrix::from([[2.0]]), vec![b], vec![0.0], vec![f64::INFINITY])?;
+///     Question::new(&Problem::new("one contact", lcp), None, "one.json")
+/// };
+/// let proof = prove(&question(-1.0)?, &[0.5]).proof.expect("a proof");
+/// assert_eq!(check(&question(-1.0)?, &proof), Ok(()));
+/// let other = check(&question(-2.0)?, &proof);
+/// assert_eq!(other, Err("the proof is about another problem".into()));
+/// # Ok::<(), lcplab_problem::error::Error>(())
+/// ```
+///
 /// # Errors
 /// Why it proves nothing about this problem.
 pub fn check(question: &Question, proof: &Proof) -> Result<(), String> {

@@ -61,6 +61,20 @@ impl ProofSearch {
 /// possible, by a vector that proves it for every model; under a cone also `solution` and
 /// `cone-solution`.
 ///
+/// ```
+/// use lcplab_problem::file::Problem;
+/// use lcplab_problem::{Lcp, Matrix, Question};
+/// use lcplab_proof::{Kind, check, prove};
+///
+/// // w = −x − 1 is negative for every x ≥ 0.
+/// let lcp = Lcp::new(Matrix::from([[-1.0]]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
+/// let question = Question::new(&Problem::new("no way", lcp), None, "none.json")?;
+/// let proof = prove(&question, &[0.0]).proof.expect("a proof");
+/// assert_eq!(proof.claim.kind(), Kind::NoSolution);
+/// assert_eq!(check(&question, &proof), Ok(()));
+/// # Ok::<(), lcplab_problem::error::Error>(())
+/// ```
+///
 /// # Panics
 /// If the answer does not have one entry per row.
 pub fn prove(question: &Question, answer: &[f64]) -> ProofSearch {

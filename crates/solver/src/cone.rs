@@ -30,6 +30,7 @@ pub trait ConeSolver: Send + Sync {
 
 /// A cone solver in the registry.
 #[derive(Clone)]
+#[non_exhaustive]
 pub struct ConeEntry {
     /// The name that selects it.
     pub name: Cow<'static, str>,

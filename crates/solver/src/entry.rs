@@ -9,6 +9,7 @@ use lcplab_problem::error::Result;
 
 /// A solver in the registry.
 #[derive(Clone)]
+#[non_exhaustive]
 pub struct Entry {
     /// The name that selects it.
     pub name: Cow<'static, str>,

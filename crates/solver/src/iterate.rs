@@ -3,15 +3,8 @@
 use std::ops::ControlFlow;
 
 use super::{Event, Iterate, Observer, Settings, Solution, Status};
+use crate::tolerances::{RAY_CURVATURE, RAY_ENTRY, RAY_SLOPE};
 use lcplab_problem::{Complementarity, Lcp, dot};
-
-/// dᵀA d counts as zero below this fraction of the sum of its absolute terms.
-const RELATIVE_ZERO: f64 = 1e-14;
-/// bᵀd counts as zero below this fraction: if dᵀA d counts as zero, d is a null vector only up to
-/// about 1e-7.
-const RELATIVE_ZERO_SLOPE: f64 = 1e-6;
-/// Entries of a direction below this fraction of the largest are not part of a ray.
-const SHORT: f64 = 1e-7;
 
 /// Repeats `step` from x until the scaled residual is within the tolerance, the limit is reached,
 /// the observer asks to stop, or an iterate is not finite.
@@ -117,7 +110,7 @@ fn long_part(lcp: &Lcp, x: &[f64], before: &[f64]) -> Vec<f64> {
     let mut direction: Vec<f64> = x.iter().zip(before).map(|(x, before)| x - before).collect();
     let longest = direction.iter().enumerate().map(|(i, &d)| length(i, d)).fold(0.0, f64::max);
     for (i, d) in direction.iter_mut().enumerate() {
-        if length(i, *d) < SHORT * longest {
+        if length(i, *d) < RAY_ENTRY * longest {
             *d = 0.0;
         }
     }
@@ -128,7 +121,7 @@ fn long_part(lcp: &Lcp, x: &[f64], before: &[f64]) -> Vec<f64> {
 fn is_unbounded_descent(lcp: &Lcp, d: &[f64]) -> bool {
     let size = |u: &[f64]| u.iter().map(|u| u.abs()).collect::<Vec<_>>();
     let slope_terms = dot(&size(lcp.b()), &size(d));
-    if !(dot(lcp.b(), d) < -RELATIVE_ZERO_SLOPE * slope_terms) {
+    if !(dot(lcp.b(), d) < -RAY_SLOPE * slope_terms) {
         return false;
     }
     let (mut curvature, mut terms) = (0.0, 0.0);
@@ -138,7 +131,7 @@ fn is_unbounded_descent(lcp: &Lcp, d: &[f64]) -> bool {
             terms += (d[i] * a * d[j]).abs();
         }
     }
-    f64::abs(curvature) <= RELATIVE_ZERO * terms && lcp.matrix().is_symmetric()
+    f64::abs(curvature) <= RAY_CURVATURE * terms && lcp.matrix().is_symmetric()
 }
 
 /// The row with the largest |d_i|.

@@ -13,9 +13,7 @@
 //! | [`newton`] | Newton on two kinds of equations, interior point | a linear system |
 //! | [`pivot`] | Dantzig, Lemke, Murty, blocks, enumeration | a row changes its bound |
 //!
-//! They use the factorizations in [`linalg`] and the [`kernel`]s, which are fast versions of the
-//! same sweeps and pivots. [`theory`] predicts how fast they converge, [`trace`] records what they
-//! do.
+//! [`theory`] predicts how fast they converge, [`trace`] records what they do.
 //!
 //! [`textbook`] has short versions of the same methods for students.
 //!
@@ -30,7 +28,11 @@ mod entry;
 pub mod frozen;
 pub mod gradient;
 mod iterate;
+// Fast loops and factorizations. They are no promise: public for the time stepping, the matrix
+// storage formats, the benchmarks and the tests of lcplab, which are other crates.
+#[doc(hidden)]
 pub mod kernel;
+#[doc(hidden)]
 pub mod linalg;
 mod method;
 mod metric;
@@ -46,6 +48,7 @@ mod stop;
 pub mod sweep;
 pub mod textbook;
 pub mod theory;
+mod tolerances;
 pub mod trace;
 mod warm;
 
@@ -81,6 +84,18 @@ pub trait Solver: Send + Sync {
     fn name(&self) -> &str;
 
     /// Solves the problem from a start and reports each iterate to the observer.
+    ///
+    /// ```
+    /// use lcplab_problem::{Lcp, Matrix};
+    /// use lcplab_solver::{Pgs, Settings, Solver, Start};
+    ///
+    /// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
+    /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+    /// let pgs = Pgs { settings: Settings::default().with_max_iterations(3), ..Pgs::default() };
+    /// let solution = pgs.solve(&lcp, &Start::at(&[1.0, 1.0]), &mut ()); // () observes nothing
+    /// assert_eq!(solution.to_string(), "solved after 2 iterations: x = (0.5, 0)");
+    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// ```
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution;
 }
 

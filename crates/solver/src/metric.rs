@@ -6,11 +6,9 @@
 //! roots; the choice of units does not change it.
 
 use super::Status;
+use crate::tolerances::FLAT_CURVATURE;
 use lcplab_problem::friction::ConeProblem;
 use lcplab_problem::{Complementarity, Lcp};
-
-/// dᵀA d below this fraction of λ dᵀD d counts as zero.
-const RELATIVE_ZERO: f64 = 1e-14;
 
 /// D = diag(A), and λ.
 #[derive(Debug, Clone)]
@@ -77,8 +75,8 @@ impl Metric {
     pub(super) fn curvature(&self, lcp: &Lcp, d: &[f64]) -> Curvature {
         let scale = self.eigenvalue * self.inner(d, d);
         match energy_product(lcp, d, d) {
-            c if c < -RELATIVE_ZERO.sqrt() * scale => Curvature::Negative,
-            c if c <= RELATIVE_ZERO * scale => Curvature::Flat,
+            c if c < -FLAT_CURVATURE.sqrt() * scale => Curvature::Negative,
+            c if c <= FLAT_CURVATURE * scale => Curvature::Flat,
             c => Curvature::Positive(c),
         }
     }

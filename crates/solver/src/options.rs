@@ -26,8 +26,17 @@ impl Choice {
     }
 }
 
-/// The options of a solver that a user can choose.
+/// The options of a solver that a user can choose. Each `with_` function changes one of them.
+///
+/// ```
+/// use lcplab_solver::Options;
+///
+/// let options = Options::default().with_tolerance(1e-10).with_max_iterations(50).with_omega(1.5);
+/// assert_eq!((options.settings.tolerance, options.settings.max_iterations), (1e-10, 50));
+/// assert_eq!(options.omega, 1.5);
+/// ```
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Options {
     /// The common settings.
     pub settings: Settings,
@@ -50,35 +59,29 @@ impl Default for Options {
     }
 }
 
-/// A builder of the same: each function changes one option.
-///
-/// ```
-/// use lcplab_solver::Options;
-///
-/// let options = Options::default().with_tolerance(1e-10).with_max_iterations(50).with_omega(1.5);
-/// assert_eq!((options.settings.tolerance, options.settings.max_iterations), (1e-10, 50));
-/// assert_eq!(options.omega, 1.5);
-/// ```
 impl Options {
-    /// Stop at this scaled residual.
+    /// These common settings.
     #[must_use]
-    pub fn with_tolerance(mut self, tolerance: f64) -> Self {
-        self.settings.tolerance = tolerance;
-        self
+    pub fn with_settings(self, settings: Settings) -> Self {
+        Options { settings, ..self }
     }
 
-    /// Stop after this many iterations.
+    /// See [`Settings::with_tolerance`].
     #[must_use]
-    pub fn with_max_iterations(mut self, max_iterations: usize) -> Self {
-        self.settings.max_iterations = max_iterations;
-        self
+    pub fn with_tolerance(self, tolerance: f64) -> Self {
+        Options { settings: self.settings.with_tolerance(tolerance), ..self }
     }
 
-    /// Do not start if the solver's own data would need more memory than this.
+    /// See [`Settings::with_max_iterations`].
     #[must_use]
-    pub fn with_memory(mut self, memory: Memory) -> Self {
-        self.settings.memory = memory;
-        self
+    pub fn with_max_iterations(self, max_iterations: usize) -> Self {
+        Options { settings: self.settings.with_max_iterations(max_iterations), ..self }
+    }
+
+    /// See [`Settings::with_memory`].
+    #[must_use]
+    pub fn with_memory(self, memory: Memory) -> Self {
+        Options { settings: self.settings.with_memory(memory), ..self }
     }
 
     /// The relaxation factor ω of PGS and SOR.

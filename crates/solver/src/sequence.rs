@@ -28,6 +28,7 @@
 
 use nalgebra::DMatrix;
 
+use crate::tolerances::NEGATIVE_EIGENVALUE;
 use crate::{
     Apgd, BlockPivoting, ConePgs, ConeSolver, Dantzig, Enumeration, InteriorPoint, Lemke, Newton,
     Observer, Options, PolygonPgs, Registry, Settings, Solution, Start, Status, solve_polyhedral,
@@ -41,8 +42,6 @@ const MOST_STEPS: usize = 100;
 const MOST_SETS: usize = 1 << 16;
 /// Number of rows up to which a symmetric A is examined for negative eigenvalues.
 const MOST_ROWS: usize = 300;
-/// With a unit diagonal, an eigenvalue that is less than this below zero, times n, is rounding.
-const ROUNDING: f64 = 1e-10;
 
 /// A method that was tried and did not solve the problem.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,6 +84,17 @@ pub fn solve_lcp(lcp: &Lcp) -> Solution {
 }
 
 /// Solves a problem from 0 with the suitable methods, one after the other, until one succeeds.
+///
+/// ```
+/// use lcplab_problem::friction::ProblemForm;
+/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_solver::{Options, solve_by_sequence};
+///
+/// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
+/// let answer = solve_by_sequence(&ProblemForm::Boxed(lcp), &Options::default(), &mut ());
+/// assert_eq!((answer.solver.as_str(), answer.solution.x), ("dantzig", vec![0.5]));
+/// # Ok::<(), lcplab_problem::error::Error>(())
+/// ```
 pub fn solve(
     problem: &ProblemForm,
     options: &Options,
@@ -148,7 +158,7 @@ fn is_semidefinite(lcp: &Lcp) -> bool {
         return false;
     }
     let unit = |i: usize, j: usize| match (i == j, root[i] * root[j]) {
-        (true, _) => 1.0 + n as f64 * ROUNDING,
+        (true, _) => 1.0 + n as f64 * NEGATIVE_EIGENVALUE,
         (_, 0.0) => 0.0,
         (_, size) => a.entry(i, j) / size,
     };

@@ -1,11 +1,20 @@
 //! Settings of all solvers.
 
 use super::Status;
+use crate::tolerances::DEFAULT_TOLERANCE;
 use lcplab_problem::error::{Defects, Result};
 use lcplab_problem::memory::Memory;
 
-/// The settings that all solvers share.
+/// The settings that all solvers share. Each `with_` function changes one of them.
+///
+/// ```
+/// use lcplab_solver::Settings;
+///
+/// let settings = Settings::default().with_tolerance(1e-10).with_max_iterations(50);
+/// assert_eq!((settings.tolerance, settings.max_iterations), (1e-10, 50));
+/// ```
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Settings {
     /// Stop when the scaled residual
     /// ([`merit::scaled_residual`](lcplab_problem::merit::scaled_residual)) is at most this.
@@ -23,7 +32,7 @@ pub struct Settings {
 impl Default for Settings {
     fn default() -> Self {
         Settings {
-            tolerance: 1e-8,
+            tolerance: DEFAULT_TOLERANCE,
             max_iterations: 10_000,
             check_every: 1,
             memory: Memory::default(),
@@ -32,6 +41,30 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// Stop at this scaled residual.
+    #[must_use]
+    pub fn with_tolerance(self, tolerance: f64) -> Self {
+        Settings { tolerance, ..self }
+    }
+
+    /// Stop after this many iterations.
+    #[must_use]
+    pub fn with_max_iterations(self, max_iterations: usize) -> Self {
+        Settings { max_iterations, ..self }
+    }
+
+    /// Compute the residual of an iterative solver after this many iterations each.
+    #[must_use]
+    pub fn with_check_every(self, check_every: usize) -> Self {
+        Settings { check_every, ..self }
+    }
+
+    /// Do not start if the solver's own data would need more memory than this.
+    #[must_use]
+    pub fn with_memory(self, memory: Memory) -> Self {
+        Settings { memory, ..self }
+    }
+
     /// Checks that the settings are valid.
     ///
     /// # Errors

@@ -2,9 +2,12 @@
 
 use std::fmt;
 
+use serde::de::{Deserialize, Deserializer, Error as _};
+use serde::ser::{Serialize, SerializeMap, Serializer};
+
 use crate::Settings;
 use lcplab_problem::memory::Memory;
-use lcplab_problem::number::{counted, readable};
+use lcplab_problem::number::{Filed, counted, readable};
 use lcplab_problem::{Complementarity, Lcp};
 
 /// A solver's answer. It contains no time, so it does not depend on the machine's speed.
@@ -84,12 +87,91 @@ impl fmt::Display for Solution {
     }
 }
 
+/// The keys that `lcplab solve --json` prints for a solution, with the status as one
+/// [word](Status::word) and a message.
+///
+/// ```
+/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_solver::{Solution, solve};
+///
+/// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
+/// let text = serde_json::to_string(&solve(&lcp)).unwrap();
+/// let expected =
+///     r#"{"status":"solved","x":[0.5],"w":[0.0],"iterations":1,"message":"solved"}"#;
+/// assert_eq!(text, expected);
+/// let back: Solution = serde_json::from_str(&text).unwrap();
+/// assert_eq!(back, solve(&lcp));
+/// # Ok::<(), lcplab_problem::error::Error>(())
+/// ```
+impl Serialize for Solution {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let vector = |v: &[f64]| v.iter().map(|&v| Filed(v)).collect::<Vec<_>>();
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("status", self.status.word())?;
+        map.serialize_entry("x", &vector(&self.x))?;
+        map.serialize_entry("w", &vector(&self.w))?;
+        map.serialize_entry("iterations", &self.iterations)?;
+        map.serialize_entry("message", &self.status.to_string())?;
+        if let Some(fallback) = self.fallback {
+            map.serialize_entry("fallback", &fallback.to_string())?;
+        }
+        map.end()
+    }
+}
+
+/// Reads the same keys, and ignores others. The four words are fewer than the statuses:
+/// `iteration_limit` is read as [`Status::IterationLimit`], `infeasible` as
+/// [`Status::NoSolution`], and `failed` as [`Status::NoAnswer`] with the message as its reason. The
+/// status is a claim, as that of any solver; the judge checks x.
+impl<'de> Deserialize<'de> for Solution {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let filed = FiledSolution::deserialize(deserializer)?;
+        let reason = || {
+            let message = filed.message.strip_prefix(NO_ANSWER).unwrap_or(&filed.message);
+            message.to_string()
+        };
+        let status = match filed.status.as_str() {
+            "solved" => Status::Solved,
+            "iteration_limit" => Status::IterationLimit,
+            "infeasible" => Status::NoSolution,
+            "failed" => Status::NoAnswer { reason: reason() },
+            other => return Err(D::Error::custom(format!("there is no status {other:?}"))),
+        };
+        let fallback = match filed.fallback {
+            None => None,
+            Some(name) => {
+                let known = Fallback::ALL.into_iter().find(|known| known.to_string() == name);
+                let unknown = || D::Error::custom(format!("there is no fallback {name:?}"));
+                Some(known.ok_or_else(unknown)?)
+            }
+        };
+        let [x, w] = [filed.x, filed.w].map(|v| v.into_iter().map(|v| v.0).collect::<Vec<_>>());
+        if x.len() != w.len() {
+            return Err(D::Error::custom(format!("x has length {}, w {}", x.len(), w.len())));
+        }
+        let iterations = filed.iterations;
+        Ok(Solution { x, w, status, iterations, fallback, is_claim_implied: false })
+    }
+}
+
+#[derive(serde::Deserialize)]
+struct FiledSolution {
+    status: String,
+    x: Vec<Filed>,
+    w: Vec<Filed>,
+    iterations: usize,
+    #[serde(default)]
+    message: String,
+    fallback: Option<String>,
+}
+
 /// The number of entries of x that are printed.
 const PRINTED: usize = 10;
 
 /// What a method does when it cannot continue by itself. This list is complete: no solver
 /// transforms a problem first (presolve) or passes it to another solver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Fallback {
     /// Block pivoting made no progress and exchanged single rows by Murty's rule.
     LeastIndex,
@@ -108,6 +190,17 @@ pub enum Fallback {
     Softened,
 }
 
+impl Fallback {
+    /// All of them.
+    const ALL: [Fallback; 5] = [
+        Fallback::LeastIndex,
+        Fallback::Proximal,
+        Fallback::SecondPath,
+        Fallback::Sweeps,
+        Fallback::Softened,
+    ];
+}
+
 impl fmt::Display for Fallback {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -122,6 +215,7 @@ impl fmt::Display for Fallback {
 
 /// The status that a solver reports. Only [`Status::Solved`] claims that x is a solution.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum Status {
     /// The scaled residual of x is at most the tolerance.
     Solved,
@@ -184,6 +278,33 @@ pub enum Status {
     },
 }
 
+/// How the message of [`Status::NoAnswer`] begins.
+const NO_ANSWER: &str = "no answer: ";
+
+impl Status {
+    /// The status as one of the words `solved`, `iteration_limit` and `failed`, as in JSON. A claim
+    /// that there is no solution is a failure as long as nothing proves it.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Status::Solved => "solved",
+            Status::Inaccurate
+            | Status::IterationLimit
+            | Status::SetsLeft { .. }
+            | Status::Stalled
+            | Status::Stopped => "iteration_limit",
+            Status::NoSolution
+            | Status::Ray { .. }
+            | Status::Diverged
+            | Status::NotFinite
+            | Status::ZeroDiagonal { .. }
+            | Status::Singular { .. }
+            | Status::TooLarge { .. }
+            | Status::OutsideClass { .. }
+            | Status::NoAnswer { .. } => "failed",
+        }
+    }
+}
+
 impl fmt::Display for Status {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -209,7 +330,7 @@ impl fmt::Display for Status {
                 write!(f, "needs {needs}; the limit is {limit}")
             }
             Status::OutsideClass { reason } => write!(f, "outside the solver's class: {reason}"),
-            Status::NoAnswer { reason } => write!(f, "no answer: {reason}"),
+            Status::NoAnswer { reason } => write!(f, "{NO_ANSWER}{reason}"),
         }
     }
 }

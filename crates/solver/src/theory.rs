@@ -34,6 +34,7 @@
 use nalgebra::DMatrix;
 
 use crate::metric::Metric;
+use crate::tolerances::{NULL_EIGENVALUE, UNIT_EIGENVALUE};
 use crate::{Jacobi, Options, Order, Pgs};
 use lcplab_problem::{Lcp, Matrix};
 
@@ -103,7 +104,7 @@ pub fn contraction(g: &DMatrix<f64>) -> f64 {
         return f64::NAN;
     }
     let g = faer::Mat::from_fn(g.nrows(), g.ncols(), |i, j| g[(i, j)]);
-    let moving = |z: &faer::c64| (z.re - 1.0).hypot(z.im) > NULL;
+    let moving = |z: &faer::c64| (z.re - 1.0).hypot(z.im) > UNIT_EIGENVALUE;
     let largest = |values: Vec<faer::c64>| {
         values.iter().filter(|z| moving(z)).map(|z| z.re.hypot(z.im)).fold(0.0, f64::max)
     };
@@ -181,7 +182,7 @@ fn range(a: &Matrix) -> Option<DMatrix<f64>> {
     let (values, vectors) = (found.S().column_vector(), found.U());
     let size = |k: usize| f64::abs(values[k]);
     let largest = (0..a.len()).map(size).fold(0.0, f64::max);
-    let kept: Vec<usize> = (0..a.len()).filter(|&k| size(k) > RELATIVE_ZERO * largest).collect();
+    let kept: Vec<usize> = (0..a.len()).filter(|&k| size(k) > NULL_EIGENVALUE * largest).collect();
     Some(DMatrix::from_fn(a.len(), kept.len(), |i, k| vectors[(i, kept[k])]))
 }
 
@@ -193,12 +194,6 @@ pub fn rows_inside(lcp: &Lcp, x: &[f64]) -> Vec<usize> {
     };
     (0..lcp.len()).filter(is_free).collect()
 }
-
-/// An eigenvalue of G within this distance of 1 counts as 1.
-const NULL: f64 = 1e-9;
-
-/// An eigenvalue of A below this fraction of the largest counts as 0.
-const RELATIVE_ZERO: f64 = 1e-11;
 
 /// Young's ω* from the spectral radius of the undamped Jacobi matrix, for a consistently ordered A.
 /// NaN if Jacobi's method does not converge.

@@ -1,6 +1,7 @@
 //! The answer of a solver to one problem, as JSON and as text.
 
 use dashu_ratio::RBig;
+use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use lcplab_judge::{
@@ -91,18 +92,15 @@ impl Answer {
 
     /// The object that `solve --json` prints.
     pub fn to_json(&self) -> Map<String, Value> {
-        let vector = |v: &[f64]| -> Value { v.iter().map(|&v| number(v)).collect() };
-        let mut fields = Map::new();
+        let mut fields = json_object(&self.solution);
+        let fallback = fields.shift_remove_entry("fallback");
+        fields.shift_remove("message");
         fields.insert("status".into(), json!(self.status_word()));
-        fields.insert("x".into(), vector(&self.solution.x));
-        fields.insert("w".into(), vector(&self.certificate.w));
-        fields.insert("iterations".into(), json!(self.solution.iterations));
+        fields.insert("w".into(), self.certificate.w.iter().map(|&w| number(w)).collect());
         fields.insert("solver".into(), json!(self.solver));
-        fields.extend(certificate_json(&self.certificate));
+        fields.extend(json_object(&self.certificate));
         fields.insert("message".into(), json!(self.message()));
-        if let Some(fallback) = self.solution.fallback {
-            fields.insert("fallback".into(), json!(fallback.to_string()));
-        }
+        fields.extend(fallback);
         fields.extend(attempts_json(&self.attempts));
         if let Some(bound) = self.error_bound {
             fields.insert("error_bound".into(), number(printed_up(bound)));
@@ -115,7 +113,7 @@ impl Answer {
 pub fn attempts_json(attempts: &[Attempt]) -> Option<(String, Value)> {
     let object = |Attempt { solver, status, iterations }: &Attempt| {
         json!({
-            "solver": solver, "status": status_word(status), "message": status.to_string(),
+            "solver": solver, "status": status.word(), "message": status.to_string(),
             "iterations": iterations,
         })
     };
@@ -227,7 +225,7 @@ pub fn claim(
                 }
                 None => status.to_string(),
             };
-            (status_word(status), message)
+            (status.word(), message)
         }
     }
 }
@@ -242,27 +240,6 @@ fn how(refutation: &Refutation) -> String {
     }
 }
 
-/// A status as one of four words; an unproved claim that there is no solution is a failure.
-pub fn status_word(status: &Status) -> &'static str {
-    match status {
-        Status::Solved => "solved",
-        Status::Inaccurate
-        | Status::IterationLimit
-        | Status::SetsLeft { .. }
-        | Status::Stalled
-        | Status::Stopped => "iteration_limit",
-        Status::NoSolution
-        | Status::Ray { .. }
-        | Status::Diverged
-        | Status::NotFinite
-        | Status::ZeroDiagonal { .. }
-        | Status::Singular { .. }
-        | Status::TooLarge { .. }
-        | Status::OutsideClass { .. }
-        | Status::NoAnswer { .. } => "failed",
-    }
-}
-
 /// The bound that certifies x to ε, if the verdict is within tolerance and not stronger.
 pub fn bound(lcp: &Lcp, x: &[f64], certificate: &Certificate) -> Option<f64> {
     match certificate.verdict {
@@ -271,29 +248,12 @@ pub fn bound(lcp: &Lcp, x: &[f64], certificate: &Certificate) -> Option<f64> {
     }
 }
 
-/// The judge's part of the JSON: residuals, gaps and the verdict.
-pub fn certificate_json(certificate: &Certificate) -> Map<String, Value> {
-    let mut object = Map::new();
-    for (key, value) in [
-        ("natural_residual", certificate.natural_residual),
-        ("scaled_residual", certificate.scaled_residual),
-        ("complementarity_gap", certificate.complementarity_gap),
-        ("bound_violation", certificate.bound_violation),
-        ("dual_infeasibility", certificate.dual_infeasibility),
-        ("objective", certificate.objective),
-        ("duality_gap", certificate.duality_gap),
-    ] {
-        object.insert(key.into(), number(value));
+/// The keys of a value that is an object in JSON, such as a certificate or a verdict.
+pub fn json_object(value: &impl Serialize) -> Map<String, Value> {
+    match serde_json::to_value(value) {
+        Ok(Value::Object(object)) => object,
+        _ => Map::new(),
     }
-    if certificate.scale > 0.0 {
-        object.insert("scale".into(), number(certificate.scale));
-    }
-    object.extend(rounding_json(certificate.rounded_by));
-    object.extend(verdict_json(&certificate.verdict));
-    object.extend(
-        certificate.evidence.iter().map(|evidence| ("certificate".into(), evidence_json(evidence))),
-    );
-    object
 }
 
 /// The key `rounded_by`, if the verdict is about a point that differs from x by rounding.
@@ -310,42 +270,6 @@ pub(crate) fn rounding_text(rounded_by: Option<f64>) -> String {
         )
     };
     rounded_by.map(line).unwrap_or_default()
-}
-
-/// The key `certificate`: what exact arithmetic showed in addition to the verdict.
-pub fn evidence_json(evidence: &Evidence) -> Value {
-    match evidence {
-        Evidence::NotUnique(direction) => json!({ "not_unique": fractions(direction) }),
-        Evidence::FarSolution { distance } => {
-            json!({ "far_solution": number(printed_up(*distance)) })
-        }
-        Evidence::NoSolution(Refutation::Vector(farkas)) => {
-            json!({ "no_solution": fractions(&farkas.vector) })
-        }
-        Evidence::NoSolution(Refutation::CaseSplit { pieces }) => json!({ "case_split": pieces }),
-    }
-}
-
-/// The verdict with its numbers.
-pub fn verdict_json(verdict: &Verdict) -> Map<String, Value> {
-    let mut object = Map::new();
-    object.insert("verdict".into(), json!(verdict.word()));
-    match *verdict {
-        Verdict::Proved { distance } => {
-            object.insert("distance".into(), number(printed_up(distance)));
-        }
-        Verdict::NotASolution { row, amount, .. } => {
-            object.insert("row".into(), json!(row));
-            object.insert("amount".into(), number(amount));
-        }
-        Verdict::WithinTolerance => {}
-    }
-    object
-}
-
-/// Exact numbers as text, such as "-1/3".
-fn fractions(vector: &[RBig]) -> Vec<String> {
-    vector.iter().map(ToString::to_string).collect()
 }
 
 /// The residuals and the verdict as lines of text, and the [`bound`] on the error of x if there is
@@ -404,10 +328,10 @@ pub fn certificate_text(
     text + &error_bound.map(bound_line).unwrap_or_default()
 }
 
-/// The same as a line of text.
+/// What exact arithmetic showed in addition to the verdict, as a line of text.
 pub(crate) fn evidence_text(evidence: &Evidence, is_unique: bool) -> String {
     let listed = |vector: &[RBig]| {
-        let shown: Vec<String> = fractions(vector).into_iter().take(SHOWN).collect();
+        let shown: Vec<String> = vector.iter().take(SHOWN).map(RBig::to_string).collect();
         shown.join(" ") + if vector.len() > SHOWN { " …" } else { "" }
     };
     match evidence {

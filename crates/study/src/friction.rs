@@ -4,8 +4,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
 use super::answer::{
-    claim, evidence_json, evidence_text, impossible, proof_of_denial, rounding_json, rounding_text,
-    verdict_json,
+    claim, evidence_text, impossible, json_object, proof_of_denial, rounding_json, rounding_text,
 };
 use super::trial::Trial;
 use lcplab_judge::{Demand, FrictionCertificate, Refutation, judge_cone, judge_friction};
@@ -168,10 +167,11 @@ impl JudgedAnswer {
         object.insert("w".into(), self.certificate.w.iter().map(|&w| number(w)).collect());
         object.insert("scaled_residual".into(), number(self.certificate.scaled_residual));
         object.insert("coulomb_residual".into(), number(self.coulomb_residual));
-        object.extend(verdict_json(&self.certificate.verdict));
+        object.extend(json_object(&self.certificate.verdict));
         object.extend(rounding_json(self.certificate.rounded_by));
-        let evidence = self.certificate.evidence.iter();
-        object.extend(evidence.map(|evidence| ("certificate".into(), evidence_json(evidence))));
+        if let Some(evidence) = &self.certificate.evidence {
+            object.insert("certificate".into(), json_object(evidence).into());
+        }
         object.insert("contacts".into(), self.contacts.iter().map(contact).collect());
         object
     }

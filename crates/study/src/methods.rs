@@ -11,7 +11,7 @@ use lcplab_solver::Method;
 use lcplab_solver::{Apgd, ConePgs, Dantzig, Entry, InteriorPoint, Lemke, Newton, Pgs, Registry};
 
 /// The name of the reference.
-pub const REFERENCE: &str = "clarabel";
+pub(crate) const REFERENCE: &str = "clarabel";
 
 /// One method of each kind: sweeps, Newton, gradients, an interior point, two pivoting methods,
 /// sweeps for cones, and the reference.

@@ -141,7 +141,8 @@ impl Outcome {
             Status::Solved => match judge(lcp, &solution.x, &demand).verdict {
                 Verdict::Proved { .. } => Outcome::Proved,
                 Verdict::WithinTolerance => Outcome::Accepted,
-                Verdict::NotASolution { .. } => Outcome::Refuted,
+                // Also a verdict of a later judge: only the two above accept.
+                _ => Outcome::Refuted,
             },
             Status::Diverged if is_within() => Outcome::Withdrawn,
             Status::OutsideClass { reason } => Outcome::Outside((*reason).to_string()),

@@ -70,12 +70,10 @@ pub fn swept(
         |given: Option<&[f64]>, none: f64| given.map_or(vec![none; b.len()], <[f64]>::to_vec);
     let (lo, hi) = (bound(lo, f64::NEG_INFINITY), bound(hi, f64::INFINITY));
     let lcp = Lcp::new(Matrix::from(A.as_view()), b.as_slice().to_vec(), lo, hi)?;
-    let settings = Settings {
-        tolerance: 0.0,
-        max_iterations: sweeps,
-        check_every: sweeps.max(1),
-        ..Settings::default()
-    };
+    let settings = Settings::default()
+        .with_tolerance(0.0)
+        .with_max_iterations(sweeps)
+        .with_check_every(sweeps.max(1));
     let solver: Box<dyn Solver> = match form {
         Form::Printed => Box::new(Code6 { settings }),
         Form::Corrected => Box::new(Pgs { settings, ..Pgs::default() }),

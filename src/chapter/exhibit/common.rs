@@ -57,13 +57,11 @@ pub(super) fn sweeps(
     start: &[f64],
     count: usize,
 ) -> Result<Vec<Vec<f64>>> {
-    let settings = Settings {
-        tolerance: 0.0,
-        max_iterations: count,
-        check_every: count + 1,
-        ..Settings::default()
-    };
-    let options = Options { settings, damping: Damping::Factor(1.0), ..Options::default() };
+    let settings = Settings::default()
+        .with_tolerance(0.0)
+        .with_max_iterations(count)
+        .with_check_every(count + 1);
+    let options = Options::default().with_settings(settings).with_damping(Damping::Factor(1.0));
     let mut kept = Kept(Vec::new());
     Registry::standard().entry(solver)?.build(&options).solve(lcp, &Start::at(start), &mut kept);
     Ok(kept.0)

@@ -35,7 +35,7 @@ pub(super) fn empty_does_not_clear() -> Result<Finding> {
 /// x after one sweep from this start.
 fn swept(start: &[f64]) -> Result<Vec<f64>> {
     let lcp = equations(&[2.0, -1.0, -1.0, 2.0], &[-1.0, -1.0])?;
-    let settings = Settings { max_iterations: 1, ..Settings::default() };
+    let settings = Settings::default().with_max_iterations(1);
     let pgs = Pgs { settings, ..Pgs::default() };
     Ok(pgs.solve(&lcp, &Start::at(start), &mut ()).x)
 }

@@ -97,10 +97,10 @@ fn row(measure: &Measure) -> Vec<String> {
 fn word(verdict: &Verdict) -> String {
     match verdict {
         Verdict::Proved { .. } => "proved".into(),
-        Verdict::WithinTolerance => verdict.to_string(),
         Verdict::NotASolution { amount, .. } => {
             format!("rejected: scaled residual {}", readable(*amount, 2))
         }
+        other => other.to_string(),
     }
 }
 

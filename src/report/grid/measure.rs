@@ -17,12 +17,11 @@ use crate::error::Result;
 use crate::lcp::Lcp;
 use crate::lcp::file::{Expected, Problem, as_number, number};
 use crate::lcp::friction::ProblemForm;
-use crate::report::answer::status_word;
 use crate::report::study::tally::Tally;
 use crate::report::study::trial::Trial;
 use crate::scene::Scene;
 use crate::simulation::{Motion, Solve, Step};
-use crate::solver::{Method, Options, Registry, Settings, Solution, Start, Status, theory};
+use crate::solver::{Method, Options, Registry, Solution, Start, Status, theory};
 use crate::trace::Convergence;
 
 /// A measured quantity.
@@ -214,8 +213,8 @@ const FLOOR: f64 = 1e-11;
 
 /// The convergence rate of a sweep method, from its residuals and as an eigenvalue.
 fn rates(scene: &Scene, options: &Options, lcp: &Lcp) -> Result<(Option<f64>, Option<f64>)> {
-    let settings = Settings { tolerance: 0.0, ..options.settings.clone() };
-    let options = Options { settings, ..options.clone() };
+    let settings = options.settings.clone().with_tolerance(0.0);
+    let options = options.clone().with_settings(settings);
     let mut trace = Convergence::of(lcp);
     trace.floor = FLOOR;
     let name = &scene.solver.name;
@@ -243,7 +242,7 @@ impl Worst {
     fn add(&mut self, solution: &Solution, certificate: &FrictionCertificate) {
         let verdict = certificate.verdict;
         if solution.status != Status::Solved {
-            self.status = Some(status_word(&solution.status));
+            self.status = Some(solution.status.word());
         }
         if self.verdict.is_none_or(|worst| rank(&verdict) > rank(&worst)) {
             self.verdict = Some(verdict);
@@ -297,7 +296,8 @@ fn rank(verdict: &Verdict) -> u8 {
     match verdict {
         Verdict::Proved { .. } => 0,
         Verdict::WithinTolerance => 1,
-        Verdict::NotASolution { .. } => 2,
+        // Also a verdict of a later judge, which no figure may show as accepted.
+        _ => 2,
     }
 }
 

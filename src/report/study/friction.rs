@@ -67,7 +67,7 @@ pub fn compare(
     models: &[Model],
     settings: &Settings,
 ) -> Result<Vec<Answer>> {
-    let options = Options { settings: settings.clone(), ..Options::default() };
+    let options = Options::default().with_settings(settings.clone());
     options.validate()?;
     models.iter().map(|&model| answer(problem, model, &options)).collect()
 }

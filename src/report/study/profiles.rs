@@ -136,8 +136,9 @@ impl Plan {
     /// The attempts of the solvers at a problem, and their wall times (s).
     fn attempts(&self, entries: &[Entry], lcp: &Lcp, tolerance: f64) -> (Vec<Attempt>, Vec<f64>) {
         let max_iterations = self.max_iterations;
-        let settings = Settings { tolerance, max_iterations, ..Settings::default() };
-        let options = Options { settings, ..Options::default() };
+        let settings =
+            Settings::default().with_tolerance(tolerance).with_max_iterations(max_iterations);
+        let options = Options::default().with_settings(settings);
         let problem = ProblemForm::Boxed(lcp.clone());
         let attempt = |entry: &Entry| {
             let trial = Trial::run(&Method::Boxed(entry.clone()), &problem, &options, &mut ());

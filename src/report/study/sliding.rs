@@ -183,7 +183,7 @@ impl Figure {
 /// # Errors
 /// If there is no problem with this μ, or the push is not finite.
 pub fn run(mu: f64, push: f64) -> Result<Finding> {
-    let settings = Settings { tolerance: 1e-10, ..Settings::default() };
+    let settings = Settings::default().with_tolerance(1e-10);
     let pushes: Vec<(Model, f64)> =
         Model::ALL.iter().flat_map(|&m| (0..=18).map(move |k| (m, f64::from(5 * k)))).collect();
     let slides = pushes.par_iter().map(|&(model, degrees)| {

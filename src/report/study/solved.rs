@@ -123,8 +123,9 @@ impl Plan {
         let Some(method) = solvers.all().find(is_asked) else { return Ok(None) };
         let demand = Demand { tolerance: self.tolerance, prove_up_to: 0 };
         let Plan { tolerance, max_iterations, .. } = *self;
-        let settings = Settings { tolerance, max_iterations, ..Settings::default() };
-        let options = Options { settings, ..Options::default() };
+        let settings =
+            Settings::default().with_tolerance(tolerance).with_max_iterations(max_iterations);
+        let options = Options::default().with_settings(settings);
         let (solution, judged) = friction::solve(&question, method, &options, &demand, &mut ());
         Ok(Some(Answer {
             is_claim: solution.status == Status::Solved,

@@ -77,7 +77,7 @@ proptest! {
             rows.iter().map(|one| rows.iter().map(|other| dot(one, other)).collect()).collect();
         let a: Vec<&[f64]> = a.iter().map(Vec::as_slice).collect();
         let b: Vec<f64> = rows.iter().map(|row| dot(row, &u)).collect();
-        let settings = Settings { tolerance: 0.0, max_iterations: 20, ..Settings::default() };
+        let settings = Settings::default().with_tolerance(0.0).with_max_iterations(20);
         let system = iterates(&Pgs { settings, ..Pgs::default() }, &contacts(&a, &b));
 
         let (mut x, mut v) = (vec![0.0; 6], u.clone());

@@ -13,7 +13,7 @@ fn said(solver: &str, lcp: &Lcp, settings: Settings) -> Status {
 }
 
 fn said_by(solvers: &Registry, solver: &str, lcp: &Lcp, settings: Settings) -> Status {
-    let options = Options { settings, ..Options::default() };
+    let options = Options::default().with_settings(settings);
     let solver = solvers.entry(solver).unwrap().build(&options);
     let solution = solver.solve(lcp, &Start::default(), &mut ());
     assert!(solution.x.iter().all(|x| x.is_finite()), "{:?}", solution.x);
@@ -27,8 +27,8 @@ fn every_status_is_claimed_by_a_solver_and_put_into_words() {
     let pair = contacts(&[&[2.0, -1.0], &[-1.0, 2.0]], &[-3.0, -3.0]); // x = (3, 3)
     // x = (0.0005, 0.3335): x₂ has to be rounded, by more than x₁ can make good.
     let no_float = contacts(&[&[1.0, 1.0], &[1.0, 3.0]], &[-0.334, -1.001]);
-    let exactly = Settings { tolerance: 0.0, ..usual() };
-    let one_sweep = Settings { max_iterations: 1, ..usual() };
+    let exactly = usual().with_tolerance(0.0);
+    let one_sweep = usual().with_max_iterations(1);
     // A row coupled with μ = 2 and pushed beyond its bound: x_t = 2 x_n, x_n ← max(0, 1 − x_t).
     // Frozen bounds make x_n go 0, 1, 0, 1, …
     let matrix = Matrix::dense(2, &[1.0, 1.0, 1.0, 2.0]);
@@ -49,12 +49,12 @@ fn every_status_is_claimed_by_a_solver_and_put_into_words() {
         let pgs = Registry::standard().entry("pgs").unwrap().build(&Options::default());
         pgs.solve(&pair, &Start::default(), &mut stop.watch(&mut ())).status
     };
-    let small = Settings { memory: Memory::bytes(1), ..usual() };
+    let small = usual().with_memory(Memory::bytes(1));
     let always_one = r#"short=python3 -c "import sys; [print('{\"x\": [1]}', flush=True) for line in sys.stdin]""#;
     let mut solvers = Registry::default();
     let short = Plugin::start(always_one, 60.0).unwrap();
     short.add_to(&mut solvers).unwrap();
-    each_variant! { Status:
+    each_variant! { Status in "crates/solver/src/solution.rs":
         Status::Solved => said("dantzig", &one, usual()), "solved";
         Status::Inaccurate => said("murty", &no_float, exactly.clone()), "ended above the tolerance";
         Status::IterationLimit => said("pgs", &pair, one_sweep.clone()), "iteration limit";

@@ -14,7 +14,7 @@ use lcplab_testing::{INF, boxed, cases, pushed_mass, rubbing};
 const POLYGON: Model = Model::Polyhedral { directions: 4 };
 
 fn answers(problem: &FrictionProblem, models: &[Model]) -> Vec<Answer> {
-    let settings = Settings { tolerance: 1e-11, ..Settings::default() };
+    let settings = Settings::default().with_tolerance(1e-11);
     compare(problem, models, &settings).unwrap()
 }
 

@@ -16,11 +16,11 @@ use lcplab_testing::{INF, cases};
 
 /// The third step of a scene.
 fn step(scene: Scene) -> Problem {
-    let settings = Settings { max_iterations: 30, ..Settings::default() };
+    let settings = Settings::default().with_max_iterations(30);
     let pgs = Registry::standard()
         .entry("pgs")
         .unwrap()
-        .build(&Options { settings, ..Options::default() });
+        .build(&Options::default().with_settings(settings));
     let mut simulation = Simulation::new(scene, pgs);
     let mut steps = (0..3).map(|_| simulation.step().unwrap());
     steps.next_back().unwrap().solves.remove(0).problem
@@ -44,7 +44,7 @@ fn frozen(lcp: &Lcp) -> Lcp {
 }
 
 fn to(tolerance: f64) -> InteriorPoint {
-    InteriorPoint { settings: Settings { tolerance, ..Settings::default() } }
+    InteriorPoint { settings: Settings::default().with_tolerance(tolerance) }
 }
 
 fn by_velocities(factors: &Factors, lcp: &Lcp, tolerance: f64) -> Solution {
@@ -208,7 +208,7 @@ fn what_would_take_too_much_memory_is_refused_in_both_forms() {
     let rows = factors.scaled_rows();
     let system = System::new(factors.bodies(), &rows, &lcp).unwrap();
     let memory = lcplab::memory::Memory::bytes(1000);
-    let short = InteriorPoint { settings: Settings { memory, ..Settings::default() } };
+    let short = InteriorPoint { settings: Settings::default().with_memory(memory) };
     let by_rows = short.solve(&lcp, &Start::default(), &mut ());
     let by_velocities = short.solve_factored(&lcp, &system, &Start::default(), &mut ());
     for solution in [by_rows, by_velocities] {
@@ -229,7 +229,7 @@ fn a_single_step_meets_equations_to_seven_digits() {
     let lcp =
         Lcp::new(Matrix::sparse(20, &entries), vec![-0.9; 20], free(-INF), free(INF)).unwrap();
     let system = System::new(20, &rows, &lcp).unwrap();
-    let settings = Settings { max_iterations: 1, ..Settings::default() };
+    let settings = Settings::default().with_max_iterations(1);
     let one_step = InteriorPoint { settings };
     let solution = one_step.solve_factored(&lcp, &system, &Start::default(), &mut ());
     for (x, a) in solution.x.iter().zip(&diagonal) {

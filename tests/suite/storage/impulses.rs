@@ -15,11 +15,11 @@ const SWEEPS: usize = 20;
 
 /// The LCP of a step, with what it is made of; friction rows follow their normals.
 fn step(scene: Scene) -> Problem {
-    let settings = Settings { max_iterations: 30, ..Settings::default() };
+    let settings = Settings::default().with_max_iterations(30);
     let pgs = Registry::standard()
         .entry("pgs")
         .unwrap()
-        .build(&Options { settings, ..Options::default() });
+        .build(&Options::default().with_settings(settings));
     let mut simulation = Simulation::new(scene, pgs);
     let mut steps = (0..3).map(|_| simulation.step().unwrap());
     steps.next_back().unwrap().solves.remove(0).problem

@@ -29,7 +29,7 @@ proptest! {
         let (lo, hi) = (vec![0.0; n], vec![f64::INFINITY; n]);
         let lcp = Lcp::new(Matrix::sparse(n, &entries), b, lo, hi).unwrap();
         let settings =
-            Settings { tolerance: 0.0, max_iterations: 7, check_every: 1, ..Settings::default() };
+            Settings::default().with_tolerance(0.0).with_max_iterations(7).with_check_every(1);
         let solver = Pgs { omega: 1.0, order: Order::Natural, settings };
         let mut iterates = Iterates::default();
         solver.solve(&lcp, &Start::default(), &mut iterates);

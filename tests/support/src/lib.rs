@@ -228,12 +228,10 @@ pub fn rubbing(
 
 /// x after `sweeps` sweeps of the plain method.
 pub fn plain(lcp: &Lcp, omega: f64, sweeps: usize) -> Vec<f64> {
-    let settings = Settings {
-        tolerance: 0.0,
-        max_iterations: sweeps,
-        check_every: sweeps,
-        ..Settings::default()
-    };
+    let settings = Settings::default()
+        .with_tolerance(0.0)
+        .with_max_iterations(sweeps)
+        .with_check_every(sweeps);
     let pgs = Pgs { omega, settings, ..Pgs::default() };
     iterates(&pgs, lcp).pop().unwrap()
 }

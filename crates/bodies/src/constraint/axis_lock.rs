@@ -83,7 +83,7 @@ impl AxisLock {
     ///
     /// # Errors
     /// If the placement has no axis.
-    pub fn on_line(at: &Placement) -> Result<[AxisLock; 2], Fault> {
+    pub(crate) fn on_line(at: &Placement) -> Result<[AxisLock; 2], Fault> {
         let (bodies, anchors) = (at.bodies, at.anchors());
         let motion = Motion::Translation { anchors, offset: 0.0 };
         Ok(tangents(&at.axis()?).map(|axis| AxisLock { bodies, axis, motion: motion.clone() }))

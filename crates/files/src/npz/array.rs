@@ -110,7 +110,7 @@ impl Array {
     }
 
     /// The nonnegative integers of a list.
-    pub fn wholes(&self) -> Result<Vec<usize>, Reason> {
+    pub(crate) fn wholes(&self) -> Result<Vec<usize>, Reason> {
         let (Values::Integers(values), [_]) = (&self.values, &self.shape[..]) else {
             return Err("must be a list of integers".into());
         };

@@ -46,7 +46,7 @@ fn elliptic_cones_are_the_associated_model_and_not_coulombs_law() {
     assert!(verdict(Model::AssociatedCone).is_solution());
     assert!(!verdict(Model::CoulombCone).is_solution());
     let ProblemForm::Cone(cone) = posed(Model::AssociatedCone) else { unreachable!() };
-    let settings = Settings { tolerance: 1e-13, max_iterations: 5000, ..Settings::default() };
+    let settings = Settings::default().with_tolerance(1e-13).with_max_iterations(5000);
     let sweeps = ConePgs { settings };
     let ours = sweeps.solve(&cone, &Start::default(), &mut ());
     assert_eq!(ours.status, Status::Solved);

@@ -141,7 +141,7 @@ impl Krawczyk {
         (0..self.defect.len()).map(row).collect()
     }
 
-    pub fn is_contained(&self, system: &System<'_>, at: &AtPoint<'_>, r: &[Dyadic]) -> bool {
+    pub(crate) fn is_contained(&self, system: &System<'_>, at: &AtPoint<'_>, r: &[Dyadic]) -> bool {
         let image = self.image(system, r);
         image.iter().zip(system.unknowns()).all(|(image, &i)| *image < &r[i] * at.d)
     }

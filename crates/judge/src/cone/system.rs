@@ -255,7 +255,7 @@ impl<'a> System<'a> {
     }
 
     /// Whether an open contact must close: w_n < 0, or under the associated law w_n < μ |w_t|.
-    pub fn is_pressed(&self, contact: &Contact, at: &AtPoint<'_>) -> bool {
+    pub(crate) fn is_pressed(&self, contact: &Contact, at: &AtPoint<'_>) -> bool {
         let [n, t1, t2] = contact.rows.map(|i| &at.w[i]);
         let mu = dyadic(contact.mu);
         let is_outside = || n * n < &mu * &mu * (t1 * t1 + t2 * t2);
@@ -273,7 +273,7 @@ impl<'a> System<'a> {
     ///
     /// # Errors
     /// The row whose inequality fails.
-    pub fn check_inequalities(&self, at: &AtPoint<'_>, r: &[Dyadic]) -> Result<(), String> {
+    pub(crate) fn check_inequalities(&self, at: &AtPoint<'_>, r: &[Dyadic]) -> Result<(), String> {
         let AtPoint { x, d, w } = at;
         for &i in self.problem.friction().others() {
             let holds = match self.states[i] {

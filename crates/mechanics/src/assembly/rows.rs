@@ -113,7 +113,7 @@ impl Row {
     }
 
     /// J u (m/s or rad/s) with the velocities of these states; J is not updated.
-    pub fn velocity_with(&self, states: &[State]) -> f64 {
+    pub(crate) fn velocity_with(&self, states: &[State]) -> f64 {
         let own = self.movers().map(|(body, jacobian)| jacobian.dot(&states[body].velocity()));
         own.sum::<f64>() + self.drift
     }

@@ -270,7 +270,7 @@ impl Problem {
 
     /// The states after the step: s + dt S u⁺ for the current states; at position level s + S
     /// M⁻¹Jᵀx with unchanged velocities.
-    pub fn next_states(&self, states: &[State], x: &[f64], dt: f64) -> Vec<State> {
+    pub(crate) fn next_states(&self, states: &[State], x: &[f64], dt: f64) -> Vec<State> {
         if self.stage == Stage::Position {
             let still = vec![State::WORLD; states.len()];
             let moves = self.assembly.with_velocities(&still, &self.motion(x));
@@ -283,7 +283,7 @@ impl Problem {
 
     /// The problem as a file: its numbers, and the bodies and rows that they were built from. With
     /// sliding contacts A does not define a minimization, and the file contains no bodies.
-    pub fn in_numbers(&self, name: impl Into<String>) -> file::Problem {
+    pub(crate) fn in_numbers(&self, name: impl Into<String>) -> file::Problem {
         let motion = self.slides.is_empty().then(|| self.unbounded_by_friction());
         file::Problem { motion, ..file::Problem::new(name, self.lcp.clone()) }
     }

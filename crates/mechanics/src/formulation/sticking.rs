@@ -40,7 +40,7 @@ impl Problem {
     ///
     /// # Errors
     /// If a coefficient is not finite.
-    pub fn loosened(&self, scene: &Scene, x: &[f64]) -> Result<Option<Self>> {
+    pub(crate) fn loosened(&self, scene: &Scene, x: &[f64]) -> Result<Option<Self>> {
         if !scene.has_static_friction() {
             return Ok(None);
         }

@@ -26,7 +26,7 @@ pub struct Driven {
 impl Scene {
     /// The scene with the forces that act at a time (s), or their mean over the next `h` (s) if
     /// that is not 0.
-    pub fn forced(&self, time: f64, h: f64) -> Cow<'_, Scene> {
+    pub(crate) fn forced(&self, time: f64, h: f64) -> Cow<'_, Scene> {
         if self.driven.iter().all(|driven| driven.force.is_none()) {
             return Cow::Borrowed(self);
         }

@@ -83,7 +83,7 @@ impl Source<'_> {
     }
 
     /// The same error with a line number before each field.
-    pub fn with_lines(&self, error: Error) -> Error {
+    pub(crate) fn with_lines(&self, error: Error) -> Error {
         let Error::Invalid { input, mut defects } = error else { return error };
         for defect in &mut defects {
             if let Some(span) = span_of(self.root, &defect.place) {

@@ -45,7 +45,7 @@ impl Scene {
     }
 
     /// Whether static friction is above friction anywhere.
-    pub fn has_static_friction(&self) -> bool {
+    pub(crate) fn has_static_friction(&self) -> bool {
         let of_body = self
             .bodies
             .iter()

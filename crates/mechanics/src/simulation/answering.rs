@@ -69,7 +69,7 @@ impl Solvers<'_> {
         if let Some(first) = first.as_ref().filter(|first| !is_lost(first)) {
             return (name.into(), first.clone());
         }
-        let options = Options { settings: settings(self.scene), ..Options::default() };
+        let options = Options::default().with_settings(settings(self.scene));
         let tried = first.as_ref().map_or("", |_| name);
         let next = solve_boxed_without(tried, lcp, start, &options, observer);
         match (next.solution.status.clone(), first) {
@@ -152,10 +152,8 @@ fn by_polygons(
 
 /// The scene's settings of solvers.
 pub(super) fn settings(scene: &Scene) -> Settings {
-    Settings {
-        tolerance: scene.solver.tolerance,
-        max_iterations: scene.solver.max_iterations,
-        memory: scene.memory,
-        ..Settings::default()
-    }
+    Settings::default()
+        .with_tolerance(scene.solver.tolerance)
+        .with_max_iterations(scene.solver.max_iterations)
+        .with_memory(scene.memory)
 }

@@ -10,7 +10,7 @@ use crate::scene::{DetectedContact, Passage, Scene, Scheme, resting};
 use lcplab_problem::number::readable;
 
 /// An overlap of more than this part of the thinner body is deep.
-pub const DEEP: f64 = 0.25;
+pub(crate) const DEEP: f64 = 0.25;
 /// An overlap of more than this part of the thinner body, and more than the slop, counts.
 pub const NOTABLE: f64 = 1e-2;
 /// The number of steps without shrinking after which an overlap is lasting.
@@ -40,7 +40,7 @@ pub enum InterpenetrationKind {
         /// How far (m) they moved against each other in the step, turning included.
         travel: f64,
     },
-    /// They overlap by more than [`DEEP`] of the thinner one, and no less than a step before.
+    /// They overlap by more than a quarter of the thinner one, and no less than a step before.
     DeepOverlap {
         /// The thickness of the thinner one (m).
         thickness: f64,

@@ -34,7 +34,7 @@ mod warnings;
 pub use events::{StepEvent, VelocityUpdate};
 pub use impact_energy::{ImpactCause, ImpactEnergy};
 pub use impacts::{Impact, Impacts, Touch};
-pub use interpenetration::{DEEP, Interpenetration, InterpenetrationKind, LASTING, NOTABLE};
+pub use interpenetration::{Interpenetration, InterpenetrationKind, LASTING, NOTABLE};
 pub use laws::LawErrors;
 pub use ledger::Ledger;
 pub use motion::{Motion, carried, momentum_sizes};
@@ -165,6 +165,19 @@ impl Simulation {
 
     /// Takes one step; after a failure the states are those before it.
     ///
+    /// ```
+    /// use lcplab_judge::Demand;
+    /// use lcplab_mechanics::{scene::Scene, simulation::Simulation};
+    /// use lcplab_solver::Dantzig;
+    ///
+    /// let mut simulation = Simulation::new(Scene::load("stack")?, Box::new(Dantzig::default()));
+    /// let step = simulation.step().expect("a step that can be taken");
+    /// let solve = &step.solves[0]; // the LCP of the step, and its solution
+    /// assert_eq!(solve.solution.x.len(), 60); // impulses (N s)
+    /// assert!(solve.judged(&Demand::default()).verdict.is_solution());
+    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Cause`] lists them: a constraint without direction, a problem that provably has no
     /// solution, a state that is not finite.
@@ -291,6 +304,22 @@ impl Simulation {
     }
 
     /// Takes up to `steps` steps, showing each to `watch`, which may end the run.
+    ///
+    /// ```
+    /// use std::ops::ControlFlow;
+    ///
+    /// use lcplab_mechanics::{scene::Scene, simulation::Simulation};
+    /// use lcplab_solver::Dantzig;
+    ///
+    /// // A stone thrown upward at 3 m/s. 100 steps of 0.01 s later it falls at 9.81 − 3 m/s.
+    /// let solver = Dantzig::default();
+    /// let mut simulation = Simulation::new(Scene::load("free_fall")?, Box::new(solver));
+    /// let recording = simulation.run(100, |_| ControlFlow::Continue(()));
+    /// assert!(recording.failure.is_none());
+    /// assert_eq!(recording.motion.len(), 101); // the start, and after each step
+    /// assert!((simulation.states()[0].v.z + 6.81).abs() < 1e-12); // m/s
+    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// ```
     pub fn run(
         &mut self,
         steps: usize,

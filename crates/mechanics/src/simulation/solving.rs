@@ -110,7 +110,7 @@ impl Solving<'_> {
 
     /// Solves, and again with restitution if something bounces; the last answer counts. In a bounce
     /// a frozen box is frozen at the impulses of the first answer.
-    pub fn solve_bouncing(&mut self, problem: Problem) -> Result<&Solve, Cause> {
+    pub(crate) fn solve_bouncing(&mut self, problem: Problem) -> Result<&Solve, Cause> {
         self.solve(problem)?;
         if let Some(second) = self.bounce()? {
             self.replace_last();
@@ -120,7 +120,7 @@ impl Solving<'_> {
     }
 
     /// The last answer does not act: another one takes its place.
-    pub fn replace_last(&mut self) {
+    pub(crate) fn replace_last(&mut self) {
         if let Some(last) = self.solves.last_mut() {
             last.impulse_factor = 0.0;
         }
@@ -138,7 +138,7 @@ impl Solving<'_> {
     }
 
     /// Writes down that the last answer acted.
-    pub fn note_answer(&mut self) {
+    pub(crate) fn note_answer(&mut self) {
         self.note(StepEvent::Answer(self.solves.len() - 1));
     }
 

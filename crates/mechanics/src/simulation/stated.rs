@@ -9,15 +9,17 @@ use crate::scene::{Scene, Scheme};
 
 /// The options that a scene states for its solver.
 pub fn options(scene: &Scene) -> Options {
-    let settings = Settings {
-        tolerance: scene.solver.tolerance,
-        max_iterations: scene.solver.max_iterations,
-        memory: scene.memory,
-        ..Settings::default()
-    };
+    let settings = Settings::default()
+        .with_tolerance(scene.solver.tolerance)
+        .with_max_iterations(scene.solver.max_iterations)
+        .with_memory(scene.memory);
     let order = scene.solver.order.seeded(scene.solver.seed);
     let damping = scene.solver.damping.map_or(Damping::Safe, Damping::Factor);
-    Options { settings, omega: scene.solver.omega, order, damping }
+    Options::default()
+        .with_settings(settings)
+        .with_omega(scene.solver.omega)
+        .with_order(order)
+        .with_damping(damping)
 }
 
 /// The solver for LCPs that a scene states.

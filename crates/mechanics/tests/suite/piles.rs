@@ -24,10 +24,7 @@ enum Copies {
 }
 
 fn options() -> Options {
-    Options {
-        settings: Settings { tolerance: TOLERANCE, ..Settings::default() },
-        ..Options::default()
-    }
+    Options::default().with_settings(Settings::default().with_tolerance(TOLERANCE))
 }
 
 /// A scene of boxes on the ground.

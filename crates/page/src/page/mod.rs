@@ -394,7 +394,7 @@ impl Table {
 
     /// The table without its secondary columns, and without the sentences of "how to read" that
     /// begin with the name of one.
-    pub fn primary(&self) -> Table {
+    pub(crate) fn primary(&self) -> Table {
         let kept: Vec<usize> =
             (0..self.columns.len()).filter(|&c| !self.columns[c].secondary).collect();
         let names_omitted = |sentence: &&str| {

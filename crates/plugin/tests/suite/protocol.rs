@@ -92,8 +92,8 @@ fn a_plug_in_receives_the_problem_and_the_demands() {
         "open(sys.argv[0] + '.json', 'w').write(line); print('{\"x\": [0.5, 0]}', flush=True)",
     );
     let plugin = script.start(Duration::from_secs(7));
-    let settings = Settings { tolerance: 1e-9, max_iterations: 50, ..Settings::default() };
-    let solver = entry(&plugin).build(&Options { settings, ..Options::default() });
+    let settings = Settings::default().with_tolerance(1e-9).with_max_iterations(50);
+    let solver = entry(&plugin).build(&Options::default().with_settings(settings));
     let solution = solver.solve(&pushed(), &Start::at(&[1.0, 2.0]), &mut ());
     assert_eq!((solution.x, solution.status), (vec![0.5, 0.0], Status::Solved));
     let told = std::fs::read_to_string(script.path("echo.py.json")).unwrap();

@@ -21,8 +21,7 @@ mod point;
 mod solution_set;
 
 pub use dyadic::rounded_up;
-pub use pieces::Pieces;
-pub use pieces::{MAX_PIECES, all_solutions};
+pub use pieces::{Pieces, all_solutions};
 pub use point::Point;
 pub use solution_set::{Face, SolutionSet};
 

@@ -16,7 +16,7 @@ use super::{Bounds, Exact, Place, Point, Side};
 use crate::Lcp;
 
 /// Limit on the number of pieces.
-pub const MAX_PIECES: usize = 1 << 16;
+pub(crate) const MAX_PIECES: usize = 1 << 16;
 
 /// The pieces of a problem.
 pub struct Pieces {
@@ -29,7 +29,7 @@ pub struct Pieces {
 }
 
 impl Pieces {
-    /// All pieces; `None` if there are more than [`MAX_PIECES`].
+    /// All pieces; `None` if there are more than 65,536.
     pub fn of(lcp: &Lcp) -> Option<Self> {
         let exact = Exact::new(lcp);
         let choices: Vec<Vec<Side>> = (0..lcp.len()).map(|i| exact.sides(i).to_vec()).collect();

@@ -33,6 +33,8 @@
 //!  "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5], "model": "coulomb-cone"}
 //! ```
 //!
+//! With serde, an [`Lcp`] and a [`Problem`] are written and read as such objects.
+//!
 //! The crate `lcplab-files` reads and writes the files of other programs. Unknown keys are ignored
 //! with a warning that suggests the most similar known key; in `A` they are an error, and so is a
 //! duplicate key. Memory is bounded: n is compared with the length of b before anything of size n
@@ -53,6 +55,8 @@ pub use value::{as_number, number};
 
 use std::path::Path;
 
+use serde::de::{Deserialize, Deserializer, Error as _};
+use serde::ser::{Serialize, Serializer};
 use serde_json::{Map, Value, json};
 
 use parts::{descriptions, frozen_at, model, scale};
@@ -120,6 +124,14 @@ impl Problem {
 
     /// Reads a file, or standard input for the path `-`.
     ///
+    /// ```no_run
+    /// use lcplab_problem::file::Problem;
+    ///
+    /// let problem = Problem::read("stack.json".as_ref())?;
+    /// println!("{}: {} rows", problem.name, problem.lcp.len()); // stack, step 1: 60 rows
+    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// If the file cannot be read, is not JSON, or has defects; all of them are listed.
     pub fn read(path: &Path) -> Result<Self> {
@@ -148,7 +160,11 @@ impl Problem {
     /// # Errors
     /// If the text is not JSON or has defects; all of them are listed.
     pub fn parse(text: &str, input: &str) -> Result<Self> {
-        let object = parse_object(text, input)?;
+        Self::from_object(parse_object(text, input)?, input)
+    }
+
+    /// The problem that an object called `input` describes.
+    fn from_object(object: Map<String, Value>, input: &str) -> Result<Self> {
         let mut defects = Defects::default();
         for key in ["A", "b"].into_iter().filter(|key| !object.contains_key(*key)) {
             defects.add(key, "is missing");
@@ -167,62 +183,123 @@ impl Problem {
         let motion = motion.map(|motion| motion::within_bounds(motion, &lcp));
         let model = model.filter(|model| !is_box_in_plane(*model, &lcp));
         let (mut extra, mut warnings) = (Map::new(), Vec::new());
-        for (key, value) in &object {
+        let name = object.get("name").and_then(Value::as_str).unwrap_or_default().to_string();
+        for (key, value) in object {
             if KEPT.contains(&key.as_str()) {
-                extra.insert(key.clone(), value.clone());
+                extra.insert(key, value);
             } else if !READ.contains(&key.as_str()) {
-                let meant = similar(key).map(|known| format!("; did you mean {known:?}?"));
+                let meant = similar(&key).map(|known| format!("; did you mean {known:?}?"));
                 let meant = meant.unwrap_or_default();
                 warnings.push(format!("{input}: unknown key {key:?} ignored{meant}"));
             }
         }
-        let name = object.get("name").and_then(Value::as_str).unwrap_or_default().to_string();
         Ok(Problem { name, lcp, model, frozen_at, motion, extra, warnings })
     }
 
     /// The problem as JSON, sparse if its matrix is stored sparsely. Reading it back gives bitwise
     /// the same problem.
     pub fn to_json(&self) -> Value {
-        let lcp = &self.lcp;
-        let n = lcp.len();
-        let row = |i| lcp.matrix().row(i).iter();
-        let matrix = match lcp.matrix() {
-            Matrix::Dense(_) => {
-                let dense: Vec<Vec<f64>> =
-                    (0..n).map(|i| row(i).map(|(_, a)| a).collect()).collect();
-                json!({ "dense": dense })
-            }
-            Matrix::Sparse(_) => {
-                let triplets: Vec<Value> =
-                    (0..n).flat_map(|i| row(i).map(move |(j, a)| json!([i, j, a]))).collect();
-                json!({ "rows": n, "cols": n, "triplets": triplets })
-            }
-        };
         let mut object = Map::new();
         object.insert("name".into(), json!(self.name));
-        object.insert("A".into(), matrix);
-        object.insert("b".into(), json!(lcp.b()));
-        object.insert("lo".into(), lcp.lo().iter().map(|&v| number(v)).collect());
-        object.insert("hi".into(), lcp.hi().iter().map(|&v| number(v)).collect());
-        if let Some(coupling) = lcp.coupling() {
-            let index = |i| coupling.index(i).map_or(json!(-1), |k| json!(k));
-            object.insert("friction_index".into(), (0..n).map(index).collect());
-            object.insert("mu".into(), (0..n).map(|i| json!(coupling.mu(i))).collect());
-        }
+        object.extend(lcp_to_json(&self.lcp));
         if let Some(model) = self.model {
             object.insert("model".into(), json!(model.to_string()));
         }
         if let Some(x) = &self.frozen_at {
             object.insert("frozen_at".into(), json!(x));
         }
-        if lcp.scale() > 0.0 {
-            object.insert("scale".into(), json!(lcp.scale()));
+        // After the model, the same order of keys as in earlier files.
+        if let Some(scale) = object.shift_remove("scale") {
+            object.insert("scale".into(), scale);
         }
         if let Some(motion) = &self.motion {
             object.insert("motion".into(), motion::to_json(motion));
         }
         object.extend(self.extra.clone());
         Value::Object(object)
+    }
+}
+
+/// The keys of an LCP.
+fn lcp_to_json(lcp: &Lcp) -> Map<String, Value> {
+    let n = lcp.len();
+    let row = |i| lcp.matrix().row(i).iter();
+    let matrix = match lcp.matrix() {
+        Matrix::Dense(_) => {
+            let dense: Vec<Vec<f64>> = (0..n).map(|i| row(i).map(|(_, a)| a).collect()).collect();
+            json!({ "dense": dense })
+        }
+        Matrix::Sparse(_) => {
+            let triplets: Vec<Value> =
+                (0..n).flat_map(|i| row(i).map(move |(j, a)| json!([i, j, a]))).collect();
+            json!({ "rows": n, "cols": n, "triplets": triplets })
+        }
+    };
+    let mut object = Map::new();
+    object.insert("A".into(), matrix);
+    object.insert("b".into(), json!(lcp.b()));
+    object.insert("lo".into(), lcp.lo().iter().map(|&v| number(v)).collect());
+    object.insert("hi".into(), lcp.hi().iter().map(|&v| number(v)).collect());
+    if let Some(coupling) = lcp.coupling() {
+        let index = |i| coupling.index(i).map_or(json!(-1), |k| json!(k));
+        object.insert("friction_index".into(), (0..n).map(index).collect());
+        object.insert("mu".into(), (0..n).map(|i| json!(coupling.mu(i))).collect());
+    }
+    if lcp.scale() > 0.0 {
+        object.insert("scale".into(), json!(lcp.scale()));
+    }
+    object
+}
+
+/// The object of a problem file.
+///
+/// ```
+/// use lcplab_problem::{Lcp, Matrix};
+///
+/// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// let text = serde_json::to_string(&lcp).unwrap();
+/// assert!(text.starts_with(r#"{"A":{"dense":[[2.0,-1.0],[-1.0,2.0]]},"b":[-1.0,2.0],"lo""#));
+/// let back: Lcp = serde_json::from_str(&text).unwrap();
+/// assert_eq!(serde_json::to_string(&back).unwrap(), text);
+/// # Ok::<(), lcplab_problem::error::Error>(())
+/// ```
+impl Serialize for Lcp {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        lcp_to_json(self).serialize(serializer)
+    }
+}
+
+/// Reads the object of a problem file. If the file states a friction model, this is an error: x
+/// then solves more than the LCP, and a [`Problem`] is what to read.
+impl<'de> Deserialize<'de> for Lcp {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
+        let problem = Problem::deserialize(deserializer)?;
+        match problem.model {
+            Some(model) => Err(D::Error::custom(format!(
+                "the problem has the friction model {model}, which an LCP alone does not contain"
+            ))),
+            None => Ok(problem.lcp),
+        }
+    }
+}
+
+/// The object of a problem file.
+impl Serialize for Problem {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        self.to_json().serialize(serializer)
+    }
+}
+
+/// Reads the object of a problem file; an error lists all defects.
+impl<'de> Deserialize<'de> for Problem {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
+        match json::Unique::deserialize(deserializer)?.0 {
+            Value::Object(object) => {
+                Problem::from_object(object, "problem").map_err(D::Error::custom)
+            }
+            _ => Err(D::Error::custom("a problem must be an object")),
+        }
     }
 }
 

@@ -3,28 +3,18 @@
 use serde_json::{Map, Value, json};
 
 use crate::error::Defects;
+use crate::number::Filed;
 
 /// A number as JSON: infinities and NaN become the words "inf", "-inf" and "nan".
 pub fn number(value: f64) -> Value {
-    if value.is_finite() {
-        json!(value)
-    } else if value.is_nan() {
-        json!("nan")
-    } else {
-        json!(if value > 0.0 { "inf" } else { "-inf" })
-    }
+    Filed(value).word().map_or_else(|| json!(value), |word| json!(word))
 }
 
 /// The value of a JSON number, or of one of the words "inf", "-inf" and "nan".
 pub fn as_number(value: &Value) -> Option<f64> {
     match value {
         Value::Number(number) => number.as_f64(),
-        Value::String(word) => match word.as_str() {
-            "inf" | "+inf" => Some(f64::INFINITY),
-            "-inf" => Some(f64::NEG_INFINITY),
-            "nan" => Some(f64::NAN),
-            _ => None,
-        },
+        Value::String(word) => Filed::of_word(word).map(|number| number.0),
         _ => None,
     }
 }

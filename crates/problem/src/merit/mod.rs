@@ -6,7 +6,8 @@
 
 mod row;
 
-pub use row::{RowResidual, RowTerms, Sum, block_scale, reach_of_friction, row_scale};
+pub(crate) use row::reach_of_friction;
+pub use row::{RowResidual, RowTerms, Sum, block_scale, row_scale};
 pub(super) use row::{product, relative};
 
 use super::{Lcp, accurate};

@@ -196,7 +196,7 @@ impl RowTerms {
 }
 
 /// R of friction with this μ under a normal of this [size](RowTerms::size).
-pub fn reach_of_friction(mu: f64, normal: f64) -> f64 {
+pub(crate) fn reach_of_friction(mu: f64, normal: f64) -> f64 {
     match mu * normal {
         0.0 => f64::INFINITY,
         reach => reach,

@@ -250,7 +250,7 @@ proptest! {
         problem in rubbing(2, 6, 1.0), x in proptest::collection::vec(-1.0..1.0, 7),
     ) {
         let coulomb = ConeProblem::new(problem, Law::Coulomb);
-        let settings = Settings { tolerance: 1e-12, ..Settings::default() };
+        let settings = Settings::default().with_tolerance(1e-12);
         let solver = Apgd { settings };
         let solution = ConeSolver::solve(&solver, &coulomb, &Start::default(), &mut ());
         if solution.status == Status::Solved {

@@ -25,14 +25,11 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::iterate::iterate;
 use crate::metric::Metric;
+use crate::tolerances::{OVER_RELAXATION, WEIGHT_WITHOUT_BOUNDS};
 use crate::{Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 
-/// Over-relaxation.
-const RELAXATION: f64 = 1.6;
-/// The factor on r for rows without bounds.
-const UNBOUNDED: f64 = 1e-3;
 /// Maximum number of rows; with more, a dense factorization takes too long.
 const MAX_ROWS: usize = 8_000;
 
@@ -88,7 +85,7 @@ impl Solver for Admm {
                 let pull = |i: usize| weight[i] * (z[i] - y[i]) - lcp.b()[i];
                 let x = factor.solve(&DVector::from_fn(z.len(), |i, _| pull(i)));
                 for i in 0..z.len() {
-                    let relaxed = RELAXATION * x[i] + (1.0 - RELAXATION) * z[i];
+                    let relaxed = OVER_RELAXATION * x[i] + (1.0 - OVER_RELAXATION) * z[i];
                     z[i] = lcp.project(i, relaxed + y[i], &[]);
                     y[i] += relaxed - z[i];
                 }
@@ -105,7 +102,7 @@ impl Admm {
             let bounded = lcp.lo()[i].is_finite()
                 || lcp.hi()[i].is_finite()
                 || lcp.coupling().is_some_and(|coupling| coupling.index(i).is_some());
-            self.weight * metric.diagonal[i] * if bounded { 1.0 } else { UNBOUNDED }
+            self.weight * metric.diagonal[i] * if bounded { 1.0 } else { WEIGHT_WITHOUT_BOUNDS }
         })
     }
 }

@@ -23,14 +23,12 @@ use std::ops::ControlFlow;
 
 use crate::iterate::iterate;
 use crate::metric::Metric;
+use crate::tolerances::DEPENDENT_DIFFERENCE;
 use crate::{Event, Observer, Settings, Solution, Solver, Start};
 use lcplab_problem::{Lcp, dot};
 
 /// The number of differences that are kept.
 const MEMORY: usize = 5;
-/// A difference is dropped together with all older ones if less than this fraction of its square
-/// lies outside the span of the newer ones.
-const RELATIVE_ZERO: f64 = 1e-12;
 
 /// Anderson-accelerated projected Gauss-Seidel.
 #[derive(Debug, Clone, Default)]
@@ -133,7 +131,7 @@ fn least_squares(metric: &Metric, columns: &[&[f64]], f: &[f64]) -> Vec<f64> {
             parts.push(part);
         }
         let square = metric.inner(&rest, &rest);
-        if !(square > RELATIVE_ZERO * metric.inner(column, column)) {
+        if !(square > DEPENDENT_DIFFERENCE * metric.inner(column, column)) {
             break;
         }
         let length = square.sqrt();

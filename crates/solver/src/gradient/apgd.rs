@@ -27,13 +27,10 @@ use std::ops::ControlFlow;
 
 use crate::iterate::iterate;
 use crate::metric::{Metric, energy_product};
+use crate::tolerances::INNER_TOLERANCE;
 use crate::{ConeSolver, Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::friction::ConeProblem;
 use lcplab_problem::{Complementarity, Lcp};
-
-/// If the solution of a frozen problem does not solve the original one, its tolerance becomes this
-/// fraction of the residual.
-const TIGHTER: f64 = 0.1;
 
 /// Accelerated projected gradient descent.
 #[derive(Debug, Clone, Default)]
@@ -92,7 +89,7 @@ impl Apgd {
             let residual = problem.scaled_residual(&x);
             if is_unsolved && residual <= inner.tolerance {
                 // The frozen problem has a smaller residual than the cone problem.
-                inner.tolerance = TIGHTER * residual;
+                inner.tolerance = INNER_TOLERANCE * residual;
             }
             // From the second round on the tolerance is tightened.
             is_unsolved = true;

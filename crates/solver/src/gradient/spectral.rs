@@ -30,13 +30,12 @@ use std::ops::ControlFlow;
 
 use crate::iterate::iterate;
 use crate::metric::{Curvature, Metric};
+use crate::tolerances::SUFFICIENT_DECREASE;
 use crate::{Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::Lcp;
 
 /// The number of recent objectives whose maximum the new one must not exceed.
 const MEMORY: usize = 10;
-/// The fraction of the predicted decrease that a full step must achieve.
-const SUFFICIENT: f64 = 1e-4;
 
 /// Spectral projected gradient (Barzilai-Borwein steps).
 #[derive(Debug, Clone, Default)]
@@ -98,7 +97,7 @@ fn projected_direction(lcp: &Lcp, x: &[f64], gradient: &[f64], t: f64) -> Vec<f6
 
 /// The longest λ ≤ 1 with λ s + ½ λ² c ≤ h + γ λ s, for the slope s < 0 and the curvature c ≥ 0.
 fn longest(highest: f64, slope: f64, curvature: f64) -> f64 {
-    let s = (SUFFICIENT - 1.0) * slope;
+    let s = (SUFFICIENT_DECREASE - 1.0) * slope;
     let root = s + (s * s + 2.0 * curvature * highest).sqrt();
     if root >= curvature { 1.0 } else { root / curvature }
 }

@@ -3,7 +3,8 @@
 //! As in [`difference`], an entry becomes exactly 0 if only rounding is left.
 
 use super::lanes::{Lanes, Width, Work};
-use crate::linalg::elimination::{RELATIVE_ZERO, difference};
+use crate::linalg::elimination::difference;
+use crate::tolerances::RELATIVE_ZERO;
 
 /// Eight numbers aligned to a cache line, so that none is loaded in two parts.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -25,7 +25,6 @@ const TOGETHER: usize = 8;
 #[derive(Debug, Clone)]
 pub struct Table {
     rows: usize,
-    columns: usize,
     /// Blocks per row: an odd number, so that the entries of a column map to different cache sets.
     blocks: usize,
     entries: Vec<Block>,
@@ -47,17 +46,7 @@ impl Table {
     pub fn zeros(rows: usize, columns: usize, width: Width) -> Self {
         let blocks = columns.div_ceil(8) | 1;
         let entries = zeros(rows * blocks);
-        Table { rows, columns, blocks, entries, waiting: Vec::new(), width }
-    }
-
-    /// The number of rows.
-    pub fn rows(&self) -> usize {
-        self.rows
-    }
-
-    /// The number of columns.
-    pub fn columns(&self) -> usize {
-        self.columns
+        Table { rows, blocks, entries, waiting: Vec::new(), width }
     }
 
     /// Sets an entry, regardless of deferred pivots.
@@ -71,13 +60,6 @@ impl Table {
         let waiting = self.waiting.iter().map(|pivot| (get(&pivot.factors, r), get(&pivot.row, c)));
         let due = waiting.filter(|&(factor, _)| factor != 0.0);
         due.fold(self.stored(r, c), |entry, (factor, new)| difference(entry, -factor * new))
-    }
-
-    /// Row r.
-    pub fn row(&mut self, r: usize) -> impl Iterator<Item = f64> {
-        self.flush_row(r);
-        let row = &self.entries[r * self.blocks..(r + 1) * self.blocks];
-        row.iter().flat_map(|block| block.0).take(self.columns)
     }
 
     /// Column c.

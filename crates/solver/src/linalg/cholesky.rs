@@ -9,10 +9,8 @@ use faer::linalg::cholesky::llt;
 use faer::{MatMut, MatRef, Par};
 
 use crate::pivot::active_set::unit;
+use crate::tolerances::RELATIVE_ZERO;
 use lcplab_problem::Lcp;
-
-/// A pivot below this fraction of its diagonal entry counts as zero.
-pub(crate) const RELATIVE_ZERO: f64 = 1e-13;
 
 /// The last factor, with storage for the next.
 #[derive(Debug, Clone, Default)]

@@ -5,9 +5,7 @@
 //! and b. Scaling a row or column by a power of two changes no decision.
 
 use crate::kernel::rank_one::add_multiple;
-
-/// A difference below this fraction of its terms counts as zero.
-pub(crate) const RELATIVE_ZERO: f64 = 1e-13;
+use crate::tolerances::RELATIVE_ZERO;
 
 /// a − b, or exactly 0 if only rounding is left.
 pub fn difference(a: f64, b: f64) -> f64 {

@@ -63,6 +63,7 @@ use crate::iterate::iterate;
 use crate::metric;
 use crate::pivot::free_rows::FreeRows;
 use crate::pivot::proximal::Rho;
+use crate::tolerances::{DAMPING, LEVEL_MERIT, MIN_DAMPING, SUFFICIENT_DECREASE};
 use crate::{Event, Fallback, Observer, Settings, Solution, Solver, Start, Status};
 use lcplab_problem::memory::Memory;
 use lcplab_problem::{Complementarity, Lcp};
@@ -70,17 +71,8 @@ use lcplab_problem::{Complementarity, Lcp};
 /// Maximum number of halvings before a proximal step is tried, and before the step is given up if
 /// no proximal step is possible.
 const HALVINGS: [i32; 2] = [4, 12];
-/// |H|² must decrease by this fraction of the decrease for a linear H.
-const SUFFICIENT: f64 = 1e-4;
 /// Maximum number of whole steps that need not reduce |H|².
 const PATIENCE: usize = 10;
-/// Values of |H|² that differ by less than this fraction are equal up to rounding.
-const LEVEL: f64 = 1e-9;
-/// ν for |H|² = Σ b_i²/a_ii, its value at x = 0 without bounds. It affects only the flattest
-/// directions.
-const DAMPING: f64 = 1e-10;
-/// The minimum of ν, which keeps the least-squares problem solvable if J is singular.
-const LEAST_DAMPING: f64 = 1e-28;
 /// The steps with moving bounds before the bounds are frozen; where they converge, they need few.
 const COUPLED_STEPS: usize = 20;
 /// Maximum number of rows; with more, the dense problem takes too long.
@@ -226,7 +218,7 @@ struct Watch {
 impl Watch {
     /// Whether a step to this |H|² is allowed; counts it.
     fn allows(&mut self, square: f64) -> bool {
-        let is_level = square <= (1.0 + LEVEL) * self.square;
+        let is_level = square <= (1.0 + LEVEL_MERIT) * self.square;
         let left = if is_level { &mut self.level } else { &mut self.higher };
         let allows = *left > 0 && square.is_finite();
         *left = left.saturating_sub(1);
@@ -312,13 +304,13 @@ impl<'a> Run<'a> {
     fn newton_step(&mut self, x: &mut [f64], rows: &[Row]) -> Option<Next> {
         let square = self.square(rows);
         let mut watch = match self.watch.take() {
-            Some(watch) if square > (1.0 - SUFFICIENT) * watch.square => watch,
+            Some(watch) if square > (1.0 - SUFFICIENT_DECREASE) * watch.square => watch,
             _ => self.watch_from(x, rows, square),
         };
         let direction = self.direction(x, rows, square);
         if let Some(d) = &direction {
             let whole = self.along(x, rows, d, 1.0);
-            let is_enough = whole.square <= (1.0 - SUFFICIENT) * watch.square;
+            let is_enough = whole.square <= (1.0 - SUFFICIENT_DECREASE) * watch.square;
             if is_enough || watch.allows(whole.square) {
                 self.watch = Some(watch);
                 return Some(whole);
@@ -331,7 +323,7 @@ impl<'a> Run<'a> {
         let shorter = |k: i32| {
             let lambda = 0.5f64.powi(k);
             let next = self.along(x, &rows, &d, lambda);
-            (next.square <= (1.0 - SUFFICIENT * lambda) * square).then_some(next)
+            (next.square <= (1.0 - SUFFICIENT_DECREASE * lambda) * square).then_some(next)
         };
         let most = if self.can_raise_rho() { HALVINGS[0] } else { HALVINGS[1] };
         let next = (1..=most).find_map(shorter)?;
@@ -415,7 +407,7 @@ impl<'a> Run<'a> {
         let start: f64 = (0..n).map(|i| (self.lcp.b()[i] / root[i]).powi(2)).sum();
         let reduction = if start > 0.0 { (square / start).min(1.0) } else { 1.0 };
         // √ν
-        let damping = (DAMPING * reduction).max(LEAST_DAMPING).sqrt();
+        let damping = (DAMPING * reduction).max(MIN_DAMPING).sqrt();
         let mut j = Mat::<f64>::zeros(2 * n, n);
         let mut rhs = Mat::<f64>::zeros(2 * n, 1);
         for (i, row) in rows.iter().enumerate() {

@@ -11,11 +11,9 @@
 
 use super::principal::Point;
 use crate::linalg::elimination::Lu;
+use crate::tolerances::RESIDUAL_ROUNDING;
 use crate::{Settings, Start, Status};
 use lcplab_problem::{Lcp, merit};
-
-/// A row whose scaled residual is below this is satisfied up to rounding.
-pub(crate) const ROUNDING: f64 = 1e-12;
 
 /// The side of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -83,7 +81,7 @@ impl ActiveSet {
             let is_at = |bound: f64| {
                 let terms = merit::RowTerms::at(lcp, i, x);
                 // This is false for an infinite bound.
-                terms.scale * (x[i] - bound).abs() <= ROUNDING * terms.magnitude
+                terms.scale * (x[i] - bound).abs() <= RESIDUAL_ROUNDING * terms.magnitude
             };
             match self.0[i] {
                 Side::Free if is_at(lcp.lo()[i]) => Side::Lower,
@@ -106,7 +104,7 @@ impl ActiveSet {
 
     /// The side that row i should change to, if it is not satisfied at the point of this set.
     pub(crate) fn better_side(&self, lcp: &Lcp, i: usize, point: &Point) -> Option<Side> {
-        if point.residual(i) <= ROUNDING {
+        if point.residual(i) <= RESIDUAL_ROUNDING {
             return None;
         }
         match self.0[i] {

@@ -8,6 +8,7 @@ use super::dantzig::Side;
 use crate::kernel::Width;
 use crate::kernel::lanes::{Lanes, Work};
 use crate::kernel::rank_one::Block;
+use crate::tolerances::RELATIVE_ZERO;
 
 /// The basic variables, one per row.
 pub(crate) struct Basic {
@@ -38,20 +39,6 @@ struct RowLanes {
     length: [f64; 8],
     ends: bool,
 }
-
-/// Moves whose lengths differ by less than this fraction end together.
-pub(crate) const TIE: f64 = 1e-10;
-
-/// dᵀA d = s is accepted above this fraction of (Σ √a_jj |d_j|)²; it then has about five correct
-/// digits.
-pub(crate) const MIN_PIVOT: f64 = 1e-11;
-
-/// s below this fraction is rounding and counts as zero.
-pub(crate) const REDUNDANT: f64 = 1e-14;
-
-/// A sum below this fraction of its terms is rounding; larger than for a factor, because sweeps
-/// accumulate more.
-const ROUNDING: f64 = 1e-13;
 
 /// Rows without requirements.
 const IDLE: RowLanes = RowLanes {
@@ -110,7 +97,7 @@ impl Basic {
     /// direction.
     pub(crate) fn reach(&mut self, row: &[Block], sign: f64, size: f64, most: f64) -> f64 {
         let lanes_of_rows = &mut self.lanes_of_rows[..self.used];
-        self.width.run(Reach { lanes_of_rows, row, sign, rounding: ROUNDING * size, most })
+        self.width.run(Reach { lanes_of_rows, row, sign, rounding: RELATIVE_ZERO * size, most })
     }
 
     /// The rows whose variables end a move within this length.
@@ -200,7 +187,7 @@ impl Work for Advance<'_> {
 
     #[inline(always)]
     fn run<V: Lanes>(self) {
-        let (length, zero) = (V::splat(self.length), V::splat(ROUNDING));
+        let (length, zero) = (V::splat(self.length), V::splat(RELATIVE_ZERO));
         for RowLanes { value, speed, .. } in self.lanes_of_rows {
             let (before, change) = (V::load(value), length * V::load(speed));
             let rounding = zero * (before.abs() + change.abs());

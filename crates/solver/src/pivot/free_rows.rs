@@ -11,12 +11,13 @@
 
 use std::sync::Arc;
 
-use super::active_set::{ActiveSet, ROUNDING, Side, unit};
+use super::active_set::{ActiveSet, Side, unit};
 use super::principal::Point;
 use crate::Status;
-use crate::linalg::cholesky::{Cholesky, RELATIVE_ZERO};
+use crate::linalg::cholesky::Cholesky;
 use crate::linalg::elimination::Lu;
 use crate::linalg::envelope::Envelope;
+use crate::tolerances::{RELATIVE_ZERO, RESIDUAL_ROUNDING};
 use lcplab_problem::merit::RowTerms;
 use lcplab_problem::{Lcp, Matrix, accurate};
 
@@ -101,7 +102,7 @@ impl FreeRows {
         for _ in 0..REFINEMENTS {
             let is_left = |&i: &usize| {
                 let RowTerms { w, magnitude, .. } = point.terms[i];
-                w.abs() > ROUNDING * magnitude
+                w.abs() > RESIDUAL_ROUNDING * magnitude
             };
             if !free.iter().any(is_left) {
                 break;

@@ -6,7 +6,7 @@ use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 
 /// Maximum number of rows; with more, a dense factor or tableau takes too long.
-pub(crate) const MAX_ROWS: usize = 8_000;
+const MAX_ROWS: usize = 8_000;
 
 /// The status of a method that need not or cannot pivot at all, or would need too much memory.
 pub(crate) fn at_once(

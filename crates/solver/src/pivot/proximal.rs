@@ -25,10 +25,11 @@
 
 use std::ops::ControlFlow;
 
-use super::active_set::{ActiveSet, ROUNDING};
+use super::active_set::ActiveSet;
 use super::block_pivoting::rule;
 use super::free_rows::FreeRows;
 use super::principal::{Change, Point, Search};
+use crate::tolerances::{IMPROVEMENT, NEARER_THAN_ZERO, RESIDUAL_ROUNDING};
 use crate::{Event, Fallback, Settings, Solution, Start, Status, iterate};
 use lcplab_problem::Lcp;
 
@@ -42,11 +43,6 @@ const PATIENCE: usize = 4;
 const STRIDES: [i32; 2] = [12, 4];
 /// Number of steps with the least ρ that need not improve the residual.
 const IDLE: usize = 3;
-/// Dependent rows whose scaled residual is larger than this contradict each other. Smaller ones may
-/// be due to drift and rounding of redundant joints.
-pub(crate) const NEARLY: f64 = 1e-3;
-/// The factor on the residual that counts as an improvement.
-const BETTER: f64 = 0.9;
 
 /// ρ = 2^exponent.
 pub(crate) struct Rho {
@@ -106,12 +102,12 @@ pub(crate) fn solve(lcp: &Lcp, search: &mut Search<'_>, x: Vec<f64>) -> Solution
         }
         let before = std::mem::replace(&mut center, search.point.x.clone());
         let residual = search.point.largest_residual();
-        if residual < BETTER * least {
+        if residual < IMPROVEMENT * least {
             (best, least, idle) = (search.point.clone(), residual, 0);
         } else if steps.rho.exponent == LEAST {
             idle += 1;
         }
-        if residual <= ROUNDING || idle == IDLE {
+        if residual <= RESIDUAL_ROUNDING || idle == IDLE {
             let (status, count) = (Status::Inaccurate, search.count);
             let solution = iterate::finish(lcp, [&before, &x], center, status, count);
             if is_solved(lcp, &best, search.settings.tolerance) {
@@ -129,7 +125,7 @@ pub(crate) fn solve(lcp: &Lcp, search: &mut Search<'_>, x: Vec<f64>) -> Solution
 /// nearer to a solution.
 fn is_solved(lcp: &Lcp, point: &Point, tolerance: f64) -> bool {
     let nothing = Point::at(lcp, Start::default().point(lcp));
-    let is_nearer = point.largest_miss() <= NEARLY * nothing.largest_miss();
+    let is_nearer = point.largest_miss() <= NEARER_THAN_ZERO * nothing.largest_miss();
     point.is_solution(lcp, tolerance) && (is_nearer || nothing.is_solution(lcp, tolerance))
 }
 

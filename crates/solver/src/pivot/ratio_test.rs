@@ -12,9 +12,7 @@
 
 use super::dictionary::Dictionary;
 use super::variable::Variable;
-
-/// Two ratios that differ by less than this fraction are tied.
-pub(crate) const TIE: f64 = 1e-12;
+use crate::tolerances::RATIO_TIE;
 
 /// The variable that becomes zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,7 +41,7 @@ pub(crate) fn least(
     d: &Dictionary,
     first: &[Variable],
 ) -> Option<Blocking> {
-    keep_least(&mut tied, |candidate| candidate.value);
+    keep_least(&mut tied, |candidate| candidate.value / candidate.weight);
     let is_cover = |candidate: &&Candidate| match candidate.blocking {
         Blocking::Row(r) => d.basic()[r] == Variable::Cover,
         Blocking::Mirrored(_) | Blocking::Entering => false,
@@ -55,11 +53,12 @@ pub(crate) fn least(
         if tied.len() <= 1 {
             break;
         }
-        keep_least(&mut tied, |candidate| match candidate.blocking {
+        let part = |candidate: &Candidate| match candidate.blocking {
             Blocking::Row(r) => inverse(d, r, v),
             Blocking::Mirrored(r) => -inverse(d, r, v),
             Blocking::Entering => 0.0,
-        });
+        };
+        keep_least(&mut tied, |candidate| part(candidate) / candidate.weight);
     }
     tied.first().map(|candidate| candidate.blocking)
 }
@@ -74,13 +73,12 @@ fn inverse(d: &Dictionary, r: usize, v: Variable) -> f64 {
     }
 }
 
-/// Keeps those with the least part / weight, ties included.
-fn keep_least(tied: &mut Vec<Candidate>, part: impl Fn(&Candidate) -> f64) {
-    let ratios: Vec<f64> =
-        tied.iter().map(|candidate| part(candidate) / candidate.weight).collect();
+/// Keeps those with the least ratio, ties included.
+pub(crate) fn keep_least<T>(tied: &mut Vec<T>, ratio: impl Fn(&T) -> f64) {
+    let ratios: Vec<f64> = tied.iter().map(ratio).collect();
     let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
     let mut ratios = ratios.into_iter();
     tied.retain(|_| {
-        ratios.next().is_some_and(|ratio| ratio - least <= TIE * ratio.abs().max(least.abs()))
+        ratios.next().is_some_and(|ratio| ratio - least <= RATIO_TIE * ratio.abs().max(least.abs()))
     });
 }

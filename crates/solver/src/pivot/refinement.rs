@@ -3,11 +3,10 @@
 use super::principal::Point;
 use crate::kernel::rank_one::get;
 use crate::kernel::tableau::Tableau;
+use crate::tolerances::REFINED_RESIDUAL;
 use lcplab_problem::merit::RowTerms;
 use lcplab_problem::{Lcp, accurate};
 
-/// A scaled residual below this is at rounding level.
-pub(crate) const EXACT: f64 = 1e-14;
 /// Number of refinement steps; all but the first use an accurate w.
 const STEPS: usize = 3;
 
@@ -27,7 +26,7 @@ pub(crate) fn refined(
     lcp.project_all(&mut x);
     let mut point = Point::at(lcp, x);
     for step in 0..=STEPS {
-        let most = |i: usize| if is_idle(i) { tolerance } else { tolerance.min(EXACT) };
+        let most = |i: usize| if is_idle(i) { tolerance } else { tolerance.min(REFINED_RESIDUAL) };
         if (0..lcp.len()).all(|i| point.residual(i) <= most(i)) {
             return Ok(point);
         }

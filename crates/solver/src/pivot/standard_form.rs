@@ -22,12 +22,8 @@
 use super::active_set::{ActiveSet, Side, unit};
 use super::dictionary::{Dictionary, RenamedLine};
 use super::variable::Variable;
+use crate::tolerances::{CANCELLATION_TOLERANCE, UNITS_FAR_APART};
 use lcplab_problem::{Lcp, merit::RowTerms};
-
-/// The rounding error allowed for a constant in a block exchange, relative to its terms.
-pub(crate) const CANCELLATION_TOLERANCE: f64 = 1e-11;
-/// Units of w that differ by more than this factor are considered very different.
-const FAR_APART: f64 = 1024.0;
 
 /// How a row of the boxed problem enters the standard form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -62,8 +58,6 @@ pub(crate) struct StandardForm {
     pub(crate) dictionary: Dictionary,
     /// The number of pairs.
     pub(crate) pairs: usize,
-    /// Whether the rows have very different units.
-    needs_units: bool,
 }
 
 impl StandardForm {
@@ -82,10 +76,8 @@ impl StandardForm {
         let sign: Vec<f64> =
             kind.iter().map(|&kind| if kind == Kind::Above { -1.0 } else { 1.0 }).collect();
         let rows: Vec<usize> = (0..n).filter(|&i| kind[i] != Kind::Pinned).collect();
-        let needs_units = needs_units(lcp);
         let dictionary = equations(lcp, &rows, &base, &sign);
-        let pairs = rows.len();
-        let mut form = StandardForm { kind, base, sign, dictionary, pairs, needs_units };
+        let mut form = StandardForm { kind, base, sign, dictionary, pairs: rows.len() };
         if form.kind.contains(&Kind::Free) {
             form.eliminate_free();
         }
@@ -126,17 +118,12 @@ impl StandardForm {
         self.dictionary = d.selection(&pairs, &columns);
     }
 
-    /// Adds the covering variable with coefficient 1 for every basic variable that may be negative;
-    /// or the unit of w in that row, if the units differ so much that large ones would swamp small
-    /// ones.
+    /// Adds the covering variable to the equation of every basic variable that may be negative.
     fn add_cover(&mut self, lcp: &Lcp) {
-        let d = &mut self.dictionary;
+        let (d, lifts) = (&mut self.dictionary, lifts(lcp));
         let last = d.nonbasic().len() - 1;
         for r in 0..self.pairs {
-            let lift = match d.basic()[r].row() {
-                Some(i) if self.needs_units => unit(lcp, i),
-                _ => 1.0,
-            };
+            let lift = d.basic()[r].row().map_or(1.0, |i| lifts[i]);
             d.set(r, last, lift);
         }
     }
@@ -215,24 +202,24 @@ impl StandardForm {
     }
 }
 
-/// Whether the rows that are not pinned have very different units of w.
-fn needs_units(lcp: &Lcp) -> bool {
-    let units = (0..lcp.len()).filter(|&i| lcp.lo()[i] < lcp.hi()[i]).map(|i| unit(lcp, i));
-    let (least, most) = units.fold((f64::INFINITY, 0.0), |(l, m), u| (u.min(l), u.max(m)));
-    most > FAR_APART * least
+/// The size of the covering variable's coefficient in each row: 1, or the unit of w, if the units of
+/// the rows that are not pinned differ so much that large ones would swamp small ones.
+fn lifts(lcp: &Lcp) -> Vec<f64> {
+    let units: Vec<f64> = (0..lcp.len()).map(|i| unit(lcp, i)).collect();
+    let moving = (0..lcp.len()).filter(|&i| lcp.lo()[i] < lcp.hi()[i]).map(|i| units[i]);
+    let (least, most) = moving.fold((f64::INFINITY, 0.0), |(l, m), u| (u.min(l), u.max(m)));
+    if most > UNITS_FAR_APART * least { units } else { vec![1.0; lcp.len()] }
 }
 
 /// The coefficient of the covering variable in the w of each row, with the sign that moves w away
 /// from the wrong side of zero; 0 if x is free or pinned.
 pub(crate) fn cover(lcp: &Lcp) -> Vec<f64> {
-    let needs_units = needs_units(lcp);
-    let lift = |i: usize| if needs_units { unit(lcp, i) } else { 1.0 };
-    let of_row = |i: usize| match Kind::of(lcp.lo()[i], lcp.hi()[i]) {
+    let of_row = |(i, lift): (usize, f64)| match Kind::of(lcp.lo()[i], lcp.hi()[i]) {
         Kind::Pinned | Kind::Free => 0.0,
-        Kind::Above => -lift(i),
-        Kind::Below | Kind::Both => lift(i),
+        Kind::Above => -lift,
+        Kind::Below | Kind::Both => lift,
     };
-    (0..lcp.len()).map(of_row).collect()
+    lifts(lcp).into_iter().enumerate().map(of_row).collect()
 }
 
 /// w = b + A x in these rows as equations in their y, with a column of zeros for the covering

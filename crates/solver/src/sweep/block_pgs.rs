@@ -21,11 +21,9 @@ use std::ops::ControlFlow;
 
 use crate::iterate::iterate;
 use crate::theory::principal_submatrix;
+use crate::tolerances::BLOCK_TOLERANCE;
 use crate::{Dantzig, Event, Observer, Settings, Solution, Solver, Start, Status};
 use lcplab_problem::{Coupling, Lcp};
-
-/// The tolerance of the small problems, about rounding level.
-const BLOCK_TOLERANCE: f64 = 1e-14;
 
 /// Block projected Gauss-Seidel.
 #[derive(Debug, Clone)]

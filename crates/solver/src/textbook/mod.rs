@@ -9,7 +9,7 @@
 //! | --- | --- | --- |
 //! | [`jacobi`] | lo ≤ x ≤ hi, few sweeps | [`Jacobi`](crate::Jacobi) |
 //! | [`gauss_seidel`] | the same | [`Pgs`](crate::Pgs) |
-//! | [`ldlt`] | w = 0, A symmetric | [`ldlt`](mod@crate::linalg::ldlt) |
+//! | [`ldlt`] | w = 0, A symmetric | `linalg/ldlt.rs` |
 //! | [`murty`] | 0 ≤ x ⟂ w ≥ 0, A a P-matrix | [`Murty`](crate::Murty) |
 //! | [`dantzig`] | lo ≤ x ≤ hi, A symmetric and definite | [`Dantzig`](crate::Dantzig) |
 //! | [`lemke`] | 0 ≤ x ⟂ w ≥ 0, A of many kinds | [`Lemke`](crate::Lemke) |

@@ -31,7 +31,7 @@ fn c_it_diverges_on_a_definite_matrix() {
     let a: [&[f64]; 3] = [&[3.0, 1.0, 2.0], &[1.0, 4.0, 3.0], &[2.0, 3.0, 3.0]];
     let lcp = contacts(&a, &[0.0, 0.0, -1.0]);
     // The first sweep ends at the solution and the next one leaves it: test only every 1001 sweeps.
-    let settings = Settings { check_every: 1001, ..Settings::default() };
+    let settings = Settings::default().with_check_every(1001);
     let path = iterates(&Code6 { settings }, &lcp);
     assert_eq!(path[1], [0.0, 0.0, 1.0 / 3.0]);
     for (k, x) in path.iter().take(1001).enumerate().skip(1) {

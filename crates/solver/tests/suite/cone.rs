@@ -10,7 +10,7 @@ use proptest::prelude::*;
 use lcplab_testing::{INF, boxed, cases, pushed_mass, rubbing};
 
 fn all() -> Vec<Box<dyn ConeSolver>> {
-    let settings = Settings { tolerance: 1e-9, max_iterations: 100_000, ..Settings::default() };
+    let settings = Settings::default().with_tolerance(1e-9).with_max_iterations(100_000);
     Registry::standard().cone_entries().map(|entry| entry.build(&settings)).collect()
 }
 

@@ -60,8 +60,8 @@ fn problem(dice: &mut Dice, kind: Kind) -> Lcp {
 fn check(kind: Kind, seed: u64, count: usize, must_solve: &[&str]) {
     println!("seed {seed}");
     let mut dice = Dice(seed);
-    let settings = Settings { max_iterations: 1000, ..Settings::default() };
-    let options = Options { settings, ..Options::default() };
+    let settings = Settings::default().with_max_iterations(1000);
+    let options = Options::default().with_settings(settings);
     let solvers: Vec<Box<dyn Solver>> =
         Registry::standard().entries().map(|entry| entry.build(&options)).collect();
     for number in 0..count {

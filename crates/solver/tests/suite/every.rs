@@ -320,8 +320,8 @@ proptest! {
 fn an_iteration_limit_is_a_status_and_not_a_solution() {
     let lcp = contacts(&[&[2.0, -1.0], &[-1.0, 2.0]], &[-1.0, -1.0]);
     for entry in Registry::standard().entries() {
-        let settings = Settings { max_iterations: 1, tolerance: 0.0, ..Settings::default() };
-        let solver = entry.build(&Options { settings, ..Options::default() });
+        let settings = Settings::default().with_max_iterations(1).with_tolerance(0.0);
+        let solver = entry.build(&Options::default().with_settings(settings));
         let solution = solver.solve(&lcp, &Start::default(), &mut ());
         let is_exact = solution.w == [0.0; 2]; // by a method that takes both rows at once
         let status = match &*entry.name {

@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use lcplab_testing::{INF, boxed, cases, chain, iterates, manufactured, objectives, stack};
 
 fn settings() -> Settings {
-    Settings { max_iterations: 20_000, ..Settings::default() }
+    Settings::default().with_max_iterations(20_000)
 }
 
 fn iterations(solver: &dyn Solver, lcp: &Lcp) -> usize {

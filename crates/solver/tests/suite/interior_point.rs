@@ -18,7 +18,7 @@ fn nor_on_the_mass_ratio() {
     for r in [1.0, 1e3, 1e6, 1e9] {
         let a: [&[f64]; 2] = [&[1.0, -1.0], &[-1.0, 1.0 + 1.0 / r]];
         let lcp = boxed(&a, &[-0.1635, 0.0], &[0.0; 2], &[f64::INFINITY; 2]);
-        let settings = Settings { tolerance: 1e-8 / r, ..Settings::default() };
+        let settings = Settings::default().with_tolerance(1e-8 / r);
         let solution = InteriorPoint { settings }.solve(&lcp, &Start::default(), &mut ());
         assert!(solution.iterations <= 40 || r > 1e6, "mass ratio {r}: {}", solution.iterations);
         assert_proved(&lcp, &solution.x);

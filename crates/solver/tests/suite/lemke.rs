@@ -1,6 +1,11 @@
+use std::ops::ControlFlow;
+
 use lcplab_judge::ray::refute;
 use lcplab_problem::{Lcp, Matrix, library};
-use lcplab_solver::{Event, Fallback, Lemke, Settings, Solution, Solver, Start, Status};
+use lcplab_solver::{
+    Event, Fallback, Iterate, Lemke, Observer, Settings, Solution, Solver, Start, Status,
+    StepDetail,
+};
 use proptest::prelude::*;
 
 use lcplab_testing::{
@@ -35,6 +40,60 @@ fn ties_of_a_stack_are_broken_alike_by_principal_pivots_and_by_the_table() {
         assert_eq!(solution.status, Status::Solved);
         assert_certified(&lcp, &solution.x);
     }
+}
+
+/// The numbers of the reported iterates, and of the tableaux those with a leaving variable.
+#[derive(Default)]
+struct Reported {
+    wants_details: bool,
+    numbers: Vec<usize>,
+    exchanges: usize,
+}
+
+impl Observer for Reported {
+    fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
+        self.numbers.push(iterate.iteration);
+        ControlFlow::Continue(())
+    }
+
+    fn wants_details(&self) -> bool {
+        self.wants_details
+    }
+
+    fn part(&mut self, part: &StepDetail<'_>) {
+        let leaves = matches!(part, StepDetail::Tableau(table) if table.leaving.is_some());
+        self.exchanges += usize::from(leaves);
+    }
+}
+
+#[test]
+fn every_pivot_is_reported_once_on_whichever_path_it_is_made() {
+    let of_library = library::all().map(|family| family.generate(&[]).unwrap().lcp);
+    // Coupled rows are frozen several times; every second row of these depends on others.
+    let stack = |boxes: f64, mu: f64| {
+        let family = library::by_name("box-stack").unwrap();
+        family.generate(&[("boxes", boxes), ("mu", mu)]).unwrap().lcp
+    };
+    let stacks = [(5.0, 0.0), (3.0, 0.5), (12.0, 0.5), (20.0, 0.5)].map(|(n, mu)| stack(n, mu));
+    let mut second_paths = 0;
+    for lcp in of_library.filter(|lcp| lcp.len() <= 200).chain(stacks) {
+        for wants_details in [false, true] {
+            let mut reported = Reported { wants_details, ..Reported::default() };
+            let solution = Lemke::default().solve(&lcp, &Start::default(), &mut reported);
+            let last = reported.numbers.last().copied().unwrap_or(0);
+            assert_eq!(reported.numbers, (0..=last).collect::<Vec<_>>());
+            match solution.fallback {
+                // The proximal steps count, and are not reported.
+                Some(Fallback::Proximal) => assert!(last <= solution.iterations),
+                _ => assert_eq!(last, solution.iterations, "{wants_details} {}", solution.status),
+            }
+            if wants_details {
+                assert_eq!(reported.exchanges, last, "{}", solution.status);
+            }
+            second_paths += usize::from(solution.fallback == Some(Fallback::SecondPath));
+        }
+    }
+    assert!(second_paths > 0);
 }
 
 #[test]
@@ -179,7 +238,7 @@ fn polyhedral_friction_is_solved() {
 
 #[test]
 fn masses_from_1_to_1e12_and_copied_contacts_are_solved_tightly() {
-    let settings = Settings { tolerance: 1e-10, ..Settings::default() };
+    let settings = Settings::default().with_tolerance(1e-10);
     for (name, given) in [
         ("stack", [("n", 20.0), ("ratio", 1e12)]),
         ("near-duplicate", [("n", 20.0), ("bits", 20.0)]),

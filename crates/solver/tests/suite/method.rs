@@ -64,7 +64,7 @@ fn friction_along_the_slip_is_no_solution_however_small_the_load() {
     // counts.
     let problem = pushed_mass(1e-9, 3.0, 0.0);
     let polygon = Polyhedral::new(&problem, 8).unwrap();
-    let settings = Settings { tolerance: 1e-8, ..Settings::default() };
+    let settings = Settings::default().with_tolerance(1e-8);
     let wrong = [1e-9, -5e-10, 0.0];
     assert!(!polygon.is_solution(&wrong, settings.tolerance));
     let swept = PolygonPgs { settings }.solve(&polygon, &Start::at(&wrong), &mut ());
@@ -136,7 +136,7 @@ fn a_polyhedral_problem_goes_on_from_an_x_and_names_rows_of_x() {
 #[test]
 fn a_solver_that_is_easily_satisfied_is_not_believed() {
     // With this tolerance it accepts any start as a solution.
-    let settings = Settings { tolerance: 1.0, ..Settings::default() };
+    let settings = Settings::default().with_tolerance(1.0);
     let polyhedral = Polyhedral::new(&pushed_mass(2.0, 3.0, 30.0), 8).unwrap();
     let status = |tolerance: f64| {
         let lemke = Lemke { settings: settings.clone() };

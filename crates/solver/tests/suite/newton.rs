@@ -102,7 +102,7 @@ fn friction_bounds_are_part_of_the_equations() {
     let lcp = boxed(&a, &[-2.0, -3.0, 0.25], &[0.0, -INF, -INF], &[INF; 3]);
     let coupling = Coupling::new(vec![None, Some(0), Some(0)], vec![0.0, 0.5, 0.5]).unwrap();
     let lcp = lcp.with_coupling(coupling).unwrap();
-    let settings = Settings { tolerance: 1e-12, ..Settings::default() };
+    let settings = Settings::default().with_tolerance(1e-12);
     let pgs = Pgs { settings, ..Pgs::default() }.solve(&lcp, &Start::default(), &mut ());
     for solver in both() {
         let solution = solver.solve(&lcp, &Start::default(), &mut ());

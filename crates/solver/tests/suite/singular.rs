@@ -31,11 +31,11 @@ fn regularized(lcp: &Lcp) -> Lcp {
 
 /// The number of problems that a solver claims to have solved; the judge accepts each claim.
 fn solved(solver: &str, problems: impl Iterator<Item = (String, Lcp)>) -> usize {
-    let settings = Settings { tolerance: TOLERANCE, ..Settings::default() };
+    let settings = Settings::default().with_tolerance(TOLERANCE);
     let solver = Registry::standard()
         .entry(solver)
         .unwrap()
-        .build(&Options { settings, ..Options::default() });
+        .build(&Options::default().with_settings(settings));
     let claims = problems.filter(|(name, lcp)| {
         let solution = solver.solve(lcp, &Start::default(), &mut ());
         let demand = Demand { tolerance: TOLERANCE, prove_up_to: 0 };

@@ -56,7 +56,7 @@ fn problems(is_symmetric: bool, is_boxed: bool) -> impl Iterator<Item = Problem>
 fn a_sweep_of_the_textbook_is_a_sweep_of_the_solver() {
     for Problem { a, b, lo, hi } in problems(true, true) {
         let lcp = Problem { a: a.clone(), b: b.clone(), lo: lo.clone(), hi: hi.clone() }.lcp();
-        let settings = Settings { tolerance: 0.0, max_iterations: 5, ..Settings::default() };
+        let settings = Settings::default().with_tolerance(0.0).with_max_iterations(5);
         let pgs = Pgs { settings: settings.clone(), ..Pgs::default() };
         let jacobi = Jacobi { damping: Damping::Factor(0.7), settings };
         let strong: [&dyn Solver; 2] = [&pgs, &jacobi];

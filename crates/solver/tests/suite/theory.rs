@@ -133,7 +133,7 @@ impl Observer for Until<'_> {
 }
 
 fn sweeps(lcp: &Lcp, residual: f64) -> usize {
-    let settings = Settings { tolerance: 0.0, max_iterations: 200_000, ..Settings::default() };
+    let settings = Settings::default().with_tolerance(0.0).with_max_iterations(200_000);
     let solver = Pgs { settings, ..Pgs::default() };
     let solution = solver.solve(lcp, &Start::default(), &mut Until(lcp, residual));
     assert_eq!(solution.status, Status::Stopped);
@@ -294,7 +294,7 @@ fn the_rate_of_two_rows_is_the_square_of_their_correlation_in_any_unit() {
     let expected =
         radius_by_powers(swept_errors(&DMatrix::from_fn(4, 4, |i, j| correlation[i][j])));
     assert_close(expected, 0.2901, 5e-5);
-    let plain = Options { omega: 1.0, ..Options::default() };
+    let plain = Options::default().with_omega(1.0);
     for method in ["pgs", "sor"] {
         let found = rate(method, &plain, &lcp, &[0, 1, 2, 3]).unwrap();
         assert_close(found, expected, 1e-6);

@@ -36,30 +36,30 @@ fn settings_that_make_no_sense_are_listed() {
         ["omega", "order", "damping"]
     );
     assert!(Options::default().validate().is_ok());
-    let settings = Settings { tolerance: -1.0, check_every: 0, ..Settings::default() };
+    let settings = Settings::default().with_tolerance(-1.0).with_check_every(0);
     assert_eq!(
         settings.validate().unwrap_err().to_string(),
         "settings: 2 defects\n  tolerance: must be at least 0, is -1\n  check_every: must be at least 1, is 0"
     );
     for tolerance in [f64::NAN, f64::INFINITY] {
-        assert!(Settings { tolerance, ..Settings::default() }.validate().is_err());
+        assert!(Settings::default().with_tolerance(tolerance).validate().is_err());
     }
-    let options = Options { omega: 2.0, damping: Damping::Factor(0.0), ..Options::default() };
+    let options = Options::default().with_omega(2.0).with_damping(Damping::Factor(0.0));
     assert_eq!(
         options.validate().unwrap_err().to_string(),
         "settings: 2 defects\n  omega: must lie between 0 and 2, is 2\n  damping: must lie between 0 and 2, is 0"
     );
-    let edge = Options { omega: 1.999, damping: Damping::Factor(1.999), ..Options::default() };
+    let edge = Options::default().with_omega(1.999).with_damping(Damping::Factor(1.999));
     assert!(edge.validate().is_ok());
-    let damped = Options { damping: Damping::Factor(2.0), ..Options::default() };
+    let damped = Options::default().with_damping(Damping::Factor(2.0));
     assert!(damped.validate().is_err());
-    assert!(Options { settings, ..Options::default() }.validate().is_err());
+    assert!(Options::default().with_settings(settings).validate().is_err());
 }
 
 #[test]
 fn what_needs_more_memory_than_there_may_be_is_refused() {
     let limit = Memory::bytes(1000);
-    let settings = Settings { memory: limit, ..Settings::default() };
+    let settings = Settings::default().with_memory(limit);
     assert_eq!(settings.refusal(Memory::bytes(1000)), None);
     let needs = Memory::bytes(1001);
     assert_eq!(settings.refusal(needs), Some(Status::TooLarge { needs, limit }));

@@ -87,6 +87,19 @@ pub struct Diagnosis {
 
 /// Examines a problem file.
 ///
+/// ```
+/// use lcplab_problem::file::Problem;
+/// use lcplab_problem::{Lcp, Matrix};
+///
+/// // The same contact twice: the loads of the two rows are not unique.
+/// let a = Matrix::from([[1.0, 1.0], [1.0, 1.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0; 2], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// let diagnosis = lcplab_study::diagnosis::problem(&Problem::new("twice", lcp))?;
+/// assert_eq!(diagnosis.regularity.map(|found| found.rank), Some(1));
+/// assert!(!diagnosis.is_unique);
+/// # Ok::<(), lcplab_problem::error::Error>(())
+/// ```
+///
 /// # Errors
 /// If it has more than 2000 rows.
 pub fn problem(problem: &Problem) -> Result<Diagnosis> {

@@ -82,7 +82,7 @@ pub fn tallies(seed: u64, contacts: usize, settings: &Settings) -> Vec<Tally> {
 /// A claim is false if the judge rejects it, or if it differs from the closed form; a verdict is
 /// false if the judge rejects the closed form.
 fn tally(entry: &ConeEntry, truth: &ConeTruth, number: usize, settings: &Settings) -> Tally {
-    let options = Options { settings: settings.clone(), ..Options::default() };
+    let options = Options::default().with_settings(settings.clone());
     let posed = ProblemForm::Cone(truth.problem.clone());
     let solution = Trial::run(&Method::Cone(entry.clone()), &posed, &options, &mut ()).solution;
     let accepts =

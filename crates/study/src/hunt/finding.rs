@@ -261,7 +261,8 @@ fn test(
     };
     let name = target.solver.name();
     let test = format!("{}_of_{name}", target.measure).replace('-', "_");
-    let tolerance = if is_usual { String::new() } else { format!("tolerance: {tolerance:e}, ") };
+    let tolerance =
+        if is_usual { String::new() } else { format!(".with_tolerance({tolerance:e})") };
     let method = match target.model {
         Some(_) => format!(
             "methods::with_reference().method(\"{name}\", question.model()).unwrap().clone()"
@@ -272,8 +273,8 @@ fn test(
         "#[test]\nfn {test}() {{\n    let text = r#\"{}\"#;\n    \
          let problem = Problem::parse(text, \"hunt\").unwrap();\n    \
          let question = Question::new(&problem, None, \"hunt\").unwrap();\n    \
-         let settings = Settings {{ {tolerance}max_iterations: {most}, ..Settings::default() }};\n    \
-         let options = Options {{ settings: settings.clone(), ..Options::default() }};\n    \
+         let settings = Settings::default(){tolerance}.with_max_iterations({most});\n    \
+         let options = Options::default().with_settings(settings.clone());\n    \
          let method = {method};\n    \
          let solution = method.solve(question.posed(), &options, &mut ());\n    {demand}\n}}",
         problem.to_json(),

@@ -291,7 +291,7 @@ impl Target {
         most: usize,
         omega: f64,
     ) -> Solution {
-        let mut options = Options { omega, ..self.options.clone() };
+        let mut options = self.options.clone().with_omega(omega);
         options.settings.max_iterations = most;
         Trial::run(method, posed, &options, &mut ()).solution
     }

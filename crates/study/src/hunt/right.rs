@@ -66,8 +66,8 @@ fn by_a_solver(posed: &ProblemForm, model: Option<Model>) -> Option<RightAnswer>
     let methods: Vec<&Method> =
         ASKED.into_iter().flat_map(own).filter(|method| method.takes(model)).collect();
     TOLERANCES.iter().find_map(|&tolerance| {
-        let settings = Settings { tolerance, max_iterations: 100_000, ..Settings::default() };
-        let options = Options { settings, ..Options::default() };
+        let settings = Settings::default().with_tolerance(tolerance).with_max_iterations(100_000);
+        let options = Options::default().with_settings(settings);
         let demand = Demand { tolerance, ..Demand::default() };
         methods.iter().find_map(|method| {
             let trial = Trial::run(method, posed, &options, &mut ());

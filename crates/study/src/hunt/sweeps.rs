@@ -72,7 +72,7 @@ fn swept(
     order: Order,
     observer: &mut dyn Observer,
 ) -> Vec<f64> {
-    let settings = Settings { tolerance, max_iterations: sweeps, ..Settings::default() };
+    let settings = Settings::default().with_tolerance(tolerance).with_max_iterations(sweeps);
     let start = Start::default();
     let swept = match posed {
         ProblemForm::Boxed(lcp) => {

@@ -160,6 +160,8 @@ impl Claim {
             Verdict::NotASolution { row, amount, why: Refusal::Residual { .. } } => {
                 Claim::FalseClaim(FalseClaim::Refuted { row, amount })
             }
+            // A verdict of a later judge neither confirms nor refutes the claim.
+            _ => Claim::Unsolved,
         }
     }
 

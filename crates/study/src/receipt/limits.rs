@@ -28,7 +28,7 @@ pub fn rounding(bits: u32) -> f64 {
 ///
 /// # Errors
 /// If there is no such kind.
-pub fn limit_of(source: &Source) -> Result<f64> {
+pub(crate) fn limit_of(source: &Source) -> Result<f64> {
     let Source { method, bits, .. } = source;
     let own = LIMITS.iter().find(|(name, ..)| name == method);
     match (own, bits) {

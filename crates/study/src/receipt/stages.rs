@@ -30,7 +30,7 @@ const TINY: f64 = 1e-300;
 
 /// What a step that an adapter or a file describes allows to check before its solver: the assembly,
 /// where it says what model and state require.
-pub fn before_solver(step: &EngineStep) -> Report {
+pub(crate) fn before_solver(step: &EngineStep) -> Report {
     let mut report = Report { findings: Vec::new(), not_checked: vec!["collision".into()] };
     let is_broken = broken(step).is_some();
     let findings = match is_broken {

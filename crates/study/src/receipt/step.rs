@@ -245,12 +245,12 @@ impl EngineStep {
     }
 
     /// M⁻¹ f, k entries; not finite if M is singular.
-    pub fn divided_by_mass(&self, f: &[f64]) -> Vec<f64> {
+    pub(crate) fn divided_by_mass(&self, f: &[f64]) -> Vec<f64> {
         MassFactor::of(&self.gauss.mass, f.len()).solve(f)
     }
 
     /// u* + M⁻¹Jᵀx, k entries.
-    pub fn motion_of(&self, forces: &[f64]) -> Vec<f64> {
+    pub(crate) fn motion_of(&self, forces: &[f64]) -> Vec<f64> {
         let change = self.divided_by_mass(&self.push(forces));
         self.gauss.target.iter().zip(change).map(|(target, change)| target + change).collect()
     }
@@ -270,7 +270,7 @@ impl EngineStep {
     }
 
     /// Which of the three changes is the largest, with its article.
-    pub fn cause_of_effect(&self) -> &'static str {
+    pub(crate) fn cause_of_effect(&self) -> &'static str {
         self.effect_and_cause().1
     }
 
@@ -300,7 +300,7 @@ impl EngineStep {
     }
 
     /// Whether all rows of friction have the law of an associated cone.
-    pub fn is_associated(&self) -> bool {
+    pub(crate) fn is_associated(&self) -> bool {
         self.friction.model == Some(Model::AssociatedCone)
             || self.friction.index.iter().all(Option::is_none)
     }
@@ -348,7 +348,7 @@ impl EngineStep {
     }
 
     /// The bodies of a row; empty if unknown.
-    pub fn bodies_of(&self, row: Option<usize>) -> Vec<String> {
+    pub(crate) fn bodies_of(&self, row: Option<usize>) -> Vec<String> {
         row.and_then(|row| self.rows.get(row)).map(|row| row.bodies.clone()).unwrap_or_default()
     }
 

@@ -90,9 +90,9 @@ fn feasible(
 
 /// Requirements on every solver for a problem with a solution.
 fn makes_no_false_claim(lcp: &Lcp) -> Result<(), TestCaseError> {
-    let settings = Settings { max_iterations: 300, ..Settings::default() };
+    let settings = Settings::default().with_max_iterations(300);
     for entry in Registry::standard().entries() {
-        let solver = entry.build(&Options { settings: settings.clone(), ..Options::default() });
+        let solver = entry.build(&Options::default().with_settings(settings.clone()));
         let solution = solver.solve(lcp, &Start::default(), &mut ());
         prop_assert!(solution.x.iter().all(|x| x.is_finite()), "{}: {:?}", entry.name, solution.x);
         let claims = solution.status == Status::Solved;

@@ -32,8 +32,8 @@ fn said(lcp: &Lcp, status: Status, x: f64) -> Claim {
 
 #[test]
 fn no_solver_lies_about_ten_thousand_hostile_problems() {
-    let settings = Settings { max_iterations: 500, ..Settings::default() };
-    let options = Options { settings, ..Options::default() };
+    let settings = Settings::default().with_max_iterations(500);
+    let options = Options::default().with_settings(settings);
     let solvers: Vec<_> =
         Registry::standard().entries().map(|entry| entry.build(&options)).collect();
     let record = Hunt { problems: 10_000, seed: 8, tolerance: 1e-8 }.of(&solvers, &|| ());
@@ -147,7 +147,7 @@ fn no_solver_of_cones_lies_about_a_contact_in_any_units() {
 
 #[test]
 fn a_hunt_counts_each_contact_of_each_solver_of_cones_once() {
-    let settings = Settings { max_iterations: 2000, ..Settings::default() };
+    let settings = Settings::default().with_max_iterations(2000);
     let [few, all] = [100, 200].map(|contacts| tallies(6, contacts, &settings));
     for (few, all) in few.iter().zip(&all) {
         assert_eq!(few.within + few.unsolved, 100);
@@ -160,7 +160,7 @@ fn a_hunt_counts_each_contact_of_each_solver_of_cones_once() {
         assert!(all.within >= few.within && all.within > 140, "{}: {}", all.solver, all.within);
     }
     // Without any steps only a start that is the answer is claimed.
-    let none = Settings { max_iterations: 0, ..Settings::default() };
+    let none = Settings::default().with_max_iterations(0);
     assert!(
         tallies(6, 200, &none)
             .iter()

@@ -402,7 +402,7 @@ impl Solver for Ordered {
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
-        let settings = Settings { max_iterations: self.count, ..Settings::default() };
+        let settings = Settings::default().with_max_iterations(self.count);
         let pgs = Pgs { settings, order: self.order, ..Pgs::default() };
         let x = pgs.solve(lcp, start, observer).x;
         Solution::new(lcp, x, Status::Solved, self.count).with_implied_claim(true)

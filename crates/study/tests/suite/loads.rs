@@ -2,7 +2,7 @@ use lcplab_mechanics::scene::Scene;
 use lcplab_mechanics::simulation::Simulation;
 use lcplab_problem::Question;
 use lcplab_problem::file::Problem;
-use lcplab_solver::{Options, Registry, Settings, Start};
+use lcplab_solver::{Options, Registry, Start};
 use lcplab_study::loads::Loads;
 use serde_json::json;
 
@@ -112,7 +112,7 @@ proptest! {
         let question = table(&places.iter().map(|x| [*x, 0.0]).collect::<Vec<_>>());
         for name in ["dantzig", "block-pivoting", "newton", "interior-point", "pgs", "apgd"] {
             let options = Options::default();
-            let options = Options { settings: Settings { max_iterations: 100_000, ..options.settings }, ..options };
+            let options = options.with_max_iterations(100_000);
             let solver = Registry::standard().entry(name).unwrap().build(&options);
             let solution = solver.solve(question.boxed().unwrap(), &Start::default(), &mut ());
             let loads = Loads::of(&question, &solution.x).unwrap();

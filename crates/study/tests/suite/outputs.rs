@@ -71,8 +71,8 @@ impl Claim {
 
 /// Status, iterations and verdict of a solver as a line, and its claim.
 fn answer(lcp: &Lcp, entry: &Entry) -> (String, Option<Claim>) {
-    let settings = Settings { tolerance: 1e-10, max_iterations: 20_000, ..Settings::default() };
-    let solver = entry.build(&Options { settings, ..Options::default() });
+    let settings = Settings::default().with_tolerance(1e-10).with_max_iterations(20_000);
+    let solver = entry.build(&Options::default().with_settings(settings));
     let solution = solver.solve(lcp, &Start::default(), &mut ());
     let unit = entry.group.unit();
     let unit = if solution.iterations == 1 { unit.trim_end_matches('s') } else { unit };
@@ -88,7 +88,7 @@ fn answer(lcp: &Lcp, entry: &Entry) -> (String, Option<Claim>) {
     let word = match &verdict {
         Verdict::Proved { .. } => "proved",
         Verdict::WithinTolerance => "within tolerance",
-        Verdict::NotASolution { .. } => panic!("{} claims what is refuted: {verdict}", entry.name),
+        _ => panic!("{} claims what is refuted: {verdict}", entry.name),
     };
     let w = lcp.w(&solution.x);
     (line(word), Some(Claim { x: solution.x, w }))
@@ -105,8 +105,8 @@ const SWEEPS: [(&str, &str, Twin); 2] = [
 
 /// The first sweeps of a method, which equal those of the textbook.
 fn sweeps(lcp: &Lcp, name: &str, twin: Twin) -> String {
-    let settings = Settings { tolerance: 0.0, max_iterations: 3, ..Settings::default() };
-    let options = Options { settings, damping: Damping::Factor(1.0), ..Options::default() };
+    let settings = Settings::default().with_tolerance(0.0).with_max_iterations(3);
+    let options = Options::default().with_settings(settings).with_damping(Damping::Factor(1.0));
     let own = iterates(&*Registry::standard().entry(name).unwrap().build(&options), lcp);
     let of = |v: &[f64]| Vector::from_column_slice(v);
     let a = lcp.matrix().to_dense();

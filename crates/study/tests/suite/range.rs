@@ -106,11 +106,11 @@ fn in_units(lcp: &Lcp, (of_a, of_b): (i32, i32)) -> Result<Lcp> {
 
 /// Solves each family of each size in each unit; the worst ratios are in a table.
 fn is_backward_stable(solver: &str, tolerance: f64, sizes: &[usize]) {
-    let settings = Settings { tolerance, ..Settings::default() };
+    let settings = Settings::default().with_tolerance(tolerance);
     let solver = Registry::standard()
         .entry(solver)
         .unwrap()
-        .build(&Options { settings, ..Options::default() });
+        .build(&Options::default().with_settings(settings));
     let mut table = format!("| {} |", solver.name());
     let mut worst = 0.0;
     for &n in sizes {
@@ -165,8 +165,8 @@ fn murty_is_backward_stable() {
 }
 
 fn all() -> Vec<Box<dyn Solver>> {
-    let settings = Settings { max_iterations: 300, ..Settings::default() };
-    let options = Options { settings, ..Options::default() };
+    let settings = Settings::default().with_max_iterations(300);
+    let options = Options::default().with_settings(settings);
     Registry::standard().entries().map(|entry| entry.build(&options)).collect()
 }
 

@@ -79,12 +79,12 @@ fn mistaken(mistake: Mistaken) -> Entry {
 }
 
 fn target(measure: Measure, solver: Entry, rival: Option<&str>, max_iterations: usize) -> Target {
-    let settings = Settings { max_iterations, ..Settings::default() };
+    let settings = Settings::default().with_max_iterations(max_iterations);
     Target {
         measure,
         solver: Method::Boxed(solver),
         rival: rival.map(|name| Method::Boxed(Registry::standard().entry(name).unwrap().clone())),
-        options: Options { settings, ..Options::default() },
+        options: Options::default().with_settings(settings),
         model: None,
         within: MatrixClass::General,
         friction: Friction::Any,

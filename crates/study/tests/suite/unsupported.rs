@@ -14,8 +14,8 @@ use lcplab_testing::{INF, contacts};
 use rayon::prelude::*;
 
 fn user_solver(solver: &str, sweeps: usize) -> UserSolver {
-    let settings = Settings { max_iterations: sweeps, ..Settings::default() };
-    let options = Options { settings, ..Options::default() };
+    let settings = Settings::default().with_max_iterations(sweeps);
+    let options = Options::default().with_settings(settings);
     UserSolver { entry: Registry::standard().entry(solver).unwrap().clone(), options }
 }
 

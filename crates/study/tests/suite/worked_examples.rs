@@ -9,11 +9,11 @@ use lcplab_testing::{assert_certified, assert_proved, contacts};
 /// Status, iterations, active set (L, F, U) and x of a solver's answer, after the judge accepted
 /// it.
 fn certified(lcp: &Lcp, solver: &str) -> String {
-    let settings = Settings { tolerance: 1e-10, ..Settings::default() };
+    let settings = Settings::default().with_tolerance(1e-10);
     let solver = Registry::standard()
         .entry(solver)
         .unwrap()
-        .build(&Options { settings, ..Options::default() });
+        .build(&Options::default().with_settings(settings));
     let solution = solver.solve(lcp, &Start::default(), &mut ());
     assert_certified(lcp, &solution.x);
     let side = |(i, &x): (usize, &f64)| match x {
@@ -47,8 +47,8 @@ fn figure_7_the_stack_takes_up_the_blow() {
     let lcp = contacts(&a, &[-1.0, -1.0, 1.0]);
     assert_proved(&lcp, &[4.0, 3.0, 1.0]);
     for entry in Registry::standard().entries() {
-        let settings = Settings { tolerance: 1e-12, ..Settings::default() };
-        let solver = entry.build(&Options { settings, ..Options::default() });
+        let settings = Settings::default().with_tolerance(1e-12);
+        let solver = entry.build(&Options::default().with_settings(settings));
         let solution = solver.solve(&lcp, &Start::default(), &mut ());
         for (found, x) in solution.x.iter().zip([4.0, 3.0, 1.0]) {
             assert!((found - x).abs() < 1e-9, "{}: {:?}", entry.name, solution.x);

@@ -110,12 +110,10 @@ impl Methods {
             }
             other => Posed { lcp: other.lcp()?, stack: None },
         };
-        let settings = Settings {
-            tolerance: self.tolerance,
-            max_iterations: self.max_iterations,
-            ..Settings::default()
-        };
-        let options = Options { settings, omega: self.omega, ..Options::default() };
+        let settings = Settings::default()
+            .with_tolerance(self.tolerance)
+            .with_max_iterations(self.max_iterations);
+        let options = Options::default().with_settings(settings).with_omega(self.omega);
         let runs = methods::entries(&self.solvers, solvers)?;
         let (methods, clock) = runs.iter().map(|entry| watch::run(entry, &posed, &options)).unzip();
         let progress = Progress {

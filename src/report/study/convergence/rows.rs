@@ -98,12 +98,10 @@ impl Rows {
 
     fn solver(&self, method: Sweep, omega: f64) -> Box<dyn Solver> {
         let max_iterations = self.sweeps;
-        let settings = Settings {
-            tolerance: 0.0,
-            max_iterations,
-            check_every: max_iterations,
-            ..Settings::default()
-        };
+        let settings = Settings::default()
+            .with_tolerance(0.0)
+            .with_max_iterations(max_iterations)
+            .with_check_every(max_iterations);
         match method {
             Sweep::Up | Sweep::BestSor => Box::new(Pgs { omega, order: Order::Natural, settings }),
             Sweep::Down => Box::new(Pgs { omega, order: Order::Reverse, settings }),

@@ -77,7 +77,7 @@ const SWEEPS: usize = 1000;
 const FLOOR: f64 = 1e-12;
 
 fn rates(Given { name, title, lcp }: Given, omegas: &[f64]) -> Rates {
-    let direct = Dantzig { settings: Settings { tolerance: 1e-12, ..Settings::default() } };
+    let direct = Dantzig { settings: Settings::default().with_tolerance(1e-12) };
     let pivots = direct.solve(&lcp, &Start::default(), &mut ()).iterations;
     let unbounded = |i: usize| lcp.lo()[i].is_infinite() && lcp.hi()[i].is_infinite();
     let equations_only = lcp.coupling().is_none() && (0..lcp.len()).all(unbounded);
@@ -93,18 +93,16 @@ fn rates(Given { name, title, lcp }: Given, omegas: &[f64]) -> Rates {
 }
 
 fn curve(lcp: &Lcp, omega: f64) -> Curve {
-    let settings = Settings {
-        tolerance: 0.0,
-        max_iterations: SWEEPS,
-        check_every: SWEEPS,
-        ..Settings::default()
-    };
+    let settings = Settings::default()
+        .with_tolerance(0.0)
+        .with_max_iterations(SWEEPS)
+        .with_check_every(SWEEPS);
     let mut trace = Convergence::of(lcp);
     trace.floor = FLOOR;
     let x = Pgs { omega, order: Order::default(), settings }
         .solve(lcp, &Start::default(), &mut trace)
         .x;
-    let options = Options { omega, ..Options::default() };
+    let options = Options::default().with_omega(omega);
     let records = &trace.records;
     let every = records.len().div_ceil(POINTS - 1).max(1);
     let is_kept = |k: usize| k.is_multiple_of(every) || k + 1 == records.len();

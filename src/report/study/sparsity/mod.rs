@@ -95,7 +95,7 @@ fn problem(task: &AtStep) -> Result<Option<Problem>> {
     if task.step > 1 {
         return simulation::problem_of(&scene, task.step).map(Some);
     }
-    let settings = solver::Settings { max_iterations: 1, ..solver::Settings::default() };
+    let settings = solver::Settings::default().with_max_iterations(1);
     let solver = Box::new(Pgs { settings, ..Pgs::default() });
     let step = Simulation::new(scene, solver).step().ok();
     Ok(step.and_then(|mut step| step.solves.pop()).map(|solve| solve.problem))

@@ -249,7 +249,7 @@ impl Detector {
     }
 
     /// The first phase of [`find`](Detector::find): pairs of bodies that are near each other.
-    pub fn find_pairs(&mut self, scene: &Scene, states: &[State], reach: Reach) {
+    pub(crate) fn find_pairs(&mut self, scene: &Scene, states: &[State], reach: Reach) {
         let half = |site: Site| reach.of_body(scene, states, site);
         let margin = |pair: [Site; 2]| reach.of_pair(scene, states, pair);
         self.near_pairs(scene, states, half, margin);
@@ -292,7 +292,7 @@ impl Detector {
     }
 
     /// The second phase: the contact points of the pairs.
-    pub fn find_points(&mut self, scene: &Scene, states: &[State], reach: Reach) {
+    pub(crate) fn find_points(&mut self, scene: &Scene, states: &[State], reach: Reach) {
         self.found.clear();
         let mut motion: Option<FreeMotion> = None;
         for k in 0..self.broad.pairs().len() {

@@ -32,7 +32,7 @@ pub enum Reach {
 impl Reach {
     /// The reach for a scene's steps: at acceleration level the gap at which contacts touch;
     /// otherwise the margin of the scene or, without one, the distance from the speeds.
-    pub fn of_step(scene: &Scene) -> Self {
+    pub(crate) fn of_step(scene: &Scene) -> Self {
         match (scene.step.scheme, scene.contact.margin) {
             (Scheme::Acceleration, _) => Reach::Gap(scene.resting().gap),
             (_, Some(margin)) => Reach::Gap(margin),

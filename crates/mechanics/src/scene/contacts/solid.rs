@@ -136,7 +136,7 @@ impl Solid {
     }
 
     /// The edges, grouped into parallel ones.
-    pub fn parallels(&self) -> &[Vec<usize>] {
+    pub(crate) fn parallels(&self) -> &[Vec<usize>] {
         &self.parallels
     }
 
@@ -198,13 +198,13 @@ impl Solid {
     }
 
     /// Whether an edge is the farthest feature along n (any length) among itself and its faces.
-    pub fn edge_faces(&self, edge: usize, n: &Vector3<f64>) -> bool {
+    pub(crate) fn edge_faces(&self, edge: usize, n: &Vector3<f64>) -> bool {
         let slack = ALONG * n.norm();
         self.inwards[edge].is_none_or(|faces| faces.iter().all(|inward| inward.dot(n) <= slack))
     }
 
     /// Whether no edge leaves a vertex along the unit vector n by more than `slack` (as a sine).
-    pub fn vertex_faces(&self, vertex: usize, n: &Vector3<f64>, slack: f64) -> bool {
+    pub(crate) fn vertex_faces(&self, vertex: usize, n: &Vector3<f64>, slack: f64) -> bool {
         self.polytope.edges.iter().zip(&self.directions).all(|(edge, e)| match edge.ends {
             [from, _] if from == vertex => e.dot(n) <= slack,
             [_, to] if to == vertex => -e.dot(n) <= slack,
@@ -218,7 +218,7 @@ impl Solid {
     }
 
     /// The normal of a face in the body's own axes.
-    pub fn local_normal(&self, face: usize) -> Vector3<f64> {
+    pub(crate) fn local_normal(&self, face: usize) -> Vector3<f64> {
         self.polytope.faces[face].normal
     }
 }

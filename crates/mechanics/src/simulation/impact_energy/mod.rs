@@ -79,7 +79,7 @@ impl ImpactEnergy {
 
     /// The number of the step in which the impact began, for a report of the step of this number: a
     /// scheme that spreads impacts reports one when the bodies have separated.
-    pub fn first_step(&self, step: usize) -> usize {
+    pub(crate) fn first_step(&self, step: usize) -> usize {
         match self.cause {
             ImpactCause::Spread([first, _]) => first,
             _ => step,

@@ -103,7 +103,7 @@ impl Masses {
     }
 
     /// Lᵀ j of the body at this place: its part of a row of Ĵ.
-    pub fn scaled_row(&self, place: usize, j: &Vector6<f64>) -> Velocity {
+    pub(crate) fn scaled_row(&self, place: usize, j: &Vector6<f64>) -> Velocity {
         self.bodies[place].scaled_row(j)
     }
 

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! A = Ĵ Ĵᵀ is never formed: a sweep changes the scaled velocities v = L⁻¹ u, which start at L⁻¹
-//! (u + dt M⁻¹F) + Ĵᵀ x ([`impulses`](lcplab_solver::kernel::impulses)). So x need not be turned
+//! (u + dt M⁻¹F) + Ĵᵀ x (the kernel `impulses`). So x need not be turned
 //! into velocities afterwards, and a step costs as much as its contacts, whatever they touch.
 //!
 //! Once warm, a step asks for no memory: while there are no more pairs, contacts and rows than ever

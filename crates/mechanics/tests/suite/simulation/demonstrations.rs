@@ -55,13 +55,9 @@ fn constraints_that_fight_stop_as_soon_as_one_is_gone() {
 fn sweeps_find_no_best_fit_where_constraints_fight() {
     // E61: x grows by half of the rod's demand, β c/dt = 0.2 · 2/0.01 = 40 m/s, in every sweep.
     let largest = [10, 100, 1000].map(|sweeps| {
-        let settings = Settings {
-            max_iterations: sweeps,
-            tolerance: 0.0,
-            check_every: 1,
-            ..Settings::default()
-        };
-        let options = Options { settings, ..Options::default() };
+        let settings =
+            Settings::default().with_max_iterations(sweeps).with_tolerance(0.0).with_check_every(1);
+        let options = Options::default().with_settings(settings);
         let pgs = solver::Registry::standard().entry("pgs").unwrap().build(&options);
         let mut fight = Simulation::new(scene("fig8", Scheme::Velocity), pgs);
         x(&fight.step().unwrap()).iter().fold(0.0, |m: f64, x| m.max(x.abs()))

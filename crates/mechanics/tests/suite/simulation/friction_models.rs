@@ -370,7 +370,7 @@ fn a_model_is_solved_by_a_solver_that_takes_it_and_named() {
         .cone_entries()
         .find(|cone| cone.name == "cone-pgs")
         .unwrap()
-        .build(&Settings { max_iterations: 100_000, ..Settings::default() });
+        .build(&Settings::default().with_max_iterations(100_000));
     let mut block = simulation(scene("sliding", Model::CoulombCone)).with_cone_solver(sweeps);
     let mut same = simulation(scene("sliding", Model::CoulombCone));
     for _ in 0..30 {

@@ -57,7 +57,7 @@ fn sweeps_and_pivots_find_the_same_friction_in_a_polygon() {
     else {
         panic!("no polygon");
     };
-    let sweeps = PolygonPgs { settings: Settings { tolerance: 1e-10, ..Settings::default() } };
+    let sweeps = PolygonPgs { settings: Settings::default().with_tolerance(1e-10) };
     let swept = sweeps.solve(polyhedral, &Start::default(), &mut ());
     assert_eq!(swept.status, Status::Solved);
     let [u, v] = [&solve.solution.x, &swept.x].map(|x| solve.problem.motion(x));

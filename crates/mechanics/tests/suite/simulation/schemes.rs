@@ -121,13 +121,9 @@ fn the_sweeps_of_sequential_impulses_are_those_of_pgs() {
         let sweeps = 30;
         let mut scene = scene(name, Scheme::Velocity);
         scene.step.sweeps = sweeps;
-        let settings = Settings {
-            max_iterations: sweeps,
-            tolerance: 0.0,
-            check_every: 1,
-            ..Settings::default()
-        };
-        let options = Options { settings, ..Options::default() };
+        let settings =
+            Settings::default().with_max_iterations(sweeps).with_tolerance(0.0).with_check_every(1);
+        let options = Options::default().with_settings(settings);
         let pgs = solver::Registry::standard().entry("pgs").unwrap().build(&options);
         let mut with_matrix = Simulation::new(scene.clone(), pgs);
         scene.step.scheme = Scheme::SequentialImpulses;

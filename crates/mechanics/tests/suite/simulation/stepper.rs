@@ -18,12 +18,10 @@ const SWEEPS: usize = 6;
 
 /// Gauss-Seidel that does all its sweeps.
 fn pgs() -> Box<dyn Solver> {
-    let settings = Settings {
-        tolerance: 0.0,
-        max_iterations: SWEEPS,
-        check_every: SWEEPS,
-        ..Settings::default()
-    };
+    let settings = Settings::default()
+        .with_tolerance(0.0)
+        .with_max_iterations(SWEEPS)
+        .with_check_every(SWEEPS);
     Box::new(Pgs { settings, ..Pgs::default() })
 }
 

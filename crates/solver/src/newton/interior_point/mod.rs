@@ -43,14 +43,13 @@ use velocities::Velocities;
 use crate::iterate::iterate;
 use crate::kernel::impulses::System;
 use crate::metric::diagonal_of_symmetric;
+use crate::tolerances::SAME_DIAGONAL;
 use crate::{Observer, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 
 /// Maximum number of entries of the factor; with more, a factorization takes too long.
 const MAX_ENTRIES: usize = 32_000_000;
-/// The relative difference up to which a_ii and Ĵ_i Ĵ_iᵀ count as equal.
-const SAME: f64 = 1e-9;
 
 /// Mehrotra's predictor-corrector method.
 #[derive(Debug, Clone, Default)]
@@ -140,6 +139,6 @@ fn has_factors(lcp: &Lcp, system: &System) -> bool {
     are_as_many
         && (0..matrix.len()).all(|i| {
             let a = system.diagonal(i);
-            (a - matrix.diagonal(i)).abs() <= SAME * a
+            (a - matrix.diagonal(i)).abs() <= SAME_DIAGONAL * a
         })
 }

@@ -2,18 +2,10 @@
 
 use std::ops::ControlFlow;
 
-use super::step::{LEAST, StepEquations};
+use super::step::StepEquations;
+use crate::tolerances::{MIN_ADDED, SHORTEST_STEP, STAY_INSIDE, VANISHED_SLACK};
 use crate::{Event, Status};
 use lcplab_problem::Lcp;
-
-/// The fraction of the distance to the nearest bound that a step may use.
-const STAY_INSIDE: f64 = 0.995;
-/// A slack below this fraction of √(e / a_ii) counts as zero. If multiplier and slack both vanish
-/// at the solution, x approaches its bound only as √μ, which is never small relative to the terms
-/// of the row.
-const NONE: f64 = 1e-12;
-/// Steps shorter than this count as no progress.
-const SHORTEST: f64 = 1e-10;
 
 /// One finite bound.
 #[derive(Debug, Clone, Copy)]
@@ -87,7 +79,7 @@ impl<'a> Path<'a> {
         }
         let direction = self.direction(equations, x);
         let length = (STAY_INSIDE * self.longest(&direction)).min(1.0);
-        if !(length > SHORTEST) || direction.x.iter().any(|d| !d.is_finite()) {
+        if !(length > SHORTEST_STEP) || direction.x.iter().any(|d| !d.is_finite()) {
             return ControlFlow::Break(Status::Stalled);
         }
         for (x, d) in x.iter_mut().zip(&direction.x) {
@@ -98,7 +90,7 @@ impl<'a> Path<'a> {
         for (k, bound) in self.bounds.iter_mut().enumerate() {
             bound.slack += length * direction.slack[k];
             bound.multiplier += length * direction.multiplier[k];
-            if bound.slack < NONE * self.unit[bound.row] {
+            if bound.slack < VANISHED_SLACK * self.unit[bound.row] {
                 let [lo, hi] = [self.lcp.lo(), self.lcp.hi()];
                 x[bound.row] = if bound.sign > 0.0 { lo[bound.row] } else { hi[bound.row] };
             }
@@ -113,7 +105,7 @@ impl<'a> Path<'a> {
             added[k.row] += k.multiplier / k.slack;
         }
         for (i, added) in added.iter_mut().enumerate() {
-            let least = if *added > 0.0 { LEAST } else { E::UNBOUNDED };
+            let least = if *added > 0.0 { MIN_ADDED } else { E::UNBOUNDED };
             *added += least * equations.diagonal(i);
         }
         added

@@ -4,10 +4,11 @@
 //! contain mostly zeros. The rows are then reordered
 //! ([`sparse_factor`](crate::linalg::sparse_factor)).
 
-use super::step::{LEAST, StepEquations};
+use super::step::StepEquations;
 use crate::Status;
 use crate::linalg::envelope::Envelope;
 use crate::linalg::sparse_factor::{SparseFactor, minimum_degree, pattern};
+use crate::tolerances::MIN_ADDED;
 use lcplab_problem::{Lcp, Matrix};
 
 /// An envelope may have at most this many times the entries of A's lower triangle.
@@ -62,7 +63,7 @@ fn below(matrix: &Matrix, i: usize) -> impl Iterator<Item = (usize, f64)> {
 }
 
 impl StepEquations for Rows<'_> {
-    const UNBOUNDED: f64 = LEAST;
+    const UNBOUNDED: f64 = MIN_ADDED;
 
     fn diagonal(&self, i: usize) -> f64 {
         self.diagonal[i]

@@ -2,7 +2,8 @@
 
 /// (A + D) dx = r with a positive diagonal D; where x is pinned, the row is replaced by dx = 0.
 pub(super) trait StepEquations {
-    /// The minimum of D relative to a_ii in a row without bounds; with bounds it is [`LEAST`].
+    /// The minimum of D relative to a_ii in a row without bounds; with bounds it is
+    /// `MIN_ADDED`.
     const UNBOUNDED: f64;
 
     /// a_ii; 1 if x_i is pinned and A has no diagonal entry.
@@ -17,6 +18,3 @@ pub(super) trait StepEquations {
     /// r ← dx; r is 0 where x is pinned.
     fn solve(&mut self, r: &mut [f64]);
 }
-
-/// The minimum of D relative to a_ii.
-pub(super) const LEAST: f64 = 1e-12;

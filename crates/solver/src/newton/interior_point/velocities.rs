@@ -18,6 +18,7 @@ use super::step::StepEquations;
 use crate::Status;
 use crate::kernel::impulses::{System, WIDTH};
 use crate::linalg::sparse_factor::{Pattern, SparseFactor, minimum_degree, pattern};
+use crate::tolerances::MIN_ADDED_WITHOUT_BOUNDS;
 
 /// K, its factors, and the positions of its blocks.
 pub(super) struct Velocities<'a> {
@@ -93,7 +94,7 @@ impl<'a> Velocities<'a> {
 }
 
 impl StepEquations for Velocities<'_> {
-    const UNBOUNDED: f64 = 1e-8;
+    const UNBOUNDED: f64 = MIN_ADDED_WITHOUT_BOUNDS;
 
     fn diagonal(&self, i: usize) -> f64 {
         self.system.diagonal(i)

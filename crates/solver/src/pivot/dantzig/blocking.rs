@@ -11,7 +11,7 @@ use super::Side;
 use super::direction::Direction;
 use super::run::Run;
 use crate::Status;
-use crate::pivot::basic::TIE;
+use crate::tolerances::LENGTH_TIE;
 
 /// A possible end of a move: a row that reaches this side after this length.
 #[derive(Debug, Clone, Copy)]
@@ -64,7 +64,7 @@ impl Run<'_> {
         ends.clear();
         ends.extend(self.ends(i, sign, d));
         let least = ends.iter().fold(f64::INFINITY, |least, end| f64::min(least, end.length));
-        let together = least.max(0.0) * (1.0 + TIE);
+        let together = least.max(0.0) * (1.0 + LENGTH_TIE);
         let is_nearest = |end: &&End| end.length <= together && end.length < f64::INFINITY;
         let nearest = ends.iter().find(is_nearest).copied();
         self.scratch.ends = ends;

@@ -22,8 +22,9 @@ use std::ops::ControlFlow;
 
 use super::Side;
 use super::blocking::Block;
-use super::direction::{Direction, RELATIVE_ZERO};
+use super::direction::Direction;
 use super::run::Run;
+use crate::tolerances::RELATIVE_ZERO;
 use crate::{Centering, Status, StepDetail};
 
 impl Run<'_> {

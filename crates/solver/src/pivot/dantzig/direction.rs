@@ -6,20 +6,10 @@ use std::ops::ControlFlow;
 use super::run::Run;
 use crate::Status;
 use crate::linalg::ldlt::Elimination;
+use crate::tolerances::{
+    NEGATIVE_SCHUR, NULL_DIRECTION_ROUNDING, RELATIVE_ZERO, SCHUR_ROUNDING, SLOPE_ROUNDING,
+};
 use lcplab_problem::merit;
-
-/// A number below this fraction of its terms counts as zero.
-pub(super) const RELATIVE_ZERO: f64 = 1e-13;
-/// dᵀA d below this fraction of (Σ √a_jj |d_j|)² counts as zero, as does Δw_j relative to the
-/// product of two such sums. Rounding of A and its factor, about ten units in the last place, can
-/// be this large.
-pub(super) const ROUNDING: f64 = 2e-15;
-/// An entry of a null direction below this fraction of its largest counts as zero.
-const NULL_ROUNDING: f64 = 1e-11;
-/// dᵀw counts as zero below this fraction of the terms of the w_j.
-const LEVEL: f64 = 1e-14;
-/// s below minus this fraction of (Σ √a_jj |d_j|)² is not rounding: A is not semidefinite.
-const NEGATIVE: f64 = 1e-7;
 
 /// A direction of motion: x_i changes by 1, x_C by `free`.
 #[derive(Debug, Default)]
@@ -71,11 +61,11 @@ impl Run<'_> {
         free.extend(self.basis.factor.substitute(elimination).map(|z| -z));
         let sizes = self.basis.free.iter().zip(&*free).map(|(&j, d)| self.root[j] * d.abs());
         *size = self.root[i] + sizes.sum::<f64>();
-        if *schur < -NEGATIVE * *size * *size {
+        if *schur < -NEGATIVE_SCHUR * *size * *size {
             let reason = "A is not positive semidefinite";
             return ControlFlow::Break(Status::OutsideClass { reason });
         }
-        if *schur <= ROUNDING * *size * *size {
+        if *schur <= SCHUR_ROUNDING * *size * *size {
             *schur = 0.0;
             self.clean_null_direction(i, free);
         }
@@ -84,7 +74,7 @@ impl Run<'_> {
 
     /// Whether Δw_j of a row at a bound may be only rounding of the factor.
     pub(super) fn is_rounding(&self, delta_w: f64, along: &Direction, of_row: &Direction) -> bool {
-        delta_w.abs() <= ROUNDING * along.size * of_row.size
+        delta_w.abs() <= SCHUR_ROUNDING * along.size * of_row.size
     }
 
     /// dᵀw if A d = 0, with w recomputed: the rate at which the objective changes along d,
@@ -97,7 +87,7 @@ impl Run<'_> {
             slope += d * terms.w();
             magnitude += (d * libm::ldexp(terms.magnitude, terms.exponent)).abs();
         }
-        if slope.abs() <= LEVEL * magnitude { 0.0 } else { slope }
+        if slope.abs() <= SLOPE_ROUNDING * magnitude { 0.0 } else { slope }
     }
 
     /// Sets entries of d that are only rounding to zero, if A d = 0: a move along d may be long and
@@ -107,7 +97,7 @@ impl Run<'_> {
         let sizes = self.basis.free.iter().zip(&*d).map(|(&j, &d)| size(j, d));
         let largest = sizes.fold(self.root[i], f64::max);
         for (&j, d) in self.basis.free.iter().zip(d) {
-            if size(j, *d) <= NULL_ROUNDING * largest {
+            if size(j, *d) <= NULL_DIRECTION_ROUNDING * largest {
                 *d = 0.0;
             }
         }

@@ -4,10 +4,11 @@ use std::ops::ControlFlow;
 
 use super::Side;
 use super::blocking::Block;
-use super::direction::{Direction, ROUNDING};
+use super::direction::Direction;
 use super::run::Run;
 use crate::Status;
 use crate::linalg::elimination::difference;
+use crate::tolerances::SCHUR_ROUNDING;
 
 impl Run<'_> {
     /// x ← x + t d, w ← w + t A d.
@@ -90,7 +91,7 @@ impl Run<'_> {
             of_row[j] = *z;
         }
         let part = |j: usize| self.rows().row(j).dot(&of_row) * self.root[self.basis.free[k]];
-        let depends = |&j: &usize| part(j).powi(2) > ROUNDING * self.root[j].powi(2);
+        let depends = |&j: &usize| part(j).powi(2) > SCHUR_ROUNDING * self.root[j].powi(2);
         rows.into_iter().filter(depends).collect()
     }
 

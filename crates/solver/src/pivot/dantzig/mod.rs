@@ -44,13 +44,10 @@ mod refine;
 mod run;
 
 use self::run::Run;
-use super::proximal;
-use crate::{Event, Iterate, Observer, Settings, Solution, Solver, Start, Status, frozen};
+use super::{opening, proximal};
+use crate::{Observer, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
-
-/// Maximum number of rows; with more, a dense factorization takes too long.
-const MAX_ROWS: usize = 8_000;
 
 /// Dantzig's pivoting method with an updated L D Lᵀ factorization.
 #[derive(Debug, Clone, Default)]
@@ -71,20 +68,14 @@ impl Solver for Dantzig {
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
         let x = start.point(lcp);
-        if lcp.len() > MAX_ROWS {
-            let reason = "a dense factor of more than 8000 rows";
-            return Solution::new(lcp, x, Status::OutsideClass { reason }, 0);
-        }
-        if let Some(status) = self.settings.refusal(Memory::square(lcp.len())) {
-            // Memory: two triangles, the factor and its recomputation.
-            return Solution::new(lcp, x, status, 0);
-        }
         if !lcp.matrix().is_nearly_symmetric() {
             let status = Status::OutsideClass { reason: "A is not symmetric" };
             return Solution::outside_class(lcp, x, status, 0, &self.settings);
         }
-        if observer.observe(&Iterate { iteration: 0, x: &x, event: Event::Start }).is_break() {
-            return Solution::new(lcp, x, Status::Stopped, 0);
+        // Memory: two triangles, the factor and its recomputation.
+        let needs = Memory::square(lcp.len());
+        if let Some(status) = opening::begin(lcp, &x, needs, &self.settings, observer) {
+            return Solution::new(lcp, x, status, 0);
         }
         frozen::solve(lcp, x, &self.settings, |frozen, start, pivots| {
             frozen::report(lcp, frozen, observer);

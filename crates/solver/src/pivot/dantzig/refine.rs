@@ -5,15 +5,9 @@ use super::run::Run;
 use super::{Side, is_unbounded};
 use crate::Fallback;
 use crate::linalg::ldlt::Ldlt;
-use crate::pivot::refinement::EXACT;
+use crate::tolerances::{CLEANUP_LIMIT, INDEPENDENT_PIVOT, REFINED_RESIDUAL, UNDERFLOW};
 use lcplab_problem::{accurate, merit};
 
-/// A row whose pivot is below this fraction of its diagonal entry depends on those before.
-const INDEPENDENT: f64 = 1e-14;
-/// Below this, sums lose digits to underflow.
-const TINY: f64 = 1e-280;
-/// A scaled residual below this may be due to rounding.
-const CLEANUP_LIMIT: f64 = 1e-3;
 /// Maximum number of sweeps that redistribute rounding errors between rows.
 const CLEANUP_SWEEPS: usize = 200;
 /// Steps of iterative refinement per round; the second removes what the first leaves.
@@ -34,7 +28,7 @@ impl Run<'_> {
         let tolerance = self.settings.tolerance;
         (0..self.state.x.len()).all(|j| {
             let is_dependent = self.state.side[j] == Side::Dependent && is_unbounded(self.lcp, j);
-            let most = if is_dependent { tolerance } else { tolerance.min(EXACT) };
+            let most = if is_dependent { tolerance } else { tolerance.min(REFINED_RESIDUAL) };
             let b = self.lcp.b()[j];
             // at most Σ |a_jk x_k| + |b_j|, and usually large enough
             let magnitude = (self.state.w[j] - b).abs() + b.abs();
@@ -42,7 +36,7 @@ impl Run<'_> {
             let terms = merit::RowTerms { w: self.state.w[j], magnitude, scale, exponent: 0 };
             let is_within =
                 |terms: merit::RowTerms| terms.scaled_residual(self.lcp, j, &self.state.x) <= most;
-            scale > 0.0 && magnitude > TINY && is_within(terms)
+            scale > 0.0 && magnitude > UNDERFLOW && is_within(terms)
                 || is_within(merit::RowTerms::at(self.lcp, j, &self.state.x))
         })
     }
@@ -52,7 +46,7 @@ impl Run<'_> {
         let rows: Vec<usize> = (0..self.state.x.len())
             .filter(|&j| matches!(self.state.side[j], Side::Free | Side::Dependent))
             .collect();
-        let (order, factor) = Ldlt::pivoted(rows.len(), INDEPENDENT, |r, c| {
+        let (order, factor) = Ldlt::pivoted(rows.len(), INDEPENDENT_PIVOT, |r, c| {
             self.lcp.matrix().entry(rows[r], rows[c])
         });
         for &row in &rows {

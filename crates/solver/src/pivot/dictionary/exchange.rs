@@ -2,9 +2,7 @@
 
 use super::Dictionary;
 use crate::pivot::variable::Variable;
-
-/// An entry below this fraction of its largest earlier value counts as zero.
-const RELATIVE_ZERO: f64 = 1e-12;
+use crate::tolerances::CANCELLED_ENTRY;
 
 impl Dictionary {
     /// Exchanges these basic variables for these nonbasic ones, the largest entry first, until all
@@ -28,7 +26,7 @@ impl Dictionary {
                     let now = self.table.entry(r, c).abs();
                     let seen = &mut largest[r * self.nonbasic.len() + c];
                     *seen = seen.max(now);
-                    if now > RELATIVE_ZERO * *seen && now >= size {
+                    if now > CANCELLED_ENTRY * *seen && now >= size {
                         (pivot, size) = (Some((r, c)), now);
                     }
                 }

@@ -2,9 +2,9 @@
 
 use super::path::Path;
 use crate::Status;
-use crate::linalg::elimination::RELATIVE_ZERO;
-use crate::pivot::active_set::{ActiveSet, ROUNDING};
+use crate::pivot::active_set::ActiveSet;
 use crate::pivot::principal::Point;
+use crate::tolerances::{RELATIVE_ZERO, RESIDUAL_ROUNDING};
 use lcplab_problem::Lcp;
 
 impl Path<'_> {
@@ -42,7 +42,7 @@ pub(super) fn from_active_set(lcp: &Lcp, set: &ActiveSet, x: &[f64]) -> Point {
                 best = point;
             }
         }
-        if best.largest_residual() <= ROUNDING {
+        if best.largest_residual() <= RESIDUAL_ROUNDING {
             // No other is better by more than rounding.
             break;
         }

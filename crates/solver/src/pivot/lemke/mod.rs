@@ -41,15 +41,11 @@ mod end;
 mod parametric;
 mod path;
 
-use std::ops::ControlFlow;
-
 use self::parametric::{End, Parametric};
 use self::path::Path;
 use crate::pivot::standard_form::cover;
 use crate::pivot::{opening, proximal};
-use crate::{
-    Fallback, Iterate, Observer, Settings, Solution, Solver, Start, Status, StepDetail, frozen,
-};
+use crate::{Fallback, Observer, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 
@@ -88,7 +84,7 @@ impl Solver for Lemke {
         frozen::solve(lcp, x, &self.settings, |frozen, _, before| {
             frozen::report(lcp, frozen, observer);
             let lcp = frozen;
-            let mut seen = 0;
+            let mut reported = before;
             if by_principal_pivots {
                 let mut path = Parametric::new(lcp, cover(lcp), before);
                 match path.solve(&self.settings, observer) {
@@ -97,10 +93,10 @@ impl Solver for Lemke {
                         let failed = Solution::new(lcp, x, status, path.pivots);
                         return proximal::after(lcp, failed, &self.settings);
                     }
-                    None => seen = path.pivots - before,
+                    None => reported = before,
                 }
             }
-            let solution = self.by_tables(lcp, before, &mut AfterFirstPivots { seen, observer });
+            let solution = self.by_tables(lcp, before, reported, observer);
             match lcp.matrix().is_nearly_symmetric() {
                 true => proximal::after(lcp, solution, &self.settings),
                 false => solution,
@@ -111,9 +107,16 @@ impl Solver for Lemke {
 
 impl Lemke {
     /// Follows the path with tableaux, after `before` pivots on other problems; a second time if
-    /// rounding may have led to a wrong path.
-    fn by_tables(&self, lcp: &Lcp, before: usize, observer: &mut dyn Observer) -> Solution {
-        let mut path = Path::new(lcp, before);
+    /// rounding may have led to a wrong path. The observer already knows the pivots up to number
+    /// `reported`, which were made without tableaux.
+    fn by_tables(
+        &self,
+        lcp: &Lcp,
+        before: usize,
+        reported: usize,
+        observer: &mut dyn Observer,
+    ) -> Solution {
+        let mut path = Path::new(lcp, before, reported);
         let (x, status) = path.solve(&self.settings, observer);
         let is_long = path.is_doubtful || path.pivots - before > PIVOTS_TO_RENEWAL;
         let is_led_astray = match status {
@@ -124,34 +127,10 @@ impl Lemke {
         if !is_led_astray {
             return Solution::new(lcp, x, status, path.pivots);
         }
-        let mut path = Path::new(lcp, path.pivots).with_renewals();
+        let mut path = Path::new(lcp, path.pivots, reported).with_renewals();
         let (x, status) = path.solve(&self.settings, observer);
         let solution = Solution::new(lcp, x, status, path.pivots);
         solution.with_fallback(Some(Fallback::SecondPath))
-    }
-}
-
-/// An observer that has already received the first pivots.
-struct AfterFirstPivots<'a> {
-    seen: usize,
-    observer: &'a mut dyn Observer,
-}
-
-impl Observer for AfterFirstPivots<'_> {
-    fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
-        if self.seen > 0 {
-            self.seen -= 1;
-            return ControlFlow::Continue(());
-        }
-        self.observer.observe(iterate)
-    }
-
-    fn wants_details(&self) -> bool {
-        self.observer.wants_details()
-    }
-
-    fn part(&mut self, part: &StepDetail<'_>) {
-        self.observer.part(part);
     }
 }
 

@@ -24,12 +24,12 @@ use super::end::from_active_set;
 use crate::kernel::rank_one::{Block, get};
 use crate::kernel::tableau::Tableau;
 use crate::pivot::active_set::{self, ActiveSet};
-use crate::pivot::basic::{Basic, MIN_PIVOT, REDUNDANT, TIE};
+use crate::pivot::basic::Basic;
 use crate::pivot::dantzig::Side;
 use crate::pivot::principal::Point;
-use crate::pivot::proximal::NEARLY;
-use crate::pivot::ratio_test;
+use crate::pivot::ratio_test::keep_least;
 use crate::pivot::refinement::refined;
+use crate::tolerances::{CONTRADICTION, LENGTH_TIE, MIN_PIVOT, REDUNDANT_PIVOT};
 use crate::{Event, Iterate, Observer, Settings, Status};
 use lcplab_problem::Lcp;
 
@@ -122,8 +122,8 @@ impl<'a> Parametric<'a> {
                 if point.is_solution(self.lcp, settings.tolerance) {
                     return Some(End::Point(point));
                 }
-                let is_nearly =
-                    point.largest_residual() <= NEARLY && self.side.contains(&Side::Dependent);
+                let is_nearly = point.largest_residual() <= CONTRADICTION
+                    && self.side.contains(&Side::Dependent);
                 is_nearly.then_some(End::Status(Status::Inaccurate, point.x))
             }
         }
@@ -139,7 +139,7 @@ impl<'a> Parametric<'a> {
             }
             self.tableau.read(row, &mut self.other);
             let size = self.root[row] + self.basic.size(&self.other);
-            match get(&self.other, row).abs() <= REDUNDANT * size * size {
+            match get(&self.other, row).abs() <= REDUNDANT_PIVOT * size * size {
                 true => self.side[row] = Side::Dependent,
                 false => self.enter(row)?,
             }
@@ -161,7 +161,7 @@ impl<'a> Parametric<'a> {
         let w = self.lcp.w(&self.x);
         let asked = |i: usize| if self.cover[i] == 0.0 { 0.0 } else { -w[i] / self.cover[i] };
         self.z = (0..w.len()).map(asked).fold(0.0, f64::max);
-        let last = (0..w.len()).rev().find(|&i| asked(i) >= self.z * (1.0 - TIE));
+        let last = (0..w.len()).rev().find(|&i| asked(i) >= self.z * (1.0 - LENGTH_TIE));
         for i in 0..w.len() {
             let value = match self.side[i] {
                 Side::Free => self.x[i],
@@ -224,12 +224,12 @@ impl<'a> Parametric<'a> {
     fn blocking(&mut self) -> Option<(f64, Option<(usize, Side)>)> {
         let size = self.unit + self.basic.size(&self.speeds);
         let others = self.basic.reach(&self.speeds, -1.0, size, self.z);
-        if self.z <= others * (1.0 + TIE) {
+        if self.z <= others * (1.0 + LENGTH_TIE) {
             return Some((self.z, None));
         }
-        let mut tied = self.basic.all_within(others * (1.0 + TIE));
+        let mut tied = self.basic.all_within(others * (1.0 + LENGTH_TIE));
         let (first, is_only) = (tied.next()?, tied.next().is_none());
-        let row = if is_only { first } else { self.least(others * (1.0 + TIE))? };
+        let row = if is_only { first } else { self.least(others * (1.0 + LENGTH_TIE))? };
         if !others.is_finite() || !self.basic.speed(row).is_finite() {
             // Numbers have overflowed.
             return None;
@@ -264,7 +264,7 @@ impl<'a> Parametric<'a> {
                 break;
             }
             let lift = self.cover[v].signum();
-            let ratio = |&k: &usize| {
+            keep_least(&mut left, |&k| {
                 let (row, entry) = (tied[k], get(&rows[k], v));
                 let change = match (self.side[v], self.side[row]) {
                     (Side::Free, Side::Free) => lift * entry,
@@ -273,13 +273,6 @@ impl<'a> Parametric<'a> {
                     _ => 0.0,
                 };
                 -change / self.basic.speed(row)
-            };
-            let ratios: Vec<f64> = left.iter().map(ratio).collect();
-            let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
-            let mut ratios = ratios.into_iter();
-            left.retain(|_| {
-                let near = |r: f64| r - least <= ratio_test::TIE * r.abs().max(least.abs());
-                ratios.next().is_some_and(near)
             });
         }
         left.first().map(|&k| tied[k])

@@ -7,12 +7,10 @@ use super::PIVOTS_TO_RENEWAL;
 use super::end::from_active_set;
 use crate::linalg::elimination::difference;
 use crate::pivot::ratio_test::{Blocking, Candidate, least};
-use crate::pivot::standard_form::{CANCELLATION_TOLERANCE, StandardForm};
+use crate::pivot::standard_form::StandardForm;
+use crate::tolerances::{CANCELLATION_TOLERANCE, UNCERTAIN_PIVOT};
 use crate::{Event, Iterate, Leaving, Observer, Settings, Status, StepDetail, Tableau, Variable};
 use lcplab_problem::Lcp;
-
-/// A pivot below this fraction of its row may be rounding.
-const UNCERTAIN_PIVOT: f64 = 1e-10;
 
 /// A path in progress.
 pub(super) struct Path<'a> {
@@ -26,15 +24,18 @@ pub(super) struct Path<'a> {
     /// x after the last pivot.
     pub(super) x: Vec<f64>,
     pub(super) pivots: usize,
+    /// The observer already knows the pivots up to this number.
+    reported: usize,
 }
 
 impl<'a> Path<'a> {
-    /// The start of the path, after `pivots` pivots on other paths.
-    pub(super) fn new(lcp: &'a Lcp, pivots: usize) -> Self {
+    /// The start of the path, after `pivots` pivots on other paths; an observer receives the pivots
+    /// after number `reported`.
+    pub(super) fn new(lcp: &'a Lcp, pivots: usize, reported: usize) -> Self {
         let mut form = StandardForm::of(lcp);
         form.dictionary.forgives = 0.0;
         let (x, first) = (form.x(lcp), form.dictionary.basic()[..form.pairs].to_vec());
-        Path { lcp, form, first, renews: false, is_doubtful: false, x, pivots }
+        Path { lcp, form, first, renews: false, is_doubtful: false, x, pivots, reported }
     }
 
     /// The same, with tableaux recomputed periodically and larger thresholds for zero.
@@ -149,10 +150,10 @@ impl<'a> Path<'a> {
         let driven = entering.row().or(left.row()).unwrap_or(0);
         let event = Event::Pivot { driven, blocking: left.row().unwrap_or(driven) };
         let iterate = Iterate { iteration: self.pivots, x: &self.x, event };
-        if observer.observe(&iterate).is_break() {
-            return ControlFlow::Break(Status::Stopped);
+        match self.pivots > self.reported && observer.observe(&iterate).is_break() {
+            true => ControlFlow::Break(Status::Stopped),
+            false => ControlFlow::Continue(left),
         }
-        ControlFlow::Continue(left)
     }
 
     /// The variable that first becomes zero when that of column c grows; the covering variable

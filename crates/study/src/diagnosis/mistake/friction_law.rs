@@ -35,8 +35,8 @@ pub(super) fn rows(posed: &ProblemForm) -> &Lcp {
 /// The solution by the fallback sequence, as precise as it can be had.
 pub(super) fn solution(posed: &ProblemForm) -> Option<Vec<f64>> {
     [TIGHT, Settings::default().tolerance].into_iter().find_map(|tolerance| {
-        let settings = Settings { tolerance, ..Settings::default() };
-        let options = Options { settings, ..Options::default() };
+        let settings = Settings::default().with_tolerance(tolerance);
+        let options = Options::default().with_settings(settings);
         let solution = solve_by_sequence(posed, &options, &mut ()).solution;
         (solution.status == Status::Solved).then_some(solution.x)
     })

@@ -47,7 +47,7 @@ impl<'a> Nearest<'a> {
         Nearest { x, sweeps: 0, iterate: Vec::new(), distance: f64::INFINITY }
     }
 
-    pub fn look_at(&mut self, sweeps: usize, iterate: &[f64]) {
+    pub(crate) fn look_at(&mut self, sweeps: usize, iterate: &[f64]) {
         let distance = distance(self.x, iterate);
         if distance < self.distance && sweeps > 0 {
             (self.sweeps, self.distance) = (sweeps, distance);
@@ -80,7 +80,7 @@ pub(super) struct SweepMatch {
 
 impl SweepMatch {
     /// Whether x no longer changes once it is nearest.
-    pub fn stays_at_nearest(&self) -> bool {
+    pub(crate) fn stays_at_nearest(&self) -> bool {
         self.nearest == self.last
     }
 }
@@ -157,5 +157,5 @@ pub(super) fn methods(most: usize) -> [(MistakeKind, &'static str, Box<dyn Solve
 }
 
 fn settings(most: usize) -> Settings {
-    Settings { tolerance: 0.0, max_iterations: most, ..Settings::default() }
+    Settings::default().with_tolerance(0.0).with_max_iterations(most)
 }

@@ -213,9 +213,10 @@ pub fn start(lcp: &Lcp) -> Vec<f64> {
 /// problems with friction resist all methods.
 fn solution(lcp: &Lcp) -> Option<Vec<f64>> {
     EFFORTS.into_iter().find_map(|(name, max_iterations)| {
-        let settings = Settings { tolerance: TOLERANCE, max_iterations, ..Settings::default() };
+        let settings =
+            Settings::default().with_tolerance(TOLERANCE).with_max_iterations(max_iterations);
         let entry = Registry::standard().entry(name).ok()?;
-        let solver = entry.build(&Options { settings, ..Options::default() });
+        let solver = entry.build(&Options::default().with_settings(settings));
         let x = solver.solve(lcp, &Start::default(), &mut ()).x;
         is_accepted(lcp, &x).then_some(x)
     })

@@ -58,7 +58,7 @@ pub fn remedies(
     linear: &Linear<'_>,
 ) -> Vec<Remedy> {
     let (lcp, sweeps) = (&frame.lcp, user_solver.options.settings.max_iterations);
-    let settings = || Settings { max_iterations: sweeps, ..user_solver.options.settings.clone() };
+    let settings = || user_solver.options.settings.clone().with_max_iterations(sweeps);
     let mut all = Vec::new();
     let mut add = |what: String, entry: &Entry, solver: &dyn Solver, predicted: Option<f64>| {
         let mut work = Work::of(entry, lcp);
@@ -80,8 +80,7 @@ pub fn remedies(
         add("reverse order of rows".into(), own, &solver, theory(1.0, true, sweeps));
         for factor in FACTORS {
             let more = factor * sweeps;
-            let solver =
-                Pgs { settings: Settings { max_iterations: more, ..settings() }, ..Pgs::default() };
+            let solver = Pgs { settings: settings().with_max_iterations(more), ..Pgs::default() };
             add(format!("{more} sweeps"), own, &solver, theory(1.0, false, more));
         }
     }
@@ -104,7 +103,7 @@ pub fn sweeps_to(
     target: f64,
     most: usize,
 ) -> (f64, bool) {
-    let settings = Settings { tolerance: 0.0, max_iterations: most, ..Settings::default() };
+    let settings = Settings::default().with_tolerance(0.0).with_max_iterations(most);
     let solver = Pgs { omega: 1.0, order, settings };
     let error_history = reference.error_history(&solver, &start(lcp), target);
     let (sweeps, last) = (error_history.len() - 1, error_history[error_history.len() - 1]);

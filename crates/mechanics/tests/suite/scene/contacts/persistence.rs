@@ -16,12 +16,10 @@ fn simulation(
     let mut scene = Scene::load("persistence").unwrap();
     scene.step.baumgarte = baumgarte;
     scene.contact.persistence = persistence;
-    let settings = Settings {
-        max_iterations: max_iterations.unwrap_or(scene.solver.max_iterations),
-        tolerance: scene.solver.tolerance,
-        ..Settings::default()
-    };
-    let options = Options { settings, ..Options::default() };
+    let settings = Settings::default()
+        .with_max_iterations(max_iterations.unwrap_or(scene.solver.max_iterations))
+        .with_tolerance(scene.solver.tolerance);
+    let options = Options::default().with_settings(settings);
     let solver = solver::Registry::standard().entry(&scene.solver.name).unwrap().build(&options);
     Simulation::new(scene, solver)
 }
