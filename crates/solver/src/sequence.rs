@@ -3,7 +3,7 @@
 //! | problem | methods, in this order |
 //! | --- | --- |
 //! | boxes, A symmetric up to rounding | `dantzig`, `block-pivoting`, `newton`, `interior-point`; if A is small and not positive semidefinite, `lemke`, `enumeration` |
-//! | boxes, any other A | `lemke`, `fischer-newton`, `enumeration` |
+//! | boxes, any other A | `lemke`, `interior-point` (first if there are more than 150 rows), `fischer-newton`, `enumeration` |
 //! | polygons | `lemke`, contact by contact (`polygon-pgs`) |
 //! | cones | `apgd` if A is symmetric up to rounding, `cone-pgs` |
 //!
@@ -40,6 +40,9 @@ use lcplab_problem::friction::{ConeProblem, Polyhedral, ProblemForm};
 const MOST_STEPS: usize = 100;
 /// Maximum number of active sets that the enumeration tries.
 const MOST_SETS: usize = 1 << 16;
+/// Number of rows up to which pivoting comes first if A is not symmetric: with more, its dense
+/// tableau takes longer than the few sparse factorizations of the interior-point method.
+const PIVOTED_ROWS: usize = 150;
 /// Number of rows up to which a symmetric A is examined for negative eigenvalues.
 const MOST_ROWS: usize = 300;
 
@@ -135,7 +138,10 @@ pub fn solve_boxed_without(
             Lemke::NAME,
             Enumeration::NAME,
         ],
-        false => &[Lemke::NAME, Newton::FISCHER_BURMEISTER, Enumeration::NAME],
+        false if lcp.len() <= PIVOTED_ROWS => {
+            &[Lemke::NAME, InteriorPoint::NAME, Newton::FISCHER_BURMEISTER, Enumeration::NAME]
+        }
+        false => &[InteriorPoint::NAME, Lemke::NAME, Newton::FISCHER_BURMEISTER, Enumeration::NAME],
     };
     let names: Vec<&str> = names.iter().copied().filter(|name| *name != tried).collect();
     let attempt = |name: &'static str, observer: &mut dyn Observer| {

@@ -145,6 +145,16 @@ pub(crate) const MIN_ADDED: f64 = 1e-12;
 /// The same for rows without bounds if the equations are those of the velocities, which contain the
 /// inverse of the added diagonal.
 pub(crate) const MIN_ADDED_WITHOUT_BOUNDS: f64 = 1e-8;
+/// The minimum of the diagonal that an interior point method adds to a monotone A that is not
+/// symmetric, relative to the size of the row: it makes dependent equations solvable, and a few
+/// corrections remove its effect.
+pub(crate) const MONOTONE_ADDED_DIAGONAL: f64 = 1e-10;
+/// The active set is guessed once the mean of slack times multiplier is below this fraction of its
+/// start: before, most guesses are wrong.
+pub(crate) const LATE: f64 = 1e-3;
+/// Entries below this fraction of the largest |x| are rounding errors of 0: 64 units in the last
+/// place.
+pub(crate) const DUST: f64 = 64.0 * f64::EPSILON;
 /// a_ii and Ĵ_i Ĵ_iᵀ count as equal up to this relative difference: far above rounding, far below
 /// any compliance that matters.
 pub(crate) const SAME_DIAGONAL: f64 = 1e-9;

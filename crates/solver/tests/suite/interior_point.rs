@@ -1,4 +1,4 @@
-use lcplab_problem::Lcp;
+use lcplab_problem::{Lcp, Matrix, dot};
 use lcplab_solver::{InteriorPoint, Settings, Solver, Start, Status};
 use proptest::prelude::*;
 
@@ -70,4 +70,93 @@ proptest! {
     fn the_iterates_stay_within_the_bounds(m in manufactured(6, 4, 0.5)) {
         prop_assert!(stays_inside(&m.lcp));
     }
+
+    /// The objective is the same at every minimum.
+    #[test]
+    fn a_quadratic_program_with_constraints_is_solved(program in program(9, 5)) {
+        let Program { lcp, minimum, .. } = &program;
+        let solution = InteriorPoint::default().solve(lcp, &Start::default(), &mut ());
+        prop_assert_eq!(&solution.status, &Status::Solved);
+        let [found, least] = [&solution.x, minimum].map(|x| program.objective(x));
+        prop_assert!((found - least).abs() <= 1e-7 * (1.0 + least.abs()), "{found} for {least}");
+    }
+
+    /// With P = 0 the conditions are those of a linear program: A + Aᵀ = 0.
+    #[test]
+    fn a_linear_program_is_solved(program in program(6, 0)) {
+        let solution = InteriorPoint::default().solve(&program.lcp, &Start::default(), &mut ());
+        prop_assert_eq!(&solution.status, &Status::Solved);
+    }
+}
+
+/// A convex quadratic program min ½ yᵀP y + qᵀy with C y ≥ d, as the problem of y and its
+/// multipliers λ, of which one minimum is known.
+#[derive(Debug)]
+struct Program {
+    lcp: Lcp,
+    /// (y, λ).
+    minimum: Vec<f64>,
+    /// The number of entries of y.
+    variables: usize,
+}
+
+impl Program {
+    /// ½ yᵀP y + qᵀy.
+    fn objective(&self, x: &[f64]) -> f64 {
+        let y = [&x[..self.variables], &vec![0.0; x.len() - self.variables]].concat();
+        let half: Vec<f64> = (0..self.variables)
+            .map(|i| 0.5 * self.lcp.matrix().row_dot(i, &y) + self.lcp.b()[i])
+            .collect();
+        dot(&half, &y[..self.variables])
+    }
+}
+
+/// A program with n variables, of which every third is bounded by 0 from below, n constraints, of
+/// which the last is an equation, and P = GᵀG of this rank. y and λ are drawn first: every second
+/// constraint is active, and q and d follow from the conditions of a minimum.
+fn program(n: usize, rank: usize) -> impl Strategy<Value = Program> {
+    let entries = |count: usize| prop::collection::vec(-2.0..2.0, count);
+    let sizes = prop::collection::vec(0.5..2.0, 2 * n);
+    (entries(rank * n), entries(n * n), sizes, entries(n)).prop_map(move |(g, c, size, free)| {
+        let g = |r: usize, i: usize| g[r * n + i];
+        let p = |i: usize, j: usize| (0..rank).map(|r| g(r, i) * g(r, j)).sum::<f64>();
+        let c = |r: usize, i: usize| c[r * n + i];
+        let is_bounded = |i: usize| i % 3 == 0;
+        let is_equation = |r: usize| r + 1 == n;
+        let is_active = |r: usize| r % 2 == 0 || is_equation(r);
+        // Every second bounded variable is at its bound.
+        let y: Vec<f64> = (0..n)
+            .map(|i| match i % 6 {
+                0 => 0.0,
+                3 => size[i],
+                _ => free[i],
+            })
+            .collect();
+        let lambda: Vec<f64> = (0..n)
+            .map(|r| match (is_equation(r), is_active(r)) {
+                (true, _) => free[r],
+                (_, true) => size[n + r],
+                _ => 0.0,
+            })
+            .collect();
+        let mut a = vec![0.0; 4 * n * n];
+        let mut b = vec![0.0; 2 * n];
+        for i in 0..n {
+            let force: f64 = (0..n).map(|r| c(r, i) * lambda[r]).sum();
+            let slope: f64 = (0..n).map(|j| p(i, j) * y[j]).sum();
+            // At its bound the variable has w > 0.
+            b[i] = force - slope + if i % 6 == 0 { size[i] } else { 0.0 };
+            let distance = if is_active(i) { 0.0 } else { size[n + i] };
+            b[n + i] = distance - (0..n).map(|j| c(i, j) * y[j]).sum::<f64>();
+            for j in 0..n {
+                a[i * 2 * n + j] = p(i, j);
+                a[i * 2 * n + n + j] = -c(j, i);
+                a[(n + i) * 2 * n + j] = c(i, j);
+            }
+        }
+        let at_least_zero = |k: usize| if k < n { is_bounded(k) } else { !is_equation(k - n) };
+        let lo = (0..2 * n).map(|k| if at_least_zero(k) { 0.0 } else { -f64::INFINITY }).collect();
+        let lcp = Lcp::new(Matrix::dense(2 * n, &a), b, lo, vec![f64::INFINITY; 2 * n]).unwrap();
+        Program { lcp, minimum: [y, lambda].concat(), variables: n }
+    })
 }

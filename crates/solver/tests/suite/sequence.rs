@@ -52,7 +52,7 @@ fn a_problem_without_a_solution_ends_with_that_answer_and_all_attempts() {
     let answer = solve(boxed(&[&[0.0, 1.0], &[0.5, 1.0]], &[-1.0, 0.0], &[0.0; 2], &[INF, 0.5]));
     assert_eq!((&*answer.solver, answer.solution.status), ("enumeration", Status::NoSolution));
     let tried: Vec<&str> = answer.attempts.iter().map(|attempt| attempt.solver).collect();
-    assert_eq!(tried, ["lemke", "fischer-newton"]);
+    assert_eq!(tried, ["lemke", "interior-point", "fischer-newton"]);
 }
 
 #[test]

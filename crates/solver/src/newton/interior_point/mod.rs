@@ -26,27 +26,36 @@
 //! the rows are eliminated instead, and the matrix to factorize has six rows per body. If solutions
 //! are not unique, the method finds one in the middle of the solution set.
 //!
+//! If A is not symmetric, each iteration factorizes A + D by LU ([`general`]), and near the end of
+//! the path the point of the suggested active set is tried, whose accuracy is that of the
+//! factorization. This solves monotone problems, xᵀA x ≥ 0 for all x: convex quadratic programs
+//! with constraints. Other problems may end in any status but `Solved` with a wrong x.
+//!
 //! Rows at a bound end at a distance of about μ/w_i from it: the answer is only as accurate as the
-//! tolerance. A start is used only if it lies well inside the bounds. A not symmetric, or no
-//! Cholesky factor: `OutsideClass`; vanishing steps: `Stalled`. Coupled rows: see [`frozen`].
+//! tolerance. A start is used only if it lies well inside the bounds. No Cholesky factor of a
+//! symmetric A: `OutsideClass`; vanishing steps: `Stalled`. Coupled rows: see [`frozen`].
 
+mod general;
 mod path;
 mod rows;
 mod step;
 mod velocities;
 
+use general::General;
 use path::Path;
 use rows::Rows;
 use step::StepEquations;
 use velocities::Velocities;
 
+use std::ops::ControlFlow;
+
 use crate::iterate::iterate;
 use crate::kernel::impulses::System;
-use crate::metric::diagonal_of_symmetric;
+use crate::metric;
 use crate::tolerances::SAME_DIAGONAL;
 use crate::{Observer, Settings, Solution, Solver, Start, Status, frozen};
-use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
+use lcplab_problem::{Lcp, merit};
 
 /// Maximum number of entries of the factor; with more, a factorization takes too long.
 const MAX_ENTRIES: usize = 32_000_000;
@@ -70,12 +79,15 @@ impl Solver for InteriorPoint {
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
         let x = start.point(lcp);
-        let rows = diagonal_of_symmetric(lcp)
-            .and_then(|diagonal| Rows::of(lcp, diagonal, |entries| self.fit(entries)));
-        match rows {
-            Ok(mut rows) => self.follow(lcp, x, &mut rows, observer),
-            Err(status) => Solution::outside_class(lcp, x, status, 0, &self.settings),
-        }
+        let solution = if lcp.matrix().is_nearly_symmetric() {
+            metric::diagonal(lcp)
+                .and_then(|diagonal| Rows::of(lcp, diagonal, |entries| self.fit(entries)))
+                .map(|mut rows| self.follow(lcp, x.clone(), &mut rows, observer))
+        } else {
+            General::of(lcp, |entries| self.fit(entries))
+                .map(|mut rows| self.follow(lcp, x.clone(), &mut rows, observer))
+        };
+        solution.unwrap_or_else(|status| Solution::outside_class(lcp, x, status, 0, &self.settings))
     }
 }
 
@@ -126,7 +138,17 @@ impl InteriorPoint {
             let mut path = None;
             iterate(lcp, x, first, &self.settings, observer, |x| {
                 let path = path.get_or_insert_with(|| Path::from_inside(lcp, equations, x));
-                path.step(equations, x)
+                let event = path.step(equations, x)?;
+                match path.refined(equations, x) {
+                    Some(refined)
+                        if merit::scaled_residual(lcp, &refined) <= self.settings.tolerance =>
+                    {
+                        x.copy_from_slice(&refined);
+                        // The path is left: the loop accepts this x or ends here.
+                        ControlFlow::Break(Status::Stalled)
+                    }
+                    _ => ControlFlow::Continue(event),
+                }
             })
         })
     }

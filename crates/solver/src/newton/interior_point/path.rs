@@ -3,9 +3,12 @@
 use std::ops::ControlFlow;
 
 use super::step::StepEquations;
-use crate::tolerances::{MIN_ADDED, SHORTEST_STEP, STAY_INSIDE, VANISHED_SLACK};
+use crate::tolerances::{DUST, LATE, MIN_ADDED, SHORTEST_STEP, STAY_INSIDE, VANISHED_SLACK};
 use crate::{Event, Status};
 use lcplab_problem::Lcp;
+
+/// Number of corrections for the diagonal that is added to the equations of an active set.
+const REFINEMENTS: usize = 6;
 
 /// One finite bound.
 #[derive(Debug, Clone, Copy)]
@@ -26,6 +29,8 @@ pub(super) struct Path<'a> {
     bounds: Vec<Bound>,
     /// √(e / a_ii) of each row.
     unit: Vec<f64>,
+    /// e.
+    energy: f64,
 }
 
 /// A change of x, with the changes of the slacks and multipliers.
@@ -60,7 +65,7 @@ impl<'a> Path<'a> {
                 }
             }
         }
-        Path { lcp, pinned, bounds, unit }
+        Path { lcp, pinned, bounds, unit, energy }
     }
 
     /// Moves x along the path by a Newton step on the path equations.
@@ -96,6 +101,42 @@ impl<'a> Path<'a> {
             }
         }
         ControlFlow::Continue(Event::Step)
+    }
+
+    /// The point of the active set that the path suggests, near its end: x is at a bound whose slack
+    /// is smaller than its multiplier, each in its unit, and w = 0 in the other rows. Rounding
+    /// errors of entries that should be 0 are removed.
+    pub(super) fn refined<E: StepEquations>(
+        &self,
+        equations: &mut E,
+        x: &[f64],
+    ) -> Option<Vec<f64>> {
+        let product = self.bounds.iter().map(|k| k.slack * k.multiplier).sum::<f64>();
+        if !E::REFINES || product > LATE * self.energy * self.bounds.len() as f64 {
+            return None;
+        }
+        let (mut x, mut active) = (x.to_vec(), self.pinned.clone());
+        for k in &self.bounds {
+            let unit = self.unit[k.row];
+            if k.slack / unit < k.multiplier * unit / self.energy {
+                let bound = if k.sign > 0.0 { self.lcp.lo() } else { self.lcp.hi() };
+                (x[k.row], active[k.row]) = (bound[k.row], true);
+            }
+        }
+        let added: Vec<f64> = (0..x.len()).map(|i| E::UNBOUNDED * equations.diagonal(i)).collect();
+        if !equations.factor(&added, &active) {
+            return None;
+        }
+        for _ in 0..REFINEMENTS {
+            let mut change: Vec<f64> = equations.w(&x).iter().map(|w| -w).collect();
+            change.iter_mut().zip(&active).filter(|(_, at)| **at).for_each(|(d, _)| *d = 0.0);
+            equations.solve(&mut change);
+            x.iter_mut().zip(&change).for_each(|(x, d)| *x += d);
+        }
+        let largest = x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        x.iter_mut().filter(|x| x.abs() <= DUST * largest).for_each(|x| *x = 0.0);
+        self.lcp.project_all(&mut x);
+        Some(x)
     }
 
     /// The diagonal D added to A: Σ_k z_k/ρ_k, and at least enough to compensate for rounding.

@@ -6,7 +6,11 @@ pub(super) trait StepEquations {
     /// `MIN_ADDED`.
     const UNBOUNDED: f64;
 
-    /// a_ii; 1 if x_i is pinned and A has no diagonal entry.
+    /// Whether the end of the path is refined by a guess of the active set. Symmetric problems do
+    /// without: their solvers of choice pivot.
+    const REFINES: bool = false;
+
+    /// a_ii, or the size of row i; 1 if x_i is pinned and A has no diagonal entry.
     fn diagonal(&self, i: usize) -> f64;
 
     /// w = A x + b.
