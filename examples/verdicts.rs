@@ -1,6 +1,7 @@
 //! Verdicts as lines of JSON, to test another judge: the problems of the library, random hostile
 //! problems and steps of the shipped scenes, each with the answers of all solvers and some wrong
-//! answers, the judge's verdicts on them, and the diagnosis of the problem.
+//! answers, the judge's verdicts on them, and the diagnosis of the problem; and steps of mechanisms
+//! with redundant joints in skew orientations, with the answers of the pivoting solvers.
 //!
 //! ```console
 //! $ cargo run --example verdicts -- 2000 > verdicts.jsonl
@@ -23,6 +24,7 @@ use lcplab::report::answer::{Answer, json_object, rounding_json};
 use lcplab::report::friction::JudgedAnswer;
 use lcplab::scene::{Scene, Scheme, catalogue};
 use lcplab::solver::{Options, PolygonPgs, Registry, Settings, Solution, Solver, Start, Status};
+use lcplab_testing::{EFFORTS, MECHANISMS, Machine};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
@@ -38,6 +40,8 @@ const CORNERS: [usize; 2] = [4, 8];
 const MOST_POLYGON_ROWS: usize = 24;
 /// The steps of each scene that are examined.
 const STEPS: [usize; 3] = [1, 5, 20];
+/// The solvers whose class contains the problems of mechanisms with redundant joints.
+const PIVOTING: [&str; 3] = ["dantzig", "lemke", "block-pivoting"];
 
 fn main() -> Result<()> {
     let random = std::env::args().nth(1).and_then(|n| n.parse().ok()).unwrap_or(2000);
@@ -51,6 +55,7 @@ fn main() -> Result<()> {
     subjects.retain(|subject| subject.problem.lcp.len() <= MOST_ROWS);
     let mut records: Vec<Value> =
         subjects.par_iter().map(|subject| record(subject, &solvers)).collect();
+    records.extend(of_machines(&solvers)?);
     records.extend(of_cones(&subjects));
     records.extend(of_polygons(&subjects)?);
     let mut out = BufWriter::new(io::stdout().lock());
@@ -238,7 +243,34 @@ fn of_scenes() -> Result<Vec<Subject>> {
 }
 
 fn of_scene(name: &str, level: Scheme) -> Result<Vec<Subject>> {
-    let mut scene = Scene::load(name)?;
+    of_steps(name, Scene::load(name)?, level)
+}
+
+/// The LCPs of three steps of each mechanism with redundant joints, in two skew orientations, with
+/// and without gravity, at both levels. They are judged as `simulate` judges steps, without a search
+/// for an exact solution: redundant rows agree but for rounding, so often there is none.
+fn of_machines(solvers: &[Box<dyn Solver>]) -> Result<Vec<Value>> {
+    let settings = [
+        ([0.4, -1.3, 0.6], 9.81, EFFORTS[0], 0.1, 0.01),
+        ([-2.1, 0.9, 2.7], 0.0, EFFORTS[1], 0.2, 1.0 / 60.0),
+    ];
+    let demand = Demand { prove_up_to: 0, ..Demand::default() };
+    let mut records = Vec::new();
+    for (kind, name) in MECHANISMS.into_iter().enumerate() {
+        for (angles, gravity, effort, beta, dt) in settings {
+            let text = Machine { kind, angles, gravity, effort, beta, dt }.scene();
+            for level in Scheme::LEVELS {
+                let scene = Scene::from_toml("machine.toml", &text)?;
+                let steps = of_steps(&format!("{name}, gravity {gravity},"), scene, level)?;
+                let pivoting = || solvers.iter().filter(|s| PIVOTING.contains(&s.name()));
+                records.extend(steps.iter().map(|step| judged_record(step, pivoting(), &demand)));
+            }
+        }
+    }
+    Ok(records)
+}
+
+fn of_steps(name: &str, mut scene: Scene, level: Scheme) -> Result<Vec<Subject>> {
     scene.step.scheme = level;
     let mut simulation = Simulation::of(&scene)?;
     let mut subjects = Vec::new();
@@ -257,9 +289,21 @@ fn of_scene(name: &str, level: Scheme) -> Result<Vec<Subject>> {
 }
 
 fn record(subject: &Subject, solvers: &[Box<dyn Solver>]) -> Value {
+    let mut record = judged_record(subject, solvers.iter(), &Demand::default());
+    // Without one where the singular values of A cannot be found.
+    let diagnosis = diagnosis::problem(&subject.problem);
+    record["diagnosis"] = diagnosis.map_or(Value::Null, |found| found.to_json());
+    record
+}
+
+/// The answers of the solvers and the wrong ones, judged; without a diagnosis.
+fn judged_record<'s>(
+    subject: &Subject,
+    solvers: impl Iterator<Item = &'s Box<dyn Solver>>,
+    demand: &Demand,
+) -> Value {
     let Subject { problem, start } = subject;
     let lcp = &problem.lcp;
-    let demand = Demand::default();
     let mut answers = Vec::new();
     let mut exact = vec![0.0; lcp.len()];
     for solver in solvers {
@@ -268,14 +312,12 @@ fn record(subject: &Subject, solvers: &[Box<dyn Solver>]) -> Value {
         if solution.status == Status::Solved {
             exact.clone_from(&solution.x);
         }
-        answers.push(Answer::judged(lcp, solver.name(), solution, &demand).to_json().into());
+        answers.push(Answer::judged(lcp, solver.name(), solution, demand).to_json().into());
     }
-    answers.extend(strange(lcp, &exact).map(|(name, x)| judged(lcp, name, &x, &demand)));
-    // Without one where the singular values of A cannot be found.
-    let diagnosis = diagnosis::problem(problem).map_or(Value::Null, |found| found.to_json());
+    answers.extend(strange(lcp, &exact).map(|(name, x)| judged(lcp, name, &x, demand)));
     json!({
         "name": problem.name, "problem": problem.to_json(), "tolerance": demand.tolerance,
-        "answers": answers, "diagnosis": diagnosis,
+        "answers": answers,
     })
 }
 

@@ -695,6 +695,8 @@ def self_test():
     i = lcp([[2, 0], [0, 3]], [-1, 0], lo=[0, "-inf"])     # an equation without load
     g = lcp([[1, 1], [1, 1]], [-2, -2])
     h = lcp([[1, 1], [1, 1 + 2**-27]], [-2, -2 - 2**-27])       # solution (1, 1); nearly as good: (1 + t, 1 - t)
+    # Two equations for one motion, as of a door on two hinges: they agree but for rounding, so nothing solves both.
+    j = lcp([[2, 2], [2, 2]], [-2, math.nextafter(-2, -3)], lo=["-inf"] * 2, scale=1e-3)
     tiny = float(abs(Q(third) - Q(1, 3)))
     tiny = tiny if Q(tiny) >= abs(Q(third) - Q(1, 3)) else math.nextafter(tiny, 1)
     no, yes = {"no_solution": ["1", "0"]}, {"is_sound": True, "unique": True, "causes": []}
@@ -741,6 +743,10 @@ def self_test():
         ("i neighbor", i, [answer(i, [0.5, 2e-17], WITHIN, rounded_by=2e-17)], yes, None),
         ("i too far", i, [answer(i, [0.5, 2e-13], PROVED, distance=2e-13, rounded_by=2e-13)], yes, "by rounding, but"),
         ("i refused", i, [answer(i, [0.5, 2e-17], NOT, "failed")], yes, "nothing proves"),
+        ("j true", j, [answer(j, [0.5, 0.5], WITHIN)], None, None),
+        ("j wrong", j, [answer(j, [0.5, 0.500001], WITHIN)], None, "its scaled residual is"),
+        ("j refused", j, [answer(j, [0.5, 0.5], NOT, "failed")], None, "nothing proves"),
+        ("j proved", j, [answer(j, [0.5, 0.5], PROVED, distance=1e-9)], None, "could not confirm the proof"),
         ("malformed", g | {"b": [1]}, [], None, "malformed"),
         ("cone", f, [{"model": "coulomb-cone"}], None, None)]
     failed = 0

@@ -1,7 +1,9 @@
 //! What the tests of several crates share.
 
+mod machine;
 mod pile;
 
+pub use machine::{EFFORTS, MECHANISMS, Machine, machine};
 pub use pile::pile;
 
 use std::ops::ControlFlow;
