@@ -208,6 +208,7 @@ const CASES: &[(&str, Case)] = &[
     ("capstan-two-turns", rope::two_turns),
     ("static-friction", surfaces::ramp),
     ("shaking-table", surfaces::table),
+    ("moving-support", surfaces::supports),
     ("sine-force", surfaces::sine),
     ("pairs", surfaces::pairs),
     ("groove", surfaces::groove),

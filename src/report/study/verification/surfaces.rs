@@ -3,7 +3,7 @@
 use super::measure::{Case, Known, Method, ROUNDING, after};
 use super::{Row, Size};
 use crate::error::Result;
-use crate::scene::Scene;
+use crate::scene::{Scene, Scheme};
 
 const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
 const G: f64 = 9.81;
@@ -83,6 +83,64 @@ pub(super) fn table(size: Size) -> Result<Vec<Row>> {
     rows.extend(
         shaken(1.02)?.rows(Method::Velocity, known, |scene| Some(vec![after(scene, 0.1)?[1].v.x])),
     );
+    Ok(rows)
+}
+
+/// A box on a support that moves in time. On a belt that starts, runs for a second and stops, it is
+/// dragged with μ g and ends exactly as far as the belt went, with every scheme that moves a support.
+/// A table that shakes vertically with A ω² = 1.3 g throws it where its acceleration is −g.
+pub(super) fn supports(size: Size) -> Result<Vec<Row>> {
+    let mu = 0.4;
+    let scene = |name: &str, moves: &str| {
+        let text = format!(
+            "contact.friction = 0.4\n[[bodies]]\nname = \"table\"\nfixed = true\n\
+             shape = {{ box = [9, 9, 0.4] }}\nposition = [0, 0, -0.2]\n\
+             displacement_over_time = {moves}\n[[bodies]]\nname = \"box\"\nmass = 1.3\n\
+             shape = {{ box = [0.4, 0.3, 0.2] }}\nposition = [0, 0, 0.1]\n"
+        );
+        Scene::from_toml(name, &text)
+    };
+    let belt = scene("belt-starts-and-stops", "{ table = [[0, 0, 0, 0], [1, 1, 0, 0]] }")?;
+    let case = Case::of("moving-support", belt, size);
+    let mut rows = Vec::new();
+    for scheme in Scheme::ALL.into_iter().filter(|scheme| *scheme != Scheme::Acceleration) {
+        let [of_speed, of_way] = match scheme {
+            Scheme::Soft => [(1e-2, "contacts are springs"), (1e-3, "contacts are springs")],
+            Scheme::Penalty => [(5e-2, "friction is a damper"), (1e-2, "friction is a damper")],
+            _ => [SUMMED, SUMMED],
+        };
+        let drags = ["mu g t", "\\mu g t"];
+        let known = vec![
+            Known::exact(of_speed, "speed after 0.1 s", drags, "m/s", mu * G * 0.1),
+            Known::exact(of_way, "distance after the belt has stopped", ["s", "s"], "m", 1.0),
+        ];
+        rows.extend(case.rows(Method::Scheme(scheme), known, |scene| {
+            let speed = after(scene, 0.1)?[1].v.x;
+            Some(vec![speed, after(scene, 1.6)?[1].pose.p.x])
+        }));
+    }
+    let (part, omega, time) = (1.3_f64, 20.0, 0.12);
+    let amplitude = part * G / (omega * omega);
+    let sine = format!("{{ sine = {{ amplitude = [0, 0, {amplitude}], angular_frequency = {omega} }} }}");
+    let mut thrown = scene("table-throws", &sine)?;
+    thrown.step.dt = 0.002;
+    thrown.states[1].v.z = amplitude * omega;
+    let begins = libm::asin(1.0 / part) / omega;
+    let (sin, cos) = libm::sincos(omega * begins);
+    let flight = time - begins;
+    let height = amplitude * (sin + omega * cos * flight) - 0.5 * G * flight * flight;
+    let what = "height of a box thrown by its table, A ω² = 1.3 g, after 0.12 s";
+    let formula = [
+        "A (sin(w t0) + w cos(w t0) (t - t0)) - g (t - t0)^2/2, sin(w t0) = g/(A w^2)",
+        "A(\\sin\\omega t_0 + \\omega\\cos\\omega t_0\\,(t - t_0)) - \\tfrac12 g (t - t_0)^2,\\ \
+         \\sin\\omega t_0 = g/(A\\omega^2)",
+    ];
+    let within = (0.02, "the flight begins at the end of a step");
+    let known = vec![Known::exact(within, what, formula, "m", height)];
+    let case = Case::of("moving-support", thrown, size);
+    rows.extend(case.rows(Method::Velocity, known, |scene| {
+        Some(vec![after(scene, time)?[1].pose.p.z - 0.1])
+    }));
     Ok(rows)
 }
 

@@ -171,9 +171,9 @@ fn remedy(scene: &Scene) -> &'static str {
              acceleration."
         }
         _ => {
-            "The scheme soft applies restitution once at the end of a step, to the approach at its \
-             beginning. A smaller step.dt separates the impacts in time, and so does the scheme \
-             acceleration."
+            "The scheme soft applies restitution at the end of a substep, to the approach at its \
+             beginning. A smaller step.dt or more step.substeps separate the impacts in time, and so \
+             does the scheme acceleration."
         }
     }
 }

@@ -47,3 +47,10 @@ fn substepped(scene: &Scene) -> Scene {
     let dt = scene.step.dt / scene.step.substeps as f64;
     Scene { step: Step { dt, ..scene.step.clone() }, ..scene.clone() }
 }
+
+/// The states at the beginning of a substep (its number from 0), with the supports moving as they
+/// do in it. The scene is that of substeps.
+fn supported(solving: &Solving, scene: &Scene, states: &[State], substep: usize) -> Vec<State> {
+    let h = scene.step.dt;
+    scene.supported(states, solving.from + substep as f64 * h, h).into_owned()
+}

@@ -13,7 +13,7 @@
 //! coefficient of restitution: damping decides how a body bounces, and e is not looked at.
 //! K&M, the first of the chapter's schemes.
 
-use super::substepped;
+use super::{substepped, supported};
 use crate::assembly::{Assembly, ConstraintFilter, Row};
 use crate::body::State;
 use crate::constraint::Bounds;
@@ -30,7 +30,8 @@ pub(super) fn step(
     let scene = substepped(solving.scene);
     let h = scene.step.dt;
     let mut states = states.to_vec();
-    for _ in 0..scene.step.substeps {
+    for substep in 0..scene.step.substeps {
+        states = supported(solving, &scene, &states, substep);
         let assembly = assembled(&scene, &states, found, ConstraintFilter::Near)?;
         let x = forces(&assembly, &scene.step.penalty, h);
         let pull = assembly.pull_back(&x);

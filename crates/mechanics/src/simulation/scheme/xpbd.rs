@@ -5,7 +5,7 @@
 //! u = u⁻ + h M⁻¹F,   s = s⁻ + h S u
 //! each row:   Δx = −((1 − β) J u + (β/h) c + γ x)/(J M⁻¹Jᵀ + γ),   x ← Π(x + Δx)
 //!             s ← s + h S M⁻¹Jᵀ Δx,   u ← u + M⁻¹Jᵀ Δx                  J, c at the newest s and u
-//! u = (s − s⁻)/h,   ω = the rotation vector of q (q⁻)⁻¹, divided by h
+//! u = (s − s⁻)/h,   ω = the rotation vector of q (q⁻)⁻¹, full turns included, divided by h
 //! ```
 //!
 //! The published multiplier is h x. A row of compliance α has β = 1 and γ = α/h²: rigid for α = 0.
@@ -25,11 +25,9 @@
 //! Chentanez 2016; Müller et al. 2020.
 
 use std::collections::BTreeMap;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
-use nalgebra::Vector3;
-
-use super::substepped;
+use super::{substepped, supported};
 use crate::assembly::{ConstraintFilter, RowId, Source};
 use crate::body::State;
 use crate::constraint::{Bounds, Constraint, Kind, Row};
@@ -47,6 +45,9 @@ const SETTLED: f64 = 1e-10;
 /// the substep. A flat face may arrive with rounding-size gaps, and then only some of its corners
 /// have an impulse.
 const ARRIVED: f64 = 1e-6;
+/// A rotation by a smaller angle (rad) has no reliable direction: rounding would turn it by more
+/// than 1e-10.
+const DIRECTED: f64 = 1e-6;
 
 pub(super) fn step(
     solving: &mut Solving,
@@ -60,7 +61,8 @@ pub(super) fn step(
     let before = states;
     let mut states = states.to_vec();
     let mut sums = Impulses::new();
-    for _ in 0..scene.step.substeps {
+    for number in 0..scene.step.substeps {
+        states = supported(solving, &scene, &states, number);
         substep(&scene, &mut states, found, &mut x)?;
         for (&id, x) in &x {
             *sums.entry(id).or_default() += x;
@@ -216,17 +218,22 @@ fn project(row: &Row, value: f64, before: &[f64], h: f64) -> f64 {
     value.max(lo).min(hi)
 }
 
-/// The new pose with the velocity that led to it. If the body turned by more than half a turn, the
-/// poses do not show by how much: then what they differ from the turn of its ω is added to it.
+/// The new pose with the velocity that led to it: ω is the rotation vector of q (q⁻)⁻¹, divided by
+/// h. Poses do not show full turns: of the vectors with this direction, that nearest to h ω counts
+/// if the body turns by more than half a turn.
 fn with_rate(scene: &Scene, body: usize, old: &State, new: &State) -> State {
     let h = scene.step.dt;
-    let expected = match (h * new.omega).norm() < PI {
-        true => Vector3::zeros(),
-        false => new.omega,
+    let shown = (new.pose.q * old.pose.q.inverse()).scaled_axis();
+    let expected = h * new.omega;
+    let turned = match expected.norm() < PI {
+        true => shown,
+        false => {
+            let axis = shown.try_normalize(DIRECTED).unwrap_or_else(|| expected.normalize());
+            let turns = ((expected - shown).dot(&axis) / TAU).round();
+            shown + TAU * turns * axis
+        }
     };
-    let turned = State { omega: expected, ..*old }.advanced(h).pose.q;
-    let omega = expected + (new.pose.q * turned.inverse()).scaled_axis() / h;
-    let mean = State { v: (new.pose.p - old.pose.p) / h, omega, ..*new };
+    let mean = State { v: (new.pose.p - old.pose.p) / h, omega: turned / h, ..*new };
     scene.step.gyroscopic().arrived(&scene.bodies[body].mass, &mean, h)
 }
 

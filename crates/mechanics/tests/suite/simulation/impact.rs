@@ -4,6 +4,7 @@ use lcplab_mechanics::formulation::Stage;
 use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::Simulation;
 use lcplab_solver as solver;
+use nalgebra::{UnitQuaternion, Vector3};
 
 use super::{assert_near, bullet, simulation};
 
@@ -94,6 +95,51 @@ fn every_scheme_that_bounces_gives_back_e_of_the_approach_wherever_in_a_step_it_
                 let slack = 2.0 * 9.81 * dt;
                 assert!((up - e * down).abs() < slack, "{scheme:?} e {e} dt {dt} {k}: {up} {down}");
             }
+        }
+    }
+}
+
+#[test]
+fn a_box_that_is_hit_at_a_corner_leaves_with_the_velocity_of_newtons_impulse() {
+    // Without gravity and friction: P = (1 + e) v/(1/m + (r×n)·I⁻¹(r×n)) along n = z at the corner r
+    // from the center. A step of 10 ms turns the box by up to 0.2 rad after the impact.
+    let cases = [
+        ([0.3, 0.5, 0.2], [0.5, -0.3, 0.2], 0.5, 3.0, 0.0),
+        ([0.6, 0.2, 0.4], [-0.4, 0.6, 0.0], 0.8, 2.0, 0.013),
+        ([0.4, 0.4, 0.6], [0.3, 0.5, 1.0], 1.0, 4.0, 0.002),
+        ([0.2, 0.5, 0.5], [0.7, 0.2, -0.5], 0.2, 1.5, 0.007),
+    ];
+    for (scheme, near) in
+        [(Scheme::Velocity, 1e-6), (Scheme::Acceleration, 1e-6), (Scheme::Xpbd, 0.02), (Scheme::Soft, 0.02)]
+    {
+        for (edges, turn, e, speed, gap) in cases {
+            let q = UnitQuaternion::from_scaled_axis(Vector3::from(turn));
+            let half = Vector3::from(edges) / 2.0;
+            let corners = (0..8).map(|k| {
+                let sign = |bit: usize| if k >> bit & 1 == 1 { 1.0_f64 } else { -1.0 };
+                q * half.component_mul(&Vector3::new(sign(0), sign(1), sign(2)))
+            });
+            let arm = corners.min_by(|a, b| a.z.total_cmp(&b.z)).unwrap();
+            let (mass, squares) = (2.0, Vector3::from(edges).map(|edge| edge * edge));
+            let moments = (Vector3::from_element(squares.sum()) - squares) * (mass / 12.0);
+            let lever = q.inverse() * arm.cross(&Vector3::z());
+            let turns = lever.component_div(&moments);
+            let impulse = (1.0 + e) * speed / (1.0 / mass + lever.dot(&turns));
+            let text = format!(
+                "gravity = [0, 0, 0]\ncontact.restitution = {e}\n[step]\ndt = 0.01\nscheme = {:?}\n\
+                 [[bodies]]\nname = \"ground\"\nfixed = true\nshape = {{ plane = [0, 0, 1] }}\n\
+                 [[bodies]]\nname = \"box\"\nmass = {mass}\nshape = {{ box = {edges:?} }}\n\
+                 position = [0, 0, {}]\nvelocity = [0, 0, -{speed}]\n\
+                 rotation = {{ quaternion = [{}, {}, {}, {}] }}\n",
+                scheme.name(), gap - arm.z, q.w, q.i, q.j, q.k
+            );
+            let mut falling = simulation(Scene::from_toml("corner.toml", &text).unwrap());
+            while falling.states()[1].v.z <= -speed {
+                falling.step().unwrap();
+            }
+            let state = falling.states()[1];
+            let error = (state.v.z - (impulse / mass - speed)).abs() / speed;
+            assert!(error < near, "{scheme:?}, {edges:?}: {} of {impulse}, {error:e}", state.v.z);
         }
     }
 }

@@ -148,3 +148,118 @@ fn the_acceleration_level_refuses_a_support_that_moves_in_time() {
                     acceleration; use another scheme";
     assert_eq!(error, expected);
 }
+
+/// A box of 1.3 kg on a table that moves like this, μ = 0.4 and g = 9.81 m/s².
+fn carried(scheme: Scheme, moves: &str) -> Scene {
+    let text = format!(
+        "contact.friction = 0.4\n[[bodies]]\nname = \"table\"\nfixed = true\n\
+         shape = {{ box = [9, 9, 0.4] }}\nposition = [0, 0, -0.2]\n\
+         displacement_over_time = {moves}\n[[bodies]]\nname = \"box\"\nmass = 1.3\n\
+         shape = {{ box = [0.4, 0.3, 0.2] }}\nposition = [0, 0, 0.1]\n"
+    );
+    let mut scene = Scene::from_toml("carried.toml", &text).unwrap();
+    scene.step.scheme = scheme;
+    scene
+}
+
+/// The schemes that move a support, with what their contacts allow: a position error (m) and a part
+/// of a speed. Springs give way, and the friction of the penalty method is a damper.
+const MOVING: [(Scheme, f64, f64); 7] = [
+    (Scheme::Velocity, 1e-7, 1e-7),
+    (Scheme::SplitImpulse, 1e-7, 1e-7),
+    (Scheme::GaussSeidel, 1e-7, 1e-7),
+    (Scheme::SequentialImpulses, 1e-7, 1e-7),
+    (Scheme::Xpbd, 1e-7, 1e-6),
+    (Scheme::Soft, 1e-3, 1e-2),
+    (Scheme::Penalty, 2e-2, 5e-2),
+];
+
+#[test]
+fn a_belt_that_starts_and_stops_drags_a_box_with_mu_g_and_takes_it_as_far_as_it_went() {
+    // 1 m/s for a second, along either axis. The box lags v²/(2 μ g) behind and slides as far after
+    // the stop; at 0.1 s it has μ g t.
+    for (scheme, near, part) in MOVING {
+        for (axis, moves) in ["[1, 1, 0, 0]", "[1, 0, 1, 0]"].into_iter().enumerate() {
+            let scene = carried(scheme, &format!("{{ table = [[0, 0, 0, 0], {moves}] }}"));
+            let speed = after(scene.clone(), 0.01, 10).states()[1].v[axis];
+            assert_near(speed, 0.4 * 9.81 * 0.1, part);
+            let end = after(scene, 0.01, 160).states()[1];
+            let error = (end.pose.p[axis] - 1.0).abs();
+            assert!(error < near && end.v.norm() < part, "{scheme:?}, {axis}: {error} {}", end.v);
+        }
+    }
+}
+
+/// A sine with A ω² = `part` of this acceleration (m/s²) along an axis, ω = 20/s.
+fn sine(part: f64, acceleration: f64, axis: usize, phase: f64) -> (f64, String) {
+    let a = part * acceleration / 400.0;
+    let mut amplitude = [0.0; 3];
+    amplitude[axis] = a;
+    let moves = format!(
+        "{{ sine = {{ amplitude = {amplitude:?}, angular_frequency = 20, phase = {phase} }} }}"
+    );
+    (a, moves)
+}
+
+#[test]
+fn a_box_rides_on_a_table_that_shakes_with_less_than_mu_g_and_slips_above_under_every_scheme() {
+    for (scheme, near, _) in MOVING {
+        for (part, axis) in [(0.98, 0), (0.98, 1), (1.1, 0), (1.1, 1)] {
+            // From its end, where the table is at rest, for two periods.
+            let (a, moves) = sine(part, 0.4 * 9.81, axis, std::f64::consts::FRAC_PI_2);
+            let mut scene = carried(scheme, &moves);
+            scene.states[1].pose.p[axis] = a;
+            let mut running = after(scene, 0.002, 1);
+            let mut slipped = 0.0_f64;
+            for _ in 0..314 {
+                running.step().unwrap();
+                let [table, block] = running.states() else { unreachable!() };
+                slipped = slipped.max((block.pose.p[axis] - table.pose.p[axis]).abs());
+            }
+            let what = format!("{scheme:?}, {part}, {axis}: {slipped}");
+            if part < 1.0 {
+                assert!(slipped < near, "{what}");
+            } else {
+                assert!(slipped > 1e-4, "{what}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_table_throws_what_is_on_it_where_its_acceleration_exceeds_g_and_not_below() {
+    for (scheme, near, _) in MOVING {
+        for part in [0.9, 0.98, 1.3, 2.0] {
+            let (a, moves) = sine(part, 9.81, 2, 0.0);
+            let omega = 20.0;
+            let mut scene = carried(scheme, &moves);
+            scene.states[1].v.z = a * omega;
+            // z'' = −g at sin ω t₀ = 1/part: from there on the box flies.
+            let begins = (1.0_f64 / part).min(1.0).asin() / omega;
+            let (z, v) = (a * (omega * begins).sin(), a * omega * (omega * begins).cos());
+            let dt = 0.001;
+            let mut running = after(scene, dt, 0);
+            let (mut highest, mut landed) = (0.0_f64, false);
+            for k in 1..=300 {
+                running.step().unwrap();
+                let [table, block] = running.states() else { unreachable!() };
+                let gap = block.pose.p.z - 0.1 - (table.pose.p.z + 0.2);
+                highest = highest.max(gap);
+                let t = dt * f64::from(k) - begins;
+                let flight = z + v * t - 0.5 * 9.81 * t * t;
+                let under = a * (omega * dt * f64::from(k)).sin();
+                landed |= t > 0.0 && flight < under;
+                if part > 1.0 && t > 0.0 && !landed {
+                    // The start is known to within a step, in which speeds change by g dt.
+                    let error = (block.pose.p.z - 0.1 - flight).abs();
+                    let most = near.max(2.0 * 9.81 * dt * t + 9.81 * dt * dt);
+                    assert!(error < most, "{scheme:?}, {part}, {t}: {error}");
+                }
+            }
+            match part > 1.0 {
+                true => assert!(landed && highest > 1e-3, "{scheme:?}, {part}: {highest}"),
+                false => assert!(highest < near.max(1e-12), "{scheme:?}, {part}: {highest}"),
+            }
+        }
+    }
+}
