@@ -218,6 +218,8 @@ impl Record {
                     self.slips.friction_angle.and_then(|slip| slip.angle).map(number),
                 "friction_speed_error":
                     self.slips.speed_error(&self.scene).map(|(_, error)| number(error)),
+                "friction_creep":
+                    self.slips.notable_creep(&self.scene).map(|creep| number(creep.path.norm())),
                 "restitution_error": self.worst_impact().map(|impact| number(impact.error())),
                 "friction_gain": self.accounted(|_| number(self.laws.friction_gain)),
                 "internal_impulse": measured(self.laws.internal_impulse),

@@ -8,7 +8,7 @@ use crate::body::State;
 use crate::lcp::friction::{Form, Law};
 use crate::number::readable;
 use crate::scene::{Resting, Scene, Scheme};
-use crate::simulation::{Slip, momentum_sizes};
+use crate::simulation::{Departure, Slip, momentum_sizes};
 
 /// Maximum number of bodies whose final state is printed.
 const SHOWN: usize = 12;
@@ -122,6 +122,7 @@ impl Record {
             );
         }
         notes.extend(self.friction_in_words());
+        notes.extend(self.departure_in_words());
         notes.extend(self.restitution_in_words());
         notes.extend(self.turning_in_words());
         notes
@@ -163,6 +164,16 @@ impl Record {
                 self.scene.bodies[body].name
             )
         }));
+        says.extend(self.slips.notable_creep(&self.scene).map(|creep| {
+            let [body, other] = creep.bodies.map(|body| &self.scene.bodies[body].name);
+            format!(
+                "let {body:?} creep by {} m on {other:?}, at less than {} m/s, with {:.0} % of the force \
+                 that Coulomb's law demands of a contact that slips",
+                readable(creep.path.norm(), 2),
+                readable(self.scene.resting().speed, 2),
+                100.0 * creep.strength()
+            )
+        }));
         let separation = match model.form() {
             Form::Cone(Law::Associated) => self.slips.notable_separation(&self.scene),
             _ => None,
@@ -189,6 +200,39 @@ impl Record {
             Form::Box => "the model coulomb-cone has the correct strength and direction",
         };
         Some(format!("friction of the model {model} {how}; {remedy}"))
+    }
+
+    /// The motion of bodies that the forces at the start keep at rest.
+    fn departure_in_words(&self) -> Option<String> {
+        let Scene { bodies, contact, step, .. } = &self.scene;
+        let Departure { body, distance, angle } = Departure::of(&self.scene, &self.states)?;
+        let cause = match step.scheme {
+            Scheme::Penalty => {
+                "contacts of the scheme penalty are springs, and its friction is a damper: increase \
+                 step.penalty.stiffness, step.penalty.damping and step.substeps, or use the scheme velocity"
+            }
+            Scheme::Soft => {
+                "contacts of the scheme soft are springs: increase step.soft.contact_hertz and \
+                 step.substeps, or use the scheme velocity"
+            }
+            Scheme::Xpbd => {
+                "increase step.xpbd.sweeps and step.substeps, or use the scheme velocity"
+            }
+            Scheme::SequentialImpulses => {
+                "step.sweeps sweeps do not balance the forces: increase it, or use the scheme velocity"
+            }
+            _ if !matches!(contact.model.form(), Form::Cone(_)) => {
+                "use the model coulomb-cone"
+            }
+            _ => "reduce solver.tolerance or raise solver.max_iterations",
+        };
+        Some(format!(
+            "{:?} is {} m from its place at the start and turned by {:.0}°, although under Coulomb's law \
+             contacts and joints keep all bodies at rest there; {cause}",
+            bodies[body].name,
+            readable(distance, 2),
+            angle.to_degrees()
+        ))
     }
 
     /// The impact that missed the coefficient of restitution by most, where that can be seen.

@@ -9,6 +9,7 @@
 mod answering;
 mod conflict;
 mod correction;
+mod departure;
 mod events;
 mod exported;
 mod impact_energy;
@@ -31,6 +32,7 @@ mod turned;
 mod unlocated;
 mod warnings;
 
+pub use departure::Departure;
 pub use events::{StepEvent, VelocityUpdate};
 pub use impact_energy::{ImpactCause, ImpactEnergy};
 pub use impacts::{Impact, Impacts, Touch};
@@ -39,7 +41,7 @@ pub use laws::LawErrors;
 pub use ledger::Ledger;
 pub use motion::{Motion, carried, momentum_sizes};
 pub use record::{Cause, Failure, Recording, Solve, Step};
-pub use slip::{Slip, Slips};
+pub use slip::{Creep, Slip, Slips};
 pub use stated::{options, problem_of, solver};
 pub use stepper::Stepper;
 pub use swept::Swept;

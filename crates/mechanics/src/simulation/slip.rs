@@ -15,6 +15,10 @@
 //! ```text
 //! n·Δv = 0,   m Δv = Σ −(x_t − x_t') + δ (n − μ s/|s|)          x_t' = Coulomb's, n: the mean normal
 //! ```
+//!
+//! In a single step, contacts that slip more slowly than a resting contact may count as at rest: s
+//! is then mostly the error of the step. Over a run such errors cancel, and the distance of a body
+//! that creeps grows. Coulomb's law allows no slip, however slow, against less friction than μ x_n.
 
 use std::collections::BTreeMap;
 
@@ -33,6 +37,11 @@ const STRONG: f64 = 0.5;
 
 /// Smaller speeds, relative to the fastest body, are not reported.
 const NOTABLE: f64 = 1e-2;
+
+/// Slip below this fraction of the speed of a resting contact is rounding.
+const CREEPING: f64 = 1e-3;
+/// Shorter distances, relative to the thinnest body, are not reported as creep.
+const CREPT: f64 = 1e-3;
 
 /// Normals whose mean is longer than this are of one side.
 const ONE_SIDED: f64 = 0.5;
@@ -59,6 +68,35 @@ pub struct Slip {
     /// The impulse (N s, world) on the first body by which the step differs from one under
     /// Coulomb's law: that of friction and of the normals that answer it.
     pub error: Vector3<f64>,
+    /// What the contacts that slip too slowly to count as sliding did, if any did.
+    pub creep: Option<Creep>,
+}
+
+/// The motion of two bodies whose contacts slip too slowly to count as sliding.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Creep {
+    /// Both bodies, the one that moves, or moves faster, first.
+    pub bodies: [usize; 2],
+    /// How far the first body moved along the other (m, world).
+    pub path: Vector3<f64>,
+    /// The impulse of friction against the slip (N s).
+    pub friction: f64,
+    /// μ x_n of the same contacts (N s), which Coulomb's law demands of `friction`.
+    pub limit: f64,
+}
+
+impl Creep {
+    /// The friction as a part of that of a contact that slides under Coulomb's law.
+    pub fn strength(&self) -> f64 {
+        self.friction / self.limit
+    }
+
+    fn add(&mut self, other: &Creep) {
+        let is_same = self.bodies == other.bodies;
+        self.path += if is_same { other.path } else { -other.path };
+        self.friction += other.friction;
+        self.limit += other.limit;
+    }
 }
 
 impl Slip {
@@ -98,6 +136,8 @@ pub struct Slips {
     pub separation: Option<Slip>,
     /// The sum of the impulse errors on each body (N s).
     errors: BTreeMap<usize, Vector3<f64>>,
+    /// What each pair of bodies, in the order of the scene, crept.
+    creeps: BTreeMap<[usize; 2], Creep>,
     /// The largest speed of a body (m/s).
     fastest: f64,
 }
@@ -116,6 +156,10 @@ impl Slips {
                 self.separation = Some(*own);
             }
             let [first, second] = own.bodies;
+            if let Some(creep) = own.creep {
+                let pair = [first.min(second), first.max(second)];
+                self.creeps.entry(pair).and_modify(|sum| sum.add(&creep)).or_insert(creep);
+            }
             *self.errors.entry(first).or_default() += own.error;
             *self.errors.entry(second).or_default() -= own.error;
         }
@@ -128,6 +172,17 @@ impl Slips {
     pub fn notable_separation(&self, scene: &Scene) -> Option<Slip> {
         let least = scene.resting().speed.max(NOTABLE * self.fastest);
         self.separation.filter(|slip| slip.separation > least)
+    }
+
+    /// The pair that crept farthest against friction that is at least 1 % below Coulomb's, if it
+    /// crept by more than a thousandth of the thinnest body.
+    pub fn notable_creep(&self, scene: &Scene) -> Option<Creep> {
+        let least = CREPT * scene.thinnest().unwrap_or(1.0);
+        let is_notable = |creep: &&Creep| {
+            creep.path.norm() > least && creep.strength() < 1.0 - NOTABLE
+        };
+        let notable = self.creeps.values().filter(is_notable);
+        notable.max_by(|a, b| a.path.norm().total_cmp(&b.path.norm())).copied()
     }
 
     /// An estimate of how much the wrong friction changed the velocity of a body over the run
@@ -154,6 +209,10 @@ struct Sums {
     /// Σ μ x_n and Σ x_t of the others.
     holding_limit: f64,
     holding: Vector3<f64>,
+    /// Σ μ x_n, Σ −x_t·s/|s| and Σ μ x_n s of those of the others that slip at all.
+    creeping_limit: f64,
+    creeping: f64,
+    creeping_slip: Vector3<f64>,
     /// Σ x_n n and Σ x_n.
     load: Vector3<f64>,
     weight: f64,
@@ -170,6 +229,11 @@ impl Sums {
         } else {
             self.holding_limit += limit;
             self.holding += push;
+            if slip.norm() > CREEPING * least {
+                self.creeping_limit += limit;
+                self.creeping -= push.dot(&slip.normalize());
+                self.creeping_slip += limit * slip;
+            }
         }
     }
 
@@ -205,12 +269,23 @@ impl Sums {
         let [slides, holds] = self.cone_excess();
         let part = |excess: f64, limit: f64| if limit > 0.0 { excess / limit } else { 0.0 };
         let bodies = faster_first(scene, after, [first, second]);
+        let is_swapped = bodies[0] == second;
+        let creep = (self.creeping_limit > 0.0).then(|| {
+            let path = scene.step.dt * self.creeping_slip / self.creeping_limit;
+            Creep {
+                bodies,
+                path: if is_swapped { path } else { -path },
+                friction: self.creeping,
+                limit: self.creeping_limit,
+            }
+        });
         Slip {
             bodies,
             angle,
             excess: part(slides, self.limit).max(part(holds, self.holding_limit)),
             separation: self.separation,
-            error: if bodies[0] == second { error } else { -error },
+            error: if is_swapped { error } else { -error },
+            creep,
         }
     }
 }

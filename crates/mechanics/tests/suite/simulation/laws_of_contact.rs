@@ -142,6 +142,65 @@ fn cones_miss_nothing_of_coulombs_law() {
     }
 }
 
+/// A point of 2 kg on a floor, pulled along it at an angle (degrees) by a part of μ m g, μ = 0.5.
+fn pulled(model: Model, scheme: Scheme, part: f64, degrees: f64) -> Scene {
+    let text = "contact.friction = 0.5\n[[bodies]]\nname = \"floor\"\nfixed = true\n\
+                shape = { plane = [0, 0, 1] }\n[[bodies]]\nname = \"point\"\nshape = \"point\"\n\
+                mass = 2\n";
+    let mut scene = Scene::from_toml("pulled.toml", text).unwrap();
+    (scene.contact.model, scene.step.scheme) = (model, scheme);
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    scene.bodies[1].force = part * 0.5 * 2.0 * 9.81 * Vector3::new(cos, sin, 0.0);
+    scene
+}
+
+#[test]
+fn a_polygon_that_holds_less_than_the_cone_between_its_corners_lets_a_body_creep() {
+    // At 22.5° to its corners, friction reaches cos 22.5° = 0.924 of μ m g in the direction of the
+    // pull. The point accelerates by a = μ g (0.97 − 0.924): a dt k in step k, far below the 0.196
+    // m/s from which on contacts count as sliding.
+    let polygon = Model::Polyhedral { directions: 8 };
+    let scene = pulled(polygon, Scheme::Velocity, 0.97, 22.5);
+    let (slips, _) = slips(&scene, 60);
+    let creep = slips.notable_creep(&scene).unwrap();
+    let reach = 22.5_f64.to_radians().cos();
+    assert_eq!(creep.bodies, [1, 0]);
+    assert_near(creep.strength(), reach, 1e-6);
+    let way = 0.5 * 9.81 * (0.97 - reach) * 1e-4 * (60.0 * 61.0 / 2.0);
+    assert_near(creep.path.norm(), way, 1e-6);
+    assert_near(creep.path.y.atan2(creep.path.x).to_degrees(), 22.5, 1e-3);
+}
+
+#[test]
+fn regularized_friction_lets_a_body_creep_with_the_force_of_its_pull() {
+    // The damper of 200 N s/m slips at 4.9 N/(200 N s/m) = 0.0245 m/s.
+    let mut scene = pulled(Model::CoupledBox, Scheme::Penalty, 0.5, 0.0);
+    scene.step.penalty.damping = 200.0;
+    let (slips, _) = slips(&scene, 100);
+    let creep = slips.notable_creep(&scene).unwrap();
+    assert_near(creep.path.norm(), 0.0245, 0.001);
+    assert_near(creep.strength(), 0.5, 0.02);
+}
+
+#[test]
+fn what_rests_or_comes_to_rest_as_the_cone_has_it_does_not_creep() {
+    let polygon = Model::Polyhedral { directions: 8 };
+    let models = [Model::CoulombCone, Model::CoupledBox, polygon];
+    let held = models.map(|model| pulled(model, Scheme::Velocity, 0.9, 22.5));
+    let schemes = [Scheme::Velocity, Scheme::Acceleration, Scheme::SplitImpulse, Scheme::Xpbd];
+    let schemes = schemes.into_iter().chain([Scheme::Soft, Scheme::SequentialImpulses]);
+    let stopped = schemes.map(|scheme| {
+        let mut scene = pulled(Model::CoupledBox, scheme, 0.5, 0.0);
+        scene.states[1].v.x = 0.5;
+        scene
+    });
+    for scene in held.into_iter().chain(stopped) {
+        let (slips, _) = slips(&scene, 100);
+        let name = (scene.step.scheme, scene.contact.model);
+        assert_eq!(slips.notable_creep(&scene), None, "{name:?}");
+    }
+}
+
 #[test]
 fn a_bounce_across_a_gap_names_the_pair_and_by_how_much_its_velocity_is_off() {
     // At the impact the line between their centers has the sine 0.6: they separate at a right

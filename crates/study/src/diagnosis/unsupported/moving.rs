@@ -152,7 +152,12 @@ impl Case<'_> {
     fn compared_states(&self) -> Option<&[State]> {
         match self.scene.step.scheme.solves_lcps() {
             true => Some(&self.exactly.states),
-            false => self.own.slips.speed_error(self.scene).map(|_| self.own.states.as_slice()),
+            false => {
+                let slips = &self.own.slips;
+                let is_wrong = slips.speed_error(self.scene).is_some()
+                    || slips.notable_creep(self.scene).is_some();
+                is_wrong.then_some(self.own.states.as_slice())
+            }
         }
     }
 
