@@ -178,9 +178,8 @@ impl Slips {
     /// crept by more than a thousandth of the thinnest body.
     pub fn notable_creep(&self, scene: &Scene) -> Option<Creep> {
         let least = CREPT * scene.thinnest().unwrap_or(1.0);
-        let is_notable = |creep: &&Creep| {
-            creep.path.norm() > least && creep.strength() < 1.0 - NOTABLE
-        };
+        let is_notable =
+            |creep: &&Creep| creep.path.norm() > least && creep.strength() < 1.0 - NOTABLE;
         let notable = self.creeps.values().filter(is_notable);
         notable.max_by(|a, b| a.path.norm().total_cmp(&b.path.norm())).copied()
     }

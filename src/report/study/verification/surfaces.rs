@@ -121,7 +121,8 @@ pub(super) fn supports(size: Size) -> Result<Vec<Row>> {
     }
     let (part, omega, time) = (1.3_f64, 20.0, 0.12);
     let amplitude = part * G / (omega * omega);
-    let sine = format!("{{ sine = {{ amplitude = [0, 0, {amplitude}], angular_frequency = {omega} }} }}");
+    let sine =
+        format!("{{ sine = {{ amplitude = [0, 0, {amplitude}], angular_frequency = {omega} }} }}");
     let mut thrown = scene("table-throws", &sine)?;
     thrown.step.dt = 0.002;
     thrown.states[1].v.z = amplitude * omega;
@@ -138,9 +139,11 @@ pub(super) fn supports(size: Size) -> Result<Vec<Row>> {
     let within = (0.02, "the flight begins at the end of a step");
     let known = vec![Known::exact(within, what, formula, "m", height)];
     let case = Case::of("moving-support", thrown, size);
-    rows.extend(case.rows(Method::Velocity, known, |scene| {
-        Some(vec![after(scene, time)?[1].pose.p.z - 0.1])
-    }));
+    rows.extend(
+        case.rows(Method::Velocity, known, |scene| {
+            Some(vec![after(scene, time)?[1].pose.p.z - 0.1])
+        }),
+    );
     Ok(rows)
 }
 

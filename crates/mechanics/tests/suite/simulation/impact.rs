@@ -109,9 +109,12 @@ fn a_box_that_is_hit_at_a_corner_leaves_with_the_velocity_of_newtons_impulse() {
         ([0.4, 0.4, 0.6], [0.3, 0.5, 1.0], 1.0, 4.0, 0.002),
         ([0.2, 0.5, 0.5], [0.7, 0.2, -0.5], 0.2, 1.5, 0.007),
     ];
-    for (scheme, near) in
-        [(Scheme::Velocity, 1e-6), (Scheme::Acceleration, 1e-6), (Scheme::Xpbd, 0.02), (Scheme::Soft, 0.02)]
-    {
+    for (scheme, near) in [
+        (Scheme::Velocity, 1e-6),
+        (Scheme::Acceleration, 1e-6),
+        (Scheme::Xpbd, 0.02),
+        (Scheme::Soft, 0.02),
+    ] {
         for (edges, turn, e, speed, gap) in cases {
             let q = UnitQuaternion::from_scaled_axis(Vector3::from(turn));
             let half = Vector3::from(edges) / 2.0;
@@ -131,7 +134,12 @@ fn a_box_that_is_hit_at_a_corner_leaves_with_the_velocity_of_newtons_impulse() {
                  [[bodies]]\nname = \"box\"\nmass = {mass}\nshape = {{ box = {edges:?} }}\n\
                  position = [0, 0, {}]\nvelocity = [0, 0, -{speed}]\n\
                  rotation = {{ quaternion = [{}, {}, {}, {}] }}\n",
-                scheme.name(), gap - arm.z, q.w, q.i, q.j, q.k
+                scheme.name(),
+                gap - arm.z,
+                q.w,
+                q.i,
+                q.j,
+                q.k
             );
             let mut falling = simulation(Scene::from_toml("corner.toml", &text).unwrap());
             while falling.states()[1].v.z <= -speed {
