@@ -120,7 +120,7 @@ fn a_plug_in_with_a_bug_is_suspected_and_not_the_scene() {
     let command = format!("python3 '{}'", plugin.display());
     let told = run(&["diagnose", scene.to_str().unwrap(), "--plugin", &command, "--sweeps", "200"]);
     let words = out(&told).split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(words.contains("Cause: suspect the solver: its error is"), "{words}");
+    assert!(words.contains("Cause: suspect the solver. Its error is"), "{words}");
     assert!(!words.contains("tall column") && !words.contains("slow sweeps"), "{words}");
     assert_eq!(told.status.code(), Some(0));
 }

@@ -237,7 +237,17 @@ pub fn style(name: &str) -> Style {
 
 /// A name in the spelling of [`KNOWN`].
 fn key(name: &str) -> String {
-    name.trim().to_lowercase().replace(',', "").replace([' ', '-'], "_")
+    let name = name.trim().to_lowercase().replace([' ', '-'], "_");
+    let mut parts = name.split(',');
+    let mut key = parts.next().unwrap_or_default().to_string();
+    for part in parts {
+        // A comma before a digit separates thousands.
+        if !part.starts_with(|c: char| c.is_ascii_digit()) {
+            key.push(',');
+        }
+        key += part;
+    }
+    key
 }
 
 fn sor(omega: f64) -> (Rgb, usize, usize) {

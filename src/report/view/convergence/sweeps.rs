@@ -45,9 +45,9 @@ pub(super) fn outcome(studies: &[&Rates]) -> Outcome {
         (slopes(false).filter(|(agrees, _)| *agrees).count(), slopes(false).count());
     let slower = slopes(false).filter(|(agrees, slower)| !agrees && *slower).count();
     let mut says =
-        format!("convergence rates: {agree} of {all} match the spectral radius without bounds");
+        format!("without bounds, {agree} of {all} convergence rates match the spectral radius");
     if bounded > 0 {
-        says += &format!(", {settled} of {bounded} with bounds");
+        says += &format!("; with bounds, {settled} of {bounded}");
     }
     let faster = bounded - settled - slower;
     if faster > 0 {
