@@ -80,7 +80,7 @@ impl Scheme {
 
     /// Whether it may spread an impact over several steps, or takes it without impulses at fixed
     /// poses.
-    pub(crate) fn spreads_impacts(self) -> bool {
+    pub fn spreads_impacts(self) -> bool {
         matches!(self, Scheme::Xpbd | Scheme::Soft | Scheme::Penalty)
     }
 }

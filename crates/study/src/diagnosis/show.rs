@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::{Cause, Diagnosis, Proof};
 use lcplab_judge::regularity::Regularity;
-use lcplab_page::document::notation::{indexed, plain};
+use lcplab_page::document::notation::indexed;
 use lcplab_page::document::{Document, SHOWN, Section};
 use lcplab_page::number::readable;
 
