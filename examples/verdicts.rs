@@ -247,8 +247,8 @@ fn of_scene(name: &str, level: Scheme) -> Result<Vec<Subject>> {
 }
 
 /// The LCPs of three steps of each mechanism with redundant joints, in two skew orientations, with
-/// and without gravity, at both levels. They are judged as `simulate` judges steps, without a search
-/// for an exact solution: redundant rows agree but for rounding, so often there is none.
+/// and without gravity, at both levels. They are judged as `simulate` judges steps, without a
+/// search for an exact solution: redundant rows agree but for rounding, so often there is none.
 fn of_machines(solvers: &[Box<dyn Solver>]) -> Result<Vec<Value>> {
     let settings = [
         ([0.4, -1.3, 0.6], 9.81, EFFORTS[0], 0.1, 0.01),

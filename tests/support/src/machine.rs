@@ -6,8 +6,8 @@ use proptest::prelude::*;
 /// Motors (N m or N): masses weigh about ten newtons, so the first is unlimited and the second
 /// limited.
 pub const EFFORTS: [f64; 2] = [1e6, 5.0];
-/// The mechanisms. Spatial rings that move only in exact positions, such as Bricard's, are left out:
-/// once they have drifted, their rows leave no degree of freedom and contradict each other.
+/// The mechanisms. Spatial rings that move only in exact positions, such as Bricard's, are left
+/// out: once they have drifted, their rows leave no degree of freedom and contradict each other.
 pub const MECHANISMS: [&str; 8] = [
     "a door on two hinges",
     "a door on three hinges",

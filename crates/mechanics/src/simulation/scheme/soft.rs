@@ -15,8 +15,8 @@
 //! Restitution: contacts that pushed in a substep get the rest of e J u⁻ at its end, u⁻ at its
 //! beginning, and friction up to μ times it. (Published is the end of the step: until then a body
 //! that is hit at a corner has turned, and with steps of 10 ms boxes that fell at 1 to 4 m/s parted
-//! with a normal speed up to 15 % of the approach too low.) Springs of the scene keep their own k and
-//! d. Catto, *Solver2D*, 2024 ("TGS soft").
+//! with a normal speed up to 15 % of the approach too low.) Springs of the scene keep their own k
+//! and d. Catto, *Solver2D*, 2024 ("TGS soft").
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;

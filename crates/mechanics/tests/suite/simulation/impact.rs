@@ -101,8 +101,8 @@ fn every_scheme_that_bounces_gives_back_e_of_the_approach_wherever_in_a_step_it_
 
 #[test]
 fn a_box_that_is_hit_at_a_corner_leaves_with_the_velocity_of_newtons_impulse() {
-    // Without gravity and friction: P = (1 + e) v/(1/m + (r×n)·I⁻¹(r×n)) along n = z at the corner r
-    // from the center. A step of 10 ms turns the box by up to 0.2 rad after the impact.
+    // Without gravity and friction: P = (1 + e) v/(1/m + (r×n)·I⁻¹(r×n)) along n = z at the corner
+    // r from the center. A step of 10 ms turns the box by up to 0.2 rad after the impact.
     let cases = [
         ([0.3, 0.5, 0.2], [0.5, -0.3, 0.2], 0.5, 3.0, 0.0),
         ([0.6, 0.2, 0.4], [-0.4, 0.6, 0.0], 0.8, 2.0, 0.013),
