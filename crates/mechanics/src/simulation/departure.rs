@@ -45,10 +45,11 @@ impl Departure {
     /// use lcplab_mechanics::scene::Scene;
     /// use lcplab_mechanics::simulation::Departure;
     ///
-    /// let crate_on_ground = "bodies = [{ name = 'ground', fixed = true, shape = { plane = [0, 0, 1] } }, \
+    /// let text = "bodies = [\
+    ///     { name = 'ground', fixed = true, shape = { plane = [0, 0, 1] } }, \
     ///     { name = 'crate', shape = { box = [1, 1, 1] }, mass = 1, position = [0, 0, 0.5] }]\n\
     ///     [contact]\nfriction = 0.5";
-    /// let scene = Scene::from_toml("crate", crate_on_ground)?;
+    /// let scene = Scene::from_toml("crate", text)?;
     /// let mut states = scene.states.clone();
     /// assert_eq!(Departure::of(&scene, &states), None);
     /// states[1].pose.p.x += 0.2;
