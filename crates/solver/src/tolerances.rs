@@ -62,7 +62,7 @@ pub(crate) const REDUNDANT_PIVOT: f64 = 1e-14;
 /// A pivot of the tableau below this fraction of its row may be rounding: the row has only the
 /// digits that earlier pivots have left.
 pub(crate) const UNCERTAIN_PIVOT: f64 = 1e-10;
-/// A constant of the tableau below this fraction of the largest terms it ever had counts as zero, in
+/// A constant of the tableau below this fraction of the largest terms it ever had counts as zero in
 /// a block exchange and on a second path: it may have cancelled over many pivots, not in one sum.
 pub(crate) const CANCELLATION_TOLERANCE: f64 = 1e-11;
 /// An entry of the tableau below this fraction of its largest value during a block exchange has

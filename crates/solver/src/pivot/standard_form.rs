@@ -202,7 +202,7 @@ impl StandardForm {
     }
 }
 
-/// The size of the covering variable's coefficient in each row: 1, or the unit of w, if the units of
+/// The size of the covering variable's coefficient in each row: 1, or the unit of w if the units of
 /// the rows that are not pinned differ so much that large ones would swamp small ones.
 fn lifts(lcp: &Lcp) -> Vec<f64> {
     let units: Vec<f64> = (0..lcp.len()).map(|i| unit(lcp, i)).collect();
