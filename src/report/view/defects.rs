@@ -63,11 +63,10 @@ fn table(defects: &[Defect]) -> Table {
             Cell::text(&defect.outcome).marked(mark),
         ]
     });
-    let how = "One row per defect. The same scene runs in the defective and in the corrected release, \
-               with the engine's default settings unless the scene needs others, and each step is \
-               checked with default arguments. *Stage*: the part of the step that was wrong. *Detected \
-               by comparison*: no step is rejected, but the errors are larger than in the run of the \
-               corrected release.";
+    let how = "One row per defect. The same scene runs in the defective and in the corrected \
+               release, and each step is checked with default arguments. The stage is the part of \
+               the step that was wrong. Detected by comparison: no step is rejected, but the \
+               errors are larger than in the run of the corrected release.";
     let headings =
         "what was wrong | corrected in | stage | defective release | corrected release | outcome";
     let mut table = Table::new("Known defects", how, headings, rows.collect());
