@@ -174,7 +174,7 @@ impl Record {
                  that Coulomb's law demands of a contact that slips",
                 readable(creep.path.norm(), 2),
                 readable(self.scene.resting().speed, 2),
-                100.0 * creep.strength()
+                100.0 * creep.strength().max(0.0)
             )
         }));
         let separation = match model.form() {

@@ -8,7 +8,7 @@
 
 use nalgebra::Vector3;
 
-use super::{Simulation, options};
+use super::{Motion, Simulation, options};
 use crate::body::State;
 use crate::scene::{Scene, Scheme, resting};
 use lcplab_problem::friction::Model;
@@ -22,6 +22,9 @@ const PUSH: f64 = 1e-4;
 const STOPPED: f64 = 0.1;
 /// The tolerance of the step that shows it.
 const TOLERANCE: f64 = 1e-9;
+/// Joints that fit less well at the start, or deeper overlaps, relative to the thinnest body, may
+/// move the bodies by their correction.
+const FITTING: f64 = 1e-6;
 /// Motion counts from this part of the body's thickness on, and from this angle (rad) on.
 const NOTABLE_DISTANCE: f64 = 0.05;
 const NOTABLE_ANGLE: f64 = 0.05;
@@ -62,6 +65,10 @@ impl Departure {
             || !scene.driven.is_empty()
             || !scene.states.iter().all(is_still)
         {
+            return None;
+        }
+        let Motion { drift, penetration, .. } = Motion::of(scene, &scene.states, 0);
+        if drift.max(penetration) > FITTING * scene.thinnest().unwrap_or(1.0) {
             return None;
         }
         let pairs = scene.states.iter().zip(states).enumerate();

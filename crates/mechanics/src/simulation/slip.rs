@@ -41,7 +41,7 @@ const NOTABLE: f64 = 1e-2;
 /// Slip below this fraction of the speed of a resting contact is rounding.
 const CREEPING: f64 = 1e-3;
 /// Shorter distances, relative to the thinnest body, are not reported as creep.
-const CREPT: f64 = 1e-3;
+const CREPT: f64 = 1e-2;
 
 /// Normals whose mean is longer than this are of one side.
 const ONE_SIDED: f64 = 0.5;
@@ -175,7 +175,7 @@ impl Slips {
     }
 
     /// The pair that crept farthest against friction that is at least 1 % below Coulomb's, if it
-    /// crept by more than a thousandth of the thinnest body.
+    /// crept by more than a hundredth of the thinnest body.
     pub fn notable_creep(&self, scene: &Scene) -> Option<Creep> {
         let least = CREPT * scene.thinnest().unwrap_or(1.0);
         let is_notable =

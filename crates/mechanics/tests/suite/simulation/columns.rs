@@ -171,6 +171,8 @@ fn what_no_force_holds_may_leave_its_rest() {
         (bob.to_string(), false),
         (format!("contact.friction = 0.5\n{floor}{block}"), true),
         (format!("{floor}{block}"), false), // without friction
+        // The correction of an overlap moves a body.
+        (format!("contact.friction = 0.5\n{floor}{}", block.replace("0.5]", "0.4]")), false),
     ] {
         let scene = Scene::from_toml("rest.toml", &text).unwrap();
         let mut states = scene.states.clone();
