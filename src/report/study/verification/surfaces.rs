@@ -88,7 +88,7 @@ pub(super) fn table(size: Size) -> Result<Vec<Row>> {
 
 /// A box on a support that moves in time. On a belt that starts, runs for a second and stops, it is
 /// dragged with μ g and ends exactly as far as the belt went, with every scheme that moves a
-/// support. A table that shakes vertically with A ω² = 1.3 g throws it where its acceleration is −g.
+/// support. A table that shakes vertically with A ω² = 1.3 g throws it where it has −g.
 pub(super) fn supports(size: Size) -> Result<Vec<Row>> {
     let mu = 0.4;
     let scene = |name: &str, moves: &str| {
