@@ -262,7 +262,8 @@ fn of_machines(solvers: &[Box<dyn Solver>]) -> Result<Vec<Value>> {
             for level in Scheme::LEVELS {
                 let scene = Scene::from_toml("machine.toml", &text)?;
                 let steps = of_steps(&format!("{name}, gravity {gravity},"), scene, level)?;
-                let pivoting = || solvers.iter().filter(|s| PIVOTING.contains(&s.name()));
+                let all = || solvers.iter().map(|solver| &**solver);
+                let pivoting = || all().filter(|solver| PIVOTING.contains(&solver.name()));
                 records.extend(steps.iter().map(|step| judged_record(step, pivoting(), &demand)));
             }
         }
@@ -289,7 +290,8 @@ fn of_steps(name: &str, mut scene: Scene, level: Scheme) -> Result<Vec<Subject>>
 }
 
 fn record(subject: &Subject, solvers: &[Box<dyn Solver>]) -> Value {
-    let mut record = judged_record(subject, solvers.iter(), &Demand::default());
+    let mut record =
+        judged_record(subject, solvers.iter().map(|solver| &**solver), &Demand::default());
     // Without one where the singular values of A cannot be found.
     let diagnosis = diagnosis::problem(&subject.problem);
     record["diagnosis"] = diagnosis.map_or(Value::Null, |found| found.to_json());
@@ -299,7 +301,7 @@ fn record(subject: &Subject, solvers: &[Box<dyn Solver>]) -> Value {
 /// The answers of the solvers and the wrong ones, judged; without a diagnosis.
 fn judged_record<'s>(
     subject: &Subject,
-    solvers: impl Iterator<Item = &'s Box<dyn Solver>>,
+    solvers: impl Iterator<Item = &'s dyn Solver>,
     demand: &Demand,
 ) -> Value {
     let Subject { problem, start } = subject;
