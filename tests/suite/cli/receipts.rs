@@ -290,7 +290,8 @@ fn the_folder_of_a_rejected_frame_has_a_page_with_a_picture_and_the_row_that_sho
 fn a_baseline_that_does_not_exist_is_named_with_the_option_that_records_it() {
     let folder = tempfile::tempdir().unwrap();
     frame(folder.path(), "a", RIGHT);
-    let known = folder.path().join("known.json");
+    let other = tempfile::tempdir().unwrap();
+    let known = other.path().join("known.json");
     let arguments = ["receipts", text(folder.path()), "--baseline", text(&known)];
     let output = run(&arguments);
     assert_eq!(output.status.code(), Some(2));

@@ -58,8 +58,6 @@ fn every_status_is_claimed_by_a_solver_and_put_into_words() {
         Status::Solved => said("dantzig", &one, usual()), "solved";
         Status::Inaccurate => said("murty", &no_float, exactly.clone()), "ended above the tolerance";
         Status::IterationLimit => said("pgs", &pair, one_sweep.clone()), "iteration limit";
-        Status::SetsLeft { .. } => said("enumeration", &pair, one_sweep.clone()),
-            "iteration limit: 1 of 4 active sets were tried";
         Status::Stalled => said("lemke", &rubbing, usual()), "no more progress";
         Status::Stopped => stopped(), "stopped by the observer";
         Status::Diverged => said("pgs", &indefinite, usual()), "diverged";
@@ -70,6 +68,8 @@ fn every_status_is_claimed_by_a_solver_and_put_into_words() {
         Status::Ray { .. } => said("lemke", &torn, usual()), "ended on a ray: row 0 is not satisfied, which alone proves nothing";
         Status::NoSolution => said("enumeration", &negative, usual()),
             "all active sets were tried, and none gives a solution";
+        Status::SetsLeft { .. } => said("enumeration", &pair, one_sweep.clone()),
+            "iteration limit: 1 of 4 active sets were tried";
         Status::TooLarge { needs, limit } => said("dantzig", &pair, small.clone()),
             format!("needs {needs}; the limit is {limit}");
         Status::OutsideClass { .. } => said("dantzig", &skew, usual()),

@@ -93,7 +93,7 @@ impl Solver for Lemke {
                         let failed = Solution::new(lcp, x, status, path.pivots);
                         return proximal::after(lcp, failed, &self.settings);
                     }
-                    None => reported = before,
+                    None => reported = path.pivots,
                 }
             }
             let solution = self.by_tables(lcp, before, reported, observer);
