@@ -103,9 +103,9 @@ impl<'a> Path<'a> {
         ControlFlow::Continue(Event::Step)
     }
 
-    /// The point of the active set that the path suggests, near its end: x is at a bound whose slack
-    /// is smaller than its multiplier, each in its unit, and w = 0 in the other rows. Rounding
-    /// errors of entries that should be 0 are removed.
+    /// The point of the active set that the path suggests, near its end: x is at a bound whose
+    /// slack is smaller than its multiplier, each in its unit, and w = 0 in the other rows.
+    /// Rounding errors of entries that should be 0 are removed.
     pub(super) fn refined<E: StepEquations>(
         &self,
         equations: &mut E,
