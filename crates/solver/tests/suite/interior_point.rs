@@ -121,9 +121,9 @@ fn program(n: usize, rank: usize) -> impl Strategy<Value = Program> {
         let g = |r: usize, i: usize| g[r * n + i];
         let p = |i: usize, j: usize| (0..rank).map(|r| g(r, i) * g(r, j)).sum::<f64>();
         let c = |r: usize, i: usize| c[r * n + i];
-        let is_bounded = |i: usize| i % 3 == 0;
+        let is_bounded = |i: usize| i.is_multiple_of(3);
         let is_equation = |r: usize| r + 1 == n;
-        let is_active = |r: usize| r % 2 == 0 || is_equation(r);
+        let is_active = |r: usize| r.is_multiple_of(2) || is_equation(r);
         // Every second bounded variable is at its bound.
         let y: Vec<f64> = (0..n)
             .map(|i| match i % 6 {

@@ -163,9 +163,9 @@ fn a_bound_above_the_limit_is_tightened_by_an_accurate_motion() {
 
 #[test]
 fn a_bound_is_tightened_for_cones_with_different_coefficients_along_their_axes() {
-    // M = J = compliance = 1. x = (5, 1 · 3, ¼ · 4) is on the surface of the cone with coefficients
-    // 1 and ¼, and w = (5, −3 / 1, −4 / ¼) on that of its dual, with x·w = 0: they are the solution,
-    // v = w − x = (0, −6, −17) and u* = v − x.
+    // M = J = compliance = 1. x = (5, 1 · 3, ¼ · 4) is on the surface of the cone with
+    // coefficients 1 and ¼, and w = (5, −3 / 1, −4 / ¼) on that of its dual, with x·w = 0: they are
+    // the solution, v = w − x = (0, −6, −17) and u* = v − x.
     let unit = json!([[0, 0, 1.0], [1, 1, 1.0], [2, 2, 1.0]]);
     let problem = json!({
         "motion": {"mass": unit, "jacobian": unit, "bias": [0.0, 0.0, 0.0],
