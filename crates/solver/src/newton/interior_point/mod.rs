@@ -26,7 +26,7 @@
 //! the rows are eliminated instead, and the matrix to factorize has six rows per body. If solutions
 //! are not unique, the method finds one in the middle of the solution set.
 //!
-//! If A is not symmetric, each iteration factorizes A + D by LU ([`general`]), and near the end of
+//! If A is not symmetric, each iteration factorizes A + D by LU (`general.rs`), and near the end of
 //! the path the point of the suggested active set is tried, whose accuracy is that of the
 //! factorization. This solves monotone problems, xᵀA x ≥ 0 for all x: convex quadratic programs
 //! with constraints. Other problems may end in any status but `Solved` with a wrong x.
