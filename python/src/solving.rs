@@ -41,7 +41,9 @@ pub struct SolverSettings {
 
 impl SolverSettings {
     pub fn options(&self) -> PyResult<Options> {
-        let settings = Settings::default().with_tolerance(self.tolerance).with_max_iterations(self.max_iterations);
+        let settings = Settings::default()
+            .with_tolerance(self.tolerance)
+            .with_max_iterations(self.max_iterations);
         let mut options = Options::default().with_settings(settings);
         options.omega = self.omega.unwrap_or(options.omega);
         options.validate().map_err(refused)?;
