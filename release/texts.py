@@ -51,7 +51,7 @@ Rust 1.91 or newer. The first build takes 4 to 6 minutes on two cores.
 | --- | --- | --- |
 | the command line | `cargo install --path .` | the command `lcplab` |
 | Python | `pip install ./python` | the module `lcplab` (Python 3.10 or newer, NumPy) and the command `lcplab` |
-| the Rust library | `lcplab = { path = "…" }` in your `Cargo.toml` | the crate `lcplab`; with `default-features = false` it reads no HDF5 files |
+| the Rust library | `lcplab = { path = "…" }` in your `Cargo.toml` | the crate `lcplab`, or [a smaller one](rust.md); with `default-features = false` it reads no HDF5 files |
 | Python in a browser | `python3 release/pyodide.py` | a wheel for [Pyodide](https://pyodide.org) 314, for `micropip.install` |
 | to try it first | `cargo run --release -- report` | the standard report; nothing is installed |
 """,
@@ -61,10 +61,30 @@ Rust 1.91 or newer. The first build takes 4 to 6 minutes on two cores.
 | Python in a browser | `await micropip.install("lcplab")` | the same module in [Pyodide](https://pyodide.org) 314 |
 | the command line | `cargo install lcplab` | the command `lcplab`, built from source (Rust 1.91 or newer, 4 to 6 minutes on two cores) |
 | the command line, ready to run | an archive of the [release]({url}/releases) | the command `lcplab`, its completions and man pages |
-| the Rust library | `cargo add lcplab` | the crate `lcplab`; with `default-features = false` it reads no HDF5 files |
+| the Rust library | `cargo add lcplab` | the crate `lcplab`, or [a smaller one](rust.md); with `default-features = false` it reads no HDF5 files |
 | the newest commit | `cargo install --path .` or `pip install ./python` in a copy of [the repository]({url}) | the same, built from source |
 """,
     ),
+    (
+        "docs/rust.md",
+        """Nothing has
+been released yet, so add them by path, from a copy of this repository:
+
+```toml
+[dependencies]
+lcplab-problem = { path = "…/lcplab/crates/problem" }
+lcplab-judge = { path = "…/lcplab/crates/judge" }
+```
+""",
+        """The crates are on
+[crates.io](https://crates.io/crates/lcplab):
+
+```console
+$ cargo add lcplab-problem lcplab-judge
+```
+""",
+    ),
+    ("docs/rust.md", " Before version 0.1.0 nothing is promised.", ""),
     ("docs/install.md", '`pip install "./python[mujoco,drake]"`', '`pip install "lcplab[mujoco,drake]"`'),
     (
         "docs/cite.md",

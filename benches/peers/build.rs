@@ -100,8 +100,10 @@ impl Peer {
 /// The version in the name of the shared library, if there is no other.
 fn version_of(library: &str) -> String {
     let name = format!("lib{library}.so.");
-    let folders = ["/usr/lib/x86_64-linux-gnu", "/usr/lib/aarch64-linux-gnu", "/usr/lib", "/usr/local/lib"];
-    let files = folders.iter().filter_map(|folder| std::fs::read_dir(folder).ok()).flatten().flatten();
+    let folders =
+        ["/usr/lib/x86_64-linux-gnu", "/usr/lib/aarch64-linux-gnu", "/usr/lib", "/usr/local/lib"];
+    let files =
+        folders.iter().filter_map(|folder| std::fs::read_dir(folder).ok()).flatten().flatten();
     let versions = files.filter_map(|file| {
         let file = file.file_name().into_string().ok()?;
         file.strip_prefix(&name).map(String::from)

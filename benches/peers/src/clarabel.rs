@@ -33,9 +33,8 @@ pub fn solvers<'a>(lcp: &Lcp) -> Vec<Contender<'a>> {
 
 fn contender<'a>(name: &str, method: &'static str, lcp: &Lcp) -> Contender<'a> {
     let program = Program::of(lcp);
-    let is_enough = |asked: &f64| {
-        merit::scaled_residual(lcp, &program.solve(method, *asked).x) <= TOLERANCE
-    };
+    let is_enough =
+        |asked: &f64| merit::scaled_residual(lcp, &program.solve(method, *asked).x) <= TOLERANCE;
     let asked = ASKED.into_iter().find(is_enough).unwrap_or(ASKED[0]);
     Contender::peer(name, move || program.solve(method, asked))
 }
@@ -90,11 +89,7 @@ impl Program {
     }
 }
 
-fn columns(
-    rows: usize,
-    n: usize,
-    entries: impl Iterator<Item = (usize, usize, f64)>,
-) -> CscMatrix {
+fn columns(rows: usize, n: usize, entries: impl Iterator<Item = (usize, usize, f64)>) -> CscMatrix {
     let (mut i, mut j, mut v) = (Vec::new(), Vec::new(), Vec::new());
     for (row, column, value) in entries {
         i.push(row);

@@ -64,7 +64,9 @@ fn asked() -> Result<Asked, String> {
             "problems" => asked.scenes = false,
             "scenes" => asked.problems = false,
             "--json" => asked.json = Some(arguments.next().ok_or("--json needs a file")?.into()),
-            other => return Err(format!("{other:?}: only problems, scenes and --json FILE are known")),
+            other => {
+                return Err(format!("{other:?}: only problems, scenes and --json FILE are known"));
+            }
         }
     }
     Ok(asked)

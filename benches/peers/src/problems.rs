@@ -2,11 +2,11 @@
 
 use lcplab::error::Result;
 use lcplab::lcp::Lcp;
-use lcplab_benches::problems::{Bounds, Stack};
-use lcplab_benches::recording::Problem;
 use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
 use lcplab::solver::{self, Options};
+use lcplab_benches::problems::{Bounds, Stack};
+use lcplab_benches::recording::Problem;
 
 use crate::contender::Contender;
 use crate::raw::Raw;

@@ -75,12 +75,7 @@ impl Raw {
     }
 
     /// A contender that calls this solver, with the meaning of its errors.
-    pub fn contender<'a>(
-        &'a self,
-        name: &str,
-        solver: Solver,
-        meaning: &'a str,
-    ) -> Contender<'a> {
+    pub fn contender<'a>(&'a self, name: &str, solver: Solver, meaning: &'a str) -> Contender<'a> {
         Contender::peer(name, move || {
             let (mut x, mut complaints) = (vec![0.0; self.rows()], 0);
             let [a, b, lo, hi] = [&self.a, &self.b, &self.lo, &self.hi].map(|v| v.as_ptr());

@@ -27,7 +27,8 @@ struct Tried<'a> {
 /// The answers of all contenders, and the times of those that are right.
 pub fn trial(name: &str, lcp: &Lcp, contenders: Vec<Contender>) -> Problem {
     let mut all: Vec<Tried> = contenders.into_iter().map(|c| Tried::of(lcp, c)).collect();
-    let a_round: f64 = all.iter().filter(|tried| tried.is_right).map(|tried| tried.first.seconds).sum();
+    let a_round: f64 =
+        all.iter().filter(|tried| tried.is_right).map(|tried| tried.first.seconds).sum();
     let rounds = ((SECONDS / a_round) as usize).clamp(ROUNDS[0], ROUNDS[1]);
     for _ in 0..rounds {
         all.iter_mut().filter(|tried| tried.is_right).for_each(Tried::turn);

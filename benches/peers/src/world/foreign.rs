@@ -12,8 +12,7 @@ use super::{HALF, MASS, Setting, World};
 pub struct Calls {
     /// Makes a world of cubes: their number, poses (position, quaternion with the scalar first),
     /// half edge, mass, friction, length of a step, iterations.
-    pub world:
-        unsafe extern "C" fn(c_int, *const f64, f64, f64, f64, f64, c_int) -> *mut c_void,
+    pub world: unsafe extern "C" fn(c_int, *const f64, f64, f64, f64, f64, c_int) -> *mut c_void,
     pub step: unsafe extern "C" fn(*mut c_void),
     /// Writes the poses.
     pub poses: unsafe extern "C" fn(*const c_void, *mut f64),
@@ -55,10 +54,19 @@ impl Foreign {
     pub fn boxed(calls: Calls, setting: &Setting, iterations: usize) -> Box<dyn World> {
         let bodies = setting.places.len();
         let poses: Vec<f64> = setting.places.iter().flat_map(numbers).collect();
-        let [count, iterations] = [bodies, iterations].map(|k| c_int::try_from(k).unwrap_or(c_int::MAX));
+        let [count, iterations] =
+            [bodies, iterations].map(|k| c_int::try_from(k).unwrap_or(c_int::MAX));
         // SAFETY: `poses` holds seven numbers a body, which the shim reads and does not keep.
         let world = unsafe {
-            (calls.world)(count, poses.as_ptr(), HALF, MASS, setting.friction, setting.dt, iterations)
+            (calls.world)(
+                count,
+                poses.as_ptr(),
+                HALF,
+                MASS,
+                setting.friction,
+                setting.dt,
+                iterations,
+            )
         };
         Box::new(Foreign { calls, world, bodies })
     }

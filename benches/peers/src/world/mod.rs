@@ -10,9 +10,9 @@ mod rapier;
 
 use lcplab::body::{Pose, State};
 use lcplab::error::Result;
+use lcplab::scene::{Scene, contacts};
 use lcplab_benches::recording::{Bounds, Engine as Recorded, Scene as RecordedScene};
 use lcplab_benches::timing::{Contender, interleaved, timed};
-use lcplab::scene::{Scene, contacts};
 
 /// Half of a cube's edge (m) and its mass (kg).
 pub const HALF: f64 = 0.5;
@@ -69,10 +69,15 @@ pub struct Engine {
 
 /// All scenes, one after the other.
 pub fn run() -> Result<Vec<RecordedScene>> {
-    let stack = |count| format!("generate = {{ kind = \"stack\", count = {count}, size = 1, mass = 1 }}");
-    let tower = "generate = { kind = \"circular_tower\", count = 700, ring = 35, size = 1, mass = 1 }";
+    let stack =
+        |count| format!("generate = {{ kind = \"stack\", count = {count}, size = 1, mass = 1 }}");
+    let tower =
+        "generate = { kind = \"circular_tower\", count = 700, ring = 35, size = 1, mass = 1 }";
     let scenes = [("stack of 10", stack(10)), ("tower of 700", tower.into())];
-    scenes.into_iter().map(|(name, generate)| Ok(measured(name, &Setting::of(&generate)?))).collect()
+    scenes
+        .into_iter()
+        .map(|(name, generate)| Ok(measured(name, &Setting::of(&generate)?)))
+        .collect()
 }
 
 impl Setting {
@@ -102,7 +107,10 @@ impl Setting {
             return None;
         }
         let gaps = contacts(&self.scene, &states, 0.0).into_iter().map(|found| -found.gap);
-        let ways = states.iter().zip(&self.scene.states).map(|(now, then)| (now.pose.p - then.pose.p).norm());
+        let ways = states
+            .iter()
+            .zip(&self.scene.states)
+            .map(|(now, then)| (now.pose.p - then.pose.p).norm());
         Some(Bounds { penetration: gaps.fold(0.0, f64::max), drift: ways.fold(0.0, f64::max) })
     }
 }

@@ -3,7 +3,8 @@
 use lcplab::body::Pose;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rapier3d_f64::prelude::{
-    ColliderBuilder, PhysicsWorld, Pose as Place, RigidBodyBuilder, RigidBodyHandle, Rotation, Vector,
+    ColliderBuilder, PhysicsWorld, Pose as Place, RigidBodyBuilder, RigidBodyHandle, Rotation,
+    Vector,
 };
 
 use super::{Engine, HALF, MASS, Setting, World};
@@ -21,7 +22,8 @@ struct Rapier {
 
 impl Rapier {
     fn new(setting: &Setting, iterations: usize) -> Self {
-        let mut world = PhysicsWorld { gravity: Vector::new(0.0, 0.0, -9.81), ..PhysicsWorld::new() };
+        let mut world =
+            PhysicsWorld { gravity: Vector::new(0.0, 0.0, -9.81), ..PhysicsWorld::new() };
         world.integration_parameters.dt = setting.dt;
         world.integration_parameters.num_solver_iterations = iterations;
         let surface = |collider: ColliderBuilder| collider.friction(setting.friction);

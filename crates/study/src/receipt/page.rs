@@ -33,7 +33,7 @@ impl Receipt {
     }
 }
 
-/// The force x of each row of a contact, limit or equation, and what remains in the row, w, as SVG.
+/// The force x of each row of a contact, limit or equation, and the row velocity w, as SVG.
 ///
 /// Rows of friction are left out, because their law is not in this plane.
 fn picture(step: &EngineStep, worst: Option<usize>) -> String {
@@ -71,9 +71,9 @@ fn picture(step: &EngineStep, worst: Option<usize>) -> String {
     let (zero_x, zero_w) = (across.place(0.0), up.place(0.0));
     let line = "stroke=\"currentColor\" style=\"color: var(--pale)\"";
     format!(
-        "<h2>Forces, and what remains in the rows</h2>
+        "<h2>Forces and row velocities</h2>
 <svg viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\" \
-         aria-label=\"forces and remaining motion of {}\">
+         aria-label=\"forces and velocities of {}\">
 <line x1=\"{left}\" x2=\"{right}\" y1=\"{zero_w:.1}\" y2=\"{zero_w:.1}\" {line}/>
 <line x1=\"{zero_x:.1}\" x2=\"{zero_x:.1}\" y1=\"{top}\" y2=\"{bottom}\" {line}/>
 <text x=\"{}\" y=\"{}\" text-anchor=\"middle\">force x of a row ({unit_x}): {across}</text>
