@@ -3,7 +3,7 @@
 use super::{Headline, Outcome, ReportPage, View};
 use crate::number::count;
 use crate::report::page::markup::literal;
-use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::defects::{Defect, Plan, Record, Replay};
 
 impl View for Plan {
@@ -55,23 +55,20 @@ fn table(defects: &[Defect]) -> Table {
     let rows = defects.iter().map(|defect| {
         let mark = if defect.is_detected() { Mark::Good } else { Mark::Bad };
         vec![
-            Cell::text(literal(&defect.what)),
-            Cell::text(literal(&defect.source)),
+            Cell::text(&defect.what),
             Cell::text(&defect.stage),
-            Cell::text(literal(&words(&defect.bad))),
-            Cell::text(literal(&words(&defect.mended))),
+            Cell::text(words(&defect.bad)),
+            Cell::text(words(&defect.mended)),
             Cell::text(&defect.outcome).marked(mark),
         ]
     });
-    let how = "One row per defect. The same scene runs in the defective and in the corrected \
-               release, and each step is checked with default arguments. The stage is the part of \
-               the step that was wrong. Detected by comparison: no step is rejected, but the \
-               errors are larger than in the run of the corrected release.";
-    let headings =
-        "what was wrong | corrected in | stage | defective release | corrected release | outcome";
-    let mut table = Table::new("Known defects", how, headings, rows.collect());
-    table.columns[1] = Column::words("corrected in").secondary();
-    table
+    let how = "The same scene runs in the defective and in the corrected release, and each step is \
+               checked with default arguments. The stage is the part of the step that was wrong. \
+               Detected by comparison: no step is rejected, but the errors are larger than in the \
+               run of the corrected release.";
+    let headings = "what was wrong | stage | steps rejected, defective release | \
+                    steps rejected, corrected release | outcome";
+    Table::new("Known defects", how, headings, rows.collect())
 }
 
 fn words(run: &Replay) -> String {
@@ -79,7 +76,7 @@ fn words(run: &Replay) -> String {
         Some(why) => format!("{}: {why}", run.packages.join(", ")),
         None => {
             let (refused, frames) = (count(run.refused), count(run.frames));
-            format!("{}: {refused} of {frames} steps rejected", run.versions.join(", "))
+            format!("{}: {refused} of {frames}", run.versions.join(", "))
         }
     }
 }

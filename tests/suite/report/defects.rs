@@ -2,7 +2,7 @@
 
 use lcplab::report::study::Study;
 use lcplab::report::study::defects::{Plan, Record};
-use lcplab::report::view::View;
+use lcplab::report::view::{ReportPage, View};
 use lcplab::solver::Registry;
 
 fn shipped() -> Record {
@@ -20,6 +20,18 @@ fn at_least_twelve_of_fourteen_defects_are_rejected_and_no_corrected_release_is(
     assert!(record.defects.len() == 14 && rejected >= 12, "{rejected}");
     assert!(record.defects.iter().all(|own| own.mended.frames > 0 && own.mended.refused == 0));
     assert!(is_good(record));
+}
+
+/// Cells are not markup: an escaped character would be shown with its backslash.
+#[test]
+fn the_table_shows_the_words_of_the_record() {
+    let record = shipped();
+    let (_, table) = &ReportPage::of(&Plan::default(), std::slice::from_ref(&record)).tables[0];
+    for (row, defect) in table.rows.iter().zip(&record.defects) {
+        assert_eq!(row[0].text, defect.what);
+        assert!(row.iter().all(|cell| !cell.text.contains('\\')), "{row:?}");
+    }
+    assert_eq!(table.rows[0][2].text, "MuJoCo 4.0.0: 4 of 1,800");
 }
 
 #[test]

@@ -5,6 +5,7 @@ They are independent of the engine's Jacobians, mass matrix and bias forces: onl
 
 from __future__ import annotations
 
+import threading
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,8 @@ EPSILON = float(np.finfo(float).eps)
 #: Poses that differ by less than this (m, rad) are the same.
 SAME = 1e-9
 
-_scratch: list[Any] = []
+#: Each thread has data of its own to try positions in.
+_scratch = threading.local()
 
 
 class Kinematics:
@@ -143,15 +145,16 @@ class Trees:
             self.rounds.append((dofs, bodies, columns[bodies]))
 
 
-_trees: list[Any] = []
+_trees: tuple[Any, Trees] | None = None
 
 
 def trees_of(model: Any) -> Trees:
-    """The trees of the model that was read last are kept."""
-    if not _trees or _trees[0] is not model:
-        _trees[:] = [model, Trees(model)]
-    own: Trees = _trees[1]
-    return own
+    """The trees of the model that was read last are kept, together with it, because threads may read several."""
+    global _trees
+    kept = _trees
+    if kept is None or kept[0] is not model:
+        kept = _trees = model, Trees(model)
+    return kept[1]
 
 
 def interval(velocity: Array) -> float:
@@ -163,9 +166,9 @@ def scratch(model: Any, data: Any) -> Any:
     """Separate data for this model, with the mocap bodies of the given data."""
     import mujoco
 
-    if not _scratch or _scratch[0] is not model:
-        _scratch[:] = [model, mujoco.MjData(model)]
-    own = _scratch[1]
+    if getattr(_scratch, "model", None) is not model:
+        _scratch.model, _scratch.data = model, mujoco.MjData(model)
+    own = _scratch.data
     own.mocap_pos[:], own.mocap_quat[:] = data.mocap_pos, data.mocap_quat
     return own
 

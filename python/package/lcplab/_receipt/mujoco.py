@@ -138,15 +138,16 @@ class Names:
         self.kinds = list(words)
 
 
-_names: list[Any] = []
+_names: tuple[Any, Names] | None = None
 
 
 def names_of(model: Any) -> Names:
-    """The names of the model that was read last are kept."""
-    if not _names or _names[0] is not model:
-        _names[:] = [model, Names(model)]
-    own: Names = _names[1]
-    return own
+    """The names of the model that was read last are kept, together with it, because threads may read several."""
+    global _names
+    kept = _names
+    if kept is None or kept[0] is not model:
+        kept = _names = model, Names(model)
+    return kept[1]
 
 
 def _rows(model: Any, data: Any, kinds: Rows) -> list[Row]:

@@ -65,7 +65,7 @@ def _margins(model: Any) -> Array:
     return np.array(model.geom_margin, dtype=float)
 
 
-_pairs: list[Any] = []
+_pairs: tuple[list[Any], list[tuple[int, int]]] | None = None
 #: What the pairs of a model depend on.
 RULES = ("geom_contype", "geom_conaffinity", "geom_bodyid", "body_weldid", "body_parentid", "body_dofnum", "exclude_signature",
          "pair_geom1", "pair_geom2", "pair_margin")
@@ -73,10 +73,12 @@ RULES = ("geom_contype", "geom_conaffinity", "geom_bodyid", "body_weldid", "body
 
 def pairs(model: Any) -> list[tuple[int, int]]:
     """The pairs of the model that was read last are kept while nothing changes that they depend on."""
+    global _pairs
     rules = [model.opt.disableflags, *(np.asarray(getattr(model, name)).tobytes() for name in RULES)]
-    if not _pairs or _pairs[0] != rules:
-        _pairs[:] = [rules, _pairs_of(model)]
-    return list(_pairs[1])
+    kept = _pairs
+    if kept is None or kept[0] != rules:
+        kept = _pairs = rules, _pairs_of(model)
+    return list(kept[1])
 
 
 def _pairs_of(model: Any) -> list[tuple[int, int]]:
