@@ -252,7 +252,7 @@ assert (np.abs(L) > 1e-30).sum() - (np.abs(np.tril(M)) > 0).sum() == 47
 with tempfile.TemporaryDirectory() as folder:
     for k in (0, 2): run("14.r1", k, folder)
     heads = [run("14.r1", k, folder).splitlines()[0] for k in (1, 3)]
-assert "60 rows, 3600 stored" in heads[0] and "600 rows, 21312 stored" in heads[1], heads
+assert "60 rows, 3,600 stored" in heads[0] and "600 rows, 21,312 stored" in heads[1], heads
 blocks = lambda n: sum(abs(i - j) <= 1 for i in range(n) for j in range(n))
 assert blocks(5) * 144 == 1872 and round(100 * 1872 / 3600) == 52 and round(100 * 21312 / 360000) == 6
 check("14.r1", 144 * blocks(50), [600**2, 10 * 3600, 10 * 1872], "blocks counted; commands")
