@@ -10,6 +10,7 @@ use lcplab::report::terminal;
 use lcplab::solver::{Method, Options, Registry, Settings, Solver, Stop};
 
 use super::limits::Limits;
+use super::options::model_names;
 use super::plugin::Plugins;
 use super::search::{HuntOptions, SearchArgs};
 use super::{Outcome, bar, print, say};
@@ -47,9 +48,11 @@ pub struct Challenge {
     /// Examine this solver (repeatable) [default: the plug-ins, or all solvers]
     #[arg(long)]
     solver: Vec<String>,
-    /// Use problems with friction under this model: frozen-box, coupled-box, polygon-4 (or 8, 12,
-    /// …), associated-cone, coulomb-cone [default: with --from the model of the files]
-    #[arg(long)]
+    #[arg(long, help = format!(
+        "Use problems with friction under this model: {} [default: with --from the model of the \
+         files]",
+        model_names()
+    ))]
     model: Option<Model>,
     /// Maximum number of sweeps or pivots
     #[arg(long, visible_alias = "sweeps", default_value_t = 2000)]

@@ -9,6 +9,7 @@ use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use lcplab::certificate::Demand;
 use lcplab::error::{Defects, Error, Result};
+use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
 use lcplab::scene::RowOrder;
 use lcplab::solver::{Choice, Damping, Entry, Method, Options, Registry, Settings};
@@ -133,8 +134,8 @@ impl Choices {
             if !given {
                 continue;
             }
-            let looks = |(_, uses): &&(&str, &[Choice])| uses.contains(&choice);
-            let names: Vec<&str> = solvers.iter().filter(looks).map(|(name, _)| *name).collect();
+            let uses_it = |(_, uses): &&(&str, &[Choice])| uses.contains(&choice);
+            let names: Vec<&str> = solvers.iter().filter(uses_it).map(|(name, _)| *name).collect();
             if names.is_empty() {
                 let reason = match solvers {
                     [(name, _)] => format!("{name} does not use it; {}", having(choice)),
@@ -150,10 +151,20 @@ impl Choices {
     }
 }
 
+/// The friction models, for the help of an option.
+pub fn model_names() -> String {
+    let name = |model: &Model| match model {
+        Model::Polyhedral { directions: 4 } => Some(format!("{model} (or 8, 12, …)")),
+        Model::Polyhedral { .. } => None,
+        _ => Some(model.to_string()),
+    };
+    Model::ALL.iter().filter_map(name).collect::<Vec<_>>().join(", ")
+}
+
 /// The solvers that use an option, as text.
 fn having(choice: Choice) -> String {
-    let looks = |entry: &&Entry| entry.uses.contains(&choice);
-    let entries = Registry::standard().entries().filter(looks);
+    let uses_it = |entry: &&Entry| entry.uses.contains(&choice);
+    let entries = Registry::standard().entries().filter(uses_it);
     let names: Vec<&str> = entries.map(|entry| &*entry.name).collect();
     format!("{} {}", names.join(" and "), if names.len() == 1 { "does" } else { "do" })
 }

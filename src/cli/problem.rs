@@ -23,7 +23,7 @@ use serde_json::Value;
 
 use super::friction;
 use super::limits::{Limits, RAISE_MEMORY};
-use super::options::SolverArgs;
+use super::options::{SolverArgs, model_names};
 use super::plugin::Plugins;
 use super::proof;
 use super::trace::Tracing;
@@ -60,9 +60,10 @@ pub struct Solve {
     /// explains all solvers]
     #[arg(long)]
     solver: Option<String>,
-    /// Friction model: frozen-box, coupled-box, polygon-4 (or 8, 12, …), associated-cone,
-    /// coulomb-cone; docs/solvers.md explains them [default: the file's]
-    #[arg(long)]
+    #[arg(long, help = format!(
+        "Friction model: {}; docs/solvers.md explains them [default: the file's]",
+        model_names()
+    ))]
     model: Option<Model>,
     /// Attempt a proof in exact arithmetic for up to 150 rows instead of 50
     #[arg(long)]

@@ -1,7 +1,5 @@
 //! The kinds of studies in report files, and a study of any kind.
 
-use std::sync::{PoisonError, RwLock};
-
 use schemars::{Schema, SchemaGenerator};
 use serde::Deserialize;
 use serde_json::Value;
@@ -40,7 +38,6 @@ pub const KINDS: &[Kind] = &[
     Kind::of::<study::profiles::Plan>(),
     Kind::of::<study::film::Plan>(),
     Kind::of::<study::scenes::Plan>(),
-    Kind::of::<study::frames::Plan>(),
     Kind::of::<study::solved::Plan>(),
     Kind::of::<study::cards::Plan>(),
     Kind::of::<study::defects::Plan>(),
@@ -74,25 +71,15 @@ impl Kind {
     }
 }
 
-/// Kinds that other programs have [added](add).
-static ADDED: RwLock<Vec<&'static Kind>> = RwLock::new(Vec::new());
-
-/// Adds kinds of studies for report files of this process: those of a program with its own studies.
-pub fn add(kinds: &'static [Kind]) {
-    ADDED.write().unwrap_or_else(PoisonError::into_inner).extend(kinds);
-}
-
 /// The kind with this name.
 ///
 /// # Errors
 /// If there is no such kind.
 pub fn by_name(name: &str) -> Result<&'static Kind> {
-    let added = ADDED.read().unwrap_or_else(PoisonError::into_inner);
-    let all = || KINDS.iter().chain(added.iter().copied());
-    all().find(|kind| kind.name == name).ok_or_else(|| Error::Unknown {
+    KINDS.iter().find(|kind| kind.name == name).ok_or_else(|| Error::Unknown {
         kind: "study",
         name: name.into(),
-        known: all().map(|kind| kind.name.into()).collect(),
+        known: KINDS.iter().map(|kind| kind.name.into()).collect(),
     })
 }
 

@@ -48,7 +48,7 @@ impl Coupling {
             defects.add(format!("mu[{i}]"), format!("must be finite, is {mu}"));
         }
         defects.into_result("problem")?;
-        let contacts = pairs(&index, &mu);
+        let contacts = contacts(&index, &mu);
         Ok(Coupling { contacts, index, mu })
     }
 
@@ -78,7 +78,7 @@ impl Coupling {
     pub(crate) fn part(&self, rows: &[usize], places: &[Option<usize>]) -> Self {
         let index: Vec<_> = rows.iter().map(|&i| self.index[i].and_then(|k| places[k])).collect();
         let mu: Vec<_> = rows.iter().map(|&i| self.mu[i]).collect();
-        let contacts = pairs(&index, &mu);
+        let contacts = contacts(&index, &mu);
         Coupling { contacts, index, mu }
     }
 
@@ -95,6 +95,19 @@ impl Coupling {
     /// The coupled rows i with the row k that bounds each.
     pub fn rows(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         self.index.iter().enumerate().filter_map(|(i, k)| k.map(|k| (i, k)))
+    }
+
+    /// The rows that each row bounds.
+    ///
+    /// ```
+    /// use lcplab_problem::Coupling;
+    ///
+    /// let contact = Coupling::new(vec![None, Some(0), Some(0)], vec![0.0, 0.5, 0.5])?;
+    /// assert_eq!(contact.tangents(), [vec![1, 2], vec![], vec![]]);
+    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// ```
+    pub fn tangents(&self) -> Vec<Vec<usize>> {
+        tangents(&self.index)
     }
 
     /// The row that bounds row i, if it is coupled.
@@ -141,15 +154,20 @@ impl Coupling {
     }
 }
 
-/// The contacts among coupled rows, ordered by their normal rows.
-fn pairs(index: &[Option<usize>], mu: &[f64]) -> Vec<Contact> {
+/// The rows that each row bounds.
+fn tangents(index: &[Option<usize>]) -> Vec<Vec<usize>> {
     let mut tangents = vec![Vec::new(); index.len()];
     for (t, normal) in index.iter().enumerate().filter_map(|(t, k)| k.map(|k| (t, k))) {
         tangents[normal].push(t);
     }
+    tangents
+}
+
+/// The contacts among coupled rows, ordered by their normal rows.
+fn contacts(index: &[Option<usize>], mu: &[f64]) -> Vec<Contact> {
     let contact = |(n, tangents): (usize, &Vec<usize>)| match tangents[..] {
         [t1, t2] if mu[t1] == mu[t2] => Some(Contact { rows: [n, t1, t2], mu: mu[t1] }),
         _ => None,
     };
-    tangents.iter().enumerate().filter_map(contact).collect()
+    tangents(index).iter().enumerate().filter_map(contact).collect()
 }

@@ -121,9 +121,7 @@ fn is_plane(lcp: &Lcp) -> bool {
     let Some(coupling) = lcp.coupling().filter(|coupling| !coupling.is_empty()) else {
         return false;
     };
-    let mut tangents = vec![0; lcp.len()];
-    coupling.rows().for_each(|(_, normal)| tangents[normal] += 1);
-    tangents.iter().all(|count| *count <= 1)
+    coupling.tangents().iter().all(|tangents| tangents.len() <= 1)
 }
 
 /// Checks that a model states contacts in the plane as the coupled box.

@@ -128,9 +128,8 @@ def solve(
     omega : float, optional
         The relaxation factor of ``"sor"`` and ``"ssor"``.
     model : str, optional
-        The friction model: ``"coupled-box"``, ``"frozen-box"``, ``"polygon-4"``, ``"polygon-8"``, ``"polygon-16"``,
-        ``"associated-cone"`` or ``"coulomb-cone"``. The default is the model of the problem, or else bounds ``±mu * x[k]`` on
-        each friction row.
+        The friction model, such as ``"coupled-box"`` or ``"coulomb-cone"``; ``docs/solvers.md`` lists them. The default is
+        the model of the problem, or else bounds ``±mu * x[k]`` on each friction row.
     prove : bool, optional
         Whether the judge searches for a proof in exact arithmetic. True: up to 150 rows; None: up to 50; False: never.
     trace : bool

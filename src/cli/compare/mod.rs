@@ -15,6 +15,7 @@ use lcplab::scene::catalogue;
 
 use super::Outcome;
 use super::limits::Limits;
+use super::options::model_names;
 use super::plugin::Plugins;
 use super::scene::{SolveArgs, StepArgs};
 use problems::ProblemArgs;
@@ -60,10 +61,11 @@ pub struct Compare {
     /// Run this solver (repeatable)
     #[arg(long)]
     solver: Vec<String>,
-    /// Friction model (repeatable for problems): frozen-box, coupled-box, polygon-4 (or 8, 12, …),
-    /// associated-cone, coulomb-cone [default: for a scene, its own; for a family, all; for
-    /// a file, the one that it states]
-    #[arg(long)]
+    #[arg(long, help = format!(
+        "Friction model (repeatable for problems): {} [default: for a scene, its own; for a \
+         family, all; for a file, the one that it states]",
+        model_names()
+    ))]
     model: Vec<Model>,
     /// Print one JSON object
     #[arg(long)]

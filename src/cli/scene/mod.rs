@@ -19,7 +19,7 @@ use lcplab::simulation::Simulation;
 use lcplab::solver::{Method, Registry};
 
 use super::limits::MemoryLimit;
-use super::options::{Choices, SolverArgs};
+use super::options::{Choices, SolverArgs, model_names};
 use super::plugin::Plugins;
 
 /// A scene, and what to change in it.
@@ -30,9 +30,7 @@ pub struct SceneArgs {
     /// Solver [default: the scene's]
     #[arg(long)]
     pub solver: Option<String>,
-    /// Friction model: frozen-box, coupled-box, polygon-4 (or 8, 12, …), associated-cone,
-    /// coulomb-cone [default: the scene's]
-    #[arg(long)]
+    #[arg(long, help = format!("Friction model: {} [default: the scene's]", model_names()))]
     pub model: Option<Model>,
     #[command(flatten)]
     pub step: StepArgs,

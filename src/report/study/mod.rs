@@ -10,7 +10,6 @@ pub mod cross_check;
 pub mod defects;
 pub mod drift;
 pub mod film;
-pub mod frames;
 pub mod friction;
 pub mod grid;
 pub mod posed;

@@ -185,7 +185,7 @@ fn pattern(scene: &Scene, frame: &Problem, forces: &[f64], place: usize) -> Resu
 }
 
 /// The error after each sweep.
-pub(super) fn convergence(error_histories: &[ErrorHistory]) -> Lines {
+fn convergence(error_histories: &[ErrorHistory]) -> Lines {
     let points = |missing: &mut dyn Iterator<Item = Option<f64>>| {
         let placed = |(k, missing): (usize, Option<f64>)| Some((k as f64, 100.0 * missing?));
         missing.enumerate().filter_map(placed).collect::<Vec<_>>()

@@ -15,7 +15,6 @@ mod diagnosis;
 mod drift;
 mod families;
 mod film;
-mod frames;
 mod grid;
 mod headline;
 mod profiles;

@@ -16,8 +16,8 @@ use crate::Lcp;
 impl FrictionProblem {
     /// Model 1, the boxed LCP with |x_t1|, |x_t2| ≤ μ max(x̄_n, 0), given the x̄_n of each contact.
     ///
+    /// # Panics
     /// If there is not exactly one x̄_n for each contact.
-    /// If there is not one x̄_n a contact.
     pub fn frozen_box(&self, normal: &[f64]) -> Lcp {
         assert_eq!(normal.len(), self.contacts().len(), "one normal impulse per contact");
         let mut x = vec![0.0; self.lcp().len()];

@@ -3,7 +3,6 @@
 //! A contact has three rows of A, its normal n and two tangents t1, t2. x_n is the normal and x_t
 //! the friction impulse or force; w_n and w_t are the resulting velocities or accelerations.
 //! Coulomb's law for each contact:
-//! and w_t are the velocities (or accelerations) they lead to. Coulomb's law says of each contact:
 //!
 //! ```text
 //! x_n ≥ 0,  w_n ≥ 0,  x_n w_n = 0          no tension, no penetration
@@ -124,10 +123,7 @@ impl FrictionProblem {
     /// [`FrictionProblem::new`].
     pub fn of(lcp: &Lcp) -> Result<Self> {
         let mut defects = Defects::default();
-        let mut tangents = vec![Vec::new(); lcp.len()];
-        for (i, k) in lcp.coupling().into_iter().flat_map(Coupling::rows) {
-            tangents[k].push(i);
-        }
+        let mut tangents = lcp.coupling().map_or_else(Vec::new, Coupling::tangents);
         for contact in lcp.contacts() {
             tangents[contact.rows[0]].clear();
         }

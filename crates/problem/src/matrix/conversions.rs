@@ -93,3 +93,31 @@ impl From<faer::MatRef<'_, f64>> for Matrix {
         Matrix::dense(rows, &(0..rows * columns).map(entry).collect::<Vec<f64>>())
     }
 }
+
+/// ```
+/// use lcplab_problem::Matrix;
+///
+/// let a = faer::mat![[2.0, -1.0], [0.0, 3.0]];
+/// assert_eq!(Matrix::from(&a).entry(0, 1), -1.0);
+/// ```
+#[cfg(feature = "faer")]
+impl From<&faer::Mat<f64>> for Matrix {
+    fn from(dense: &faer::Mat<f64>) -> Self {
+        Matrix::from(dense.as_ref())
+    }
+}
+
+/// ```
+/// use lcplab_problem::Matrix;
+/// use ndarray::array;
+///
+/// let a = array![[2.0, -1.0], [0.0, 3.0]];
+/// assert_eq!(Matrix::from(a.view()).entry(0, 1), -1.0);
+/// assert_eq!(Matrix::from(a.t()).entry(1, 0), -1.0);
+/// ```
+#[cfg(feature = "ndarray")]
+impl From<ndarray::ArrayView2<'_, f64>> for Matrix {
+    fn from(dense: ndarray::ArrayView2<'_, f64>) -> Self {
+        Matrix::dense(dense.nrows(), &dense.iter().copied().collect::<Vec<f64>>())
+    }
+}

@@ -6,8 +6,6 @@
 //!
 //! | kernel | cost of a sweep | why it is faster |
 //! | --- | --- | --- |
-//! | [`dense::Rows`] | n² entries read | four rows at a time, their four sums independent |
-//! | [`dense::Columns`] | n entries for each x that changes | rows that stay at a bound are skipped |
 //! | [`impulses::RowByRow`] | 12 entries per row, A never formed | the plain form of the next one |
 //! | [`impulses::SimdPairs`] | the same | eight pairs of a group at once, one per lane |
 //!
@@ -19,12 +17,10 @@
 //! The kernels do not test whether x is a solution; stop tests stay with the solvers. [`Width`]
 //! selects the instruction set; results are bitwise identical with all.
 
-pub mod dense;
 pub mod impulses;
 pub(crate) mod lanes;
 pub(crate) mod panels;
 pub(crate) mod rank_one;
-pub mod reading;
 pub(crate) mod rows;
 pub mod table;
 pub(crate) mod tableau;

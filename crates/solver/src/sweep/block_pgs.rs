@@ -70,17 +70,13 @@ impl Solver for BlockPgs {
 
 /// The blocks of rows, in the order of their first rows.
 fn blocks(lcp: &Lcp, rows_per_block: usize) -> Vec<Vec<usize>> {
-    let mut friction = vec![Vec::new(); lcp.len()];
-    let mut is_normal_or_friction = vec![false; lcp.len()];
-    for (i, k) in lcp.coupling().into_iter().flat_map(Coupling::rows) {
-        friction[k].push(i);
-        is_normal_or_friction[i] = true;
-        is_normal_or_friction[k] = true;
-    }
-    let contacts = (0..lcp.len()).filter(|&k| !friction[k].is_empty());
+    let friction = lcp.coupling().map_or_else(Vec::new, Coupling::tangents);
+    let contacts = friction.into_iter().enumerate().filter(|(_, tangents)| !tangents.is_empty());
     let mut blocks: Vec<Vec<usize>> =
-        contacts.map(|k| [&[k], friction[k].as_slice()].concat()).collect();
-    let others: Vec<usize> = (0..lcp.len()).filter(|&i| !is_normal_or_friction[i]).collect();
+        contacts.map(|(k, tangents)| [vec![k], tangents].concat()).collect();
+    let mut is_single = vec![true; lcp.len()];
+    blocks.iter().flatten().for_each(|&i| is_single[i] = false);
+    let others: Vec<usize> = (0..lcp.len()).filter(|&i| is_single[i]).collect();
     let consecutive = others.chunk_by(|i, j| i + 1 == *j);
     blocks.extend(consecutive.flat_map(|run| run.chunks(rows_per_block.max(1))).map(<[_]>::to_vec));
     blocks.sort_by_key(|rows| rows.iter().min().copied());

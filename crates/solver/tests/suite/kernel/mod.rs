@@ -1,4 +1,3 @@
-mod dense;
 mod panels;
 mod rank_one;
 mod rows;
