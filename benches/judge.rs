@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use lcplab::certificate::exact::prove;
+use lcplab::judge::exact::prove;
 use lcplab::lcp::{Lcp, Matrix};
 use lcplab::solver::{Dantzig, Settings, Solver, Start};
 use nalgebra::DMatrix;

@@ -9,12 +9,13 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use lcplab::certificate::{Demand, judge_friction};
 use lcplab::error::Result;
 use lcplab::file;
+use lcplab::files;
+use lcplab::judge::{Demand, judge_friction};
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::Model;
-use lcplab::lcp::{Question, exchange, library};
+use lcplab::lcp::{Question, library};
 use lcplab::proof::{Claim, Near, ProofSearch, prove};
 use lcplab::report::answer::first_answer;
 use lcplab::scene::catalogue::SHIPPED;
@@ -57,7 +58,7 @@ fn main() -> Result<()> {
         paths.retain(|path| path.extension().is_some_and(|ending| ending == "npz"));
         paths.sort();
         for path in paths {
-            let problem = exchange::read(&path, None)?;
+            let problem = files::read(&path, None)?;
             if problem.model == model {
                 tally.add("frames", problem)?;
             }

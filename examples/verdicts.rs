@@ -13,10 +13,10 @@
 use lcplab::simulation::Simulation;
 use std::io::{self, BufWriter, Write};
 
-use lcplab::certificate::{Demand, judge, judge_cone};
 use lcplab::diagnosis;
 use lcplab::error::Result;
 use lcplab::hunt;
+use lcplab::judge::{Demand, judge, judge_cone};
 use lcplab::lcp::file::{Problem, number};
 use lcplab::lcp::friction::{ConeProblem, FrictionProblem, Law, Model, Polyhedral, ProblemForm};
 use lcplab::lcp::{Lcp, library};

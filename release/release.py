@@ -153,7 +153,7 @@ def build(ci_passed: bool) -> None:
     run("cargo", "build", "--release")
     run(sys.executable, "release/archive.py", "--out", OUT)
     run("site/check.sh", "full")
-    shutil.copy(TARGET / "public/problems/lcplab-problem-set.zip", OUT)
+    shutil.copy(TARGET / "public/problems/lcplab-lcp-set.zip", OUT)
 
 
 if __name__ == "__main__":

@@ -72,7 +72,7 @@ been released yet, so add them by path, from a copy of this repository:
 
 ```toml
 [dependencies]
-lcplab-problem = { path = "…/lcplab/crates/problem" }
+lcplab-lcp = { path = "…/lcplab/crates/lcp" }
 lcplab-judge = { path = "…/lcplab/crates/judge" }
 ```
 """,
@@ -80,7 +80,7 @@ lcplab-judge = { path = "…/lcplab/crates/judge" }
 [crates.io](https://crates.io/crates/lcplab):
 
 ```console
-$ cargo add lcplab-problem lcplab-judge
+$ cargo add lcplab-lcp lcplab-judge
 ```
 """,
     ),

@@ -33,7 +33,7 @@ def pages(maker: Maker, out: Path) -> list[Page]:
     target = out / "problems/set"
     shutil.copytree(folder, target, dirs_exist_ok=True)
     shutil.copytree(maker.work / "proofs", out / "problems/proofs", dirs_exist_ok=True)
-    archive = out / "problems/lcplab-problem-set.zip"
+    archive = out / "problems/lcplab-lcp-set.zip"
     pack(archive, [*sorted(folder.iterdir()), *sorted((maker.work / "proofs").iterdir())])
     cards = [card(row, proofs.get(row["file"])) for row in rows]
     return [table(folder, archive, rows, proofs), *cards]
@@ -60,7 +60,7 @@ def pack(archive: Path, files: list[Path]) -> None:
     """The same files give the same bytes: no times, one order."""
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as box:
         for file in files:
-            name = f"lcplab-problem-set/{'proofs/' if file.parent.name == 'proofs' else ''}{file.name}"
+            name = f"lcplab-lcp-set/{'proofs/' if file.parent.name == 'proofs' else ''}{file.name}"
             box.writestr(zipfile.ZipInfo(name), file.read_bytes(), zipfile.ZIP_DEFLATED, 9)
 
 
@@ -74,7 +74,7 @@ def version(folder: Path) -> str:
 
 
 def bibtex(folder: Path, count: int) -> str:
-    return f"""@misc{{lcplab-problem-set,
+    return f"""@misc{{lcplab-lcp-set,
   author = {{{{The lcplab developers}}}},
   title  = {{lcplab problem set {version(folder)}: {count} linear complementarity problems of contact}},
   note   = {{Version {version(folder)}; SHA-256 of index.csv:
@@ -103,7 +103,7 @@ def table(folder: Path, archive: Path, rows: list[dict[str, str]], proofs: dict[
     body = f"""<h1>{title}</h1>
 <p class="lead">{len(rows)} linear complementarity problems of contact: published and hard families, generated problems with known
 solutions, steps of scenes, and problems that physics engines pose. {len(proofs)} of them have a proof file.</p>
-<p><a href="{archive.name}" download>lcplab-problem-set.zip</a>: all problems, their index and their proofs, {archive.stat().st_size / 1e6:.1f} MB,
+<p><a href="{archive.name}" download>lcplab-lcp-set.zip</a>: all problems, their index and their proofs, {archive.stat().st_size / 1e6:.1f} MB,
 SHA-256 <code class="hash">{sha256(archive)}</code>. The index alone: <a href="set/index.csv">index.csv</a>. The same files are written by
 <code>lcplab problems --export set</code>. What the keys of a file mean is stated in <a href="formats.html">Problem files</a>, and what a proof
 states in <a href="../guide/proofs.html">Proof files</a>.</p>

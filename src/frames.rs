@@ -3,7 +3,7 @@
 //! | file | the engine's answer |
 //! | --- | --- |
 //! | `STEM.json`, a problem file with the key `motion` | the file `STEM.x.json`, or the key `answer` of the problem |
-//! | `STEM.npz`, a frame as [`exchange`] reads it | the file `STEM.x.json`, or the arrays `x` and `v` |
+//! | `STEM.npz`, a frame as [`files`] reads it | the file `STEM.x.json`, or the arrays `x` and `v` |
 //!
 //! An answer is an object with the keys `x` (n forces or impulses), `motion` (the k entries of the
 //! new velocity or acceleration) and `reported_push` (k generalized forces); the last two are
@@ -16,8 +16,8 @@ use serde_json::Value;
 
 use crate::error::{Defects, Error, Result};
 use crate::file;
+use crate::files;
 use crate::json;
-use crate::lcp::exchange;
 use crate::memory::Memory;
 use crate::report::study::receipt::{EngineStep, answer_of};
 
@@ -109,7 +109,7 @@ impl Frame {
 
     fn problem(&self, most: Memory) -> Result<Value> {
         match self.path.extension().is_some_and(|end| end == "npz") {
-            true => Ok(exchange::read_within(&self.path, None, most)?.to_json()),
+            true => Ok(files::read_within(&self.path, None, most)?.to_json()),
             false => object(&self.path, most),
         }
     }

@@ -13,7 +13,7 @@
 //! refer to errata of that chapter.
 //!
 //! ```
-//! use lcplab::certificate::{Demand, judge};
+//! use lcplab::judge::{Demand, judge};
 //! use lcplab::scene::Scene;
 //! use lcplab::simulation::Simulation;
 //! use lcplab::solver::Dantzig;
@@ -30,30 +30,32 @@
 //! ```
 //!
 //! The modules follow the flow of data. Physics: [`body`], [`constraint`], [`scene`], [`assembly`].
-//! Numbers: [`lcp`], [`storage`], [`solver`], [`mod@reference`], [`certificate`]. [`formulation`]
+//! Numbers: [`lcp`], [`storage`], [`solver`], [`mod@reference`], [`mod@judge`]. [`formulation`]
 //! connects the two. [`plugin`] runs solvers written in other languages, [`hunt`] tests solvers for
 //! false claims, [`simulation`] takes many steps, [`trace`], [`plot`] and [`report`] show the
 //! results, [`explain`] derives a step line by line, [`diagnosis`] explains why a step cannot be
 //! taken, [`chapter`] shows what K&M print next to the correct statements, [`lesson`] contains the
 //! lessons, and [`live`] the interactive pages.
 
-pub use lcplab_judge as certificate;
+pub use lcplab_analysis::{card, diagnosis, explain, hunt};
+pub use lcplab_files as files;
+pub use lcplab_judge as judge;
 pub use lcplab_judge::reference;
+pub use lcplab_lcp as lcp;
+pub use lcplab_lcp::{error, json, memory};
 pub use lcplab_mechanics::{assembly, body, constraint, formulation, scene, simulation};
 pub use lcplab_page::{csv, document, number, page, plot};
 pub use lcplab_plugin as plugin;
-pub use lcplab_problem::{error, json, memory};
 pub use lcplab_proof as proof;
 pub use lcplab_solver as solver;
 pub use lcplab_solver::{textbook, trace};
-pub use lcplab_study::{card, diagnosis, explain, hunt};
 
 // The command line and the cells of lessons use this name.
 extern crate self as lcplab;
 
+pub mod animation;
 pub mod chapter;
 pub mod cli;
-pub mod film;
 pub mod frames;
 pub mod lesson;
 pub mod live;
@@ -79,17 +81,11 @@ mod handout {
     include!(concat!(env!("OUT_DIR"), "/handout.rs"));
 }
 
-/// Problems as numbers, and their files.
-pub mod lcp {
-    pub use lcplab_files as exchange;
-    pub use lcplab_problem::*;
-}
-
 /// File access: files are read completely up to a maximum size, and written completely or not at
 /// all.
 pub mod file {
     pub use lcplab_files::disk::*;
-    pub use lcplab_problem::disk::*;
+    pub use lcplab_lcp::disk::*;
 }
 
 /// Runs the examples of the README as tests.

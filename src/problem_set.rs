@@ -8,11 +8,11 @@ use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
 use crate::card::Card;
-use crate::certificate::exact::prove;
-use crate::certificate::{Demand, Verdict, judge};
 use crate::csv;
 use crate::error::Result;
 use crate::file;
+use crate::judge::exact::prove;
+use crate::judge::{Demand, Verdict, judge};
 use crate::lcp::file::{Expected, Problem};
 use crate::lcp::friction::Model;
 use crate::lcp::library::{self, Family};

@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId};
-use lcplab::certificate::{Demand, Verdict, judge};
+use lcplab::judge::{Demand, Verdict, judge};
 use lcplab::lcp::Lcp;
 use lcplab::reference::{Reference, box_qp_to};
 use lcplab::solver::{Options, Registry, Settings, Solution, Start, Status};

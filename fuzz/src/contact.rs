@@ -2,7 +2,7 @@
 //! that answer and none that is far from it, and no solver claims another one.
 
 use arbitrary::{Result, Unstructured};
-use lcplab::certificate::{Demand, judge_cone, judge_friction};
+use lcplab::judge::{Demand, judge_cone, judge_friction};
 use lcplab::lcp::friction::{ConeProblem, Contact, FrictionProblem, Law, Model};
 use lcplab::lcp::{Lcp, Matrix};
 use lcplab::solver::{Registry, Settings, Start, Status};

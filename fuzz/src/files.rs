@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::sync::OnceLock;
 
-use lcplab::lcp::exchange::{Format, Input, encode};
+use lcplab::files::{Format, Input, encode};
 use lcplab::lcp::file::Problem;
 use lcplab::memory::Memory;
 
@@ -90,7 +90,7 @@ fn assert_survives(problem: &Problem) {
         };
         assert_eq!(row(one), row(other), "row {i}");
     }
-    for format in lcplab::lcp::exchange::ALL {
+    for format in lcplab::files::ALL {
         let _ = encode(problem, format); // an error is an answer
     }
 }

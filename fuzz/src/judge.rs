@@ -1,8 +1,8 @@
 //! The judge on any x, NaN and infinity too, against all solutions in exact arithmetic.
 
 use arbitrary::{Result, Unstructured};
-use lcplab::certificate::ray::refute;
-use lcplab::certificate::{Demand, Verdict, judge as verdict_on};
+use lcplab::judge::ray::refute;
+use lcplab::judge::{Demand, Verdict, judge as verdict_on};
 use lcplab::lcp::Lcp;
 use lcplab::solver::all_solutions;
 

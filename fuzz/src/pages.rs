@@ -87,8 +87,8 @@ fn assert_sound(document: &ReportPage) {
 fn assert_own(page: &Page) {
     let Ok(html) = page.render() else { return };
     let count = |piece: &str| html.matches(piece).count();
-    let films = count("<script type=\"application/json\">");
-    assert_eq!(count("<script"), 1 + films);
+    let animations = count("<script type=\"application/json\">");
+    assert_eq!(count("<script"), 1 + animations);
     assert_eq!(count("<math"), count("</math>"));
     for tag in ["<iframe", "<object", "<embed", "<form", "<base", "href=\"javascript:"] {
         assert_eq!(count(tag), 0, "{tag}");

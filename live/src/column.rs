@@ -4,8 +4,8 @@
 //! w_i = u_i − u_{i−1} + gap_i / dt,   a_ii = 1/m_i + 1/m_{i−1},   a_{i,i−1} = −1/m_{i−1},   m_{−1} = ∞
 //! ```
 
-use lcplab_problem::file::Problem;
-use lcplab_problem::{Lcp, Matrix};
+use lcplab_lcp::file::Problem;
+use lcplab_lcp::{Lcp, Matrix};
 use lcplab_solver::{Settings, Start};
 use serde::Deserialize;
 use serde_json::{Value, json};

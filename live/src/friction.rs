@@ -1,7 +1,7 @@
 //! A block that is pressed on the floor and pushed along it, under several friction models.
 
-use lcplab_problem::friction::{FrictionProblem, Model, ProblemForm};
-use lcplab_problem::{Coupling, Lcp, Matrix, hypot};
+use lcplab_lcp::friction::{FrictionProblem, Model, ProblemForm};
+use lcplab_lcp::{Coupling, Lcp, Matrix, hypot};
 use lcplab_solver::{ConePgs, ConeSolver, Lemke, Pgs, Settings, Solver, Start, solve_polyhedral};
 use serde::Deserialize;
 use serde_json::{Value, json};

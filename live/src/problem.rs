@@ -1,13 +1,13 @@
 //! A problem of the user: solved by any method and derived, judged, proved.
 
+use lcplab_analysis::answer::{Answer as JudgedAnswer, bound, certificate_text};
+use lcplab_analysis::explain::{Method, problem as derivation};
 use lcplab_judge::{Demand, judge};
+use lcplab_lcp::file::Problem;
+use lcplab_lcp::{Lcp, Question};
 use lcplab_page::document::Block;
-use lcplab_problem::file::Problem;
-use lcplab_problem::{Lcp, Question};
 use lcplab_proof::prove;
 use lcplab_solver::{Options, Registry, Start, default_for};
-use lcplab_study::answer::{Answer as JudgedAnswer, bound, certificate_text};
-use lcplab_study::explain::{Method, problem as derivation};
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
 

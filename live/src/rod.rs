@@ -1,9 +1,9 @@
 //! Painlevé's rod: the number of forces that hold its end, the impulses that do, and its further
-//! motion. Mass, half length and g are 1; `lcplab_problem::library::painleve` derives the rows.
+//! motion. Mass, half length and g are 1; `lcplab_lcp::library::painleve` derives the rows.
 
-use lcplab_problem::exact::all_solutions;
-use lcplab_problem::friction::{FrictionProblem, Model};
-use lcplab_problem::{Coupling, Lcp, Matrix};
+use lcplab_lcp::exact::all_solutions;
+use lcplab_lcp::friction::{FrictionProblem, Model};
+use lcplab_lcp::{Coupling, Lcp, Matrix};
 use serde::Deserialize;
 use serde_json::{Value, json};
 

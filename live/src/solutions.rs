@@ -1,7 +1,7 @@
 //! All solutions of a small problem, in exact arithmetic.
 
-use lcplab_problem::exact::all_solutions;
-use lcplab_problem::file::Problem;
+use lcplab_lcp::exact::all_solutions;
+use lcplab_lcp::file::Problem;
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
 

@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 
 use lcplab_judge::{Demand, judge};
-use lcplab_problem::file::{Problem, number};
-use lcplab_problem::{Lcp, merit};
+use lcplab_lcp::file::{Problem, number};
+use lcplab_lcp::{Lcp, merit};
 use lcplab_solver::theory::{principal_submatrix, sor_iteration_matrix};
 use lcplab_solver::{
     Damping, Dantzig, Event, Iterate, Jacobi, Lemke, Murty, Observer, Order, Pgs, RowUpdate,

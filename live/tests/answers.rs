@@ -189,10 +189,10 @@ mod study {
     #[test]
     fn a_proof_of_the_page_is_one_for_the_checker() {
         let found = ask(json!({ "ask": "prove", "problem": fig7(), "x": [4, 3, 1] }));
-        let problem = lcplab_problem::file::Problem::parse(FIG7, "fig7").unwrap();
+        let problem = lcplab_lcp::file::Problem::parse(FIG7, "fig7").unwrap();
         let proof =
             lcplab_proof::Proof::parse(&found["proof"]["file"].to_string(), "proof").unwrap();
-        let question = lcplab_problem::Question::new(&problem, None, "fig7").unwrap();
+        let question = lcplab_lcp::Question::new(&problem, None, "fig7").unwrap();
         assert_eq!(lcplab_proof::check(&question, &proof), Ok(()));
         assert_eq!(found["proof"]["kind"], "unique");
     }

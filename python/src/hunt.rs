@@ -43,7 +43,7 @@ pub struct SearchArgs {
 pub fn hunt<'py>(
     py: Python<'py>,
     solver: Bound<'py, PyAny>,
-    rival: Option<Bound<'py, PyAny>>,
+    baseline: Option<Bound<'py, PyAny>>,
     args: SearchArgs,
     given: SolverSettings,
     start: Vec<PyRef<'py, Problem>>,
@@ -66,7 +66,7 @@ pub fn hunt<'py>(
     let target = Target {
         measure,
         solver: callable::method(&solver, start.model)?,
-        rival: rival.map(|rival| callable::method(&rival, start.model)).transpose()?,
+        baseline: baseline.map(|baseline| callable::method(&baseline, start.model)).transpose()?,
         options: given.options()?,
         model: start.model,
         within: start.within,

@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use lcplab::card::Card;
-use lcplab::lcp::{exchange, file, library};
+use lcplab::files;
+use lcplab::lcp::{file, library};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 
@@ -29,7 +30,7 @@ impl Problem {
     /// The problem of a file.
     #[staticmethod]
     fn read(path: PathBuf) -> PyResult<Self> {
-        exchange::read(&path, None).map(Problem).map_err(refused)
+        files::read(&path, None).map(Problem).map_err(refused)
     }
 
     /// A problem of the library.
@@ -43,7 +44,7 @@ impl Problem {
 
     /// Writes it to a file; returns warnings for its readers.
     fn write(&self, path: PathBuf) -> PyResult<Vec<String>> {
-        exchange::write(&self.0, &path, None).map_err(refused)
+        files::write(&self.0, &path, None).map_err(refused)
     }
 
     /// The text of its problem file.

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::rc::Rc;
 
-use lcplab::certificate::Demand;
+use lcplab::judge::Demand;
 use lcplab::lcp::Question;
 use lcplab::lcp::friction::Form;
 use lcplab::report::loads::Loads;

@@ -1,6 +1,6 @@
 //! Solve, judge, explain and compare.
 
-use lcplab::certificate::{self, Demand, Verdict};
+use lcplab::judge::{self, Demand, Verdict};
 use lcplab::document::Format;
 use lcplab::error::Error;
 use lcplab::explain::{Method as Explained, problem as explained};
@@ -227,7 +227,7 @@ pub fn judge(
         }
         None => {
             let certificate =
-                py.detach(|| searched(lcp, certificate::judge(lcp, &x, &demand), &demand));
+                py.detach(|| searched(lcp, judge::judge(lcp, &x, &demand), &demand));
             (certificate.verdict, json_object(&certificate))
         }
     };

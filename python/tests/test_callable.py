@@ -256,7 +256,7 @@ def test_ctrl_c_stops_a_hunt():
     "function", [lambda: None, lambda A, b: b, lambda A, b, lo, hi: b, lambda A, b, lo, hi, *, sweeps, **settings: b]
 )
 def test_the_hunt_refuses_a_function_that_cannot_be_called_as_a_solver(function):
-    for search in (lambda f: lcplab.hunt(f, evaluations=10), lambda f: lcplab.hunt("pgs", "ratio", rival=f, evaluations=10)):
+    for search in (lambda f: lcplab.hunt(f, evaluations=10), lambda f: lcplab.hunt("pgs", "ratio", baseline=f, evaluations=10)):
         with pytest.raises(TypeError, match=r"solver: .*\(A, b, lo, hi, tolerance=, max_iterations=.* is no valid call"):
             search(function)
     with pytest.raises(TypeError, match="is no valid call"):

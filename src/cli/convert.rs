@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use lcplab::error::{Error, Result};
-use lcplab::lcp::exchange::{self, ALL, Format};
+use lcplab::files::{self, ALL, Format};
 
 use super::limits::MemoryLimit;
 use super::{Outcome, print, say, warn};
@@ -55,23 +55,23 @@ impl Convert {
             print(&ALL.iter().map(description).collect::<String>())?;
             return Ok(Outcome::Good);
         };
-        let problem = exchange::read_within(source, from, self.memory.max_memory)?;
+        let problem = files::read_within(source, from, self.memory.max_memory)?;
         warn(&problem);
         let to = to.or_else(|| Format::of(target));
-        if let Some(model) = exchange::model(&problem) {
+        if let Some(model) = files::model(&problem) {
             say(&format!("note: {}: the friction model is {model}", source.display()));
         }
         let notes = if target == Path::new("-") {
-            let output = exchange::encode(&problem, to.unwrap_or(&exchange::JSON))?;
+            let output = files::encode(&problem, to.unwrap_or(&files::JSON))?;
             let text = String::from_utf8(output.main).ok().filter(|_| output.parts.is_empty());
             let reason = "is not a single text: it needs a file";
             print(&text.ok_or_else(|| Error::invalid("-", "format", reason))?)?;
             output.notes
         } else {
-            exchange::write(&problem, target, to)?
+            files::write(&problem, target, to)?
         };
-        if let Some((own, meant)) = exchange::remodelled(&problem, to.unwrap_or(&exchange::JSON)) {
-            let (from, format) = (source.display(), to.unwrap_or(&exchange::JSON).name);
+        if let Some((own, meant)) = files::remodelled(&problem, to.unwrap_or(&files::JSON)) {
+            let (from, format) = (source.display(), to.unwrap_or(&files::JSON).name);
             say(&format!(
                 "warning: {}: {format} means {meant}, {from} is {own}: the two problems have different solutions",
                 target.display()

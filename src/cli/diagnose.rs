@@ -10,8 +10,8 @@ use lcplab::diagnosis::{self, Cause, Diagnosis, find_mistakes, problem, single_p
 use lcplab::document::Document;
 use lcplab::error::{Error, Result};
 use lcplab::file;
+use lcplab::files;
 use lcplab::lcp::Question;
-use lcplab::lcp::exchange;
 use lcplab::lcp::file::{Problem, read_answers};
 use lcplab::memory::Memory;
 use lcplab::report::motion_error::MotionError;
@@ -110,7 +110,7 @@ impl Diagnose {
             print(&mistake::known(self.json))?;
             return Ok(Outcome::Good);
         }
-        let is_problem = exchange::is_problem(Path::new(&self.input));
+        let is_problem = files::is_problem(Path::new(&self.input));
         if let Some(answer) = &self.answer {
             if !is_problem {
                 return Err(Error::invalid(
@@ -238,7 +238,7 @@ impl Diagnose {
     /// Diagnoses the problems of a folder, in the order of their names.
     fn sequence(&self, solver: Option<&str>, solvers: &Registry) -> Result<Outcome> {
         let paths = file::list(Path::new(&self.input))?;
-        let paths = paths.iter().filter(|path| exchange::is_problem(path));
+        let paths = paths.iter().filter(|path| files::is_problem(path));
         let problems = paths.map(|path| {
             let mut problem = read_problem(path, Memory::default())?;
             problem.name =

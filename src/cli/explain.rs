@@ -4,12 +4,13 @@ use lcplab::simulation;
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
+use lcplab::animation::{Frame, Strip};
 use lcplab::document::{Document, Section};
 use lcplab::error::{Error, Result};
 use lcplab::explain::{Method, problem, steps};
-use lcplab::film::{Frame, Strip};
+use lcplab::files;
+use lcplab::lcp::Question;
 use lcplab::lcp::friction::Model;
-use lcplab::lcp::{Question, exchange};
 use lcplab::memory::Memory;
 use lcplab::plot::Figure;
 use lcplab::report::page::Picture;
@@ -115,7 +116,7 @@ fn motion(scene: &Scene, solver: &str, first: usize, last: usize) -> Result<Opti
 
 impl Explain {
     pub fn run(&self) -> Result<Outcome> {
-        let is_problem = exchange::is_problem(Path::new(&self.input));
+        let is_problem = files::is_problem(Path::new(&self.input));
         let document = if is_problem { self.of_problem()? } else { self.of_scene()? };
         self.writing.write(&document)
     }

@@ -1,7 +1,7 @@
 //! Friction problems in `solve` and `judge`.
 
-use lcplab::certificate::{Demand, Verdict};
 use lcplab::error::Result;
+use lcplab::judge::{Demand, Verdict};
 use lcplab::lcp::Question;
 use lcplab::lcp::file::number;
 use lcplab::number::counted;

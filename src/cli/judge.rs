@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use lcplab::certificate::{Demand, Verdict, judge, printed_up};
 use lcplab::error::Result;
+use lcplab::judge::{Demand, Verdict, judge, printed_up};
 use lcplab::lcp::Question;
 use lcplab::lcp::file::{Problem, number, read_answers};
 use lcplab::lcp::friction::Model;

@@ -40,7 +40,7 @@ use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
 use lcplab::error::{Error, Result};
 use lcplab::file;
-use lcplab::lcp::exchange;
+use lcplab::files;
 use lcplab::lcp::file::Problem;
 use lcplab::memory::Memory;
 use lcplab::number::plain;
@@ -255,7 +255,7 @@ fn baseline_text(path: &Path) -> Result<String> {
 
 /// The problem of a file, in the format of its extension; JSON by default.
 fn read_problem(path: &Path, most: Memory) -> Result<Problem> {
-    let problem = exchange::read_within(path, None, most)?;
+    let problem = files::read_within(path, None, most)?;
     warn(&problem);
     Ok(problem)
 }

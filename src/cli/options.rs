@@ -7,8 +7,8 @@
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use lcplab::certificate::Demand;
 use lcplab::error::{Defects, Error, Result};
+use lcplab::judge::Demand;
 use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
 use lcplab::scene::RowOrder;

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use lcplab::certificate::{Certificate, Demand, Verdict};
 use lcplab::error::{Error, Result};
+use lcplab::judge::{Certificate, Demand, Verdict};
 use lcplab::lcp::Question;
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::Model;

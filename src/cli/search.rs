@@ -191,7 +191,7 @@ impl SearchArgs {
         options.omega = self.omega.unwrap_or(options.omega);
         options.validate()?;
         let method = |name: &str| solvers.method(name, given.model).cloned();
-        let (solver, rival) = match (pair.transpose()?, names) {
+        let (solver, baseline) = match (pair.transpose()?, names) {
             (Some((a, b)), _) => (method(a)?, Some(method(b)?)),
             (None, [name]) => (method(name)?, None),
             (None, _) => return Err(wrong("give one solver: --solver NAME or one --plugin")),
@@ -199,7 +199,7 @@ impl SearchArgs {
         let target = Target {
             measure,
             solver,
-            rival,
+            baseline,
             options,
             model: given.model,
             within: given.within,

@@ -36,7 +36,7 @@ pub const KINDS: &[Kind] = &[
     Kind::of::<study::sparsity::Plan>(),
     Kind::of::<study::drift::Plan>(),
     Kind::of::<study::profiles::Plan>(),
-    Kind::of::<study::film::Plan>(),
+    Kind::of::<study::animation::Plan>(),
     Kind::of::<study::scenes::Plan>(),
     Kind::of::<study::solved::Plan>(),
     Kind::of::<study::cards::Plan>(),
@@ -47,7 +47,7 @@ pub const KINDS: &[Kind] = &[
 /// Kinds of studies that only show something, and why nothing in them can fail. Their sections
 /// count as good unless a task fails; all other kinds decide by their measurements.
 pub const UNDECIDED: [(&str, &str); 2] = [
-    ("film", "some animations show motions that end early or go wrong"),
+    ("animation", "some animations show motions that end early or go wrong"),
     ("sparsity", "a picture of the nonzero entries of matrices"),
 ];
 

@@ -15,7 +15,7 @@ pub mod study;
 pub mod view;
 pub mod write;
 
-pub use lcplab_page::{page, terminal, text};
-pub use lcplab_study::{
+pub use lcplab_analysis::{
     answer, aside, clarabel, friction, loads, methods, minimum, motion_error, tasks,
 };
+pub use lcplab_page::{page, terminal, text};

@@ -5,7 +5,7 @@
 //! page + script ─→ frame.html in index.html ─→ chromium --dump-dom ─→ what the script saw, as JSON
 //! ```
 //!
-//! Time is virtual, so that a film of seconds is over at once. Frames are not drawn then, so
+//! Time is virtual, so that an animation of seconds is over at once. Frames are not drawn then, so
 //! callbacks of `requestAnimationFrame` come from a timer.
 
 use std::fs;

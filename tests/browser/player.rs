@@ -1,18 +1,18 @@
-//! The film plays, stops, steps, and goes where it is told to.
+//! The animation plays, stops, steps, and goes where it is told to.
 
 use serde_json::json;
 
 use super::sample;
 
-/// The film and its instant: a hundred steps in eleven instants.
-const FILM: &str = "
-const film = find('figure.player'), part = (name) => find(name, film);
+/// The animation and its instant: a hundred steps in eleven instants.
+const ANIMATION: &str = "
+const animation = find('figure.player'), part = (name) => find(name, animation);
 const now = () => [Number(part('.scrub').value), part('.clock').textContent.split('step ')[1]];
 const stage = () => part('.bodies').innerHTML;
 ";
 
 fn seen(script: &str) -> serde_json::Value {
-    sample().seen(1280, &format!("{FILM}{script}"))
+    sample().seen(1280, &format!("{ANIMATION}{script}"))
 }
 
 #[test]
@@ -68,7 +68,7 @@ fn the_slider_moves_the_bodies() {
 fn a_drag_turns_the_camera_and_two_clicks_turn_it_back() {
     let page = super::written(&["simulate", "stack", "--steps", "10"], "index.html");
     let script = format!(
-        "{FILM}{}",
+        "{ANIMATION}{}",
         "const svg = part('.stage'), soil = part('.soil'), first = [stage(), soil.innerHTML];
         svg.setPointerCapture = () => {};
         const at = (type, x, y) => svg.dispatchEvent(new PointerEvent(type, { clientX: x, clientY: y, buttons: 1, pointerId: 1 }));

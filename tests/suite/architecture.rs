@@ -10,16 +10,16 @@ use toml::Table;
 /// The libraries, and those of ours that each may use. The judge must not see a solver, a page
 /// neither solvers nor scenes.
 const CRATES: [(&str, &[&str]); 10] = [
-    ("problem", &[]),
-    ("solver", &["problem"]),
-    ("judge", &["problem"]),
-    ("proof", &["problem", "judge"]),
-    ("files", &["problem"]),
-    ("plugin", &["problem", "solver"]),
-    ("page", &["problem"]),
+    ("lcp", &[]),
+    ("solver", &["lcp"]),
+    ("judge", &["lcp"]),
+    ("proof", &["lcp", "judge"]),
+    ("files", &["lcp"]),
+    ("plugin", &["lcp", "solver"]),
+    ("page", &["lcp"]),
     ("bodies", &[]),
-    ("mechanics", &["bodies", "problem", "solver", "judge"]),
-    ("study", &["problem", "solver", "judge", "mechanics", "page"]),
+    ("mechanics", &["bodies", "lcp", "solver", "judge"]),
+    ("analysis", &["lcp", "solver", "judge", "mechanics", "page"]),
 ];
 
 /// The modules of the crates that have rows of them; `src` is the program's.
@@ -27,7 +27,7 @@ const ROWS: [(&str, &[&[&str]]); 5] = [
     (
         "src",
         &[
-            &["storage", "film", "live"],
+            &["storage", "animation", "live"],
             &["report"],
             &["frames"],
             &["chapter", "problem_set"],
@@ -49,7 +49,7 @@ const ROWS: [(&str, &[&[&str]]); 5] = [
     ("crates/mechanics/src", &[&["scene"], &["assembly"], &["formulation"], &["simulation"]]),
     ("crates/bodies/src", &[&["body"], &["constraint"]]),
     (
-        "crates/study/src",
+        "crates/analysis/src",
         &[
             &["number"],
             &[

@@ -2,8 +2,8 @@
 
 use std::fs;
 
-use lcplab::certificate::{Demand, judge_friction};
-use lcplab::lcp::exchange;
+use lcplab::files;
+use lcplab::judge::{Demand, judge_friction};
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::{Model, ProblemForm};
 use lcplab::reference::{box_qp, cone_qp};
@@ -17,7 +17,7 @@ fn frames() -> impl Iterator<Item = Problem> {
     paths.retain(|path| path.extension().is_some_and(|ending| ending == "npz"));
     paths.sort();
     assert_eq!(paths.len(), 60);
-    paths.into_iter().map(|path| exchange::read(&path, None).unwrap())
+    paths.into_iter().map(|path| files::read(&path, None).unwrap())
 }
 
 #[test]
@@ -80,7 +80,7 @@ fn the_reference_solves_every_frame_whose_engine_poses_a_convex_program() {
     let demand = Demand { tolerance: 1e-8, prove_up_to: 0 };
     let mut solved = 0;
     for problem in frames() {
-        let posed = match exchange::model(&problem) {
+        let posed = match files::model(&problem) {
             None => ProblemForm::Boxed(problem.lcp.clone()),
             Some(law @ Model::AssociatedCone) => {
                 law.pose(&problem.friction().unwrap().unwrap(), None).unwrap()

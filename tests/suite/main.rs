@@ -1,9 +1,9 @@
 //! The tests, one binary. The modules mirror `src`.
 
+mod animation;
 mod architecture;
 mod chapter;
 mod cli;
-mod film;
 mod frames;
 mod lesson;
 mod long_run;

@@ -1,6 +1,6 @@
 //! All contenders on one problem: their answers are checked first, then they are timed in turns.
 
-use lcplab::certificate::{Demand, Verdict, judge};
+use lcplab::judge::{Demand, Verdict, judge};
 use lcplab::lcp::{Lcp, merit};
 use lcplab_benches::recording::{Answer, Problem};
 use lcplab_benches::timing::Time;

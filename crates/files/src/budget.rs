@@ -2,8 +2,8 @@
 
 use std::cell::Cell;
 
-use lcplab_problem::error::Result;
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::error::Result;
+use lcplab_lcp::memory::Memory;
 
 /// Memory for a number in addition to its stored bytes (bytes): as a float or an index, with its
 /// row and column in a list of entries, and in the resulting matrix.

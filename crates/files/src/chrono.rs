@@ -37,9 +37,9 @@
 use super::delassus::{Entry, Motion, is_symmetric};
 use super::words::Words;
 use super::{Format, Input};
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::{Parts, Problem};
-use lcplab_problem::friction::Model;
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::file::{Parts, Problem};
+use lcplab_lcp::friction::Model;
 
 /// Chrono's dumps.
 pub const FORMAT: Format = Format {

@@ -1,10 +1,10 @@
 //! The row order of friction formats: one contact after the other, each as n, t1, t2 or, in the
 //! plane, as n, t, then the equations.
 
-use lcplab_problem::Lcp;
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::{Entries, Parts, Problem};
-use lcplab_problem::friction::Model;
+use lcplab_lcp::Lcp;
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::file::{Entries, Parts, Problem};
+use lcplab_lcp::friction::Model;
 
 /// A problem whose first rows are contacts, `dimension` rows and one mu each; the remaining rows
 /// are equations. There must be that many rows for each mu.

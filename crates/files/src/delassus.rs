@@ -11,9 +11,9 @@ use faer::Side;
 use faer::linalg::solvers::Solve;
 use faer::sparse::{SparseColMat, Triplet};
 
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::Entries;
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::file::Entries;
+use lcplab_lcp::memory::Memory;
 
 /// Row, column and value.
 pub(super) type Entry = (usize, usize, f64);

@@ -10,7 +10,7 @@ use std::path::{Component, Path, PathBuf};
 
 use tempfile::Builder;
 
-use lcplab_problem::error::{Error, Result};
+use lcplab_lcp::error::{Error, Result};
 
 /// Writes a file whose path the user gave, and creates missing parent folders. It writes under a
 /// temporary name and then renames, so that readers and interrupted runs never leave half a file.

@@ -5,8 +5,8 @@ use std::io::Read;
 use std::path::Path;
 
 use super::Format;
-use lcplab_problem::error::Error;
-use lcplab_problem::xml;
+use lcplab_lcp::error::Error;
+use lcplab_lcp::xml;
 
 /// The number of bytes in which a root element of XML is searched; comments may precede it.
 const BEGINNING: u64 = 1 << 16;

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use lcplab_problem::disk;
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::disk;
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::memory::Memory;
 
 /// A file, together with its companion files, or standard input.
 #[derive(Debug, Clone, PartialEq, Eq)]

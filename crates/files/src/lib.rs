@@ -2,7 +2,7 @@
 //!
 //! | format | file | written | bounds | friction | its unknowns and their order |
 //! | --- | --- | --- | --- | --- | --- |
-//! | `json`: [`file`](lcplab_problem::file) | `.json` | yes | any | any model | w = A x + b, the file defines the contacts' rows |
+//! | `json`: [`file`](lcplab_lcp::file) | `.json` | yes | any | any model | w = A x + b, the file defines the contacts' rows |
 //! | [`matrix_market`] | `.mtx`, several | yes | any | coupled rows | as `json`; a matrix in full is listed by columns |
 //! | [`npz`] | `.npz` | yes | any | coupled rows | as `json`; by rows unless `fortran_order` |
 //! | [`mat`] | `.mat` | no | any | coupled rows | as `json`, or min ½ xᵀPx + qᵀx with constraints: A from P, b from q; by columns |
@@ -17,17 +17,17 @@
 //! part of the problem, such as an answer stored with it, causes a warning.
 //!
 //! ```
-//! use lcplab_files as exchange;
-//! use lcplab_problem::library;
+//! use lcplab_files as files;
+//! use lcplab_lcp::library;
 //!
-//! let folder = std::env::temp_dir().join("lcplab-exchange");
+//! let folder = std::env::temp_dir().join("lcplab-files");
 //! std::fs::create_dir_all(&folder).unwrap();
 //! let path = folder.join("murty.mtx"); // and murty_b.mtx, murty_lo.mtx, murty_hi.mtx beside it
 //! let problem = library::by_name("murty")?.generate(&[("n", 4.0)])?;
-//! exchange::write(&problem, &path, None)?;
-//! let back = exchange::read(&path, None)?;
+//! files::write(&problem, &path, None)?;
+//! let back = files::read(&path, None)?;
 //! assert_eq!(back.lcp.w(&[0.0, 0.0, 0.0, 1.0]), [1.0, 1.0, 1.0, 0.0]);
-//! # Ok::<(), lcplab_problem::error::Error>(())
+//! # Ok::<(), lcplab_lcp::error::Error>(())
 //! ```
 //!
 //! MuJoCo's contact problems come as `json`: `examples/python/mujoco_contacts.py` writes them with
@@ -62,10 +62,10 @@ pub use several::several;
 
 use std::path::{Path, PathBuf};
 
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::Problem;
-use lcplab_problem::friction::Model;
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::file::Problem;
+use lcplab_lcp::friction::Model;
+use lcplab_lcp::memory::Memory;
 
 /// A format of problem files.
 #[derive(Debug, Clone, Copy)]

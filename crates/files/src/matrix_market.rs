@@ -4,7 +4,7 @@
 //! NISTIR 5935 (1996); each file holds one matrix. The matrix is in `problem.mtx`, `problem_A.mtx`
 //! or `A.mtx`. Next to it are `problem_b.mtx` (or `b.mtx`), as in the SuiteSparse collection, `lo`
 //! and `hi` (0 and ∞ if the file is missing), and, with friction, `friction_index` (rows counted
-//! from 0, −1 for none) and `mu`. Their meaning is the same as in [`file`](lcplab_problem::file): w
+//! from 0, −1 for none) and `mu`. Their meaning is the same as in [`file`](lcplab_lcp::file): w
 //! = A x + b.
 //!
 //! ```text
@@ -28,9 +28,9 @@ use super::output::decimal;
 use super::table::{Table, by_rows, parts};
 use super::words::{Words, brief};
 use super::{Format, Input, MATRIX, Output};
-use lcplab_problem::Matrix;
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::{Entries, Problem};
+use lcplab_lcp::Matrix;
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::file::{Entries, Problem};
 
 /// Matrix Market.
 pub const FORMAT: Format = Format {

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::MATRIX;
 use super::input::beside;
 use crate::disk;
-use lcplab_problem::error::Result;
+use lcplab_lcp::error::Result;
 
 /// The file or files of a problem in some format.
 #[derive(Debug, Clone, Default, PartialEq)]

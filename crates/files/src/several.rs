@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use lcplab_problem::error::{Error, Result};
+use lcplab_lcp::error::{Error, Result};
 
 use super::is_problem;
 
@@ -22,7 +22,7 @@ use super::is_problem;
 /// assert_eq!(several(&format!("{folder}"), is_problem)?.unwrap().len(), 2);
 /// assert_eq!(several(&format!("{folder}/*.json"), is_problem)?.unwrap(), [format!("{folder}/a.json")]);
 /// assert_eq!(several(&format!("{folder}/a.json"), is_problem)?, None);
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 ///
 /// # Errors

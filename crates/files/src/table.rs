@@ -1,7 +1,7 @@
 //! A table of numbers from a file, before its role in the problem is known.
 
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::{Entries, Parts};
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::file::{Entries, Parts};
 
 /// Limit on the rows of a sparse table that is converted to a dense vector.
 const MOST_ROWS: usize = 10_000_000;

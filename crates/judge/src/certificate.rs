@@ -5,9 +5,9 @@ use std::fmt;
 use dashu_ratio::RBig;
 
 use super::{Refusal, Refutation, Verdict};
-use lcplab_problem::accurate::Sum;
-use lcplab_problem::merit::Sum as _;
-use lcplab_problem::number::readable;
+use lcplab_lcp::accurate::Sum;
+use lcplab_lcp::merit::Sum as _;
+use lcplab_lcp::number::readable;
 
 use crate::convex::is_convex;
 use crate::residual::{Residual, Rows, worst};
@@ -22,11 +22,11 @@ pub struct Certificate {
     pub residuals: Vec<f64>,
     /// max_i |x_i − Π(x_i − w_i)|.
     pub natural_residual: f64,
-    /// max_i r_i, dimensionless: see [`scaled_residual`](lcplab_problem::merit::scaled_residual).
+    /// max_i r_i, dimensionless: see [`scaled_residual`](lcplab_lcp::merit::scaled_residual).
     pub scaled_residual: f64,
     /// The row with the largest scaled residual.
     pub worst_row: usize,
-    /// The smallest significant size of x: [`Lcp::scale`](lcplab_problem::Lcp::scale), 0 if the
+    /// The smallest significant size of x: [`Lcp::scale`](lcplab_lcp::Lcp::scale), 0 if the
     /// problem states none.
     pub scale: f64,
     /// max_i of w_i⁺ (x_i − lo_i) and w_i⁻ (hi_i − x_i), over finite bounds.
@@ -56,7 +56,7 @@ pub struct Certificate {
 ///
 /// ```
 /// use lcplab_judge::{Demand, judge};
-/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_lcp::{Lcp, Matrix};
 ///
 /// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
 /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
@@ -64,7 +64,7 @@ pub struct Certificate {
 ///     judge(&lcp, &[0.5, 0.0], &Demand::default()).to_string(),
 ///     "proved: x is an exact solution; scaled residual 0"
 /// );
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 impl fmt::Display for Certificate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -8,8 +8,8 @@
 //!
 //! ```
 //! use lcplab_judge::{Demand, judge_cone};
-//! use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law};
-//! use lcplab_problem::{Lcp, Matrix};
+//! use lcplab_lcp::friction::{ConeProblem, Contact, FrictionProblem, Law};
+//! use lcplab_lcp::{Lcp, Matrix};
 //!
 //! // A unit mass slides along t1: pressed with 2 N s, pushed with 3 N s, μ = ½.
 //! let a = Matrix::dense(3, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]);
@@ -24,7 +24,7 @@
 //! // Half of it.
 //! let bad = judge_cone(&coulomb, &[2.0, 0.5, 0.0], &Demand::default());
 //! assert_eq!((bad.verdict.is_solution(), bad.worst_contact), (false, Some(0)));
-//! # Ok::<(), lcplab_problem::error::Error>(())
+//! # Ok::<(), lcplab_lcp::error::Error>(())
 //! ```
 
 mod definition;
@@ -41,8 +41,8 @@ pub use state::RowState;
 use super::neighbor;
 use super::residual::{Residual, cone, improves_on_zero};
 use super::{Demand, Refusal, Verdict, near};
-use lcplab_problem::Complementarity;
-use lcplab_problem::friction::{ConeProblem, Contact};
+use lcplab_lcp::Complementarity;
+use lcplab_lcp::friction::{ConeProblem, Contact};
 
 /// The judge's full result on x.
 #[derive(Debug, Clone, PartialEq)]
@@ -104,7 +104,7 @@ fn judge_as_given(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCert
     let (worst_row, scaled_residual) = last_worst(&residuals);
     let outside = contacts.iter().map(|contact| {
         let [n, t1, t2] = contact.of(x);
-        lcplab_problem::hypot(t1, t2) - contact.mu * n
+        lcplab_lcp::hypot(t1, t2) - contact.mu * n
     });
     let of_contact = |contact: &Contact| contact.of(&residuals).into_iter().fold(0.0, f64::max);
     ConeCertificate {

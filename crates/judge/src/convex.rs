@@ -2,7 +2,7 @@
 //! error.
 
 use faer::{Mat, Side};
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// The number of rows up to which A is factored.
 const FACTORED: usize = 300;

@@ -6,7 +6,7 @@
 use super::residual::Rows;
 use super::{Certificate, Demand, judge};
 use crate::reference;
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// The comparison of an answer with the box QP's.
 #[derive(Debug, Clone, PartialEq)]

@@ -17,7 +17,7 @@ use faer::{Mat, Side};
 
 use super::interval::{Interval, add_up, div_up, mul_up, norm_up};
 use super::residual::Rows;
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// The unit roundoff: half the distance from 1 to the next number.
 const U: f64 = f64::EPSILON / 2.0;
@@ -31,12 +31,12 @@ const MAX_ROWS: usize = 2_000;
 ///
 /// ```
 /// use lcplab_judge::error_bound;
-/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_lcp::{Lcp, Matrix};
 ///
 /// let lcp = Lcp::new(Matrix::dense(1, &[4.0]), vec![-2.0], vec![0.0], vec![f64::INFINITY])?;
 /// let bound = error_bound::error_bound(&lcp, &[0.5001]).unwrap(); // x* = 0.5
 /// assert!(bound > 1e-4 && bound < 5e-4);
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 pub fn error_bound(lcp: &Lcp, x: &[f64]) -> Option<f64> {
     let n = lcp.len();

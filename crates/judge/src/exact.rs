@@ -3,7 +3,7 @@
 //! Floating-point numbers are exact rationals. The active set is determined from x and w: row i is
 //! at its lower bound, at its upper bound or free according to Π_i(x_i − w_i/s_i), where a coupled
 //! row has the bounds ±μ x_k at x. The equations of these sides are solved over the rationals
-//! ([`lcp::exact`](lcplab_problem::exact)), and the resulting point is checked against the original
+//! ([`lcp::exact`](lcplab_lcp::exact)), and the resulting point is checked against the original
 //! problem: every bound (for a coupled row with the x_k of the point itself) and every sign of w is
 //! decided exactly. If the equations are singular, the unknowns that they leave open keep their
 //! value in x.
@@ -16,9 +16,9 @@ use dashu_ratio::RBig;
 
 use crate::Demand;
 use crate::residual::{Rows, Wide};
-use lcplab_problem::Lcp;
-use lcplab_problem::exact::dyadic::{dyadic, rational};
-use lcplab_problem::exact::{Exact, Point, Side};
+use lcplab_lcp::Lcp;
+use lcplab_lcp::exact::dyadic::{dyadic, rational};
+use lcplab_lcp::exact::{Exact, Point, Side};
 
 /// If x_i − w_i/s_i is this close to a bound, relative to its terms, it may lie on either side.
 const TIE: f64 = 64.0 * f64::EPSILON;

@@ -7,25 +7,25 @@
 //!
 //! ```
 //! use lcplab_judge::{Demand, judge_friction};
-//! use lcplab_problem::file::Problem;
-//! use lcplab_problem::friction::Model;
+//! use lcplab_lcp::file::Problem;
+//! use lcplab_lcp::friction::Model;
 //!
 //! let text = r#"{"A": {"dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, "b": [-2, -3, 0],
 //!                "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5]}"#;
 //! let friction = Problem::parse(text, "push.json")?.friction().expect("friction rows")?;
 //! let accepts = |model: Model, x: [f64; 3]| {
 //!     let certificate = judge_friction(&model.pose(&friction, None)?, &x, &Demand::default());
-//!     lcplab_problem::error::Result::Ok(certificate.verdict.is_solution())
+//!     lcplab_lcp::error::Result::Ok(certificate.verdict.is_solution())
 //! };
 //! assert!(accepts(Model::CoulombCone, [2.0, 1.0, 0.0])?);
 //! assert!(accepts(Model::Polyhedral { directions: 8 }, [2.0, 1.0, 0.0])?);
 //! assert!(!accepts(Model::AssociatedCone, [2.0, 1.0, 0.0])?); // that one lifts off: (2.8, 1.4, 0)
-//! # Ok::<(), lcplab_problem::error::Error>(())
+//! # Ok::<(), lcplab_lcp::error::Error>(())
 //! ```
 
 use super::polygon::judge_polygon;
 use super::{Certificate, Demand, Evidence, Refutation, Verdict, judge, judge_cone};
-use lcplab_problem::friction::ProblemForm;
+use lcplab_lcp::friction::ProblemForm;
 
 /// The judge's result on x.
 #[derive(Debug, Clone, PartialEq)]

@@ -13,7 +13,7 @@
 //!
 //! ```
 //! use lcplab_judge::{Verdict, judge, Demand};
-//! use lcplab_problem::{Lcp, Matrix};
+//! use lcplab_lcp::{Lcp, Matrix};
 //!
 //! let a = Matrix::dense(2, &[3.0, 1.0, 1.0, 3.0]);
 //! let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
@@ -21,7 +21,7 @@
 //! assert!(matches!(good.verdict, Verdict::Proved { distance } if distance < 2e-17)); // 1/3 rounds
 //! let bad = judge(&lcp, &[0.3, 0.0], &Demand::default());
 //! assert!(matches!(bad.verdict, Verdict::NotASolution { row: 0, .. }));
-//! # Ok::<(), lcplab_problem::error::Error>(())
+//! # Ok::<(), lcplab_lcp::error::Error>(())
 //! ```
 
 pub mod cases;
@@ -56,7 +56,7 @@ pub use refutation::{Refutation, refutation, refuted_by, refuting_vector};
 pub use verdict::{Refusal, Verdict, printed_up, upper_bound};
 
 use certificate::measure;
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 use refutation::{Existence, existence};
 use residual::{Residual, Rows, improves_on_zero};
 
@@ -91,7 +91,7 @@ const NEAR: f64 = 1e-6;
 ///
 /// ```
 /// use lcplab_judge::{Demand, judge};
-/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_lcp::{Lcp, Matrix};
 ///
 /// // w = (2 x_0 − x_1 − 1, 2 x_1 − x_0 + 2): x = (½, 0).
 /// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
@@ -102,7 +102,7 @@ const NEAR: f64 = 1e-6;
 ///     verdict([0.4, 0.0]),
 ///     "not a solution: scaled residual 0.11 in row 0, above the tolerance 10⁻⁸"
 /// );
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 ///
 /// # Panics

@@ -7,8 +7,8 @@
 //! that point.
 
 use super::{Verdict, distance};
-use lcplab_problem::Lcp;
-use lcplab_problem::friction::Contact;
+use lcplab_lcp::Lcp;
+use lcplab_lcp::friction::Contact;
 
 /// An entry is moved by at most this fraction of the largest entry of its component.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;

@@ -11,7 +11,7 @@ use super::neighbor;
 use super::refutation::{Existence, Refutation, existence, refuting_vector};
 use super::residual::{Residual, Rows, improves_on_zero, polygon, worst};
 use super::{Demand, FrictionCertificate, Refusal, Verdict, is_near};
-use lcplab_problem::friction::Polyhedral;
+use lcplab_lcp::friction::Polyhedral;
 
 /// The directions of a polygon with this number of corners are exact.
 const EXACT_CORNERS: usize = 4;

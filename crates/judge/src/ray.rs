@@ -13,9 +13,9 @@
 
 use dashu_ratio::RBig;
 
-use lcplab_problem::exact::dyadic::{Dyadic, dyadic, rational, rounded_up};
-use lcplab_problem::exact::{Exact, Point};
-use lcplab_problem::{Lcp, Matrix};
+use lcplab_lcp::exact::dyadic::{Dyadic, dyadic, rational, rounded_up};
+use lcplab_lcp::exact::{Exact, Point};
+use lcplab_lcp::{Lcp, Matrix};
 
 /// (Aᵀd)_j below this fraction of its terms is intended to be 0.
 const MEANT_TO_BE_ZERO: f64 = 1e-6;

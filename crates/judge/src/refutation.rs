@@ -8,8 +8,8 @@
 
 use super::cases::{Search, search};
 use super::ray::{Farkas, refute};
-use lcplab_problem::Lcp;
-use lcplab_problem::exact::Point;
+use lcplab_lcp::Lcp;
+use lcplab_lcp::exact::Point;
 
 /// For problems with more rows only the given vectors are tried.
 const MOST_ROWS: usize = 150;
@@ -46,7 +46,7 @@ pub(super) enum Existence {
 ///
 /// ```
 /// use lcplab_judge::{Refutation, refutation};
-/// use lcplab_problem::{Coupling, Lcp, Matrix};
+/// use lcplab_lcp::{Coupling, Lcp, Matrix};
 ///
 /// // w_n = x_n − x_t − 1 and w_t = x_t − x_n − ½ with |x_t| ≤ x_n: Painlevé's trouble in two rows.
 /// let a = Matrix::dense(2, &[1.0, -1.0, -1.0, 1.0]);
@@ -54,7 +54,7 @@ pub(super) enum Existence {
 /// let lcp = Lcp::new(a, vec![-1.0, -0.5], lo, hi)?;
 /// let lcp = lcp.with_coupling(Coupling::new(vec![None, Some(0)], vec![0.0, 1.0])?)?;
 /// assert!(matches!(refutation(&lcp, &[]), Some(Refutation::CaseSplit { .. })));
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 pub fn refutation(lcp: &Lcp, hints: &[&[f64]]) -> Option<Refutation> {
     match existence(lcp, hints) {

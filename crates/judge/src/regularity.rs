@@ -18,7 +18,7 @@
 
 use faer::Mat;
 
-use lcplab_problem::{Lcp, Matrix};
+use lcplab_lcp::{Lcp, Matrix};
 
 /// A singular value below this fraction of the largest counts as zero.
 const RELATIVE_ZERO: f64 = 1e-11;
@@ -45,7 +45,7 @@ pub struct Regularity {
 ///
 /// ```
 /// use lcplab_judge::regularity::regularity;
-/// use lcplab_problem::Matrix;
+/// use lcplab_lcp::Matrix;
 ///
 /// let twice = Matrix::dense(2, &[2.0, 2.0, 2.0, 2.0]); // one contact listed two times
 /// let found = regularity(&twice).expect("a small matrix");

@@ -7,7 +7,7 @@ use dashu_ratio::RBig;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use crate::{Certificate, Evidence, Refutation, Verdict, printed_up};
-use lcplab_problem::number::Filed;
+use lcplab_lcp::number::Filed;
 
 /// The key `verdict`, and the numbers of the verdict.
 impl Serialize for Verdict {
@@ -36,14 +36,14 @@ fn verdict<M: SerializeMap>(verdict: Verdict, map: &mut M) -> Result<(), M::Erro
 ///
 /// ```
 /// use lcplab_judge::{Demand, judge};
-/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_lcp::{Lcp, Matrix};
 ///
 /// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
 /// let certificate = judge(&lcp, &[0.5], &Demand::default());
 /// let text = serde_json::to_string(&certificate).unwrap();
 /// assert!(text.starts_with(r#"{"natural_residual":0.0,"scaled_residual":0.0,"#), "{text}");
 /// assert!(text.ends_with(r#""verdict":"proved","distance":0.0}"#), "{text}");
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 impl Serialize for Certificate {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

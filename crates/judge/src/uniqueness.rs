@@ -7,7 +7,7 @@
 
 use faer::{Mat, Side};
 
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// An eigenvalue below this fraction of the largest counts as zero.
 const RELATIVE_ZERO: f64 = 1e-11;

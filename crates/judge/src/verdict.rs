@@ -1,6 +1,6 @@
 //! The verdict on an x, and the printing of its bounds.
 
-use lcplab_problem::number::{readable, superscript};
+use lcplab_lcp::number::{readable, superscript};
 
 /// The judge's decision about x.
 #[derive(Debug, Clone, Copy, PartialEq)]

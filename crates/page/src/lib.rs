@@ -13,7 +13,7 @@ pub mod plot;
 pub mod terminal;
 pub mod text;
 
-pub use lcplab_problem::number;
+pub use lcplab_lcp::number;
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

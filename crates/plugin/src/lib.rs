@@ -29,9 +29,9 @@ use std::time::Duration;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use lcplab_problem::Lcp;
-use lcplab_problem::error::{Defects, Error, Result};
-use lcplab_problem::friction::{ConeProblem, Law, Model};
+use lcplab_lcp::Lcp;
+use lcplab_lcp::error::{Defects, Error, Result};
+use lcplab_lcp::friction::{ConeProblem, Law, Model};
 use lcplab_solver::{
     Class, ConeEntry, ConeSolver, Entry, Event, Iterate, MatrixClass, Method, Observer, Registry,
     Settings, Solution, Solver, Start, Status,
@@ -207,9 +207,8 @@ impl Program {
     /// answer lists the friction cone laws that the program supports.
     fn greet(&self) -> std::result::Result<Vec<Law>, String> {
         let one = [1.0];
-        let lcp =
-            Lcp::new(lcplab_problem::Matrix::dense(1, &one), vec![-1.0], vec![0.0], vec![2.0])
-                .map_err(|error| error.to_string())?;
+        let lcp = Lcp::new(lcplab_lcp::Matrix::dense(1, &one), vec![-1.0], vec![0.0], vec![2.0])
+            .map_err(|error| error.to_string())?;
         let answer = self.ask(&lcp, None, &Start::default(), &Settings::default())?;
         Ok(answer.laws)
     }

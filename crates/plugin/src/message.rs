@@ -4,9 +4,9 @@ use std::time::Duration;
 
 use serde_json::{Map, Value, json};
 
-use lcplab_problem::file::{Problem, as_number};
-use lcplab_problem::friction::{Form, Law, Model};
-use lcplab_problem::{Lcp, json as strict};
+use lcplab_lcp::file::{Problem, as_number};
+use lcplab_lcp::friction::{Form, Law, Model};
+use lcplab_lcp::{Lcp, json as strict};
 use lcplab_solver::{Settings, Start, Status};
 
 /// Up to this number of rows A is written row by row; above, as a list of its nonzero entries.

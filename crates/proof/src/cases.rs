@@ -4,9 +4,9 @@
 use dashu_int::IBig;
 
 use lcplab_judge::cases::{Sides, Tree};
-use lcplab_problem::Lcp;
-use lcplab_problem::exact::Side;
-use lcplab_problem::exact::dyadic::{Dyadic, dyadic, whole};
+use lcplab_lcp::Lcp;
+use lcplab_lcp::exact::Side;
+use lcplab_lcp::exact::dyadic::{Dyadic, dyadic, whole};
 
 /// Checks a tree against the problem, by the rules of `docs/proofs.md`.
 ///

@@ -4,10 +4,10 @@ use dashu_ratio::RBig;
 
 use lcplab_judge::ConeProof;
 use lcplab_judge::cases::Tree;
-use lcplab_problem::exact::dyadic::{Dyadic, dyadic, rational, whole};
-use lcplab_problem::exact::{Exact, Point};
-use lcplab_problem::friction::{ConeProblem, Model, ProblemForm};
-use lcplab_problem::{Gauss, Lcp, Question};
+use lcplab_lcp::exact::dyadic::{Dyadic, dyadic, rational, whole};
+use lcplab_lcp::exact::{Exact, Point};
+use lcplab_lcp::friction::{ConeProblem, Model, ProblemForm};
+use lcplab_lcp::{Gauss, Lcp, Question};
 
 use crate::claim::{Bounded, Claim, Entry, Kind, Near, Proof, Reason, Vector};
 use crate::hash::{model, rows};
@@ -22,8 +22,8 @@ pub(crate) const MOST_ROWS_OF_P: usize = 12;
 /// Checks a proof of a problem under its friction model.
 ///
 /// ```
-/// use lcplab_problem::file::Problem;
-/// use lcplab_problem::{Lcp, Matrix, Question};
+/// use lcplab_lcp::file::Problem;
+/// use lcplab_lcp::{Lcp, Matrix, Question};
 /// use lcplab_proof::{check, prove};
 ///
 /// let question = |b: f64| {
@@ -34,7 +34,7 @@ pub(crate) const MOST_ROWS_OF_P: usize = 12;
 /// assert_eq!(check(&question(-1.0)?, &proof), Ok(()));
 /// let other = check(&question(-2.0)?, &proof);
 /// assert_eq!(other, Err("the proof is about another problem".into()));
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 ///
 /// # Errors

@@ -9,8 +9,8 @@ use dashu_ratio::RBig;
 
 use lcplab_judge::cases::Tree;
 use lcplab_judge::{RowState, upper_bound};
-use lcplab_problem::error::Error;
-use lcplab_problem::friction::Model;
+use lcplab_lcp::error::Error;
+use lcplab_lcp::friction::Model;
 
 /// A claim about the problem with this hash.
 #[derive(Debug, Clone, PartialEq)]
@@ -316,6 +316,6 @@ impl Fraction {
     pub fn rounded_up(&self) -> f64 {
         use dashu_int::ops::UnsignedAbs;
         let (p, q) = (self.numerator.clone(), self.denominator.clone().unsigned_abs());
-        lcplab_problem::exact::rounded_up(&dashu_ratio::RBig::from_parts(p, q))
+        lcplab_lcp::exact::rounded_up(&dashu_ratio::RBig::from_parts(p, q))
     }
 }

@@ -3,9 +3,9 @@
 use dashu_int::IBig;
 
 use lcplab_judge::{ConeProof, Enclosure, RowState, cone_proof};
-use lcplab_problem::Lcp;
-use lcplab_problem::exact::dyadic::{Dyadic, dyadic, whole};
-use lcplab_problem::friction::ConeProblem;
+use lcplab_lcp::Lcp;
+use lcplab_lcp::exact::dyadic::{Dyadic, dyadic, whole};
+use lcplab_lcp::friction::ConeProblem;
 
 use crate::check::point;
 use crate::claim::{Claim, Entry, Kind, Near, Region, Vector};

@@ -5,9 +5,9 @@ use serde_json::{Map, Value, json};
 
 use lcplab_judge::RowState;
 use lcplab_judge::cases::Tree;
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::friction::Model;
-use lcplab_problem::json::parse;
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::friction::Model;
+use lcplab_lcp::json::parse;
 
 use crate::claim::{Bounded, Claim, Entry, Fraction, Motion, Near, Proof, Reason, Region, Vector};
 

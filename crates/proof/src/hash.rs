@@ -2,8 +2,8 @@
 
 use sha2::{Digest, Sha256};
 
-use lcplab_problem::friction::Model;
-use lcplab_problem::{Lcp, Question};
+use lcplab_lcp::friction::Model;
+use lcplab_lcp::{Lcp, Question};
 
 /// The friction model of a question: without one, friction rows are coupled boxes.
 pub(crate) fn model(question: &Question) -> Model {

@@ -7,8 +7,8 @@
 //! `proofs/lcpcheck.py` checks the same files and shares no code with this crate.
 //!
 //! ```
-//! use lcplab_problem::file::Problem;
-//! use lcplab_problem::{Lcp, Matrix, Question};
+//! use lcplab_lcp::file::Problem;
+//! use lcplab_lcp::{Lcp, Matrix, Question};
 //! use lcplab_proof::{Kind, Proof, check, prove};
 //!
 //! // w = (2 x_0 − x_1 − 1, 2 x_1 − x_0 + 2): x = (½, 0) and no other.
@@ -22,7 +22,7 @@
 //!
 //! let read = Proof::parse(&proof.to_json().to_string(), "proof.json")?;
 //! assert_eq!(check(&question, &read), Ok(()));
-//! # Ok::<(), lcplab_problem::error::Error>(())
+//! # Ok::<(), lcplab_lcp::error::Error>(())
 //! ```
 
 mod cases;

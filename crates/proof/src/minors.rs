@@ -2,8 +2,8 @@
 
 use dashu_int::IBig;
 
-use lcplab_problem::Lcp;
-use lcplab_problem::exact::dyadic::{Dyadic, dyadic, integers};
+use lcplab_lcp::Lcp;
+use lcplab_lcp::exact::dyadic::{Dyadic, dyadic, integers};
 
 /// Whether A + Aᵀ is positive definite: all its leading principal minors are positive (Sylvester).
 pub fn is_definite(lcp: &Lcp) -> bool {

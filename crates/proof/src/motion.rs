@@ -17,10 +17,10 @@ use dashu_int::IBig;
 use dashu_ratio::RBig;
 
 use lcplab_judge::motion_bound::{Unproved, motion_bound};
-use lcplab_problem::exact::dyadic::{dyadic, integers, rational};
-use lcplab_problem::exact::modular::{rank_profile, solve};
-use lcplab_problem::exact::rounded_up;
-use lcplab_problem::{Gauss, Lcp};
+use lcplab_lcp::exact::dyadic::{dyadic, integers, rational};
+use lcplab_lcp::exact::modular::{rank_profile, solve};
+use lcplab_lcp::exact::rounded_up;
+use lcplab_lcp::{Gauss, Lcp};
 
 use crate::claim::{Bounded, Motion};
 

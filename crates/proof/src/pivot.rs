@@ -13,8 +13,8 @@
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 
-use lcplab_problem::Lcp;
-use lcplab_problem::exact::Side;
+use lcplab_lcp::Lcp;
+use lcplab_lcp::exact::Side;
 
 type Real = FBig<HalfEven, 2>;
 

@@ -7,10 +7,10 @@ use dashu_ratio::RBig;
 
 use lcplab_judge::cases::{self, Search, Tree};
 use lcplab_judge::{exact, refuting_vector};
-use lcplab_problem::exact::dyadic::{dyadic, rational, whole};
-use lcplab_problem::exact::{Exact, Face, Point, SolutionSet};
-use lcplab_problem::friction::ProblemForm;
-use lcplab_problem::{Lcp, Question};
+use lcplab_lcp::exact::dyadic::{dyadic, rational, whole};
+use lcplab_lcp::exact::{Exact, Face, Point, SolutionSet};
+use lcplab_lcp::friction::ProblemForm;
+use lcplab_lcp::{Lcp, Question};
 
 use crate::check::{MOST_ROWS_OF_DEFINITE, MOST_ROWS_OF_P, about_boxes, about_cones, check};
 use crate::claim::{Claim, Entry, Kind, Near, Proof, Reason, Vector, over_one_denominator};
@@ -62,8 +62,8 @@ impl ProofSearch {
 /// `cone-solution`.
 ///
 /// ```
-/// use lcplab_problem::file::Problem;
-/// use lcplab_problem::{Lcp, Matrix, Question};
+/// use lcplab_lcp::file::Problem;
+/// use lcplab_lcp::{Lcp, Matrix, Question};
 /// use lcplab_proof::{Kind, check, prove};
 ///
 /// // w = −x − 1 is negative for every x ≥ 0.
@@ -72,7 +72,7 @@ impl ProofSearch {
 /// let proof = prove(&question, &[0.0]).proof.expect("a proof");
 /// assert_eq!(proof.claim.kind(), Kind::NoSolution);
 /// assert_eq!(check(&question, &proof), Ok(()));
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 ///
 /// # Panics
@@ -258,7 +258,7 @@ fn near(answer: &[f64], x: &[RBig]) -> Option<Near> {
     }
     let misses = answer.iter().zip(x).map(|(&own, x)| rational(&dyadic(own)) - x);
     let most = misses.map(|miss| if miss < RBig::ZERO { -miss } else { miss }).max();
-    let distance = lcplab_problem::exact::rounded_up(&most.unwrap_or_default());
+    let distance = lcplab_lcp::exact::rounded_up(&most.unwrap_or_default());
     distance.is_finite().then(|| Near { answer: answer.to_vec(), distance })
 }
 

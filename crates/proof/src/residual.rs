@@ -3,8 +3,8 @@
 use dashu_int::ops::Abs;
 use dashu_ratio::RBig;
 
-use lcplab_problem::Lcp;
-use lcplab_problem::exact::dyadic::{Dyadic, dyadic, rational};
+use lcplab_lcp::Lcp;
+use lcplab_lcp::exact::dyadic::{Dyadic, dyadic, rational};
 
 use crate::claim::Fraction;
 

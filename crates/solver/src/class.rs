@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use lcplab_problem::error::{Error, Result};
+use lcplab_lcp::error::{Error, Result};
 
 /// Classes of matrices, with what LCP theory guarantees for each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -9,7 +9,7 @@ use std::fmt;
 
 use super::entry::Build;
 use super::{Apgd, Class, ConePgs, Group, MatrixClass, Observer, Settings, Solution, Start};
-use lcplab_problem::friction::{ConeProblem, Law};
+use lcplab_lcp::friction::{ConeProblem, Law};
 
 /// A method that solves friction problems with circular cones.
 pub trait ConeSolver: Send + Sync {
@@ -18,7 +18,7 @@ pub trait ConeSolver: Send + Sync {
 
     /// Solves the problem from a start and reports each iterate to the observer. Returns `Solved`
     /// only if the scaled residual
-    /// ([`Complementarity::scaled_residual`](lcplab_problem::Complementarity::scaled_residual)) is
+    /// ([`Complementarity::scaled_residual`](lcplab_lcp::Complementarity::scaled_residual)) is
     /// within the tolerance.
     fn solve(
         &self,

@@ -5,7 +5,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::{Choice, Class, Cost, MatrixClass, Options, Solver};
-use lcplab_problem::error::Result;
+use lcplab_lcp::error::Result;
 
 /// A solver in the registry.
 #[derive(Clone)]

@@ -13,7 +13,7 @@
 //! (Brent 1980), and after 200 rounds at the latest.
 
 use super::{Observer, Settings, Solution, Status, StepDetail};
-use lcplab_problem::{Complementarity, Lcp};
+use lcplab_lcp::{Complementarity, Lcp};
 
 /// Maximum number of frozen problems to solve.
 const MAX_ROUNDS: usize = 200;

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use super::{Event, Iterate, Observer, Settings, Solution, Status};
 use crate::tolerances::{RAY_CURVATURE, RAY_ENTRY, RAY_SLOPE};
-use lcplab_problem::{Complementarity, Lcp, dot};
+use lcplab_lcp::{Complementarity, Lcp, dot};
 
 /// Repeats `step` from x until the scaled residual is within the tolerance, the limit is reached,
 /// the observer asks to stop, or an iterate is not finite.

@@ -56,7 +56,7 @@ pub use class::{Class, MatrixClass};
 pub use cone::{ConeEntry, ConeSolver};
 pub use entry::{Entry, Group};
 pub use gradient::{Admm, AndersonPgs, Apgd, Mprgp, Nncg, Spectral};
-pub use lcplab_problem::exact::all_solutions;
+pub use lcplab_lcp::exact::all_solutions;
 pub use method::{Method, solve_polyhedral, why_none_takes};
 pub use newton::{Equations, InteriorPoint, Newton};
 pub use observer::{
@@ -76,7 +76,7 @@ pub use sweep::{BlockPgs, Code6, ConePgs, Damping, Jacobi, KNOWN_WRONG, Order, P
 pub use trace::{Cost, Effort};
 pub use warm::Warm;
 
-use lcplab_problem::{Complementarity, Lcp};
+use lcplab_lcp::{Complementarity, Lcp};
 
 /// A method that solves boxed LCPs.
 pub trait Solver: Send + Sync {
@@ -86,7 +86,7 @@ pub trait Solver: Send + Sync {
     /// Solves the problem from a start and reports each iterate to the observer.
     ///
     /// ```
-    /// use lcplab_problem::{Lcp, Matrix};
+    /// use lcplab_lcp::{Lcp, Matrix};
     /// use lcplab_solver::{Pgs, Settings, Solver, Start};
     ///
     /// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
@@ -94,7 +94,7 @@ pub trait Solver: Send + Sync {
     /// let pgs = Pgs { settings: Settings::default().with_max_iterations(3), ..Pgs::default() };
     /// let solution = pgs.solve(&lcp, &Start::at(&[1.0, 1.0]), &mut ()); // () observes nothing
     /// assert_eq!(solution.to_string(), "solved after 2 iterations: x = (0.5, 0)");
-    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
     /// ```
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution;
 }

@@ -8,8 +8,8 @@ use super::{
     Choice, Class, ConeEntry, Entry, Group, MatrixClass, Observer, Options, Solution, Solver,
     Start, Status,
 };
-use lcplab_problem::Complementarity;
-use lcplab_problem::friction::{Form, Model, Polyhedral, ProblemForm};
+use lcplab_lcp::Complementarity;
+use lcplab_lcp::friction::{Form, Model, Polyhedral, ProblemForm};
 
 /// A box or cone solver.
 #[derive(Debug, Clone)]
@@ -71,7 +71,7 @@ impl Method {
     /// `None` if it is.
     ///
     /// ```
-    /// use lcplab_problem::friction::Model;
+    /// use lcplab_lcp::friction::Model;
     /// use lcplab_solver::Registry;
     ///
     /// let pgs = Registry::standard().method("pgs", None)?;
@@ -80,7 +80,7 @@ impl Method {
     ///     pgs.refusal(Some(Model::CoulombCone)).unwrap(),
     ///     "it supports boxes, not coulomb-cone"
     /// );
-    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
     /// ```
     pub fn refusal(&self, model: Option<Model>) -> Option<String> {
         let Some(model) = model else {

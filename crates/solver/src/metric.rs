@@ -7,8 +7,8 @@
 
 use super::Status;
 use crate::tolerances::FLAT_CURVATURE;
-use lcplab_problem::friction::ConeProblem;
-use lcplab_problem::{Complementarity, Lcp};
+use lcplab_lcp::friction::ConeProblem;
+use lcplab_lcp::{Complementarity, Lcp};
 
 /// D = diag(A), and λ.
 #[derive(Debug, Clone)]

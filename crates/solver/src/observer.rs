@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::{Side, Variable};
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// Receives every iterate and may ask the solver to stop. `()` observes nothing.
 pub trait Observer {

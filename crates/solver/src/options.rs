@@ -1,8 +1,8 @@
 //! The options of solvers that a user can choose.
 
 use super::{Damping, Order, Settings};
-use lcplab_problem::error::{Defects, Result};
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::error::{Defects, Result};
+use lcplab_lcp::memory::Memory;
 
 /// An option that only some solvers use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

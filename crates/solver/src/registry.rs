@@ -5,7 +5,7 @@
 //! solvers of its own makes a copy, adds them, and passes the copy on:
 //!
 //! ```
-//! use lcplab_problem::Lcp;
+//! use lcplab_lcp::Lcp;
 //! use lcplab_solver::{Dantzig, Entry, Method, Observer, Registry, Settings, Solution, Solver, Start};
 //!
 //! struct Mine(Settings);
@@ -25,7 +25,7 @@
 //! registry.add(Method::Boxed(mine))?;
 //! assert_eq!(registry.entry("mine")?.name, "mine");
 //! assert!(Registry::standard().entry("mine").is_err());
-//! # Ok::<(), lcplab_problem::error::Error>(())
+//! # Ok::<(), lcplab_lcp::error::Error>(())
 //! ```
 
 use std::sync::{Arc, LazyLock};
@@ -33,9 +33,9 @@ use std::sync::{Arc, LazyLock};
 use super::cone::CONES;
 use super::sweep::KNOWN_WRONG;
 use super::{ConeEntry, Dantzig, Entry, Lemke, Method, gradient, method, newton, pivot, sweep};
-use lcplab_problem::Lcp;
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::friction::Model;
+use lcplab_lcp::Lcp;
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::friction::Model;
 
 /// Solvers by name: those that a comparison runs if none is named, and others that must be named.
 /// A copy shares its entries with the original until one of the two is changed.
@@ -57,7 +57,7 @@ impl Registry {
     /// variants, which must be named.
     ///
     /// ```
-    /// use lcplab_problem::{Lcp, Matrix};
+    /// use lcplab_lcp::{Lcp, Matrix};
     /// use lcplab_solver::{Options, Registry, Start, Status};
     ///
     /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
@@ -66,7 +66,7 @@ impl Registry {
     /// let solution = solver.solve(&lcp, &Start::default(), &mut ());
     /// assert_eq!(solution.status, Status::Solved);
     /// assert_eq!(solution.x, [0.5, 0.0]);
-    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
     /// ```
     pub fn standard() -> &'static Registry {
         static STANDARD: LazyLock<Registry> = LazyLock::new(|| {
@@ -149,7 +149,7 @@ impl Registry {
     /// The method with this name for a friction model, or for LCPs without friction.
     ///
     /// ```
-    /// use lcplab_problem::friction::Model;
+    /// use lcplab_lcp::friction::Model;
     /// use lcplab_solver::{Method, Registry};
     ///
     /// let solvers = Registry::standard();
@@ -159,7 +159,7 @@ impl Registry {
     ///     solvers.method("pgs", Some(Model::CoulombCone)).unwrap_err().to_string(),
     ///     "solver pgs: model: it supports boxes, not coulomb-cone; these solve it: cone-pgs, apgd"
     /// );
-    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
     /// ```
     ///
     /// # Errors

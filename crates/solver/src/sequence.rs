@@ -14,8 +14,8 @@
 //! enumeration at most 65,536 active sets. A solver that the user names is never replaced.
 //!
 //! ```
-//! use lcplab_problem::friction::ProblemForm;
-//! use lcplab_problem::{Lcp, Matrix};
+//! use lcplab_lcp::friction::ProblemForm;
+//! use lcplab_lcp::{Lcp, Matrix};
 //! use lcplab_solver::{Options, Status, solve_by_sequence};
 //!
 //! // A bimatrix game: Lemke's path ends on a ray, the enumeration finds the equilibrium.
@@ -23,7 +23,7 @@
 //! let lcp = Lcp::new(Matrix::dense(4, &a), vec![-1.0; 4], vec![0.0; 4], vec![f64::INFINITY; 4])?;
 //! let answer = solve_by_sequence(&ProblemForm::Boxed(lcp), &Options::default(), &mut ());
 //! assert_eq!(answer.solution.status, Status::Solved);
-//! # Ok::<(), lcplab_problem::error::Error>(())
+//! # Ok::<(), lcplab_lcp::error::Error>(())
 //! ```
 
 use nalgebra::DMatrix;
@@ -33,8 +33,8 @@ use crate::{
     Apgd, BlockPivoting, ConePgs, ConeSolver, Dantzig, Enumeration, InteriorPoint, Lemke, Newton,
     Observer, Options, PolygonPgs, Registry, Settings, Solution, Start, Status, solve_polyhedral,
 };
-use lcplab_problem::Lcp;
-use lcplab_problem::friction::{ConeProblem, Polyhedral, ProblemForm};
+use lcplab_lcp::Lcp;
+use lcplab_lcp::friction::{ConeProblem, Polyhedral, ProblemForm};
 
 /// Iteration limit of Newton's method and the interior-point method, which normally need about ten.
 const MOST_STEPS: usize = 100;
@@ -73,14 +73,14 @@ pub struct SequenceAnswer {
 /// [status](Solution::status): it is the claim of the method that gave the answer.
 ///
 /// ```
-/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_lcp::{Lcp, Matrix};
 /// use lcplab_solver::{Status, solve};
 ///
 /// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
 /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
 /// let solution = solve(&lcp);
 /// assert_eq!((solution.status, solution.x), (Status::Solved, vec![0.5, 0.0]));
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 pub fn solve_lcp(lcp: &Lcp) -> Solution {
     solve_boxed(lcp, &Start::default(), &Options::default(), &mut ()).solution
@@ -89,14 +89,14 @@ pub fn solve_lcp(lcp: &Lcp) -> Solution {
 /// Solves a problem from 0 with the suitable methods, one after the other, until one succeeds.
 ///
 /// ```
-/// use lcplab_problem::friction::ProblemForm;
-/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_lcp::friction::ProblemForm;
+/// use lcplab_lcp::{Lcp, Matrix};
 /// use lcplab_solver::{Options, solve_by_sequence};
 ///
 /// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
 /// let answer = solve_by_sequence(&ProblemForm::Boxed(lcp), &Options::default(), &mut ());
 /// assert_eq!((answer.solver.as_str(), answer.solution.x), ("dantzig", vec![0.5]));
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 pub fn solve(
     problem: &ProblemForm,
@@ -195,7 +195,7 @@ fn solve_cones(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> SequenceAnswer {
-    use lcplab_problem::Complementarity;
+    use lcplab_lcp::Complementarity;
     let names: &[&'static str] = match cones.lcp().matrix().is_nearly_symmetric() {
         true => &[Apgd::NAME, ConePgs::NAME],
         false => &[ConePgs::NAME],

@@ -2,8 +2,8 @@
 
 use super::Status;
 use crate::tolerances::DEFAULT_TOLERANCE;
-use lcplab_problem::error::{Defects, Result};
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::error::{Defects, Result};
+use lcplab_lcp::memory::Memory;
 
 /// The settings that all solvers share. Each `with_` function changes one of them.
 ///
@@ -17,7 +17,7 @@ use lcplab_problem::memory::Memory;
 #[non_exhaustive]
 pub struct Settings {
     /// Stop when the scaled residual
-    /// ([`merit::scaled_residual`](lcplab_problem::merit::scaled_residual)) is at most this.
+    /// ([`merit::scaled_residual`](lcplab_lcp::merit::scaled_residual)) is at most this.
     pub tolerance: f64,
     /// Stop after this many iterations (sweeps, pivots).
     pub max_iterations: usize,

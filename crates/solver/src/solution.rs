@@ -6,9 +6,9 @@ use serde::de::{Deserialize, Deserializer, Error as _};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use crate::Settings;
-use lcplab_problem::memory::Memory;
-use lcplab_problem::number::{Filed, counted, readable};
-use lcplab_problem::{Complementarity, Lcp};
+use lcplab_lcp::memory::Memory;
+use lcplab_lcp::number::{Filed, counted, readable};
+use lcplab_lcp::{Complementarity, Lcp};
 
 /// A solver's answer. It contains no time, so it does not depend on the machine's speed.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,12 +71,12 @@ impl Solution {
 /// The status, the iterations and x.
 ///
 /// ```
-/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_lcp::{Lcp, Matrix};
 ///
 /// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
 /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
 /// assert_eq!(lcplab_solver::solve(&lcp).to_string(), "solved after 1 iteration: x = (0.5, 0)");
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 impl fmt::Display for Solution {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -91,7 +91,7 @@ impl fmt::Display for Solution {
 /// [word](Status::word) and a message.
 ///
 /// ```
-/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_lcp::{Lcp, Matrix};
 /// use lcplab_solver::{Solution, solve};
 ///
 /// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
@@ -101,7 +101,7 @@ impl fmt::Display for Solution {
 /// assert_eq!(text, expected);
 /// let back: Solution = serde_json::from_str(&text).unwrap();
 /// assert_eq!(back, solve(&lcp));
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 impl Serialize for Solution {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

@@ -15,7 +15,7 @@ use super::{Iterate, Observer, StepDetail};
 /// A stop condition. Clones share the flag.
 ///
 /// ```
-/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_lcp::{Lcp, Matrix};
 /// use lcplab_solver::{Pgs, Solver, Start, Status, Stop};
 ///
 /// let stop = Stop::default();
@@ -24,7 +24,7 @@ use super::{Iterate, Observer, StepDetail};
 /// let solution = Pgs::default().solve(&lcp, &Start::default(), &mut stop.watch(&mut ()));
 /// assert_eq!(solution.status, Status::Stopped);
 /// assert_eq!(stop.reason().unwrap().to_string(), "interrupted");
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct Stop {

@@ -36,7 +36,7 @@ use nalgebra::DMatrix;
 use crate::metric::Metric;
 use crate::tolerances::{NULL_EIGENVALUE, UNIT_EIGENVALUE};
 use crate::{Jacobi, Options, Order, Pgs};
-use lcplab_problem::{Lcp, Matrix};
+use lcplab_lcp::{Lcp, Matrix};
 
 /// The submatrix of A with these rows and columns, in that order: the matrix while these rows are
 /// free.
@@ -115,7 +115,7 @@ pub fn contraction(g: &DMatrix<f64>) -> f64 {
 /// inside their bounds; `None` if the method is not a linear iteration or does not contract.
 ///
 /// ```
-/// use lcplab_problem::library;
+/// use lcplab_lcp::library;
 /// use lcplab_solver::{Options, theory};
 ///
 /// // Two bodies, the upper one 3 times as heavy: r / (1 + r).
@@ -123,7 +123,7 @@ pub fn contraction(g: &DMatrix<f64>) -> f64 {
 /// let rate = theory::rate("pgs", &Options::default(), &lcp, &[0, 1]).unwrap();
 /// assert!((rate - 0.75).abs() < 1e-12);
 /// assert_eq!(theory::rate("dantzig", &Options::default(), &lcp, &[0, 1]), None);
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 pub fn rate(method: &str, options: &Options, lcp: &Lcp, free: &[usize]) -> Option<f64> {
     let (block, _) = principal_submatrix(lcp.matrix(), free).balanced();
@@ -149,7 +149,7 @@ pub fn rate(method: &str, options: &Options, lcp: &Lcp, free: &[usize]) -> Optio
 /// be computed: A is then not symmetric and semidefinite with a positive diagonal.
 ///
 /// ```
-/// use lcplab_problem::Matrix;
+/// use lcplab_lcp::Matrix;
 /// use lcplab_solver::theory::gauss_seidel_rate;
 ///
 /// let rate = |a: &[f64]| gauss_seidel_rate(&Matrix::dense(2, a));

@@ -14,11 +14,11 @@ use super::pivot::free_rows::FreeRows;
 ///
 /// [`BlockPivoting`](super::BlockPivoting) reuses the factor only if the free rows and the matrix
 /// are unchanged. The matrix must be *the same object*, shared between the problems as by
-/// [`Lcp::with_b`](lcplab_problem::Lcp::with_b), not just an equal one. Matrices are immutable, and
+/// [`Lcp::with_b`](lcplab_lcp::Lcp::with_b), not just an equal one. Matrices are immutable, and
 /// the cache keeps a reference to this one, so no other matrix can be mistaken for it.
 ///
 /// ```
-/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_lcp::{Lcp, Matrix};
 /// use lcplab_solver::{BlockPivoting, Solver, Start, Warm};
 ///
 /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
@@ -29,7 +29,7 @@ use super::pivot::free_rows::FreeRows;
 /// let next = lcp.with_b(vec![-1.25, 2.0])?;
 /// let solution = solver.solve(&next, &start, &mut ());
 /// assert!((solution.x[0] - 0.625).abs() < 1e-15 && solution.iterations == 0);
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 #[derive(Debug, Default)]
 pub struct Warm(RefCell<Cache>);

@@ -51,7 +51,7 @@ def hunt(
     measure: str = "false-claim",
     n: int | tuple[int, int] = (1, 6),
     *,
-    rival: Solver | None = None,
+    baseline: Solver | None = None,
     evaluations: int = 20_000,
     seconds: float | None = None,
     seed: int = 1,
@@ -70,11 +70,11 @@ def hunt(
     solver : str or callable
         A solver as in :func:`solve`.
     measure : str
-        What to search for: ``"false-claim"``, ``"failure"``, ``"iterations"``, ``"error"`` or, with a rival,
+        What to search for: ``"false-claim"``, ``"failure"``, ``"iterations"``, ``"error"`` or, with a baseline,
         ``"ratio"``. ``docs/hunt.md`` defines them.
     n : int or (int, int)
         The number of rows, or its smallest and largest value.
-    rival : str or callable, optional
+    baseline : str or callable, optional
         The solver to compare with, for the measure ``"ratio"``.
     evaluations : int
         The number of problems to try. The same seed and number find the same problem.
@@ -126,7 +126,7 @@ def hunt(
         solver,
         measure,
         n,
-        rival=rival,
+        baseline=baseline,
         evaluations=evaluations,
         seconds=seconds,
         seed=seed,
@@ -172,7 +172,7 @@ def search(
     n: int | tuple[int, int],
     *,
     settings: dict[str, Any],
-    rival: Solver | None = None,
+    baseline: Solver | None = None,
     evaluations: int = 20_000,
     seconds: float | None = None,
     seed: int = 1,
@@ -194,7 +194,7 @@ def search(
         "seconds": seconds,
         "friction": friction,
     }
-    for function in (solver, rival):
+    for function in (solver, baseline):
         check_signature(function, has_friction=friction != "never")
     given = [] if start is None else [problem._inner for _, problem in named(start)]
-    return _lcplab.hunt(solver, rival, search, settings, given)
+    return _lcplab.hunt(solver, baseline, search, settings, given)

@@ -108,7 +108,7 @@ def compare(
 def solvers() -> list[tuple[str, str, str]]: ...
 def hunt(
     solver: Solver,
-    rival: Solver | None,
+    baseline: Solver | None,
     quarry: Mapping[str, Any],
     given: Mapping[str, Any],
     start: list[Problem],

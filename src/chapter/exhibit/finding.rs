@@ -1,8 +1,8 @@
 //! The result of an example: numbers of the printed and the corrected form, compared with the
 //! truth.
 
-use crate::certificate::{Demand, Verdict, judge};
 use crate::document::Table;
+use crate::judge::{Demand, Verdict, judge};
 use crate::lcp::Lcp;
 use crate::plot::{Figure, Lines};
 use crate::report::page::Picture;

@@ -2,10 +2,10 @@
 
 use super::Exhibit;
 use super::finding::{Finding, Measure, Outcome};
-use crate::certificate::Verdict;
 use crate::document::notation::{plain, vector};
 use crate::document::{Block, Document, Section};
 use crate::error::Result;
+use crate::judge::Verdict;
 use crate::number::readable;
 
 /// A number below this counts as rounding if the truth is 0.

@@ -8,7 +8,7 @@ use std::path::Path;
 
 use clap::Args;
 use lcplab::error::{Error, Result};
-use lcplab::lcp::exchange;
+use lcplab::files;
 use lcplab::lcp::friction::Model;
 use lcplab::lcp::library;
 use lcplab::scene::catalogue;
@@ -99,7 +99,7 @@ impl Compare {
         let [input] = &self.inputs[..] else { return None };
         let path = Path::new(input);
         let is_family = library::by_name(input).is_ok() && catalogue::text(input).is_none();
-        let is_problem = exchange::is_problem(path) || path.is_dir() || input.contains('*');
+        let is_problem = files::is_problem(path) || path.is_dir() || input.contains('*');
         let is_scene = !is_family && !is_problem && !input.starts_with(FAMILY);
         is_scene.then(|| input.clone())
     }

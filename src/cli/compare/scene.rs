@@ -105,8 +105,8 @@ impl Compare {
                 true => side_by_side::alike(&contenders, &view::alike(&comparison.runs)),
                 false => shown.into_iter().map(|solver| (solver.name(), solver)).collect(),
             };
-            let film = side_by_side::film("film", &scene, &animated, steps, stop);
-            write::document(&view::comparison_document(&comparison, film), folder)
+            let animation = side_by_side::animation("animation", &scene, &animated, steps, stop);
+            write::document(&view::comparison_document(&comparison, animation), folder)
         });
         if json {
             print(&format!(

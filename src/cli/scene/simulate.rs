@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use lcplab::animation::{Animation, Frame, Recording, Strip, instants};
 use lcplab::error::{Error, Result};
 use lcplab::file;
-use lcplab::film::{Film, Frame, Recording, Strip, instants};
 use lcplab::lcp::Question;
 use lcplab::plot::Figure;
 use lcplab::report::aside::{Aside, GRACE};
@@ -100,7 +100,7 @@ impl Simulate {
             record = record.with_tables(&simulation, self.every as usize);
         }
         let mut camera = Camera {
-            samples: self.instants(steps, Film::samples_each(1)),
+            samples: self.instants(steps, Animation::samples_each(1)),
             instants: self.instants(steps, self.frames as usize),
             recording: Recording::start(scene.solver.name.clone(), &simulation),
             frames: vec![Frame::start(&scene)],
@@ -199,7 +199,10 @@ impl Simulate {
         let (states, time) = (&camera.last.states, camera.last.time);
         let saved = self.scene.step.changes.saved(&self.scene.scene, scene, states, time)?;
         file::write_in(folder, "final.toml", &saved)?;
-        let page = view::simulation_page(Film::new("film", scene, vec![camera.recording]), record);
+        let page = view::simulation_page(
+            Animation::new("animation", scene, vec![camera.recording]),
+            record,
+        );
         file::write_in(folder, "index.html", &page.render()?)?;
         let strip = Strip::new(scene, camera.frames);
         let strip = if self.forces { strip.with_forces() } else { strip };

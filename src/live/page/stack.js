@@ -2,7 +2,7 @@ const USUAL = { masses: [1, 1, 1, 1, 1], solver: "pgs", omega: 1.3, sweeps: 10, 
 const SWEEPS = ["pgs", "jacobi", "sor"], DT = 0.01, SIZE = 0.2, MOST = 8;
 const OWN = { masses: list(MOST, 0.1, 1000), sweeps: integer(1, 60), at: count };
 
-let state = USUAL, ask, problem, exact, trace, moves, film, timer;
+let state = USUAL, ask, problem, exact, trace, moves, animation, timer;
 const isSweep = () => SWEEPS.includes(state.solver);
 
 function solve() {
@@ -37,7 +37,7 @@ const tidy = (mass) => { const unit = 10 ** Math.floor(Math.log10(mass)) / 10; r
 function drawStack() {
   const n = state.masses.length, height = Math.min(50, 400 / n), scale = height / SIZE, ground = n * height + 14;
   find("#stack").setAttribute("viewBox", `0 0 420 ${ground + 6}`);
-  const sunk = film ? film.frames[film.at].z : state.masses.map(() => 0), x = film ? film.frames[film.at].x : moves[state.at].x;
+  const sunk = animation ? animation.frames[animation.at].z : state.masses.map(() => 0), x = animation ? animation.frames[animation.at].x : moves[state.at].x;
   const most = Math.max(...exact, ...x.filter((v) => typeof v === "number" && Math.abs(v) < 1e3)) || 1;
   let picture = svg("rect", { x: 0, y: ground, width: 420, height: 6, style: "fill:var(--faint)" });
   state.masses.forEach((mass, i) => {
@@ -48,7 +48,7 @@ function drawStack() {
   });
   state.masses.forEach((_, i) => {
     const y = ground - i * height - 16 - (i > 0 ? sunk[i - 1] * scale : 0), long = (v) => Math.max(0, Math.min(1.2, v / most)) * 120;
-    const isLast = !film && moves[state.at].row === i;
+    const isLast = !animation && moves[state.at].row === i;
     picture += svg("rect", { x: 270, y, width: long(x[i]), height: 12, style: `fill:${isLast ? "var(--two)" : "var(--one)"}` });
     picture += svg("rect", { x: 270, y, width: long(exact[i]), height: 12, style: "fill:none;stroke:var(--ink)" });
     picture += svg("text", { x: 264, y: y + 11, "text-anchor": "end", class: "faint" }, short(x[i], 3));
@@ -82,10 +82,10 @@ function drawPlot() {
 const whole = (v) => (Math.abs(v) < 1e-6 ? 0 : v); // what rounding leaves is nothing
 function drawSays() {
   const says = [];
-  if (film) {
-    const { z, missing } = film.frames[film.at], mean = film.frames.reduce((sum, frame) => sum + frame.missing, 0) / film.frames.length;
+  if (animation) {
+    const { z, missing } = animation.frames[animation.at], mean = animation.frames.reduce((sum, frame) => sum + frame.missing, 0) / animation.frames.length;
     const way = isSweep() ? `${state.sweeps} sweeps per step${state.warm ? ", warm start" : ""}` : "pivoting";
-    says.push(`${((film.at + 1) * DT).toFixed(2)} s, ${way}: the top box has sunk ${short(whole(-100 * z.at(-1)), 2)} cm; ${short(whole(100 * (film.at === film.frames.length - 1 ? mean : missing)), 2)}\u00a0% of the weight is unsupported${film.at === film.frames.length - 1 ? " on average" : ""}.`);
+    says.push(`${((animation.at + 1) * DT).toFixed(2)} s, ${way}: the top box has sunk ${short(whole(-100 * z.at(-1)), 2)} cm; ${short(whole(100 * (animation.at === animation.frames.length - 1 ? mean : missing)), 2)}\u00a0% of the weight is unsupported${animation.at === animation.frames.length - 1 ? " on average" : ""}.`);
   } else {
     const { step, x } = moves[state.at], carried = x[0] / exact[0];
     says.push(`After ${step} ${isSweep() ? (step === 1 ? "sweep" : "sweeps") : (step === 1 ? "pivot" : "pivots")} the ground supports ${short(100 * carried, 3)}\u00a0% of the weight.`);
@@ -93,7 +93,7 @@ function drawSays() {
     if (!isSweep()) says.push(`${trace.status}; verdict: ${trace.verdict}.`);
   }
   find("#says").textContent = says.join(" ");
-  find("#words").textContent = film ? "" : moves[state.at].words;
+  find("#words").textContent = animation ? "" : moves[state.at].words;
 }
 
 function drawControls() {
@@ -104,14 +104,14 @@ function drawControls() {
   find("#sweeps").disabled = find("#backward").disabled = find("#warm").disabled = !isSweep();
   find("#fewer").disabled = state.masses.length <= 1;
   find("#more").disabled = state.masses.length >= MOST;
-  find("#first").disabled = state.at === 0 && !film;
-  find("#row").disabled = find("#sweep").disabled = find("#all").disabled = state.at >= moves.length - 1 && !film;
+  find("#first").disabled = state.at === 0 && !animation;
+  find("#row").disabled = find("#sweep").disabled = find("#all").disabled = state.at >= moves.length - 1 && !animation;
   find("#row").textContent = isSweep() && state.solver !== "jacobi" ? "Row" : isSweep() ? "Sweep " : "Pivot";
   find("#sweep").hidden = !isSweep() || state.solver === "jacobi";
   find("#motion").textContent = timer ? "Stop" : "Simulate 2 s";
 }
 
-function stop() { clearInterval(timer); timer = undefined; film = undefined; }
+function stop() { clearInterval(timer); timer = undefined; animation = undefined; }
 function change(changes) { state = { ...state, ...changes }; draw(); }
 function draw() {
   solve();
@@ -126,10 +126,10 @@ function play() {
   if (timer) { stop(); return draw(); }
   const { masses, solver, sweeps, backward, warm } = state;
   const answer = ask({ ask: "motion", masses, dt: DT, steps: 200, solver, omega: solver === "sor" ? state.omega : 1, sweeps: isSweep() ? sweeps : null, backward, warm });
-  film = { frames: answer.frames, at: 0 };
+  animation = { frames: answer.frames, at: 0 };
   timer = setInterval(() => {
-    film.at = Math.min(film.at + 2, film.frames.length - 1);
-    if (film.at === film.frames.length - 1) { clearInterval(timer); timer = undefined; }
+    animation.at = Math.min(animation.at + 2, animation.frames.length - 1);
+    if (animation.at === animation.frames.length - 1) { clearInterval(timer); timer = undefined; }
     drawStack();
     drawSays();
     drawControls();

@@ -12,7 +12,7 @@ use super::super::kind;
 use super::super::view::attempt::anchor;
 use super::{Experiment, Section, Shown};
 use crate::error::{Defect, Defects, Error, Result};
-use crate::lcp::exchange;
+use crate::files;
 use crate::plugin::Declaration;
 use crate::scene::catalogue;
 use crate::scene::source::{self, Source};
@@ -153,7 +153,7 @@ impl Reader<'_> {
 /// each of its files.
 fn spread(section: &mut Spanned<DeValue<'_>>) -> Result<()> {
     let is_wanted = |file: &Path| {
-        file.extension().is_some_and(|ending| ending == "toml") || exchange::is_problem(file)
+        file.extension().is_some_and(|ending| ending == "toml") || files::is_problem(file)
     };
     let is_shipped = |name: &str| catalogue::SHIPPED.iter().any(|shipped| shipped.name == name);
     let DeValue::Table(settings) = section.get_mut() else { return Ok(()) };
@@ -167,7 +167,7 @@ fn spread(section: &mut Spanned<DeValue<'_>>) -> Result<()> {
             let named = |key| Some((key, item.get_ref().get(key)?.get_ref().as_str()?));
             let several = match ["scene", "problem"].into_iter().find_map(named) {
                 Some((_, name)) if is_shipped(name) => None,
-                Some((key, name)) => exchange::several(name, is_wanted)?.map(|files| (key, files)),
+                Some((key, name)) => files::several(name, is_wanted)?.map(|files| (key, files)),
                 None => None,
             };
             let Some((key, files)) = several else {

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde_json::{Value, json};
 
-use crate::certificate::FrictionCertificate;
+use crate::judge::FrictionCertificate;
 use crate::lcp::file::number;
 use crate::number::readable;
 use crate::scene::Scene;

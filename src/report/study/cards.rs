@@ -12,7 +12,7 @@ use super::Study;
 use crate::error::{Error, Result};
 use crate::lcp::file::Problem;
 use crate::solver::Registry;
-use lcplab_problem::disk;
+use lcplab_lcp::disk;
 
 /// The record that lcplab ships.
 const SHIPPED: &str = include_str!("../../../reports/engines.json");
@@ -207,7 +207,7 @@ pub enum SolverPart {
         /// The number of those whose error is above the limit.
         above: usize,
         /// The largest error of the motion in a step, relative to its change in this step.
-        #[serde(with = "lcplab_study::number::always")]
+        #[serde(with = "lcplab_analysis::number::always")]
         error: f64,
         /// The limit of that step.
         limit: f64,
@@ -227,7 +227,7 @@ pub struct Measured {
     /// What it is, as text between the engine's name and the number.
     pub what: String,
     /// The engine's value.
-    #[serde(with = "lcplab_study::number::always")]
+    #[serde(with = "lcplab_analysis::number::always")]
     pub value: f64,
     /// The law's value.
     pub law: f64,

@@ -9,7 +9,7 @@ use super::variation::Variation;
 use crate::error::Result;
 use crate::scene::Scheme;
 use crate::solver::{Entry, Registry};
-pub use lcplab_study::comparison::*;
+pub use lcplab_analysis::comparison::*;
 
 /// Scenes stepped by solvers at both levels, or with other schemes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

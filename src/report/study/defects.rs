@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::Study;
 use crate::error::{Error, Result};
 use crate::solver::Registry;
-use lcplab_problem::disk;
+use lcplab_lcp::disk;
 
 /// The record that lcplab ships.
 const SHIPPED: &str = include_str!("../../../reports/receipts.json");

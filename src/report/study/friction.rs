@@ -23,8 +23,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::certificate::Demand;
 use crate::error::Result;
+use crate::judge::Demand;
 use crate::lcp::friction::FrictionProblem;
 use crate::report::friction::JudgedAnswer;
 use crate::report::methods::{default_for, with_reference};

@@ -3,13 +3,13 @@
 //!
 //! A [`Study`] is a list of independent tasks.
 
+pub mod animation;
 pub mod cards;
 pub mod comparison;
 pub mod convergence;
 pub mod cross_check;
 pub mod defects;
 pub mod drift;
-pub mod film;
 pub mod friction;
 pub mod grid;
 pub mod posed;
@@ -25,7 +25,7 @@ pub mod sparsity;
 pub mod variation;
 pub mod verification;
 
-pub use lcplab_study::{ci, families, receipt, regression, tally, trial};
+pub use lcplab_analysis::{ci, families, receipt, regression, tally, trial};
 
 use schemars::JsonSchema;
 use serde::Serialize;

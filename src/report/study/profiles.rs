@@ -18,11 +18,11 @@ use crate::lcp::library;
 use crate::memory::Memory;
 use crate::report::methods;
 use crate::solver::{Entry, Method, Options, Registry, Settings};
-pub use lcplab_study::profiles::{
+pub use lcplab_analysis::profiles::{
     Cost, FamilyAttempts, ProblemAttempts, Profile, costs, iterations, multiplications, of_all,
     profiles,
 };
-use lcplab_study::trial::{Attempt, Trial};
+use lcplab_analysis::trial::{Attempt, Trial};
 
 /// The problems and solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

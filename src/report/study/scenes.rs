@@ -5,10 +5,10 @@ use serde::{Deserialize, Serialize};
 use toml::Table;
 
 use super::Study;
-use super::film::FilmData;
+use super::animation::AnimationData;
 use super::variation::Variation;
+use crate::animation::Recording;
 use crate::error::Result;
-use crate::film::Recording;
 use crate::scene::Scene;
 use crate::simulation::Simulation;
 use crate::solver::Registry;
@@ -29,7 +29,7 @@ pub struct Finding {
     /// What it teaches.
     pub teaches: String,
     /// Its motion.
-    pub film: FilmData,
+    pub animation: AnimationData,
 }
 
 /// The number of instants of an animation, and for a scene with more bodies than [`MANY`].
@@ -51,7 +51,8 @@ impl Study for Plan {
         let instants = INSTANTS[usize::from(scene.bodies.len() > MANY)];
         let steps = scene.step.count;
         let recording = Recording::of("as shipped", &mut Simulation::of(&scene)?, steps, instants);
-        let film = FilmData::of(&scene.name, Variation::of(name, &Table::new()), &[recording]);
-        Ok((Finding { title: scene.title, teaches: scene.teaches, film }, ()))
+        let animation =
+            AnimationData::of(&scene.name, Variation::of(name, &Table::new()), &[recording]);
+        Ok((Finding { title: scene.title, teaches: scene.teaches, animation }, ()))
     }
 }

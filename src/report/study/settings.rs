@@ -7,8 +7,9 @@ use serde::{Deserialize, Deserializer, Serialize, de::Error};
 
 use crate::error::Result as Found;
 use crate::file;
+use crate::files;
+use crate::lcp::Lcp;
 use crate::lcp::file::Problem;
-use crate::lcp::{Lcp, exchange};
 use crate::scene::Scene;
 use crate::simulation;
 
@@ -71,12 +72,12 @@ impl AtStep {
             let title = if problem.name.is_empty() { &self.scene } else { &problem.name };
             Given { name: self.scene.clone(), title: title.clone(), lcp: problem.lcp }
         };
-        exchange::is_problem(path).then(|| exchange::read(path, None).map(given))
+        files::is_problem(path).then(|| files::read(path, None).map(given))
     }
 
     /// Its name and its step, if it has one.
     pub fn name(&self) -> String {
-        match exchange::is_problem(Path::new(&self.scene)) {
+        match files::is_problem(Path::new(&self.scene)) {
             true => self.scene.clone(),
             false => format!("{}, step {}", self.scene, self.step),
         }

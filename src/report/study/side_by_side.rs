@@ -4,7 +4,7 @@ use crate::simulation::Simulation;
 use rayon::prelude::*;
 
 use super::comparison::Run;
-use crate::film::{Film, Recording};
+use crate::animation::{Animation, Recording};
 use crate::scene::{Scene, Scheme};
 use crate::solver::{Method, Registry, Stop};
 
@@ -51,20 +51,20 @@ impl AnimatedSolver {
 
 /// Steps a scene with each of these solvers, and keeps as many instants as an animation needs; ends
 /// early at a stop.
-pub fn film(
+pub fn animation(
     id: &str,
     scene: &Scene,
     solvers: &[(String, AnimatedSolver)],
     steps: usize,
     stop: &Stop,
-) -> Film {
-    let samples = Film::samples_each(solvers.len());
+) -> Animation {
+    let samples = Animation::samples_each(solvers.len());
     let record = |(name, solver): &(String, AnimatedSolver)| {
         let mut own = scene.at_level(solver.scheme);
         own.solver.max_iterations = solver.max_iterations.unwrap_or(own.solver.max_iterations);
         Recording::until(stop, name, &mut Simulation::by(&own, &solver.method), steps, samples)
     };
-    Film::new(id, scene, solvers.par_iter().map(record).collect())
+    Animation::new(id, scene, solvers.par_iter().map(record).collect())
 }
 
 /// The contenders of a comparison that represent a group each, under the group's name.

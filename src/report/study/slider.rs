@@ -23,8 +23,8 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::sliding::Figure;
-use crate::certificate::Demand;
 use crate::error::Result;
+use crate::judge::Demand;
 use crate::lcp::friction::Model;
 use crate::scene::Scene;
 

@@ -6,13 +6,14 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
-use crate::certificate::Demand;
 use crate::error::{Error, Result};
+use crate::files;
+use crate::judge::Demand;
+use crate::lcp::Question;
 use crate::lcp::file::Problem;
 use crate::lcp::friction::Model;
-use crate::lcp::{Question, exchange};
 use crate::solver::{Method, Options, Registry, Settings, Status};
-use lcplab_study::friction;
+use lcplab_analysis::friction;
 
 /// The files and solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -70,7 +71,7 @@ pub struct Answer {
     /// Whether the judge accepts the answer.
     pub is_accepted: bool,
     /// The scaled residual.
-    #[serde(with = "lcplab_study::number::always")]
+    #[serde(with = "lcplab_analysis::number::always")]
     pub residual: f64,
 }
 
@@ -89,14 +90,14 @@ impl Study for Plan {
             return Err(solvers.unknown(&column.solver));
         }
         let pattern = &self.files[task];
-        let files = exchange::several(pattern, exchange::is_problem)?;
+        let files = files::several(pattern, files::is_problem)?;
         let files = files.unwrap_or_else(|| vec![pattern.clone()]);
         if files.is_empty() {
             return Err(Error::invalid(pattern.as_str(), "files", "there are none"));
         }
         let file = |file: &String| {
             let path = Path::new(file);
-            let problem = exchange::read(path, None)?;
+            let problem = files::read(path, None)?;
             let name = path.file_stem().map_or(String::new(), |own| own.to_string_lossy().into());
             let answers =
                 self.solvers.iter().map(|column| self.answer(column, solvers, &problem, &name));
@@ -116,7 +117,7 @@ impl Plan {
     ) -> Result<Option<Answer>> {
         // Bounds that depend on no other row are the same under every model.
         let has_friction = problem.lcp.coupling().is_some();
-        let model = column.model.or_else(|| exchange::model(problem)).filter(|_| has_friction);
+        let model = column.model.or_else(|| files::model(problem)).filter(|_| has_friction);
         let question = Question::new(problem, model, name)?;
         let is_asked =
             |method: &&Method| method.name() == column.solver && method.takes(question.model());

@@ -1,33 +1,60 @@
-//! Animations on separate pages and next to the tables of a comparison.
+//! Animations: as a section, as the page of a simulation, and next to the tables of a comparison.
 
-use super::ReportPage;
-use crate::film::Film;
+use super::{Outcome, ReportPage, View};
+use crate::animation::Animation;
 use crate::report::page::{Block, Page, Player, markup};
 use crate::report::recording::Record;
+use crate::report::study::animation::{AnimationData, Plan};
 
 /// The explanation of the controls, for the caption.
 const HOW: &str = "Arrows are forces on the moving body. Click a curve to jump to that time.";
 
 impl ReportPage {
     /// Adds an animation as a separate section.
-    pub fn film(&mut self, film: &Film, caption: &str) {
-        self.open("film", "The motion");
+    pub fn animation(&mut self, animation: &Animation, caption: &str) {
+        self.open("animation", "The motion");
         let caption = format!("{caption} {HOW}");
-        let (animation, files) = (film.animation(), Vec::new());
+        self.player(animation, caption);
+    }
+
+    /// Adds an animation from a recorded motion.
+    pub(super) fn recorded(&mut self, data: &AnimationData, caption: &str) {
+        match data.animation() {
+            Ok(animation) => self.player(&animation, caption.into()),
+            Err(error) => self.text(format!("The animation cannot be shown: {error}.")),
+        }
+    }
+
+    fn player(&mut self, animation: &Animation, caption: String) {
+        let (animation, files) = (animation.drawn(), Vec::new());
         self.add(Block::Player(Box::new(Player { animation, caption, files })));
     }
 }
 
+impl View for Plan {
+    const TITLE: &'static str = "Animation of a scene";
+
+    fn show(&self, findings: &[AnimationData], document: &mut ReportPage) {
+        for data in findings {
+            document.recorded(data, &self.caption);
+        }
+    }
+
+    fn outcome(&self, _: &[AnimationData]) -> Outcome {
+        Outcome::undecided()
+    }
+}
+
 /// The page of one simulation: its animation and its totals; its tables are next to it.
-pub fn simulation_page(film: Film, record: &Record) -> Page {
-    let scene = film.scene.clone();
+pub fn simulation_page(animation: Animation, record: &Record) -> Page {
+    let scene = animation.scene.clone();
     let page = Page {
         title: scene.title.clone(),
         lead: markup::literal(scene.teaches.trim()),
         ..Page::default()
     };
     let mut document = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
-    document.film(&film, "The simulated motion over time.");
+    document.animation(&animation, "The simulated motion over time.");
     if let Some(Block::Player(player)) =
         document.page.sections.iter_mut().flat_map(|section| &mut section.blocks).next()
     {

@@ -1,7 +1,7 @@
 //! Our answers compared with two independent ones.
 
 use super::{Headline, Outcome, ReportPage, View};
-use crate::certificate::cross_check::max_difference;
+use crate::judge::cross_check::max_difference;
 use crate::number::significant;
 use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::cross_check::{CrossCheck, Plan, Wrench};

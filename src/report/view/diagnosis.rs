@@ -3,13 +3,13 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::ReportPage;
+use crate::animation::{Animation, Frame, Recording, Sample, Strip, instants};
 use crate::diagnosis::unsupported::{
     ErrorHistory, Examination, Frame as Problem, ReferenceSolution, UserSolver, error_histories,
     exact, main_solve,
 };
 use crate::document;
 use crate::error::Result;
-use crate::film::{Film, Frame, Recording, Sample, Strip, instants};
 use crate::plot::{Axis, Figure, Lines, Series};
 use crate::report::page::{Block, Page, Picture, markup};
 use crate::scene::Scene;
@@ -19,7 +19,7 @@ use crate::simulation::{Simulation, Step};
 const SWING: f64 = 0.5;
 
 /// The caption of the animation.
-const FILM: &str = "Left: with this solver; right: with exact answers. The redder a body, the less of its \
+const ANIMATION: &str = "Left: with this solver; right: with exact answers. The redder a body, the less of its \
  weight is supported; a fully red body falls freely.";
 
 /// The page of a scene's diagnosis.
@@ -41,7 +41,7 @@ pub fn diagnosis_page(
     };
     let mut page = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
     if let Some(scene) = scene.filter(|_| !found.notes.is_empty()) {
-        page.film(&film(scene, found.notes.len())?, FILM);
+        page.animation(&animation(scene, found.notes.len())?, ANIMATION);
     }
     for (k, section) in words.sections.iter().enumerate() {
         page.open(&format!("part-{}", k + 1), &section.title);
@@ -92,12 +92,12 @@ fn drawn(figure: &dyn Figure) -> Picture {
 }
 
 /// The scene as it is solved next to the exact one; bodies with an error are red.
-fn film(scene: &Scene, steps: usize) -> Result<Film> {
+fn animation(scene: &Scene, steps: usize) -> Result<Animation> {
     let recordings = [
         recording(&scene.solver.name, scene, steps, &|step| unsupported(scene, step))?,
         recording("exact", &exact(scene), steps, &|_| vec![0.0; scene.bodies.len()])?,
     ];
-    Ok(Film::new("film", scene, recordings.into()))
+    Ok(Animation::new("animation", scene, recordings.into()))
 }
 
 fn recording(
@@ -107,7 +107,7 @@ fn recording(
     heat: &dyn Fn(&Step) -> Vec<f64>,
 ) -> Result<Recording> {
     let mut simulation = Simulation::of(scene)?;
-    let samples = instants(steps, Film::samples_each(2));
+    let samples = instants(steps, Animation::samples_each(2));
     let mut recording = Recording::start(name, &simulation);
     recording.samples[0].frame.heat = vec![0.0; scene.bodies.len()];
     for _ in 0..steps {

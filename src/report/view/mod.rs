@@ -14,7 +14,6 @@ mod defects;
 mod diagnosis;
 mod drift;
 mod families;
-mod film;
 mod grid;
 mod headline;
 mod profiles;

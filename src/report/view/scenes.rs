@@ -8,15 +8,15 @@ impl View for Plan {
     const TITLE: &'static str = "Animations of scenes";
 
     fn show(&self, findings: &[Finding], document: &mut ReportPage) {
-        for Finding { title, teaches, film } in findings {
-            document.text(format!("**{}**: {}", literal(&film.id), literal(title)));
-            document.recorded(film, &literal(teaches.trim()));
+        for Finding { title, teaches, animation } in findings {
+            document.text(format!("**{}**: {}", literal(&animation.id), literal(title)));
+            document.recorded(animation, &literal(teaches.trim()));
         }
     }
 
     fn outcome(&self, findings: &[Finding]) -> Outcome {
         let comes_to_its_end = |finding: &&Finding| {
-            finding.film.recordings.iter().all(|recording| recording.ending.is_none())
+            finding.animation.recordings.iter().all(|recording| recording.ending.is_none())
         };
         let whole = findings.iter().filter(comes_to_its_end).count();
         let says = format!("{whole} of {} scenes run to the end", findings.len());

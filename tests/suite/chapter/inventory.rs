@@ -120,12 +120,12 @@ fn exists(place: &str) -> bool {
 /// Where the modules of `lcplab` are that have a crate of their own or are part of one; the others
 /// are in `src`.
 const HOMES: [(&str, &str); 18] = [
-    ("lcp::exchange", "files/src"),
-    ("lcp", "problem/src"),
-    ("error", "problem/src"),
+    ("files", "files/src"),
+    ("lcp", "lcp/src"),
+    ("error", "lcp/src"),
     ("solver", "solver/src"),
     ("trace", "solver/src/trace"),
-    ("certificate", "judge/src"),
+    ("judge", "judge/src"),
     ("reference", "judge/src/reference"),
     ("body", "bodies/src/body"),
     ("constraint", "bodies/src/constraint"),
@@ -135,9 +135,9 @@ const HOMES: [(&str, &str); 18] = [
     ("simulation", "mechanics/src/simulation"),
     ("document", "page/src/document"),
     ("plot", "page/src/plot"),
-    ("hunt", "study/src/hunt"),
-    ("explain", "study/src/explain"),
-    ("diagnosis", "study/src/diagnosis"),
+    ("hunt", "analysis/src/hunt"),
+    ("explain", "analysis/src/explain"),
+    ("diagnosis", "analysis/src/diagnosis"),
 ];
 
 /// In which folder a path is, and what is left of it there.
@@ -158,11 +158,10 @@ fn home<'a>(root: &Path, path: &'a str) -> Option<(PathBuf, &'a str)> {
 
 /// Whether one of the suites has this test or module; that of a crate may be named before it.
 fn is_test(root: &Path, path: &str) -> bool {
-    let crates = ["problem", "solver", "judge", "files", "bodies", "mechanics", "page", "study"];
+    let crates = ["lcp", "solver", "judge", "files", "bodies", "mechanics", "page", "analysis"];
     let within = |name: &str| {
         let suite = root.join("crates").join(name).join("tests/suite");
-        let known = if name == "problem" { "lcp" } else { name };
-        let rest = path.strip_prefix(known).and_then(|rest| rest.strip_prefix("::"));
+        let rest = path.strip_prefix(name).and_then(|rest| rest.strip_prefix("::"));
         suite.is_dir() && is_declared(&suite, rest.unwrap_or(path))
     };
     is_declared(&root.join("tests/suite"), path) || crates.into_iter().any(within)

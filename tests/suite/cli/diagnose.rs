@@ -3,7 +3,7 @@
 use super::{out, run};
 
 #[test]
-fn a_page_shows_film_pattern_and_sweeps_and_the_problems_lie_beside_it() {
+fn a_page_shows_animation_pattern_and_sweeps_and_the_problems_lie_beside_it() {
     let folder = tempfile::tempdir().unwrap();
     let page = folder.path().join("why.html");
     let [scene, sweeps] = ["mass_ratio3", "10"];
@@ -20,15 +20,16 @@ fn a_page_shows_film_pattern_and_sweeps_and_the_problems_lie_beside_it() {
         assert!(page.contains(part), "{part}");
     }
     // Of the boxes three are heavy enough to fall freely at first; the exact take has no red body.
-    let film = page.split("<script type=\"application/json\">").nth(1).unwrap();
-    let film: serde_json::Value =
-        serde_json::from_str(film.split("</script>").next().unwrap()).unwrap();
-    let heat = |recording: usize, body: usize| film["recordings"][recording]["heat"][body].clone();
+    let animation = page.split("<script type=\"application/json\">").nth(1).unwrap();
+    let animation: serde_json::Value =
+        serde_json::from_str(animation.split("</script>").next().unwrap()).unwrap();
+    let heat =
+        |recording: usize, body: usize| animation["recordings"][recording]["heat"][body].clone();
     assert_eq!(
         (0..5).map(|body| heat(1, body)).collect::<Vec<_>>(),
         vec![serde_json::json!([0]); 5]
     );
-    let last = film["heat"].as_array().unwrap().len() as u64 - 1;
+    let last = animation["heat"].as_array().unwrap().len() as u64 - 1;
     let first: Vec<_> = (0..5).filter_map(|body| heat(0, body)[1].as_u64()).collect();
     assert!(first.iter().filter(|steps| **steps == last).count() >= 3, "{first:?} of {last}");
     // The examined step's problem is that of `export`.

@@ -11,7 +11,7 @@ use lcplab::solver::MatrixClass;
 #[test]
 fn every_error_is_made_and_says_what_is_wrong_where() {
     let manifest = Path::new("Cargo.toml"); // tests run beside it
-    each_variant! { Error in "crates/problem/src/error.rs":
+    each_variant! { Error in "crates/lcp/src/error.rs":
         Error::File { .. } => file::read(manifest, Memory::bytes(3)).unwrap_err(),
             "Cargo.toml: is larger than 3 B, the limit for reading";
         Error::Unknown { .. } => MatrixClass::by_word("magic").unwrap_err(),

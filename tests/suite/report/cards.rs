@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 use std::path::PathBuf;
 
-use lcplab::certificate::{Demand, Verdict};
+use lcplab::judge::{Demand, Verdict};
 use lcplab::lcp::Question;
 use lcplab::report::friction::JudgedAnswer;
 use lcplab::report::page::Block;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use lcplab::certificate::cross_check::max_difference;
+use lcplab::judge::cross_check::max_difference;
 use lcplab::lcp::friction::{Contact, FrictionProblem};
 use lcplab::lcp::merit;
 use lcplab::report::study::friction::{Answer, ContactAnswer, Model, compare};

@@ -1,10 +1,10 @@
+mod animation;
 mod cards;
 mod comparison;
 mod defects;
 mod difference;
 mod families;
 mod file;
-mod film;
 mod forces;
 mod friction;
 mod grid;

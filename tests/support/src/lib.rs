@@ -9,8 +9,8 @@ pub use pile::pile;
 use std::ops::ControlFlow;
 
 use lcplab_judge::{Certificate, Demand, Verdict, judge};
-use lcplab_problem::friction::{Contact, FrictionProblem};
-use lcplab_problem::{Coupling, Lcp, Matrix, merit};
+use lcplab_lcp::friction::{Contact, FrictionProblem};
+use lcplab_lcp::{Coupling, Lcp, Matrix, merit};
 use lcplab_solver::{Event, Iterate, Observer, Pgs, Settings, Solution, Solver, Start, StepDetail};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;

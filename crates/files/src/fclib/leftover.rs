@@ -6,7 +6,7 @@ use hdf5_reader::Hdf5File;
 use hdf5_reader::error::Result as Hdf5Result;
 use hdf5_reader::group::Group;
 
-use lcplab_problem::error::{Error, Result};
+use lcplab_lcp::error::{Error, Result};
 
 /// Groups of answers, which are not part of the problem.
 const ANSWERS: [&str; 2] = ["guesses", "solution"];

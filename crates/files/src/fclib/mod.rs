@@ -43,7 +43,7 @@ mod reader;
 mod writer;
 
 use super::Format;
-use lcplab_problem::friction::Model;
+use lcplab_lcp::friction::Model;
 
 /// FCLIB's HDF5 files.
 pub const FORMAT: Format = Format {
@@ -66,7 +66,7 @@ pub const FORMAT: Format = Format {
 };
 
 #[cfg(not(feature = "fclib"))]
-fn left_out(input: String) -> lcplab_problem::error::Error {
+fn left_out(input: String) -> lcplab_lcp::error::Error {
     let reason = "this build has no HDF5; build with the feature fclib";
-    lcplab_problem::error::Error::invalid(input, "format", reason)
+    lcplab_lcp::error::Error::invalid(input, "format", reason)
 }

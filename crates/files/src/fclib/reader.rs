@@ -11,9 +11,9 @@ use crate::Input;
 use crate::budget::Budget;
 use crate::contacts::{coulomb, law};
 use crate::delassus::Motion;
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::{Entries, Problem};
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::file::{Entries, Problem};
+use lcplab_lcp::memory::Memory;
 
 pub(super) fn read(input: &Input) -> Result<Problem> {
     let name = input.name();

@@ -4,9 +4,9 @@ use hdf5_writer::{DatasetBuilder, H5WriteElement, Hdf5Builder, WriteOptions};
 
 use crate::Output;
 use crate::contacts::Arrangement;
-use lcplab_problem::Lcp;
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::Problem;
+use lcplab_lcp::Lcp;
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::file::Problem;
 
 pub(super) fn write(problem: &Problem) -> Result<Output> {
     let order = Arrangement::of(problem, "fclib")?;

@@ -13,8 +13,8 @@ use super::level5::wholes;
 use super::variables::{Variables, dense, sparse};
 use crate::budget::Budget;
 use crate::table::Table;
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::memory::Memory;
 
 /// Types of numbers.
 const CLASSES: [&str; 10] =

@@ -13,8 +13,8 @@ use super::fault;
 use super::variables::{Variables, dense, sparse};
 use crate::budget::Budget;
 use crate::table::Table;
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::memory::Memory;
 
 const HEADER: usize = 128;
 const MATRIX: u32 = 14;

@@ -7,7 +7,7 @@
 //! | --- | --- |
 //! | `P`, `q`; `A`, `l`, `u`; `r`, `n`, `m` | min ½ xᵀP x + qᵀx with l ≤ A x ≤ u, as OSQP and the Maros-Mészáros files of qpsolvers store it; `r`, a constant of the objective, is ignored, `n` and `m` must be the sizes |
 //! | `P`, `q`; `G`, `h`; `A`, `b`; `lb`, `ub` | min ½ xᵀP x + qᵀx with G x ≤ h, A x = b, lb ≤ x ≤ ub, the arguments of qpsolvers |
-//! | `A`, `b`; `lo`, `hi`; `friction_index`, `mu` | w = A x + b, as in [`file`](lcplab_problem::file); friction rows from 0, −1 for none |
+//! | `A`, `b`; `lo`, `hi`; `friction_index`, `mu` | w = A x + b, as in [`file`](lcplab_lcp::file); friction rows from 0, −1 for none |
 //!
 //! P is all of a symmetric matrix, and the objective contains half of xᵀP x. A constraint adds a
 //! row for its multiplier (`multipliers`); a row of A with a single entry 1 between `l` and `u` is
@@ -24,8 +24,8 @@ mod variables;
 
 use super::Format;
 use super::Input;
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::Problem;
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::file::Problem;
 use variables::Variables;
 
 /// MATLAB's files.

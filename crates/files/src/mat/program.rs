@@ -7,8 +7,8 @@ use super::variables::Variables;
 use crate::delassus::is_symmetric;
 use crate::multipliers::{Multipliers, Row, label, limit};
 use crate::table::{Table, parts};
-use lcplab_problem::error::Result;
-use lcplab_problem::file::{Entries, Parts, Problem};
+use lcplab_lcp::error::Result;
+use lcplab_lcp::file::{Entries, Parts, Problem};
 
 /// The variables of a quadratic program with constraints between two limits.
 const BETWEEN: [&str; 8] = ["P", "q", "A", "l", "u", "r", "n", "m"];

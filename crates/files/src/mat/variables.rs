@@ -2,8 +2,8 @@
 
 use super::fault;
 use crate::table::{Table, by_rows};
-use lcplab_problem::error::Result;
-use lcplab_problem::file::Entries;
+use lcplab_lcp::error::Result;
+use lcplab_lcp::file::Entries;
 
 /// The variables of a file, in its order.
 pub(super) struct Variables {

@@ -4,7 +4,7 @@ use std::io::Read;
 
 use super::header::Header;
 use crate::table::{Table, by_rows};
-use lcplab_problem::file::Entries;
+use lcplab_lcp::file::Entries;
 
 /// The maximum length of a word.
 const MOST_LETTERS: usize = 4096;

@@ -12,9 +12,9 @@
 use std::collections::HashMap;
 
 use super::array::Array;
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::{Parts, Problem};
-use lcplab_problem::friction::Model;
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::file::{Parts, Problem};
+use lcplab_lcp::friction::Model;
 
 /// The names of the arrays.
 pub(super) const ARRAYS: [&str; 3] = ["G", "g", "mus"];

@@ -18,10 +18,10 @@
 //! | `source` | word | a JSON object: engine, version, scene, step and more |
 //! | `x`, `v` | numbers, n and k | optional: the engine's own answer, forces (or impulses) and the new velocity (or acceleration); the key `answer` of the problem |
 
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::{Problem, number};
-use lcplab_problem::memory::Memory;
-use lcplab_problem::{Gauss, Lcp, Level};
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::file::{Problem, number};
+use lcplab_lcp::memory::Memory;
+use lcplab_lcp::{Gauss, Lcp, Level};
 use serde_json::{Map, Value, json};
 
 use super::array::Array;

@@ -9,7 +9,7 @@
 //! | `data`, `indices`, `indptr`, `shape`, `format` | as SciPy | the matrix, if it is sparse; `format` is `csr`, `csc` or, with `row` and `col`, `coo` |
 //! | `b` | numbers, n | the offset of w = A x + b |
 //! | `lo`, `hi` | numbers, n | bounds; 0 and ∞ where they are absent |
-//! | `friction_index`, `mu` | integers and numbers, n | as in [`file`](lcplab_problem::file): rows from 0, −1 for none |
+//! | `friction_index`, `mu` | integers and numbers, n | as in [`file`](lcplab_lcp::file): rows from 0, −1 for none |
 //!
 //! An archive with `G`, `g` and `mus` instead comes from ContactBench, the benchmark of contact
 //! solvers in robotics: contacts t1, t2, n with Coulomb's cone, A = G and b = g; `lam0`, an initial
@@ -45,9 +45,9 @@ use super::budget::Budget;
 use super::table::{Table, parts};
 use super::{Format, Input, Output};
 use array::{Array, Outline};
-use lcplab_problem::Matrix;
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::{Entries, Problem};
+use lcplab_lcp::Matrix;
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::file::{Entries, Problem};
 
 /// NumPy's archives of arrays.
 pub const FORMAT: Format = Format {

@@ -5,8 +5,8 @@ use std::collections::{HashMap, HashSet};
 use super::constraints::Constraints;
 use crate::multipliers::{Multipliers, label, limit};
 use crate::words::brief;
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::{Entries, Parts, Problem};
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::file::{Entries, Parts, Problem};
 
 /// A result whose error is the reason that a line is invalid.
 pub(super) type Checked<T = ()> = std::result::Result<T, String>;

@@ -3,8 +3,8 @@
 use super::program::Program;
 use crate::Input;
 use crate::words::{Words, brief};
-use lcplab_problem::error::Result;
-use lcplab_problem::file::Problem;
+use lcplab_lcp::error::Result;
+use lcplab_lcp::file::Problem;
 
 pub(super) fn read(input: &Input) -> Result<Problem> {
     parse(&input.text()?, &input.name(), input.stem())

@@ -2,8 +2,8 @@
 
 use crate::Output;
 use crate::output::decimal;
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::Problem;
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::file::Problem;
 
 pub(super) fn write(problem: &Problem) -> Result<Output> {
     let lcp = &problem.lcp;

@@ -3,7 +3,7 @@
 
 use super::matrix::size_ahead;
 use crate::words::Words;
-use lcplab_problem::error::{Error, Result};
+use lcplab_lcp::error::{Error, Result};
 
 /// The supported kinds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

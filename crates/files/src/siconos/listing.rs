@@ -14,8 +14,8 @@
 
 use crate::table::Table;
 use crate::words::{Words, brief};
-use lcplab_problem::error::Result;
-use lcplab_problem::file::Entries;
+use lcplab_lcp::error::Result;
+use lcplab_lcp::file::Entries;
 
 /// Whether a word begins a listing.
 pub(super) fn is_head(word: &str) -> bool {

@@ -3,8 +3,8 @@
 use super::listing;
 use crate::table::{Table, by_rows};
 use crate::words::Words;
-use lcplab_problem::error::Result;
-use lcplab_problem::file::Entries;
+use lcplab_lcp::error::Result;
+use lcplab_lcp::file::Entries;
 
 const DENSE: usize = 0;
 const BLOCKS: usize = 1;

@@ -3,8 +3,8 @@
 use super::matrix;
 use crate::table::Table;
 use crate::words::Words;
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::{Entries, Parts};
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::file::{Entries, Parts};
 
 /// Reads a mixed LCP; any words after it remain unread.
 pub(super) fn read(words: &mut Words, input: &str) -> Result<Parts> {

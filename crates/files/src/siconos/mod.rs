@@ -58,7 +58,7 @@ mod reader;
 mod writer;
 
 use super::Format;
-use lcplab_problem::friction::Model;
+use lcplab_lcp::friction::Model;
 
 /// Siconos' LCPs, relay problems, mixed LCPs and contacts.
 pub const FORMAT: Format = Format {

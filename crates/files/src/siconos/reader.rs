@@ -7,9 +7,9 @@ use crate::contacts::{coulomb, law};
 use crate::delassus::Motion;
 use crate::table::Table;
 use crate::words::{Words, brief};
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::{Parts, Problem};
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::file::{Parts, Problem};
+use lcplab_lcp::memory::Memory;
 
 pub(super) fn read(input: &Input) -> Result<Problem> {
     let (text, name) = (input.text()?, input.name());

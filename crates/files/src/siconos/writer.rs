@@ -3,9 +3,9 @@
 use crate::Output;
 use crate::contacts::Arrangement;
 use crate::output::decimal;
-use lcplab_problem::Lcp;
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::Problem;
+use lcplab_lcp::Lcp;
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::file::Problem;
 
 /// Matrices with more rows are not written: a file of n² numbers would be too large to be useful.
 const MOST_ROWS: usize = 5000;

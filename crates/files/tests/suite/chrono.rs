@@ -1,8 +1,8 @@
 use std::path::Path;
 
-use lcplab_files as exchange;
+use lcplab_files as files;
 use lcplab_files::Format;
-use lcplab_problem::friction::{Contact, Model};
+use lcplab_lcp::friction::{Contact, Model};
 
 use super::{rows, sample};
 use lcplab_testing::INF;
@@ -15,7 +15,7 @@ const A: [[f64; 4]; 4] =
 #[test]
 fn a_dump_becomes_the_problem_in_impulses() {
     for path in ["chrono", "chrono/dump", "chrono/dump_Cq.dat"] {
-        let problem = exchange::read(&sample(path), None).unwrap();
+        let problem = files::read(&sample(path), None).unwrap();
         assert_eq!(rows(problem.lcp.matrix()), A);
         assert_eq!(problem.lcp.b(), [4.0, -1.5, 3.0, 0.0]);
         assert_eq!(problem.lcp.lo(), [-INF, 0.0, -INF, -INF]);
@@ -35,7 +35,7 @@ fn message(change: impl Fn(&Path)) -> String {
     let folder = tempfile::tempdir().unwrap();
     copy(folder.path());
     change(folder.path());
-    let error = exchange::read(folder.path(), None).unwrap_err().to_string();
+    let error = files::read(folder.path(), None).unwrap_err().to_string();
     error.replace(&format!("{}/", folder.path().display()), "")
 }
 
@@ -54,7 +54,7 @@ fn old_dumps_count_from_one_and_call_the_masses_m() {
         let text: String = text.lines().map(line).collect();
         std::fs::write(folder.path().join(format!("dump_{new}.dat")), text).unwrap();
     }
-    assert_eq!(rows(exchange::read(folder.path(), None).unwrap().lcp.matrix()), A);
+    assert_eq!(rows(files::read(folder.path(), None).unwrap().lcp.matrix()), A);
 }
 
 #[test]
@@ -85,7 +85,7 @@ fn each_defect_has_its_file() {
 
 #[test]
 fn dumps_are_only_read() {
-    let problem = exchange::read(&sample("chrono"), None).unwrap();
-    let error = exchange::encode(&problem, Format::by_name("chrono").unwrap()).unwrap_err();
+    let problem = files::read(&sample("chrono"), None).unwrap();
+    let error = files::encode(&problem, Format::by_name("chrono").unwrap()).unwrap_err();
     assert_eq!(error.to_string(), "chrono: format: can be read but not written");
 }

@@ -1,8 +1,8 @@
 use hdf5_writer::{DatasetBuilder, FilterDescription, Hdf5Builder, WriteOptions};
-use lcplab_files as exchange;
-use lcplab_problem::file::Problem;
-use lcplab_problem::friction::{Contact, Model};
-use lcplab_problem::memory::Memory;
+use lcplab_files as files;
+use lcplab_lcp::file::Problem;
+use lcplab_lcp::friction::{Contact, Model};
+use lcplab_lcp::memory::Memory;
 use proptest::prelude::*;
 
 use super::{again, assert_same, frictions, message, refusal, rows, sample};
@@ -10,7 +10,7 @@ use lcplab_testing::{INF, assert_proved, cases};
 
 #[test]
 fn a_local_problem_is_read_with_its_unsymmetric_w() {
-    let problem = exchange::read(&sample("fclib_local.hdf5"), None).unwrap();
+    let problem = files::read(&sample("fclib_local.hdf5"), None).unwrap();
     let a = rows(problem.lcp.matrix());
     assert_eq!(a[0], [2.0, 0.0, 0.0, 1.0, 0.125, 0.0, 0.0]);
     assert_eq!(a[4], [0.25, 0.0, 0.0, 0.0, 6.0, 0.0, 0.0]);
@@ -28,7 +28,7 @@ fn a_local_problem_is_read_with_its_unsymmetric_w() {
 /// the equation behind the contact.
 #[test]
 fn a_global_problem_becomes_the_problem_in_impulses() {
-    let problem = exchange::read(&sample("fclib_global.hdf5"), None).unwrap();
+    let problem = files::read(&sample("fclib_global.hdf5"), None).unwrap();
     let expected = [
         [1.0, 0.0, 0.0, -1.0],
         [0.0, 0.5, 0.0, 0.25],
@@ -72,7 +72,7 @@ fn a_small_file_of_large_arrays_is_refused_before_they_are_unpacked() {
     let path = folder.path().join("p.hdf5");
     let read = |count: usize, columns: i32, most| {
         std::fs::write(&path, packed(count, columns)).unwrap();
-        let read = exchange::read_within(&path, None, Memory::bytes(most)).unwrap_err();
+        let read = files::read_within(&path, None, Memory::bytes(most)).unwrap_err();
         read.to_string().split_once("p.hdf5: ").unwrap().1.to_string()
     };
     let limit = "the limit is 10 MB";
@@ -130,10 +130,10 @@ fn global(mass: &[(i32, i32, f64)], others: &[&str]) -> Result<Problem, String> 
     let path = folder.path().join("p.hdf5");
     let bytes = file.into_plan().unwrap().encode(WriteOptions::default()).unwrap();
     std::fs::write(&path, bytes).unwrap();
-    let short = |error: lcplab_problem::error::Error| {
+    let short = |error: lcplab_lcp::error::Error| {
         error.to_string().split_once("p.hdf5: ").unwrap().1.to_string()
     };
-    exchange::read(&path, None).map_err(short)
+    files::read(&path, None).map_err(short)
 }
 
 const DIAGONAL: [(i32, i32, f64); 3] = [(0, 0, 2.0), (1, 1, 2.0), (2, 2, 4.0)];
@@ -183,13 +183,13 @@ fn rolling_friction_is_refused_by_name() {
     let path = folder.path().join("p.hdf5");
     let bytes = file.into_plan().unwrap().encode(WriteOptions::default()).unwrap();
     std::fs::write(&path, bytes).unwrap();
-    let message = exchange::read(&path, None).unwrap_err().to_string();
+    let message = files::read(&path, None).unwrap_err().to_string();
     assert!(message.contains("holds contacts with rolling friction"), "{message}");
 }
 
 #[test]
 fn only_contacts_and_equations_are_written() {
-    let boxed = lcplab_problem::library::by_name("manufactured").unwrap().generate(&[]).unwrap();
+    let boxed = lcplab_lcp::library::by_name("manufactured").unwrap().generate(&[]).unwrap();
     assert_eq!(
         refusal(&boxed, "fclib"),
         "fclib: friction_index: is missing: there are no contacts"
@@ -234,7 +234,7 @@ fn contacts_in_the_plane_are_boxes_of_a_normal_and_a_tangent() {
         let path = folder.path().join("p.hdf5");
         let bytes = file.into_plan().unwrap().encode(WriteOptions::default()).unwrap();
         std::fs::write(&path, bytes).unwrap();
-        let read = exchange::read(&path, None);
+        let read = files::read(&path, None);
         read.map_err(|error| error.to_string().replace(path.to_str().unwrap(), "p"))
     };
     let problem = read(2).unwrap();

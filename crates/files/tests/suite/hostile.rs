@@ -3,10 +3,10 @@
 use std::io::{Cursor, Write};
 use std::path::Path;
 
-use lcplab_files as exchange;
+use lcplab_files as files;
 use lcplab_files::{ALL, Format};
-use lcplab_problem::error::Error;
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::error::Error;
+use lcplab_lcp::memory::Memory;
 use proptest::prelude::*;
 
 use super::{message, sample};
@@ -50,7 +50,7 @@ fn read(bytes: &[u8], format: &str, beside: Option<&Path>) {
         _ => "file",
     };
     std::fs::write(folder.path().join(name), bytes).unwrap();
-    let _ = exchange::read(&folder.path().join(name), Some(format));
+    let _ = files::read(&folder.path().join(name), Some(format));
 }
 
 #[test]
@@ -95,7 +95,7 @@ fn arrays_are_not_unpacked_beyond_the_limit() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("p.npz");
         std::fs::write(&path, archive(shape)).unwrap();
-        exchange::read(&path, None).unwrap_err().to_string()
+        files::read(&path, None).unwrap_err().to_string()
     };
     let whole = |text: String| text.split_once("p.npz: ").unwrap().1.to_string();
     assert_eq!(
@@ -121,7 +121,7 @@ fn arrays_that_are_small_one_by_one_are_refused_together() {
     let path = folder.path().join("p.npz");
     std::fs::write(&path, zip.finish().unwrap().into_inner()).unwrap();
     assert!(path.metadata().unwrap().len() < 10_000);
-    let read = |most| exchange::read_within(&path, None, Memory::bytes(most)).unwrap_err();
+    let read = |most| files::read_within(&path, None, Memory::bytes(most)).unwrap_err();
     assert!(matches!(read(16_000_000), Error::TooLarge { limit: 16_000_000, .. }));
     assert!(matches!(read(100_000_000), Error::Invalid { .. }), "there is no A");
 }
@@ -140,7 +140,7 @@ fn a_matrix_that_a_file_only_asks_for_is_refused() {
     ] {
         std::fs::write(folder.path().join(format!("dump_{part}.dat")), text).unwrap();
     }
-    let refused = exchange::read_within(folder.path(), None, Memory::bytes(1_000_000));
+    let refused = files::read_within(folder.path(), None, Memory::bytes(1_000_000));
     let message = refused.unwrap_err().to_string();
     assert!(message.contains("A of 1000 rows needs 1.01 MB; the limit is 1 MB"), "{message}");
 }
@@ -151,7 +151,7 @@ fn empty_files_make_no_reader_panic() {
     for part in ["H", "Cq", "E", "f", "b", "fric"] {
         std::fs::write(folder.path().join(format!("dump_{part}.dat")), "").unwrap();
     }
-    let _ = exchange::read(folder.path(), None);
+    let _ = files::read(folder.path(), None);
     for format in ALL {
         read(b"", format.name, None);
         read(b"0 0 0 0 0 0 0 0 0 0", format.name, None);

@@ -16,11 +16,11 @@ mod siconos;
 
 use std::path::{Path, PathBuf};
 
-use lcplab_files as exchange;
+use lcplab_files as files;
 use lcplab_files::Format;
-use lcplab_problem::file::Problem;
-use lcplab_problem::friction::FrictionProblem;
-use lcplab_problem::{Coupling, Lcp, Matrix};
+use lcplab_lcp::file::Problem;
+use lcplab_lcp::friction::FrictionProblem;
+use lcplab_lcp::{Coupling, Lcp, Matrix};
 use proptest::prelude::*;
 
 use lcplab_testing::{INF, manufactured, rubbing};
@@ -35,7 +35,7 @@ fn parse(format: &str, text: &str) -> Result<Problem, String> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("p");
     std::fs::write(&path, text).unwrap();
-    let read = exchange::read(&path, Some(Format::by_name(format).unwrap()));
+    let read = files::read(&path, Some(Format::by_name(format).unwrap()));
     read.map_err(|error| error.to_string().replace(path.to_str().unwrap(), "p"))
 }
 
@@ -48,12 +48,12 @@ fn again(problem: &Problem, format: &str) -> Problem {
     let folder = tempfile::tempdir().unwrap();
     let format = Format::by_name(format).unwrap();
     let path = folder.path().join(format!("again{}", format.endings[0]));
-    exchange::write(problem, &path, Some(format)).unwrap();
-    exchange::read(&path, None).unwrap()
+    files::write(problem, &path, Some(format)).unwrap();
+    files::read(&path, None).unwrap()
 }
 
 fn refusal(problem: &Problem, format: &str) -> String {
-    exchange::encode(problem, Format::by_name(format).unwrap()).unwrap_err().to_string()
+    files::encode(problem, Format::by_name(format).unwrap()).unwrap_err().to_string()
 }
 
 fn rows(matrix: &Matrix) -> Vec<Vec<f64>> {

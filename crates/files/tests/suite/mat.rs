@@ -1,20 +1,20 @@
 use std::path::Path;
 
-use lcplab_files as exchange;
+use lcplab_files as files;
 use lcplab_files::Format;
-use lcplab_problem::file::Problem;
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::file::Problem;
+use lcplab_lcp::memory::Memory;
 
 use super::{assert_same, rows, sample};
 use lcplab_testing::{INF, assert_proved};
 
 fn read(name: &str) -> Problem {
-    exchange::read(&sample(&format!("matlab/{name}.mat")), None).unwrap()
+    files::read(&sample(&format!("matlab/{name}.mat")), None).unwrap()
 }
 
 /// The message about a file without its path.
 fn message(path: &Path) -> String {
-    let error = exchange::read(path, None).unwrap_err().to_string();
+    let error = files::read(path, None).unwrap_err().to_string();
     error.replace(path.to_str().unwrap(), "p")
 }
 
@@ -52,7 +52,7 @@ fn inequalities_equations_and_bounds_are_those_of_qpsolvers() {
 /// The problem that NumPy wrote: the upper triangle of tridiag(-1, 2, -1) with a third.
 #[test]
 fn an_lcp_has_the_numbers_of_the_same_npz() {
-    let other = exchange::read(&sample("numpy.npz"), None).unwrap();
+    let other = files::read(&sample("numpy.npz"), None).unwrap();
     assert_same(&read("lcp").lcp, &other.lcp);
 }
 
@@ -145,6 +145,6 @@ fn a_cut_file_is_refused() {
 fn a_compressed_variable_may_not_be_larger_than_the_limit() {
     let format = Format::by_name("mat").unwrap();
     let path = sample("matlab/between.mat");
-    let error = exchange::read_within(&path, Some(format), Memory::bytes(700)).unwrap_err();
+    let error = files::read_within(&path, Some(format), Memory::bytes(700)).unwrap_err();
     assert!(error.to_string().contains("a variable of"), "{error}");
 }

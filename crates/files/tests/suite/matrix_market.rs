@@ -1,4 +1,4 @@
-use lcplab_files as exchange;
+use lcplab_files as files;
 use proptest::prelude::*;
 
 use super::{again, assert_same, boxes, frictions, message, rows, sample};
@@ -6,7 +6,7 @@ use lcplab_testing::{INF, cases};
 
 #[test]
 fn what_scipy_writes_is_read() {
-    let lcp = exchange::read(&sample("scipy.mtx"), None).unwrap().lcp;
+    let lcp = files::read(&sample("scipy.mtx"), None).unwrap().lcp;
     let third = 1.0 / 3.0;
     assert_eq!(rows(lcp.matrix()), [[2.0, -1.0, 0.0], [-1.0, 2.0, -1.0], [0.0, -1.0, third]]);
     assert_eq!(lcp.b(), [-1.0, 0.1, 3.0]);
@@ -19,7 +19,7 @@ fn an_array_is_listed_by_columns_and_a_folder_has_plain_names() {
     let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
     write("A.mtx", "%%MatrixMarket matrix array integer general\n% by columns\n2 2\n1\n2\n3\n4\n");
     write("b.mtx", "%%MatrixMarket matrix array real general\n2 1\n5\n6\n");
-    let problem = exchange::read(folder.path(), None).unwrap();
+    let problem = files::read(folder.path(), None).unwrap();
     assert_eq!(rows(problem.lcp.matrix()), [[1.0, 3.0], [2.0, 4.0]]);
     assert_eq!((problem.lcp.lo(), problem.lcp.hi()), (&[0.0; 2][..], &[INF; 2][..]));
 }
@@ -30,7 +30,7 @@ fn a_symmetric_array_holds_the_lower_triangle_by_columns() {
     let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
     write("x.mtx", "%%MatrixMarket matrix array real symmetric\n3 3\n1\n2\n3\n4\n5\n6\n");
     write("x_b.mtx", "%%MatrixMarket matrix coordinate real general\n3 1 1\n2 1 7\n");
-    let lcp = exchange::read(&folder.path().join("x"), None).unwrap().lcp;
+    let lcp = files::read(&folder.path().join("x"), None).unwrap().lcp;
     assert_eq!(rows(lcp.matrix()), [[1.0, 2.0, 3.0], [2.0, 4.0, 5.0], [3.0, 5.0, 6.0]]);
     assert_eq!(lcp.b(), [0.0, 7.0, 0.0]);
 }
@@ -40,8 +40,8 @@ fn a_file_that_would_be_read_as_part_of_a_problem_is_not_left_beside_it() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("p.mtx");
     std::fs::write(folder.path().join("p_mu.mtx"), "of an older problem").unwrap();
-    let problem = exchange::read(&sample("scipy.mtx"), None).unwrap();
-    let error = exchange::write(&problem, &path, None).unwrap_err().to_string();
+    let problem = files::read(&sample("scipy.mtx"), None).unwrap();
+    let error = files::write(&problem, &path, None).unwrap_err().to_string();
     assert!(
         error.ends_with("p_mu.mtx: file: already exists and would be read as part of the problem; delete it or use another name")
     );

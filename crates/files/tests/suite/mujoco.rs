@@ -3,11 +3,11 @@
 
 use std::path::{Path, PathBuf};
 
-use lcplab_files as exchange;
+use lcplab_files as files;
 use lcplab_judge::{Demand, Verdict, judge, judge_friction};
-use lcplab_problem::file::read_answer;
-use lcplab_problem::friction::{Model, ProblemForm};
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::file::read_answer;
+use lcplab_lcp::friction::{Model, ProblemForm};
+use lcplab_lcp::memory::Memory;
 use lcplab_solver::{ConePgs, ConeSolver, Options, Registry, Settings, Start, Status};
 
 fn file(name: &str) -> PathBuf {
@@ -21,7 +21,7 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
 /// Forces of up to 122 N.
 #[test]
 fn with_pyramids_both_forces_are_proved_and_agree_to_thirteen_digits() {
-    let lcp = exchange::read(&file("mujoco_pyramidal.json"), None).unwrap().lcp;
+    let lcp = files::read(&file("mujoco_pyramidal.json"), None).unwrap().lcp;
     let theirs =
         read_answer(&file("mujoco_pyramidal_answer.json"), lcp.len(), Memory::default()).unwrap();
     let dantzig = Registry::standard().entry("dantzig").unwrap().build(&Options::default());
@@ -35,7 +35,7 @@ fn with_pyramids_both_forces_are_proved_and_agree_to_thirteen_digits() {
 /// Forces of up to 114 N; the lower box slides, and the associated cone lifts it.
 #[test]
 fn elliptic_cones_are_the_associated_model_and_not_coulombs_law() {
-    let problem = exchange::read(&file("mujoco_elliptic.json"), None).unwrap();
+    let problem = files::read(&file("mujoco_elliptic.json"), None).unwrap();
     let theirs =
         read_answer(&file("mujoco_elliptic_answer.json"), problem.lcp.len(), Memory::default())
             .unwrap();

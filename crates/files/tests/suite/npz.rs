@@ -1,9 +1,9 @@
 use std::io::{Cursor, Write};
 
-use lcplab_files as exchange;
+use lcplab_files as files;
 use lcplab_judge::{Demand, judge_friction};
-use lcplab_problem::file::Problem;
-use lcplab_problem::friction::Model;
+use lcplab_lcp::file::Problem;
+use lcplab_lcp::friction::Model;
 use proptest::prelude::*;
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
@@ -15,7 +15,7 @@ const UPPER: [[f64; 3]; 3] = [[2.0, -1.0, 0.0], [0.0, 2.0, -1.0], [0.0, 0.0, 1.0
 
 #[test]
 fn what_numpy_stores_by_columns_is_read() {
-    let problem = exchange::read(&sample("numpy.npz"), None).unwrap();
+    let problem = files::read(&sample("numpy.npz"), None).unwrap();
     assert_eq!(rows(problem.lcp.matrix()), UPPER);
     assert_eq!(problem.lcp.b(), [-1.0, 0.1, 3.0]);
     assert_eq!(problem.lcp.hi(), [INF, 7.0, -1.0 / 3.0]);
@@ -24,7 +24,7 @@ fn what_numpy_stores_by_columns_is_read() {
 
 #[test]
 fn a_compressed_sparse_matrix_of_scipy_and_a_short_big_endian_b_are_read() {
-    let lcp = exchange::read(&sample("scipy.npz"), None).unwrap().lcp;
+    let lcp = files::read(&sample("scipy.npz"), None).unwrap().lcp;
     assert_eq!(rows(lcp.matrix()), UPPER);
     assert_eq!(lcp.matrix().stored(), 5);
     assert_eq!(lcp.b(), [-1.0, f64::from(0.1f32), 3.0]);
@@ -32,7 +32,7 @@ fn a_compressed_sparse_matrix_of_scipy_and_a_short_big_endian_b_are_read() {
 
 #[test]
 fn a_matrix_alone_is_no_problem() {
-    let error = exchange::read(&sample("matrix_only.npz"), None).unwrap_err().to_string();
+    let error = files::read(&sample("matrix_only.npz"), None).unwrap_err().to_string();
     assert!(error.ends_with("matrix_only.npz: b: is missing"), "{error}");
 }
 
@@ -93,7 +93,7 @@ fn archive(arrays: &[(&str, Vec<u8>)]) -> Result<Problem, String> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("p.npz");
     std::fs::write(&path, zip.finish().unwrap().into_inner()).unwrap();
-    let read = exchange::read(&path, None);
+    let read = files::read(&path, None);
     read.map_err(|error| error.to_string().split_once("p.npz: ").unwrap().1.to_string())
 }
 

@@ -1,6 +1,6 @@
-use lcplab_files as exchange;
-use lcplab_problem::file::Problem;
-use lcplab_problem::library;
+use lcplab_files as files;
+use lcplab_lcp::file::Problem;
+use lcplab_lcp::library;
 use proptest::prelude::*;
 
 use super::{again, assert_same, boxes, message, parse, refusal, rows, sample};
@@ -37,7 +37,7 @@ fn a_box_qp_is_its_lcp() {
 
 #[test]
 fn what_highs_writes_is_read() {
-    let lcp = exchange::read(&sample("highs.qps"), None).unwrap().lcp;
+    let lcp = files::read(&sample("highs.qps"), None).unwrap().lcp;
     let third = 0.333333333333333; // HiGHS writes 15 digits
     assert_eq!(rows(lcp.matrix()), [[2.0, -1.0, 0.0], [-1.0, 2.0, -1.0], [0.0, -1.0, third]]);
     assert_eq!(lcp.b(), [-1.0, 0.1, 3.0]);

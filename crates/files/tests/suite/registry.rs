@@ -1,9 +1,9 @@
 use std::collections::HashSet;
 use std::path::Path;
 
-use lcplab_files as exchange;
+use lcplab_files as files;
 use lcplab_files::{ALL, Format};
-use lcplab_problem::file::Problem;
+use lcplab_lcp::file::Problem;
 
 use super::{again, assert_same, sample};
 use lcplab_testing::contacts;
@@ -31,9 +31,9 @@ fn a_name_without_a_known_ending_is_read_as_json_but_not_written() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("problem");
     std::fs::write(&path, r#"{"A": {"dense": [[2]]}, "b": [-1]}"#).unwrap();
-    let problem = exchange::read(&path, None).unwrap();
+    let problem = files::read(&path, None).unwrap();
     assert_eq!(problem.lcp.b(), [-1.0]);
-    let error = exchange::write(&problem, &path, None).unwrap_err().to_string();
+    let error = files::write(&problem, &path, None).unwrap_err().to_string();
     assert!(error.contains("extension: is unknown; known are json .json"), "{error}");
 }
 
@@ -43,7 +43,7 @@ fn an_unknown_ending_is_named_unless_the_file_is_an_object() {
     let path = folder.path().join("problem.foo");
     let error = |text: &str| {
         std::fs::write(&path, text).unwrap();
-        exchange::read(&path, None).unwrap_err().to_string()
+        files::read(&path, None).unwrap_err().to_string()
     };
     for text in ["", "1 2 3"] {
         assert!(error(text).contains("problem.foo: extension: is unknown; known are json .json"));
@@ -53,12 +53,12 @@ fn an_unknown_ending_is_named_unless_the_file_is_an_object() {
 
 #[test]
 fn problems_are_told_from_scenes() {
-    assert!(exchange::is_problem(Path::new("-")));
-    assert!(exchange::is_problem(Path::new("missing.mtx")));
-    assert!(exchange::is_problem(&sample("chrono")));
-    assert!(exchange::is_problem(&sample("scipy")));
-    assert!(!exchange::is_problem(Path::new("stack")));
-    assert!(!exchange::is_problem(&sample("")));
+    assert!(files::is_problem(Path::new("-")));
+    assert!(files::is_problem(Path::new("missing.mtx")));
+    assert!(files::is_problem(&sample("chrono")));
+    assert!(files::is_problem(&sample("scipy")));
+    assert!(!files::is_problem(Path::new("stack")));
+    assert!(!files::is_problem(&sample("")));
 }
 
 #[test]
@@ -66,7 +66,7 @@ fn what_is_not_text_has_its_line() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("p.mtx");
     std::fs::write(&path, b"%%MatrixMarket\n\xff").unwrap();
-    let error = exchange::read(&path, None).unwrap_err().to_string();
+    let error = files::read(&path, None).unwrap_err().to_string();
     assert!(error.ends_with("p.mtx: line 2: is not text"), "{error}");
 }
 
@@ -76,7 +76,7 @@ fn files_of_another_kind_are_named() {
     let message = |name: &str, bytes: &[u8]| {
         let path = folder.path().join(name);
         std::fs::write(&path, bytes).unwrap();
-        let error = exchange::read(&path, None).unwrap_err().to_string();
+        let error = files::read(&path, None).unwrap_err().to_string();
         error.split_once(": file: ").map(|(_, reason)| reason.to_string()).unwrap_or(error)
     };
     let matlab = b"MATLAB 5.0 MAT-file, Platform: GLNXA64\0\x01IM\xff\xff";
@@ -114,7 +114,7 @@ fn each_key_that_a_format_cannot_store_is_named() {
     let mut written = 0;
     for format in ALL.iter().filter(|format| format.name != "json") {
         // Some formats have no place for such a problem, or are import only.
-        let Ok(output) = exchange::encode(&problem, format) else { continue };
+        let Ok(output) = files::encode(&problem, format) else { continue };
         written += 1;
         let notes = output.notes.join("\n");
         for key in [

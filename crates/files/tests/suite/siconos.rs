@@ -1,8 +1,8 @@
-use lcplab_files as exchange;
+use lcplab_files as files;
 use lcplab_judge::{Demand, judge};
-use lcplab_problem::file::Problem;
-use lcplab_problem::friction::{Contact, Model};
-use lcplab_problem::{Coupling, Lcp, Matrix, library};
+use lcplab_lcp::file::Problem;
+use lcplab_lcp::friction::{Contact, Model};
+use lcplab_lcp::{Coupling, Lcp, Matrix, library};
 use lcplab_solver::{Options, Registry, Start};
 use proptest::prelude::*;
 
@@ -11,7 +11,7 @@ use lcplab_testing::{INF, assert_proved, cases};
 
 /// The problem of a file of this name among the samples.
 fn sample_of(name: &str) -> Problem {
-    exchange::read(&sample(&format!("siconos/{name}.dat")), None).unwrap()
+    files::read(&sample(&format!("siconos/{name}.dat")), None).unwrap()
 }
 
 /// The text of such a file.

@@ -10,9 +10,9 @@ mod program;
 
 use dashu_int::IBig;
 
-use lcplab_problem::Lcp;
-use lcplab_problem::exact::dyadic::{Dyadic, dyadic, integers, whole};
-use lcplab_problem::exact::{Exact, Point, Side};
+use lcplab_lcp::Lcp;
+use lcplab_lcp::exact::dyadic::{Dyadic, dyadic, integers, whole};
+use lcplab_lcp::exact::{Exact, Point, Side};
 
 /// Problems with more rows are not split into cases.
 pub const MOST_ROWS: usize = 24;

@@ -8,9 +8,9 @@
 //!
 //! These are polynomials with rational coefficients, whose signs are decided exactly.
 
-use lcplab_problem::exact::dyadic::{Dyadic, dyadic};
-use lcplab_problem::exact::{Exact, Point};
-use lcplab_problem::friction::{ConeProblem, Contact, Law};
+use lcplab_lcp::exact::dyadic::{Dyadic, dyadic};
+use lcplab_lcp::exact::{Exact, Point};
+use lcplab_lcp::friction::{ConeProblem, Contact, Law};
 
 /// Whether the point solves the problem.
 pub(super) fn is_solved_by(problem: &ConeProblem, exact: &Exact, point: &Point) -> bool {

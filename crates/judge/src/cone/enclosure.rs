@@ -16,9 +16,9 @@ use dashu_int::ops::Abs;
 
 use super::state::RowState;
 use super::system::{AtPoint, Numbers, System};
-use lcplab_problem::exact::dyadic::{Dyadic, dyadic, rational};
-use lcplab_problem::exact::{Point, rounded_up};
-use lcplab_problem::friction::ConeProblem;
+use lcplab_lcp::exact::dyadic::{Dyadic, dyadic, rational};
+use lcplab_lcp::exact::{Point, rounded_up};
+use lcplab_lcp::friction::ConeProblem;
 
 /// A box that contains exactly one solution with these states.
 #[derive(Debug, Clone)]

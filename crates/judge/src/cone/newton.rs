@@ -8,8 +8,8 @@ use dashu_int::ops::Abs;
 
 use super::enclosure::{Enclosure, Krawczyk};
 use super::system::System;
-use lcplab_problem::exact::Point;
-use lcplab_problem::exact::dyadic::{Dyadic, dyadic, exponent, floor};
+use lcplab_lcp::exact::Point;
+use lcplab_lcp::exact::dyadic::{Dyadic, dyadic, exponent, floor};
 
 /// The last digit of the center is 2^−192 of the largest |x|.
 const DIGITS: isize = 192;

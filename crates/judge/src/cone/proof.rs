@@ -9,10 +9,10 @@ use super::state::{RowState, candidates, repaired};
 use super::system::{Numbers, System};
 use super::{Enclosure, definition, newton};
 use crate::exact::is_within;
-use lcplab_problem::Lcp;
-use lcplab_problem::exact::dyadic::{Dyadic, dyadic};
-use lcplab_problem::exact::{Exact, Point, Side};
-use lcplab_problem::friction::ConeProblem;
+use lcplab_lcp::Lcp;
+use lcplab_lcp::exact::dyadic::{Dyadic, dyadic};
+use lcplab_lcp::exact::{Exact, Point, Side};
+use lcplab_lcp::friction::ConeProblem;
 
 /// For this number of zeros that are no solutions the repaired states are tried.
 const MOST_REPAIRS: usize = 8;
@@ -66,8 +66,8 @@ impl ConeProof {
 ///
 /// ```
 /// use lcplab_judge::{ConeProof, cone_proof};
-/// use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law};
-/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_lcp::friction::{ConeProblem, Contact, FrictionProblem, Law};
+/// use lcplab_lcp::{Lcp, Matrix};
 ///
 /// // A unit mass pressed with 2 N s and pushed with 3 N s along both tangents, μ = ½: it slides.
 /// let a = Matrix::dense(3, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]);
@@ -80,7 +80,7 @@ impl ConeProof {
 /// assert!(matches!(proof, ConeProof::Enclosure(_)));
 /// assert!(proof.distance(&x) < 1e-16);
 /// assert_eq!(proof.check(&problem), Ok(()));
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 pub fn cone_proof(problem: &ConeProblem, x: &[f64], bounds: Option<&[f64]>) -> Option<ConeProof> {
     let boxed = problem.friction().coupled_box();

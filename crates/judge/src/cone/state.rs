@@ -1,13 +1,13 @@
 //! The states of contacts and rows, read off from x.
 
-use lcplab_problem::friction::{ConeProblem, Contact, Law};
+use lcplab_lcp::friction::{ConeProblem, Contact, Law};
 
 use super::system::{AtPoint, System};
 use crate::exact::sides;
 use crate::neighbor;
 use crate::residual::{Rows, Wide, cone};
-use lcplab_problem::exact::Side;
-use lcplab_problem::exact::dyadic::Dyadic;
+use lcplab_lcp::exact::Side;
+use lcplab_lcp::exact::dyadic::Dyadic;
 
 /// The state of a row; the three rows of a contact have the same one.
 ///
@@ -86,7 +86,7 @@ pub(super) fn candidates(problem: &ConeProblem, x: &[f64]) -> Vec<Vec<RowState>>
         // step decides.
         let of = |contact: &Contact| {
             let [n, t1, t2] = contact.of(x);
-            let (limit, length) = (contact.mu * n, lcplab_problem::hypot(t1, t2));
+            let (limit, length) = (contact.mu * n, lcplab_lcp::hypot(t1, t2));
             let (error, after) =
                 (part * sizes[contact.rows[0]], after_step(&at, problem.law(), contact));
             let is_open = n <= 0.0 || n <= error && after == RowState::Open;

@@ -18,8 +18,8 @@
 use dashu_int::ops::Abs;
 
 use super::state::RowState;
-use lcplab_problem::exact::dyadic::{Dyadic, dyadic};
-use lcplab_problem::friction::{ConeProblem, Contact, Law};
+use lcplab_lcp::exact::dyadic::{Dyadic, dyadic};
+use lcplab_lcp::friction::{ConeProblem, Contact, Law};
 
 /// The equations of a cone problem in given states.
 pub(super) struct System<'a> {

@@ -28,7 +28,7 @@ pub use cone::EllipticCone;
 use crate::interval::{Interval, add_up, div_up, mul_up, sqrt_up};
 use crate::motion_bound::mass::Mass;
 use crate::motion_bound::{MotionBound, Unproved};
-use lcplab_problem::Gauss;
+use lcplab_lcp::Gauss;
 
 /// How far an engine's motion, and the motion that its forces produce, are from the exact one.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,7 +54,7 @@ pub struct GapBound {
 ///
 /// ```
 /// use lcplab_judge::gap_bound::gap_bound;
-/// use lcplab_problem::Gauss;
+/// use lcplab_lcp::Gauss;
 ///
 /// // 2 kg fall at 3 m/s on one contact of compliance ½ s/kg: x = 3 N s, û = −1.5 m/s.
 /// let gauss = Gauss {

@@ -4,7 +4,7 @@
 //! exact solution of the file has a motion error, too, for which no solver is to blame.
 
 use super::mass::Mass;
-use lcplab_problem::{Gauss, Lcp};
+use lcplab_lcp::{Gauss, Lcp};
 
 /// Smaller differences, relative to the terms of a row, may be rounding, also in 32 bits.
 const NOTABLE: f64 = 1e-4;

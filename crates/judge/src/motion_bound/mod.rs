@@ -60,7 +60,7 @@ use std::fmt;
 
 use super::interval::{Interval, add_up, mul_up, sqrt_up};
 pub use consistency::inconsistent_row;
-use lcplab_problem::Gauss;
+use lcplab_lcp::Gauss;
 use repair::Repair;
 use scaled::Scaled;
 
@@ -132,7 +132,7 @@ impl fmt::Display for Unproved {
 ///
 /// ```
 /// use lcplab_judge::motion_bound::motion_bound;
-/// use lcplab_problem::Gauss;
+/// use lcplab_lcp::Gauss;
 ///
 /// // 2 kg fall at 3 m/s on two contacts that share the load in any way: A = [½ ½; ½ ½].
 /// let gauss = Gauss {

@@ -9,7 +9,7 @@ use super::Unproved;
 use super::mass::{Mass, power};
 use crate::error_bound::least_eigenvalue;
 use crate::interval::{Interval, add_up, div_up, mul_up, norm_up, sqrt_up};
-use lcplab_problem::Gauss;
+use lcplab_lcp::Gauss;
 
 /// Problems with more rows or columns are too large for dense matrices.
 const MOST: usize = 2_000;

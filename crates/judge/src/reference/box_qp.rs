@@ -10,7 +10,7 @@
 
 use super::Reference;
 use super::program::{MAX_ITERATIONS, Program};
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// Solves the problem as a box QP; `None` if the LCP is not a QP: A is not symmetric, or a row is
 /// coupled (freeze the bounds first with [`Lcp::frozen_at`]).

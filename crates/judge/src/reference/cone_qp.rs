@@ -9,12 +9,12 @@
 
 use super::Reference;
 use super::program::{MAX_ITERATIONS, Program};
-use lcplab_problem::Complementarity;
-use lcplab_problem::friction::ConeProblem;
+use lcplab_lcp::Complementarity;
+use lcplab_lcp::friction::ConeProblem;
 
 /// Solves the cone program; `None` if the problem is not convex: A is not symmetric, or the law is
 /// Coulomb's (freeze the shift first with [`ConeProblem`]'s
-/// [`frozen_at`](lcplab_problem::Complementarity::frozen_at)).
+/// [`frozen_at`](lcplab_lcp::Complementarity::frozen_at)).
 pub fn cone_qp(problem: &ConeProblem) -> Option<Reference> {
     cone_qp_within(problem, MAX_ITERATIONS)
 }

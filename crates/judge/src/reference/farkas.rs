@@ -11,7 +11,7 @@
 
 use super::program::{MAX_ITERATIONS, Program};
 use crate::residual::Rows;
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// d, if the optimum appears to be negative.
 pub fn farkas(lcp: &Lcp) -> Option<Vec<f64>> {

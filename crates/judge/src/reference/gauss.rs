@@ -4,7 +4,7 @@
 //! term is −lo z for z ≥ 0 and −hi z for z ≤ 0, and an infinite bound forbids that side.
 
 use super::{Reference, program::Program};
-use lcplab_problem::Gauss;
+use lcplab_lcp::Gauss;
 
 /// The velocities u of least constraint. The optimal value includes the constant ½ u*ᵀ M u*.
 pub fn gauss(problem: &Gauss) -> Reference {

@@ -21,8 +21,8 @@ pub use farkas::farkas;
 pub use gauss::gauss;
 pub use velocity_qp::velocity_qp_to;
 
-use lcplab_problem::Complementarity;
-use lcplab_problem::friction::Contact;
+use lcplab_lcp::Complementarity;
+use lcplab_lcp::friction::Contact;
 
 /// A reference solution.
 #[derive(Debug, Clone, PartialEq)]

@@ -10,7 +10,7 @@ use clarabel::solver::{
 };
 
 use super::Reference;
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// Tolerance on gap and feasibility: tight, because the answer is a reference.
 const TOLERANCE: f64 = 1e-10;

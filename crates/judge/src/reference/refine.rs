@@ -16,8 +16,8 @@
 
 use faer::linalg::solvers::Solve;
 use faer::{Col, Mat};
-use lcplab_problem::friction::Contact;
-use lcplab_problem::{Complementarity, Lcp};
+use lcplab_lcp::friction::Contact;
+use lcplab_lcp::{Complementarity, Lcp};
 
 use crate::residual::{Rows, cone};
 

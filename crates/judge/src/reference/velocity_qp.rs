@@ -10,7 +10,7 @@
 
 use super::Reference;
 use super::program::{MAX_ITERATIONS, Program};
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// Solves the problem with b and the bounds of the LCP and these entries (row, column, value) of Ĵ,
 /// to a tolerance on gap and feasibility; `None` if a row is coupled (freeze the bounds first with

@@ -13,8 +13,8 @@
 //! c is s_t, the scale of the tangential block of A, or T_t / R if that is larger, with R = μ
 //! max(x_n, e_n): no step is longer than the possible width of the disk.
 
-use lcplab_problem::Lcp;
-use lcplab_problem::friction::{ConeProblem, Contact, Law};
+use lcplab_lcp::Lcp;
+use lcplab_lcp::friction::{ConeProblem, Contact, Law};
 
 use super::{Residual, Row, Rows, Wide, friction_reach};
 

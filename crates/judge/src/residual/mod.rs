@@ -16,7 +16,7 @@ mod wide;
 
 pub(crate) use wide::Wide;
 
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// Sums of terms in this range neither overflow nor lose digits to underflow.
 const SAFE: std::ops::Range<f64> = 1e-250..1e250;

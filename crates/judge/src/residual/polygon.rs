@@ -12,7 +12,7 @@
 //! γ is the candidate with the smallest residual: 0, the largest slip speed along any −d_j, or the
 //! slip speed along the −d_j of a positive β.
 
-use lcplab_problem::friction::{Polyhedral, Unknowns};
+use lcplab_lcp::friction::{Polyhedral, Unknowns};
 
 use super::{Residual, Row, Rows, Wide, friction_reach};
 

@@ -74,7 +74,7 @@ impl Wide {
         match (self.is_zero(), other.is_zero()) {
             (true, _) => other.abs(),
             (_, true) => self.abs(),
-            _ => Wide::new(lcplab_problem::hypot(at(self), at(other)), exponent),
+            _ => Wide::new(lcplab_lcp::hypot(at(self), at(other)), exponent),
         }
     }
 

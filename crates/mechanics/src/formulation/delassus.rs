@@ -11,9 +11,9 @@ use nalgebra::Vector6;
 
 use super::Slide;
 use crate::assembly::{Assembly, Part};
-use lcplab_problem::Matrix;
-use lcplab_problem::error::Result;
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::Matrix;
+use lcplab_lcp::error::Result;
+use lcplab_lcp::memory::Memory;
 
 /// A matrix with up to this many rows is dense, regardless of its fill.
 const SMALL: usize = 32;

@@ -6,8 +6,8 @@
 //! friction rows have w_t = slip⁺/dt, so laws in terms of slip have the same meaning.
 
 use super::{Problem, Stage};
-use lcplab_problem::error::Result;
-use lcplab_problem::friction::{FrictionProblem, Model, ProblemForm};
+use lcplab_lcp::error::Result;
+use lcplab_lcp::friction::{FrictionProblem, Model, ProblemForm};
 
 /// A problem under a friction model other than the coupled box.
 #[derive(Debug, Clone)]

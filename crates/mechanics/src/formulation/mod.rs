@@ -30,8 +30,8 @@ use crate::assembly::{Assembly, Row};
 use crate::body::State;
 use crate::constraint::Bounds;
 use crate::scene::Scene;
-use lcplab_problem::error::{Error, Result};
-use lcplab_problem::{Coupling, Gauss, Lcp, Level, file};
+use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::{Coupling, Gauss, Lcp, Level, file};
 
 /// The quantity that an LCP determines within a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

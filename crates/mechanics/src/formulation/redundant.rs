@@ -21,7 +21,7 @@ use std::collections::BTreeMap;
 
 use crate::assembly::{Assembly, Row};
 use crate::constraint::Bounds;
-use lcplab_problem::Matrix;
+use lcplab_lcp::Matrix;
 use lcplab_solver::linalg::envelope::Envelope;
 use lcplab_solver::linalg::ldlt::{Elimination, Ldlt};
 

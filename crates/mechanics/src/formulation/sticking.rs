@@ -15,7 +15,7 @@ use super::Problem;
 use crate::assembly::{Row, Source};
 use crate::constraint::Bounds;
 use crate::scene::Scene;
-use lcplab_problem::error::Result;
+use lcplab_lcp::error::Result;
 
 /// The slip, relative to that which static friction could stop, above which a contact slips.
 /// Smaller slip counts as zero, also in an answer of sweeps that stopped early.

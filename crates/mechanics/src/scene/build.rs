@@ -13,8 +13,8 @@ use super::joints::Site;
 use super::settings::within_one;
 use super::{Scene, driven, friction, generate, range, surface};
 use crate::body::{Body, Cylinder, Mass, Placed, Polytope, Pose, Shape, State, inertia};
-use lcplab_problem::error::{Defects, Result};
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::error::{Defects, Result};
+use lcplab_lcp::memory::Memory;
 use lcplab_solver::Registry;
 
 /// A placeholder for an invalid mass, which causes no further defects.

@@ -3,7 +3,7 @@
 use toml::{Table, Value};
 
 use super::Description;
-use lcplab_problem::error::{Error, Result};
+use lcplab_lcp::error::{Error, Result};
 
 /// Short names for the most common fields.
 const SHORT: [(&str, &str); 3] =

@@ -27,7 +27,7 @@ use super::generate::Generator;
 use super::infinite::{self, Number};
 use super::settings::{Contacts, Solver, Step};
 use super::time_function::TimeFunction;
-use lcplab_problem::error::Result;
+use lcplab_lcp::error::Result;
 
 /// A scene description. [`Scene::new`](super::Scene::new) builds a scene from it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -111,7 +111,7 @@ impl Description {
     /// let plain = Description::from_toml(&path, &text)?.written_out("stack")?;
     /// assert_eq!(plain.bodies.len(), 6); // the ground, and five boxes that the file generates
     /// assert_eq!(plain.bodies[1].inertia, Some([1.0 / 6.0; 3]));
-    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
     /// ```
     pub fn written_out(&self, name: &str) -> Result<Description> {
         super::build::written_out(name, self)

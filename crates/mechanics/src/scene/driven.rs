@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 
 use super::{Scene, Scheme, TimeFunction, description};
 use crate::body::State;
-use lcplab_problem::error::Defects;
+use lcplab_lcp::error::Defects;
 
 /// The time-dependent force and motion of a body.
 #[derive(Debug, Clone, PartialEq)]

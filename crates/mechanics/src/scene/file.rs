@@ -11,7 +11,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::source::{self, Source};
 use super::{Description, Scene};
-use lcplab_problem::error::{Defects, Result};
+use lcplab_lcp::error::{Defects, Result};
 
 /// The JSON schema of the scene format.
 pub fn schema() -> serde_json::Value {

@@ -2,8 +2,8 @@
 
 use super::scheme::Scheme;
 use super::settings::{Contacts, Persistence, Sliding, Step};
-use lcplab_problem::error::Defects;
-use lcplab_problem::friction::{Form, Model};
+use lcplab_lcp::error::Defects;
+use lcplab_lcp::friction::{Form, Model};
 
 impl Scheme {
     /// Whether this scheme supports all friction models; otherwise it uses the coupled box, row by

@@ -12,7 +12,7 @@ use super::settings::{not_negative, positive};
 use super::{Scene, range};
 use crate::body::{Mass, Shape, State};
 use crate::constraint::{ALL, Bodies, Constraint, Field, Joint, Placement};
-use lcplab_problem::error::Defects;
+use lcplab_lcp::error::Defects;
 
 /// A constraint as written, with its place in the file.
 pub(super) struct Site<'a> {

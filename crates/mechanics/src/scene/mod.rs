@@ -46,9 +46,9 @@ use nalgebra::Vector3;
 
 use crate::body::{Body, State};
 use crate::constraint::Constraint;
-use lcplab_problem::disk;
-use lcplab_problem::error::{Defects, Error, Result};
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::disk;
+use lcplab_lcp::error::{Defects, Error, Result};
+use lcplab_lcp::memory::Memory;
 use lcplab_solver::Registry;
 
 /// The path and the text of a scene file or a shipped scene.
@@ -150,7 +150,7 @@ impl Scene {
     /// let changes = [("mu".into(), "0.3".into()), ("bodies.bob.mass".into(), "2".into())];
     /// let scene = Scene::load_with("pendulum", &changes)?;
     /// assert_eq!((scene.contact.friction, scene.bodies[0].mass.mass()), (0.3, 2.0));
-    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
     /// ```
     pub fn load_with(path_or_name: &str, changes: &[(String, String)]) -> Result<Scene> {
         if changes.is_empty() {
@@ -168,7 +168,7 @@ impl Scene {
     /// ```
     /// let scene = lcplab_mechanics::scene::Scene::load("pendulum")?;
     /// assert_eq!(scene.bodies[0].name, "bob");
-    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
     /// ```
     pub fn load(path_or_name: &str) -> Result<Scene> {
         let (path, text) = text(path_or_name)?;

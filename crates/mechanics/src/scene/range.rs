@@ -5,7 +5,7 @@
 //! least 1e-150, and lengths of shapes must lie between 1e-60 and 1e60 m. Anything outside is
 //! reported here as one clear defect instead of a list of NaN later.
 
-use lcplab_problem::error::Defects;
+use lcplab_lcp::error::Defects;
 
 /// Maximum of all numbers: its square is still finite.
 const LARGEST: f64 = 1e150;

@@ -6,7 +6,7 @@ use toml::{Table, Value};
 use super::description::Start;
 use super::{Scene, change, text};
 use crate::body::{Body, Mass, Shape, State};
-use lcplab_problem::error::{Error, Result};
+use lcplab_lcp::error::{Error, Result};
 
 /// The text of a scene file or shipped scene, with some fields overridden as by
 /// [`Scene::load_with`], whose bodies start with these states, `elapsed` (s) after its beginning.
@@ -24,7 +24,7 @@ use lcplab_problem::error::{Error, Result};
 /// states[0].v.x = 0.25;
 /// let text = saved("pendulum", &[], &scene, &states, 0.5)?;
 /// assert_eq!(Scene::from_toml("later.toml", &text)?.states, states);
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 pub fn saved(
     path_or_name: &str,

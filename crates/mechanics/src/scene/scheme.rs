@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::settings::{not_negative, positive};
-use lcplab_problem::error::Defects;
+use lcplab_lcp::error::Defects;
 
 /// The time-stepping scheme.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]

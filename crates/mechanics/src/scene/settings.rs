@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use super::scheme::{Feedback, Integrator, Penalty, Scheme, Soft, Xpbd};
 use super::{range, surface};
 use crate::body::Gyroscopic;
-use lcplab_problem::error::Defects;
-use lcplab_problem::friction::Model;
+use lcplab_lcp::error::Defects;
+use lcplab_lcp::friction::Model;
 use lcplab_solver::Order;
 
 /// Maximum number of substeps and of sweeps per step.

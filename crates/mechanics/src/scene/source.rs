@@ -6,8 +6,8 @@ use serde::de::DeserializeOwned;
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue, ValueDeserializer};
 
-use lcplab_problem::error::{Defects, Error, Result};
-use lcplab_problem::xml;
+use lcplab_lcp::error::{Defects, Error, Result};
+use lcplab_lcp::xml;
 
 /// The keys of a text with their positions.
 ///

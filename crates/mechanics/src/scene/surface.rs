@@ -9,8 +9,8 @@ use std::collections::HashMap;
 use super::settings::within_one;
 use super::{Contacts, Scene, Scheme, description, range};
 use crate::constraint::Bodies;
-use lcplab_problem::error::Defects;
-use lcplab_problem::friction::Model;
+use lcplab_lcp::error::Defects;
+use lcplab_lcp::friction::Model;
 
 /// The values given for a pair of bodies.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

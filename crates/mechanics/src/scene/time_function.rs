@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::range;
-use lcplab_problem::error::Defects;
+use lcplab_lcp::error::Defects;
 
 /// A vector (N or m, world axes) as a function of time.
 ///

@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 use super::{Motion, Simulation, options};
 use crate::body::State;
 use crate::scene::{Scene, Scheme, resting};
-use lcplab_problem::friction::Model;
+use lcplab_lcp::friction::Model;
 use lcplab_solver::{Dantzig, Status};
 
 /// Larger scenes are not examined: a step under cones would take too long.
@@ -57,7 +57,7 @@ impl Departure {
     /// assert_eq!(Departure::of(&scene, &states), None);
     /// states[1].pose.p.x += 0.2;
     /// assert!((Departure::of(&scene, &states).unwrap().distance - 0.2).abs() < 1e-12);
-    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
     /// ```
     pub fn of(scene: &Scene, states: &[State]) -> Option<Departure> {
         let is_still = |state: &State| state.velocity().norm() == 0.0;

@@ -1,6 +1,6 @@
 //! A solve as a problem file.
 
-use lcplab_problem::file::{Problem, number};
+use lcplab_lcp::file::{Problem, number};
 use serde_json::json;
 
 use super::Solve;

@@ -18,13 +18,13 @@ use crate::body::{Pose, State, angular, linear};
 
 /// Repetitions of the midpoint's equation; with h times the stiffest rate below 1 far fewer do.
 const MAX_REPETITIONS: usize = 200;
-/// The change of h k, beside y, at which it has settled.
-const SETTLED: f64 = 1e-14;
-/// The change that is accepted if 200 repetitions do not reach `SETTLED`: the tolerance of a
+/// The change of h k, relative to y, at which the iteration has converged.
+const CONVERGED: f64 = 1e-14;
+/// The change that is accepted if 200 repetitions do not reach `CONVERGED`: the tolerance of a
 /// solver.
-const SETTLED_ENOUGH: f64 = 1e-8;
-/// The change at which it never will settle.
-const HOPELESS: f64 = 1e6;
+const ACCEPTED_CHANGE: f64 = 1e-8;
+/// The change at which the iteration has diverged.
+const DIVERGED: f64 = 1e6;
 
 /// y' of one body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -91,11 +91,11 @@ pub(super) fn implicit_midpoint(h: f64, y: &[State], field: Field) -> Result<Vec
         let differences = next.iter().zip(&k).map(|(a, b)| a.plus(-1.0, b).size());
         change = h * differences.fold(0.0, f64::max) / size;
         k = next;
-        if change <= SETTLED || !(change <= HOPELESS) {
+        if change <= CONVERGED || !(change <= DIVERGED) {
             break;
         }
     }
-    if !(change <= SETTLED_ENOUGH) {
+    if !(change <= ACCEPTED_CHANGE) {
         return Err(Cause::Unsettled { change });
     }
     Ok(normalised(&moved(y, h, &k)))

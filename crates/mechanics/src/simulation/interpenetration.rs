@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use crate::body::State;
 use crate::scene::{DetectedContact, Passage, Scene, Scheme, resting};
-use lcplab_problem::number::readable;
+use lcplab_lcp::number::readable;
 
 /// An overlap of more than this part of the thinner body is deep.
 pub(crate) const DEEP: f64 = 0.25;

@@ -6,12 +6,12 @@
 //! A [`Simulation`] keeps all that a step was made of, to be looked at. A [`Stepper`] keeps the
 //! memory and nothing else: the velocity level by sweeps, the same motion, many times faster.
 
-mod answering;
 mod conflict;
 mod correction;
 mod departure;
 mod events;
 mod exported;
+mod fallback;
 mod impact_energy;
 mod impacts;
 mod integrator;
@@ -52,7 +52,7 @@ use std::ops::ControlFlow;
 
 use crate::body::State;
 use crate::scene::{DetectedContact, Detector, Passage, Scene, step_contacts};
-use answering::Solvers;
+use fallback::Solvers;
 use impact_energy::SpreadImpacts;
 use interpenetration::Overlaps;
 use lcplab_solver::{Apgd, ConeSolver, Entry, Observer, Registry, Solver, Status, Stop};
@@ -73,7 +73,7 @@ const DIVERGED: f64 = 1e8;
 /// let mut simulation = Simulation::new(Scene::load("fig7")?, Box::new(solver));
 /// let step = simulation.step().expect("a step that can be taken");
 /// assert_eq!(step.solves[0].solution.x, [4.0, 3.0, 1.0]); // N s, from the ground up
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 pub struct Simulation {
     scene: Scene,
@@ -102,7 +102,7 @@ impl Simulation {
     /// [`Solve::solver`](Solve); cones are for accelerated projected gradients.
     pub fn new(scene: Scene, solver: Box<dyn Solver>) -> Self {
         let states = scene.states.clone();
-        let cone_solver = Box::new(Apgd { settings: answering::settings(&scene) });
+        let cone_solver = Box::new(Apgd { settings: fallback::settings(&scene) });
         let mut detector = Detector::new(&scene);
         let mut overlaps = Overlaps::default();
         overlaps.update(&scene, &states, detector.find(&scene, &states, 0.0));
@@ -177,7 +177,7 @@ impl Simulation {
     /// let solve = &step.solves[0]; // the LCP of the step, and its solution
     /// assert_eq!(solve.solution.x.len(), 60); // impulses (N s)
     /// assert!(solve.judged(&Demand::default()).verdict.is_solution());
-    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
     /// ```
     ///
     /// # Errors
@@ -320,7 +320,7 @@ impl Simulation {
     /// assert!(recording.failure.is_none());
     /// assert_eq!(recording.motion.len(), 101); // the start, and after each step
     /// assert!((simulation.states()[0].v.z + 6.81).abs() < 1e-12); // m/s
-    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
     /// ```
     pub fn run(
         &mut self,

@@ -15,8 +15,8 @@ use crate::formulation::{Posing, Problem};
 use crate::scene::{DetectedContact, Scene};
 use lcplab_judge::ray::Farkas;
 use lcplab_judge::{Demand, FrictionCertificate, judge, judge_friction};
-use lcplab_problem::error::Error;
-use lcplab_problem::number::readable;
+use lcplab_lcp::error::Error;
+use lcplab_lcp::number::readable;
 use lcplab_solver::{Reason, Solution};
 
 /// What happened in one step.
@@ -159,7 +159,7 @@ pub enum Cause {
         /// were tried in exact arithmetic.
         proof: Option<Farkas>,
     },
-    /// The equation of the implicit midpoint did not settle: the step is too long for it.
+    /// The equation of the implicit midpoint did not converge: the step is too long for it.
     Unsettled {
         /// How much the rates still changed, beside their size.
         change: f64,

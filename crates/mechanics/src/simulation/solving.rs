@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::answering::Solvers;
+use super::fallback::Solvers;
 use super::{Cause, Solve, StepEvent};
 use crate::assembly::{Assembly, ConstraintFilter, Row, RowId};
 use crate::body::State;

@@ -1,6 +1,6 @@
 //! A simulation as its scene states it: which solver, with which settings.
 
-use lcplab_problem::error::{Error, Result};
+use lcplab_lcp::error::{Error, Result};
 use lcplab_solver::{Damping, Dantzig, Entry, Method, Options, Settings, Solver};
 
 use super::{Simulation, Step};
@@ -53,7 +53,7 @@ impl Simulation {
     /// let mut simulation = Simulation::of(&Scene::load("fig7")?)?;
     /// let step = simulation.step().expect("a step that can be taken");
     /// assert_eq!(step.solves[0].solution.x, [4.0, 3.0, 1.0]); // N s, from the ground up
-    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
     /// ```
     ///
     /// # Errors

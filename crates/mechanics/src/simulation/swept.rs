@@ -9,7 +9,7 @@ use crate::assembly::{Assembly, ConstraintFilter};
 use crate::body::{Mass, State};
 use crate::formulation::Problem;
 use crate::scene::{DetectedContact, Scene};
-use lcplab_problem::error;
+use lcplab_lcp::error;
 use lcplab_solver::{Pgs, Solution, Status};
 
 /// With more moving bodies than these, pairs that share no body are swept eight at a time.
@@ -35,7 +35,7 @@ impl Simulation {
     /// let mut tower = Simulation::unjudged(&Scene::load("tower")?)?;
     /// let step = tower.step().expect("a step that can be taken");
     /// assert!(step.solves.is_empty() && step.contacts.len() > 4000);
-    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
     /// ```
     ///
     /// # Errors

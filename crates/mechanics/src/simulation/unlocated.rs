@@ -18,7 +18,7 @@ use crate::assembly::{Assembly, ConstraintFilter, Row};
 use crate::body::{State, linear};
 use crate::constraint::Kind;
 use crate::scene::{Scene, step_contacts};
-use lcplab_problem::number::readable;
+use lcplab_lcp::number::readable;
 
 /// Smaller errors, relative to the speed of approach, are not reported.
 const NOTABLE: f64 = 5e-3;

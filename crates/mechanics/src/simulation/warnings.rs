@@ -4,8 +4,8 @@
 
 use std::fmt;
 
-use lcplab_problem::file::number;
-use lcplab_problem::number::readable;
+use lcplab_lcp::file::number;
+use lcplab_lcp::number::readable;
 use serde_json::{Value, json};
 
 use super::{ImpactEnergy, Interpenetration, Step};
@@ -24,7 +24,7 @@ use crate::scene::Scene;
 /// }
 /// let [lasting] = warnings.as_slice() else { panic!() };
 /// assert_eq!((lasting.word, lasting.step), ("lasting_overlap", 30)); // 0.3 m deep, and nothing lifts it out
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct Warnings(Vec<Warning>);

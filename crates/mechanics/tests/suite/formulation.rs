@@ -1,11 +1,11 @@
 //! From physics to the LCP and back.
 
+use lcplab_lcp::file::Problem as File;
 use lcplab_mechanics::assembly::{Assembly, ConstraintFilter};
 use lcplab_mechanics::formulation::{Problem, Stage};
 use lcplab_mechanics::scene::catalogue::SHIPPED;
 use lcplab_mechanics::scene::{Scene, step_contacts};
 use lcplab_mechanics::simulation::Simulation;
-use lcplab_problem::file::Problem as File;
 use nalgebra::{DMatrix, DVector};
 
 fn problem(scene: &Scene) -> Problem {

@@ -3,12 +3,12 @@
 //! singular.
 
 use lcplab_judge::{Demand, judge};
+use lcplab_lcp::Lcp;
 use lcplab_mechanics::assembly::{Assembly, ConstraintFilter};
 use lcplab_mechanics::body::Mass;
 use lcplab_mechanics::formulation::Problem;
 use lcplab_mechanics::scene::{Scene, step_contacts};
 use lcplab_mechanics::simulation::Simulation;
-use lcplab_problem::Lcp;
 use lcplab_solver::{Fallback, Options, Registry, Settings, Solution, Start, Status};
 
 const TOLERANCE: f64 = 1e-10;

@@ -4,7 +4,7 @@ use super::Document;
 use super::markdown::formula;
 use crate::page::markup::literal;
 use crate::page::{Block, Cell, Column, Page, Section, Table};
-use lcplab_problem::error::Result;
+use lcplab_lcp::error::Result;
 
 pub(super) fn written(document: &Document) -> Result<String> {
     let section = |(k, section): (usize, &super::Section)| Section {

@@ -16,7 +16,7 @@ pub use show::Show;
 use serde::{Deserialize, Serialize};
 
 use crate::page::Picture;
-use lcplab_problem::error::Result;
+use lcplab_lcp::error::Result;
 use notation::{latex, plain};
 
 /// The largest number of rows and columns of a matrix, and of rows of a table, that are written.

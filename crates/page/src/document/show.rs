@@ -1,6 +1,6 @@
 //! Content that can be part of a document, as blocks.
 
-use lcplab_problem::error::Result;
+use lcplab_lcp::error::Result;
 
 use super::{Block, Document, Section, Table};
 use crate::figure::Figure;

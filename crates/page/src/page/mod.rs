@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 use crate::figure::Figure;
 use crate::{csv, number};
 pub use origin::Origin;
-pub use player::{Animation, Chart, Pane, Player, SPEEDS, speed};
+pub use player::{Chart, DrawnAnimation, Pane, Player, SPEEDS, speed};
 pub use render::base64;
 
 /// A page.
@@ -31,7 +31,7 @@ pub use render::base64;
 /// let section = Section { id, title, blocks: vec![text], ..Section::default() };
 /// let page = Page { title: "Report".into(), sections: vec![section], ..Page::default() };
 /// assert!(page.render()?.contains("<em>natural residual</em> is <math>"));
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct Page {

@@ -1,21 +1,21 @@
 // Plays animations: the simulated poses, drawn like the strips of frames.
 function play(root) {
-  const film = JSON.parse(root.querySelector("script").textContent);
-  film.bodies = film.bodies.map((parts) => parts.map(directed));
+  const animation = JSON.parse(root.querySelector("script").textContent);
+  animation.bodies = animation.bodies.map((parts) => parts.map(directed));
   const find = (name) => root.querySelector(name);
   const [range, clock, button] = [find(".scrub"), find(".clock"), find(".play")];
-  const last = film.times.length - 1;
-  const stages = [...root.querySelectorAll(".pane")].map((pane, k) => stage(film, film.recordings[k], pane));
-  const charts = [...root.querySelectorAll(".chart")].map((svg, m) => chart(film, m, svg));
+  const last = animation.times.length - 1;
+  const stages = [...root.querySelectorAll(".pane")].map((pane, k) => stage(animation, animation.recordings[k], pane));
+  const charts = [...root.querySelectorAll(".chart")].map((svg, m) => chart(animation, m, svg));
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
   let now = 0, running = 0;
   let isFresh = true; // the telling instant that is shown first is no place to play from
 
   const show = (k) => {
-    isFresh &&= k === film.start;
+    isFresh &&= k === animation.start;
     now = Math.max(0, Math.min(last, Math.round(k)));
     for (const draw of [...stages, ...charts]) draw(now);
-    clock.textContent = `${film.times[now].toFixed(3)} s · step ${film.steps[now]}`;
+    clock.textContent = `${animation.times[now].toFixed(3)} s · step ${animation.steps[now]}`;
     range.value = now;
     range.setAttribute("aria-valuetext", clock.textContent);
   };
@@ -36,12 +36,12 @@ function play(root) {
       running = setInterval(() => (now === last ? halt() : show(now + stride)), 1000);
       return;
     }
-    let at = film.times[now], before = performance.now();
+    let at = animation.times[now], before = performance.now();
     const tick = (time) => {
       at += (Math.max(0, time - before) / 1000) * Number(find(".speed").value);
       before = time;
       let k = now;
-      while (k < last && film.times[k + 1] <= at) k++;
+      while (k < last && animation.times[k + 1] <= at) k++;
       if (k !== now) show(k);
       if (now === last) return halt();
       running = requestAnimationFrame(tick);
@@ -51,7 +51,7 @@ function play(root) {
   const toggle = () => (running ? halt() : go());
   const step = (by) => { halt(); show(now + by); };
 
-  const camera = turnable(film, [...root.querySelectorAll(".stage")], find(".untilt"), () => show(now));
+  const camera = turnable(animation, [...root.querySelectorAll(".stage")], find(".untilt"), () => show(now));
 
   button.addEventListener("click", toggle);
   find(".back").addEventListener("click", () => step(-1));
@@ -69,12 +69,12 @@ function play(root) {
     keys[event.key]();
   });
   for (const svg of root.querySelectorAll(".chart")) {
-    const [left, right] = film.plot;
+    const [left, right] = animation.plot;
     const seek = (event) => {
       const box = svg.getBoundingClientRect();
       const x = ((event.clientX - box.left) / box.width) * svg.viewBox.baseVal.width;
-      const time = ((x - left) / (right - left)) * film.end;
-      const apart = film.times.map((t) => Math.abs(t - time));
+      const time = ((x - left) / (right - left)) * animation.end;
+      const apart = animation.times.map((t) => Math.abs(t - time));
       halt();
       show(apart.indexOf(Math.min(...apart)));
     };
@@ -87,7 +87,7 @@ function play(root) {
     plots[k].hidden = k !== chosen;
   });
   tabs.forEach((tab, k) => tab.addEventListener("click", () => pick(k)));
-  const jump = () => { // #frame=12 shows instant 12 of every film
+  const jump = () => { // #frame=12 shows instant 12 of every animation
     const asked = /(?:^#|&)frame=(\d+)/.exec(location.hash);
     if (asked) step(Number(asked[1]) - now);
   };
@@ -96,21 +96,21 @@ function play(root) {
   root.classList.add("live");
   find(".screen").hidden = false;
   find(".tabs").hidden = tabs.length < 1;
-  find(".toggle").hidden = film.recordings.every((recording) => recording.forces.every((list) => list.length === 0));
+  find(".toggle").hidden = animation.recordings.every((recording) => recording.forces.every((list) => list.length === 0));
   pick(0);
-  show(film.start);
+  show(animation.start);
   jump();
 }
 
 // The camera of all recordings: a drag turns it about the pivot, two clicks turn it back. Returns what turns it by angles in rad.
-function turnable(film, stages, back, redraw) {
-  const first = film.camera, middle = film.middle, soils = stages.map((svg) => svg.querySelector(".soil"));
+function turnable(animation, stages, back, redraw) {
+  const first = animation.camera, middle = animation.middle, soils = stages.map((svg) => svg.querySelector(".soil"));
   const ground = soils.map((soil) => soil.innerHTML);
   const start = [Math.atan2(first[1][0], first[0][0]), Math.asin(first[2][2])];
   let [azimuth, elevation] = start;
   const reset = () => {
     [azimuth, elevation] = start;
-    Object.assign(film, { camera: first, middle });
+    Object.assign(animation, { camera: first, middle });
     soils.forEach((soil, k) => { soil.innerHTML = ground[k]; });
     back.hidden = true;
     redraw();
@@ -121,10 +121,10 @@ function turnable(film, stages, back, redraw) {
     const across = [Math.cos(azimuth), Math.sin(azimuth), 0];
     const eye = [across[1] * Math.cos(elevation), -across[0] * Math.cos(elevation), Math.sin(elevation)];
     const upward = cross(eye, across);
-    film.camera = [0, 1, 2].map((k) => [across[k], upward[k], eye[k]]);
-    film.middle = [0, 0];
-    film.middle = seen(film, film.pivot).slice(0, 2);
-    soils.forEach((soil) => { soil.innerHTML = soilOf(film); });
+    animation.camera = [0, 1, 2].map((k) => [across[k], upward[k], eye[k]]);
+    animation.middle = [0, 0];
+    animation.middle = seen(animation, animation.pivot).slice(0, 2);
+    soils.forEach((soil) => { soil.innerHTML = soilOf(animation); });
     back.hidden = false;
     redraw();
   };
@@ -145,32 +145,32 @@ function turnable(film, stages, back, redraw) {
 }
 
 // The ground as the camera sees it, in tenths of a px: only its grid from behind.
-function soilOf(film) {
-  const at = (p) => place(film, p).map((px) => Math.round(10 * px)).join(" ");
-  return film.ground.map(({ normal, corners, lines }) => {
-    const plane = seen(film, normal)[2] > 0.02 ? `<path stroke="none" fill="#eef0f3" d="M${corners.map(at).join("L")}z"/>` : "";
+function soilOf(animation) {
+  const at = (p) => place(animation, p).map((px) => Math.round(10 * px)).join(" ");
+  return animation.ground.map(({ normal, corners, lines }) => {
+    const plane = seen(animation, normal)[2] > 0.02 ? `<path stroke="none" fill="#eef0f3" d="M${corners.map(at).join("L")}z"/>` : "";
     return `${plane}<path fill="none" stroke="#ced1d6" stroke-width="9" d="${lines.map((line) => `M${line.map(at).join("L")}`).join("")}"/>`;
   }).join("");
 }
 
 // One measure's cursor and a dot on each curve.
-function chart(film, measure, svg) {
-  const [left, right, top, bottom] = film.plot, [lo, hi] = film.measures[measure].range;
+function chart(animation, measure, svg) {
+  const [left, right, top, bottom] = animation.plot, [lo, hi] = animation.measures[measure].range;
   const make = (name) => svg.appendChild(document.createElementNS("http://www.w3.org/2000/svg", name));
   const line = make("path");
   line.setAttribute("class", "cursor");
   const colors = [...svg.querySelectorAll(".curve")].map((curve) => curve.getAttribute("style"));
-  const dots = film.recordings.map((_, k) => {
+  const dots = animation.recordings.map((_, k) => {
     const dot = make("circle");
     dot.setAttribute("r", 3.6);
     dot.setAttribute("style", colors[k]);
     return dot;
   });
   return (now) => {
-    const x = left + (film.times[now] / film.end) * (right - left);
+    const x = left + (animation.times[now] / animation.end) * (right - left);
     line.setAttribute("d", `M${x.toFixed(1)} ${top}V${bottom}`);
     dots.forEach((dot, k) => {
-      const value = film.recordings[k].measures[measure][now];
+      const value = animation.recordings[k].measures[measure][now];
       const y = bottom - ((value - lo) / (hi - lo)) * (bottom - top);
       const seen = y >= top - 1 && y <= bottom + 1;
       dot.setAttribute("visibility", seen ? "visible" : "hidden");
@@ -180,7 +180,7 @@ function chart(film, measure, svg) {
 }
 
 // One recording in its pane.
-function stage(film, recording, pane) {
+function stage(animation, recording, pane) {
   const [bodies, forces, values] = [".bodies", ".acting", ".values"].map((name) => pane.querySelector(name));
   const count = recording.forces.length;
   const grown = (list) => {
@@ -191,14 +191,14 @@ function stage(film, recording, pane) {
   const heats = recording.heat.map(grown);
   // The parts of a body, as red as it is if colour says how much.
   const parts = (k, now) => heats.length > 0
-    ? film.bodies[k].map((part) => part.fixed ? part : { ...part, color: film.heat[heats[k][now]], plain: false })
-    : film.bodies[k];
+    ? animation.bodies[k].map((part) => part.fixed ? part : { ...part, color: animation.heat[heats[k][now]], plain: false })
+    : animation.bodies[k];
   const pose = (body, now) => {
     if (body === null) return { p: [0, 0, 0], q: [1, 0, 0, 0] };
     const at = poses[body].map((channel) => channel[now]);
-    const q = at.length > 3 ? at.slice(3).map((x) => x * film.turn) : [1, 0, 0, 0];
+    const q = at.length > 3 ? at.slice(3).map((x) => x * animation.turn) : [1, 0, 0, 0];
     const length = Math.hypot(...q);
-    return { p: at.slice(0, 3).map((x) => x * film.unit), q: q.map((x) => x / length) };
+    return { p: at.slice(0, 3).map((x) => x * animation.unit), q: q.map((x) => x / length) };
   };
   const raised = (digits) => digits.replace(/./g, (c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]));
   const number = (x) => {
@@ -208,26 +208,26 @@ function stage(film, recording, pane) {
   };
   return (asked) => {
     const now = Math.min(asked, count - 1);
-    const places = film.bodies.map((_, k) => pose(k, now));
+    const places = animation.bodies.map((_, k) => pose(k, now));
     const world = (body, point) => {
       const { p, q } = body === null ? pose(null) : places[body];
       return plus(p, turned(q, point));
     };
-    const ends = film.joints.map((joint) => joint && joint.ends.map((end, side) => world(joint.bodies[side], end)));
+    const ends = animation.joints.map((joint) => joint && joint.ends.map((end, side) => world(joint.bodies[side], end)));
     const moved = (k) => parts(k, now).map((part) => {
       const turn = (v) => turned(places[k].q, v);
       const corners = part.corners.map((corner) => plus(places[k].p, turn(corner)));
-      const draw = () => solid(film, part, places[k].q, corners);
+      const draw = () => solid(animation, part, places[k].q, corners);
       return { ...part, body: k, corners, normals: part.normals.map(turn), edges: part.edges.map(turn), draw };
     });
-    const rods = film.joints.flatMap((joint, k) => joint
-      ? [{ corners: ends[k], normals: [], edges: [unit(minus(ends[k][1], ends[k][0]))], radius: film.rod / film.scale,
-          rod: joint.bodies, draw: () => rod(film, ends[k]) }]
+    const rods = animation.joints.flatMap((joint, k) => joint
+      ? [{ corners: ends[k], normals: [], edges: [unit(minus(ends[k][1], ends[k][0]))], radius: animation.rod / animation.scale,
+          rod: joint.bodies, draw: () => rod(animation, ends[k]) }]
       : []);
-    const solids = film.bodies.flatMap((_, k) => moved(k)).concat(rods);
-    bodies.innerHTML = painted(film, solids).map((own) => own.draw()).join("") + marks(film, ends);
-    forces.innerHTML = arrows(film, recording.forces[now]);
-    const shown = film.measures.map((measure, m) =>
+    const solids = animation.bodies.flatMap((_, k) => moved(k)).concat(rods);
+    bodies.innerHTML = painted(animation, solids).map((own) => own.draw()).join("") + marks(animation, ends);
+    forces.innerHTML = arrows(animation, recording.forces[now]);
+    const shown = animation.measures.map((measure, m) =>
       `<span>${measure.name} <b>${number(recording.measures[m][now])}</b> ${measure.unit}</span>`);
     values.innerHTML = shown.join("");
     if (recording.ending && asked >= count - 1) {
@@ -250,10 +250,10 @@ const turned = ([w, ...v], p) => {
   return plus(plus(p, t.map((x) => w * x)), cross(v, t));
 };
 // To the right, up, towards the viewer.
-const seen = (film, p) => [0, 1, 2].map((i) => dot(film.camera.map((axis) => axis[i]), p));
-const place = (film, p) => {
-  const [x, y] = seen(film, p), far = (px) => Math.max(-1e5, Math.min(1e5, px));
-  return [far(film.size[0] / 2 + (x - film.middle[0]) * film.scale), far(film.size[1] / 2 - (y - film.middle[1]) * film.scale)];
+const seen = (animation, p) => [0, 1, 2].map((i) => dot(animation.camera.map((axis) => axis[i]), p));
+const place = (animation, p) => {
+  const [x, y] = seen(animation, p), far = (px) => Math.max(-1e5, Math.min(1e5, px));
+  return [far(animation.size[0] / 2 + (x - animation.middle[0]) * animation.scale), far(animation.size[1] / 2 - (y - animation.middle[1]) * animation.scale)];
 };
 
 // The directions of a solid's faces and of its edges, each once: planes between two solids are sought among them.
@@ -268,12 +268,12 @@ function directed(part) {
 
 // Solids in the order of painting: between two of them that do not overlap is a plane, and the one on the viewer's side
 // of it hides the other. What hides each other in a circle goes by depth.
-function painted(film, solids) {
+function painted(animation, solids) {
   const mean = (corners) => corners.reduce(plus, [0, 0, 0]).map((x) => x / corners.length);
   for (const own of solids) {
     own.centre = mean(own.corners);
-    const spots = own.corners.map((corner) => seen(film, corner));
-    own.depth = seen(film, own.centre)[2];
+    const spots = own.corners.map((corner) => seen(animation, corner));
+    own.depth = seen(animation, own.centre)[2];
     own.box = [0, 1].map((i) => [Math.min(...spots.map((p) => p[i])) - own.radius, Math.max(...spots.map((p) => p[i])) + own.radius]);
   }
   const meets = (a, b) => [0, 1].every((i) => a.box[i][0] < b.box[i][1] && b.box[i][0] < a.box[i][1]);
@@ -281,7 +281,7 @@ function painted(film, solids) {
   for (let j = 0; j < solids.length; j++) {
     for (let i = 0; i < j; i++) {
       if (!meets(solids[i], solids[j])) continue;
-      const order = hides(film, solids[i], solids[j]);
+      const order = hides(animation, solids[i], solids[j]);
       if (order > 0) behind[i].push(j);
       if (order < 0) behind[j].push(i);
     }
@@ -298,7 +298,7 @@ function painted(film, solids) {
 }
 
 // 1 where a hides b, −1 where b hides a, 0 where they are side by side.
-function hides(film, a, b) {
+function hides(animation, a, b) {
   const ends = (rod, ball) => rod.rod && ball.radius > 0 && rod.rod.includes(ball.body); // a rod is behind the balls it ends in
   if (ends(a, b)) return -1;
   if (ends(b, a)) return 1;
@@ -306,11 +306,11 @@ function hides(film, a, b) {
     const at = solid.corners.map((corner) => dot(corner, n));
     return [Math.min(...at) - solid.radius, Math.max(...at) + solid.radius];
   };
-  const touch = 2 * film.unit;
+  const touch = 2 * animation.unit;
   let [widest, order] = [-Infinity, 0];
-  for (const n of planes(film, a, b)) {
+  for (const n of planes(animation, a, b)) {
     const [aLo, aHi] = span(a, n), [bLo, bHi] = span(b, n), gap = Math.max(bLo - aHi, aLo - bHi);
-    const towards = seen(film, n)[2];
+    const towards = seen(animation, n)[2];
     if (Math.abs(towards) < 1e-6) {
       if (gap >= -touch) return 0;
     } else if (gap > widest) {
@@ -322,11 +322,11 @@ function hides(film, a, b) {
 }
 
 // The normals of planes that may lie between two solids, the likely ones first.
-function* planes(film, a, b) {
+function* planes(animation, a, b) {
   yield* a.normals;
   yield* b.normals;
   yield unit(minus(b.centre, a.centre));
-  yield film.camera.map((axis) => axis[2]);
+  yield animation.camera.map((axis) => axis[2]);
   for (const e of a.edges) {
     for (const f of b.edges) {
       const n = cross(e, f);
@@ -339,33 +339,33 @@ const shade = (color, light) => `rgb(${color.map((c) => Math.round(Math.min(255,
 const fine = (x) => x.toFixed(1);
 const joined = (points) => points.map(([x, y]) => `${fine(x)} ${fine(y)}`).join("L");
 
-function solid(film, body, q, corners) {
-  const radius = body.radius * film.scale;
-  if (body.faces.length > 0) return faces(film, body, corners);
-  const [start, end] = corners.map((corner) => place(film, corner));
-  return end ? capsule(film, body.color, radius, [start, end]) : ball(film, body, q, start, radius);
+function solid(animation, body, q, corners) {
+  const radius = body.radius * animation.scale;
+  if (body.faces.length > 0) return faces(animation, body, corners);
+  const [start, end] = corners.map((corner) => place(animation, corner));
+  return end ? capsule(animation, body.color, radius, [start, end]) : ball(animation, body, q, start, radius);
 }
 
-function faces(film, body, corners) {
+function faces(animation, body, corners) {
   return body.faces.map((face) => {
     const [a, b, c] = face.map((k) => corners[k]);
     const n = cross(minus(b, a), minus(c, b)), length = Math.hypot(...n);
-    const normal = seen(film, n.map((x) => x / length));
+    const normal = seen(animation, n.map((x) => x / length));
     if (!(normal[2] > 1e-4)) return "";
-    const light = film.face[0] + film.face[1] * Math.max(0, dot(normal, film.light));
-    return `<path fill="${shade(body.color, light)}" d="M${joined(face.map((k) => place(film, corners[k])))}z"/>`;
+    const light = animation.face[0] + animation.face[1] * Math.max(0, dot(normal, animation.light));
+    return `<path fill="${shade(body.color, light)}" d="M${joined(face.map((k) => place(animation, corners[k])))}z"/>`;
   }).join("");
 }
 
 const disc = ([x, y], r, rest) => `<circle cx="${fine(x)}" cy="${fine(y)}" r="${r.toFixed(2)}" ${rest}/>`;
 
-function ball(film, body, q, [x, y], radius) {
-  if (body.plain || radius < film.plain) return disc([x, y], radius, `stroke="none" fill="${shade(body.color, 1)}"`);
-  const discs = film.lit.map(([light, aside, size]) =>
-    disc([x + aside * radius * film.light[0], y - aside * radius * film.light[1]], size * radius,
+function ball(animation, body, q, [x, y], radius) {
+  if (body.plain || radius < animation.plain) return disc([x, y], radius, `stroke="none" fill="${shade(body.color, 1)}"`);
+  const discs = animation.lit.map(([light, aside, size]) =>
+    disc([x + aside * radius * animation.light[0], y - aside * radius * animation.light[1]], size * radius,
       `stroke="none" fill="${shade(body.color, light)}"`));
   const circles = [[0, 0, 1], [0, 1, 0]].map((axis) => {
-    const m = seen(film, turned(q, axis)), flat = Math.hypot(m[0], m[1]);
+    const m = seen(animation, turned(q, axis)), flat = Math.hypot(m[0], m[1]);
     if (flat < 1e-6) return "";
     const [ax, ay] = [(radius * m[1]) / flat, (radius * m[0]) / flat];
     const angle = (Math.atan2(ay, ax) * 180) / Math.PI, width = Math.max(0.7, Math.min(2, 0.06 * radius));
@@ -378,29 +378,29 @@ function ball(film, body, q, [x, y], radius) {
 const stroke = (colour, width, ends) =>
   `<path fill="none" stroke-linecap="round" stroke="${colour}" stroke-width="${width.toFixed(2)}" d="M${joined(ends)}"/>`;
 
-function capsule(film, color, radius, ends) {
+function capsule(animation, color, radius, ends) {
   const inner = Math.max(radius - 0.7, 0.5 * radius);
-  return stroke(shade(color, 0.35), 2 * radius, ends) + film.lit.map(([light, aside, size]) => {
-    const move = [aside * radius * film.light[0], -aside * radius * film.light[1]];
+  return stroke(shade(color, 0.35), 2 * radius, ends) + animation.lit.map(([light, aside, size]) => {
+    const move = [aside * radius * animation.light[0], -aside * radius * animation.light[1]];
     return stroke(shade(color, light), 2 * size * inner, ends.map(([x, y]) => [x + move[0], y + move[1]]));
   }).join("");
 }
 
-const rod = (film, ends) => stroke("#5c626c", 2 * film.rod, ends.map((end) => place(film, end)));
+const rod = (animation, ends) => stroke("#5c626c", 2 * animation.rod, ends.map((end) => place(animation, end)));
 
-function marks(film, ends) {
-  return film.joints.map((joint, k) => joint && joint.marks.map((mark, side) => {
-    const [x, y] = place(film, ends[k][side]), r = film.mark;
+function marks(animation, ends) {
+  return animation.joints.map((joint, k) => joint && joint.marks.map((mark, side) => {
+    const [x, y] = place(animation, ends[k][side]), r = animation.mark;
     if (mark === 1) return disc([x, y], r, 'fill="#22262d" stroke="#ffffff"');
     return mark === 2 ? `<path stroke="none" fill="#22262d" d="M${fine(x - r)} ${fine(y - r)}h${2 * r}v${2 * r}h${-2 * r}z"/>` : "";
   }).join("")).join("");
 }
 
-function arrows(film, list) {
+function arrows(animation, list) {
   const kinds = ["normal", "friction", "constraint"].map(() => ["", ""]);
   for (let k = 0; k < list.length; k += 7) {
-    const [kind, ...rest] = list.slice(k, k + 7), [x, y] = place(film, rest.slice(0, 3).map((part) => part * film.unit));
-    const [dx, up] = seen(film, rest.slice(3).map((tenths) => tenths / 10)), dy = -up;
+    const [kind, ...rest] = list.slice(k, k + 7), [x, y] = place(animation, rest.slice(0, 3).map((part) => part * animation.unit));
+    const [dx, up] = seen(animation, rest.slice(3).map((tenths) => tenths / 10)), dy = -up;
     const length = Math.hypot(dx, dy), own = kinds[kind];
     if (kind === 0) own[1] += `M${fine(x - 2)} ${fine(y)}a2 2 0 1 0 4 0a2 2 0 1 0 -4 0z`;
     if (length < 2) continue;

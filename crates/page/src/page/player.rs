@@ -7,7 +7,7 @@ use crate::escape::html;
 
 /// An animation, drawn: everything that a page plays.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Animation {
+pub struct DrawnAnimation {
     /// The number of panes side by side.
     pub columns: usize,
     /// The width and height of a pane in px.
@@ -52,7 +52,7 @@ pub struct Chart {
 #[derive(Debug, Clone)]
 pub struct Player {
     /// The animation.
-    pub animation: Animation,
+    pub animation: DrawnAnimation,
     /// The finding that it shows.
     pub caption: String,
     /// Files with its data: the name of each link and its address, relative to the page.

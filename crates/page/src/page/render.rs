@@ -8,8 +8,8 @@ use super::markup::Renderer;
 use super::player::{self, Player};
 use super::{Align, Block, Cell, Column, Live, Mark, Page, Picture, Proof, Section, Table, Tile};
 use crate::escape::html;
-use lcplab_problem::disk;
-use lcplab_problem::error::{Defects, Error, Result};
+use lcplab_lcp::disk;
+use lcplab_lcp::error::{Defects, Error, Result};
 
 const FONT: &[u8] = include_bytes!("../assets/lcplab-math.woff2");
 

@@ -9,7 +9,7 @@ use super::style::{self, FAINT_INK, INK, TEXT};
 use crate::csv;
 use crate::figure::Figure;
 use crate::number::{count, readable};
-use lcplab_problem::error::{Defects, Result};
+use lcplab_lcp::error::{Defects, Result};
 
 /// The number of cells along the longer side; in larger matrices several entries share a cell.
 const CELLS: usize = 160;

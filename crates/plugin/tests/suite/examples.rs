@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use lcplab_judge::{Demand, judge_cone};
+use lcplab_lcp::friction::{ConeProblem, Law};
+use lcplab_lcp::library;
 use lcplab_plugin::Plugin;
-use lcplab_problem::friction::{ConeProblem, Law};
-use lcplab_problem::library;
 use lcplab_solver::{Settings, Start, Status};
 use lcplab_testing::{contacts, pushed_mass};
 

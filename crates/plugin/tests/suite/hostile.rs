@@ -77,7 +77,7 @@ fn one_that_crashes_is_named_and_starts_again() {
     );
     let plugin = script.start(LONG);
     let mut other = pushed();
-    other = lcplab_problem::Lcp::new(
+    other = lcplab_lcp::Lcp::new(
         other.matrix().clone(),
         vec![-1.0, 3.0],
         other.lo().to_vec(),

@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use lcplab_judge::{Certificate, Demand, judge};
+use lcplab_lcp::Lcp;
 use lcplab_plugin::Plugin;
-use lcplab_problem::Lcp;
 use lcplab_solver::{ConeEntry, Entry, Method, Options, Solution, Start};
 use lcplab_testing::contacts;
 

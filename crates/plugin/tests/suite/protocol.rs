@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
+use lcplab_lcp::friction::{ConeProblem, Law};
 use lcplab_plugin::{Declaration, Plugin};
-use lcplab_problem::friction::{ConeProblem, Law};
 use lcplab_solver::{MatrixClass, Options, Registry, Settings, Start, Status};
 use lcplab_testing::{Iterates, pushed_mass};
 use serde_json::Value;

@@ -5,8 +5,8 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use lcplab_problem::Question;
-use lcplab_problem::file::Problem;
+use lcplab_lcp::Question;
+use lcplab_lcp::file::Problem;
 use lcplab_proof::{Proof, check};
 
 /// The text of a problem, and that of a proof.

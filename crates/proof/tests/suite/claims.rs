@@ -1,7 +1,7 @@
 //! What is claimed is so.
 
-use lcplab_problem::exact::all_solutions;
-use lcplab_problem::{Coupling, Lcp, Matrix};
+use lcplab_lcp::exact::all_solutions;
+use lcplab_lcp::{Coupling, Lcp, Matrix};
 use lcplab_proof::{Claim, Kind, Proof, canonical_bytes, check, hash, prove};
 use oorandom::Rand64;
 

@@ -1,8 +1,8 @@
 //! Boxes around the solutions of problems with friction cones, of which closed forms are known.
 
-use lcplab_problem::file::Problem;
-use lcplab_problem::friction::Model;
-use lcplab_problem::{Coupling, Lcp, Matrix};
+use lcplab_lcp::file::Problem;
+use lcplab_lcp::friction::Model;
+use lcplab_lcp::{Coupling, Lcp, Matrix};
 use lcplab_proof::{Claim, Kind, Proof, check, prove, prove_kind};
 use oorandom::Rand64;
 

@@ -1,8 +1,8 @@
 //! No forged proof says that a problem with a solution has none.
 
 use dashu_int::IBig;
-use lcplab_problem::exact::all_solutions;
-use lcplab_problem::{Lcp, library};
+use lcplab_lcp::exact::all_solutions;
+use lcplab_lcp::{Lcp, library};
 use lcplab_proof::{Claim, Kind, Proof, Tree, check, hash, prove};
 use oorandom::Rand64;
 

@@ -10,8 +10,8 @@ mod models;
 mod motion;
 mod mutants;
 
-use lcplab_problem::file::Problem;
-use lcplab_problem::{Coupling, Gauss, Lcp, Matrix, Question};
+use lcplab_lcp::file::Problem;
+use lcplab_lcp::{Coupling, Gauss, Lcp, Matrix, Question};
 use oorandom::Rand64;
 
 const INF: f64 = f64::INFINITY;

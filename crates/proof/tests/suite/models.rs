@@ -1,8 +1,8 @@
 //! What is proved of a problem under a friction model, and what is not.
 
-use lcplab_problem::file::Problem;
-use lcplab_problem::friction::Model;
-use lcplab_problem::{Coupling, Lcp, Matrix, Question};
+use lcplab_lcp::file::Problem;
+use lcplab_lcp::friction::Model;
+use lcplab_lcp::{Coupling, Lcp, Matrix, Question};
 use lcplab_proof::{Claim, Kind, Proof, Tree, canonical_bytes, check, hash, prove, prove_kind};
 use oorandom::Rand64;
 

@@ -1,8 +1,8 @@
 //! Bounds on the motion are true, and no wider than they need be.
 
 use dashu_ratio::RBig;
-use lcplab_problem::file::Problem;
-use lcplab_problem::{Coupling, Gauss, Lcp, Matrix};
+use lcplab_lcp::file::Problem;
+use lcplab_lcp::{Coupling, Gauss, Lcp, Matrix};
 use lcplab_proof::{Claim, Kind, Proof, ProofSearch, check, prove, prove_kind};
 use oorandom::Rand64;
 

@@ -1,8 +1,8 @@
 //! A proof that was tampered with, or one of a problem that was, is refused, or says something that
 //! is true all the same: then the checkers that share nothing with this crate accept it too.
 
-use lcplab_problem::Question;
-use lcplab_problem::file::Problem;
+use lcplab_lcp::Question;
+use lcplab_lcp::file::Problem;
 use lcplab_proof::{Claim, Kind, Proof, exact_residual, hash, prove, prove_kind};
 use oorandom::Rand64;
 

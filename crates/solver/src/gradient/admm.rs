@@ -27,8 +27,8 @@ use crate::iterate::iterate;
 use crate::metric::Metric;
 use crate::tolerances::{OVER_RELAXATION, WEIGHT_WITHOUT_BOUNDS};
 use crate::{Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
-use lcplab_problem::Lcp;
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::Lcp;
+use lcplab_lcp::memory::Memory;
 
 /// Maximum number of rows; with more, a dense factorization takes too long.
 const MAX_ROWS: usize = 8_000;

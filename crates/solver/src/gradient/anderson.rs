@@ -25,7 +25,7 @@ use crate::iterate::iterate;
 use crate::metric::Metric;
 use crate::tolerances::DEPENDENT_DIFFERENCE;
 use crate::{Event, Observer, Settings, Solution, Solver, Start};
-use lcplab_problem::{Lcp, dot};
+use lcplab_lcp::{Lcp, dot};
 
 /// The number of differences that are kept.
 const MEMORY: usize = 5;

@@ -29,8 +29,8 @@ use crate::iterate::iterate;
 use crate::metric::{Metric, energy_product};
 use crate::tolerances::INNER_TOLERANCE;
 use crate::{ConeSolver, Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
-use lcplab_problem::friction::ConeProblem;
-use lcplab_problem::{Complementarity, Lcp};
+use lcplab_lcp::friction::ConeProblem;
+use lcplab_lcp::{Complementarity, Lcp};
 
 /// Accelerated projected gradient descent.
 #[derive(Debug, Clone, Default)]

@@ -26,7 +26,7 @@ use std::ops::ControlFlow;
 use crate::iterate::{iterate, largest};
 use crate::metric::{Curvature, Metric, energy_product};
 use crate::{Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// MPRGP, projected conjugate gradients.
 #[derive(Debug, Clone, Default)]

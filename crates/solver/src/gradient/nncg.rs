@@ -26,7 +26,7 @@ use std::ops::ControlFlow;
 use crate::iterate::iterate;
 use crate::metric::Metric;
 use crate::{Event, Observer, Settings, Solution, Solver, Start};
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// Nonsmooth nonlinear conjugate gradients.
 #[derive(Debug, Clone, Default)]

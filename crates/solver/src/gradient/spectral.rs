@@ -32,7 +32,7 @@ use crate::iterate::iterate;
 use crate::metric::{Curvature, Metric};
 use crate::tolerances::SUFFICIENT_DECREASE;
 use crate::{Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// The number of recent objectives whose maximum the new one must not exceed.
 const MEMORY: usize = 10;

@@ -22,9 +22,6 @@ pub(crate) trait Lanes:
     const WIDE: bool;
     fn load(from: &[f64; 8]) -> Self;
     fn store(self, to: &mut [f64; 8]);
-    /// Prefetches these numbers, where supported.
-    #[inline(always)]
-    fn ask_for(_numbers: &[f64; 8]) {}
     /// The larger of both, or `other` if neither is larger.
     fn max(self, other: Self) -> Self;
     /// The smaller of both, or `other` if neither is smaller.
@@ -62,7 +59,7 @@ pub(super) fn prefetch(numbers: &[f64; 8]) {
     }
 }
 
-/// The sum of the eight lanes, in the order of [`dot`](lcplab_problem::dot).
+/// The sum of the eight lanes, in the order of [`dot`](lcplab_lcp::dot).
 #[inline(always)]
 pub(super) fn sum([a, b, c, d, e, f, g, h]: [f64; 8]) -> f64 {
     ((a + e) + (c + g)) + ((b + f) + (d + h))
@@ -224,12 +221,6 @@ mod x86 {
 
     // SAFETY, for everything below: see the module documentation.
 
-    /// A prefetch has no effect visible to the program, and its address comes from a reference.
-    #[inline(always)]
-    fn prefetch(numbers: &[f64; 8]) {
-        unsafe { _mm_prefetch::<_MM_HINT_T0>(numbers.as_ptr().cast()) }
-    }
-
     macro_rules! by_halves {
         ($intrinsic:expr) => {
             |a: Avx2, b: Avx2| unsafe { Avx2($intrinsic(a.0, b.0), $intrinsic(a.1, b.1)) }
@@ -249,11 +240,6 @@ mod x86 {
 
     impl Lanes for Avx2 {
         const WIDE: bool = true;
-
-        #[inline(always)]
-        fn ask_for(numbers: &[f64; 8]) {
-            prefetch(numbers);
-        }
 
         #[inline(always)]
         fn load(from: &[f64; 8]) -> Self {
@@ -300,11 +286,6 @@ mod x86 {
 
     impl Lanes for Avx512 {
         const WIDE: bool = true;
-
-        #[inline(always)]
-        fn ask_for(numbers: &[f64; 8]) {
-            prefetch(numbers);
-        }
 
         #[inline(always)]
         fn load(from: &[f64; 8]) -> Self {

@@ -7,7 +7,7 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 use super::lanes::{Lanes, Width, Work};
-use lcplab_problem::Matrix;
+use lcplab_lcp::Matrix;
 
 /// The rows of a square matrix.
 #[derive(Debug, Clone)]
@@ -34,7 +34,7 @@ impl Run<'_> {
 
     /// The product with x.
     pub(crate) fn dot(&self, x: &[f64]) -> f64 {
-        lcplab_problem::dot(self.values, &x[self.first..self.first + self.values.len()])
+        lcplab_lcp::dot(self.values, &x[self.first..self.first + self.values.len()])
     }
 
     /// Σ |a_k x_k|, given |x|.

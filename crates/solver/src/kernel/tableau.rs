@@ -20,7 +20,7 @@
 
 use super::lanes::{Lanes, Width, Work};
 use super::rank_one::{Block, get, put, zeros};
-use lcplab_problem::Matrix;
+use lcplab_lcp::Matrix;
 
 /// Number of sweeps applied in one pass through the tableau.
 const TOGETHER: usize = 16;

@@ -8,8 +8,8 @@
 //! identical to [`Lcp::row_w`].
 
 use super::lanes::{Lanes, Width, Work, sum};
-use lcplab_problem::merit::{RowTerms, row_scale};
-use lcplab_problem::{Lcp, Matrix};
+use lcplab_lcp::merit::{RowTerms, row_scale};
+use lcplab_lcp::{Lcp, Matrix};
 
 /// Number of rows whose sums are computed together.
 const TOGETHER: usize = 4;
@@ -17,14 +17,14 @@ const TOGETHER: usize = 4;
 /// The [`RowTerms`] of all rows at x; for a sparse A they are computed row by row.
 ///
 /// ```
-/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_lcp::{Lcp, Matrix};
 /// use lcplab_solver::kernel::{Width, terms};
 ///
 /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
 /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
 /// let terms = terms(&lcp, &[3.0, 1.0], Width::widest());
 /// assert_eq!((terms[0].w, terms[0].magnitude), (4.0, 8.0)); // 6 − 1 − 1
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 ///
 /// # Panics

@@ -10,7 +10,7 @@ use faer::{MatMut, MatRef, Par};
 
 use crate::pivot::active_set::unit;
 use crate::tolerances::RELATIVE_ZERO;
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// The last factor, with storage for the next.
 #[derive(Debug, Clone, Default)]

@@ -10,7 +10,7 @@
 //! numbered along a stack or chain, the envelope is hardly larger than A, and the cost for n rows
 //! of b entries is n b²/2; a dense A is its own envelope. Rows are not reordered.
 
-use lcplab_problem::{Matrix, dot};
+use lcplab_lcp::{Matrix, dot};
 
 /// The factors, or storage for them before the first factorization.
 #[derive(Debug, Clone)]

@@ -86,7 +86,7 @@ impl Ldlt {
             let (d, row) = (pivot[p], std::mem::take(&mut lower[p]));
             let scaled: Vec<f64> = row.iter().zip(&diagonal).map(|(l, d)| l * d).collect();
             for &r in &left {
-                let l = (entry(r, p) - lcplab_problem::dot(&lower[r], &scaled)) / d;
+                let l = (entry(r, p) - lcplab_lcp::dot(&lower[r], &scaled)) / d;
                 lower[r].push(l);
                 pivot[r] -= l * l * d;
             }

@@ -53,7 +53,7 @@ fn phi(a: f64, b: f64) -> [f64; 3] {
     if a == f64::INFINITY {
         return [b, 0.0, 1.0];
     }
-    let r = lcplab_problem::hypot(a, b);
+    let r = lcplab_lcp::hypot(a, b);
     if r == 0.0 {
         let slope = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
         return [0.0, slope, slope];

@@ -65,8 +65,8 @@ use crate::pivot::free_rows::FreeRows;
 use crate::pivot::proximal::Rho;
 use crate::tolerances::{DAMPING, LEVEL_MERIT, MIN_DAMPING, SUFFICIENT_DECREASE};
 use crate::{Event, Fallback, Observer, Settings, Solution, Solver, Start, Status};
-use lcplab_problem::memory::Memory;
-use lcplab_problem::{Complementarity, Lcp};
+use lcplab_lcp::memory::Memory;
+use lcplab_lcp::{Complementarity, Lcp};
 
 /// Maximum number of halvings before a proximal step is tried, and before the step is given up if
 /// no proximal step is possible.

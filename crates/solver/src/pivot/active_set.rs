@@ -13,7 +13,7 @@ use super::principal::Point;
 use crate::linalg::elimination::Lu;
 use crate::tolerances::RESIDUAL_ROUNDING;
 use crate::{Settings, Start, Status};
-use lcplab_problem::{Lcp, merit};
+use lcplab_lcp::{Lcp, merit};
 
 /// The side of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

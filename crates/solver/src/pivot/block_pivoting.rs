@@ -28,7 +28,7 @@ use super::free_rows::FreeRows;
 use super::principal::{self, Change, Search};
 use super::proximal;
 use crate::{Fallback, Observer, Settings, Solution, Solver, Start, Status};
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// Block principal pivoting with Júdice and Pires' safeguard.
 #[derive(Debug, Clone)]

@@ -3,7 +3,7 @@
 //! Each row is at its lower bound, free, or at its upper bound: 2ⁿ sets for contacts, 3ⁿ for boxes;
 //! coupled rows are at −μ x_k, free, or at +μ x_k. For each set the linear equations are solved in
 //! rational arithmetic (every floating-point number is rational), and all bounds and signs are
-//! decided exactly ([`exact`](lcplab_problem::exact)). The answer is therefore proved: a solution,
+//! decided exactly ([`exact`](lcplab_lcp::exact)). The answer is therefore proved: a solution,
 //! or `NoSolution`. It works for any matrix. It is the reference for tests of the other methods,
 //! and shows that the worst case of pivoting, 2ⁿ, is no worse than trying all sets.
 //!
@@ -16,9 +16,9 @@
 use super::active_set::claim;
 use super::opening;
 use crate::{Event, Iterate, Observer, Settings, Solution, Solver, Start, Status, frozen};
-use lcplab_problem::exact::{Pieces, Point};
-use lcplab_problem::memory::Memory;
-use lcplab_problem::{Complementarity, Lcp};
+use lcplab_lcp::exact::{Pieces, Point};
+use lcplab_lcp::memory::Memory;
+use lcplab_lcp::{Complementarity, Lcp};
 
 /// Enumeration of all active sets; stops at the first solution.
 #[derive(Debug, Clone, Default)]

@@ -18,8 +18,8 @@ use crate::linalg::cholesky::Cholesky;
 use crate::linalg::elimination::Lu;
 use crate::linalg::envelope::Envelope;
 use crate::tolerances::{RELATIVE_ZERO, RESIDUAL_ROUNDING};
-use lcplab_problem::merit::RowTerms;
-use lcplab_problem::{Lcp, Matrix, accurate};
+use lcplab_lcp::merit::RowTerms;
+use lcplab_lcp::{Lcp, Matrix, accurate};
 
 /// Number of refinement steps for rounding errors in the free rows.
 const REFINEMENTS: usize = 2;

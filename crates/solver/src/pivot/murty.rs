@@ -26,7 +26,7 @@ use std::ops::ControlFlow;
 use super::active_set::ActiveSet;
 use super::principal::{self, Change, Point};
 use crate::{Observer, Settings, Solution, Solver, Start, Status};
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// Murty's least-index principal pivoting.
 #[derive(Debug, Clone, Default)]

@@ -2,8 +2,8 @@
 
 use super::principal::Point;
 use crate::{Event, Iterate, Observer, Settings, Status};
-use lcplab_problem::Lcp;
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::Lcp;
+use lcplab_lcp::memory::Memory;
 
 /// Maximum number of rows; with more, a dense factor or tableau takes too long.
 const MAX_ROWS: usize = 8_000;

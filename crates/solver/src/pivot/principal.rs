@@ -6,9 +6,9 @@ use super::active_set::{ActiveSet, Side};
 use super::opening;
 use crate::kernel::{Width, terms};
 use crate::{Event, Fallback, Iterate, Observer, Settings, Solution, Start, Status, frozen};
-use lcplab_problem::Lcp;
-use lcplab_problem::memory::Memory;
-use lcplab_problem::merit::{self, RowResidual, RowTerms};
+use lcplab_lcp::Lcp;
+use lcplab_lcp::memory::Memory;
+use lcplab_lcp::merit::{self, RowResidual, RowTerms};
 
 /// Which of the unsatisfied rows change sides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

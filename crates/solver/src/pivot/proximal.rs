@@ -31,7 +31,7 @@ use super::free_rows::FreeRows;
 use super::principal::{Change, Point, Search};
 use crate::tolerances::{IMPROVEMENT, NEARER_THAN_ZERO, RESIDUAL_ROUNDING};
 use crate::{Event, Fallback, Settings, Solution, Start, Status, iterate};
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// The least ρ is 2 to this power; in the null space of A it costs half of all digits.
 const LEAST: i32 = -28;

@@ -4,8 +4,8 @@ use super::principal::Point;
 use crate::kernel::rank_one::get;
 use crate::kernel::tableau::Tableau;
 use crate::tolerances::REFINED_RESIDUAL;
-use lcplab_problem::merit::RowTerms;
-use lcplab_problem::{Lcp, accurate};
+use lcplab_lcp::merit::RowTerms;
+use lcplab_lcp::{Lcp, accurate};
 
 /// Number of refinement steps; all but the first use an accurate w.
 const STEPS: usize = 3;

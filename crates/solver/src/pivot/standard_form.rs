@@ -23,7 +23,7 @@ use super::active_set::{ActiveSet, Side, unit};
 use super::dictionary::{Dictionary, RenamedLine};
 use super::variable::Variable;
 use crate::tolerances::{CANCELLATION_TOLERANCE, UNITS_FAR_APART};
-use lcplab_problem::{Lcp, merit::RowTerms};
+use lcplab_lcp::{Lcp, merit::RowTerms};
 
 /// How a row of the boxed problem enters the standard form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -233,7 +233,7 @@ fn equations(lcp: &Lcp, rows: &[usize], base: &[f64], sign: &[f64]) -> Dictionar
         rows.iter().map(|&i| sign[i] * lcp.row_w(i, base)).collect(),
         rows.iter().map(|&i| RowTerms::at(lcp, i, base).magnitude).collect(),
     );
-    dictionary.forgives = CANCELLATION_TOLERANCE;
+    dictionary.cancellation_tolerance = CANCELLATION_TOLERANCE;
     for (r, &i) in rows.iter().enumerate() {
         for (j, a) in lcp.matrix().row(i).iter() {
             if let Some(c) = column[j] {

@@ -23,7 +23,7 @@ use crate::iterate::iterate;
 use crate::theory::principal_submatrix;
 use crate::tolerances::BLOCK_TOLERANCE;
 use crate::{Dantzig, Event, Observer, Settings, Solution, Solver, Start, Status};
-use lcplab_problem::{Coupling, Lcp};
+use lcplab_lcp::{Coupling, Lcp};
 
 /// Block projected Gauss-Seidel.
 #[derive(Debug, Clone)]

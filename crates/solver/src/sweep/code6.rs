@@ -21,7 +21,7 @@ use std::ops::ControlFlow;
 
 use crate::iterate::iterate;
 use crate::{Event, Observer, Settings, Solution, Solver, Start, Status};
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// Code 6, a known-wrong variant.
 #[derive(Debug, Clone, Default)]

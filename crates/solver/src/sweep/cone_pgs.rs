@@ -24,8 +24,8 @@ use std::ops::ControlFlow;
 use crate::ConeSolver;
 use crate::iterate::iterate;
 use crate::{Event, Observer, Settings, Solution, Start, Status};
-use lcplab_problem::Complementarity;
-use lcplab_problem::friction::{ConeProblem, Contact};
+use lcplab_lcp::Complementarity;
+use lcplab_lcp::friction::{ConeProblem, Contact};
 
 /// Projected Gauss-Seidel for cones.
 #[derive(Debug, Clone, Default)]

@@ -24,7 +24,7 @@ use std::ops::ControlFlow;
 use crate::iterate::iterate;
 use crate::metric::Metric;
 use crate::{Event, Observer, Settings, Solution, Solver, Start};
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// Projected Jacobi.
 #[derive(Debug, Clone, Default)]

@@ -4,7 +4,7 @@
 //! solution is not unique, possibly to another solution. For tridiagonal and other consistently
 //! ordered A the natural and the colored order have the same rate.
 
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// The order of the rows in a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

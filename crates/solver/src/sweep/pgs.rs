@@ -24,7 +24,7 @@ use std::ops::ControlFlow;
 use crate::iterate::iterate_in_parts;
 use crate::metric::Metric;
 use crate::{Event, Observer, Order, RowUpdate, Settings, Solution, Solver, Start, StepDetail};
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// Projected Gauss-Seidel with relaxation.
 #[derive(Debug, Clone)]

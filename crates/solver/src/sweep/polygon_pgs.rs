@@ -7,7 +7,7 @@
 //! ```
 //!
 //! The friction impulse of the polygon that dissipates most is a fixed point of the second line and
-//! therefore of the whole iteration. β and γ of the [LCP](lcplab_problem::friction::Polyhedral)
+//! therefore of the whole iteration. β and γ of the [LCP](lcplab_lcp::friction::Polyhedral)
 //! need not be known, and the matrix has only rows for x. s_t bounds the eigenvalues of the
 //! contact's tangent block. Each update uses the newest x. Like the coupled box, to which it is
 //! equivalent with four corners along the tangents turned by 45°, it minimizes no function, so
@@ -16,8 +16,8 @@
 //! `Solved` is tested on the LCP, with the z reconstructed from x.
 
 use crate::{Event, Iterate, Observer, Settings, Solution, Start, Status};
-use lcplab_problem::friction::Polyhedral;
-use lcplab_problem::merit;
+use lcplab_lcp::friction::Polyhedral;
+use lcplab_lcp::merit;
 
 /// The number of sweeps between two solution tests; one test costs as much as several sweeps.
 const LOOK_EVERY: usize = 10;

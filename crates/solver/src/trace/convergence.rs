@@ -5,12 +5,12 @@ use std::ops::ControlFlow;
 use serde::{Deserialize, Serialize};
 
 use crate::{Iterate, Observer};
-use lcplab_problem::{Lcp, merit};
+use lcplab_lcp::{Lcp, merit};
 
 /// An observer that records the convergence measures of every iterate.
 ///
 /// ```
-/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_lcp::{Lcp, Matrix};
 /// use lcplab_solver::{Pgs, Solver, Start};
 /// use lcplab_solver::trace::Convergence;
 ///
@@ -20,7 +20,7 @@ use lcplab_problem::{Lcp, merit};
 /// Pgs::default().solve(&lcp, &Start::default(), &mut trace);
 /// let objective: Vec<f64> = trace.records.iter().map(|record| record.objective).collect();
 /// assert!(objective.windows(2).all(|pair| pair[1] <= pair[0]));
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 #[derive(Debug)]
 pub struct Convergence<'a> {

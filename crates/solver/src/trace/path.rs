@@ -7,7 +7,7 @@ use crate::{Event, Iterate, Observer};
 /// An observer that keeps every iterate and its event, the start first.
 ///
 /// ```
-/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_lcp::{Lcp, Matrix};
 /// use lcplab_solver::{Pgs, Solver, Start};
 /// use lcplab_solver::trace::Path;
 ///
@@ -16,7 +16,7 @@ use crate::{Event, Iterate, Observer};
 /// let mut path = Path::default();
 /// Pgs::default().solve(&lcp, &Start::default(), &mut path);
 /// assert_eq!(path.points[..2], [[0.0, 0.0], [0.5, 0.75]]);
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Path {

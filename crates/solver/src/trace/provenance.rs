@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::{Event, Iterate, Observer};
-use lcplab_problem::{Lcp, merit};
+use lcplab_lcp::{Lcp, merit};
 
 /// An observer that condenses all iterates into one hash.
 ///
@@ -11,7 +11,7 @@ use lcplab_problem::{Lcp, merit};
 /// for bit from the start; this exposes a method that secretly runs another one.
 ///
 /// ```
-/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_lcp::{Lcp, Matrix};
 /// use lcplab_solver::{Pgs, Solver, Start};
 /// use lcplab_solver::trace::Provenance;
 ///
@@ -24,7 +24,7 @@ use lcplab_problem::{Lcp, merit};
 /// };
 /// assert_eq!(path(1.0), path(1.0));
 /// assert_ne!(path(1.0).fingerprint, path(1.3).fingerprint);
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Provenance<'a> {

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::{Entry, Event, Iterate, Observer};
-use lcplab_problem::{Lcp, merit};
+use lcplab_lcp::{Lcp, merit};
 
 /// An observer that adds up the multiplications of a solve according to the cost formula of the
 /// method.
@@ -15,7 +15,7 @@ use lcplab_problem::{Lcp, merit};
 /// searches and additions are not included.
 ///
 /// ```
-/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_lcp::{Lcp, Matrix};
 /// use lcplab_solver::{Pgs, Registry, Solver, Start};
 /// use lcplab_solver::trace::Work;
 ///
@@ -24,7 +24,7 @@ use lcplab_problem::{Lcp, merit};
 /// let mut work = Work::of(Registry::standard().entry(Pgs::NAME)?, &lcp);
 /// Pgs::default().solve(&lcp, &Start::default(), &mut work);
 /// assert_eq!(work.multiplications, 6.0); // one sweep: four entries, two divisions
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Work<'a> {

@@ -1,4 +1,4 @@
-use lcplab_problem::{Coupling, Lcp};
+use lcplab_lcp::{Coupling, Lcp};
 use lcplab_solver::{BlockPgs, Pgs, Settings, Solver, Start, Status};
 use proptest::prelude::*;
 

@@ -1,6 +1,6 @@
 //! Dantzig's method on redundant contacts: x moves to the middle of the solution set.
 
-use lcplab_problem::{Lcp, library, merit};
+use lcplab_lcp::{Lcp, library, merit};
 use lcplab_solver::{Centering, Dantzig, Solver, Start, StepDetail};
 use proptest::prelude::*;
 

@@ -1,6 +1,6 @@
 //! The Cholesky factor of a principal submatrix.
 
-use lcplab_problem::{Lcp, Matrix};
+use lcplab_lcp::{Lcp, Matrix};
 use lcplab_solver::linalg::cholesky::Cholesky;
 use nalgebra::{DMatrix, DVector};
 use proptest::collection::vec;

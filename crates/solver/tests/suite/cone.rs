@@ -2,8 +2,8 @@
 
 use lcplab_judge::reference::cone_qp;
 use lcplab_judge::{Demand, judge_cone};
-use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law};
-use lcplab_problem::{Complementarity, merit};
+use lcplab_lcp::friction::{ConeProblem, Contact, FrictionProblem, Law};
+use lcplab_lcp::{Complementarity, merit};
 use lcplab_solver::{ConeSolver, Registry, Settings, Start, Status};
 use proptest::prelude::*;
 

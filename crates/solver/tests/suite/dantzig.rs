@@ -1,5 +1,5 @@
 use lcplab_judge::{Demand, judge};
-use lcplab_problem::{Lcp, Matrix, library};
+use lcplab_lcp::{Lcp, Matrix, library};
 use lcplab_solver::{Dantzig, Solver, Start, Status};
 use nalgebra::DMatrix;
 use proptest::prelude::*;

@@ -1,7 +1,7 @@
 //! Thousands of small integer problems, often degenerate, compared with exact enumeration.
 
 use lcplab_judge::{Demand, judge, ray};
-use lcplab_problem::{Lcp, Matrix};
+use lcplab_lcp::{Lcp, Matrix};
 use lcplab_solver::{Options, Registry, Settings, Solution, Solver, Start, Status, all_solutions};
 
 use lcplab_testing::INF;

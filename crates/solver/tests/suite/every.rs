@@ -4,8 +4,8 @@ use std::collections::HashMap;
 
 use lcplab_judge::ray::refute;
 use lcplab_judge::{Demand, judge};
-use lcplab_problem::merit::RowTerms;
-use lcplab_problem::{Coupling, Lcp, Matrix};
+use lcplab_lcp::merit::RowTerms;
+use lcplab_lcp::{Coupling, Lcp, Matrix};
 use lcplab_solver::trace::Provenance;
 use lcplab_solver::{KNOWN_WRONG, Options, Registry, Settings, Solver, Start, Status};
 use nalgebra::DMatrix;

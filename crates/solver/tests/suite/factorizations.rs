@@ -1,6 +1,6 @@
 //! The factorizations used by the solvers, compared with matrices multiplied by hand.
 
-use lcplab_problem::Matrix;
+use lcplab_lcp::Matrix;
 use lcplab_solver::linalg::elimination::Lu;
 use lcplab_solver::linalg::envelope::Envelope;
 use lcplab_solver::linalg::ldlt::Ldlt;

@@ -1,6 +1,6 @@
 //! MPRGP, APGD, spectral gradient, NNCG and ADMM.
 
-use lcplab_problem::{Lcp, merit};
+use lcplab_lcp::{Lcp, merit};
 use lcplab_solver::{
     Admm, AndersonPgs, Apgd, Dantzig, Mprgp, Nncg, Pgs, Settings, Solver, Spectral, Start, Status,
 };

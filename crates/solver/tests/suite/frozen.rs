@@ -1,4 +1,4 @@
-use lcplab_problem::{Coupling, Lcp};
+use lcplab_lcp::{Coupling, Lcp};
 use lcplab_solver::{Options, Registry, Status, StepDetail};
 
 use lcplab_testing::{INF, boxed, parts};

@@ -1,4 +1,4 @@
-use lcplab_problem::{Lcp, Matrix, dot};
+use lcplab_lcp::{Lcp, Matrix, dot};
 use lcplab_solver::{InteriorPoint, Settings, Solver, Start, Status};
 use proptest::prelude::*;
 

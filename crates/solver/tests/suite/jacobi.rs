@@ -1,4 +1,4 @@
-use lcplab_problem::{Lcp, Matrix};
+use lcplab_lcp::{Lcp, Matrix};
 use lcplab_solver::theory::{jacobi_iteration_matrix, spectral_radius};
 use lcplab_solver::trace::Convergence;
 use lcplab_solver::{Damping, Jacobi, Settings, Solver, Start, Status};

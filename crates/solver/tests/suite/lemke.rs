@@ -1,7 +1,7 @@
 use std::ops::ControlFlow;
 
 use lcplab_judge::ray::refute;
-use lcplab_problem::{Lcp, Matrix, library};
+use lcplab_lcp::{Lcp, Matrix, library};
 use lcplab_solver::{
     Event, Fallback, Iterate, Lemke, Observer, Settings, Solution, Solver, Start, Status,
     StepDetail,

@@ -1,7 +1,7 @@
 //! Methods of both kinds on friction problems under each model.
 
-use lcplab_problem::friction::{Contact, FrictionProblem, Model, Polyhedral, ProblemForm};
-use lcplab_problem::merit;
+use lcplab_lcp::friction::{Contact, FrictionProblem, Model, Polyhedral, ProblemForm};
+use lcplab_lcp::merit;
 use lcplab_solver::{
     KNOWN_WRONG, Lemke, Method, Options, PolygonPgs, Registry, Settings, Start, Status,
     solve_polyhedral,

@@ -1,4 +1,4 @@
-use lcplab_problem::{Coupling, Lcp, Matrix, library, merit};
+use lcplab_lcp::{Coupling, Lcp, Matrix, library, merit};
 use lcplab_solver::{Equations, Fallback, Newton, Pgs, Settings, Solver, Start, Status};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;

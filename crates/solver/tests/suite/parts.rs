@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use lcplab_problem::{Lcp, library};
+use lcplab_lcp::{Lcp, library};
 use lcplab_solver::{
     Event, Iterate, Observer, Options, Registry, Side, Solution, Start, StepDetail, Variable,
 };

@@ -1,7 +1,7 @@
 //! Principal pivoting (Murty, block) and enumeration.
 
 use dashu_ratio::RBig;
-use lcplab_problem::library;
+use lcplab_lcp::library;
 use lcplab_solver::{
     BlockPivoting, Enumeration, Event, Fallback, Murty, Solver, Start, Status, all_solutions,
 };

@@ -1,9 +1,9 @@
 //! The fallback sequence: after a method that fails the next one is tried, and the answer lists the
 //! failed ones.
 
-use lcplab_problem::file::Problem;
-use lcplab_problem::friction::{Model, ProblemForm};
-use lcplab_problem::{Lcp, Matrix};
+use lcplab_lcp::file::Problem;
+use lcplab_lcp::friction::{Model, ProblemForm};
+use lcplab_lcp::{Lcp, Matrix};
 use lcplab_solver::{Options, SequenceAnswer, Status, solve_by_sequence};
 use lcplab_testing::{INF, boxed, contacts};
 

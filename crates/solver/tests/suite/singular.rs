@@ -3,7 +3,7 @@
 //! regularized.
 
 use lcplab_judge::{Demand, judge};
-use lcplab_problem::{Lcp, Matrix, library};
+use lcplab_lcp::{Lcp, Matrix, library};
 use lcplab_solver::{Options, Registry, Settings, Start, Status};
 
 const TOLERANCE: f64 = 1e-9;

@@ -1,6 +1,6 @@
 //! The textbook's functions and the solvers give the same x on problems without ties.
 
-use lcplab_problem::{Lcp, Matrix as Entries};
+use lcplab_lcp::{Lcp, Matrix as Entries};
 use lcplab_solver::textbook::{self, Matrix, Vector};
 use lcplab_solver::{Damping, Jacobi, Pgs, Registry, Settings, Solver, Start, Status};
 use oorandom::Rand64;

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
-use lcplab_problem::{Lcp, Matrix, merit};
+use lcplab_lcp::{Lcp, Matrix, merit};
 use lcplab_solver::theory::{
     contraction, gauss_seidel_rate, jacobi_iteration_matrix, optimal_omega,
     ordered_iteration_matrix, principal_submatrix, rate, sor_iteration_matrix, spectral_radius,

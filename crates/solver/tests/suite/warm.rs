@@ -1,6 +1,6 @@
 //! Warm starts from the cache of the last solve.
 
-use lcplab_problem::{Lcp, Matrix, library};
+use lcplab_lcp::{Lcp, Matrix, library};
 use lcplab_solver::{BlockPivoting, Murty, Solution, Solver, Start, Status, Warm};
 
 use lcplab_testing::{INF, assert_certified, assert_proved, boxed, contacts};

@@ -1,7 +1,7 @@
 //! The descriptions of solvers, and the settings that they reject.
 
-use lcplab_problem::Matrix;
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::Matrix;
+use lcplab_lcp::memory::Memory;
 use lcplab_solver::{
     Choice, Class, Damping, MatrixClass, Options, Registry, Settings, Status, default_for,
 };

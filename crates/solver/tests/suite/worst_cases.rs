@@ -3,7 +3,7 @@
 //! x = e_n in the numbering that is unfavorable to methods that process row 1 first, e_1 in the
 //! favorable one. All counts follow from the rules of the methods in exact arithmetic.
 
-use lcplab_problem::{Lcp, library};
+use lcplab_lcp::{Lcp, library};
 use lcplab_solver::{Options, Registry, Start, Status, all_solutions};
 
 use lcplab_testing::assert_proved;

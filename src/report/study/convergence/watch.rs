@@ -22,10 +22,10 @@ pub struct Mark {
     /// The number of sweeps, steps or pivots.
     pub iteration: usize,
     /// Multiplications ([`Work`]); NaN if they are not counted.
-    #[serde(with = "lcplab_study::number::always")]
+    #[serde(with = "lcplab_analysis::number::always")]
     pub work: f64,
     /// The scaled residual.
-    #[serde(with = "lcplab_study::number::always")]
+    #[serde(with = "lcplab_analysis::number::always")]
     pub residual: f64,
     /// The fraction of the weight that the contact forces do not balance, if the problem is that of
     /// a stack at rest.

@@ -13,8 +13,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toml::Table;
 
+use crate::animation::instants;
 use crate::error::Result;
-use crate::film::instants;
 use crate::report::study::settings::file_name;
 use crate::report::study::variation::Variation;
 use crate::simulation::{Ledger, Motion, Simulation};

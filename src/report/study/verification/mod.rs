@@ -122,7 +122,7 @@ pub struct Sample {
     /// The step (s).
     pub dt: f64,
     /// The value; NaN if the simulation failed.
-    #[serde(with = "lcplab_study::number::always")]
+    #[serde(with = "lcplab_analysis::number::always")]
     pub measured: f64,
 }
 

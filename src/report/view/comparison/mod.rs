@@ -6,7 +6,7 @@ pub use answer::answer;
 
 use super::attempt::{listed, stem};
 use super::{Headline, Outcome, ReportPage, View};
-use crate::film::Film;
+use crate::animation::Animation;
 use crate::number::{count, counted, readable};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Page, Table, markup};
@@ -238,7 +238,7 @@ fn timings(times: &[Timing]) -> Table {
 }
 
 /// A separate page for one scene: the animation, the table, and the motion by solver and level.
-pub fn document(comparison: &Comparison, film: Film) -> ReportPage {
+pub fn document(comparison: &Comparison, animation: Animation) -> ReportPage {
     let page = Page {
         title: comparison.title.clone(),
         lead: format!(
@@ -249,7 +249,7 @@ pub fn document(comparison: &Comparison, film: Film) -> ReportPage {
         ..Page::default()
     };
     let mut document = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
-    document.film(&film, "The same scene by several solvers, at the same instants.");
+    document.animation(&animation, "The same scene by several solvers, at the same instants.");
     document.open("comparison", "Solvers and levels");
     document.table(&format!("comparison_{}", stem(&comparison.scene)), table(comparison));
     document.figure(motion_figure(comparison));

@@ -1,6 +1,6 @@
 //! A of one step, next to its scene, and the factors of another.
 
-use crate::film::{Frame, Strip};
+use crate::animation::{Frame, Strip};
 use crate::number::{count, readable};
 use crate::plot::scene_matrix::{self, SCENE, SceneMatrix};
 use crate::plot::{Small, Spy};

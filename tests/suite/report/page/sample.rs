@@ -1,6 +1,6 @@
 //! A page with every kind of block, whose numbers are known.
 
-use lcplab::film::{Film, Recording, Strip};
+use lcplab::animation::{Animation, Recording, Strip};
 use lcplab::plot::{Axis, Bar, Bars, Figure, Lines, Panel, Series, Spy};
 use lcplab::report::page::{
     Block, Cell, Column, Mark, Origin, Page, Picture, Player, Section, Table, Tile,
@@ -133,7 +133,7 @@ fn pattern() -> Spy {
 
 fn strip() -> Strip {
     let scene = Scene::load("stack").unwrap();
-    let frame = lcplab::film::Frame::start(&scene);
+    let frame = lcplab::animation::Frame::start(&scene);
     Strip::new(&scene, vec![frame])
 }
 
@@ -144,8 +144,8 @@ fn player() -> Player {
         let mut simulation = Simulation::new(scene.clone(), simulation::solver(&scene).unwrap());
         Recording::of(name, &mut simulation, 100, 11)
     };
-    let film = Film::new("swing", &scene, vec![recording("dantzig"), recording("pgs")]);
-    Player { animation: film.animation(), caption: "It swings.".into(), files: Vec::new() }
+    let animation = Animation::new("swing", &scene, vec![recording("dantzig"), recording("pgs")]);
+    Player { animation: animation.drawn(), caption: "It swings.".into(), files: Vec::new() }
 }
 
 /// A small table: the order of its rows is neither that of the names nor that of the numbers.

@@ -10,7 +10,7 @@ pub mod rolling;
 pub mod spin;
 
 use super::Scene;
-use lcplab_problem::error::Result;
+use lcplab_lcp::error::Result;
 
 /// A shipped scene.
 #[derive(Debug, Clone, Copy)]

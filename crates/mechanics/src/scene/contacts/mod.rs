@@ -144,7 +144,7 @@ pub fn contacts(scene: &Scene, states: &[State], margin: f64) -> Vec<DetectedCon
 /// assert!(step_contacts(&scene, &scene.states).is_empty());
 /// scene.states[1].v.z = -100.0; // it falls 1 m in a step of 10 ms
 /// assert_eq!(step_contacts(&scene, &scene.states).len(), 1);
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 pub fn step_contacts(scene: &Scene, states: &[State]) -> Vec<DetectedContact> {
     let mut detector = Detector::new(scene);

@@ -41,7 +41,7 @@ use serde::{Deserialize, Serialize};
 
 use super::description::{Body, Constraint, Description, Shape};
 use super::range;
-use lcplab_problem::error::Defects;
+use lcplab_lcp::error::Defects;
 
 /// Maximum number of bodies, so that a typing error does not fill the memory.
 const MOST_BODIES: usize = 50_000;

@@ -13,7 +13,7 @@ mod spread;
 use super::{Solve, StepEvent};
 use crate::body::State;
 use crate::scene::{ContactId, Scene, Scheme};
-use lcplab_problem::number::readable;
+use lcplab_lcp::number::readable;
 pub(super) use spread::SpreadImpacts;
 
 /// Significant digits in messages.

@@ -17,7 +17,7 @@ use crate::scene::DetectedContact;
 use crate::simulation::Cause;
 use crate::simulation::solving::Solving;
 use crate::simulation::sweep::{RowTarget, Sweeper};
-use lcplab_problem::Complementarity;
+use lcplab_lcp::Complementarity;
 use lcplab_solver::{Event, Iterate, Observer, Solution, Status};
 
 pub(super) fn step(

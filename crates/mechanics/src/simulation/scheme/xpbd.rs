@@ -111,7 +111,8 @@ fn substep(
     for sweep in 1..=MOST_SWEEPS.max(scene.step.xpbd.sweeps) {
         let mut left = 0.0_f64;
         for (&(source, constraint), x) in sources.iter().zip(&mut x) {
-            left = left.max(settle(scene, source, constraint, x, &before, states)?);
+            left =
+                left.max(correct_contact_velocity(scene, source, constraint, x, &before, states)?);
         }
         if sweep >= scene.step.xpbd.sweeps && left <= SETTLED {
             break;
@@ -240,7 +241,7 @@ fn with_rate(scene: &Scene, body: usize, old: &State, new: &State) -> State {
 /// A contact that pushed, or just arrived, neither throws nor holds: J u = −e J u⁻ where that
 /// bounces, else 0, as far as x stays a push; and it does not slip, as far as friction holds.
 /// Returns how much of a bounce was missing, as a part of the approach.
-fn settle(
+fn correct_contact_velocity(
     scene: &Scene,
     source: Source,
     constraint: &dyn Constraint,

@@ -28,7 +28,7 @@ use crate::assembly::{Assembly, ConstraintFilter};
 use crate::body::State;
 use crate::scene::{DetectedContact, Detector, Reach, Scene};
 use impulses::Impulses;
-use lcplab_problem::error::{Error, Result};
+use lcplab_lcp::error::{Error, Result};
 use lcplab_solver::Status;
 use masses::Masses;
 use rows::Rows;
@@ -88,7 +88,7 @@ impl Part {
 ///     stepper.step().expect("a step that can be taken");
 /// }
 /// assert_eq!(stepper.found().len(), 20); // five boxes on four points each
-/// # Ok::<(), lcplab_problem::error::Error>(())
+/// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 pub struct Stepper {
     scene: Scene,

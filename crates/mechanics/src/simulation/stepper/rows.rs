@@ -8,7 +8,7 @@ use crate::formulation::Bias;
 use crate::scene::{ContactId, DetectedContact, Scene};
 use crate::simulation::Cause;
 use crate::simulation::laws::excess_of;
-use lcplab_problem::error::Error;
+use lcplab_lcp::error::Error;
 use lcplab_solver::Status;
 use lcplab_solver::kernel::impulses::{Row, RowTarget, System};
 

@@ -2,8 +2,8 @@
 
 use crate::body::{Mass, State};
 use crate::scene::{Scene, Scheme};
-use lcplab_problem::error::{Defects, Result};
-use lcplab_problem::friction::Model;
+use lcplab_lcp::error::{Defects, Result};
+use lcplab_lcp::friction::Model;
 
 /// Whether the stepper can take a scene's steps.
 ///

@@ -1,8 +1,8 @@
 //! Every message about an invalid scene contains the file, the line and the field.
 
+use lcplab_lcp::error::Error;
 use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::Simulation;
-use lcplab_problem::error::Error;
 
 fn message(text: &str) -> String {
     Scene::from_toml("bad.toml", text).unwrap_err().to_string()

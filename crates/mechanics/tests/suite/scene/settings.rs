@@ -10,7 +10,7 @@ fn simulation_of(scene: Scene) -> Simulation {
     Simulation::new(scene, Box::new(solver::Dantzig::default()))
 }
 
-fn changed(scene: &str, changes: &[(&str, &str)]) -> lcplab_problem::error::Result<Scene> {
+fn changed(scene: &str, changes: &[(&str, &str)]) -> lcplab_lcp::error::Result<Scene> {
     let changes: Vec<_> =
         changes.iter().map(|(key, value)| (key.to_string(), value.to_string())).collect();
     Scene::load_with(scene, &changes)

@@ -1,8 +1,8 @@
 //! Columns close to the angle at which they tip, and what is reported of bodies that leave a rest.
 
+use lcplab_lcp::friction::Model;
 use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{Departure, Simulation};
-use lcplab_problem::friction::Model;
 use nalgebra::Vector3;
 use rayon::prelude::*;
 

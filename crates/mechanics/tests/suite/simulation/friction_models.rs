@@ -3,9 +3,9 @@
 use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 
 use lcplab_judge::{Demand, judge};
+use lcplab_lcp::friction::Model;
 use lcplab_mechanics::scene::{Persistence, Scene, Scheme, Sliding};
 use lcplab_mechanics::simulation::{Simulation, Step};
-use lcplab_problem::friction::Model;
 use lcplab_solver::{Registry, Settings, Status};
 use nalgebra::Vector3;
 

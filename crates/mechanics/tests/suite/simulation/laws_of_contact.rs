@@ -1,8 +1,8 @@
 //! The reports of a step on friction and impacts, compared with closed forms.
 
+use lcplab_lcp::friction::Model;
 use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{Impact, Impacts, Simulation, Slips, Step};
-use lcplab_problem::friction::Model;
 use nalgebra::Vector3;
 
 use super::{assert_near, simulation};

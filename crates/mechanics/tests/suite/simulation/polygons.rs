@@ -1,8 +1,8 @@
 //! Friction polygons in stacks: they rest, and the solvers of their friction.
 
 use lcplab_judge::Demand;
+use lcplab_lcp::friction::{Model, ProblemForm};
 use lcplab_mechanics::scene::Scene;
-use lcplab_problem::friction::{Model, ProblemForm};
 use lcplab_solver::{PolygonPgs, Settings, Start, Status};
 use nalgebra::Vector3;
 

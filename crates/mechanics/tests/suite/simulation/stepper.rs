@@ -2,12 +2,12 @@
 
 use std::sync::{Arc, Mutex};
 
+use lcplab_lcp::Lcp;
+use lcplab_lcp::friction::Model;
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::scene::{Scene, Scheme, catalogue};
 use lcplab_mechanics::simulation::stepper::{Kernel, Part, Stepper};
 use lcplab_mechanics::simulation::{Cause, Simulation};
-use lcplab_problem::Lcp;
-use lcplab_problem::friction::Model;
 use lcplab_solver::{Observer, Pgs, Settings, Solution, Solver, Start, Status};
 
 use super::{assert_near, changed, scene};

@@ -1,7 +1,7 @@
 //! Friction and restitution of pairs, and static friction above kinetic friction.
 
+use lcplab_lcp::friction::Model;
 use lcplab_mechanics::scene::{Scene, Scheme};
-use lcplab_problem::friction::Model;
 
 use super::{assert_near, simulation};
 

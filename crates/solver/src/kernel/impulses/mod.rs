@@ -32,7 +32,7 @@ pub use rows::RowByRow;
 pub use simd_pairs::SimdPairs;
 
 use crate::Status;
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// Number of velocity components of a body.
 pub const WIDTH: usize = 6;

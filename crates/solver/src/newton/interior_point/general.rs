@@ -19,7 +19,7 @@ use faer::sparse::{SparseColMat, Triplet};
 use super::step::StepEquations;
 use crate::Status;
 use crate::tolerances::MONOTONE_ADDED_DIAGONAL;
-use lcplab_problem::{Lcp, merit};
+use lcplab_lcp::{Lcp, merit};
 
 /// A + D and its factors.
 pub(super) struct General<'a> {

@@ -54,8 +54,8 @@ use crate::kernel::impulses::System;
 use crate::metric;
 use crate::tolerances::SAME_DIAGONAL;
 use crate::{Observer, Settings, Solution, Solver, Start, Status, frozen};
-use lcplab_problem::memory::Memory;
-use lcplab_problem::{Lcp, merit};
+use lcplab_lcp::memory::Memory;
+use lcplab_lcp::{Lcp, merit};
 
 /// Maximum number of entries of the factor; with more, a factorization takes too long.
 const MAX_ENTRIES: usize = 32_000_000;

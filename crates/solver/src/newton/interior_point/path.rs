@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use super::step::StepEquations;
 use crate::tolerances::{DUST, LATE, MIN_ADDED, SHORTEST_STEP, STAY_INSIDE, VANISHED_SLACK};
 use crate::{Event, Status};
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// Number of corrections for the diagonal that is added to the equations of an active set.
 const REFINEMENTS: usize = 6;

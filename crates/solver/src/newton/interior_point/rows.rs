@@ -9,7 +9,7 @@ use crate::Status;
 use crate::linalg::envelope::Envelope;
 use crate::linalg::sparse_factor::{SparseFactor, minimum_degree, pattern};
 use crate::tolerances::MIN_ADDED;
-use lcplab_problem::{Lcp, Matrix};
+use lcplab_lcp::{Lcp, Matrix};
 
 /// An envelope may have at most this many times the entries of A's lower triangle.
 const SPARSE: usize = 6;

@@ -9,7 +9,7 @@ use crate::linalg::ldlt::Elimination;
 use crate::tolerances::{
     NEGATIVE_SCHUR, NULL_DIRECTION_ROUNDING, RELATIVE_ZERO, SCHUR_ROUNDING, SLOPE_ROUNDING,
 };
-use lcplab_problem::merit;
+use lcplab_lcp::merit;
 
 /// A direction of motion: x_i changes by 1, x_C by `free`.
 #[derive(Debug, Default)]

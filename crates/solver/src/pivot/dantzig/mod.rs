@@ -46,8 +46,8 @@ mod run;
 use self::run::Run;
 use super::{opening, proximal};
 use crate::{Observer, Settings, Solution, Solver, Start, Status, frozen};
-use lcplab_problem::Lcp;
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::Lcp;
+use lcplab_lcp::memory::Memory;
 
 /// Dantzig's pivoting method with an updated L D Lᵀ factorization.
 #[derive(Debug, Clone, Default)]

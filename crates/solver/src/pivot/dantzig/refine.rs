@@ -6,7 +6,7 @@ use super::{Side, is_unbounded};
 use crate::Fallback;
 use crate::linalg::ldlt::Ldlt;
 use crate::tolerances::{CLEANUP_LIMIT, INDEPENDENT_PIVOT, REFINED_RESIDUAL, UNDERFLOW};
-use lcplab_problem::{accurate, merit};
+use lcplab_lcp::{accurate, merit};
 
 /// Maximum number of sweeps that redistribute rounding errors between rows.
 const CLEANUP_SWEEPS: usize = 200;

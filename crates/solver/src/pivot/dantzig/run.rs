@@ -11,8 +11,8 @@ use crate::kernel::rows::Rows;
 use crate::linalg::ldlt::Ldlt;
 use crate::pivot::principal::Point;
 use crate::{Event, Fallback, Iterate, Move, Observer, Settings, Status, StepDetail};
-use lcplab_problem::Lcp;
-use lcplab_problem::merit::RowTerms;
+use lcplab_lcp::Lcp;
+use lcplab_lcp::merit::RowTerms;
 
 /// Maximum number of rounds of refinement and renewed driving at the end.
 const POLISH_ROUNDS: usize = 20;
@@ -127,7 +127,7 @@ impl<'a> Run<'a> {
         let (pivots, mut served) = (self.pivots, Vec::new());
         loop {
             if let Some(side) = self.satisfied(i) {
-                self.tell_satisfied(i, side, pivots);
+                self.report_satisfied(i, side, pivots);
                 self.put(i, side);
                 return ControlFlow::Continue(());
             }
@@ -179,7 +179,7 @@ impl<'a> Run<'a> {
     /// Reports to an observer of step details that row i is satisfied without a move, if no pivot
     /// was made since `pivots`.
     #[inline]
-    pub(super) fn tell_satisfied(&mut self, i: usize, side: Side, pivots: usize) {
+    pub(super) fn report_satisfied(&mut self, i: usize, side: Side, pivots: usize) {
         if self.pivots == pivots && self.observer.wants_details() {
             self.observer.part(&StepDetail::Satisfied { row: i, w: self.state.w[i], side });
         }

@@ -28,7 +28,7 @@ pub(crate) struct Dictionary {
     terms: Vec<f64>,
     /// A constant below this fraction of those terms counts as zero, even if it did not cancel in a
     /// single sum.
-    pub(crate) forgives: f64,
+    pub(crate) cancellation_tolerance: f64,
     /// T.
     table: Table,
 }
@@ -43,7 +43,7 @@ impl Dictionary {
     ) -> Self {
         let places = Places::of(&basic, &nonbasic);
         let table = Table::zeros(basic.len(), nonbasic.len(), Width::widest());
-        Dictionary { basic, nonbasic, places, constant, terms, forgives: 0.0, table }
+        Dictionary { basic, nonbasic, places, constant, terms, cancellation_tolerance: 0.0, table }
     }
 
     /// Sets an entry.
@@ -121,7 +121,7 @@ impl Dictionary {
     fn add(&mut self, i: usize, change: f64, terms: f64) {
         self.constant[i] = difference(self.constant[i], -change);
         self.terms[i] = self.terms[i].max(terms);
-        if self.constant[i].abs() <= self.forgives * self.terms[i] {
+        if self.constant[i].abs() <= self.cancellation_tolerance * self.terms[i] {
             self.constant[i] = 0.0;
         }
     }

@@ -5,7 +5,7 @@ use crate::Status;
 use crate::pivot::active_set::ActiveSet;
 use crate::pivot::principal::Point;
 use crate::tolerances::{RELATIVE_ZERO, RESIDUAL_ROUNDING};
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 impl Path<'_> {
     /// The status if no variable becomes zero. Along a ray d no x_i w_i changes, so dᵀA d ≤ 0; if

@@ -46,8 +46,8 @@ use self::path::Path;
 use crate::pivot::standard_form::cover;
 use crate::pivot::{opening, proximal};
 use crate::{Fallback, Observer, Settings, Solution, Solver, Start, Status, frozen};
-use lcplab_problem::Lcp;
-use lcplab_problem::memory::Memory;
+use lcplab_lcp::Lcp;
+use lcplab_lcp::memory::Memory;
 
 /// A path with more pivots may be followed a second time, and then the tableau is recomputed after
 /// each this many pivots.

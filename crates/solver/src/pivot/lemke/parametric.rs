@@ -31,7 +31,7 @@ use crate::pivot::ratio_test::keep_least;
 use crate::pivot::refinement::refined;
 use crate::tolerances::{CONTRADICTION, LENGTH_TIE, MIN_PIVOT, REDUNDANT_PIVOT};
 use crate::{Event, Iterate, Observer, Settings, Status};
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// A path in progress.
 pub(super) struct Parametric<'a> {

@@ -10,7 +10,7 @@ use crate::pivot::ratio_test::{Blocking, Candidate, least};
 use crate::pivot::standard_form::StandardForm;
 use crate::tolerances::{CANCELLATION_TOLERANCE, UNCERTAIN_PIVOT};
 use crate::{Event, Iterate, Leaving, Observer, Settings, Status, StepDetail, Tableau, Variable};
-use lcplab_problem::Lcp;
+use lcplab_lcp::Lcp;
 
 /// A path in progress.
 pub(super) struct Path<'a> {
@@ -33,14 +33,14 @@ impl<'a> Path<'a> {
     /// after number `reported`.
     pub(super) fn new(lcp: &'a Lcp, pivots: usize, reported: usize) -> Self {
         let mut form = StandardForm::of(lcp);
-        form.dictionary.forgives = 0.0;
+        form.dictionary.cancellation_tolerance = 0.0;
         let (x, first) = (form.x(lcp), form.dictionary.basic()[..form.pairs].to_vec());
         Path { lcp, form, first, renews: false, is_doubtful: false, x, pivots, reported }
     }
 
     /// The same, with tableaux recomputed periodically and larger thresholds for zero.
     pub(super) fn with_renewals(mut self) -> Self {
-        self.form.dictionary.forgives = CANCELLATION_TOLERANCE;
+        self.form.dictionary.cancellation_tolerance = CANCELLATION_TOLERANCE;
         Path { renews: true, ..self }
     }
 

@@ -1,6 +1,6 @@
 //! Sums of rows, tested through the pivots of Dantzig's method.
 
-use lcplab_problem::{Lcp, Matrix};
+use lcplab_lcp::{Lcp, Matrix};
 use lcplab_solver::{Dantzig, Solver, Start, Status};
 use proptest::prelude::*;
 

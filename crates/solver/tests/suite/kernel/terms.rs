@@ -1,5 +1,5 @@
-use lcplab_problem::merit::RowTerms;
-use lcplab_problem::{Lcp, Matrix};
+use lcplab_lcp::merit::RowTerms;
+use lcplab_lcp::{Lcp, Matrix};
 use lcplab_solver::kernel::{Width, terms};
 use nalgebra::{DMatrix, DVector};
 use proptest::collection::vec;

@@ -25,7 +25,7 @@ pub struct Sample {
     /// The step (s).
     pub dt: f64,
     /// |measured − exact|; NaN if the simulation failed.
-    #[serde(with = "lcplab_study::number::always")]
+    #[serde(with = "lcplab_analysis::number::always")]
     pub error: f64,
 }
 

@@ -1,0 +1,404 @@
+//! The examination of a scene or a sequence of problems: symptoms, causes and remedies.
+
+use lcplab_page::document::{Document, Section};
+use lcplab_page::number::readable;
+use serde_json::{Value, json};
+
+use super::cause::Moving;
+use super::examine::UnsupportedLoad;
+use super::frame::Frame;
+use super::remedy::RemedyEffect;
+use super::show::percent;
+use super::thresholds::{HEALTHY, LARGE_PART, REPORTED_DEPTH};
+
+/// Significant digits of measured values.
+const DIGITS: usize = 2;
+
+/// Number of steps shown.
+const STEPS: usize = 5;
+
+/// The text if the rows are sound but something else is wrong.
+const TROUBLED_WORDS: &str =
+    "The problem of this step has a solution; the causes of the error follow.";
+
+/// What is not examined.
+const NOT_EXAMINED: &str = "contacts that open and close repeatedly, closed loops, restitution of resting \
+ contacts, fast rotation";
+
+/// A summary of one step or one file of a sequence.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StepSummary {
+    /// The step, or the file.
+    pub name: String,
+    /// The error of its answer, as a fraction of the constraints' effect; `None` if it was not
+    /// compared with a solution.
+    pub missing: Option<f64>,
+    /// The upward impulse (N s) or force (N) that is missing, summed over all bodies.
+    pub unsupported: f64,
+    /// The scaled residual of its answer.
+    pub residual: f64,
+    /// The largest velocity (m/s, rad/s) that feedback of errors requests.
+    pub bias: f64,
+    /// The deepest overlap at its end (m), if it is known.
+    pub penetration: Option<f64>,
+    /// Kinetic and potential energy at its end (J), if it is known.
+    pub energy: Option<f64>,
+}
+
+/// The step to examine: the first whose error is a large part of the largest error, because later
+/// errors follow from it. The first step if there is no error.
+pub(crate) fn first_bad_step(notes: &[StepSummary]) -> usize {
+    let most = notes.iter().filter_map(|note| note.missing).fold(HEALTHY, f64::max);
+    let is_bad =
+        |note: &StepSummary| note.missing.is_some_and(|missing| missing >= LARGE_PART * most);
+    notes.iter().position(is_bad).unwrap_or(0)
+}
+
+/// The result of the examination of a scene or a sequence.
+#[derive(Debug, Clone, Default)]
+pub struct Examination {
+    /// The summaries of the steps.
+    pub notes: Vec<StepSummary>,
+    /// Why there is no run with exact answers to compare the motion with, if there is none.
+    pub no_reference: Option<String>,
+    /// The step that could not be computed and why, if the run ended there.
+    pub ended: Option<String>,
+    /// The first step in which the solver gave up, and its message, if it did.
+    pub gave_up: Option<String>,
+    /// Why the answer of the step was not measured, if there was a problem but no measurement.
+    pub unmeasured: Option<String>,
+    /// The duration of the motion (s), if it was one.
+    pub time: Option<f64>,
+    /// The body that ends farthest below its position with exact answers, and by how much (m).
+    pub sunk: Option<(String, f64)>,
+    /// Defects of steps although every problem was solved: bodies that overlap or passed through
+    /// each other, impacts whose energy contradicts the coefficient of restitution.
+    pub warnings: Vec<String>,
+    /// Causes of wrong motion even if every problem is solved, the strongest first.
+    pub moving: Vec<Moving>,
+    /// The step that was examined, and the result; `None` if no solution is known.
+    pub unsupported: Option<UnsupportedLoad>,
+    /// The frame that was examined.
+    pub frame: Option<Frame>,
+    /// The index of the examined frame among the summaries.
+    pub place: usize,
+    /// Possible causes that were ruled out.
+    pub ruled_out: Vec<String>,
+    /// The effect of remedies over the whole run, the best first.
+    pub remedy_effects: Vec<RemedyEffect>,
+}
+
+/// The text with a capital letter at the beginning.
+fn capitalized(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// The largest number of problems that a sentence names.
+const LISTED: usize = 10;
+/// The name of the cause that the solver gave up in a step.
+const GAVE_UP: &str = "the solver gave up";
+/// The name of the cause that a step could not be taken.
+const ENDED: &str = "the run ended";
+
+impl Examination {
+    /// The names of the causes, in order.
+    pub fn causes(&self) -> Vec<&'static str> {
+        let ended = self.ended.as_ref().map(|_| ENDED);
+        let gave_up = self.gave_up.as_ref().map(|_| GAVE_UP).into_iter().chain(ended);
+        let slow =
+            self.unsupported.iter().flat_map(|found| &found.causes).map(|cause| cause.name());
+        let moving = self.moving.iter().map(Moving::name);
+        // If the solver gives up or is worse than plain sweeps, all other results are doubtful. A
+        // cold start gives every step an error that a warm start avoids, and added energy spoils
+        // all later steps: these come before causes of slow sweeps.
+        let place = |name: &str| match name {
+            GAVE_UP | ENDED | "suspect the solver" => 0,
+            "cold start" | "energy from Baumgarte feedback" => 1,
+            _ => 2,
+        };
+        let mut all: Vec<&str> = gave_up.chain(slow).chain(moving).collect();
+        // The sort is stable: the strongest first.
+        all.sort_by_key(|name| place(name));
+        all
+    }
+
+    /// The names of the problems without a known answer that the judge accepts: no method found a
+    /// reference solution, and the solver's answer is outside the tolerance.
+    pub fn unsolved(&self, tolerance: f64) -> Vec<&str> {
+        let is_unsolved =
+            |note: &&StepSummary| note.missing.is_none() && !(note.residual <= tolerance);
+        self.notes.iter().filter(is_unsolved).map(|note| note.name.as_str()).collect()
+    }
+
+    /// The same as a sentence; empty if there are none.
+    pub fn unsolved_in_words(&self, tolerance: f64) -> String {
+        let unsolved = self.unsolved(tolerance);
+        match unsolved[..] {
+            [] => String::new(),
+            [one] => format!("No accepted answer to {one} is known."),
+            _ => {
+                let (named, rest) = unsolved.split_at(unsolved.len().min(LISTED));
+                let more = match rest.len() {
+                    0 => String::new(),
+                    rest => format!(" and {rest} more"),
+                };
+                format!(
+                    "No accepted answer to {} of {} problems is known: {}{more}.",
+                    unsolved.len(),
+                    self.notes.len(),
+                    named.join(", ")
+                )
+            }
+        }
+    }
+
+    /// The first sentences.
+    pub fn headline(&self) -> String {
+        let mut words = match (&self.unsupported, &self.unmeasured) {
+            (Some(found), _) => found.headline(),
+            (None, Some(reason)) => format!("The error was not measured: {reason}."),
+            (None, None) if self.ended.is_some() => "The run ended.".into(),
+            (None, None) => {
+                "No LCP was solved in these steps, so the solver has no influence.".into()
+            }
+        };
+        let deep = self.sunk.as_ref().filter(|(_, depth)| *depth > REPORTED_DEPTH);
+        if let (Some((body, depth)), Some(time)) = (deep, self.time) {
+            words += &format!(
+                " After {} s {body} is {} m lower than with exact answers.",
+                readable(time, DIGITS),
+                readable(*depth, DIGITS)
+            );
+        }
+        words
+    }
+
+    /// The step that was examined, for the start of the first sentence, if the title names another.
+    fn place_in_words(&self, title: &str) -> String {
+        let is_short = self.unsupported.as_ref().is_some_and(UnsupportedLoad::is_short);
+        match self.notes.get(self.place) {
+            Some(note) if is_short && self.notes.len() > 1 && !title.ends_with(&note.name) => {
+                format!("In {}, ", note.name)
+            }
+            _ => String::new(),
+        }
+    }
+
+    /// The text if nothing is wrong; later steps of a scene are not examined.
+    fn healthy_words(&self) -> String {
+        match self.notes.len() {
+            0 | 1 => "No cause of errors was found.".into(),
+            steps => format!("No cause of errors was found in the {steps} steps."),
+        }
+    }
+
+    /// Inserts it at the beginning of a document.
+    pub fn open(&self, document: &mut Document) {
+        let is_well = self.causes().is_empty()
+            && self.warnings.is_empty()
+            && document.is_accepted
+            && self.unmeasured.is_none();
+        let is_troubled = !self.causes().is_empty() || !self.warnings.is_empty();
+        let rest = match document.is_accepted {
+            true if is_well => self.healthy_words(),
+            true if is_troubled => TROUBLED_WORDS.into(),
+            _ => document.lead.clone(),
+        };
+        document.lead =
+            format!("{}{} {rest}", self.place_in_words(&document.title), self.headline());
+        let found = self.unsupported.as_ref();
+        let mut sections: Vec<Section> = self.why().into_iter().collect();
+        sections.extend(found.and_then(UnsupportedLoad::remedies_section));
+        sections.extend(self.remedy_effects_section());
+        sections.extend(
+            found.filter(|found| found.is_short()).and_then(UnsupportedLoad::loads_section),
+        );
+        sections.extend(self.steps());
+        let mut rest = std::mem::take(&mut document.sections);
+        if document.is_accepted {
+            // They are harmless but would fill a page; the diagnosis of a single problem, and JSON,
+            // contain them.
+            rest.retain(|own| own.title != "Dependent rows");
+        }
+        rest.iter_mut()
+            .filter(|own| own.title == "Causes")
+            .for_each(|own| own.title = "Remarks".into());
+        sections.into_iter().for_each(|section| document.add("", section));
+        document.sections.extend(rest);
+    }
+
+    fn why(&self) -> Option<Section> {
+        let title = if self.causes().is_empty() { "what was examined" } else { "causes" };
+        let mut section = Section::new(title);
+        let mut lines: Vec<String> = Vec::new();
+        let slow = self.unsupported.iter().flat_map(|found| &found.causes);
+        let mut named: Vec<(&str, String)> =
+            slow.map(|cause| (cause.name(), cause.to_string())).collect();
+        named.extend(self.ended.iter().map(|why| (ENDED, format!("{why}."))));
+        named.extend(self.gave_up.iter().map(|how| {
+            (
+                GAVE_UP,
+                format!(
+                    "{how}. From there on the motion is not valid; another solver may continue."
+                ),
+            )
+        }));
+        named.extend(self.moving.iter().map(|cause| (cause.name(), cause.to_string())));
+        for (k, name) in self.causes().into_iter().enumerate() {
+            let word = if k == 0 { "Cause" } else { "Also" };
+            if let Some((_, text)) = named.iter().find(|(own, _)| *own == name) {
+                lines.push(format!("{word}: {name}. {}", capitalized(text)));
+            }
+        }
+        if let Some(found) = &self.unsupported {
+            lines.extend(found.pace());
+        }
+        lines.extend(self.unsupported.as_ref().and_then(UnsupportedLoad::advice));
+        if let Some(reason) = &self.no_reference {
+            lines.push(format!(
+                "No reference: {reason}. Sinking, feedback, compliance and friction were not \
+             examined."
+            ));
+        }
+        lines.extend(self.warnings.iter().map(|warning| format!("Warning: {warning}")));
+        if !self.ruled_out.is_empty() {
+            lines.push(format!("Ruled out: {}.", self.ruled_out.join("; ")));
+        }
+        if !lines.is_empty() {
+            lines.push(format!("Not examined: {NOT_EXAMINED}."));
+        }
+        lines.into_iter().for_each(|line| section.say(line));
+        (!section.blocks.is_empty()).then_some(section)
+    }
+
+    /// The steps, first the worst by error, then the worst by each of the other measures.
+    fn steps(&self) -> Option<Section> {
+        if self.notes.len() < 2 || !self.unsupported.as_ref().is_some_and(UnsupportedLoad::is_short)
+        {
+            return None;
+        }
+        let mut notes: Vec<&StepSummary> =
+            self.notes.iter().filter(|note| note.missing.is_some_and(|part| part > 0.0)).collect();
+        notes.sort_by(|a, b| b.missing.unwrap_or(0.0).total_cmp(&a.missing.unwrap_or(0.0)));
+        notes.truncate(STEPS);
+        let mut why = vec!["error".to_string(); notes.len()];
+        for (measure, k) in self.worst() {
+            let worst = &self.notes[k];
+            match notes.iter().position(|note| note.name == worst.name) {
+                Some(at) => why[at] += &format!(", {measure}"),
+                None => {
+                    notes.push(worst);
+                    why.push(measure.into());
+                }
+            }
+        }
+        let optional =
+            |value: Option<f64>| value.map_or(String::new(), |value| readable(value, DIGITS));
+        let row = |(note, why): (&&StepSummary, &String)| {
+            vec![
+                note.name.clone(),
+                why.clone(),
+                note.missing.map_or(String::new(), percent),
+                readable(note.residual, DIGITS),
+                readable(note.bias, DIGITS),
+                optional(note.penetration.map(|depth| 1e3 * depth)),
+                optional(note.energy),
+            ]
+        };
+        let mut section = Section::new("steps");
+        section.table(
+            "the worst steps",
+            &[
+                "step",
+                "worst in",
+                "error",
+                "scaled residual",
+                "bias (m/s)",
+                "overlap (mm)",
+                "energy (J)",
+            ],
+            notes.iter().zip(&why).map(row).collect(),
+        );
+        Some(section)
+    }
+
+    /// The worst step by each measure except the error: the measure's name and the step's index. A
+    /// measure that is 0 is omitted.
+    pub fn worst(&self) -> Vec<(&'static str, usize)> {
+        let worst = |name: &'static str, measure: &dyn Fn(usize) -> Option<f64>| {
+            let values = (0..self.notes.len()).filter_map(|k| Some((k, measure(k)?)));
+            let (k, value) = values.max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)))?;
+            (value > 0.0).then_some((name, k))
+        };
+        let energy = |k: usize| self.notes.get(k)?.energy;
+        let measures = [
+            worst("residual", &|k| Some(self.notes[k].residual)),
+            worst("bias", &|k| Some(self.notes[k].bias)),
+            worst("overlap", &|k| self.notes[k].penetration),
+            worst("energy gain in the step", &|k| Some(energy(k)? - energy(k.checked_sub(1)?)?)),
+        ];
+        measures.into_iter().flatten().collect()
+    }
+
+    /// The effect of remedies over the whole run.
+    fn remedy_effects_section(&self) -> Option<Section> {
+        let mut section = Section::new("remedies for the whole run");
+        let row = |remedy_effect: &RemedyEffect| {
+            vec![
+                remedy_effect.what.clone(),
+                percent(remedy_effect.missing),
+                readable(1e3 * remedy_effect.off, DIGITS),
+                readable(remedy_effect.iterations, DIGITS),
+            ]
+        };
+        section.table(
+            "results of a simulation with each remedy alone",
+            &[
+                "remedy",
+                "mean error, second half",
+                "error of the final position, worst body (mm)",
+                "iterations per step",
+            ],
+            self.remedy_effects.iter().map(row).collect(),
+        );
+        section.say(
+            "The final positions are compared with those of exact answers. They vary strongly if bodies bounce or tip over. \
+             A solver that starts from the previous answer may need no iteration in a step.",
+        );
+        (!self.remedy_effects.is_empty()).then_some(section)
+    }
+
+    /// The same as JSON.
+    pub fn to_json(&self) -> Value {
+        let number = lcplab_lcp::file::number;
+        let note = |note: &StepSummary| {
+            json!({ "name": note.name, "missing": note.missing.map(number), "unsupported": number(note.unsupported),
+                "residual": number(note.residual), "bias": number(note.bias),
+                "penetration": note.penetration, "energy": note.energy })
+        };
+        let sunk = self
+            .sunk
+            .as_ref()
+            .map(|(body, depth)| json!({ "body": body, "depth": number(*depth) }));
+        let remedy_effect = |remedy_effect: &RemedyEffect| {
+            json!({ "what": remedy_effect.what, "missing": number(remedy_effect.missing), "off": number(remedy_effect.off),
+                "iterations": number(remedy_effect.iterations) })
+        };
+        json!({
+            "headline": self.headline(),
+            "causes": self.causes(),
+            "ruled_out": self.ruled_out,
+            "no_reference": self.no_reference,
+            "ended": self.ended,
+            "gave_up": self.gave_up,
+            "unmeasured": self.unmeasured,
+            "seconds": self.time,
+            "sunk": sunk,
+            "warnings": self.warnings,
+            "solve": self.unsupported.as_ref().map(UnsupportedLoad::to_json),
+            "remedies": self.remedy_effects.iter().map(remedy_effect).collect::<Vec<_>>(),
+            "steps": self.notes.iter().map(note).collect::<Vec<_>>(),
+        })
+    }
+}

@@ -1,0 +1,67 @@
+//! The answer: x, w, their meaning, and the judge's verdict.
+
+use super::units::{Units, with_unit};
+use lcplab_judge::{Demand, Verdict, judge, upper_bound};
+use lcplab_lcp::Lcp;
+use lcplab_page::document::Section;
+use lcplab_page::document::notation::{indexed, interval, plain};
+use lcplab_solver::Solution;
+
+/// A problem with the meaning of its rows.
+pub(super) struct Reading<'a> {
+    pub lcp: &'a Lcp,
+    pub labels: Vec<String>,
+    pub units: Units,
+}
+
+/// The section, and whether the judge accepts x.
+pub(super) fn section(reading: &Reading, solution: &Solution, demand: &Demand) -> (Section, bool) {
+    let (lcp, x) = (reading.lcp, &solution.x);
+    let certificate = judge(lcp, x, demand);
+    let mut section = Section::new("the answer");
+    let line = |i: usize| {
+        let (lo, hi) = lcp.bounds(i, x);
+        let value = with_unit(&plain(x[i]), &reading.units.x[i]);
+        let w = with_unit(&plain(certificate.w[i]), &reading.units.w[i]);
+        vec![
+            with_unit(&i.to_string(), &reading.labels[i]),
+            format!("{} = {value}", indexed("x", i)),
+            interval(lo, hi),
+            format!("{} = {w}", indexed("w", i)),
+            meaning(x[i], lo, hi).to_string(),
+        ]
+    };
+    let columns = ["row", "x", "bounds", "w = A x + b", "condition on w, up to the tolerance"];
+    section.table("x and w, row by row", &columns, (0..lcp.len()).map(line).collect());
+    section.say(word(&certificate.verdict, certificate.scaled_residual));
+    (section, certificate.verdict.is_solution())
+}
+
+/// The judge's verdict.
+pub(super) fn word(verdict: &Verdict, scaled_residual: f64) -> String {
+    let verdict = match verdict {
+        Verdict::Proved { distance: 0.0 } => "proved, x is an exact solution".into(),
+        Verdict::Proved { distance } => {
+            let most = upper_bound(*distance);
+            format!(
+                "proved, an exact solution exists; no entry of x differs from it by more than {most}"
+            )
+        }
+        other => other.to_string(),
+    };
+    format!(
+        "The judge sees A, b, the bounds and x, but not the solver. Its verdict: {verdict}. The scaled residual, \
+         which is the error of the worst row relative to the size of its terms, is {}.",
+        plain(scaled_residual)
+    )
+}
+
+/// The requirement on w that follows from the position of x within its bounds.
+fn meaning(x: f64, lo: f64, hi: f64) -> &'static str {
+    match x {
+        _ if lo == hi => "any w: lo = hi",
+        x if x == lo => "w ≥ 0: x is at its lower bound",
+        x if x == hi => "w ≤ 0: x is at its upper bound",
+        _ => "w = 0: x is between its bounds",
+    }
+}

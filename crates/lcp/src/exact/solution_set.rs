@@ -1,0 +1,214 @@
+//! The set of all solutions of a small problem, exactly.
+//!
+//! The set is a union of polyhedra, its *faces*. It is described by its corners and by its rays,
+//! the directions in which it has no end. Two corners belong to one face if two points between them
+//! are solutions: x_i and w_i are linear along the way, so a w_i that is 0 at two points is 0
+//! everywhere, and an x_i that is at a bound between two points inside is there everywhere. A ray d
+//! belongs to a corner x if x + t d is a solution for all t ≥ 0.
+
+use dashu_ratio::RBig;
+
+use super::dyadic::{Dyadic, dyadic};
+use super::pieces::Pieces;
+use super::{Exact, Point};
+use crate::Lcp;
+
+/// All solutions of a problem.
+///
+/// ```
+/// use lcplab_lcp::exact::SolutionSet;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // Two supports share a load of 1: the segment x1 + x2 = 1.
+/// let a = Matrix::dense(2, &[1.0; 4]);
+/// let lcp = Lcp::new(a, vec![-1.0; 2], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// let set = SolutionSet::of(&lcp).unwrap();
+/// assert_eq!(set.corners, [[1.into(), 0.into()], [0.into(), 1.into()]]);
+/// assert_eq!(set.faces.len(), 1);
+/// assert!(!set.is_unique());
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct SolutionSet {
+    /// The isolated solutions and the corners of the faces.
+    pub corners: Vec<Vec<RBig>>,
+    /// The directions in which the set has no end.
+    pub rays: Vec<Vec<RBig>>,
+    /// The faces, none of which is part of another. Every solution belongs to one.
+    pub faces: Vec<Face>,
+}
+
+/// A polyhedron of solutions: all weighted means of its corners, plus multiples of its rays. A
+/// single corner without rays is an isolated solution.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Face {
+    /// Indices of its corners.
+    pub corners: Vec<usize>,
+    /// Indices of its rays.
+    pub rays: Vec<usize>,
+}
+
+impl Face {
+    /// Whether it is a single solution.
+    pub fn is_isolated(&self) -> bool {
+        self.corners.len() == 1 && self.rays.is_empty()
+    }
+}
+
+impl SolutionSet {
+    /// The set; `None` if there are more than 65,536 pieces: 16 contacts, or 10 rows with two
+    /// bounds.
+    pub fn of(lcp: &Lcp) -> Option<Self> {
+        let exact = Exact::new(lcp);
+        let corners = points(lcp)?;
+        let (cone, rays) = rays(lcp)?;
+        let (faces, rays) = with_corners(faces(&exact, &cone, &corners, &rays), rays);
+        let entries = |points: &[Point]| points.iter().map(Point::entries).collect();
+        Some(SolutionSet { corners: entries(&corners), rays: entries(&rays), faces })
+    }
+
+    /// Whether there is exactly one solution.
+    pub fn is_unique(&self) -> bool {
+        self.faces.len() == 1 && self.faces.iter().all(Face::is_isolated)
+    }
+}
+
+/// The corners, each once.
+fn points(lcp: &Lcp) -> Option<Vec<Point>> {
+    let pieces = Pieces::of(lcp)?;
+    let (mut all, mut known): (Vec<Point>, Vec<Vec<RBig>>) = Default::default();
+    for k in 0..pieces.count() {
+        for point in pieces.solutions(&pieces.piece(k)) {
+            let entries = point.entries();
+            if !known.contains(&entries) {
+                known.push(entries);
+                all.push(point);
+            }
+        }
+    }
+    Some(all)
+}
+
+/// The problem with b = 0 whose finite bounds are 0, and the rays, each scaled to 1 in one of its
+/// rows: solutions d of this problem. A friction row has a direction only together with its normal
+/// row.
+fn rays(lcp: &Lcp) -> Option<(Exact, Vec<Point>)> {
+    let zero = |bound: &f64| if bound.is_finite() { 0.0 } else { *bound };
+    let (lo, hi): (Vec<f64>, Vec<f64>) =
+        (lcp.lo().iter().map(zero).collect(), lcp.hi().iter().map(zero).collect());
+    let bounded = |lo, hi| lcp.homogeneous().with_bounds(lo, hi).ok();
+    let directions = bounded(lo.clone(), hi.clone())?;
+    let cone = Exact::new(&directions);
+    if Pieces::of(&directions)?.are_regular() {
+        return Some((cone, Vec::new())); // 0 is the only solution
+    }
+    let (mut all, mut known): (Vec<Point>, Vec<Vec<RBig>>) = Default::default();
+    for i in (0..lcp.len()).filter(|&i| !lcp.is_coupled(i)) {
+        for side in [1.0, -1.0].into_iter().filter(|side| lo[i] <= *side && *side <= hi[i]) {
+            let (mut lo, mut hi) = (lo.clone(), hi.clone());
+            (lo[i], hi[i]) = (side, side);
+            for point in points(&bounded(lo, hi)?)?.into_iter().filter(|d| cone.is_solved_by(d)) {
+                let largest = point.entries().iter().map(|d| d.clone().max(-d)).max()?;
+                let direction: Vec<RBig> = point.entries().iter().map(|d| d / &largest).collect();
+                if !known.contains(&direction) {
+                    known.push(direction);
+                    all.push(point);
+                }
+            }
+        }
+    }
+    Some((cone, all))
+}
+
+/// Whether x + t d is a solution for all t ≥ 0: d solves the problem with b = 0 whose finite bounds
+/// are 0, x + d is a solution, and no w_i changes its sign on the way, except that of a row whose
+/// bounds are equal there.
+fn is_ray(exact: &Exact, cone: &Exact, x: &Point, d: &Point) -> bool {
+    let beyond = sum(x, d);
+    let keeps_sign = |i: usize| {
+        let (lo, hi) = exact.scaled_bounds(i, &beyond);
+        let (w, change) = (exact.scaled_w(i, x), cone.scaled_w(i, d));
+        let is_against = |w: &Dyadic, change: &Dyadic| *w < Dyadic::ZERO && *change > Dyadic::ZERO;
+        lo == hi || !is_against(&w, &change) && !is_against(&-w, &-change)
+    };
+    cone.is_solved_by(d) && exact.is_solved_by(&beyond) && (0..x.len()).all(keeps_sign)
+}
+
+/// The largest sets of corners and rays that belong together.
+fn faces(exact: &Exact, cone: &Exact, corners: &[Point], rays: &[Point]) -> Vec<Face> {
+    let count = corners.len();
+    let joined = |i: usize, j: usize| match j.checked_sub(count) {
+        _ if i == j => true,
+        None => {
+            let (x, y) = (&corners[i], &corners[j]);
+            // Three times the point at a third of the way.
+            let nearer = sum(x, &sum(x, y));
+            let is_solved = |sum: Point, parts: f64| exact.is_solved_by(&part(&sum, parts));
+            is_solved(sum(x, y), 2.0) && is_solved(nearer, 3.0)
+        }
+        Some(ray) if i < count => is_ray(exact, cone, &corners[i], &rays[ray]),
+        // Two rays belong together if some corner has both; the corners decide.
+        Some(ray) => {
+            let both = sum(&rays[i - count], &rays[ray]);
+            corners.iter().any(|x| is_ray(exact, cone, x, &both))
+        }
+    };
+    let all = count + rays.len();
+    let is_joined: Vec<Vec<bool>> =
+        (0..all).map(|i| (0..all).map(|j| joined(i.min(j), i.max(j))).collect()).collect();
+    let mut sets = Vec::new();
+    extend(&is_joined, Vec::new(), (0..all).collect(), Vec::new(), &mut sets);
+    let face = |set: Vec<usize>| {
+        let (corners, rays): (Vec<usize>, Vec<usize>) = set.into_iter().partition(|&i| i < count);
+        Face { corners, rays: rays.into_iter().map(|ray| ray - count).collect() }
+    };
+    let mut faces: Vec<Face> = sets.into_iter().map(face).collect();
+    faces.retain(|face| !face.corners.is_empty());
+    faces.sort_by(|a, b| a.corners.cmp(&b.corners));
+    faces
+}
+
+/// Adds every largest set of pairwise joined members that contains `own`, members of `open` and
+/// none of `done` (Bron and Kerbosch 1973).
+fn extend(
+    is_joined: &[Vec<bool>],
+    own: Vec<usize>,
+    mut open: Vec<usize>,
+    mut done: Vec<usize>,
+    sets: &mut Vec<Vec<usize>>,
+) {
+    if open.is_empty() && done.is_empty() {
+        sets.push(own);
+        return;
+    }
+    while let Some(next) = open.first().copied() {
+        let near = |of: &[usize]| -> Vec<usize> {
+            of.iter().copied().filter(|&i| i != next && is_joined[next][i]).collect()
+        };
+        extend(is_joined, [&own[..], &[next]].concat(), near(&open), near(&done), sets);
+        open.remove(0);
+        done.push(next);
+    }
+}
+
+/// The faces that have a corner, and the rays that belong to one of them.
+fn with_corners(mut faces: Vec<Face>, rays: Vec<Point>) -> (Vec<Face>, Vec<Point>) {
+    let is_used = |ray: usize| faces.iter().any(|face| face.rays.contains(&ray));
+    let used: Vec<usize> = (0..rays.len()).filter(|&ray| is_used(ray)).collect();
+    for ray in faces.iter_mut().flat_map(|face| &mut face.rays) {
+        *ray = used.iter().position(|own| own == ray).unwrap_or(*ray);
+    }
+    (faces, used.into_iter().map(|ray| rays[ray].clone()).collect())
+}
+
+/// x + y.
+fn sum(x: &Point, y: &Point) -> Point {
+    let entry = |i| x.scaled(i) * y.denominator() + y.scaled(i) * x.denominator();
+    Point::new((0..x.len()).map(entry).collect(), x.denominator() * y.denominator())
+}
+
+/// x / parts.
+fn part(x: &Point, parts: f64) -> Point {
+    let numerators = (0..x.len()).map(|i| x.scaled(i).clone()).collect();
+    Point::new(numerators, x.denominator() * dyadic(parts))
+}

@@ -1,0 +1,121 @@
+//! The set of all solutions, from problems whose solutions are known by hand.
+
+use dashu_ratio::RBig;
+use lcplab_lcp::exact::dyadic::dyadic;
+use lcplab_lcp::exact::{Exact, Face, Point, SolutionSet};
+use lcplab_lcp::{Lcp, Matrix};
+
+const INF: f64 = f64::INFINITY;
+
+fn set(a: &[f64], b: &[f64], lo: f64, hi: f64) -> SolutionSet {
+    let n = b.len();
+    let lcp = Lcp::new(Matrix::dense(n, a), b.to_vec(), vec![lo; n], vec![hi; n]).unwrap();
+    SolutionSet::of(&lcp).unwrap()
+}
+
+/// ½xᵀAx with A = [1 5; 5 1] on the box |x_i| ≤ 1: a saddle at 0 and minima at (1, −1), (−1, 1).
+/// 0 lies halfway between the minima, but no other point between them is a solution.
+#[test]
+fn a_solution_halfway_between_two_others_does_not_join_them() {
+    let found = set(&[1.0, 5.0, 5.0, 1.0], &[0.0, 0.0], -1.0, 1.0);
+    assert_eq!(found.corners.len(), 3);
+    assert_eq!(found.faces.len(), 3);
+    assert!(found.faces.iter().all(Face::is_isolated));
+    assert!(!found.is_unique());
+}
+
+/// Three supports share a load of 1: the triangle x₁ + x₂ + x₃ = 1.
+#[test]
+fn a_triangle_of_solutions_is_one_face() {
+    let found = set(&[1.0; 9], &[-1.0; 3], 0.0, INF);
+    assert_eq!(found.faces, [Face { corners: vec![0, 1, 2], rays: vec![] }]);
+}
+
+/// w = 0 for every x ≥ 0: a corner with a ray, and no corner is the only solution.
+#[test]
+fn a_set_without_end_has_a_ray() {
+    let found = set(&[0.0, 0.0, 0.0, 1.0], &[0.0, -1.0], 0.0, INF);
+    assert_eq!(found.corners, [[0.into(), 1.into()]]);
+    assert_eq!(found.rays, [[1.into(), 0.into()]]);
+    assert_eq!(found.faces, [Face { corners: vec![0], rays: vec![0] }]);
+    assert!(!found.is_unique());
+}
+
+/// x = 0 and x = 1 solve w = 1 − x, x ≥ 0; w = −1 with x ≥ 0 has no solution.
+#[test]
+fn isolated_solutions_and_none_are_distinguished() {
+    let two = set(&[-1.0], &[1.0], 0.0, INF);
+    assert_eq!(two.corners, [[0.into()], [1.into()]]);
+    assert_eq!(two.faces.len(), 2);
+    assert!(set(&[0.0], &[-1.0], 0.0, INF).faces.is_empty());
+    assert!(set(&[2.0], &[-1.0], 0.0, INF).is_unique());
+}
+
+/// x₀ = 1 with w₀ = 4 + 2 x₁ ≥ 0, and w₁ = 0 for every x₁ ≤ 0: a segment from x₁ = 0 to −2. It
+/// begins like a ray, but x₀ = 1 would have to rise to its upper bound 5 where w₀ < 0.
+#[test]
+fn a_direction_that_ends_at_the_sign_of_a_w_is_no_ray() {
+    let a = Matrix::dense(2, &[1.0, 2.0, -2.0, 0.0]);
+    let lcp = Lcp::new(a, vec![3.0, 2.0], vec![1.0, -INF], vec![5.0, 0.0]).unwrap();
+    let found = SolutionSet::of(&lcp).unwrap();
+    assert_eq!(found.corners, [[1.into(), 0.into()], [1.into(), (-2).into()]]);
+    assert!(found.rays.is_empty());
+    assert_eq!(found.faces, [Face { corners: vec![0, 1], rays: vec![] }]);
+}
+
+/// Every mean of a face's corners plus any multiples of its rays is a solution, of problems with
+/// singular matrices of small integers.
+#[test]
+fn every_point_of_a_face_is_a_solution() {
+    let mut state = 1u64;
+    let mut draw = |count: i32| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        f64::from(((state >> 33) % count as u64) as i32)
+    };
+    let (mut faces, mut with_rays) = (0, 0);
+    for _ in 0..1000 {
+        let n = 1 + draw(3) as usize;
+        let a: Vec<f64> = (0..n * n).map(|_| draw(3) - 1.0).collect();
+        let b: Vec<f64> = (0..n).map(|_| draw(5) - 2.0).collect();
+        let lo: Vec<f64> = (0..n).map(|_| [-INF, 0.0, 1.0][draw(3) as usize]).collect();
+        let hi = lo.iter().map(|lo| [INF, lo.max(0.0) + 2.0][draw(2) as usize]).collect();
+        let lcp = Lcp::new(Matrix::dense(n, &a), b, lo, hi).unwrap();
+        let (exact, found) = (Exact::new(&lcp), SolutionSet::of(&lcp).unwrap());
+        for face in &found.faces {
+            let count = RBig::from(face.corners.len());
+            let entry = |i: usize, length: u32| {
+                let mean = face.corners.iter().map(|&k| &found.corners[k][i] / &count);
+                let along = face.rays.iter().map(|&k| &found.rays[k][i] * RBig::from(length));
+                mean.chain(along).fold(RBig::ZERO, |sum, part| sum + part).to_f64().value()
+            };
+            for length in [0, 1, 7] {
+                let x: Vec<f64> = (0..n).map(|i| entry(i, length)).collect();
+                // Small integers: halves, quarters and eighths are exact, others are left out.
+                if x.iter().all(|x| (8.0 * x).fract() == 0.0) {
+                    let point = Point::new(x.iter().map(|&x| dyadic(x)).collect(), dyadic(1.0));
+                    assert!(exact.is_solved_by(&point), "{lcp:?}: {x:?}");
+                }
+            }
+            faces += 1;
+            with_rays += usize::from(!face.rays.is_empty());
+        }
+    }
+    assert!(faces > 500 && with_rays > 50, "{faces}, {with_rays}");
+}
+
+/// tridiag(−1, 2, −1) with 100 rows without bounds: x_i = i (101 − i) / 2 for b = −1. With exact
+/// elimination for each of its rows in turn this would take minutes.
+#[test]
+fn a_hundred_regular_equations_have_one_solution() {
+    let n = 100;
+    let entry = |k: usize| match (k / n).abs_diff(k % n) {
+        0 => 2.0,
+        1 => -1.0,
+        _ => 0.0,
+    };
+    let a: Vec<f64> = (0..n * n).map(entry).collect();
+    let found = set(&a, &vec![-1.0; n], -INF, INF);
+    assert!(found.is_unique());
+    let expected: Vec<RBig> = (1..=n).map(|i| RBig::from((i * (n + 1 - i) / 2) as u64)).collect();
+    assert_eq!(found.corners, [expected]);
+}

@@ -1,0 +1,158 @@
+//! One instant of a motion, with the forces that act at that instant.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use nalgebra::Vector3;
+
+use crate::assembly::{Row, Source};
+use crate::body::State;
+use crate::constraint::{Constraint, Kind, Normal};
+use crate::scene::Scene;
+use crate::simulation::{Simulation, Solve, Step};
+
+/// One instant of a motion.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Frame {
+    /// The time (s).
+    pub time: f64,
+    /// The state of each body of the scene.
+    pub states: Vec<State>,
+    /// The forces of contacts and constraints; may be empty.
+    pub forces: Vec<Force>,
+    /// The color of each body from 0, gray, to 1, red; empty if bodies have their own colors.
+    pub heat: Vec<f64>,
+}
+
+/// A force of a contact or constraint on a moving body: for a contact, on the body that it pushes
+/// against gravity, the upper one; otherwise on body 1 if that moves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Force {
+    /// Where it acts (m, world).
+    pub point: Vector3<f64>,
+    /// The force (N, world).
+    pub force: Vector3<f64>,
+    /// What exerts it.
+    pub origin: Origin,
+}
+
+/// The origin of a force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Origin {
+    /// The normal row of a contact.
+    Normal,
+    /// The tangential rows of a contact.
+    Friction,
+    /// Any other constraint.
+    Constraint,
+}
+
+impl Frame {
+    /// The scene at its start.
+    pub fn start(scene: &Scene) -> Self {
+        Frame { states: scene.states.clone(), ..Frame::default() }
+    }
+
+    /// The current state of a simulation, without forces: for example where it could not continue.
+    pub fn now(simulation: &Simulation) -> Self {
+        let (time, states) = (simulation.time(), simulation.states().to_vec());
+        Frame { time, states, ..Frame::default() }
+    }
+
+    /// The end of a step, with the forces of the step's last solve; an impulse is shown as the
+    /// constant force over the step.
+    pub fn after(scene: &Scene, step: &Step) -> Self {
+        let time = step.motion.time;
+        let (states, forces) = (step.states.clone(), forces(scene, step));
+        Frame { time, states, forces, heat: Vec::new() }
+    }
+
+    /// The same frame with these body colors.
+    pub fn heated(self, heat: Vec<f64>) -> Self {
+        Frame { heat, ..self }
+    }
+
+    /// Whether all positions are finite.
+    pub(super) fn is_finite(&self) -> bool {
+        self.states.iter().all(State::is_finite)
+    }
+}
+
+/// The numbers of the steps for this number of evenly spaced instants, including 0, the start, and
+/// the last step; fewer if there are fewer steps.
+///
+/// ```
+/// use lcplab::animation::instants;
+///
+/// assert_eq!(instants(100, 6), [0, 20, 40, 60, 80, 100]);
+/// assert_eq!(instants(2, 6), [0, 1, 2]);
+/// ```
+pub fn instants(steps: usize, frames: usize) -> Vec<usize> {
+    let gaps = frames.saturating_sub(1).clamp(1, steps.max(1));
+    let at = |k: usize| (k as u128 * steps as u128 + gaps as u128 / 2) / gaps as u128;
+    let mut instants: Vec<usize> = (0..=gaps).map(|k| at(k) as usize).collect();
+    instants.dedup();
+    instants
+}
+
+fn forces(scene: &Scene, step: &Step) -> Vec<Force> {
+    let per_unit = |solve: &Solve| match solve.problem.stage.unit(false) {
+        "N" => Some(1.0),
+        "N s" => Some(1.0 / scene.step.dt),
+        _ => None,
+    };
+    let Ok(solves) = step.posed(scene) else { return Vec::new() };
+    let last = solves.iter().rev().find_map(|solve| Some((solve, per_unit(solve)?)));
+    let Some((solve, scale)) = last else { return Vec::new() };
+    let assembly = &solve.problem.assembly;
+    let mut sums: BTreeMap<(Source, Origin), (usize, Vector3<f64>)> = BTreeMap::new();
+    let mut between_moving: BTreeSet<Source> = BTreeSet::new();
+    for (row, x) in assembly.rows.iter().zip(&solve.solution.x) {
+        let Some(part) = row.parts().last() else { continue };
+        let force = part.jacobian.fixed_rows::<3>(0) * (x * scale);
+        let key = (row.id.source, origin(row));
+        let body = assembly.blocks[part.block].body;
+        sums.entry(key).or_insert((body, Vector3::zeros())).1 += force;
+        if row.parts().nth(1).is_some() {
+            between_moving.insert(row.id.source);
+        }
+    }
+    let points_down = |source: Source| {
+        let normal =
+            sums.get(&(source, Origin::Normal)).map(|(_, force)| force.dot(&scene.gravity));
+        between_moving.contains(&source) && normal.is_some_and(|along| along > 0.0)
+    };
+    let placed = sums.iter().filter_map(|(&(source, origin), &(body, force))| {
+        let point = place(scene, step, source, body)?;
+        let force = if points_down(source) { -force } else { force };
+        (force.norm() > 0.0).then_some(Force { point, force, origin })
+    });
+    placed.collect()
+}
+
+fn origin(row: &Row) -> Origin {
+    match (row.id.source, row.kind) {
+        (Source::Constraint(_), _) => Origin::Constraint,
+        (Source::Contact(_), Kind::Friction) => Origin::Friction,
+        (Source::Contact(_), _) => Origin::Normal,
+    }
+}
+
+/// The point where the force of a constraint acts on one of its bodies at the end of a step.
+fn place(scene: &Scene, step: &Step, source: Source, body: usize) -> Option<Vector3<f64>> {
+    let end = |constraint: &dyn Constraint| {
+        let side = usize::from(constraint.bodies()[1] == Some(body));
+        Some((step.states[body].pose.point(&constraint.anchors()?[side]), side))
+    };
+    match source {
+        Source::Constraint(k) => end(scene.constraints[k].as_ref()).map(|(point, _)| point),
+        Source::Contact(id) => {
+            let found = step.contacts.iter().find(|found| found.id == id)?;
+            if matches!(found.contact.normal, Normal::Rim(_)) {
+                return Some(found.point);
+            }
+            let (anchor, side) = end(&found.contact)?;
+            let outward = if side == 1 { -found.normal } else { found.normal };
+            Some(anchor + outward * found.contact.radii[side])
+        }
+    }
+}

@@ -1,0 +1,306 @@
+//! The animation: one scene by several solvers, instant by instant, seen by one camera at one
+//! scale.
+//!
+//! ```text
+//! simulation ─→ recordings ─→ poses, order, forces, measures as numbers ─→ a player
+//!               samples          rounded to the visible precision
+//! ```
+
+mod chart;
+mod data;
+mod stage;
+
+use super::frame::{Frame, instants};
+use super::strip::Strip;
+use super::{Camera, View};
+use super::{arrow, extent};
+use crate::number::readable;
+use crate::page::{Chart, DrawnAnimation, Pane};
+use crate::plot::canvas::hex;
+use crate::plot::{Figure as _, style};
+use crate::scene::Scene;
+use crate::simulation::{Failure, Motion, Simulation, Step};
+use crate::solver::Stop;
+pub use chart::Measure;
+use stage::Stage;
+
+/// Maximum number of instants in a recording, and in all recordings of an animation.
+const SAMPLES: (usize, usize) = (151, 600);
+/// Number of instants in the strip shown where the animation cannot be played.
+const STILLS: usize = 5;
+/// Names whose colors are used for variants of one name.
+const SPARE: [&str; 5] = ["acceleration", "soft", "penalty", "position", "exact"];
+
+/// One scene, simulated in several ways.
+///
+/// ```
+/// use lcplab::animation::{Animation, Recording};
+/// use lcplab::{scene::Scene, simulation::Simulation, solver};
+///
+/// let scene = Scene::load("stack")?;
+/// let solver = Box::new(solver::Dantzig::default());
+/// let mut simulation = Simulation::new(scene.clone(), solver);
+/// let animation = Animation::new("stack", &scene, vec![Recording::of("dantzig", &mut simulation, 10, 11)]);
+/// assert_eq!(animation.times().len(), 11);
+/// # Ok::<(), lcplab::error::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Animation {
+    /// A name without spaces, unique on a page.
+    pub id: String,
+    /// The scene.
+    pub scene: Scene,
+    /// The recordings, one per solver; all have their samples after the same steps.
+    pub recordings: Vec<Recording>,
+    /// The view.
+    pub view: View,
+}
+
+/// A scene as simulated by one solver.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Recording {
+    /// The solver, and after a comma its settings.
+    pub name: String,
+    /// Its instants from the start on.
+    pub samples: Vec<Sample>,
+    /// Why it ended early, if it did.
+    pub ending: Option<String>,
+}
+
+/// An instant with its measures.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sample {
+    /// The poses and forces.
+    pub frame: Frame,
+    /// Energy, momentum and errors.
+    pub motion: Motion,
+}
+
+impl Recording {
+    /// A recording at the start of a simulation.
+    pub fn start(name: impl Into<String>, simulation: &Simulation) -> Self {
+        let (frame, motion) = (Frame::now(simulation), simulation.motion());
+        Recording { name: name.into(), samples: vec![Sample { frame, motion }], ending: None }
+    }
+
+    /// Adds the end of a step.
+    pub fn add(&mut self, scene: &Scene, step: &Step) {
+        let (frame, motion) = (Frame::after(scene, step), step.motion.clone());
+        self.samples.push(Sample { frame, motion });
+    }
+
+    /// Records why the simulation ended early, if it did.
+    pub fn end(&mut self, failure: Option<&Failure>) {
+        self.ending = failure.map(ToString::to_string);
+    }
+
+    /// The instants that a strip shows.
+    fn stills(&self) -> Vec<Frame> {
+        let kept = instants(self.samples.len().saturating_sub(1), STILLS).into_iter();
+        kept.filter_map(|k| Some(self.samples.get(k)?.frame.clone())).collect()
+    }
+
+    /// Runs a simulation and keeps this number of instants.
+    pub fn of(name: &str, simulation: &mut Simulation, steps: usize, samples: usize) -> Self {
+        Recording::until(&Stop::default(), name, simulation, steps, samples)
+    }
+
+    /// The same with a stop condition.
+    pub fn until(
+        stop: &Stop,
+        name: &str,
+        simulation: &mut Simulation,
+        steps: usize,
+        samples: usize,
+    ) -> Self {
+        let mut recording = Recording::start(name, simulation);
+        let (scene, kept) = (simulation.scene().clone(), instants(steps, samples));
+        for _ in 0..steps {
+            match simulation.step_before(stop) {
+                Ok(step) if kept.binary_search(&step.number).is_ok() => {
+                    recording.add(&scene, &step)
+                }
+                Ok(_) => {}
+                Err(failure) => {
+                    recording.end(Some(&failure));
+                    break;
+                }
+            }
+        }
+        recording
+    }
+
+    fn frames(&self) -> Vec<Frame> {
+        self.samples.iter().map(|sample| sample.frame.clone()).collect()
+    }
+
+    /// The largest value of a measure over the recording.
+    fn worst(&self, measure: Measure) -> f64 {
+        let values = chart::values(self, measure);
+        values.into_iter().fold(0.0, |worst: f64, x| if x.abs() > worst.abs() { x } else { worst })
+    }
+}
+
+impl Animation {
+    /// An animation of these recordings, with the best view for all of them.
+    pub fn new(id: impl Into<String>, scene: &Scene, recordings: Vec<Recording>) -> Self {
+        let frames: Vec<_> = recordings.iter().flat_map(Recording::frames).collect();
+        let view = View::of(scene, &frames);
+        Animation { id: id.into(), scene: scene.clone(), recordings, view }
+    }
+
+    /// The number of instants for each of this number of recordings.
+    pub fn samples_each(recordings: usize) -> usize {
+        SAMPLES.0.min(SAMPLES.1 / recordings.max(1))
+    }
+
+    /// The instants (s), up to the end of the longest recording.
+    pub fn times(&self) -> Vec<f64> {
+        self.longest().iter().map(|sample| sample.motion.time).collect()
+    }
+
+    /// The first instant to show: the one with the largest difference between recordings or, for a
+    /// single recording, with the largest forces; the first of these.
+    pub fn first_shown(&self) -> usize {
+        let sample = |recording: &Recording, k: usize| {
+            recording.samples.get(k).map(|sample| sample.frame.clone())
+        };
+        let apart = |one: &Frame, other: &Frame| {
+            let pairs = one.states.iter().zip(&other.states);
+            pairs.map(|(a, b)| (a.pose.p - b.pose.p).norm()).fold(0.0, f64::max)
+        };
+        let size = |k: usize| match self.recordings.as_slice() {
+            [only] => sample(only, k)
+                .map_or(0.0, |frame| frame.forces.iter().map(|own| own.force.norm()).sum()),
+            recordings => {
+                let frames: Vec<Frame> =
+                    recordings.iter().filter_map(|recording| sample(recording, k)).collect();
+                let pairs = frames.iter().flat_map(|a| frames.iter().map(move |b| (a, b)));
+                pairs.map(|(a, b)| apart(a, b)).fold(0.0, f64::max)
+            }
+        };
+        let instants =
+            (0..self.longest().len()).map(|k| (k, size(k))).filter(|(_, size)| size.is_finite());
+        let (first, most) =
+            instants.fold((0, 0.0), |best, own| if own.1 > best.1 { own } else { best });
+        if most > 0.0 { first } else { 0 }
+    }
+
+    fn longest(&self) -> &[Sample] {
+        let longest = self.recordings.iter().max_by_key(|recording| recording.samples.len());
+        longest.map_or(&[], |recording| &recording.samples)
+    }
+
+    /// The animation, drawn for a page.
+    pub fn drawn(&self) -> DrawnAnimation {
+        let chart = |measure: Measure| Chart {
+            name: measure.name().into(),
+            unit: measure.unit().into(),
+            svg: chart::svg(self, measure),
+        };
+        DrawnAnimation {
+            columns: self.columns(),
+            size: self.size(),
+            times: self.times(),
+            panes: self.panes(),
+            charts: self.measures().into_iter().map(chart).collect(),
+            strips: (0..self.recordings.len()).map(|k| self.strip(k).svg()).collect(),
+            data: self.data(),
+        }
+    }
+
+    /// The number of recordings side by side.
+    fn columns(&self) -> usize {
+        match self.recordings.len() {
+            4 => 2,
+            recordings => recordings.clamp(1, 3),
+        }
+    }
+
+    /// The measures that are available and not 0 in every recording, the energy first.
+    pub fn measures(&self) -> Vec<Measure> {
+        chart::measures(self)
+    }
+
+    /// A measure over time, one curve per recording, as an SVG element for a page that defines the
+    /// colors.
+    pub fn chart(&self, measure: Measure) -> String {
+        chart::svg(self, measure)
+    }
+
+    /// The width and height of the picture in px.
+    pub fn size(&self) -> (f64, f64) {
+        let lens = self.stage().lens;
+        (lens.width, lens.height)
+    }
+
+    /// The recordings as a page shows them.
+    pub fn panes(&self) -> Vec<Pane> {
+        let (backdrop, colors) = (self.stage().backdrop(), self.colors());
+        let pane = |(recording, color): (&Recording, String)| Pane {
+            name: recording.name.clone(),
+            color,
+            backdrop: backdrop.clone(),
+            description: self.description(recording),
+        };
+        self.recordings.iter().zip(colors).map(pane).collect()
+    }
+
+    /// The data for the player, as one JSON object. Positions are in units of `unit` (m),
+    /// quaternion components in 1/10000; each list has the first number and then the differences,
+    /// without trailing zeros.
+    pub fn data(&self) -> String {
+        data::json(self).to_string()
+    }
+
+    /// Some instants of a recording as a picture.
+    pub fn strip(&self, recording: usize) -> Strip {
+        let largest = |recording: &Recording| arrow::largest(&recording.stills());
+        let strip = Strip {
+            id: format!("{}-{recording}", self.id),
+            title: self.recordings[recording].name.clone(),
+            view: self.view,
+            force: self.recordings.iter().map(largest).fold(0.0, f64::max),
+            ..Strip::new(&self.scene, self.recordings[recording].stills())
+        };
+        strip.with_forces()
+    }
+
+    fn stage(&self) -> Stage {
+        let motions: Vec<_> = self.recordings.iter().map(Recording::frames).collect();
+        let landmarks = extent::shared(&self.scene, &motions);
+        Stage::new(self, Camera::new(self.view), landmarks)
+    }
+
+    /// The colors of the recordings' names; variants of one name get other unused colors.
+    fn colors(&self) -> Vec<String> {
+        let mut taken = Vec::new();
+        for recording in &self.recordings {
+            let own = style::style(&recording.name).color;
+            let spare = || SPARE.map(|name| style::style(name).color);
+            let free = [own].into_iter().chain(spare()).find(|color| !taken.contains(color));
+            taken.push(free.unwrap_or(own));
+        }
+        taken.into_iter().map(hex).collect()
+    }
+
+    fn description(&self, recording: &Recording) -> String {
+        let worst = |measure: &Measure| {
+            let value = readable(recording.worst(*measure), 2);
+            format!("{} {value} {} at most", measure.name(), measure.unit())
+        };
+        let measures: Vec<_> = self.measures().iter().map(worst).collect();
+        let end = recording.samples.last().map_or(0.0, |sample| sample.motion.time);
+        let ending =
+            recording.ending.as_ref().map_or(String::new(), |why| format!("; ended: {why}"));
+        format!(
+            "{} by {}, {} instants to {} s, seen {}: {}{ending}",
+            self.scene.title,
+            recording.name,
+            recording.samples.len(),
+            readable(end, 3),
+            self.view.name(),
+            measures.join(", ")
+        )
+    }
+}

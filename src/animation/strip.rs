@@ -1,0 +1,293 @@
+//! The strip: several instants of a motion on one sheet.
+
+use super::ground::{self, Patch};
+use super::ink::{Ink, tenth};
+use super::layout::{LABEL, Layout, Lens};
+use super::solid::Solid;
+use super::{Camera, Force, Frame, Origin, View, arrow, depth, extent, joint};
+use crate::body::{Body, Mass, State};
+use crate::csv;
+use crate::number::readable;
+use crate::plot::Figure;
+use crate::plot::canvas::{Anchor, Canvas, escape, hex};
+use crate::plot::round_step;
+use crate::plot::style::{self, EDGE, FAINT_INK, GRID, INK, TEXT};
+use crate::scene::Scene;
+
+/// The space above the frames in px, for the title and the scales.
+const TOP: f64 = 62.0;
+/// The width of bold text relative to normal text.
+const BOLD: f64 = 1.1;
+/// The vertical center of the line of scales in px.
+const SCALES: f64 = 48.0;
+/// The minimum length of the scale bar as a fraction of a frame's width.
+const BAR: f64 = 0.3;
+
+/// Whether forces are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Arrows {
+    /// No forces.
+    Hidden,
+    /// The forces of the frames, and the contact points.
+    Shown,
+}
+
+/// Several instants of a motion side by side, seen by one camera at one scale.
+///
+/// ```
+/// use lcplab::{animation::{Frame, Strip}, plot::Figure};
+/// use lcplab::scene::Scene;
+///
+/// let scene = Scene::load("stack")?;
+/// let strip = Strip::new(&scene, vec![Frame::start(&scene)]);
+/// assert!(strip.svg().starts_with("<svg "));
+/// # Ok::<(), lcplab::error::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Strip {
+    /// The figure's short name.
+    pub id: String,
+    /// The figure's title.
+    pub title: String,
+    /// The figure's caption.
+    pub caption: String,
+    /// The scene.
+    pub scene: Scene,
+    /// Its instants; those with states that are not finite are not drawn.
+    pub frames: Vec<Frame>,
+    /// The view.
+    pub view: View,
+    /// Whether forces are drawn.
+    pub arrows: Arrows,
+    /// The text above each frame; its time by default.
+    pub labels: Vec<String>,
+    /// A force that the scale of the arrows must fit, so that strips side by side share it (N).
+    pub force: f64,
+}
+
+impl Strip {
+    /// A strip with the scene's title and best view, without forces.
+    pub fn new(scene: &Scene, frames: Vec<Frame>) -> Self {
+        Strip {
+            id: "frames".into(),
+            title: scene.title.clone(),
+            caption: String::new(),
+            view: View::of(scene, &frames),
+            scene: scene.clone(),
+            frames,
+            arrows: Arrows::Hidden,
+            labels: Vec::new(),
+            force: 0.0,
+        }
+    }
+
+    /// The same with another short name, for pages with several strips.
+    pub fn named(self, id: &str) -> Self {
+        Strip { id: id.into(), ..self }
+    }
+
+    /// The same with a caption, a sentence that says what the reader should see.
+    pub fn with_caption(self, words: &str) -> Self {
+        Strip { caption: words.into(), ..self }
+    }
+
+    /// The same with these texts above the frames.
+    pub fn labelled<const N: usize>(self, labels: [&str; N]) -> Self {
+        Strip { labels: labels.map(String::from).into(), ..self }
+    }
+
+    /// The same with the forces drawn.
+    pub fn with_forces(self) -> Self {
+        Strip { arrows: Arrows::Shown, ..self }
+    }
+
+    /// The first frame without a sheet, in a box of this width and height (px), with a group for
+    /// each body; empty without frames.
+    pub fn still(&self, (width, height): (f64, f64)) -> String {
+        let Some(frame) = self.frames.iter().find(|frame| frame.is_finite()) else {
+            return String::new();
+        };
+        let camera = Camera::new(self.view);
+        let landmarks = extent::landmarks(&self.scene, std::slice::from_ref(frame));
+        let patches = ground::patches(&self.scene, &landmarks);
+        let window = ground::window(&camera, landmarks, &patches);
+        let layout = Layout::single(&window, width, height);
+        let lens = layout.lens(camera, &window);
+        format!(
+            "<g transform=\"translate(0 {:.1}) scale(0.1)\" stroke=\"{}\" stroke-width=\"6\" \
+             stroke-linejoin=\"round\">\n{}</g>\n{}",
+            height - layout.height,
+            hex((INK.0, INK.1, INK.2)),
+            self.frame(frame, &patches, &lens, None, true),
+            self.names(frame, &lens, height - layout.height)
+        )
+    }
+
+    /// The names of the moving bodies, at their centers.
+    fn names(&self, frame: &Frame, lens: &Lens, top: f64) -> String {
+        let bodies = self.scene.bodies.iter().zip(&frame.states);
+        let moving = bodies.filter(|(body, _)| body.mass != Mass::Fixed);
+        let name = |(body, state): (&Body, &State)| {
+            let (x, y) = lens.place(&state.pose.p);
+            format!(
+                "<text x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"middle\" font-size=\"{TEXT}\" fill=\"#ffffff\" \
+                 stroke=\"{}\" stroke-width=\"2.5\" paint-order=\"stroke\">{}</text>\n",
+                y + top + 5.0,
+                hex((INK.0, INK.1, INK.2)),
+                escape(&body.name)
+            )
+        };
+        moving.map(name).collect()
+    }
+
+    fn description(&self, frames: &[Frame]) -> String {
+        let (Some(first), Some(last)) = (frames.first(), frames.last()) else {
+            return "no instants".into();
+        };
+        format!(
+            "{} instants from {} s to {} s, seen {}",
+            frames.len(),
+            readable(first.time, 3),
+            readable(last.time, 3),
+            self.view.name()
+        )
+    }
+
+    /// One frame in tenths of a px.
+    fn frame(
+        &self,
+        frame: &Frame,
+        patches: &[Patch],
+        lens: &Lens,
+        newton: Option<f64>,
+        grouped: bool,
+    ) -> String {
+        let mut ink = Ink::new(lens);
+        ink.groups_bodies = grouped;
+        for patch in patches {
+            ink.ground(patch);
+        }
+        let bodies = self.scene.bodies.iter().zip(&frame.states).enumerate();
+        let dot = joint::dot(&self.scene, lens) / lens.scale;
+        let mut solids: Vec<_> =
+            bodies.flat_map(|(k, (body, state))| Solid::of(k, body, &state.pose, dot)).collect();
+        solids.extend(joint::rods(&self.scene, frame, joint::ROD / lens.scale));
+        let order = depth::order(&lens.camera, &solids);
+        let painted: Vec<_> = order.into_iter().map(|k| &solids[k]).collect();
+        ink.solids(&self.scene.bodies, &frame.heat, &painted);
+        ink.marks(&joint::marks(&self.scene, frame));
+        if let Some(newton) = newton {
+            ink.raw(&arrow::markup(&frame.forces, lens, newton));
+        }
+        ink.finish()
+    }
+
+    /// The scale bar, and an arrow of a round force for each origin.
+    fn scales(&self, canvas: &mut Canvas, frames: &[Frame], lens: &Lens, newton: Option<f64>) {
+        let metres = round_step(BAR * lens.width / lens.scale);
+        let length = metres * lens.scale;
+        canvas.raw(&format!(
+            "<path class=\"scale\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\" \
+             d=\"M{EDGE} {y}v8m0 -4h{length:.2}m0 -4v8\"/>\n",
+            hex((INK.0, INK.1, INK.2)),
+            y = SCALES - 4.0
+        ));
+        let mut x = EDGE + length + 8.0;
+        let label = |canvas: &mut Canvas, x: &mut f64, text: &str| {
+            canvas.text((*x, SCALES + 5.0), Anchor::Start, TEXT, FAINT_INK, text);
+            *x += style::width(text, TEXT) + 22.0;
+        };
+        label(canvas, &mut x, &format!("{} m", readable(metres, 2)));
+        let Some(newton) = newton else { return };
+        let force = round_step(0.4 * arrow::largest(frames).max(self.force));
+        for origin in Origin::ALL {
+            let mut forces = frames.iter().flat_map(|frame| &frame.forces);
+            let drawn = |force: &Force| force.force.norm() * newton >= arrow::SHORTEST;
+            if !forces.any(|force| force.origin == origin && drawn(force)) {
+                continue;
+            }
+            let arrow = arrow::sample(origin, (x, SCALES), force * newton);
+            canvas.raw(&format!("<g transform=\"scale(0.1)\">{arrow}</g>\n"));
+            x += force * newton + 8.0;
+            label(canvas, &mut x, &format!("{} {} N", origin.name(), readable(force, 2)));
+        }
+    }
+}
+
+impl Figure for Strip {
+    fn id(&self) -> &str {
+        &self.id
+    }
+
+    fn title(&self) -> &str {
+        &self.title
+    }
+
+    fn caption(&self) -> &str {
+        &self.caption
+    }
+
+    fn drawn(&self, width: f64, id: &str) -> String {
+        let label = |(k, frame): (usize, &Frame)| {
+            let time = || format!("{} s", readable(frame.time, 3));
+            self.labels.get(k).cloned().unwrap_or_else(time)
+        };
+        let finite = || self.frames.iter().enumerate().filter(|(_, frame)| frame.is_finite());
+        let frames: Vec<Frame> = finite().map(|(_, frame)| frame.clone()).collect();
+        let labels: Vec<String> = finite().map(label).collect();
+        let widest = labels.iter().map(|label| style::width(label, TEXT)).fold(0.0, f64::max);
+        let camera = Camera::new(self.view);
+        let landmarks = extent::landmarks(&self.scene, &frames);
+        let patches = ground::patches(&self.scene, &landmarks);
+        let window = ground::window(&camera, landmarks, &patches);
+        let layout = Layout::new(&window, width, frames.len(), widest);
+        let lens = layout.lens(camera, &window);
+        let largest = arrow::largest(&frames).max(self.force);
+        let shown = self.arrows == Arrows::Shown && largest > 0.0;
+        let newton = shown.then(|| arrow::scale(largest, &lens));
+
+        let mut canvas = Canvas::new(width, TOP + layout.total() + EDGE);
+        let fit = (width - 2.0 * EDGE) / (BOLD * style::width(&self.title, style::TITLE));
+        let size = style::TITLE * fit.min(1.0);
+        canvas.text((EDGE, 26.0), Anchor::Start, size, INK, &self.title);
+        self.scales(&mut canvas, &frames, &lens, newton);
+        for (k, (frame, label)) in frames.iter().zip(&labels).enumerate() {
+            let (x, y) = layout.corner(k, TOP);
+            canvas.text((x + 2.0, y - LABEL + 14.0), Anchor::Start, TEXT, FAINT_INK, label);
+            canvas.raw(&format!(
+                "<g class=\"instant\" transform=\"translate({x:.1} {y:.1}) scale(0.1)\" \
+                 fill=\"none\" stroke=\"{}\" stroke-width=\"6\" stroke-linejoin=\"round\" \
+                 stroke-linecap=\"round\">\n\
+                 <path stroke=\"{}\" d=\"M0 0h{w}v{h}h-{w}z\"/>\n{}</g>\n",
+                hex((INK.0, INK.1, INK.2)),
+                hex((GRID.0, GRID.1, GRID.2)),
+                self.frame(frame, &patches, &lens, newton, false),
+                w = tenth(lens.width),
+                h = tenth(lens.height),
+            ));
+        }
+        canvas.finish(id, &self.title, &self.description(&frames))
+    }
+
+    /// None: the names of the forces do not fit beside each other on a phone.
+    fn narrow(&self) -> Option<String> {
+        None
+    }
+
+    /// One record per frame and body: its pose.
+    fn csv(&self) -> String {
+        let mut out = String::new();
+        csv::record(&mut out, COLUMNS);
+        for frame in &self.frames {
+            for (body, state) in self.scene.bodies.iter().zip(&frame.states) {
+                let (p, q) = (state.pose.p, state.pose.q);
+                let numbers = [p.x, p.y, p.z, q.w, q.i, q.j, q.k].map(csv::number);
+                let names = [csv::number(frame.time), body.name.clone()];
+                csv::record(&mut out, names.into_iter().chain(numbers));
+            }
+        }
+        out
+    }
+}
+
+const COLUMNS: [&str; 9] = ["time (s)", "body", "x (m)", "y (m)", "z (m)", "qw", "qx", "qy", "qz"];
