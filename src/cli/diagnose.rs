@@ -55,8 +55,8 @@ listed as the first cause. A problem file does not name a solver: for the same a
 pgs. Every error of a motion is its distance from the exact motion, divided by the change of motion that the \
 constraints cause; it can exceed 100 %.
 
-With an answer, lcplab compares it with the result of each known mistake, including up to 2,000 sweeps of each \
-method. It names a mistake only if that result, \
+With an answer, lcplab compares it with the result of each known mistake; for a mistake of a sweep method, with \
+the result after each of up to 2,000 sweeps. It names a mistake only if one of these results, \
 rounded to the precision of x, is at least a hundred times closer to x than the exact solution is. If the judge \
 accepts the answer, lcplab names no mistake.
 

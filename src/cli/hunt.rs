@@ -35,11 +35,11 @@ failure is the number of rows, and the smallest wins. The same seed finds the sa
 --friction, --from, --evaluations, --at-least, --omega and --out apply only with --measure.
 
 Exit codes:
-  0  no false claim; also if a search for another measure found a problem
+  0  no false claim, even if a search for another measure found a problem
   1  a claim is false, or a solver that you name solves no problem
   2  invalid input or usage")]
 pub struct Challenge {
-    /// Number of problems
+    /// Number of problems, without --measure
     #[arg(long, default_value_t = 10_000)]
     problems: usize,
     /// Random seed

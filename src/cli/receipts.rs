@@ -27,12 +27,13 @@ in the file STEM.x.json next to STEM.json or STEM.npz, in the key \"answer\" of 
 the arrays x and v of the .npz file. Record the baseline in the folder in which the check runs: frames are \
 compared by their paths.
 
-The run is compared with the 50 %, 90 % and 99 % quantiles and the largest of the baseline's errors. It is worse if \
-more of its frames are above one of them than in the baseline and than chance explains (0.5 %; two runs of equal length \
-need at least 5 errors each). Errors below a thousandth of the limit never count as worse.
+The run is compared with four levels: the 50 %, 90 % and 99 % quantiles of the baseline's errors, and the largest of them. \
+It is worse if, at one level, significantly more of its errors than of the baseline's are above the level (Fisher's exact \
+test, 0.5 %; two runs of equal length need at least 5 errors each). Errors below a thousandth of the limit never count \
+as worse.
 
 Exit codes:
-  0  the run is ok, or the baseline was written. A run is ok if the baseline lists all rejected frames, the solver \
+  0  the run is ok, or the baseline was written. A run is ok if the baseline lists all rejected frames as rejected, the solver \
 was checked in at least one frame (without a baseline, in at least half of the frames with rows), no frame and no check \
 of the baseline is missing, and the run is not worse
   1  the run is not ok
@@ -41,8 +42,8 @@ pub struct Receipts {
     /// Problem files with the key "motion", or folders of them
     #[arg(required = true)]
     frames: Vec<PathBuf>,
-    /// Largest accepted motion error, or residual where there is none, relative to the change of
-    /// the motion in the step [default: that of the engine's kind of solver]
+    /// Largest accepted motion error, or residual where there is none; docs/ci.md defines both
+    /// [default: that of the engine's kind of solver]
     #[arg(long, allow_negative_numbers = true)]
     limit: Option<f64>,
     /// Recorded run to compare with

@@ -54,7 +54,7 @@ results.json grows while the report runs: a run that was stopped continues from 
 Results are identical for any number of threads.
 
 Your own problem files: `diagnose FOLDER` explains what a solver leaves unsolved, `compare FILES` compares \
-solvers on them, and a report file with the studies `frames` and `profiles` makes a page of both.
+solvers on them, and a report file with the studies `frames` and `profiles` shows both on a page.
 
 Exit codes:
   0  every section passes
@@ -68,8 +68,8 @@ pub struct Report {
     /// shipped reports and the kinds of studies
     #[arg(long, conflicts_with_all = ["compare", "out"])]
     list: bool,
-    /// Print the file of a shipped report, to start your own from; or schema, the JSON schema of
-    /// report files
+    /// Print the file of a shipped report, to start your own from; the name schema prints the JSON
+    /// schema of report files
     #[arg(long, value_name = "NAME", conflicts_with_all = ["report", "list", "compare"])]
     print: Option<String>,
     /// List the differences between two results files, except for times. Numbers pass if they

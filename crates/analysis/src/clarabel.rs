@@ -22,8 +22,7 @@ const SOURCE: &str = "Goulart & Chen 2024";
 pub(crate) fn box_qp() -> Entry {
     let mut entry =
         Entry::new(REFERENCE, |options| Box::new(Clarabel { settings: options.settings.clone() }));
-    entry.method =
-        "reference: clarabel's interior-point method for the box QP, then Newton's, iterative";
+    entry.method = "reference: clarabel's interior-point method for the box QP, then Newton's method, iterative";
     entry.class = Class { coupling: false, ..Class::of(MatrixClass::Semidefinite) };
     entry.group = Group::Newton;
     entry.cost =
@@ -37,8 +36,7 @@ pub(crate) fn cone_qp() -> ConeEntry {
     let mut entry = ConeEntry::new(REFERENCE, &[Law::Associated], |settings| {
         Box::new(Clarabel { settings: settings.clone() })
     });
-    entry.method =
-        "reference: clarabel's interior-point method for the cone QP, then Newton's, iterative";
+    entry.method = "reference: clarabel's interior-point method for the cone QP, then Newton's method, iterative";
     entry.class = Class::of(MatrixClass::Semidefinite);
     entry.group = Group::Newton;
     entry.source = SOURCE;

@@ -39,10 +39,10 @@ Examples:
 A scene: every solver simulates it at the velocity and at the acceleration level; --solver and --scheme \
 select some. A scheme that solves no LCP has one row, because no solver runs in it. lcplab measures the errors of contacts and joints, \
 energy, momentum, restitution and the direction of friction, and compares the two levels with each other and \
-with half the time step. --out writes a page with the table, the plots and an animation of the solvers side \
+with runs at half the time step. --out writes a page with the table, the plots and an animation of the solvers side \
 by side. If several solvers give the same motion, the animation shows one of them; --show selects others.
 
-Problems: one built-in solver of each kind that supports them, or with --all every solver, solves them; clarabel is the reference. \
+Problems: one built-in solver of each kind, or with --all every one, runs on the problems that it supports; clarabel is the reference. \
 lcplab solves families with friction under seven friction models, and a problem file under the model that it \
 states, or as a coupled box. Tolerance and iteration limit have the same defaults as in `solve`. \
 `stack` and `painleve` name both a scene and a family: write family:stack for the family.

@@ -13,8 +13,8 @@ impl View for Plan {
         let checks = &findings.concat();
         document.text(
             "Dantzig's answer is compared with two independent answers of the interior-point solver clarabel. \
-             The first is that of the *box QP*: the LCP, written as a minimization over impulses. With friction, its \
-             limits are fixed at those of lcplab's $x$:",
+             The first is that of the *box QP*: the LCP, written as a minimization over impulses. With friction, the \
+             friction limits are fixed at those of lcplab's $x$:",
         );
         document.equation("\\min_{lo \\le x \\le hi}\\; \\tfrac12 x^T A x + b^T x", "dual");
         document.text(
@@ -87,7 +87,7 @@ fn table(checks: &[CrossCheck]) -> Table {
     Table::new(
         "Differences from the reference solutions",
         "Largest difference of any entry. *not unique*: several x are solutions, so x − x_QP is not an error. *verdict*: \
-         an answer is only *within tolerance* if lcplab finds no exact solution near it, as can happen if rows are \
+         an answer is *within tolerance*, but not *proved*, if lcplab finds no exact solution near it, as can happen if rows are \
          redundant only up to rounding. *u − û at most*: a proved bound on the error of lcplab's motion, from duality and interval arithmetic. With friction, the bound holds for the problem \
          whose friction limits are fixed at those of lcplab's x, not for the coupled problem.",
         "scene | problem | #step | #rows | #free | #rank | x | #x − x_QP (x) | #w − w_QP (w) | \

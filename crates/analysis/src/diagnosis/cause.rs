@@ -215,13 +215,12 @@ impl fmt::Display for Cause {
             ),
             Cause::Redundant { rows, spare } => write!(
                 f,
-                "{} {} redundant, up to rounding, among the {} that depend on each other: {}. The \
+                "{} depend on each other: {}. Up to rounding, {spare} of them {} redundant. The \
                  distribution of the load among them need not be unique; with friction, the motion need not be \
                  unique either.",
-                counted(*spare, "row"),
-                if *spare == 1 { "is" } else { "are" },
                 counted(rows.len(), "row"),
-                listed(rows)
+                listed(rows),
+                if *spare == 1 { "is" } else { "are" }
             ),
             Cause::Apart { row, error } => write!(
                 f,

@@ -56,7 +56,7 @@ impl RightAnswer {
         let Some(solutions) = solutions else { return by_a_solver(posed, model) };
         let distance = |x: &Vec<f64>| own.map_or(0.0, |own| distance(x, own));
         let nearest = solutions.into_iter().min_by(|x, y| distance(x).total_cmp(&distance(y)))?;
-        Some(RightAnswer { x: nearest, source: "exact, rounded".into() })
+        Some(RightAnswer { x: nearest, source: "an exact solution, rounded".into() })
     }
 }
 

@@ -144,7 +144,7 @@ pub(super) fn results(grid: &Grid, plan: &Plan, points: &[Point<'_>]) -> Table {
     Table {
         title: "Results at each point".into(),
         how_to_read: format!(
-            "*Status*: the solver's own claim. *Verdict*: the judge's; for several problems in a row, the worst one. \
+            "*Status*: the solver's own claim. *Verdict*: the judge's; if a row covers several problems, the worst one. \
              lcplab attempts no proof of the answers of a simulation, so their best verdict is *within tolerance*.{theory}{more}"
         ),
         columns,

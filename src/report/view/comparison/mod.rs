@@ -136,8 +136,8 @@ fn by_scheme(findings: &[Comparison]) -> Table {
     };
     Table::new(
         "Velocity level and acceleration level",
-        "One row per scene and level, for the solver that took the most steps; of several such solvers, the \
-                      one with the fewest rejected answers, and of several such ones the first. *largest \
+        "One row per scene and level, for one solver: the one that took the most steps, then among equals the \
+                      one with the fewest rejected answers, then the first in the list. *largest \
                       energy change*: since the start; *drift* and *penetration* are the largest errors.",
         "scene | level | solver | #steps | #largest energy change (J) | #drift (m) | \
          #penetration (m)",
@@ -146,9 +146,9 @@ fn by_scheme(findings: &[Comparison]) -> Table {
 }
 
 /// The explanation of the columns of the scenes' tables.
-const MEASURES: &str = "In the tables of the scenes, *problems* counts the LCPs: at acceleration level, an impact is a \
- problem of its own, and the approach velocity that an iterative solver leaves within the tolerance is another small \
- impact. *claims*: problems that the solver reports as solved. \
+const MEASURES: &str = "In the tables of the scenes, *problems* counts the LCPs: at acceleration level, each impact is a \
+ separate problem. (An iterative solver leaves a small approach velocity within the tolerance, which counts as another \
+ impact.) *claims*: problems that the solver reports as solved. \
  *accepted*: answers that the judge accepts. *worst residual*: the largest scaled residual over all problems, \
  claimed or not; – if there was none. *energy change*: from the start to the end; *largest energy change*: from \
  the start to any instant. *support*: the average upward component of the forces of contacts, joints and springs; \

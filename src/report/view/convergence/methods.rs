@@ -134,7 +134,7 @@ fn choice(choices: &[&Progress]) -> Table {
     Table::new(
         "Which solver for which stack",
         "*cost*: multiplications until the residual is within the tolerance, divided by those of one sweep of *pgs*; a \
-         typical budget is 10. *unsupported*: the part of the total weight that ten sweeps of *pgs* leave \
+         typical budget is 10. *next*: the second cheapest solver. *unsupported*: the part of the total weight that ten sweeps of *pgs* leave \
          unsupported. *solvers that fail*: those that do not reach the tolerance within the maximum number of \
          iterations. A stack is a hard case for sweeps and has redundant contacts.",
         "stack | #rows | cheapest | #cost | next | #cost | #sweeps of pgs | #unsupported after ten sweeps | \
@@ -246,8 +246,8 @@ fn by_work(progress: &Progress) -> Lines {
              A, as here, is stored with its zeros. The cost of a method is where its curve meets the tolerance; \
              a pivoting method has one marker, at its end. Sweeps first remove the part of the error that changes \
              sign from contact to contact. Then each sweep multiplies the residual by the spectral radius of the \
-             iteration matrix on the active set, the rows between their bounds (pale band{}). Compared with the \
-             residual plots of Silcowitz et al. (2010) and Mazhar et al. (2015), this figure also shows \
+             iteration matrix on the active set, the rows between their bounds (pale band{}). In addition to the \
+             residual, which Silcowitz et al. (2010) and Mazhar et al. (2015) plot, this figure shows \
              how much weight is unsupported meanwhile, and where the active set changes.",
             count(progress.rows),
             readable(progress.omega, 3),

@@ -161,11 +161,11 @@ fn table(studies: &[&Rates]) -> Table {
     Table::new(
         "Contraction per sweep, predicted and measured",
         "The factor by which a sweep multiplies the error: *predicted* is the spectral radius of the \
-             iteration matrix on the free rows, *measured* the factor per sweep in the second half of the curve. \
+             iteration matrix on the active set, *measured* the factor per sweep in the second half of the curve. \
              They agree if the numbers of digits gained per sweep differ by at most 10 %. With bounds, ρ is the limit \
              of the factor; a curve that still falls faster, because the slowest component is small, has *not \
-             settled*. ω* is rounded to four decimals; because ρ has a vertical tangent there, it is slightly \
-             larger than ω* − 1.",
+             settled*. ω* is rounded to four decimals; because ρ(ω) has a vertical tangent there, the predicted ρ is \
+             slightly larger than ω* − 1.",
         "scene | #ω | #predicted ρ | #measured | #sweeps recorded | agreement",
         rows.collect(),
     )

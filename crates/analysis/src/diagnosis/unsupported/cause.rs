@@ -17,7 +17,7 @@ const NOWHERE: f64 = 1e-6;
 fn part_of_sweeps(factor: f64) -> String {
     match percent(1.0 / factor) {
         none if none == "0 %" => "far fewer sweeps than now".into(),
-        part => format!("{part} of the sweeps that it takes now"),
+        part => format!("{part} of the present number of sweeps"),
     }
 }
 
@@ -128,7 +128,7 @@ impl fmt::Display for Slow {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let saves = |own: &Without| {
             format!(
-                "the error of the motion would be {} instead of {}, and an error of 0.1 % would take {}",
+                "the error of the motion would be {} instead of {}, and reducing it to 0.1 % would take {}",
                 percent(own.without),
                 percent(own.with),
                 part_of_sweeps(own.factor)
@@ -169,8 +169,8 @@ impl fmt::Display for Slow {
             ),
             Slow::Tall { bodies: Some(bodies), without } => write!(
                 f,
-                "impulses propagate through {bodies} bodies, one after the other. If, in addition to equal masses, each \
-                 pair of bodies were a separate problem, {}.",
+                "impulses propagate through {bodies} bodies, one after the other. If all masses were equal \
+                 and each pair of bodies were a separate problem, {}.",
                 saves(without)
             ),
             Slow::Tall { bodies: None, without } => write!(

@@ -67,8 +67,8 @@ impl UnsupportedLoad {
             return format!("{who} an error of the motion of only {}.", percent(self.missing));
         }
         let effect = match &self.part {
-            Some(part) => format!("the motion that the constraints cause in {part}"),
-            None => "the motion that the constraints cause".into(),
+            Some(part) => format!("the change of motion that the constraints cause in {part}"),
+            None => "the change of motion that the constraints cause".into(),
         };
         let error = percent(self.missing);
         let place = |pair: &Load| format!(", most of it at {}", pair.name);
@@ -94,13 +94,13 @@ impl UnsupportedLoad {
         let (slowest, (needed, is_done)) = (self.slowest.as_ref()?, self.sweeps?);
         let sweeps = readable(needed.round(), DIGITS);
         let measured = match is_done {
-            true => format!("measured, {sweeps}"),
-            false => format!("extrapolated from the measured sweeps, {sweeps}"),
+            true => format!("measured: {sweeps}"),
+            false => format!("extrapolated from the measured sweeps: {sweeps}"),
         };
         let mover = self.mover.as_ref();
         Some(format!(
             "While no contact opens or closes, each sweep of Gauss-Seidel multiplies the slowest error \
-             pattern by {}{}. An error of 0.1 % takes {} sweeps in theory; {measured}.",
+             pattern by {}{}. Reducing the error to 0.1 % takes {} sweeps in theory; {measured}.",
             readable(slowest.rate, 4),
             mover.map_or(String::new(), |body| format!("; {body} moves most in it")),
             readable(slowest.sweeps.round(), DIGITS),
@@ -175,7 +175,7 @@ impl UnsupportedLoad {
         let rows = self.remedies.iter().map(row).collect();
         section.table(
             "results of this solve with each remedy alone",
-            &["remedy", "error", "theory", "improvement", "iterations", "multiplications"],
+            &["remedy", "error", "error in theory", "improvement", "iterations", "multiplications"],
             rows,
         );
         (!self.remedies.is_empty()).then_some(section)
