@@ -83,7 +83,7 @@ def sor(A, b, lo, hi, omega, sweeps, x):
 
 
 def radius(G):
-    """The largest modulus of an eigenvalue of G: the k-th root of the size of Gᵏ, for k = 2⁴⁰."""
+    """The largest modulus of an eigenvalue of G: the k-th root of the size of Gᵏ, for k = 2³⁹."""
     root = 1.0
     for k in range(40):
         size = abs(G).max()

@@ -11,7 +11,7 @@ import numpy as np
 
 
 def answer(masses, dt, sweeps, steps):
-    """The impulses of the last step, and the ways of the balls."""
+    """The impulses of the last step, and how far each ball has moved."""
     n = len(masses)
     z, u, x = np.zeros(n), np.zeros(n), np.zeros(n)
     for step in range(steps):
