@@ -8,8 +8,8 @@
 //! A [`Frame`] is one instant; a [`Strip`] shows several and is a [`Figure`] like any other. All
 //! bodies are convex, so a plane separates any two that do not overlap, and the painting order
 //! follows from the sides of these planes; hidden parts are omitted. A new shape needs one function
-//! in `solid.rs`. A [`Animation`] is the same motion instant by instant, by several solvers, as data for
-//! a player that draws the same pictures as a strip.
+//! in `solid.rs`. An [`Animation`] is the same motion instant by instant, by several solvers, as
+//! data for a player that draws the same pictures as a strip.
 
 mod arrow;
 mod camera;

@@ -137,7 +137,7 @@ fn a_diagnosis_is_the_same_for_machines() {
     let found: Value = serde_json::from_str(&out(&fig8)).unwrap();
     assert_eq!((&found["rank"], &found["is_sound"]), (&6.into(), &false.into()));
     assert_eq!(found["rows"].as_array().unwrap().len(), 7);
-    assert_eq!(found["freedoms"]["left"], 0);
+    assert_eq!(found["degrees_of_freedom"]["left"], 0);
     assert_eq!(found["dependencies"].as_array().unwrap().len(), 1);
     let cause = &found["causes"][0];
     assert_eq!((&cause["name"], &cause["is_fatal"]), (&"impossible".into(), &true.into()));
@@ -149,6 +149,6 @@ fn a_diagnosis_is_the_same_for_machines() {
     let output = run_with(free, &["diagnose", "-", "--json"]);
     assert_eq!(output.status.code(), Some(0));
     let found: Value = serde_json::from_str(&out(&output)).unwrap();
-    assert_eq!((&found["rank"], &found["freedoms"]), (&2.into(), &Value::Null));
+    assert_eq!((&found["rank"], &found["degrees_of_freedom"]), (&2.into(), &Value::Null));
     assert_eq!(found["causes"], Value::Array(Vec::new()));
 }
