@@ -58,12 +58,6 @@ fn a_folder_in_which_a_problem_has_no_solution_is_not_well() {
     let object: serde_json::Value = serde_json::from_slice(&told.stdout).unwrap();
     assert_eq!(told.status.code(), Some(1));
     assert_eq!(object["unsolved"], serde_json::json!(["2.json"]));
-    let (file, page) = (folder.path().join("mine.toml"), folder.path().join("page"));
-    let text =
-        format!("title = 'Mine'\nlead = ''\n[[section]]\nstudy = 'frames'\nfiles = ['{path}']\n");
-    std::fs::write(&file, text).unwrap();
-    let report = ["report", file.to_str().unwrap(), "--out", page.to_str().unwrap()];
-    assert_eq!(run(&report).status.code(), Some(1));
 }
 
 #[test]
