@@ -70,6 +70,23 @@ pub struct ConeCertificate {
 /// Judges x for a cone problem under its law. An x that is off only by rounding is accepted as in
 /// [`judge`](super::judge()).
 ///
+/// ```
+/// use lcplab_judge::{Demand, judge_cone};
+/// use lcplab_lcp::friction::{ConeProblem, Contact, FrictionProblem, Law};
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // A point of 1 kg on the ground slides along t1: w = x + b.
+/// let (b, free) = (vec![-2.0, -3.0, 0.0], f64::INFINITY);
+/// let a = Matrix::from([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+/// let lcp = Lcp::new(a, b, vec![0.0, -free, -free], vec![free; 3])?;
+/// let problem = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }])?;
+/// let cone = ConeProblem::new(problem, Law::Coulomb);
+/// // Twice the friction that the cone allows: it stops the point.
+/// let certificate = judge_cone(&cone, &[2.0, 2.0, 0.0], &Demand::default());
+/// assert_eq!((certificate.worst_contact, certificate.cone_violation), (Some(0), 1.0));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
+///
 /// # Panics
 /// If x does not have n entries.
 pub fn judge_cone(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCertificate {

@@ -32,6 +32,17 @@ pub const REFERENCE_TOLERANCE: f64 = 1e-8;
 
 /// Compares x with the solution of the box QP; the bounds of coupled rows are those at x. `None` if
 /// the problem is not a QP (A is not symmetric).
+///
+/// ```
+/// use lcplab_judge::cross_check;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // The minimum of x² − 2x is −1, at x = 1.
+/// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-2.0], vec![0.0], vec![f64::INFINITY])?;
+/// let check = cross_check(&lcp, &[1.0]).expect("A is symmetric");
+/// assert!(check.x_difference < 1e-8 && (check.objective + 1.0).abs() < 1e-8);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn cross_check(lcp: &Lcp, x: &[f64]) -> Option<CrossCheck> {
     let frozen = lcp.frozen_at(x);
     let reference = reference::box_qp(&frozen)?;

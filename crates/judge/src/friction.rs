@@ -86,6 +86,23 @@ impl From<Certificate> for FrictionCertificate {
 
 /// Judges x under a model.
 ///
+/// ```
+/// use lcplab_judge::{Demand, judge_friction};
+/// use lcplab_lcp::friction::{Contact, FrictionProblem, Model};
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // A point of 1 kg on the ground slides along t1: w = x + b.
+/// let (b, free) = (vec![-2.0, -3.0, 0.0], f64::INFINITY);
+/// let a = Matrix::from([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+/// let lcp = Lcp::new(a, b, vec![0.0, -free, -free], vec![free; 3])?;
+/// let problem = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }])?;
+/// let posed = Model::CoulombCone.pose(&problem, None)?;
+/// assert!(judge_friction(&posed, &[2.0, 1.0, 0.0], &Demand::default()).verdict.is_solution());
+/// let without_friction = judge_friction(&posed, &[2.0, 0.0, 0.0], &Demand::default());
+/// assert!(!without_friction.verdict.is_solution());
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
+///
 /// # Panics
 /// If x does not have one entry per row.
 pub fn judge_friction(problem: &ProblemForm, x: &[f64], demand: &Demand) -> FrictionCertificate {

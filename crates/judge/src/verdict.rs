@@ -45,6 +45,16 @@ pub enum Refusal {
 
 impl Verdict {
     /// Whether x counts as a solution.
+    ///
+    /// ```
+    /// use lcplab_judge::{Demand, judge};
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-2.0], vec![0.0], vec![f64::INFINITY])?;
+    /// assert!(judge(&lcp, &[1.0], &Demand::default()).verdict.is_solution());
+    /// assert!(!judge(&lcp, &[0.9], &Demand::default()).verdict.is_solution());
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn is_solution(&self) -> bool {
         match self {
             Verdict::Proved { .. } | Verdict::WithinTolerance => true,

@@ -21,6 +21,21 @@ pub struct Coupling {
 impl Coupling {
     /// The coupling with `index[i] = Some(k)` for −μ_i max(x_k, 0) ≤ x_i ≤ μ_i max(x_k, 0).
     ///
+    /// ```
+    /// use lcplab_lcp::Coupling;
+    ///
+    /// // Row 0 is a normal row; its friction rows 1 and 2 have μ = 0.5.
+    /// let coupling = Coupling::new(vec![None, Some(0), Some(0)], vec![0.0, 0.5, 0.5])?;
+    /// assert_eq!(coupling.bounds(1, &[4.0, 0.0, 0.0]), Some((-2.0, 2.0)));
+    ///
+    /// let chained = Coupling::new(vec![None, Some(0), Some(1)], vec![0.0, 0.5, 0.5]);
+    /// assert_eq!(
+    ///     chained.unwrap_err().to_string(),
+    ///     "problem: friction_index[2]: is 1, which is a friction row itself"
+    /// );
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// Lists each row where k is out of range, k = i, row k is coupled itself, or μ is negative,
     /// and each μ that is not finite.

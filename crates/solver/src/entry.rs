@@ -64,6 +64,17 @@ impl Entry {
 
     /// Builds the solver with these options.
     ///
+    /// ```
+    /// use lcplab_solver::{Options, Registry};
+    ///
+    /// let entry = Registry::standard().entry("pgs")?;
+    /// let mut options = Options::default();
+    /// assert_eq!(entry.solver(&options)?.name(), "pgs");
+    /// options.settings.tolerance = -1.0;
+    /// assert!(entry.solver(&options).is_err());
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// If an option is invalid.
     pub fn solver(&self, options: &Options) -> Result<Box<dyn Solver>> {

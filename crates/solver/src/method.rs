@@ -126,6 +126,23 @@ impl Method {
     }
 
     /// Solves a problem from x = 0 and returns x. A problem of the other kind gives `OutsideClass`.
+    ///
+    /// ```
+    /// use lcplab_lcp::friction::{Contact, FrictionProblem, Model};
+    /// use lcplab_lcp::{Lcp, Matrix};
+    /// use lcplab_solver::{Method, Options, Registry};
+    ///
+    /// // A point of 1 kg on the ground slides along t1: w = x + b.
+    /// let (b, free) = (vec![-2.0, -3.0, 0.0], f64::INFINITY);
+    /// let a = Matrix::from([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    /// let lcp = Lcp::new(a, b, vec![0.0, -free, -free], vec![free; 3])?;
+    /// let problem = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }])?;
+    /// let lemke = Method::Boxed(Registry::standard().entry("lemke")?.clone());
+    /// let posed = Model::Polyhedral { directions: 4 }.pose(&problem, None)?;
+    /// let solution = lemke.solve(&posed, &Options::default(), &mut ());
+    /// assert_eq!(solution.x, [2.0, 1.0, 0.0]);
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn solve(
         &self,
         problem: &ProblemForm,

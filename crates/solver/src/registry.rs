@@ -208,6 +208,16 @@ fn distinct<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
 
 /// The name of the default solver: Dantzig's method if A is symmetric up to rounding, otherwise
 /// Lemke's.
+///
+/// ```
+/// use lcplab_lcp::{Lcp, Matrix};
+/// use lcplab_solver::default_for;
+///
+/// let lcp = |a| Lcp::new(Matrix::from(a), vec![-1.0; 2], vec![0.0; 2], vec![9.0; 2]);
+/// assert_eq!(default_for(&lcp([[2.0, 1.0], [1.0, 2.0]])?), "dantzig");
+/// assert_eq!(default_for(&lcp([[2.0, 1.0], [0.0, 2.0]])?), "lemke");
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn default_for(lcp: &Lcp) -> &'static str {
     if lcp.matrix().is_nearly_symmetric() { Dantzig::NAME } else { Lemke::NAME }
 }

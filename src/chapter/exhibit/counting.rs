@@ -11,7 +11,7 @@ use crate::error::Result;
 /// E19: what the rows of J describe, and what their number counts.
 ///
 /// One nail in a body, then two.
-pub(super) fn rows_and_freedoms() -> Result<Finding> {
+pub(super) fn rows_and_degrees_of_freedom() -> Result<Finding> {
     let places = [Vector3::new(0.5, 0.2, 0.0), Vector3::new(-0.4, 0.1, 0.3)];
     let [one, other] =
         places.map(|place| Coincidence { bodies: [None, Some(0)], anchors: [place; 2] });

@@ -138,7 +138,7 @@ const EXAMPLES: &[(&str, Example)] = &[
     ("E16", jacobian_shape::blocks_of_the_jacobian),
     ("E17", jacobian_rows::inverted_ratio),
     ("E18", signs::locked_axis),
-    ("E19", counting::rows_and_freedoms),
+    ("E19", counting::rows_and_degrees_of_freedom),
     ("E20", counting::equations_and_state),
     ("E21", e21_position_update::example),
     ("E22", signs::figure_4),

@@ -92,6 +92,19 @@ pub struct FrictionProblem {
 impl FrictionProblem {
     /// The problem with these contacts among the rows of an uncoupled LCP.
     ///
+    /// ```
+    /// use lcplab_lcp::friction::{Contact, FrictionProblem};
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// // A point of 1 kg on the ground slides along t1: w = x + b.
+    /// let (b, free) = (vec![-2.0, -3.0, 0.0], f64::INFINITY);
+    /// let a = Matrix::from([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    /// let lcp = Lcp::new(a, b, vec![0.0, -free, -free], vec![free; 3])?;
+    /// let problem = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }])?;
+    /// assert_eq!(problem.coupled_box().bounds(1, &[2.0, 0.0, 0.0]), (-1.0, 1.0));
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// Lists each contact with a row that does not exist, belongs to another contact or has bounds
     /// other than 0 ≤ x_n, x_t free, and each μ that is negative or not finite.
@@ -117,6 +130,19 @@ impl FrictionProblem {
     }
 
     /// The problem with an LCP's [contacts](Lcp::contacts); its box model is that LCP.
+    ///
+    /// ```
+    /// use lcplab_lcp::friction::{Contact, FrictionProblem};
+    /// use lcplab_lcp::{Coupling, Lcp, Matrix};
+    ///
+    /// let a = Matrix::from([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    /// let free = f64::INFINITY;
+    /// let lcp = Lcp::new(a, vec![-2.0, -3.0, 0.0], vec![0.0, -free, -free], vec![free; 3])?
+    ///     .with_coupling(Coupling::new(vec![None, Some(0), Some(0)], vec![0.0, 0.5, 0.5])?)?;
+    /// let problem = FrictionProblem::of(&lcp)?;
+    /// assert_eq!(problem.contacts(), [Contact { rows: [0, 1, 2], mu: 0.5 }]);
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     ///
     /// # Errors
     /// Lists each row that bounds others, but not exactly two with the same μ; otherwise as

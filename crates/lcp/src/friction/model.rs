@@ -86,6 +86,24 @@ impl Model {
     /// The problem that x solves under this model; model 1 freezes its boxes at the x_n of
     /// `frozen_at`, a vector with one entry per row.
     ///
+    /// ```
+    /// use lcplab_lcp::friction::{Contact, FrictionProblem, Model, ProblemForm};
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// // A point of 1 kg on the ground slides along t1: w = x + b.
+    /// let (b, free) = (vec![-2.0, -3.0, 0.0], f64::INFINITY);
+    /// let a = Matrix::from([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    /// let lcp = Lcp::new(a, b, vec![0.0, -free, -free], vec![free; 3])?;
+    /// let problem = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }])?;
+    /// let ProblemForm::Boxed(boxes) = Model::CoupledBox.pose(&problem, None)? else { unreachable!() };
+    /// assert_eq!(boxes.w(&[2.0, 1.0, 0.0]), [0.0, -2.0, 0.0]); // x_t1 = μ x_n, against the slip
+    /// assert_eq!(
+    ///     Model::FrozenBox.pose(&problem, None).unwrap_err().to_string(),
+    ///     "problem: frozen_at: is missing: the frozen box needs the normal impulses x_n"
+    /// );
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// If the number of directions is not allowed, or model 1 has no `frozen_at`.
     pub fn pose(self, problem: &FrictionProblem, frozen_at: Option<&[f64]>) -> Result<ProblemForm> {

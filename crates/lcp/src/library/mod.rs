@@ -169,6 +169,12 @@ impl Family for Generated {
 }
 
 /// All families.
+///
+/// ```
+/// use lcplab_lcp::library;
+///
+/// assert!(library::all().any(|family| family.name() == "fathi"));
+/// ```
 pub fn all() -> impl Iterator<Item = &'static dyn Family> {
     let generated = [
         manufactured::FAMILIES,
@@ -183,6 +189,15 @@ pub fn all() -> impl Iterator<Item = &'static dyn Family> {
 }
 
 /// The family of this name.
+///
+/// ```
+/// use lcplab_lcp::library;
+///
+/// let family = library::by_name("murty")?;
+/// assert!(family.parameters().iter().any(|parameter| parameter.name == "n"));
+/// assert!(library::by_name("marty").is_err());
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 ///
 /// # Errors
 /// If there is no such family.

@@ -146,6 +146,16 @@ pub(super) fn is_better(
 
 /// Whether x counts as a solution: the scaled residual is within the tolerance, and x is ten times
 /// closer to a solution than Π(0).
+///
+/// ```
+/// use lcplab_lcp::merit::is_solution;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-2.0], vec![0.0], vec![f64::INFINITY])?;
+/// assert!(is_solution(&lcp, &[1.0], 1e-8));
+/// assert!(!is_solution(&lcp, &[0.9], 1e-8));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn is_solution(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
     is_solution_by(lcp, x, &row_residuals(lcp, x, &terms(lcp, x)), tolerance)
 }
@@ -160,6 +170,16 @@ pub fn is_solution_by(lcp: &Lcp, x: &[f64], row_residuals: &[RowResidual], toler
 }
 
 /// max_i |x_i − Π(x_i − w_i)|: zero exactly at the solutions; it mixes the units of x and w.
+///
+/// ```
+/// use lcplab_lcp::merit::natural_residual;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-2.0], vec![0.0], vec![f64::INFINITY])?;
+/// assert_eq!(natural_residual(&lcp, &[0.5]), 1.0); // w = −1, so x − w = 1.5
+/// assert_eq!(natural_residual(&lcp, &[1.0]), 0.0);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn natural_residual(lcp: &Lcp, x: &[f64]) -> f64 {
     worst(lcp.len(), |i| x[i] - lcp.project(i, x[i] - lcp.row_w(i, x), x))
 }

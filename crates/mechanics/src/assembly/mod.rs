@@ -4,7 +4,7 @@
 //! Constraints come first, in the order of the scene, then contacts, each as normal, first and
 //! second tangent.
 
-mod freedoms;
+mod degrees_of_freedom;
 mod mass;
 mod rows;
 

@@ -100,6 +100,18 @@ fn built_in(solver: &dyn Solver) -> Option<Entry> {
 impl Simulation {
     /// The scene at its start. What a solver is not made for others solve: see
     /// [`Solve::solver`](Solve); cones are for accelerated projected gradients.
+    ///
+    /// ```
+    /// use lcplab_mechanics::scene::Scene;
+    /// use lcplab_mechanics::simulation::Simulation;
+    /// use lcplab_solver::Dantzig;
+    ///
+    /// // Three balls in a stack; the middle one is hit (K&M, Figure 7).
+    /// let mut simulation = Simulation::new(Scene::load("fig7")?, Box::new(Dantzig::default()));
+    /// let step = simulation.step().expect("a step that does not diverge");
+    /// assert_eq!(step.solves[0].solution.x, [4.0, 3.0, 1.0]); // N s, from the ground up
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn new(scene: Scene, solver: Box<dyn Solver>) -> Self {
         let states = scene.states.clone();
         let cone_solver = Box::new(Apgd { settings: fallback::settings(&scene) });

@@ -106,6 +106,17 @@ impl Step {
 
 /// The last LCP of the scene's step of this number, from 1.
 ///
+/// ```
+/// use lcplab_mechanics::scene::Scene;
+/// use lcplab_mechanics::simulation::problem_of;
+///
+/// // Three balls in a stack, one above the other (K&M, Figure 7).
+/// let problem = problem_of(&Scene::load("fig7")?, 1)?;
+/// let a = problem.lcp.matrix();
+/// assert_eq!([a.entry(1, 0), a.entry(1, 1), a.entry(1, 2)], [-1.0, 2.0, -1.0]);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
+///
 /// # Errors
 /// If the simulation fails before, or the step solves none.
 pub fn problem_of(scene: &Scene, number: usize) -> Result<Problem> {

@@ -23,14 +23,14 @@ fn jacobian(assembly: &Assembly) -> DMatrix<f64> {
 }
 
 #[test]
-fn freedoms_are_counted_by_rank_and_not_by_rows() {
-    let freedoms = |name| {
+fn degrees_of_freedom_are_counted_by_rank_and_not_by_rows() {
+    let counts = |name| {
         let (_, assembly) = assembled(name, ConstraintFilter::Near);
-        (assembly.columns(), assembly.rows.len(), assembly.freedoms())
+        (assembly.columns(), assembly.rows.len(), assembly.degrees_of_freedom())
     };
-    assert_eq!(freedoms("dzhanibekov"), (6, 0, 6));
-    assert_eq!(freedoms("pendulum"), (3, 1, 2)); // a point on a sphere
-    assert_eq!(freedoms("bricard"), (30, 30, 1)); // overconstrained, and yet it moves
+    assert_eq!(counts("dzhanibekov"), (6, 0, 6));
+    assert_eq!(counts("pendulum"), (3, 1, 2)); // a point on a sphere
+    assert_eq!(counts("bricard"), (30, 30, 1)); // overconstrained, and yet it moves
 }
 
 #[test]

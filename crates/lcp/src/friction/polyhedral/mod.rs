@@ -65,6 +65,20 @@ impl Polyhedral {
     /// rows that belong to no contact, all x_n, the k impulses β of each contact, and all γ; a
     /// contact with μ = 0 has no β and no γ.
     ///
+    /// ```
+    /// use lcplab_lcp::friction::{Contact, FrictionProblem, Polyhedral};
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// // A point of 1 kg on the ground slides along t1: w = x + b.
+    /// let (b, free) = (vec![-2.0, -3.0, 0.0], f64::INFINITY);
+    /// let a = Matrix::from([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    /// let lcp = Lcp::new(a, b, vec![0.0, -free, -free], vec![free; 3])?;
+    /// let problem = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }])?;
+    /// let polygon = Polyhedral::new(&problem, 4)?;
+    /// assert_eq!(polygon.lcp().len(), 6); // x_n, four β, γ
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// If k is not a positive multiple of 4, or the matrix would take more than 4 GB.
     pub fn new(problem: &FrictionProblem, k: usize) -> Result<Self> {

@@ -26,7 +26,7 @@ proptest! {
     #![proptest_config(config(64))]
 
     #[test]
-    fn a_joint_removes_as_many_freedoms_as_it_should(
+    fn a_joint_removes_the_right_number_of_degrees_of_freedom(
         at in placement(), a in state(), b in state(),
     ) {
         for case in cases() {

@@ -40,10 +40,10 @@ impl Assembly {
     ///
     /// let scene = Scene::load("bricard")?; // 5 rods, 6 hinges: 30 columns and 30 rows
     /// let assembly = Assembly::new(&scene, &scene.states, &[], ConstraintFilter::Near)?;
-    /// assert_eq!((assembly.rank(), assembly.freedoms()), (29, 1)); // and yet it moves
+    /// assert_eq!((assembly.rank(), assembly.degrees_of_freedom()), (29, 1)); // and yet it moves
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn freedoms(&self) -> usize {
+    pub fn degrees_of_freedom(&self) -> usize {
         self.columns() - self.rank()
     }
 }
