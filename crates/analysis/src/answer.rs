@@ -299,7 +299,7 @@ pub fn certificate_text(
         (
             "duality gap",
             certificate.duality_gap,
-            "objective minus lower bound; – if there is no such bound",
+            "bound on the error of the objective, up to the tolerance; – if there is none",
         ),
     ];
     let verdict = match certificate.evidence {

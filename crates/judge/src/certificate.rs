@@ -38,9 +38,10 @@ pub struct Certificate {
     /// ½ xᵀAx + bᵀx.
     pub objective: f64,
     /// Objective minus dual objective: Σ_i w_i⁺ (x_i − lo_i) + w_i⁻ (hi_i − x_i), over finite
-    /// bounds: an upper bound on the objective's error. NaN where it is none: A is not symmetric
-    /// and positive semidefinite, x lies outside its bounds, a w pushes it toward infinity by more
-    /// than the tolerance, or no solution exists.
+    /// bounds: an upper bound on the objective's error. A w that pushes x toward infinity by no
+    /// more than the tolerance counts as 0: the bound then holds for the problem whose b is smaller
+    /// by this w. NaN where there is no bound: A is not symmetric and positive semidefinite, x lies
+    /// outside its bounds, a w pushes it toward infinity by more, or no solution exists.
     pub duality_gap: f64,
     /// The verdict.
     pub verdict: Verdict,
