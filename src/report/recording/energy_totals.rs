@@ -42,7 +42,7 @@ impl EnergyTotals {
         let accounts = self.work.accounts();
         let largest = accounts.iter().fold(0.0f64, |most, (_, work)| most.max(work.abs()));
         for (name, work) in accounts.iter().filter(|(_, work)| work.abs() > 1e-12 * largest) {
-            text += &format!("\n             {name:<12} {:>14} J", readable(*work, 6));
+            text += &format!("\n{name:<12} {:>14} J", readable(*work, 6));
         }
         text
     }

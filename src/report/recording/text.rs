@@ -28,86 +28,94 @@ const NOT_MEASURED: &str = "not measured";
 const DRIFT: f64 = 1e-3;
 
 impl Record {
-    /// The totals as text.
+    /// The totals and remarks as text.
     pub fn text(&self) -> String {
-        let Scene { name, title, .. } = &self.scene;
-        let scheme = self.scene.step.scheme.name();
-        let [start, end] = [&self.first, &self.last].map(|motion| readable(motion.energy(), 6));
-        let mut text = format!(
-            "{name}: {title}\n\
-             scheme       {scheme}{}, dt {} s\n\
-             friction     {}\n\
-             steps        {} ({} s)\n\
-             problems     {}\n\
-             residual     {}\n\
-             energy       {start} J at the start, {end} J at the end\n\
-             drift        at most {} m{}\n\
-             penetration  at most {} m\n\
-             weight       {}\n\
-             laws         tensile contact force {}, friction excess {} %, friction gain {}\n\
-             ledger       {}",
-            self.solver().map_or_else(String::new, |solver| format!(", solver {solver}")),
-            self.scene.step.dt,
-            self.scene.contact.model,
-            self.steps,
-            readable(self.last.time, 6),
-            match &self.scene.solver {
-                solver if solver.fixed_sweeps && self.tally.solves == 0 => {
-                    format!(
-                        "not judged: {} sweeps per step, without a tolerance",
-                        solver.max_iterations
-                    )
-                }
-                _ =>
-                    format!("{}, accepted by the judge {}", self.tally.solves, self.tally.accepted),
-            },
-            match self.tally.solves {
-                0 => "–".into(),
-                _ => format!("at most {}", readable(self.tally.worst_residual, 2)),
-            },
-            readable(self.worst_drift, 3),
-            self.drift_in_words(),
-            readable(self.worst_penetration, 3),
-            self.carried_in_words(),
-            match self.scene.solver.fixed_sweeps {
-                true => NOT_MEASURED.into(),
-                false => readable(self.laws.attraction, 2),
-            },
-            readable(100.0 * self.laws.cone_excess, 2),
-            match self.energy_totals {
-                Some(_) => format!("{} J", readable(self.laws.friction_gain, 2)),
-                None => NOT_ACCOUNTED.into(),
-            },
-            self.energy_totals.as_ref().map_or(NOT_ACCOUNTED.into(), EnergyTotals::text),
-        );
-        text.push('\n');
-        if self.scene.step.scheme == Scheme::Acceleration {
-            let Resting { gap, speed, .. } = self.scene.resting();
-            let [gap, speed] = [gap, speed].map(|most| readable(most, 2));
-            text += &format!(
-                "resting      gap at most {gap} m, separation speed at most {speed} m/s\n"
-            );
-        }
-        text += &self.states_text();
-        for note in self.notes() {
-            text += &format!("note         {note}\n");
-        }
-        for warning in self.warnings.texts() {
-            text += &format!("warning      {warning}\n");
-        }
-        if let Some(refused) = &self.refused {
-            text += &format!("rejected     {refused}\n");
-        }
-        if !self.conflict.is_empty() {
-            text += &format!(
-                "conflict     no forces satisfy these rows together: {}\n",
-                self.conflict.join(", ")
-            );
-        }
-        if let Some(failure) = &self.failure {
-            text += &format!("failed       {failure}\n");
+        let mut text = format!("{}: {}\n", self.scene.name, self.scene.title);
+        let states = [("at the end", self.states_text())];
+        for (name, value) in self.totals().into_iter().chain(states).chain(self.remarks()) {
+            text += &format!("{name:<13}{}\n", value.replace('\n', "\n             "));
         }
         text
+    }
+
+    /// What was measured over the whole run: a name and its value, which may have several lines.
+    pub fn totals(&self) -> Vec<(&'static str, String)> {
+        let [start, end] = [&self.first, &self.last].map(|motion| readable(motion.energy(), 6));
+        let scheme = self.scene.step.scheme;
+        let solver = self.solver().map_or_else(String::new, |solver| format!(", solver {solver}"));
+        let mut totals = vec![
+            ("scheme", format!("{}{solver}, dt {} s", scheme.name(), self.scene.step.dt)),
+            ("friction", self.scene.contact.model.to_string()),
+            ("steps", format!("{} ({} s)", self.steps, readable(self.last.time, 6))),
+            ("problems", self.problems_in_words()),
+            (
+                "residual",
+                match self.tally.solves {
+                    0 => "–".into(),
+                    _ => format!("at most {}", readable(self.tally.worst_residual, 2)),
+                },
+            ),
+            ("energy", format!("{start} J at the start, {end} J at the end")),
+            (
+                "drift",
+                format!("at most {} m{}", readable(self.worst_drift, 3), self.drift_in_words()),
+            ),
+            ("penetration", format!("at most {} m", readable(self.worst_penetration, 3))),
+            ("weight", self.carried_in_words()),
+            ("laws", self.laws_in_words()),
+            (
+                "ledger",
+                self.energy_totals.as_ref().map_or(NOT_ACCOUNTED.into(), EnergyTotals::text),
+            ),
+        ];
+        if scheme == Scheme::Acceleration {
+            let Resting { gap, speed, .. } = self.scene.resting();
+            let [gap, speed] = [gap, speed].map(|most| readable(most, 2));
+            let most = format!("gap at most {gap} m, separation speed at most {speed} m/s");
+            totals.push(("resting", most));
+        }
+        totals
+    }
+
+    /// What needs attention: notes, warnings, a rejected answer, and why the run ended early.
+    pub fn remarks(&self) -> Vec<(&'static str, String)> {
+        let notes = self.notes().into_iter().map(|note| ("note", note));
+        let warnings = self.warnings.texts().into_iter().map(|warning| ("warning", warning));
+        let mut remarks: Vec<_> = notes.chain(warnings).collect();
+        remarks.extend(self.refused.iter().map(|refused| ("rejected", refused.to_string())));
+        if !self.conflict.is_empty() {
+            let rows = self.conflict.join(", ");
+            remarks.push(("conflict", format!("no forces satisfy these rows together: {rows}")));
+        }
+        remarks.extend(self.failure.iter().map(|failure| ("failed", failure.to_string())));
+        remarks
+    }
+
+    fn problems_in_words(&self) -> String {
+        match &self.scene.solver {
+            solver if solver.fixed_sweeps && self.tally.solves == 0 => {
+                format!(
+                    "not judged: {} sweeps per step, without a tolerance",
+                    solver.max_iterations
+                )
+            }
+            _ => format!("{}, accepted by the judge {}", self.tally.solves, self.tally.accepted),
+        }
+    }
+
+    fn laws_in_words(&self) -> String {
+        let attraction = match self.scene.solver.fixed_sweeps {
+            true => NOT_MEASURED.into(),
+            false => readable(self.laws.attraction, 2),
+        };
+        let gain = match self.energy_totals {
+            Some(_) => format!("{} J", readable(self.laws.friction_gain, 2)),
+            None => NOT_ACCOUNTED.into(),
+        };
+        let excess = readable(100.0 * self.laws.cone_excess, 2);
+        format!(
+            "tensile contact force {attraction}, friction excess {excess} %, friction gain {gain}"
+        )
     }
 
     /// Notes on the settings, the start and the friction model.
@@ -300,7 +308,7 @@ impl Record {
     }
 
     /// The current positions and velocities of the moving bodies.
-    fn states_text(&self) -> String {
+    pub fn states_text(&self) -> String {
         let moving = || {
             let bodies = self.scene.bodies.iter().zip(&self.states);
             bodies.filter(|(body, _)| body.mass.dof() > 0)
@@ -313,14 +321,14 @@ impl Record {
             let parts = [v.x, v.y, v.z].map(short);
             parts.join(" ")
         };
-        let mut text = String::from("at the end   position (m), velocity (m/s)\n");
+        let mut text = String::from("position (m), velocity (m/s)");
         for (body, state) in moving().take(SHOWN) {
             let (p, v) = (vector(&state.pose.p), vector(&state.v));
-            text += &format!("             {:<12} {p}   {v}\n", body.name);
+            text += &format!("\n{:<12} {p}   {v}", body.name);
         }
         match moving().count().saturating_sub(SHOWN) {
             0 => text,
-            more => text + &format!("             and {more} more bodies, which the JSON lists\n"),
+            more => text + &format!("\nand {more} more bodies, which the JSON lists"),
         }
     }
 

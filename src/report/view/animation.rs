@@ -2,7 +2,7 @@
 
 use super::{Outcome, ReportPage, View};
 use crate::animation::Animation;
-use crate::report::page::{Block, Page, Player, markup};
+use crate::report::page::{Block, Cell, Page, Player, Table, markup};
 use crate::report::recording::Record;
 use crate::report::study::animation::{AnimationData, Plan};
 
@@ -61,8 +61,25 @@ pub fn simulation_page(animation: Animation, record: &Record) -> Page {
         player.files = FILES.map(|name| (name.into(), name.into())).into();
     }
     document.open("totals", "Totals");
-    document.add(Block::Code { language: "text".into(), text: record.text() });
+    for (kind, remark) in record.remarks() {
+        document.add(Block::Note(format!("**{kind}**: {}", markup::literal(&remark))));
+    }
+    document.add(Block::Table(totals(record)));
+    document.open("end", "The bodies at the end");
+    document.add(Block::Code { language: "text".into(), text: record.states_text() });
     document.page
+}
+
+/// The totals; further lines of a value follow its first one.
+fn totals(record: &Record) -> Table {
+    let row = |(name, value): (&str, String)| {
+        let single = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
+        let (first, more) = value.split_once('\n').unwrap_or((&value, ""));
+        let more = more.lines().map(single).collect::<Vec<_>>().join("; ");
+        vec![Cell::text(name), Cell::text(format!("{first} {more}").trim_end())]
+    };
+    let rows = record.totals().into_iter().map(row).collect();
+    Table::new("The whole run", "", "total | value", rows)
 }
 
 /// The files that `simulate` writes next to the page.
