@@ -25,7 +25,11 @@ ROUNDING.  The size of row i is the largest |x_j| of the rows that it is connect
     coupled rows) or of 0 are moved there. The key `rounded_by` is at least the distance from that solution or from x'.
 CERTIFICATES.  no_solution: d with d_i > 0 only where hi_i = inf, d_i < 0 only where lo_i = -inf, d_i = 0 in
     coupled rows; so d_i w_i >= 0 at every solution.  But max over the box of d.w = (A'd).x + b.d is < 0.
-    case_split: no piece (below) holds a solution.     far_solution: a solution is within this of x (others may
+    With the key `scale` it proves nothing if -max(d.w) <= tolerance sum |d_i| s_i scale: a change of each b_i by up to
+    tolerance s_i scale removes the contradiction. no_exact_solution is then a d that proves only that b as it is
+    written allows no solution, with the verdict within_tolerance (or a number of pieces, as in case_split).
+    case_split: no piece (below) holds a solution, even if each w_i may differ from 0 by tolerance s_i scale where it
+    must be 0, or have the wrong sign by as much.     far_solution: a solution is within this of x (others may
     be nearer).     not_unique: d != 0 with A d = 0, along which a solution can move inside its bounds.
 PIECES.  In a solution every row is at its lower side ("<": x_i = lo_i, w_i >= 0), at its upper side (">"), or
     inside ("=": w_i = 0).  Such a choice for all rows is a piece: linear equations and inequalities in x.
@@ -45,7 +49,7 @@ PIECES = 6561           # with so many pieces or fewer, a problem is always deci
 WORK = 3 * 10**5        # ... with more, only if it takes no more than so many updates of table cells
 NOT, WITHIN, PROVED = "not_a_solution", "within_tolerance", "proved"
 STATUSES = ("solved", "iteration_limit", "infeasible", "failed")
-CERTIFICATES = {"no_solution", "case_split", "far_solution", "not_unique"}
+CERTIFICATES = {"no_solution", "no_exact_solution", "case_split", "far_solution", "not_unique"}
 
 
 def number(v, finite=True):
@@ -195,9 +199,9 @@ class Problem:
         """Is no entry of y farther from x than 64 2^-52 of its size?"""
         return all(abs(a - b) <= size * 64 / 2**52 for a, b, size in zip(x, y, self.sizes(x)))
 
-    def is_solution(self, x):
-        return all(lo <= v <= hi and (w <= 0 or v == lo) and (w >= 0 or v == hi)
-                   for v, (w, _, lo, hi) in zip(x, self.rows_at(x)))
+    def is_solution(self, x, tolerance=0):
+        return all(lo <= v <= hi and (w <= tolerance * rest or v == lo) and (w >= -tolerance * rest or v == hi)
+                   for v, rest, (w, _, lo, hi) in zip(x, self.rest, self.rows_at(x)))
 
     def piece_of(self, x):
         """The piece that x seems to be on: where does x_i - w_i/s_i lie?"""
@@ -290,8 +294,8 @@ class Problem:
         y = next((y for y in self.nearby(x) if distance(x, y) <= far), None)
         return y if y is not None and distance(x, y) <= far else CaseSplit(self, x, far).decide()[1]
 
-    def excludes(self, d):
-        """Is d a certificate that there is no solution?"""
+    def excludes(self, d, tolerance=0):
+        """Is d a certificate that there is no solution, even if each b_i changes by tolerance s_i scale?"""
         if any(v and (k >= 0 or self.hi[i] < INF and v > 0 or self.lo[i] > -INF and v < 0)
                for i, (v, k) in enumerate(zip(d, self.owner))):
             return False
@@ -302,7 +306,7 @@ class Problem:
             if g and abs(bound) == INF:
                 return False
             top += g * bound if g else 0
-        return top < 0
+        return top + tolerance * sum(abs(v) * rest for v, rest in zip(d, self.rest)) < 0
 
     def moves(self, y, d):
         """Can the solution y move along d or against it, with A d = 0?  Rows at a coupled bound may follow it."""
@@ -341,16 +345,18 @@ class CaseSplit:
 
     Variables: x_0 .. x_{n-1}; then w_0 .. w_{n-1} (times a positive number); then mu x_k + x_i and mu x_k - x_i for
     each coupled row i. A piece is a choice of bounds on them. `table` writes the variables in `basic` as
-    combinations of those in `others` (and of 1, in its last column), all times `det`."""
+    combinations of those in `others` (and of 1, in its last column), all times `det`. With a tolerance, each w_i may
+    differ by tolerance s_i scale from what a side requires."""
 
-    def __init__(self, p, x=None, far=INF):
+    def __init__(self, p, x=None, far=INF, tolerance=0):
         n = self.n = p.n
-        self.p, self.det = p, 1
+        self.p, self.det, self.tolerance = p, 1, tolerance
         self.table = [list(row) for row in p.rows]
         self.low, self.high = p.lo + [-INF] * n, p.hi + [INF] * n
         self.choices = []       # a row's sides: for each, the bounds that it puts on variables
         for i, k in enumerate(p.owner):
-            w, inside = n + i, {n + i: (0, 0)}
+            error = tolerance * p.rest[i] * p.den[i]
+            w, inside = n + i, {n + i: (-error, error)}
             if k >= 0:
                 lower = len(self.low)
                 for sign in (1, -1):
@@ -360,10 +366,11 @@ class CaseSplit:
                     self.low.append(0)
                     self.high.append(INF)
                 if p.mu[i]:     # else x_i = 0 and w is free
-                    self.choices.append([{lower: (0, 0), w: (0, INF)}, {lower + 1: (0, 0), w: (-INF, 0)}, inside])
+                    self.choices.append([{lower: (0, 0), w: (-error, INF)}, {lower + 1: (0, 0), w: (-INF, error)}, inside])
             elif p.lo[i] < p.hi[i]:
-                self.low[w], self.high[w] = (0 if p.hi[i] == INF else -INF), (0 if p.lo[i] == -INF else INF)
-                lower, upper = {i: (p.lo[i], p.lo[i]), w: (0, INF)}, {i: (p.hi[i], p.hi[i]), w: (-INF, 0)}
+                self.low[w] = -error if p.hi[i] == INF else -INF
+                self.high[w] = error if p.lo[i] == -INF else INF
+                lower, upper = {i: (p.lo[i], p.lo[i]), w: (-error, INF)}, {i: (p.hi[i], p.hi[i]), w: (-INF, error)}
                 self.choices.append([lower] * (p.lo[i] > -INF) + [upper] * (p.hi[i] < INF) + [inside])
         for i, v in enumerate(x or ()):
             self.low[i], self.high[i] = max(self.low[i], v - far), min(self.high[i], v + far)
@@ -442,6 +449,9 @@ class CaseSplit:
                     return False
         return True
 
+    def holds(self, x):
+        return self.p.is_solution(x, self.tolerance)
+
     def decide(self, how_many=False):
         """(number of solutions, one of them): 0, 1 (where how_many: exactly, else: or more), 2 (or more). (None, None)
         if that is too much work."""
@@ -449,7 +459,7 @@ class CaseSplit:
         try:
             for point, low, high in self.pieces(self.low, self.high, list(range(len(self.choices)))):
                 x = point[:self.n]
-                assert self.p.is_solution(x)
+                assert self.holds(x)
                 if how_many and (one not in (None, x) or not self.is_point(point, low, high)):
                     return 2, x
                 one = x
@@ -479,14 +489,18 @@ def read_answer(raw, p):
                         exit_code=raw.get("exit_code"), x=listed("x"), w=listed("w") if raw.get("w") else None,
                         certificate=dict(raw.get("certificate") or {}), **numbers)
     cert = a.certificate
-    for key in {"no_solution", "not_unique"} & set(cert):
-        cert[key] = [Q(v) for v in cert[key]]
+    for key in {"no_solution", "no_exact_solution", "not_unique"} & set(cert):
+        cert[key] = [Q(v) for v in cert[key]] if key != "no_exact_solution" or isinstance(cert[key], list) else cert[key]
     if "far_solution" in cert:
         cert["far_solution"] = number(cert["far_solution"])
-    if type(cert.get("case_split", 1)) is not int or cert.get("case_split", 1) < 1:
-        raise ValueError("case_split is not a number of pieces")
+    pieces = [cert.get("case_split", 1), cert.get("no_exact_solution", 1)]
+    pieces = [v for v in pieces if not isinstance(v, list)]
+    if any(type(v) is not int or v < 1 for v in pieces):
+        raise ValueError("not a number of pieces")
+    exact = cert.get("no_exact_solution")
+    exact = exact if isinstance(exact, list) else a.x
     if (a.status not in STATUSES or a.verdict not in (NOT, WITHIN, PROVED) or set(cert) - CERTIFICATES or
-            any(len(v) != p.n for v in (a.x, a.w or a.x, cert.get("no_solution", a.x), cert.get("not_unique", a.x)))):
+            any(len(v) != p.n for v in (a.x, exact, a.w or a.x, cert.get("no_solution", a.x), cert.get("not_unique", a.x)))):
         raise ValueError(f"answer of {a.solver}: unknown word or wrong length")
     a.x = a.x if all(isinstance(v, Q) for v in a.x) else None
     a.says_none = bool(cert.keys() & {"no_solution", "case_split"})
@@ -508,10 +522,19 @@ def check_alone(p, tolerance, a, known, count):
     if "far_solution" in cert and a.verdict != WITHIN:
         yield f"far_solution beside verdict {a.verdict}"
     if "no_solution" in cert:
-        if p.excludes(cert["no_solution"]):
-            known.excluded, count["certificates"] = True, count["certificates"] + 1
+        if p.excludes(cert["no_solution"], tolerance):
+            known.excluded = known.exactly_none = True
+            count["certificates"] += 1
         else:
             yield "the vector no_solution does not prove that there is no solution"
+    if "no_exact_solution" in cert and a.verdict != WITHIN:
+        yield f"no_exact_solution beside verdict {a.verdict}"
+    if isinstance(exact := cert.get("no_exact_solution"), list):
+        if p.excludes(exact) and not p.excludes(exact, tolerance):
+            known.exactly_none = True
+            count["certificates"] += 1
+        else:
+            yield "the vector no_exact_solution is no proof, or one of more than it says"
     if a.x is None:
         if good or a.status == "solved":
             yield f"x is not finite, but verdict {a.verdict}, status {a.status}"
@@ -596,20 +619,21 @@ def read_lcp(record, answers, diagnosis):
 
 def judge_lcp(p, tolerance, answers, impossible, unique, count):
     """Judge the answers to one problem, and what its diagnosis says; yields (solver, what is wrong)."""
-    known = SimpleNamespace(solutions=[], excluded=False, several=False)
+    known = SimpleNamespace(solutions=[], excluded=False, exactly_none=False, several=False)
     for a in answers:
         yield from ((a.solver, what) for what in check_alone(p, tolerance, a, known, count))
     # The truth: is there a solution, and only one?
-    some = True if known.solutions else False if known.excluded else None
+    some = True if known.solutions else False if known.exactly_none else None
     several = known.several or any(y != known.solutions[0] for y in known.solutions) or None
     says_none = [a.solver for a in answers if a.says_none or a.status == "infeasible"] + ["diagnosis"] * impossible
     says_some = [a.solver for a in answers if a.verdict == PROVED or a.certificate.keys() & {"far_solution", "not_unique"}]
     says_some += ["diagnosis"] * (unique is True)
+    says_inexact = [a.solver for a in answers if "no_exact_solution" in a.certificate]
     hopes = [a for a in answers if a.verdict != PROVED and (a.verdict == WITHIN or a.status == "solved")]
     how_many = unique is not None and some is not False and several is None
-    if how_many or some is None and (says_none or says_some or hopes):
+    if how_many or some is None and (says_none or says_some or says_inexact or hopes):
         split = CaseSplit(p)
-        if split.work == INF or says_none or unique is True:    # (else it would cost much and decide little)
+        if split.work == INF or says_none or says_inexact or unique is True:    # (else it would cost much and decide little)
             if not how_many and any(a.x is not None and p.guess(a.x) is not None for a in answers):
                 number_of = 1
             else:
@@ -618,22 +642,32 @@ def judge_lcp(p, tolerance, answers, impossible, unique, count):
             if number_of is not None:
                 some, several = number_of > 0, number_of > 1 if how_many else several
                 count["truths"] += 1
-    assert not (some and known.excluded), "the judge contradicts itself"
+    assert not (some and known.exactly_none), "the judge contradicts itself"
+    # Is there none even if b changes by what the tolerance ignores?
+    none = True if known.excluded else False if some else None
+    if none is None and some is False:
+        number_of = CaseSplit(p, tolerance=tolerance).decide()[0] if p.least else 0
+        none = None if number_of is None else number_of == 0
     # What the claims are worth.
     for who in says_none:
         if some:
             yield who, "says that there is no solution, but there is one"
-        elif some is None:
+        elif none is False:
+            yield who, "says that there is no solution, but only rounding contradicts it: a change of b below the scale"
+        elif none is None:
             yield who, "undecided: says that there is no solution; too large to check"
+    for who in says_inexact:
+        if some:
+            yield who, "says that there is no exact solution, but there is one"
     for who in says_some:
         if some is False:
             yield who, "says that there is a solution, but there is none"
     for a in answers:
-        if some is False and a in hopes:
+        if none and a in hopes:
             yield a.solver, f"unsupported: verdict {a.verdict}, status {a.status}, but there is no solution"
-        if some is False and "case_split" in a.certificate:
+        if none and "case_split" in a.certificate:
             count["certificates"] += 1
-        if a.needs_none and (some or not (impossible or any(other.says_none for other in answers))):
+        if a.needs_none and (none is False or not (impossible or any(other.says_none for other in answers))):
             yield a.solver, (f"{NOT}, but its residual is within tolerance, x is worth something, and nothing proves "
                              "that there is no solution")
     if unique is True and several:
@@ -697,6 +731,11 @@ def self_test():
     h = lcp([[1, 1], [1, 1 + 2**-27]], [-2, -2 - 2**-27])       # solution (1, 1); nearly as good: (1 + t, 1 - t)
     # Two equations for one motion, as of a door on two hinges: they agree but for rounding, so nothing solves both.
     j = lcp([[2, 2], [2, 2]], [-2, math.nextafter(-2, -3)], lo=["-inf"] * 2, scale=1e-3)
+    only, both = {"no_exact_solution": ["-1", "1"]}, {"no_solution": ["-1", "1"]}
+    # The same with a gap of 1e-6, far from the origin: small beside the terms of x, but not beside the scale.
+    k = j | {"b": [-2, -2 - 1e-6]}
+    # Painleve's trouble in two rows, 1.5 v apart: solvable if w may be off by e = 1e-8 and v <= 4/3 e.
+    near, l, m = ({**b, "b": [-v, -v / 2], "scale": 1} for v in (0.9e-8, 1.3e-8, 1.4e-8))
     tiny = float(abs(Q(third) - Q(1, 3)))
     tiny = tiny if Q(tiny) >= abs(Q(third) - Q(1, 3)) else math.nextafter(tiny, 1)
     no, yes = {"no_solution": ["1", "0"]}, {"is_sound": True, "unique": True, "causes": []}
@@ -746,6 +785,16 @@ def self_test():
         ("j true", j, [answer(j, [0.5, 0.5], WITHIN)], None, None),
         ("j wrong", j, [answer(j, [0.5, 0.500001], WITHIN)], None, "its scaled residual is"),
         ("j refused", j, [answer(j, [0.5, 0.5], NOT, "failed")], None, "nothing proves"),
+        ("j told", j, [answer(j, [0.5, 0.5], WITHIN, certificate=only)], None, None),
+        ("j told, wrong d", j, [answer(j, [0.5, 0.5], WITHIN, certificate={"no_exact_solution": ["1", "1"]})], None, "is no proof"),
+        ("j no solution", j, [answer(j, [0.5, 0.5], NOT, "failed", certificate=both)], None, "does not prove"),
+        ("j infeasible", j, [answer(j, [0.5, 0.5], NOT, "infeasible", certificate={"case_split": 1})], None, "only rounding"),
+        ("k true", k, [answer(k, [1e4, 1 - 1e4], NOT, "failed", certificate=both)], None, None),
+        ("k", k, [answer(k, [1e4, 1 - 1e4], WITHIN, certificate=only)], None, "is no proof, or one of more"),
+        ("l", l, [answer(l, [0, 0], NOT, "infeasible", certificate={"case_split": 3})], None, "only rounding"),
+        ("near true", near, [answer(near, [0, 0], WITHIN, certificate={"no_exact_solution": 3})], None, None),
+        ("m", m, [answer(m, [0, 0], NOT, "infeasible", certificate={"case_split": 3})], None, None),
+        ("a exact", a, [answer(a, [2, 1], WITHIN, certificate={"no_exact_solution": 3})], None, "but there is one"),
         ("j proved", j, [answer(j, [0.5, 0.5], PROVED, distance=1e-9)], None, "could not confirm the proof"),
         ("malformed", g | {"b": [1]}, [], None, "malformed"),
         ("cone", f, [{"model": "coulomb-cone"}], None, None)]

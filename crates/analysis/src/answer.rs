@@ -183,7 +183,7 @@ pub fn searched(lcp: &Lcp, certificate: Certificate, demand: &Demand) -> Certifi
 /// A proof that a problem has no solution, if this is open and the problem is small enough.
 pub(crate) fn impossible(lcp: &Lcp, is_open: bool, demand: &Demand) -> Option<Refutation> {
     let is_looked_for = is_open && lcp.len() <= demand.prove_up_to;
-    is_looked_for.then(|| refutation(lcp, &[])).flatten()
+    is_looked_for.then(|| refutation(lcp, &[], demand.tolerance)).flatten()
 }
 
 /// The judge's result for a solver that ended on a ray or reports that there is no solution: its
@@ -196,9 +196,10 @@ pub fn proof_of_denial(lcp: &Lcp, status: &Status, demand: &Demand) -> Option<Re
         _ => return None,
     };
     if lcp.len() <= demand.prove_up_to {
-        return refutation(lcp, vector.as_slice());
+        return refutation(lcp, vector.as_slice(), demand.tolerance);
     }
-    vector.and_then(|vector| ray::checked(lcp, vector)).map(Refutation::Vector)
+    let proof = vector.and_then(|vector| ray::checked(lcp, vector));
+    proof.filter(|farkas| farkas.is_significant(demand.tolerance)).map(Refutation::Vector)
 }
 
 /// A solver's claim, as one of four words and as a sentence. `infeasible` requires a proof. The
@@ -346,6 +347,14 @@ pub(crate) fn evidence_text(evidence: &Evidence, is_unique: bool) -> String {
                     "  an exact solution exists at the distance {distance} from x; others may be closer\n"
                 ),
             }
+        }
+        Evidence::NoExactSolution(Refutation::Vector(farkas)) => format!(
+            "  no exact solution exists, but the contradiction is below the tolerance: {} of the scale\n",
+            upper_bound(farkas.significance)
+        ),
+        Evidence::NoExactSolution(_) => {
+            "  no exact solution exists, but a change of b below the tolerance times the scale allows one\n"
+                .into()
         }
         Evidence::NoSolution(Refutation::Vector(farkas)) => {
             format!("  no solution exists: proved by d = ({})\n", listed(&farkas.vector))

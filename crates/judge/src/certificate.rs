@@ -90,6 +90,10 @@ pub enum Evidence {
         /// max_i |x_i − x*_i|, rounded up.
         distance: f64,
     },
+    /// With the verdict *within tolerance*: the problem has no exact solution, but a change of b
+    /// below tolerance · s_i · [scale](Certificate::scale) makes this proof invalid. The rows of
+    /// redundant joints, for example, contradict each other in their last digits.
+    NoExactSolution(Refutation),
     /// With the verdict *not a solution*: the problem has no solution.
     NoSolution(Refutation),
 }

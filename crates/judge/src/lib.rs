@@ -160,7 +160,7 @@ fn judge_as_given(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
         Some(exact::Proof { distance, .. }) => {
             Certificate { evidence: Some(Evidence::FarSolution { distance }), ..within }
         }
-        None if is_small => searched(&at, within),
+        None if is_small => searched(&at, within, demand.tolerance),
         None => within,
     }
 }
@@ -208,9 +208,12 @@ pub(crate) fn distance(x: &[f64], y: &[f64]) -> f64 {
 
 /// The certificate of an x within the tolerance whose active set has no solution, after a search
 /// for a solution elsewhere.
-fn searched(at: &Rows<'_>, within: Certificate) -> Certificate {
-    match existence(at.lcp, &[at.x]) {
+fn searched(at: &Rows<'_>, within: Certificate, tolerance: f64) -> Certificate {
+    match existence(at.lcp, &[at.x], tolerance) {
         Existence::None(refutation) => within.refuted_by(refutation),
+        Existence::Insignificant(refutation) => {
+            Certificate { evidence: Some(Evidence::NoExactSolution(refutation)), ..within }
+        }
         Existence::Solution(point) => match point.distance(at.x) {
             distance if is_near(at.x, distance) => {
                 Certificate { verdict: Verdict::Proved { distance }, ..within }

@@ -133,13 +133,15 @@ fn searched(
         let verdict = refusal(within.worst_row, within.scaled_residual, Refusal::Impossible);
         FrictionCertificate { verdict, evidence, ..within.clone() }
     };
-    if let Some(vector) = refuting_vector(&polyhedral.friction().coupled_box(), &[x]) {
+    if let Some(vector) =
+        refuting_vector(&polyhedral.friction().coupled_box(), &[x], demand.tolerance)
+    {
         return impossible(Some(Evidence::NoSolution(Refutation::Vector(vector))));
     }
     if polyhedral.directions() != EXACT_CORNERS {
         return within;
     }
-    match existence(polyhedral.lcp(), &[z]) {
+    match existence(polyhedral.lcp(), &[z], demand.tolerance) {
         // The proof is about the rows of z, not of x.
         Existence::None(_) => impossible(None),
         Existence::Solution(point) => match polyhedral.exact_x(&point).distance(x) {
@@ -149,6 +151,6 @@ fn searched(
             // It is one of several solutions, which says nothing about x.
             _ => within,
         },
-        Existence::Unknown => within,
+        Existence::Insignificant(_) | Existence::Unknown => within,
     }
 }

@@ -10,10 +10,15 @@
 //!
 //! If the right side is negative, no solution exists (Farkas). The bounds of a coupled x_j are
 //! unknown, so (Aᵀd)_j must be 0. Everything is decided in exact arithmetic, for every A.
+//!
+//! Rows that are equal but for rounding contradict each other exactly, too. If the problem states a
+//! [scale](Lcp::scale), [`Farkas::significance`] compares the contradiction with it.
 
+use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-use lcplab_lcp::exact::dyadic::{Dyadic, dyadic, rational, rounded_up};
+use crate::residual::row_scale;
+use lcplab_lcp::exact::dyadic::{Dyadic, dyadic, rational, rounded_up, whole};
 use lcplab_lcp::exact::{Exact, Point};
 use lcplab_lcp::{Lcp, Matrix};
 
@@ -28,6 +33,36 @@ pub struct Farkas {
     /// How far the maximum lies below 0, as a fraction of the sizes of its terms. It belongs to
     /// this d: another one may prove the same with a larger margin.
     pub margin: f64,
+    /// How far the maximum lies below 0, as a fraction of Σ |d_i| s_i · scale; ∞ if the problem
+    /// states no scale. If no b_i changes by more than this fraction of s_i · scale, d still proves
+    /// that there is no solution; a larger fraction can make the maximum 0.
+    pub significance: f64,
+}
+
+impl Farkas {
+    /// Whether the contradiction is larger than what the tolerance ignores: an error of w_i up to
+    /// tolerance · s_i · scale in each row.
+    ///
+    /// ```
+    /// use lcplab_judge::refuted_by;
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// // Two equations for x_0 + x_1, 2e-13 apart.
+    /// let free = || (vec![f64::NEG_INFINITY; 2], vec![f64::INFINITY; 2]);
+    /// let a = Matrix::from([[1.0, 1.0], [1.0, 1.0]]);
+    /// let lcp = Lcp::new(a, vec![-1.0, 2e-13 - 1.0], free().0, free().1)?;
+    /// let found = |scale: f64| {
+    ///     let lcp = lcp.clone().with_scale(scale)?;
+    ///     let farkas = refuted_by(&lcp, &[1.0, -1.0]).expect("a contradiction");
+    ///     lcplab_lcp::error::Result::Ok(farkas.is_significant(1e-8))
+    /// };
+    /// assert!(found(0.0)?);
+    /// assert!(!found(1.0)?);
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
+    pub fn is_significant(&self, tolerance: f64) -> bool {
+        self.significance > tolerance
+    }
 }
 
 /// Tries to prove from a solver's ray, or from any other guess of d, that a problem has no
@@ -62,6 +97,18 @@ pub fn checked(lcp: &Lcp, vector: &[f64]) -> Option<Farkas> {
     proof(lcp, &dual, &dual.repaired(vector, &[], &[])?)
 }
 
+/// The proof by these integers with their rows, which excludes all cases at once.
+///
+/// # Panics
+/// If it does not.
+pub(crate) fn whole_vector(lcp: &Lcp, entries: &[(usize, IBig)]) -> Farkas {
+    let mut d = vec![Dyadic::ZERO; lcp.len()];
+    entries.iter().for_each(|(i, entry)| d[*i] = whole(entry.clone()));
+    let transposed = transposed(lcp).expect("a matrix");
+    let proof = proof(lcp, &Exact::new(&transposed), &Point::new(d, Dyadic::ONE));
+    proof.expect("a vector of a case without sides")
+}
+
 /// The equations with the matrix Aᵀ and b = 0.
 fn transposed(lcp: &Lcp) -> Option<Lcp> {
     let n = lcp.len();
@@ -82,7 +129,7 @@ fn must_vanish(lcp: &Lcp, transposed: &Lcp, j: usize, d: &[f64]) -> bool {
 /// The proof by d, if max (Aᵀd)ᵀx + bᵀd < 0 and every d_i is on an allowed side. All terms are
 /// multiplied by d's positive denominator.
 fn proof(lcp: &Lcp, dual: &Exact, d: &Point) -> Option<Farkas> {
-    let (mut bound, mut size) = (Dyadic::ZERO, Dyadic::ZERO);
+    let (mut bound, mut size, mut at_rest) = (Dyadic::ZERO, Dyadic::ZERO, Dyadic::ZERO);
     let mut add = |term: Dyadic| {
         if term < Dyadic::ZERO {
             size -= &term;
@@ -104,13 +151,20 @@ fn proof(lcp: &Lcp, dual: &Exact, d: &Point) -> Option<Farkas> {
         if is_forbidden || (product != Dyadic::ZERO && at.is_infinite()) {
             return None;
         }
+        let rest = dyadic(row_scale(lcp, i)) * dyadic(lcp.scale());
+        at_rest += if *d_i < Dyadic::ZERO { -(rest * d_i) } else { rest * d_i };
         add(dyadic(lcp.b()[i]) * d_i);
         if product != Dyadic::ZERO {
             add(product * dyadic(at));
         }
     }
     (bound < Dyadic::ZERO).then(|| {
-        let margin = rounded_up(&(rational(&-bound) / rational(&size)));
-        Farkas { vector: d.entries(), margin }
+        let bound = rational(&-bound);
+        let fraction = |of: Dyadic| match of == Dyadic::ZERO {
+            true => f64::INFINITY,
+            false => rounded_up(&(&bound / rational(&of))),
+        };
+        let (margin, significance) = (fraction(size), fraction(at_rest));
+        Farkas { vector: d.entries(), margin, significance }
     })
 }

@@ -5,9 +5,14 @@
 //! found near x, the judge searches for a proof that there is none: a vector ([`ray`](super::ray))
 //! derived from x, from a solver's ray or from the solution of a linear program, otherwise a [case
 //! split](super::cases).
+//!
+//! If the problem states a [scale](Lcp::scale), errors of w up to tolerance · s_i · scale do not
+//! count. A contradiction that such a change of b removes proves nothing then: rows of redundant
+//! joints are equal but for rounding, and have no exact solution. The tolerance 0 asks for any
+//! contradiction of the problem as it is written.
 
-use super::cases::{Search, search};
-use super::ray::{Farkas, refute};
+use super::cases::{Search, Tree, search, search_within};
+use super::ray::{Farkas, refute, whole_vector};
 use lcplab_lcp::Lcp;
 use lcplab_lcp::exact::Point;
 
@@ -38,11 +43,14 @@ pub(super) enum Existence {
     Solution(Point),
     /// A proof that no solution exists.
     None(Refutation),
+    /// A proof that no exact solution exists, but a change of b below the tolerance allows one.
+    Insignificant(Refutation),
     /// Neither was found.
     Unknown,
 }
 
-/// Tries to prove that a problem has no solution; `hints` are a solver's ray or any other vectors.
+/// Tries to prove that a problem has no solution, even if each b_i changes by tolerance · s_i ·
+/// [scale](Lcp::scale); `hints` are a solver's ray or any other vectors.
 ///
 /// ```
 /// use lcplab_judge::{Refutation, refutation};
@@ -53,23 +61,28 @@ pub(super) enum Existence {
 /// let (lo, hi) = (vec![0.0, -f64::INFINITY], vec![f64::INFINITY; 2]);
 /// let lcp = Lcp::new(a, vec![-1.0, -0.5], lo, hi)?;
 /// let lcp = lcp.with_coupling(Coupling::new(vec![None, Some(0)], vec![0.0, 1.0])?)?;
-/// assert!(matches!(refutation(&lcp, &[]), Some(Refutation::CaseSplit { .. })));
+/// assert!(matches!(refutation(&lcp, &[], 1e-8), Some(Refutation::CaseSplit { .. })));
 /// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
-pub fn refutation(lcp: &Lcp, hints: &[&[f64]]) -> Option<Refutation> {
-    match existence(lcp, hints) {
+pub fn refutation(lcp: &Lcp, hints: &[&[f64]], tolerance: f64) -> Option<Refutation> {
+    match existence(lcp, hints, tolerance) {
         Existence::None(refutation) => Some(refutation),
-        Existence::Solution(_) | Existence::Unknown => None,
+        Existence::Solution(_) | Existence::Insignificant(_) | Existence::Unknown => None,
     }
 }
 
 /// Tries to prove it by a single vector. Such a proof is valid for every friction model, since the
 /// vector is 0 in rows with friction.
-pub fn refuting_vector(lcp: &Lcp, hints: &[&[f64]]) -> Option<Farkas> {
-    hints.iter().find_map(|d| refuted_by(lcp, d)).or_else(|| {
-        let is_small = lcp.len() <= MOST_ROWS;
-        is_small.then(|| by_linear_program(lcp)).flatten().and_then(|d| refuted_by(lcp, &d))
-    })
+pub fn refuting_vector(lcp: &Lcp, hints: &[&[f64]], tolerance: f64) -> Option<Farkas> {
+    vectors(lcp, hints).find(|farkas| farkas.is_significant(tolerance))
+}
+
+/// The proofs by the hints and by a linear program, which is solved only if it is needed.
+fn vectors(lcp: &Lcp, hints: &[&[f64]]) -> impl Iterator<Item = Farkas> {
+    let is_small = lcp.len() <= MOST_ROWS;
+    let by_program = is_small.then_some(lcp).into_iter().filter_map(by_linear_program);
+    let hinted = hints.iter().filter_map(|d| refuted_by(lcp, d));
+    hinted.chain(by_program.filter_map(|d| refuted_by(lcp, &d)))
 }
 
 /// Tries to prove it by this vector, whose rounding is repaired.
@@ -88,19 +101,34 @@ fn by_linear_program(_: &Lcp) -> Option<Vec<f64>> {
 }
 
 /// Searches for a proof that there is no solution, or for a solution.
-pub(super) fn existence(lcp: &Lcp, hints: &[&[f64]]) -> Existence {
-    if let Some(farkas) = refuting_vector(lcp, hints) {
-        return Existence::None(Refutation::Vector(farkas));
+pub(super) fn existence(lcp: &Lcp, hints: &[&[f64]], tolerance: f64) -> Existence {
+    let mut insignificant = None;
+    for farkas in vectors(lcp, hints) {
+        if farkas.is_significant(tolerance) {
+            return Existence::None(Refutation::Vector(farkas));
+        }
+        insignificant = Some(Refutation::Vector(farkas));
     }
     if choices(lcp).is_none_or(|count| count > MOST_CHOICES) {
-        return Existence::Unknown;
+        return insignificant.map_or(Existence::Unknown, Existence::Insignificant);
     }
-    match search(lcp, MOST_PROGRAMS) {
-        Some(Search::Solution(point)) => Existence::Solution(point),
-        Some(Search::None(tree)) => {
-            Existence::None(Refutation::CaseSplit { pieces: tree.leaves() })
-        }
-        None => Existence::Unknown,
+    let by_cases = |tree: Tree| Refutation::CaseSplit { pieces: tree.leaves() };
+    let exact = match insignificant {
+        Some(refutation) => refutation,
+        None => match search(lcp, MOST_PROGRAMS) {
+            Some(Search::None(tree)) if lcp.scale() == 0.0 => {
+                return Existence::None(by_cases(tree));
+            }
+            Some(Search::None(Tree::Leaf(d))) => Refutation::Vector(whole_vector(lcp, &d)),
+            Some(Search::None(tree)) => by_cases(tree),
+            Some(Search::Solution(point)) => return Existence::Solution(point),
+            None => return Existence::Unknown,
+        },
+    };
+    match search_within(lcp, tolerance, MOST_PROGRAMS) {
+        Some(Search::None(tree)) => Existence::None(by_cases(tree)),
+        None if matches!(exact, Refutation::CaseSplit { .. }) => Existence::None(exact),
+        Some(Search::Solution(_)) | None => Existence::Insignificant(exact),
     }
 }
 

@@ -73,8 +73,9 @@ impl Serialize for Certificate {
     }
 }
 
-/// An object with one key: `not_unique`, `far_solution`, `no_solution` or `case_split`. Exact
-/// numbers are text, such as "-1/3".
+/// An object with one key: `not_unique`, `far_solution`, `no_solution`, `case_split` or
+/// `no_exact_solution`, which holds what one of the two keys before it would. Exact numbers are
+/// text, such as "-1/3".
 impl Serialize for Evidence {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let fractions = |vector: &[RBig]| vector.iter().map(RBig::to_string).collect::<Vec<_>>();
@@ -85,6 +86,12 @@ impl Serialize for Evidence {
             }
             Evidence::FarSolution { distance } => {
                 map.serialize_entry("far_solution", &Filed(printed_up(*distance)))?;
+            }
+            Evidence::NoExactSolution(Refutation::Vector(farkas)) => {
+                map.serialize_entry("no_exact_solution", &fractions(&farkas.vector))?;
+            }
+            Evidence::NoExactSolution(Refutation::CaseSplit { pieces }) => {
+                map.serialize_entry("no_exact_solution", pieces)?;
             }
             Evidence::NoSolution(Refutation::Vector(farkas)) => {
                 map.serialize_entry("no_solution", &fractions(&farkas.vector))?;

@@ -80,8 +80,10 @@ impl Lcp {
     ///
     /// If all terms of a row are rounding errors, say 1e-19 m/s while other rows have 1 m/s, its w
     /// is meaningless. Therefore a row whose terms are below s_i times `scale` is measured by s_i
-    /// times `scale` ([`RowTerms`](crate::merit::RowTerms)). Scenes set `scale` to the impulse of
-    /// their lightest body's weight in one step; the default 0 measures each row by its own terms.
+    /// times `scale` ([`RowTerms`](crate::merit::RowTerms)), and rows that contradict each other by
+    /// less than the tolerance times this size count as consistent. Scenes set `scale` to the
+    /// impulse of their lightest body's weight in one step; the default 0 measures each row by its
+    /// own terms.
     ///
     /// # Errors
     /// If `scale` is negative or not finite.

@@ -157,7 +157,7 @@ impl<'a> Prover<'a> {
         }
         let lcp = rows(self.question);
         let refuting =
-            || refuting_vector(lcp, &[self.answer]).map(|farkas| integers(&farkas.vector));
+            || refuting_vector(lcp, &[self.answer], 0.0).map(|farkas| integers(&farkas.vector));
         let vector = cases::single_vector(lcp).or_else(refuting);
         let vector =
             vector.ok_or("no single vector shows it, as it would for every friction model")?;
@@ -241,7 +241,7 @@ fn solvable(lcp: &Lcp, answer: &[f64]) -> Result<Solvable, String> {
         Some(Search::None(tree)) => return Ok(Solvable::No(tree)),
         None => {}
     }
-    match refuting_vector(lcp, &[answer]) {
+    match refuting_vector(lcp, &[answer], 0.0) {
         Some(farkas) => Ok(Solvable::No(Tree::Leaf(integers(&farkas.vector)))),
         None if lcp.len() > cases::MOST_ROWS => Err(format!(
             "no vector shows it, and {} rows are too many to split into cases",

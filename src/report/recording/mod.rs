@@ -45,6 +45,8 @@ pub struct Record {
     /// The solvers that gave the answers, in the order of their first answer.
     solvers: Vec<String>,
     worst_drift: f64,
+    /// The largest angle (rad) by which a joint was misaligned.
+    worst_angular_drift: f64,
     worst_penetration: f64,
     /// The step with the smallest supported fraction of the weight, and that fraction.
     least_carried: Option<(usize, f64)>,
@@ -79,6 +81,7 @@ impl Record {
             tally: Tally::default(),
             solvers: Vec::new(),
             worst_drift: 0.0,
+            worst_angular_drift: 0.0,
             worst_penetration: 0.0,
             least_carried: None,
             laws: LawErrors::default(),
@@ -207,6 +210,7 @@ impl Record {
             "energy_start": number(self.first.energy()),
             "energy_end": number(self.last.energy()),
             "drift": number(self.worst_drift),
+            "angular_drift": number(self.worst_angular_drift),
             "penetration": number(self.worst_penetration),
             "carried": self.carried().map(|[mean, least]| json!({ "mean": number(mean), "least": number(least) })),
             "work": self.accounted(|energy_totals| energy_totals.by_account()),
@@ -283,6 +287,7 @@ impl Record {
 
     fn note(&mut self, motion: &Motion) {
         self.worst_drift = self.worst_drift.max(motion.drift);
+        self.worst_angular_drift = self.worst_angular_drift.max(motion.angular_drift);
         self.worst_penetration = self.worst_penetration.max(motion.penetration);
         self.last = motion.clone();
     }

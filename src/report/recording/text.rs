@@ -8,7 +8,7 @@ use crate::body::State;
 use crate::lcp::friction::{Form, Law};
 use crate::number::readable;
 use crate::scene::{Resting, Scene, Scheme};
-use crate::simulation::{Departure, Slip, momentum_sizes};
+use crate::simulation::{Departure, Slip, momentum_sizes, unstable_springs};
 
 /// Maximum number of bodies whose final state is printed.
 const SHOWN: usize = 12;
@@ -24,7 +24,8 @@ const FRICTION_ANGLE: f64 = 5.0;
 const TURNED: f64 = 1e-6;
 /// What a run of a fixed number of sweeps prints for a law that it does not measure.
 const NOT_MEASURED: &str = "not measured";
-/// Smaller drifts and overlaps, relative to the scene's size, are not reported.
+/// Smaller drifts and overlaps, relative to the scene's size, and smaller misalignments of joints
+/// (rad) are not reported.
 const DRIFT: f64 = 1e-3;
 
 impl Record {
@@ -56,10 +57,7 @@ impl Record {
                 },
             ),
             ("energy", format!("{start} J at the start, {end} J at the end")),
-            (
-                "drift",
-                format!("at most {} m{}", readable(self.worst_drift, 3), self.drift_in_words()),
-            ),
+            ("drift", self.drift_in_words()),
             ("penetration", format!("at most {} m", readable(self.worst_penetration, 3))),
             ("weight", self.carried_in_words()),
             ("laws", self.laws_in_words()),
@@ -136,6 +134,7 @@ impl Record {
         notes.extend(self.departure_in_words());
         notes.extend(self.restitution_in_words());
         notes.extend(self.turning_in_words());
+        notes.extend(unstable_springs(&self.scene));
         notes
     }
 
@@ -269,12 +268,14 @@ impl Record {
         ))
     }
 
-    /// The angular momentum produced by the contacts and joints of a scheme without an LCP.
+    /// The angular momentum produced by the contacts and joints of a scheme without an LCP. (A gear
+    /// exerts a torque on the hinges of its wheels; sequential impulses push with the same rows as
+    /// the velocity level.)
     fn turning_in_words(&self) -> Option<String> {
         let size = |states: &[State]| momentum_sizes(&self.scene, states)[1];
         let made = self.laws.internal_torque;
         let is_made = made > TURNED * size(&self.scene.states).max(size(&self.states));
-        (is_made && !self.scene.step.scheme.solves_lcps()).then(|| {
+        (is_made && self.scene.step.scheme.spreads_impacts()).then(|| {
             format!(
                 "in one step the total angular momentum changed by {} N m s, although only contacts \
                  and joints between the bodies acted; the scheme {} does not conserve it, velocity \
@@ -285,8 +286,23 @@ impl Record {
         })
     }
 
-    /// The drift relative to the scene, and how to reduce it, if it is large enough to report.
+    /// The misalignment of joints, if it is large enough to report.
+    fn misalignment_in_words(&self) -> String {
+        let angle = self.worst_angular_drift;
+        match angle > DRIFT {
+            true => format!(" and {}°", readable(angle.to_degrees(), 2)),
+            false => String::new(),
+        }
+    }
+
     fn drift_in_words(&self) -> String {
+        let [drift, angle, part] =
+            [readable(self.worst_drift, 3), self.misalignment_in_words(), self.relative_drift()];
+        format!("at most {drift} m{angle}{part}")
+    }
+
+    /// The drift relative to the scene, and how to reduce it, if it is large enough to report.
+    fn relative_drift(&self) -> String {
         // At the start, because a drift enlarges the scene.
         let points = self.scene.states.iter().map(|state| state.pose.p);
         let size = points.clone().flat_map(|p| points.clone().map(move |q| (p - q).norm()));
@@ -301,6 +317,8 @@ impl Record {
             }
             Scheme::Velocity | Scheme::SequentialImpulses => "set step.baumgarte to correct it",
             Scheme::Acceleration if self.scene.step.alpha == 0.0 => "set step.alpha to correct it",
+            Scheme::Penalty => "a larger step.penalty.stiffness with more step.substeps reduces it",
+            Scheme::Soft => "a larger step.soft.joint_hertz with more step.substeps reduces it",
             _ => "a shorter step reduces it",
         };
         let percent = readable(100.0 * part, 2);

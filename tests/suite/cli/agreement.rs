@@ -3,13 +3,13 @@
 
 use serde_json::{Value, json};
 
-use super::{out, run_with};
+use super::{out, run, run_with};
 use lcplab::hunt;
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::library;
 
 /// Problems that have led to contradictions, and whether they have a solution.
-const CASES: [(&str, bool); 13] = [
+const CASES: [(&str, bool); 15] = [
     // Solvable, though a sweep would divide by zero or A has a negative eigenvalue
     (r#"{"A":{"dense":[[-1]]},"b":[1]}"#, true),
     (r#"{"A":{"dense":[[0]]},"b":[1]}"#, true),
@@ -38,6 +38,12 @@ const CASES: [(&str, bool); 13] = [
         r#"{"A":{"dense":[[1,1],[1,1.0000000000009095]]},"b":[-2,-2.000000001],"lo":["-inf","-inf"]}"#,
         true,
     ),
+    // Two equations for one motion: apart by rounding, and by half of the scale
+    (
+        r#"{"A":{"dense":[[2,2],[2,2]]},"b":[-2,-2.0000000000000004],"lo":["-inf","-inf"],"scale":0.001}"#,
+        true,
+    ),
+    (r#"{"A":{"dense":[[2,2],[2,2]]},"b":[-2,-2.001],"lo":["-inf","-inf"],"scale":0.001}"#, false),
 ];
 
 const SOLVERS: [&str; 8] = [
@@ -134,4 +140,62 @@ fn hostile_problems_and_the_library_agree_with_themselves() {
         }
         assert!(!(any && denied), "{problem}");
     }
+}
+
+/// A gate on two hinges with one axis, out of the axes of the world, and a motor.
+const GATE: &str = "
+    [[bodies]]
+    name = \"gate\"
+    shape = { box = [1.7, 0.08, 0.9] }
+    mass = 33
+    position = [0.85, 0.1, 0.2]
+    rotation = { y = 13 }
+    [[constraints]]
+    kind = \"hinge\"
+    bodies = [\"gate\"]
+    axis = [-0.3, 0.17, 0.9]
+    point = [0.21, -0.119, -0.63]
+    [[constraints]]
+    kind = \"hinge\"
+    bodies = [\"gate\"]
+    axis = [-0.3, 0.17, 0.9]
+    point = [-0.18, 0.102, 0.54]
+    [[constraints]]
+    kind = \"motor_rotation\"
+    bodies = [\"gate\"]
+    axis = [-0.3, 0.17, 0.9]
+    speed = -1.3
+    effort = 900
+";
+
+#[test]
+fn a_step_that_simulate_accepts_is_accepted_as_a_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    let (scene, answer) = (at("gate.toml"), at("answer.json"));
+    std::fs::write(&scene, GATE).unwrap();
+    let mut inexact = 0;
+    for settings in [
+        &["step.baumgarte=0.2", "step.dt=0.001"][..],
+        &["step.baumgarte=0.1"],
+        &["step.scheme=\"acceleration\"", "step.alpha=20", "step.dt=0.002"],
+    ] {
+        let set: Vec<&str> = settings.iter().flat_map(|set| ["--set", set]).collect();
+        let simulated = run(&[&["simulate", &scene, "--steps", "8"], &set[..]].concat());
+        assert_eq!(simulated.status.code(), Some(0), "{}", out(&simulated));
+        for step in 1..=8 {
+            let step = step.to_string();
+            let exported = out(&run(&[&["export", &scene, "--step", &step], &set[..]].concat()));
+            let solved = run_with(&exported, &["solve", "-", "--json"]);
+            let told = out(&solved);
+            assert!(holds(&object(&told), solved.status.code(), &told), "{told}");
+            inexact += usize::from(told.contains("no_exact_solution"));
+            std::fs::write(&answer, &told).unwrap();
+            let judged = run_with(&exported, &["judge", "-", &answer]);
+            assert_eq!(judged.status.code(), Some(0), "{}", out(&judged));
+            let diagnosis = object(&out(&run_with(&exported, &["diagnose", "-", "--json"])));
+            assert_eq!(diagnosis["is_sound"], true, "{diagnosis}");
+        }
+    }
+    assert!(inexact > 0, "some of these rows contradict each other by rounding");
 }

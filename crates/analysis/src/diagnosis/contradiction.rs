@@ -8,7 +8,7 @@
 
 use super::cause::Proof;
 use lcplab_judge::ray::Farkas;
-use lcplab_judge::{Refutation, refutation, refuted_by, refuting_vector};
+use lcplab_judge::{Demand, Refutation, refutation, refuted_by, refuting_vector};
 use lcplab_lcp::Lcp;
 use lcplab_solver::{Dantzig, Solver, Start, Status};
 
@@ -31,7 +31,8 @@ pub(super) fn rows(
 ) -> Option<(Vec<usize>, Proof)> {
     let falling: Vec<Vec<f64>> = dependencies.iter().map(|d| falling(d, lcp.b())).collect();
     if lcp.len() <= PROVED {
-        if let Some(proof) = clearest(lcp, &falling) {
+        let tolerance = Demand::default().tolerance;
+        if let Some(proof) = clearest(lcp, &falling, tolerance) {
             let is_by_rounding = proof.margin <= LAST_DIGITS;
             let kind = if is_by_rounding { Proof::LastDigits } else { Proof::Vector };
             return Some((support_of(&proof), kind));
@@ -39,8 +40,8 @@ pub(super) fn rows(
         let ray = ray(lcp);
         let hints: Vec<&[f64]> = ray.iter().map(Vec::as_slice).collect();
         let refutation = match is_box {
-            true => refutation(lcp, &hints),
-            false => refuting_vector(lcp, &hints).map(Refutation::Vector),
+            true => refutation(lcp, &hints, tolerance),
+            false => refuting_vector(lcp, &hints, tolerance).map(Refutation::Vector),
         };
         match refutation {
             Some(Refutation::Vector(proof)) => return Some((support_of(&proof), Proof::Vector)),
@@ -56,10 +57,12 @@ pub(super) fn rows(
 }
 
 /// The proof by one of these vectors: the first that does not depend on the last digits, or else
-/// the one with the largest margin.
-fn clearest(lcp: &Lcp, vectors: &[Vec<f64>]) -> Option<Farkas> {
+/// the one with the largest margin. Contradictions that the judge ignores because of the problem's
+/// scale do not count.
+fn clearest(lcp: &Lcp, vectors: &[Vec<f64>], tolerance: f64) -> Option<Farkas> {
     let mut clearest: Option<Farkas> = None;
-    for proof in vectors.iter().filter_map(|d| refuted_by(lcp, d)) {
+    let proofs = vectors.iter().filter_map(|d| refuted_by(lcp, d));
+    for proof in proofs.filter(|proof| proof.is_significant(tolerance)) {
         if clearest.as_ref().is_none_or(|known| known.margin < proof.margin) {
             clearest = Some(proof);
         }
@@ -86,7 +89,8 @@ fn is_free(lcp: &Lcp, d: &[f64]) -> bool {
 fn contradicts(lcp: &Lcp, d: &[f64]) -> bool {
     let units: Vec<f64> = lcp.matrix().row_sizes().iter().map(|size| size.sqrt()).collect();
     let sum: f64 = d.iter().zip(lcp.b()).map(|(d, b)| d * b).sum();
-    let size = lcp.b().iter().zip(&units).fold(0.0_f64, |most, (b, unit)| most.max(b.abs() / unit));
+    let own = |(b, unit): (&f64, &f64)| (b.abs() / unit).max(lcp.scale() * unit);
+    let size = lcp.b().iter().zip(&units).map(own).fold(0.0, f64::max);
     let weight: f64 = d.iter().zip(&units).map(|(d, unit)| d.abs() * unit).sum();
     sum.abs() > ROUNDING * size * weight
 }

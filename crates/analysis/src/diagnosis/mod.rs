@@ -38,7 +38,7 @@ pub use mistake::{
 pub use situation::{observed_scene, scene};
 
 use lcplab_judge::regularity::{Regularity, least_eigenvalue, regularity};
-use lcplab_judge::{Refutation, error_bound, refutation};
+use lcplab_judge::{Demand, Refutation, error_bound, refutation};
 use lcplab_lcp::Lcp;
 use lcplab_lcp::error::{Error, Result};
 use lcplab_lcp::exact::all_solutions;
@@ -127,7 +127,7 @@ fn impossible_polygons(problem: &Problem) -> Option<Cause> {
     let Ok(ProblemForm::Polyhedral(polygons)) = model.pose(&problem.friction()?.ok()?, None) else {
         return None;
     };
-    let proof = match refutation(polygons.lcp(), &[])? {
+    let proof = match refutation(polygons.lcp(), &[], Demand::default().tolerance)? {
         Refutation::Vector(_) => Proof::Vector,
         Refutation::CaseSplit { pieces } => Proof::CaseSplit { pieces },
     };

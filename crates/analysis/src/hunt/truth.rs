@@ -92,6 +92,8 @@ impl Truth {
             return Truth::Unknown;
         }
         match all_solutions(lcp) {
+            // A contradiction can be below the tolerance times the scale, and then does not count.
+            Some(solutions) if solutions.is_empty() && lcp.scale() > 0.0 => Truth::Unknown,
             Some(solutions) if solutions.is_empty() => Truth::Impossible,
             Some(_) => Truth::Solvable,
             None => Truth::Unknown,
@@ -191,7 +193,7 @@ impl Claim {
 /// which no proof is possible.
 fn refuted(posed: &ProblemForm, hints: &[&[f64]]) -> Option<bool> {
     match posed {
-        ProblemForm::Boxed(lcp) => Some(refutation(lcp, hints).is_some()),
+        ProblemForm::Boxed(lcp) => Some(refutation(lcp, hints, 0.0).is_some()),
         ProblemForm::Polyhedral(_) | ProblemForm::Cone(_) => None,
     }
 }

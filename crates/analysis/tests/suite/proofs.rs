@@ -45,6 +45,9 @@ fn what_the_judge_proves_or_refutes_has_a_proof_that_others_accept() {
             match certificate.evidence {
                 Some(Evidence::NotUnique(_)) => assert_eq!(kind, Some(Kind::NotUnique), "{text}"),
                 Some(Evidence::FarSolution { .. }) => assert!(is_solvable, "{text}"),
+                Some(Evidence::NoExactSolution(_)) => {
+                    assert_eq!(kind, Some(Kind::NoSolution), "{text}");
+                }
                 Some(Evidence::NoSolution(_)) => {
                     assert_eq!(kind, Some(Kind::NoSolution), "{text}");
                     refuted += 1;

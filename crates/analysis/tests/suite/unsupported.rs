@@ -534,3 +534,20 @@ fn a_finite_method_that_gives_up_is_named_with_its_step_and_is_not_called_slow()
     let place = format!("In step {}, ", found.place + 1);
     assert!(found.place > 0 && document.lead.starts_with(&place), "{}", document.lead);
 }
+
+#[test]
+fn sequential_impulses_are_examined_as_sweeps_and_not_as_the_solver_of_other_schemes() {
+    // Their sweeps are those of PGS: the same error and causes, whatever solver.name says.
+    let sequential = [
+        ("step.scheme", "\"sequential-impulses\""),
+        ("step.sweeps", "5"),
+        ("generate.count", "10"),
+    ];
+    let found = examined("stack", "dantzig", 10_000, &sequential);
+    let swept = examined("stack", "pgs", 5, &[("generate.count", "10")]);
+    let part = |found: &Examination| found.unsupported.as_ref().unwrap().missing;
+    assert!(part(&found) > 0.1, "{}", found.headline());
+    assert!((part(&found) / part(&swept) - 1.0).abs() < 1e-6, "{}", found.headline());
+    assert!(found.headline().starts_with("5 sweeps of pgs leave"), "{}", found.headline());
+    assert_eq!(found.causes(), swept.causes());
+}

@@ -10,6 +10,7 @@ mod program;
 
 use dashu_int::IBig;
 
+use crate::residual::row_scale;
 use lcplab_lcp::Lcp;
 use lcplab_lcp::exact::dyadic::{Dyadic, dyadic, integers, whole};
 use lcplab_lcp::exact::{Exact, Point, Side};
@@ -82,11 +83,17 @@ pub enum Search {
 /// its multipliers are the d of a leaf; if so, the tree branches at the first row where that x does
 /// not satisfy the complementarity conditions.
 pub fn search(lcp: &Lcp, most_programs: usize) -> Option<Search> {
+    search_within(lcp, 0.0, most_programs)
+}
+
+/// The same if each w_i may have an error of tolerance · s_i · [scale](Lcp::scale). A tree without
+/// solutions then proves more than that of [`search`]; a solution proves less.
+pub fn search_within(lcp: &Lcp, tolerance: f64, most_programs: usize) -> Option<Search> {
     if lcp.len() > MOST_ROWS {
         return None;
     }
     let mut programs = most_programs;
-    Cases { lcp, exact: Exact::new(lcp) }.search(&mut vec![None; lcp.len()], &mut programs)
+    Cases::new(lcp, tolerance).search(&mut vec![None; lcp.len()], &mut programs)
 }
 
 /// Searches for a single vector that proves, without cases, that no solution exists; `None` if none
@@ -96,15 +103,24 @@ pub fn single_vector(lcp: &Lcp) -> Option<Vec<(usize, IBig)>> {
     if lcp.len() > MOST_ROWS {
         return None;
     }
-    Cases { lcp, exact: Exact::new(lcp) }.relaxed(&vec![None; lcp.len()]).err()
+    Cases::new(lcp, 0.0).relaxed(&vec![None; lcp.len()]).err()
 }
 
 struct Cases<'a> {
     lcp: &'a Lcp,
     exact: Exact,
+    /// The error that each w_i may have.
+    errors: Vec<Dyadic>,
 }
 
-impl Cases<'_> {
+impl<'a> Cases<'a> {
+    fn new(lcp: &'a Lcp, tolerance: f64) -> Self {
+        let tolerance = if tolerance > 0.0 { tolerance.min(f64::MAX) } else { 0.0 };
+        let allowed = dyadic(tolerance) * dyadic(lcp.scale());
+        let errors = (0..lcp.len()).map(|i| &allowed * dyadic(row_scale(lcp, i))).collect();
+        Cases { lcp, exact: Exact::new(lcp), errors }
+    }
+
     fn search(&self, sides: &mut Vec<Option<Side>>, programs: &mut usize) -> Option<Search> {
         *programs = programs.checked_sub(1)?;
         let point = match self.relaxed(sides) {
@@ -142,8 +158,9 @@ impl Cases<'_> {
     /// Whether a row's x and w are complementary; x must be within its bounds.
     fn is_solved(&self, i: usize, point: &Point) -> bool {
         let (w, (lo, hi)) = (self.exact.scaled_w(i, point), self.exact.scaled_bounds(i, point));
-        (w <= Dyadic::ZERO || lo.as_ref() == Some(point.scaled(i)))
-            && (w >= Dyadic::ZERO || hi.as_ref() == Some(point.scaled(i)))
+        let error = &self.errors[i] * point.denominator();
+        (w <= error || lo.as_ref() == Some(point.scaled(i)))
+            && (w >= -error || hi.as_ref() == Some(point.scaled(i)))
     }
 
     /// An x within its bounds whose w satisfies the sides, or the d that proves that there is none.
@@ -152,8 +169,7 @@ impl Cases<'_> {
         let n = lcp.len();
         let form = Form::of(lcp, sides);
         // The required sign of w_i, or 0.
-        let asked: Vec<(usize, i8)> =
-            (0..n).filter_map(|i| Some((i, asked(lcp, sides, i)?))).collect();
+        let asked: Vec<(usize, i8)> = (0..n).flat_map(|i| self.asked(sides, i)).collect();
         let slacks = asked.iter().filter(|(_, sign)| *sign != 0).count() + form.limits.len();
         let columns = form.unknowns + slacks;
         let mut rows: Vec<Vec<Dyadic>> = Vec::new();
@@ -177,6 +193,12 @@ impl Cases<'_> {
                     row[*u] += &a * factor;
                 }
             }
+            // w_i ≥ −error, w_i ≤ error
+            match sign {
+                1 => constant += &self.errors[i],
+                -1 => constant -= &self.errors[i],
+                _ => {}
+            }
             put(row, constant, sign);
         }
         for (terms, constant) in &form.limits {
@@ -189,8 +211,14 @@ impl Cases<'_> {
         let rows = all.chunks(columns + 1).map(<[IBig]>::to_vec).collect();
         match program::solve(rows, columns) {
             program::ProgramResult::Multipliers(p) => {
-                let d = asked.iter().zip(p).map(|(&(i, _), p)| (i, p));
-                Err(shortened(d.filter(|(_, p)| *p != IBig::ZERO).collect()))
+                let mut d: Vec<(usize, IBig)> = Vec::new();
+                for (&(i, _), p) in asked.iter().zip(p) {
+                    match d.last_mut() {
+                        Some((last, sum)) if *last == i => *sum += p,
+                        _ => d.push((i, p)),
+                    }
+                }
+                Err(shortened(d.into_iter().filter(|(_, p)| *p != IBig::ZERO).collect()))
             }
             program::ProgramResult::Point(y, denominator) => {
                 let denominator = whole(denominator);
@@ -201,6 +229,14 @@ impl Cases<'_> {
                 };
                 Ok(Point::new(form.x.iter().map(entry).collect(), denominator))
             }
+        }
+    }
+
+    /// The required signs of w_i. If w_i must be 0 but may have an error, it has both signs.
+    fn asked(&self, sides: &Sides, i: usize) -> Vec<(usize, i8)> {
+        match asked(self.lcp, sides, i) {
+            Some(0) if self.errors[i] != Dyadic::ZERO => vec![(i, 1), (i, -1)],
+            sign => sign.map(|sign| (i, sign)).into_iter().collect(),
         }
     }
 }

@@ -153,13 +153,18 @@ fn row(lcp: &Lcp, i: usize, x: &[f64]) -> Row {
         }
         _ => scaled_sums(products().collect()),
     };
-    let scale = Wide::from(match lcp.matrix().diagonal(i).abs() {
-        0.0 => lcp.matrix().row(i).iter().fold(0.0, |s, (_, a)| f64::max(s, a.abs())),
-        own => own,
-    });
+    let scale = Wide::from(row_scale(lcp, i));
     let rest = scale * lcp.scale().into();
     let scale = if scale.is_zero() { Wide::from(1.0) } else { scale };
     Row { w, terms: terms.max(rest), scale }
+}
+
+/// s_i, but 0 for a row of zeros.
+pub(crate) fn row_scale(lcp: &Lcp, i: usize) -> f64 {
+    match lcp.matrix().diagonal(i).abs() {
+        0.0 => lcp.matrix().row(i).iter().fold(0.0, |s, (_, a)| f64::max(s, a.abs())),
+        own => own,
+    }
 }
 
 fn is_finite(x: &[f64]) -> bool {

@@ -16,6 +16,7 @@ mod impact_energy;
 mod impacts;
 mod integrator;
 mod interpenetration;
+mod joint_work;
 mod laws;
 mod ledger;
 mod motion;
@@ -26,6 +27,7 @@ mod slip;
 mod solving;
 mod stated;
 pub mod stepper;
+mod stiff;
 mod sweep;
 mod swept;
 mod turned;
@@ -37,6 +39,7 @@ pub use events::{StepEvent, VelocityUpdate};
 pub use impact_energy::{ImpactCause, ImpactEnergy};
 pub use impacts::{Impact, Impacts, Touch};
 pub use interpenetration::{Interpenetration, InterpenetrationKind, LASTING, NOTABLE};
+pub use joint_work::JointWork;
 pub use laws::LawErrors;
 pub use ledger::Ledger;
 pub use motion::{Motion, carried, momentum_sizes};
@@ -44,6 +47,7 @@ pub use record::{Cause, Failure, Recording, Solve, Step};
 pub use slip::{Creep, Slip, Slips};
 pub use stated::{options, problem_of, solver};
 pub use stepper::Stepper;
+pub use stiff::{spring_growth, unstable_springs};
 pub use swept::Swept;
 pub use unlocated::Unlocated;
 pub use warnings::{Amount, Warning, Warnings};
@@ -280,6 +284,7 @@ impl Simulation {
         };
         let touches = Touch::of(&totals, &shifts, &states);
         let unlocated = Unlocated::of(scene, &before, &totals);
+        let joint_work = JointWork::of(scene, [&before, &states], &touches);
         let laws = LawErrors::of(scene, &before, &solves, ledger.as_ref());
         let laws = match scene.step.scheme.solves_lcps() {
             true => laws,
@@ -314,6 +319,7 @@ impl Simulation {
             slips,
             touches,
             unlocated,
+            joint_work,
         })
     }
 

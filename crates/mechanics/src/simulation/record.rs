@@ -7,7 +7,8 @@ use nalgebra::Vector3;
 use super::events::Impulses;
 use super::swept::Swept;
 use super::{
-    ImpactEnergy, Interpenetration, LawErrors, Ledger, Motion, Slip, StepEvent, Touch, Unlocated,
+    ImpactEnergy, Interpenetration, JointWork, LawErrors, Ledger, Motion, Slip, StepEvent, Touch,
+    Unlocated,
 };
 use crate::assembly::{Row, Undefined};
 use crate::body::State;
@@ -54,6 +55,9 @@ pub struct Step {
     pub touches: Vec<Touch>,
     /// Bounces across a gap that the step took at its beginning.
     pub unlocated: Vec<Unlocated>,
+    /// The work of rigid joints of a body that turned fast in XPBD, the soft step or the penalty
+    /// method, if it was notable.
+    pub joint_work: Option<JointWork>,
     /// The start and the impulses of a step of a fixed number of sweeps, which has no solves of its
     /// own: [`posed`](Step::posed) makes them.
     pub swept: Option<Swept>,

@@ -88,6 +88,7 @@ impl Simulation {
             slips: Vec::new(),
             touches: Vec::new(),
             unlocated: Vec::new(),
+            joint_work: None,
             swept: Some(swept),
         })
     }

@@ -1,6 +1,6 @@
 //! What happened in the steps of a run although every problem was solved: bodies that overlap or
-//! went through each other, impacts that were not located, and impacts whose energy is not what the
-//! coefficient of restitution says.
+//! went through each other, impacts that were not located, impacts whose energy is not what the
+//! coefficient of restitution says, and rigid joints that do work.
 
 use std::fmt;
 
@@ -29,6 +29,8 @@ use crate::scene::Scene;
 #[derive(Debug, Clone, Default)]
 pub struct Warnings(Vec<Warning>);
 
+/// The name of the fixed world.
+const WORLD: &str = "world";
 /// Number of pairs of bodies that a text names after the first.
 const PAIRS: usize = 4;
 
@@ -36,7 +38,7 @@ const PAIRS: usize = 4;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Warning {
     /// What happened, in one word: `passed_through`, `deep_overlap`, `lasting_overlap`,
-    /// `impact_not_located`, or why energy changed.
+    /// `impact_not_located`, `joint_work`, or why energy changed.
     pub word: &'static str,
     /// The names of the bodies.
     pub bodies: [String; 2],
@@ -68,25 +70,27 @@ impl Warnings {
     pub fn add(&mut self, scene: &Scene, step: &Step) {
         for own in &step.interpenetrations {
             let message = Interpenetration::message(own, scene, step.number);
-            self.note(
-                scene,
-                own.word(),
-                own.bodies,
-                step.number,
-                Amount::Depth(own.depth),
-                message,
-            );
+            let amount = Amount::Depth(own.depth);
+            self.note(own.word(), names(scene, own.bodies), step.number, amount, message);
         }
         for own in &step.impact_energy {
             let message = ImpactEnergy::message(own, scene, step.number);
             let amount = Amount::Energy(own.energy);
             let first = own.first_step(step.number);
-            self.note(scene, own.word(), own.bodies, first, amount, message);
+            self.note(own.word(), names(scene, own.bodies), first, amount, message);
         }
         for own in &step.unlocated {
             let message = own.message(scene, step.number);
             let amount = Amount::Speed(own.speed);
-            self.note(scene, "impact_not_located", own.bodies, step.number, amount, message);
+            let bodies = names(scene, own.bodies);
+            self.note("impact_not_located", bodies, step.number, amount, message);
+        }
+        if let Some(own) = &step.joint_work {
+            let message = own.message(scene, step.number);
+            let amount = Amount::Energy(own.energy[1] - own.energy[0]);
+            let name = |body: Option<usize>| body.map_or(WORLD, |k| &scene.bodies[k].name);
+            let bodies = own.bodies.map(|body| name(body).to_string());
+            self.note("joint_work", bodies, step.number, amount, message);
         }
     }
 
@@ -115,14 +119,12 @@ impl Warnings {
 
     fn note(
         &mut self,
-        scene: &Scene,
         word: &'static str,
-        bodies: [usize; 2],
+        bodies: [String; 2],
         step: usize,
         amount: Amount,
         message: String,
     ) {
-        let bodies = bodies.map(|body| scene.bodies[body].name.clone());
         let is_same = |own: &&mut Warning| {
             let [a, b] = &own.bodies;
             own.word == word && (bodies == own.bodies || bodies == [b.clone(), a.clone()])
@@ -135,6 +137,10 @@ impl Warnings {
             }
         }
     }
+}
+
+fn names(scene: &Scene, bodies: [usize; 2]) -> [String; 2] {
+    bodies.map(|body| scene.bodies[body].name.clone())
 }
 
 /// The first of several warnings of the same kind, and the pairs of bodies of the others.

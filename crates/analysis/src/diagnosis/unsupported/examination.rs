@@ -21,6 +21,10 @@ const STEPS: usize = 5;
 const TROUBLED_WORDS: &str =
     "The problem of this step has a solution; the causes of the error follow.";
 
+/// The text if no cause was found but the motion has errors that no residual shows.
+const WARNED_WORDS: &str =
+    "The problem of this step has a solution, but the motion has errors: see the warnings.";
+
 /// What is not examined.
 const NOT_EXAMINED: &str = "contacts that open and close repeatedly, closed loops, restitution of resting \
  contacts, fast rotation";
@@ -199,10 +203,10 @@ impl Examination {
             && self.warnings.is_empty()
             && document.is_accepted
             && self.unmeasured.is_none();
-        let is_troubled = !self.causes().is_empty() || !self.warnings.is_empty();
         let rest = match document.is_accepted {
             true if is_well => self.healthy_words(),
-            true if is_troubled => TROUBLED_WORDS.into(),
+            true if !self.causes().is_empty() => TROUBLED_WORDS.into(),
+            true if !self.warnings.is_empty() => WARNED_WORDS.into(),
             _ => document.lead.clone(),
         };
         document.lead =
@@ -229,7 +233,11 @@ impl Examination {
     }
 
     fn why(&self) -> Option<Section> {
-        let title = if self.causes().is_empty() { "what was examined" } else { "causes" };
+        let title = match (self.causes().is_empty(), self.warnings.is_empty()) {
+            (false, _) => "causes",
+            (true, false) => "warnings",
+            (true, true) => "what was examined",
+        };
         let mut section = Section::new(title);
         let mut lines: Vec<String> = Vec::new();
         let slow = self.unsupported.iter().flat_map(|found| &found.causes);

@@ -8,7 +8,7 @@ use lcplab_mechanics::body::State;
 use lcplab_mechanics::formulation::Stage;
 use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{self, Simulation, Slips, Solve, Step, Warnings};
-use lcplab_solver::{Dantzig, Status};
+use lcplab_solver::{Dantzig, Order, Pgs, Status};
 
 use super::examination::{Examination, StepSummary, first_bad_step};
 use super::examine::{UserSolver, examine};
@@ -273,7 +273,8 @@ fn go(scene: &Scene, count: usize, every: usize) -> Result<RunResult> {
         steps: notes.len(),
         is_compared,
     };
-    let warnings = warnings.texts();
+    let warnings =
+        simulation::unstable_springs(scene).into_iter().chain(warnings.texts()).collect();
     Ok(RunResult { notes, solves, warnings, ended, tolerance: scene.solver.tolerance, end })
 }
 
@@ -346,11 +347,19 @@ pub(super) fn sunk(scene: &Scene, own: &[State], exact: &[State]) -> Option<(Str
     Some((scene.bodies[lowest].name.clone(), depth(lowest)))
 }
 
-/// How the scene's problems are solved.
+/// How the scene's problems are solved. Sequential impulses are sweeps of PGS.
 ///
 /// # Errors
 /// If its solver is not for boxes.
 pub fn user_solver(scene: &Scene) -> Result<UserSolver> {
-    let entry = scene.solvers.entry(&scene.solver.name)?.clone();
-    Ok(UserSolver { entry, options: simulation::options(scene) })
+    let mut options = simulation::options(scene);
+    let name = match scene.step.scheme {
+        Scheme::SequentialImpulses => {
+            options.settings.max_iterations = scene.step.sweeps;
+            options.order = Order::Natural;
+            Pgs::NAME
+        }
+        _ => &scene.solver.name,
+    };
+    Ok(UserSolver { entry: scene.solvers.entry(name)?.clone(), options })
 }

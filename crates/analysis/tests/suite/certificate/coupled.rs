@@ -36,7 +36,7 @@ fn a_solution_on_the_cone_is_proved_where_frozen_bounds_have_none() {
     // x = (2, 1): w_n = 2 − 1 − 1 = 0 and w_t = −2 + 1 − 5 = −6 < 0 with x_t = ½ x_n.
     let lcp = contact(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-1.0, -5.0], 0.5);
     assert_eq!(judged(&lcp, &[2.0, 1.0]).verdict, Verdict::Proved { distance: 0.0 });
-    assert_eq!(refutation(&lcp, &[]), None);
+    assert_eq!(refutation(&lcp, &[], 0.0), None);
 }
 
 #[test]
@@ -47,7 +47,7 @@ fn a_problem_without_solution_proves_nothing_of_any_x() {
     for x in [[1e9, 1e9], [0.0, 0.0], [1e4, 1e4], [3.0, 2.0]] {
         assert!(!judged(&lcp, &x).verdict.is_solution(), "{x:?}");
     }
-    assert!(matches!(refutation(&lcp, &[]), Some(Refutation::CaseSplit { .. })));
+    assert!(matches!(refutation(&lcp, &[], 0.0), Some(Refutation::CaseSplit { .. })));
 }
 
 #[test]
@@ -111,7 +111,7 @@ fn rows_with_friction_have_no_part_in_a_proof_by_a_vector() {
     let lcp = Lcp::new(Matrix::dense(3, &a), vec![-1.0, -1.0, 0.5], lo, hi).unwrap();
     let coupling = Coupling::new(vec![None, None, Some(0)], vec![0.0, 0.0, 0.5]).unwrap();
     let lcp = lcp.with_coupling(coupling).unwrap();
-    let Some(Refutation::Vector(farkas)) = refutation(&lcp, &[]) else { panic!() };
+    let Some(Refutation::Vector(farkas)) = refutation(&lcp, &[], 0.0) else { panic!() };
     assert_eq!(farkas.vector[0], farkas.vector[1]);
     assert_eq!(farkas.vector[2], RBig::ZERO);
 }
@@ -171,7 +171,7 @@ proptest! {
         lcp in small(0.0), x in proptest::collection::vec(-1e9f64..1e9, 6)
     ) {
         let Some(all) = all_solutions(&lcp) else { return Ok(()) };
-        prop_assert_eq!(refutation(&lcp, &[]).is_some(), all.is_empty());
+        prop_assert_eq!(refutation(&lcp, &[], 0.0).is_some(), all.is_empty());
         for scale in [1.0, 1e-9, 1e9] {
             let mut x: Vec<f64> = x[..lcp.len()].iter().map(|x| x * scale).collect();
             lcp.project_all(&mut x);

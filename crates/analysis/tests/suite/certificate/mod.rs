@@ -10,4 +10,5 @@ mod motion_bound;
 mod ray;
 mod regularity;
 mod rounding;
+mod scale;
 mod verdict;

@@ -4,7 +4,8 @@
 //! x = −k c − d J u                         equations and springs (which have a k and d of their own)
 //!     max(0, −k c − d J u) where c < 0     contacts and limits: they never pull
 //!     Π(−d (J u − v))                      friction, within its bounds
-//!     Π(−(J (u + h M⁻¹F) − v)/(h J M⁻¹Jᵀ)) motors: what brings the row to its speed in a substep
+//!     Π(−(J u' − v)/(h J M⁻¹Jᵀ))           motors: what brings the row to its speed in a substep,
+//!                                          with u' the velocity under all other forces
 //! u⁺ = u + h M⁻¹(F + Jᵀx),   s⁺ = s + h S u⁺
 //! ```
 //!
@@ -34,10 +35,7 @@ pub(super) fn step(
         states = supported(solving, &scene, &states, substep);
         let assembly = assembled(&scene, &states, found, ConstraintFilter::Near)?;
         let x = forces(&assembly, &scene.step.penalty, h);
-        let pull = assembly.pull_back(&x);
-        let force: Vec<f64> = assembly.force.iter().zip(pull).map(|(f, x)| f + x).collect();
-        let rates = assembly.accelerate(&force);
-        let u: Vec<f64> = assembly.u.iter().zip(rates).map(|(u, rate)| u + h * rate).collect();
+        let u = after(&assembly, h, &x);
         let moved = assembly.with_velocities(&states, &u);
         states = assembly.advanced(&moved, h);
         let impulses: Vec<f64> = x.iter().map(|x| h * x).collect();
@@ -56,35 +54,45 @@ pub(super) fn step(
 
 /// x (N, N m), a row each.
 fn forces(assembly: &Assembly, settings: &Penalty, h: f64) -> Vec<f64> {
-    let drives = drives(assembly, h);
     let mut x: Vec<f64> = Vec::with_capacity(assembly.rows.len());
-    for (row, drive) in assembly.rows.iter().zip(drives) {
-        let force = drive.unwrap_or_else(|| force(row, settings, &x));
-        x.push(force);
+    for row in &assembly.rows {
+        x.push(if is_motor(row) { 0.0 } else { force(row, settings, &x) });
     }
+    drive(assembly, h, &mut x);
     x
 }
 
-/// The forces of motors; `None` of all other rows.
-fn drives(assembly: &Assembly, h: f64) -> Vec<Option<f64>> {
-    let mut drives = vec![None; assembly.rows.len()];
-    let is_motor = |row: &Row| matches!(row.bounds, Bounds::Effort(_)) && row.spring.is_none();
-    if !assembly.rows.iter().any(is_motor) {
-        return drives;
+fn is_motor(row: &Row) -> bool {
+    matches!(row.bounds, Bounds::Effort(_)) && row.spring.is_none()
+}
+
+/// Adds the forces of motors, one after the other: each brings its row to its speed at the end of
+/// the substep, against all forces so far, those of joints and contacts included.
+fn drive(assembly: &Assembly, h: f64, x: &mut [f64]) {
+    let rows = &assembly.rows;
+    if !rows.iter().any(is_motor) {
+        return;
     }
     let sweeper = Sweeper::new(assembly, h);
-    let free = assembly.push_forward(&assembly.accelerate(&assembly.force));
-    for (i, row) in assembly.rows.iter().enumerate() {
+    let mut u = after(assembly, h, x);
+    for (i, row) in rows.iter().enumerate().filter(|(_, row)| is_motor(row)) {
         let mobility = sweeper.diagonal(i);
         if let Bounds::Effort(effort) = row.bounds
-            && is_motor(row)
             && mobility > 0.0
         {
-            let missing = row.speed - row.velocity - h * free[i];
-            drives[i] = Some((missing / (h * mobility)).clamp(-effort, effort));
+            let missing = row.speed - row.drift - sweeper.velocity(i, &u);
+            x[i] = (missing / (h * mobility)).clamp(-effort, effort);
+            sweeper.push(i, h * x[i], &mut u);
         }
     }
-    drives
+}
+
+/// u + h M⁻¹(F + Jᵀx).
+fn after(assembly: &Assembly, h: f64, x: &[f64]) -> Vec<f64> {
+    let pull = assembly.pull_back(x);
+    let force: Vec<f64> = assembly.force.iter().zip(pull).map(|(f, x)| f + x).collect();
+    let rates = assembly.accelerate(&force);
+    assembly.u.iter().zip(rates).map(|(u, rate)| u + h * rate).collect()
 }
 
 /// The force of a row after those before it: of a contact the normal row comes first.

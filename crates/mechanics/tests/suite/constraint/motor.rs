@@ -1,6 +1,7 @@
 //! Motors: full effort until the speed is reached, then the effort that keeps it.
 
 use lcplab_mechanics::scene::{Scene, Scheme};
+use lcplab_mechanics::simulation::Simulation;
 
 use super::{assert_near, forces, start};
 
@@ -67,4 +68,35 @@ fn a_motor_without_a_limit_keeps_its_speed_from_the_first_step_on() {
             assert_near(forces(&step, &motor, 0)[0], effort, 1e-9);
         }
     }
+}
+
+#[test]
+fn a_motor_of_the_penalty_method_keeps_its_speed_against_a_weight() {
+    // The joint's springs carry the lever, and the motor turns it against its weight.
+    let text = "
+        step = { scheme = \"penalty\", count = 20 }
+        [[bodies]]
+        name = \"lever\"
+        shape = { box = [1.2, 0.1, 0.1] }
+        mass = 6
+        position = [0.6, 0, 0]
+        [[constraints]]
+        kind = \"hinge\"
+        bodies = [\"lever\"]
+        axis = [0, 1, 0]
+        point = [0, 0, 0]
+        [[constraints]]
+        kind = \"motor_rotation\"
+        bodies = [\"lever\"]
+        axis = [0, 1, 0]
+        speed = -1
+        effort = 500
+    ";
+    let scene = Scene::from_toml("lever.toml", text).unwrap();
+    let mut simulation = Simulation::of(&scene).unwrap();
+    for _ in 0..60 {
+        simulation.step().unwrap();
+    }
+    let speed = simulation.states()[0].omega.y;
+    assert!((speed + 1.0).abs() < 1e-3, "{speed}");
 }

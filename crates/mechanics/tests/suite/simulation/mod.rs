@@ -5,6 +5,7 @@ mod columns;
 mod demonstrations;
 mod driven;
 mod failures;
+mod fast_turns;
 mod free;
 mod friction;
 mod friction_models;
