@@ -30,7 +30,8 @@ This page is generated from the docstrings by `python python/reference.py`.
 #: The order of the page.
 NAMES = [
     "solve", "Result", "judge", "Verdict", "solve_qp", "QPSolution", "solutions", "Solutions", "Face", "prove", "check", "Proof", "Problem", "compare", "Comparison", "hunt", "Finding", "explain",
-    "Document", "Scene", "Step", "receipt", "Receipt", "receipts", "Run", "EngineStep", "EngineRow", "solvers", "InputError",
+    "Document", "Scene", "Step", "receipt", "Receipt", "receipts", "Run", "attribution", "Attribution", "EngineStep",
+    "EngineRow", "solvers", "InputError",
 ]
 
 

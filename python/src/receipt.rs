@@ -13,6 +13,7 @@ use lcplab::report::study::receipt::{
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use rayon::prelude::*;
 use serde_json::Value;
 
 use crate::refused;
@@ -103,9 +104,13 @@ pub fn step_receipts(
     steps: Vec<(Step<'_>, Option<String>)>,
     limit: Option<f64>,
 ) -> PyResult<Vec<StepReceipt>> {
-    let read = |(step, report): &(Step<'_>, Option<String>)| Ok((step.read()?, reported(report)?));
-    let steps = steps.iter().map(read).collect::<Result<Vec<_>>>().map_err(refused)?;
-    let receipts = py.detach(|| Receipt::of_all(steps, limit)).map_err(refused)?;
+    let copied: Vec<_> = steps.into_iter().map(|(step, report)| (step.copied(), report)).collect();
+    let read = |(step, report): (Copied, Option<String>)| Ok((step.read()?, reported(&report)?));
+    let all = || {
+        let steps: Vec<Result<_>> = copied.into_par_iter().map(read).collect();
+        Receipt::of_all(steps.into_iter().collect::<Result<_>>()?, limit)
+    };
+    let receipts = py.detach(all).map_err(refused)?;
     Ok(receipts.into_iter().map(|receipt| StepReceipt(Arc::new(receipt))).collect())
 }
 
@@ -168,7 +173,7 @@ pub fn read_frame(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>> 
 /// The problem file of a step, and the file with its answer.
 #[pyfunction]
 pub fn step_files(py: Python<'_>, step: Step<'_>) -> PyResult<(String, String)> {
-    let step = step.read().map_err(refused)?;
+    let step = step.copied().read().map_err(refused)?;
     let problem = py.detach(|| step.to_problem()).map_err(refused)?;
     Ok((problem.to_string(), step.to_answer().to_string()))
 }
@@ -206,15 +211,64 @@ fn fields(py: Python<'_>, step: EngineStep) -> PyResult<Bound<'_, PyDict>> {
     Ok(fields)
 }
 
+/// Copies of the arrays of a step, which need no interpreter.
+struct Copied {
+    mass: Entries,
+    jacobian: Entries,
+    bias: Vec<f64>,
+    compliance: Vec<f64>,
+    target: Vec<f64>,
+    lo: Vec<f64>,
+    hi: Vec<f64>,
+    friction_index: Vec<i64>,
+    mu: Vec<f64>,
+    forces: Vec<f64>,
+    motion: Vec<f64>,
+    reported_push: Option<Vec<f64>>,
+    expected_jacobian: Option<Entries>,
+    expected_bias: Option<Vec<f64>>,
+    expected_target: Option<Vec<f64>>,
+    facts: String,
+}
+
+/// Rows, columns and values of stored entries.
+type Entries = (Vec<i64>, Vec<i64>, Vec<f64>);
+
 impl Step<'_> {
-    fn read(&self) -> Result<EngineStep> {
+    fn copied(self) -> Copied {
+        let indices = |array: &Indices<'_>| array.as_array().to_vec();
+        let stored = |(rows, columns, values): &Triplets<'_>| {
+            (indices(rows), indices(columns), numbers(values))
+        };
+        let optional = |array: &Option<Numbers<'_>>| array.as_ref().map(numbers);
+        Copied {
+            mass: stored(&self.mass),
+            jacobian: stored(&self.jacobian),
+            bias: numbers(&self.bias),
+            compliance: numbers(&self.compliance),
+            target: numbers(&self.target),
+            lo: numbers(&self.lo),
+            hi: numbers(&self.hi),
+            friction_index: indices(&self.friction_index),
+            mu: numbers(&self.mu),
+            forces: numbers(&self.forces),
+            motion: numbers(&self.motion),
+            reported_push: optional(&self.reported_push),
+            expected_jacobian: self.expected_jacobian.as_ref().map(stored),
+            expected_bias: optional(&self.expected_bias),
+            expected_target: optional(&self.expected_target),
+            facts: self.facts,
+        }
+    }
+}
+
+impl Copied {
+    fn read(self) -> Result<EngineStep> {
         let facts: StepFacts =
             serde_json::from_str(&self.facts).map_err(|cause| fault("facts", cause))?;
-        let target = numbers(&self.target);
-        let bias = numbers(&self.bias);
-        let (n, k) = (bias.len(), target.len());
+        let (n, k) = (self.bias.len(), self.target.len());
         let mass = entries("mass", &self.mass, k, k)?;
-        let rows = |name: &str, triplets: &Triplets<'_>| -> Result<_> {
+        let rows = |name: &str, triplets: &Entries| -> Result<_> {
             let mut rows = vec![Vec::new(); n];
             for (i, j, value) in entries(name, triplets, n, k)? {
                 rows[i].push((j, value));
@@ -227,30 +281,29 @@ impl Step<'_> {
         let gauss = Gauss {
             mass: mass.into_iter().filter(|(i, j, _)| i <= j).collect(),
             jacobian,
-            bias,
-            compliance: numbers(&self.compliance),
-            target,
-            lo: numbers(&self.lo),
-            hi: numbers(&self.hi),
+            bias: self.bias,
+            compliance: self.compliance,
+            target: self.target,
+            lo: self.lo,
+            hi: self.hi,
             level: Some(facts.level()?),
         };
         let model = facts.model()?;
-        let index = self.friction_index.as_array();
-        let index = index.iter().map(|&normal| normal_row(normal)).collect::<Result<Vec<_>>>()?;
-        let optional = |array: &Option<Numbers<'_>>| array.as_ref().map(numbers);
+        let index = self.friction_index.iter().map(|&normal| normal_row(normal));
+        let index = index.collect::<Result<Vec<_>>>()?;
         let step = EngineStep {
             source: facts.source,
             gauss,
-            friction: FrictionRows { index, mu: numbers(&self.mu), model },
+            friction: FrictionRows { index, mu: self.mu, model },
             answer: EngineAnswer {
-                forces: numbers(&self.forces),
-                motion: numbers(&self.motion),
-                reported_push: optional(&self.reported_push),
+                forces: self.forces,
+                motion: self.motion,
+                reported_push: self.reported_push,
             },
             expected: Expected {
                 jacobian: expected_jacobian,
-                bias: optional(&self.expected_bias),
-                target: optional(&self.expected_target),
+                bias: self.expected_bias,
+                target: self.expected_target,
             },
             rows: facts.rows,
             dof_bodies: facts.dof_bodies,
@@ -299,15 +352,15 @@ fn numbers(array: &Numbers<'_>) -> Vec<f64> {
 /// The entries of a matrix of this size.
 fn entries(
     name: &str,
-    (rows, columns, values): &Triplets<'_>,
+    (rows, columns, values): &Entries,
     n: usize,
     k: usize,
 ) -> Result<Vec<(usize, usize, f64)>> {
-    let places = rows.as_array().into_iter().zip(columns.as_array());
+    let places = rows.iter().zip(columns);
     let place = |index: i64, size: usize| usize::try_from(index).ok().filter(|&own| own < size);
     let entry = |((&i, &j), &value): ((&i64, &i64), &f64)| match (place(i, n), place(j, k)) {
         (Some(i), Some(j)) => Ok((i, j, value)),
         _ => Err(fault(name, format!("has an entry at {i}, {j}, outside {n} × {k}"))),
     };
-    places.zip(values.as_array()).map(entry).collect()
+    places.zip(values).map(entry).collect()
 }

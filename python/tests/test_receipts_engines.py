@@ -329,7 +329,8 @@ def smaller_bias(step):
     return replace(step, bias=bias, forces=wrong.forces, motion=wrong.motion)
 
 
-@pytest.mark.parametrize(("bug", "stage"), [(smaller_bias, "assembly"), (wrong_sign, "solver"), (applied_twice, "write-back")])
+# The rows of a loop are rigid: their forces, applied along another row than the reported one, do not cause the motion.
+@pytest.mark.parametrize(("bug", "stage"), [(smaller_bias, "assembly"), (wrong_sign, "write-back"), (applied_twice, "write-back")])
 def test_a_planted_bug_in_a_loop_of_pinocchio_is_rejected_at_its_stage(bug, stage):
     run = lcplab.receipts([bug(step) for step in loops()])
     assert run.stages == {stage: 30}, str(run)

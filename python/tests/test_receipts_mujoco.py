@@ -91,9 +91,20 @@ def other_depth(data):
     data.contact[0].dist -= 0.01
 
 
+def other_position(data):
+    data.contact[0].pos[2] += 0.001
+
+
+def other_normal(data):
+    """Turned by 0.1 rad."""
+    data.contact[0].frame[:3] = (np.sin(0.1), 0, np.cos(0.1))
+
+
 @pytest.mark.parametrize(
     ("change", "stages"),
     [
+        (other_position, {"collision"}),
+        (other_normal, {"collision"}),
         (other_motion, {"write-back"}),
         (other_forces, {"write-back"}),
         (no_reported_forces, {"write-back"}),

@@ -17,12 +17,13 @@ from lcplab._hunt import Finding, hunt
 from lcplab._problem import Problem
 from lcplab._proof import Proof, check, prove
 from lcplab._qp import QPSolution, solve_qp
-from lcplab._receipt import Receipt, Row as EngineRow, Run, Step as EngineStep, receipt, receipts
+from lcplab._receipt import Attribution, Receipt, Row as EngineRow, Run, Step as EngineStep, attribution, receipt, receipts
 from lcplab._scene import Scene, Step
 from lcplab._solutions import Face, Solutions, solutions
 from lcplab._solve import Document, Result, Verdict, explain, judge, solve, solvers
 
 __all__ = [
+    "Attribution",
     "Comparison",
     "Document",
     "EngineRow",
@@ -41,6 +42,7 @@ __all__ = [
     "Step",
     "Verdict",
     "__version__",
+    "attribution",
     "check",
     "compare",
     "explain",

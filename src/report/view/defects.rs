@@ -2,7 +2,6 @@
 
 use super::{Headline, Outcome, ReportPage, View};
 use crate::number::count;
-use crate::report::page::markup::literal;
 use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::defects::{Defect, Plan, Record, Replay};
 
@@ -12,15 +11,7 @@ impl View for Plan {
     fn show(&self, findings: &[Record], document: &mut ReportPage) {
         for Record { defects, .. } in findings {
             document.table("defects", table(defects));
-            for defect in defects {
-                let first = match (&defect.bad.what, defect.bad.worse.first()) {
-                    (Some(what), _) => what,
-                    (None, Some(worse)) => worse,
-                    (None, None) => continue,
-                };
-                let (name, what) = (literal(&defect.source), literal(&defect.what));
-                document.text(format!("**{name}**: {what}. The receipt says: {}.", literal(first)));
-            }
+            document.table("receipts", receipts(defects));
         }
     }
 
@@ -54,21 +45,38 @@ fn says(record: &Record) -> String {
 fn table(defects: &[Defect]) -> Table {
     let rows = defects.iter().map(|defect| {
         let mark = if defect.is_detected() { Mark::Good } else { Mark::Bad };
+        let outcome = defect.outcome.strip_prefix("detected ").unwrap_or(&defect.outcome);
         vec![
             Cell::text(&defect.what),
             Cell::text(&defect.stage),
             Cell::text(words(&defect.bad)),
             Cell::text(words(&defect.mended)),
-            Cell::text(&defect.outcome).marked(mark),
+            Cell::text(outcome).marked(mark),
         ]
     });
     let how = "The same scene runs in the defective and in the corrected release, and each step is \
-               checked with default arguments. The stage is the part of the step that was wrong. \
-               Detected by comparison: no step is rejected, but the errors are larger than in the \
-               run of the corrected release.";
+               checked with default arguments. The stage is the part of the step that was wrong: \
+               collision (contacts and their geometry), assembly (the rows and matrices of the \
+               problem), solver, or write-back (new velocities and reported forces). By \
+               comparison: no step is rejected, but the errors are larger than in the run of the \
+               corrected release.";
     let headings = "what was wrong | stage | steps rejected, defective release | \
                     steps rejected, corrected release | outcome";
     Table::new("Known defects", how, headings, rows.collect())
+}
+
+/// What the first rejected step's receipt says, or the comparison.
+fn receipts(defects: &[Defect]) -> Table {
+    let row = |defect: &Defect| {
+        let first = defect.bad.what.as_ref().or(defect.bad.worse.first())?;
+        let release = Cell::text(defect.bad.versions.join(", "));
+        Some(vec![release, Cell::text(first), Cell::text(&defect.source)])
+    };
+    let how = "The first error of the first rejected step, as its receipt states it, or the \
+               comparison of the two runs. expected_bias and expected_target are values that the \
+               adapter of the engine computes from the model.";
+    let headings = "defective release | the receipt says | corrected in";
+    Table::new("What the receipts say", how, headings, defects.iter().filter_map(row).collect())
 }
 
 fn words(run: &Replay) -> String {

@@ -24,14 +24,18 @@ fn at_least_twelve_of_fourteen_defects_are_rejected_and_no_corrected_release_is(
 
 /// Cells are not markup: an escaped character would be shown with its backslash.
 #[test]
-fn the_table_shows_the_words_of_the_record() {
+fn the_tables_show_the_words_of_the_record() {
     let record = shipped();
-    let (_, table) = &ReportPage::of(&Plan::default(), std::slice::from_ref(&record)).tables[0];
-    for (row, defect) in table.rows.iter().zip(&record.defects) {
+    let tables = &ReportPage::of(&Plan::default(), std::slice::from_ref(&record)).tables;
+    let [(_, defects), (_, receipts)] = tables.as_slice() else { panic!("{}", tables.len()) };
+    assert_eq!(receipts.rows.len(), record.defects.len());
+    for ((row, says), defect) in defects.rows.iter().zip(&receipts.rows).zip(&record.defects) {
         assert_eq!(row[0].text, defect.what);
-        assert!(row.iter().all(|cell| !cell.text.contains('\\')), "{row:?}");
+        assert_eq!(says[2].text, defect.source);
+        assert!(row.iter().chain(says).all(|cell| !cell.text.contains('\\')), "{row:?} {says:?}");
     }
-    assert_eq!(table.rows[0][2].text, "MuJoCo 4.0.0: 4 of 1,800");
+    assert_eq!(defects.rows[0][2].text, "MuJoCo 4.0.0: 4 of 1,800");
+    assert_eq!(receipts.rows[0][0].text, "MuJoCo 4.0.0");
 }
 
 #[test]

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from lcplab._receipt.attribution import Attribution, attribution
 from lcplab._receipt.checks import Adapter, State, read
 from lcplab._receipt.receipt import Receipt, receipts_of
 from lcplab._receipt.runs import Run, receipts
 from lcplab._receipt.step import Row, Step
 
-__all__ = ["Adapter", "Receipt", "Row", "Run", "State", "Step", "receipt", "receipts"]
+__all__ = ["Adapter", "Attribution", "Receipt", "Row", "Run", "State", "Step", "attribution", "receipt", "receipts"]
 
 
 def receipt(

@@ -58,6 +58,13 @@ class Blocks:
             return False
         return True
 
+    def plus_diagonal(self, diagonal: Array) -> Blocks:
+        """M + diag(diagonal)."""
+        def added(columns: Rows, entries: Array) -> Array:
+            return entries + diagonal[columns][:, :, None] * np.eye(columns.shape[1])
+
+        return Blocks([(columns, added(columns, entries)) for columns, entries in self.groups])
+
     def solve(self, right: Array) -> Array:
         """M⁻¹ right, for a vector (k,) or a matrix (k, n)."""
         found = np.zeros(right.shape)

@@ -25,7 +25,7 @@ def check(model: Any, data: Any, step: Step, qvel: Array) -> Report:
         # The solver's residual is no error of this stage, so the forces are used and not the solved acceleration.
         push = step.push(step.forces) if step.reported_push is None else step.reported_push
         forces = step.times_mass(step.target) + push
-        acceleration = np.asarray(np.linalg.solve(step.dense_mass() + h * np.diag(damping), forces), dtype=float)
+        acceleration = step.mass_blocks.plus_diagonal(h * damping).solve(forces)
     change, limit = h * acceleration, ROUNDING[step.bits]
     difference = np.asarray(data.qvel, dtype=float) - qvel - change
     error, worst = step.norm(difference), int(np.argmax(np.abs(difference))) if model.nv else 0

@@ -24,12 +24,15 @@ def is_finite(step: Step) -> bool:
     """
     lo, hi = np.where(step.lo == -np.inf, 0, step.lo), np.where(step.hi == np.inf, 0, step.hi)
     parts: list[Any] = [step.mass[2], step.jacobian[2], step.bias, step.compliance, step.mu, lo, hi, step.target, step.forces,
-             step.motion, step.gravity, 0.0 if step.reported_push is None else step.reported_push]
-    return all(bool(np.isfinite(part).all()) for part in parts)
+             step.motion, [step.gravity], [] if step.reported_push is None else step.reported_push]
+    return bool(np.isfinite(np.concatenate(parts)).all())
 
 
 def in_arrays(stage: str, arrays: Mapping[str, Any]) -> Finding | None:
     """The first entry of these arrays that is not finite, as an error of this stage."""
+    flat = [np.asarray(values, dtype=float).reshape(-1) for values in arrays.values()]
+    if not flat or np.isfinite(np.concatenate(flat)).all():
+        return None
     for name, values in arrays.items():
         entries = np.asarray(values, dtype=float).reshape(-1)
         if not np.isfinite(entries).all():

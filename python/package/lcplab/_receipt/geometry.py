@@ -5,7 +5,6 @@ Negative where shapes overlap. A plane is ``z <= 0`` of its axes, a capsule lies
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -26,14 +25,6 @@ class Shape:
     name: str = ""
     #: The distance (m) from which on it has contacts; negative if only where it overlaps more.
     margin: float = 0.0
-
-    @property
-    def radius(self) -> float:
-        """Of a sphere around it; infinite for a plane."""
-        if self.kind == "plane":
-            return math.inf
-        sizes: list[float] = self.size.tolist()
-        return {"sphere": sizes[0], "capsule": sum(sizes[:2])}.get(self.kind, math.hypot(*sizes))
 
 
 @dataclass(frozen=True)
@@ -178,5 +169,21 @@ _PAIRS: dict[tuple[str, str], Callable[[Many, Many], Array]] = {
     ("capsule", "capsule"): _capsule_capsule,
     ("box", "box"): _box_box,
 }
+def surface_distance(kind: str, shapes: Many, points: Array) -> Array:
+    """The signed distance (m) of a point from each shape of this kind, negative inside, (n,).
+
+    Examples
+    --------
+    >>> ball = Many(np.array([[0.1, 0, 0]]), np.zeros((1, 3)), np.eye(3)[None])
+    >>> round(surface_distance("sphere", ball, np.array([[0.3, 0, 0]])).item(), 12)
+    0.2
+    """
+    no_size = np.zeros_like(points)
+    dots = Many(no_size, points, np.zeros((len(points), 3, 3)))
+    first, second = ("sphere", kind) if ("sphere", kind) in _PAIRS else (kind, "sphere")
+    pair = (dots, shapes) if first == "sphere" else (shapes, dots)
+    return _PAIRS[first, second](*pair)
+
+
 #: Pairs whose closed form is exact both apart and overlapping, so that the engine's distance must be the same.
 EXACT = frozenset(pair for pair in _PAIRS if pair != ("box", "box"))

@@ -10,12 +10,15 @@ from typing import Any
 
 import numpy as np
 
+from lcplab._receipt.kept import Kept
 from lcplab._receipt.step import Array, Rows
 
 #: The time step (s) of second differences, which are accurate to about nine digits.
 SECOND = 1e-3
 #: The relative rounding error of a position.
 EPSILON = float(np.finfo(float).eps)
+#: MuJoCo's kinds of joints that turn bodies.
+FREE, BALL, HINGE = 0, 1, 3
 #: Poses that differ by less than this (m, rad) are the same.
 SAME = 1e-9
 
@@ -45,18 +48,17 @@ class Kinematics:
         self.first = size = float(np.cbrt(EPSILON * self.reach))
         linear, angular = np.zeros((2, model.nbody, 3, model.nv))
         rounds = trees_of(model).rounds
-        after, before = [], []
-        for dofs, _, _ in rounds:
-            velocity = np.zeros(model.nv)
+        centers, axes = np.empty((2, len(rounds), model.nbody, 3)), np.empty((2, len(rounds), model.nbody, 3, 3))
+        velocity = np.zeros(model.nv)
+        for number, (dofs, _, _) in enumerate(rounds):
             velocity[dofs] = 1.0
-            after.append(self.along(velocity, size))
-            before.append(self.along(velocity, -size))
-        if rounds:
-            (p, a), (q, b) = ([np.array(part) for part in zip(*poses)] for poses in (after, before))
-            moved, turned = (p - q) / (2 * size), turn(a, b) / (2 * size)
-            for number, (_, bodies, columns) in enumerate(rounds):
-                linear[bodies, :, columns] = moved[number, bodies]
-                angular[bodies, :, columns] = turned[number, bodies]
+            for side, time in enumerate((-size, size)):
+                centers[side, number], axes[side, number] = self.along(velocity, time)
+            velocity[dofs] = 0.0
+        moved, turned = (centers[1] - centers[0]) / (2 * size), turn(axes[1], axes[0]) / (2 * size)
+        for number, (_, bodies, columns) in enumerate(rounds):
+            linear[bodies, :, columns] = moved[number, bodies]
+            angular[bodies, :, columns] = turned[number, bodies]
         self.linear, self.angular = linear, angular
 
     def along(self, velocity: Array, time: float) -> tuple[Array, Array]:
@@ -77,7 +79,7 @@ class Kinematics:
 
     def accelerations(self, velocity: Array) -> tuple[Array, Array]:
         """J̇v: accelerations of centers (m/s²) and angular ones (rad/s²) of a motion with constant velocity."""
-        size = interval(velocity)
+        size = interval(self.model, velocity)
         (p, after), (q, before) = self.along(velocity, size), self.along(velocity, -size)
         linear = (p - 2 * self.centers + q) / size**2
         angular = (turn(after, self.axes) - turn(self.axes, before)) / size**2
@@ -85,7 +87,7 @@ class Kinematics:
 
     def rounding(self, velocity: Array) -> float:
         """The error of these accelerations by rounding of the poses (m/s²)."""
-        return 8 * EPSILON * self.reach / interval(velocity) ** 2
+        return 8 * EPSILON * self.reach / interval(self.model, velocity) ** 2
 
     @property
     def trees(self) -> list[tuple[Rows, Rows]]:
@@ -157,9 +159,20 @@ def trees_of(model: Any) -> Trees:
     return kept[1]
 
 
-def interval(velocity: Array) -> float:
-    """The time step of second differences (s) along a velocity."""
-    return SECOND / max(1.0, float(np.abs(velocity).max(initial=0.0)))
+def _turning_of(model: Any) -> Rows:
+    """The degrees of freedom that turn bodies."""
+    first, kinds = np.asarray(model.jnt_dofadr), np.asarray(model.jnt_type)
+    of_free = first[kinds == FREE, None] + np.arange(3, 6)
+    of_ball = first[kinds == BALL, None] + np.arange(3)
+    return np.concatenate([of_free.ravel(), of_ball.ravel(), first[kinds == HINGE]])
+
+
+_turning = Kept(_turning_of, "jnt_type", "jnt_dofadr")
+
+
+def interval(model: Any, velocity: Array) -> float:
+    """The time step of second differences (s) along a velocity: bodies that only move in a line have none."""
+    return SECOND / max(1.0, float(np.abs(velocity[_turning(model)]).max(initial=0.0)))
 
 
 def scratch(model: Any, data: Any) -> Any:
@@ -187,6 +200,12 @@ def differences(model: Any, data: Any, qpos: Array) -> tuple[Array, Array]:
     own.qpos[:] = qpos
     mujoco.mj_kinematics(model, own)
     return np.abs(own.xipos - data.xipos).max(axis=1), np.abs(own.ximat - data.ximat).max(axis=1)
+
+
+def cross(one: Array, other: Array) -> Array:
+    """Cross products of vectors in rows, (n, 3); ``np.cross`` takes several times as long for few of them."""
+    (a, b, c), (x, y, z) = one.T, other.T
+    return np.stack([b * z - c * y, c * x - a * z, a * y - b * x], axis=1)
 
 
 def turn(after: Array, before: Array) -> Array:

@@ -150,12 +150,20 @@ def names_of(model: Any) -> Names:
     return kept[1]
 
 
-def _rows(model: Any, data: Any, kinds: Rows) -> list[Row]:
-    numbers = np.array(data.efc_id[: len(kinds)]).tolist()
-    names, shapes = names_of(model), shapes_of(data).tolist()
-    pairs = list(zip(kinds.tolist(), numbers))
-    own = {pair: _row(model, names, shapes, *pair) for pair in dict.fromkeys(pairs)}
-    return [own[pair] for pair in pairs]
+_last_rows: tuple[Any, list[bytes], tuple[Row, ...]] | None = None
+
+
+def _rows(model: Any, data: Any, kinds: Rows) -> tuple[Row, ...]:
+    """The names of all rows; those of the step that was read last are kept, if this step has the same rows."""
+    global _last_rows
+    numbers, shapes = np.array(data.efc_id[: len(kinds)]), shapes_of(data)
+    key, kept = [kinds.tobytes(), numbers.tobytes(), shapes.tobytes()], _last_rows
+    if kept is None or kept[0] is not model or kept[1] != key:
+        names, listed = names_of(model), shapes.tolist()
+        pairs = list(zip(kinds.tolist(), numbers.tolist()))
+        own = {pair: _row(model, names, listed, *pair) for pair in dict.fromkeys(pairs)}
+        kept = _last_rows = model, key, tuple(own[pair] for pair in pairs)
+    return kept[2]
 
 
 def _row(model: Any, names: Names, shapes: list[list[int]], kind: int, number: int) -> Row:
@@ -222,14 +230,10 @@ def has_effective_mass(model: Any) -> bool:
 def never_checked(model: Any, data: Any) -> list[str]:
     """The parts of a step of this model that no check covers."""
     parts = ["write-back: the position after the step"]
-    if data.ncon:
-        parts.append("collision: positions and normals of contacts")
     if data.nefc:
-        parts.append("assembly: coefficients of friction, and compliance of rows (solref, solimp)")
-    if np.any(model.jnt_limited) or np.any(model.tendon_limited):
-        parts.append("assembly: rows of limits (presence, J, distance)")
-    if np.any(model.dof_frictionloss) or np.any(model.tendon_frictionloss):
-        parts.append("assembly: rows of friction losses (presence, J, bounds)")
+        parts.append("assembly: compliance of rows (solref, solimp)")
+    if np.any(model.tendon_limited) or np.any(model.tendon_frictionloss):
+        parts.append("assembly: rows of limits and friction losses of tendons (presence, J, distance, bounds)")
     if np.any(model.eq_type > 2):
         parts.append("assembly: rows of equalities of tendons and flexes (presence)")
     if model.nu:
@@ -239,7 +243,8 @@ def never_checked(model: Any, data: Any) -> list[str]:
 
 def are_asleep(data: Any) -> bool:
     """Whether some trees are asleep."""
-    return bool(np.any(getattr(data, "tree_asleep", np.array([-1])) >= 0))
+    trees = getattr(data, "tree_asleep", None)
+    return trees is not None and bool((trees >= 0).any())
 
 
 def is_disabled(model: Any, *names: str) -> bool:

@@ -15,15 +15,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lcplab._receipt import mujoco as reader
-from lcplab._receipt import mujoco_contacts, mujoco_presence
+from lcplab._receipt import mujoco_contacts, mujoco_limits, mujoco_presence
 from lcplab._receipt.findings import Finding, Report
-from lcplab._receipt.kinematics import Kinematics, interval, scratch
+from lcplab._receipt.kept import Kept
+from lcplab._receipt.kinematics import Kinematics, cross, interval, scratch
 from lcplab._receipt.step import Array, Rows, Step
 
-#: The largest accepted errors of first and second differences of poses, and of reference accelerations.
+#: The largest accepted errors of first and second differences of poses, and of reference accelerations with J̇v.
 FIRST, SECOND, REFERENCE = 1e-5, 1e-4, 1e-2
 #: The largest number of degrees of freedom: with more, differences of poses take too long.
-MOST_DOFS = 2_000
+MOST_DOFS = 3_000
 #: Equalities whose reference contains J̇v: connect and weld.
 BENT = (0, 1)
 #: Actuators of groups 0 to 30 can be disabled.
@@ -51,6 +52,7 @@ def check(model: Any, data: Any, step: Step, qpos: Array, qvel: Array) -> Report
     report.add(actuators)
     report.not_checked += unknown
     report.add(mujoco_presence.check(model, data, motion))
+    report.add(mujoco_limits.check(model, data, step, qpos))
     if len(step):
         report.add(mujoco_contacts.check(model, data, step, motion))
         report.add(_equalities(model, data, step, motion))
@@ -130,7 +132,7 @@ def _bias_forces(model: Any, data: Any, motion: Kinematics, qvel: Array) -> Diff
     turning = motion.angular @ qvel
     forces = model.body_mass[:, None] * (linear - gravity)
     momentum = np.einsum("bij,bj->bi", inertia, turning)
-    torques = np.einsum("bij,bj->bi", inertia, angular) + np.cross(turning, momentum)
+    torques = np.einsum("bij,bj->bi", inertia, angular) + cross(turning, momentum)
     own = _to_dofs(motion, forces, torques)
     what = "the bias forces (gravity, Coriolis, centrifugal) differ from those computed from poses"
     size = float(np.sqrt(np.sum(model.body_mass * np.sum(linear**2, axis=1))))
@@ -209,6 +211,38 @@ def _actuator_forces(model: Any, data: Any) -> tuple[Array, Array]:
 
 def _passive(model: Any, data: Any, qpos: Array, qvel: Array) -> tuple[Difference | None, list[str]]:
     """Springs and dampers of joints, or what is not checked."""
+    found, springs = _springs(model)
+    if np.any(getattr(data, "qfrc_adhesion", 0.0)):
+        found = [*found, "adhesion"]
+    if found or springs is None:
+        return None, [f"assembly: passive forces, because of {', '.join(found)}"]
+    damper = -springs.damping * qvel
+    damper[springs.dofs] -= springs.stiffness * (qpos[springs.places] - springs.rest)
+    what = "the passive forces differ from those of the joints' springs and dampers"
+    return Difference(what, data.qfrc_passive - damper, FIRST), []
+
+
+@dataclass(frozen=True)
+class Springs:
+    """Springs and dampers of joints.
+
+    Attributes
+    ----------
+    damping : (k,)
+        That of each degree of freedom (N s/m, N m s/rad).
+    dofs, places, stiffness, rest : arrays
+        Degree of freedom, place in qpos, stiffness (N/m, N m/rad) and position at rest (m, rad) of each joint with one axis.
+    """
+
+    damping: Array
+    dofs: Rows
+    places: Rows
+    stiffness: Array
+    rest: Array
+
+
+def _springs_of(model: Any) -> tuple[list[str], Springs | None]:
+    """What makes passive forces something else than springs and dampers of joints, and these."""
     import mujoco
 
     others = {
@@ -218,7 +252,6 @@ def _passive(model: Any, data: Any, qpos: Array, qvel: Array) -> tuple[Differenc
         "flexes": getattr(model, "nflex", 0),
         "gravity compensation": np.any(model.body_gravcomp),
         "plug-ins": model.nplugin,
-        "adhesion": np.any(getattr(data, "qfrc_adhesion", 0.0)),
         "actuators with damping": np.any(getattr(model, "actuator_damping", 0.0)),
         "plastic springs": getattr(model, "nplastic", 0),
     }
@@ -230,14 +263,19 @@ def _passive(model: Any, data: Any, qpos: Array, qvel: Array) -> tuple[Differenc
         found.append("springs and dampers that are not linear")
     if reader.is_disabled(model, "PASSIVE", "SPRING", "DAMPER"):
         found.append("disabled passive forces")
-    if found or stiffness is None or damping is None:
-        return None, [f"assembly: passive forces, because of {', '.join(found)}"]
-    spring, damper = np.zeros(model.nv), -damping * qvel
-    for joint in np.flatnonzero(~turning):
-        place = model.jnt_qposadr[joint]
-        spring[model.jnt_dofadr[joint]] = -stiffness[joint] * (qpos[place] - model.qpos_spring[place])
-    what = "the passive forces differ from those of the joints' springs and dampers"
-    return Difference(what, data.qfrc_passive - spring - damper, FIRST), []
+    if stiffness is None or damping is None:
+        return found, None
+    straight = np.flatnonzero(~turning)
+    places = np.array(model.jnt_qposadr)[straight]
+    dofs, rest = np.array(model.jnt_dofadr)[straight], np.array(model.qpos_spring)[places]
+    return found, Springs(damping.copy(), dofs, places, stiffness[straight], rest)
+
+
+_springs = Kept(
+    _springs_of, "opt.disableflags", "opt.density", "opt.viscosity", "tendon_stiffness", "tendon_damping",
+    "tendon_stiffnesspoly", "tendon_dampingpoly", "body_gravcomp", "actuator_damping", "actuator_dampingpoly",
+    "jnt_stiffness", "jnt_stiffnesspoly", "dof_damping", "dof_dampingpoly", "qpos_spring",
+)
 
 
 def _has_any(owner: Any, *names: str) -> bool:
@@ -279,26 +317,29 @@ def _references(model: Any, data: Any, step: Step, motion: Kinematics, qvel: Arr
         return Report(not_checked=["assembly: reference accelerations, because the number of equality rows changes"])
     terms = np.array([damper * step.along(qvel), spring * impedance * position, bends])
     sizes = np.abs(terms).sum(axis=0)
+    # The terms of J v may cancel; with J̇v the limit is wide enough for that.
+    sizes += np.where(bends != 0, 0.0, np.abs(damper) * step.size_along(qvel))
     difference = np.abs(np.array(data.efc_aref[:n]) + terms.sum(axis=0))
     report = Report()
-    special = _with_own_references(data, n)
+    special = _with_own_references(model, data, n)
     if special.any():
         report.not_checked.append("assembly: reference accelerations of contacts with adhesion or a surface velocity")
         difference[special] = 0.0
     scale = np.maximum(sizes, 1e-6 * max(float(sizes.max(initial=0.0)), step.gravity))
     scale += np.where(bends != 0, motion.rounding(qvel) / REFERENCE, 0.0)
+    limits = np.where(bends != 0, REFERENCE, FIRST)
     errors = difference / np.maximum(scale, 1e-300)
-    worst = int(np.argmax(errors))
+    worst = int(np.argmax(errors / limits))
     what = "the reference acceleration of a row does not follow from its spring, damper and J̇v"
     report.findings.append(
-        Finding("assembly", what, float(errors[worst]), REFERENCE, worst, step.rows[worst].bodies)
+        Finding("assembly", what, float(errors[worst]), float(limits[worst]), worst, step.rows[worst].bodies)
     )
     return report
 
 
 def _bends(model: Any, data: Any, n: int, motion: Kinematics, qvel: Array) -> Array | None:
     """J̇v of the rows of connect and weld, 0 of others, (n,); None if the number of equality rows changes."""
-    bends, size = np.zeros(n), interval(qvel)
+    bends, size = np.zeros(n), interval(model, qvel)
     rows = np.flatnonzero(np.array(data.efc_type[:n]) == reader.EQUALITY)
     if len(rows) == 0:
         return bends
@@ -311,15 +352,25 @@ def _bends(model: Any, data: Any, n: int, motion: Kinematics, qvel: Array) -> Ar
     return bends
 
 
-def _with_own_references(data: Any, n: int) -> Flags:
+def _with_own_references(model: Any, data: Any, n: int) -> Flags:
     """The rows of contacts with adhesion or a surface velocity, which enter their references too, (n,)."""
     special = np.zeros(n, dtype=bool)
+    if not data.ncon or not _has_any(model, "geom_adhesion", "geom_surfacevel", "pair_adhesion"):
+        return special
     starts, numbers = np.array(data.contact.efc_address), np.array(data.efc_id[:n])
-    for name in ("adhesion", "surfacevel") if len(starts) else ():
-        values = np.reshape(getattr(data.contact, name, np.zeros(len(starts))), (len(starts), -1))
-        for number in np.flatnonzero(values.any(axis=1) & (starts >= 0)).tolist():
+    for name in ("adhesion", "surfacevel"):
+        for number in np.flatnonzero(_have(model, data, name) & (starts >= 0)).tolist():
             special |= (np.arange(n) >= starts[number]) & (numbers == number)
     return special
+
+
+def _have(model: Any, data: Any, name: str) -> Flags:
+    """The contacts with adhesion or a surface velocity: their own, or one of their shapes, (ncon,)."""
+    contacts = np.reshape(getattr(data.contact, name, np.zeros(data.ncon)), (data.ncon, -1)) != 0
+    of_shape = np.reshape(getattr(model, f"geom_{name}", np.zeros(model.ngeom)), (model.ngeom, -1)) != 0
+    shapes = reader.shapes_of(data)
+    own = np.any(of_shape, axis=1)[shapes] & (shapes >= 0)
+    return np.asarray(np.any(contacts, axis=1) | np.any(own, axis=1), dtype=bool)
 
 
 def _violations(

@@ -54,6 +54,8 @@ def _rows(model: Any, contacts: Any, own: Rows, size: int, motion: Kinematics) -
 
     def velocities(body: Rows) -> Array:
         along = axes @ motion.points(body, at)
+        if size <= 3:
+            return along[:, :size]
         turning = axes @ motion.angular[body]
         return np.concatenate([along, turning], axis=1)[:, :size]
 

@@ -46,12 +46,17 @@ def _missing(model: Any, number: int, has: int, needs: int) -> Finding:
     return Finding("assembly", what, np.inf, 0.0, None, bodies)
 
 
-def _bodies(model: Any, number: int) -> tuple[int, int]:
-    """The two bodies of a connect or a weld, which may be given by sites."""
+def _is_by_sites(model: Any, number: int) -> bool:
+    """Whether the equality is given by sites, which old versions do not have."""
     import mujoco
 
+    return hasattr(model, "eq_objtype") and int(model.eq_objtype[number]) == int(mujoco.mjtObj.mjOBJ_SITE)
+
+
+def _bodies(model: Any, number: int) -> tuple[int, int]:
+    """The two bodies of a connect or a weld, which may be given by sites."""
     objects = int(model.eq_obj1id[number]), int(model.eq_obj2id[number])
-    if int(model.eq_objtype[number]) == int(mujoco.mjtObj.mjOBJ_SITE):
+    if _is_by_sites(model, number):
         return int(model.site_bodyid[objects[0]]), int(model.site_bodyid[objects[1]])
     return objects
 
@@ -60,12 +65,10 @@ def _moves(model: Any, data: Any, motion: Kinematics, number: int) -> bool:
     """Whether J of the equality is clearly not 0."""
     if int(model.eq_type[number]) == JOINT:
         return True
-    import mujoco
-
     first, second = _bodies(model, number)
     if int(model.eq_type[number]) == WELD:
         return bool(np.abs(motion.angular[first] - motion.angular[second]).max(initial=0.0) > SMALL)
-    if int(model.eq_objtype[number]) == int(mujoco.mjtObj.mjOBJ_SITE):
+    if _is_by_sites(model, number):
         at = np.asarray(data.site_xpos[model.eq_obj1id[number]])
     else:
         at = data.xpos[first] + np.reshape(data.xmat[first], (3, 3)) @ model.eq_data[number][:3]

@@ -10,15 +10,22 @@ from numpy.typing import NDArray
 from lcplab._receipt import collision
 from lcplab._receipt import mujoco as reader
 from lcplab._receipt.findings import Finding, Report
-from lcplab._receipt.geometry import Shape
-from lcplab._receipt.step import Array
+from lcplab._receipt.geometry import EXACT, Many, Shape, surface_distance
+from lcplab._receipt.kept import Kept
+from lcplab._receipt.step import Array, Rows
 
 KINDS = {0: "plane", 2: "sphere", 3: "capsule", 6: "box"}
+PLANE, SPHERE, CAPSULE, BOX = 0, 2, 3, 6
 OTHERS = {1: "height field", 4: "ellipsoid", 5: "cylinder", 7: "mesh", 8: "signed distance field"}
+#: Whether the closed form of two kinds is exact.
+_ARE_EXACT = np.zeros((max(OTHERS) + 1, max(OTHERS) + 1), dtype=bool)
+for _one, _first in KINDS.items():
+    for _other, _second in KINDS.items():
+        _ARE_EXACT[_one, _other] = (_first, _second) in EXACT or (_second, _first) in EXACT
 #: Values of a contact's ``exclude``: it has rows, or it is farther apart than its margin without the gap.
 INCLUDED, IN_GAP = 0, 1
 #: More shapes than these have too many pairs.
-MOST = 400
+MOST = 1_000
 
 
 def check(model: Any, data: Any) -> Report:
@@ -29,8 +36,11 @@ def check(model: Any, data: Any) -> Report:
         return Report(not_checked=[f"collision: the model has more than {MOST} shapes"])
     if reader.are_asleep(data):
         return Report(not_checked=["collision: some trees are asleep"])
-    report = collision.check(_shapes(model, data), pairs(model), _contacts(data))
-    report.findings += _without_rows(model, data)
+    near = _near(model, data)
+    report = collision.check(_shapes(model, data, near), near, _contacts(data))
+    report.findings += _without_rows(model, data) + _off_surfaces(model, data)
+    if data.ncon and reader.shapes_of(data).min() < 0:
+        report.not_checked.append("collision: contacts of flexes")
     return report
 
 
@@ -48,12 +58,56 @@ def _without_rows(model: Any, data: Any) -> list[Finding]:
     return []
 
 
-def _shapes(model: Any, data: Any) -> dict[int, Shape]:
-    kinds = [KINDS.get(kind, OTHERS.get(kind, "shape")) for kind in np.asarray(model.geom_type).tolist()]
-    margins, names = _margins(model).tolist(), reader.names_of(model).geoms
+def _off_surfaces(model: Any, data: Any) -> list[Finding]:
+    """The contact whose ends, half its distance along the normal from its position, are farthest from the two surfaces."""
+    if not data.ncon:
+        return []
+    kinds, shapes, contacts = np.asarray(model.geom_type), reader.shapes_of(data), data.contact
+    of_pair = kinds[shapes]
+    exact = np.flatnonzero((shapes.min(axis=1) >= 0) & _ARE_EXACT[of_pair[:, 0], of_pair[:, 1]])
+    if len(exact) == 0:
+        return []
+    half = np.array(contacts.dist)[exact, None] / 2 * np.array(contacts.frame)[exact, :3]
+    ends = np.array(contacts.pos)[exact, None] + np.stack([-half, half], axis=1)
+    geoms = shapes[exact]
+    apart, sizes = np.zeros(geoms.shape), _smallest(model)[geoms].min(axis=1)
+    size, centers, axes = np.array(model.geom_size), np.array(data.geom_xpos), np.array(data.geom_xmat).reshape(-1, 3, 3)
+    for number in np.unique(kinds[geoms]).tolist():
+        own = kinds[geoms] == number
+        these = geoms[own]
+        many = Many(size[these], centers[these], axes[these])
+        apart[own] = surface_distance(KINDS[number], many, ends[own])
+    # A plane touches both end spheres of a capsule, and that of the higher end may do so inside of the capsule.
+    apart[(kinds[geoms] == CAPSULE) & (kinds[geoms] == PLANE).any(axis=1)[:, None] & (apart < 0)] = 0.0
+    apart = np.abs(apart)
+    errors = apart.max(axis=1) / sizes
+    worst = int(np.argmax(errors))
+    bodies = tuple(reader.names_of(model).geoms[geom] for geom in geoms[worst])
+    what = "position, normal and distance of a contact do not lead to the surfaces of its shapes"
+    return [Finding("collision", what, float(errors[worst]), collision.LIMIT, None, bodies)]
+
+
+def _smallest_of(model: Any) -> Array:
+    """The smallest radius or half edge (m) of each shape, (ngeom,); infinite for planes."""
+    kinds, sizes = np.asarray(model.geom_type), np.array(model.geom_size)
+    smallest = np.where(kinds == BOX, sizes.min(axis=1), sizes[:, 0])
+    return np.where(kinds == PLANE, np.inf, smallest)
+
+
+_smallest = Kept(_smallest_of, "geom_type", "geom_size")
+
+
+def _shapes(model: Any, data: Any, near: list[tuple[int, int]]) -> dict[int, Shape]:
+    """The shapes of these pairs."""
+    margins, names, kinds = _margins(model).tolist(), reader.names_of(model).geoms, np.asarray(model.geom_type).tolist()
     sizes, centers = np.array(model.geom_size), np.array(data.geom_xpos)
     axes = np.array(data.geom_xmat).reshape(-1, 3, 3)
-    return {geom: Shape(*own) for geom, own in enumerate(zip(kinds, sizes, centers, axes, names, margins))}
+
+    def shape(geom: int) -> Shape:
+        kind = KINDS.get(kinds[geom], OTHERS.get(kinds[geom], "shape"))
+        return Shape(kind, sizes[geom], centers[geom], axes[geom], names[geom], margins[geom])
+
+    return {geom: shape(geom) for geom in {geom for pair in near for geom in pair}}
 
 
 def _margins(model: Any) -> Array:
@@ -65,23 +119,7 @@ def _margins(model: Any) -> Array:
     return np.array(model.geom_margin, dtype=float)
 
 
-_pairs: tuple[list[Any], list[tuple[int, int]]] | None = None
-#: What the pairs of a model depend on.
-RULES = ("geom_contype", "geom_conaffinity", "geom_bodyid", "body_weldid", "body_parentid", "body_dofnum", "exclude_signature",
-         "pair_geom1", "pair_geom2", "pair_margin")
-
-
-def pairs(model: Any) -> list[tuple[int, int]]:
-    """The pairs of the model that was read last are kept while nothing changes that they depend on."""
-    global _pairs
-    rules = [model.opt.disableflags, *(np.asarray(getattr(model, name)).tobytes() for name in RULES)]
-    kept = _pairs
-    if kept is None or kept[0] != rules:
-        kept = _pairs = rules, _pairs_of(model)
-    return list(kept[1])
-
-
-def _pairs_of(model: Any) -> list[tuple[int, int]]:
+def _pairs_of(model: Any) -> tuple[Rows, Rows]:
     """Pairs by MuJoCo's documentation, "Collision detection": types, welded bodies, parents, exclusions.
 
     Two bodies that cannot move, such as the world and a mocap body, do not collide.
@@ -101,7 +139,47 @@ def _pairs_of(model: Any) -> list[tuple[int, int]]:
     for one, other, margin in zip(model.pair_geom1, model.pair_geom2, model.pair_margin):
         # A pair with a negative margin has no contact where it overlaps less.
         collide[one, other] = collide[other, one] = margin >= 0
-    return [(int(one), int(other)) for one, other in zip(*np.nonzero(np.triu(collide, 1)))]
+    first, second = np.nonzero(np.triu(collide, 1))
+    return first, second
+
+
+#: The pairs of shapes that the engine must test, (pairs,) each, the smaller number first.
+_pairs = Kept(
+    _pairs_of, "opt.disableflags", "geom_contype", "geom_conaffinity", "geom_bodyid", "body_weldid", "body_parentid",
+    "body_dofnum", "exclude_signature", "pair_geom1", "pair_geom2", "pair_margin",
+)
+
+
+def pairs(model: Any) -> list[tuple[int, int]]:
+    """The pairs of shapes that the engine must test, the smaller number first."""
+    first, second = _pairs(model)
+    return list(zip(first.tolist(), second.tolist()))
+
+
+def _radii_of(model: Any) -> Array:
+    """The radius of a sphere around each shape (m), (ngeom,); infinite for planes."""
+    kinds, sizes = np.asarray(model.geom_type), np.array(model.geom_size)
+    whole = np.sqrt(np.sum(sizes**2, axis=1))
+    radii = np.where(kinds == CAPSULE, sizes[:, 0] + sizes[:, 1], np.where(kinds == SPHERE, sizes[:, 0], whole))
+    return np.where(kinds == PLANE, np.inf, radii)
+
+
+_radii = Kept(_radii_of, "geom_type", "geom_size")
+
+
+def _near(model: Any, data: Any) -> list[tuple[int, int]]:
+    """The pairs whose bounding spheres overlap; of a plane, those that reach it."""
+    (first, second), radii = _pairs(model), _radii(model)
+    centers = np.array(data.geom_xpos)
+    between = centers[second] - centers[first]
+    near = np.sum(between**2, axis=1) <= (radii[first] + radii[second]) ** 2
+    normals = np.array(data.geom_xmat)[:, 2::3]
+    for plane, other, sign in ((first, second, 1.0), (second, first, -1.0)):
+        own = np.flatnonzero(np.isinf(radii[plane]))
+        if len(own):
+            heights = sign * np.sum(between[own] * normals[plane[own]], axis=1)
+            near[own] &= heights <= radii[other[own]]
+    return list(zip(first[near].tolist(), second[near].tolist()))
 
 
 def _are_movable(model: Any) -> NDArray[np.bool_]:

@@ -67,26 +67,77 @@ class Receipt:
         What the engine does not report, or lcplab cannot check.
     """
 
+    # The receipts of a run are many, and few of them are read: what they say is taken from Rust when it is asked for.
     def __init__(self, step: Step, own: _lcplab.StepReceipt) -> None:
         self.step = step
         self._own = own
-        self._json: dict[str, Any] = json.loads(own.json())
-        written = self._json
-        self.verdict: str = written["verdict"]
-        self.stage: str | None = written["stage"]
-        self.limit, self.effect = float(written["limit"]), float(written["effect"])
-        self.unit: str = written["unit"]
-        self.frozen: bool = written["frozen"]
-        self.effect_of: str = written["effect_of"]
-        self.bound, self.motion_error = _optional(written["bound"]), _optional(written["motion_error"])
-        self.residual = _optional(written["residual"])
-        self.stopped_by: str | None = written["stopped_by"]
-        self.findings = [Finding.of(finding) for finding in written["findings"]]
-        decides = written["rejected"]
-        self.rejected = None if decides is None else self.findings[decides]
-        self.not_checked: list[str] = written["not_checked"]
-        work = written["work"]
-        self.work = None if work is None else Work(work["engine"], work["newton"])
+
+    @cached_property
+    def _json(self) -> dict[str, Any]:
+        written: dict[str, Any] = json.loads(self._own.json())
+        return written
+
+    @cached_property
+    def verdict(self) -> str:
+        return str(self._json["verdict"])
+
+    @cached_property
+    def stage(self) -> str | None:
+        return None if self._json["stage"] is None else str(self._json["stage"])
+
+    @cached_property
+    def limit(self) -> float:
+        return float(self._json["limit"])
+
+    @cached_property
+    def effect(self) -> float:
+        return float(self._json["effect"])
+
+    @cached_property
+    def effect_of(self) -> str:
+        return str(self._json["effect_of"])
+
+    @cached_property
+    def unit(self) -> str:
+        return str(self._json["unit"])
+
+    @cached_property
+    def frozen(self) -> bool:
+        return bool(self._json["frozen"])
+
+    @cached_property
+    def bound(self) -> float | None:
+        return _optional(self._json["bound"])
+
+    @cached_property
+    def motion_error(self) -> float | None:
+        return _optional(self._json["motion_error"])
+
+    @cached_property
+    def residual(self) -> float | None:
+        return _optional(self._json["residual"])
+
+    @cached_property
+    def stopped_by(self) -> str | None:
+        return None if self._json["stopped_by"] is None else str(self._json["stopped_by"])
+
+    @cached_property
+    def findings(self) -> list[Finding]:
+        return [Finding.of(finding) for finding in self._json["findings"]]
+
+    @cached_property
+    def rejected(self) -> Finding | None:
+        place = self._json["rejected"]
+        return None if place is None else self.findings[place]
+
+    @cached_property
+    def not_checked(self) -> list[str]:
+        return list(self._json["not_checked"])
+
+    @cached_property
+    def work(self) -> Work | None:
+        work = self._json["work"]
+        return None if work is None else Work(work["engine"], work["newton"])
 
     @property
     def ok(self) -> bool:

@@ -6,6 +6,7 @@ import json
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -61,8 +62,6 @@ class Run:
         self._own = _lcplab.RunReport.of([(name, own._own) for name, own in self.receipts.items()], baseline)
         written: dict[str, Any] = json.loads(self._own.summary())
         self.ok: bool = written["ok"]
-        errors = (own.residual if own.motion_error is None else own.motion_error for own in self.receipts.values())
-        self.errors = sorted(error for error in errors if error is not None)
         self.counts: dict[str, int] = written["counts"]
         self.quantiles = {part: float(value) for part, value in written["quantiles"].items()}
         self.rejected: list[str] = list(written["rejected"])
@@ -75,6 +74,11 @@ class Run:
         self.worst: list[str] = written["worst"]
         self.stages: dict[str, int] = written["stages"]
         self.unchecked: str | None = written["unchecked"]
+
+    @cached_property
+    def errors(self) -> list[float]:
+        errors = (own.residual if own.motion_error is None else own.motion_error for own in self.receipts.values())
+        return sorted(error for error in errors if error is not None)
 
     def __bool__(self) -> bool:
         return self.ok

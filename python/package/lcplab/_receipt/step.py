@@ -237,12 +237,23 @@ class Step:
 
     def norm(self, motion: Array) -> float:
         """√(vᵀM v): the root of twice a kinetic energy, if v is a velocity. It is NaN where v or M is."""
-        square = float(motion @ self.times_mass(motion))
+        rows, columns, _ = self.mass
+        square = float((self._energies * motion[rows]) @ motion[columns])
         return 0.0 if square < 0 else math.sqrt(square)
+
+    @cached_property
+    def _energies(self) -> Array:
+        """The entries of the upper triangle of M, those off the diagonal doubled."""
+        rows, columns, values = self.mass
+        return np.asarray(np.where(rows == columns, values, 2 * values), dtype=float)
 
     @property
     def effect(self) -> float:
         """The divisor of motion errors: the largest of ``|v - u*|_M``, the change by gravity, and 1e-6 ``|u*|_M``."""
+        return self._effect
+
+    @cached_property
+    def _effect(self) -> float:
         change, free = self.norm(self.motion - self.target), self.norm(self.target)
         return max(change, 1e-6 * free, float(self.gravity))
 
@@ -261,8 +272,7 @@ class Step:
             "has_computed_motion": self.has_computed_motion,
         }
         triplets = {"mass": self.mass, "jacobian": self.jacobian, "expected_jacobian": self.expected_jacobian}
-        rows = ", ".join(map(_written, self.rows))
-        text = f'{json.dumps(facts)[:-1]}, "rows": [{rows}]}}'
+        text = f'{json.dumps(facts)[:-1]}, "rows": [{_all_written(self.rows)}]}}'
         return {**triplets, **vectors, "friction_index": self.friction_index, "facts": text}
 
     def _source(self) -> dict[str, Any]:
@@ -286,6 +296,20 @@ class Step:
         facts["no_bound"] = facts["no_bound"] or ""
         source.setdefault("settings", {})
         return cls(**arrays, **source, **facts, rows=rows)
+
+
+_last_written: tuple[Sequence[Row], str] | None = None
+
+
+def _all_written(rows: Sequence[Row]) -> str:
+    """Rows as JSON; those of the step before are kept, because a reader may return the same rows for the next step."""
+    global _last_written
+    if not isinstance(rows, tuple):  # a list may have been changed
+        return ", ".join(map(_written, rows))
+    kept = _last_written
+    if kept is None or kept[0] is not rows:
+        kept = _last_written = rows, ", ".join(map(_written, rows))
+    return kept[1]
 
 
 @lru_cache(4096)

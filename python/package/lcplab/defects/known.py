@@ -122,7 +122,7 @@ DEFECTS = (
     Defect(
         "resting_cube",
         "reported impulses of contacts are too large by a substep's part: (n + 1)/n with n substeps",
-        "Rapier 0.35.2, #992",
+        "Rapier 0.35.2 (npm 0.21.0), #992",
         "write-back",
         ("npm:@dimforge/rapier3d-compat@0.20.0",),
         ("npm:@dimforge/rapier3d-compat@0.21.0",),
@@ -154,7 +154,7 @@ DEFECTS = (
     Defect(
         "bouncing_ball",
         "the distance at which contacts are predicted takes speed from bounces",
-        "Rapier 0.35.0, #974",
+        "Rapier 0.35.0 (npm 0.20.0), #974",
         "assembly",
         ("npm:@dimforge/rapier3d-compat@0.19.3",),
         ("npm:@dimforge/rapier3d-compat@0.20.0",),
