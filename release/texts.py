@@ -34,7 +34,7 @@ $ cargo run --release -- report          # without installing: writes the standa
 $ cargo test                             # runs the tests, except those in a browser or in Python
 ```
 
-Without installing, replace `lcplab` in the examples with `cargo run --release --`.
+If you do not install lcplab, write `cargo run --release --` instead of `lcplab` in the examples.
 """,
         """```console
 $ pip install lcplab                     # the Python package and the command; no compiler needed
