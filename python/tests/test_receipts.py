@@ -249,3 +249,21 @@ def test_a_coupled_box_is_judged_with_the_friction_limits_of_the_answer(tmp_path
     receipt.write(tmp_path / "a.json", tmp_path / "a.x.json")
     [again] = lcplab.receipts([tmp_path]).receipts.values()
     assert again.step.model is None and again.ok and again.frozen
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_the_motion_error_of_a_small_step_is_near_the_true_one_below_its_limit_too(seed):
+    random = np.random.default_rng(seed)
+    n, k, softness = 8, 12, 1e-4
+    root, jacobian = 0.1 * random.normal(size=(k, k)), np.eye(n, k) + 0.05 * random.normal(size=(n, k))
+    mass, target = root @ root.T + np.eye(k), random.normal(size=k)
+    bias = np.full(n, -100.0)  # all contacts are closed: the exact motion solves linear equations
+    exact = np.linalg.solve(mass + jacobian.T @ jacobian / softness, mass @ target - jacobian.T @ bias / softness)
+    forces = -(jacobian @ exact + bias) / softness
+    assert (forces > 0).all()
+    forces *= 1 + 1e-5 * random.normal(size=n)
+    motion = exact + 1e-5 * random.normal(size=k)
+    step = lcplab.EngineStep.of("mine", mass=mass, jacobian=jacobian, bias=bias, compliance=softness, target=target,
+                                forces=forces, motion=motion, method="pgs")
+    receipt, true_error = lcplab.receipt(step), step.norm(motion - exact)
+    assert receipt.ok and true_error * 0.999 <= receipt.bound <= 1.1 * true_error, (receipt.bound, true_error)

@@ -454,7 +454,11 @@ impl Solved {
                 if !step.is_empty() && !is_sharp(posed, &bounds, limit) =>
             {
                 accurate = newton::accurate_motion(posed);
-                MotionError::Bounded(bounds::sharpened(posed, bounds, accurate.as_ref()))
+                let is_needed = accurate.is_some() || !is_within(posed, &bounds, limit);
+                MotionError::Bounded(match is_needed {
+                    true => bounds::sharpened(posed, bounds, accurate.as_ref()),
+                    false => bounds,
+                })
             }
             error => error,
         };
@@ -469,8 +473,20 @@ impl Solved {
     }
 }
 
-/// Whether both bounds are below the limit, so that they need not be tightened.
+/// The largest number of rows, and of degrees of freedom, of a step whose bounds are tightened
+/// although they are below the limit: for more, that would take most of a receipt's time.
+const SMALL: usize = 30;
+/// Bounds below this fraction of the limit are not tightened.
+const NEGLIGIBLE: f64 = 1e-3;
+
+/// Whether both bounds need not be tightened: they are below the limit, and the step is large or
+/// they are far below it.
 fn is_sharp(step: &EngineStep, bounds: &GapBound, limit: f64) -> bool {
+    let is_large = step.len().max(step.gauss.target.len()) > SMALL;
+    is_within(step, bounds, if is_large { limit } else { NEGLIGIBLE * limit })
+}
+
+fn is_within(step: &EngineStep, bounds: &GapBound, limit: f64) -> bool {
     step.relative(bounds.motion.max(bounds.answer)) <= limit
 }
 
