@@ -199,3 +199,50 @@ fn a_step_that_simulate_accepts_is_accepted_as_a_file() {
     }
     assert!(inexact > 0, "some of these rows contradict each other by rounding");
 }
+
+/// A bob at 1 m/s between two rods of 1 m and 2 m, which require the accelerations v²/1 m and
+/// −v²/2 m along x, and a motor against a lock.
+const TWO_RODS: &str = "
+    step.scheme = \"acceleration\"
+    [[bodies]]
+    name = \"bob\"
+    shape = \"point\"
+    mass = 1
+    position = [1, 0, 0]
+    velocity = [0, 0, 1]
+    [[constraints]]
+    kind = \"distance\"
+    bodies = [\"bob\"]
+    points = [[0, 0, 0], [1, 0, 0]]
+    [[constraints]]
+    kind = \"distance\"
+    bodies = [\"bob\"]
+    points = [[3, 0, 0], [1, 0, 0]]
+    [[constraints]]
+    kind = \"motor_translation\"
+    bodies = [\"bob\"]
+    axis = [0, 0, 1]
+    speed = 2
+    effort = 1e9
+    [[constraints]]
+    kind = \"lock_translation\"
+    bodies = [\"bob\"]
+    axis = [0, 0, 1]
+";
+
+#[test]
+fn a_step_without_solution_is_accepted_by_no_command() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("rods.toml").to_str().unwrap().to_string();
+    std::fs::write(&scene, TWO_RODS).unwrap();
+    let exported = out(&run(&["export", &scene]));
+    for solver in ["dantzig", "newton", "block-pivoting"] {
+        // Forces of 10⁹ N make a contradiction of 1.5 m/s² look small.
+        let simulated = run(&["simulate", &scene, "--steps", "1", "--solver", solver]);
+        assert_eq!(simulated.status.code(), Some(1), "{}", out(&simulated));
+        let solved = run_with(&exported, &["solve", "-", "--solver", solver, "--json"]);
+        let told = out(&solved);
+        assert!(!holds(&object(&told), solved.status.code(), &told), "{told}");
+    }
+    assert_eq!(object(&out(&run(&["diagnose", &scene, "--json"])))["is_sound"], false);
+}

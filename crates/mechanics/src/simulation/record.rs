@@ -98,6 +98,9 @@ impl Step {
     }
 }
 
+/// Errors of forces from this part of the scene's scale on may hide that there is no solution.
+const FAR: f64 = 0.01;
+
 /// An LCP and a solver's answer to it.
 #[derive(Debug, Clone)]
 pub struct Solve {
@@ -119,11 +122,18 @@ pub struct Solve {
 }
 
 impl Solve {
-    /// The judge's word on the answer, by the problem that was posed.
+    /// The judge's word on the answer, by the problem that was posed. If forces are so large that
+    /// the tolerance allows errors of the size of the scene's own forces, a small residual does not
+    /// show that a solution exists; then the judge also searches for a proof that there is none.
     pub fn judged(&self, demand: &Demand) -> FrictionCertificate {
+        let (lcp, x) = (&self.problem.lcp, &self.solution.x);
+        let largest = x.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
+        let is_far = lcp.scale() > 0.0 && demand.tolerance * largest > FAR * lcp.scale();
+        let proves = if is_far { Demand::default().prove_up_to } else { 0 };
+        let demand = Demand { prove_up_to: demand.prove_up_to.max(proves), ..*demand };
         match &self.posing {
-            Some(posing) => judge_friction(&posing.posed, &self.solution.x, demand),
-            None => judge(&self.problem.lcp, &self.solution.x, demand).into(),
+            Some(posing) => judge_friction(&posing.posed, x, &demand),
+            None => judge(lcp, x, &demand).into(),
         }
     }
 }
