@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{Outcome, ReportPage, View};
-use crate::number::tabular;
+use crate::number::{counted, tabular};
 use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::solved::{Answer, Column, File, Plan};
 
@@ -25,9 +25,10 @@ impl View for Plan {
         let solved: Vec<String> = solved.collect();
         let false_claims = answers(&files).filter(|answer| is_false(answer)).count();
         let says = format!(
-            "{} files, of which each solver solves: {}; {false_claims} false claims",
-            files.len(),
-            solved.join(", ")
+            "{}, of which each solver solves: {}; {}",
+            counted(files.len(), "file"),
+            solved.join(", "),
+            counted(false_claims, "false claim")
         );
         Outcome { good: false_claims == 0 && !files.is_empty(), says }
     }
@@ -82,7 +83,7 @@ fn by_solver(plan: &Plan, files: &[File]) -> Table {
         ]
     };
     Table::new(
-        format!("Solvers on {} problem files", files.len()),
+        format!("Solvers on {}", counted(files.len(), "problem file")),
         "*friction model*: own is that of each file. *files*: those that the solver is made for; the others \
          have another form. *accepted*: answers that the judge accepts. *not accepted*: the solver's own \
          status of the other answers. *largest residual*: the scaled residual of the worst of these.",
