@@ -34,7 +34,7 @@ pub const REFERENCE_TOLERANCE: f64 = 1e-8;
 /// the problem is not a QP (A is not symmetric).
 ///
 /// ```
-/// use lcplab_judge::cross_check;
+/// use lcplab_judge::cross_check::cross_check;
 /// use lcplab_lcp::{Lcp, Matrix};
 ///
 /// // The minimum of x² − 2x is −1, at x = 1.

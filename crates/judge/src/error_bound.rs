@@ -58,6 +58,16 @@ pub fn error_bound(lcp: &Lcp, x: &[f64]) -> Option<f64> {
 
 /// Whether A is symmetric and verified to be positive definite: then x is unique, without coupled
 /// rows.
+///
+/// ```
+/// use lcplab_judge::error_bound::is_definite;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// let lcp = |a| Lcp::new(Matrix::from(a), vec![-1.0; 2], vec![0.0; 2], vec![9.0; 2]);
+/// assert!(is_definite(&lcp([[2.0, 1.0], [1.0, 2.0]])?));
+/// assert!(!is_definite(&lcp([[1.0, 1.0], [1.0, 1.0]])?));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn is_definite(lcp: &Lcp) -> bool {
     let n = lcp.len();
     let least = |d: Vec<f64>| {

@@ -73,6 +73,16 @@ pub fn refutation(lcp: &Lcp, hints: &[&[f64]], tolerance: f64) -> Option<Refutat
 
 /// Tries to prove it by a single vector. Such a proof is valid for every friction model, since the
 /// vector is 0 in rows with friction.
+///
+/// ```
+/// use lcplab_judge::refuting_vector;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // w = −1 for every x.
+/// let lcp = Lcp::new(Matrix::from([[0.0]]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
+/// assert!(refuting_vector(&lcp, &[&[1.0]], 1e-8).is_some());
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn refuting_vector(lcp: &Lcp, hints: &[&[f64]], tolerance: f64) -> Option<Farkas> {
     vectors(lcp, hints).find(|farkas| farkas.is_significant(tolerance))
 }
@@ -86,6 +96,18 @@ fn vectors(lcp: &Lcp, hints: &[&[f64]]) -> impl Iterator<Item = Farkas> {
 }
 
 /// Tries to prove it by this vector, whose rounding is repaired.
+///
+/// ```
+/// use lcplab_judge::refuted_by;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // w = x₀ − x₁ − 1 and −x₀ + x₁ add up to −1, but both should be at least 0.
+/// let a = Matrix::from([[1.0, -1.0], [-1.0, 1.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0, 0.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// assert!(refuted_by(&lcp, &[1.0, 1.0]).is_some());
+/// assert!(refuted_by(&lcp, &[1.0, 0.0]).is_none());
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn refuted_by(lcp: &Lcp, d: &[f64]) -> Option<Farkas> {
     refute(lcp, largest(lcp, d), d)
 }

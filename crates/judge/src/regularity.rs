@@ -82,6 +82,17 @@ pub fn regularity(a: &Matrix) -> Option<Regularity> {
 
 /// The smallest eigenvalue of the scaled matrix; it is not negative for J M⁻¹ Jᵀ. `None` if A is
 /// not symmetric up to rounding, or has no rows.
+///
+/// ```
+/// use lcplab_judge::regularity::least_eigenvalue;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // With a unit diagonal: [1 ½; ½ 1].
+/// let a = Matrix::from([[2.0, 1.0], [1.0, 2.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0; 2], vec![0.0; 2], vec![9.0; 2])?;
+/// assert!((least_eigenvalue(&lcp).expect("symmetric") - 0.5).abs() < 1e-15);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn least_eigenvalue(lcp: &Lcp) -> Option<f64> {
     if lcp.is_empty() || !lcp.matrix().is_nearly_symmetric() {
         return None;

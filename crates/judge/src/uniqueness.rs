@@ -15,6 +15,17 @@ const RELATIVE_ZERO: f64 = 1e-11;
 /// The number of rows strictly between their bounds at x, and the numerical rank of A there.
 ///
 /// A is first scaled to a unit diagonal, so that units and masses do not affect the decision.
+///
+/// ```
+/// use lcplab_judge::uniqueness::free_rank;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // Two contacts share a load of 1: only the sum of x is determined.
+/// let a = Matrix::from([[1.0, 1.0], [1.0, 1.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0; 2], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// assert_eq!(free_rank(&lcp, &[0.25, 0.75]), (2, 1));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn free_rank(lcp: &Lcp, x: &[f64]) -> (usize, usize) {
     let free: Vec<usize> = (0..lcp.len())
         .filter(|&i| {

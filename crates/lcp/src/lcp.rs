@@ -59,6 +59,17 @@ impl Lcp {
 
     /// The same problem with some rows bounded by ±μ times another row's x.
     ///
+    /// ```
+    /// use lcplab_lcp::{Coupling, Lcp, Matrix};
+    ///
+    /// // Friction in row 1: |x_1| ≤ 0.5 x_0. A coupled row has no bounds of its own.
+    /// let a = Matrix::from([[2.0, -1.0], [-1.0, 3.0]]);
+    /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0, -f64::INFINITY], vec![f64::INFINITY; 2])?;
+    /// let lcp = lcp.with_coupling(Coupling::new(vec![None, Some(0)], vec![0.0, 0.5])?)?;
+    /// assert_eq!(lcp.bounds(1, &[4.0, 0.0]), (-2.0, 2.0));
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// Lists every row whose coupling is impossible: see [`Coupling`].
     pub fn with_coupling(mut self, coupling: Coupling) -> Result<Self> {
@@ -84,6 +95,17 @@ impl Lcp {
     /// less than the tolerance times this size count as consistent. Scenes set `scale` to the
     /// impulse of their lightest body's weight in one step; the default 0 measures each row by its
     /// own terms.
+    ///
+    /// ```
+    /// use lcplab_lcp::merit::scaled_residual;
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// // At x = 0 the row misses by 1e-19: all of its terms, but nothing beside a weight of 0.1.
+    /// let lcp = Lcp::new(Matrix::from([[1.0]]), vec![-1e-19], vec![0.0], vec![f64::INFINITY])?;
+    /// assert_eq!(scaled_residual(&lcp, &[0.0]), 1.0);
+    /// assert!(scaled_residual(&lcp.with_scale(0.1)?, &[0.0]) < 1e-17);
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     ///
     /// # Errors
     /// If `scale` is negative or not finite.
@@ -159,6 +181,17 @@ impl Lcp {
     }
 
     /// The bounds of row i at x: lo_i and hi_i, or ±μ max(x_k, 0) for a coupled row.
+    ///
+    /// ```
+    /// use lcplab_lcp::{Coupling, Lcp, Matrix};
+    ///
+    /// let a = Matrix::from([[2.0, -1.0], [-1.0, 3.0]]);
+    /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0, -f64::INFINITY], vec![f64::INFINITY; 2])?;
+    /// let lcp = lcp.with_coupling(Coupling::new(vec![None, Some(0)], vec![0.0, 0.5])?)?;
+    /// assert_eq!(lcp.bounds(0, &[4.0, 0.0]), (0.0, f64::INFINITY));
+    /// assert_eq!(lcp.bounds(1, &[-4.0, 0.0]), (0.0, 0.0)); // no pressing, no friction
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     #[inline]
     pub fn bounds(&self, i: usize, x: &[f64]) -> (f64, f64) {
         self.coupling
@@ -175,6 +208,17 @@ impl Lcp {
     }
 
     /// x ← Π(x). A friction row is clamped with the projected x of its normal row.
+    ///
+    /// ```
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// let a = Matrix::from([[2.0, -1.0], [-1.0, 3.0]]);
+    /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+    /// let mut x = [-1.0, 5.0];
+    /// lcp.project_all(&mut x);
+    /// assert_eq!(x, [0.0, 5.0]);
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn project_all(&self, x: &mut [f64]) {
         for i in 0..x.len() {
             x[i] = x[i].max(self.lo[i]).min(self.hi[i]);
@@ -191,11 +235,29 @@ impl Lcp {
     }
 
     /// w = A x + b.
+    ///
+    /// ```
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// let a = Matrix::from([[2.0, -1.0], [-1.0, 3.0]]);
+    /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+    /// assert_eq!(lcp.w(&[0.5, 0.0]), [0.0, 1.5]);
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn w(&self, x: &[f64]) -> Vec<f64> {
         (0..self.len()).map(|i| self.row_w(i, x)).collect()
     }
 
     /// The same A and bounds with another b.
+    ///
+    /// ```
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// let a = Matrix::from([[2.0, -1.0], [-1.0, 3.0]]);
+    /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+    /// assert_eq!(lcp.with_b(vec![-3.0, 0.0])?.w(&[0.0; 2]), [-3.0, 0.0]);
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`Lcp::new`].
@@ -217,6 +279,20 @@ impl Lcp {
     }
 
     /// The same problem with other bounds of the rows that are not coupled.
+    ///
+    /// ```
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// let a = Matrix::from([[2.0, -1.0], [-1.0, 3.0]]);
+    /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+    /// let limited = lcp.with_bounds(vec![0.0; 2], vec![0.25, 1.0])?;
+    /// assert_eq!(limited.bounds(0, &[0.0; 2]), (0.0, 0.25));
+    /// assert_eq!(
+    ///     lcp.with_bounds(vec![0.0; 2], vec![-1.0, 1.0]).unwrap_err().to_string(),
+    ///     "problem: lo[0]: is 0, above hi[0] = -1"
+    /// );
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`Lcp::new`] and [`Lcp::with_coupling`].
@@ -276,6 +352,15 @@ impl Lcp {
     /// The same b and bounds with each diagonal entry of A increased by this fraction of itself:
     /// every row becomes slightly compliant.
     ///
+    /// ```
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// let a = Matrix::from([[2.0, -1.0], [-1.0, 3.0]]);
+    /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+    /// assert_eq!(lcp.softened(0.5)?.matrix().diagonal(0), 3.0);
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// If an increased entry is not finite.
     pub fn softened(&self, part: f64) -> Result<Lcp> {
@@ -293,6 +378,18 @@ impl Lcp {
     }
 
     /// The uncoupled boxed problem with the bounds that this one has at x.
+    ///
+    /// ```
+    /// use lcplab_lcp::{Coupling, Lcp, Matrix};
+    ///
+    /// let a = Matrix::from([[2.0, -1.0], [-1.0, 3.0]]);
+    /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0, -f64::INFINITY], vec![f64::INFINITY; 2])?;
+    /// let lcp = lcp.with_coupling(Coupling::new(vec![None, Some(0)], vec![0.0, 0.5])?)?;
+    /// let frozen = lcp.frozen_at(&[4.0, 0.0]);
+    /// assert!(frozen.coupling().is_none());
+    /// assert_eq!((frozen.lo()[1], frozen.hi()[1]), (-2.0, 2.0));
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn frozen_at(&self, x: &[f64]) -> Lcp {
         let (lo, hi) = (0..self.len()).map(|i| self.bounds(i, x)).unzip();
         Lcp { lo, hi, coupling: None, ..self.clone() }

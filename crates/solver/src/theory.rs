@@ -40,6 +40,15 @@ use lcplab_lcp::{Lcp, Matrix};
 
 /// The submatrix of A with these rows and columns, in that order: the matrix while these rows are
 /// free.
+///
+/// ```
+/// use lcplab_lcp::Matrix;
+/// use lcplab_solver::theory::principal_submatrix;
+///
+/// let a = Matrix::from([[4.0, 1.0, 2.0], [1.0, 5.0, 3.0], [2.0, 3.0, 6.0]]);
+/// let free = principal_submatrix(&a, &[0, 2]);
+/// assert_eq!((free.len(), free.entry(0, 1), free.entry(1, 1)), (2, 2.0, 6.0));
+/// ```
 pub fn principal_submatrix(a: &Matrix, rows: &[usize]) -> Matrix {
     let block = DMatrix::from_fn(rows.len(), rows.len(), |i, j| a.entry(rows[i], rows[j]));
     Matrix::from(block.as_view())
@@ -48,12 +57,29 @@ pub fn principal_submatrix(a: &Matrix, rows: &[usize]) -> Matrix {
 /// I − θ D⁻¹ A, the iteration matrix of Jacobi's method with damping θ.
 ///
 /// A diagonal entry of 0 gives infinite entries, here and in the functions below.
+///
+/// ```
+/// use lcplab_lcp::Matrix;
+/// use lcplab_solver::theory::jacobi_iteration_matrix;
+/// use nalgebra::dmatrix;
+///
+/// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
+/// assert_eq!(jacobi_iteration_matrix(&a, 1.0), dmatrix![0.0, 0.5; 0.5, 0.0]);
+/// ```
 pub fn jacobi_iteration_matrix(a: &Matrix, damping: f64) -> DMatrix<f64> {
     let n = a.len();
     DMatrix::from_fn(n, n, |i, j| f64::from(i == j) - damping * a.entry(i, j) / a.diagonal(i))
 }
 
 /// The iteration matrix of SOR (successive over-relaxation) with ω, rows in natural order.
+///
+/// ```
+/// use lcplab_lcp::Matrix;
+/// use lcplab_solver::theory::{sor_iteration_matrix, spectral_radius};
+///
+/// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
+/// assert_eq!(spectral_radius(&sor_iteration_matrix(&a, 1.0)), 0.25); // Gauss-Seidel: ρ_J²
+/// ```
 pub fn sor_iteration_matrix(a: &Matrix, omega: f64) -> DMatrix<f64> {
     ordered_iteration_matrix(a, omega, 0..a.len())
 }
@@ -85,6 +111,13 @@ pub fn ordered_iteration_matrix(
 
 /// The largest modulus of an eigenvalue: the asymptotic factor by which errors shrink or grow. NaN
 /// if an entry is not finite.
+///
+/// ```
+/// use lcplab_solver::theory::spectral_radius;
+/// use nalgebra::dmatrix;
+///
+/// assert_eq!(spectral_radius(&dmatrix![0.5, 3.0; 0.0, -0.75]), 0.75);
+/// ```
 pub fn spectral_radius(g: &DMatrix<f64>) -> f64 {
     if g.iter().any(|g| !g.is_finite()) {
         return f64::NAN;
@@ -99,6 +132,15 @@ pub fn spectral_radius(g: &DMatrix<f64>) -> f64 {
 ///
 /// The eigenvalue 1 belongs to the null vectors of a singular A: redundant contacts keep their
 /// initial share of the load, which does not affect w. NaN if an entry is not finite.
+///
+/// ```
+/// use lcplab_lcp::Matrix;
+/// use lcplab_solver::theory::{contraction, jacobi_iteration_matrix};
+///
+/// // Two contacts that share a load: the eigenvalues are 1, for their difference, and 0.5.
+/// let a = Matrix::from([[1.0, 1.0], [1.0, 1.0]]);
+/// assert!((contraction(&jacobi_iteration_matrix(&a, 0.25)) - 0.5).abs() < 1e-15);
+/// ```
 pub fn contraction(g: &DMatrix<f64>) -> f64 {
     if g.iter().any(|g| !g.is_finite()) {
         return f64::NAN;
@@ -187,6 +229,16 @@ fn range(a: &Matrix) -> Option<DMatrix<f64>> {
 }
 
 /// The rows strictly between their bounds at x.
+///
+/// ```
+/// use lcplab_lcp::{Lcp, Matrix};
+/// use lcplab_solver::theory::rows_inside;
+///
+/// let a = Matrix::from([[2.0, 0.0], [0.0, 2.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0; 2], vec![0.0; 2], vec![1.0; 2])?;
+/// assert_eq!(rows_inside(&lcp, &[0.5, 1.0]), [0]);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn rows_inside(lcp: &Lcp, x: &[f64]) -> Vec<usize> {
     let is_free = |&i: &usize| {
         let (lo, hi) = lcp.bounds(i, x);
@@ -197,6 +249,12 @@ pub fn rows_inside(lcp: &Lcp, x: &[f64]) -> Vec<usize> {
 
 /// Young's ω* from the spectral radius of the undamped Jacobi matrix, for a consistently ordered A.
 /// NaN if Jacobi's method does not converge.
+///
+/// ```
+/// use lcplab_solver::theory::optimal_omega;
+///
+/// assert!((optimal_omega(0.8) - 1.25).abs() < 1e-15);
+/// ```
 pub fn optimal_omega(jacobi_radius: f64) -> f64 {
     2.0 / (1.0 + (1.0 - jacobi_radius * jacobi_radius).sqrt())
 }
@@ -218,6 +276,12 @@ pub fn sor_radius(jacobi_radius: f64, omega: f64) -> f64 {
 }
 
 /// ρ_J = cos(π/2n), the spectral radius of the Jacobi matrix of a column of n bodies on the ground.
+///
+/// ```
+/// use lcplab_solver::theory::column_radius;
+///
+/// assert!((column_radius(2) - 0.5_f64.sqrt()).abs() < 1e-15);
+/// ```
 pub fn column_radius(n: usize) -> f64 {
     libm::cos(std::f64::consts::FRAC_PI_2 / n as f64)
 }

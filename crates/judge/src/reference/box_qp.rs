@@ -14,6 +14,17 @@ use lcplab_lcp::Lcp;
 
 /// Solves the problem as a box QP; `None` if the LCP is not a QP: A is not symmetric, or a row is
 /// coupled (freeze the bounds first with [`Lcp::frozen_at`]).
+///
+/// ```
+/// use lcplab_judge::reference::box_qp;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // The minimum of x² − 2x is −1, at x = 1.
+/// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-2.0], vec![0.0], vec![f64::INFINITY])?;
+/// let reference = box_qp(&lcp).expect("A is symmetric");
+/// assert!((reference.point[0] - 1.0).abs() < 1e-9 && (reference.objective + 1.0).abs() < 1e-6);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn box_qp(lcp: &Lcp) -> Option<Reference> {
     box_qp_within(lcp, MAX_ITERATIONS)
 }

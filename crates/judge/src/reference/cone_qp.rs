@@ -15,6 +15,23 @@ use lcplab_lcp::friction::ConeProblem;
 /// Solves the cone program; `None` if the problem is not convex: A is not symmetric, or the law is
 /// Coulomb's (freeze the shift first with [`ConeProblem`]'s
 /// [`frozen_at`](lcplab_lcp::Complementarity::frozen_at)).
+///
+/// ```
+/// use lcplab_judge::reference::cone_qp;
+/// use lcplab_lcp::friction::{ConeProblem, Contact, FrictionProblem, Law};
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // With A = 1, x is the point of the cone |x_t| ≤ x_n / 2 that is nearest to (2, 3, 0).
+/// let (b, free) = (vec![-2.0, -3.0, 0.0], f64::INFINITY);
+/// let a = Matrix::from([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+/// let lcp = Lcp::new(a, b, vec![0.0, -free, -free], vec![free; 3])?;
+/// let problem = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }])?;
+/// let reference = cone_qp(&ConeProblem::new(problem, Law::Associated)).expect("convex");
+/// for (x, expected) in reference.point.iter().zip([2.8, 1.4, 0.0]) {
+///     assert!((x - expected).abs() < 1e-7);
+/// }
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn cone_qp(problem: &ConeProblem) -> Option<Reference> {
     cone_qp_within(problem, MAX_ITERATIONS)
 }

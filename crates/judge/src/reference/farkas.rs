@@ -14,6 +14,16 @@ use crate::residual::Rows;
 use lcplab_lcp::Lcp;
 
 /// d, if the optimum appears to be negative.
+///
+/// ```
+/// use lcplab_judge::reference::farkas;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // w = −1 for every x.
+/// let lcp = Lcp::new(Matrix::from([[0.0]]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
+/// assert!(farkas(&lcp).is_some_and(|d| d[0] > 0.0));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn farkas(lcp: &Lcp) -> Option<Vec<f64>> {
     let n = lcp.len();
     if n == 0 {

@@ -7,6 +7,26 @@ use super::{Reference, program::Program};
 use lcplab_lcp::Gauss;
 
 /// The velocities u of least constraint. The optimal value includes the constant ½ u*ᵀ M u*.
+///
+/// ```
+/// use lcplab_judge::reference::gauss;
+/// use lcplab_lcp::Gauss;
+///
+/// // A ball of 2 kg that would go down at 3 m/s touches the ground.
+/// let ball = Gauss {
+///     mass: vec![(0, 0, 2.0)],
+///     jacobian: vec![vec![(0, 1.0)]],
+///     bias: vec![0.0],
+///     compliance: vec![0.0],
+///     target: vec![-3.0],
+///     lo: vec![0.0],
+///     hi: vec![f64::INFINITY],
+///     level: None,
+/// };
+/// let reference = gauss(&ball);
+/// assert!(reference.point[0].abs() < 1e-7); // it stops: ½ M u*² = 9 J
+/// assert!((reference.objective - 9.0).abs() < 1e-6);
+/// ```
 pub fn gauss(problem: &Gauss) -> Reference {
     let k = problem.target.len();
     let mut program = Program::with_costs(vec![0.0; k]);

@@ -16,6 +16,18 @@ use lcplab_lcp::Lcp;
 /// to a tolerance on gap and feasibility; `None` if a row is coupled (freeze the bounds first with
 /// [`Lcp::frozen_at`]).
 ///
+/// ```
+/// use lcplab_judge::reference::velocity_qp_to;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // A = 2 is Ĵ Ĵᵀ with Ĵ = (1, 1).
+/// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-2.0], vec![0.0], vec![f64::INFINITY])?;
+/// let entries = [(0, 0, 1.0), (0, 1, 1.0)];
+/// let reference = velocity_qp_to(&lcp, &entries, 2, 1e-9).expect("no row is coupled");
+/// assert!((reference.point[0] - 1.0).abs() < 1e-6);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
+///
 /// # Panics
 /// If an entry lies outside the rows or `velocities` columns.
 pub fn velocity_qp_to(

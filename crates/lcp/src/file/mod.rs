@@ -198,6 +198,16 @@ impl Problem {
 
     /// The problem as JSON, sparse if its matrix is stored sparsely. Reading it back gives bitwise
     /// the same problem.
+    ///
+    /// ```
+    /// use lcplab_lcp::file::Problem;
+    ///
+    /// let text = r#"{"A": {"dense": [[2, -1], [-1, 2]]}, "b": [-1, 2]}"#;
+    /// let problem = Problem::parse(text, "column.json")?;
+    /// let again = Problem::parse(&problem.to_json().to_string(), "again.json")?;
+    /// assert_eq!(again.lcp.w(&[0.5, 0.0]), [0.0, 1.5]);
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn to_json(&self) -> Value {
         let mut object = Map::new();
         object.insert("name".into(), json!(self.name));

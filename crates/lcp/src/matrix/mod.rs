@@ -117,6 +117,13 @@ impl Matrix {
     }
 
     /// The stored entries (j, a_ij) of row i, j ascending.
+    ///
+    /// ```
+    /// use lcplab_lcp::Matrix;
+    ///
+    /// let a = Matrix::sparse(2, &[(0, 0, 2.0), (0, 1, -1.0), (1, 0, -1.0)]);
+    /// assert_eq!(a.row(0).iter().collect::<Vec<_>>(), [(0, 2.0), (1, -1.0)]);
+    /// ```
     #[inline]
     pub fn row(&self, i: usize) -> Row<'_> {
         match self {
@@ -131,6 +138,13 @@ impl Matrix {
     }
 
     /// Row i times x.
+    ///
+    /// ```
+    /// use lcplab_lcp::Matrix;
+    ///
+    /// let a = Matrix::sparse(2, &[(0, 0, 2.0), (0, 1, -1.0), (1, 0, -1.0)]);
+    /// assert_eq!(a.row_dot(0, &[3.0, 4.0]), 2.0);
+    /// ```
     #[inline]
     pub fn row_dot(&self, i: usize, x: &[f64]) -> f64 {
         let row = self.row(i);
@@ -150,6 +164,13 @@ impl Matrix {
     }
 
     /// The entry a_ij, 0 where none is stored.
+    ///
+    /// ```
+    /// use lcplab_lcp::Matrix;
+    ///
+    /// let a = Matrix::sparse(2, &[(0, 0, 2.0), (0, 1, -1.0), (1, 0, -1.0)]);
+    /// assert_eq!((a.entry(0, 1), a.entry(1, 1)), (-1.0, 0.0));
+    /// ```
     #[inline]
     pub fn entry(&self, i: usize, j: usize) -> f64 {
         let row = self.row(i);
@@ -160,6 +181,14 @@ impl Matrix {
     }
 
     /// Whether a_ij = a_ji for all entries, exactly. The result is computed once and cached.
+    ///
+    /// ```
+    /// use lcplab_lcp::Matrix;
+    ///
+    /// let a = Matrix::sparse(2, &[(0, 0, 2.0), (0, 1, -1.0), (1, 0, -1.0)]);
+    /// assert!(a.is_symmetric());
+    /// assert!(!Matrix::from([[1.0, 2.0], [3.0, 1.0]]).is_symmetric());
+    /// ```
     pub fn is_symmetric(&self) -> bool {
         match self {
             Matrix::Dense(Dense { n, entries, is_symmetric: known, .. }) => {
@@ -173,6 +202,13 @@ impl Matrix {
 
     /// Whether a_ij and a_ji differ at most by rounding relative to √(a_ii a_jj), which bounds both
     /// if A is semidefinite. A computed J M⁻¹ Jᵀ is seldom symmetric to the last bit.
+    ///
+    /// ```
+    /// use lcplab_lcp::Matrix;
+    ///
+    /// assert!(Matrix::from([[1.0, 0.5], [0.5 + 1e-15, 1.0]]).is_nearly_symmetric());
+    /// assert!(!Matrix::from([[1.0, 0.5], [0.5 + 1e-9, 1.0]]).is_nearly_symmetric());
+    /// ```
     pub fn is_nearly_symmetric(&self) -> bool {
         const ROUNDING: f64 = 1e-12;
         if self.is_symmetric() {
@@ -218,6 +254,14 @@ impl Matrix {
     }
 
     /// The matrix as a dense nalgebra matrix (allocates n² entries).
+    ///
+    /// ```
+    /// use lcplab_lcp::Matrix;
+    /// use nalgebra::dmatrix;
+    ///
+    /// let a = Matrix::sparse(2, &[(0, 0, 2.0), (0, 1, -1.0), (1, 0, -1.0)]);
+    /// assert_eq!(a.to_dense(), dmatrix![2.0, -1.0; -1.0, 0.0]);
+    /// ```
     #[cfg(feature = "nalgebra")]
     pub fn to_dense(&self) -> DMatrix<f64> {
         let mut dense = DMatrix::zeros(self.len(), self.len());
@@ -228,6 +272,13 @@ impl Matrix {
     }
 
     /// The positions (i, j) of the nonzero entries, row by row.
+    ///
+    /// ```
+    /// use lcplab_lcp::Matrix;
+    ///
+    /// let a = Matrix::sparse(2, &[(0, 0, 2.0), (0, 1, -1.0), (1, 0, -1.0)]);
+    /// assert_eq!(a.pattern(), [(0, 0), (0, 1), (1, 0)]);
+    /// ```
     pub fn pattern(&self) -> Vec<(usize, usize)> {
         let nonzero = |i| self.row(i).iter().filter(|&(_, a)| a != 0.0).map(move |(j, _)| (i, j));
         (0..self.len()).flat_map(|i| nonzero(i).collect::<Vec<_>>()).collect()

@@ -186,6 +186,16 @@ pub fn natural_residual(lcp: &Lcp, x: &[f64]) -> f64 {
 
 /// max_i |φ_i| with the Fischer-Burmeister function φ(a, b) = a + b − √(a² + b²) of the distance to
 /// each bound and the w that pushes toward it (Billups' form for two finite bounds).
+///
+/// ```
+/// use lcplab_lcp::merit::fischer_burmeister;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// let lcp = Lcp::new(Matrix::from([[1.0]]), vec![1.0], vec![0.0], vec![f64::INFINITY])?;
+/// assert_eq!(fischer_burmeister(&lcp, &[3.0]), 2.0); // x = 3, w = 4: 3 + 4 − 5
+/// assert_eq!(fischer_burmeister(&lcp, &[0.0]), 0.0);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn fischer_burmeister(lcp: &Lcp, x: &[f64]) -> f64 {
     let phi = |a: f64, b: f64| if a.is_infinite() { b } else { a + b - crate::hypot(a, b) };
     worst(lcp.len(), |i| {
@@ -196,6 +206,15 @@ pub fn fischer_burmeister(lcp: &Lcp, x: &[f64]) -> f64 {
 
 /// ½ xᵀ A x + bᵀ x; an LCP with symmetric positive semidefinite A is solved by its minimum. For
 /// impulses and velocities its unit is the joule.
+///
+/// ```
+/// use lcplab_lcp::merit::objective;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-2.0], vec![0.0], vec![f64::INFINITY])?;
+/// assert_eq!(objective(&lcp, &[3.0]), 3.0); // x² − 2x
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn objective(lcp: &Lcp, x: &[f64]) -> f64 {
     (0..lcp.len()).map(|i| x[i] * (0.5 * lcp.matrix().row_dot(i, x) + lcp.b()[i])).sum()
 }
@@ -207,6 +226,16 @@ pub fn km4(lcp: &Lcp, x: &[f64]) -> f64 {
 }
 
 /// The number of rows whose x lies strictly between its bounds.
+///
+/// ```
+/// use lcplab_lcp::merit::free_rows;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// let a = Matrix::from([[2.0, -1.0], [-1.0, 3.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// assert_eq!(free_rows(&lcp, &[0.5, 0.0]), 1);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn free_rows(lcp: &Lcp, x: &[f64]) -> usize {
     (0..lcp.len())
         .filter(|&i| {

@@ -16,11 +16,25 @@
 //! | [`interior_point`] | 0 ≤ x ⟂ w ≥ 0, A semidefinite | [`InteriorPoint`](crate::InteriorPoint) |
 //!
 //! ```
-//! use lcplab_solver::textbook::{Matrix, Vector, murty};
+//! # #![allow(non_snake_case)]
+//! use lcplab_solver::textbook::*;
 //!
 //! let A = Matrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]);
 //! let b = Vector::from_column_slice(&[-5.0, -6.0]);
-//! assert!((murty(&A, &b) - Vector::from_column_slice(&[4.0 / 3.0, 7.0 / 3.0])).norm() < 1e-15);
+//! let (lo, hi) = (Vector::zeros(2), Vector::repeat(2, f64::INFINITY));
+//! let (L, D) = ldlt(&A);
+//! let answers = [
+//!     jacobi(&A, &b, &lo, &hi, 1.0, 60),
+//!     gauss_seidel(&A, &b, &lo, &hi, 30),
+//!     solve(&L, &D, &-&b),
+//!     murty(&A, &b),
+//!     dantzig(&A, &b, &lo, &hi),
+//!     lemke(&A, &b).expect("no ray"),
+//!     interior_point(&A, &b, 40),
+//! ];
+//! for x in answers {
+//!     assert!((x - Vector::from_column_slice(&[4.0 / 3.0, 7.0 / 3.0])).norm() < 1e-12);
+//! }
 //! ```
 
 #![allow(non_snake_case)]

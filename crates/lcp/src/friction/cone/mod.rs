@@ -79,6 +79,21 @@ impl ConeProblem {
     }
 
     /// The shift added to the w_n of a contact: μ |w_t| under Coulomb's law, otherwise 0.
+    ///
+    /// ```
+    /// use lcplab_lcp::friction::{ConeProblem, Contact, FrictionProblem, Law};
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// // A point of 1 kg on the ground slides along t1: w = x + b.
+    /// let (b, free) = (vec![-2.0, -3.0, 0.0], f64::INFINITY);
+    /// let a = Matrix::from([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    /// let lcp = Lcp::new(a, b, vec![0.0, -free, -free], vec![free; 3])?;
+    /// let problem = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }])?;
+    /// let contact = problem.contacts()[0];
+    /// let cone = ConeProblem::new(problem, Law::Coulomb);
+    /// assert_eq!(cone.shift(&contact, [0.0, 3.0, 4.0]), 2.5); // μ = 0.5, slip of 5 m/s
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn shift(&self, contact: &Contact, [_, w1, w2]: [f64; 3]) -> f64 {
         match self.law {
             Law::Associated => 0.0,

@@ -141,6 +141,21 @@ impl Polyhedral {
     }
 
     /// The impulses x of the unknowns z: x_t = D β.
+    ///
+    /// ```
+    /// use lcplab_lcp::friction::{Contact, FrictionProblem, Polyhedral};
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// // A point of 1 kg on the ground slides along t1: w = x + b.
+    /// let (b, free) = (vec![-2.0, -3.0, 0.0], f64::INFINITY);
+    /// let a = Matrix::from([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    /// let lcp = Lcp::new(a, b, vec![0.0, -free, -free], vec![free; 3])?;
+    /// let problem = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }])?;
+    /// let polygon = Polyhedral::new(&problem, 4)?;
+    /// let x = [2.0, 1.0, 0.0];
+    /// assert_eq!(polygon.x(&polygon.z(&x)), x);
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn x(&self, z: &[f64]) -> Vec<f64> {
         let mut x = vec![0.0; self.friction.lcp().len()];
         for (impulse, z) in self.impulses.iter().zip(z) {
