@@ -100,7 +100,7 @@ impl Lcp {
     /// use lcplab_lcp::merit::scaled_residual;
     /// use lcplab_lcp::{Lcp, Matrix};
     ///
-    /// // At x = 0 the row misses by 1e-19: all of its terms, but nothing beside a weight of 0.1.
+    /// // At x = 0, w is −1e-19: as large as the row's terms, but nothing next to 0.1.
     /// let lcp = Lcp::new(Matrix::from([[1.0]]), vec![-1e-19], vec![0.0], vec![f64::INFINITY])?;
     /// assert_eq!(scaled_residual(&lcp, &[0.0]), 1.0);
     /// assert!(scaled_residual(&lcp.with_scale(0.1)?, &[0.0]) < 1e-17);
