@@ -3,7 +3,7 @@
 use lcplab::document::Format;
 use lcplab::error::Error;
 use lcplab::explain::{Method as Explained, problem as explained};
-use lcplab::judge::{self, Demand, Verdict};
+use lcplab::judge::{Demand, Verdict};
 use lcplab::lcp::Lcp;
 use lcplab::lcp::Question;
 use lcplab::lcp::friction::Model;
@@ -226,7 +226,8 @@ pub fn judge(
             (judged.certificate.verdict, judged.json())
         }
         None => {
-            let certificate = py.detach(|| searched(lcp, judge::judge(lcp, &x, &demand), &demand));
+            let certificate =
+                py.detach(|| searched(lcp, lcplab::judge::judge(lcp, &x, &demand), &demand));
             (certificate.verdict, json_object(&certificate))
         }
     };
