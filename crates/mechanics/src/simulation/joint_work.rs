@@ -71,7 +71,8 @@ impl JointWork {
     }
 }
 
-/// Whether nothing but gravity, ideal springs and rigid joints acts on the bodies.
+/// Whether nothing but gravity, ideal springs and rigid joints acts on the bodies: a stop or a rope,
+/// whose rows have one side, takes energy when it is reached.
 fn only_joints_act(scene: &Scene, states: &[State]) -> bool {
     let is_free = |body: usize| {
         let own = &scene.bodies[body];
@@ -79,7 +80,7 @@ fn only_joints_act(scene: &Scene, states: &[State]) -> bool {
         is_still && own.force == Vector3::zeros() && own.torque == own.force
     };
     let does_no_work = |row: &Row| {
-        !matches!(row.bounds, Bounds::Effort(_))
+        matches!(row.bounds, Bounds::Bilateral)
             && row.spring.is_none_or(|spring| spring.damping == 0.0)
     };
     let keeps_energy = |own: &dyn Constraint| {
