@@ -19,6 +19,11 @@ use super::step::{EngineAnswer, EngineStep, MassFactor, difference};
 const NO_LAW: &str = "which exists only for boxes and cones";
 /// The largest number of rows for which lcplab solves the problem itself.
 const MOST_ROWS: usize = 600;
+/// The largest number of rows, and of degrees of freedom, of a step whose bounds are tightened
+/// although they are below the limit: for more, that would take most of a receipt's time.
+const SMALL: usize = 30;
+/// Bounds below this fraction of the limit are not tightened.
+const NEGLIGIBLE: f64 = 1e-3;
 /// The sum of two bounds in floating point may be this much too small, relatively.
 const SLACK: f64 = 1.0 + 1e-12;
 
@@ -174,4 +179,16 @@ pub(super) fn matrix(step: &EngineStep) -> Matrix {
         a[j * n + j] += step.gauss.compliance[j];
     }
     Matrix::dense(n, &a)
+}
+
+/// Whether both bounds need not be tightened: they are below the limit, and the step is large or
+/// they are far below it.
+pub(super) fn is_sharp(step: &EngineStep, bounds: &GapBound, limit: f64) -> bool {
+    let is_large = step.len().max(step.gauss.target.len()) > SMALL;
+    is_within(step, bounds, if is_large { limit } else { NEGLIGIBLE * limit })
+}
+
+/// Whether both bounds are at most the limit.
+pub(super) fn is_within(step: &EngineStep, bounds: &GapBound, limit: f64) -> bool {
+    step.relative(bounds.motion.max(bounds.answer)) <= limit
 }

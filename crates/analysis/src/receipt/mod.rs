@@ -51,7 +51,6 @@ use rayon::prelude::*;
 use serde_json::{Value, json};
 
 use bounds::MotionError;
-use lcplab_judge::gap_bound::GapBound;
 use lcplab_lcp::error::{Error, Result};
 use lcplab_lcp::file::number;
 use lcplab_lcp::friction::Model;
@@ -451,10 +450,10 @@ impl Solved {
         let mut accurate = None;
         let error = match MotionError::of(posed) {
             MotionError::Bounded(bounds)
-                if !step.is_empty() && !is_sharp(posed, &bounds, limit) =>
+                if !step.is_empty() && !bounds::is_sharp(posed, &bounds, limit) =>
             {
                 accurate = newton::accurate_motion(posed);
-                let is_needed = accurate.is_some() || !is_within(posed, &bounds, limit);
+                let is_needed = accurate.is_some() || !bounds::is_within(posed, &bounds, limit);
                 MotionError::Bounded(match is_needed {
                     true => bounds::sharpened(posed, bounds, accurate.as_ref()),
                     false => bounds,
@@ -471,23 +470,6 @@ impl Solved {
         };
         Solved { all, bound, residual, is_frozen: frozen.is_some(), accurate }
     }
-}
-
-/// The largest number of rows, and of degrees of freedom, of a step whose bounds are tightened
-/// although they are below the limit: for more, that would take most of a receipt's time.
-const SMALL: usize = 30;
-/// Bounds below this fraction of the limit are not tightened.
-const NEGLIGIBLE: f64 = 1e-3;
-
-/// Whether both bounds need not be tightened: they are below the limit, and the step is large or
-/// they are far below it.
-fn is_sharp(step: &EngineStep, bounds: &GapBound, limit: f64) -> bool {
-    let is_large = step.len().max(step.gauss.target.len()) > SMALL;
-    is_within(step, bounds, if is_large { limit } else { NEGLIGIBLE * limit })
-}
-
-fn is_within(step: &EngineStep, bounds: &GapBound, limit: f64) -> bool {
-    step.relative(bounds.motion.max(bounds.answer)) <= limit
 }
 
 /// The limit on the motion error, and whether the engine's own tolerance is looser than the usual
