@@ -71,8 +71,9 @@ impl JointWork {
     }
 }
 
-/// Whether nothing but gravity, ideal springs and rigid joints acts on the bodies: a stop or a rope,
-/// whose rows have one side, takes energy when it is reached.
+/// Whether nothing but gravity, ideal springs and rigid joints acts on the bodies.
+///
+/// A stop or a rope, whose rows have one side, takes energy when it is reached.
 fn only_joints_act(scene: &Scene, states: &[State]) -> bool {
     let is_free = |body: usize| {
         let own = &scene.bodies[body];
