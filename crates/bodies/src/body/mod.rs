@@ -33,6 +33,8 @@ pub struct Body {
     /// The coefficient of static friction, if given, at least `friction`; a pair uses the geometric
     /// mean.
     pub static_friction: Option<f64>,
+    /// The direction in which its surface has this friction, if friction across it differs.
+    pub anisotropy: Option<Anisotropy>,
     /// The coefficient of restitution of its surface; `None` for the scene's value.
     pub restitution: Option<f64>,
     /// A constant force (N, world), in addition to gravity.
@@ -48,6 +50,17 @@ impl Body {
     pub fn wrench(&self, pose: &Pose) -> Vector6<f64> {
         stack(self.force, pose.direction(&self.force_at).cross(&self.force) + self.torque)
     }
+}
+
+/// A surface whose friction depends on the direction, such as a runner's, a tire's or brushed
+/// metal's.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Anisotropy {
+    /// The direction along which the surface has its coefficient of friction (unit vector, in the
+    /// body's frame); on each face its projection counts.
+    pub direction: Vector3<f64>,
+    /// The coefficient across this direction divided by that along it, above 0.
+    pub ratio: f64,
 }
 
 /// The mass properties of a body: its blocks of M and M⁻¹.

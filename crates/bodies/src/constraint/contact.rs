@@ -27,7 +27,7 @@ use nalgebra::{RealField, Vector3, Vector6};
 use super::arms::{Arms, separation};
 use super::distance::COINCIDENT;
 use super::{Bodies, Constraint, Degenerate, Kind, Position, Row, constant, friction};
-use crate::body::{Pose, State, stack};
+use crate::body::{Anisotropy, Pose, State, stack};
 
 /// A contact point: 1 row, or 3 (normal and two tangents) with friction.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,6 +42,9 @@ pub struct Contact {
     pub normal: Normal,
     /// The coefficient of friction μ; without friction there are no tangential rows.
     pub friction: f64,
+    /// If friction depends on the direction: the body (0 or 1 of this contact) whose surface has
+    /// the direction along which the coefficient is μ.
+    pub anisotropy: Option<(usize, Anisotropy)>,
 }
 
 /// The quantity that determines the normal of a contact. Vectors are unit vectors in their body's

@@ -19,6 +19,7 @@ fn parallel_edges_are_an_error() {
         radii: [0.0; 2],
         normal: Normal::Edges([Vector3::x(); 2]),
         friction: 0.0,
+        anisotropy: None,
     };
     assert!(contact.rows([&State::WORLD; 2]).is_err());
 }

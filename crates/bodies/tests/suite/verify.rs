@@ -73,6 +73,7 @@ fn friction_in_a_pair_refers_to_its_own_normal() {
         radii: [0.0; 2],
         normal: Normal::Face(Vector3::z()),
         friction: 0.5,
+        anisotropy: None,
     };
     let ball = Coincidence { bodies: [None, Some(0)], anchors: [Vector3::zeros(); 2] };
     let rows = (ball, contact).rows([&State::WORLD; 2]).unwrap();

@@ -156,7 +156,13 @@ impl FrictionProblem {
         let mu = |i: usize| lcp.coupling().map_or(0.0, |coupling| coupling.mu(i));
         for (n, rows) in tangents.iter().enumerate().filter(|(_, rows)| !rows.is_empty()) {
             let reason = match rows[..] {
-                [t1, t2] => format!("mu is {} along t1, {} along t2", mu(t1), mu(t2)),
+                [t1, t2] => format!(
+                    "mu is {} along t1, {} along t2: multiply row and column {t2} of A, and \
+                     b[{t2}], by their ratio {}, and give both rows the mu of t1",
+                    mu(t1),
+                    mu(t2),
+                    mu(t2) / mu(t1)
+                ),
                 _ => format!("bounds {} friction rows, not 2", rows.len()),
             };
             defects.add(format!("row {n}"), reason);

@@ -86,7 +86,8 @@ fn friction_rows_that_are_no_pair_are_listed() {
     );
     assert_eq!(
         coupled([None, Some(0), Some(0)], [0.0, 1.0, 0.5]),
-        "contacts: row 0: mu is 1 along t1, 0.5 along t2"
+        "contacts: row 0: mu is 1 along t1, 0.5 along t2: multiply row and column 2 of A, and \
+         b[2], by their ratio 0.5, and give both rows the mu of t1"
     );
 }
 

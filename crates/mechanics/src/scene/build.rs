@@ -11,7 +11,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use super::description::{self, Capsule, Description, Part, Rotation};
 use super::joints::Site;
 use super::settings::within_one;
-use super::{Scene, driven, friction, generate, range, surface};
+use super::{Scene, anisotropy, driven, friction, generate, range, surface};
 use crate::body::{Body, Cylinder, Mass, Placed, Polytope, Pose, Shape, State, inertia};
 use lcplab_lcp::error::{Defects, Result};
 use lcplab_lcp::memory::Memory;
@@ -48,6 +48,7 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
         solvers: Registry::default(),
     };
     let mut names = HashMap::new();
+    let mut frames = Vec::with_capacity(whole.bodies.len());
     for (k, body) in whole.bodies.iter().enumerate() {
         let place = format!("bodies[{k}]");
         if body.name.is_empty() {
@@ -66,6 +67,11 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
         if let Some(restitution) = body.restitution {
             within_one(&mut defects, &format!("{place}.restitution"), restitution);
         }
+        let fields = anisotropy::Fields {
+            friction: Some(friction),
+            across: body.friction_across,
+            direction: body.friction_direction,
+        };
         let force_at =
             body.force_at.map_or_else(Vector3::zeros, |point| frame.local(&point.into()));
         build_force(&mut defects, &place, body);
@@ -75,6 +81,7 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
             shape,
             friction,
             static_friction,
+            anisotropy: fields.read(&mut defects, &place, &frame),
             restitution: body.restitution,
             force: body.force.into(),
             force_at,
@@ -82,6 +89,7 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
         });
         scene.states.push(build_state(&mut defects, &place, body, &frame));
         scene.driven.extend(driven::of_body(&mut defects, &place, body, &scene, k));
+        frames.push(frame);
     }
     if !whole.time.is_finite() {
         defects.add("time", format!("must be finite, is {}", whole.time));
@@ -89,9 +97,10 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
     driven::check_scheme(&mut defects, &scene);
     for (k, pair) in whole.pairs.iter().enumerate() {
         let place = format!("pairs[{k}]");
-        surface::add_pair(&mut defects, &place, pair, &names, &mut scene);
+        surface::add_pair(&mut defects, &place, pair, &names, &frames, &mut scene);
     }
     surface::separate(&whole.bodies, &mut scene);
+    anisotropy::check(&mut defects, &scene);
     surface::check_scheme(&mut defects, &scene);
     for (k, constraint) in whole.constraints.iter().enumerate() {
         let site = Site { place: format!("constraints[{k}]"), written: constraint };

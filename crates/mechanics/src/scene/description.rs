@@ -180,6 +180,13 @@ pub struct Body {
     /// given, otherwise that of `[contact]`. A pair uses the geometric mean.
     #[serde(default)]
     pub static_friction: Option<f64>,
+    /// The direction (in the body's axes) along which the surface has its `friction`; across it, it
+    /// has `friction_across`. On each face the projection of the direction counts.
+    #[serde(default)]
+    pub friction_direction: Option<[f64; 3]>,
+    /// Coefficient of friction across `friction_direction`, above 0.
+    #[serde(default)]
+    pub friction_across: Option<f64>,
     /// Coefficient of restitution, 0 to 1; by default that of `[contact]`. A pair uses the
     /// geometric mean.
     #[serde(default)]
@@ -222,6 +229,13 @@ pub struct Pair {
     /// given.
     #[serde(default)]
     pub static_friction: Option<f64>,
+    /// The direction (in the first body's axes) along which `friction` holds; `friction_across` holds
+    /// across it.
+    #[serde(default)]
+    pub friction_direction: Option<[f64; 3]>,
+    /// Coefficient of friction across `friction_direction`, above 0.
+    #[serde(default)]
+    pub friction_across: Option<f64>,
     /// Coefficient of restitution, 0 to 1.
     #[serde(default)]
     pub restitution: Option<f64>,

@@ -3,6 +3,7 @@
 //! A [`Scene`] is always valid. It is read from TOML ([`Description`] lists every field) or built
 //! from a description made by a program; [`contacts()`] finds its contact points.
 
+mod anisotropy;
 mod build;
 pub mod catalogue;
 mod change;

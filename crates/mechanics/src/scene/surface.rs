@@ -7,7 +7,8 @@
 use std::collections::HashMap;
 
 use super::settings::within_one;
-use super::{Contacts, Scene, Scheme, description, range};
+use super::{Contacts, Scene, Scheme, anisotropy, description, range};
+use crate::body::{Anisotropy, Pose};
 use crate::constraint::Bodies;
 use lcplab_lcp::error::Defects;
 use lcplab_lcp::friction::Model;
@@ -19,6 +20,9 @@ pub struct Surface {
     pub friction: Option<f64>,
     /// The coefficient of static friction.
     pub static_friction: Option<f64>,
+    /// The body (of the scene) with the direction along which `friction` holds, if friction across
+    /// it differs.
+    pub anisotropy: Option<(usize, Anisotropy)>,
     /// The coefficient of restitution.
     pub restitution: Option<f64>,
     /// Whether the bodies never touch.
@@ -42,6 +46,19 @@ impl Scene {
             let [a, b] = bodies.map(own);
             (a * b).sqrt()
         })
+    }
+
+    /// The direction along which two bodies have their friction, if it differs across, and the body
+    /// (of the scene) on which it is.
+    pub fn anisotropy(&self, [a, b]: [usize; 2]) -> Option<(usize, Anisotropy)> {
+        let stated = self.stated([a, b]);
+        if stated.friction.is_some() {
+            return stated.anisotropy;
+        }
+        // The geometric means along and across the direction have the root of its ratio.
+        let of = |k: usize| self.bodies[k].anisotropy.map(|own| (k, own));
+        let (body, own) = of(a).or(of(b))?;
+        Some((body, Anisotropy { ratio: own.ratio.sqrt(), ..own }))
     }
 
     /// Whether static friction is above friction anywhere.
@@ -95,12 +112,14 @@ pub(super) fn of_body(
     (friction, stated.or(of_contacts))
 }
 
-/// Adds the values that the scene gives for a pair.
+/// Adds the values that the scene gives for a pair; a frame is a body's own, in the axes in which
+/// its shape is given.
 pub(super) fn add_pair(
     defects: &mut Defects,
     place: &str,
     pair: &description::Pair,
     names: &HashMap<&str, usize>,
+    frames: &[Pose],
     scene: &mut Scene,
 ) {
     let mut index = |k: usize| {
@@ -122,11 +141,18 @@ pub(super) fn add_pair(
     if let Some(friction) = pair.friction {
         range::coefficient(defects, format!("{place}.friction"), friction);
     }
+    let fields = anisotropy::Fields {
+        friction: pair.friction,
+        across: pair.friction_across,
+        direction: pair.friction_direction,
+    };
+    let anisotropy = fields.read(defects, place, &frames[a]).map(|own| (a, own));
     if let Some(restitution) = pair.restitution {
         within_one(defects, &format!("{place}.restitution"), restitution);
     }
     let description::Pair { friction, static_friction, restitution, without_contact, .. } = *pair;
-    scene.pairs.insert(key, Surface { friction, static_friction, restitution, without_contact });
+    let surface = Surface { friction, static_friction, anisotropy, restitution, without_contact };
+    scene.pairs.insert(key, surface);
     if let Some(stated) = static_friction {
         check_static(defects, place, stated, scene.friction(key));
     }

@@ -16,13 +16,17 @@
 //! n·Δv = 0,   m Δv = Σ −(x_t − x_t') + δ (n − μ s/|s|)          x_t' = Coulomb's, n: the mean normal
 //! ```
 //!
+//! Under anisotropic friction the tangents of a contact have different lengths, so that its ellipse
+//! is a disk in the coordinates of its rows ([`friction`](crate::constraint)). Angles and the cone
+//! are taken in these coordinates; errors and paths are those of the world.
+//!
 //! In a single step, contacts that slip more slowly than a resting contact may count as at rest: s
 //! is then mostly the error of the step. Over a run such errors cancel, and the distance of a body
 //! that creeps grows. Coulomb's law allows no slip, however slow, against less friction than μ x_n.
 
 use std::collections::BTreeMap;
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::events::Impulses;
 use super::interpenetration::faster_first;
@@ -110,6 +114,7 @@ impl Slip {
             let push = sum(&contact.tangents, |(_, impulse)| *impulse);
             let slip = sum(&contact.tangents, |(row, _)| row.velocity_with(after));
             let sums = pairs.entry(contact.bodies).or_default();
+            sums.ellipse = ellipse(&contact.tangents);
             sums.add(limit, push, slip, scene.resting().speed);
             sums.load += contact.normal.1.max(0.0) * contact.normal.0.pushes()[1];
             sums.weight += contact.normal.1.max(0.0);
@@ -217,21 +222,25 @@ struct Sums {
     weight: f64,
     /// That of the contact that separates fastest.
     separation: f64,
+    /// From the coordinates of the rows to pushes in the world.
+    ellipse: Matrix3<f64>,
 }
 
 impl Sums {
     fn add(&mut self, limit: f64, push: Vector3<f64>, slip: Vector3<f64>, least: f64) {
-        if slip.norm() > least {
+        // A tangent of the length l measures l times the slip.
+        let slipped = self.ellipse.try_inverse().map_or(slip, |inverse| inverse * slip);
+        if slipped.norm() > least {
             self.limit += limit;
             self.sliding += push;
             self.coulomb -= limit * slip.normalize();
         } else {
             self.holding_limit += limit;
             self.holding += push;
-            if slip.norm() > CREEPING * least {
+            if slipped.norm() > CREEPING * least {
                 self.creeping_limit += limit;
                 self.creeping -= push.dot(&slip.normalize());
-                self.creeping_slip += limit * slip;
+                self.creeping_slip += limit * slipped;
             }
         }
     }
@@ -246,14 +255,15 @@ impl Sums {
     fn error(&self) -> Vector3<f64> {
         let [_, holds] = self.cone_excess();
         let too_much = self.holding.try_normalize(0.0).map_or(Vector3::zeros(), |d| holds * d);
-        self.sliding - self.coulomb + too_much
+        self.ellipse * (self.sliding - self.coulomb + too_much)
     }
 
     /// The mean normal, and it with the friction of a contact that slips, for a unit of x_n; `None`
     /// where the normals take each other away, as those around a shaft.
     fn normal(&self) -> Option<[Vector3<f64>; 2]> {
         let normal = self.load / self.weight;
-        (normal.norm() > ONE_SIDED).then(|| [normal, normal + self.coulomb / self.weight])
+        (normal.norm() > ONE_SIDED)
+            .then(|| [normal, normal + self.ellipse * self.coulomb / self.weight])
     }
 
     fn slip(
@@ -333,8 +343,18 @@ fn answered(scene: &Scene, pairs: &BTreeMap<[usize; 2], Sums>) -> Vec<Vector3<f6
 
 /// A vector with these components along the directions of rows.
 fn sum(rows: &[&(Row, f64)], component: impl Fn(&(Row, f64)) -> f64) -> Vector3<f64> {
-    let along = |row: &&(Row, f64)| component(row) * row.0.pushes()[1];
+    let along = |row: &&(Row, f64)| component(row) * row.0.pushes()[1].normalize();
     rows.iter().map(along).sum()
+}
+
+/// The map that multiplies what lies along each tangent by the length of this tangent.
+fn ellipse(tangents: &[&(Row, f64)]) -> Matrix3<f64> {
+    let stretch = |row: &&(Row, f64)| {
+        let tangent = row.0.pushes()[1];
+        let length = tangent.norm();
+        tangent * tangent.transpose() * ((length - 1.0) / (length * length))
+    };
+    Matrix3::identity() + tangents.iter().map(stretch).sum::<Matrix3<f64>>()
 }
 
 /// The impulse of each row in a step, of all that acted; a row is as it was first.

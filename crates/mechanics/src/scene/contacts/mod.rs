@@ -372,6 +372,9 @@ fn point(
         radii: in_order(radii),
         normal: touch.normal,
         friction: scene.friction([k0, k1]),
+        anisotropy: scene
+            .anisotropy([k0, k1])
+            .map(|(body, surface)| (usize::from(body == k1), surface)),
     };
     let pair_of = [&states[k0], &states[k1]];
     let (contact, (gap, normal)) = match (contact.gap(pair_of), touch.normal) {

@@ -181,7 +181,7 @@ proptest! {
         for normal in kinds {
             let radii = if normal == Normal::Rim(rim) { [0.0; 2] } else { [0.2, 0.3] };
             let contact =
-                Contact { bodies: BODIES, anchors: [r0, r1], radii, normal, friction: 0.0 };
+                Contact { bodies: BODIES, anchors: [r0, r1], radii, normal, friction: 0.0, anisotropy: None };
             let [e0, e1] = [a.pose.direction(&e0), b.pose.direction(&e1)];
             let d = b.pose.point(&r1) - a.pose.point(&r0);
             prop_assume!(e0.cross(&e1).norm() > 0.1 && d.cross(&e0).norm() > 0.1);

@@ -1,6 +1,6 @@
 //! The slip of a contact and its derivative, compared with a naive version with dual numbers.
 
-use lcplab_mechanics::body::{Pose, State};
+use lcplab_mechanics::body::{Anisotropy, Pose, State};
 use lcplab_mechanics::constraint::{Bounds, Constraint, Contact, Kind, Normal, tangents};
 use nalgebra::Vector3;
 use proptest::prelude::*;
@@ -33,6 +33,7 @@ proptest! {
             radii: [0.0, radius],
             normal: Normal::Face(n),
             friction: 0.5,
+            anisotropy: None,
         };
         let rows = contact.rows([&a, &b]).unwrap();
         for (row, t) in rows[1..].iter().zip(tangents(&a.pose.direction(&n))) {
@@ -44,6 +45,49 @@ proptest! {
             prop_assert!((rate - at(0.0)).abs() < 1e-12 * (1.0 + rate.abs()));
             prop_assert!((row.velocity_product - derivative).abs() < 1e-6 * (1.0 + derivative.abs()));
             prop_assert_eq!((row.kind, row.c), (Kind::Friction, 0.0));
+            prop_assert_eq!(row.bounds, Bounds::Friction { normal: 0, mu: 0.5 });
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn tangents_of_anisotropic_friction_follow_the_direction_on_its_body(
+        a in state(), b in state(), radius in 0.1..2.0, owner in 0..2usize
+    ) {
+        // The direction is fixed to one body, the normal to body 0; the second tangent is shorter.
+        let (n, direction, ratio) = (Vector3::new(0.6, 0.0, 0.8), Vector3::new(0.0, 0.6, -0.8), 0.25);
+        let contact = Contact {
+            bodies: [Some(0), Some(1)],
+            anchors: [Vector3::new(0.3, -0.2, 0.1), Vector3::zeros()],
+            radii: [0.0, radius],
+            normal: Normal::Face(n),
+            friction: 0.5,
+            anisotropy: Some((owner, Anisotropy { direction, ratio })),
+        };
+        let axes = |s0: &State, s1: &State| {
+            let (n, d) = (s0.pose.direction(&n), [s0, s1][owner].pose.direction(&direction));
+            let along = (d - n * n.dot(&d)).normalize();
+            [along, n.cross(&along) * ratio]
+        };
+        let sliding = |s0: &State, s1: &State, k: usize| {
+            let touching = s1.pose.p - radius * s0.pose.direction(&n);
+            let velocity = |s: &State| s.v + s.omega.cross(&(touching - s.pose.p));
+            axes(s0, s1)[k].dot(&(velocity(s1) - velocity(s0)))
+        };
+        // Near the normal the direction on the surface turns arbitrarily fast.
+        let projected = [&a, &b][owner].pose.direction(&direction).cross(&a.pose.direction(&n));
+        prop_assume!(projected.norm() > 0.2);
+        let rows = contact.rows([&a, &b]).unwrap();
+        for (k, row) in rows[1..].iter().enumerate() {
+            let at = |time| sliding(&later(&a, time), &later(&b, time), k);
+            let rate = row.jacobian[0].dot(&a.velocity()) + row.jacobian[1].dot(&b.velocity());
+            let h = 1e-5;
+            let derivative = (at(h) - at(-h)) / (2.0 * h);
+            prop_assert!((rate - at(0.0)).abs() < 1e-12 * (1.0 + rate.abs()));
+            prop_assert!((row.velocity_product - derivative).abs() < 1e-5 * (1.0 + derivative.abs()));
             prop_assert_eq!(row.bounds, Bounds::Friction { normal: 0, mu: 0.5 });
         }
     }
@@ -64,6 +108,7 @@ fn a_rolling_ball_accelerates_neither_into_the_plane_nor_along_it() {
         radii: [0.0, radius],
         normal: Normal::Face(Vector3::z()),
         friction: 1.0,
+        anisotropy: None,
     };
     for row in contact.rows([&State::WORLD, &ball]).unwrap() {
         assert_eq!(row.c, 0.0);

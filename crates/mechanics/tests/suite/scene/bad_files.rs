@@ -330,6 +330,48 @@ fn a_pair_is_stated_once_and_of_two_bodies_that_are_there() {
 }
 
 #[test]
+fn friction_with_a_direction_has_both_coefficients_above_0() {
+    for (lines, place, reason) in [
+        ("friction = 1\nfriction_across = 0.5", "across", "needs a friction_direction"),
+        ("friction = 1\nfriction_direction = [1, 0, 0]", "direction", "needs a friction_across"),
+        (
+            "friction_direction = [1, 0, 0]\nfriction_across = 0.5",
+            "direction",
+            "needs a friction above 0 of the same body or pair",
+        ),
+        (
+            "friction = 1\nfriction_direction = [0, 0, 0]\nfriction_across = 0.5",
+            "direction",
+            "needs a direction, has length 0",
+        ),
+        (
+            "friction = 1\nfriction_direction = [1, 0, 0]\nfriction_across = 0",
+            "across",
+            "must be above 0, is 0: 0.001, say, for almost no friction",
+        ),
+    ] {
+        let found = message(&format!("{BALL}{lines}\n"));
+        assert!(found.ends_with(&format!("bodies[0].friction_{place}: {reason}")), "{found}");
+    }
+}
+
+#[test]
+fn two_directions_that_may_touch_are_refused_unless_their_pair_is_given() {
+    let directed = |name: &str| {
+        format!(
+            "[[bodies]]\nname = '{name}'\nshape = {{ sphere = 1.0 }}\nmass = 1.0\nfriction = 1\n\
+             friction_direction = [1, 0, 0]\nfriction_across = 0.5\n"
+        )
+    };
+    let both = directed("a") + &directed("b");
+    let reason =
+        "friction_direction: is given for \"a\" and for \"b\": give the friction of this pair";
+    assert!(message(&both).ends_with(reason), "{}", message(&both));
+    let pair = "[[pairs]]\nbodies = ['b', 'a']\nfriction = 0.3\n";
+    assert!(Scene::from_toml("good.toml", &(both + pair)).is_ok());
+}
+
+#[test]
 fn static_friction_is_no_less_than_friction() {
     let of_contacts = "[contact]\nfriction = 0.5\nstatic_friction = 0.4\n";
     assert_eq!(

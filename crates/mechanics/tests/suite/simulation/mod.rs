@@ -1,6 +1,7 @@
 //! Motions compared with closed forms.
 
 mod acceleration;
+mod anisotropic;
 mod columns;
 mod demonstrations;
 mod driven;
