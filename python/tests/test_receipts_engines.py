@@ -224,6 +224,19 @@ def test_a_planted_bug_is_rejected_at_its_stage(engine, scene, bug):
     assert not run.ok and run.stages[stage] >= 0.9 * len(run.receipts), str(run)
 
 
+def test_a_stack_that_dart_pushes_apart_faster_than_its_limit_is_not_rejected():
+    """In stacks of three bodies DART corrects deep overlaps without the limit that holds for a pair of bodies."""
+    world, random, steps = dart_world("stack"), np.random.default_rng(7), []
+    for number in range(1, world.getNumSkeletons()):
+        world.getSkeleton(number).setVelocities(0.3 * random.normal(size=6))
+    for _ in range(30):
+        before = lcplab.dart.state(world)
+        world.step()
+        steps.append(lcplab.receipt(world, before=before))
+    assert not [str(step) for step in steps if step.is_rejected]
+    assert any("deep overlaps" in part for step in steps for part in step.not_checked)
+
+
 def test_a_step_of_dart_changes_nothing_and_needs_the_state_before():
     world = dart_world("stack")
     for _ in range(50):

@@ -171,6 +171,21 @@ def test_all_parts_without_a_check_are_named(is_whole):
     assert set(lcplab.receipt(model, data, before=before).not_checked) == expected
 
 
+def test_a_step_in_which_mujoco_resets_an_unstable_simulation_begins_at_the_reset_state():
+    model, data = moving(stack())
+    for _ in range(3):
+        mujoco.mj_step(model, data)
+    data.qvel[0] = 1e12  # more than mjMAXVAL, as of a simulation that diverged
+    before = data.qpos.copy(), data.qvel.copy()
+    mujoco.mj_step(model, data)
+    assert data.time == model.opt.timestep
+    receipt = lcplab.receipt(model, data, before=before)
+    assert not receipt.is_rejected, str(receipt)
+    assert "assembly: the state before the step, because MuJoCo reset an unstable simulation in it" in receipt.not_checked
+    data.qvel[2] += 1e-3
+    assert lcplab.receipt(model, data, before=before).stage == "write-back"
+
+
 def test_a_contact_in_its_gap_has_no_rows_and_is_not_rejected():
     model, data = moving(stack('gravity="0 0 0"', ball='margin=".2" gap=".2"'))
     data.qvel[:], data.qpos[9] = 0, 0.35  # the ball is 7 cm above the box

@@ -28,6 +28,7 @@ from lcplab._receipt.step import Array, Step
 State = Sequence[Array]
 VELOCITY = "write-back: the velocity after the step; pass before=(qpos, qvel)"
 POSITION = "write-back: the position after the step"
+RESET = "assembly: the state before the step, because MuJoCo reset an unstable simulation in it"
 
 
 @runtime_checkable
@@ -86,6 +87,9 @@ def _of_mujoco(model: Any, data: Any, before: State | None) -> tuple[Step, Repor
     if int(model.opt.integrator) == mujoco.RK4 and not kinematics.is_at(model, data, np.array(data.qpos)):
         step = step.with_motion_of_forces("which is a mean of the stages of RK4")
     report = mujoco_shapes.check(model, data)
+    if before is not None and mujoco_state.was_reset(model, data):
+        before = mujoco_state.at_reset(model)
+        report.not_checked.append(RESET)
     report.add(_at_state(model, data, step, before))
     report.not_checked += mujoco.never_checked(model, data)
     return step, report

@@ -55,3 +55,17 @@ def not_finite(data: Any, before: Sequence[Array] | None) -> Finding | None:
         or finite.in_arrays("assembly", stages["assembly"])
         or finite.in_arrays("write-back", after)
     )
+
+
+def was_reset(model: Any, data: Any) -> bool:
+    """Whether MuJoCo has found numbers that are not finite or huge in this step, and begun it at the state of the model."""
+    import mujoco
+
+    kinds = (mujoco.mjtWarning.mjWARN_BADQPOS, mujoco.mjtWarning.mjWARN_BADQVEL, mujoco.mjtWarning.mjWARN_BADQACC)
+    is_first = 0 < float(data.time) < 1.5 * float(model.opt.timestep)
+    return is_first and any(int(data.warning[int(kind)].number) for kind in kinds)
+
+
+def at_reset(model: Any) -> tuple[Array, Array]:
+    """The state at which such a step begins."""
+    return np.array(model.qpos0, dtype=float), np.zeros(int(model.nv))

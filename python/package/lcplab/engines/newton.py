@@ -20,6 +20,9 @@ from lcplab.engines.warp import CONTACTS, ROWS, contact_forces
 
 #: The world as the parent of a shape or a joint.
 GROUND = -1
+#: The first steps compile and allocate; later ones are replayed from a recording, with the same bits, because
+#: Python takes far longer to launch a step's kernels than the processor to run them.
+FIRST = 2
 
 
 class Model:
@@ -48,6 +51,9 @@ class Model:
         self.control = self.model.control()
         self.has_rows = kind == "SolverMuJoCo"
         self.contacts = None if self.has_rows else self.model.contacts()
+        self.steps = 0
+        #: Recordings of a step, from one of the two states to the other and back.
+        self.graphs: list[Any] = []
 
     def _body(self, builder: Any, body: Any) -> int:
         """The number of a body, GROUND of a fixed one, which is a shape of the world."""
@@ -129,11 +135,23 @@ class Model:
         self.newton.eval_ik(self.model, self.now, self.now.joint_q, self.now.joint_qd)
 
     def step(self) -> None:
+        if self.steps < FIRST:
+            self._launch()
+        else:
+            if len(self.graphs) < 2:
+                with self.array.ScopedCapture("cpu") as recording:
+                    self._launch()
+                self.graphs.append(recording.graph)
+            self.array.capture_launch(self.graphs[self.steps % 2])
+        self.now, self.next = self.next, self.now
+        self.steps += 1
+
+    def _launch(self) -> None:
+        """All kernels of a step."""
         if self.contacts is not None:
             self.model.collide(self.now, self.contacts)
         self.now.clear_forces()
         self.solver.step(self.now, self.next, self.control, self.contacts, self.dt)
-        self.now, self.next = self.next, self.now
 
     def reported_step(self) -> EngineStep:
         if not self.has_rows:
