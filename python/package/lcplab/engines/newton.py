@@ -16,7 +16,7 @@ from lcplab import EngineStep
 from lcplab._receipt import warp as receipt
 from lcplab.engines import Array, Description, Engine, Joint, Settings, Unsupported
 from lcplab.engines import conjugate, joints, one_value, pose, shape, turned
-from lcplab.engines.warp import CONTACTS, ROWS, contact_forces
+from lcplab.engines.warp import CONTACTS, ROWS, geom_forces
 
 #: The world as the parent of a shape or a joint.
 GROUND = -1
@@ -40,6 +40,8 @@ class Model:
         self.shape = newton.ModelBuilder.ShapeConfig(
             density=0.0, mu_torsional=0.0, mu_rolling=0.0, **surface, **settings.values.get("shape", {})
         )
+        #: The shape of each body.
+        self.shapes: list[int] = []
         self.bodies = [self._body(builder, body) for body in scene["bodies"]]
         self.starts = np.array([pose(body) for body in scene["bodies"]])
         self._join(builder, scene)
@@ -69,18 +71,19 @@ class Model:
         if kind == "plane":
             if size != [0, 0, 1] or not body["fixed"]:
                 raise Unsupported("planes across other axes than z, or that move")
-            builder.add_shape_plane(body=number, xform=placed, width=0.0, length=0.0, cfg=self.shape)
+            made = builder.add_shape_plane(body=number, xform=placed, width=0.0, length=0.0, cfg=self.shape)
         elif kind == "box":
             hx, hy, hz = (edge / 2 for edge in size)
-            builder.add_shape_box(number, xform=placed, hx=hx, hy=hy, hz=hz, cfg=self.shape)
+            made = builder.add_shape_box(number, xform=placed, hx=hx, hy=hy, hz=hz, cfg=self.shape)
         elif kind == "sphere":
-            builder.add_shape_sphere(number, xform=placed, radius=size, cfg=self.shape)
+            made = builder.add_shape_sphere(number, xform=placed, radius=size, cfg=self.shape)
         elif kind == "capsule":
-            builder.add_shape_capsule(
+            made = builder.add_shape_capsule(
                 number, xform=placed, radius=size["radius"], half_height=size["length"] / 2, cfg=self.shape
             )
         else:
             raise Unsupported(f"a body of shape {kind}")
+        self.shapes.append(int(made))
         return number
 
     def _transform(self, placed: Array) -> Any:
@@ -182,15 +185,13 @@ class Model:
         """Those of MuJoCo's rows; XPBD's documentation calls its own approximate, so they are not read."""
         if not self.has_rows:
             return None
-        by_row = contact_forces(self.solver.mj_model, self.solver.mjw_data)
-        numbers = self.solver.mjc_body_to_newton.numpy()[0]
+        by_geom = geom_forces(self.solver.mj_model, self.solver.mjw_data)
+        # A geom has the number of its shape; fixed bodies are shapes of the world.
+        numbers = self.solver.mjc_geom_to_newton_shape.numpy()[0]
         found = np.zeros((len(self.bodies), 3))
-        for own, force in zip(numbers, by_row):
+        for own, force in zip(numbers, by_geom):
             if own >= 0:
-                found[self.bodies.index(int(own))] += force
-        fixed = [k for k, number in enumerate(self.bodies) if number == GROUND]
-        if len(fixed) == 1:
-            found[fixed[0]] = by_row[0]
+                found[self.shapes.index(int(own))] += force
         return found
 
 

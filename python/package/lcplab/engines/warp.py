@@ -71,6 +71,13 @@ class Model(mujoco.Model):
 def contact_forces(model: Any, state: Any) -> Array:
     """What contacts put on each body of a MuJoCo model in the only world of Warp's data (N, world axes), (nbody, 3)."""
     every = np.zeros((model.nbody, 3))
+    np.add.at(every, model.geom_bodyid, geom_forces(model, state))
+    return every
+
+
+def geom_forces(model: Any, state: Any) -> Array:
+    """The same for each geom, (ngeom, 3)."""
+    every = np.zeros((model.ngeom, 3))
     contact, rows = state.contact, state.efc.force.numpy()[0]
     count = int(np.ravel(state.nacon.numpy())[0])
     frames, geoms = contact.frame.numpy()[:count].reshape(-1, 3, 3), contact.geom.numpy()[:count]
@@ -83,9 +90,8 @@ def contact_forces(model: Any, state: Any) -> Array:
         own = rows[place[: 2 * (size - 1) if is_pyramid and size > 1 else size]]
         local = pyramid(own, mu) if is_pyramid and size > 1 else own[:3]
         force = frame[: len(local)].T @ local  # on the second geom
-        first, second = model.geom_bodyid[pair]
-        every[first] -= force
-        every[second] += force
+        every[pair[0]] -= force
+        every[pair[1]] += force
     return every
 
 
