@@ -118,3 +118,56 @@ def test_a_reference_acceleration_that_is_off_by_one_percent_is_an_error_of_asse
         data.efc_aref[: data.nefc] *= 1.01
         receipt = lcplab.receipt(model, data, before=before)
         assert receipt.stage == "assembly" and "reference acceleration" in str(receipt), str(receipt)
+
+
+def solved_with(change, model, data):
+    """The step of an engine whose contacts this changes before their rows are made."""
+    mujoco.mj_fwdPosition(model, data)
+    change(data)
+    mujoco.mj_makeConstraint(model, data)
+    mujoco.mj_projectConstraint(model, data)
+    mujoco.mj_fwdVelocity(model, data)
+    mujoco.mj_fwdActuation(model, data)
+    mujoco.mj_fwdAcceleration(model, data)
+    mujoco.mj_fwdConstraint(model, data)
+    return lcplab.receipt(model, data)
+
+
+SHAPES = {
+    "a plane and a sphere": ('type="plane" size="5 5 .1"', 'size=".05"', 0.05),
+    "a plane and a box": ('type="plane" size="5 5 .1"', 'type="box" size=".05 .05 .05"', 0.05),
+    "a plane and a capsule": ('type="plane" size="5 5 .1"', 'type="capsule" size=".05 .1"', 0.15),
+    "two spheres": ('size=".5" pos="0 0 -.5"', 'size=".05"', 0.05),
+    "a box and a sphere": ('type="box" size=".5 .5 .5" pos="0 0 -.5"', 'size=".05"', 0.05),
+    "a capsule and a sphere": ('type="capsule" size=".1 .3" pos="0 0 -.1" euler="0 90 0"', 'size=".05"', 0.05),
+    "two capsules": ('type="capsule" size=".1 .3" pos="0 0 -.1" euler="0 90 0"', 'type="capsule" size=".05 .1" euler="90 0 0"', 0.05),
+}
+
+
+@pytest.mark.parametrize("shapes", SHAPES)
+def test_a_contact_normal_that_is_turned_by_two_degrees_is_an_error_of_collision_however_small_the_overlap(shapes):
+    fixed, moving, height = SHAPES[shapes]
+    xml = (f'<mujoco><worldbody><geom {fixed}/><body name="moving" pos="0 0 {height - 1e-7}"><freejoint/><geom {moving}/>'
+           "</body></worldbody></mujoco>")
+    model = mujoco.MjModel.from_xml_string(xml)
+
+    def turn(data):
+        cosine, sine = np.cos(np.radians(2)), np.sin(np.radians(2))
+        axes = data.contact[0].frame.reshape(3, 3)
+        data.contact[0].frame[:] = np.ravel([cosine * axes[0] + sine * axes[1], cosine * axes[1] - sine * axes[0], axes[2]])
+
+    assert solved_with(lambda data: None, model, mujoco.MjData(model)).ok
+    receipt = solved_with(turn, model, mujoco.MjData(model))
+    assert receipt.stage == "collision" and "normal" in str(receipt) and "moving" in receipt.bodies, str(receipt)
+
+
+def test_the_violation_of_an_equality_with_another_constant_is_an_error_of_assembly():
+    xml = """<mujoco><worldbody><body><joint name="a"/><geom size=".1"/></body><body pos="1 0 0"><joint name="b"/><geom size=".1"/>
+    </body></worldbody><equality><joint joint1="a" joint2="b" polycoef="{} 1 0 0 0"/></equality></mujoco>"""
+    stated, engine = (mujoco.MjModel.from_xml_string(xml.format(value)) for value in (0.0, 0.01))
+    data = mujoco.MjData(engine)
+    data.qpos[:] = 0.1, 0.2
+    mujoco.mj_forward(engine, data)
+    assert lcplab.receipt(engine, data).ok
+    receipt = lcplab.receipt(stated, data)
+    assert receipt.stage == "assembly" and "violation of an equality" in str(receipt), str(receipt)

@@ -185,5 +185,25 @@ def surface_distance(kind: str, shapes: Many, points: Array) -> Array:
     return _PAIRS[first, second](*pair)
 
 
+def outward(kind: str, shapes: Many, points: Array) -> Array:
+    """The outward unit normals of planes, spheres and capsules at points of their surfaces, (n, 3).
+
+    Examples
+    --------
+    >>> ball = Many(np.array([[0.1, 0, 0]]), np.zeros((1, 3)), np.eye(3)[None])
+    >>> outward("sphere", ball, np.array([[0.0, 0.1, 0.0]])).tolist()
+    [[0.0, 1.0, 0.0]]
+    """
+    if kind == "plane":
+        return np.asarray(shapes.axes[:, :, 2])
+    inner = shapes.center
+    if kind == "capsule":
+        along, half = shapes.axes[:, :, 2], shapes.size[:, 1]
+        part = np.clip(np.sum((points - inner) * along, axis=1), -half, half)
+        inner = inner + part[:, None] * along
+    apart = points - inner
+    return np.asarray(apart / np.maximum(_length(apart), 1e-300)[:, None])
+
+
 #: Pairs whose closed form is exact both apart and overlapping, so that the engine's distance must be the same.
 EXACT = frozenset(pair for pair in _PAIRS if pair != ("box", "box"))

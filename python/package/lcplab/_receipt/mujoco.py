@@ -231,7 +231,7 @@ def never_checked(model: Any, data: Any) -> list[str]:
     """The parts of a step of this model that no check covers."""
     parts = ["write-back: the position after the step"]
     if data.nefc:
-        parts.append("assembly: compliance of rows (solref, solimp)")
+        parts.append("assembly: compliance of rows (solref, solimp, impratio), margins and gaps of contacts")
     if np.any(model.tendon_limited) or np.any(model.tendon_frictionloss):
         parts.append("assembly: rows of limits and friction losses of tendons (presence, J, distance, bounds)")
     if np.any(model.eq_type > 2):

@@ -23,6 +23,8 @@ from lcplab._receipt.step import Array, Rows, Step
 
 #: The largest accepted errors of first and second differences of poses, and of reference accelerations with J̇v.
 FIRST, SECOND, REFERENCE = 1e-5, 1e-4, 1e-2
+#: The largest accepted error of a violation, relative to itself and the distance of the bodies from the origin, at least 1 m.
+VIOLATION = 1e-9
 #: The largest number of degrees of freedom: with more, differences of poses take too long.
 MOST_DOFS = 3_000
 #: Equalities whose reference contains J̇v: connect and weld.
@@ -304,7 +306,12 @@ def _equalities(model: Any, data: Any, step: Step, motion: Kinematics) -> Report
     rate = (violations[2] - violations[0]) / (2 * size)
     scale = step.size_along(velocity)[rows] + np.abs(rate)
     what = "J of an equality is not the rate of its violation"
-    return Report([_worst(what, step.along(velocity)[rows] - rate, scale, SECOND, rows)])
+    report = Report([_worst(what, step.along(velocity)[rows] - rate, scale, SECOND, rows)])
+    off = np.array(data.efc_pos)[rows] - violations[1]
+    # Positions are rounded at the distance from the origin, and a violation is their difference.
+    terms = np.abs(violations[1]) + motion.reach
+    report.findings.append(_worst("the violation of an equality is not that of its poses", off, terms, VIOLATION, rows))
+    return report
 
 
 def _references(model: Any, data: Any, step: Step, motion: Kinematics, qvel: Array) -> Report:

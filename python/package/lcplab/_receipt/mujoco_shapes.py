@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from lcplab._receipt import collision
 from lcplab._receipt import mujoco as reader
 from lcplab._receipt.findings import Finding, Report
-from lcplab._receipt.geometry import EXACT, Many, Shape, surface_distance
+from lcplab._receipt.geometry import EXACT, Many, Shape, outward, surface_distance
 from lcplab._receipt.kept import Kept
 from lcplab._receipt.step import Array, Rows
 
@@ -59,7 +59,8 @@ def _without_rows(model: Any, data: Any) -> list[Finding]:
 
 
 def _off_surfaces(model: Any, data: Any) -> list[Finding]:
-    """The contact whose ends, half its distance along the normal from its position, are farthest from the two surfaces."""
+    """The contact whose ends, half its distance along the normal from its position, are farthest from the two surfaces,
+    and the one whose normal differs most from theirs."""
     if not data.ncon:
         return []
     kinds, shapes, contacts = np.asarray(model.geom_type), reader.shapes_of(data), data.contact
@@ -67,24 +68,33 @@ def _off_surfaces(model: Any, data: Any) -> list[Finding]:
     exact = np.flatnonzero((shapes.min(axis=1) >= 0) & _ARE_EXACT[of_pair[:, 0], of_pair[:, 1]])
     if len(exact) == 0:
         return []
-    half = np.array(contacts.dist)[exact, None] / 2 * np.array(contacts.frame)[exact, :3]
+    normals = np.array(contacts.frame)[exact, :3]
+    half = np.array(contacts.dist)[exact, None] / 2 * normals
     ends = np.array(contacts.pos)[exact, None] + np.stack([-half, half], axis=1)
     geoms = shapes[exact]
     apart, sizes = np.zeros(geoms.shape), _smallest(model)[geoms].min(axis=1)
     size, centers, axes = np.array(model.geom_size), np.array(data.geom_xpos), np.array(data.geom_xmat).reshape(-1, 3, 3)
+    sides, turned = np.stack([normals, -normals], axis=1), np.zeros(geoms.shape)
     for number in np.unique(kinds[geoms]).tolist():
         own = kinds[geoms] == number
         these = geoms[own]
         many = Many(size[these], centers[these], axes[these])
         apart[own] = surface_distance(KINDS[number], many, ends[own])
+        if number != BOX:
+            turned[own] = np.abs(outward(KINDS[number], many, ends[own]) - sides[own]).max(axis=1)
     # A plane touches both end spheres of a capsule, and that of the higher end may do so inside of the capsule.
-    apart[(kinds[geoms] == CAPSULE) & (kinds[geoms] == PLANE).any(axis=1)[:, None] & (apart < 0)] = 0.0
-    apart = np.abs(apart)
-    errors = apart.max(axis=1) / sizes
-    worst = int(np.argmax(errors))
-    bodies = tuple(reader.names_of(model).geoms[geom] for geom in geoms[worst])
-    what = "position, normal and distance of a contact do not lead to the surfaces of its shapes"
-    return [Finding("collision", what, float(errors[worst]), collision.LIMIT, None, bodies)]
+    is_on_plane = (kinds[geoms] == CAPSULE) & (kinds[geoms] == PLANE).any(axis=1)[:, None]
+    apart[is_on_plane & (apart < 0)] = 0.0
+    turned[is_on_plane] = 0.0
+    findings = []
+    for what, errors in (
+        ("position, normal and distance of a contact do not lead to the surfaces of its shapes", np.abs(apart).max(axis=1) / sizes),
+        ("the normal of a contact is not that of the surfaces of its shapes", turned.max(axis=1)),
+    ):
+        worst = int(np.argmax(errors))
+        bodies = tuple(reader.names_of(model).geoms[geom] for geom in geoms[worst])
+        findings.append(Finding("collision", what, float(errors[worst]), collision.LIMIT, None, bodies))
+    return findings
 
 
 def _smallest_of(model: Any) -> Array:
