@@ -108,3 +108,17 @@ def test_the_action_has_the_options_of_the_command():
     assert inputs == ["frames", *OPTIONS]
     code, reported = run([sys.executable, "-m", "lcplab", "receipts", "--help"], ROOT)
     assert code == 0 and all(f"--{option} " in reported for option in OPTIONS)
+
+
+@pytest.mark.parametrize("file", [ROOT / "action.yml", EXAMPLE / "workflow.yml"], ids=lambda file: file.name)
+def test_a_value_without_quotation_marks_has_nothing_that_yaml_reads_as_a_key_or_a_comment(file):
+    block = None
+    for line in file.read_text(encoding="utf-8").splitlines():
+        depth = len(line) - len(line.lstrip())
+        if block is not None and (depth > block or not line.strip()):
+            continue  # of a script
+        block = depth if line.rstrip().endswith("|") else None
+        key = re.match(r"\s*(?:- )?[\w-]+:(?: +(.*))?$", line)
+        value = re.sub(r" +#.*$", "", key[1] or "") if key else ""
+        if not value.startswith(('"', "'")):
+            assert ": " not in value and not value.endswith(":"), line
