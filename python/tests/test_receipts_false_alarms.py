@@ -161,7 +161,7 @@ def test_all_parts_without_a_check_are_named(is_whole):
         before = data.qpos.copy(), data.qvel.copy()
         mujoco.mj_step(model, data)
     expected = {
-        "collision: distances, positions and normals of box and box",
+        "collision: number, distances, positions and normals of box and box",
         "assembly: compliance of rows (solref, solimp, impratio), margins and gaps of contacts",
         "assembly: transmissions of actuators",
         "write-back: the position after the step",

@@ -161,6 +161,22 @@ def test_a_contact_normal_that_is_turned_by_two_degrees_is_an_error_of_collision
     assert receipt.stage == "collision" and "normal" in str(receipt) and "moving" in receipt.bodies, str(receipt)
 
 
+@pytest.mark.parametrize("shape", ['type="box" size=".1 .08 .06"', 'type="capsule" size=".06 .1" euler="0 90 0"'])
+def test_a_corner_or_an_end_that_lost_its_contact_is_an_error_of_collision(shape):
+    xml = (f'<mujoco><worldbody><geom type="plane" size="5 5 .1"/><body name="moving" pos="0 0 .0599"><freejoint/><geom {shape}/>'
+           "</body></worldbody></mujoco>")
+    model = mujoco.MjModel.from_xml_string(xml)
+
+    def lose(data):
+        """The last contact is where the first one is."""
+        first, last = data.contact[0], data.contact[data.ncon - 1]
+        last.pos[:], last.dist = first.pos, first.dist
+
+    assert solved_with(lambda data: None, model, mujoco.MjData(model)).ok
+    receipt = solved_with(lose, model, mujoco.MjData(model))
+    assert receipt.stage == "collision" and "without a contact of its own" in str(receipt) and "moving" in receipt.bodies, str(receipt)
+
+
 def test_the_violation_of_an_equality_with_another_constant_is_an_error_of_assembly():
     xml = """<mujoco><worldbody><body><joint name="a"/><geom size=".1"/></body><body pos="1 0 0"><joint name="b"/><geom size=".1"/>
     </body></worldbody><equality><joint joint1="a" joint2="b" polycoef="{} 1 0 0 0"/></equality></mujoco>"""

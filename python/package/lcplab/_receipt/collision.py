@@ -56,7 +56,7 @@ def check(
                 wrong = Finding("collision", what, error, LIMIT, None, bodies)
         else:
             unknown.add(_kinds(first, second))
-    not_checked = [f"collision: distances, positions and normals of {pair}" for pair in sorted(unknown)]
+    not_checked = [f"collision: number, distances, positions and normals of {pair}" for pair in sorted(unknown)]
     return Report([missing, wrong] if near else [], not_checked)
 
 

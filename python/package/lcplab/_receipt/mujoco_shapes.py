@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lcplab._receipt import collision
+from lcplab._receipt import collision, mujoco_points
 from lcplab._receipt import mujoco as reader
 from lcplab._receipt.findings import Finding, Report
 from lcplab._receipt.geometry import EXACT, Many, Shape, outward, surface_distance
@@ -39,6 +39,8 @@ def check(model: Any, data: Any) -> Report:
     near = _near(model, data)
     report = collision.check(_shapes(model, data, near), near, _contacts(data))
     report.findings += _without_rows(model, data) + _off_surfaces(model, data)
+    lost = mujoco_points.check(model, data, _margins(model))
+    report.findings += [lost] if lost else []
     if data.ncon and reader.shapes_of(data).min() < 0:
         report.not_checked.append("collision: contacts of flexes")
     return report

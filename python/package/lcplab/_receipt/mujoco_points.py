@@ -1,0 +1,61 @@
+"""Contact points of MuJoCo's boxes and capsules on planes: each deep corner or end has one of its own."""
+
+from __future__ import annotations
+
+import itertools
+from typing import Any
+
+import numpy as np
+
+from lcplab._receipt import collision
+from lcplab._receipt import mujoco as reader
+from lcplab._receipt.findings import Finding
+from lcplab._receipt.step import Array
+
+PLANE, CAPSULE, BOX = 0, 3, 6
+#: MuJoCo makes at most this number of contacts of a box with a plane, of corners that are lower than its center.
+MOST = 4
+CORNERS = np.array(list(itertools.product((-1.0, 1.0), repeat=3)))
+
+
+def check(model: Any, data: Any, margins: Array) -> Finding | None:
+    """The deepest point without a contact; None if there are no such pairs. ``margins``: of each shape (m), (ngeom,)."""
+    if not data.ncon:
+        return None
+    kinds, shapes = np.asarray(model.geom_type), reader.shapes_of(data)
+    of_pair = np.where(shapes < 0, -1, kinds[shapes])
+    at: dict[tuple[int, int], list[Array]] = {}
+    positions = np.array(data.contact.pos)
+    for number in np.flatnonzero((of_pair == PLANE).any(axis=1) & np.isin(of_pair, (BOX, CAPSULE)).any(axis=1)).tolist():
+        plane, other = shapes[number] if of_pair[number, 0] == PLANE else shapes[number, ::-1]
+        at.setdefault((int(plane), int(other)), []).append(positions[number])
+    worst = None
+    for (plane, other), found in at.items():
+        ignored = -min(float(margins[plane]), 0.0) - min(float(margins[other]), 0.0)
+        points, overlaps, size = _deep_points(model, data, plane, other)
+        is_deep = overlaps > ignored + collision.LIMIT * size
+        if is_deep.sum() > MOST:
+            continue
+        apart = np.linalg.norm(points[is_deep][:, None] - np.array(found), axis=2).min(axis=1, initial=np.inf)
+        error = float(apart.max(initial=0.0)) / size
+        if worst is None or not error <= worst.error:
+            names = reader.names_of(model).geoms
+            what = "a corner or end of a shape is below a plane without a contact of its own"
+            worst = Finding("collision", what, error, collision.LIMIT, None, (names[plane], names[other]))
+    return worst
+
+
+def _deep_points(model: Any, data: Any, plane: int, other: int) -> tuple[Array, Array, float]:
+    """Where the contacts of a shape's lowest points are, (n, 3), how deep these are (m), (n,), and the shape's size (m)."""
+    normal = np.array(data.geom_xmat[plane]).reshape(3, 3)[:, 2]
+    axes, size = np.array(data.geom_xmat[other]).reshape(3, 3), np.array(model.geom_size[other])
+    if model.geom_type[other] == BOX:
+        arms = (CORNERS * size) @ axes.T
+        arms = arms[arms @ normal <= 0]
+        smallest = float(size.min())
+    else:
+        arms = np.array([-1.0, 1.0])[:, None] * size[1] * axes[:, 2] - size[0] * normal
+        smallest = float(size[0])
+    lowest = np.array(data.geom_xpos[other]) + arms
+    overlaps = -(lowest - np.array(data.geom_xpos[plane])) @ normal
+    return lowest + overlaps[:, None] / 2 * normal, overlaps, smallest
