@@ -362,6 +362,14 @@ fn tiles(list: &[Tile]) -> String {
 }
 
 impl TableView<'_> {
+    /// Whether it is a table of words with so many columns that a phone shows each row as a list.
+    fn is_stacked(&self) -> bool {
+        let is_plain = |title: &str| !title.is_empty() && !title.contains(['$', '*', '`', '[']);
+        let columns = &self.table.columns;
+        columns.len() > 2
+            && columns.iter().all(|own| own.align == Align::Left && is_plain(&own.title))
+    }
+
     fn class(&self, k: &usize, cell: &Cell) -> String {
         let align = match self.table.columns[*k].align {
             Align::Left => "",

@@ -1,6 +1,6 @@
 //! Tables say once what is the same in every row, and omit what has no room.
 
-use lcplab_page::page::{Cell, Column, Mark, Table};
+use lcplab_page::page::{Block, Cell, Column, Mark, Page, Section, Table};
 use lcplab_page::terminal;
 
 /// Three rows: a name, a constant in seconds, an empty column, a secondary one, a marked constant.
@@ -72,4 +72,21 @@ fn a_table_that_is_too_wide_for_a_terminal_is_written_row_by_row() {
     let second = "\n    two, a method\n        quantity 0 (m) 2; quantity 1 (m) ✗ 2.125; ";
     assert!(words.contains(second), "{words}");
     assert_eq!(terminal::table_within(&table(), 100), terminal::table(&table()));
+}
+
+#[test]
+fn a_table_of_words_names_the_column_in_each_cell_for_narrow_screens_and_one_of_numbers_does_not() {
+    let row = || vec![Cell::text("a"), Cell::text("solver"), Cell::text("detected")];
+    let words = Table::new("Defects", "", "what was wrong | stage | outcome", vec![row(), row()]);
+    let page = |table: Table| {
+        let (id, title, blocks) = ("one".into(), "One".into(), vec![Block::Table(table)]);
+        let section = Section { id, title, blocks, ..Section::default() };
+        Page { title: "A page".into(), sections: vec![section], ..Page::default() }
+            .render()
+            .unwrap()
+    };
+    let html = page(words);
+    assert!(html.contains(r#"data-column="stage">solver<"#), "{html}");
+    assert!(!html.contains(r#"data-column="what was wrong""#));
+    assert!(!page(table()).contains("data-column=\""));
 }
