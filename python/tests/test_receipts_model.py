@@ -177,6 +177,28 @@ def test_a_corner_or_an_end_that_lost_its_contact_is_an_error_of_collision(shape
     assert receipt.stage == "collision" and "without a contact of its own" in str(receipt) and "moving" in receipt.bodies, str(receipt)
 
 
+@pytest.mark.parametrize("shapes", ["a plane and a box", "a plane and a capsule lying"])
+def test_a_contact_that_is_there_twice_is_an_error_of_collision(shapes):
+    """The engine's second contact is a copy of the first; the shape has others, so that no corner or end lacks one."""
+    shape = {"a plane and a box": 'type="box" size=".1 .08 .06" euler="0 1 0"',
+             "a plane and a capsule lying": 'type="capsule" size=".06 .1" euler="0 88 0"'}[shapes]
+    xml = (f'<mujoco><worldbody><geom type="plane" size="5 5 .1"/><body name="moving" pos="0 0 .06"><freejoint/>'
+           f'<geom {shape} margin=".02"/></body></worldbody></mujoco>')
+    model = mujoco.MjModel.from_xml_string(xml)
+
+    def copy_first(data):
+        deepest = int(np.argmin(data.contact.dist))
+        highest = int(np.argmax(data.contact.dist))
+        assert data.contact.dist[highest] > 0  # it is above the plane, within the margin
+        for name in ("pos", "frame"):
+            getattr(data.contact[highest], name)[:] = getattr(data.contact[deepest], name)
+        data.contact[highest].dist = data.contact[deepest].dist
+
+    assert solved_with(lambda data: None, model, mujoco.MjData(model)).ok
+    receipt = solved_with(copy_first, model, mujoco.MjData(model))
+    assert receipt.stage == "collision" and "twice" in str(receipt) and "moving" in receipt.bodies, str(receipt)
+
+
 def test_the_violation_of_an_equality_with_another_constant_is_an_error_of_assembly():
     xml = """<mujoco><worldbody><body><joint name="a"/><geom size=".1"/></body><body pos="1 0 0"><joint name="b"/><geom size=".1"/>
     </body></worldbody><equality><joint joint1="a" joint2="b" polycoef="{} 1 0 0 0"/></equality></mujoco>"""

@@ -1,4 +1,4 @@
-"""Contact points of MuJoCo's boxes and capsules on planes: each deep corner or end has one of its own."""
+"""Contact points of MuJoCo: each deep corner of a box and end of a capsule on a plane has one of its own, and none is there twice."""
 
 from __future__ import annotations
 
@@ -6,11 +6,14 @@ import itertools
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lcplab._receipt import collision
 from lcplab._receipt import mujoco as reader
 from lcplab._receipt.findings import Finding
 from lcplab._receipt.step import Array
+
+Flags = NDArray[np.bool_]
 
 PLANE, CAPSULE, BOX = 0, 3, 6
 #: MuJoCo makes at most this number of contacts of a box with a plane, of corners that are lower than its center.
@@ -20,8 +23,6 @@ CORNERS = np.array(list(itertools.product((-1.0, 1.0), repeat=3)))
 
 def check(model: Any, data: Any, margins: Array) -> Finding | None:
     """The deepest point without a contact; None if there are no such pairs. ``margins``: of each shape (m), (ngeom,)."""
-    if not data.ncon:
-        return None
     kinds, shapes = np.asarray(model.geom_type), reader.shapes_of(data)
     of_pair = np.where(shapes < 0, -1, kinds[shapes])
     at: dict[tuple[int, int], list[Array]] = {}
@@ -43,6 +44,25 @@ def check(model: Any, data: Any, margins: Array) -> Finding | None:
             what = "a corner or end of a shape is below a plane without a contact of its own"
             worst = Finding("collision", what, error, collision.LIMIT, None, (names[plane], names[other]))
     return worst
+
+
+def twice(model: Any, data: Any, are_exact: Flags) -> Finding | None:
+    """Two contacts of the same shapes at the same point; None if there are none.
+
+    ``are_exact``: the pairs of kinds to look at, (kinds, kinds).
+    """
+    kinds, shapes = np.asarray(model.geom_type), reader.shapes_of(data)
+    of_pair = kinds[shapes]
+    own = np.flatnonzero((shapes.min(axis=1, initial=0) >= 0) & are_exact[of_pair[:, 0], of_pair[:, 1]])
+    seen = set()
+    for pair, point in zip(shapes[own].tolist(), np.array(data.contact.pos)[own].tolist()):
+        contact = (*sorted(pair), *point)
+        if contact in seen:
+            names = reader.names_of(model).geoms
+            what = "two shapes have the same contact twice"
+            return Finding("collision", what, np.inf, 0.0, None, (names[pair[0]], names[pair[1]]))
+        seen.add(contact)
+    return None
 
 
 def _deep_points(model: Any, data: Any, plane: int, other: int) -> tuple[Array, Array, float]:

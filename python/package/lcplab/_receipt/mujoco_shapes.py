@@ -39,8 +39,9 @@ def check(model: Any, data: Any) -> Report:
     near = _near(model, data)
     report = collision.check(_shapes(model, data, near), near, _contacts(data))
     report.findings += _without_rows(model, data) + _off_surfaces(model, data)
-    lost = mujoco_points.check(model, data, _margins(model))
-    report.findings += [lost] if lost else []
+    if data.ncon:
+        points = mujoco_points.check(model, data, _margins(model)), mujoco_points.twice(model, data, _ARE_EXACT)
+        report.findings += [finding for finding in points if finding]
     if data.ncon and reader.shapes_of(data).min() < 0:
         report.not_checked.append("collision: contacts of flexes")
     return report
