@@ -159,7 +159,8 @@ def _deep_overlaps(world: Any, dt: float) -> str:
     pairs, is_deep = set(), False
     for contact in world.getLastCollisionResult().getContacts():
         nodes = [end.getShapeFrame().asShapeNode().getBodyNodePtr() for end in (contact.collisionObject1, contact.collisionObject2)]
-        pairs.add(frozenset(str(node.getName()) for node in nodes if node.getSkeleton().getNumDofs()))
+        moving = [node for node in nodes if node.getSkeleton().getNumDofs()]
+        pairs.add(frozenset((str(node.getSkeleton().getName()), str(node.getName())) for node in moving))
         is_deep |= float(contact.penetrationDepth) * ERP > dt * FASTEST
     if is_deep and sum(len(pair) == 2 for pair in pairs) > 1:
         return "because DART does not report how fast it corrects the deep overlaps of several bodies"
