@@ -186,6 +186,15 @@ def test_a_step_in_which_mujoco_resets_an_unstable_simulation_begins_at_the_rese
     assert lcplab.receipt(model, data, before=before).stage == "write-back"
 
 
+def test_two_parallel_capsules_whose_ends_overlap_may_have_the_same_contact_twice():
+    capsule = '<body pos="0 0 {}"><freejoint/><geom type="capsule" size=".05 .04" condim="1"/></body>'
+    model = mujoco.MjModel.from_xml_string(f"<mujoco><worldbody>{capsule.format(0.5)}{capsule.format(0.61)}</worldbody></mujoco>")
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    assert data.ncon == 2 and np.array_equal(data.contact[0].pos, data.contact[1].pos)
+    assert lcplab.receipt(model, data).ok
+
+
 def test_a_contact_in_its_gap_has_no_rows_and_is_not_rejected():
     model, data = moving(stack('gravity="0 0 0"', ball='margin=".2" gap=".2"'))
     data.qvel[:], data.qpos[9] = 0, 0.35  # the ball is 7 cm above the box

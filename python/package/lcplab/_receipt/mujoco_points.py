@@ -49,11 +49,13 @@ def check(model: Any, data: Any, margins: Array) -> Finding | None:
 def twice(model: Any, data: Any, are_exact: Flags) -> Finding | None:
     """Two contacts of the same shapes at the same point; None if there are none.
 
-    ``are_exact``: the pairs of kinds to look at, (kinds, kinds).
+    ``are_exact``: the pairs of kinds to look at, (kinds, kinds). Of two parallel capsules MuJoCo itself can find the same contact
+    from both sides.
     """
     kinds, shapes = np.asarray(model.geom_type), reader.shapes_of(data)
     of_pair = kinds[shapes]
-    own = np.flatnonzero((shapes.min(axis=1, initial=0) >= 0) & are_exact[of_pair[:, 0], of_pair[:, 1]])
+    is_own = (shapes.min(axis=1, initial=0) >= 0) & are_exact[of_pair[:, 0], of_pair[:, 1]]
+    own = np.flatnonzero(is_own & (of_pair != CAPSULE).any(axis=1))
     seen = set()
     for pair, point in zip(shapes[own].tolist(), np.array(data.contact.pos)[own].tolist()):
         contact = (*sorted(pair), *point)
