@@ -171,7 +171,8 @@ def test_all_parts_without_a_check_are_named(is_whole):
     assert set(lcplab.receipt(model, data, before=before).not_checked) == expected
 
 
-def test_a_step_in_which_mujoco_resets_an_unstable_simulation_begins_at_the_reset_state():
+def test_a_step_in_which_mujoco_resets_an_unstable_simulation_begins_at_the_reset_state(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)  # MuJoCo writes its warning to a file
     model, data = moving(stack())
     for _ in range(3):
         mujoco.mj_step(model, data)
