@@ -362,7 +362,7 @@ fn tiles(list: &[Tile]) -> String {
 }
 
 impl TableView<'_> {
-    /// Whether it is a table of words with so many columns that a phone shows each row as a list.
+    /// Whether a phone shows each row as a list: columns of words do not fit its width.
     fn is_stacked(&self) -> bool {
         let is_plain = |title: &str| !title.is_empty() && !title.contains(['$', '*', '`', '[']);
         let columns = &self.table.columns;
