@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from lcplab._receipt import collision
 from lcplab._receipt import mujoco as reader
 from lcplab._receipt.findings import Finding
-from lcplab._receipt.step import Array
+from lcplab._receipt.step import Array, Rows
 
 Flags = NDArray[np.bool_]
 
@@ -24,25 +24,32 @@ CORNERS = np.array(list(itertools.product((-1.0, 1.0), repeat=3)))
 def check(model: Any, data: Any, margins: Array) -> Finding | None:
     """The deepest point without a contact; None if there are no such pairs. ``margins``: of each shape (m), (ngeom,)."""
     kinds, shapes = np.asarray(model.geom_type), reader.shapes_of(data)
-    of_pair = np.where(shapes < 0, -1, kinds[shapes])
-    at: dict[tuple[int, int], list[Array]] = {}
-    positions = np.array(data.contact.pos)
-    for number in np.flatnonzero((of_pair == PLANE).any(axis=1) & np.isin(of_pair, (BOX, CAPSULE)).any(axis=1)).tolist():
-        plane, other = shapes[number] if of_pair[number, 0] == PLANE else shapes[number, ::-1]
-        at.setdefault((int(plane), int(other)), []).append(positions[number])
+    is_swapped = kinds[shapes[:, 1]] == PLANE
+    planes, others = np.where(is_swapped[:, None], shapes[:, ::-1], shapes).T
     worst = None
-    for (plane, other), found in at.items():
-        ignored = -min(float(margins[plane]), 0.0) - min(float(margins[other]), 0.0)
-        points, overlaps, size = _deep_points(model, data, plane, other)
-        is_deep = overlaps > ignored + collision.LIMIT * size
-        if is_deep.sum() > MOST:
+    for kind in (BOX, CAPSULE):
+        own = np.flatnonzero((shapes.min(axis=1) >= 0) & (kinds[planes] == PLANE) & (kinds[others] == kind))
+        if len(own) == 0:
             continue
-        apart = np.linalg.norm(points[is_deep][:, None] - np.array(found), axis=2).min(axis=1, initial=np.inf)
-        error = float(apart.max(initial=0.0)) / size
-        if worst is None or not error <= worst.error:
+        codes, pair = np.unique(planes[own] * model.ngeom + others[own], return_inverse=True)
+        plane, other = np.divmod(codes, model.ngeom)
+        points, overlaps, size = _lowest_points(model, data, plane, other, kind)
+        # The point that each contact belongs to.
+        apart = np.linalg.norm(points[pair] - np.array(data.contact.pos)[own, None], axis=2)
+        nearest = apart.argmin(axis=1)
+        is_near = apart.min(axis=1) <= collision.LIMIT * size[pair]
+        has_contact = np.zeros(overlaps.shape, dtype=bool)
+        has_contact[pair[is_near], nearest[is_near]] = True
+        ignored = np.maximum(-margins[plane], 0.0) + np.maximum(-margins[other], 0.0)
+        is_deep = overlaps > (ignored + collision.LIMIT * size)[:, None]
+        is_lost = is_deep & ~has_contact & (is_deep.sum(axis=1) <= MOST)[:, None]
+        errors = np.where(is_lost, overlaps, 0.0).max(axis=1) / size
+        deepest = int(np.argmax(errors))
+        if worst is None or not errors[deepest] <= worst.error:
             names = reader.names_of(model).geoms
             what = "a corner or end of a shape is below a plane without a contact of its own"
-            worst = Finding("collision", what, error, collision.LIMIT, None, (names[plane], names[other]))
+            bodies = (names[plane[deepest]], names[other[deepest]])
+            worst = Finding("collision", what, float(errors[deepest]), collision.LIMIT, None, bodies)
     return worst
 
 
@@ -67,17 +74,21 @@ def twice(model: Any, data: Any, are_exact: Flags) -> Finding | None:
     return None
 
 
-def _deep_points(model: Any, data: Any, plane: int, other: int) -> tuple[Array, Array, float]:
-    """Where the contacts of a shape's lowest points are, (n, 3), how deep these are (m), (n,), and the shape's size (m)."""
-    normal = np.array(data.geom_xmat[plane]).reshape(3, 3)[:, 2]
-    axes, size = np.array(data.geom_xmat[other]).reshape(3, 3), np.array(model.geom_size[other])
-    if model.geom_type[other] == BOX:
-        arms = (CORNERS * size) @ axes.T
-        arms = arms[arms @ normal <= 0]
-        smallest = float(size.min())
+def _lowest_points(model: Any, data: Any, planes: Rows, others: Rows, kind: int) -> tuple[Array, Array, Array]:
+    """Contacts at the corners or ends of shapes on planes: their points, (pairs, n, 3), overlaps (m), (pairs, n), negative for
+    corners above a box's center, and the sizes of the shapes (m), (pairs,)."""
+    centers, every = np.array(data.geom_xpos), np.array(data.geom_xmat).reshape(-1, 3, 3)
+    normals, axes, sizes = every[planes][:, :, 2], every[others], np.array(model.geom_size)[others]
+    if kind == BOX:
+        arms = (CORNERS * sizes[:, None]) @ np.swapaxes(axes, 1, 2)
+        smallest = sizes.min(axis=1)
     else:
-        arms = np.array([-1.0, 1.0])[:, None] * size[1] * axes[:, 2] - size[0] * normal
-        smallest = float(size[0])
-    lowest = np.array(data.geom_xpos[other]) + arms
-    overlaps = -(lowest - np.array(data.geom_xpos[plane])) @ normal
-    return lowest + overlaps[:, None] / 2 * normal, overlaps, smallest
+        half = sizes[:, 1, None] * axes[:, :, 2]
+        arms = np.stack([half, -half], axis=1) - (sizes[:, 0, None] * normals)[:, None]
+        smallest = sizes[:, 0]
+    lowest = centers[others][:, None] + arms
+    overlaps = -((lowest - centers[planes][:, None]) @ normals[:, :, None])[..., 0]
+    points = lowest + overlaps[..., None] / 2 * normals[:, None]
+    if kind == BOX:
+        overlaps = np.where((arms @ normals[:, :, None])[..., 0] <= 0, overlaps, -1.0)
+    return points, overlaps, smallest
