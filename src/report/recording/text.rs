@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::energy_totals::EnergyTotals;
 use super::{NOT_ACCOUNTED, Record};
-use crate::body::State;
+use crate::body::{Body, State};
 use crate::lcp::friction::{Form, Law};
 use crate::number::readable;
 use crate::scene::{Resting, Scene, Scheme};
@@ -325,12 +325,18 @@ impl Record {
         format!(", {percent} % of the scene's size at the start; {remedy}")
     }
 
+    /// The moving bodies that the output lists, with their current states, and the number of others.
+    pub fn listed(&self) -> (Vec<(&Body, &State)>, usize) {
+        let bodies = self.scene.bodies.iter().zip(&self.states);
+        let mut moving: Vec<_> = bodies.filter(|(body, _)| body.mass.dof() > 0).collect();
+        let more = moving.len().saturating_sub(SHOWN);
+        moving.truncate(SHOWN);
+        (moving, more)
+    }
+
     /// The current positions and velocities of the moving bodies.
-    pub fn states_text(&self) -> String {
-        let moving = || {
-            let bodies = self.scene.bodies.iter().zip(&self.states);
-            bodies.filter(|(body, _)| body.mass.dof() > 0)
-        };
+    fn states_text(&self) -> String {
+        let (moving, more) = self.listed();
         let vector = |v: &Vector3<f64>| {
             let short = |x: f64| match x.abs() {
                 size if size < 1e5 => format!("{:>11.5}", if size < 5e-6 { 0.0 } else { x }),
@@ -340,11 +346,11 @@ impl Record {
             parts.join(" ")
         };
         let mut text = String::from("position (m), velocity (m/s)");
-        for (body, state) in moving().take(SHOWN) {
+        for (body, state) in moving {
             let (p, v) = (vector(&state.pose.p), vector(&state.v));
             text += &format!("\n{:<12} {p}   {v}", body.name);
         }
-        match moving().count().saturating_sub(SHOWN) {
+        match more {
             0 => text,
             more => text + &format!("\nand {more} more bodies, which the JSON lists"),
         }

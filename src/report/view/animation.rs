@@ -1,33 +1,40 @@
 //! Animations: as a section, as the page of a simulation, and next to the tables of a comparison.
 
+use nalgebra::Vector3;
+
 use super::{Outcome, ReportPage, View};
 use crate::animation::Animation;
+use crate::body::{Body, State};
+use crate::number::readable;
+use crate::page::DrawnAnimation;
 use crate::report::page::{Block, Cell, Page, Player, Table, markup};
 use crate::report::recording::Record;
 use crate::report::study::animation::{AnimationData, Plan};
 
 /// The explanation of the controls, for the caption.
-const HOW: &str = "Arrows are forces on the moving body. Click a curve to jump to that time.";
+const HOW: &str = "Arrows are forces on the moving body.";
+/// The same for the curves, if there are any.
+const HOW_TO_JUMP: &str = " Click a curve to jump to that time.";
 
 impl ReportPage {
     /// Adds an animation as a separate section.
     pub fn animation(&mut self, animation: &Animation, caption: &str) {
         self.open("animation", "The motion");
-        let caption = format!("{caption} {HOW}");
-        self.player(animation, caption);
+        let drawn = animation.drawn();
+        let jump = if drawn.charts.is_empty() { "" } else { HOW_TO_JUMP };
+        self.player(drawn, format!("{caption} {HOW}{jump}"));
     }
 
     /// Adds an animation from a recorded motion.
     pub(super) fn recorded(&mut self, data: &AnimationData, caption: &str) {
         match data.animation() {
-            Ok(animation) => self.player(&animation, caption.into()),
+            Ok(animation) => self.player(animation.drawn(), caption.into()),
             Err(error) => self.text(format!("The animation cannot be shown: {error}.")),
         }
     }
 
-    fn player(&mut self, animation: &Animation, caption: String) {
-        let (animation, files) = (animation.drawn(), Vec::new());
-        self.add(Block::Player(Box::new(Player { animation, caption, files })));
+    fn player(&mut self, animation: DrawnAnimation, caption: String) {
+        self.add(Block::Player(Box::new(Player { animation, caption, files: Vec::new() })));
     }
 }
 
@@ -66,8 +73,27 @@ pub fn simulation_page(animation: Animation, record: &Record) -> Page {
     }
     document.add(Block::Table(totals(record)));
     document.open("end", "The bodies at the end");
-    document.add(Block::Code { language: "text".into(), text: record.states_text() });
+    document.add(Block::Table(at_the_end(record)));
     document.page
+}
+
+/// Where the bodies are at the end.
+fn at_the_end(record: &Record) -> Table {
+    let (moving, more) = record.listed();
+    let vector = |v: &Vector3<f64>| {
+        let parts = [v.x, v.y, v.z].map(|x| readable(if x.abs() < 5e-6 { 0.0 } else { x }, 5));
+        Cell::text(format!("({})", parts.join(", ")))
+    };
+    let row = |(body, state): (&Body, &State)| {
+        vec![Cell::text(body.name.as_str()), vector(&state.pose.p), vector(&state.v)]
+    };
+    let rows = moving.into_iter().map(row).collect();
+    let note = match more {
+        0 => String::new(),
+        more => format!("{more} more bodies are in final.toml."),
+    };
+    let head = "body | position (m) | velocity (m/s)";
+    Table::new("The bodies at the end", &note, head, rows)
 }
 
 /// The totals; further lines of a value follow its first one.
