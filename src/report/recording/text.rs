@@ -252,6 +252,9 @@ impl Record {
         };
         let impact = self.worst_impact().filter(|impact| 100.0 * impact.error().abs() > least)?;
         let remedy = match self.scene.step.scheme {
+            _ if !self.conflict.is_empty() => {
+                "no impulses satisfy all rows of the step: reduce step.dt"
+            }
             Scheme::Velocity | Scheme::Acceleration => {
                 "the answer is not accurate enough: reduce solver.tolerance"
             }

@@ -6,9 +6,9 @@ use proptest::prelude::*;
 /// Motors (N m or N): masses weigh about ten newtons, so the first is unlimited and the second
 /// limited.
 pub const EFFORTS: [f64; 2] = [1e6, 5.0];
-/// The mechanisms. Spatial rings that move only in exact positions, such as Bricard's, are left
-/// out: once they have drifted, their rows leave no degree of freedom and contradict each other.
-pub const MECHANISMS: [&str; 8] = [
+/// The mechanisms. Bricard's ring moves only in exact positions: once it has drifted, its rows leave
+/// no degree of freedom.
+pub const MECHANISMS: [&str; 9] = [
     "a door on two hinges",
     "a door on three hinges",
     "welds in a ring",
@@ -17,6 +17,7 @@ pub const MECHANISMS: [&str; 8] = [
     "a parallelogram",
     "a beam on three cranks",
     "a four-bar linkage",
+    "a ring of Bricard",
 ];
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
@@ -176,6 +177,7 @@ fn mechanism(w: &mut Writer, kind: &str, effort: f64) {
             w.joint("hinge", &["rocker"], corners[3], &[Z], "");
             w.motor("motor_rotation", &["crank"], Z, effort);
         }
+        "a ring of Bricard" => ring(w, effort),
         _ => unreachable!("{kind}"),
     }
 }
@@ -192,6 +194,33 @@ fn cranks(w: &mut Writer, places: &[f64], effort: f64) {
         w.joint("hinge", &[&name, "beam"], [x + arm[0], arm[1], 0.0], &[Z], "");
     }
     w.motor("motor_rotation", &["crank0"], Z, effort);
+}
+
+/// Five rods on six hinges, along the edges of a cube.
+fn ring(w: &mut Writer, effort: f64) {
+    let corners = [
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [1.0, 1.0, 0.0],
+        [1.0, 1.0, 1.0],
+        [0.0, 1.0, 1.0],
+        [0.0, 0.0, 1.0],
+    ];
+    let (y, z, x) = ([0.0, 1.0, 0.0], Z, X);
+    let axes = [y, z, x, y, z, x];
+    let names: Vec<String> = (0..5).map(|k| format!("rod{k}")).collect();
+    for (k, name) in names.iter().enumerate() {
+        w.body(name, std::array::from_fn(|i| (corners[k][i] + corners[k + 1][i]) / 2.0));
+    }
+    for (k, axis) in axes.into_iter().enumerate() {
+        let bodies: Vec<&str> = match k {
+            0 => vec![&names[0]],
+            5 => vec![&names[4]],
+            _ => vec![&names[k - 1], &names[k]],
+        };
+        w.joint("hinge", &bodies, corners[k], &[axis], "");
+    }
+    w.motor("motor_rotation", &["rod0"], y, effort);
 }
 
 /// The four pivots of a linkage of crank, coupler, rocker and frame in the plane z = 0.

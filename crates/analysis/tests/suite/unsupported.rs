@@ -535,6 +535,43 @@ fn a_finite_method_that_gives_up_is_named_with_its_step_and_is_not_called_slow()
     assert!(found.place > 0 && document.lead.starts_with(&place), "{}", document.lead);
 }
 
+/// Two points on a rod of 1 m turn by 0.6 rad in a step. The rod keeps its velocity and not its
+/// length: in the first step the points move 0.3 m along their tangents, which makes the rod
+/// √(1 + 0.6²) m long.
+#[test]
+fn joints_that_come_apart_in_steps_that_are_too_long_are_named() {
+    let text = "gravity = [0, 0, 0]\nstep.count = 1\n[[bodies]]\nname = \"a\"\nshape = \"point\"\n\
+        mass = 1\nposition = [0.5, 0, 0]\nvelocity = [0, 30, 0]\n[[bodies]]\nname = \"b\"\n\
+        shape = \"point\"\nmass = 1\nposition = [-0.5, 0, 0]\nvelocity = [0, -30, 0]\n\
+        [[constraints]]\nkind = \"distance\"\nbodies = [\"a\", \"b\"]\n";
+    let warnings = |dt: f64| {
+        let mut scene = Scene::from_toml("rod.toml", text).unwrap();
+        scene.step.dt = dt;
+        examine_scene(&scene, None).unwrap().warnings
+    };
+    let told = warnings(0.01).concat();
+    // √1.36 − 1 = 0.166
+    assert!(told.starts_with("joints came apart by up to 0.166 m, 17 % of the scene"), "{told}");
+    assert!(warnings(0.001).is_empty());
+}
+
+/// A ball of 4 m/s between walls with gaps of 5 and 15 mm, e = 1: the bounce on the second wall asks
+/// for at least 4 m/s, and the gap of the first allows 0.5 m/s. The first solve of the step has a
+/// solution, the one with restitution has none.
+#[test]
+fn a_bounce_without_a_solution_is_the_first_cause_and_its_rows_are_named() {
+    let text = "gravity = [0, 0, 0]\ncontact.restitution = 1\nstep.count = 10\n\
+        [[bodies]]\nname = \"left\"\nfixed = true\nshape = { plane = [1, 0, 0] }\n\
+        [[bodies]]\nname = \"right\"\nfixed = true\nshape = { plane = [-1, 0, 0] }\n\
+        position = [0.22, 0, 0]\n[[bodies]]\nname = \"ball\"\nmass = 1\n\
+        shape = { sphere = 0.1 }\nposition = [0.105, 0, 0]\nvelocity = [4, 0, 0]\n";
+    let found = examine_scene(&Scene::from_toml("slit.toml", text).unwrap(), None).unwrap();
+    assert_eq!(found.causes().first(), Some(&"the solver gave up"), "{}", found.headline());
+    let told = found.gave_up.unwrap();
+    assert!(told.starts_with("in step 1, no impulses or forces satisfy these rows"), "{told}");
+    assert!(told.contains("normal left ball") && told.contains("normal right ball"), "{told}");
+}
+
 #[test]
 fn sequential_impulses_are_examined_as_sweeps_and_not_as_the_solver_of_other_schemes() {
     // Their sweeps are those of PGS: the same error and causes, whatever solver.name says.

@@ -22,7 +22,7 @@ const PENALTY_STEP: f64 = 8e-4;
 /// Damping determines the bounce, for contacts never pull: with k and d of all springs together,
 /// ω² = k/m and ζ = d/(2 m ω), the force has fallen to 0 after the phase φ = π − arctan(2 ζ
 /// √(1 − ζ²)/(1 − 2 ζ²)), and e = exp(−ζ φ/√(1 − ζ²)).
-fn under_penalty(case: &Case, size: Size, springs: f64, mass: f64) -> (Case, f64) {
+pub(super) fn under_penalty(case: &Case, size: Size, springs: f64, mass: f64) -> (Case, f64) {
     let mut case = Case::of(case.name, case.scene.clone(), size);
     case.scene.step.dt = PENALTY_STEP;
     let settings = &case.scene.step.penalty;

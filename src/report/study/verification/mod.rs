@@ -26,6 +26,7 @@ mod rolling;
 mod rope;
 mod rotation;
 mod schemes;
+mod statements;
 mod surfaces;
 
 use rayon::prelude::*;
@@ -228,6 +229,10 @@ const CASES: &[(&str, Case)] = &[
     ("blocked-motor", mechanism::blocked),
     ("bricard", bricard::bricard),
     ("painleve", painleve::rod),
+    ("diagnosis", statements::reference),
+    ("friction-excess", statements::at_the_limit),
+    ("measured-laws", statements::measured_laws),
+    ("counts", statements::counts),
 ];
 
 /// A case with its own settings.

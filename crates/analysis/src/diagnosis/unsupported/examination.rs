@@ -244,14 +244,11 @@ impl Examination {
         let mut named: Vec<(&str, String)> =
             slow.map(|cause| (cause.name(), cause.to_string())).collect();
         named.extend(self.ended.iter().map(|why| (ENDED, format!("{why}."))));
-        named.extend(self.gave_up.iter().map(|how| {
-            (
-                GAVE_UP,
-                format!(
-                    "{how}. From there on the motion is not valid; another solver may continue."
-                ),
-            )
-        }));
+        named.extend(
+            self.gave_up
+                .iter()
+                .map(|how| (GAVE_UP, format!("{how}. From there on the motion is not valid."))),
+        );
         named.extend(self.moving.iter().map(|cause| (cause.name(), cause.to_string())));
         for (k, name) in self.causes().into_iter().enumerate() {
             let word = if k == 0 { "Cause" } else { "Also" };

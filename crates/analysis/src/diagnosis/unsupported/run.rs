@@ -8,6 +8,7 @@ use lcplab_mechanics::body::State;
 use lcplab_mechanics::formulation::Stage;
 use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{self, Simulation, Slips, Solve, Step, Warnings};
+use lcplab_page::number::readable;
 use lcplab_solver::{Dantzig, Order, Pgs, Status};
 
 use super::examination::{Examination, StepSummary, first_bad_step};
@@ -33,6 +34,9 @@ const EVERY_STEP: usize = 80;
 
 /// Number of steps compared in a run of which only the end matters.
 const COMPARED: usize = 20;
+
+/// A drift of joints above this part of the scene's size is reported.
+const DRIFTED: f64 = 0.05;
 
 /// The solver for exact answers.
 const EXACT: &str = Dantzig::NAME;
@@ -69,11 +73,11 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
     let count = steps(scene);
     let run = go(scene, count, 1)?;
     let taken = run.notes.len();
-    let (gave_up, refused) = (run.gave_up(), run.refused());
+    let refused = run.refused();
     let mut found = Examination {
         notes: run.notes,
         warnings: run.warnings,
-        gave_up,
+        gave_up: run.gave_up.clone(),
         ended: run.ended.clone(),
         ..Examination::default()
     };
@@ -178,32 +182,14 @@ struct RunResult {
     warnings: Vec<String>,
     /// Why a step could not be computed, if so.
     ended: Option<String>,
+    /// Why the solver gave up, in the first step in which it did.
+    gave_up: Option<String>,
     /// The tolerance of the scene's solver settings.
     tolerance: f64,
     end: End,
 }
 
 impl RunResult {
-    /// The solver's message in the first step in which it gave up and the judge does not accept its
-    /// answer, if there is one. Reaching the iteration limit does not count as giving up.
-    fn gave_up(&self) -> Option<String> {
-        let words = |(k, solve): (usize, &Option<Solve>)| {
-            let Solve { problem, solution, .. } =
-                solve.as_ref().filter(|solve| solve.posing.is_none())?;
-            let is_said_elsewhere = matches!(
-                solution.status,
-                Status::Solved
-                    | Status::IterationLimit
-                    | Status::SetsLeft { .. }
-                    | Status::NoAnswer { .. }
-                    | Status::OutsideClass { .. }
-            );
-            let is_answer = is_said_elsewhere || is_accepted(&problem.lcp, &solution.x);
-            (!is_answer).then(|| format!("in step {}: {}", k + 1, solution.status))
-        };
-        self.solves.iter().enumerate().find_map(words)
-    }
-
     /// The number of rejected answers under models other than the coupled box, and the first one.
     fn refused(&self) -> Option<String> {
         let posed = self.solves.iter().enumerate().filter_map(|(k, solve)| {
@@ -236,9 +222,9 @@ fn go(scene: &Scene, count: usize, every: usize) -> Result<RunResult> {
     let mut simulation = Simulation::of(scene)?;
     let start = simulation.motion().energy();
     let (mut notes, mut solves) = (Vec::new(), Vec::new());
-    let (mut gained, mut kinetic, mut error) = (0.0_f64, 0.0_f64, 0.0_f64);
+    let (mut gained, mut kinetic, mut error, mut drift) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
     let mut is_compared = true;
-    let (mut warnings, mut ended) = (Warnings::default(), None);
+    let (mut warnings, mut ended, mut given_up) = (Warnings::default(), None, None);
     let mut slips = Slips::default();
     while notes.len() < count && is_compared {
         let step = match simulation.step() {
@@ -250,9 +236,11 @@ fn go(scene: &Scene, count: usize, every: usize) -> Result<RunResult> {
         };
         gained = gained.max(step.motion.energy() - start);
         kinetic = kinetic.max(step.motion.kinetic);
+        drift = drift.max(step.motion.drift);
         error = error.max(step.motion.drift).max(step.motion.penetration);
         warnings.add(scene, &step);
         slips.add(&step);
+        given_up = given_up.or_else(|| gave_up(scene, &step));
         let solve = main_solve(&step);
         is_compared = solve.is_none_or(|solve| solve.problem.lcp.len() <= LARGEST);
         notes.push(note(scene, &step, solve, every));
@@ -273,9 +261,59 @@ fn go(scene: &Scene, count: usize, every: usize) -> Result<RunResult> {
         steps: notes.len(),
         is_compared,
     };
-    let warnings =
-        simulation::unstable_springs(scene).into_iter().chain(warnings.texts()).collect();
-    Ok(RunResult { notes, solves, warnings, ended, tolerance: scene.solver.tolerance, end })
+    let springs = simulation::unstable_springs(scene).into_iter();
+    let warnings = springs.chain(warnings.texts()).chain(drifted(scene, drift)).collect();
+    let tolerance = scene.solver.tolerance;
+    Ok(RunResult { notes, solves, warnings, ended, gave_up: given_up, tolerance, end })
+}
+
+/// The solver's message in a step in which it gave up and the judge does not accept its answer, if
+/// it did, or the rows that contradict each other. Reaching the iteration limit does not count as
+/// giving up.
+fn gave_up(scene: &Scene, step: &Step) -> Option<String> {
+    let gives_up = |solve: &&Solve| {
+        let is_said_elsewhere = matches!(
+            solve.solution.status,
+            Status::Solved
+                | Status::IterationLimit
+                | Status::SetsLeft { .. }
+                | Status::NoAnswer { .. }
+                | Status::OutsideClass { .. }
+        );
+        let is_boxed = solve.posing.is_none();
+        is_boxed && !is_said_elsewhere && !is_accepted(&solve.problem.lcp, &solve.solution.x)
+    };
+    let solve = step.solves.iter().find(gives_up)?;
+    let conflict = solve.conflict(scene);
+    let (number, status) = (step.number, &solve.solution.status);
+    Some(match conflict.is_empty() {
+        true => format!("in step {number}: {status}; another solver may continue"),
+        false => {
+            let rows = conflict.join(", ");
+            format!("in step {number}, no impulses or forces satisfy these rows together: {rows}")
+        }
+    })
+}
+
+/// The drift of joints (m), if it is a large part of the scene.
+fn drifted(scene: &Scene, drift: f64) -> Option<String> {
+    let points = || scene.states.iter().map(|state| state.pose.p);
+    let farthest = points().map(|p| p.norm()).fold(0.0, f64::max);
+    let pairs = points().flat_map(|p| points().map(move |q| (p - q).norm()));
+    let part = drift / pairs.fold(farthest, f64::max);
+    let remedy = match scene.step.scheme {
+        Scheme::Velocity | Scheme::SequentialImpulses => "a shorter step or step.baumgarte",
+        Scheme::Acceleration => "a shorter step or step.alpha",
+        _ => "a shorter step",
+    };
+    (part > DRIFTED && part.is_finite()).then(|| {
+        format!(
+            "joints came apart by up to {} m, {} % of the scene's size at the start; {remedy} reduces \
+             this",
+            readable(drift, 3),
+            readable(100.0 * part, 2)
+        )
+    })
 }
 
 fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {

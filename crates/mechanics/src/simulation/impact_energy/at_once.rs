@@ -40,6 +40,11 @@ pub(super) fn of_solve(scene: &Scene, states: &[State], solve: &Solve) -> Vec<Im
     }
     let impulses = Impulses::of(scene, states, problem, &solution.x);
     let mut found = impulses.of_bounces();
+    let is_inexact = |own: &&mut ImpactEnergy| own.cause == ImpactCause::Inexact;
+    if found.iter_mut().any(|own| is_inexact(&own)) && !solve.conflict(scene).is_empty() {
+        let inexact = found.iter_mut().filter(is_inexact);
+        inexact.for_each(|own| own.cause = ImpactCause::Contradicted);
+    }
     found.extend(impulses.of_corrections());
     found
 }

@@ -47,6 +47,9 @@ pub enum ImpactCause {
     Friction,
     /// The answer of the solver does not fulfil the contact's row.
     Inexact,
+    /// No impulses satisfy the rows of the step together: the bounce would close another gap within
+    /// the same step.
+    Contradicted,
     /// The feedback of errors pushed an overlap apart, at this speed (m/s).
     PushedApart(f64),
     /// XPBD, soft step and penalty method: bodies that pushed each other from the first of these
@@ -93,6 +96,7 @@ impl ImpactEnergy {
             ImpactCause::NotBounced => "closed_by_another_impact",
             ImpactCause::Friction => "friction",
             ImpactCause::Inexact => "inexact_answer",
+            ImpactCause::Contradicted => "contradictory_rows",
             ImpactCause::PushedApart(_) => "overlap_pushed_apart",
             ImpactCause::Spread(_) => "impact_energy_of_scheme",
         }
@@ -133,6 +137,10 @@ impl ImpactEnergy {
             ImpactCause::Inexact => format!(
                 "{what}: the solver's answer for the contact of {body:?} and {other:?} is not exact. Use a \
                  smaller solver.tolerance or a larger solver.max_iterations."
+            ),
+            ImpactCause::Contradicted => format!(
+                "{what}: no impulses satisfy all rows of the step. The bounce of {body:?} and {other:?} \
+                 would close another gap within the same step. Use a smaller step.dt{separate}."
             ),
             ImpactCause::PushedApart(speed) => format!(
                 "step.baumgarte added {joules} J in step {step}: it pushed {body:?} and {other:?}, which \

@@ -408,3 +408,32 @@ fn off_center_impacts_within_a_step_are_reported_with_the_change_of_kinetic_ener
     }
     assert!(reports_made >= 4, "{reports_made}");
 }
+
+/// A ball of 4 m/s between walls with gaps of 5 and 15 mm: after its bounce on the second one it
+/// would be 35 mm inside the first one at the end of the step. The bounce asks for at least 4 m/s
+/// away from the second wall, the first wall allows 0.5 m/s: no impulses satisfy both.
+#[test]
+fn a_bounce_that_would_close_another_gap_within_the_step_is_named_as_a_contradiction() {
+    let text = |dt: f64| {
+        format!(
+            "{}[[bodies]]\nname = \"left\"\nfixed = true\nshape = {{ plane = [1, 0, 0] }}\n\
+             [[bodies]]\nname = \"right\"\nfixed = true\nshape = {{ plane = [-1, 0, 0] }}\n\
+             position = [0.22, 0, 0]\n[[bodies]]\nname = \"ball\"\nmass = 1\n\
+             shape = {{ sphere = 0.1 }}\nposition = [0.105, 0, 0]\nvelocity = [4, 0, 0]\n",
+            head(dt, 1.0, 0.0)
+        )
+    };
+    let scene = scene(&text(0.01));
+    let step = simulation(scene.clone()).step().unwrap();
+    let [report] = reports(&step) else { panic!("{:?}", reports(&step)) };
+    assert_eq!((report.bodies, report.cause), ([2, 1], ImpactCause::Contradicted));
+    let message = report.message(&scene, 1);
+    assert!(message.contains("no impulses satisfy all rows") && message.contains("step.dt"));
+    // With a step in which the ball does not cross the gap it keeps its energy.
+    let mut ball = simulation(self::scene(&text(0.001)));
+    for _ in 0..40 {
+        let step = ball.step().unwrap();
+        assert!(reports(&step).is_empty());
+        assert_near(step.motion.kinetic, 8.0, 1e-12);
+    }
+}

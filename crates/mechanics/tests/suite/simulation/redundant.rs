@@ -8,7 +8,18 @@ use lcplab_testing::{EFFORTS, MECHANISMS, cases, machine};
 use proptest::prelude::*;
 
 /// The steps of a machine that are rejected, one line each.
-fn refused(text: &str, scheme: Scheme, solver: &str, steps: usize) -> Vec<String> {
+///
+/// A ring of Bricard that has drifted from its exact positions has no degree of freedom left. At
+/// velocity level it locks, so its motor is stuck; at acceleration level the forces on it grow
+/// until the run ends. Which of its rows are redundant is then a matter of rounding, so another
+/// method of the fallback sequence may answer. Its answers must be accepted like all others.
+fn refused(
+    (mechanism, text): (&str, &str),
+    scheme: Scheme,
+    solver: &str,
+    steps: usize,
+) -> Vec<String> {
+    let locks = mechanism == "a ring of Bricard";
     let mut scene = Scene::from_toml("machine.toml", text).unwrap();
     scene.step.scheme = scheme;
     scene.solver.name = solver.to_string();
@@ -20,6 +31,7 @@ fn refused(text: &str, scheme: Scheme, solver: &str, steps: usize) -> Vec<String
     for number in 1..=steps {
         let step = match simulation.step() {
             Ok(step) => step,
+            Err(_) if locks && scheme == Scheme::Acceleration => break,
             Err(failure) => {
                 refused.push(format!("step {number}: {failure}"));
                 break;
@@ -30,9 +42,12 @@ fn refused(text: &str, scheme: Scheme, solver: &str, steps: usize) -> Vec<String
             if !verdict.is_solution() {
                 refused.push(format!("step {number}: {verdict}, {}", solve.solution.status));
             }
+            if solve.solver != solver && !locks {
+                refused.push(format!("step {number}: answered by {}", solve.solver));
+            }
             let (motor, hi) = (solve.solution.x.last(), solve.problem.lcp.hi().last());
             let is_at_limit = motor.zip(hi).is_some_and(|(x, hi)| x.abs() >= *hi);
-            if is_at_limit && is_strong {
+            if is_at_limit && is_strong && !locks {
                 refused.push(format!("step {number}: the motor, which is strong enough, is stuck"));
             }
         }
@@ -50,7 +65,7 @@ proptest! {
         solver in prop_oneof![Just("dantzig"), Just("lemke"), Just("block-pivoting")],
     ) {
         let (name, text) = (MECHANISMS[machine.kind], machine.scene());
-        let refused = refused(&text, scheme, solver, 20);
+        let refused = refused((name, &text), scheme, solver, 20);
         prop_assert!(refused.is_empty(), "{name}, {scheme:?}, {solver}: {refused:?}\n{text}");
     }
 
@@ -74,7 +89,7 @@ proptest! {
                         position = [9, 0, 0]\nangular_velocity = [0, 0, 3]\n";
             still += body;
         }
-        let refused = refused(&still, scheme, solver, 20);
+        let refused = refused((name, &still), scheme, solver, 20);
         prop_assert!(refused.is_empty(), "{name}, {scheme:?}, {solver}: {refused:?}\n{still}");
     }
 }
