@@ -58,7 +58,7 @@ pub use entry::{Entry, Group};
 pub use gradient::{Admm, AndersonPgs, Apgd, Mprgp, Nncg, Spectral};
 pub use lcplab_lcp::exact::all_solutions;
 pub use method::{Method, solve_polyhedral, why_none_takes};
-pub use newton::{Equations, InteriorPoint, Newton};
+pub use newton::{ConeNewton, Equations, InteriorPoint, Newton};
 pub use observer::{
     Centering, Event, Iterate, Leaving, Move, Observer, RowUpdate, StepDetail, Tableau,
 };

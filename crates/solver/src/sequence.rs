@@ -5,7 +5,7 @@
 //! | boxes, A symmetric up to rounding | `dantzig`, `block-pivoting`, `newton`, `interior-point`; if A is small and not positive semidefinite, `lemke`, `enumeration` |
 //! | boxes, any other A | `lemke`, `interior-point` (first if there are more than 150 rows), `fischer-newton`, `enumeration` |
 //! | polygons | `lemke`, contact by contact (`polygon-pgs`) |
-//! | cones | `apgd` if A is symmetric up to rounding, `cone-pgs` |
+//! | cones | `apgd` if A is symmetric up to rounding, `cone-pgs`; under Coulomb's law, up to 300 rows, `cone-newton` |
 //!
 //! Pivoting comes first because it gives a solution to full precision. It can fail because of
 //! rounding, on a ray of a matrix that is not copositive, or when friction limits change along the
@@ -30,11 +30,12 @@ use nalgebra::DMatrix;
 
 use crate::tolerances::NEGATIVE_EIGENVALUE;
 use crate::{
-    Apgd, BlockPivoting, ConePgs, ConeSolver, Dantzig, Enumeration, InteriorPoint, Lemke, Newton,
-    Observer, Options, PolygonPgs, Registry, Settings, Solution, Start, Status, solve_polyhedral,
+    Apgd, BlockPivoting, ConeNewton, ConePgs, ConeSolver, Dantzig, Enumeration, InteriorPoint,
+    Lemke, Newton, Observer, Options, PolygonPgs, Registry, Settings, Solution, Start, Status,
+    solve_polyhedral,
 };
 use lcplab_lcp::Lcp;
-use lcplab_lcp::friction::{ConeProblem, Polyhedral, ProblemForm};
+use lcplab_lcp::friction::{ConeProblem, Law, Polyhedral, ProblemForm};
 
 /// Iteration limit of Newton's method and the interior-point method, which normally need about ten.
 const MOST_STEPS: usize = 100;
@@ -43,7 +44,8 @@ const MOST_SETS: usize = 1 << 16;
 /// Number of rows up to which pivoting comes first if A is not symmetric: with more, its dense
 /// tableau takes longer than the few sparse factorizations of the interior-point method.
 const PIVOTED_ROWS: usize = 150;
-/// Number of rows up to which a symmetric A is examined for negative eigenvalues.
+/// Number of rows up to which a symmetric A is examined for negative eigenvalues, and Newton's
+/// method is used for cones.
 const MOST_ROWS: usize = 300;
 
 /// A method that was tried and did not solve the problem.
@@ -197,12 +199,15 @@ fn solve_cones(
 ) -> SequenceAnswer {
     use lcplab_lcp::Complementarity;
     let names: &[&'static str] = match cones.lcp().matrix().is_nearly_symmetric() {
-        true => &[Apgd::NAME, ConePgs::NAME],
-        false => &[ConePgs::NAME],
+        true => &[Apgd::NAME, ConePgs::NAME, ConeNewton::NAME],
+        false => &[ConePgs::NAME, ConeNewton::NAME],
     };
+    let suits_newton = cones.law() == Law::Coulomb && cones.lcp().len() <= MOST_ROWS;
     let attempt = |name: &'static str, observer: &mut dyn Observer| {
         let settings = options.settings.clone();
         let solver: Box<dyn ConeSolver> = match name {
+            ConeNewton::NAME if !suits_newton => return None,
+            ConeNewton::NAME => Box::new(ConeNewton { settings }),
             Apgd::NAME => Box::new(Apgd { settings }),
             _ => Box::new(ConePgs { settings }),
         };

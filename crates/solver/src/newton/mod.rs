@@ -2,12 +2,14 @@
 //!
 //! The equations are not smooth: min(x, w) = 0 or Fischer-Burmeister ([`equations`]). Newton's
 //! method solves them in a few steps ([`semismooth`]). [`interior_point`] smooths the corner and
-//! reduces the smoothing to zero.
+//! reduces the smoothing to zero. [`cone`] solves the equations of friction cones.
 
+pub mod cone;
 pub mod equations;
 pub mod interior_point;
 pub mod semismooth;
 
+pub use cone::ConeNewton;
 pub use equations::Equations;
 pub use interior_point::InteriorPoint;
 pub use semismooth::Newton;

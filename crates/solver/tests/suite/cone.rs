@@ -4,7 +4,7 @@ use lcplab_judge::reference::cone_qp;
 use lcplab_judge::{Demand, judge_cone};
 use lcplab_lcp::friction::{ConeProblem, Contact, FrictionProblem, Law};
 use lcplab_lcp::{Complementarity, merit};
-use lcplab_solver::{ConeSolver, Registry, Settings, Start, Status};
+use lcplab_solver::{ConeNewton, ConeSolver, Registry, Settings, Start, Status};
 use proptest::prelude::*;
 
 use lcplab_testing::{INF, boxed, cases, pushed_mass, rubbing};
@@ -219,4 +219,61 @@ fn turned(problem: &FrictionProblem) -> FrictionProblem {
     let rows: Vec<&[f64]> = rows.iter().map(Vec::as_slice).collect();
     let lcp = boxed(&rows, &turn(lcp.b()), lcp.lo(), lcp.hi());
     FrictionProblem::new(lcp, problem.contacts().to_vec()).unwrap()
+}
+
+/// Newton's method of the fallback sequence, on the same closed forms.
+#[test]
+fn newtons_method_sticks_slides_and_lifts_off_under_coulombs_law() {
+    let solver = ConeNewton { settings: Settings::default().with_tolerance(1e-12) };
+    let of_5_12_13 = 12f64.atan2(5.0).to_degrees();
+    for ([down, push, degrees], expected) in [
+        ([2.0, 0.75, 0.0], [2.0, 0.75, 0.0]),
+        ([2.0, 3.0, 0.0], [2.0, 1.0, 0.0]),
+        ([2.0, 13.0, of_5_12_13], [2.0, 5.0 / 13.0, 12.0 / 13.0]),
+        ([-2.0, 1.0, 20.0], [0.0; 3]),
+        ([-0.25, 1.0, 0.0], [0.0; 3]),
+    ] {
+        let problem = ConeProblem::new(pushed_mass(down, push, degrees), Law::Coulomb);
+        let solution = solver.solve(&problem, &Start::default(), &mut ());
+        assert_eq!(solution.status, Status::Solved);
+        assert_near_to(&solution.x, &expected, 1e-11);
+    }
+    let problem = ConeProblem::new(pushed_mass(2.0, 3.0, 0.0), Law::Associated);
+    let refused = solver.solve(&problem, &Start::default(), &mut ());
+    assert!(matches!(refused.status, Status::OutsideClass { .. }));
+}
+
+/// Four feet of one table: J J^T has rank 6 of 12 rows. The feet share the load in infinitely many
+/// ways, and slide together under a push above μ m g.
+#[test]
+fn newtons_method_solves_redundant_contacts() {
+    let feet = [[1.0, 0.7], [-1.0, 0.7], [-1.0, -0.7], [1.0, -0.7]];
+    let height = 0.2;
+    // The rows n, x and y of a foot at (p, q, −h), for a unit mass with unit inertia.
+    let row = |[p, q]: [f64; 2], k: usize| -> [f64; 6] {
+        let axis = |i: usize| if i == k { 1.0 } else { 0.0 };
+        let [z, x, y] = [axis(0), axis(1), axis(2)];
+        [x, y, z, q * z + height * y, -height * x - p * z, p * y - q * x]
+    };
+    let rows: Vec<[f64; 6]> =
+        feet.into_iter().flat_map(|foot| [0, 1, 2].map(|k| row(foot, k))).collect();
+    let dot = |u: &[f64; 6], v: &[f64; 6]| -> f64 { u.iter().zip(v).map(|(u, v)| u * v).sum() };
+    let a: Vec<Vec<f64>> = rows.iter().map(|u| rows.iter().map(|v| dot(u, v)).collect()).collect();
+    let a: Vec<&[f64]> = a.iter().map(Vec::as_slice).collect();
+    for (push, slip) in [(0.3, 0.0), (0.9, 0.4)] {
+        let free = [push, 0.0, -1.0, 0.0, 0.0, 0.0];
+        let b: Vec<f64> = rows.iter().map(|row| dot(row, &free)).collect();
+        let lo: Vec<f64> = (0..12).map(|i| if i % 3 == 0 { 0.0 } else { -INF }).collect();
+        let contacts = (0..4).map(|k| Contact { rows: [3 * k, 3 * k + 1, 3 * k + 2], mu: 0.5 });
+        let lcp = boxed(&a, &b, &lo, &[INF; 12]);
+        let friction = FrictionProblem::new(lcp, contacts.collect()).unwrap();
+        let problem = ConeProblem::new(friction, Law::Coulomb);
+        let solver = ConeNewton { settings: Settings::default().with_tolerance(1e-10) };
+        let solution = solver.solve(&problem, &Start::default(), &mut ());
+        assert_eq!(solution.status, Status::Solved);
+        let verdict = judge_cone(&problem, &solution.x, &Demand::default()).verdict;
+        assert!(verdict.is_solution(), "{verdict}");
+        let w = problem.lcp().w(&solution.x);
+        (0..4).for_each(|k| assert!((w[3 * k + 1] - slip).abs() < 1e-9, "{w:?}"));
+    }
 }

@@ -33,6 +33,9 @@ use crate::simulation::{Cause, StepEvent, VelocityUpdate};
 
 /// A bounce is swept so often at most.
 const MOST_SWEEPS: usize = 100;
+/// A gap below this part of the distance of a substep, and a change of velocity below this part of
+/// the approach, are rounding: bodies may arrive exactly at the end of a substep.
+const ROUNDING: f64 = 1e-9;
 /// A bounce has settled when a sweep changes velocities by less than this part of the fastest.
 const SETTLED: f64 = 1e-10;
 
@@ -200,12 +203,15 @@ fn bounced(
     pushed: &Impulses,
 ) -> Option<(Vec<State>, VelocityUpdate)> {
     let sweeper = Sweeper::new(&assembly, scene.step.dt);
-    let aim = |row: &Row| {
-        let hit = pushed.get(&row.id).is_some_and(|&x| x > 0.0);
-        let before = approach.get(&row.id).filter(|_| hit)?;
-        Some(scene.restitution(row.bodies) * before)
+    let aim = |(i, row): (usize, &Row)| {
+        let before = approach.get(&row.id)?;
+        let rounding = ROUNDING * before.abs();
+        // The impulse of another corner may have taken the approach of this one.
+        let touches = row.c <= scene.step.dt * rounding;
+        let stopped = pushed.get(&row.id).map_or(0.0, |x| x * sweeper.diagonal(i));
+        (touches || stopped > rounding).then(|| scene.restitution(row.bodies) * before)
     };
-    let aims: Vec<Option<f64>> = assembly.rows.iter().map(aim).collect();
+    let aims: Vec<Option<f64>> = assembly.rows.iter().enumerate().map(aim).collect();
     let fastest = aims.iter().flatten().map(|aim| aim.abs()).reduce(f64::max)?;
     let mut impulses = vec![0.0_f64; x.len()];
     let mut u = assembly.u.clone();
