@@ -46,7 +46,8 @@ fn unknown_keys_are_reported_with_the_known_ones() {
         "bad.toml: 2 defects\n  \
          line 5: bodies[0].weight: unknown field \"weight\", expected one of \"name\", \"shape\", \
          \"fixed\", \"mass\", \"density\", \"inertia\", \"position\", \"rotation\", \"velocity\", \
-         \"angular_velocity\", \"friction\", \"static_friction\", \"restitution\", \"force\", \"force_at\", \"force_over_time\", \
+         \"angular_velocity\", \"friction\", \"static_friction\", \"friction_direction\", \
+         \"friction_across\", \"restitution\", \"force\", \"force_at\", \"force_over_time\", \
          \"displacement_over_time\", \"torque\", \"without_contact\"\n  \
          line 8: step.dtt: unknown field \"dtt\", expected one of \"dt\", \"count\", \
          \"scheme\", \"gyroscopic\", \"baumgarte\", \"feedback\", \"alpha\", \"integrator\", \"events\", \"substeps\", \"sweeps\", \"xpbd\", \"soft\", \"penalty\""
