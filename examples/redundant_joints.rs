@@ -151,8 +151,8 @@ fn run(
         tally.steps += 1;
         let refused: Vec<&Solve> = step.solves.iter().filter(|solve| !is_accepted(solve)).collect();
         tally.refused += usize::from(!refused.is_empty());
-        let is_claimed = |solve: &&Solve| solve.solution.status == Status::Solved;
-        tally.claimed += usize::from(refused.iter().any(|solve| is_claimed(&solve)));
+        let is_claimed = refused.iter().any(|solve| solve.solution.status == Status::Solved);
+        tally.claimed += usize::from(is_claimed);
         tally.replaced += usize::from(step.solves.iter().any(|solve| solve.solver != solver));
         if has_records {
             let name = format!("{}, {}, step {number}", MECHANISMS[own.kind], scheme.name());

@@ -14,7 +14,8 @@
 //! ε/4. Every x is tested on the rigid problem, ε = 0, and the best one counts.
 //!
 //! Convergence is not guaranteed: Coulomb's law is not convex, and for small ε Newton's method may
-//! cycle. It is then tried again with smaller scales in the projections. The fallback sequence therefore uses it after the sweeps.
+//! cycle. It then starts again with other scales in the projections. The fallback sequence
+//! therefore uses it after the sweeps.
 
 use std::ops::ControlFlow;
 
@@ -31,7 +32,7 @@ const FIRST: f64 = 0.1;
 const FACTOR: f64 = 0.25;
 /// The factors on the scales in the projections, tried one after the other: they do not change the
 /// solutions, but the path of Newton's method.
-const STIFFNESSES: [f64; 5] = [1.0, 0.1, 0.01, 1e-3, 1e-4];
+const STIFFNESSES: [f64; 3] = [1.0, 0.1, 0.01];
 /// The last ε, below which A + ε S is A up to rounding.
 const LAST: f64 = 1e-12;
 /// Newton steps for each ε.
