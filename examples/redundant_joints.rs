@@ -11,7 +11,8 @@
 //! whose class contains singular matrices. The mechanisms, orientations, gravity, feedback, time
 //! steps and motors are random, with the same seed for every solver; levels alternate. With
 //! `--records` every answer is printed as a line of JSON for another judge. The exit code is 1 if a
-//! solver that pivots leaves a step without an accepted answer of its own, except on Bricard's ring.
+//! solver that pivots leaves a step without an accepted answer of its own, except on Bricard's
+//! ring.
 
 use std::collections::BTreeMap;
 use std::process::ExitCode;

@@ -286,8 +286,8 @@ fn a_box_that_lands_flat_bounces_straight() {
     }
 }
 
-/// In these units the gap is a whole number of ways in a substep: after the last of them the corners
-/// are at ±10⁻¹⁷ m from a plane in any orientation, some just above it and some just below.
+/// The gap is a whole number of substeps' distances: after the last substep the corners are within
+/// 10⁻¹⁷ m of a plane in any orientation, some above it and some below.
 #[test]
 fn a_box_that_lands_flat_exactly_at_the_end_of_a_substep_bounces_straight() {
     let speed = 2.5;
