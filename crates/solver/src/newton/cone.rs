@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! w = A x + b + ε S x                                 S = the scales of the rows
-//! x_n = max(x_n − w_n/s_n, 0),   x_t = the point of the disk |x_t| ≤ μ x_n nearest to x_t − w_t/s_t
+//! x_n = max(x_n − w_n/s_n, 0),  x_t = the point of the disk |x_t| ≤ μ x_n nearest to x_t − w_t/s_t
 //! ```
 //!
 //! The two equations of a contact are piecewise smooth (Alart & Curnier 1991). Newton's method with
