@@ -32,7 +32,7 @@ const FIRST: f64 = 0.1;
 const FACTOR: f64 = 0.25;
 /// The factors on the scales in the projections, tried one after the other: they do not change the
 /// solutions, but the path of Newton's method.
-const STIFFNESSES: [f64; 3] = [1.0, 0.1, 0.01];
+const STIFFNESSES: [f64; 5] = [1e-2, 1e-3, 1.0, 0.1, 1e-4];
 /// The last ε, below which A + ε S is A up to rounding.
 const LAST: f64 = 1e-12;
 /// Newton steps for each ε.
