@@ -54,6 +54,32 @@ const REPETITIONS: usize = 20;
 const LARGEST_ANGLE: f64 = 2.0;
 
 /// The treatment of the gyroscopic torque.
+///
+/// ```
+/// use lcplab_bodies::body::{Gyroscopic, Mass, State};
+/// use nalgebra::Vector3;
+///
+/// // A disk that does not spin about its axis: I ω = (1, 0, 2), −ω × I ω = (0, 1, 0) N m.
+/// let disk = Mass::Rigid { mass: 1.0, moments: Vector3::new(1.0, 1.0, 2.0) };
+/// let state = State { omega: Vector3::new(1.0, 0.0, 1.0), ..State::WORLD };
+/// assert_eq!(Gyroscopic::Explicit.torque(&disk, &state, 0.1), Vector3::y());
+/// assert_eq!(Gyroscopic::Omitted.torque(&disk, &state, 0.1), Vector3::zeros());
+///
+/// // In free flight angular momentum and energy stay.
+/// let after = Gyroscopic::Conserving.advanced(&disk, &state, 0.1);
+/// let momentum = |state: &State| disk.angular_momentum(state);
+/// assert!((momentum(&after) - momentum(&state)).norm() < 1e-14);
+/// assert!((disk.kinetic_energy(&after) - disk.kinetic_energy(&state)).abs() < 1e-14);
+/// assert!((after.omega - state.omega).norm() > 0.09); // but ω turns, by about 0.1 rad/s
+///
+/// // On a hinge the body turns by h ω about the hinge's axis.
+/// let turned = Gyroscopic::Conserving.turned(&disk, &state, 0.1);
+/// assert_eq!(turned.pose, state.advanced(0.1).pose);
+/// // A body that arrives with its mean velocity ω̄ has turned half a step further: ω⁺ ≠ ω̄.
+/// let arrived = Gyroscopic::Conserving.arrived(&disk, &state, 0.1);
+/// assert!((arrived.omega - state.omega).norm() > 0.04);
+/// assert_eq!(Gyroscopic::Omitted.arrived(&disk, &state, 0.1), state);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Gyroscopic {

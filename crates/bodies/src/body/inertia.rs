@@ -1,6 +1,25 @@
 //! Volumes and principal moments of inertia of homogeneous shapes: closed forms for simple shapes,
 //! sums over the tetrahedra between the faces and an interior point for hulls, and the parallel
 //! axis theorem for compounds.
+//!
+//! ```
+//! use lcplab_bodies::body::inertia::{principal_frame, principal_frame_of_parts, volume};
+//! use lcplab_bodies::body::{Placed, Polytope, Pose, Shape};
+//! use nalgebra::Vector3;
+//!
+//! let half = Vector3::new(1.0, 0.5, 0.25);
+//! assert_eq!(volume(&Shape::Box { half }), Some(1.0)); // 2 m × 1 m × 0.5 m
+//! assert_eq!(volume(&Shape::Point), None);
+//! assert!(principal_frame(&Polytope::cuboid(&half)).p.norm() < 1e-15); // it is centered
+//!
+//! // Two equal balls, 2 m apart.
+//! let ball = |x: f64| {
+//!     let pose = Pose { p: x * Vector3::x(), ..Pose::default() };
+//!     Placed { shape: Shape::Sphere { radius: 0.5 }, pose }
+//! };
+//! let frame = principal_frame_of_parts(&[ball(0.0), ball(2.0)]);
+//! assert!((frame.p - Vector3::x()).norm() < 1e-15); // the center of mass is in the middle
+//! ```
 
 use nalgebra::{Matrix3, Rotation3, SymmetricEigen, UnitQuaternion, Vector3};
 

@@ -2,6 +2,26 @@
 //!
 //! World axes are right-handed, by convention with z up. The origin of a body's frame is its center
 //! of mass, and its axes are the principal axes of inertia. SI units throughout.
+//!
+//! ```
+//! use lcplab_bodies::body::{Mass, Pose, State, angular, linear, stack};
+//! use nalgebra::{Matrix3, Vector3};
+//!
+//! // A ball of 8 kg with I = 1 kg m², 4 m above the x axis, flies at 2 m/s and spins at 3 rad/s.
+//! let ball = Mass::Rigid { mass: 8.0, moments: Vector3::repeat(1.0) };
+//! let pose = Pose { p: 4.0 * Vector3::y(), ..Pose::default() };
+//! let state = State { pose, v: 2.0 * Vector3::x(), omega: 3.0 * Vector3::z() };
+//! assert_eq!((ball.dof(), ball.mass()), (6, 8.0));
+//! assert_eq!(ball.momentum(&state), 16.0 * Vector3::x()); // kg m/s
+//! assert_eq!(ball.angular_momentum(&state), (-4.0 * 16.0 + 3.0) * Vector3::z()); // kg m²/s
+//! assert_eq!(ball.spin_energy(&state), 4.5); // ½ · 1 · 3² J
+//! assert_eq!(ball.kinetic_energy(&state), 20.5); // ½ · 8 · 2² + 4.5 J
+//! assert_eq!(ball.world_inertia(&pose), Matrix3::identity());
+//!
+//! // 8 N along x and 2 N m about z.
+//! let u = ball.accelerate(&pose, &stack(8.0 * Vector3::x(), 2.0 * Vector3::z()));
+//! assert_eq!((linear(&u), angular(&u)), (Vector3::x(), 2.0 * Vector3::z())); // m/s², rad/s²
+//! ```
 
 mod alignment;
 mod gyroscopic;
@@ -47,6 +67,25 @@ pub struct Body {
 
 impl Body {
     /// The constant force and torque about the center of mass, [f; τ] (N, N m), in this pose.
+    ///
+    /// ```
+    /// use lcplab_bodies::body::{Body, Mass, Pose, Shape, stack};
+    /// use nalgebra::Vector3;
+    ///
+    /// // 10 N upward, 1 m beside the center of mass: 10 N m about −y.
+    /// let body = Body {
+    ///     name: "lever".into(),
+    ///     mass: Mass::Rigid { mass: 1.0, moments: Vector3::repeat(1.0) },
+    ///     shape: Shape::Point,
+    ///     friction: 0.0,
+    ///     static_friction: None,
+    ///     restitution: None,
+    ///     force: 10.0 * Vector3::z(),
+    ///     force_at: Vector3::x(),
+    ///     torque: Vector3::zeros(),
+    /// };
+    /// assert_eq!(body.wrench(&Pose::default()), stack(10.0 * Vector3::z(), -10.0 * Vector3::y()));
+    /// ```
     pub fn wrench(&self, pose: &Pose) -> Vector6<f64> {
         stack(self.force, pose.direction(&self.force_at).cross(&self.force) + self.torque)
     }
@@ -161,7 +200,7 @@ impl Mass {
 
     /// The angular velocity I⁻¹ L (rad/s, world) for an angular momentum L about the center of mass
     /// (kg m²/s, world); 0 for a body that cannot rotate.
-    pub fn spin(&self, pose: &Pose, momentum: &Vector3<f64>) -> Vector3<f64> {
+    pub(crate) fn spin(&self, pose: &Pose, momentum: &Vector3<f64>) -> Vector3<f64> {
         self.turned(pose, f64::recip) * momentum
     }
 

@@ -15,6 +15,24 @@ use super::Pose;
 const FLAT: f64 = 1e-9;
 
 /// The convex hull of its vertices (m, body frame).
+///
+/// ```
+/// use lcplab_bodies::body::{Polytope, Pose};
+/// use nalgebra::Vector3;
+///
+/// let cuboid = Polytope::cuboid(&Vector3::new(1.0, 0.5, 0.25));
+/// let (v, e, f) = (cuboid.vertices.len(), cuboid.edges.len(), cuboid.faces.len());
+/// assert_eq!((v, e, f), (8, 12, 6)); // Euler: v − e + f = 2
+/// assert_eq!(Polytope::segment(1.0).vertices, [-Vector3::z(), Vector3::z()]);
+/// assert!(Polytope::point().edges.is_empty());
+///
+/// let corners = [Vector3::zeros(), Vector3::x(), Vector3::y(), Vector3::z()];
+/// assert_eq!(Polytope::hull(&corners).unwrap().faces.len(), 4);
+/// assert_eq!(Polytope::hull(&corners[..3]), None); // a triangle has no volume
+///
+/// let frame = Pose { p: Vector3::z(), ..Pose::default() };
+/// assert_eq!(Polytope::segment(1.0).seen_from(&frame).vertices[1], Vector3::zeros());
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Polytope {
     /// The vertices.

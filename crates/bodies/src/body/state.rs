@@ -5,6 +5,22 @@ use nalgebra::{Quaternion, RealField, UnitQuaternion, Vector3, Vector6};
 use super::{angular, linear, stack};
 
 /// Position and orientation. The scalar type is generic so that tests can use dual numbers.
+///
+/// ```
+/// use std::f64::consts::FRAC_PI_2;
+///
+/// use lcplab_bodies::body::Pose;
+/// use nalgebra::{UnitQuaternion, Vector3};
+///
+/// // At (1, 0, 0), turned by a quarter about z.
+/// let q = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), FRAC_PI_2);
+/// let pose = Pose { p: Vector3::x(), q };
+/// let near = |a: Vector3<f64>, b: Vector3<f64>| (a - b).norm() < 1e-15;
+/// assert!(near(pose.direction(&Vector3::x()), Vector3::y()));
+/// assert!(near(pose.point(&Vector3::x()), Vector3::new(1.0, 1.0, 0.0)));
+/// assert!(near(pose.local(&Vector3::new(1.0, 1.0, 0.0)), Vector3::x()));
+/// assert!(near(pose.after(&pose.inverse()).p, Vector3::zeros()));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pose<T: RealField + Copy = f64> {
     /// The center of mass (m, world).
@@ -54,6 +70,20 @@ impl Pose {
 }
 
 /// A body's pose and velocity.
+///
+/// ```
+/// use lcplab_bodies::body::{State, stack};
+/// use nalgebra::{Quaternion, Vector3};
+///
+/// // A wheel rolls at 1 m/s and 2 rad/s.
+/// let wheel = State { v: Vector3::x(), omega: 2.0 * Vector3::y(), ..State::WORLD };
+/// assert_eq!(wheel.velocity(), stack(Vector3::x(), 2.0 * Vector3::y()));
+/// assert_eq!(wheel.with_velocity(&wheel.velocity()), wheel);
+/// assert_eq!(wheel.rate(), (Vector3::x(), Quaternion::new(0.0, 0.0, 1.0, 0.0))); // q' = ½ (0, ω)
+/// // Moved as by its velocity for ½ s.
+/// assert_eq!(wheel.displaced(&(0.5 * wheel.velocity())), wheel.advanced(0.5));
+/// assert!(wheel.is_finite() && !State { v: Vector3::repeat(f64::NAN), ..wheel }.is_finite());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State {
     /// Position and orientation.

@@ -30,6 +30,26 @@ use super::{Bodies, Constraint, Degenerate, Kind, Position, Row, constant, frict
 use crate::body::{Anisotropy, Pose, State, stack};
 
 /// A contact point: 1 row, or 3 (normal and two tangents) with friction.
+///
+/// ```
+/// use lcplab_bodies::body::{Pose, State};
+/// use lcplab_bodies::constraint::{Contact, Normal};
+/// use nalgebra::Vector3;
+///
+/// // A ball of radius 0.5 m with its center 0.75 m above the ground.
+/// let contact = Contact {
+///     bodies: [None, Some(0)],
+///     anchors: [Vector3::zeros(); 2],
+///     radii: [0.0, 0.5],
+///     normal: Normal::Face(Vector3::z()),
+///     friction: 0.0,
+/// };
+/// let pose = Pose { p: 0.75 * Vector3::z(), ..Pose::default() };
+/// let ball = State { pose, ..State::WORLD };
+/// assert_eq!(contact.gap([&State::WORLD, &ball])?, (0.25, Vector3::z()));
+/// assert_eq!(contact.point([&State::WORLD, &ball])?, 0.25 * Vector3::z()); // its lowest point
+/// # Ok::<(), lcplab_bodies::constraint::Degenerate>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contact {
     /// The bodies; the normal of a face or an edge belongs to body 0.

@@ -46,7 +46,7 @@ impl Coordinate {
     ///
     /// # Errors
     /// If the placement has no axis.
-    pub fn along(at: &Placement) -> Result<Self, Fault> {
+    pub(crate) fn along(at: &Placement) -> Result<Self, Fault> {
         let motion = Motion::Translation { anchors: at.anchors(), offset: 0.0 };
         Ok(Coordinate { bodies: at.bodies, axis: at.axis()?, motion })
     }
@@ -55,7 +55,7 @@ impl Coordinate {
     ///
     /// # Errors
     /// If the placement has no axis.
-    pub fn about(at: &Placement) -> Result<Self, Fault> {
+    pub(crate) fn about(at: &Placement) -> Result<Self, Fault> {
         let relative = Orientation { bodies: at.bodies, relative: at.relative() };
         Ok(Coordinate {
             bodies: at.bodies,
@@ -70,6 +70,20 @@ impl Coordinate {
     }
 
     /// The coordinate (m or rad).
+    ///
+    /// ```
+    /// use lcplab_bodies::body::Pose;
+    /// use lcplab_bodies::constraint::{Coordinate, Motion, Orientation};
+    /// use nalgebra::{UnitQuaternion, Vector3};
+    ///
+    /// // A door that is open by 0.5 rad.
+    /// let bodies = [None, Some(0)];
+    /// let relative = Orientation { bodies, relative: UnitQuaternion::identity() };
+    /// let door = Coordinate { bodies, axis: Vector3::z(), motion: Motion::Rotation { relative } };
+    /// let q = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 0.5);
+    /// let angle: f64 = door.value([&Pose::default(), &Pose { q, ..Pose::default() }]);
+    /// assert!((angle - 0.5).abs() < 1e-15);
+    /// ```
     pub fn value<T: RealField + Copy>(&self, poses: [&Pose<T>; 2]) -> T {
         match &self.motion {
             Motion::Translation { anchors, offset } => {

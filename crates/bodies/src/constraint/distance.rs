@@ -46,7 +46,7 @@ impl Distance {
     ///
     /// # Errors
     /// If the placement has no ends, or the length is 0.
-    pub fn of(at: &Placement) -> Result<Self, Fault> {
+    pub(crate) fn of(at: &Placement) -> Result<Self, Fault> {
         let (anchors, apart) = at.ends()?;
         let length = at.length.unwrap_or(apart);
         if length > 0.0 {

@@ -75,6 +75,14 @@ fn aligned(
 
 /// Two unit tangents with t1 × t2 = n: t1 is the world's x axis projected along n, or the y axis if
 /// n is nearly x. On a slope that falls along x, t1 points down or up the slope.
+///
+/// ```
+/// use lcplab_bodies::constraint::tangents;
+/// use nalgebra::Vector3;
+///
+/// assert_eq!(tangents(&Vector3::z()), [Vector3::x(), Vector3::y()]); // on the ground
+/// assert_eq!(tangents(&Vector3::x()), [Vector3::y(), Vector3::z()]); // on a wall
+/// ```
 pub fn tangents(n: &Vector3<f64>) -> [Vector3<f64>; 2] {
     let axis = if n.x.abs() < 0.9 { Vector3::x() } else { Vector3::y() };
     let t1 = (axis - n * n.dot(&axis)).normalize();

@@ -138,6 +138,14 @@ pub struct Fault {
 
 impl Joint {
     /// The constraint with this name.
+    ///
+    /// ```
+    /// use lcplab_bodies::constraint::Joint;
+    ///
+    /// let hinge = Joint::by_name("hinge").unwrap();
+    /// assert_eq!(hinge.bodies, (1, 2)); // with a single body it hangs from the world
+    /// assert!(Joint::by_name("henge").is_none());
+    /// ```
     pub fn by_name(name: &str) -> Option<&'static Joint> {
         ALL.iter().find(|joint| joint.name == name).copied()
     }
@@ -161,7 +169,7 @@ impl fmt::Display for Joint {
 impl Placement {
     /// The position of the joint in each body's frame (m): the given point, otherwise body 1's
     /// center.
-    pub fn anchors(&self) -> [Vector3<f64>; 2] {
+    pub(crate) fn anchors(&self) -> [Vector3<f64>; 2] {
         self.local(&self.point.unwrap_or(self.poses[1].p))
     }
 
@@ -170,7 +178,7 @@ impl Placement {
     ///
     /// # Errors
     /// If only one body is named and no points are given.
-    pub fn ends(&self) -> Result<([Vector3<f64>; 2], f64), Fault> {
+    pub(crate) fn ends(&self) -> Result<([Vector3<f64>; 2], f64), Fault> {
         let ends = match (self.points, self.bodies[0]) {
             (Some(points), _) => points,
             (None, Some(_)) => [self.poses[0].p, self.poses[1].p],
@@ -185,7 +193,7 @@ impl Placement {
     ///
     /// # Errors
     /// If it is missing.
-    pub fn axis(&self) -> Result<Vector3<f64>, Fault> {
+    pub(crate) fn axis(&self) -> Result<Vector3<f64>, Fault> {
         Ok(self.axis_on_both()?[0])
     }
 
@@ -199,7 +207,7 @@ impl Placement {
     }
 
     /// The orientation of body 1 seen from body 0.
-    pub fn relative(&self) -> UnitQuaternion<f64> {
+    pub(crate) fn relative(&self) -> UnitQuaternion<f64> {
         self.poses[0].q.inverse() * self.poses[1].q
     }
 
@@ -228,7 +236,7 @@ impl Field {
     ];
 
     /// The name in the file.
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Field::Point => "point",
             Field::Points => "points",
@@ -250,12 +258,12 @@ impl Field {
     ///
     /// # Errors
     /// If it is missing.
-    pub fn given<T>(self, value: Option<T>) -> Result<T, Fault> {
+    pub(crate) fn given<T>(self, value: Option<T>) -> Result<T, Fault> {
         value.ok_or_else(|| self.fault("is missing"))
     }
 
     /// An error in this field.
-    pub fn fault(self, reason: impl Into<String>) -> Fault {
+    pub(crate) fn fault(self, reason: impl Into<String>) -> Fault {
         Fault { field: self, reason: reason.into() }
     }
 }

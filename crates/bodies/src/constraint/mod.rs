@@ -85,6 +85,28 @@ use crate::body::{Pose, State, linear};
 pub type Bodies = [Option<usize>; 2];
 
 /// A constraint between two bodies, or between a body and the world.
+///
+/// ```
+/// use lcplab_bodies::body::{Pose, State};
+/// use lcplab_bodies::constraint::{Constraint, Distance, Position};
+/// use nalgebra::Vector3;
+///
+/// // A bob on a rod of 2 m between the world's origin and its center moves at 3 m/s on a circle.
+/// let rod = Distance { bodies: [None, Some(0)], anchors: [Vector3::zeros(); 2], length: 2.0 };
+/// let mut bob = State::WORLD;
+/// (bob.pose.p.x, bob.v.y) = (2.0, 3.0);
+/// let states = [&State::WORLD, &bob];
+/// assert_eq!((rod.bodies(), rod.anchors()), ([None, Some(0)], Some([Vector3::zeros(); 2])));
+/// let mut rows = rod.rows(states)?;
+/// assert_eq!((rows[0].c, rows[0].jacobian[1].x), (0.0, 1.0)); // J is along the rod
+/// assert_eq!(rows[0].velocity_product, 4.5); // v²/l
+/// rod.add_rows(states, &mut rows)?;
+/// assert_eq!(rows[0], rows[1]);
+///
+/// let far = Pose { p: 5.0 * Vector3::x(), ..Pose::default() };
+/// assert_eq!(rod.c([&Pose::default(), &far]), [3.0]); // 5 m − 2 m
+/// # Ok::<(), lcplab_bodies::constraint::Degenerate>(())
+/// ```
 pub trait Constraint: fmt::Debug + Send + Sync {
     /// The bodies whose states [`rows`](Constraint::rows) takes, in this order.
     fn bodies(&self) -> Bodies;
@@ -120,6 +142,23 @@ pub trait Position {
 }
 
 /// One row of a constraint at one instant.
+///
+/// ```
+/// use lcplab_bodies::body::stack;
+/// use lcplab_bodies::constraint::{Kind, Row};
+/// use nalgebra::Vector3;
+///
+/// // Body 1 must not turn about x relative to body 0.
+/// let j = stack(Vector3::zeros(), Vector3::x());
+/// let row = Row::equation(Kind::Rotation, 0.0, [-j, j], 0.0);
+/// assert!(row.holds_axis() && row.kind.is_angular());
+/// assert_eq!(row.kind.name(), "rotation");
+/// assert_eq!(row.bounds.interval(), (f64::NEG_INFINITY, f64::INFINITY));
+/// // A limit only pushes: the relative rotation may grow.
+/// let limit = Row::inequality(Kind::Rotation, 0.0, [-j, j], 0.0);
+/// assert_eq!(limit.bounds.interval(), (0.0, f64::INFINITY));
+/// assert!(!limit.holds_axis());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Row {
     /// The kind of the row.
@@ -146,6 +185,15 @@ pub struct Row {
 /// ```
 ///
 /// Catto, *Soft Constraints*, GDC 2011.
+///
+/// ```
+/// use lcplab_bodies::constraint::Spring;
+///
+/// // 8 N/m and 1 N s/m in a step of 1/8 s: h (d + h k) = ¼ N s per m/s.
+/// let spring = Spring { stiffness: 8.0, damping: 1.0 };
+/// assert_eq!(spring.compliance(0.125), 4.0);
+/// assert_eq!(spring.feedback(0.125), 4.0); // k / (d + h k)
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spring {
     /// k (N/m or N m/rad), at least 0.
@@ -197,7 +245,7 @@ impl Row {
     }
 
     /// The row of −c: turns a lower limit into an upper one.
-    pub fn negated(self) -> Self {
+    pub(crate) fn negated(self) -> Self {
         Row {
             c: -self.c,
             jacobian: self.jacobian.map(|j| -j),

@@ -31,7 +31,7 @@ impl Perpendicular {
     ///
     /// # Errors
     /// If the placement has no axis.
-    pub fn parallel(at: &Placement) -> Result<[Perpendicular; 2], Fault> {
+    pub(crate) fn parallel(at: &Placement) -> Result<[Perpendicular; 2], Fault> {
         let [axis, on_body_1] = at.axis_on_both()?;
         let directions = tangents(&axis).map(|across| [across, on_body_1]);
         Ok(directions.map(|directions| Perpendicular { bodies: at.bodies, directions }))

@@ -20,6 +20,7 @@ const ROUNDING: f64 = 1e-9;
 /// A constraint with a known position: every [`Constraint`] with [`Position`] implements it.
 pub trait Verifiable: Constraint {
     /// c(s) with dual numbers.
+    #[doc(hidden)] // [`derivatives`] takes states
     fn dual(&self, poses: [&Pose<Dual2_64>; 2]) -> Vec<Dual2_64>;
 }
 
