@@ -7,6 +7,40 @@ use super::{Lcp, merit};
 /// K is a box for an [`Lcp`], and a product of cones and intervals for a
 /// [`ConeProblem`](super::friction::ConeProblem). K may depend on x (coupled rows), or w may have a
 /// shift that depends on x (Coulomb's law); in the problem *frozen* at an x, both are constant.
+///
+/// ```
+/// use lcplab_lcp::friction::{ConeProblem, Contact, FrictionProblem, Law};
+/// use lcplab_lcp::{Complementarity, Lcp, Matrix};
+///
+/// /// Projected steps x ← Π(x − w), for a problem of any kind with a unit diagonal of A.
+/// fn iterate(problem: &impl Complementarity, x: &mut Vec<f64>) {
+///     let w = problem.lcp().w(x);
+///     x.iter_mut().zip(&w).for_each(|(x, w)| *x -= w);
+///     problem.project_all(x);
+/// }
+///
+/// // A point of 1 kg reaches the ground with 2 m/s and slides with 3 m/s; μ = 0.5.
+/// let a = Matrix::from([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+/// let (lo, hi) = (vec![0.0, -f64::INFINITY, -f64::INFINITY], vec![f64::INFINITY; 3]);
+/// let lcp = Lcp::new(a, vec![-2.0, -3.0, 0.0], lo, hi)?;
+/// let friction = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }])?;
+///
+/// let boxed = friction.coupled_box();
+/// let mut x = vec![0.0; 3];
+/// iterate(&boxed, &mut x);
+/// assert_eq!(x, [2.0, 1.0, 0.0]);
+/// assert_eq!(boxed.scaled_residual(&x), 0.0);
+/// assert!(boxed.is_within(&x, 1e-8, &mut 0) && boxed.improves_on_zero(&x, 1e-8));
+///
+/// // The box ±μ x_n depends on x. With the box of this x the problem has the same solution.
+/// assert!(!boxed.is_frozen() && boxed.frozen_at(&x).is_frozen());
+/// assert_eq!(boxed.frozen_at(&x).scaled_residual(&x), 0.0);
+///
+/// // x may grow without end along d = (1, 0.5, 0), but not along (1, 0.6, 0), outside the cone.
+/// let cone = ConeProblem::new(friction, Law::Associated);
+/// assert!(cone.recedes(&[1.0, 0.5, 0.0]) && !cone.recedes(&[1.0, 0.6, 0.0]));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub trait Complementarity: Sized {
     /// A and b.
     fn lcp(&self) -> &Lcp;

@@ -9,6 +9,22 @@ use crate::friction::Contact;
 
 /// The contacts of a problem, and for each coupled row i the row k and the coefficient μ that bound
 /// it.
+///
+/// ```
+/// use lcplab_lcp::Coupling;
+///
+/// // Row 0 is a normal row; its friction rows 1 and 2 have μ = 0.5.
+/// let coupling = Coupling::new(vec![None, Some(0), Some(0)], vec![0.0, 0.5, 0.5])?;
+/// assert!(!coupling.is_empty());
+/// assert_eq!(coupling.rows().collect::<Vec<_>>(), [(1, 0), (2, 0)]); // each with its normal row
+/// assert_eq!((coupling.index(0), coupling.index(2)), (None, Some(0)));
+/// assert_eq!(coupling.mu(2), 0.5);
+/// assert_eq!(coupling.contacts()[0].rows, [0, 1, 2]);
+///
+/// let slippery = coupling.with_mu(|_, _, mu| 0.1 * mu)?;
+/// assert_eq!(slippery.bounds(1, &[4.0, 0.0, 0.0]), Some((-0.2, 0.2)));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Coupling {
     contacts: Vec<Contact>,

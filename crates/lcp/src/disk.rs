@@ -1,4 +1,21 @@
 //! Reads whole files, up to a size limit.
+//!
+//! ```
+//! use lcplab_lcp::disk::{check_name, is_name, is_there, read, read_bytes};
+//! use lcplab_lcp::memory::Memory;
+//!
+//! let folder = tempfile::tempdir().unwrap();
+//! let path = folder.path().join("note.txt");
+//! assert!(!is_there(&path) && !is_there(folder.path())); // a folder is not read
+//! std::fs::write(&path, "9.81 m/s²").unwrap();
+//! assert_eq!(read(&path, Memory::bytes(100))?, "9.81 m/s²");
+//! assert_eq!(read_bytes(&path, Memory::bytes(100))?.len(), 10); // ² takes two bytes
+//! assert!(read(&path, Memory::bytes(9)).is_err());
+//!
+//! assert!(is_name("stack-2") && !is_name("../stack"));
+//! assert!(check_name("../stack").unwrap_err().contains("use only letters"));
+//! # Ok::<(), lcplab_lcp::error::Error>(())
+//! ```
 
 use std::fs::{self, File};
 use std::io::{self, Read};

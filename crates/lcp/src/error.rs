@@ -18,6 +18,19 @@ const NEAREST_NAMES: usize = 5;
 pub type Result<T> = std::result::Result<T, Error>;
 
 /// An input that cannot be used.
+///
+/// ```
+/// use lcplab_lcp::error::Error;
+///
+/// let error = Error::invalid("box.json", "mass", "must be above 0, is -1");
+/// assert_eq!(error.to_string(), "box.json: mass: must be above 0, is -1");
+/// let error = error.within("stack.json"); // the file that contains the box
+/// assert_eq!(error.to_string(), "stack.json: mass: must be above 0, is -1");
+///
+/// let cause = std::io::Error::other("the disk is full");
+/// let error = Error::file("x.json".as_ref(), &cause);
+/// assert_eq!(error.to_string(), "x.json: the disk is full");
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -104,6 +117,20 @@ impl Defects {
     }
 
     /// `Ok` if `input` has no defects so far.
+    ///
+    /// ```
+    /// use lcplab_lcp::error::Defects;
+    ///
+    /// let mut defects = Defects::default();
+    /// assert!(defects.is_empty() && defects.result("box.json").is_ok());
+    /// defects.add("mass", "is missing");
+    /// defects.add("size", "is missing");
+    /// assert_eq!(defects.len(), 2);
+    /// let error = defects.result("box.json").unwrap_err();
+    /// let text = error.to_string();
+    /// assert_eq!(text, "box.json: 2 defects\n  mass: is missing\n  size: is missing");
+    /// assert!(defects.is_empty()); // they are now in the error
+    /// ```
     pub fn result(&mut self, input: impl Into<String>) -> Result<()> {
         if self.0.is_empty() {
             return Ok(());

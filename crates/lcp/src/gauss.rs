@@ -12,6 +12,14 @@
 use std::fmt;
 
 /// What the motion u is; this decides the units of every reported number.
+///
+/// ```
+/// use lcplab_lcp::Level;
+///
+/// assert_eq!((Level::Velocity.name(), Level::Velocity.units()), ("velocity", "m/s or rad/s"));
+/// assert_eq!(Level::Velocity.norm_unit(), "√J"); // ½ uᵀM u is an energy
+/// assert_eq!(Level::Acceleration.norm_unit(), "√J/s");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Level {
     /// m/s and rad/s; x are impulses.

@@ -8,6 +8,30 @@ use crate::{Coupling, Matrix};
 
 /// A boxed LCP, with its contacts if there is friction. The constructor checks that sizes agree,
 /// all numbers of A and b are finite, no bound is NaN and lo ≤ hi, so solvers need no checks.
+///
+/// ```
+/// use lcplab_lcp::{Coupling, Lcp, Matrix};
+///
+/// // A box of 1 kg reaches the ground with 2 m/s and slides along it with 3 m/s; μ = 0.5. Row 0 is
+/// // the normal, row 1 the friction, and A = J M⁻¹ Jᵀ is the unit matrix.
+/// let a = Matrix::from([[1.0, 0.0], [0.0, 1.0]]);
+/// let (lo, hi) = (vec![0.0, -f64::INFINITY], vec![f64::INFINITY; 2]);
+/// let coupling = Coupling::new(vec![None, Some(0)], vec![0.0, 0.5])?;
+/// let lcp = Lcp::new(a, vec![-2.0, -3.0], lo, hi)?.with_coupling(coupling)?;
+/// assert_eq!((lcp.len(), lcp.is_empty(), lcp.b()), (2, false, &[-2.0, -3.0][..]));
+/// assert!(lcp.has_coupled_rows() && lcp.is_coupled(1) && !lcp.is_coupled(0));
+/// assert_eq!(lcp.coupled_to(1), Some((0, 0.5))); // the normal row, and μ
+///
+/// // 2 N s stop the fall. Friction would need 3 N s to stop the slip, but μ · 2 N s is its limit.
+/// let x = [2.0, lcp.project(1, 3.0, &[2.0, 0.0])];
+/// assert_eq!(x, [2.0, 1.0]);
+/// assert_eq!((lcp.row_w(0, &x), lcp.row_w(1, &x)), (0.0, -2.0)); // 2 m/s of slip remain
+///
+/// // A box of 2 kg needs twice the impulse.
+/// let heavy = lcp.with_matrix(Matrix::from([[0.5, 0.0], [0.0, 0.5]]))?;
+/// assert_eq!(heavy.row_w(0, &[4.0, 0.0]), 0.0);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Lcp {
     /// Shared, so that the same problem with other bounds does not copy A.
@@ -118,6 +142,15 @@ impl Lcp {
     }
 
     /// The smallest significant size of x, 0 if the problem does not state one.
+    ///
+    /// ```
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// let lcp = Lcp::new(Matrix::from([[1.0]]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
+    /// assert_eq!(lcp.scale(), 0.0);
+    /// assert_eq!(lcp.with_scale(0.1)?.scale(), 0.1);
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn scale(&self) -> f64 {
         self.scale
     }
@@ -138,6 +171,16 @@ impl Lcp {
     }
 
     /// The matrix as shared with the problems derived from this one.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// let lcp = Lcp::new(Matrix::from([[1.0]]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
+    /// let other = lcp.with_b(vec![-2.0])?; // A is not copied
+    /// assert!(Arc::ptr_eq(lcp.shared_matrix(), other.shared_matrix()));
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn shared_matrix(&self) -> &Arc<Matrix> {
         &self.matrix
     }
@@ -373,6 +416,16 @@ impl Lcp {
     }
 
     /// The same A and bounds with b = 0.
+    ///
+    /// ```
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// // Two supports share one load. Moving force from one to the other changes no w.
+    /// let a = Matrix::from([[1.0, 1.0], [1.0, 1.0]]);
+    /// let lcp = Lcp::new(a, vec![-1.0; 2], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+    /// assert_eq!(lcp.homogeneous().w(&[1.0, -1.0]), [0.0, 0.0]);
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn homogeneous(&self) -> Lcp {
         Lcp { b: vec![0.0; self.len()], scale: 0.0, ..self.clone() }
     }

@@ -21,6 +21,13 @@ use crate::error::{Error, Result, size};
 ///     "A of 60000 rows as a dense matrix needs 28.8 GB; the limit is 500 MB"
 /// );
 /// ```
+///
+/// ```
+/// use lcplab_lcp::memory::Memory;
+///
+/// assert_eq!(Memory::numbers(1000), Memory::bytes(8000)); // 8 bytes each
+/// assert_eq!(Memory::square(10).times(3).in_bytes(), 2400); // three 10 × 10 matrices
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Memory(u64);
 

@@ -1,4 +1,12 @@
 //! Readable numbers: `1.3×10⁻⁸`, `−0.25`; and numbers as files contain them.
+//!
+//! ```
+//! use lcplab_lcp::number::{count, significant, superscript};
+//!
+//! assert_eq!(superscript(-8), "⁻⁸");
+//! assert_eq!(significant(3e-8, 2), "3.0×10⁻⁸");
+//! assert_eq!(count(1_234_567), "1,234,567");
+//! ```
 
 use std::fmt;
 

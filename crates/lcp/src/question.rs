@@ -27,6 +27,25 @@ use crate::file::Problem;
 use crate::friction::{FrictionProblem, Model, ProblemForm};
 
 /// A problem and the friction model under which its answers are judged.
+///
+/// ```
+/// use lcplab_lcp::Question;
+/// use lcplab_lcp::file::Problem;
+/// use lcplab_lcp::friction::{Model, ProblemForm};
+///
+/// let text = r#"{"A": {"dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, "b": [-2, -3, -3],
+///                "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5]}"#;
+/// let problem = Problem::parse(text, "point.json")?;
+/// let question = Question::new(&problem, Some(Model::CoulombCone), "point.json")?;
+/// assert_eq!(question.problem().lcp.len(), 3);
+/// assert!(matches!(question.posed(), ProblemForm::Cone(_)));
+/// let error = question.require_boxed("proofs are", "point.json").unwrap_err();
+/// assert_eq!(
+///     error.to_string(),
+///     "point.json: model: is coulomb-cone, but proofs are about boxes only"
+/// );
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Question {
     problem: Problem,

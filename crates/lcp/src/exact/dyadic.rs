@@ -1,4 +1,13 @@
 //! Exact binary fractions: every finite floating-point number is one, and so are sums and products.
+//!
+//! ```
+//! use dashu_ratio::RBig;
+//! use lcplab_lcp::exact::dyadic::{dyadic, integers, rational, whole};
+//!
+//! assert_eq!(rational(&dyadic(0.75)), RBig::from_parts(3.into(), 4u8.into()));
+//! assert_eq!(whole(6.into()), dyadic(6.0));
+//! assert_eq!(integers(&[dyadic(0.5), dyadic(0.75)]), [2.into(), 3.into()]); // both times 4
+//! ```
 
 use dashu_float::FBig;
 use dashu_float::round::mode::Zero;

@@ -40,6 +40,28 @@ pub enum Side {
 }
 
 /// An LCP in binary fractions.
+///
+/// ```
+/// use dashu_ratio::RBig;
+/// use lcplab_lcp::exact::dyadic::dyadic;
+/// use lcplab_lcp::exact::{Exact, Side};
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // w = 3 x − 1: the solution 1/3 is not a floating-point number.
+/// let lcp = Lcp::new(Matrix::from([[3.0]]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
+/// let exact = Exact::new(&lcp);
+/// assert_eq!((exact.len(), exact.is_empty()), (1, false));
+/// let (third, null) = exact.point(&[Side::Free], &[0.3]).unwrap();
+/// assert_eq!(third.entries(), [RBig::from_parts(1.into(), 3u8.into())]);
+/// assert!(null.is_none() && exact.is_solved_by(&third));
+/// assert_eq!(exact.scaled_w(0, &third), dyadic(0.0));
+/// assert_eq!(exact.scaled_bounds(0, &third), (Some(dyadic(0.0)), None)); // 0 and ∞
+///
+/// // On its lower side x is 0, where w = −1: no solution.
+/// let (zero, _) = exact.point(&[Side::Lower], &[0.3]).unwrap();
+/// assert!(!exact.is_solved_by(&zero));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub struct Exact {
     /// The nonzero entries of A, row by row.
     a: Vec<Vec<(usize, Dyadic)>>,
@@ -112,6 +134,25 @@ impl Exact {
     }
 
     /// Changes these entries of x so that w = 0 in a maximal independent set of these rows.
+    ///
+    /// ```
+    /// use lcplab_lcp::exact::{Exact, Side};
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// // Two supports share a load of 1: x_0 + x_1 = 1. The given x is too small; x_0 changes.
+    /// let a = Matrix::from([[1.0, 1.0], [1.0, 1.0]]);
+    /// let exact = Exact::new(&Lcp::new(a, vec![-1.0; 2], vec![0.0; 2], vec![f64::INFINITY; 2])?);
+    /// let repaired = exact.repaired(&[0.25, 0.25], &[0, 1], &[0]).unwrap();
+    /// assert_eq!(repaired.distance(&[0.75, 0.25]), 0.0);
+    ///
+    /// // Force can move from one support to the other.
+    /// let sides = [Side::Free; 2];
+    /// let (x, null) = exact.point(&sides, &[0.25, 0.25]).unwrap();
+    /// let null = null.unwrap();
+    /// assert_eq!(null.distance(&[-1.0, 1.0]), 0.0);
+    /// assert!(exact.is_free_along(&null, &x, &sides));
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn repaired(&self, x: &[f64], rows: &[usize], entries: &[usize]) -> Option<Point> {
         let sides = vec![Side::Free; self.len()];
         let (rows, unknowns) = self.independent(&sides, rows, entries);

@@ -9,6 +9,20 @@
 //! The fractions are reconstructed from x mod p^K and then *verified* in A x = r, so the answer
 //! does not depend on a bound. A step costs n² operations on small integers; elimination over the
 //! integers multiplies numbers of thousands of digits.
+//!
+//! ```
+//! use dashu_int::IBig;
+//! use lcplab_lcp::exact::modular::{rank_profile, solve};
+//!
+//! // Row 1 is twice row 0.
+//! let rows = [[1, 2], [2, 4], [0, 1]].map(|row| row.map(IBig::from).to_vec());
+//! assert_eq!(rank_profile(&rows).rows, [0, 2]);
+//!
+//! // 2 x + y = 1 and x + 3 y = 2: x = 1/5, y = 3/5.
+//! let a = [[2, 1], [1, 3]].map(|row| row.map(IBig::from).to_vec());
+//! let (numerators, denominator) = solve(&a, &[1.into(), 2.into()]).unwrap();
+//! assert_eq!((numerators, denominator), (vec![1.into(), 3.into()], 5.into()));
+//! ```
 
 use dashu_int::IBig;
 use dashu_int::ops::{Abs, BitTest, UnsignedAbs};

@@ -19,6 +19,22 @@ use crate::Lcp;
 pub(crate) const MAX_PIECES: usize = 1 << 16;
 
 /// The pieces of a problem.
+///
+/// ```
+/// use lcplab_lcp::exact::{Pieces, Side};
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // Two contacts, each open or closed. Only contact 0 carries a force: x = (½, 0).
+/// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// let pieces = Pieces::of(&lcp).unwrap();
+/// assert_eq!(pieces.count(), 4);
+/// assert_eq!(pieces.piece(1), [Side::Free, Side::Lower]);
+/// let solutions: Vec<_> = (0..4).flat_map(|k| pieces.solutions(&pieces.piece(k))).collect();
+/// assert_eq!(solutions.len(), 1);
+/// assert_eq!(solutions[0].distance(&[0.5, 0.0]), 0.0);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub struct Pieces {
     exact: Exact,
     /// The sides of each row.

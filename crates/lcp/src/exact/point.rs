@@ -8,6 +8,19 @@ use super::Place;
 use super::dyadic::{Dyadic, dyadic, rational, rounded_up, whole};
 
 /// An exact vector.
+///
+/// ```
+/// use lcplab_lcp::exact::Point;
+/// use lcplab_lcp::exact::dyadic::dyadic;
+///
+/// let x = Point::new(vec![dyadic(1.0), dyadic(2.0)], dyadic(3.0)); // (1/3, 2/3)
+/// assert_eq!((x.len(), x.is_empty()), (2, false));
+/// assert_eq!((x.scaled(1), x.denominator()), (&dyadic(2.0), &dyadic(3.0)));
+/// assert_eq!(x.entries()[1].to_string(), "2/3");
+/// // The nearest floating-point number to 1/3 is 1.9e-17 off; that of 2/3 twice as far.
+/// let distance = x.distance(&[1.0 / 3.0, 2.0 / 3.0]);
+/// assert!(3.7e-17 < distance && distance < 3.8e-17);
+/// ```
 #[derive(Debug, Clone)]
 pub struct Point {
     numerators: Vec<Dyadic>,

@@ -50,6 +50,19 @@ pub struct Face {
 
 impl Face {
     /// Whether it is a single solution.
+    ///
+    /// ```
+    /// use lcplab_lcp::exact::{Face, SolutionSet};
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// // w = (x0 + 2 x1 − 1, 2 x0 + x1 − 1): (1, 0), (0, 1) and (1/3, 1/3), each by itself.
+    /// let a = Matrix::from([[1.0, 2.0], [2.0, 1.0]]);
+    /// let lcp = Lcp::new(a, vec![-1.0; 2], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+    /// let set = SolutionSet::of(&lcp).unwrap();
+    /// assert_eq!(set.faces.len(), 3);
+    /// assert!(set.faces.iter().all(Face::is_isolated));
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn is_isolated(&self) -> bool {
         self.corners.len() == 1 && self.rays.is_empty()
     }

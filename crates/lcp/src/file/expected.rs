@@ -14,6 +14,19 @@ use super::Problem;
 ///
 /// A solution solves the problem *exactly*, with the numbers as written in the file. The integers
 /// are written as text because they may have any length.
+///
+/// ```
+/// use lcplab_lcp::file::Expected;
+///
+/// let expected = Expected::unique(vec![1.into(), 0.into()]);
+/// assert!(expected.complete && !expected.is_impossible());
+/// let json = expected.json();
+/// assert_eq!(json["solutions"][0]["numerators"], serde_json::json!(["1", "0"]));
+///
+/// assert!(!Expected::one_of_several(vec![1.into(), 0.into()]).complete);
+/// let none = Expected { solutions: vec![], complete: true };
+/// assert!(none.is_impossible());
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Expected {
     /// The solutions.

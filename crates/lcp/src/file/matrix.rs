@@ -19,7 +19,7 @@ pub enum Entries {
 
 impl Entries {
     /// The entries under the key `A` of an n × n matrix.
-    pub fn read(a: &Value, n: usize, defects: &mut Defects) -> Self {
+    pub(crate) fn read(a: &Value, n: usize, defects: &mut Defects) -> Self {
         let keys = a.as_object().into_iter().flat_map(Map::keys);
         for key in keys.filter(|key| !KEYS.contains(&key.as_str())) {
             defects.add(format!("A.{key}"), "is unknown");

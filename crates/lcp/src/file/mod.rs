@@ -107,6 +107,16 @@ const READ: [&str; 11] =
 
 impl Problem {
     /// A problem with a name and an LCP only.
+    ///
+    /// ```
+    /// use lcplab_lcp::file::Problem;
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
+    /// let problem = Problem::new("one contact", lcp);
+    /// assert_eq!(problem.to_json()["name"], "one contact");
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn new(name: impl Into<String>, lcp: Lcp) -> Self {
         let (model, frozen_at, motion) = (None, None, None);
         let (extra, warnings) = (Map::new(), Vec::new());
@@ -124,11 +134,14 @@ impl Problem {
 
     /// Reads a file, or standard input for the path `-`.
     ///
-    /// ```no_run
+    /// ```
     /// use lcplab_lcp::file::Problem;
     ///
-    /// let problem = Problem::read("stack.json".as_ref())?;
-    /// println!("{}: {} rows", problem.name, problem.lcp.len()); // stack, step 1: 60 rows
+    /// let folder = tempfile::tempdir().unwrap();
+    /// let path = folder.path().join("contact.json");
+    /// std::fs::write(&path, r#"{"name": "contact", "A": {"dense": [[2]]}, "b": [-1]}"#).unwrap();
+    /// let problem = Problem::read(&path)?;
+    /// assert_eq!((problem.name.as_str(), problem.lcp.len()), ("contact", 1));
     /// # Ok::<(), lcplab_lcp::error::Error>(())
     /// ```
     ///
@@ -139,6 +152,18 @@ impl Problem {
     }
 
     /// Like [`read`](Problem::read), with another limit on the memory for reading.
+    ///
+    /// ```
+    /// use lcplab_lcp::file::Problem;
+    /// use lcplab_lcp::memory::Memory;
+    ///
+    /// let folder = tempfile::tempdir().unwrap();
+    /// let path = folder.path().join("contact.json");
+    /// std::fs::write(&path, r#"{"A": {"dense": [[2]]}, "b": [-1]}"#).unwrap();
+    /// assert_eq!(Problem::read_within(&path, Memory::bytes(1000))?.lcp.b(), [-1.0]);
+    /// assert!(Problem::read_within(&path, Memory::bytes(10)).is_err()); // the file is longer
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`read`](Problem::read), or if it needs more memory.
@@ -322,6 +347,20 @@ pub fn read_answer(path: &Path, n: usize, most: Memory) -> Result<Vec<f64>> {
 }
 
 /// The contents of an answer file.
+///
+/// ```
+/// use lcplab_lcp::file::{read_answer, read_answers};
+/// use lcplab_lcp::memory::Memory;
+///
+/// let folder = tempfile::tempdir().unwrap();
+/// let path = folder.path().join("answer.json");
+/// std::fs::write(&path, r#"{"x": [0.5, 0], "iterates": [[0.5, 0.25]]}"#).unwrap();
+/// assert_eq!(read_answer(&path, 2, Memory::default())?, [0.5, 0.0]);
+/// let answers = read_answers(&path, 2, Memory::default())?;
+/// assert_eq!(answers.iterates, [[0.5, 0.25]]);
+/// assert!(read_answer(&path, 3, Memory::default()).is_err()); // the problem has 3 rows
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answers {
     /// The answer.

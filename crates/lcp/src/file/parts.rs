@@ -10,6 +10,18 @@ use crate::number::counted;
 use crate::{Coupling, Lcp};
 
 /// The keys of a problem file, each valid by itself; n is the length of b.
+///
+/// ```
+/// use lcplab_lcp::file::{Entries, Parts};
+///
+/// let entries = Entries::Sparse(vec![(0, 0, 2.0), (1, 1, 2.0)]);
+/// assert_eq!(entries.matrix(2).stored(), 2);
+/// let (b, hi) = (vec![-1.0; 2], Some(vec![9.0; 2]));
+/// let parts = Parts { entries, b, lo: None, hi, index: None, mu: None };
+/// let lcp = parts.into_lcp()?;
+/// assert_eq!((lcp.lo(), lcp.hi()), (&[0.0; 2][..], &[9.0; 2][..]));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub struct Parts {
     /// A.
     pub entries: Entries,
@@ -27,7 +39,7 @@ pub struct Parts {
 
 impl Parts {
     /// Reads the keys and collects their defects; A and b must be present.
-    pub fn read(object: &Map<String, Value>, defects: &mut Defects) -> Self {
+    pub(crate) fn read(object: &Map<String, Value>, defects: &mut Defects) -> Self {
         let b = numbers(object, "b", defects).unwrap_or_default();
         let entries = Entries::read(&object["A"], b.len(), defects);
         Parts {

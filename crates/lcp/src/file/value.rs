@@ -6,6 +6,16 @@ use crate::error::Defects;
 use crate::number::Filed;
 
 /// A number as JSON: infinities and NaN become the words "inf", "-inf" and "nan".
+///
+/// ```
+/// use lcplab_lcp::file::{as_number, number};
+/// use serde_json::json;
+///
+/// assert_eq!(number(f64::INFINITY), json!("inf")); // JSON has no infinities
+/// assert_eq!(as_number(&json!("-inf")), Some(f64::NEG_INFINITY));
+/// assert_eq!(as_number(&json!(0.5)), Some(0.5));
+/// assert_eq!(as_number(&json!("half")), None);
+/// ```
 pub fn number(value: f64) -> Value {
     Filed(value).word().map_or_else(|| json!(value), |word| json!(word))
 }

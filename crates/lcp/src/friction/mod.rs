@@ -55,6 +55,16 @@ use super::{Coupling, Lcp};
 use crate::error::{Defects, Result};
 
 /// A contact with friction.
+///
+/// ```
+/// use lcplab_lcp::friction::Contact;
+///
+/// let contact = Contact { rows: [3, 4, 5], mu: 0.5 };
+/// let mut x = [0.0; 6];
+/// contact.put([2.0, 1.0, 0.0], &mut x);
+/// assert_eq!(x, [0.0, 0.0, 0.0, 2.0, 1.0, 0.0]);
+/// assert_eq!(contact.of(&x), [2.0, 1.0, 0.0]);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
     /// Its rows n, t1, t2 of A. The tangents are orthogonal.
@@ -80,6 +90,21 @@ impl Contact {
 /// w = A x + b with some contacts; the other rows have their own bounds. The constructor checks
 /// that each contact has rows of its own, that x_n ≥ 0 is the only bound of x_n, and that only
 /// friction bounds x_t.
+///
+/// ```
+/// use lcplab_lcp::friction::{Contact, FrictionProblem};
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // Row 0 is a joint, rows 1 to 3 are a contact.
+/// let a = Matrix::sparse(4, &[(0, 0, 1.0), (1, 1, 2.0), (2, 2, 2.0), (3, 3, 2.0)]);
+/// let free = f64::INFINITY;
+/// let lo = vec![-free, 0.0, -free, -free];
+/// let lcp = Lcp::new(a, vec![-1.0; 4], lo, vec![free; 4])?;
+/// let problem = FrictionProblem::new(lcp, vec![Contact { rows: [1, 2, 3], mu: 0.5 }])?;
+/// assert_eq!(problem.others(), [0]);
+/// assert_eq!(problem.softened(0.25)?.lcp().matrix().diagonal(1), 2.5);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct FrictionProblem {
     /// A, b and the bounds without friction; no coupling.

@@ -32,6 +32,17 @@ use super::{Lcp, Matrix};
 use crate::error::{Defects, Error, Result};
 
 /// A family of problems.
+///
+/// ```
+/// use lcplab_lcp::library::by_name;
+///
+/// let family = by_name("murty")?;
+/// println!("{}: {}; {}", family.name(), family.about(), family.source());
+/// let parameter = family.parameters()[0];
+/// assert_eq!((parameter.name, parameter.is_whole), ("n", true));
+/// assert_eq!(family.generate(&[("n", 4.0)])?.lcp.len(), 4);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub trait Family: Sync {
     /// The name to select it by.
     fn name(&self) -> &'static str;
@@ -46,6 +57,7 @@ pub trait Family: Sync {
     fn parameters(&self) -> &'static [Parameter];
 
     /// The problem with these values, one for each parameter and each within its range.
+    #[doc(hidden)] // only `generate` can make checked values
     fn make(&self, values: &Values) -> Problem;
 
     /// The problem with the given values, and the defaults for the other parameters.

@@ -6,6 +6,14 @@ use std::sync::OnceLock;
 impl Matrix {
     /// The size of each row in its own unit: |a_ii|, or the largest |a_ij| and |a_ji| if a_ii = 0;
     /// 1 if the row and the column are zero.
+    ///
+    /// ```
+    /// use lcplab_lcp::Matrix;
+    ///
+    /// // The diagonal; for row 1, whose diagonal is 0, the largest entry of row and column 1.
+    /// let a = Matrix::from([[4.0, 3.0], [-5.0, 0.0]]);
+    /// assert_eq!(a.row_sizes(), [4.0, 5.0]);
+    /// ```
     pub fn row_sizes(&self) -> Vec<f64> {
         let n = self.len();
         let mut reach = vec![0.0_f64; n];

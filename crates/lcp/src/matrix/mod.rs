@@ -16,6 +16,16 @@ use sparse::summed;
 use std::sync::OnceLock;
 
 /// The square matrix A.
+///
+/// ```
+/// use lcplab_lcp::Matrix;
+///
+/// let dense = Matrix::from([[2.0, -1.0], [-1.0, 0.0]]);
+/// let sparse = Matrix::sparse(2, &[(0, 0, 2.0), (0, 1, -1.0), (1, 0, -1.0)]);
+/// assert_eq!((dense.stored(), sparse.stored()), (4, 3)); // one zero is not stored
+/// assert_eq!((sparse.len(), sparse.is_empty()), (2, false));
+/// assert_eq!(dense.row_dot(0, &[3.0, 4.0]), sparse.row_dot(0, &[3.0, 4.0])); // 6 − 4
+/// ```
 #[derive(Debug, Clone)]
 pub enum Matrix {
     /// All n² entries.
@@ -35,6 +45,14 @@ pub struct Dense {
 
 impl Dense {
     /// The n² entries.
+    ///
+    /// ```
+    /// use lcplab_lcp::Matrix;
+    ///
+    /// let a = Matrix::from([[2.0, -1.0], [0.0, 3.0]]);
+    /// let Matrix::Dense(dense) = &a else { panic!("made from all entries") };
+    /// assert_eq!(dense.entries(), [2.0, -1.0, 0.0, 3.0]); // row by row
+    /// ```
     pub fn entries(&self) -> &[f64] {
         &self.entries
     }
@@ -295,6 +313,15 @@ pub struct Row<'a> {
 impl<'a> Row<'a> {
     /// Writes the entries of these columns, which must be ascending, into `entries`; 0 if not
     /// stored.
+    ///
+    /// ```
+    /// use lcplab_lcp::Matrix;
+    ///
+    /// let a = Matrix::sparse(3, &[(0, 0, 2.0), (0, 2, -1.0)]);
+    /// let mut entries = [f64::NAN; 2];
+    /// a.row(0).gather(&[1, 2], &mut entries);
+    /// assert_eq!(entries, [0.0, -1.0]);
+    /// ```
     #[inline]
     pub fn gather(self, columns: &[usize], entries: &mut [f64]) {
         let Some(stored) = self.columns else {
@@ -332,6 +359,12 @@ fn is_symmetric(a: &[f64], n: usize) -> bool {
 
 /// xᵀy with eight partial sums in a fixed order: bitwise identical on every processor, and in a
 /// form that compilers vectorize.
+///
+/// ```
+/// use lcplab_lcp::dot;
+///
+/// assert_eq!(dot(&[1.0, 2.0, 3.0], &[4.0, 5.0, 6.0]), 32.0); // 4 + 10 + 18
+/// ```
 #[inline]
 pub fn dot(x: &[f64], y: &[f64]) -> f64 {
     let mut lanes = [0.0; 8];

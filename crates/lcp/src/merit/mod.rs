@@ -31,6 +31,17 @@ use super::{Lcp, accurate};
 /// is not lost next to large terms: a motor with a limit of 1 N m and a target that would need 10⁹
 /// N m is not accepted at 0 N m "to nine digits", nor a slip with large terms without friction. In
 /// both cases r_i is |w_i| / terms_i for an x_i whose step ends between the bounds.
+///
+/// ```
+/// use lcplab_lcp::merit::{is_within, scaled_residual};
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-2.0], vec![0.0], vec![f64::INFINITY])?;
+/// assert_eq!(scaled_residual(&lcp, &[1.0]), 0.0);
+/// assert_eq!(scaled_residual(&lcp, &[3.0]), 0.5); // w = 4, of the terms 6 + 2
+/// assert!(is_within(&lcp, &[1.0], 1e-8, &mut 0) && !is_within(&lcp, &[3.0], 1e-8, &mut 0));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn scaled_residual(lcp: &Lcp, x: &[f64]) -> f64 {
     worst(lcp.len(), |i| row_residual(lcp, i, x))
 }
@@ -77,6 +88,19 @@ const BETTER: f64 = 0.1;
 ///
 /// The scaled residual alone is not sufficient: it becomes small for any x that is far enough away
 /// along a direction with A d = 0.
+///
+/// ```
+/// use lcplab_lcp::merit::{improves_on_zero, scaled_residual};
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // w = (x_0 − x_1 − 1, x_1 − x_0 − 1) has no solution: the rows add up to −2.
+/// let a = Matrix::from([[1.0, -1.0], [-1.0, 1.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0; 2], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// let far = [1e9; 2];
+/// assert!(scaled_residual(&lcp, &far) < 1e-9); // small only relative to the terms
+/// assert!(!improves_on_zero(&lcp, &far, 1e-8)); // as far from a solution as x = 0
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn improves_on_zero(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
     let terms = terms(lcp, x);
     improves_on_zero_by_residuals(lcp, x, &row_residuals(lcp, x, &terms), tolerance)
@@ -111,6 +135,20 @@ fn terms(lcp: &Lcp, x: &[f64]) -> Vec<RowTerms> {
 }
 
 /// The residuals of all rows at x, given their terms.
+///
+/// ```
+/// use lcplab_lcp::merit::{RowTerms, row_residuals};
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // w = (2 x_0 − 2, 2 x_1 − 2): row 0 is solved, row 1 is not.
+/// let a = Matrix::from([[2.0, 0.0], [0.0, 2.0]]);
+/// let lcp = Lcp::new(a, vec![-2.0; 2], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// let x = [1.0, 3.0];
+/// let terms = [0, 1].map(|i| RowTerms::at(&lcp, i, &x));
+/// let residuals = row_residuals(&lcp, &x, &terms);
+/// assert_eq!((residuals[0].residual, residuals[1].residual), (0.0, 0.5)); // 4 of 6 + 2
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn row_residuals(lcp: &Lcp, x: &[f64], terms: &[RowTerms]) -> Vec<RowResidual> {
     terms.iter().enumerate().map(|(i, terms)| terms.row_residual(lcp, i, x)).collect()
 }
@@ -221,6 +259,16 @@ pub fn objective(lcp: &Lcp, x: &[f64]) -> f64 {
 
 /// |A x + b|₂ / |b|₂, the chapter's stopping test, K&M (4). A known-wrong variant: at a solution
 /// with an active bound it is not zero, because w is not (E04).
+///
+/// ```
+/// use lcplab_lcp::merit::km4;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // A body that leaves the ground: x = 0 is the solution, and w = b.
+/// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![1.0], vec![0.0], vec![f64::INFINITY])?;
+/// assert_eq!(km4(&lcp, &[0.0]), 1.0); // the test fails at the solution
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn km4(lcp: &Lcp, x: &[f64]) -> f64 {
     euclidean(&lcp.w(x)) / euclidean(lcp.b())
 }

@@ -11,6 +11,28 @@ const SAFE: std::ops::Range<f64> = 1e-250..1e250;
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// The terms of one row in a residual: w_i and the sizes it is compared with.
+///
+/// ```
+/// use lcplab_lcp::merit::{RowTerms, is_solution_by, row_residuals, row_scale};
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // w = 2 x − 2 at x = 3.
+/// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-2.0], vec![0.0], vec![9.0])?;
+/// let x = [3.0];
+/// let terms = RowTerms::at(&lcp, 0, &x);
+/// assert_eq!((terms.w(), terms.magnitude), (4.0, 8.0)); // 6 − 2, and 6 + 2
+/// assert_eq!((terms.scale, row_scale(&lcp, 0)), (2.0, 2.0));
+/// assert_eq!(terms.scaled_residual(&lcp, 0, &x), 0.5);
+/// // The step from 3 to x − w/s = 1 has the length 2, times s = 2.
+/// assert_eq!(terms.row_residual(&lcp, 0, &x).size, 4.0);
+/// assert_eq!(terms.reach(&lcp, 0, &x), 9.0); // no x is larger than hi
+/// assert_eq!(terms.size(&lcp, 0, &x), 4.0); // the terms over s, 8/2, which is more than x
+/// assert_eq!(RowTerms::of_sums(&lcp, 4.0, 8.0, 2.0), Some(terms));
+///
+/// let residuals = row_residuals(&lcp, &x, &[terms]);
+/// assert!(!is_solution_by(&lcp, &x, &residuals, 1e-8));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RowTerms {
     /// w_i = Σ_j a_ij x_j + b_i, in units of 2^`exponent`.
@@ -25,6 +47,23 @@ pub struct RowTerms {
 }
 
 /// How the terms of a row are summed.
+///
+/// ```
+/// use lcplab_lcp::merit::{RowTerms, Sum};
+/// use lcplab_lcp::{Lcp, Matrix, accurate};
+///
+/// // 1e16 + 1 − 1e16, in plain and in compensated arithmetic.
+/// fn total<S: Sum>() -> f64 {
+///     let mut sum = S::default();
+///     [1e16, 1.0, -1e16].into_iter().for_each(|term| sum.add_product(term, 1.0));
+///     sum.value()
+/// }
+/// assert_eq!((total::<f64>(), total::<accurate::Sum>()), (0.0, 1.0));
+///
+/// let lcp = Lcp::new(Matrix::from([[1.0]]), vec![-1.0], vec![0.0], vec![2.0])?;
+/// assert_eq!(RowTerms::summed::<accurate::Sum>(&lcp, 0, &[1.5]).w, 0.5);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub trait Sum: Default {
     /// Adds a b.
     fn add_product(&mut self, a: f64, b: f64);
@@ -294,6 +333,14 @@ pub fn row_scale(lcp: &Lcp, i: usize) -> f64 {
 
 /// The largest absolute row sum of these rows and columns of A, an upper bound on the modulus of
 /// their eigenvalues.
+///
+/// ```
+/// use lcplab_lcp::Matrix;
+/// use lcplab_lcp::merit::block_scale;
+///
+/// let a = Matrix::from([[2.0, -1.0, 9.0], [-1.0, 3.0, 0.0], [9.0, 0.0, 1.0]]);
+/// assert_eq!(block_scale(&a, &[0, 1]), 4.0); // row 1: |−1| + 3; row 2 is not in the block
+/// ```
 pub fn block_scale(a: &Matrix, rows: &[usize]) -> f64 {
     let row_sum = |&i: &usize| rows.iter().map(|&j| a.entry(i, j).abs()).sum();
     rows.iter().map(row_sum).fold(0.0, f64::max)

@@ -56,6 +56,31 @@ pub enum Law {
 }
 
 /// A friction problem with circular cones.
+///
+/// ```
+/// use lcplab_lcp::friction::{ConeProblem, Contact, FrictionProblem, Law};
+/// use lcplab_lcp::merit::RowTerms;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // A point of 1 kg reaches the ground with 2 m/s and slides along t1 with 3 m/s: w = x + b.
+/// let a = Matrix::from([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+/// let (b, free) = (vec![-2.0, -3.0, 0.0], f64::INFINITY);
+/// let lcp = Lcp::new(a, b, vec![0.0, -free, -free], vec![free; 3])?;
+/// let problem = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }])?;
+/// let contact = problem.contacts()[0];
+/// let cone = ConeProblem::new(problem, Law::Coulomb);
+/// assert_eq!((cone.law(), cone.scale(&contact)), (Law::Coulomb, 1.0));
+///
+/// // x = (2, 1, 0) stops the fall, and its friction is μ x_n; 2 m/s of slip remain. A projected
+/// // step does not change it, and no residual remains.
+/// let x = [2.0, 1.0, 0.0];
+/// let w = [0.0, -2.0, 0.0];
+/// assert_eq!(cone.step(&contact, x, w, 1.0), x);
+/// let terms: Vec<_> = (0..3).map(|i| RowTerms::at(cone.friction().lcp(), i, &x)).collect();
+/// assert_eq!(cone.residuals(&terms, &x), [0.0; 3]);
+/// assert_eq!(cone.row_residuals(&terms, &x)[0].magnitude, 4.0); // |x_n| + |b_n|
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct ConeProblem {
     friction: FrictionProblem,

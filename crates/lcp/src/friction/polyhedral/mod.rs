@@ -49,6 +49,35 @@ use crate::{Lcp, Matrix};
 const ENTRY: usize = 8;
 
 /// The polyhedral LCP of a friction problem, and the conversions between x and z.
+///
+/// ```
+/// use lcplab_lcp::exact::Point;
+/// use lcplab_lcp::exact::dyadic::dyadic;
+/// use lcplab_lcp::friction::{Contact, FrictionProblem, Polyhedral};
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // A point of 1 kg reaches the ground with 2 m/s and slides along t1 with 3 m/s: w = x + b.
+/// let a = Matrix::from([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+/// let (b, free) = (vec![-2.0, -3.0, 0.0], f64::INFINITY);
+/// let lcp = Lcp::new(a, b, vec![0.0, -free, -free], vec![free; 3])?;
+/// let problem = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }])?;
+/// let polygon = Polyhedral::new(&problem, 4)?;
+/// assert_eq!(polygon.directions(), 4);
+/// let unknowns = polygon.unknowns().next().unwrap(); // of the only contact
+/// assert_eq!((unknowns.normal, unknowns.beta, unknowns.gamma), (0, 1..5, 5));
+/// assert_eq!((polygon.row(0), polygon.row(2), polygon.row(5)), (0, 1, 0)); // n, t1, n
+///
+/// // 2 N s stop the fall, μ · 2 N s act against the slip, of which γ = 2 m/s remain.
+/// let x = [2.0, 1.0, 0.0];
+/// assert!(polygon.is_solution(&x, 1e-8));
+/// let z = polygon.z(&x);
+/// assert_eq!(z, [2.0, 1.0, 0.0, 0.0, 0.0, 2.0]);
+/// assert_eq!(polygon.z_at_rest(&x)[5], 0.0); // the same without γ
+/// let exact = Point::new(z.iter().map(|&z| dyadic(z)).collect(), dyadic(1.0));
+/// assert_eq!(polygon.exact_x(&exact).distance(&x), 0.0);
+/// assert_eq!(polygon.softened(0.5)?.friction().lcp().matrix().diagonal(0), 1.5);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Polyhedral {
     lcp: Lcp,
