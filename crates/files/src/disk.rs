@@ -3,6 +3,21 @@
 //! A path given by the user may be a symbolic link and is followed. A name that the program chose
 //! inside a folder must not be a link: the folder may come from an untrusted source, and a link in
 //! it can point to any file of the user. Such names go through [`inside`] or [`write_in`].
+//!
+//! ```
+//! use lcplab_files::disk;
+//!
+//! let folder = tempfile::tempdir().unwrap();
+//! let path = folder.path().join("runs/a.txt");
+//! disk::prepare(&disk::folder_of(&path), &["a.txt"])?; // makes the folder
+//! disk::write(&path, "first")?;
+//! // A program that writes files by itself gets another path; "first" stays if it fails.
+//! disk::made_by(&path, |other| disk::write(other, "second"))?;
+//! assert_eq!(std::fs::read(&path).unwrap(), b"second");
+//! assert_eq!(disk::list(&disk::folder_of(&path))?, [path]);
+//! assert!(disk::inside(folder.path(), "../elsewhere.txt").is_err());
+//! # Ok::<(), lcplab_lcp::error::Error>(())
+//! ```
 
 use std::fs::{self, File};
 use std::io::{self, Write};

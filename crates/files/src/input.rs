@@ -7,6 +7,21 @@ use lcplab_lcp::error::{Error, Result};
 use lcplab_lcp::memory::Memory;
 
 /// A file, together with its companion files, or standard input.
+///
+/// ```
+/// use lcplab_files::Input;
+/// use lcplab_lcp::memory::Memory;
+///
+/// let folder = tempfile::tempdir().unwrap();
+/// let path = folder.path().join("stack.dat");
+/// std::fs::write(&path, "9.81").unwrap();
+/// let input = Input::new(&path, Memory::bytes(100));
+/// assert_eq!((input.path(), input.stem()), (path.as_path(), "stack".to_string()));
+/// assert_eq!(input.name(), path.display().to_string());
+/// assert_eq!((input.text()?, input.bytes()?.len()), ("9.81".to_string(), 4));
+/// assert_eq!(input.most().in_bytes(), 100);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Input {
     path: PathBuf,

@@ -36,6 +36,23 @@
 //! The contents of a file bound the memory: the reader trusts a size that a file states only after
 //! reading that many numbers, and unpacks compressed data only if all of it together stays within
 //! the limit ([`read_within`]).
+//!
+//! ```
+//! use lcplab_files::{is_problem, read, read_within, write};
+//! use lcplab_lcp::file::Problem;
+//! use lcplab_lcp::memory::Memory;
+//! use lcplab_lcp::{Lcp, Matrix};
+//!
+//! let folder = tempfile::tempdir().unwrap();
+//! let path = folder.path().join("two.npz");
+//! let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
+//! let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+//! write(&Problem::new("two contacts", lcp), &path, None)?; // NumPy's format, by the ending
+//! assert!(is_problem(&path));
+//! assert_eq!(read(&path, None)?.lcp.w(&[0.5, 0.0]), [0.0, 1.5]);
+//! assert!(read_within(&path, None, Memory::bytes(10)).is_err()); // the file is larger
+//! # Ok::<(), lcplab_lcp::error::Error>(())
+//! ```
 
 mod budget;
 pub mod chrono;
@@ -68,6 +85,23 @@ use lcplab_lcp::friction::Model;
 use lcplab_lcp::memory::Memory;
 
 /// A format of problem files.
+///
+/// ```
+/// use lcplab_files::{Format, encode, matrix_market};
+/// use lcplab_lcp::file::Problem;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// assert_eq!(Format::by_name("npz")?.endings, [".npz"]);
+/// let format = Format::of("A.mtx".as_ref()).unwrap();
+/// assert_eq!(format.name, matrix_market::FORMAT.name);
+///
+/// // A.mtx needs a file for b, too; the bounds are the usual ones.
+/// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
+/// let output = encode(&Problem::new("one contact", lcp), format)?;
+/// assert!(output.main.starts_with(b"%%MatrixMarket matrix"));
+/// assert!(output.parts.iter().any(|(part, _)| *part == "b"));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Format {
     /// The name to select it by.
@@ -220,6 +254,22 @@ pub fn encode(problem: &Problem, format: &Format) -> Result<Output> {
 
 /// The problem's friction model and the one that the format implies, if they differ: in that format
 /// it is a different problem with different solutions.
+///
+/// ```
+/// use lcplab_files::{fclib, model, remodelled};
+/// use lcplab_lcp::file::Problem;
+/// use lcplab_lcp::friction::Model;
+///
+/// let text = r#"{"A": {"dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, "b": [-2, -3, 0],
+///                "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5]}"#;
+/// let problem = Problem::parse(text, "push.json")?;
+/// assert_eq!(model(&problem), Some(Model::CoupledBox));
+/// // FCLIB's problems have Coulomb's cones.
+/// let (own, meant) = remodelled(&problem, &fclib::FORMAT).unwrap();
+/// assert_eq!((own, meant), (Model::CoupledBox, Model::CoulombCone));
+/// assert_eq!(remodelled(&problem, &lcplab_files::JSON), None);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn remodelled(problem: &Problem, format: &Format) -> Option<(Model, Model)> {
     let own = model(problem)?;
     let meant = format.law.unwrap_or(Model::CoupledBox);

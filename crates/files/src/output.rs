@@ -8,6 +8,19 @@ use crate::disk;
 use lcplab_lcp::error::Result;
 
 /// The file or files of a problem in some format.
+///
+/// ```
+/// use lcplab_files::Output;
+///
+/// let folder = tempfile::tempdir().unwrap();
+/// let path = folder.path().join("A.mtx");
+/// let mut output = Output::of("the matrix");
+/// output.parts.push(("b", "the offset".into()));
+/// output.save(&path)?;
+/// assert_eq!(std::fs::read(&path).unwrap(), b"the matrix");
+/// assert_eq!(std::fs::read(folder.path().join("b.mtx")).unwrap(), b"the offset");
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Output {
     /// The file; for several files, the one with the matrix.

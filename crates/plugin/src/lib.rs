@@ -18,6 +18,7 @@
 //!
 //! `docs/plugins.md` describes the protocol key by key.
 
+#[doc(hidden)] // for other programs that lcplab runs
 pub mod group;
 mod message;
 mod process;
@@ -41,6 +42,37 @@ use self::message::Answer;
 use self::process::{Process, Trouble};
 
 /// An external program that solves problems. Dropping the value ends the program.
+///
+/// ```
+/// use lcplab_lcp::{Lcp, Matrix};
+/// use lcplab_plugin::{Declaration, Plugin};
+/// use lcplab_solver::{Options, Registry, Start, Status};
+///
+/// // A program in Python for one row: x = max(−b/a, 0).
+/// let code = r#"
+/// import json, sys
+/// for line in sys.stdin:
+///     problem = json.loads(line)
+///     a, b = problem["A"]["dense"][0][0], problem["b"][0]
+///     print(json.dumps({"x": [max(-b / a, 0)]}), flush=True)
+/// "#;
+/// let folder = tempfile::tempdir().unwrap();
+/// let path = folder.path().join("mine.py");
+/// std::fs::write(&path, code).unwrap();
+/// let plugin = Plugin::start(&format!("mine=python3 {}", path.display()), 10.0)?;
+/// assert_eq!((plugin.name(), plugin.methods().len()), ("mine", 1)); // boxed problems only
+/// let mut registry = Registry::default();
+/// plugin.add_to(&mut registry)?;
+/// let solver = registry.entry("mine")?.solver(&Options::default())?;
+/// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-1.0], vec![0.0], vec![9.0])?;
+/// let solution = solver.solve(&lcp, &Start::default(), &mut ());
+/// assert_eq!((solution.status, solution.x), (Status::Solved, vec![0.5]));
+///
+/// // As a file declares it; here without a command.
+/// let empty: Declaration = serde_json::from_str(r#"{"command": ""}"#).unwrap();
+/// assert!(Plugin::declared("mine", &empty).is_err());
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct Plugin {
     name: String,
@@ -78,7 +110,7 @@ fn ten() -> f64 {
 
 impl Declaration {
     /// A declaration of this command, with defaults for everything else.
-    pub fn of(command: impl Into<String>) -> Self {
+    pub(crate) fn of(command: impl Into<String>) -> Self {
         let (class, settings, time_limit) = (None, Map::new(), ten());
         Declaration { command: command.into(), class, settings, time_limit }
     }

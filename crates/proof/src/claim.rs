@@ -13,6 +13,28 @@ use lcplab_lcp::error::Error;
 use lcplab_lcp::friction::Model;
 
 /// A claim about the problem with this hash.
+///
+/// ```
+/// use lcplab_lcp::file::Problem;
+/// use lcplab_lcp::{Lcp, Matrix, Question};
+/// use lcplab_proof::{Kind, exact_residual, prove, prove_kind};
+///
+/// // w = 3 x − 1: x = 1/3 and no other.
+/// let lcp = Lcp::new(Matrix::from([[3.0]]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
+/// let question = Question::new(&Problem::new("a third", lcp.clone()), None, "third.json")?;
+/// let found = prove(&question, &[1.0 / 3.0]);
+/// assert_eq!(found.refusal(&question), None);
+/// let proof = found.proof.expect("a proof");
+/// assert_eq!(proof.claim.kind().name(), "unique");
+/// assert!(!proof.sentence().is_empty());
+/// // That there is no solution cannot be proved.
+/// assert!(prove_kind(&question, &[1.0 / 3.0], Kind::NoSolution).proof.is_none());
+///
+/// // At x = ½, w is ½, of the terms 3/2 + 1.
+/// let residual = exact_residual(&lcp, &[0.5]).unwrap();
+/// assert_eq!(residual.rounded_up(), 0.2);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Proof {
     /// The [hash](crate::hash) of the problem.
@@ -228,13 +250,22 @@ pub struct Motion {
 
 impl Motion {
     /// These velocities, with the smallest common denominator.
+    ///
+    /// ```
+    /// use lcplab_proof::Motion;
+    ///
+    /// // (1/2, 2/3) m/s as integers over 6.
+    /// let motion = Motion::of(&["1/2".parse().unwrap(), "2/3".parse().unwrap()]);
+    /// assert_eq!(motion.denominator, 6.into());
+    /// assert_eq!(motion.numerators, [3.into(), 4.into()]);
+    /// ```
     pub fn of(entries: &[RBig]) -> Motion {
         let (numerators, denominator) = over_one_denominator(entries);
         Motion { denominator, numerators }
     }
 
     /// Each velocity as a fraction.
-    pub fn entries(&self) -> Vec<RBig> {
+    pub(crate) fn entries(&self) -> Vec<RBig> {
         let denominator = RBig::from(self.denominator.clone());
         self.numerators.iter().map(|own| RBig::from(own.clone()) / &denominator).collect()
     }

@@ -84,6 +84,21 @@ fn number(bytes: &mut Vec<u8>, value: f64) {
 }
 
 /// SHA-256 of the canonical bytes, in hexadecimal digits.
+///
+/// ```
+/// use lcplab_lcp::file::Problem;
+/// use lcplab_lcp::{Lcp, Matrix, Question};
+/// use lcplab_proof::{canonical_bytes, hash};
+///
+/// let question = |b: f64| {
+///     let lcp = Lcp::new(Matrix::from([[3.0]]), vec![b], vec![0.0], vec![f64::INFINITY])?;
+///     Question::new(&Problem::new("", lcp), None, "one.json")
+/// };
+/// assert_eq!(hash(&question(-1.0)?).len(), 64); // hexadecimal digits
+/// assert_ne!(hash(&question(-1.0)?), hash(&question(-2.0)?)); // another problem
+/// assert_eq!(canonical_bytes(&question(0.0)?), canonical_bytes(&question(-0.0)?)); // 0 is −0
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn hash(question: &Question) -> String {
     Sha256::digest(canonical_bytes(question)).iter().map(|byte| format!("{byte:02x}")).collect()
 }
