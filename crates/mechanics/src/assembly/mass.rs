@@ -29,7 +29,7 @@ impl Block {
     }
 
     /// The pose of the body for which the blocks were computed.
-    pub fn pose(&self) -> &Pose {
+    pub(crate) fn pose(&self) -> &Pose {
         &self.pose
     }
 
@@ -54,7 +54,7 @@ impl Block {
     }
 
     /// Writes this body's entries into a vector with one entry per column.
-    pub fn scatter(&self, own: &Vector6<f64>, values: &mut [f64]) {
+    pub(crate) fn scatter(&self, own: &Vector6<f64>, values: &mut [f64]) {
         values[self.offset..self.offset + self.dof].copy_from_slice(&own.as_slice()[..self.dof]);
     }
 

@@ -20,6 +20,35 @@ use crate::constraint::{Bodies, Degenerate};
 use crate::scene::{DetectedContact, Scene};
 
 /// The matrices of a scene at one instant.
+///
+/// ```
+/// use lcplab_mechanics::assembly::{Assembly, ConstraintFilter};
+/// use lcplab_mechanics::body::stack;
+/// use lcplab_mechanics::scene::Scene;
+/// use nalgebra::{Vector3, dmatrix};
+///
+/// // A bob of 1 kg at (1, 0, 0) on a rod from the origin: J = (1, 0, 0), F = (0, 0, −9.81) N.
+/// let scene = Scene::load("pendulum")?;
+/// let filter = ConstraintFilter::Near;
+/// let assembly = Assembly::new(&scene, &scene.states, &[], filter).expect("a direction");
+/// assert_eq!((assembly.columns(), assembly.jacobian()), (3, dmatrix![1.0, 0.0, 0.0]));
+/// assert_eq!(assembly.jacobian_row(0), [(0, 1.0)]);
+/// assert_eq!(assembly.jacobian_pattern(), [(0, 0)]);
+/// assert_eq!(assembly.accelerate(&assembly.force), [0.0, 0.0, -9.81]); // M⁻¹ F
+/// assert_eq!(assembly.pull_back(&[2.0]), [2.0, 0.0, 0.0]); // Jᵀ x
+/// assert_eq!(assembly.push_forward(&[3.0, 0.0, 1.0]), [3.0]); // J u
+///
+/// // The same for the only moving body and the only row.
+/// let (block, row) = (&assembly.blocks[0], &assembly.rows[0]);
+/// let weight = block.gather(&assembly.force);
+/// assert_eq!(weight, stack(-9.81 * Vector3::z(), Vector3::zeros()));
+/// assert_eq!(block.accelerate(&weight), weight); // 1 kg
+/// assert_eq!((row.parts().count(), row.movers().count()), (1, 1)); // the world does not move
+/// assert_eq!(row.direction(), Some(Vector3::x()));
+/// assert_eq!(row.names(&scene), ["world", "bob"]);
+/// assert_eq!(row.label(&scene), "distance world bob 0");
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Assembly {
     /// The diagonal blocks of M and M⁻¹, one per moving body.
@@ -120,7 +149,7 @@ impl Assembly {
 
     /// The states after h (s) with their velocities, s + h S u. Moving bodies rotate as the scene's
     /// setting `gyroscopic` says; bodies whose axis a joint holds rotate about that axis.
-    pub fn advanced(&self, states: &[State], h: f64) -> Vec<State> {
+    pub(crate) fn advanced(&self, states: &[State], h: f64) -> Vec<State> {
         let mut moved: Vec<State> = states.iter().map(|state| state.advanced(h)).collect();
         let mut held = vec![false; self.blocks.len()];
         for part in self.rows.iter().filter(|row| row.holds_axis()).flat_map(Row::parts) {

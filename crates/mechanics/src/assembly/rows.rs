@@ -93,7 +93,7 @@ impl Row {
 
     /// The force (world) on each of its two bodies for x = 1, fixed ones included; the two are
     /// opposite.
-    pub fn pushes(&self) -> [Vector3<f64>; 2] {
+    pub(crate) fn pushes(&self) -> [Vector3<f64>; 2] {
         let [first, second] = self.parts.map(|part| part.map(|part| linear(&part.jacobian)));
         let other = |push: Option<Vector3<f64>>| push.map_or_else(Vector3::zeros, |push| -push);
         [first.unwrap_or_else(|| other(second)), second.unwrap_or_else(|| other(first))]
@@ -119,7 +119,7 @@ impl Row {
     }
 
     /// Whether it only keeps bodies from rotating: a row of a hinge or a weld.
-    pub fn holds_axis(&self) -> bool {
+    pub(crate) fn holds_axis(&self) -> bool {
         let only_turns = |part: &Part| linear(&part.jacobian) == Vector3::zeros();
         self.bounds == Bounds::Bilateral && self.spring.is_none() && self.parts().all(only_turns)
     }

@@ -11,6 +11,56 @@
 //! and the stages differ only in the target and the bias: velocity.rs, acceleration.rs and
 //! position.rs have one formula each. γ > 0 if a row is a spring. Forces with fixed bounds act for
 //! a duration, dt for an impulse, and not at all in an impact. x ≥ 0 pushes apart.
+//!
+//! ```
+//! use lcplab_lcp::friction::Model;
+//! use lcplab_mechanics::assembly::{Assembly, ConstraintFilter};
+//! use lcplab_mechanics::formulation::{Problem, Slide, Stage};
+//! use lcplab_mechanics::scene::{Scene, contacts};
+//!
+//! // A point of 2 kg slides along x at 3 m/s on the ground; μ = 0.5, g = 10 m/s².
+//! let text = r#"
+//!     gravity = [0, 0, -10]
+//!     contact = { friction = 0.5, sliding = "substituted" }
+//!     step = { scheme = "acceleration", dt = 0.1 }
+//!     [[bodies]]
+//!     name = "ground"
+//!     fixed = true
+//!     shape = { plane = [0, 0, 1] }
+//!     [[bodies]]
+//!     name = "point"
+//!     shape = "point"
+//!     mass = 2
+//!     velocity = [3, 0, 0]
+//! "#;
+//! let scene = Scene::from_toml("point.toml", text)?;
+//! let found = contacts(&scene, &scene.states, 0.01);
+//! let filter = ConstraintFilter::Near;
+//! let assembly = Assembly::new(&scene, &scene.states, &found, filter).expect("a direction");
+//!
+//! // Forces: the ground carries m g = 20 N, so that friction is μ m g = 10 N against the slip.
+//! let slides = Slide::of_scene(&scene, &assembly);
+//! assert_eq!(slides, Slide::all(&assembly, scene.contact.sticking_speed));
+//! let forces = Problem::sliding(&scene, assembly.clone(), slides)?;
+//! let x = [20.0, 0.0, 0.0];
+//! assert_eq!(forces.lcp.row_w(0, &x), 0.0);
+//! assert_eq!(forces.efforts(&x), [20.0, -10.0, 0.0]); // N
+//! assert_eq!(forces.motion(&x), [-5.0, 0.0, 0.0]); // m/s²
+//! assert_eq!(forces.next_velocity(&x, 0.1), [2.5, 0.0, 0.0]); // m/s
+//! // Without the substitution, friction has rows of its own.
+//! let with_rows = Problem::acceleration(&scene, assembly.clone())?;
+//! assert_eq!(with_rows.lcp.bounds(1, &x), (-10.0, 10.0));
+//!
+//! // Impulses of a step of 0.1 s: m g dt = 2 N s, and friction of at most μ times it.
+//! let impulses = Problem::velocity(&scene, assembly)?;
+//! assert_eq!((impulses.stage.name(), impulses.stage.unit(false)), ("velocity", "N s"));
+//! assert_eq!(Stage::Acceleration.unit(true), "N m");
+//! assert_eq!(impulses.motion(&[2.0, -1.0, 0.0]), [2.5, 0.0, 0.0]);
+//! assert_eq!(impulses.gauss(&[2.0, -1.0, 0.0]).hi[1], 1.0);
+//! assert!(impulses.pose(Model::CoupledBox, &[])?.is_none()); // that is the LCP itself
+//! assert_eq!(impulses.pose(Model::CoulombCone, &[])?.unwrap().model, Model::CoulombCone);
+//! # Ok::<(), lcplab_lcp::error::Error>(())
+//! ```
 
 mod acceleration;
 mod delassus;
@@ -145,7 +195,7 @@ impl Problem {
     ///
     /// # Errors
     /// If a number is not finite, or A needs too much memory.
-    pub fn impact(scene: &Scene, assembly: Assembly) -> Result<Self> {
+    pub(crate) fn impact(scene: &Scene, assembly: Assembly) -> Result<Self> {
         let bias = assembly.rows.iter().map(|row| row.drift).collect();
         let target = assembly.u.clone();
         Problem::new(scene, Stage::Impact, assembly, target, bias, 0.0, Vec::new())
@@ -157,7 +207,7 @@ impl Problem {
     ///
     /// # Errors
     /// If a number is not finite.
-    pub fn restitution(&self, scene: &Scene, x: &[f64]) -> Result<Option<Self>> {
+    pub(crate) fn restitution(&self, scene: &Scene, x: &[f64]) -> Result<Option<Self>> {
         velocity::bouncing(self, scene, x)
             .map(|bias| {
                 let b = offsets(&self.assembly, &self.target, &bias);
@@ -189,7 +239,7 @@ impl Problem {
     ///
     /// # Errors
     /// If a number is not finite, or A needs too much memory.
-    pub fn position(scene: &Scene, assembly: Assembly) -> Result<Self> {
+    pub(crate) fn position(scene: &Scene, assembly: Assembly) -> Result<Self> {
         let target = vec![0.0; assembly.columns()];
         let bias = position::bias(&assembly, scene);
         Problem::new(scene, Stage::Position, assembly, target, bias, 0.0, Vec::new())

@@ -54,7 +54,7 @@ impl Slide {
     }
 
     /// Whether the slip would reverse from J u to J u⁺: the contact stops in between.
-    pub fn reverses(&self, before: &[f64], after: &[f64]) -> bool {
+    pub(crate) fn reverses(&self, before: &[f64], after: &[f64]) -> bool {
         self.drag.iter().map(|&(t, _)| before[t] * after[t]).sum::<f64>() < 0.0
     }
 }

@@ -26,7 +26,7 @@ impl Problem {
     ///
     /// # Errors
     /// If a coefficient is not finite.
-    pub fn held(self, scene: &Scene) -> Result<Self> {
+    pub(crate) fn held(self, scene: &Scene) -> Result<Self> {
         match scene.has_static_friction() {
             true => {
                 self.with_friction(|_, row, mu| resting(scene, row).map_or(mu, |own| own.max(mu)))

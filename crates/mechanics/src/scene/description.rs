@@ -91,6 +91,17 @@ impl Description {
     /// The description in a text, with fields set as by
     /// [`Scene::load_with`](super::Scene::load_with).
     ///
+    /// ```
+    /// use lcplab_mechanics::scene::{Description, text};
+    ///
+    /// let changes = [("bodies.bob.mass".into(), "2".into())];
+    /// let heavy = Description::load_with("pendulum", &changes)?;
+    /// assert_eq!(heavy.bodies[0].mass, Some(2.0));
+    /// let (path, text) = text("pendulum")?; // the same from a text
+    /// assert_eq!(Description::changed(&path, &text, &changes)?.bodies[0].mass, Some(2.0));
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// As for [`Scene::load_with`](super::Scene::load_with).
     pub fn changed(path: &str, text: &str, changes: &[(String, String)]) -> Result<Self> {

@@ -22,6 +22,7 @@ mod saved;
 mod scale;
 mod scheme;
 mod settings;
+#[doc(hidden)] // for files of reports, which are read in the same way
 pub mod source;
 mod surface;
 mod time_function;
@@ -73,6 +74,28 @@ pub fn text(path_or_name: &str) -> Result<(String, String)> {
 }
 
 /// A valid scene.
+///
+/// ```
+/// use lcplab_mechanics::scene::{Scene, schema, text};
+///
+/// // Three balls of 1 kg and 1 m in a stack, g = 1 m/s².
+/// let scene = Scene::load("fig7")?;
+/// assert!(scene.validate().is_ok() && scene.notes().is_empty());
+/// assert_eq!((scene.body("bottom"), scene.body("roof")), (Some(1), None));
+/// assert_eq!(scene.thinnest(), Some(1.0)); // m
+/// assert_eq!(scene.scale(), 1.0); // N, the weight of the lightest body
+/// assert_eq!(scene.resting().speed, 1e-6); // m/s, as the file says
+/// assert_eq!(scene.plastic_speed(), scene.contact.bounce_speed);
+/// assert_eq!((scene.friction([0, 1]), scene.static_friction([0, 1])), (0.0, 0.0));
+/// assert_eq!(scene.restitution([Some(0), Some(1)]), 0.0);
+/// // No support is moved by a function of time.
+/// assert_eq!(scene.supported(&scene.states, 0.0, 0.1).as_ref(), scene.states);
+///
+/// let (path, text) = text("fig7")?; // its file
+/// assert!(path.ends_with("fig7.toml") && text.contains("gravity = [0, 0, -1]"));
+/// assert!(schema()["properties"]["gravity"].is_object()); // the JSON schema of such files
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Scene {
     /// The file's name without its extension.

@@ -7,6 +7,17 @@ use super::settings::{not_negative, positive};
 use lcplab_lcp::error::Defects;
 
 /// The time-stepping scheme.
+///
+/// ```
+/// use lcplab_mechanics::scene::{Integrator, Scheme};
+///
+/// let velocity = Scheme::by_name("velocity").unwrap();
+/// assert_eq!((velocity, velocity.name()), (Scheme::Velocity, "velocity"));
+/// assert!(velocity.solves_lcps() && velocity.poses_friction());
+/// assert!(velocity.takes_impacts_early() && !velocity.spreads_impacts());
+/// assert!(Scheme::Xpbd.spreads_impacts() && !Scheme::Xpbd.solves_lcps());
+/// assert_eq!(Integrator::Rk4.name(), "rk4");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Scheme {

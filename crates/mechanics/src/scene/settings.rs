@@ -244,7 +244,7 @@ impl Default for Solver {
 impl Step {
     /// The treatment of the gyroscopic torque: the acceleration level evaluates accelerations at
     /// one instant and so has no implicit form; there the torque is part of F unless it is omitted.
-    pub fn gyroscopic(&self) -> Gyroscopic {
+    pub(crate) fn gyroscopic(&self) -> Gyroscopic {
         match (self.scheme, self.gyroscopic) {
             (Scheme::Acceleration, Gyroscopic::Implicit | Gyroscopic::Conserving) => {
                 Gyroscopic::Explicit

@@ -84,6 +84,31 @@ impl Impact {
 }
 
 /// The impacts of a run, taken from one step after the other.
+///
+/// ```
+/// use lcplab_mechanics::scene::Scene;
+/// use lcplab_mechanics::simulation::{Impact, Impacts, Simulation};
+/// use lcplab_solver::Dantzig;
+///
+/// // Newton's law with e = ½: 2 m/s before, 1 m/s after the impact. Half a meter per second is
+/// // missing in the second one, a quarter of the approach.
+/// let (approach, parting, restitution) = (2.0, 1.0, 0.5);
+/// let impact = Impact { bodies: [0, 1], step: 1, approach, parting, restitution, slack: 0.0 };
+/// assert_eq!(impact.error(), 0.0);
+/// assert_eq!(Impact { parting: 0.5, ..impact }.error(), -0.25);
+///
+/// // The impacts of a ball that bounces.
+/// let mut simulation =
+///     Simulation::new(Scene::load("bouncing_ball")?, Box::new(Dantzig::default()));
+/// let (mut impacts, mut ended) = (Impacts::default(), Vec::new());
+/// for _ in 0..200 {
+///     let step = simulation.step().expect("a step that can be taken");
+///     ended.extend(impacts.add(simulation.scene(), &step));
+/// }
+/// ended.extend(impacts.unfinished());
+/// assert!(!ended.is_empty() && ended.iter().all(|impact| impact.error().abs() < 0.01));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Default)]
 pub struct Impacts {
     open: BTreeMap<[usize; 2], Open>,

@@ -51,7 +51,7 @@ pub enum InterpenetrationKind {
 
 impl Interpenetration {
     /// The kind in one word, for files.
-    pub fn word(&self) -> &'static str {
+    pub(crate) fn word(&self) -> &'static str {
         match self.kind {
             InterpenetrationKind::PassedThrough { .. } => "passed_through",
             InterpenetrationKind::DeepOverlap { .. } => "deep_overlap",
@@ -60,7 +60,7 @@ impl Interpenetration {
     }
 
     /// What happened in the step of this number, and what helps.
-    pub fn message(&self, scene: &Scene, step: usize) -> String {
+    pub(crate) fn message(&self, scene: &Scene, step: usize) -> String {
         let [body, other] = self.bodies.map(|body| &scene.bodies[body].name);
         let depth = readable(self.depth, DIGITS);
         match self.kind {

@@ -105,6 +105,15 @@ impl LawErrors {
     }
 
     /// The worse of two steps, law by law.
+    ///
+    /// ```
+    /// use lcplab_mechanics::simulation::LawErrors;
+    ///
+    /// let pulls = LawErrors { attraction: 0.5, ..LawErrors::default() };
+    /// let gains = LawErrors { friction_gain: 2.0, ..LawErrors::default() };
+    /// let worse = pulls.worse(gains);
+    /// assert_eq!((worse.attraction, worse.friction_gain), (0.5, 2.0));
+    /// ```
     pub fn worse(self, other: LawErrors) -> LawErrors {
         LawErrors {
             attraction: self.attraction.max(other.attraction),

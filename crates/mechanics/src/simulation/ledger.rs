@@ -33,6 +33,24 @@ const ROUNDING: f64 = 1e-11;
 
 /// The change of kinetic, potential and springs' energy in a step (J), by cause. Gains are
 /// positive. What the springs of the penalty method store is not part of the energy.
+///
+/// ```
+/// use lcplab_mechanics::scene::Scene;
+/// use lcplab_mechanics::simulation::{Ledger, Simulation};
+/// use lcplab_solver::Dantzig;
+///
+/// // The middle one of three balls has ½ J, which its impact takes out.
+/// let mut simulation = Simulation::new(Scene::load("fig7")?, Box::new(Dantzig::default()));
+/// let before = simulation.states().to_vec();
+/// let step = simulation.step().expect("a step that can be taken");
+/// let ledger = step.ledger.unwrap();
+/// assert!(ledger.closes() && ledger.remainder().abs() < 1e-12);
+/// assert_eq!(ledger.accounts()[1].0, "contact");
+/// let events = step.events.as_ref().unwrap();
+/// let again = Ledger::of(simulation.scene(), &before, &step.solves, events, &step.states);
+/// assert_eq!(again, ledger);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Ledger {
     /// The change itself, measured from the states.

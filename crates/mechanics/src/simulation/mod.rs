@@ -79,6 +79,33 @@ const DIVERGED: f64 = 1e8;
 /// assert_eq!(step.solves[0].solution.x, [4.0, 3.0, 1.0]); // N s, from the ground up
 /// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
+///
+/// ```
+/// use lcplab_mechanics::scene::Scene;
+/// use lcplab_mechanics::simulation::Simulation;
+/// use lcplab_solver::trace::Path;
+/// use lcplab_solver::{ConePgs, Dantzig, Pgs, Stop};
+///
+/// // Three balls of 1 kg in a stack, g = 1 m/s², dt = 1 s; the middle one is hit.
+/// let scene = Scene::load("fig7")?;
+/// let mut simulation = Simulation::new(scene, Box::new(Dantzig::default()))
+///     .with_cone_solver(Box::new(ConePgs::default()));
+/// assert_eq!(simulation.motion().energy(), 5.0); // ½ m v² + m g (0.5 + 1.5 + 2.5)
+/// let step = simulation.step_before(&Stop::default()).expect("a step that can be taken");
+/// assert_eq!(simulation.time(), 1.0); // s
+/// assert!(simulation.unfinished().is_empty());
+/// let forces = step.forces(simulation.scene()).unwrap();
+/// assert_eq!(forces[1].z, 1.0); // N on the bottom ball: 4 from below, 3 from above
+///
+/// // Another solver for the next step, and its iterates.
+/// simulation.solve_by(Box::new(Pgs::default()));
+/// simulation.solve_cones_by(Box::new(ConePgs::default()));
+/// let mut path = Path::default();
+/// let step = simulation.observed_step(&mut path).expect("a step that can be taken");
+/// assert_eq!(step.solves[0].solver, "pgs");
+/// assert!(path.points.len() > 1);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub struct Simulation {
     scene: Scene,
     solver: Box<dyn Solver>,

@@ -7,6 +7,23 @@ use crate::constraint::{Bounds, Row};
 use crate::scene::{DetectedContact, Scene, contacts};
 
 /// Energy, momentum and errors at one instant.
+///
+/// ```
+/// use lcplab_mechanics::scene::Scene;
+/// use lcplab_mechanics::simulation::{Motion, Simulation, carried, momentum_sizes};
+/// use lcplab_solver::Dantzig;
+///
+/// // A stone of 1 kg, thrown up at 3 m/s.
+/// let scene = Scene::load("free_fall")?;
+/// let start = Motion::of(&scene, &scene.states, 0);
+/// assert_eq!(momentum_sizes(&scene, &scene.states)[0], start.linear_momentum.norm());
+/// let mut simulation = Simulation::new(scene.clone(), Box::new(Dantzig::default()));
+/// let step = simulation.step().expect("a step that can be taken");
+/// assert_eq!(step.motion.energy(), step.motion.kinetic + step.motion.potential);
+/// // Nothing carries it.
+/// assert!(carried(&scene, &start, &step.motion).unwrap().abs() < 1e-12);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Motion {
     /// The number of steps taken.

@@ -102,6 +102,18 @@ impl Step {
 const FAR: f64 = 0.01;
 
 /// An LCP and a solver's answer to it.
+///
+/// ```
+/// use lcplab_mechanics::scene::Scene;
+/// use lcplab_mechanics::simulation::Step;
+///
+/// let scene = Scene::load("fig7")?;
+/// let step = Step::of(&scene, 1)?;
+/// let solve = &step.posed(&scene).expect("a problem")[0];
+/// assert_eq!(solve.exported(&scene, 1).name, "fig7, step 1"); // as a problem file
+/// assert!(solve.conflict(&scene).is_empty()); // the rows do not contradict each other
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Solve {
     /// The problem; its assembly names the rows.
@@ -191,6 +203,19 @@ pub enum Cause {
 
 impl Cause {
     /// Why the step was not taken, if nothing was wrong with it.
+    ///
+    /// ```
+    /// use lcplab_mechanics::scene::Scene;
+    /// use lcplab_mechanics::simulation::Simulation;
+    /// use lcplab_solver::{Dantzig, Reason, Stop};
+    ///
+    /// let stop = Stop::default();
+    /// stop.raise();
+    /// let mut simulation = Simulation::new(Scene::load("fig7")?, Box::new(Dantzig::default()));
+    /// let failure = simulation.step_before(&stop).unwrap_err();
+    /// assert_eq!(failure.cause.stopped(), Some(Reason::Interrupted));
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn stopped(&self) -> Option<Reason> {
         match self {
             Cause::Stopped(reason) => *reason,

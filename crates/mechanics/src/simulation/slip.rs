@@ -130,6 +130,26 @@ impl Slip {
 }
 
 /// The friction of a run beside Coulomb's law.
+///
+/// ```
+/// use lcplab_mechanics::scene::Scene;
+/// use lcplab_mechanics::simulation::{Creep, Simulation, Slips};
+/// use lcplab_solver::Dantzig;
+/// use nalgebra::Vector3;
+///
+/// // Nothing slides in a stack of balls.
+/// let mut simulation = Simulation::new(Scene::load("fig7")?, Box::new(Dantzig::default()));
+/// let mut slips = Slips::default();
+/// slips.add(&simulation.step().expect("a step that can be taken"));
+/// let scene = simulation.scene();
+/// assert!(slips.notable_separation(scene).is_none() && slips.notable_creep(scene).is_none());
+/// assert!(slips.speed_error(scene).is_none());
+///
+/// // A body that crept by 1 cm against 3 of the 4 N s that Coulomb's law demands.
+/// let creep = Creep { bodies: [1, 0], path: 0.01 * Vector3::x(), friction: 3.0, limit: 4.0 };
+/// assert_eq!(creep.strength(), 0.75);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Default)]
 pub struct Slips {
     /// The pair and step with the largest angle between friction and the direction opposite to

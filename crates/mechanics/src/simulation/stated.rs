@@ -1,4 +1,24 @@
 //! A simulation as its scene states it: which solver, with which settings.
+//!
+//! ```
+//! use lcplab_mechanics::scene::{Scene, Scheme};
+//! use lcplab_mechanics::simulation::{Simulation, Step, options, solver};
+//! use lcplab_solver::Registry;
+//!
+//! let scene = Scene::load("fig7")?;
+//! assert_eq!(options(&scene).settings.tolerance, scene.solver.tolerance);
+//! assert_eq!(solver(&scene)?.name(), scene.solver.name);
+//!
+//! // The impulses of the first step, from the ground up (N s), by two solvers.
+//! let mut simulation = Simulation::by(&scene, Registry::standard().method("lemke", None)?);
+//! let by_lemke = simulation.step().expect("a step that can be taken");
+//! assert_eq!(by_lemke.solves[0].solution.x, [4.0, 3.0, 1.0]);
+//! assert_eq!(Step::of(&scene, 1)?.solves[0].solution.x, [4.0, 3.0, 1.0]);
+//! // At acceleration level an impact LCP comes first: m v (1, 1, 0).
+//! let level = scene.at_level(Scheme::Acceleration);
+//! assert_eq!(Step::of(&level, 1)?.solves[0].solution.x, [1.0, 1.0, 0.0]);
+//! # Ok::<(), lcplab_lcp::error::Error>(())
+//! ```
 
 use lcplab_lcp::error::{Error, Result};
 use lcplab_solver::{Damping, Dantzig, Entry, Method, Options, Settings, Solver};

@@ -79,6 +79,14 @@ pub fn spring_growth(scene: &Scene) -> Option<f64> {
 }
 
 /// The same as a sentence, with what helps.
+///
+/// ```
+/// use lcplab_mechanics::scene::Scene;
+/// use lcplab_mechanics::simulation::unstable_springs;
+///
+/// assert_eq!(unstable_springs(&Scene::load("fig7")?), None); // it has no springs
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn unstable_springs(scene: &Scene) -> Option<String> {
     let factor = readable(spring_growth(scene)?, 3);
     let h = readable(scene.step.dt / scene.step.substeps as f64, 3);

@@ -60,7 +60,7 @@ impl Unlocated {
     }
 
     /// What happened in the step of this number, and what helps.
-    pub fn message(&self, scene: &Scene, step: usize) -> String {
+    pub(crate) fn message(&self, scene: &Scene, step: usize) -> String {
         let [body, other] = self.bodies.map(|body| &scene.bodies[body].name);
         format!(
             "{body:?} and {other:?} met during step {step}, after closing a gap of {} m. The scheme \

@@ -26,6 +26,20 @@ use crate::scene::Scene;
 /// assert_eq!((lasting.word, lasting.step), ("lasting_overlap", 30)); // 0.3 m deep, and nothing lifts it out
 /// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
+///
+/// ```
+/// use lcplab_mechanics::scene::Scene;
+/// use lcplab_mechanics::simulation::{Simulation, Warnings};
+/// use lcplab_solver::Dantzig;
+///
+/// let mut simulation = Simulation::new(Scene::load("fig7")?, Box::new(Dantzig::default()));
+/// let mut warnings = Warnings::default();
+/// let step = simulation.step().expect("a step that can be taken");
+/// warnings.add(simulation.scene(), &step);
+/// assert!(warnings.as_slice().is_empty() && warnings.texts().is_empty());
+/// assert_eq!(warnings.to_json(), serde_json::json!([]));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Default)]
 pub struct Warnings(Vec<Warning>);
 

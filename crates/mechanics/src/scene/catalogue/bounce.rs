@@ -1,4 +1,18 @@
 //! Impacts with restitution. The scenes `bouncing_ball`, `cradle` and `cradle_touching`.
+//!
+//! ```
+//! use lcplab_mechanics::scene::catalogue::bounce::{Drop, chain_of_three};
+//!
+//! // From 20 m at g = 10 m/s² a ball falls for 2 s; e = ½ halves its speed, and its height becomes
+//! // a quarter.
+//! let ball = Drop { height: 20.0, restitution: 0.5, gravity: 10.0 };
+//! assert_eq!(ball.height_after(1), 5.0);
+//! assert_eq!((ball.time_of(1), ball.time_of(2)), (2.0, 4.0)); // up 1 s and down 1 s
+//!
+//! // e = 1: momentum −1/3 + 2/3 + 2/3 = 1, and v2 − v1 = 1.
+//! let [v1, v2, v3] = chain_of_three(1.0, 1.0);
+//! assert!((v1 + v2 + v3 - 1.0).abs() < 1e-15 && (v2 - v1 - 1.0).abs() < 1e-15 && v2 == v3);
+//! ```
 
 /// A ball dropped from rest: T = √(2 h/g), and each bounce reduces the speed by the factor e.
 #[derive(Debug, Clone, Copy, PartialEq)]

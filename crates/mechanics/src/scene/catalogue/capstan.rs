@@ -18,6 +18,24 @@ use crate::scene::Contacts;
 use crate::scene::description::{Body, Capsule, Constraint, Description, Rotation, Shape};
 
 /// The rope.
+///
+/// ```
+/// use lcplab_mechanics::scene::Scene;
+/// use lcplab_mechanics::scene::catalogue::capstan::Capstan;
+///
+/// // Half a turn of 1000 short links: Euler's e^(μ π), nearly.
+/// let rope =
+///     Capstan { links: 1000, angle: std::f64::consts::PI, friction: 0.5, mass: 1e-3 };
+/// let euler = (0.5 * std::f64::consts::PI).exp();
+/// assert!((rope.ratio() / euler - 1.0).abs() < 1e-5);
+/// // At the limit nothing accelerates.
+/// assert!(rope.acceleration(1.0, rope.ratio()).abs() < 1e-9);
+/// assert!(rope.acceleration(1.0, 2.0 * rope.ratio()) > 0.0);
+/// let short = Capstan { links: 4, ..rope };
+/// let scene = Scene::new("capstan", &short.description(1.0, 2.0))?;
+/// assert_eq!((scene.bodies.len(), scene.constraints.len()), (6, 4)); // the post, five points
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Capstan {
     /// The number of links n.

@@ -17,6 +17,18 @@
 //! ```
 
 /// The ladder.
+///
+/// ```
+/// use lcplab_mechanics::scene::catalogue::ladder::Ladder;
+///
+/// // A thin ladder at 45°: W = m g / (2 tan θ) = m g / 2, so that it needs μ ≥ ½.
+/// let angle = std::f64::consts::FRAC_PI_4;
+/// let ladder = Ladder { mass: 10.0, length: 2.0, radius: 0.0, angle };
+/// assert!((ladder.push_of_wall(10.0) - 50.0).abs() < 1e-12); // N
+/// let inertia = 10.0 * 2.0 * 2.0 / 12.0; // kg m²
+/// assert!(ladder.angular_acceleration(10.0, 0.5, inertia).abs() < 1e-14);
+/// assert!(ladder.angular_acceleration(10.0, 0.4, inertia) < 0.0); // it slides down
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ladder {
     /// m (kg).

@@ -13,6 +13,16 @@ use super::Scene;
 use lcplab_lcp::error::Result;
 
 /// A shipped scene.
+///
+/// ```
+/// use lcplab_mechanics::scene::catalogue::{SHIPPED, text};
+///
+/// for shipped in SHIPPED {
+///     assert_eq!(text(shipped.name), Some(shipped.text));
+/// }
+/// assert_eq!(SHIPPED[0].scene()?.name, SHIPPED[0].name);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Shipped {
     /// The name that loads it.

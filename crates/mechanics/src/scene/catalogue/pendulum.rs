@@ -27,6 +27,19 @@ pub struct Pendulum {
 }
 
 /// A point mass on a rod that hangs from another one.
+///
+/// ```
+/// use lcplab_mechanics::scene::catalogue::pendulum::{DoublePendulum, Swing};
+///
+/// // Two masses of 1 kg at the height of the pivot, at rest: no energy, and it stays so.
+/// let pendulum = DoublePendulum { masses: [1.0; 2], lengths: [1.0; 2], gravity: 10.0 };
+/// let start = Swing { angles: [std::f64::consts::FRAC_PI_2; 2], rates: [0.0; 2] };
+/// assert!(pendulum.energy(&start).abs() < 1e-14);
+/// let later = pendulum.after(0.5, start);
+/// assert!(pendulum.energy(&later).abs() < 1e-9 && later.angles != start.angles);
+/// // Hanging down: −m g l − m g 2 l = −30 J.
+/// assert_eq!(pendulum.energy(&Swing { angles: [0.0; 2], rates: [0.0; 2] }), -30.0);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DoublePendulum {
     /// m1, m2 (kg), the upper one first.
@@ -59,6 +72,14 @@ impl Conical {
     }
 
     /// The tension (N) for a mass (kg).
+    ///
+    /// ```
+    /// use lcplab_mechanics::scene::catalogue::pendulum::Conical;
+    ///
+    /// // At 60° from the vertical the rod pulls with twice the weight.
+    /// let pendulum = Conical { length: 1.0, angle: std::f64::consts::FRAC_PI_3, gravity: 10.0 };
+    /// assert!((pendulum.tension(1.0) - 20.0).abs() < 1e-13); // N
+    /// ```
     pub fn tension(&self, mass: f64) -> f64 {
         mass * self.gravity / self.angle.cos()
     }

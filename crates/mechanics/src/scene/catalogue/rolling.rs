@@ -5,6 +5,23 @@
 //!     from T = 2 v0/(7 μ g) on, at 5/7 v0
 //! on a box with acceleration a, without slip:  m a_b = f, I α = f R, a_b + α R = a, so a_b = 2/7 a
 //! ```
+//!
+//! ```
+//! use lcplab_mechanics::scene::catalogue::rolling::{PushedBox, SlidingBall};
+//!
+//! // 7 m/s, braked by μ g = 1 m/s² for 2 s, until it rolls at 5 m/s.
+//! let ball = SlidingBall { speed: 7.0, friction: 0.1, gravity: 10.0 };
+//! assert!((ball.sliding_time() - 2.0).abs() < 1e-15);
+//! assert!((ball.rolling_speed() - 5.0).abs() < 1e-15);
+//! assert!((ball.way_after(3.0) - 17.0).abs() < 1e-14); // 7 · 2 − ½ · 2² + 5 · 1 m
+//!
+//! // 11 N push a box of 2 kg with a ball of 7 kg, which counts as 2 kg; no friction below.
+//! let (mass, ball_mass) = (2.0, 7.0);
+//! let pushed =
+//!     PushedBox { push: 11.0, mass, balls: 1.0, ball_mass, friction: 0.0, gravity: 10.0 };
+//! assert!((pushed.acceleration() - 2.75).abs() < 1e-14);
+//! assert!((pushed.acceleration_of_ball() - 2.75 * 2.0 / 7.0).abs() < 1e-14);
+//! ```
 
 /// A homogeneous ball thrown along the ground without spin.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -51,6 +51,22 @@ impl FreeBody {
 }
 
 /// A symmetric top whose axis is inclined by θ and precesses at a constant rate.
+///
+/// ```
+/// use lcplab_mechanics::scene::catalogue::spin::SteadyTop;
+///
+/// // A horizontal axis, 1 m long: m g l = Ω I3 ω3, and Ω² l = 10 m/s² toward the pivot's axis.
+/// let top = SteadyTop {
+///     mass: 2.0,
+///     length: 1.0,
+///     moments: [3.0, 1.0],
+///     angle: std::f64::consts::FRAC_PI_2,
+///     gravity: 10.0,
+/// };
+/// let precession = 10f64.sqrt();
+/// assert!((top.spin(precession) - 20.0 / precession).abs() < 1e-14); // rad/s
+/// assert!((top.load(precession) - 20.0 * 2f64.sqrt()).abs() < 1e-13); // N
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SteadyTop {
     /// m (kg).

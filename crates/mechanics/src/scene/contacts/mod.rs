@@ -126,6 +126,16 @@ impl Touch {
 }
 
 /// All contact points with a gap up to `margin` (m). `states` has one entry per body.
+///
+/// ```
+/// use lcplab_mechanics::scene::{Scene, contacts};
+///
+/// // Three balls in a stack: the ground and the ball above each ball, no gaps.
+/// let scene = Scene::load("fig7")?;
+/// let found = contacts(&scene, &scene.states, 0.05);
+/// assert_eq!(found.len(), 3);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn contacts(scene: &Scene, states: &[State], margin: f64) -> Vec<DetectedContact> {
     let mut detector = Detector::new(scene);
     detector.find(scene, states, margin);
@@ -193,7 +203,7 @@ pub struct Detector {
 
 impl Detector {
     /// A detector for this scene.
-    pub fn new(scene: &Scene) -> Self {
+    pub(crate) fn new(scene: &Scene) -> Self {
         let joined = scene.constraints.iter().filter_map(|c| ordered(c.bodies()));
         let stated = scene.pairs.iter().filter(|(_, surface)| surface.without_contact);
         let mut apart: Vec<[usize; 2]> = joined.chain(stated.map(|(&pair, _)| pair)).collect();
@@ -224,19 +234,24 @@ impl Detector {
 
     /// All contact points with a gap up to `margin` (m) for the detector's scene. `states` has one
     /// entry per body.
-    pub fn find(&mut self, scene: &Scene, states: &[State], margin: f64) -> &[DetectedContact] {
+    pub(crate) fn find(
+        &mut self,
+        scene: &Scene,
+        states: &[State],
+        margin: f64,
+    ) -> &[DetectedContact] {
         self.find_pairs(scene, states, Reach::Gap(margin));
         self.find_points(scene, states, Reach::Gap(margin));
         &self.found
     }
 
     /// The contacts found last.
-    pub fn found(&self) -> &[DetectedContact] {
+    pub(crate) fn found(&self) -> &[DetectedContact] {
         &self.found
     }
 
     /// The size of its arrays in bytes, without the polytopes, which bodies may share.
-    pub fn bytes(&self) -> usize {
+    pub(crate) fn bytes(&self) -> usize {
         let solids = self.solids.iter().flatten().map(Solid::bytes).sum::<usize>();
         solids
             + self.solids.capacity() * size_of::<Option<Solid>>()

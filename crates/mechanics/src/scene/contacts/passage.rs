@@ -50,7 +50,12 @@ impl Detector {
     /// The pairs of bodies that passed through each other between the start and the end of a
     /// step: they overlap on the path, and their nearest surfaces are on other sides afterwards,
     /// or one of them turned by more than π. Half spaces have no other side.
-    pub fn passages(&mut self, scene: &Scene, before: &[State], after: &[State]) -> Vec<Passage> {
+    pub(crate) fn passages(
+        &mut self,
+        scene: &Scene,
+        before: &[State],
+        after: &[State],
+    ) -> Vec<Passage> {
         let dt = scene.step.dt;
         let moves: Vec<Move> =
             (0..before.len()).map(|k| Move::of(&before[k], &after[k], dt, self.arms[k])).collect();

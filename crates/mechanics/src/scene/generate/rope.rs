@@ -27,6 +27,20 @@ impl Rope {
     /// The horizontal force H is the same everywhere and each mass adds m g to the vertical one. By
     /// symmetry rod i of n has the slope κ (i − (n + 1)/2), i = 1 … n, where κ satisfies Σ l
     /// cos(atan slope) = span. The force in rod i is H / cos(atan slope).
+    ///
+    /// ```
+    /// use lcplab_mechanics::scene::generate::{Bridge, Rope};
+    ///
+    /// // Two rods of 1 m, their ends √2 m apart: 45° down and up. The mass between weighs 2 H.
+    /// let rope = Rope { links: 2, length: 2.0, span: 2f64.sqrt(), mass: 1.0 };
+    /// let (slopes, ratio) = rope.catenary();
+    /// assert!((slopes[0] + 1.0).abs() < 1e-9 && (slopes[1] - 1.0).abs() < 1e-9);
+    /// assert!((ratio - 2.0).abs() < 1e-9);
+    ///
+    /// // A bridge of two planks of 1 m hangs in the same shape.
+    /// let bridge = Bridge { planks: 2, size: [1.0, 0.5, 0.1], span: 2f64.sqrt(), mass: 1.0 };
+    /// assert_eq!(bridge.rope(), rope);
+    /// ```
     pub fn catenary(&self) -> (Vec<f64>, f64) {
         let n = self.links as f64;
         let link = self.length / n;

@@ -90,7 +90,7 @@ impl ImpactEnergy {
     }
 
     /// The cause in one word, for files.
-    pub fn word(&self) -> &'static str {
+    pub(crate) fn word(&self) -> &'static str {
         match self.cause {
             ImpactCause::GapClosed => "gap_closed_within_step",
             ImpactCause::NotBounced => "closed_by_another_impact",
@@ -103,6 +103,7 @@ impl ImpactEnergy {
     }
 
     /// What happened in the step of this number, why, and what helps.
+    #[doc(hidden)] // the warnings of a run have it
     pub fn message(&self, scene: &Scene, step: usize) -> String {
         let [body, other] = self.bodies.map(|body| &scene.bodies[body].name);
         let joules = readable(self.energy.abs(), DIGITS);

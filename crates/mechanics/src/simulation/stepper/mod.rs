@@ -90,6 +90,26 @@ impl Part {
 /// assert_eq!(stepper.found().len(), 20); // five boxes on four points each
 /// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
+///
+/// ```
+/// use lcplab_mechanics::scene::Scene;
+/// use lcplab_mechanics::simulation::Stepper;
+/// use lcplab_mechanics::simulation::stepper::{Kernel, Part};
+///
+/// // Three balls in a stack, the middle one hit: many sweeps come to (4, 3, 1) N s.
+/// let mut stepper = Stepper::new(Scene::load("fig7")?, 100, Kernel::RowByRow)?;
+/// let mut parts = Vec::new();
+/// stepper.watched_step(&mut |part| parts.push(part)).expect("a step that can be taken");
+/// for (x, expected) in stepper.x().iter().zip([4.0, 3.0, 1.0]) {
+///     assert!((x - expected).abs() < 1e-9);
+/// }
+/// assert_eq!((stepper.time(), stepper.order()), (1.0, vec![0, 1, 2]));
+/// assert!(stepper.bytes() > 0);
+/// assert_eq!((parts.last(), Part::Motion.name()), (Some(&Part::Motion), "motion"));
+/// stepper.restart();
+/// assert_eq!((stepper.time(), stepper.states()), (0.0, &stepper.scene().states[..]));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub struct Stepper {
     scene: Scene,
     sweeps: usize,
