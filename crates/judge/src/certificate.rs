@@ -13,6 +13,20 @@ use crate::convex::is_convex;
 use crate::residual::{Residual, Rows, worst};
 
 /// The judge's full result on x.
+///
+/// ```
+/// use lcplab_judge::{Demand, judge};
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // Two supports share a load of 1: x_0 + x_1 = 1 in many ways.
+/// let a = Matrix::from([[1.0, 1.0], [1.0, 1.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0; 2], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// let certificate = judge(&lcp, &[0.5, 0.5], &Demand::default());
+/// let d = certificate.null_direction().expect("force can move between the supports");
+/// assert_eq!(-&d[0], d[1]);
+/// assert!(certificate.refutation().is_none()); // there is a solution
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Certificate {
@@ -100,6 +114,23 @@ pub enum Evidence {
 
 impl Certificate {
     /// The certificate of the same x once it is known that the problem has no solution.
+    ///
+    /// ```
+    /// use lcplab_judge::{Demand, judge, refutation};
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// // Two equations for x_0 + x_1 that contradict each other. A caller who has a proof of that
+    /// // adds it to the certificate.
+    /// let free = f64::INFINITY;
+    /// let a = Matrix::from([[1.0, 1.0], [1.0, 1.0]]);
+    /// let lcp = Lcp::new(a, vec![-1.0, -2.0], vec![-free; 2], vec![free; 2])?;
+    /// let before = judge(&lcp, &[0.0; 2], &Demand { tolerance: 10.0, prove_up_to: 0 });
+    /// let proof = refutation(&lcp, &[], 1e-8).expect("a contradiction");
+    /// let after = before.refuted_by(proof.clone());
+    /// assert_eq!(after.verdict.to_string(), "not a solution: no solution exists");
+    /// assert_eq!(after.refutation(), Some(&proof));
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn refuted_by(self, refutation: Refutation) -> Self {
         let verdict = self.verdict.refused(self.worst_row, self.scaled_residual);
         let evidence = Some(Evidence::NoSolution(refutation));

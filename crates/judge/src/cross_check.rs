@@ -82,6 +82,12 @@ fn onto_bounds(lcp: &Lcp, x: &[f64]) -> Vec<f64> {
 }
 
 /// max_i |a_i − b_i|.
+///
+/// ```
+/// use lcplab_judge::cross_check::max_difference;
+///
+/// assert_eq!(max_difference(&[1.0, 2.0], &[1.5, 0.0]), 2.0);
+/// ```
 pub fn max_difference(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }

@@ -45,6 +45,18 @@ pub struct Proof {
 ///
 /// Costs one exact linear solve if the first active set has a solution within rounding of x, and
 /// about twenty at most; for problems with more than 150 rows only the first active set is tried.
+///
+/// ```
+/// use lcplab_judge::exact::prove;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // w = 3 x − 1: 0.3333 has the active set of 1/3, which is 1/30000 away.
+/// let lcp = Lcp::new(Matrix::from([[3.0]]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
+/// let proof = prove(&lcp, &[0.3333]).expect("an exact solution");
+/// assert_eq!(proof.x[0].to_string(), "1/3");
+/// assert!((proof.distance - 1.0 / 30000.0).abs() < 1e-16);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn prove(lcp: &Lcp, x: &[f64]) -> Option<Proof> {
     let size = x.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
     let (nearest, distance) = nearest(lcp, x, size, |point| point.distance(x))?;

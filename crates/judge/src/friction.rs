@@ -28,6 +28,22 @@ use super::{Certificate, Demand, Evidence, Refutation, Verdict, judge, judge_con
 use lcplab_lcp::friction::ProblemForm;
 
 /// The judge's result on x.
+///
+/// ```
+/// use lcplab_judge::{Demand, judge_friction, refutation};
+/// use lcplab_lcp::friction::ProblemForm;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // w = −1 for every x. A caller who has a proof of that adds it to the certificate.
+/// let lcp = Lcp::new(Matrix::from([[0.0]]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
+/// let proof = refutation(&lcp, &[], 1e-8).expect("a proof");
+/// let certificate = judge_friction(&ProblemForm::Boxed(lcp), &[1.0], &Demand::default());
+/// assert_eq!(certificate.refutation(), None);
+/// let certificate = certificate.refuted_by(proof.clone());
+/// assert_eq!(certificate.refutation(), Some(&proof));
+/// assert!(!certificate.verdict.is_solution());
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct FrictionCertificate {
     /// w = A x + b of the friction problem.

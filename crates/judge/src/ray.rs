@@ -71,6 +71,21 @@ impl Farkas {
 /// `row` is the driven row. If d itself is not a proof, rounding in its other entries is repaired:
 /// a maximal independent set of the equations (Aᵀd)_j = 0 is solved exactly for some of them.
 /// For symmetric A the ray of a method is such a d; for other A it need not be.
+///
+/// ```
+/// use lcplab_judge::ray::{checked, refute};
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // w = x₀ − x₁ − 1 and −x₀ + x₁ add up to −1, but both should be at least 0: d = (1, 1).
+/// let a = Matrix::from([[1.0, -1.0], [-1.0, 1.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0, 0.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// assert!(checked(&lcp, &[1.0, 1.0]).is_some());
+/// let rounded = [1.0, 1.0 + 1e-12]; // the other entries than that of row 0 may be rounded
+/// assert!(checked(&lcp, &rounded).is_none());
+/// let farkas = refute(&lcp, 0, &rounded).expect("a proof");
+/// assert_eq!(farkas.vector, [1.into(), 1.into()]);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn refute(lcp: &Lcp, row: usize, direction: &[f64]) -> Option<Farkas> {
     if direction.len() != lcp.len() || direction.iter().any(|d| !d.is_finite()) {
         return None;

@@ -3,6 +3,20 @@
 use lcplab_lcp::number::{readable, superscript};
 
 /// The judge's decision about x.
+///
+/// ```
+/// use lcplab_judge::{Demand, judge};
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
+/// let exact = judge(&lcp, &[0.5], &Demand::default()).verdict;
+/// assert_eq!((exact.word(), exact.distance()), ("proved", Some(0.0)));
+/// let near = judge(&lcp, &[0.5], &Demand { prove_up_to: 0, ..Demand::default() }).verdict;
+/// assert_eq!((near.word(), near.distance()), ("within_tolerance", None));
+/// let wrong = judge(&lcp, &[0.4], &Demand::default()).verdict;
+/// assert_eq!(wrong.word(), "not_a_solution");
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Verdict {
@@ -166,6 +180,14 @@ pub fn upper_bound(bound: f64) -> String {
 }
 
 /// A number whose shortest decimal form is at least the bound, read as an exact decimal.
+///
+/// ```
+/// use lcplab_judge::printed_up;
+///
+/// assert_eq!(printed_up(0.25), 0.25); // printed as it is
+/// // The number nearest to 0.1 lies above 0.1, so "0.1" would be less than the bound.
+/// assert_eq!(printed_up(0.1), 0.1_f64.next_up());
+/// ```
 pub fn printed_up(bound: f64) -> f64 {
     let (shown, all) = (format!("{bound:e}"), format!("{bound:.800e}"));
     let parts = |text: &str| {

@@ -1,4 +1,13 @@
 //! Writes comma-separated values (RFC 4180, with line feeds only).
+//!
+//! ```
+//! use lcplab_page::csv::{number, record};
+//!
+//! let mut file = String::new();
+//! record(&mut file, ["t (s)", "a, b", "=1+1"]);
+//! assert_eq!(file, "t (s),\"a, b\",'=1+1\n"); // quoted, and not a formula for a spreadsheet
+//! assert_eq!((number(2.0), number(f64::INFINITY)), ("2".to_string(), "inf".to_string()));
+//! ```
 
 /// Appends one record. A field with a comma, quote or line break is quoted; a field that a
 /// spreadsheet would evaluate as a formula gets a leading apostrophe.

@@ -27,6 +27,10 @@ pub fn xml_line(text: &str) -> String {
 
 /// A text for XML that keeps its line breaks: special characters are escaped, other control
 /// characters removed.
+///
+/// ```
+/// assert_eq!(lcplab_page::escape::xml_text("a < b\n\u{7}c & d"), "a &lt; b\nc &amp; d");
+/// ```
 pub fn xml_text(text: &str) -> String {
     let is_allowed =
         |c: &char| (*c == '\n' || !c.is_control()) && !matches!(c, '\u{fffe}' | '\u{ffff}');

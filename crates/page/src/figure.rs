@@ -6,6 +6,39 @@ pub const WIDTH: f64 = 880.0;
 pub(crate) const NARROW: f64 = 400.0;
 
 /// A picture with a name, texts and numbers.
+///
+/// ```
+/// use lcplab_page::figure::Figure;
+///
+/// /// A line of 1 px.
+/// struct Line;
+///
+/// impl Figure for Line {
+///     fn id(&self) -> &str {
+///         "line"
+///     }
+///
+///     fn title(&self) -> &str {
+///         "A line"
+///     }
+///
+///     fn caption(&self) -> &str {
+///         ""
+///     }
+///
+///     fn drawn(&self, width: f64, id: &str) -> String {
+///         format!(r#"<svg id="{id}" viewBox="0 0 {width} 1"><path d="M0 0H{width}"/></svg>"#)
+///     }
+///
+///     fn csv(&self) -> String {
+///         "x\n0\n".into()
+///     }
+/// }
+///
+/// assert_eq!(Line.words(), "A line"); // it has no caption
+/// assert!(Line.svg().contains(r#"id="line""#)); // in the usual width
+/// assert!(Line.narrow().unwrap().contains(r#"id="line-narrow""#)); // for phones
+/// ```
 pub trait Figure {
     /// A short name without spaces: the stem of the file name and the anchor on a page.
     fn id(&self) -> &str;

@@ -1,4 +1,14 @@
 //! Tables and prose of pages, for a terminal.
+//!
+//! ```
+//! use lcplab_page::page::{Cell, Table};
+//! use lcplab_page::terminal::{prose, table, table_within};
+//!
+//! let rows = vec![vec![Cell::text("stack"), Cell::number(0.25, 2)]];
+//! let drift = Table::new("Drift", "", "scene | #drift (m)", rows);
+//! assert!(table(&drift).contains("stack") && table_within(&drift, 40).contains("0.25"));
+//! assert_eq!(prose("A short line.").trim_end(), "A short line.");
+//! ```
 
 use crate::document;
 use crate::document::text::{Ink, TABLE, aligned, is_readable, paragraph, wrapped};

@@ -20,7 +20,7 @@ pub fn printable(text: &str) -> Cow<'_, str> {
 }
 
 /// The text padded with spaces to a width, which may exceed the limit of a format string, 65535.
-pub fn padded(text: &str, width: usize, align: Align) -> String {
+pub(crate) fn padded(text: &str, width: usize, align: Align) -> String {
     let space = " ".repeat(width.saturating_sub(text.chars().count()));
     match align {
         Align::Left => format!("{text}{space}"),

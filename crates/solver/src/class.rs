@@ -82,6 +82,15 @@ impl fmt::Display for MatrixClass {
 ///
 /// On other problems the method may still find a solution, may fail, or may reject the problem
 /// (`OutsideClass`). It never reports `Solved` for an x that is not a solution.
+///
+/// ```
+/// use lcplab_solver::{Class, MatrixClass};
+///
+/// let class = Class::of(MatrixClass::by_word("semidefinite")?).with_positive_diagonal();
+/// assert_eq!(class.to_string(), "symmetric positive semidefinite, positive diagonal");
+/// assert_eq!(class.matrix.word(), "semidefinite");
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Class {
     /// The class that A must belong to.

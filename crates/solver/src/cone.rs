@@ -12,6 +12,27 @@ use super::{Apgd, Class, ConePgs, Group, MatrixClass, Observer, Settings, Soluti
 use lcplab_lcp::friction::{ConeProblem, Law};
 
 /// A method that solves friction problems with circular cones.
+///
+/// ```
+/// use lcplab_lcp::friction::{ConeProblem, Contact, FrictionProblem, Law};
+/// use lcplab_lcp::{Lcp, Matrix};
+/// use lcplab_solver::{ConePgs, ConeSolver, Start, Status};
+///
+/// // A point of 1 kg reaches the ground with 2 m/s and slides along t1 with 3 m/s; μ = 0.5.
+/// let (b, free) = (vec![-2.0, -3.0, 0.0], f64::INFINITY);
+/// let a = Matrix::from([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+/// let lcp = Lcp::new(a, b, vec![0.0, -free, -free], vec![free; 3])?;
+/// let friction = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }])?;
+/// let solver = ConePgs::default();
+/// assert_eq!(solver.name(), "cone-pgs");
+/// let solution =
+///     solver.solve(&ConeProblem::new(friction, Law::Coulomb), &Start::default(), &mut ());
+/// assert_eq!(solution.status, Status::Solved);
+/// for (x, expected) in solution.x.iter().zip([2.0, 1.0, 0.0]) {
+///     assert!((x - expected).abs() < 1e-7); // N s: the weight, and μ times it
+/// }
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub trait ConeSolver: Send + Sync {
     /// The name in the registry.
     fn name(&self) -> &str;
@@ -29,6 +50,17 @@ pub trait ConeSolver: Send + Sync {
 }
 
 /// A cone solver in the registry.
+///
+/// ```
+/// use lcplab_lcp::friction::Law;
+/// use lcplab_solver::{Apgd, ConeEntry, Settings};
+///
+/// let laws = vec![Law::Associated];
+/// let entry =
+///     ConeEntry::new("mine", laws, |settings| Box::new(Apgd { settings: settings.clone() }));
+/// assert_eq!(entry.laws.as_ref(), [Law::Associated]);
+/// assert_eq!(entry.build(&Settings::default()).name(), "apgd");
+/// ```
 #[derive(Clone)]
 #[non_exhaustive]
 pub struct ConeEntry {

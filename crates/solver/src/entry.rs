@@ -8,6 +8,23 @@ use super::{Choice, Class, Cost, MatrixClass, Options, Solver};
 use lcplab_lcp::error::Result;
 
 /// A solver in the registry.
+///
+/// ```
+/// use lcplab_lcp::{Lcp, Matrix};
+/// use lcplab_solver::{Options, Pgs, Registry, Start, Status};
+///
+/// // PGS with ten sweeps at most, whatever the options say.
+/// let ten = Registry::standard().entry("pgs")?.clone().building(|options| {
+///     let settings = options.settings.clone().with_max_iterations(10);
+///     Box::new(Pgs { settings, ..Pgs::default() })
+/// });
+/// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0; 2], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// let solution = ten.build(&Options::default()).solve(&lcp, &Start::default(), &mut ());
+/// // A sweep reduces the error to a quarter: to 4⁻¹⁰ of it, not yet to 10⁻⁸.
+/// assert_eq!((solution.status, solution.iterations), (Status::IterationLimit, 10));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Clone)]
 #[non_exhaustive]
 pub struct Entry {
@@ -125,6 +142,13 @@ impl<O, S: ?Sized> Clone for Build<O, S> {
 }
 
 /// The groups of methods; the [crate](crate) page compares them.
+///
+/// ```
+/// use lcplab_solver::Group;
+///
+/// assert_eq!((Group::Sweeps.name(), Group::Sweeps.unit()), ("Sweeps", "sweeps"));
+/// assert_eq!((Group::Pivoting.name(), Group::Pivoting.unit()), ("Pivoting", "pivots"));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Group {
     /// Row by row.

@@ -124,6 +124,17 @@ impl<'a> Start<'a> {
     }
 
     /// The starting point: the guess or 0, projected onto the bounds or cones.
+    ///
+    /// ```
+    /// use lcplab_lcp::{Lcp, Matrix};
+    /// use lcplab_solver::Start;
+    ///
+    /// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
+    /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+    /// assert_eq!(Start::at(&[3.0, -1.0]).point(&lcp), [3.0, 0.0]); // x ≥ 0
+    /// assert_eq!(Start::default().point(&lcp), [0.0, 0.0]);
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn point(&self, problem: &impl Complementarity) -> Vec<f64> {
         let n = problem.lcp().len();
         let mut x = self.x.map_or_else(|| vec![0.0; n], <[f64]>::to_vec);

@@ -12,6 +12,21 @@ use lcplab_lcp::Complementarity;
 use lcplab_lcp::friction::{Form, Model, Polyhedral, ProblemForm};
 
 /// A box or cone solver.
+///
+/// ```
+/// use lcplab_lcp::friction::Model;
+/// use lcplab_solver::{Choice, Group, Registry, why_none_takes};
+///
+/// let pgs = Registry::standard().method("pgs", None)?;
+/// assert_eq!((pgs.name(), pgs.group(), pgs.uses()), ("pgs", Group::Sweeps, &[Choice::Order][..]));
+/// assert!(pgs.boxed().is_some()); // it solves boxed LCPs
+/// assert!(pgs.takes(Some(Model::CoupledBox)) && !pgs.takes(Some(Model::CoulombCone)));
+/// assert_eq!(
+///     why_none_takes([pgs], Some(Model::CoulombCone)).unwrap(),
+///     "it supports boxes, not coulomb-cone"
+/// );
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub enum Method {
     /// A solver for boxed LCPs.
@@ -181,6 +196,23 @@ impl Method {
 }
 
 /// Solves a polyhedral problem by an LCP solver, starting from x, and returns x.
+///
+/// ```
+/// use lcplab_lcp::friction::{Contact, FrictionProblem, Polyhedral};
+/// use lcplab_lcp::{Lcp, Matrix};
+/// use lcplab_solver::{Lemke, Start, solve_polyhedral};
+///
+/// // A point of 1 kg reaches the ground with 2 m/s and slides along t1 with 3 m/s; μ = 0.5.
+/// let (b, free) = (vec![-2.0, -3.0, 0.0], f64::INFINITY);
+/// let a = Matrix::from([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+/// let lcp = Lcp::new(a, b, vec![0.0, -free, -free], vec![free; 3])?;
+/// let problem = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }])?;
+/// let polygons = Polyhedral::new(&problem, 4)?;
+/// let (solver, start) = (Lemke::default(), Start::default());
+/// let solution = solve_polyhedral(&solver, &polygons, &start, 1e-8, &mut ());
+/// assert_eq!(solution.x, [2.0, 1.0, 0.0]); // the impulses, not the six unknowns of the polygons
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn solve_polyhedral(
     solver: &dyn Solver,
     polyhedral: &Polyhedral,

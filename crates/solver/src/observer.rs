@@ -6,6 +6,41 @@ use super::{Side, Variable};
 use lcplab_lcp::Lcp;
 
 /// Receives every iterate and may ask the solver to stop. `()` observes nothing.
+///
+/// ```
+/// use std::ops::ControlFlow;
+///
+/// use lcplab_lcp::{Lcp, Matrix};
+/// use lcplab_solver::{Iterate, Observer, Pgs, Solver, Start, StepDetail};
+///
+/// /// Keeps the first change of each row in a sweep.
+/// #[derive(Default)]
+/// struct Changes(Vec<(usize, f64)>);
+///
+/// impl Observer for Changes {
+///     fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
+///         // One sweep is enough.
+///         if iterate.iteration == 1 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+///     }
+///
+///     fn wants_details(&self) -> bool {
+///         true
+///     }
+///
+///     fn part(&mut self, detail: &StepDetail<'_>) {
+///         if let StepDetail::Row(update) = detail {
+///             self.0.push((update.row, update.after - update.before));
+///         }
+///     }
+/// }
+///
+/// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0; 2], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// let mut changes = Changes::default();
+/// Pgs::default().solve(&lcp, &Start::default(), &mut changes);
+/// assert_eq!(changes.0, [(0, 0.5), (1, 0.75)]); // 1/2, then (1 + 1/2)/2
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub trait Observer {
     /// Receives an iterate; `Break` ends the solve with
     /// [`Status::Stopped`](super::Status::Stopped).
@@ -162,6 +197,22 @@ pub struct Centering<'a> {
 
 impl Centering<'_> {
     /// The signed length of the move, negative along −d.
+    ///
+    /// ```
+    /// use lcplab_solver::Centering;
+    ///
+    /// // Support 0 carries the whole load of 1; half of it can move to support 1.
+    /// let centering = Centering {
+    ///     row: 1,
+    ///     keeps: None,
+    ///     x: &[1.0, 0.0],
+    ///     free: &[0],
+    ///     direction: &[-1.0],
+    ///     forward: 1.0,
+    ///     back: 0.0,
+    /// };
+    /// assert_eq!(centering.length(), 0.5);
+    /// ```
     pub fn length(&self) -> f64 {
         (self.forward - self.back) / 2.0
     }

@@ -104,6 +104,24 @@ impl Options {
 
     /// Checks that the options are valid.
     ///
+    /// ```
+    /// use lcplab_lcp::memory::Memory;
+    /// use lcplab_solver::{Choice, Damping, Options, Order, Settings};
+    ///
+    /// let options = Options::default()
+    ///     .with_settings(Settings::default().with_check_every(5))
+    ///     .with_memory(Memory::bytes(1_000_000))
+    ///     .with_order(Order::Reverse)
+    ///     .with_damping(Damping::Factor(0.5));
+    /// assert!(options.validate().is_ok());
+    /// assert_eq!(options.settings.memory.to_string(), "1 MB");
+    /// assert_eq!(Choice::Omega.name(), "omega");
+    /// assert_eq!(
+    ///     options.with_omega(2.5).validate().unwrap_err().to_string(),
+    ///     "settings: omega: must lie between 0 and 2, is 2.5"
+    /// );
+    /// ```
+    ///
     /// # Errors
     /// Names the invalid option.
     pub fn validate(&self) -> Result<()> {

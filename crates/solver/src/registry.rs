@@ -39,6 +39,26 @@ use lcplab_lcp::friction::Model;
 
 /// Solvers by name: those that a comparison runs if none is named, and others that must be named.
 /// A copy shares its entries with the original until one of the two is changed.
+///
+/// ```
+/// use lcplab_solver::{Dantzig, Entry, Method, Registry};
+///
+/// let standard = Registry::standard();
+/// assert!(standard.entries().any(|entry| entry.name == "pgs"));
+/// let cones: Vec<_> = standard.cone_entries().map(|entry| entry.name.as_ref()).collect();
+/// assert_eq!(cones, ["cone-pgs", "apgd"]);
+/// assert_eq!(standard.methods().count(), standard.entries().count() + cones.len());
+/// let error = standard.unknown("psg").to_string();
+/// assert!(error.starts_with("there is no solver named \"psg\"; there are pgs, "));
+///
+/// let mut own = standard.clone();
+/// let build = |options: &lcplab_solver::Options| -> Box<dyn lcplab_solver::Solver> {
+///     Box::new(Dantzig { settings: options.settings.clone() })
+/// };
+/// own.add_listed(Method::Boxed(Entry::new("mine", build)))?;
+/// assert!(own.entries().any(|entry| entry.name == "mine")); // a comparison now runs it, too
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Registry {
     listed: Arc<Vec<Method>>,

@@ -123,6 +123,19 @@ pub fn solve_boxed(
 }
 
 /// The same without a method that has already been tried.
+///
+/// ```
+/// use lcplab_lcp::{Lcp, Matrix};
+/// use lcplab_solver::{Options, Start, solve_boxed_by_sequence, solve_boxed_without};
+///
+/// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
+/// let (start, options) = (Start::default(), Options::default());
+/// let answer = solve_boxed_by_sequence(&lcp, &start, &options, &mut ());
+/// assert_eq!((answer.solver.as_str(), answer.solution.x), ("dantzig", vec![0.5]));
+/// let answer = solve_boxed_without("dantzig", &lcp, &start, &options, &mut ());
+/// assert_eq!((answer.solver.as_str(), answer.solution.x), ("block-pivoting", vec![0.5]));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn solve_boxed_without(
     tried: &str,
     lcp: &Lcp,

@@ -81,6 +81,20 @@ impl Settings {
     }
 
     /// The status of a solver that needs this much memory, if it is more than the limit.
+    ///
+    /// ```
+    /// use lcplab_lcp::memory::Memory;
+    /// use lcplab_solver::{Settings, Status};
+    ///
+    /// let settings = Settings::default().with_memory(Memory::bytes(1000)).with_check_every(0);
+    /// assert_eq!(settings.refusal(Memory::numbers(125)), None); // 1000 bytes
+    /// let refusal = settings.refusal(Memory::numbers(126)).unwrap();
+    /// assert!(matches!(refusal, Status::TooLarge { .. }));
+    /// assert_eq!(
+    ///     settings.validate().unwrap_err().to_string(),
+    ///     "settings: check_every: must be at least 1, is 0"
+    /// );
+    /// ```
     pub fn refusal(&self, needs: Memory) -> Option<Status> {
         let limit = self.memory;
         (needs > limit).then_some(Status::TooLarge { needs, limit })

@@ -11,6 +11,22 @@ use lcplab_lcp::number::{Filed, counted, readable};
 use lcplab_lcp::{Complementarity, Lcp};
 
 /// A solver's answer. It contains no time, so it does not depend on the machine's speed.
+///
+/// ```
+/// use lcplab_lcp::{Lcp, Matrix};
+/// use lcplab_solver::{Fallback, Solution, Status};
+///
+/// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
+/// let solution = Solution::new(&lcp, vec![0.5], Status::Solved, 3);
+/// assert_eq!((solution.w[0], solution.status.word()), (0.0, "solved"));
+/// let solution = solution.with_fallback(Some(Fallback::Sweeps)).with_implied_claim(true);
+/// assert!(solution.fallback == Some(Fallback::Sweeps) && solution.is_claim_implied);
+///
+/// // An x that overflowed is no answer.
+/// let diverged = Solution::new(&lcp, vec![f64::INFINITY], Status::Diverged, 3);
+/// assert_eq!((diverged.x[0], diverged.status), (0.0, Status::NotFinite));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
     /// The unknowns, n entries; finite, unless a solver falsely claims otherwise.

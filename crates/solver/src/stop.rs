@@ -43,6 +43,16 @@ pub enum Reason {
 
 impl Stop {
     /// A stop condition with this time limit, starting now.
+    ///
+    /// ```
+    /// use std::time::Duration;
+    ///
+    /// use lcplab_solver::{Reason, Stop};
+    ///
+    /// assert_eq!(Stop::after(Duration::from_secs(3600)).reason(), None);
+    /// let over = Stop::after(Duration::ZERO).reason();
+    /// assert_eq!(over, Some(Reason::TimeLimit(Duration::ZERO)));
+    /// ```
     pub fn after(limit: Duration) -> Self {
         let deadline = Instant::now().checked_add(limit).map(|end| (end, limit));
         Stop { deadline, ..Stop::default() }

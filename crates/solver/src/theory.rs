@@ -92,6 +92,16 @@ pub fn sor_iteration_matrix(a: &Matrix, omega: f64) -> DMatrix<f64> {
 /// ```text
 /// E ← I,   then for each row i:   E_i ← E_i − ω/a_ii (A E)_i
 /// ```
+///
+/// ```
+/// use lcplab_lcp::Matrix;
+/// use lcplab_solver::theory::ordered_iteration_matrix;
+/// use nalgebra::dmatrix;
+///
+/// // Only row 0 is updated: its error becomes half of that of row 1, which stays.
+/// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
+/// assert_eq!(ordered_iteration_matrix(&a, 1.0, [0]), dmatrix![0.0, 0.5; 0.0, 1.0]);
+/// ```
 pub fn ordered_iteration_matrix(
     a: &Matrix,
     omega: f64,

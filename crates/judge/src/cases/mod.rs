@@ -5,6 +5,25 @@
 //! of all sides chosen so far. If not, its multipliers prove it; if so, the tree branches at the
 //! first row where that x does not satisfy the complementarity conditions. The method is complete,
 //! also for coupled rows and nonsymmetric A, and shares no code with the solver `enumeration`.
+//!
+//! ```
+//! use lcplab_judge::cases::{Search, search, single_vector};
+//! use lcplab_lcp::{Coupling, Lcp, Matrix};
+//!
+//! // w_n = x_n − x_t − 1 and w_t = x_t − x_n − ½ with |x_t| ≤ x_n. If w_n ≥ 0, then w_t ≤ −1.5, so
+//! // that x_t is at its upper bound x_n, where w_n is −1.
+//! let a = Matrix::from([[1.0, -1.0], [-1.0, 1.0]]);
+//! let (lo, hi) = (vec![0.0, -f64::INFINITY], vec![f64::INFINITY; 2]);
+//! let lcp = Lcp::new(a, vec![-1.0, -0.5], lo, hi)?;
+//! let coupled = lcp.clone().with_coupling(Coupling::new(vec![None, Some(0)], vec![0.0, 1.0])?)?;
+//! assert!(single_vector(&coupled).is_none()); // it takes several cases
+//! let Some(Search::None(tree)) = search(&coupled, 100) else { panic!("there is no solution") };
+//! assert!(tree.leaves() > 1);
+//!
+//! // With x_t free, the sum of both rows is always −1.5, but w_n ≥ 0 and w_t = 0: d = (1, 1).
+//! assert_eq!(single_vector(&lcp), Some(vec![(0, 1.into()), (1, 1.into())]));
+//! # Ok::<(), lcplab_lcp::error::Error>(())
+//! ```
 
 mod program;
 
@@ -56,7 +75,7 @@ impl Tree {
 }
 
 /// Whether a row has a lower and whether it has an upper side.
-pub fn finite(lcp: &Lcp, row: usize) -> [bool; 2] {
+pub(crate) fn finite(lcp: &Lcp, row: usize) -> [bool; 2] {
     match lcp.is_coupled(row) {
         true => [true; 2],
         false => [lcp.lo()[row].is_finite(), lcp.hi()[row].is_finite()],
@@ -64,7 +83,7 @@ pub fn finite(lcp: &Lcp, row: usize) -> [bool; 2] {
 }
 
 /// The row that this row is coupled to, and μ.
-pub fn coupled(lcp: &Lcp, row: usize) -> Option<(usize, Dyadic)> {
+pub(crate) fn coupled(lcp: &Lcp, row: usize) -> Option<(usize, Dyadic)> {
     lcp.coupled_to(row).map(|(k, mu)| (k, dyadic(mu)))
 }
 
@@ -88,7 +107,7 @@ pub fn search(lcp: &Lcp, most_programs: usize) -> Option<Search> {
 
 /// The same if each w_i may have an error of tolerance · s_i · [scale](Lcp::scale). A tree without
 /// solutions then proves more than that of [`search`]; a solution proves less.
-pub fn search_within(lcp: &Lcp, tolerance: f64, most_programs: usize) -> Option<Search> {
+pub(crate) fn search_within(lcp: &Lcp, tolerance: f64, most_programs: usize) -> Option<Search> {
     if lcp.len() > MOST_ROWS {
         return None;
     }

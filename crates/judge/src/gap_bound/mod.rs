@@ -125,6 +125,27 @@ pub fn gap_bound(
 
 /// Bounds the error of the motion u(x) that the forces produce, and returns that motion.
 ///
+/// ```
+/// use lcplab_judge::gap_bound::answer_bound;
+/// use lcplab_lcp::Gauss;
+///
+/// // 2 kg fall at 3 m/s on one contact of compliance ½ s/kg: x = 3 N s, û = −1.5 m/s.
+/// let gauss = Gauss {
+///     mass: vec![(0, 0, 2.0)],
+///     jacobian: vec![vec![(0, 1.0)]],
+///     bias: vec![0.0],
+///     compliance: vec![0.5],
+///     target: vec![-3.0],
+///     lo: vec![0.0],
+///     hi: vec![f64::INFINITY],
+///     level: None,
+/// };
+/// let bound = answer_bound(&gauss, &[], &[3.2])?;
+/// assert!((bound.motion[0] + 1.4).abs() < 1e-15); // −3 m/s + 3.2 N s / 2 kg
+/// assert!(bound.energy_norm >= 0.1 * 2f64.sqrt()); // 0.1 m/s off, times √2 kg
+/// # Ok::<(), lcplab_judge::motion_bound::Unproved>(())
+/// ```
+///
 /// # Errors
 /// As [`gap_bound`].
 ///

@@ -13,6 +13,28 @@ const DUST: f64 = 1e-9;
 
 /// The row in which A x + b differs most from J u(x) + bias + γ x, where u(x) = u* + M⁻¹Jᵀx, and
 /// the difference relative to the terms of the row; `None` if it may be rounding.
+///
+/// ```
+/// use lcplab_judge::motion_bound::inconsistent_row;
+/// use lcplab_lcp::{Gauss, Lcp, Matrix};
+///
+/// // 2 kg fall at 3 m/s on one contact of compliance ½ s/kg: A = 1/2 + 1/2, b = −3.
+/// let gauss = Gauss {
+///     mass: vec![(0, 0, 2.0)],
+///     jacobian: vec![vec![(0, 1.0)]],
+///     bias: vec![0.0],
+///     compliance: vec![0.5],
+///     target: vec![-3.0],
+///     lo: vec![0.0],
+///     hi: vec![f64::INFINITY],
+///     level: None,
+/// };
+/// let lcp = Lcp::new(Matrix::from([[1.0]]), vec![-3.0], vec![0.0], vec![f64::INFINITY])?;
+/// assert_eq!(inconsistent_row(&gauss, &lcp, &[3.0]), None);
+/// let other = lcp.with_b(vec![-2.0])?; // as if it fell at 2 m/s
+/// assert!(matches!(inconsistent_row(&gauss, &other, &[3.0]), Some((0, _))));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn inconsistent_row(gauss: &Gauss, lcp: &Lcp, x: &[f64]) -> Option<(usize, f64)> {
     let mass = Mass::new(&gauss.mass, gauss.target.len()).ok()?;
     let mut force = vec![0.0; gauss.target.len()];

@@ -30,12 +30,35 @@ pub fn box_qp(lcp: &Lcp) -> Option<Reference> {
 }
 
 /// [`box_qp`] with a limit on clarabel's iterations.
+///
+/// ```
+/// use lcplab_judge::reference::box_qp_within;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// assert!(box_qp_within(&lcp, 100).unwrap().solved);
+/// let early = box_qp_within(&lcp, 1).unwrap();
+/// assert!(!early.solved && early.iterations == 1);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn box_qp_within(lcp: &Lcp, max_iterations: usize) -> Option<Reference> {
     Some(program(lcp)?.solve_within(max_iterations).refined(lcp, &[]))
 }
 
 /// Clarabel's own point, without Newton's steps, to a tolerance on gap and feasibility; its default
 /// is 1e-8.
+///
+/// ```
+/// use lcplab_judge::reference::box_qp_to;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // The minimum of x² − 2x is at x = 1, well inside x ≥ 0.
+/// let lcp = Lcp::new(Matrix::from([[2.0]]), vec![-2.0], vec![0.0], vec![f64::INFINITY])?;
+/// let reference = box_qp_to(&lcp, 1e-4).expect("A is symmetric");
+/// assert!((reference.point[0] - 1.0).abs() < 1e-2);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn box_qp_to(lcp: &Lcp, tolerance: f64) -> Option<Reference> {
     Some(program(lcp)?.solve_to(tolerance, MAX_ITERATIONS))
 }

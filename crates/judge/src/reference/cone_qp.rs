@@ -37,6 +37,21 @@ pub fn cone_qp(problem: &ConeProblem) -> Option<Reference> {
 }
 
 /// [`cone_qp`] with a limit on clarabel's iterations.
+///
+/// ```
+/// use lcplab_judge::reference::cone_qp_within;
+/// use lcplab_lcp::friction::{ConeProblem, Contact, FrictionProblem, Law};
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// let (b, free) = (vec![-2.0, -3.0, 0.0], f64::INFINITY);
+/// let a = Matrix::from([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+/// let lcp = Lcp::new(a, b, vec![0.0, -free, -free], vec![free; 3])?;
+/// let problem = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }])?;
+/// let problem = ConeProblem::new(problem, Law::Associated);
+/// assert!(cone_qp_within(&problem, 100).unwrap().solved);
+/// assert!(!cone_qp_within(&problem, 1).unwrap().solved);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn cone_qp_within(problem: &ConeProblem, max_iterations: usize) -> Option<Reference> {
     let (lcp, friction) = (problem.lcp(), problem.friction());
     if !problem.is_frozen() || !lcp.matrix().is_nearly_symmetric() {

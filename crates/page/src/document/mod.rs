@@ -36,6 +36,30 @@ pub enum Format {
 }
 
 /// Text, formulas, tables and pictures, in sections.
+///
+/// ```
+/// use lcplab_page::document::{Document, Format, Formula, Section};
+/// use lcplab_page::page::Picture;
+///
+/// let mut section = Section::new("the weight");
+/// section.say("A box of 2 kg on the ground.");
+/// let formula = Formula::default().symbols("m g = ", "m g = ").number(19.62).unit("N");
+/// section.formula(formula);
+/// section.formula(Formula::default().symbols("A = ", "A = ").matrix(1, 2, |_, j| j as f64));
+/// section.formula(Formula::default().symbols("b = ", "b = ").vector(&[1.0, 2.0]));
+/// section.table("forces", &["row", "x (N)"], vec![vec!["normal".into(), "19.62".into()]]);
+/// section.figure(Picture { caption: "The box.".into(), ..Picture::default() });
+///
+/// let mut document = Document { title: "A box".into(), ..Document::default() };
+/// document.add("step 1", section); // titles stay unique
+/// assert_eq!(document.sections[0].title, "step 1: the weight");
+/// let text = document.written(Format::Text)?;
+/// assert!(text.contains("A box of 2 kg on the ground.") && text.contains("19.62"));
+/// let blocks = &document.sections[0].blocks;
+/// assert!(blocks[1].text().contains("19.62") && blocks[1].markdown().contains("19.62"));
+/// assert!(matches!(blocks[0].on_page(), lcplab_page::page::Block::Text(_)));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Document {
     /// The heading.
@@ -222,7 +246,7 @@ impl Formula {
     }
 
     /// A note on the omitted rows and columns of its matrices; empty if nothing is omitted.
-    pub fn left_out(&self) -> String {
+    pub(crate) fn left_out(&self) -> String {
         let grids = self.pieces.iter().filter_map(|piece| match piece {
             Piece::Grid(grid) => Some((grid.height, grid.width)),
             Piece::Symbols { .. } => None,

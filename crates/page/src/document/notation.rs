@@ -1,4 +1,13 @@
 //! The notation of numbers, indices and vectors.
+//!
+//! ```
+//! use lcplab_page::document::notation::{bracketed, indexed, interval, plain, set, sum, vector};
+//!
+//! assert_eq!((plain(-0.25), indexed("x", 12)), ("−0.25".to_string(), "x₁₂".to_string()));
+//! assert_eq!((vector(&[4.0, 3.0, 1.0]), set(&[2, 0])), ("(4, 3, 1)".into(), "{0, 2}".into()));
+//! assert_eq!(sum(&[(2.0, 4.0), (-1.0, 3.0)], -1.0, 4.0), "2·4 − 1·3 − 1 = 4");
+//! assert_eq!((bracketed(-2.0), interval(0.0, f64::INFINITY)), ("(−2)".into(), "[0, ∞)".into()));
+//! ```
 
 use super::SHOWN;
 use crate::number::readable;
@@ -14,7 +23,7 @@ pub fn plain(value: f64) -> String {
 }
 
 /// The number in LaTeX.
-pub fn latex(value: f64) -> String {
+pub(crate) fn latex(value: f64) -> String {
     let text = plain(value).replace('−', "-").replace('∞', "\\infty").replace(',', "{,}");
     let Some(at) = text.rfind("10").filter(|&at| text[at + 2..].chars().any(is_raised)) else {
         return text;

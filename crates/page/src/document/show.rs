@@ -7,6 +7,16 @@ use crate::figure::Figure;
 use crate::page::Picture;
 
 /// Content that can be part of a document.
+///
+/// ```
+/// use lcplab_page::document::{Block, Section, Show};
+///
+/// let mut section = Section::new("The weight");
+/// section.say("19.62 N");
+/// let blocks = section.blocks()?;
+/// assert_eq!(blocks, [Block::Text("The weight.".into()), Block::Text("19.62 N".into())]);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub trait Show {
     /// Its blocks from top to bottom.
     ///

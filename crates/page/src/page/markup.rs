@@ -14,6 +14,13 @@ use super::mathml;
 use crate::escape::html;
 
 /// Text with all markup characters escaped.
+///
+/// ```
+/// use lcplab_page::page::markup::literal;
+///
+/// assert_eq!(literal("no markup"), "no markup");
+/// assert_ne!(literal("*m* g"), "*m* g"); // asterisks are escaped
+/// ```
 pub fn literal(text: &str) -> String {
     let mut out = String::new();
     for c in text.chars() {

@@ -215,6 +215,16 @@ pub struct Picture {
 
 impl Picture {
     /// The figure of a plot whose picture and numbers are in `directory` next to the page.
+    ///
+    /// ```
+    /// use lcplab_page::page::Picture;
+    /// use lcplab_page::plot::Spy;
+    ///
+    /// let spy = Spy::new("a", "The pattern of A", "", (2, 2), [(0, 0), (1, 1)])?;
+    /// let picture = Picture::of(&spy, "figures");
+    /// assert_eq!(picture.files[0].1, "figures/a.csv");
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn of(plot: &dyn Figure, directory: &str) -> Self {
         let file = |kind: &str| format!("{directory}/{}.{kind}", plot.id());
         Picture {
@@ -227,6 +237,26 @@ impl Picture {
 }
 
 /// A numbered table.
+///
+/// ```
+/// use lcplab_page::page::{Cell, Column, Mark, Table};
+///
+/// let row = |scene: &str, drift: f64, mark: Mark| {
+///     vec![Cell::text(scene), Cell::count(1000), Cell::number(drift, 2).marked(mark)]
+/// };
+/// let mut rows = vec![row("stack", 1e-4, Mark::Plain), row("arch", 0.25, Mark::Bad)];
+/// rows.push(row("chain", 0.5, Mark::Bad));
+/// let table = Table::new("Drift", "Smaller is better.", "scene | #steps | #drift (m)", rows);
+/// assert!(table.csv().starts_with("scene,steps,drift (m)\nstack,1000,0.0001\n"));
+/// let (short, same) = table.condensed(); // without the column that says the same everywhere
+/// assert_eq!((short.columns.len(), same.as_str()), (2, "steps 1,000"));
+///
+/// // The columns one by one.
+/// let columns = Column::list("scene | #drift (m)");
+/// assert_eq!(columns[0].align, Column::words("scene").align);
+/// assert_eq!(columns[1].unit, Column::numbers("drift", "m").unit);
+/// assert!(Column::words("solver").secondary().secondary); // omitted where space is short
+/// ```
 #[derive(Debug, Clone, Default)]
 pub struct Table {
     /// One line, unique among the tables of the page.

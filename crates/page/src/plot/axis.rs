@@ -3,6 +3,16 @@
 use crate::number::{readable, superscript};
 
 /// An axis.
+///
+/// ```
+/// use lcplab_page::plot::{Axis, Scale, round_step};
+///
+/// let time = Axis::linear("time", "s");
+/// assert_eq!((time.scale, Axis::log("residual", "").scale), (Scale::Linear, Scale::Log));
+/// let at: Vec<f64> = time.scale.ticks((0.0, 10.0), 5).iter().map(|tick| tick.at).collect();
+/// assert_eq!(at, [0.0, 2.0, 4.0, 6.0, 8.0, 10.0]);
+/// assert_eq!((round_step(3.0), round_step(0.02)), (5.0, 0.02)); // 1, 2 or 5 times a power of ten
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Axis {
     /// The quantity, for example `natural residual`.
@@ -42,7 +52,7 @@ impl Axis {
     }
 
     /// The label with its unit: `time (s)`.
-    pub fn heading(&self) -> String {
+    pub(crate) fn heading(&self) -> String {
         if self.unit.is_empty() {
             return self.label.clone();
         }

@@ -71,6 +71,17 @@ impl Frame {
 }
 
 /// An SVG document under construction.
+///
+/// ```
+/// use lcplab_page::plot::canvas::{Anchor, Canvas, hex};
+/// use lcplab_page::plot::style::INK;
+///
+/// let mut canvas = Canvas::new(100.0, 50.0);
+/// canvas.raw(&format!(r#"<path d="M0 0H100" stroke="{}"/>"#, hex((0, 114, 178))));
+/// canvas.text((50.0, 20.0), Anchor::Middle, 12.0, INK, "9.81 m/s²");
+/// let svg = canvas.finish("g", "Gravity", "A line and a number.");
+/// assert!(svg.starts_with("<svg") && svg.contains("#0072b2") && svg.contains("9.81 m/s²"));
+/// ```
 pub struct Canvas {
     width: f64,
     height: f64,
@@ -102,7 +113,7 @@ impl Canvas {
     }
 
     /// Draws a layer into a group with these attributes.
-    pub fn layer<T, E: std::fmt::Debug>(
+    pub(crate) fn layer<T, E: std::fmt::Debug>(
         &mut self,
         attributes: &str,
         draw: impl FnOnce(&Layer) -> Result<T, E>,
@@ -173,12 +184,12 @@ impl Canvas {
 }
 
 /// A length in px in plotters' units.
-pub fn fine(px: f64) -> i32 {
+pub(crate) fn fine(px: f64) -> i32 {
     (px * FINE).round() as i32
 }
 
 /// A line of this width in px.
-pub fn stroke(color: RGBColor, width: f64) -> ShapeStyle {
+pub(crate) fn stroke(color: RGBColor, width: f64) -> ShapeStyle {
     color.stroke_width(fine(width) as u32)
 }
 

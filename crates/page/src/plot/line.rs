@@ -31,6 +31,23 @@ const BETWEEN: f64 = 44.0;
 pub(super) const ROW: f64 = 24.0;
 
 /// Curves over a common x axis; several panels are stacked.
+///
+/// ```
+/// use lcplab_page::figure::Figure;
+/// use lcplab_page::plot::{Axis, Lines, Series};
+///
+/// let points = || vec![(0.0, 1.0), (1.0, 0.25)];
+/// let series = vec![
+///     Series::measured("pgs", points()).labeled("rate ¼"),
+///     Series::points("samples", points()),
+///     Series::theory("theory, pgs", points()),
+///     Series::reference("tolerance", vec![(0.0, 0.1), (1.0, 0.1)]),
+/// ];
+/// let (x, y) = (Axis::linear("sweep", ""), Axis::log("residual", ""));
+/// let lines = Lines::new("rate", "PGS converges by ¼ per sweep", "", x, y, series);
+/// assert!(lines.svg().contains("rate ¼"));
+/// assert_eq!(lines.csv().lines().count(), 1 + 8); // a heading, and a record for each point
+/// ```
 #[derive(Debug, Clone)]
 pub struct Lines {
     /// See [`Figure::id`].

@@ -18,6 +18,14 @@ const SHADES: [(f64, (u8, u8, u8)); 5] = [
 const ENTRY: usize = SHADES.len() - 2;
 
 /// A pattern as a raster.
+///
+/// ```
+/// use lcplab_page::plot::Raster;
+///
+/// // The diagonal of a 4 × 4 matrix, in 2 × 2 cells.
+/// let raster = Raster::new((4, 4), 2, |mark| (0..4).for_each(|i| mark(i, i)));
+/// assert_eq!((raster.block, raster.nonzeros, raster.fill()), (2, 4, 25.0)); // 4 of 16
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Raster {
     /// Rows of the matrix.

@@ -20,6 +20,15 @@ const BESIDE: f64 = 160.0;
 const LINE: f64 = 18.0;
 
 /// The sparsity pattern of a matrix.
+///
+/// ```
+/// use lcplab_page::plot::Spy;
+///
+/// let spy = Spy::new("a", "The pattern of A", "", (2, 2), [(0, 0), (0, 1), (1, 1)])?;
+/// assert_eq!((spy.nonzeros(), spy.fill()), (3, 75.0));
+/// assert!(Spy::new("a", "", "", (2, 2), [(2, 0)]).is_err()); // outside of the matrix
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Spy {
     id: String,

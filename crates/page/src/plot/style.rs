@@ -4,6 +4,15 @@
 //! light and on dark pages; dash and marker repeat the difference for gray prints. SOR is one
 //! family, darker with increasing ω. A variant after a comma (`velocity, dt/2`) or a colon keeps
 //! the hue of the name before it.
+//!
+//! ```
+//! use lcplab_page::plot::style::{style, styles, width};
+//!
+//! assert_eq!(style("pgs"), style("pgs")); // a name looks the same in every figure
+//! let two = styles(&["mine", "mine"]);
+//! assert_ne!(two[0], two[1]); // but two lines of one figure differ
+//! assert!(width("residual", 12.0) > width("res", 12.0)); // px
+//! ```
 
 use plotters::style::RGBColor;
 
@@ -293,7 +302,7 @@ pub fn width(text: &str, size: f64) -> f64 {
 
 /// The text in lines of at most this width in px; a longer word has a line of its own. A percent
 /// sign stays with its number.
-pub fn wrapped(text: &str, size: f64, room: f64) -> Vec<String> {
+pub(crate) fn wrapped(text: &str, size: f64, room: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.replace(" %", "\u{a0}%").split(' ') {
         match lines.last_mut() {
@@ -308,7 +317,7 @@ pub fn wrapped(text: &str, size: f64, room: f64) -> Vec<String> {
 }
 
 /// The same, in as many lines of about the same width.
-pub fn balanced(text: &str, size: f64, room: f64) -> Vec<String> {
+pub(crate) fn balanced(text: &str, size: f64, room: f64) -> Vec<String> {
     let lines = wrapped(text, size, room);
     // Balanced lines need at least half of the room.
     let narrower = (1..=13).map(|k| wrapped(text, size, room * 0.95_f64.powi(k)));

@@ -39,7 +39,7 @@ impl Variable {
     }
 
     /// The row of the boxed problem; `None` for the covering variable.
-    pub fn row(self) -> Option<usize> {
+    pub(crate) fn row(self) -> Option<usize> {
         match self {
             Variable::Y(i) | Variable::W(i) | Variable::V(i) | Variable::T(i) => Some(i),
             Variable::Cover => None,

@@ -28,6 +28,18 @@ pub enum Order {
 
 impl Order {
     /// The row indices in this order.
+    ///
+    /// ```
+    /// use lcplab_lcp::{Lcp, Matrix};
+    /// use lcplab_solver::Order;
+    ///
+    /// // Each of three boxes touches the next one.
+    /// let a = Matrix::from([[2.0, -1.0, 0.0], [-1.0, 2.0, -1.0], [0.0, -1.0, 2.0]]);
+    /// let lcp = Lcp::new(a, vec![-1.0; 3], vec![0.0; 3], vec![f64::INFINITY; 3])?;
+    /// assert_eq!(Order::Symmetric.rows(&lcp), [0, 1, 2, 2, 1, 0]);
+    /// assert_eq!(Order::Colored.rows(&lcp), [0, 2, 1]); // rows 0 and 2 share no entry
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn rows(self, lcp: &Lcp) -> Vec<usize> {
         let natural = 0..lcp.len();
         match self {

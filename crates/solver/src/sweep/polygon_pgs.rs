@@ -23,6 +23,22 @@ use lcplab_lcp::merit;
 const LOOK_EVERY: usize = 10;
 
 /// Projected Gauss-Seidel for friction polygons.
+///
+/// ```
+/// use lcplab_lcp::friction::{Contact, FrictionProblem, Polyhedral};
+/// use lcplab_lcp::{Lcp, Matrix};
+/// use lcplab_solver::{PolygonPgs, Start, Status};
+///
+/// // A point of 1 kg reaches the ground with 2 m/s and slides along t1 with 3 m/s; μ = 0.5.
+/// let (b, free) = (vec![-2.0, -3.0, 0.0], f64::INFINITY);
+/// let a = Matrix::from([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+/// let lcp = Lcp::new(a, b, vec![0.0, -free, -free], vec![free; 3])?;
+/// let problem = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }])?;
+/// let polygons = Polyhedral::new(&problem, 4)?;
+/// let solution = PolygonPgs::default().solve(&polygons, &Start::default(), &mut ());
+/// assert_eq!((solution.status, solution.x), (Status::Solved, vec![2.0, 1.0, 0.0]));
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Default)]
 pub struct PolygonPgs {
     /// The common settings; an iteration is a sweep over all contacts and other rows.

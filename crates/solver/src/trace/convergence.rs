@@ -61,6 +61,22 @@ impl<'a> Convergence<'a> {
     ///
     /// A line is used because residuals may oscillate: for Jacobi's method, whose eigenvalues come
     /// in pairs ±ρ, or SOR above ω*, where they are complex.
+    ///
+    /// ```
+    /// use lcplab_lcp::{Lcp, Matrix};
+    /// use lcplab_solver::trace::Convergence;
+    /// use lcplab_solver::{Pgs, Settings, Solver, Start};
+    ///
+    /// // Gauss-Seidel's rate is a₀₁² / (a₀₀ a₁₁) = ¼.
+    /// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
+    /// let lcp = Lcp::new(a, vec![-1.0; 2], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+    /// let mut trace = Convergence::of(&lcp);
+    /// trace.floor = 1e-10; // what comes later is rounding
+    /// let pgs = Pgs { settings: Settings::default().with_tolerance(0.0), ..Pgs::default() };
+    /// pgs.solve(&lcp, &Start::default(), &mut trace);
+    /// assert!((trace.rate().unwrap() - 0.25).abs() < 1e-4);
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn rate(&self) -> Option<f64> {
         let residuals = self.records.iter().map(|record| record.natural_residual);
         let above: Vec<f64> =

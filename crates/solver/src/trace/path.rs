@@ -28,6 +28,20 @@ pub struct Path {
 
 impl Path {
     /// The largest distance in any row from a point, for each iterate: (iteration, distance).
+    ///
+    /// ```
+    /// use lcplab_lcp::{Lcp, Matrix};
+    /// use lcplab_solver::trace::Path;
+    /// use lcplab_solver::{Pgs, Solver, Start};
+    ///
+    /// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
+    /// let lcp = Lcp::new(a, vec![-1.0; 2], vec![0.0; 2], vec![f64::INFINITY; 2])?; // x = (1, 1)
+    /// let mut path = Path::default();
+    /// Pgs::default().solve(&lcp, &Start::default(), &mut path);
+    /// let distances = path.distances(&[1.0, 1.0]);
+    /// assert_eq!(distances[..3], [(0.0, 1.0), (1.0, 0.5), (2.0, 0.125)]); // then by ¼ each
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn distances(&self, point: &[f64]) -> Vec<(f64, f64)> {
         let distance = |x: &Vec<f64>| {
             x.iter().zip(point).map(|(x, point)| (x - point).abs()).fold(0.0, f64::max)

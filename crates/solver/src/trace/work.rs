@@ -57,6 +57,22 @@ impl Observer for Work<'_> {
 }
 
 /// The cost of the iterations of a method, in multiplications.
+///
+/// ```
+/// use lcplab_lcp::{Lcp, Matrix};
+/// use lcplab_solver::trace::{Cost, Work};
+/// use lcplab_solver::{Pgs, Registry, Solver, Start};
+///
+/// // A method that costs a product A x and one multiplication for each free row.
+/// let mut entry = Registry::standard().entry("pgs")?.clone();
+/// entry.cost = Cost::each("s + f", |effort| effort.stored + effort.free());
+/// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?; // x = (½, 0)
+/// let mut work = Work::of(&entry, &lcp);
+/// Pgs::default().solve(&lcp, &Start::default(), &mut work);
+/// assert_eq!(work.multiplications, 5.0); // one sweep: four entries, one free row
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Cost {
     /// The formula as text: n rows, s stored entries of A, f free rows.
@@ -97,7 +113,7 @@ impl Effort<'_> {
     }
 
     /// Whether A is symmetric.
-    pub fn is_symmetric(&self) -> bool {
+    pub(crate) fn is_symmetric(&self) -> bool {
         self.lcp.matrix().is_symmetric()
     }
 }

@@ -95,6 +95,22 @@ impl InteriorPoint {
     /// The same with the factors of A = Ĵ Ĵᵀ: each step is solved for velocities, six per body,
     /// which is less work than for rows wherever bodies have more than a few rows. A itself is used
     /// only to test whether x is a solution.
+    ///
+    /// ```
+    /// use lcplab_lcp::{Lcp, Matrix};
+    /// use lcplab_solver::kernel::impulses::{Row, System};
+    /// use lcplab_solver::{InteriorPoint, Start};
+    ///
+    /// // A body of 4 kg reaches the ground with 2 m/s: Ĵ = 1/√4, A = 1/4 and x = 8 N s.
+    /// let lcp = Lcp::new(Matrix::from([[0.25]]), vec![-2.0], vec![0.0], vec![f64::INFINITY])?;
+    /// let jacobian = [[0.5, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0; 6]];
+    /// let row = Row { bodies: [0, 0], jacobian };
+    /// let system = System::new(1, &[row], &lcp).expect("no zero row");
+    /// let solver = InteriorPoint::default();
+    /// let solution = solver.solve_factored(&lcp, &system, &Start::default(), &mut ());
+    /// assert!((solution.x[0] - 8.0).abs() < 1e-6);
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn solve_factored(
         &self,
         lcp: &Lcp,
