@@ -67,7 +67,7 @@ impl Card {
     }
 
     /// The properties as a sentence.
-    pub fn words(&self) -> String {
+    pub(crate) fn words(&self) -> String {
         let mut words = counted(self.rows, "row");
         if self.coupled > 0 {
             words += &format!(", {} of them coupled", self.coupled);

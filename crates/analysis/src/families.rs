@@ -2,6 +2,30 @@
 //!
 //! Families with friction are solved under each friction model by the methods that it takes, and
 //! judged by the certificate of that model.
+//!
+//! ```
+//! use lcplab_analysis::families::{Contender, Limits, Models, instances, run, run_on, useless};
+//! use lcplab_lcp::library::by_name;
+//! use lcplab_solver::{Method, Options, Registry, Stop};
+//!
+//! // Lemke and PGS on four contacts. The matrix of `murty` is a P-matrix, but not symmetric.
+//! let (family, options, stop) = (by_name("murty")?, Options::default(), Stop::default());
+//! let registry = Registry::standard();
+//! let lemke: Vec<Method> = vec![registry.method("lemke", None)?.clone()];
+//! let rows = run(&[family], &[], &lemke, &options, 1, &stop);
+//! assert_eq!((rows[0].solver.as_str(), rows[0].solved(), rows[0].solvable()), ("lemke", 1, 1));
+//! assert!(!rows[0].is_wrong()); // no false claim
+//!
+//! // The same with more to choose: the solvers by name, a time limit, progress.
+//! let problems = [("murty".to_string(), instances(family, 1))];
+//! let contenders = [Contender::named("lemke", registry)?];
+//! let limits = Limits { stop: &stop, each: None, search: false, tick: &|| () };
+//! let named = run_on(&problems, Models::Usual(&[]), &contenders, &options, &limits);
+//! assert_eq!(named[0].iterations, rows[0].iterations);
+//! assert!(useless(&named, &contenders).is_empty()); // Lemke's method solved something
+//! assert_eq!(Contender::unnamed(lemke).len(), 1); // without a row where it supports nothing
+//! # Ok::<(), lcplab_lcp::error::Error>(())
+//! ```
 
 mod contender;
 

@@ -82,6 +82,44 @@ pub struct ContactAnswer {
 }
 
 /// The evaluation of an x, regardless of its source.
+///
+/// ```
+/// use lcplab_analysis::friction::{JudgedAnswer, model, solve, solve_by_default};
+/// use lcplab_judge::Demand;
+/// use lcplab_lcp::Question;
+/// use lcplab_lcp::file::Problem;
+/// use lcplab_lcp::friction::Model;
+/// use lcplab_solver::{Options, Registry, Status};
+///
+/// // A point of 1 kg reaches the ground with 2 m/s and slides along t1 with 3 m/s; μ = 0.5.
+/// let text = r#"{"A": {"dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, "b": [-2, -3, 0],
+///                "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5]}"#;
+/// let problem = Problem::parse(text, "point.json")?;
+/// // A solver that is made only for cones stands for Coulomb's law.
+/// let registry = Registry::standard();
+/// let law = model(None, Some("cone-pgs"), &problem, registry);
+/// assert_eq!(law, Some(Model::CoulombCone));
+/// let question = Question::new(&problem, Some(Model::CoulombCone), "point.json")?;
+/// let (options, demand) = (Options::default(), Demand::default());
+///
+/// let method = registry.method("cone-pgs", question.model())?;
+/// let (solution, judged) = solve(&question, method, &options, &demand, &mut ());
+/// assert!(judged.certificate.verdict.is_solution());
+/// assert_eq!(judged.claim(&solution.status, None).0, "solved");
+/// let (_, by_sequence) = solve_by_default(&question, &options, &demand, &mut ());
+/// assert!(by_sequence.certificate.verdict.is_solution());
+///
+/// // Too little friction: 2 m/s of slip remain, which need all of μ x_n = 1 N s.
+/// let wrong = JudgedAnswer::of(&question, &[2.0, 0.5, 0.0], &demand);
+/// let wrong = wrong.with_claim(question.posed(), &Status::Solved, &demand);
+/// let wrong = wrong.searched(question.posed(), &demand); // a solution exists, so no proof
+/// assert!(wrong.json().contains_key("contacts"));
+/// assert!(wrong.text().starts_with("verdict    not a solution"));
+/// let friction = question.friction().unwrap();
+/// let same = JudgedAnswer::at_contacts(friction, question.posed(), &[2.0, 0.5, 0.0], &demand);
+/// assert_eq!(same.certificate.verdict, wrong.certificate.verdict);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct JudgedAnswer {
     /// The judge's verdict on x as a solution of the model's own problem.

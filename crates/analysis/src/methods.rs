@@ -1,4 +1,18 @@
 //! All methods that can be named and compared: the registered solvers and the reference.
+//!
+//! ```
+//! use lcplab_analysis::methods::{default_for, entries, with_reference};
+//! use lcplab_lcp::friction::Model;
+//! use lcplab_solver::Registry;
+//!
+//! let named = entries(&["pgs".into(), "lemke".into()], Registry::standard())?;
+//! assert_eq!(named.len(), 2);
+//! assert_eq!(default_for(Model::CoupledBox), "dantzig");
+//! assert_eq!(default_for(Model::Polyhedral { directions: 8 }), "lemke");
+//! assert!(with_reference().method("clarabel", None).is_ok()); // the last one of the list
+//! assert!(Registry::standard().method("clarabel", None).is_err());
+//! # Ok::<(), lcplab_lcp::error::Error>(())
+//! ```
 
 use std::sync::LazyLock;
 

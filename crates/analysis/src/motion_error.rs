@@ -19,6 +19,26 @@ use lcplab_lcp::{Gauss, Lcp, Level, Question};
 use lcplab_page::number::readable;
 
 /// A bound on the error of the motion.
+///
+/// ```
+/// use lcplab_analysis::motion_error::MotionError;
+/// use lcplab_lcp::Question;
+/// use lcplab_lcp::file::Problem;
+///
+/// // 2 kg fall at 3 m/s on one contact: A = 1/2, x = 6 N s stops them.
+/// let text = r#"{"A": {"dense": [[0.5]]}, "b": [-3],
+///                "motion": {"mass": [[0, 0, 2]], "jacobian": [[0, 0, 1]], "bias": [0],
+///                           "compliance": [0], "target": [-3], "level": "velocity"}}"#;
+/// let question = Question::new(&Problem::parse(text, "fall.json")?, None, "fall.json")?;
+/// let exact = MotionError::of(&question, &[6.0]).unwrap().unwrap();
+/// assert!(exact.relative() < 1e-15); // rounding of the bound
+/// // 6.2 N s are 0.1 m/s too much, of the 3 m/s that the contact changes.
+/// let wrong = MotionError::of(&question, &[6.2]).unwrap().unwrap();
+/// assert!(wrong.bound >= 0.1 * 2f64.sqrt() && wrong.relative() >= 0.1 / 3.1);
+/// assert!(MotionError::text(&question, &[6.2]).starts_with("  motion error"));
+/// assert_eq!(MotionError::json(&question, &[6.2])[0].1["unit"], "√J");
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionError {
     /// |u(x) − û|_M is at most this.

@@ -11,6 +11,33 @@
 //! solves. *Solved* means claimed and accepted by the judge. A problem outside a solver's class is
 //! not an attempt; whether it counts against the solver is shown both ways ([`of_all`]), and each
 //! curve states its number of problems.
+//!
+//! ```
+//! use lcplab_analysis::profiles::Cost::{Failed, NotTried, Solved};
+//! use lcplab_analysis::profiles::{
+//!     FamilyAttempts, ProblemAttempts, costs, iterations, multiplications, of_all,
+//! };
+//! use lcplab_analysis::trial::{Attempt, Outcome};
+//!
+//! // Two solvers on one problem of 3 rows: a sweep method that solves it, and another one that is
+//! // not made for it.
+//! let attempt = |solver: &str, outcome: Outcome| Attempt {
+//!     solver: solver.into(),
+//!     outcome,
+//!     iterations: 7,
+//!     work: 84.0,
+//! };
+//! let one = attempt("a", Outcome::Proved);
+//! assert_eq!((multiplications(3, &one), iterations(3, &one)), (84.0, 7.0));
+//! let attempts = vec![attempt("a", Outcome::Proved), attempt("b", Outcome::Outside("…".into()))];
+//! let problem = ProblemAttempts { rows: 3, impossible: false, attempts: vec![attempts] };
+//! let tried = [FamilyAttempts { family: "mine".into(), problems: vec![problem] }];
+//! assert_eq!(costs(&tried, 0, multiplications), [[Solved(84.0), NotTried]]);
+//! assert_eq!(costs(&tried, 0, iterations), [[Solved(7.0), NotTried]]);
+//! // A problem that was not tried counts as failed, if the solver tried any.
+//! let costs = [vec![Solved(1.0), NotTried], vec![Solved(1.0), Solved(2.0)]];
+//! assert_eq!(of_all(&costs)[0], [Solved(1.0), Failed]);
+//! ```
 
 use serde::{Deserialize, Serialize};
 

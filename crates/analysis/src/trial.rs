@@ -114,6 +114,31 @@ impl Observer for Costed<'_> {
 }
 
 /// The outcome of a trial.
+///
+/// ```
+/// use lcplab_analysis::trial::{Outcome, Trial};
+/// use lcplab_lcp::friction::ProblemForm;
+/// use lcplab_lcp::{Lcp, Matrix};
+/// use lcplab_solver::{Options, Registry};
+///
+/// // The sweeps of PGS reduce the error to a quarter each: ten are not enough for 10⁻⁸.
+/// let a = Matrix::from([[2.0, -1.0], [-1.0, 2.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0; 2], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// let problem = ProblemForm::Boxed(lcp.clone());
+/// let outcome = |sweeps: usize| {
+///     let options = Options::default().with_max_iterations(sweeps);
+///     let pgs = Registry::standard().method("pgs", None)?;
+///     let trial = Trial::run(pgs, &problem, &options, &mut ());
+///     let attempt = trial.attempt("pgs", &lcp, 1e-8); // as it is stored
+///     assert_eq!(attempt.outcome, Outcome::of(&trial.solution, &lcp, 1e-8));
+///     lcplab_lcp::error::Result::Ok(attempt.outcome)
+/// };
+/// let (early, late) = (outcome(10)?, outcome(100)?);
+/// assert_eq!((early.words(), late.words()), ("iteration limit", "proved"));
+/// assert!(early.is_attempt() && !early.is_claim() && !early.is_solved());
+/// assert!(late.is_claim() && late.is_solved());
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Outcome {

@@ -1,4 +1,41 @@
 //! One scene, stepped by every solver, at both levels or by any scheme, each answer judged.
+//!
+//! ```
+//! use lcplab_analysis::comparison::{
+//!     best, compare, compare_families, contenders, refusal, thinned,
+//! };
+//! use lcplab_lcp::friction::Model;
+//! use lcplab_mechanics::scene::{Scene, Scheme};
+//! use lcplab_solver::{Method, Registry, Stop};
+//!
+//! // Three balls in a stack, the middle one hit: three steps by two solvers.
+//! let scene = Scene::load("fig7")?;
+//! let (registry, stop) = (Registry::standard(), Stop::default());
+//! let entries = [registry.entry("dantzig")?.clone(), registry.entry("pgs")?.clone()];
+//! let (mut comparison, timings) = compare(&scene, &[Scheme::Velocity], &entries, 3, &|| ());
+//! assert_eq!((comparison.runs.len(), timings.len()), (2, 2));
+//! let dantzig = best(&comparison.runs).unwrap();
+//! assert_eq!((dantzig.solver.as_str(), dantzig.steps), ("dantzig", 3));
+//! assert!(dantzig.is_candidate() && dantzig.laws.keeps_energy());
+//! assert_eq!(dantzig.failing_criterion(3, comparison.thinnest), None);
+//! assert_eq!(dantzig.failing_criterion(4, comparison.thinnest), Some("ended early"));
+//! assert!((dantzig.energy_at_end() + 0.5).abs() < 1e-9); // ½ m v² of the middle ball, in J
+//! assert!((dantzig.energy_change() + 0.5).abs() < 1e-9);
+//! assert!(dantzig.worst(|sample| sample.penetration) < 1e-9);
+//! assert_eq!(thinned(&dantzig.motion).len(), 4); // few samples are all kept
+//!
+//! // The same for methods, among them those for cones, which take part where they are made for it.
+//! let methods: Vec<Method> = entries.iter().cloned().map(Method::Boxed).collect();
+//! let levels = [Scheme::Velocity, Scheme::Acceleration];
+//! assert_eq!(contenders(&scene, &levels, &methods).len(), 4);
+//! let (again, _) = compare_families(&scene, &levels, &methods, 3, &|| (), &stop)?;
+//! assert_eq!(again.runs.len(), 4);
+//! comparison.add_levels(&scene, &methods, &stop); // this level, and the same with shorter steps
+//! assert!(comparison.levels.is_some());
+//! assert_eq!(refusal(&methods[0], Model::CoupledBox), None);
+//! assert!(refusal(&methods[0], Model::CoulombCone).is_some());
+//! # Ok::<(), lcplab_lcp::error::Error>(())
+//! ```
 
 mod laws;
 mod levels;

@@ -9,6 +9,19 @@
 //! independent: Bricard's mechanism has 30 of each and moves. K&M "Maximal coordinates", E19, E20.
 
 /// The degrees of freedom that the equations leave.
+///
+/// ```
+/// use lcplab_analysis::diagnosis::DegreesOfFreedom;
+/// use lcplab_mechanics::assembly::{Assembly, ConstraintFilter};
+/// use lcplab_mechanics::scene::Scene;
+///
+/// // A bob in space on a rod: 3 − 1.
+/// let scene = Scene::load("pendulum")?;
+/// let filter = ConstraintFilter::Near;
+/// let assembly = Assembly::new(&scene, &scene.states, &[], filter).expect("a direction");
+/// assert_eq!(DegreesOfFreedom::of(&assembly).left(), 2);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct DegreesOfFreedom {
     /// k, the velocity components of moving bodies.

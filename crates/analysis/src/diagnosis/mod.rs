@@ -65,6 +65,22 @@ const ENUMERATED: usize = 8;
 const NEGATIVE: f64 = 1e-9;
 
 /// The result of a diagnosis.
+///
+/// ```
+/// use lcplab_analysis::diagnosis::{Cause, observed_scene, scene};
+/// use lcplab_mechanics::scene::Scene;
+///
+/// // The distance of the two nails is larger than the length of the rod between them.
+/// let nails = Scene::load("fig8")?;
+/// let found = scene(&nails, 1)?;
+/// assert!(!found.is_sound());
+/// let cause: &Cause = found.causes.iter().find(|cause| cause.is_fatal()).unwrap();
+/// assert_eq!(cause.name(), "impossible");
+/// assert!(!cause.rows().is_empty()); // which rows contradict each other
+/// assert!(found.to_json()["causes"].is_array());
+/// assert_eq!(observed_scene(&nails, 1, &|| ())?, found); // with a callback for each step
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Diagnosis {
     /// The scene or problem that was examined.

@@ -5,6 +5,19 @@ use lcplab_lcp::error::{Error, Result};
 use lcplab_solver::{Dantzig, Lemke, Options, Pgs, Registry, Solver};
 
 /// A method that reports step details, with its options.
+///
+/// ```
+/// use lcplab_analysis::explain::{Method, steps};
+/// use lcplab_mechanics::scene::Scene;
+/// use lcplab_solver::Options;
+///
+/// // Gauss-Seidel with at most three sweeps, in the second step.
+/// let method = Method::with("pgs", Options::default().with_max_iterations(3))?;
+/// assert_eq!(method.name(), "pgs");
+/// let document = steps(&Scene::load("fig7")?, &method, 2..=2)?;
+/// assert_eq!(document.title, "fig7, at velocity level, by pgs");
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Method {
     name: &'static str,

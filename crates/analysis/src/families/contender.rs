@@ -36,7 +36,7 @@ impl Contender {
     }
 
     /// Its name.
-    pub fn name(&self) -> &str {
+    pub(crate) fn name(&self) -> &str {
         self.methods.first().map_or("", Method::name)
     }
 }

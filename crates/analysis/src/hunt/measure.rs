@@ -240,7 +240,7 @@ impl Target {
 
     /// The solver's behavior on the problem, in a sentence; `solution` is its
     /// [answer](Target::answer).
-    pub fn words(&self, lcp: &Lcp, solution: &Solution) -> String {
+    pub(crate) fn words(&self, lcp: &Lcp, solution: &Solution) -> String {
         let name = self.solver.name();
         let Ok(posed) = pose(lcp, self.model) else { return format!("{name} is not tried") };
         match self.measure {

@@ -18,7 +18,7 @@
 //! decides.
 //!
 //! An x without a status, as from a plug-in, counts as *solved* only if a solver that merely ran
-//! out of sweeps would have come nearer: [`Claim::under`].
+//! out of sweeps would have come nearer.
 //!
 //! ```
 //! use lcplab_solver::{Dantzig, Pgs, Solver};
@@ -55,7 +55,7 @@ mod truth;
 pub use finding::Finding;
 pub use given::Given;
 pub use measure::{Exclusion, Friction, Measure, Score, Target};
-pub use posing::{frozen_at, pose};
+pub use posing::pose;
 pub use problem::{KINDS, Kind, contact_problem, problem};
 pub use right::RightAnswer;
 pub use search::{Counterexample, Search, SearchResult};
@@ -70,6 +70,32 @@ use lcplab_lcp::friction::Model;
 use lcplab_solver::{Method, Options, Solver, Start, Stop};
 
 /// A hunt over a number of problems of a seed.
+///
+/// ```
+/// use lcplab_analysis::hunt::{Hunt, claims, cone, pose, problem};
+/// use lcplab_lcp::friction::{Model, ProblemForm};
+/// use lcplab_solver::{Dantzig, Options, Registry, Settings, Solver, Stop};
+///
+/// let hunt = Hunt { problems: 20, seed: 7, tolerance: 1e-8 };
+/// let solvers: [Box<dyn Solver>; 1] = [Box::new(Dantzig::default())];
+/// let record = hunt.until(&Stop::default(), &solvers, &|| ());
+/// assert!(record.has_no_false_claims() && record.tallies[0].right() > 0);
+///
+/// // One of these problems by itself: a claim for each solver.
+/// let (lcp, start) = problem(7, 0);
+/// assert_eq!(claims(&lcp, start.as_deref(), &solvers, 1e-8).len(), 1);
+/// assert!(matches!(pose(&lcp, None)?, ProblemForm::Boxed(_))); // no friction model: a box
+///
+/// // Methods under a friction model, and cones, whose answers have closed forms.
+/// let methods = [Registry::standard().method("cone-pgs", Some(Model::CoulombCone))?.clone()];
+/// let (model, options) = (Model::CoulombCone, Options::default());
+/// let record = hunt.under(model, &Stop::default(), &methods, &options, &|| ());
+/// assert!(record.has_no_false_claims());
+/// let settings = Settings::default();
+/// assert_eq!(cone::tallies(7, 20, &settings).len(), 2); // cone-pgs and apgd
+/// assert!(record.with_cones(7, 20, &settings).has_no_false_claims());
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hunt {
     /// The number of problems, cycling through the kinds in [`KINDS`].

@@ -130,6 +130,15 @@ pub fn problem(seed: u64, k: usize) -> (Lcp, Option<Vec<f64>>) {
 /// Problem k of a seed with friction in pairs of tangents and definite A, for a friction model:
 /// alternately a contact with a cone that has a closed form, with very different scales
 /// ([`cone::contact`]), and a few contacts with small integers.
+///
+/// ```
+/// use lcplab_analysis::hunt::contact_problem;
+/// use lcplab_lcp::friction::FrictionProblem;
+///
+/// // A contact with friction under any model.
+/// assert_eq!(FrictionProblem::of(&contact_problem(7, 0))?.contacts().len(), 1);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn contact_problem(seed: u64, k: usize) -> Lcp {
     if k.is_multiple_of(2) {
         return cone::contact(seed, k).problem.friction().coupled_box();

@@ -26,6 +26,23 @@ const ASKED: [&str; 7] = [
 const TOLERANCES: [f64; 2] = [1e-12, 1e-9];
 
 /// A correct answer, and its source.
+///
+/// ```
+/// use dashu_ratio::RBig;
+/// use lcplab_analysis::hunt::RightAnswer;
+/// use lcplab_lcp::friction::ProblemForm;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // Two supports share a load of 1. The corners of all answers are known; (1, 0) is nearer.
+/// let a = Matrix::from([[1.0, 1.0], [1.0, 1.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0; 2], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// let (zero, one) = (RBig::ZERO, RBig::ONE);
+/// let corners = [vec![one.clone(), zero.clone()], vec![zero, one]];
+/// let own = [0.9, 0.2];
+/// let right = RightAnswer::of(&ProblemForm::Boxed(lcp), None, Some(&corners), Some(&own));
+/// assert_eq!(right.unwrap().x, [1.0, 0.0]);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct RightAnswer {
     /// x, one number per row.

@@ -37,6 +37,35 @@ const GROWTH: usize = 4;
 const LEAST_ITERATIONS: usize = 2000;
 
 /// The parameters of a search.
+///
+/// ```
+/// use lcplab_analysis::hunt::{Finding, Friction, Measure, Search, Target};
+/// use lcplab_solver::{MatrixClass, Options, Registry, Stop};
+///
+/// // A problem of two or three rows, without friction, on which PGS needs many sweeps.
+/// let target = Target {
+///     measure: Measure::Iterations,
+///     solver: Registry::standard().method("pgs", None)?.clone(),
+///     baseline: None,
+///     options: Options::default().with_max_iterations(1000),
+///     model: None,
+///     within: MatrixClass::Definite,
+///     friction: Friction::Never,
+///     allows_single_tangents: false,
+///     best_omega: false,
+/// };
+/// target.validate()?;
+/// let search = Search { rows: 2..=3, evaluations: 30, seed: 1, at_least: None, from: vec![] };
+/// search.validate(&target)?;
+/// let found = search.run(&target, &Stop::default(), &|_| ());
+/// assert_eq!(found.useless("pgs"), None); // PGS solved some of them
+/// let worst = found.counterexample.unwrap();
+/// assert_eq!(target.score(&worst.lcp, 1000).value, worst.value); // the number of sweeps
+/// let finding = Finding::of(&worst, &target, search.seed);
+/// assert_eq!(finding.problem.lcp.len(), worst.lcp.len());
+/// println!("{}{}", finding.equations(), finding.answers()); // the problem, and both x
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Search {
     /// The allowed numbers of rows.

@@ -84,7 +84,7 @@ impl std::fmt::Display for FalseClaim {
 
 impl Truth {
     /// The truth from all pieces of a problem, including coupled rows, if a claim depends on it.
-    pub fn of<'a>(lcp: &Lcp, mut claims: impl Iterator<Item = &'a Claim>) -> Truth {
+    pub(crate) fn of<'a>(lcp: &Lcp, mut claims: impl Iterator<Item = &'a Claim>) -> Truth {
         let depends = |claim: &Claim| {
             matches!(claim, Claim::Proved | Claim::Within | Claim::Refused | Claim::Impossible)
         };
@@ -103,7 +103,7 @@ impl Truth {
 
 impl Claim {
     /// The claim of a solution to an LCP, as far as the judge can decide.
-    pub fn of(lcp: &Lcp, solution: &Solution, tolerance: f64) -> Claim {
+    pub(crate) fn of(lcp: &Lcp, solution: &Solution, tolerance: f64) -> Claim {
         Claim::under(&ProblemForm::Boxed(lcp.clone()), solution, tolerance)
     }
 
@@ -112,7 +112,7 @@ impl Claim {
     /// An x without a status that the judge rejects is not a claim if it may be the last iterate of
     /// a solver that ran out of sweeps: if plain projected Gauss-Seidel does not come twice as near
     /// in the same number of sweeps either.
-    pub fn under(posed: &ProblemForm, solution: &Solution, tolerance: f64) -> Claim {
+    pub(crate) fn under(posed: &ProblemForm, solution: &Solution, tolerance: f64) -> Claim {
         match Claim::stated(posed, solution, tolerance) {
             Claim::FalseClaim(FalseClaim::Refuted { amount, .. })
                 if solution.is_claim_implied
@@ -168,7 +168,7 @@ impl Claim {
     }
 
     /// Whether the solver answered the problem: with a solution, or correctly that there is none.
-    pub fn is_right(&self) -> bool {
+    pub(crate) fn is_right(&self) -> bool {
         matches!(self, Claim::Proved | Claim::Within | Claim::Refused | Claim::Impossible)
     }
 

@@ -125,6 +125,8 @@ impl Loads {
     /// let left = pair.contacts[0].range.unwrap();
     /// assert!(left.least.abs() < 1e-6 && (left.most - 19.62).abs() < 1e-6);
     /// assert!((left.least_norm - 9.81).abs() < 1e-6);
+    /// assert!(loads.text().contains("on load by ground"));
+    /// assert_eq!(loads.json()["unit"], "N");
     /// # Ok::<(), lcplab_lcp::error::Error>(())
     /// ```
     pub fn of(question: &Question, x: &[f64]) -> Option<Loads> {

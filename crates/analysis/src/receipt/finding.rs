@@ -62,6 +62,15 @@ pub struct Finding {
 
 impl Finding {
     /// An error that belongs to no row.
+    ///
+    /// ```
+    /// use lcplab_analysis::receipt::{Finding, Stage};
+    ///
+    /// let drift = Finding::new(Stage::Assembly, "bias", 0.02, 0.01);
+    /// assert!(drift.is_rejected());
+    /// assert!(!Finding::new(Stage::Assembly, "bias", 0.01, 0.01).is_rejected());
+    /// assert!(Finding::new(Stage::Assembly, "bias", f64::NAN, 0.01).is_rejected());
+    /// ```
     pub fn new(stage: Stage, what: impl Into<String>, error: f64, limit: f64) -> Self {
         Finding { stage, what: what.into(), error, limit, row: None, bodies: Vec::new() }
     }
@@ -84,7 +93,7 @@ pub struct Report {
 
 impl Report {
     /// Appends another report.
-    pub fn add(&mut self, other: Report) {
+    pub(crate) fn add(&mut self, other: Report) {
         self.findings.extend(other.findings);
         self.not_checked.extend(other.not_checked);
     }

@@ -153,6 +153,41 @@ impl Work {
 }
 
 /// The verification report of one step of an engine.
+///
+/// ```
+/// use lcplab_analysis::receipt::{EngineStep, Receipt, answer_of};
+/// use serde_json::json;
+///
+/// // 2 kg fall at 3 m/s on one contact of compliance ½ s/kg: x = 3 N s, v = −1.5 m/s. The engine
+/// // returns 2 N s and −2 m/s. The file has its answer, too.
+/// let problem = json!({"b": [-3], "motion": {"mass": [[0, 0, 2]], "jacobian": [[0, 0, 1]],
+///     "bias": [0], "compliance": [0.5], "target": [-3]}, "answer": {"x": [2], "motion": [-2]}});
+/// let answer = answer_of(&problem).unwrap();
+/// let step = EngineStep::read(&problem, answer, "fall.json")?;
+/// step.check("fall.json")?; // the lengths of all vectors, the signs of compliance and μ
+/// assert_eq!((step.len(), step.unit()), (1, "√J"));
+/// assert_eq!(step.to_answer()["x"], json!([2.0]));
+/// assert_eq!(step.to_problem()?["b"], json!([-3.0])); // J u* + bias
+///
+/// let receipts = Receipt::of_all(vec![(step, None)], Some(0.01))?; // of all frames of a run
+/// let receipt = &receipts[0];
+/// assert!(receipt.is_rejected());
+/// assert_eq!(receipt.rejected().unwrap().stage.name(), "solver");
+/// assert!(receipt.findings().iter().any(|finding| finding.is_rejected()));
+/// assert_eq!((receipt.limit(), receipt.step().len()), (0.01, 1));
+/// // 0.5 m/s off, of the 1 m/s that the contact changed; 1 m/s has the norm √2 for 2 kg.
+/// assert_eq!((receipt.step().norm(&[1.0]), receipt.step().effect()), (2f64.sqrt(), 2f64.sqrt()));
+/// assert!(receipt.motion_error().unwrap() > 0.499);
+/// assert_eq!(receipt.error(), receipt.motion_error());
+/// assert_eq!((receipt.residual(), receipt.difference()), (None, None)); // there is a bound
+/// assert!(receipt.not_checked().iter().any(|part| part.contains("collision")));
+/// assert!(receipt.text().contains("solver"));
+/// assert_eq!(receipt.to_json()["verdict"], "wrong");
+/// // Its files; the step has only one row, so that no smaller one shows the same error.
+/// assert_eq!(receipt.folder(&problem, answer)?[0].0, "frame.json");
+/// assert!(receipt.shrunk().is_none());
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Receipt {
     step: EngineStep,

@@ -28,6 +28,40 @@ pub(super) struct Unchecked {
 }
 
 /// The receipts of a run, in the order of its steps, compared with a recorded run.
+///
+/// ```
+/// use std::sync::Arc;
+///
+/// use lcplab_analysis::receipt::{Baseline, EngineStep, Receipt, Run};
+/// use serde_json::json;
+///
+/// // 2 kg fall at 3 m/s on one contact of compliance ½ s/kg: x = 3 N s, v = −1.5 m/s.
+/// let problem = json!({"b": [-3], "motion": {"mass": [[0, 0, 2]], "jacobian": [[0, 0, 1]],
+///     "bias": [0], "compliance": [0.5], "target": [-3]}});
+/// let frame = |name: &str, x: f64, v: f64| {
+///     let step = EngineStep::read(&problem, &json!({"x": [x], "motion": [v]}), name)?;
+///     let receipt = Arc::new(Receipt::new(step, None, None)?);
+///     lcplab_lcp::error::Result::Ok((name.to_string(), receipt))
+/// };
+/// let recorded = Run::new(vec![frame("1", 3.0, -1.5)?, frame("2", 3.0, -1.5)?], None);
+/// assert!(recorded.is_ok() && recorded.unchecked().is_none());
+///
+/// // A new release of the engine: frame 1 is wrong, and frame 2 is missing.
+/// let text = serde_json::Value::Object(recorded.to_json()).to_string();
+/// let baseline = Baseline::from_json("baseline.json", &text)?;
+/// let run = Run::new(vec![frame("1", 2.0, -2.0)?], Some(baseline));
+/// assert!(!run.is_ok());
+/// assert_eq!((run.missing(), run.frames().len()), (vec!["2"], 1));
+/// assert_eq!(run.worst()[0].0, "1");
+/// assert!(run.worse().is_empty()); // one frame is too few to compare the sizes of errors
+/// assert_eq!(run.lost(), ["1 frame of the baseline is missing: 2"]);
+/// assert!(run.text().starts_with("not ok: 1 frame, 1 rejected (0 known)"));
+/// assert!(run.junit().contains("<failure"));
+/// assert!(run.sarif().contains("2.1.0"));
+/// assert_eq!(run.summary()["ok"], false);
+/// assert!(run.details()["receipts"].get("1").is_some());
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Run {
     frames: Vec<(String, Arc<Receipt>)>,

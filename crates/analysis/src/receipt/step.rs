@@ -202,7 +202,7 @@ impl EngineStep {
 
     /// The same step with the motion that its forces cause instead of the engine's, which is then
     /// not checked.
-    pub fn with_motion_of_forces(mut self) -> Self {
+    pub(crate) fn with_motion_of_forces(mut self) -> Self {
         self.answer.motion = self.motion_of(&self.answer.forces);
         self.has_computed_motion = true;
         self.not_checked
@@ -211,20 +211,20 @@ impl EngineStep {
     }
 
     /// J v, n entries.
-    pub fn along(&self, motion: &[f64]) -> Vec<f64> {
+    pub(crate) fn along(&self, motion: &[f64]) -> Vec<f64> {
         let row = |row: &Vec<(usize, f64)>| row.iter().map(|&(j, value)| value * motion[j]).sum();
         self.gauss.jacobian.iter().map(row).collect()
     }
 
     /// The sum of the absolute values of the terms of J v, n entries.
-    pub fn size_along(&self, motion: &[f64]) -> Vec<f64> {
+    pub(crate) fn size_along(&self, motion: &[f64]) -> Vec<f64> {
         let row =
             |row: &Vec<(usize, f64)>| row.iter().map(|&(j, value)| (value * motion[j]).abs()).sum();
         self.gauss.jacobian.iter().map(row).collect()
     }
 
     /// Jᵀx, k entries.
-    pub fn push(&self, forces: &[f64]) -> Vec<f64> {
+    pub(crate) fn push(&self, forces: &[f64]) -> Vec<f64> {
         let mut push = vec![0.0; self.gauss.target.len()];
         for (row, x) in self.gauss.jacobian.iter().zip(forces) {
             row.iter().for_each(|&(j, value)| push[j] += value * x);
@@ -233,7 +233,7 @@ impl EngineStep {
     }
 
     /// M v, k entries.
-    pub fn times_mass(&self, motion: &[f64]) -> Vec<f64> {
+    pub(crate) fn times_mass(&self, motion: &[f64]) -> Vec<f64> {
         let mut product = vec![0.0; motion.len()];
         for &(i, j, value) in &self.gauss.mass {
             product[i] += value * motion[j];
@@ -290,7 +290,7 @@ impl EngineStep {
     }
 
     /// An error in the norm of M, relative to the effect.
-    pub fn relative(&self, error: f64) -> f64 {
+    pub(crate) fn relative(&self, error: f64) -> f64 {
         let effect = self.effect();
         match error {
             0.0 => 0.0,
@@ -364,6 +364,20 @@ impl EngineStep {
 }
 
 /// A step without its arrays, as JSON passes it.
+///
+/// ```
+/// use lcplab_analysis::receipt::{EngineStep, StepFacts};
+/// use lcplab_lcp::Level;
+/// use serde_json::json;
+///
+/// let problem = json!({"b": [-3], "motion": {"mass": [[0, 0, 2]], "jacobian": [[0, 0, 1]],
+///     "bias": [0], "compliance": [0.5], "target": [-3]}});
+/// let answer = json!({"x": [3], "motion": [-1.5]});
+/// let facts = StepFacts::of(&EngineStep::read(&problem, &answer, "fall.json")?);
+/// assert_eq!(facts.level()?, Level::Velocity);
+/// assert_eq!(facts.model()?, None); // no friction
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct StepFacts {

@@ -68,18 +68,18 @@ impl Agreement {
 }
 
 impl<'a> Comparison<'a> {
-    pub fn new(x: &'a [f64], solution: &'a [f64], precision: Precision) -> Self {
+    pub(crate) fn new(x: &'a [f64], solution: &'a [f64], precision: Precision) -> Self {
         let size = x.iter().chain(solution).fold(0.0_f64, |most, x| most.max(x.abs()));
         Comparison { x, solution, precision, size }
     }
 
     /// max |x_i − s_i| relative to the largest entry of both.
-    pub fn solution_distance(&self) -> f64 {
+    pub(crate) fn solution_distance(&self) -> f64 {
         self.relative(distance(self.x, self.solution))
     }
 
     /// A distance relative to the largest entry of x and of the solution.
-    pub fn relative(&self, distance: f64) -> f64 {
+    pub(crate) fn relative(&self, distance: f64) -> f64 {
         distance / self.size
     }
 
@@ -90,7 +90,7 @@ impl<'a> Comparison<'a> {
     }
 
     /// The agreement of y with x, if it is near enough; `fitted` numbers of y were taken from x.
-    pub fn agreement(&self, y: &[f64], fitted: usize) -> Option<Agreement> {
+    pub(crate) fn agreement(&self, y: &[f64], fitted: usize) -> Option<Agreement> {
         let (distance, distance_to_solution) =
             (distance(self.x, y), distance(self.x, self.solution));
         // If the mistake's own answer is an equally short decimal, the digits of x are exact, not

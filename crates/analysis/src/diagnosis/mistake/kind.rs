@@ -1,6 +1,15 @@
 //! The list of known mistakes: what a solver computes instead of the solution, and what to check.
 
 /// A mistake that [`find_mistakes`](super::find_mistakes) knows.
+///
+/// ```
+/// use lcplab_analysis::diagnosis::MistakeKind;
+///
+/// let kind = MistakeKind::SignOfB;
+/// assert_eq!(kind.name(), "sign of b");
+/// assert_eq!(kind.computes(), "the solution with −b, or sweeps toward it");
+/// assert_eq!(kind.check(), "The convention is w = A x + b; others use A x − b.");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MistakeKind {
     /// x is the start.

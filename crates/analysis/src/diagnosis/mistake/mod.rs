@@ -199,6 +199,17 @@ pub fn find_mistakes(problem: &ProblemForm, x: &[f64], last: Option<&[f64]>) -> 
 
 /// The accuracy of single precision: the scaled residuals of x and of the solution, both rounded to
 /// it, if a solver finds one.
+///
+/// ```
+/// use lcplab_analysis::diagnosis::single_precision;
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // w = 3 x − 1: ⅓ has an error of 1e-8 in 32 bits.
+/// let lcp = Lcp::new(Matrix::from([[3.0]]), vec![-1.0], vec![0.0], vec![f64::INFINITY])?;
+/// let [own, rounded] = single_precision(&lcp, &[1.0 / 3.0]).unwrap();
+/// assert!(own < 1e-15 && 1e-9 < rounded && rounded < 1e-7);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 pub fn single_precision(lcp: &Lcp, x: &[f64]) -> Option<[f64; 2]> {
     let rounded: Vec<f64> = solution(lcp)?.iter().map(|&x| f64::from(x as f32)).collect();
     Some([merit::scaled_residual(lcp, x), merit::scaled_residual(lcp, &rounded)])

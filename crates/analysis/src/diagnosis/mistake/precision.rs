@@ -8,6 +8,17 @@
 const MOST_DIGITS: i32 = 14;
 
 /// The precision of the numbers in an answer.
+///
+/// ```
+/// use lcplab_analysis::diagnosis::Precision;
+///
+/// // Printed with three decimals: each number may be off by half of the last one.
+/// let precision = Precision::of(&[0.333, 0.5]);
+/// assert_eq!(precision, Precision::Decimal { digits: 3, decimals: 3 });
+/// assert!((precision.half_unit(0.333) - 0.0005).abs() < 1e-18);
+/// assert_eq!(Precision::of(&[1.0 / 3.0]), Precision::Double);
+/// assert_eq!(Precision::of(&[f64::from(1.0_f32 / 3.0)]), Precision::Single);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Precision {
     /// Full double precision.

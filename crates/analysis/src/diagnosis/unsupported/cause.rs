@@ -34,7 +34,7 @@ pub struct Without {
 
 impl Without {
     /// The part of the error that the cause explains.
-    pub fn share(&self) -> f64 {
+    pub(crate) fn share(&self) -> f64 {
         self.with - self.without
     }
 }
@@ -262,7 +262,7 @@ pub enum Moving {
 
 impl Moving {
     /// A few words for the start of a line.
-    pub fn name(&self) -> &'static str {
+    pub(crate) fn name(&self) -> &'static str {
         match self {
             Moving::Cold { .. } => "cold start",
             Moving::Feedback { .. } => "energy from Baumgarte feedback",

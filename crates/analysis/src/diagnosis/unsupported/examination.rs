@@ -59,6 +59,43 @@ pub(crate) fn first_bad_step(notes: &[StepSummary]) -> usize {
 }
 
 /// The result of the examination of a scene or a sequence.
+///
+/// ```
+/// use lcplab_analysis::diagnosis::unsupported::{Load, Slow, UnsupportedLoad};
+/// use lcplab_analysis::diagnosis::unsupported::{examine_scene, examine_sequence, user_solver};
+/// use lcplab_mechanics::scene::Scene;
+/// use lcplab_mechanics::simulation::Step;
+/// use lcplab_page::document::Document;
+///
+/// // Three balls in a stack by one sweep of PGS: much of the weight is not supported.
+/// let changes = [
+///     ("solver.name".into(), "\"pgs\"".into()),
+///     ("solver.max_iterations".into(), "1".into()),
+/// ];
+/// let scene = Scene::load_with("fig7", &changes)?;
+/// let found = examine_scene(&scene, None)?;
+/// let load: &UnsupportedLoad = found.unsupported.as_ref().unwrap();
+/// assert!(load.is_short() && load.part() > 0.1);
+/// assert!(load.headline().contains("pgs"));
+/// assert!(load.whole.as_ref().map(Load::missing).is_none_or(|part| part > 0.1));
+/// assert!(load.to_json()["solver"].is_string());
+/// println!("{:?}", load.pace()); // the rate of the slowest pattern, if that is the reason
+/// let names: Vec<&str> = load.causes.iter().map(Slow::name).collect();
+/// assert!(names.iter().all(|name| found.causes().contains(name)));
+/// assert!(!found.headline().is_empty() && found.to_json().is_object());
+/// assert!(found.worst().iter().any(|(measure, _)| *measure == "residual"));
+/// // A reference solution is known for every step.
+/// assert!(found.unsolved(1e-8).is_empty() && found.unsolved_in_words(1e-8).is_empty());
+/// let mut document = Document::default();
+/// found.open(&mut document); // its beginning
+/// assert!(!document.lead.is_empty());
+///
+/// // The same for problem files, here that of the first step.
+/// let solve = &Step::of(&scene, 1)?.solves[0];
+/// let found = examine_sequence(&[solve.exported(&scene, 1)], &user_solver(&scene)?);
+/// assert!(found.unsupported.unwrap().is_short());
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Default)]
 pub struct Examination {
     /// The summaries of the steps.

@@ -27,7 +27,7 @@ impl UserSolver {
     }
 
     /// The name of one iteration.
-    pub fn unit(&self) -> &'static str {
+    pub(crate) fn unit(&self) -> &'static str {
         match self.entry.group {
             Group::Sweeps => "sweep",
             Group::Pivoting => "pivot",
@@ -36,13 +36,13 @@ impl UserSolver {
     }
 
     /// The solver.
-    pub fn solver(&self) -> Box<dyn Solver> {
+    pub(crate) fn solver(&self) -> Box<dyn Solver> {
         self.entry.build(&self.options)
     }
 
     /// Another solver with these settings, except for the number of steps if it is a direct method;
     /// `None` if there is none with this name.
-    pub fn other(&self, name: &str) -> Option<Box<dyn Solver>> {
+    pub(crate) fn other(&self, name: &str) -> Option<Box<dyn Solver>> {
         let mut options = self.options.clone();
         let entry = Registry::standard().entry(name).ok()?;
         if entry.group != Group::Sweeps && entry.group != Group::FirstOrder {

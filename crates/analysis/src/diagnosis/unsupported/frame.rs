@@ -142,7 +142,7 @@ impl Frame {
 
     /// The problem with rigid contacts: A without γ in one-sided rows. `None` if no contact is
     /// compliant.
-    pub fn rigid(&self) -> Option<Lcp> {
+    pub(crate) fn rigid(&self) -> Option<Lcp> {
         let motion = self.motion.as_ref()?;
         let yields = |i: usize| {
             let is_one_sided = self.lcp.lo()[i].is_finite() && self.lcp.hi()[i].is_infinite();
@@ -168,7 +168,7 @@ impl Frame {
     }
 
     /// The pairs of bodies between which these rows act.
-    pub fn between(&self, rows: &[usize]) -> Vec<String> {
+    pub(crate) fn between(&self, rows: &[usize]) -> Vec<String> {
         let pairs = self.pairs.iter().filter(|pair| pair.rows.iter().any(|i| rows.contains(i)));
         pairs.map(|pair| pair.name.clone()).collect()
     }
@@ -179,7 +179,7 @@ impl Frame {
     }
 
     /// For each body, those that share a row with it.
-    pub fn neighbors(&self) -> Vec<Vec<usize>> {
+    pub(crate) fn neighbors(&self) -> Vec<Vec<usize>> {
         let mut neighbors = vec![Vec::new(); self.bodies.len()];
         for row in self.motion.iter().flat_map(|motion| &motion.jacobian) {
             let touches =
@@ -198,7 +198,7 @@ impl Frame {
     }
 
     /// The maximum number of bodies on a shortest path between two bodies connected with this one.
-    pub fn diameter(&self, body: usize) -> usize {
+    pub(crate) fn diameter(&self, body: usize) -> usize {
         let neighbors = self.neighbors();
         let connected = by_distance(&neighbors, body).concat();
         connected.iter().map(|&k| by_distance(&neighbors, k).len()).max().unwrap_or(0)
@@ -218,7 +218,7 @@ impl Frame {
     }
 
     /// Jᵀ x of the selected rows: the impulse on each column.
-    pub fn impulse(&self, x: &[f64], counts: impl Fn(usize) -> bool) -> Vec<f64> {
+    pub(crate) fn impulse(&self, x: &[f64], counts: impl Fn(usize) -> bool) -> Vec<f64> {
         let Some(motion) = &self.motion else { return Vec::new() };
         let mut impulse = vec![0.0; motion.target.len()];
         for i in (0..x.len()).filter(|&i| counts(i)) {
@@ -250,7 +250,7 @@ impl Frame {
     }
 
     /// The upward component of an impulse on a body (N s).
-    pub fn upward(&self, impulse: &[f64], body: &Body) -> f64 {
+    pub(crate) fn upward(&self, impulse: &[f64], body: &Body) -> f64 {
         let Some(fall) = self.fall else { return 0.0 };
         let own = &impulse[body.columns.start..body.columns.start + 3];
         -own.iter().zip(fall).map(|(p, fall)| p * fall).sum::<f64>() / length(fall)
@@ -258,13 +258,13 @@ impl Frame {
 
     /// The effect of gravity in all bodies, |M⁻¹F|_M, with masses multiplied by `mass`; 0 if
     /// unknown.
-    pub fn weight(&self, mass: impl Fn(usize) -> f64) -> f64 {
+    pub(crate) fn weight(&self, mass: impl Fn(usize) -> f64) -> f64 {
         let masses = self.bodies.iter().enumerate().map(|(k, body)| mass(k) * body.mass);
         self.fall.map_or(0.0, length) * masses.sum::<f64>().sqrt()
     }
 
     /// γ of each row, 0 if unknown.
-    pub fn compliances(&self) -> Vec<f64> {
+    pub(crate) fn compliances(&self) -> Vec<f64> {
         let none = || vec![0.0; self.lcp.len()];
         self.motion.as_ref().map_or_else(none, |motion| motion.compliance.clone())
     }
@@ -281,7 +281,7 @@ impl Frame {
     }
 
     /// The size of the motion that rounding of positions can cause.
-    pub fn rounding(&self) -> f64 {
+    pub(crate) fn rounding(&self) -> f64 {
         self.position_rounding * self.bodies.iter().map(|body| body.mass).sum::<f64>().sqrt()
     }
 }

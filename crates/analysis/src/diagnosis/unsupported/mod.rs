@@ -29,14 +29,24 @@ mod suspect;
 mod thresholds;
 
 pub use cause::{Moving, Slow, Without};
+// The hidden items are parts of an examination, for reports and tests. They are no promise.
+#[doc(hidden)]
 pub use error_history::{ErrorHistory, error_histories};
 pub use examination::{Examination, StepSummary};
-pub use examine::{Load, UnsupportedLoad, UserSolver, examine};
+#[doc(hidden)]
+pub use examine::examine;
+pub use examine::{Load, UnsupportedLoad, UserSolver};
+#[doc(hidden)]
 pub use frame::{Body, Frame, Pair};
+#[doc(hidden)]
 pub use linear::{Linear, Slowest, SweepParameters};
+#[doc(hidden)]
 pub use reference::ReferenceSolution;
 pub use remedy::{Remedy, RemedyEffect};
 #[cfg(feature = "mechanics")]
-pub use run::{exact, examine_scene, main_solve, user_solver};
+#[doc(hidden)]
+pub use run::{exact, main_solve};
+#[cfg(feature = "mechanics")]
+pub use run::{examine_scene, user_solver};
 pub use sequence::examine_sequence;
 pub use thresholds::{GOOD, HEALTHY};

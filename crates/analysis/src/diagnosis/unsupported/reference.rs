@@ -69,7 +69,7 @@ impl<'a> ReferenceSolution<'a> {
     }
 
     /// The reference for a frame.
-    pub fn of(frame: &'a Frame) -> Option<Self> {
+    pub(crate) fn of(frame: &'a Frame) -> Option<Self> {
         let terms = frame.offset_terms();
         let weight = frame.weight(|_| 1.0);
         ReferenceSolution::with_compliances(
@@ -148,7 +148,7 @@ impl<'a> ReferenceSolution<'a> {
     }
 
     /// Whether the judge accepts x; its error is then negligible.
-    pub fn is_accepted(&self, x: &[f64]) -> bool {
+    pub(crate) fn is_accepted(&self, x: &[f64]) -> bool {
         is_accepted(self.lcp, x)
     }
 
@@ -169,7 +169,7 @@ impl<'a> ReferenceSolution<'a> {
     }
 
     /// The distance of two x on the same scale.
-    pub fn apart(&self, x: &[f64], y: &[f64]) -> f64 {
+    pub(crate) fn apart(&self, x: &[f64], y: &[f64]) -> f64 {
         if self.size > 0.0 { self.apart_in_full(x, y) / self.size } else { 0.0 }
     }
 
@@ -184,7 +184,7 @@ impl<'a> ReferenceSolution<'a> {
     }
 
     /// The error after each sweep from `x`, until it is `target`, for at most `most` sweeps.
-    pub fn error_history(&self, solver: &dyn Solver, x: &[f64], target: f64) -> Vec<f64> {
+    pub(crate) fn error_history(&self, solver: &dyn Solver, x: &[f64], target: f64) -> Vec<f64> {
         let mut error_history =
             ErrorObserver { reference: self, target, missing: vec![self.missing(x)] };
         solver.solve(self.lcp, &Start::at(x), &mut error_history);
@@ -192,7 +192,7 @@ impl<'a> ReferenceSolution<'a> {
     }
 
     /// The rows whose w is 0: between their bounds, or at a bound without a force.
-    pub fn free_rows(&self) -> Vec<bool> {
+    pub(crate) fn free_rows(&self) -> Vec<bool> {
         let w = self.lcp.w(&self.exact);
         let size = |i: usize| {
             let row = self.lcp.matrix().row(i);

@@ -109,7 +109,7 @@ impl UnsupportedLoad {
 
     /// The recommended remedy: the cheapest one that removes the error, otherwise the one that
     /// leaves the least.
-    pub fn advice(&self) -> Option<String> {
+    pub(crate) fn advice(&self) -> Option<String> {
         let cures = self.remedies.iter().filter(|remedy| remedy.missing <= HEALTHY);
         let cheapest = cures.min_by(|a, b| a.work.total_cmp(&b.work));
         let best = cheapest.or_else(|| self.remedies.first())?;

@@ -108,7 +108,7 @@ impl<'a> Case<'a> {
 
     /// The solver as a cause, if plain Gauss-Seidel has a much smaller error after the same number
     /// of sweeps; with the error of plain Gauss-Seidel, which alone the other suspects explain.
-    pub fn solver(&self, found: &UnsupportedLoad) -> Option<(Slow, f64)> {
+    pub(crate) fn solver(&self, found: &UnsupportedLoad) -> Option<(Slow, f64)> {
         let UserSolver { entry, options } = self.user_solver;
         if entry.group != Group::Plugin {
             // Solvers of the library are tested; some of them are slower than sweeps.
