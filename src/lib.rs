@@ -35,7 +35,7 @@
 //! false claims, [`simulation`] takes many steps, [`trace`], [`plot`] and [`report`] show the
 //! results, [`explain`] derives a step line by line, [`diagnosis`] explains why a step cannot be
 //! taken, [`chapter`] shows what K&M print next to the correct statements, [`lesson`] contains the
-//! lessons, and [`live`] the interactive pages.
+//! lessons.
 
 pub use lcplab_analysis::{card, diagnosis, explain, hunt};
 pub use lcplab_files as files;
@@ -53,12 +53,18 @@ pub use lcplab_solver::{textbook, trace};
 // The command line and the cells of lessons use this name.
 extern crate self as lcplab;
 
+// The hidden modules, here and within the others, are parts of the program. They are no promise.
+
 pub mod animation;
 pub mod chapter;
+#[doc(hidden)]
 pub mod cli;
+#[doc(hidden)]
 pub mod frames;
 pub mod lesson;
+#[doc(hidden)]
 pub mod live;
+#[doc(hidden)]
 pub mod problem_set;
 pub mod report;
 pub mod storage;

@@ -21,7 +21,7 @@ impl Origin {
     pub const ALL: [Origin; 3] = [Origin::Normal, Origin::Friction, Origin::Constraint];
 
     /// The word in legends.
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Origin::Normal => "normal",
             Origin::Friction => "friction",

@@ -48,7 +48,7 @@ impl View {
     }
 
     /// The name in words.
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             View::Front => "from the front",
             View::ThreeQuarter => "from the front, right and above",
@@ -90,12 +90,12 @@ impl Camera {
 
     /// The point of the world (m) with these view coordinates: to the right, up, and towards the
     /// viewer.
-    pub fn world(&self, seen: &Vector3<f64>) -> Vector3<f64> {
+    pub(crate) fn world(&self, seen: &Vector3<f64>) -> Vector3<f64> {
         self.right * seen.x + self.up * seen.y + self.eye * seen.z
     }
 
     /// The unit vector towards the viewer.
-    pub fn toward(&self) -> Vector3<f64> {
+    pub(crate) fn toward(&self) -> Vector3<f64> {
         self.eye
     }
 }

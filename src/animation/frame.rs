@@ -11,6 +11,23 @@ use crate::scene::Scene;
 use crate::simulation::{Simulation, Solve, Step};
 
 /// One instant of a motion.
+///
+/// ```
+/// use lcplab::animation::{Frame, View};
+/// use lcplab::{scene::Scene, simulation::Simulation, solver::Dantzig};
+///
+/// // Three balls in a stack: forces of 4, 3 and 1 N in the first step of 1 s.
+/// let scene = Scene::load("fig7")?;
+/// let mut simulation = Simulation::new(scene.clone(), Box::new(Dantzig::default()));
+/// let start = Frame::now(&simulation);
+/// assert_eq!((start.time, start.forces.len()), (0.0, 0));
+/// let step = simulation.step().expect("a step that can be taken");
+/// let after = Frame::after(&scene, &step).heated(vec![0.0, 0.0, 1.0, 0.0]); // one ball red
+/// assert_eq!((after.time, after.forces.len()), (1.0, 3));
+/// // Balls above each other stay in the plane of the front view.
+/// assert_eq!(View::of(&scene, &[start, after]), View::Front);
+/// # Ok::<(), lcplab::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Frame {
     /// The time (s).

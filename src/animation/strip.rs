@@ -92,18 +92,33 @@ impl Strip {
     }
 
     /// The same with these texts above the frames.
-    pub fn labelled<const N: usize>(self, labels: [&str; N]) -> Self {
+    pub(crate) fn labelled<const N: usize>(self, labels: [&str; N]) -> Self {
         Strip { labels: labels.map(String::from).into(), ..self }
     }
 
     /// The same with the forces drawn.
+    ///
+    /// ```
+    /// use lcplab::animation::{Arrows, Frame, Strip};
+    /// use lcplab::scene::Scene;
+    ///
+    /// let scene = Scene::load("stack")?;
+    /// let strip = Strip::new(&scene, vec![Frame::start(&scene)])
+    ///     .named("stack")
+    ///     .with_caption("The boxes at the start.")
+    ///     .with_forces();
+    /// assert_eq!(strip.id, "stack");
+    /// assert_eq!(strip.caption, "The boxes at the start.");
+    /// assert!(matches!(strip.arrows, Arrows::Shown));
+    /// # Ok::<(), lcplab::error::Error>(())
+    /// ```
     pub fn with_forces(self) -> Self {
         Strip { arrows: Arrows::Shown, ..self }
     }
 
     /// The first frame without a sheet, in a box of this width and height (px), with a group for
     /// each body; empty without frames.
-    pub fn still(&self, (width, height): (f64, f64)) -> String {
+    pub(crate) fn still(&self, (width, height): (f64, f64)) -> String {
         let Some(frame) = self.frames.iter().find(|frame| frame.is_finite()) else {
             return String::new();
         };

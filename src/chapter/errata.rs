@@ -53,13 +53,13 @@ impl ErratumResult {
     ///
     /// # Errors
     /// If it cannot be set up.
-    pub fn of(exhibit: &'static Exhibit) -> Result<Self> {
+    pub(crate) fn of(exhibit: &'static Exhibit) -> Result<Self> {
         let is_shown = exhibit.found()?.map(|finding| finding.is_shown());
         Ok(ErratumResult { exhibit, is_shown })
     }
 
     /// The result, in words.
-    pub fn word(&self) -> &'static str {
+    pub(crate) fn word(&self) -> &'static str {
         match self.is_shown {
             Some(true) => "shown",
             Some(false) => "not shown",

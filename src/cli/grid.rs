@@ -94,7 +94,7 @@ impl Place {
 }
 
 impl Grid {
-    pub fn run(&self, limits: &Limits) -> Result<Outcome> {
+    pub(crate) fn run(&self, limits: &Limits) -> Result<Outcome> {
         match &self.action {
             Action::Plan(plan) => plan.run(),
             Action::Run(run) => run.run(limits),

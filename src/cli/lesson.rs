@@ -145,7 +145,7 @@ impl Lesson {
 }
 
 impl Answer {
-    pub fn run(&self) -> Result<Outcome> {
+    pub(crate) fn run(&self) -> Result<Outcome> {
         let Some(id) = &self.exercise else { return list_problems() };
         let problems = problems()?;
         let Some(template) = problems.iter().find(|problem| problem.id == *id) else {

@@ -51,7 +51,7 @@ pub struct Limits {
 
 impl Limits {
     /// Starts the time limit.
-    pub fn begin(time: &TimeLimit) -> Self {
+    pub(crate) fn begin(time: &TimeLimit) -> Self {
         let limits = Limits {
             stop: time.time_limit.map(Stop::after).unwrap_or_default(),
             asks: Arc::default(),
@@ -66,7 +66,7 @@ impl Limits {
 
     /// The stop condition, for a command that checks it; from now on signals raise it. A second
     /// signal ends the program immediately.
-    pub fn stop(&self) -> &Stop {
+    pub(crate) fn stop(&self) -> &Stop {
         if self.asks.swap(true, Ordering::Relaxed) {
             // The handler is already installed.
             return &self.stop;
@@ -84,7 +84,7 @@ impl Limits {
     }
 
     /// Marks the work as done; what follows must not be interrupted.
-    pub fn over(&self) {
+    pub(crate) fn over(&self) {
         self.is_over.store(true, Ordering::Relaxed);
     }
 }

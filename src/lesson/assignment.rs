@@ -1,7 +1,7 @@
 //! Assignments: a sheet of problems for each student of a class, and the grading of what they hand
 //! in.
 //!
-//! A student hands in a text file with one line for each number ([`Assignment::form`]):
+//! A student hands in a text file with one line for each number (`Assignment::form`):
 //!
 //! ```text
 //! student,Ada Lovelace
@@ -89,7 +89,7 @@ impl Assignment {
     ///
     /// # Errors
     /// Lists the names that select nothing.
-    pub fn select(all: &[Template], names: &[String]) -> Result<Self> {
+    pub(crate) fn select(all: &[Template], names: &[String]) -> Result<Self> {
         let lesson = |id: &str| id.split('.').next().unwrap_or_default().to_string();
         let is_meant = |name: &str, problem: &Template| {
             name == problem.id || (name == lesson(&problem.id) && problem.has_parameters())
@@ -118,7 +118,7 @@ impl Assignment {
     }
 
     /// The file that a student fills in.
-    pub fn form(&self, student: &str) -> String {
+    pub(crate) fn form(&self, student: &str) -> String {
         let mut out = String::new();
         csv::record(&mut out, [STUDENT, student]);
         self.problems.iter().for_each(|problem| csv::record(&mut out, [&problem.id, ""]));
@@ -129,7 +129,7 @@ impl Assignment {
     ///
     /// # Errors
     /// If a formula cannot be evaluated.
-    pub fn sheet(&self, student: &str, secret: &str) -> Result<Page> {
+    pub(crate) fn sheet(&self, student: &str, secret: &str) -> Result<Page> {
         let problems = self.problems_of(student, secret)?;
         let section = |(k, problem): (usize, &Problem)| Section {
             id: format!("problem-{}", k + 1),
@@ -169,7 +169,7 @@ impl Assignment {
     ///
     /// # Errors
     /// If a formula cannot be evaluated.
-    pub fn key(&self, students: &[String], secret: &str) -> Result<String> {
+    pub(crate) fn key(&self, students: &[String], secret: &str) -> Result<String> {
         let mut out = String::new();
         let columns = ["student", "problem", "answer", "unit", "relative tolerance", "numbers"];
         csv::record(&mut out, columns);

@@ -1,27 +1,31 @@
 //! Lessons: notebooks with Python cells, and Rust cells that are compiled with the crate, run, and
 //! shown with their output.
 //!
-//! A lesson is one Markdown file ([`source`]). The build turns its Rust cells into a [`Program`];
+//! A lesson is one Markdown file (`source`). The build turns its Rust cells into a [`Program`];
 //! running it gives a [`Record`] of outputs, from which a page ([`Program::page`]) and Jupyter
 //! notebooks in Python ([`Program::notebook`]) and in Rust ([`Program::rust_notebook`]) are made.
 //! In a Rust cell `println!` writes a line, [`show`] a [`table`], a [`Plot`], a scene or an
 //! erratum's exhibit, and [`put`] gives the prose a value that it quotes as `{{name}}`. The same
 //! calls work in a Jupyter kernel for Rust.
 //!
-//! [`problem`] checks students' numerical answers; [`template`] gives each student different
-//! numbers, and [`assignment`] makes and grades sheets of such problems. Their programs are checked
+//! `problem` checks students' numerical answers; `template` gives each student different
+//! numbers, and `assignment` makes and grades sheets of such problems. Their programs are checked
 //! in Python alone (`notebooks/exercises/checks.py`).
 
+#[doc(hidden)]
 pub mod assignment;
 mod notebook;
 mod page;
 mod plot;
+#[doc(hidden)]
 pub mod problem;
 mod python;
 mod record;
 mod show;
+#[doc(hidden)]
 pub mod source;
 mod table;
+#[doc(hidden)]
 pub mod template;
 mod terminal;
 mod twin;
@@ -44,6 +48,33 @@ use template::Template;
 pub type Ran = std::result::Result<(), Box<dyn std::error::Error>>;
 
 /// A literate notebook: its text, and its cells as a program.
+///
+/// ```
+/// use lcplab::lesson::{Output, Plot, Program, Ran, cell, put, say, show};
+///
+/// /// The cells as the build makes them from the Rust cells of a notebook.
+/// fn cells() -> Ran {
+///     cell(0);
+///     say("m g = 19.62 N");
+///     put("weight", 19.62);
+///     let plot = Plot::new("fall", "A fall").x("time", "s").y("speed", "m/s");
+///     let plot = plot.measured("ball", vec![(0.0, 0.0), (1.0, 9.81)]);
+///     // Another panel with its own curves.
+///     let plot = plot.below().points("samples", vec![(1.0, 9.81)]);
+///     show(&plot.log_x("time", "s").reference("limit", vec![(0.1, 9.81), (1.0, 9.81)]))?;
+///     Ok(())
+/// }
+///
+/// let text = "# The weight\n\nIt is {{weight}} N.\n";
+/// let program = Program { name: "weight", text, cells, drawings: &[], problems: "" };
+/// let record = program.run()?;
+/// assert_eq!(record.values["weight"], "19.62"); // the prose quotes it
+/// assert_eq!(record.cells[0][0], Output::Lines("m g = 19.62 N\n".into()));
+/// assert_eq!(program.page(&record)?.title, "The weight");
+/// assert!(program.notebook(&record)?.contains("It is 19.62 N."));
+/// assert!(program.rust_notebook(&record)?.contains("It is 19.62 N."));
+/// # Ok::<(), lcplab::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Program {
     /// The file's name without its extension: `01_complementarity`.
@@ -75,13 +106,13 @@ impl Program {
     }
 
     /// The number at the beginning of the name; 0 without one.
-    pub fn number(&self) -> usize {
+    pub(crate) fn number(&self) -> usize {
         let digits = self.name.split('_').next().unwrap_or_default();
         digits.parse().unwrap_or(0)
     }
 
     /// The title, preceded by the number if there is one.
-    pub fn title(&self) -> String {
+    pub(crate) fn title(&self) -> String {
         let title = source::Source::read(self.text).title;
         if self.number() > 0 { format!("{}. {title}", self.number()) } else { title }
     }

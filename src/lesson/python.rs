@@ -22,6 +22,13 @@ const SCRIPTS: [&str; 2] = ["pyodide.asm.mjs", "pyodide.asm.js"];
 /// Copies what the pages of a folder need to run their Python cells into it: Pyodide from an
 /// unpacked distribution, with its NumPy if it has it, and `arrays.py` for where it does not.
 ///
+/// ```
+/// use lcplab::lesson::write_python;
+///
+/// let folder = tempfile::tempdir().unwrap();
+/// assert!(write_python(folder.path(), folder.path()).is_err()); // no Pyodide in it
+/// ```
+///
 /// # Errors
 /// If the folder is not a Pyodide distribution, or a file cannot be written.
 pub fn write_python(pyodide: &Path, folder: &Path) -> Result<()> {

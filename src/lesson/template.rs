@@ -106,7 +106,7 @@ pub struct Seed<'a> {
 }
 
 /// The form of a name in which equal students are equal.
-pub fn normal(name: &str) -> String {
+pub(crate) fn normal(name: &str) -> String {
     name.split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase()
 }
 

@@ -37,6 +37,12 @@ const HALVES: [(&str, &str); 6] =
     [("1/2", "½"), ("1/3", "⅓"), ("2/3", "⅔"), ("1/4", "¼"), ("3/4", "¾"), ("1/8", "⅛")];
 
 /// The text with its formulas in Unicode.
+///
+/// ```
+/// use lcplab::lesson::unicode;
+///
+/// assert_eq!(unicode(r"a body with $x_1 \ge 0$"), "a body with x₁ ≥ 0");
+/// ```
 pub fn unicode(markdown: &str) -> String {
     let words = markdown.replace("$$", "$");
     let pieces = words.split('$').enumerate();

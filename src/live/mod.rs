@@ -97,7 +97,7 @@ impl Page {
 
 /// The live pages to which a text links, as `[a stack](live/stack.html#solver=pgs)`, to be opened
 /// in place.
-pub fn linked(text: &str) -> Vec<Live> {
+pub(crate) fn linked(text: &str) -> Vec<Live> {
     let links = text.split("](live/").skip(1).map(|after| after.split(')').next().unwrap_or(""));
     let live = |link: &str| {
         let (file, state) = link.split_once('#').unwrap_or((link, ""));
@@ -113,7 +113,7 @@ pub fn linked(text: &str) -> Vec<Live> {
 ///
 /// # Errors
 /// If a file cannot be written.
-pub fn write_linked(html: &str, folder: &Path) -> Result<()> {
+pub(crate) fn write_linked(html: &str, folder: &Path) -> Result<()> {
     let is_linked = |page: &&Page| html.contains(&format!("href=\"live/{}.html", page.name));
     for page in PAGES.iter().filter(is_linked) {
         file::write_in(folder, format!("live/{}.html", page.name), page.text())?;

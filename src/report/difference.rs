@@ -34,7 +34,7 @@ pub struct Change {
 
 impl Change {
     /// |new − old| relative to the larger absolute value; 1 unless both are numbers.
-    pub fn relative(&self) -> f64 {
+    pub(crate) fn relative(&self) -> f64 {
         self.numbers().map_or(1.0, |(old, new)| (new - old).abs() / old.abs().max(new.abs()))
     }
 

@@ -56,7 +56,7 @@ pub type Parse = fn(&Source<'_>, Spanned<DeValue<'_>>, &mut Defects) -> Option<B
 
 impl Kind {
     /// The kind of a study that can be shown.
-    pub const fn of<S: View + 'static>() -> Kind {
+    pub(crate) const fn of<S: View + 'static>() -> Kind {
         Kind {
             name: S::NAME,
             title: S::TITLE,
@@ -75,7 +75,7 @@ impl Kind {
 ///
 /// # Errors
 /// If there is no such kind.
-pub fn by_name(name: &str) -> Result<&'static Kind> {
+pub(crate) fn by_name(name: &str) -> Result<&'static Kind> {
     KINDS.iter().find(|kind| kind.name == name).ok_or_else(|| Error::Unknown {
         kind: "study",
         name: name.into(),

@@ -60,7 +60,7 @@ pub struct Part {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub tasks: Vec<Task>,
     /// The checksum of the findings so far, while a later run may continue from them: see
-    /// [`Results::sealed`].
+    /// `Results::sealed`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub checksum: Option<String>,
 }
@@ -108,7 +108,7 @@ pub struct Timed {
 
 impl Results {
     /// The results of a report before its first task.
-    pub fn empty(experiment: &Experiment) -> Self {
+    pub(crate) fn empty(experiment: &Experiment) -> Self {
         Results {
             version: env!("CARGO_PKG_VERSION").to_string(),
             libraries: libraries(),
@@ -128,7 +128,7 @@ impl Results {
     }
 
     /// The same for writing: with a checksum per section while a later run may continue from it.
-    pub fn sealed(&self) -> Self {
+    pub(crate) fn sealed(&self) -> Self {
         let checksums: Vec<_> = self.sections.iter().map(|part| self.checksum(part)).collect();
         let mut sealed = self.clone();
         for (part, checksum) in sealed.sections.iter_mut().zip(checksums) {
@@ -139,7 +139,7 @@ impl Results {
 
     /// The results that were read, without the findings of sections that were changed since they
     /// were written; also returns the ids of those sections.
-    pub fn unedited(mut self) -> (Self, Vec<String>) {
+    pub(crate) fn unedited(mut self) -> (Self, Vec<String>) {
         let is_edited = |part: &Part| {
             part.tasks.iter().any(Task::is_over)
                 && part.checksum.as_ref() != Some(&self.checksum(part))
@@ -181,7 +181,7 @@ impl Results {
 
     /// Takes over the findings of an earlier run of the same version with the same settings and
     /// plug-ins.
-    pub fn resume(&mut self, earlier: &Results) {
+    pub(crate) fn resume(&mut self, earlier: &Results) {
         let by = |results: &Results| {
             (results.version.clone(), results.libraries.clone(), results.plugins.clone())
         };
@@ -204,7 +204,7 @@ impl Results {
     }
 
     /// Records how a task ended.
-    pub fn note(&mut self, section: usize, task: usize, ended: Result<(Value, Value)>) {
+    pub(crate) fn note(&mut self, section: usize, task: usize, ended: Result<(Value, Value)>) {
         let part = &mut self.sections[section];
         let (id, task) = (part.id.clone(), &mut part.tasks[task]);
         match ended {
@@ -306,13 +306,13 @@ impl Part {
 
 impl Task {
     /// Whether it is done or has failed.
-    pub fn is_over(&self) -> bool {
+    pub(crate) fn is_over(&self) -> bool {
         self.finding.is_some() || self.failure.is_some()
     }
 }
 
 /// The versions of the numerical libraries, from the lock file of this build.
-pub fn libraries() -> Vec<String> {
+pub(crate) fn libraries() -> Vec<String> {
     const LOCK: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.lock"));
     let version = |name: &&str| {
         let entry =

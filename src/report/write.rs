@@ -41,6 +41,7 @@ pub fn results(results: &Results, folder: &Path) -> Result<()> {
 /// # Errors
 /// If an equation cannot be rendered or a name is not a valid file name, in which case nothing is
 /// written; or if a file cannot be written.
+#[doc(hidden)]
 pub fn document(document: &ReportPage, folder: &Path) -> Result<PathBuf> {
     check_names(document)?;
     let html = document.page.render()?;

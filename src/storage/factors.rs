@@ -8,6 +8,21 @@ use crate::storage::Entry;
 
 /// The factors of A = J M⁻¹ Jᵀ with six columns per moving body; for a point mass the last three
 /// are empty.
+///
+/// ```
+/// use lcplab::assembly::{Assembly, ConstraintFilter};
+/// use lcplab::scene::Scene;
+/// use lcplab::storage::Factors;
+///
+/// // A bob of 1 kg on a rod along x: J = (1, 0, 0), and so is Ĵ.
+/// let scene = Scene::load("pendulum")?;
+/// let filter = ConstraintFilter::Near;
+/// let assembly = Assembly::new(&scene, &scene.states, &[], filter).expect("a direction");
+/// let factors = Factors::of(&assembly);
+/// assert_eq!((factors.rows, factors.bodies(), factors.columns), (1, 1, 6));
+/// assert_eq!(factors.scaled_rows()[0].jacobian[0][..3], [1.0, 0.0, 0.0]);
+/// # Ok::<(), lcplab::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Factors {
     /// The number of rows of J.

@@ -52,6 +52,24 @@ pub use ordering::{Graph, Ordering};
 pub use sweep::sweep;
 
 /// A matrix, in any storage format.
+///
+/// ```
+/// use lcplab::storage::{MapOfMaps, Storage};
+///
+/// let mut a = MapOfMaps::new(2, 3);
+/// a.set(0, 2, -1.0)?;
+/// assert_eq!((a.rows(), a.columns()), (2, 3));
+/// assert_eq!((a.get(0, 2)?, a.get(1, 0)?), (-1.0, 0.0)); // reading does not insert
+/// let mut entries = Vec::new();
+/// a.visit_row(0, &mut |column, value| entries.push((column, value)))?;
+/// assert_eq!(entries, [(2, -1.0)]);
+/// assert!(a.allocations() > 0); // on the heap, since it was made
+///
+/// a.reset(1, 1)?;
+/// assert_eq!((a.rows(), a.stored()), (1, 0));
+/// assert!(lcplab::storage::ALL.iter().any(|kind| kind.name == a.name()));
+/// # Ok::<(), lcplab::storage::Error>(())
+/// ```
 pub trait Storage {
     /// Its name in [`ALL`].
     fn name(&self) -> &'static str;

@@ -17,6 +17,21 @@ use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
 
 /// The graph of coupled rows: the pattern of a symmetric matrix without its diagonal.
+///
+/// ```
+/// use lcplab::storage::{Graph, Ordering};
+///
+/// // A chain of three rows: a tridiagonal matrix.
+/// let chain = Graph::of(3, [(0, 1), (1, 2)]);
+/// assert_eq!((chain.is_empty(), chain.lower_entries()), (false, 5)); // three and two
+/// assert_eq!((chain.bandwidth(&[0, 1, 2]), chain.bandwidth(&[0, 2, 1])), (1, 2));
+/// // In the natural order its factor has no other entries; from the middle it has one more.
+/// let mut entries = Vec::new();
+/// chain.visit_factor(&[0, 1, 2], &mut |row, column| entries.push((row, column)));
+/// assert_eq!(entries.len(), 5);
+/// assert_eq!(chain.factor_entries(&[1, 0, 2]), 6);
+/// assert_eq!(Ordering::Natural.name(), "natural");
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Graph {
     /// The neighbors of each row, ascending.
@@ -77,7 +92,7 @@ impl Graph {
     }
 
     /// Calls `visit` with the positions (row, column) of the matrix with its rows in this order.
-    pub fn visit(&self, order: &[usize], visit: &mut dyn FnMut(usize, usize)) {
+    pub(crate) fn visit(&self, order: &[usize], visit: &mut dyn FnMut(usize, usize)) {
         let place = inverse(order);
         for (i, &row) in order.iter().enumerate() {
             visit(i, i);

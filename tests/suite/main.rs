@@ -4,6 +4,7 @@ mod animation;
 mod architecture;
 mod chapter;
 mod cli;
+mod documentation;
 mod frames;
 mod lesson;
 mod long_run;

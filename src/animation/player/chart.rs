@@ -31,7 +31,7 @@ impl Measure {
     pub const ALL: [Measure; 3] = [Measure::Energy, Measure::Drift, Measure::Penetration];
 
     /// Its name in words.
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Measure::Energy => "energy change",
             Measure::Drift => "drift",
@@ -40,7 +40,7 @@ impl Measure {
     }
 
     /// Its unit.
-    pub fn unit(self) -> &'static str {
+    pub(crate) fn unit(self) -> &'static str {
         match self {
             Measure::Energy => "J",
             Measure::Drift | Measure::Penetration => "m",

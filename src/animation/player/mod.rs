@@ -78,19 +78,19 @@ pub struct Sample {
 
 impl Recording {
     /// A recording at the start of a simulation.
-    pub fn start(name: impl Into<String>, simulation: &Simulation) -> Self {
+    pub(crate) fn start(name: impl Into<String>, simulation: &Simulation) -> Self {
         let (frame, motion) = (Frame::now(simulation), simulation.motion());
         Recording { name: name.into(), samples: vec![Sample { frame, motion }], ending: None }
     }
 
     /// Adds the end of a step.
-    pub fn add(&mut self, scene: &Scene, step: &Step) {
+    pub(crate) fn add(&mut self, scene: &Scene, step: &Step) {
         let (frame, motion) = (Frame::after(scene, step), step.motion.clone());
         self.samples.push(Sample { frame, motion });
     }
 
     /// Records why the simulation ended early, if it did.
-    pub fn end(&mut self, failure: Option<&Failure>) {
+    pub(crate) fn end(&mut self, failure: Option<&Failure>) {
         self.ending = failure.map(ToString::to_string);
     }
 
@@ -106,7 +106,7 @@ impl Recording {
     }
 
     /// The same with a stop condition.
-    pub fn until(
+    pub(crate) fn until(
         stop: &Stop,
         name: &str,
         simulation: &mut Simulation,
@@ -150,7 +150,7 @@ impl Animation {
     }
 
     /// The number of instants for each of this number of recordings.
-    pub fn samples_each(recordings: usize) -> usize {
+    pub(crate) fn samples_each(recordings: usize) -> usize {
         SAMPLES.0.min(SAMPLES.1 / recordings.max(1))
     }
 
@@ -161,7 +161,7 @@ impl Animation {
 
     /// The first instant to show: the one with the largest difference between recordings or, for a
     /// single recording, with the largest forces; the first of these.
-    pub fn first_shown(&self) -> usize {
+    pub(crate) fn first_shown(&self) -> usize {
         let sample = |recording: &Recording, k: usize| {
             recording.samples.get(k).map(|sample| sample.frame.clone())
         };
@@ -218,7 +218,7 @@ impl Animation {
     }
 
     /// The measures that are available and not 0 in every recording, the energy first.
-    pub fn measures(&self) -> Vec<Measure> {
+    pub(crate) fn measures(&self) -> Vec<Measure> {
         chart::measures(self)
     }
 
@@ -229,7 +229,7 @@ impl Animation {
     }
 
     /// The width and height of the picture in px.
-    pub fn size(&self) -> (f64, f64) {
+    pub(crate) fn size(&self) -> (f64, f64) {
         let lens = self.stage().lens;
         (lens.width, lens.height)
     }
@@ -249,12 +249,26 @@ impl Animation {
     /// The data for the player, as one JSON object. Positions are in units of `unit` (m),
     /// quaternion components in 1/10000; each list has the first number and then the differences,
     /// without trailing zeros.
+    ///
+    /// ```
+    /// use lcplab::animation::{Animation, Measure, Recording};
+    /// use lcplab::{scene::Scene, simulation::Simulation, solver::Dantzig};
+    ///
+    /// let scene = Scene::load("pendulum")?;
+    /// let mut simulation = Simulation::new(scene.clone(), Box::new(Dantzig::default()));
+    /// let recordings = vec![Recording::of("dantzig", &mut simulation, 10, 11)];
+    /// let animation = Animation::new("pendulum", &scene, recordings);
+    /// assert_eq!(animation.panes()[0].name, "dantzig");
+    /// assert!(animation.chart(Measure::Drift).starts_with("<svg"));
+    /// assert!(animation.data().starts_with('{')); // JSON for the player
+    /// # Ok::<(), lcplab::error::Error>(())
+    /// ```
     pub fn data(&self) -> String {
         data::json(self).to_string()
     }
 
     /// Some instants of a recording as a picture.
-    pub fn strip(&self, recording: usize) -> Strip {
+    pub(crate) fn strip(&self, recording: usize) -> Strip {
         let largest = |recording: &Recording| arrow::largest(&recording.stills());
         let strip = Strip {
             id: format!("{}-{recording}", self.id),

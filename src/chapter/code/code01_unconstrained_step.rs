@@ -55,7 +55,7 @@ impl Blocks {
     }
 
     /// s⁺ = s + dt S u⁺.
-    pub fn moved(&self, u_next: &DVector<f64>, dt: f64) -> DVector<f64> {
+    pub(crate) fn moved(&self, u_next: &DVector<f64>, dt: f64) -> DVector<f64> {
         &self.s + &self.S * u_next * dt
     }
 }

@@ -77,12 +77,12 @@ impl RigidBody {
     }
 
     /// Adds a torque (N m, world).
-    pub fn add_torque(&mut self, torque: &Vector3<f64>) {
+    pub(crate) fn add_torque(&mut self, torque: &Vector3<f64>) {
         self.torque += torque;
     }
 
     /// The matrix of the orientation in this convention.
-    pub fn orientation_matrix(&self, vectors: Vectors) -> Matrix3<f64> {
+    pub(crate) fn orientation_matrix(&self, vectors: Vectors) -> Matrix3<f64> {
         let unit = UnitQuaternion::new_normalize(self.orientation);
         let columns = unit.to_rotation_matrix().into_inner();
         match vectors {

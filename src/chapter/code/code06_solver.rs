@@ -57,7 +57,7 @@ pub fn corrected(
 ///
 /// # Errors
 /// As for [`printed`].
-pub fn swept(
+pub(crate) fn swept(
     form: Form,
     A: &DMatrix<f64>,
     b: &DVector<f64>,

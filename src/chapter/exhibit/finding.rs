@@ -56,19 +56,19 @@ pub enum Outcome {
 
 impl Finding {
     /// A finding for this example without measures.
-    pub fn new(example: impl Into<String>) -> Self {
+    pub(crate) fn new(example: impl Into<String>) -> Self {
         Finding { example: example.into(), ..Finding::default() }
     }
 
     /// Adds a measure.
-    pub fn measure(mut self, measure: Measure) -> Self {
+    pub(crate) fn measure(mut self, measure: Measure) -> Self {
         self.measures.push(measure);
         self
     }
 
     /// Adds the verdicts on both forms' answers x to one problem: the printed one must be rejected,
     /// the corrected one accepted.
-    pub fn judged(
+    pub(crate) fn judged(
         mut self,
         problem: impl Into<String>,
         lcp: &Lcp,
@@ -81,14 +81,14 @@ impl Finding {
     }
 
     /// Adds a table, all of whose rows are shown.
-    pub fn table(mut self, title: &str, columns: &[&str], rows: Vec<Vec<String>>) -> Self {
+    pub(crate) fn table(mut self, title: &str, columns: &[&str], rows: Vec<Vec<String>>) -> Self {
         let columns = columns.iter().map(|title| title.to_string()).collect();
         self.tables.push(Table { title: title.into(), columns, rows, left_out: 0 });
         self
     }
 
     /// Sets these curves as the figure.
-    pub fn plot(mut self, lines: &Lines) -> Self {
+    pub(crate) fn plot(mut self, lines: &Lines) -> Self {
         let caption = lines.caption().into();
         self.picture = Some(Picture { svg: lines.svg(), caption, ..Picture::default() });
         self
@@ -108,7 +108,7 @@ impl Finding {
 
 impl Measure {
     /// A measure with the numbers of both forms.
-    pub fn new(
+    pub(crate) fn new(
         quantity: impl Into<String>,
         unit: &'static str,
         printed: impl Into<Outcome>,
@@ -127,24 +127,24 @@ impl Measure {
     }
 
     /// Sets the true value, its source, and the tolerance.
-    pub fn truth(mut self, truth: &[f64], source: &'static str, tolerance: f64) -> Self {
+    pub(crate) fn truth(mut self, truth: &[f64], source: &'static str, tolerance: f64) -> Self {
         (self.truth, self.source, self.tolerance) = (truth.to_vec(), source, tolerance);
         self
     }
 
     /// Marks a case in which the printed form happens to be right too.
-    pub fn agreeing(mut self) -> Self {
+    pub(crate) fn agreeing(mut self) -> Self {
         self.agrees = true;
         self
     }
 
     /// Whether the corrected form is right, and the printed one wrong (or right, if it `agrees`).
-    pub fn is_as_claimed(&self) -> bool {
+    pub(crate) fn is_as_claimed(&self) -> bool {
         self.is_right(&self.corrected) && self.is_right(&self.printed) == self.agrees
     }
 
     /// Whether an outcome equals the true value within the tolerance.
-    pub fn is_right(&self, outcome: &Outcome) -> bool {
+    pub(crate) fn is_right(&self, outcome: &Outcome) -> bool {
         match outcome {
             Outcome::Numbers(values) => {
                 values.len() == self.truth.len()

@@ -217,7 +217,7 @@ impl Exhibit {
 
 impl Severity {
     /// The word used in lists.
-    pub fn word(self) -> &'static str {
+    pub(crate) fn word(self) -> &'static str {
         match self {
             Severity::Wrong => "wrong",
             Severity::Misleading => "misleading",

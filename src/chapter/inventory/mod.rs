@@ -13,7 +13,8 @@
 
 mod show;
 
-pub use show::{chosen, list};
+pub(crate) use show::chosen;
+pub use show::list;
 
 use std::sync::LazyLock;
 
@@ -87,7 +88,7 @@ pub struct Group {
 }
 
 /// The groups in the order of the lists.
-pub fn groups() -> &'static [Group] {
+pub(crate) fn groups() -> &'static [Group] {
     static GROUPS: LazyLock<Vec<Group>> =
         LazyLock::new(|| data::list("inventory.toml", include_str!("../inventory.toml")));
     &GROUPS
@@ -131,7 +132,7 @@ fn ranges() -> Vec<String> {
 ///
 /// # Errors
 /// If there is no such group.
-pub fn group(kind: &str) -> Result<&'static Group> {
+pub(crate) fn group(kind: &str) -> Result<&'static Group> {
     groups().iter().find(|group| group.kind.eq_ignore_ascii_case(kind)).ok_or_else(|| {
         Error::Unknown {
             kind: "kind of entry",
@@ -187,7 +188,7 @@ impl Verdict {
     ///
     /// # Errors
     /// If there is no such verdict.
-    pub fn named(word: &str) -> Result<Self> {
+    pub(crate) fn named(word: &str) -> Result<Self> {
         let found = Verdict::ALL.into_iter().find(|v| v.word().eq_ignore_ascii_case(word));
         found.ok_or_else(|| Error::Unknown {
             kind: "verdict",

@@ -6,7 +6,7 @@ use crate::chapter::exhibit::{self, Exhibit};
 use crate::document::{Block, Document, Section, Table};
 
 /// The entries of a group, or of all, with a verdict, or with any.
-pub fn chosen(
+pub(crate) fn chosen(
     kind: Option<&Group>,
     verdict: Option<Verdict>,
 ) -> impl Iterator<Item = (&'static Group, Vec<&'static Entry>)> {
@@ -66,7 +66,7 @@ fn line(entry: &Entry) -> Vec<String> {
 
 impl Entry {
     /// The entry in full.
-    pub fn document(&self) -> Document {
+    pub(crate) fn document(&self) -> Document {
         let mut document = Document {
             title: format!("K&M {}", self.id),
             lead: self.says.clone(),
@@ -142,7 +142,7 @@ impl Entry {
 
 impl Verdict {
     /// What the word means.
-    pub fn meaning(self) -> &'static str {
+    pub(crate) fn meaning(self) -> &'static str {
         match self {
             Verdict::Right => "derived again or tested, and correct.",
             Verdict::Convention => {

@@ -121,7 +121,7 @@ impl Experiment {
     ///
     /// # Errors
     /// If they name a study that this version does not have.
-    pub fn of(results: &Results) -> Result<Self> {
+    pub(crate) fn of(results: &Results) -> Result<Self> {
         let section = |part: &super::results::Part| {
             let study = match &part.study {
                 Some(name) => Some(read(name, &part.settings)?),
@@ -164,7 +164,7 @@ fn read(name: &str, settings: &Value) -> Result<Arc<dyn AnyStudy>> {
 ///
 /// # Errors
 /// If there is none with this name; the message says that there is no such `kind`.
-pub fn shipped(name: &str, kind: &'static str) -> Result<&'static str> {
+pub(crate) fn shipped(name: &str, kind: &'static str) -> Result<&'static str> {
     let found = SHIPPED.iter().find(|(other, _)| *other == name);
     found.map(|(_, text)| *text).ok_or_else(|| Error::Unknown {
         kind,

@@ -25,7 +25,7 @@ pub struct Collection {
 
 impl Collection {
     /// The number of solvers' claims that the judge rejects.
-    pub fn refuted(&self) -> usize {
+    pub(crate) fn refuted(&self) -> usize {
         let refuted = |record: &Record| record.finding.as_ref()?.get("refuted");
         self.done.iter().filter_map(|(_, record)| refuted(record)).sum::<f64>() as usize
     }

@@ -73,7 +73,7 @@ pub struct Axis {
 impl Grid {
     /// The name of a setting: its label, or the last part of its path if no other axis has the
     /// same.
-    pub fn label(&self, path: &str) -> String {
+    pub(crate) fn label(&self, path: &str) -> String {
         let last = |path: &str| path.rsplit('.').next().unwrap_or(path).replace('_', " ");
         let paths = || self.axes.iter().flat_map(|axis| &axis.paths);
         let label = self.labels.iter().find(|(other, _)| other == path).map(|(_, label)| label);
@@ -85,7 +85,7 @@ impl Grid {
     }
 
     /// The text of its file.
-    pub fn source(&self) -> &str {
+    pub(crate) fn source(&self) -> &str {
         &self.source
     }
 

@@ -73,7 +73,7 @@ impl Folder {
 
     /// The same with the solvers of another registry.
     #[must_use]
-    pub fn with_solvers(self, solvers: Registry) -> Self {
+    pub(crate) fn with_solvers(self, solvers: Registry) -> Self {
         Folder { solvers, ..self }
     }
 
@@ -91,7 +91,7 @@ impl Folder {
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn write_plan(&self) -> Result<PathBuf> {
+    pub(crate) fn write_plan(&self) -> Result<PathBuf> {
         file::write_in(&self.path, PLAN, &pretty(&self.plan)?)?;
         Ok(self.path.join(PLAN))
     }

@@ -55,6 +55,7 @@ pub use collect::{Collection, Point, collect};
 pub use file::{Axis, Grid};
 pub use folder::{Folder, Machine, Record};
 pub use measure::Finding;
-pub use page::{document, plan_table, show, show_seconds};
+pub use page::{document, show};
+pub(crate) use page::{plan_table, show_seconds};
 pub use plan::{Plan, Task};
 pub use theory::{Predicted, Theory};

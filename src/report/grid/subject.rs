@@ -27,7 +27,7 @@ impl Subject {
     ///
     /// # Errors
     /// If its settings give none; the reason is that of the scene or of the family.
-    pub fn of(task: &Task) -> Result<Self> {
+    pub(crate) fn of(task: &Task) -> Result<Self> {
         match (task.text("scene"), task.text("family")) {
             (Some(name), _) => of_scene(name, task),
             (None, Some(name)) => of_family(library::by_name(name)?, task),

@@ -69,7 +69,7 @@ impl Theory {
     pub const ALL: [Theory; 2] = [Theory::Young, Theory::MassRatio];
 
     /// Its name in grid files.
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Theory::Young => "young",
             Theory::MassRatio => "mass-ratio",
@@ -77,7 +77,7 @@ impl Theory {
     }
 
     /// The closed form with this name.
-    pub fn by_name(name: &str) -> Option<Self> {
+    pub(crate) fn by_name(name: &str) -> Option<Self> {
         Theory::ALL.into_iter().find(|theory| theory.name() == name)
     }
 

@@ -110,7 +110,7 @@ impl Record {
     }
 
     /// The current memory of the tables.
-    pub fn memory(&self) -> Memory {
+    pub(crate) fn memory(&self) -> Memory {
         self.tables.as_ref().map_or(Memory::bytes(0), Tables::memory)
     }
 
@@ -159,18 +159,18 @@ impl Record {
     }
 
     /// Records why the simulation ended early.
-    pub fn end(&mut self, failure: &Failure) {
+    pub(crate) fn end(&mut self, failure: &Failure) {
         self.cut(&failure.to_string());
         self.proof = proof(&failure.cause);
     }
 
     /// Records that recording ended early for another reason.
-    pub fn cut(&mut self, reason: &str) {
+    pub(crate) fn cut(&mut self, reason: &str) {
         self.failure = Some(format!("{}: {reason}", self.scene.name));
     }
 
     /// The number of steps so far.
-    pub fn steps(&self) -> usize {
+    pub(crate) fn steps(&self) -> usize {
         self.steps
     }
 

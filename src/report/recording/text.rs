@@ -40,7 +40,7 @@ impl Record {
     }
 
     /// What was measured over the whole run: a name and its value, which may have several lines.
-    pub fn totals(&self) -> Vec<(&'static str, String)> {
+    pub(crate) fn totals(&self) -> Vec<(&'static str, String)> {
         let [start, end] = [&self.first, &self.last].map(|motion| readable(motion.energy(), 6));
         let scheme = self.scene.step.scheme;
         let solver = self.solver().map_or_else(String::new, |solver| format!(", solver {solver}"));
@@ -76,7 +76,7 @@ impl Record {
     }
 
     /// What needs attention: notes, warnings, a rejected answer, and why the run ended early.
-    pub fn remarks(&self) -> Vec<(&'static str, String)> {
+    pub(crate) fn remarks(&self) -> Vec<(&'static str, String)> {
         let notes = self.notes().into_iter().map(|note| ("note", note));
         let warnings = self.warnings.texts().into_iter().map(|warning| ("warning", warning));
         let mut remarks: Vec<_> = notes.chain(warnings).collect();
@@ -329,7 +329,7 @@ impl Record {
     }
 
     /// The moving bodies that the output lists, with their current states, and the number of others.
-    pub fn listed(&self) -> (Vec<(&Body, &State)>, usize) {
+    pub(crate) fn listed(&self) -> (Vec<(&Body, &State)>, usize) {
         let bodies = self.scene.bodies.iter().zip(&self.states);
         let mut moving: Vec<_> = bodies.filter(|(body, _)| body.mass.dof() > 0).collect();
         let more = moving.len().saturating_sub(SHOWN);

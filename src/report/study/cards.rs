@@ -276,12 +276,12 @@ impl Frame {
 
 impl Measured {
     /// The deviation from the law, in tolerances.
-    pub fn miss(&self) -> f64 {
+    pub(crate) fn miss(&self) -> f64 {
         (self.value - self.law).abs() / self.tolerance
     }
 
     /// Whether its verdict contradicts its numbers, of which a record keeps six digits.
-    pub fn is_misjudged(&self) -> bool {
+    pub(crate) fn is_misjudged(&self) -> bool {
         let miss = self.miss();
         let is_at_the_border = (miss - 1.0).abs() < SIX_DIGITS;
         self.holds != (miss <= 1.0) && !is_at_the_border
@@ -290,7 +290,7 @@ impl Measured {
 
 impl Column {
     /// The measurement that deviates most from the law, relative to its tolerance.
-    pub fn worst(&self) -> Option<&Measured> {
+    pub(crate) fn worst(&self) -> Option<&Measured> {
         self.measured.iter().max_by(|a, b| a.miss().total_cmp(&b.miss()))
     }
 

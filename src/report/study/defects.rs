@@ -97,12 +97,12 @@ impl Study for Plan {
 
 impl Defect {
     /// Whether the defective release is told from the corrected one.
-    pub fn is_detected(&self) -> bool {
+    pub(crate) fn is_detected(&self) -> bool {
         self.outcome.starts_with("detected")
     }
 
     /// Whether the outcome contradicts the numbers of the runs.
-    pub fn is_misjudged(&self) -> bool {
+    pub(crate) fn is_misjudged(&self) -> bool {
         let is_at_stage = self.bad.stage.as_ref() == Some(&self.stage);
         match self.outcome.as_str() {
             "detected" => self.bad.refused == 0 || !is_at_stage || self.mended.refused > 0,

@@ -119,7 +119,7 @@ fn is_default(friction: &f64) -> bool {
 
 impl Source {
     /// A unique name.
-    pub fn name(&self) -> String {
+    pub(crate) fn name(&self) -> String {
         match self {
             Source::Scene(at) => at.name(),
             Source::Family(OfFamily { family, values }) => {
@@ -160,8 +160,8 @@ impl Loaded {
     /// The problem of the first step.
     ///
     /// # Errors
-    /// Those of [`Loaded::scene`].
-    pub fn problem(&self) -> Result<Problem> {
+    /// Those of `Loaded::scene`.
+    pub(crate) fn problem(&self) -> Result<Problem> {
         simulation::problem_of(&self.scene()?, 1)
     }
 
@@ -169,7 +169,7 @@ impl Loaded {
     ///
     /// # Errors
     /// If there are fewer than two boxes, or a mass is not positive.
-    pub fn scene(&self) -> Result<Scene> {
+    pub(crate) fn scene(&self) -> Result<Scene> {
         let below = self.boxes.saturating_sub(1);
         let text = format!(
             r#"
@@ -214,7 +214,7 @@ position = [0, 0, {}]
 ///
 /// # Errors
 /// If the library cannot generate the column.
-pub fn column(bodies: usize, ratio: f64) -> Result<Lcp> {
+pub(crate) fn column(bodies: usize, ratio: f64) -> Result<Lcp> {
     let lcp = library::by_name("stack")?.generate(&[("n", bodies as f64), ("ratio", ratio)])?.lcp;
     let b = lcp.b().iter().map(|b| b * STEP_SPEED).collect();
     lcp.with_b(b)

@@ -17,7 +17,7 @@ use crate::simulation;
 ///
 /// # Errors
 /// If it is not a valid file name.
-pub fn file_name<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D::Error> {
+pub(crate) fn file_name<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D::Error> {
     let name = String::deserialize(deserializer)?;
     file::check_name(&name).map_err(D::Error::custom)?;
     Ok(name)
@@ -36,7 +36,7 @@ pub struct AtStep {
 }
 
 /// The default step.
-pub fn first() -> usize {
+pub(crate) fn first() -> usize {
     1
 }
 
@@ -56,7 +56,7 @@ impl AtStep {
     /// # Errors
     /// If the file cannot be read, the scene does not exist, or the simulation does not reach this
     /// step.
-    pub fn given(&self) -> Found<Given> {
+    pub(crate) fn given(&self) -> Found<Given> {
         if let Some(problem) = self.problem() {
             return problem;
         }
@@ -66,7 +66,7 @@ impl AtStep {
     }
 
     /// The problem of a file that contains one.
-    pub fn problem(&self) -> Option<Found<Given>> {
+    pub(crate) fn problem(&self) -> Option<Found<Given>> {
         let path = Path::new(&self.scene);
         let given = |problem: Problem| {
             let title = if problem.name.is_empty() { &self.scene } else { &problem.name };
@@ -76,7 +76,7 @@ impl AtStep {
     }
 
     /// Its name and its step, if it has one.
-    pub fn name(&self) -> String {
+    pub(crate) fn name(&self) -> String {
         match files::is_problem(Path::new(&self.scene)) {
             true => self.scene.clone(),
             false => format!("{}, step {}", self.scene, self.step),

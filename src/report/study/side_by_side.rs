@@ -25,7 +25,11 @@ impl AnimatedSolver {
     ///
     /// # Errors
     /// If there is no such solver, or the number is invalid.
-    pub fn named(text: &str, scene: &Scene, solvers: &Registry) -> crate::error::Result<Self> {
+    pub(crate) fn named(
+        text: &str,
+        scene: &Scene,
+        solvers: &Registry,
+    ) -> crate::error::Result<Self> {
         let (name, most) = text.split_once(':').map_or((text, None), |(n, m)| (n, Some(m)));
         let number = |most: &str| {
             let reason = || format!("{most:?} is not a number of sweeps");
@@ -40,7 +44,7 @@ impl AnimatedSolver {
 
     /// The solver, its level and its iteration limit; the part after the comma marks a variant of
     /// the name before it.
-    pub fn name(&self) -> String {
+    pub(crate) fn name(&self) -> String {
         let sweeps = self.max_iterations.map_or(String::new(), |n| match n {
             1 => ", 1 sweep".into(),
             n => format!(", {n} sweeps"),
@@ -68,7 +72,7 @@ pub fn animation(
 }
 
 /// The contenders of a comparison that represent a group each, under the group's name.
-pub fn alike(
+pub(crate) fn alike(
     contenders: &[(Scheme, Method)],
     groups: &[(String, &Run)],
 ) -> Vec<(String, AnimatedSolver)> {

@@ -31,12 +31,12 @@ pub struct Variation {
 
 impl Variation {
     /// A scene with these overridden fields.
-    pub fn of(scene: &str, change: &Table) -> Self {
+    pub(crate) fn of(scene: &str, change: &Table) -> Self {
         Variation { scene: scene.into(), change: change.clone() }
     }
 
     /// The same with more overridden fields.
-    pub fn and(&self, change: &Table) -> Self {
+    pub(crate) fn and(&self, change: &Table) -> Self {
         let mut all = self.change.clone();
         merge(&mut all, change);
         Variation { scene: self.scene.clone(), change: all }

@@ -18,7 +18,7 @@ const HOW_TO_JUMP: &str = " Click a curve to jump to that time.";
 
 impl ReportPage {
     /// Adds an animation as a separate section.
-    pub fn animation(&mut self, animation: &Animation, caption: &str) {
+    pub(crate) fn animation(&mut self, animation: &Animation, caption: &str) {
         self.open("animation", "The motion");
         let drawn = animation.drawn();
         let jump = if drawn.charts.is_empty() { "" } else { HOW_TO_JUMP };
@@ -53,7 +53,7 @@ impl View for Plan {
 }
 
 /// The page of one simulation: its animation and its totals; its tables are next to it.
-pub fn simulation_page(animation: Animation, record: &Record) -> Page {
+pub(crate) fn simulation_page(animation: Animation, record: &Record) -> Page {
     let scene = animation.scene.clone();
     let page = Page {
         title: scene.title.clone(),

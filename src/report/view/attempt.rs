@@ -7,7 +7,7 @@ use crate::report::study::trial::Outcome;
 use crate::solver::Registry;
 
 /// The outcome of an attempt, marked.
-pub fn outcome(outcome: &Outcome) -> Cell {
+pub(crate) fn outcome(outcome: &Outcome) -> Cell {
     let mark = match outcome {
         Outcome::Proved | Outcome::Accepted => Mark::Good,
         Outcome::Refuted => Mark::Bad,
@@ -22,7 +22,7 @@ pub fn outcome(outcome: &Outcome) -> Cell {
 }
 
 /// `1,234 sweeps`.
-pub fn iterations_in_words(solver: &str, iterations: usize) -> String {
+pub(crate) fn iterations_in_words(solver: &str, iterations: usize) -> String {
     let entry = Registry::standard().entry(solver);
     let unit = entry.map_or("iterations", |entry| entry.group.unit());
     let unit = if iterations == 1 { unit.trim_end_matches('s') } else { unit };
@@ -30,7 +30,7 @@ pub fn iterations_in_words(solver: &str, iterations: usize) -> String {
 }
 
 /// A large number rounded to two digits, in a readable form: `12,000`, `1.2×10⁸`.
-pub fn rough(value: f64) -> String {
+pub(crate) fn rough(value: f64) -> String {
     if !(10.0..1e6).contains(&value) {
         return readable(value, 2);
     }
@@ -39,7 +39,7 @@ pub fn rough(value: f64) -> String {
 }
 
 /// `a, b and c`; empty for nothing.
-pub fn listed<S: AsRef<str>>(names: &[S]) -> String {
+pub(crate) fn listed<S: AsRef<str>>(names: &[S]) -> String {
     match names {
         [] => String::new(),
         [one] => one.as_ref().to_string(),
@@ -51,12 +51,12 @@ pub fn listed<S: AsRef<str>>(names: &[S]) -> String {
 }
 
 /// A tolerance: `10⁻⁸`.
-pub fn tolerance(value: f64) -> String {
+pub(crate) fn tolerance(value: f64) -> String {
     readable(value, 1)
 }
 
 /// The id of the current section: the prefix of its figures and tables.
-pub fn section_id(document: &ReportPage) -> String {
+pub(crate) fn section_id(document: &ReportPage) -> String {
     document.page.sections.last().map_or_else(String::new, |section| section.id.clone())
 }
 
@@ -66,7 +66,7 @@ pub fn stem(scene: &str) -> String {
 }
 
 /// Words as part of a file name.
-pub fn anchor(words: &str) -> String {
+pub(crate) fn anchor(words: &str) -> String {
     let parts = words.split(|c: char| !c.is_ascii_alphanumeric()).filter(|part| !part.is_empty());
     parts.collect::<Vec<_>>().join("-").to_ascii_lowercase()
 }

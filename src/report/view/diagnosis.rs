@@ -26,7 +26,7 @@ const ANIMATION: &str = "Left: with this solver; right: with exact answers. The 
 ///
 /// # Errors
 /// If the scene cannot be stepped.
-pub fn diagnosis_page(
+pub(crate) fn diagnosis_page(
     words: &document::Document,
     found: &Examination,
     user_solver: &UserSolver,

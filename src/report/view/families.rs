@@ -29,7 +29,7 @@ pub fn table(rows: &[Row]) -> Table {
 }
 
 /// One row per solver, over all its problems.
-pub fn by_solver(rows: &[Row]) -> Table {
+pub(crate) fn by_solver(rows: &[Row]) -> Table {
     let mut names: Vec<&str> = Vec::new();
     for row in rows {
         if !names.contains(&row.solver.as_str()) {

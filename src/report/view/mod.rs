@@ -24,15 +24,16 @@ mod sparsity;
 mod summary;
 mod verification;
 
+pub(crate) use comparison::alike;
 pub use comparison::{
-    alike, answer as comparison_answer, document as comparison_document, table as comparison_table,
+    answer as comparison_answer, document as comparison_document, table as comparison_table,
 };
 
-pub use diagnosis::diagnosis_page;
+pub(crate) use diagnosis::diagnosis_page;
 pub use headline::Headline;
 
-pub use animation::simulation_page;
-pub use families::by_solver as solvers_table;
+pub(crate) use animation::simulation_page;
+pub(crate) use families::by_solver as solvers_table;
 pub use families::table as families_table;
 pub use verification::table as verification_table;
 
@@ -284,7 +285,7 @@ impl ReportPage {
     }
 
     /// Adds text that is collapsed under a title.
-    pub fn aside(&mut self, title: &str, text: impl Into<String>) {
+    pub(crate) fn aside(&mut self, title: &str, text: impl Into<String>) {
         self.add(Block::Aside { title: title.into(), text: text.into() });
     }
 
@@ -293,13 +294,13 @@ impl ReportPage {
     }
 
     /// Adds a figure.
-    pub fn figure(&mut self, figure: impl Figure + 'static) {
+    pub(crate) fn figure(&mut self, figure: impl Figure + 'static) {
         self.add(Block::Figure(Picture::of(&figure, FILES)));
         self.figures.push(Box::new(figure));
     }
 
     /// Adds a table whose CSV file is named `id`.
-    pub fn table(&mut self, id: &str, table: Table) {
+    pub(crate) fn table(&mut self, id: &str, table: Table) {
         let block = self.filed(id, table);
         self.add(block);
     }

@@ -66,24 +66,24 @@ impl<'a> Curves<'a> {
 
 impl Curve<'_> {
     /// A measure by position; NaN if it was not taken, or for a cost if there was no answer.
-    pub fn measured(&self, measure: &Measure) -> Vec<(f64, f64)> {
+    pub(crate) fn measured(&self, measure: &Measure) -> Vec<(f64, f64)> {
         let is_cost = COSTS.contains(&measure.name);
         self.by_place(|point| point.get(measure.name).filter(|_| !is_cost || point.is_solved()))
     }
 
     /// The prediction for a measure by position; NaN if there is none.
-    pub fn predicted(&self, measure: &Measure) -> Vec<(f64, f64)> {
+    pub(crate) fn predicted(&self, measure: &Measure) -> Vec<(f64, f64)> {
         self.by_place(|point| point.predicted(measure.name).map(|own| own.value))
     }
 
     /// The positions of all points.
-    pub fn places(&self) -> impl Iterator<Item = f64> {
+    pub(crate) fn places(&self) -> impl Iterator<Item = f64> {
         self.points.iter().map(|(x, _)| *x)
     }
 
     /// A measure at the last two positions, in the order of the file, where asymptotic growth is
     /// best visible.
-    pub fn end(&self, measure: &Measure) -> Option<[(f64, f64); 2]> {
+    pub(crate) fn end(&self, measure: &Measure) -> Option<[(f64, f64); 2]> {
         let mut points = self.measured(measure);
         if self.places().next() > self.places().last() {
             points.reverse();

@@ -60,7 +60,7 @@ pub fn show(grid: &Grid, plan: &Plan, points: &[Point<'_>], id: &str, document: 
 }
 
 /// Adds the figure of the wall times of these points.
-pub fn show_seconds(
+pub(crate) fn show_seconds(
     grid: &Grid,
     plan: &Plan,
     points: &[Point<'_>],
@@ -74,7 +74,7 @@ pub fn show_seconds(
 }
 
 /// The table that `grid plan` prints: the first tasks with their varying settings.
-pub fn plan_table(grid: &Grid, plan: &Plan, rows: usize) -> Table {
+pub(crate) fn plan_table(grid: &Grid, plan: &Plan, rows: usize) -> Table {
     let columns =
         ["task"].into_iter().map(String::from).chain(plan.axes.iter().map(|p| grid.label(p)));
     let cells = |task: &Task| {

@@ -102,7 +102,7 @@ impl Methods {
     ///
     /// # Errors
     /// If the problem or the solver does not exist.
-    pub fn run(&self, problem: &Source, solvers: &Registry) -> Result<(Progress, Clock)> {
+    pub(crate) fn run(&self, problem: &Source, solvers: &Registry) -> Result<(Progress, Clock)> {
         let posed = match problem {
             Source::Stack(stack) => {
                 let problem = stack.problem()?;
@@ -131,7 +131,7 @@ impl Methods {
     ///
     /// # Errors
     /// If the problem or the solver does not exist.
-    pub fn choose(&self, problem: &Source, solvers: &Registry) -> Result<Progress> {
+    pub(crate) fn choose(&self, problem: &Source, solvers: &Registry) -> Result<Progress> {
         let mut progress = self.run(problem, solvers)?.0;
         for method in &mut progress.methods {
             let end = method.marks.len().saturating_sub(1);

@@ -67,7 +67,7 @@ pub struct RowResiduals {
 
 impl Sweep {
     /// A short name.
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Sweep::Up => "PGS, upward",
             Sweep::Down => "PGS, downward",
@@ -82,7 +82,7 @@ impl Rows {
     ///
     /// # Errors
     /// If the number of sweeps is 0, or the library has no such column.
-    pub fn run(&self, method: Sweep) -> Result<RowResiduals> {
+    pub(crate) fn run(&self, method: Sweep) -> Result<RowResiduals> {
         if self.sweeps == 0 {
             return Err(Error::invalid("convergence", "rows.sweeps", "must be at least 1, is 0"));
         }

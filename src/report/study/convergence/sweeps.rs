@@ -28,7 +28,7 @@ impl SweepCase {
     ///
     /// # Errors
     /// If the scene, step or file does not exist.
-    pub fn run(&self) -> Result<Rates> {
+    pub(crate) fn run(&self) -> Result<Rates> {
         let at = AtStep { scene: self.scene.clone(), step: self.step };
         Ok(rates(at.given()?, &self.omegas))
     }

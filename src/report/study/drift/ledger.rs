@@ -83,7 +83,7 @@ impl Book {
     }
 
     /// The energy that no account explains (J).
-    pub fn remainder(&self) -> f64 {
+    pub(crate) fn remainder(&self) -> f64 {
         self.kinetic + self.potential - self.accounts.iter().sum::<f64>()
     }
 }
@@ -93,7 +93,7 @@ impl Run {
     ///
     /// # Errors
     /// If the scene does not exist, or is invalid with the overridden fields.
-    pub fn audit(&self, solvers: &Registry) -> Result<Account> {
+    pub(crate) fn audit(&self, solvers: &Registry) -> Result<Account> {
         let mut scene = Variation::of(&self.scene, &self.change).scene()?;
         scene.solvers = solvers.clone();
         let start = Motion::of(&scene, &scene.states, 0);

@@ -67,7 +67,7 @@ impl Periodic {
     ///
     /// # Errors
     /// If the scene does not exist, or is invalid with the overridden fields.
-    pub fn run(&self, solvers: &Registry) -> Result<LongRun> {
+    pub(crate) fn run(&self, solvers: &Registry) -> Result<LongRun> {
         let mut scene = Variation::of(&self.scene, &self.change).scene()?;
         scene.solvers = solvers.clone();
         let levels = methods().into_iter().filter(|(_, scheme, _)| Scheme::LEVELS.contains(scheme));

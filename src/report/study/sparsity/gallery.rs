@@ -41,7 +41,7 @@ impl Gallery {
     ///
     /// # Errors
     /// If the simulation of a scene does not reach this step.
-    pub fn run(&self) -> Result<Vec<Picture>> {
+    pub(crate) fn run(&self) -> Result<Vec<Picture>> {
         let is_asked = |name: &str| self.only.is_empty() || self.only.iter().any(|own| own == name);
         let shipped = SHIPPED.par_iter().filter(|shipped| is_asked(shipped.name));
         shipped.map(|shipped| self.picture(shipped.name)).collect()

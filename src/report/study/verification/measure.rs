@@ -92,12 +92,12 @@ pub(super) struct Case {
 
 impl Case {
     /// A case of a shipped scene, without feedback of errors.
-    pub fn load(name: &'static str, scene: &str, size: Size) -> Result<Self> {
+    pub(crate) fn load(name: &'static str, scene: &str, size: Size) -> Result<Self> {
         Ok(Case::of(name, Scene::load(scene)?, size))
     }
 
     /// A case of a scene, without feedback of errors.
-    pub fn of(name: &'static str, mut scene: Scene, size: Size) -> Self {
+    pub(crate) fn of(name: &'static str, mut scene: Scene, size: Size) -> Self {
         (scene.step.alpha, scene.step.baumgarte) = (0.0, 0.0);
         scene.solver.tolerance = 1e-12;
         Case { name, scene, levels: size.levels() }
@@ -105,7 +105,7 @@ impl Case {
 
     /// The rows of quantities measured in one run of the scene, in the order of `known`; the scene
     /// passed to `measure` has the method and the step length of the run.
-    pub fn rows(
+    pub(crate) fn rows(
         &self,
         method: Method,
         known: Vec<Known>,

@@ -84,7 +84,7 @@ pub enum Size {
 
 impl Size {
     /// The number of step lengths, each half of the previous one.
-    pub fn levels(self) -> usize {
+    pub(crate) fn levels(self) -> usize {
         match self {
             Size::Full => 4,
             Size::Fast => 3,
@@ -159,7 +159,7 @@ impl Row {
     }
 
     /// The theoretical order, if the step length matters at all.
-    pub fn derived_order(&self) -> Option<f64> {
+    pub(crate) fn derived_order(&self) -> Option<f64> {
         match self.criterion {
             Criterion::Order(order) => Some(order),
             Criterion::Exact { .. } => None,

@@ -314,7 +314,7 @@ fn start_energy(run: &Run) -> f64 {
 }
 
 /// One run for each group of runs that move alike at one level, with a name for the group.
-pub fn alike(runs: &[Run]) -> Vec<(String, &Run)> {
+pub(crate) fn alike(runs: &[Run]) -> Vec<(String, &Run)> {
     let measures: [fn(&Sample) -> f64; 3] = [|s| s.energy, |s| s.drift, |s| s.penetration];
     let apart = |a: &Run, b: &Run, measure: fn(&Sample) -> f64| {
         let pairs = a.motion.iter().zip(&b.motion);

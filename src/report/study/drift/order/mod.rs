@@ -66,7 +66,7 @@ impl Orders {
     ///
     /// # Errors
     /// If the step is halved too often.
-    pub fn run(&self, problem: Problem) -> Result<Finding> {
+    pub(crate) fn run(&self, problem: Problem) -> Result<Finding> {
         if self.halvings > 10 {
             let reason = format!("must be at most 10, is {}", self.halvings);
             return Err(Error::invalid("drift", "orders.halvings", reason));

@@ -25,7 +25,7 @@ pub enum Problem {
 
 impl Problem {
     /// The name of the shipped scene.
-    pub fn scene(self) -> &'static str {
+    pub(crate) fn scene(self) -> &'static str {
         match self {
             Problem::Fall => "free_fall",
             Problem::Swing => "pendulum",
