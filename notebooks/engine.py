@@ -20,7 +20,7 @@ def one_contact(a, b, lo=0.0, hi=np.inf):
 
 
 def all_cases(A, b):
-    """Each isolated x with x >= 0, w = A x + b >= 0 and x w = 0, by trying each set of rows that push."""
+    """Each isolated x, or end of a line of them, with x >= 0, w = A x + b >= 0, x w = 0: tries all sets."""
     n, found = len(b), []
     for case in range(2**n):
         F = [i for i in range(n) if case >> i & 1]  # the rows that push
@@ -29,7 +29,7 @@ def all_cases(A, b):
             x[F] = np.linalg.solve(A[np.ix_(F, F)], -b[F])  # their w = 0
         except ValueError:
             continue  # a singular set has no x, or a whole line of them
-        fits = (x >= 0).all() and (A @ x + b > -1e-12).all()
+        fits = (x >= 0).all() and (A @ x + b > -1e-12).all()  # -1e-12 is 0, rounded
         if fits and all(abs(x - other).max() > 1e-12 for other in found):
             found.append(x)
     return found

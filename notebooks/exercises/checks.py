@@ -1012,6 +1012,10 @@ def e17_2_tested(answer):
     far = lambda p: np.sqrt((p[0] - 800) ** 2 + p[1] ** 2 + (p[2] + 600) ** 2) - 1e3
     product, large = lambda p: p[0] * p[1] - p[2], lambda p: 1e6 + np.sin(p[0]) * p[1] + p[2] ** 2
     bead, comb, slope = [0.3, 0, 0.955], [0.11, 0.5, 0], -3 * np.cos(3.3)
+    reasons = {
+        "a washboard": ": if the point moves too far, the bend of c counts as an error",
+        "a difference of large numbers": ": if the point moves too little, rounding in c counts as an error",
+    }
     for name, c, p, j, wrong in [
         ("a rod", rod, [3, 4, 0], [0.6, 0.8, 0], None),
         ("a rod, turned round", rod, [3, 4, 0], [-0.6, 0.8, 0], 0),
@@ -1033,7 +1037,8 @@ def e17_2_tested(answer):
         p, j = np.array(p, dtype=float), np.array(j, dtype=float)
         got = answer(c, p.copy(), j.copy())
         got = None if got is None else whole(got, "the number of an entry, or None")
-        truth = "this row is right" if wrong is None else f"entry {wrong} is the first wrong one"
+        right = f"this row is right{reasons.get(name, '')}"
+        truth = right if wrong is None else f"entry {wrong} is the first wrong one"
         require(got == wrong, f"{name}, p = {show(p)}, J = {show(j)}: the program says {got}, but {truth}")
 
 

@@ -109,6 +109,7 @@ def test_murtys_rule_moves_the_last_row_at_most_once_as_lesson_7_derives(A, b):
 
 
 def test_all_cases_lists_each_isolated_solution_once():
+    assert_allclose(engine.all_cases(np.ones((2, 2)), -np.ones(2)), np.eye(2))  # the ends of a line of answers
     identity, border = np.eye(2), np.array([[2.0, 3], [3, 2]])
     assert len(engine.all_cases(identity, np.zeros(2))) == 1  # -b on the border of four cones
     assert_allclose(sorted(map(tuple, engine.all_cases(border, np.array([-1.0, -1.5])))), [(0, 0.75), (0.5, 0)])
@@ -208,17 +209,177 @@ def test_what_a_sweep_adds_to_x_tends_to_a_farkas_vector_of_the_ring():
     assert_allclose(A @ np.ones(4), 0)
 
 
+def cell_of(lesson, part):
+    """The names that the cell of a lesson with this text in it defines."""
+    code = next(code for code, _ in cells.cells(NOTEBOOKS / lesson) if part in code)
+    names = {"np": np, **{name: getattr(engine, name) for name in ("softness", "step", "Box")}}
+    exec(re.split(r"\n(?=for |A3)", code)[0], names)
+    return names
+
+
+def soft_column_in_one_step(m, h, sweeps):
+    """The matrix of one step of balls with soft rows (ζ = 1) that all push, of gaps, speeds times dt and impulses."""
+    n, dt = len(m), 1.0
+    J = np.eye(n) - np.eye(n, k=-1)
+    A = J @ np.diag(1 / m) @ J.T
+    sigma, beta = 1 / (h * (2 + h)), h / (2 + h)
+    soft = A + sigma * np.diag(np.diag(A))
+    lower = np.linalg.inv(np.tril(soft))
+    columns = []
+    for state in np.eye(3 * n):
+        c, rates, x = state[:n], state[n : 2 * n], state[2 * n :]  # rates of the gaps, without new impulses
+        for _ in range(sweeps):
+            x = x - lower @ (soft @ x + rates + beta / dt * c)
+        after = rates + A @ x
+        columns.append(np.concatenate([c + dt * after, after, x]))
+    return np.column_stack(columns)
+
+
 def test_the_stiffest_soft_column_that_stands_needs_many_substeps_of_one_sweep_as_lesson_16_says():
-    code = next(code for code, _ in cells.cells(NOTEBOOKS / "16_soft_rows.md") if "def column" in code)
-    names = {"np": np, "softness": engine.softness}
-    exec(code.split("\nfor masses")[0], names)
-    heavy = [1, 1, 1, 1, 100]
-    for sweeps, stands, falls in (1, 1.2, 1.5), (2, 1.8, 2.5), (10, 4.0, 6.0):
+    names = cell_of("16_soft_rows.md", "def column")
+    m = np.array([1.0, 1, 1, 1, 100])
+    for sweeps, limit in (1, 1.4), (2, 2.1), (10, 5.2):
+        grows = [abs(np.linalg.eigvals(soft_column_in_one_step(m, h, sweeps))).max() > 1 for h in (limit - 0.05, limit + 0.05)]
+        assert grows == [False, True]
         dt = 0.001 * sweeps
-        for h, is_right in (stands, True), (falls, False):
+        for h, is_right in (0.8 * limit, True), (1.2 * limit, False):  # well within, and well beyond
             hertz = h / (2 * np.pi * dt)
-            risen = names["column"](heavy, dt, sweeps, hertz)
-            assert (abs(risen / names["formula"](heavy, hertz) - 1) < 0.05) == is_right
+            risen = names["column"](m, dt, sweeps, hertz)
+            assert (abs(risen / names["formula"](m, hertz) - 1) < 0.05) == is_right
+
+
+def test_the_swing_of_soft_boxes_decays_for_the_steps_that_lesson_16_names():
+    stack, masses = cell_of("16_soft_rows.md", "def stack")["stack"], [1, 1, 1, 1, 100]
+    for sweeps, h, decays in (1, 1.2, True), (1, 1.4, False), (2, 1.8, True), (10, 4.7, True), (10, 5.1, False):
+        dt = 0.001 * sweeps
+        top = stack(masses, dt, sweeps, (h / (2 * np.pi * dt), 1.0), seconds=3.0)
+        first, *_, last = (np.ptp(second) for second in np.array_split(top, 3))
+        assert (last < 0.85 * first) == decays
+    for hertz, stands in (40, True), (24, False):
+        assert (stack(masses, 0.01, 10, (hertz, 1.0), seconds=8.0)[-1] > -0.2) == stands
+
+
+def test_a_point_of_a_body_that_tumbles_freely_has_no_acceleration_where_lesson_2_has_j_dot_u():
+    inertia, omega, r, n = np.diag([1.0, 2, 3]), np.ones(3), np.array([1.0, 0, 0]), np.array([0, 0, 1.0])
+    rate = np.linalg.solve(inertia, -np.cross(omega, inertia @ omega))  # no torque
+    j_dot_u = n @ np.cross(omega, np.cross(omega, r))
+    assert_allclose([j_dot_u, n @ np.cross(rate, r) + j_dot_u], [1, 0], atol=1e-15)
+
+
+def test_the_zigzag_of_lesson_5_keeps_0_64_of_the_distance_to_the_crossing_and_then_arrives():
+    A, b, zero, inf = np.array([[1, 0.8], [0.8, 1]]), np.array([-1.8, -1.2]), np.zeros(2), np.full(2, np.inf)
+    crossing, x = np.linalg.solve(A, -b), np.array([1, 2.1])
+    path = [engine.sor(A, b, zero, inf, 1.0, sweeps, x) for sweeps in range(1, 6)]
+    distances = [crossing[0] - x[0] for x in path[:3]]
+    assert_allclose(np.divide(distances[1:], distances[:-1]), 0.64)
+    assert path[3][1] == 0 and path[3][0] < 1.8
+    assert_allclose(path[4], [1.8, 0])
+
+
+def test_a_sweep_lands_on_the_answer_from_special_starts_as_the_erratum_on_finite_convergence_says():
+    A, b, zero, inf = np.array([[2.0, -1], [-1, 2]]), -np.ones(2), np.zeros(2), np.full(2, np.inf)
+    assert (engine.sor(A, b, zero, inf, 1.0, 1, np.array([5.0, 1])) == 1).all()
+    assert (engine.sor(A, b, zero, inf, 1.0, 20, np.array([5.0, 2])) != 1).any()
+
+
+def test_a_move_of_dantzigs_method_has_the_length_0_where_a_row_starts_with_w_0(monkeypatch):
+    calls, point = [], engine.point
+    monkeypatch.setattr(engine, "point", lambda *given: calls.append(0) or point(*given))
+    A = np.array([[2.0, -1], [-1, 2]])
+    assert_allclose(engine.dantzig(A, np.array([0.0, -1])), [1 / 3, 2 / 3])
+    assert len(calls) == 2  # row 0 enters at once
+
+
+def test_block_pivoting_takes_about_six_exchanges_on_columns_of_60_bodies_as_lesson_7_says():
+    generator, counts = np.random.default_rng(11), []
+    J = np.eye(60) - np.eye(60, k=-1)
+    A = J @ J.T
+    for k in range(300):
+        speeds = [generator.normal, lambda size: generator.uniform(-1, 1, size), generator.standard_cauchy][k % 3]
+        b, F, exchanges = J @ speeds(size=60), np.zeros(60, dtype=bool), 0
+        while (wrong := np.where(F, (x := engine.point(A, b, F)) < 0, A @ x + b < -1e-9)).any():
+            F, exchanges = F ^ wrong, exchanges + 1
+        counts.append(exchanges)
+    assert 5 <= np.median(counts) <= 7
+    assert np.mean(np.array(counts) < 10) > 0.9
+
+
+def test_the_bound_on_the_error_holds_for_lengths_and_not_for_largest_entries_as_lesson_8_says():
+    A, b = np.array([[0.01, -0.02], [-0.02, 0.05]]), np.array([0.01, -0.03])
+    x, least, greatest = np.array([1.7, 1.3]), *np.linalg.eigvalsh(A)
+    residual, factor = np.minimum(x, A @ x + b), (1 + greatest) / least
+    assert_allclose(engine.all_cases(A, b), [[1, 1]])
+    assert np.linalg.norm(x - 1) <= factor * np.linalg.norm(residual)
+    assert factor * abs(residual).max() < abs(x - 1).max() <= np.sqrt(2) * factor * abs(residual).max()
+
+
+def test_the_proof_of_lesson_8_finds_each_of_the_four_cases():
+    proof = cell_of("08_is_it_solved.md", "def proof")["proof"]
+    A = [[2.0, -1], [-1, 2]]
+    for b in [-1.0, -1], [-1.0, 2], [2.0, -1], [1.0, 1], [-4.0, 1]:
+        (exact,) = engine.all_cases(np.array(A), np.array(b))
+        assert_allclose(np.array(proof(A, b, exact), dtype=float), exact)
+    assert proof(A, [1.0, 1], [5.0, 10]) is None  # the impulse of this set is negative
+
+
+def test_the_same_residual_means_other_errors_for_other_b_as_lesson_8_says():
+    H, exact = np.array([[1 / (i + j + 1) for j in range(4)] for i in range(4)]), np.array([1.0, 0, 1, 0])
+    errors = []
+    for w in np.array([0, 1.0, 0, 1]), np.zeros(4):  # of the rows that are not free
+        x, b = np.zeros(4), w - H @ exact
+        while engine.scaled(H, b, x) > 1e-8:
+            x = engine.sor(H, b, np.zeros(4), np.full(4, np.inf), 1.0, 1, x)
+        errors.append(abs(x - exact).max())
+    assert errors[0] < 1e-5 < 3e-5 < errors[1]
+
+
+def test_a_ball_bounces_a_step_early_and_half_a_step_above_the_floor_as_lesson_12_says():
+    g, dt, early, above = 9.81, 0.01, [], []
+    for h in np.random.default_rng(3).uniform(0.5, 4, 1000):
+        z, v, t = h, 0.0, 0.0
+        while z + dt * (v - g * dt) > 0:
+            v -= g * dt
+            z += dt * v
+            t += dt
+        early.append((np.sqrt(2 * h / g) - t) / dt)
+        above.append(z / (np.sqrt(2 * g * h) * dt))
+    assert_allclose([np.mean(early), np.mean(above)], [1, 0.5], atol=0.05)
+    assert 0.49 < min(early) and max(early) < 1.51
+
+
+def test_more_sweeps_or_shorter_steps_depends_on_number_and_order_of_masses_as_lesson_15_says():
+    column = cell_of("15_stack_of_boxes.md", "def column")["column"]
+    for masses, sweeps_win in ([1, 1], True), ([1] * 3, False), ([1] * 5, False), ([4, 2, 1], True), ([1, 10], False), ([10, 1], True):
+        one, ten, short = (column(masses, 10, *way, True) for way in [(0.01, 1), (0.01, 10), (0.001, 1)])
+        assert_allclose(one / short, 100, rtol=0.01)
+        assert (one / ten > 100) == sweeps_win
+
+
+def test_block_pivoting_of_the_four_rows_of_lesson_7_cycles_and_the_number_of_wrong_rows_does_not_fall():
+    A = np.array([[5.0, 5, -4, 2], [5, 7, -7, -1], [-4, -7, 9, 5], [2, -1, 5, 9]])
+    b, F, sets, wrong_rows = np.array([-2.0, 2, -2, -1]), np.zeros(4, dtype=bool), [], []
+    assert np.linalg.eigvalsh(A).min() > 0
+    for _ in range(9):
+        x = engine.point(A, b, F)
+        wrong = np.where(F, x < -1e-12, A @ x + b < -1e-12)
+        sets.append(tuple(F))
+        wrong_rows.append(wrong.sum())
+        F = F ^ wrong
+    assert sets[1:4] == sets[4:7] == [s for s in sets[7:]] + [sets[6]]
+    assert wrong_rows == [3] + 8 * [2]
+
+
+def test_freezing_the_bounds_of_one_contact_multiplies_the_error_by_the_factor_of_lesson_11():
+    tan = 2.0  # Painlevé's rod of lesson 13, which slides: x_t = μ x_n
+    cos, sin = 1 / np.hypot(1, tan), tan / np.hypot(1, tan)
+    A_nn, A_nt, b = 1 + 3 * cos**2, -3 * sin * cos, -1.0
+    for mu in 0.5, 1.0, 1.3, 1.4:
+        exact, x = -b / (A_nn + mu * A_nt), [3.0]
+        for _ in range(10):
+            x.append(-(b + A_nt * mu * x[-1]) / A_nn)
+        errors = abs(np.array(x) - exact)
+        assert_allclose(errors[1:] / errors[:-1], mu * abs(A_nt) / A_nn, rtol=1e-3)
+        assert (errors[-1] < errors[0]) == (mu < 4 / 3)
 
 
 def test_a_block_that_slides_stops_half_a_step_early_as_lesson_11_says():
@@ -239,6 +400,10 @@ def test_a_small_softness_selects_the_answer_of_least_norm_as_lesson_9_says():
         assert (least > 0).all()
         (x,) = engine.all_cases(A + 1e-7 * np.eye(4), b)
         assert_allclose(x, least, atol=1e-7)
+    assert_allclose(A @ engine.dantzig(A, b), -b, atol=1e-12)  # gets through, and divides by 0 on the ring
+    ring = 2 * np.eye(4) - np.roll(np.eye(4), 1, axis=0) - np.roll(np.eye(4), -1, axis=0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        assert not np.isfinite(engine.dantzig(ring, -np.ones(4))).any()
 
 
 def test_the_inverse_of_the_matrix_of_a_column_is_full_as_lesson_14_says():
@@ -303,6 +468,8 @@ def test_a_falling_line_cuts_three_segments_once_or_three_times_as_lesson_13_say
         inside = [x for x in [b] if lo < x < hi]
         counts.add(len(inside) + (b - lo > 0) + (b - hi < 0))
     assert counts == {1, 3}
+    for b in 0.0, 2.0:  # through a corner: of the two segments there the x is the same
+        assert len({x for x, fits in [(b, True), (lo, b - lo >= 0), (hi, b - hi <= 0)] if fits}) == 2
 
 
 def test_each_prediction_that_the_guide_names_is_in_a_lesson():

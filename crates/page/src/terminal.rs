@@ -55,10 +55,12 @@ pub fn hanging(text: &str, indent: usize, width: usize) -> String {
 }
 
 /// The rows between the title and the words that explain them.
-fn titled(table: &Table, rows: &str, same: &str) -> String {
+fn titled(table: &Table, rows: &str, same: &[(String, String)]) -> String {
     let mut out = format!("{}\n{rows}", table.title);
     if !same.is_empty() {
-        out += &paragraph(&format!("The same in every row: {same}."));
+        let said: Vec<String> =
+            same.iter().map(|(title, value)| format!("{title} {value}")).collect();
+        out += &paragraph(&format!("The same in every row: {}.", said.join(", ")));
     }
     if !table.how_to_read.is_empty() {
         out += &paragraph(&table.how_to_read.replace('*', ""));

@@ -117,7 +117,7 @@ slider = lambda low, high: [round(low + 0.1 * k, 1) for k in range(round((high -
 m, dt, before, after = 3, 0.05, -0.5, -0.8
 b = before - G * dt - after
 x = max(0, -b * m)
-check("1.p1", x, [m * G * dt, m * (G * dt - before), m * G * dt + m * (before - after)], "one row; momentum of the crate; lcplab with a tray that moves")
+check("1.p1", x, [m * G * dt, m * (G * dt - before), x / m, m * G * dt + m * (before - after)], "one row; momentum of the crate; lcplab with a tray that moves")
 assert abs(m * (after - before) + m * G * dt - x) < 1e-12 and round(100 * x / (m * G * dt)) == 39
 with tempfile.NamedTemporaryFile("w", suffix=".toml", delete=False) as f:
     f.write("""[step]
@@ -424,7 +424,7 @@ first = min(x1 for (x0, x1), end in ends.items() if end == (0, 2))
 assert all(end == ((0, 2) if x1 >= first else (2, 0)) for (_, x1), end in ends.items())
 assert sorted(solutions(A, b)) == [[0, 2], [F(2, 3), F(2, 3)], [2, 0]]
 assert np.allclose(sorted(np.linalg.eigvalsh(np.array(A, float))), [-1, 3])  # a saddle
-check("9.x1", first, [round(first - 0.1, 1), 1.0], "own sweeps from every start on the grid; x1 ← 4 x1 − 2; lcplab's judge; page")
+check("9.x1", first, [round(first - 0.1, 1), 2 / 3, 1.0], "own sweeps from every start on the grid; x1 ← 4 x1 − 2; lcplab's judge; page")
 assert all(lcplab.judge(A, b, [float(v) for v in s]) for s in solutions(A, b)) and sweeps(A, b, [0, 1], 1)[1] == 2
 
 x = det_solve([[1, -1, 0], [-1, 2, 0], [0, 0, 1]], [1, 0, 1])

@@ -396,9 +396,10 @@ impl Cell {
 const CONDENSED_ROWS: usize = 3;
 
 impl Table {
-    /// The table without the columns that say the same in every row, and what they say:
-    /// `steps 100, time limit 5 s`. The first column, marked cells and links stay.
-    pub fn condensed(&self) -> (Table, String) {
+    /// The table without the columns that say the same in every row, and of each its title (markup)
+    /// and what it says (plain text): `time limit` and `5 s`. The first column, marked cells and
+    /// links stay.
+    pub fn condensed(&self) -> (Table, Vec<(String, String)>) {
         let is_same = |c: usize| {
             let cell = |row: &Vec<Cell>| row.get(c).cloned().unwrap_or_default();
             let first = self.rows.first().map(cell).unwrap_or_default();
@@ -416,10 +417,11 @@ impl Table {
         let say = |c: &usize| {
             let (column, text) = (&self.columns[*c], &self.rows[0][*c].text);
             let said = !matches!(text.as_str(), "" | "–");
-            said.then(|| format!("{} {text} {}", column.title, column.unit).trim_end().to_string())
+            let value = format!("{text} {}", column.unit);
+            said.then(|| (column.title.clone(), value.trim_end().to_string()))
         };
-        let said: Vec<String> = dropped.iter().filter_map(say).collect();
-        (self.columns_only(&kept), said.join(", "))
+        let said = dropped.iter().filter_map(say).collect();
+        (self.columns_only(&kept), said)
     }
 
     /// The table without its secondary columns, and without the sentences of "how to read" that

@@ -323,7 +323,12 @@ impl Writer {
         let (table, same) = &table.condensed();
         let mut how_to_read = self.checked(place, |markup| markup.inline(&table.how_to_read));
         if !same.is_empty() {
-            how_to_read += &format!(" The same in every row: {}.", html(same));
+            let said = same.iter().map(|(title, value)| {
+                let title = self.checked(place, |markup| markup.inline(title));
+                format!("{title} {}", html(value))
+            });
+            let said: Vec<String> = said.collect();
+            how_to_read += &format!(" The same in every row: {}.", said.join(", "));
         }
         let titled = table
             .columns

@@ -1,5 +1,6 @@
 //! Tables say once what is the same in every row, and omit what has no room.
 
+use lcplab_page::page::markup::literal;
 use lcplab_page::page::{Block, Cell, Column, Mark, Page, Section, Table};
 use lcplab_page::terminal;
 
@@ -34,11 +35,23 @@ fn a_column_of_one_value_is_a_remark_unless_it_is_marked_or_there_are_two_rows()
     let (condensed, same) = table().condensed();
     assert_eq!(titles(&condensed), ["name", "hash", "verdict"]);
     assert_eq!(condensed.rows[1].len(), 3);
-    assert_eq!(same, "limit 5 s");
+    assert_eq!(same, [("limit".into(), "5 s".into())]);
 
     let mut two = table();
     two.rows.pop();
     assert_eq!(titles(&two.condensed().0), titles(&two));
+}
+
+#[test]
+fn a_page_reads_the_title_of_a_column_of_one_value_as_markup_and_the_value_as_text() {
+    let mut table = table();
+    table.columns[1].title = literal("limit (s)");
+    table.rows.iter_mut().for_each(|row| row[1].text = "a_*b*".into());
+    let blocks = vec![Block::Table(table)];
+    let section = Section { id: "runs".into(), title: "Runs".into(), blocks, ..Section::default() };
+    let page = Page { title: "Report".into(), sections: vec![section], ..Page::default() };
+    let html = page.render().unwrap();
+    assert!(html.contains("The same in every row: limit (s) a_*b*"), "{html}");
 }
 
 #[test]
