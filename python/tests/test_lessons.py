@@ -369,6 +369,24 @@ def test_block_pivoting_of_the_four_rows_of_lesson_7_cycles_and_the_number_of_wr
     assert wrong_rows == [3] + 8 * [2]
 
 
+def test_minimum_degree_leaves_the_factor_of_the_net_that_sags_12_000_entries_as_lesson_14_says():
+    names = {}
+    for code, _ in cells.cells(NOTEBOOKS / "14_sparsity.md"):
+        if "def rods_of_net" in code:
+            exec(code, names)
+    rods = names["rods_of_net"](20)
+    pairs = names["entries"](rods)
+    joined = {i: {j for j in range(len(rods)) if (i, j) in pairs and j != i} for i in range(len(rods))}
+    count = 0
+    while joined:
+        i = min(joined, key=lambda i: (len(joined[i]), i))
+        later = joined.pop(i)
+        count += 1 + len(later)
+        for j in later:
+            joined[j] = (joined[j] | later) - {i, j}
+    assert 11500 < count < 12500
+
+
 def test_freezing_the_bounds_of_one_contact_multiplies_the_error_by_the_factor_of_lesson_11():
     tan = 2.0  # Painlevé's rod of lesson 13, which slides: x_t = μ x_n
     cos, sin = 1 / np.hypot(1, tan), tan / np.hypot(1, tan)
