@@ -6,10 +6,12 @@ use std::fs;
 use std::path::Path;
 
 use lcplab::body::Mass;
+use lcplab::judge::{Demand, judge};
+use lcplab::lcp::library;
 use lcplab::scene::{Scene, Scheme};
 use lcplab::simulation::Simulation;
 use lcplab::solver::theory::optimal_omega;
-use lcplab::solver::{Options, Registry};
+use lcplab::solver::{Options, Registry, Start};
 use serde_json::Value;
 
 use super::written;
@@ -124,6 +126,22 @@ fn a_rod_lacks_m_l_times_the_rate_squared_in_its_first_step() {
     let acceleration = first_force(scene, Scheme::Acceleration);
     assert!((-velocity - holds).abs() < 1e-9, "{velocity} N");
     assert!((-acceleration - (holds + bends)).abs() < 1e-9, "{acceleration} N");
+}
+
+#[test]
+fn rounds_of_fixed_bounds_solve_about_half_of_the_random_piles_of_lesson_11_and_sweeps_most() {
+    let solved = |solver: &str| {
+        let solver = Registry::standard().entry(solver).unwrap().build(&Options::default());
+        let is_solved = |seed: &u32| {
+            let given = [("bodies", 10.0), ("contacts", 20.0), ("seed", f64::from(*seed))];
+            let pile = library::by_name("friction-pile").unwrap().generate(&given).unwrap().lcp;
+            let x = solver.solve(&pile, &Start::default(), &mut ()).x;
+            judge(&pile, &x, &Demand::default()).verdict.is_solution()
+        };
+        (1..=40).filter(is_solved).count()
+    };
+    let (rounds, sweeps) = (solved("dantzig"), solved("pgs"));
+    assert!((14..=26).contains(&rounds) && sweeps >= 30, "{rounds}, {sweeps}");
 }
 
 #[test]
