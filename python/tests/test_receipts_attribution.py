@@ -61,6 +61,11 @@ def test_other_numbers_of_the_same_rows_are_of_assembly_and_other_rows_of_collis
     assert "collision: rows" in str(other)
 
 
+def test_two_steps_of_one_engine_have_different_names():
+    parts = lcplab.attribution(step(), step(error=0.3))
+    assert parts.engines == ("mine 1 (first)", "mine 1 (second)")
+
+
 def test_steps_with_other_degrees_of_freedom_are_invalid():
     falling = lcplab.EngineStep.of("mine", mass=np.eye(2), jacobian=np.zeros((0, 2)), bias=[], target=[0, 0], forces=[])
     with pytest.raises(lcplab.InputError, match="1 and 2 degrees of freedom"):

@@ -36,7 +36,7 @@ class Attribution:
     rows_are_of : str
         ``"collision"`` if the two steps have other rows, ``"assembly"`` if the same rows have other numbers.
     engines : (str, str)
-        The engines with their versions.
+        The engines with their versions; if these are equal, followed by ``(first)`` and ``(second)``.
     """
 
     difference: float
@@ -104,7 +104,7 @@ def attribution(first: Receipt | Step, second: Receipt | Step) -> Attribution:
         free_motion=part(exact[0] - exact[1]),
         rows=part(exact[1] - exact[2]),
         rows_are_of="assembly" if _kinds(one) == _kinds(other) else "collision",
-        engines=(_name(one), _name(other)),
+        engines=_names(one, other),
     )
 
 
@@ -136,6 +136,12 @@ def _kinds(step: Step) -> Counter[tuple[str, ...]]:
     if len(step.rows) != len(step):
         return Counter({("rows",): len(step)})
     return Counter((row.kind, *sorted(row.bodies)) for row in step.rows)
+
+
+def _names(first: Step, second: Step) -> tuple[str, str]:
+    """The engines with their versions; where these are equal, also which step it is."""
+    names = _name(first), _name(second)
+    return names if names[0] != names[1] else (f"{names[0]} (first)", f"{names[1]} (second)")
 
 
 def _name(step: Step) -> str:
