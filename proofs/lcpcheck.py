@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Checks proofs about linear complementarity problems. Written from docs/proofs.md alone; calculates with integers.
 
-    lcpcheck.py PROBLEM PROOF [MODEL]   one proof: prints what it proves, or why it is refused; MODEL is
+    lcpcheck.py PROBLEM PROOF [MODEL]   one proof: prints what it proves, or why it is rejected; MODEL is
                                         the friction model to ask about, if not the problem's
     lcpcheck.py FOLDER                  every *.proof.json of a folder, about the problem of its hash in
                                         another *.json
 
-Exit code: 0 if every proof proves its claim, 1 if one is refused, 2 if a problem cannot be read.
+Exit code: 0 if every proof proves its claim, 1 if one is rejected, 2 if a problem cannot be read.
 """
 import hashlib, json, re, struct, sys
 from fractions import Fraction as Q
@@ -512,7 +512,7 @@ def main(arguments):
     if not proofs:
         print(f"{folder}: there is no *.proof.json in it")
         return 2
-    problems, refused = {}, 0
+    problems, rejected = {}, 0
     for path in paths:
         try:
             problem = Problem(read(path.read_text(encoding="utf-8")), *arguments[2:])
@@ -528,11 +528,11 @@ def main(arguments):
             under = f", under the friction model {proof['model']}" if "model" in proof else ""
             print(f"{path}: proved: {check(problems[proof['problem']], proof)}{under}")
         except WRONG as error:
-            refused += 1
-            print(f"{path}: refused: {error}")
+            rejected += 1
+            print(f"{path}: rejected: {error}")
     if folder is not None:
-        print(f"{len(proofs) - refused} of {len(proofs)} proofs prove their claims")
-    return 1 if refused else 0
+        print(f"{len(proofs) - rejected} of {len(proofs)} proofs prove their claims")
+    return 1 if rejected else 0
 
 
 if __name__ == "__main__":

@@ -32,7 +32,8 @@ Examples:
 From the strongest to the weakest the kinds are no-solution, unique, not-unique, solution, cone-solution, motion, \
 within. \
 The first kind that can be proved is written; for each stronger kind the output says why it was not proved. \
-With --all, lcplab lists all solutions of a problem of up to 16 rows with one finite bound, or 10 rows with two. \
+With --all, lcplab lists all solutions of a problem of up to 16 rows if each has one finite bound, or of up to 10 rows \
+if they have two. \
 docs/proofs.md says what each kind proves. Most proofs are about boxes: under a friction cone, no-solution, \
 solution and cone-solution can be proved, under a polygon only no-solution.
 
@@ -202,7 +203,7 @@ impl Check {
         } else {
             print(&match &verdict {
                 Ok(()) => format!("proved: {claim}\n"),
-                Err(reason) => format!("refused: {reason}\n"),
+                Err(reason) => format!("rejected: {reason}\n"),
             })?;
         }
         Ok(if verdict.is_ok() { Outcome::Good } else { Outcome::Refuted })

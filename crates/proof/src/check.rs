@@ -42,7 +42,9 @@ pub(crate) const MOST_ROWS_OF_P: usize = 12;
 pub fn check(question: &Question, proof: &Proof) -> Result<(), String> {
     let (own, other) = (model(question), proof.model.unwrap_or_default());
     if own != other {
-        return Err(format!("the proof is about the model {other}, the problem's model is {own}"));
+        return Err(format!(
+            "the proof is about the model {other}, but the problem's model is {own}"
+        ));
     }
     if proof.problem != hash(question) {
         return Err("the proof is about another problem".into());
@@ -112,13 +114,14 @@ fn of_boxes(lcp: &Lcp, bodies: Option<&Gauss>, claim: &Claim) -> Result<(), Stri
     }
 }
 
-/// Checks a claim that is valid under every friction model: no solution exists, by one vector.
+/// Checks a claim that is valid under every friction model: no solution exists, proved by a
+/// Farkas vector.
 fn of_any_model(rows: &Lcp, model: Model, claim: &Claim) -> Result<(), String> {
     match claim {
         Claim::NoSolution { tree: tree @ Tree::Leaf(_) } => cases::check(rows, tree),
-        Claim::NoSolution { tree: Tree::Branch { .. } } => {
-            Err(format!("the cases of a tree are sides of boxes, the problem's model is {model}"))
-        }
+        Claim::NoSolution { tree: Tree::Branch { .. } } => Err(format!(
+            "the cases of a tree are sides of boxes, but the problem's model is {model}"
+        )),
         Claim::ConeSolution { .. } => Err(about_cones()),
         claim => Err(about_boxes(claim.kind(), model)),
     }
@@ -126,7 +129,7 @@ fn of_any_model(rows: &Lcp, model: Model, claim: &Claim) -> Result<(), String> {
 
 /// Why a model other than a box has no proofs of this kind.
 pub(crate) fn about_boxes(kind: Kind, model: Model) -> String {
-    format!("proofs of the kind {kind} are about boxes, the problem's model is {model}")
+    format!("proofs of the kind {kind} are about boxes, but the problem's model is {model}")
 }
 
 /// Why a model other than a cone has no proofs of the kind `cone-solution`.

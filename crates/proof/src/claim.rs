@@ -138,8 +138,8 @@ impl Claim {
             Claim::Unique { .. } => "exactly one solution exists".into(),
             Claim::NotUnique { .. } => "two different solutions exist".into(),
             Claim::NoSolution { tree } => match tree.leaves() {
-                1 => "no solution exists, by one vector".into(),
-                leaves => format!("no solution exists, in {leaves} cases"),
+                1 => "no solution exists, proved by a Farkas vector".into(),
+                leaves => format!("no solution exists, proved in {leaves} cases"),
             },
             Claim::Motion(Bounded { bound, .. }) => {
                 format!(

@@ -10,6 +10,7 @@ use lcplab_judge::{exact, refuting_vector};
 use lcplab_lcp::exact::dyadic::{dyadic, rational, whole};
 use lcplab_lcp::exact::{Exact, Face, Point, SolutionSet};
 use lcplab_lcp::friction::ProblemForm;
+use lcplab_lcp::number::counted;
 use lcplab_lcp::{Lcp, Question};
 
 use crate::check::{MOST_ROWS_OF_DEFINITE, MOST_ROWS_OF_P, about_boxes, about_cones, check};
@@ -45,7 +46,7 @@ impl ProofSearch {
                 format!("is {model}: no proof of kind {kind}: {reason}")
             }
             _ if matches!(question.posed(), ProblemForm::Cone(_)) => format!(
-                "is {model}: neither a solution near the answer was found, nor a vector that shows that \
+                "is {model}: neither a solution near the answer was found, nor a Farkas vector, which would prove that \
                  no solution exists; other proofs are about boxes"
             ),
             _ => format!(
@@ -159,8 +160,8 @@ impl<'a> Prover<'a> {
         let refuting =
             || refuting_vector(lcp, &[self.answer], 0.0).map(|farkas| integers(&farkas.vector));
         let vector = cases::single_vector(lcp).or_else(refuting);
-        let vector =
-            vector.ok_or("no single vector shows it, as it would for every friction model")?;
+        let vector = vector
+            .ok_or("no Farkas vector was found (it would be valid under every friction model)")?;
         Ok(Claim::NoSolution { tree: Tree::Leaf(vector) })
     }
 
@@ -220,8 +221,8 @@ fn solvable(lcp: &Lcp, answer: &[f64]) -> Result<Solvable, String> {
     let at = |x| Ok(Solvable::Yes(Solution { x, direction: None }));
     if lcp.len() > MOST_ROWS {
         return Err(format!(
-            "{} rows are too many: at most {MOST_ROWS} are solved exactly",
-            lcp.len()
+            "{} are too many: at most {MOST_ROWS} are solved exactly",
+            counted(lcp.len(), "row")
         ));
     }
     if answer.iter().all(|x| x.is_finite())
@@ -244,10 +245,10 @@ fn solvable(lcp: &Lcp, answer: &[f64]) -> Result<Solvable, String> {
     match refuting_vector(lcp, &[answer], 0.0) {
         Some(farkas) => Ok(Solvable::No(Tree::Leaf(integers(&farkas.vector)))),
         None if lcp.len() > cases::MOST_ROWS => Err(format!(
-            "no vector shows it, and {} rows are too many to split into cases",
-            lcp.len()
+            "no Farkas vector was found, and {} are too many to split into cases",
+            counted(lcp.len(), "row")
         )),
-        None => Err("no vector shows it, and there are too many cases".into()),
+        None => Err("no Farkas vector was found, and there are too many cases".into()),
     }
 }
 

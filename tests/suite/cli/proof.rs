@@ -80,7 +80,8 @@ fn that_no_solution_exists_is_proved_under_every_model_where_one_vector_shows_it
     let (_folder, problem, proof) = folder(&text);
     let proved = lcplab("prove", &[&problem], &["--out", proof.to_str().unwrap()]);
     assert_eq!(proved.status.code(), Some(0), "{}", err(&proved));
-    let claim = "no solution exists, by one vector, under the friction model coulomb-cone";
+    let claim =
+        "no solution exists, proved by a Farkas vector, under the friction model coulomb-cone";
     assert!(out(&proved).contains(claim), "{}", out(&proved));
     for output in [lcplab("check", &[&problem, &proof], &[]), lcpcheck(&[&problem, &proof], &[])] {
         assert_eq!(output.status.code(), Some(0), "{}", out(&output));

@@ -1,11 +1,11 @@
 // Checks proofs about linear complementarity problems. Written from docs/proofs.md alone; calculates with BigInt.
 //
-//     node lcpcheck.js PROBLEM PROOF [MODEL]   prints what it proves, or why it is refused; MODEL is
+//     node lcpcheck.js PROBLEM PROOF [MODEL]   prints what it proves, or why it is rejected; MODEL is
 //                                              the friction model to ask about, if not the problem's
 //     node lcpcheck.js FOLDER                  every *.proof.json of a folder, about the problem of
 //                                              its hash in another *.json
 //
-// Exit code: 0 if every proof proves its claim, 1 if one is refused, 2 if a problem cannot be read.
+// Exit code: 0 if every proof proves its claim, 1 if one is rejected, 2 if a problem cannot be read.
 // In a page: lcpcheck(problemText, proofText) returns { holds, says }.
 "use strict";
 
@@ -734,7 +734,7 @@ if (typeof process !== "undefined" && typeof require !== "undefined" && require.
   try {
     const found = names === null ? [lcpcheck(text(problems[0]), readable(proofs[0]), given[2])]
       : lcpcheck.all(problems.map(text), proofs.map(readable));
-    found.forEach(({ holds, says }, k) => console.log(`${proofs[k]}: ${holds ? "proved" : "refused"}: ${says}`));
+    found.forEach(({ holds, says }, k) => console.log(`${proofs[k]}: ${holds ? "proved" : "rejected"}: ${says}`));
     process.exitCode = found.every(({ holds }) => holds) ? 0 : 1;
   } catch (error) {
     console.log(`${problems.join(", ")}: cannot be read: ${error.message}`);

@@ -8,7 +8,7 @@ const lcpcheck = require(path.resolve(checker));
 
 function verdict(problem, proof) {
   try {
-    return lcpcheck(problem, proof).holds ? "proved" : "refused";
+    return lcpcheck(problem, proof).holds ? "proved" : "rejected";
   } catch {
     return "unreadable";
   }

@@ -17,7 +17,7 @@ def verdict(problem, proof):
         lcpcheck.check(problem, lcpcheck.read(proof))
         return "proved"
     except lcpcheck.WRONG:
-        return "refused"
+        return "rejected"
 
 
 for line in pairs.read_text(encoding="utf-8").split("\n")[:-1]:

@@ -12,14 +12,14 @@ use lcplab_proof::{Proof, check};
 /// The text of a problem, and that of a proof.
 pub type Pair = (String, String);
 
-/// What this crate says: `unreadable` of a problem that is none, else `proved` or `refused`.
+/// What this crate says: `unreadable` of a problem that is none, else `proved` or `rejected`.
 pub fn own(problem: &str, proof: &str) -> &'static str {
     let question = Problem::parse(problem, "problem.json")
         .and_then(|problem| Question::new(&problem, None, "problem.json"));
     let Ok(question) = question else { return "unreadable" };
     let holds =
         Proof::parse(proof, "proof.json").is_ok_and(|proof| check(&question, &proof).is_ok());
-    if holds { "proved" } else { "refused" }
+    if holds { "proved" } else { "rejected" }
 }
 
 /// What the others say of each pair, by the name of the checker. The one in JavaScript takes part
